@@ -1,0 +1,64 @@
+#pragma once
+/// \file
+/// The grain size distribution G = (X_G, M_G).
+
+#include <mdm/gradation/size_unit.hpp>
+
+#include <string>
+#include <vector>
+
+namespace mdm {
+
+/// G of Arnold, Eq. 5-8, complete (Cond1, Eq. 9): openings x_1 < ... < x_n and the masses m_1, ..., m_n retained on
+/// them, n >= 2, x_1 >= 0 (0 is the pan), m_j >= 0, m_n = 0, not all masses 0. Class j = 1, ..., n - 1 holds the
+/// particles with x_j < x <= x_{j+1}: open below, closed above (Eq. 12).
+class Gradation {
+public:
+  /// What a gradation is made of; vectors of n entries, ascending by size.
+  struct Data {
+    std::string id;                   ///< name for reports, any text
+    SizeUnit unit = SizeUnit::mm;     ///< unit of the sizes
+    std::vector<Rational> sizes;      ///< X_G
+    std::vector<Rational> masses;     ///< M_G, in any unit: only their ratios count
+    std::vector<Rational> factors;    ///< density or shape factor c_j > 0 of class j (the last is not used), or empty: all 1
+    std::vector<Rational> tolerances; ///< percentage points >= 0 as a file gave them, or empty
+    std::vector<std::string> notes;   ///< what the reader assumed, for the report
+  };
+
+  /// \throws InputError naming the size where an invariant of the class does not hold
+  explicit Gradation(Data data);
+
+  const std::string &id() const { return data_.id; }
+  SizeUnit unit() const { return data_.unit; }
+  const std::vector<Rational> &sizes() const { return data_.sizes; }
+  const std::vector<Rational> &masses() const { return data_.masses; }
+  const std::vector<Rational> &tolerances() const { return data_.tolerances; }
+  const std::vector<std::string> &notes() const { return data_.notes; }
+  bool has_factors() const { return !data_.factors.empty(); }
+
+  /// k = n - 1.
+  std::size_t classes() const { return data_.sizes.size() - 1; }
+  /// Bounds (lower, upper] and mass of class j, counted from 0.
+  const Rational &lower(std::size_t j) const { return data_.sizes[j]; }
+  const Rational &upper(std::size_t j) const { return data_.sizes[j + 1]; }
+  const Rational &mass(std::size_t j) const { return data_.masses[j]; }
+  /// c_j of class j.
+  Rational factor(std::size_t j) const { return has_factors() ? data_.factors[j] : Rational(1); }
+
+  /// The same gradation with its pan (x_1 = 0) taken as `size`.
+  /// \throws InputError if there is no pan or `size` is not in (0, x_2)
+  Gradation with_pan_size(const Rational &size) const;
+  /// The same gradation without the classes below the opening `size`; their mass is lost.
+  /// \throws InputError if `size` is no opening below the largest, or no mass is left
+  Gradation cut_below(const Rational &size) const;
+  /// The same gradation with every size multiplied by `factor` > 0.
+  Gradation scaled(const Rational &factor) const;
+
+  /// Throws what the constructor throws; for tests.
+  void check_invariant() const;
+
+private:
+  Data data_;
+};
+
+} // namespace mdm

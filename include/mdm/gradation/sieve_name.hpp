@@ -1,0 +1,15 @@
+#pragma once
+/// \file
+/// Names of sieves.
+
+#include <mdm/number/rational.hpp>
+
+namespace mdm {
+
+/// Opening in mm of a sieve name: ASTM E11 (`No. 200`, `#200`, `3/8 in`, `3/8"`), Tyler with its prefix
+/// (`Tyler 65 mesh`), or a metric opening (`1.18 mm`, `75 um`); 0 for `pan`. `point` is the decimal sign.
+/// Tables and rules: proofs/certificate-format.md, sections 4 and 5.
+/// \throws InputError for a name that is none of these
+Rational sieve_opening(std::string_view name, char point = '.');
+
+} // namespace mdm

@@ -1,0 +1,49 @@
+#pragma once
+/// \file
+/// The integer problem behind a match.
+
+#include <mdm/match/question.hpp>
+
+namespace mdm {
+
+/// One class with mass. With the law x^(a/b), q particles can hold the mass s m iff q^b f < s^b m <= q^b F
+/// (Theorem 1, to the power b); f, F and mass are to the power b, so that they are rational.
+struct ProblemClass {
+  std::size_t index = 0; ///< class of the gradation, from 0
+  Rational f;            ///< c^b x_j^a >= 0
+  Rational F;            ///< c^b x_{j+1}^a > f
+  Rational mass;         ///< m_j^b > 0
+  Integer floor;         ///< r_j >= 1, the least count that is allowed
+};
+
+/// Minimise sum q_j over integers q_j >= r_j and scales S = s^b > 0 with q_j^b f_j < S m_j <= q_j^b F_j in every class
+/// with mass ((*) of proofs/README.md). Classes are ascending; there is at least one.
+class Problem {
+public:
+  /// The problem of a gradation (with the question's changes already made), every floor `min_per_class`.
+  /// \throws InputError if powers of its numbers get out of hand (more than 2^20 bits)
+  Problem(const Gradation &g, const MassLaw &law, const Integer &min_per_class);
+
+  const std::vector<ProblemClass> &classes() const { return classes_; }
+  const MassLaw &law() const { return law_; }
+
+  /// The same problem at scales S >= start (closed) or S > start (open): nothing but higher floors (Theorem 6).
+  Problem from_scale(const Rational &start, bool open) const;
+
+  /// The same problem with the floor of class j at `least` or higher.
+  Problem with_floor(std::size_t j, const Integer &least) const;
+
+  /// Lowest scale, exclusive, and highest, inclusive, at which q is a match: max q^b f / m and min q^b F / m.
+  /// q is a match iff the first is below the second.
+  Rational lowest_scale(const std::vector<Integer> &q) const;
+  Rational highest_scale(const std::vector<Integer> &q) const;
+
+private:
+  MassLaw law_;
+  std::vector<ProblemClass> classes_;
+};
+
+/// Sum of quantities.
+Integer total(const std::vector<Integer> &q);
+
+} // namespace mdm

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The volume of solids that a sample must have at least.
+
+#include <mdm/number/rational.hpp>
+
+#include <variant>
+
+namespace mdm {
+
+/// A specimen in a cylinder of diameter D and height H at void ratio e; lengths in the gradation's unit.
+struct Cylinder {
+  Rational diameter, height, void_ratio;
+};
+/// A specimen in a box at void ratio e.
+struct Box {
+  Rational a, b, c, void_ratio;
+};
+/// A volume of solids, in the cube of the gradation's unit.
+struct SolidsVolume {
+  Rational volume;
+};
+using Solids = std::variant<Cylinder, Box, SolidsVolume>;
+
+/// Reads `cylinder:DxH` or `box:AxBxC` with its void ratio.
+/// \throws InputError if it is anything else, a length is not positive, or the void ratio is negative
+Solids parse_specimen(std::string_view shape, std::string_view void_ratio);
+
+/// lo <= s_0 <= hi for the least scale s_0 at which spheres have the volume: s_0 = 6 V / (pi W) with
+/// W = sum m_j / c_j. For a cylinder pi cancels and lo = hi = s_0; otherwise s_0 is irrational and lo < s_0 < hi.
+struct StartScale {
+  Rational lo, hi;
+  bool exact() const { return lo == hi; }
+};
+
+/// \param pi_places  digits of pi after the point
+StartScale start_scale(const Solids &solids, const Rational &weight, unsigned pi_places);
+
+} // namespace mdm

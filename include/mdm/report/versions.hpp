@@ -1,0 +1,14 @@
+#pragma once
+/// \file
+/// Versions of the program and of the libraries that its results depend on.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mdm {
+
+/// Names and versions, mdm first.
+const std::vector<std::pair<std::string, std::string>> &versions();
+
+} // namespace mdm

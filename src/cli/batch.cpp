@@ -1,0 +1,174 @@
+#include "commands.hpp"
+#include "files.hpp"
+#include "progress.hpp"
+#include "solve_flags.hpp"
+
+#include <mdm/error.hpp>
+#include <mdm/gradation/read_gradation.hpp>
+#include <mdm/proof/certificate.hpp>
+#include <mdm/report/answer.hpp>
+#include <mdm/report/json_text.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <fmt/core.h>
+#include <memory>
+#include <sys/stat.h>
+#include <thread>
+
+namespace mdm::cli {
+namespace {
+
+struct BatchCommand {
+  std::string file = "-";
+  SolveFlags flags;
+  std::optional<std::string> proofs;
+  std::string out = "-";
+  unsigned threads = 1;
+  bool quiet = false;
+};
+
+/// The answer to one line, with the exit code that it would have alone.
+struct Answer {
+  std::string text; // empty for a blank line
+  int exit = Exit::done;
+};
+
+/// The exit code of a whole run is that of its worst line.
+int severity(int exit) {
+  switch (exit) {
+  case Exit::bad_input:
+    return 3;
+  case Exit::limited:
+    return 2;
+  case Exit::negative:
+    return 1;
+  default:
+    return 0;
+  }
+}
+
+/// Name of a line's proof: the line number makes it unique, the id, where it can stand in a file name, findable.
+std::string proof_name(std::uint64_t number, const std::string &id) {
+  const auto plain = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_' || c == '.';
+  };
+  const bool usable = !id.empty() && id.size() <= 64 && std::all_of(id.begin(), id.end(), plain);
+  return usable && id != std::to_string(number) ? fmt::format("{}-{}.proof", number, id)
+                                                : fmt::format("{}.proof", number);
+}
+
+class Batch {
+public:
+  explicit Batch(const BatchCommand &command)
+      : command_(command), question_(command.flags.question()), options_(command.flags.options()) {}
+
+  Answer answer(const Lines::Line &line, std::uint64_t number) const {
+    const std::string fallback = std::to_string(number);
+    if (!line)
+      return error(fallback, where(number) + ": the line has more than 64 MiB");
+    if (line->find_first_not_of(" \t\r") == std::string::npos)
+      return {};
+    try {
+      return solved(read_json_gradation(*line, where(number), fallback), number);
+    } catch (const InputError &e) {
+      return error(json_gradation_id(*line).value_or(fallback), e.what());
+    }
+  }
+
+private:
+  std::string where(std::uint64_t number) const {
+    return (command_.file == "-" ? "stdin" : command_.file) + ":" + std::to_string(number);
+  }
+
+  static Answer error(const std::string &id, const std::string &message) {
+    return {fmt::format(R"({{"id":{},"status":"error","error":{}}})", json_string(id), json_string(message)) + "\n",
+            Exit::bad_input};
+  }
+
+  Answer solved(Gradation g, std::uint64_t number) const {
+    const std::string id = g.id();
+    SolveOptions options = options_;
+    if (command_.flags.time_limit)
+      options.limits = command_.flags.options().limits; // a deadline of its own for each line
+    const Match m = [&] {
+      try {
+        return solve(std::move(g), question_, options);
+      } catch (const InputError &e) {
+        throw InputError(where(number) + ": " + e.what());
+      }
+    }();
+    if (command_.proofs && m.complete) {
+      Output proof(*command_.proofs + "/" + proof_name(number, id));
+      proof.write(certificate(m));
+      proof.commit();
+    }
+    const int exit = m.status == Status::optimal ? Exit::done
+                     : m.status == Status::none  ? Exit::negative
+                                                 : Exit::limited;
+    return {answer_json(m) + "\n", exit};
+  }
+
+  const BatchCommand &command_;
+  Question question_;
+  SolveOptions options_;
+};
+
+/// Answers to lines first, first + 1, ..., by several threads, in order.
+std::vector<Answer> answers(const Batch &batch, const std::vector<Lines::Line> &lines, std::uint64_t first, unsigned threads) {
+  std::vector<Answer> result(lines.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < lines.size(); i = next++)
+      result[i] = batch.answer(lines[i], first + i);
+  };
+  std::vector<std::thread> helpers;
+  for (unsigned t = 1; t < std::min<std::size_t>(threads, lines.size()); ++t)
+    helpers.emplace_back(work);
+  work();
+  for (std::thread &helper : helpers)
+    helper.join();
+  return result;
+}
+
+int run(const BatchCommand &c) {
+  if (c.proofs && mkdir(c.proofs->c_str(), 0777) != 0 && errno != EEXIST)
+    throw InputError("cannot make the folder " + mdm::quoted(*c.proofs) + " for the proofs");
+  const Batch batch(c);
+  Lines lines(c.file);
+  Output out(c.out);
+  std::atomic<std::uint64_t> count = 0;
+  Progress progress([&count] { return fmt::format("{} gradations", count.load()); }, c.quiet);
+  int worst = Exit::done;
+  constexpr std::size_t at_once = 512;
+  for (std::vector<Lines::Line> chunk = lines.next(at_once); !chunk.empty(); chunk = lines.next(at_once)) {
+    std::string text;
+    for (const Answer &answer : answers(batch, chunk, count + 1, c.threads)) {
+      text += answer.text;
+      if (severity(answer.exit) > severity(worst))
+        worst = answer.exit;
+    }
+    count += chunk.size();
+    out.write(text);
+  }
+  out.commit();
+  return worst;
+}
+
+} // namespace
+
+Run add_batch(CLI::App &app) {
+  const auto c = std::make_shared<BatchCommand>();
+  CLI::App &command = *app.add_subcommand("batch", "Solves JSON Lines of gradations, an answer a line in the same order");
+  command.add_option("FILE", c->file, "JSON Lines; standard input if left out");
+  c->flags.add_to(command);
+  command.add_option("-j", c->threads, "threads")->type_name("THREADS")->check(CLI::Range(1, 1024));
+  command.add_option("--proofs", c->proofs, "write a certificate for each line into the folder DIR")->type_name("DIR");
+  command.add_option("-o", c->out, "write to OUT instead of standard output")->type_name("OUT");
+  command.add_flag("--quiet", c->quiet, "no progress on standard error");
+  command.footer("Example: mdm batch suite.jsonl -j 4 -o answers.jsonl");
+  return [c] { return run(*c); };
+}
+
+} // namespace mdm::cli

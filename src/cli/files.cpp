@@ -1,0 +1,190 @@
+#include "files.hpp"
+
+#include <mdm/error.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace mdm::cli {
+namespace {
+
+constexpr std::size_t chunk = std::size_t{1} << 16;
+
+[[noreturn]] void cannot(const char *what, const std::string &path, int error) {
+  throw InputError(fmt::format("cannot {} {}: {}", what, mdm::quoted(path), std::strerror(error)));
+}
+
+int open_for_reading(const std::string &path) {
+  if (path == "-")
+    return STDIN_FILENO;
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0)
+    cannot("read", path, errno);
+  return descriptor;
+}
+
+void close_reading(int descriptor) {
+  if (descriptor > STDIN_FILENO)
+    close(descriptor);
+}
+
+/// Appends what one read gives; false at the end.
+bool read_some(int descriptor, const std::string &path, std::string &text) {
+  const std::size_t before = text.size();
+  text.resize(before + chunk);
+  ssize_t n = 0;
+  do {
+    n = read(descriptor, text.data() + before, chunk);
+  } while (n < 0 && errno == EINTR);
+  const int error = errno;
+  text.resize(before + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+  if (n < 0)
+    cannot("read", path, error);
+  return n > 0;
+}
+
+/// The file behind symbolic links, or `path` itself where there is none yet.
+std::string resolved(const std::string &path) {
+  char *const real = realpath(path.c_str(), nullptr);
+  if (real == nullptr)
+    return path;
+  std::string target(real);
+  std::free(real);
+  return target;
+}
+
+} // namespace
+
+std::string read_file(const std::string &path, std::size_t most) {
+  const int descriptor = open_for_reading(path);
+  std::string text;
+  try {
+    while (read_some(descriptor, path, text))
+      if (text.size() > most)
+        throw InputError(fmt::format("{} has more than {} MiB: is it the right file?", mdm::quoted(path), most >> 20));
+  } catch (...) {
+    close_reading(descriptor);
+    throw;
+  }
+  close_reading(descriptor);
+  return text;
+}
+
+Output::Output(std::string path) : path_(std::move(path)) {
+  if (path_ == "-") {
+    descriptor_ = STDOUT_FILENO;
+    return;
+  }
+  target_ = resolved(path_);
+  struct stat status {};
+  const bool exists = stat(target_.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT)
+    fail(errno);
+  if (!exists || S_ISREG(status.st_mode)) {
+    if (exists && access(target_.c_str(), W_OK) != 0)
+      fail(errno);
+    open_beside();
+    if (exists && fchmod(descriptor_, status.st_mode & 07777) != 0)
+      fail(errno);
+    return;
+  }
+  descriptor_ = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor_ < 0)
+    fail(errno);
+}
+
+Output::~Output() {
+  if (descriptor_ > STDOUT_FILENO)
+    close(descriptor_);
+  if (!temporary_.empty())
+    unlink(temporary_.c_str());
+}
+
+void Output::fail(int error) const { cannot("write", path_ == "-" ? "standard output" : path_, error); }
+
+void Output::open_beside() {
+  for (unsigned attempt = 0; descriptor_ < 0; ++attempt) {
+    temporary_ = fmt::format("{}.{}-{}.tmp", target_, getpid(), attempt);
+    descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno != EEXIST) {
+      const int error = errno;
+      temporary_.clear();
+      fail(error);
+    }
+  }
+}
+
+void Output::write(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t n = ::write(descriptor_, text.data(), text.size());
+    if (n < 0 && errno != EINTR)
+      fail(errno);
+    text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+  }
+}
+
+void Output::commit() {
+  // Standard output stays open for what follows, yet an error of closing it must be seen: close a copy.
+  const int closing = descriptor_ == STDOUT_FILENO ? dup(descriptor_) : std::exchange(descriptor_, -1);
+  if (closing < 0 || close(closing) != 0)
+    fail(errno);
+  if (temporary_.empty())
+    return;
+  if (rename(temporary_.c_str(), target_.c_str()) != 0)
+    fail(errno);
+  temporary_.clear();
+}
+
+Lines::Lines(const std::string &path) : path_(path), descriptor_(open_for_reading(path)) {}
+
+Lines::~Lines() { close_reading(descriptor_); }
+
+void Lines::fill() {
+  buffer_.erase(0, taken_);
+  searched_ -= taken_;
+  taken_ = 0;
+  if (skipping_ || buffer_.size() > longest_line) {
+    skipping_ = true;
+    buffer_.clear();
+    searched_ = 0;
+  }
+  at_end_ = !read_some(descriptor_, path_, buffer_);
+}
+
+bool Lines::take_line(std::vector<Line> &lines) {
+  std::size_t end = buffer_.find('\n', searched_);
+  if (end == std::string::npos) {
+    if (!at_end_ || (taken_ == buffer_.size() && !skipping_)) {
+      searched_ = buffer_.size();
+      return false;
+    }
+    end = buffer_.size(); // the last line has no end
+  }
+  if (skipping_)
+    lines.emplace_back();
+  else
+    lines.emplace_back(buffer_.substr(taken_, end - taken_));
+  skipping_ = false;
+  taken_ = searched_ = std::min(end + 1, buffer_.size());
+  return true;
+}
+
+std::vector<Lines::Line> Lines::next(std::size_t most) {
+  std::vector<Line> lines;
+  for (;;) {
+    while (lines.size() < most && take_line(lines)) {
+    }
+    if (!lines.empty() || at_end_)
+      return lines;
+    fill();
+  }
+}
+
+} // namespace mdm::cli

@@ -1,0 +1,69 @@
+#pragma once
+/// \file
+/// Input and output of the commands: bounded reads, checked writes, no file left half written.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mdm::cli {
+
+/// Content of a file, or of standard input for `-`.
+/// \throws InputError if it cannot be read or has more than `most` bytes
+std::string read_file(const std::string &path, std::size_t most);
+
+/// Where a result goes. A regular file or a new path is written beside and takes its name in commit(); without commit
+/// nothing is left of it. Standard output (path `-`), devices and pipes are written in place.
+class Output {
+public:
+  /// \throws InputError if the path cannot be written
+  explicit Output(std::string path);
+  ~Output();
+  Output(const Output &) = delete;
+  Output &operator=(const Output &) = delete;
+
+  /// \throws InputError if not all of it can be written
+  void write(std::string_view text);
+  /// Makes what was written final. \throws InputError if that fails
+  void commit();
+
+private:
+  [[noreturn]] void fail(int error) const;
+  void open_beside();
+
+  std::string path_;       // as the user gave it
+  std::string target_;     // behind symbolic links
+  std::string temporary_;  // empty: written in place
+  int descriptor_ = -1;
+};
+
+/// Lines of a file or of standard input, as they come in and in bounded memory.
+class Lines {
+public:
+  explicit Lines(const std::string &path);
+  ~Lines();
+  Lines(const Lines &) = delete;
+  Lines &operator=(const Lines &) = delete;
+
+  /// A line without its end; nothing of a line that was longer than `longest_line`.
+  using Line = std::optional<std::string>;
+  static constexpr std::size_t longest_line = std::size_t{64} << 20;
+
+  /// The lines that are there, at least one and at most `most`; waits only for the first. Empty at the end of the input.
+  std::vector<Line> next(std::size_t most);
+
+private:
+  void fill();
+  bool take_line(std::vector<Line> &lines);
+
+  std::string path_;
+  int descriptor_ = -1;
+  std::string buffer_;
+  std::size_t taken_ = 0;   // of the buffer
+  std::size_t searched_ = 0; // no line end before it
+  bool skipping_ = false;   // inside a line that is too long
+  bool at_end_ = false;
+};
+
+} // namespace mdm::cli

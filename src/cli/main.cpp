@@ -1,0 +1,110 @@
+#include "commands.hpp"
+#include "files.hpp"
+
+#include <mdm/error.hpp>
+#include <mdm/report/versions.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <fmt/core.h>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace mdm::cli;
+
+/// A command and what runs it.
+struct Command {
+  CLI::App *app;
+  Run run;
+};
+
+std::string version_text() {
+  std::string text;
+  for (const auto &[library, version] : mdm::versions())
+    text += library + " " + version + "\n";
+  return text + "cli11 " CLI11_VERSION;
+}
+
+void print(const std::string &text) {
+  Output out("-");
+  out.write(text);
+  out.commit();
+}
+
+int complain(const std::string &message) {
+  fmt::print(stderr, "{}\n", message);
+  return Exit::bad_input;
+}
+
+std::vector<Command> add_commands(CLI::App &app) {
+  std::vector<Command> commands;
+  for (Run (*const add)(CLI::App &) : {add_solve, add_batch, add_convert}) {
+    Run run = add(app);
+    commands.push_back({app.get_subcommands({}).back(), std::move(run)});
+  }
+  std::vector<CLI::App *> all = app.get_subcommands({});
+  all.push_back(&app);
+  for (CLI::App *const a : all) {
+    a->set_help_flag("-h,--help", "show this help");
+    a->set_version_flag("--version", version_text(), "show the versions of the program and its libraries");
+  }
+  return commands;
+}
+
+std::string names(const std::vector<Command> &commands) {
+  std::string text;
+  for (const Command &c : commands)
+    text += (text.empty() ? "" : ", ") + c.app->get_name();
+  return text;
+}
+
+int run(int argc, char **argv) {
+  CLI::App app("The smallest set of particles that matches a grain size distribution, exactly.", "mdm");
+  app.footer("Example: mdm solve sand.csv --proof sand.proof && mdm-check sand.csv sand.proof");
+  const std::vector<Command> commands = add_commands(app);
+  if (argc < 2)
+    return complain("mdm: a command is missing; there are " + names(commands) + "; see mdm --help");
+  const std::string first = argv[1];
+  const auto is_first = [&first](const Command &c) { return c.app->get_name() == first; };
+  if (first.rfind('-', 0) != 0 && std::none_of(commands.begin(), commands.end(), is_first))
+    return complain("mdm: " + mdm::quoted(first) + " is no command; there are " + names(commands));
+  const auto parsed = [&]() -> const CLI::App & {
+    const std::vector<CLI::App *> sub = app.get_subcommands();
+    return sub.empty() ? app : *sub.front();
+  };
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp &) {
+    print(parsed().help());
+    return Exit::done;
+  } catch (const CLI::CallForVersion &) {
+    print(version_text() + "\n");
+    return Exit::done;
+  } catch (const CLI::ParseError &e) {
+    const std::string of = &parsed() == &app ? "" : parsed().get_name() + " ";
+    return complain(fmt::format("mdm: {}; see mdm {}--help", mdm::quoted(e.what()), of));
+  }
+  for (const Command &c : commands)
+    if (c.app->parsed())
+      return c.run();
+  return complain("mdm: a command is missing; there are " + names(commands));
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  // A closed pipe is then an error of write, with a message and an exit code.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return run(argc, argv);
+  } catch (const mdm::InputError &e) {
+    return complain(e.what());
+  } catch (const std::bad_alloc &) {
+    return complain("mdm: out of memory");
+  } catch (const std::exception &e) {
+    return complain(fmt::format("mdm: internal error, please report it: {}", e.what()));
+  }
+}

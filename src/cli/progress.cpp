@@ -1,0 +1,40 @@
+#include "progress.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <fmt/core.h>
+#include <unistd.h>
+
+namespace mdm::cli {
+
+Progress::Progress(std::function<std::string()> text, bool quiet) : text_(std::move(text)) {
+  if (!quiet && isatty(STDERR_FILENO) == 1)
+    thread_ = std::thread(&Progress::run, this);
+}
+
+Progress::~Progress() {
+  {
+    const std::lock_guard lock(mutex_);
+    done_ = true;
+  }
+  finished_.notify_one();
+  if (thread_.joinable())
+    thread_.join();
+}
+
+void Progress::run() {
+  using namespace std::chrono;
+  const steady_clock::time_point start = steady_clock::now();
+  bool shown = false;
+  std::unique_lock lock(mutex_);
+  for (milliseconds wait(2000); !finished_.wait_for(lock, wait, [this] { return done_; }); wait = milliseconds(500)) {
+    const auto seconds = duration_cast<std::chrono::seconds>(steady_clock::now() - start).count();
+    fmt::print(stderr, "\r\x1b[K{}, {} s", text_(), seconds);
+    std::fflush(stderr);
+    shown = true;
+  }
+  if (shown)
+    fmt::print(stderr, "\r\x1b[K");
+}
+
+} // namespace mdm::cli

@@ -1,0 +1,133 @@
+#include "solve_flags.hpp"
+
+#include <mdm/error.hpp>
+#include <mdm/number/decimal.hpp>
+
+#include <limits>
+
+namespace mdm::cli {
+namespace {
+
+/// Calls read(text) and names the option in what it throws.
+template <class Read>
+auto named(const char *option, const std::string &text, Read read) {
+  try {
+    return read(text);
+  } catch (const InputError &e) {
+    throw InputError(std::string(option) + ": " + e.what());
+  }
+}
+
+Integer natural(const char *option, const std::string &text, const Integer &least) {
+  const std::optional<Integer> n = parse_natural(text);
+  if (!n || *n < least)
+    throw InputError(std::string(option) + ": " + mdm::quoted(text) + " is not a whole number from " + to_string(least) +
+                     " on (at most 1000 digits)");
+  return *n;
+}
+
+std::uint64_t natural64(const char *option, const std::string &text) {
+  const Integer n = natural(option, text, 0);
+  const Integer most = std::numeric_limits<std::uint64_t>::max();
+  return n > most ? std::numeric_limits<std::uint64_t>::max() : static_cast<std::uint64_t>(n);
+}
+
+Rational positive(const char *option, const std::string &text) {
+  const Rational r = named(option, text, [](const std::string &t) { return parse_decimal(t); });
+  if (r <= 0)
+    throw InputError(std::string(option) + ": " + mdm::quoted(text) + " is not positive");
+  return r;
+}
+
+/// Digits beyond this are of no use, and cost.
+constexpr unsigned most_digits = 1000;
+
+unsigned digits_of(const std::string &text) {
+  const Integer n = natural("--digits", text, 1);
+  if (n > most_digits)
+    throw InputError("--digits: at most 1000");
+  return static_cast<unsigned>(n);
+}
+
+ScaleChoice scale_of(const std::string &text) {
+  if (text == "robust")
+    return ScaleChoice::robust;
+  if (text == "upper")
+    return ScaleChoice::upper;
+  throw InputError("--scale: " + mdm::quoted(text) + " is neither robust nor upper");
+}
+
+std::chrono::steady_clock::time_point deadline_in(const std::string &text) {
+  const Rational seconds = named("--time-limit", text, [](const std::string &t) { return parse_decimal(t); });
+  if (seconds < 0)
+    throw InputError("--time-limit: " + mdm::quoted(text) + " is negative");
+  const Integer thirty_years = 1'000'000'000'000;
+  const Integer milliseconds = std::min(floor(Rational(seconds * 1000)), thirty_years);
+  return std::chrono::steady_clock::now() + std::chrono::milliseconds(static_cast<std::int64_t>(milliseconds));
+}
+
+} // namespace
+
+void SolveFlags::add_to(CLI::App &command) {
+  command.add_option("--min-per-class", min_per_class, "at least R particles in every class with mass")->type_name("R");
+  command.add_option("--at-least", at_least, "the smallest match with at least N particles")->type_name("N");
+  command.add_option("--at-most", at_most, "no match (exit 1) if the smallest has more than N particles")->type_name("N");
+  command.add_option("--specimen", specimen,
+                     "at least the solids of a specimen, lengths in the file's unit: cylinder:DxH or box:AxBxC")
+      ->type_name("SHAPE");
+  command.add_option("--void-ratio", void_ratio, "void ratio e of the specimen")->type_name("E");
+  command.add_option("--solids-volume", solids_volume, "at least this volume of solids")->type_name("V");
+  command.add_option("--law", law, "mass of a particle of size x: sphere (x^3) or power:a/b")->type_name("LAW");
+  command.add_option("--size-factor", size_factor, "multiply every size by K")->type_name("K");
+  command.add_option("--cut-below", cut_below, "leave out the classes below the sieve SIZE")->type_name("SIZE");
+  command.add_option("--pan-size", pan_size, "count the pan as SIZE instead of 0")->type_name("SIZE");
+  command.add_option("--digits", digits, "significant digits of sizes (15)")->type_name("D");
+  command.add_option("--scale", scale, "robust (sizes far from the sieves) or upper (largest sizes)")->type_name("WHICH");
+  command.add_option("--max-steps", max_steps, "stop after so many steps, with what is certain (exit 3)")->type_name("N");
+  command.add_option("--node-limit", node_limit, "stop after so many nodes of a search tree (exit 3)")->type_name("N");
+  command.add_option("--time-limit", time_limit, "stop after so many seconds (exit 3)")->type_name("S");
+}
+
+Question SolveFlags::question() const {
+  Question q;
+  if (law)
+    q.law = named("--law", *law, parse_mass_law);
+  if (pan_size)
+    q.pan_size = positive("--pan-size", *pan_size);
+  if (cut_below)
+    q.cut_below = positive("--cut-below", *cut_below);
+  if (size_factor)
+    q.size_factor = positive("--size-factor", *size_factor);
+  if (min_per_class)
+    q.min_per_class = std::max(natural("--min-per-class", *min_per_class, 0), Integer(1));
+  if (at_least)
+    q.at_least = std::max(natural("--at-least", *at_least, 0), Integer(1));
+  if (specimen.has_value() != void_ratio.has_value())
+    throw InputError("--specimen and --void-ratio belong together");
+  if (specimen && solids_volume)
+    throw InputError("--specimen and --solids-volume: give one of them");
+  if (specimen)
+    q.solids = named("--specimen", *specimen, [this](const std::string &t) { return parse_specimen(t, *void_ratio); });
+  if (solids_volume)
+    q.solids = SolidsVolume{positive("--solids-volume", *solids_volume)};
+  return q;
+}
+
+SolveOptions SolveFlags::options() const {
+  SolveOptions o;
+  if (at_most)
+    o.at_most = natural("--at-most", *at_most, 0);
+  if (digits)
+    o.digits = digits_of(*digits);
+  if (scale)
+    o.scale = scale_of(*scale);
+  if (max_steps)
+    o.limits.max_steps = natural64("--max-steps", *max_steps);
+  if (node_limit)
+    natural64("--node-limit", *node_limit);
+  if (time_limit)
+    o.limits.deadline = deadline_in(*time_limit);
+  return o;
+}
+
+} // namespace mdm::cli

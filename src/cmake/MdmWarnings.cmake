@@ -1,0 +1,10 @@
+# The warnings and sanitizers that every target of the project is compiled with.
+add_library(mdm_warnings INTERFACE)
+target_compile_options(mdm_warnings INTERFACE -Wall -Wextra -Wconversion -Wsign-conversion -Wshadow)
+if(MDM_WERROR)
+  target_compile_options(mdm_warnings INTERFACE -Werror)
+endif()
+if(MDM_SANITIZE)
+  add_compile_options(-fsanitize=${MDM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${MDM_SANITIZE})
+endif()

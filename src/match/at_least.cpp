@@ -1,0 +1,109 @@
+#include <mdm/match/at_least.hpp>
+
+#include <algorithm>
+#include <queue>
+
+namespace mdm {
+namespace {
+
+/// q^b f / m.
+Rational lower_end(const ProblemClass &c, const Integer &q, unsigned b) {
+  return Rational(power(q, b)) * c.f / c.mass;
+}
+
+/// floor(2^bits / a_j) for each class, where a_j^b = f_j / m_j.
+std::vector<Integer> inverse_lower_ends(const Problem &problem, unsigned bits) {
+  const unsigned b = problem.law().b;
+  const Rational one = Rational(Integer(Integer(1) << (bits * b)));
+  std::vector<Integer> inverse;
+  for (const ProblemClass &c : problem.classes())
+    inverse.push_back(floor_root(floor(Rational(one * c.mass / c.f)), b));
+  return inverse;
+}
+
+/// Counts floor(w / a_j) with a sum in [n - 2k, n]: w = n 2^bits / (R + k) <= n / sum(1 / a_j), where
+/// R = sum floor(2^bits / a_j) >= n, so that the sum falls short by at most k n / R + k.
+std::vector<Integer> counts_near(const Problem &problem, const Integer &n) {
+  const unsigned b = problem.law().b;
+  unsigned bits = static_cast<unsigned>(bit_length(n));
+  Integer sum = total(inverse_lower_ends(problem, bits));
+  while (sum < n) {
+    bits *= 2;
+    sum = total(inverse_lower_ends(problem, bits));
+  }
+  const Rational w = ratio(Integer(n << bits), Integer(sum + problem.classes().size()));
+  std::vector<Integer> counts;
+  for (const ProblemClass &c : problem.classes())
+    counts.push_back(floor_root(floor(Rational(power(w, b) * c.mass / c.f)), b));
+  return counts;
+}
+
+/// Adds particles to the lower ends q of the least feasible scale above z, from the finest class up, until n are there or
+/// no more fit.
+std::vector<Integer> filled(const Problem &problem, std::vector<Integer> q, const Rational &z, const Rational &start,
+                            const Integer &n) {
+  const Rational lowest = std::max(z, problem.lowest_scale(q));
+  const bool at_start = start > lowest;
+  const auto room = largest_counts(problem, at_start ? start : lowest, !at_start);
+  Integer missing = n - total(q);
+  for (std::size_t j = 0; j < q.size() && missing > 0; ++j) {
+    const Integer added = room[j] ? std::min(missing, Integer(*room[j] - q[j])) : missing;
+    q[j] += added;
+    missing -= added;
+  }
+  return q;
+}
+
+} // namespace
+
+std::vector<std::optional<Integer>> largest_counts(const Problem &problem, const Rational &scale, bool open) {
+  std::vector<std::optional<Integer>> counts;
+  for (const ProblemClass &c : problem.classes()) {
+    if (c.f == 0) {
+      counts.emplace_back();
+      continue;
+    }
+    const Rational y = scale * c.mass / c.f;
+    const Integer below = open ? floor(y) : Integer(ceil(y) - 1);
+    counts.emplace_back(floor_root(std::max(below, Integer(0)), problem.law().b));
+  }
+  return counts;
+}
+
+Rational crowded_scale(const Problem &problem, const Integer &n) {
+  const std::vector<ProblemClass> &classes = problem.classes();
+  const unsigned b = problem.law().b;
+  if (std::any_of(classes.begin(), classes.end(), [](const ProblemClass &c) { return c.f == 0; }))
+    return 0;
+  std::vector<Integer> counts = counts_near(problem, n);
+  Rational scale = 0;
+  for (std::size_t j = 0; j < counts.size(); ++j)
+    scale = std::max(scale, lower_end(classes[j], counts[j], b));
+  // From here the next smallest multiples, one by one: at most 2k.
+  using Next = std::pair<Rational, std::size_t>;
+  std::priority_queue<Next, std::vector<Next>, std::greater<>> next;
+  for (std::size_t j = 0; j < counts.size(); ++j)
+    next.emplace(lower_end(classes[j], Integer(counts[j] + 1), b), j);
+  for (Integer missing = n - total(counts); missing > 0; --missing) {
+    const std::size_t j = next.top().second;
+    scale = std::max(scale, next.top().first);
+    next.pop();
+    ++counts[j];
+    next.emplace(lower_end(classes[j], Integer(counts[j] + 1), b), j);
+  }
+  return scale;
+}
+
+AtLeastMatch at_least_match(const Problem &problem, const Integer &n, const Rational &start, const Limits &limits) {
+  LeastMatch least = least_match(problem, limits);
+  if (least.complete && total(least.q) >= n)
+    return {least.q, 0, std::move(least)};
+  Rational z = crowded_scale(problem, n);
+  const Problem higher = problem.from_scale(z, true);
+  if (least.complete && z > 0)
+    least = least_match(higher, limits);
+  std::vector<Integer> q = filled(higher, least.complete ? least.q : some_match(higher), z, start, n);
+  return {std::move(q), std::move(z), std::move(least)};
+}
+
+} // namespace mdm

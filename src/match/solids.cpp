@@ -1,0 +1,63 @@
+#include <mdm/match/solids.hpp>
+
+#include <mdm/error.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/number/pi.hpp>
+
+#include <vector>
+
+namespace mdm {
+namespace {
+
+Rational positive_length(std::string_view text) {
+  const Rational length = parse_decimal(text);
+  if (length <= 0)
+    throw InputError("a specimen's length " + quoted(text) + " is not positive");
+  return length;
+}
+
+std::vector<Rational> lengths(std::string_view text) {
+  std::vector<Rational> values;
+  for (;;) {
+    const std::size_t end = text.find('x');
+    values.push_back(positive_length(text.substr(0, end)));
+    if (end == std::string_view::npos)
+      return values;
+    text.remove_prefix(end + 1);
+  }
+}
+
+} // namespace
+
+Solids parse_specimen(std::string_view shape, std::string_view void_ratio) {
+  const Rational e = parse_decimal(void_ratio);
+  if (e < 0)
+    throw InputError("the void ratio " + quoted(void_ratio) + " is negative");
+  const std::size_t colon = shape.find(':');
+  const std::string_view kind = shape.substr(0, colon);
+  if (colon != std::string_view::npos && (kind == "cylinder" || kind == "box")) {
+    const std::vector<Rational> l = lengths(shape.substr(colon + 1));
+    if (kind == "cylinder" && l.size() == 2)
+      return Cylinder{l[0], l[1], e};
+    if (kind == "box" && l.size() == 3)
+      return Box{l[0], l[1], l[2], e};
+  }
+  throw InputError("specimen " + quoted(shape) + " is neither cylinder:DxH nor box:AxBxC, such as cylinder:50x24.4");
+}
+
+StartScale start_scale(const Solids &solids, const Rational &weight, unsigned pi_places) {
+  if (const Cylinder *c = std::get_if<Cylinder>(&solids)) {
+    const Rational s = 3 * c->diameter * c->diameter * c->height / (2 * (1 + c->void_ratio) * weight);
+    return {s, s};
+  }
+  Rational volume;
+  if (const Box *box = std::get_if<Box>(&solids))
+    volume = box->a * box->b * box->c / (1 + box->void_ratio);
+  else
+    volume = std::get<SolidsVolume>(solids).volume;
+  const Enclosure pi = enclose_pi(pi_places);
+  const Rational six_v = 6 * volume / weight;
+  return {six_v / pi.upper(), six_v / pi.lower()};
+}
+
+} // namespace mdm

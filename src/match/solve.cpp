@@ -1,0 +1,165 @@
+#include <mdm/match/solve.hpp>
+
+#include <mdm/error.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/number/pi.hpp>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+/// Digits of pi after the point at which a start scale that is still undecided is given up: the limit of certificates.
+constexpr unsigned most_pi_places = 10000;
+
+/// sum m_j / c_j over the classes.
+Rational weight_of(const Gradation &g) {
+  Rational sum = 0;
+  for (std::size_t j = 0; j < g.classes(); ++j)
+    sum += g.mass(j) / g.factor(j);
+  return sum;
+}
+
+/// A start scale with bounds so close that nothing which is decided about s_0 differs between them.
+class Start {
+public:
+  Start(const Question &question, const Gradation &g, unsigned places) : places_(places) {
+    if (!question.solids)
+      return;
+    if (!question.law.is_sphere())
+      throw InputError("a specimen or volume of solids needs spheres: leave out --law " + question.law.exponent());
+    solids_ = question.solids;
+    weight_ = weight_of(g);
+    refresh();
+  }
+
+  /// True if pi's bounds can be made closer; they are.
+  bool refine() {
+    if (!bounds_ || bounds_->exact())
+      return false;
+    places_ *= 2;
+    if (places_ > most_pi_places)
+      throw InputError("the volume is so close to that of a match that 10,000 digits of pi do not decide: change it");
+    refresh();
+    return true;
+  }
+
+  const std::optional<StartScale> &bounds() const { return bounds_; }
+  unsigned places() const { return places_; }
+
+  /// True if s_0's place relative to `scale` is known.
+  bool decides(const Rational &scale) const {
+    return !bounds_ || bounds_->exact() || scale <= bounds_->lo || scale >= bounds_->hi;
+  }
+
+  /// The problem with the floors of s >= s_0, or nothing while they are undecided.
+  std::optional<Problem> floors(const Problem &problem) const {
+    if (!bounds_)
+      return problem;
+    if (bounds_->exact())
+      return problem.from_scale(bounds_->lo, false);
+    Problem low = problem.from_scale(bounds_->lo, true);
+    const Problem high = problem.from_scale(bounds_->hi, true);
+    const auto same = [](const ProblemClass &x, const ProblemClass &y) { return x.floor == y.floor; };
+    if (!std::equal(low.classes().begin(), low.classes().end(), high.classes().begin(), same))
+      return std::nullopt;
+    return low;
+  }
+
+private:
+  void refresh() { bounds_ = start_scale(*solids_, weight_, places_); }
+
+  std::optional<Solids> solids_;
+  Rational weight_;
+  unsigned places_;
+  std::optional<StartScale> bounds_;
+};
+
+/// The problem with the start's floors, the start made precise enough for them.
+Problem problem_from_start(const Problem &problem, Start &start) {
+  for (;;) {
+    if (std::optional<Problem> higher = start.floors(problem))
+      return std::move(*higher);
+    start.refine();
+  }
+}
+
+/// The window of q, the start made precise enough to say whether s_0 is in it.
+Window window_of(const Problem &problem, const std::vector<Integer> &q, Start &start) {
+  Window window{problem.lowest_scale(q), problem.highest_scale(q), std::nullopt};
+  while (!start.decides(window.above) || !start.decides(window.up_to))
+    start.refine();
+  window.start = start.bounds();
+  return window;
+}
+
+void note_precision(Match &match, const Rational &above) {
+  static const Rational double_step = ratio(1, Integer(Integer(1) << 50));
+  if (match.margin >= double_step)
+    return;
+  const MassLaw &law = match.question.law;
+  // The best margin, at the geometric middle, is (up_to / above)^(1/2a) - 1 >= y iff up_to / above >= (1 + y)^(2a).
+  const bool hopeless = above > 0 && match.window.up_to < above * power(Rational(1 + double_step), 2 * law.a);
+  match.notes.push_back(
+      hopeless ? "no scale keeps all sizes 2^-50 (relative) away from the sieves: numbers in double precision cannot hold this match"
+               : "at this scale a size is within 2^-50 (relative) of a sieve: in double precision it may fall out of its class");
+}
+
+void note_digits(Match &match, unsigned digits) {
+  for (std::size_t j = 0; j < match.sizes.size(); ++j) {
+    const Enclosure &x = match.sizes[j];
+    if (x.lo != x.hi && to_string(x.lo).size() > digits + 1 && x.places > 0)
+      match.notes.push_back("class " + std::to_string(match.problem.classes()[j].index + 1) + ": the size is printed with " +
+                            std::to_string(to_string(x.lo).size()) + " digits, to lie inside its class");
+  }
+}
+
+/// Window, scale and sizes of match.q.
+void place(Match &match, Start &start, const SolveOptions &options) {
+  match.window = window_of(match.problem, match.q, start);
+  match.scale = choose_scale(match.window, options.scale, options.digits);
+  match.sizes = enclose_sizes(match.gradation, match.problem, match.q, match.scale, options.digits);
+  match.margin = size_margin(match.question.law, match.window.above, match.window.up_to, match.scale);
+  note_digits(match, options.digits);
+  note_precision(match, match.window.above);
+}
+
+} // namespace
+
+Enclosure Match::solids_volume() const {
+  thread_local Enclosure cached = enclose_pi(40);
+  if (digits + 10 > cached.places)
+    cached = enclose_pi(digits + 10);
+  const Rational sixth = scale * weight_of(gradation) / 6;
+  return enclose_interval(Rational(sixth * cached.lower()), Rational(sixth * cached.upper()), digits);
+}
+
+Match solve(Gradation g, const Question &question, const SolveOptions &options) {
+  Gradation asked = asked_gradation(std::move(g), question);
+  Problem problem(asked, question.law, question.min_per_class);
+  Start start(question, asked, options.digits + 30);
+  if (question.solids)
+    problem = problem_from_start(problem, start);
+  Match match(question, std::move(asked), std::move(problem));
+  match.digits = options.digits;
+  match.notes = match.gradation.notes();
+
+  const Rational from = start.bounds() ? start.bounds()->lo : Rational(0);
+  AtLeastMatch found = at_least_match(match.problem, question.at_least, from, options.limits);
+  match.lower_bound = std::max(total(found.least.q), question.at_least);
+  match.complete = found.least.complete;
+  match.status = match.complete ? Status::optimal : Status::feasible;
+  match.q = std::move(found.q);
+  match.chain = std::move(found.least.chain);
+  match.above = std::move(found.above);
+  if (options.at_most && match.lower_bound > *options.at_most)
+    match.status = Status::none;
+  else if (options.at_most && match.particles() > *options.at_most)
+    match.status = Status::unknown;
+  place(match, start, options);
+  if (start.bounds() && !start.bounds()->exact())
+    match.pi = enclose_pi(start.places());
+  return match;
+}
+
+} // namespace mdm

@@ -1,0 +1,164 @@
+#include <mdm/number/decimal.hpp>
+
+#include <mdm/error.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+
+namespace mdm {
+namespace {
+
+/// A decimal's text taken apart: digits * 10^exponent.
+struct Parts {
+  bool negative = false;
+  std::string digits;
+  long exponent = 0;
+};
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+[[noreturn]] void refuse(std::string_view text, const char *why) {
+  throw InputError(quoted(text) + " " + why);
+}
+
+/// Appends the digits at the front of `rest` to `digits` and removes them from `rest`.
+void take_digits(std::string_view &rest, std::string &digits) {
+  const auto end = std::find_if_not(rest.begin(), rest.end(), is_digit);
+  digits.append(rest.begin(), end);
+  rest.remove_prefix(static_cast<std::size_t>(end - rest.begin()));
+}
+
+bool take_sign(std::string_view &rest) {
+  const bool negative = !rest.empty() && rest.front() == '-';
+  if (negative || (!rest.empty() && rest.front() == '+'))
+    rest.remove_prefix(1);
+  return negative;
+}
+
+/// The exponent behind e or E; its size is limited.
+long take_exponent(std::string_view text, std::string_view &rest) {
+  rest.remove_prefix(1);
+  const bool negative = take_sign(rest);
+  std::string digits;
+  take_digits(rest, digits);
+  if (digits.empty())
+    refuse(text, "is not a number: write a decimal such as 3.86");
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+  unsigned value = 0;
+  if (digits.size() > 6 || std::from_chars(digits.data(), digits.data() + digits.size(), value).ec != std::errc{} ||
+      value > max_decimal_exponent)
+    refuse(text, "has an exponent beyond 400: choose another unit");
+  return negative ? -static_cast<long>(value) : static_cast<long>(value);
+}
+
+Parts take_apart(std::string_view text, char point) {
+  Parts parts;
+  std::string_view rest = text;
+  parts.negative = take_sign(rest);
+  take_digits(rest, parts.digits);
+  if (!rest.empty() && rest.front() == point) {
+    rest.remove_prefix(1);
+    const std::size_t before = parts.digits.size();
+    take_digits(rest, parts.digits);
+    parts.exponent = -static_cast<long>(parts.digits.size() - before);
+  }
+  if (parts.digits.empty())
+    refuse(text, "is not a number: write a decimal such as 3.86");
+  if (!rest.empty() && (rest.front() == 'e' || rest.front() == 'E'))
+    parts.exponent += take_exponent(text, rest);
+  if (!rest.empty())
+    refuse(text, "is not a number: write a decimal such as 3.86");
+  if (parts.digits.size() > max_decimal_digits)
+    refuse(text, "has more than 1000 digits: round it");
+  return parts;
+}
+
+/// The common case without arbitrary precision: at most 18 digits and 18 places.
+Rational small_decimal(const Parts &parts) {
+  std::uint64_t n = 0;
+  std::from_chars(parts.digits.data(), parts.digits.data() + parts.digits.size(), n);
+  std::uint64_t d = 1;
+  for (long i = parts.exponent; i < 0; ++i)
+    d *= 10;
+  const std::uint64_t common = std::gcd(n, d);
+  Rational r;
+  mpq_set_ui(r.backend().data(), n / common, d / common);
+  if (parts.negative)
+    mpq_neg(r.backend().data(), r.backend().data());
+  return r;
+}
+
+/// Exponent of the prime p in n; n is divided by that power.
+unsigned long remove_factor(Integer &n, unsigned long p) {
+  const Integer prime = p;
+  return mpz_remove(n.backend().data(), n.backend().data(), prime.backend().data());
+}
+
+} // namespace
+
+Rational parse_decimal(std::string_view text, char point) {
+  const Parts parts = take_apart(text, point);
+  if (parts.digits.size() <= 18 && parts.exponent <= 0 && parts.exponent >= -18)
+    return small_decimal(parts);
+  Integer n;
+  mpz_set_str(n.backend().data(), parts.digits.c_str(), 10);
+  if (parts.negative)
+    n = -n;
+  if (parts.exponent >= 0)
+    return Rational(Integer(n * power_of_ten(static_cast<unsigned>(parts.exponent))));
+  return ratio(n, power_of_ten(static_cast<unsigned>(-parts.exponent)));
+}
+
+std::string decimal_string(const Integer &digits, unsigned places) {
+  if (digits < 0)
+    return "-" + decimal_string(Integer(-digits), places);
+  std::string text = to_string(digits);
+  if (places == 0)
+    return text;
+  if (text.size() <= places)
+    text.insert(0, places + 1 - text.size(), '0');
+  text.insert(text.size() - places, 1, '.');
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.')
+    text.pop_back();
+  return text;
+}
+
+std::optional<std::string> exact_decimal(const Rational &r) {
+  Integer rest = denominator(r);
+  if (rest == 1)
+    return to_string(Integer(numerator(r)));
+  const unsigned long places = std::max(remove_factor(rest, 2), remove_factor(rest, 5));
+  if (rest != 1)
+    return std::nullopt;
+  const unsigned digits = static_cast<unsigned>(places);
+  return decimal_string(Integer(numerator(r) * power_of_ten(digits) / denominator(r)), digits);
+}
+
+std::string to_decimal(const Rational &r) { return exact_decimal(r).value(); }
+
+std::string approximate(const Rational &r, unsigned digits) {
+  if (r == 0)
+    return "0";
+  if (r < 0)
+    return "-" + approximate(Rational(-r), digits);
+  // Estimate of the decimal exponent from the lengths, then corrected by at most one step.
+  const auto length = [](const Integer &n) { return static_cast<long>(to_string(n).size()); };
+  long exponent = length(numerator(r)) - length(denominator(r));
+  const auto shifted = [&r](long by) {
+    return by >= 0 ? Rational(r * Rational(power_of_ten(static_cast<unsigned>(by))))
+                   : Rational(r / Rational(power_of_ten(static_cast<unsigned>(-by))));
+  };
+  if (shifted(-exponent) < 1)
+    --exponent;
+  const long places = static_cast<long>(digits) - 1 - exponent;
+  const Integer cut = floor(shifted(places));
+  if (exponent < -6)
+    return decimal_string(cut, digits - 1) + "e" + std::to_string(exponent);
+  if (places >= 0)
+    return decimal_string(cut, static_cast<unsigned>(places));
+  return to_string(Integer(cut * power_of_ten(static_cast<unsigned>(-places))));
+}
+
+} // namespace mdm

@@ -1,0 +1,58 @@
+#include <mdm/number/integer.hpp>
+
+#include <mdm/number/decimal.hpp>
+
+#include <algorithm>
+
+namespace mdm {
+
+Integer floor_div(const Integer &n, const Integer &d) {
+  Integer quotient;
+  mpz_fdiv_q(quotient.backend().data(), n.backend().data(), d.backend().data());
+  return quotient;
+}
+
+Integer ceil_div(const Integer &n, const Integer &d) {
+  Integer quotient;
+  mpz_cdiv_q(quotient.backend().data(), n.backend().data(), d.backend().data());
+  return quotient;
+}
+
+Integer power(const Integer &base, unsigned exponent) {
+  Integer result;
+  mpz_pow_ui(result.backend().data(), base.backend().data(), exponent);
+  return result;
+}
+
+Integer power_of_ten(unsigned exponent) {
+  Integer result;
+  mpz_ui_pow_ui(result.backend().data(), 10, exponent);
+  return result;
+}
+
+Integer floor_root(const Integer &n, unsigned degree) {
+  Integer root;
+  mpz_root(root.backend().data(), n.backend().data(), degree);
+  return root;
+}
+
+std::size_t bit_length(const Integer &n) { return mpz_sizeinbase(n.backend().data(), 2); }
+
+std::optional<Integer> parse_natural(std::string_view text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (text.empty() || text.size() > max_decimal_digits || !std::all_of(text.begin(), text.end(), is_digit))
+    return std::nullopt;
+  Integer n;
+  mpz_set_str(n.backend().data(), std::string(text).c_str(), 10);
+  return n;
+}
+
+std::string to_string(const Integer &n) {
+  // mpz_sizeinbase may be one too large; two more for the sign and the terminating zero.
+  std::string text(mpz_sizeinbase(n.backend().data(), 10) + 2, '\0');
+  mpz_get_str(text.data(), 10, n.backend().data());
+  text.resize(text.find('\0'));
+  return text;
+}
+
+} // namespace mdm

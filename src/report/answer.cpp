@@ -1,0 +1,210 @@
+#include <mdm/report/answer.hpp>
+
+#include <mdm/number/decimal.hpp>
+#include <mdm/report/json_text.hpp>
+#include <mdm/report/versions.hpp>
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <iterator>
+
+namespace mdm {
+namespace {
+
+/// One class of the gradation as all three forms show it.
+struct Row {
+  std::string lower, upper, mass;
+  std::string quantity;               // empty: no answer
+  std::optional<Enclosure> size;      // nothing for an empty class
+};
+
+std::vector<Row> rows(const Match &m) {
+  std::vector<Row> rows(m.gradation.classes());
+  for (std::size_t j = 0; j < rows.size(); ++j)
+    rows[j] = {to_decimal(m.gradation.lower(j)), to_decimal(m.gradation.upper(j)), to_decimal(m.gradation.mass(j)),
+               m.has_answer() ? "0" : "", std::nullopt};
+  for (std::size_t i = 0; m.has_answer() && i < m.q.size(); ++i) {
+    Row &row = rows[m.problem.classes()[i].index];
+    row.quantity = to_string(m.q[i]);
+    row.size = m.sizes[i];
+  }
+  return rows;
+}
+
+const char *status_name(Status status) {
+  static constexpr std::array<const char *, 4> names = {"optimal", "feasible", "none", "unknown"};
+  return names.at(static_cast<std::size_t>(status));
+}
+
+using Buffer = fmt::memory_buffer;
+
+template <class... Args>
+void add(Buffer &out, fmt::format_string<Args...> format, Args &&...args) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
+}
+
+void add_json_row(Buffer &out, const Row &row) {
+  add(out, R"({{"lower":"{}","upper":"{}","mass":"{}",)", row.lower, row.upper, row.mass);
+  if (row.quantity.empty())
+    add(out, R"("quantity":null,"size":null}})");
+  else if (!row.size)
+    add(out, R"("quantity":"{}","size":null}})", row.quantity);
+  else
+    add(out, R"("quantity":"{}","size":["{}","{}"]}})", row.quantity, row.size->lower_text(), row.size->upper_text());
+}
+
+void add_json_scale(Buffer &out, const Match &m) {
+  add(out, R"(,"scale":{{"above":"{}","up_to":"{}","chosen":"{}","margin":"{}")", to_string(m.window.above),
+      to_string(m.window.up_to), to_string(m.scale), approximate(m.margin, 3));
+  if (m.window.start)
+    add(out, R"(,"start":["{}","{}"])", to_string(m.window.start->lo), to_string(m.window.start->hi));
+  if (m.question.law.b > 1)
+    add(out, R"(,"scale_power":"{}")", m.question.law.b);
+  add(out, "}}");
+}
+
+void add_json_spectrum(Buffer &out, const Spectrum &s) {
+  add(out, R"(,"spectrum":{{"intervals":[)");
+  for (std::size_t i = 0; i < s.intervals.size(); ++i)
+    add(out, R"({}["{}","{}"])", i == 0 ? "" : ",", to_string(s.intervals[i].first), to_string(s.intervals[i].second));
+  add(out, R"(],"{}":"{}"}})", s.complete ? "all_from" : "unknown_from", to_string(s.all_from));
+}
+
+std::string json_versions() {
+  std::string text;
+  for (const auto &[library, version] : versions())
+    text += (text.empty() ? "" : ",") + json_string(library) + ":" + json_string(version);
+  return text;
+}
+
+std::string headline(const Match &m) {
+  const std::string n = to_string(m.particles());
+  const std::string least = to_string(m.lower_bound);
+  switch (m.status) {
+  case Status::optimal:
+    return n + " particles: the smallest set that matches exactly";
+  case Status::feasible:
+    return "stopped at a limit: the smallest set that matches exactly has N in [" + least + ", " + n + "] particles; below is one with " + n;
+  case Status::none:
+    return "no match within the limit on N: the smallest set that matches exactly has " +
+           (m.complete ? least : "at least " + least) + " particles";
+  default:
+    return "stopped at a limit: the smallest set that matches exactly has N in [" + least + ", " + n +
+           "] particles; whether the limit on N can be met is open";
+  }
+}
+
+/// The text form's table; columns are as wide as their longest entry.
+void add_table(Buffer &out, const Match &m) {
+  using Line = std::array<std::string, 5>;
+  const std::string unit(name(m.gradation.unit()));
+  std::vector<Line> lines = {Line{"class", "sizes (" + unit + "]", "mass", "quantity", "size of a particle (" + unit + ")"}};
+  const std::vector<Row> all = rows(m);
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    const Row &r = all[j];
+    std::string size = "-";
+    if (r.size)
+      size = r.size->lo == r.size->hi ? r.size->lower_text()
+                                      : "[" + r.size->lower_text() + ", " + r.size->upper_text() + "]";
+    lines.push_back({std::to_string(j + 1), "(" + r.lower + ", " + r.upper + "]", r.mass, r.quantity, size});
+  }
+  std::array<std::size_t, 5> width{};
+  for (const Line &line : lines)
+    for (std::size_t i = 0; i < width.size(); ++i)
+      width[i] = std::max(width[i], line[i].size());
+  for (const Line &l : lines)
+    add(out, "  {:>{}}  {:<{}}  {:>{}}  {:>{}}  {}\n", l[0], width[0], l[1], width[1], l[2], width[2], l[3], width[3], l[4]);
+}
+
+void add_text_scale(Buffer &out, const Match &m) {
+  const unsigned b = m.question.law.b;
+  const std::string s = b == 1 ? "s" : "s^" + std::to_string(b);
+  add(out, "\n  scale: {} above {} and up to {}", s, to_string(m.window.above), to_string(m.window.up_to));
+  if (m.window.start)
+    add(out, "; from {} on for the volume", approximate(m.window.start->lo, m.digits));
+  add(out, "\n  chosen: {} = {}; every size is {} or more of itself away from the sieves\n", s, to_string(m.scale),
+      approximate(m.margin, 3));
+  if (m.question.law.is_sphere()) {
+    const Enclosure volume = m.solids_volume();
+    add(out, "  volume of the particles: [{}, {}] {}^3\n", volume.lower_text(), volume.upper_text(), name(m.gradation.unit()));
+  }
+}
+
+void add_text_spectrum(Buffer &out, const Spectrum &s) {
+  add(out, "\n  numbers of particles that have an exact match:\n");
+  for (const auto &[from, to] : s.intervals) {
+    if (from == to)
+      add(out, "    {}\n", to_string(from));
+    else
+      add(out, "    {} to {}\n", to_string(from), to_string(to));
+  }
+  if (s.complete)
+    add(out, "    every number from {} on\n", to_string(s.all_from));
+  else
+    add(out, "    from {} on it is open: a limit was reached\n", to_string(s.all_from));
+}
+
+} // namespace
+
+std::string answer_json(const Match &m, const Spectrum *spectrum) {
+  static const std::string libraries = json_versions();
+  Buffer out;
+  add(out, R"({{"schema":"mdm-answer-1","id":{},"status":"{}",)", json_string(m.gradation.id()), status_name(m.status));
+  if (m.has_answer())
+    add(out, R"("particles":"{}")", to_string(m.particles()));
+  else
+    add(out, R"("particles":null)");
+  add(out, R"(,"lower_bound":"{}","unit":"{}","classes":[)", to_string(m.lower_bound), name(m.gradation.unit()));
+  const std::vector<Row> all = rows(m);
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    if (j > 0)
+      out.push_back(',');
+    add_json_row(out, all[j]);
+  }
+  out.push_back(']');
+  if (m.has_answer())
+    add_json_scale(out, m);
+  else
+    add(out, R"(,"scale":null)");
+  add(out, R"(,"tolerance":null)");
+  if (m.has_answer() && m.question.law.is_sphere()) {
+    const Enclosure volume = m.solids_volume();
+    add(out, R"(,"solids_volume":["{}","{}"])", volume.lower_text(), volume.upper_text());
+  } else {
+    add(out, R"(,"solids_volume":null)");
+  }
+  if (spectrum != nullptr)
+    add_json_spectrum(out, *spectrum);
+  add(out, R"(,"notes":[)");
+  for (std::size_t i = 0; i < m.notes.size(); ++i)
+    add(out, "{}{}", i == 0 ? "" : ",", json_string(m.notes[i]));
+  add(out, R"(],"versions":{{{}}}}})", libraries);
+  return fmt::to_string(out);
+}
+
+std::string answer_csv(const Match &m) {
+  Buffer out;
+  const std::string_view unit = name(m.gradation.unit());
+  add(out, "lower_{0},upper_{0},mass,quantity,size_lo_{0},size_hi_{0}\n", unit);
+  for (const Row &r : rows(m))
+    add(out, "{},{},{},{},{},{}\n", r.lower, r.upper, r.mass, r.quantity, r.size ? r.size->lower_text() : "",
+        r.size ? r.size->upper_text() : "");
+  return fmt::to_string(out);
+}
+
+std::string answer_text(const Match &m, const Spectrum *spectrum) {
+  Buffer out;
+  add(out, "{}: {}\n\n", m.gradation.id(), headline(m));
+  if (m.has_answer()) {
+    add_table(out, m);
+    add_text_scale(out, m);
+  }
+  if (spectrum != nullptr)
+    add_text_spectrum(out, *spectrum);
+  for (const std::string &note : m.notes)
+    add(out, "  note: {}\n", note);
+  return fmt::to_string(out);
+}
+
+} // namespace mdm
