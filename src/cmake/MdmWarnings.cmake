@@ -1,8 +1,17 @@
-# The warnings and sanitizers that every target of the project is compiled with.
-add_library(mdm_warnings INTERFACE)
-target_compile_options(mdm_warnings INTERFACE -Wall -Wextra -Wconversion -Wsign-conversion -Wshadow)
+# Warnings and sanitizers of every target below this directory. They are options of the directory, not of the targets,
+# so nothing of them reaches the installed package.
+add_compile_options(-Wall -Wextra -Wconversion -Wsign-conversion -Wshadow)
 if(MDM_WERROR)
-  target_compile_options(mdm_warnings INTERFACE -Werror)
+  add_compile_options(-Werror)
+endif()
+if(MDM_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "MDM_FUZZ needs clang: configure with -DCMAKE_CXX_COMPILER=clang++ or --preset fuzz")
+  endif()
+  add_compile_options(-fsanitize=fuzzer-no-link)
+  if(NOT MDM_SANITIZE)
+    set(MDM_SANITIZE address,undefined)
+  endif()
 endif()
 if(MDM_SANITIZE)
   add_compile_options(-fsanitize=${MDM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

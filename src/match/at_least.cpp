@@ -7,17 +7,14 @@ namespace mdm {
 namespace {
 
 /// q^b f / m.
-Rational lower_end(const ProblemClass &c, const Integer &q, unsigned b) {
-  return Rational(power(q, b)) * c.f / c.mass;
-}
+Rational lower_end(const ProblemClass &c, const Integer &q, unsigned b) { return ratio(power(q, b) * c.f, c.mass); }
 
 /// floor(2^bits / a_j) for each class, where a_j^b = f_j / m_j.
 std::vector<Integer> inverse_lower_ends(const Problem &problem, unsigned bits) {
   const unsigned b = problem.law().b;
-  const Rational one = Rational(Integer(Integer(1) << (bits * b)));
   std::vector<Integer> inverse;
   for (const ProblemClass &c : problem.classes())
-    inverse.push_back(floor_root(floor(Rational(one * c.mass / c.f)), b));
+    inverse.push_back(floor_root(floor_div(c.mass << (bits * b), c.f), b));
   return inverse;
 }
 
@@ -31,10 +28,11 @@ std::vector<Integer> counts_near(const Problem &problem, const Integer &n) {
     bits *= 2;
     sum = total(inverse_lower_ends(problem, bits));
   }
-  const Rational w = ratio(Integer(n << bits), Integer(sum + problem.classes().size()));
+  const Integer w_numerator = power(Integer(n << bits), b);
+  const Integer w_denominator = power(Integer(sum + problem.classes().size()), b);
   std::vector<Integer> counts;
   for (const ProblemClass &c : problem.classes())
-    counts.push_back(floor_root(floor(Rational(power(w, b) * c.mass / c.f)), b));
+    counts.push_back(floor_root(floor_div(w_numerator * c.mass, w_denominator * c.f), b));
   return counts;
 }
 
@@ -63,8 +61,9 @@ std::vector<std::optional<Integer>> largest_counts(const Problem &problem, const
       counts.emplace_back();
       continue;
     }
-    const Rational y = scale * c.mass / c.f;
-    const Integer below = open ? floor(y) : Integer(ceil(y) - 1);
+    const Integer n = numerator(scale) * c.mass;
+    const Integer d = denominator(scale) * c.f;
+    const Integer below = open ? floor_div(n, d) : Integer(ceil_div(n, d) - 1);
     counts.emplace_back(floor_root(std::max(below, Integer(0)), problem.law().b));
   }
   return counts;

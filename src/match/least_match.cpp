@@ -18,19 +18,19 @@ constexpr double largest_quotient = 0x1p50;
 template <class Int>
 class Sweep {
 public:
-  Sweep(const ClearedProblem<Int> &problem, const Limits &limits) : problem_(problem), limits_(limits) {}
+  Sweep(const SweepProblem<Int> &problem, const Limits &limits) : problem_(problem), limits_(limits) {}
 
   LeastMatch run() {
     LeastMatch result;
     result.complete = start(result.chain) && rounds(result.chain);
     result.q.reserve(problem_.classes.size());
-    for (const ClearedClass<Int> &c : problem_.classes)
+    for (const SweepClass<Int> &c : problem_.classes)
       result.q.push_back(to_integer(count(c)));
     return result;
   }
 
 private:
-  using Class = ClearedClass<Int>;
+  using Class = SweepClass<Int>;
 
   static Integer to_integer(const Integer &n) { return n; }
   static Integer to_integer(Int128 n) { return n.to_integer(); }
@@ -130,7 +130,7 @@ private:
     return true;
   }
 
-  const ClearedProblem<Int> &problem_;
+  const SweepProblem<Int> &problem_;
   const Limits &limits_;
   Level level_;
   std::vector<std::uint32_t> movable_;
@@ -139,9 +139,7 @@ private:
 
 /// Least count n with n^b F >= (n + 1)^b f: from then on the class cannot move.
 Integer settled_count(const ProblemClass &c, unsigned b) {
-  const auto settled = [&](const Integer &n) {
-    return Rational(power(n, b)) * c.F >= Rational(power(Integer(n + 1), b)) * c.f;
-  };
+  const auto settled = [&](const Integer &n) { return power(n, b) * c.F >= power(Integer(n + 1), b) * c.f; };
   Integer high = 1;
   while (!settled(high))
     high *= 2;
@@ -156,31 +154,28 @@ Integer settled_count(const ProblemClass &c, unsigned b) {
 } // namespace
 
 template <class Int>
-LeastMatch least_match(const ClearedProblem<Int> &problem, const Limits &limits) {
+LeastMatch least_match(const SweepProblem<Int> &problem, const Limits &limits) {
   return Sweep<Int>(problem, limits).run();
 }
 
-template LeastMatch least_match(const ClearedProblem<Int128> &, const Limits &);
-template LeastMatch least_match(const ClearedProblem<Integer> &, const Limits &);
+template LeastMatch least_match(const SweepProblem<Int128> &, const Limits &);
+template LeastMatch least_match(const SweepProblem<Integer> &, const Limits &);
 
 LeastMatch least_match(const Problem &problem, const Limits &limits) {
   try {
-    return least_match(ClearedProblem<Int128>(problem), limits);
+    return least_match(SweepProblem<Int128>(problem), limits);
   } catch (const Int128Overflow &) {
-    return least_match(ClearedProblem<Integer>(problem), limits);
+    return least_match(SweepProblem<Integer>(problem), limits);
   }
 }
 
 std::vector<Integer> some_match(const Problem &problem) {
-  const unsigned b = problem.law().b;
-  Rational level = 0;
-  for (const ProblemClass &c : problem.classes()) {
-    const Integer n = std::max(c.floor, settled_count(c, b));
-    level = std::max(level, Rational(Rational(power(n, b)) * c.f / c.mass));
-  }
-  const Problem settled = problem.from_scale(level, true);
+  std::vector<Integer> settled;
+  for (const ProblemClass &c : problem.classes())
+    settled.push_back(std::max(c.floor, settled_count(c, problem.law().b)));
+  const Problem above = problem.from_scale(problem.lowest_scale(settled), true);
   std::vector<Integer> q;
-  for (const ProblemClass &c : settled.classes())
+  for (const ProblemClass &c : above.classes())
     q.push_back(c.floor);
   return q;
 }

@@ -24,26 +24,64 @@ void check_powers(const Gradation &g, const MassLaw &law, const Integer &min_per
     throw InputError("the exponent " + law.exponent() + " is too large for numbers this long: round one of them");
 }
 
+/// Numbers over a common denominator.
+struct Cleared {
+  std::vector<Integer> numerators;
+  Integer denominator = 1;
+
+  explicit Cleared(const std::vector<Rational> &numbers) {
+    for (const Rational &r : numbers)
+      mpz_lcm(denominator.backend().data(), denominator.backend().data(), mpq_denref(r.backend().data()));
+    numerators.resize(numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const mpz_ptr n = numerators[i].backend().data();
+      mpz_divexact(n, denominator.backend().data(), mpq_denref(numbers[i].backend().data()));
+      mpz_mul(n, n, mpq_numref(numbers[i].backend().data()));
+    }
+  }
+};
+
+/// n / d of two ends of classes, compared as fractions and reduced only at the end.
+struct End {
+  Integer n;
+  const Integer *d;
+
+  bool below(const End &other) const { return n * *other.d < other.n * *d; }
+  Rational value() const { return ratio(n, *d); }
+};
+
 } // namespace
 
 Problem::Problem(const Gradation &g, const MassLaw &law, const Integer &min_per_class) : law_(law) {
   check_powers(g, law, min_per_class);
+  Cleared sizes(g.sizes());
+  const Cleared masses(g.masses());
+  for (Integer &x : sizes.numerators)
+    x = power(x, law.a);
+  scale_unit_ = ratio(power(masses.denominator, law.b), power(sizes.denominator, law.a));
   classes_.reserve(g.classes());
-  for (std::size_t j = 0; j < g.classes(); ++j) {
-    if (g.mass(j) == 0)
-      continue;
-    const Rational c = power(g.factor(j), law.b);
-    classes_.push_back({j, c * law.powered(g.lower(j)), c * law.powered(g.upper(j)), power(g.mass(j), law.b), min_per_class});
+  for (std::size_t j = 0; j < g.classes(); ++j)
+    if (g.mass(j) != 0)
+      classes_.push_back({j, sizes.numerators[j], sizes.numerators[j + 1], power(masses.numerators[j], law.b), min_per_class});
+  if (!g.has_factors())
+    return;
+  const Cleared factors(g.factors());
+  for (ProblemClass &c : classes_) {
+    const Integer factor = power(factors.numerators[c.index], law.b);
+    c.f *= factor;
+    c.F *= factor;
   }
+  scale_unit_ /= Rational(power(factors.denominator, law.b));
 }
 
 Problem Problem::from_scale(const Rational &start, bool open) const {
+  const Integer n = numerator(start);
+  const Integer d = denominator(start);
   Problem higher = *this;
   for (ProblemClass &c : higher.classes_) {
     // Least q with q^b F / m >= start (or > start). Over the integers q^b >= y means q^b >= ceil(y), and q^b > y means
-    // q^b >= floor(y) + 1; the least q with q^b >= n is floor_root(n - 1) + 1.
-    const Rational y = start * c.mass / c.F;
-    const Integer below = open ? floor(y) : Integer(ceil(y) - 1);
+    // q^b >= floor(y) + 1; the least q with q^b >= y is floor_root(y - 1) + 1.
+    const Integer below = open ? floor_div(n * c.mass, d * c.F) : Integer(ceil_div(n * c.mass, d * c.F) - 1);
     if (below >= 0)
       c.floor = std::max(c.floor, Integer(floor_root(below, law_.b) + 1));
   }
@@ -57,17 +95,23 @@ Problem Problem::with_floor(std::size_t j, const Integer &least) const {
 }
 
 Rational Problem::lowest_scale(const std::vector<Integer> &q) const {
-  Rational lowest = 0;
-  for (std::size_t j = 0; j < q.size(); ++j)
-    lowest = std::max(lowest, Rational(Rational(power(q[j], law_.b)) * classes_[j].f / classes_[j].mass));
-  return lowest;
+  End highest{power(q[0], law_.b) * classes_[0].f, &classes_[0].mass};
+  for (std::size_t j = 1; j < q.size(); ++j) {
+    End end{power(q[j], law_.b) * classes_[j].f, &classes_[j].mass};
+    if (highest.below(end))
+      highest = std::move(end);
+  }
+  return highest.value();
 }
 
 Rational Problem::highest_scale(const std::vector<Integer> &q) const {
-  Rational highest = Rational(power(q[0], law_.b)) * classes_[0].F / classes_[0].mass;
-  for (std::size_t j = 1; j < q.size(); ++j)
-    highest = std::min(highest, Rational(Rational(power(q[j], law_.b)) * classes_[j].F / classes_[j].mass));
-  return highest;
+  End lowest{power(q[0], law_.b) * classes_[0].F, &classes_[0].mass};
+  for (std::size_t j = 1; j < q.size(); ++j) {
+    End end{power(q[j], law_.b) * classes_[j].F, &classes_[j].mass};
+    if (end.below(lowest))
+      lowest = std::move(end);
+  }
+  return lowest.value();
 }
 
 Integer total(const std::vector<Integer> &q) {

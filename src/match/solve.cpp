@@ -10,7 +10,7 @@ namespace mdm {
 namespace {
 
 /// Digits of pi after the point at which a start scale that is still undecided is given up: the limit of certificates.
-constexpr unsigned most_pi_places = 10000;
+constexpr unsigned most_pi_places = 1000;
 
 /// sum m_j / c_j over the classes.
 Rational weight_of(const Gradation &g) {
@@ -37,9 +37,9 @@ public:
   bool refine() {
     if (!bounds_ || bounds_->exact())
       return false;
-    places_ *= 2;
-    if (places_ > most_pi_places)
-      throw InputError("the volume is so close to that of a match that 10,000 digits of pi do not decide: change it");
+    if (places_ == most_pi_places)
+      throw InputError("the volume is so close to that of a match that 1000 digits of pi do not decide: change it");
+    places_ = std::min(2 * places_, most_pi_places);
     refresh();
     return true;
   }
@@ -54,12 +54,11 @@ public:
 
   /// The problem with the floors of s >= s_0, or nothing while they are undecided.
   std::optional<Problem> floors(const Problem &problem) const {
-    if (!bounds_)
-      return problem;
+    const Rational lo = bounds_->lo / problem.scale_unit();
     if (bounds_->exact())
-      return problem.from_scale(bounds_->lo, false);
-    Problem low = problem.from_scale(bounds_->lo, true);
-    const Problem high = problem.from_scale(bounds_->hi, true);
+      return problem.from_scale(lo, false);
+    Problem low = problem.from_scale(lo, true);
+    const Problem high = problem.from_scale(Rational(bounds_->hi / problem.scale_unit()), true);
     const auto same = [](const ProblemClass &x, const ProblemClass &y) { return x.floor == y.floor; };
     if (!std::equal(low.classes().begin(), low.classes().end(), high.classes().begin(), same))
       return std::nullopt;
@@ -86,7 +85,8 @@ Problem problem_from_start(const Problem &problem, Start &start) {
 
 /// The window of q, the start made precise enough to say whether s_0 is in it.
 Window window_of(const Problem &problem, const std::vector<Integer> &q, Start &start) {
-  Window window{problem.lowest_scale(q), problem.highest_scale(q), std::nullopt};
+  const Rational &unit = problem.scale_unit();
+  Window window{problem.lowest_scale(q) * unit, problem.highest_scale(q) * unit, std::nullopt};
   while (!start.decides(window.above) || !start.decides(window.up_to))
     start.refine();
   window.start = start.bounds();
@@ -108,7 +108,7 @@ void note_precision(Match &match, const Rational &above) {
 void note_digits(Match &match, unsigned digits) {
   for (std::size_t j = 0; j < match.sizes.size(); ++j) {
     const Enclosure &x = match.sizes[j];
-    if (x.lo != x.hi && to_string(x.lo).size() > digits + 1 && x.places > 0)
+    if (x.lo != x.hi && to_string(x.lo).size() > digits && x.places > 0)
       match.notes.push_back("class " + std::to_string(match.problem.classes()[j].index + 1) + ": the size is printed with " +
                             std::to_string(to_string(x.lo).size()) + " digits, to lie inside its class");
   }
@@ -130,28 +130,30 @@ Enclosure Match::solids_volume() const {
   thread_local Enclosure cached = enclose_pi(40);
   if (digits + 10 > cached.places)
     cached = enclose_pi(digits + 10);
-  const Rational sixth = scale * weight_of(gradation) / 6;
-  return enclose_interval(Rational(sixth * cached.lower()), Rational(sixth * cached.upper()), digits);
+  const Rational product = scale * weight_of(gradation);
+  const Integer n = numerator(product);
+  const Integer d = denominator(product) * 6 * power_of_ten(cached.places);
+  return enclose_interval(n * cached.lo, n * cached.hi, d, digits);
 }
 
 Match solve(Gradation g, const Question &question, const SolveOptions &options) {
   Gradation asked = asked_gradation(std::move(g), question);
   Problem problem(asked, question.law, question.min_per_class);
-  Start start(question, asked, options.digits + 30);
+  Start start(question, asked, std::min(options.digits + 30, most_pi_places));
   if (question.solids)
     problem = problem_from_start(problem, start);
   Match match(question, std::move(asked), std::move(problem));
   match.digits = options.digits;
   match.notes = match.gradation.notes();
 
-  const Rational from = start.bounds() ? start.bounds()->lo : Rational(0);
+  const Rational from = start.bounds() ? Rational(start.bounds()->lo / match.problem.scale_unit()) : Rational(0);
   AtLeastMatch found = at_least_match(match.problem, question.at_least, from, options.limits);
   match.lower_bound = std::max(total(found.least.q), question.at_least);
   match.complete = found.least.complete;
   match.status = match.complete ? Status::optimal : Status::feasible;
   match.q = std::move(found.q);
   match.chain = std::move(found.least.chain);
-  match.above = std::move(found.above);
+  match.above = found.above * match.problem.scale_unit();
   if (options.at_most && match.lower_bound > *options.at_most)
     match.status = Status::none;
   else if (options.at_most && match.particles() > *options.at_most)

@@ -10,10 +10,11 @@ namespace {
 /// floor(2^bits / a_j) - floor(2^bits / b_j) - 1, at most 2^bits (1/a_j - 1/b_j), summed over the classes.
 Integer spread_below(const Problem &problem, unsigned bits) {
   const unsigned b = problem.law().b;
-  const Rational one = Rational(Integer(Integer(1) << (bits * b)));
   Integer sum = 0;
-  for (const ProblemClass &c : problem.classes())
-    sum += floor_root(floor(Rational(one * c.mass / c.f)), b) - floor_root(floor(Rational(one * c.mass / c.F)), b) - 1;
+  for (const ProblemClass &c : problem.classes()) {
+    const Integer mass = c.mass << (bits * b);
+    sum += floor_root(floor_div(mass, c.f), b) - floor_root(floor_div(mass, c.F), b) - 1;
+  }
   return sum;
 }
 
@@ -23,7 +24,7 @@ Integer all_from_bound(const Problem &problem) {
   const unsigned b = problem.law().b;
   Rational scale = problem.lowest_scale(some_match(problem));
   for (const ProblemClass &c : problem.classes())
-    scale = std::max(scale, Rational(Rational(power(c.floor, b)) * c.F / c.mass));
+    scale = std::max(scale, ratio(power(c.floor, b) * c.F, c.mass));
   unsigned bits = 64;
   while (spread_below(problem, bits) <= 0)
     bits *= 2;

@@ -110,22 +110,45 @@ Rational parse_decimal(std::string_view text, char point) {
   return ratio(n, power_of_ten(static_cast<unsigned>(-parts.exponent)));
 }
 
-std::string decimal_string(const Integer &digits, unsigned places) {
+std::string fixed_decimal(const Integer &digits, unsigned places) {
   if (digits < 0)
-    return "-" + decimal_string(Integer(-digits), places);
+    return "-" + fixed_decimal(Integer(-digits), places);
   std::string text = to_string(digits);
-  if (places == 0)
-    return text;
   if (text.size() <= places)
     text.insert(0, places + 1 - text.size(), '0');
-  text.insert(text.size() - places, 1, '.');
-  text.erase(text.find_last_not_of('0') + 1);
+  if (places > 0)
+    text.insert(text.size() - places, 1, '.');
+  return text;
+}
+
+std::string decimal_string(const Integer &digits, unsigned places) {
+  std::string text = fixed_decimal(digits, places);
+  if (places > 0)
+    text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.')
     text.pop_back();
   return text;
 }
 
+/// exact_decimal for a denominator of one machine word, the common case.
+std::optional<std::string> exact_short_decimal(const Rational &r) {
+  std::uint64_t d = mpz_get_ui(mpq_denref(r.backend().data()));
+  unsigned twos = 0, fives = 0;
+  for (; d % 2 == 0; d /= 2)
+    ++twos;
+  for (; d % 5 == 0; d /= 5)
+    ++fives;
+  if (d != 1)
+    return std::nullopt;
+  const unsigned places = std::max(twos, fives);
+  Integer scale;
+  mpz_ui_pow_ui(scale.backend().data(), twos < fives ? 2 : 5, std::max(twos, fives) - std::min(twos, fives));
+  return decimal_string(Integer(numerator(r) * scale), places);
+}
+
 std::optional<std::string> exact_decimal(const Rational &r) {
+  if (mpz_fits_ulong_p(mpq_denref(r.backend().data())) != 0)
+    return exact_short_decimal(r);
   Integer rest = denominator(r);
   if (rest == 1)
     return to_string(Integer(numerator(r)));

@@ -14,11 +14,33 @@ std::optional<unsigned> decimal_places(const Rational &r) {
   return point == std::string::npos ? 0 : static_cast<unsigned>(text->size() - point - 1);
 }
 
-/// Decimal places that give r^(1/degree) `digits` significant digits, or a few more.
-unsigned places_for(const Rational &r, unsigned degree, unsigned digits) {
-  // y^degree = r has some (bits of r) / degree bits before the point. log10(2) < 0.30103 and > 0.30102; the estimate of
-  // the leading digit's place is one too low at most, which gives a digit more than was asked for.
-  const long bits = static_cast<long>(bit_length(numerator(r))) - static_cast<long>(bit_length(denominator(r))) - 1;
+/// True if n / d is a decimal: without its factors 2 and 5, d divides n.
+bool terminates(const Integer &n, const Integer &d) {
+  Integer rest;
+  mpz_tdiv_q_2exp(rest.backend().data(), d.backend().data(), mpz_scan1(d.backend().data(), 0));
+  const Integer five = 5;
+  mpz_remove(rest.backend().data(), rest.backend().data(), five.backend().data());
+  return mpz_divisible_p(n.backend().data(), rest.backend().data()) != 0;
+}
+
+/// The root of n / d, if it is a decimal.
+std::optional<Enclosure> decimal_root(const Integer &n, const Integer &d, unsigned degree) {
+  if (!terminates(n, d))
+    return std::nullopt;
+  const std::optional<Rational> root = exact_root(ratio(n, d), degree);
+  if (!root)
+    return std::nullopt;
+  // Powers of decimals are decimals, and so are their roots if they are fractions.
+  const unsigned places = decimal_places(*root).value();
+  const Integer value = numerator(*root) * power_of_ten(places) / denominator(*root);
+  return Enclosure{value, value, places};
+}
+
+/// Decimal places that give (n/d)^(1/degree) `digits` significant digits or one more.
+unsigned places_for(const Integer &n, const Integer &d, unsigned degree, unsigned digits) {
+  // y^degree = n/d has some (bits of n/d) / degree bits before the point. log10(2) < 0.30103 and > 0.30102; the estimate
+  // of the leading digit's place is never too high, and one too low at most.
+  const long bits = static_cast<long>(bit_length(n)) - static_cast<long>(bit_length(d)) - 1;
   const long degree_bits = bits >= 0 ? bits / static_cast<long>(degree) : -((-bits - 1) / static_cast<long>(degree)) - 1;
   const long leading = degree_bits >= 0 ? degree_bits * 30102 / 100000 : -((-degree_bits * 30103 - 1) / 100000) - 1;
   const long wanted = static_cast<long>(digits) - 1 - leading;
@@ -31,24 +53,33 @@ Rational Enclosure::lower() const { return ratio(lo, power_of_ten(places)); }
 Rational Enclosure::upper() const { return ratio(hi, power_of_ten(places)); }
 std::string Enclosure::lower_text() const { return decimal_string(lo, places); }
 std::string Enclosure::upper_text() const { return decimal_string(hi, places); }
+std::string Enclosure::text() const {
+  return lo == hi ? lower_text() : "[" + fixed_decimal(lo, places) + ", " + fixed_decimal(hi, places) + "]";
+}
 
-Enclosure enclose_root(const Rational &r, unsigned degree, unsigned digits) {
-  if (const std::optional<Rational> root = exact_root(r, degree)) {
-    if (const std::optional<unsigned> places = decimal_places(*root)) {
-      const Integer value = numerator(*root) * power_of_ten(*places) / denominator(*root);
-      return {value, value, *places};
-    }
+Enclosure enclose_root(const Integer &n, const Integer &d, unsigned degree, unsigned digits) {
+  if (std::optional<Enclosure> exact = decimal_root(n, d, degree))
+    return std::move(*exact);
+  unsigned places = places_for(n, d, degree, digits);
+  Integer lo = floor_root(floor_div(n * power_of_ten(places * degree), d), degree);
+  if (places > 0 && lo >= power_of_ten(digits)) {
+    lo = floor_div(lo, 10);
+    --places;
   }
-  const unsigned places = places_for(r, degree, digits);
-  const Integer scaled = numerator(r) * power_of_ten(places * degree);
-  const Integer lo = floor_root(floor_div(scaled, denominator(r)), degree);
   return {lo, Integer(lo + 1), places};
 }
 
-Enclosure enclose_interval(const Rational &lo, const Rational &hi, unsigned digits) {
-  const unsigned places = places_for(lo, 1, digits);
-  const Rational ten = Rational(power_of_ten(places));
-  return {floor(Rational(lo * ten)), ceil(Rational(hi * ten)), places};
+Enclosure enclose_interval(const Integer &lo, const Integer &hi, const Integer &d, unsigned digits) {
+  unsigned places = places_for(lo, d, 1, digits);
+  const Integer unit = power_of_ten(places);
+  Integer below = floor_div(lo * unit, d);
+  Integer above = ceil_div(hi * unit, d);
+  if (places > 0 && below >= power_of_ten(digits)) {
+    below = floor_div(below, 10);
+    above = ceil_div(above, 10);
+    --places;
+  }
+  return {std::move(below), std::move(above), places};
 }
 
 } // namespace mdm

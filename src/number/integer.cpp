@@ -3,6 +3,7 @@
 #include <mdm/number/decimal.hpp>
 
 #include <algorithm>
+#include <vector>
 
 namespace mdm {
 
@@ -25,9 +26,14 @@ Integer power(const Integer &base, unsigned exponent) {
 }
 
 Integer power_of_ten(unsigned exponent) {
-  Integer result;
-  mpz_ui_pow_ui(result.backend().data(), 10, exponent);
-  return result;
+  // Copying a short power is several times cheaper than making it.
+  static const std::vector<Integer> short_powers = [] {
+    std::vector<Integer> powers(1, Integer(1));
+    while (powers.size() < 128)
+      powers.push_back(powers.back() * 10);
+    return powers;
+  }();
+  return exponent < short_powers.size() ? short_powers[exponent] : power(Integer(10), exponent);
 }
 
 Integer floor_root(const Integer &n, unsigned degree) {

@@ -12,14 +12,17 @@ namespace {
 
 /// The format asks for ten significant digits.
 constexpr unsigned least_digits = 10;
-/// Limit of the format on the powers of quantities.
+/// Limit of the format on the bits of powers of quantities and sizes.
 constexpr std::size_t max_power_bits = std::size_t{1} << 20;
 
+/// True if the format allows the power of n.
+bool fits(const Match &m, const Integer &n) {
+  return bit_length(n) * std::max(m.question.law.a, m.question.law.b) <= max_power_bits;
+}
+
 void check_powers(const Match &m) {
-  std::size_t bits = std::max(bit_length(m.question.at_least), bit_length(m.particles()));
-  for (const Integer &n : m.q)
-    bits = std::max(bits, bit_length(n));
-  if (bits * std::max(m.question.law.a, m.question.law.b) > max_power_bits)
+  const auto fit = [&m](const Integer &n) { return fits(m, n); };
+  if (!fit(m.question.at_least) || !fit(m.particles()) || !std::all_of(m.q.begin(), m.q.end(), fit))
     throw InputError("the exponent " + m.question.law.exponent() + " is too large for a certificate of quantities this long");
 }
 
@@ -52,8 +55,8 @@ std::string question_lines(const Match &m) {
 }
 
 std::string witness_lines(const Match &m) {
-  const bool precise = std::all_of(m.sizes.begin(), m.sizes.end(), [](const Enclosure &x) {
-    return (x.hi - x.lo) * power_of_ten(least_digits - 1) <= x.lo;
+  const bool precise = std::all_of(m.sizes.begin(), m.sizes.end(), [&m](const Enclosure &x) {
+    return (x.hi - x.lo) * power_of_ten(least_digits - 1) <= x.lo && fits(m, x.hi);
   });
   const std::vector<Enclosure> sizes =
       precise ? m.sizes : enclose_sizes(m.gradation, m.problem, m.q, m.scale, least_digits);

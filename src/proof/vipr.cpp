@@ -13,27 +13,18 @@ struct LinearClass {
   Integer f, F, mass, floor;
 };
 
-Rational root_of(const Rational &r, const MassLaw &law) {
-  const std::optional<Rational> root = exact_root(r, law.b);
-  if (!root)
+Integer root_of(const Integer &n, const MassLaw &law) {
+  const Integer root = floor_root(n, law.b);
+  if (power(root, law.b) != n)
     throw InputError("--vipr: the mass law x^(" + law.exponent() + ") is irrational at a sieve, VIPR has rational numbers only");
-  return *root;
+  return root;
 }
 
 std::vector<LinearClass> linear_classes(const Problem &problem) {
-  std::vector<Rational> f, F, mass;
-  Integer of_f = 1, of_mass = 1;
-  for (const ProblemClass &c : problem.classes()) {
-    f.push_back(root_of(c.f, problem.law()));
-    F.push_back(root_of(c.F, problem.law()));
-    mass.push_back(root_of(c.mass, problem.law()));
-    of_f = lcm(lcm(of_f, denominator(f.back())), denominator(F.back()));
-    of_mass = lcm(of_mass, denominator(mass.back()));
-  }
+  const MassLaw &law = problem.law();
   std::vector<LinearClass> classes;
-  for (std::size_t j = 0; j < f.size(); ++j)
-    classes.push_back({numerator(Rational(f[j] * of_f)), numerator(Rational(F[j] * of_f)),
-                       numerator(Rational(mass[j] * of_mass)), problem.classes()[j].floor});
+  for (const ProblemClass &c : problem.classes())
+    classes.push_back({root_of(c.f, law), root_of(c.F, law), root_of(c.mass, law), c.floor});
   return classes;
 }
 
@@ -172,7 +163,7 @@ private:
   /// At least M particles, N > M (Theorem 7): either all q_j <= h_j, the most at the scale z, which is too few in sum, or
   /// some q_j >= h_j + 1, which puts the scale above z.
   void split() {
-    const std::vector<std::optional<Integer>> most = largest_counts(m_.problem, m_.above, false);
+    const std::vector<std::optional<Integer>> most = largest_counts(m_.problem, Rational(m_.above / m_.problem.scale_unit()), false);
     std::vector<std::size_t> few;
     std::string terms = fmt::format(" {} 1", number_index());
     for (std::size_t j = 0; j < most.size(); ++j) {

@@ -103,11 +103,8 @@ void add_table(Buffer &out, const Match &m) {
   const std::vector<Row> all = rows(m);
   for (std::size_t j = 0; j < all.size(); ++j) {
     const Row &r = all[j];
-    std::string size = "-";
-    if (r.size)
-      size = r.size->lo == r.size->hi ? r.size->lower_text()
-                                      : "[" + r.size->lower_text() + ", " + r.size->upper_text() + "]";
-    lines.push_back({std::to_string(j + 1), "(" + r.lower + ", " + r.upper + "]", r.mass, r.quantity, size});
+    lines.push_back({std::to_string(j + 1), "(" + r.lower + ", " + r.upper + "]", r.mass, r.quantity,
+                     r.size ? r.size->text() : "-"});
   }
   std::array<std::size_t, 5> width{};
   for (const Line &line : lines)
@@ -126,8 +123,7 @@ void add_text_scale(Buffer &out, const Match &m) {
   add(out, "\n  chosen: {} = {}; every size is {} or more of itself away from the sieves\n", s, to_string(m.scale),
       approximate(m.margin, 3));
   if (m.question.law.is_sphere()) {
-    const Enclosure volume = m.solids_volume();
-    add(out, "  volume of the particles: [{}, {}] {}^3\n", volume.lower_text(), volume.upper_text(), name(m.gradation.unit()));
+    add(out, "  volume of the particles: {} {}^3\n", m.solids_volume().text(), name(m.gradation.unit()));
   }
 }
 

@@ -34,6 +34,8 @@ public:
   const std::vector<Rational> &masses() const { return data_.masses; }
   const std::vector<Rational> &tolerances() const { return data_.tolerances; }
   const std::vector<std::string> &notes() const { return data_.notes; }
+  /// Empty if all factors are 1.
+  const std::vector<Rational> &factors() const { return data_.factors; }
   bool has_factors() const { return !data_.factors.empty(); }
 
   /// k = n - 1.

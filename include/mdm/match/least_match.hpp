@@ -2,7 +2,7 @@
 /// \file
 /// The least match (theory: proofs/README.md, Theorems 2 to 5).
 
-#include <mdm/match/cleared_problem.hpp>
+#include <mdm/match/sweep_problem.hpp>
 
 #include <chrono>
 #include <cstdint>
@@ -36,10 +36,10 @@ struct LeastMatch {
 /// The first form tries 128 bits and repeats with Integer on overflow.
 LeastMatch least_match(const Problem &problem, const Limits &limits = {});
 template <class Int>
-LeastMatch least_match(const ClearedProblem<Int> &problem, const Limits &limits = {});
+LeastMatch least_match(const SweepProblem<Int> &problem, const Limits &limits = {});
 
-extern template LeastMatch least_match(const ClearedProblem<Int128> &, const Limits &);
-extern template LeastMatch least_match(const ClearedProblem<Integer> &, const Limits &);
+extern template LeastMatch least_match(const SweepProblem<Int128> &, const Limits &);
+extern template LeastMatch least_match(const SweepProblem<Integer> &, const Limits &);
 
 /// A match found without sweeping (Theorem 4): every class at a scale from which on it cannot move. An upper bound.
 std::vector<Integer> some_match(const Problem &problem);

@@ -6,18 +6,19 @@
 
 namespace mdm {
 
-/// One class with mass. With the law x^(a/b), q particles can hold the mass s m iff q^b f < s^b m <= q^b F
-/// (Theorem 1, to the power b); f, F and mass are to the power b, so that they are rational.
+/// One class with mass, in integers. With the law x^(a/b), q particles can hold the mass s m iff
+/// q^b f < S mass <= q^b F, where S is s^b times a constant of the problem (Theorem 1, to the power b).
 struct ProblemClass {
   std::size_t index = 0; ///< class of the gradation, from 0
-  Rational f;            ///< c^b x_j^a >= 0
-  Rational F;            ///< c^b x_{j+1}^a > f
-  Rational mass;         ///< m_j^b > 0
+  Integer f;             ///< c^b x_j^a >= 0, denominators cleared
+  Integer F;             ///< c^b x_{j+1}^a > f, denominators cleared
+  Integer mass;          ///< m_j^b > 0, denominators cleared
   Integer floor;         ///< r_j >= 1, the least count that is allowed
 };
 
-/// Minimise sum q_j over integers q_j >= r_j and scales S = s^b > 0 with q_j^b f_j < S m_j <= q_j^b F_j in every class
-/// with mass ((*) of proofs/README.md). Classes are ascending; there is at least one.
+/// Minimise sum q_j over integers q_j >= r_j and scales S > 0 with q_j^b f_j < S m_j <= q_j^b F_j in every class with
+/// mass ((*) of proofs/README.md). Classes are ascending; there is at least one. Common denominators are cleared once:
+/// S is the gradation's s^b divided by scale_unit().
 class Problem {
 public:
   /// The problem of a gradation (with the question's changes already made), every floor `min_per_class`.
@@ -26,10 +27,11 @@ public:
 
   const std::vector<ProblemClass> &classes() const { return classes_; }
   const MassLaw &law() const { return law_; }
+  /// s^b / S.
+  const Rational &scale_unit() const { return scale_unit_; }
 
   /// The same problem at scales S >= start (closed) or S > start (open): nothing but higher floors (Theorem 6).
   Problem from_scale(const Rational &start, bool open) const;
-
   /// The same problem with the floor of class j at `least` or higher.
   Problem with_floor(std::size_t j, const Integer &least) const;
 
@@ -40,6 +42,7 @@ public:
 
 private:
   MassLaw law_;
+  Rational scale_unit_;
   std::vector<ProblemClass> classes_;
 };
 

@@ -14,6 +14,9 @@ inline constexpr unsigned max_decimal_exponent = 400;
 /// \throws InputError if `text` is anything else or passes the limits.
 Rational parse_decimal(std::string_view text, char point = '.');
 
+/// digits * 10^-places in plain notation with exactly so many places, for example `0.0380`.
+std::string fixed_decimal(const Integer &digits, unsigned places);
+
 /// digits * 10^-places in plain notation without trailing zeros, for example `0.038`.
 std::string decimal_string(const Integer &digits, unsigned places);
 

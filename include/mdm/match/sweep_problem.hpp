@@ -1,0 +1,43 @@
+#pragma once
+/// \file
+/// A problem in the number type of the sweep's inner loop.
+
+#include <mdm/match/problem.hpp>
+#include <mdm/number/int128.hpp>
+
+#include <vector>
+
+namespace mdm {
+
+/// A class of a Problem in numbers of type Int. Beside them stand doubles for decisions that are not close.
+///
+/// Error bounds of the doubles (u = 2^-53; a conversion from Int is off by at most 2u, an operation by u): `lower` is
+/// f / mass within 5u, `per_upper` is mass / F within 5u, relative, and both are 0 (lower of f = 0) or in
+/// [2^-200, 2^200]. Where that cannot be had, or the law has b > 1, both are NaN: then every comparison with them is
+/// false and the exact decision follows.
+///
+/// Int is Int128 or Integer.
+template <class Int>
+struct SweepClass {
+  Int f, F, mass, floor;
+  double lower = 0;
+  double per_upper = 0;
+};
+
+template <class Int>
+struct SweepProblem {
+  std::vector<SweepClass<Int>> classes;
+  unsigned b = 1;
+
+  /// \throws Int128Overflow if Int is Int128 and a number does not fit
+  explicit SweepProblem(const Problem &problem);
+};
+
+extern template struct SweepProblem<Int128>;
+extern template struct SweepProblem<Integer>;
+
+/// n as a double within 2u, or NaN from 2^500 on.
+inline double to_double(Int128 n) { return n.to_double(); }
+double to_double(const Integer &n);
+
+} // namespace mdm

@@ -1,0 +1,10 @@
+# find_package(mdm): target mdm::mdm, headers <mdm/...>.
+include(CMakeFindDependencyMacro)
+list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+find_dependency(GMP)
+find_dependency(MPFR)
+find_dependency(Arb)
+find_dependency(Boost 1.74 CONFIG)
+find_dependency(fmt 9)
+list(POP_FRONT CMAKE_MODULE_PATH)
+include(${CMAKE_CURRENT_LIST_DIR}/mdmTargets.cmake)

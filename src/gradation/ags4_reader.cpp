@@ -1,0 +1,216 @@
+#include "ags4_reader.hpp"
+
+#include "table.hpp"
+#include "text.hpp"
+
+#include <mdm/gradation/read_gradation.hpp>
+#include <mdm/number/decimal.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+namespace mdm {
+namespace {
+
+constexpr std::string_view size_heading = "GRAT_SIZE";
+constexpr std::string_view passing_heading = "GRAT_PERP";
+
+constexpr const MassColumn &percent_passing = mass_columns[5];
+static_assert(percent_passing.name == "passing_percent");
+
+/// A row of a specimen, as it is written.
+struct Row {
+  std::size_t line;
+  std::string size;
+  std::string passing;
+};
+
+struct Specimen {
+  std::string location;
+  std::string id;
+  std::vector<Row> rows;
+};
+
+/// All specimens of the group GRAT, in the order of the file.
+class Ags4Reader {
+public:
+  Ags4Reader(std::string_view content, const Source &source) : lines_(content), source_(source) {}
+
+  std::vector<Specimen> read() {
+    bool inside = false;
+    while (lines_.next()) {
+      const std::string_view line = trimmed(lines_.text());
+      if (line.starts_with("\"GROUP\"")) {
+        split(line);
+        inside = fields_.size() > 1 && fields_[1] == "GRAT";
+      } else if (inside && !line.empty()) {
+        split(line);
+        read_line();
+      }
+    }
+    if (specimens_.empty())
+      source_.refuse(std::max(lines_.number(), std::size_t{1}),
+                     "this AGS4 file has no DATA row in a group GRAT");
+    return std::move(specimens_);
+  }
+
+private:
+  [[noreturn]] void refuse(const std::string &what) const { source_.refuse(lines_.number(), what); }
+
+  void split(std::string_view line) {
+    if (!split_fields(line, ',', fields_))
+      refuse("a quoted field does not end with a quote before the next comma");
+  }
+
+  /// A line of the group GRAT. TYPE says nothing that is needed here.
+  void read_line() {
+    const std::string &kind = fields_[0];
+    if (kind == "HEADING")
+      read_headings();
+    else if (kind == "UNIT")
+      check_units();
+    else if (kind == "DATA")
+      read_row();
+  }
+
+  std::size_t column(std::string_view heading) const {
+    const auto found = std::find(fields_.begin(), fields_.end(), heading);
+    if (found == fields_.end())
+      refuse(fmt::format("group GRAT has no column {}", heading));
+    return static_cast<std::size_t>(found - fields_.begin());
+  }
+
+  void read_headings() {
+    width_ = fields_.size();
+    has_units_ = false;
+    location_ = column("LOCA_ID");
+    size_ = column(size_heading);
+    passing_ = column(passing_heading);
+    key_.clear();
+    for (std::size_t i = 0; i < width_; ++i)
+      if (i == location_ || fields_[i].starts_with("SAMP_") || fields_[i].starts_with("SPEC_"))
+        key_.push_back(i);
+  }
+
+  void check_width() const {
+    if (width_ == 0)
+      refuse("group GRAT has no HEADING row above this one");
+    if (fields_.size() != width_)
+      refuse(fmt::format("the row has {} fields, HEADING has {}", fields_.size(), width_));
+  }
+
+  void check_units() {
+    check_width();
+    check_unit(size_heading, size_, "mm");
+    check_unit(passing_heading, passing_, "%");
+    has_units_ = true;
+  }
+
+  void check_unit(std::string_view heading, std::size_t i, std::string_view unit) const {
+    if (fields_[i] != unit)
+      refuse(fmt::format("{} has the unit {}, only '{}' is read", heading, mdm::quoted(fields_[i]), unit));
+  }
+
+  void read_row() {
+    check_width();
+    if (!has_units_)
+      refuse("group GRAT has no UNIT row above this one");
+    Row row{lines_.number(), std::move(fields_[size_]), std::move(fields_[passing_])};
+    specimen().rows.push_back(std::move(row));
+  }
+
+  /// The specimen of the row in fields_.
+  Specimen &specimen() {
+    std::vector<std::string> key;
+    for (const std::size_t i : key_)
+      key.push_back(fields_[i]);
+    const auto [place, is_new] = index_.emplace(std::move(key), specimens_.size());
+    if (is_new)
+      specimens_.push_back({fields_[location_], joined(place->first), {}});
+    return specimens_[place->second];
+  }
+
+  static std::string joined(const std::vector<std::string> &key) {
+    std::string id;
+    for (const std::string &part : key)
+      if (!part.empty())
+        id += (id.empty() ? "" : "/") + part;
+    return id;
+  }
+
+  Lines lines_;
+  const Source &source_;
+  std::vector<std::string> fields_;
+  std::size_t width_ = 0;
+  bool has_units_ = false;
+  std::size_t location_ = 0, size_ = 0, passing_ = 0; ///< columns
+  std::vector<std::size_t> key_;                      ///< columns that tell specimens apart
+  std::map<std::vector<std::string>, std::size_t> index_;
+  std::vector<Specimen> specimens_;
+};
+
+[[noreturn]] void refuse_choice(const std::vector<Specimen> &specimens, const Source &source,
+                                const std::string &why) {
+  ShortList ids;
+  for (const Specimen &specimen : specimens)
+    ids.add(specimen.id);
+  source.refuse(specimens.front().rows.front().line,
+                fmt::format("{}: {}; choose one by --specimen-id", why, ids.text()));
+}
+
+/// The specimen of that id; failing that, the only one of that location.
+const Specimen &choose(const std::vector<Specimen> &specimens, const Source &source,
+                       const std::optional<std::string> &wanted) {
+  if (!wanted) {
+    if (specimens.size() > 1)
+      refuse_choice(specimens, source, fmt::format("there are {} specimens", specimens.size()));
+    return specimens.front();
+  }
+  const auto only = [&specimens, &wanted](std::string Specimen::*name) -> const Specimen * {
+    const auto matches = [&wanted, name](const Specimen &s) { return s.*name == *wanted; };
+    const auto first = std::find_if(specimens.begin(), specimens.end(), matches);
+    if (first == specimens.end() ||
+        std::find_if(std::next(first), specimens.end(), matches) != specimens.end())
+      return nullptr;
+    return &*first;
+  };
+  if (const Specimen *by_id = only(&Specimen::id))
+    return *by_id;
+  if (const Specimen *by_location = only(&Specimen::location))
+    return *by_location;
+  refuse_choice(specimens, source, fmt::format("{} does not name one specimen of", mdm::quoted(*wanted)));
+}
+
+Rational decimal(const std::string &text, std::string_view heading, std::size_t line, const Source &source) {
+  try {
+    return parse_decimal(text);
+  } catch (const InputError &error) {
+    source.refuse(line, fmt::format("{} {}", heading, error.what()));
+  }
+}
+
+} // namespace
+
+Gradation read_ags4(std::string_view content, const Source &source, const std::string &id,
+                    const std::optional<std::string> &specimen) {
+  const std::vector<Specimen> specimens = Ags4Reader(content, source).read();
+  const Specimen &chosen = choose(specimens, source, specimen);
+  if (chosen.rows.size() > max_gradation_rows)
+    source.refuse(chosen.rows.back().line, fmt::format("specimen {} has more than {} rows",
+                                                       mdm::quoted(chosen.id), max_gradation_rows));
+  Table table;
+  table.column = &percent_passing;
+  table.id = id;
+  table.header_line = chosen.rows.front().line;
+  for (const Row &row : chosen.rows) {
+    table.lines.push_back(row.line);
+    table.sizes.push_back(decimal(row.size, size_heading, row.line, source));
+    table.values.push_back(decimal(row.passing, passing_heading, row.line, source));
+  }
+  table.notes.push_back(fmt::format("Specimen {} of {}.", mdm::quoted(chosen.id), specimens.size()));
+  return to_gradation(std::move(table), source);
+}
+
+} // namespace mdm

@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// Gradations in AGS4, the ground investigation data format of the UK and New Zealand (group GRAT).
+
+#include "message.hpp"
+
+#include <mdm/gradation/gradation.hpp>
+
+#include <optional>
+
+namespace mdm {
+
+/// Reads one specimen of group GRAT: the rows that share LOCA_ID and all columns SAMP_* and SPEC_*.
+/// Other groups are not looked at.
+/// \param specimen the specimen's id, that is these values joined by `/` without the empty ones, or its
+/// LOCA_ID where
+///                 that is enough; needed where there are several
+/// \throws InputError with the line
+Gradation read_ags4(std::string_view content, const Source &source, const std::string &id,
+                    const std::optional<std::string> &specimen);
+
+} // namespace mdm

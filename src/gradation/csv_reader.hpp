@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// Gradations as CSV.
+
+#include "message.hpp"
+
+#include <mdm/gradation/gradation.hpp>
+
+namespace mdm {
+
+/// Reads a CSV gradation; the grammar is in proofs/certificate-format.md, section 4.
+/// \param content text that Source::check_text has passed, without byte order mark
+/// \throws InputError with the line
+Gradation read_csv(std::string_view content, const Source &source, const std::string &id);
+
+} // namespace mdm

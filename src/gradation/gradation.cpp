@@ -1,0 +1,112 @@
+#include "message.hpp"
+
+#include <mdm/gradation/gradation.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+/// An opening with its unit.
+std::string opening(const Rational &size, SizeUnit unit) {
+  return fmt::format("{} {}", shown(size), name(unit));
+}
+
+void check_lengths(const Gradation::Data &data) {
+  const std::size_t n = data.sizes.size();
+  if (n < 2)
+    throw InputError(fmt::format("a gradation needs at least two sizes, there are {}", n));
+  const auto fits = [n](const std::vector<Rational> &column) { return column.empty() || column.size() == n; };
+  if (data.masses.size() != n || !fits(data.factors) || !fits(data.tolerances))
+    throw InputError(fmt::format("masses, factors and tolerances must be as many as the sizes, {}", n));
+}
+
+void check_sizes(const Gradation::Data &data) {
+  if (data.sizes.front().sign() < 0)
+    throw InputError(fmt::format("size {} is negative", opening(data.sizes.front(), data.unit)));
+  const auto repeated = std::adjacent_find(data.sizes.begin(), data.sizes.end(), std::greater_equal<>());
+  if (repeated != data.sizes.end())
+    throw InputError(fmt::format("size {} does not ascend", opening(*std::next(repeated), data.unit)));
+}
+
+void check_masses(const Gradation::Data &data) {
+  const auto negative =
+      std::find_if(data.masses.begin(), data.masses.end(), [](const Rational &m) { return m.sign() < 0; });
+  if (negative != data.masses.end())
+    throw InputError(fmt::format("mass {} is negative", shown(*negative)));
+  if (data.masses.back().sign() != 0)
+    throw InputError(fmt::format("the largest sieve, {}, retains {}: add a larger sieve that retains 0",
+                                 opening(data.sizes.back(), data.unit), shown(data.masses.back())));
+  if (std::all_of(data.masses.begin(), data.masses.end(), [](const Rational &m) { return m.sign() == 0; }))
+    throw InputError("no sieve retains anything: give at least one mass above 0");
+}
+
+void check_columns(const Gradation::Data &data) {
+  if (std::any_of(data.factors.begin(), data.factors.end(), [](const Rational &c) { return c.sign() <= 0; }))
+    throw InputError("a factor must be above 0");
+  if (std::any_of(data.tolerances.begin(), data.tolerances.end(),
+                  [](const Rational &e) { return e.sign() < 0; }))
+    throw InputError("a tolerance must not be negative");
+}
+
+/// Removes the first `count` entries of a column that may be absent.
+void drop_front(std::vector<Rational> &column, std::ptrdiff_t count) {
+  if (!column.empty())
+    column.erase(column.begin(), column.begin() + count);
+}
+
+} // namespace
+
+Gradation::Gradation(Data data) : data_(std::move(data)) {
+  check_invariant();
+}
+
+void Gradation::check_invariant() const {
+  check_lengths(data_);
+  check_sizes(data_);
+  check_masses(data_);
+  check_columns(data_);
+}
+
+Gradation Gradation::with_pan_size(const Rational &size) const {
+  if (lower(0) != 0)
+    throw InputError(
+        fmt::format("there is no pan to give a size to: the finest sieve has {}", opening(lower(0), unit())));
+  if (size <= 0 || size >= upper(0))
+    throw InputError(fmt::format("pan size {} must lie between 0 and the finest sieve, {}", shown(size),
+                                 opening(upper(0), unit())));
+  Data data = data_;
+  data.sizes.front() = size;
+  return Gradation(std::move(data));
+}
+
+Gradation Gradation::cut_below(const Rational &size) const {
+  const auto found = std::lower_bound(data_.sizes.begin(), data_.sizes.end(), size);
+  if (found == data_.sizes.end() || *found != size)
+    throw InputError(fmt::format("there is no sieve of {} to cut at", opening(size, unit())));
+  if (std::next(found) == data_.sizes.end())
+    throw InputError(fmt::format("cutting at the largest sieve, {}, leaves nothing", opening(size, unit())));
+  const std::ptrdiff_t count = found - data_.sizes.begin();
+  if (std::all_of(data_.masses.begin() + count, data_.masses.end(),
+                  [](const Rational &m) { return m.sign() == 0; }))
+    throw InputError(fmt::format("cutting at {} leaves no mass", opening(size, unit())));
+  Data data = data_;
+  drop_front(data.sizes, count);
+  drop_front(data.masses, count);
+  drop_front(data.factors, count);
+  drop_front(data.tolerances, count);
+  return Gradation(std::move(data));
+}
+
+Gradation Gradation::scaled(const Rational &factor) const {
+  if (factor <= 0)
+    throw InputError(fmt::format("size factor {} must be above 0", shown(factor)));
+  Data data = data_;
+  for (Rational &size : data.sizes)
+    size *= factor;
+  return Gradation(std::move(data));
+}
+
+} // namespace mdm

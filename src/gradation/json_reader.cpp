@@ -1,0 +1,346 @@
+#include "json_reader.hpp"
+
+#include <mdm/gradation/read_gradation.hpp>
+#include <mdm/number/decimal.hpp>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <set>
+
+namespace mdm {
+namespace {
+
+/// With long double in place of double the parser hands over the text of every number below 2^1024, also of
+/// those that round to 2^1024. No value of this type is used: numbers are read from their text.
+using Json =
+    nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
+
+/// Walks over the content and leaves behind how far the parser has come, for messages.
+class Cursor {
+public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char *;
+  using reference = const char &;
+
+  Cursor(const char *at, const char **reached) : at_(at), reached_(reached) {}
+  reference operator*() const { return *at_; }
+  Cursor &operator++() {
+    *reached_ = ++at_;
+    return *this;
+  }
+  bool operator==(const Cursor &other) const { return at_ == other.at_; }
+  bool operator!=(const Cursor &other) const { return at_ != other.at_; }
+
+private:
+  const char *at_;
+  const char **reached_;
+};
+
+/// The keys of a gradation; the first four hold columns.
+enum Key : std::size_t { sizes, masses, factors, tolerances, unit, id, other };
+constexpr std::size_t columns = 4;
+constexpr std::array<std::string_view, other> key_names = {"sizes", "masses", "factors", "tolerances_percent",
+                                                           "unit",  "id"};
+constexpr std::size_t max_depth = 64;
+
+/// Takes the parser's events. The names of the functions are nlohmann's.
+class Handler {
+public:
+  Handler(std::string_view content, const Source &source) : content_(content), source_(source) {}
+
+  const char **reached() { return &reached_; }
+
+  bool null() { return no_value("null"); }
+  bool boolean(bool) { return no_value("a truth value"); }
+  bool binary(Json::binary_t &) { return no_value("binary data"); }
+  bool number_integer(std::int64_t value) { return whole_number(value); }
+  bool number_unsigned(std::uint64_t value) { return whole_number(value); }
+  bool number_float(long double, const std::string &raw);
+  bool string(std::string &text);
+  bool start_object(std::size_t);
+  bool end_object();
+  bool start_array(std::size_t);
+  bool end_array();
+  bool key(std::string &name);
+  bool parse_error(std::size_t, const std::string &token, const nlohmann::detail::exception &error);
+
+  /// The gradation, after the last event.
+  Gradation gradation(const std::string &fallback_id);
+
+private:
+  [[noreturn]] void refuse(const std::string &what) const { refuse_at(reached_, what); }
+  /// \param end one past the byte that the message is about
+  [[noreturn]] void refuse_at(const char *end, const std::string &what) const;
+
+  bool skipping() const { return depth_ > 0 && key_ == other; }
+  /// True directly below a key of the object.
+  bool at_key() const { return depth_ == 1; }
+  bool in_column() const { return depth_ == 2 && key_ < columns; }
+  /// `masses[3]` or `unit`.
+  std::string place() const;
+
+  bool no_value(std::string_view what);
+  void enter();
+  template <typename Whole>
+  bool whole_number(Whole value);
+  Rational decimal(std::string_view text) const;
+  void add(Rational value);
+  void check_order(const Rational &size) const;
+  void set_unit(std::string_view text);
+  void check_complete() const;
+  void to_ascending_mm();
+
+  std::string_view content_;
+  const Source &source_;
+  const char *reached_ = content_.data();
+  std::size_t depth_ = 0;
+  Key key_ = other;
+  std::array<const char *, other> found_{}; ///< where each key was read, null if it was not
+  std::array<std::vector<Rational>, columns> columns_;
+  std::string id_;
+  SizeUnit unit_ = SizeUnit::mm;
+  bool inches_ = false;
+  std::vector<std::set<std::string>> seen_; ///< keys of each open object, apart from those in found_
+  ShortList unknown_;
+};
+
+void Handler::refuse_at(const char *end, const std::string &what) const {
+  const auto position = static_cast<std::size_t>(end - content_.data());
+  source_.refuse(line_number(content_, position == 0 ? 0 : position - 1), what);
+}
+
+std::string Handler::place() const {
+  if (in_column())
+    return fmt::format("{}[{}]", key_names[key_], columns_[key_].size());
+  return std::string(key_names[key_]);
+}
+
+/// Where a value stands that no key has.
+bool Handler::no_value(std::string_view what) {
+  if (skipping())
+    return true;
+  const char *wanted = in_column()      ? "write a decimal"
+                       : key_ < columns ? "write an array of decimals"
+                       : key_ == unit   ? "write \"mm\", \"um\", \"m\" or \"in\""
+                                        : "write a string or a number";
+  refuse(fmt::format("{} is {}: {}", place(), what, wanted));
+}
+
+template <typename Whole>
+bool Handler::whole_number(Whole value) {
+  if (in_column())
+    add(Rational(value));
+  else if (at_key() && key_ == id)
+    id_ = std::to_string(value);
+  else
+    return no_value("a number");
+  return true;
+}
+
+bool Handler::number_float(long double, const std::string &raw) {
+  if (skipping())
+    return true;
+  std::string text = raw;
+  // nlohmann puts the locale's decimal point where the file has `.`.
+  const std::size_t point = text.find_first_not_of("+-0123456789eE");
+  if (point != std::string::npos)
+    text[point] = '.';
+  if (at_key() && key_ == id) {
+    id_ = std::move(text);
+    return true;
+  }
+  if (!in_column())
+    return no_value("a number");
+  static const Rational limit(power(Integer(2), 1024));
+  const Rational value = decimal(text);
+  if (value >= limit)
+    refuse(fmt::format("{} {} is too large for a JSON number: write it as a string", place(),
+                       mdm::quoted(text)));
+  add(value);
+  return true;
+}
+
+bool Handler::string(std::string &text) {
+  if (skipping())
+    return true;
+  if (in_column())
+    add(decimal(text));
+  else if (at_key() && key_ == id)
+    id_ = std::move(text);
+  else if (at_key() && key_ == unit)
+    set_unit(text);
+  else
+    return no_value("a string");
+  return true;
+}
+
+void Handler::enter() {
+  if (++depth_ > max_depth)
+    refuse(fmt::format("values are nested deeper than {}", max_depth));
+}
+
+bool Handler::start_object(std::size_t) {
+  if (depth_ > 0)
+    no_value("an object");
+  enter();
+  seen_.emplace_back();
+  return true;
+}
+
+bool Handler::end_object() {
+  seen_.pop_back();
+  --depth_;
+  return true;
+}
+
+bool Handler::start_array(std::size_t) {
+  if (!(at_key() && key_ < columns))
+    no_value("an array");
+  else
+    columns_[key_].reserve(16);
+  enter();
+  return true;
+}
+
+bool Handler::end_array() {
+  --depth_;
+  return true;
+}
+
+bool Handler::key(std::string &name) {
+  if (at_key()) {
+    const auto known = std::find(key_names.begin(), key_names.end(), name);
+    key_ = static_cast<Key>(known - key_names.begin());
+    if (key_ != other) {
+      if (found_[key_] != nullptr)
+        refuse(fmt::format("key {} is there twice", mdm::quoted(name)));
+      found_[key_] = reached_;
+      return true;
+    }
+    unknown_.add(name);
+  }
+  if (!seen_.back().insert(name).second)
+    refuse(fmt::format("key {} is there twice in one object", mdm::quoted(name)));
+  return true;
+}
+
+Rational Handler::decimal(std::string_view text) const {
+  try {
+    return parse_decimal(text);
+  } catch (const InputError &error) {
+    refuse(fmt::format("{} {}", place(), error.what()));
+  }
+}
+
+void Handler::add(Rational value) {
+  if (key_ == factors ? value.sign() <= 0 : value.sign() < 0)
+    refuse(fmt::format("{} {} is {}", place(), shown(value), key_ == factors ? "not above 0" : "negative"));
+  if (columns_[key_].size() == max_gradation_rows)
+    refuse(
+        fmt::format("{} has more than {} entries: give fewer sieves", key_names[key_], max_gradation_rows));
+  if (key_ == sizes)
+    check_order(value);
+  columns_[key_].push_back(std::move(value));
+}
+
+/// Sizes go on in the direction of the first two.
+void Handler::check_order(const Rational &size) const {
+  const std::vector<Rational> &x = columns_[sizes];
+  if (x.empty())
+    return;
+  if (size == x.back())
+    refuse(fmt::format("{} {} repeats the size before it", place(), shown(size)));
+  if (x.size() > 1 && (size < x.back()) != (x[1] < x[0]))
+    refuse(fmt::format("{} {} breaks the order: sizes must all ascend or all descend", place(), shown(size)));
+}
+
+void Handler::set_unit(std::string_view text) {
+  if (text == "um")
+    unit_ = SizeUnit::um;
+  else if (text == "m")
+    unit_ = SizeUnit::m;
+  else if (text == "in")
+    inches_ = true;
+  else if (text != "mm")
+    refuse(fmt::format("unit {} is unknown: use \"mm\", \"um\", \"m\" or \"in\"", mdm::quoted(text)));
+}
+
+bool Handler::parse_error(std::size_t, const std::string &token, const nlohmann::detail::exception &error) {
+  constexpr int number_overflow = 406; // nlohmann's number of that exception
+  if (error.id == number_overflow)
+    refuse(fmt::format("{} {} is too large for a JSON number: write it as a string",
+                       skipping() ? "number" : place(), mdm::quoted(token)));
+  constexpr std::size_t shown_bytes = 20;
+  const auto position = static_cast<std::size_t>(reached_ - content_.data());
+  const std::string_view before = content_.substr(0, position);
+  const std::string_view line =
+      before.substr(before.substr(0, before.empty() ? 0 : before.size() - 1).rfind('\n') + 1);
+  const std::string_view end = line.substr(line.size() - std::min(line.size(), shown_bytes));
+  refuse(
+      fmt::format("this is not JSON at byte {} of the line, the end of {}: check quotes, commas and brackets",
+                  line.size(), mdm::quoted(end)));
+}
+
+void Handler::check_complete() const {
+  const std::size_t n = columns_[sizes].size();
+  for (const Key key : {sizes, masses})
+    if (found_[key] == nullptr)
+      refuse(fmt::format("key \"{}\" is missing", key_names[key]));
+  if (n < 2)
+    refuse_at(found_[sizes], fmt::format("sizes has {} entries: a gradation needs at least two", n));
+  for (const Key key : {masses, factors, tolerances})
+    if (found_[key] != nullptr && columns_[key].size() != n)
+      refuse_at(found_[key],
+                fmt::format("{} has {} entries, sizes has {}", key_names[key], columns_[key].size(), n));
+}
+
+void Handler::to_ascending_mm() {
+  if (columns_[sizes].front() > columns_[sizes].back())
+    for (std::vector<Rational> &column : columns_)
+      std::reverse(column.begin(), column.end());
+  if (inches_)
+    for (Rational &size : columns_[sizes])
+      size *= ratio(254, 10);
+}
+
+Gradation Handler::gradation(const std::string &fallback_id) {
+  check_complete();
+  to_ascending_mm();
+  Gradation::Data data;
+  data.id = found_[id] != nullptr ? std::move(id_) : fallback_id;
+  data.unit = unit_;
+  data.sizes = std::move(columns_[sizes]);
+  data.masses = std::move(columns_[masses]);
+  data.factors = std::move(columns_[factors]);
+  data.tolerances = std::move(columns_[tolerances]);
+  if (inches_)
+    data.notes.emplace_back("Sizes in inches were converted to mm.");
+  if (!unknown_.empty())
+    data.notes.push_back(fmt::format("Unknown JSON keys were skipped: {}.", unknown_.text()));
+  try {
+    return Gradation(std::move(data));
+  } catch (const InputError &error) { // the last mass, or no mass at all
+    refuse_at(found_[masses], fmt::format("masses: {}", error.what()));
+  }
+}
+
+} // namespace
+
+Gradation read_json(std::string_view content, const Source &source, const std::string &fallback_id) {
+  if (!content.substr(std::min(content.find_first_not_of(" \t\r\n"), content.size())).starts_with('{'))
+    source.refuse(1, "there is no JSON object: write one as {\"sizes\": [...], \"masses\": [...]}");
+  Handler handler(content, source);
+  const Cursor begin(content.data(), handler.reached());
+  const Cursor end(content.data() + content.size(), handler.reached());
+  Json::sax_parse(begin, end, &handler);
+  return handler.gradation(fallback_id);
+}
+
+} // namespace mdm

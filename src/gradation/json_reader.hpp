@@ -1,0 +1,17 @@
+#pragma once
+/// \file
+/// Gradations as JSON.
+
+#include "message.hpp"
+
+#include <mdm/gradation/gradation.hpp>
+
+namespace mdm {
+
+/// Reads a JSON gradation; the grammar is in proofs/certificate-format.md, section 4.
+/// \param content     text that Source::check_text has passed, without byte order mark
+/// \param fallback_id the id where the object has none
+/// \throws InputError with the line, the key and the index in its array
+Gradation read_json(std::string_view content, const Source &source, const std::string &fallback_id);
+
+} // namespace mdm

@@ -1,0 +1,135 @@
+#include "text.hpp"
+
+#include <mdm/error.hpp>
+#include <mdm/gradation/sieve_name.hpp>
+#include <mdm/number/decimal.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace mdm {
+namespace {
+
+struct Sieve {
+  std::string_view name;
+  unsigned opening; ///< micrometres
+};
+
+// ASTM E11 and the Tyler series; the tables of proofs/certificate-format.md, section 5.
+constexpr std::array<Sieve, 23> astm_inches = {
+    {{"5", 125000},    {"4.24", 106000}, {"4", 100000},  {"3-1/2", 90000}, {"3", 75000},
+     {"2-1/2", 63000}, {"2.12", 53000},  {"2", 50000},   {"1-3/4", 45000}, {"1-1/2", 37500},
+     {"1-1/4", 31500}, {"1.06", 26500},  {"1", 25000},   {"7/8", 22400},   {"3/4", 19000},
+     {"5/8", 16000},   {"0.530", 13200}, {"1/2", 12500}, {"7/16", 11200},  {"3/8", 9500},
+     {"5/16", 8000},   {"0.265", 6700},  {"1/4", 6300}}};
+constexpr std::array<Sieve, 33> astm_numbers = {
+    {{"3-1/2", 5600}, {"4", 4750},  {"5", 4000},  {"6", 3350},  {"7", 2800}, {"8", 2360}, {"10", 2000},
+     {"12", 1700},    {"14", 1400}, {"16", 1180}, {"18", 1000}, {"20", 850}, {"25", 710}, {"30", 600},
+     {"35", 500},     {"40", 425},  {"45", 355},  {"50", 300},  {"60", 250}, {"70", 212}, {"80", 180},
+     {"100", 150},    {"120", 125}, {"140", 106}, {"170", 90},  {"200", 75}, {"230", 63}, {"270", 53},
+     {"325", 45},     {"400", 38},  {"450", 32},  {"500", 25},  {"635", 20}}};
+constexpr std::array<Sieve, 32> tyler_numbers = {
+    {{"2-1/2", 8000}, {"3", 6700}, {"3-1/2", 5600}, {"4", 4750},  {"5", 4000},  {"6", 3350},  {"7", 2800},
+     {"8", 2360},     {"9", 2000}, {"10", 1700},    {"12", 1400}, {"14", 1180}, {"16", 1000}, {"20", 850},
+     {"24", 710},     {"28", 600}, {"32", 500},     {"35", 425},  {"42", 355},  {"48", 300},  {"60", 250},
+     {"65", 212},     {"80", 180}, {"100", 150},    {"115", 125}, {"150", 106}, {"170", 90},  {"200", 75},
+     {"250", 63},     {"270", 53}, {"325", 45},     {"400", 38}}};
+
+[[noreturn]] void refuse(std::string_view name) {
+  throw InputError(mdm::quoted(name) +
+                   " is no sieve: write a name such as 'No. 200', '3/8 in', 'Tyler 65 mesh', "
+                   "'1.18 mm', '75 um' or 'pan'");
+}
+
+/// Removes `ending` from the end of `text` if it is there.
+bool take_ending(std::string_view &text, std::string_view ending) {
+  if (!text.ends_with(ending))
+    return false;
+  text.remove_suffix(ending.size());
+  return true;
+}
+
+bool take_beginning(std::string_view &text, std::string_view beginning) {
+  if (!text.starts_with(beginning))
+    return false;
+  text.remove_prefix(beginning.size());
+  return true;
+}
+
+/// Moves the first character to `joined`: letters in lower case, the micro sign and the Greek mu as `u`.
+void take_character(std::string_view &text, std::string &joined) {
+  if (take_beginning(text, "\u00B5") || take_beginning(text, "\u03BC")) {
+    joined += 'u';
+    return;
+  }
+  joined += lower(text.front());
+  text.remove_prefix(1);
+}
+
+/// The one spelling of a sieve's name. White space between two digits becomes `-`, all other is removed; an
+/// inch at the end becomes `in`.
+std::string normal_form(std::string_view name) {
+  std::string text;
+  for (bool gap = false; !name.empty();) {
+    if (is_blank(name.front())) {
+      gap = true;
+      name.remove_prefix(1);
+      continue;
+    }
+    if (gap && !text.empty() && is_digit(text.back()) && is_digit(name.front()))
+      text += '-';
+    take_character(name, text);
+    gap = false;
+  }
+  std::string_view stem = text;
+  for (const std::string_view inch : {"\"", "inches", "inch", "in."})
+    if (take_ending(stem, inch))
+      return std::string(stem) + "in";
+  return text;
+}
+
+template <std::size_t n>
+Rational opening(const std::array<Sieve, n> &table, std::string_view number, std::string_view name) {
+  const auto found =
+      std::find_if(table.begin(), table.end(), [number](const Sieve &s) { return s.name == number; });
+  if (found == table.end())
+    refuse(name);
+  return ratio(found->opening, 1000);
+}
+
+/// A number of `unit` mm.
+Rational metric(std::string_view number, const Rational &unit, char point, std::string_view name) {
+  try {
+    const Rational size = parse_decimal(number, point);
+    if (size >= 0)
+      return size * unit;
+  } catch (const InputError &) { // the name as it was written says more
+  }
+  refuse(name);
+}
+
+} // namespace
+
+Rational sieve_opening(std::string_view name, char point) {
+  if (is_pan(name))
+    return 0;
+  const std::string text = normal_form(name);
+  std::string_view rest = text;
+  if (take_ending(rest, "mm"))
+    return metric(rest, 1, point, name);
+  if (take_ending(rest, "um"))
+    return metric(rest, ratio(1, 1000), point, name);
+  if (take_ending(rest, "m"))
+    return metric(rest, 1000, point, name);
+  if (take_beginning(rest, "tyler")) {
+    take_ending(rest, "mesh");
+    return opening(tyler_numbers, rest, name);
+  }
+  if (take_beginning(rest, "no.") || take_beginning(rest, "no") || take_beginning(rest, "#"))
+    return opening(astm_numbers, rest, name);
+  if (take_ending(rest, "in"))
+    return opening(astm_inches, rest, name);
+  refuse(name);
+}
+
+} // namespace mdm

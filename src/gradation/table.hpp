@@ -1,0 +1,52 @@
+#pragma once
+/// \file
+/// The rows of a gradation as a laboratory writes them.
+
+#include "message.hpp"
+
+#include <mdm/gradation/gradation.hpp>
+
+#include <array>
+
+namespace mdm {
+
+/// What the values of a column are: mass on the sieve, or a part of the whole that passes it or does not.
+enum class MassForm { retained, passing, cumulative_retained };
+
+struct MassColumn {
+  std::string_view name;  ///< in the header
+  std::string_view words; ///< in messages
+  MassForm form;
+  unsigned full; ///< what the whole is written as; 0 where nothing says
+};
+
+inline constexpr std::array<MassColumn, 7> mass_columns = {{
+    {"mass", "mass", MassForm::retained, 0},
+    {"retained_g", "mass retained", MassForm::retained, 0},
+    {"retained_percent", "percent retained", MassForm::retained, 100},
+    {"retained_fraction", "fraction retained", MassForm::retained, 1},
+    {"cumulative_retained_percent", "cumulative percent retained", MassForm::cumulative_retained, 100},
+    {"passing_percent", "percent passing", MassForm::passing, 100},
+    {"passing_fraction", "fraction passing", MassForm::passing, 1},
+}};
+
+/// Columns of one entry a row, in the order of the file; factors and tolerances may be empty.
+struct Table {
+  const MassColumn *column = nullptr;
+  std::string id;
+  SizeUnit unit = SizeUnit::mm;
+  std::size_t header_line = 1;
+  std::vector<Rational> sizes;
+  std::vector<Rational> values;
+  std::vector<Rational> factors;
+  std::vector<Rational> tolerances;
+  std::vector<std::size_t> lines; ///< where each row stands
+  std::vector<std::string> notes;
+};
+
+/// The gradation that a table describes: sorted, with the mass of each class, and with the implied pan.
+/// The rules are those of proofs/certificate-format.md, section 4. Cost: n log n comparisons.
+/// \throws InputError with the line of the row where a rule does not hold
+Gradation to_gradation(Table table, const Source &source);
+
+} // namespace mdm

@@ -1,0 +1,120 @@
+#include <mdm/error.hpp>
+#include <mdm/gradation/write_gradation.hpp>
+#include <mdm/number/decimal.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace mdm {
+namespace {
+
+/// `plain` as digits and an exponent of at most 400 either way; nothing if that takes more than 1000 digits.
+std::optional<std::string> with_exponent(const std::string &plain) {
+  const std::size_t point = plain.find('.');
+  std::string digits = plain;
+  long exponent = 0;
+  if (point != std::string::npos) {
+    digits.erase(point, 1);
+    exponent = -static_cast<long>(plain.size() - point - 1);
+  }
+  digits.erase(0, digits.find_first_not_of('0'));
+  while (digits.back() == '0') {
+    digits.pop_back();
+    ++exponent;
+  }
+  constexpr long limit{max_decimal_exponent};
+  if (exponent > limit)
+    digits.append(static_cast<std::size_t>(exponent - limit), '0');
+  if (exponent < -limit) {
+    const auto behind_point = static_cast<std::size_t>(-limit - exponent);
+    digits.insert(0, behind_point - std::min(behind_point, digits.size()), '0');
+    digits.insert(digits.size() - behind_point, 1, '.');
+  }
+  if (digits.size() > max_decimal_digits)
+    return std::nullopt;
+  return fmt::format("{}e{}", digits, std::clamp(exponent, -limit, limit));
+}
+
+/// A number as the readers take it: plain, or with an exponent where that would be more than 1000 digits.
+std::string file_decimal(const Rational &r) {
+  const std::optional<std::string> plain = exact_decimal(r);
+  if (plain && plain->size() <= max_decimal_digits)
+    return *plain;
+  const std::optional<std::string> scientific = plain ? with_exponent(*plain) : std::nullopt;
+  if (!scientific)
+    throw InputError(
+        "a number of this gradation has no decimal of at most 1000 digits: it cannot be written to a file");
+  return *scientific;
+}
+
+/// A JSON string. What is not UTF-8 becomes the replacement character.
+std::string json_string(std::string_view text) {
+  std::string out = "\"";
+  const bool valid = is_utf8(text);
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      (out += '\\') += c;
+    else if (byte < 0x20 || byte == 0x7F)
+      out += fmt::format("\\u{:04x}", byte);
+    else if (byte >= 0x80 && !valid)
+      out += "\\ufffd";
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+/// `, "key": ["1", "2"]`.
+void append_array(fmt::memory_buffer &out, std::string_view key, const std::vector<Rational> &column) {
+  fmt::format_to(std::back_inserter(out), ", \"{}\": [", key);
+  for (std::size_t j = 0; j < column.size(); ++j)
+    fmt::format_to(std::back_inserter(out), "{}\"{}\"", j == 0 ? "" : ", ", file_decimal(column[j]));
+  out.push_back(']');
+}
+
+/// The factors of all rows, also the last, which no class uses.
+std::vector<Rational> factors(const Gradation &g) {
+  std::vector<Rational> column;
+  for (std::size_t j = 0; j < g.sizes().size(); ++j)
+    column.push_back(g.factor(j));
+  return column;
+}
+
+} // namespace
+
+std::string gradation_csv(const Gradation &g) {
+  const bool has_tolerances = !g.tolerances().empty();
+  fmt::memory_buffer out;
+  const auto end = std::back_inserter(out);
+  fmt::format_to(end, "size_{},mass{}{}\n", name(g.unit()), has_tolerances ? ",tolerance_percent" : "",
+                 g.has_factors() ? ",factor" : "");
+  for (std::size_t j = 0; j < g.sizes().size(); ++j) {
+    fmt::format_to(end, "{},{}", file_decimal(g.sizes()[j]), file_decimal(g.masses()[j]));
+    if (has_tolerances)
+      fmt::format_to(end, ",{}", file_decimal(g.tolerances()[j]));
+    if (g.has_factors())
+      fmt::format_to(end, ",{}", file_decimal(g.factor(j)));
+    out.push_back('\n');
+  }
+  return fmt::to_string(out);
+}
+
+std::string gradation_json(const Gradation &g) {
+  fmt::memory_buffer out;
+  fmt::format_to(std::back_inserter(out), "{{\"id\": {}, \"unit\": \"{}\"", json_string(g.id()),
+                 name(g.unit()));
+  append_array(out, "sizes", g.sizes());
+  append_array(out, "masses", g.masses());
+  if (g.has_factors())
+    append_array(out, "factors", factors(g));
+  if (!g.tolerances().empty())
+    append_array(out, "tolerances_percent", g.tolerances());
+  constexpr std::string_view closing = "}\n";
+  out.append(closing.data(), closing.data() + closing.size());
+  return fmt::to_string(out);
+}
+
+} // namespace mdm

@@ -1,0 +1,496 @@
+#!/usr/bin/python3
+"""Writes the certificates of this folder, with a solver of its own in fractions.
+
+Each test is a gradation (.csv or .json) and a certificate (.proof); the folder says the verdict.
+"""
+import heapq
+import pathlib
+import shutil
+from fractions import Fraction as F
+
+HERE = pathlib.Path(__file__).parent
+PI = ("3.14159265358979323846", "3.14159265358979323847")
+
+
+def decimal(value):
+    """The canonical text of a decimal fraction."""
+    places = 0
+    while (value * 10**places).denominator != 1:
+        places += 1
+    digits = str(value * 10**places).rjust(places + 1, "0")
+    return digits if places == 0 else digits[:-places] + "." + digits[-places:]
+
+
+def root(n, degree):
+    """floor of the root of an integer."""
+    low, high = 0, 1 << (n.bit_length() // degree + 1)
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (middle, high) if middle**degree <= n else (low, middle)
+    return low
+
+
+def floor_root(value, degree):
+    return root(value.numerator // value.denominator, degree)
+
+
+class Case:
+    """A gradation x, m, c (decimals in texts) and a question: its least match and the certificate."""
+
+    def __init__(self, x, m, c=None, law=(3, 1), pan=None, cut=None, factor=None, least=None, cylinder=None, box=None,
+                 volume=None, at_least=None, scale="middle", places=12, extra=0):
+        self.a, self.b = a, b = law
+        self.options = [f"{word} {value}" for word, value in
+                        (("pan-size", pan), ("cut-below", cut), ("size-factor", factor), ("min-per-class", least),
+                         ("cylinder", cylinder), ("box", box), ("solids-volume", volume)) if value]
+        if box or volume:
+            self.options.append("pi " + " ".join(PI))
+        x, m = [F(v) for v in x], [F(v) for v in m]
+        c = [F(v) for v in c] if c else [F(1)] * len(x)
+        if pan:
+            x[0] = F(pan)
+        if cut:
+            x, m, c = (column[x.index(F(cut)):] for column in (x, m, c))
+        x = [v * F(factor or 1) for v in x]
+        self.x, self.m, self.c = x, m, c
+        self.used = [j for j in range(len(x) - 1) if m[j] > 0]
+        self.A = {j: c[j]**b * x[j]**a / m[j]**b for j in self.used}
+        self.B = {j: c[j]**b * x[j + 1]**a / m[j]**b for j in self.used}
+        self.r = {j: int(least or 1) for j in self.used}
+        W = sum(m[j] / c[j] for j in self.used)
+        self.S0 = F(0)
+        if cylinder:
+            D, H, e = map(F, cylinder.split())
+            self.S0 = 3 * D * D * H / (2 * (1 + e) * W)
+            self.r = {j: max(self.r[j], -(-self.S0 // self.B[j])) for j in self.used}
+        if box or volume:
+            sides = [F(v) for v in (box or volume + " 1 1 0").split()]
+            V = sides[0] * sides[1] * sides[2] / (1 + sides[3])
+            self.S0 = 6 * V / (F(PI[0]) * W)
+            self.above(6 * V / (F(PI[1]) * W))
+        self.M, self.z = at_least, F(0)
+        self.solve()
+        if at_least and sum(self.q.values()) < at_least:
+            if all(self.A.values()):
+                self.z = self.breakpoint(at_least)
+                self.above(self.z)
+                self.solve()
+        self.N = max(sum(self.q.values()), at_least or 0)
+        self.choose(scale, extra)
+        self.sizes = {j: self.enclose(j, places) for j in self.used}
+
+    def above(self, z):
+        """Raises the floors to what a scale above z needs."""
+        self.r = {j: max(self.r[j], self.count(j, z)) for j in self.used}
+
+    def count(self, j, L):
+        return max(self.r[j], floor_root(L / self.B[j], self.b) + 1)
+
+    def solve(self):
+        """The least fixed point: raises the class whose raise is the largest until nothing changes."""
+        L, self.chain = F(0), []
+        while True:
+            best, j = max((self.count(j, L)**self.b * self.A[j], -j) for j in self.used)
+            if best <= L:
+                break
+            L = best
+            self.chain.append(-j)
+        self.L, self.q = L, {j: self.count(j, L) for j in self.used}
+        self.U = min(self.q[j]**self.b * self.B[j] for j in self.used)
+
+    def breakpoint(self, M):
+        """The largest scale at which fewer than M particles fit: the M-th of the values q^b A_j."""
+        heap = [(self.A[j], 1, j) for j in self.used]
+        heapq.heapify(heap)
+        for _ in range(M):
+            z, q, j = heap[0]
+            heapq.heapreplace(heap, ((q + 1)**self.b * self.A[j], q + 1, j))
+        return z
+
+    def choose(self, scale, extra):
+        low = max(self.L, self.z)
+        self.S = self.U if scale == "upper" or (low + self.U) / 2 < self.S0 else (low + self.U) / 2
+        if scale == "start":
+            self.S = self.S0
+        missing = self.N - sum(self.q.values()) + extra
+        for j in self.used:
+            while missing > 0 and (self.q[j] + 1)**self.b * self.A[j] < self.S:
+                self.q[j] += 1
+                missing -= 1
+        self.N += extra
+        assert missing == 0
+
+    def enclose(self, j, places):
+        T = self.S * self.m[j]**self.b / (self.q[j] * self.c[j])**self.b
+        while True:
+            n = floor_root(T * 10**(places * self.a), self.a)
+            lo = F(n, 10**places)
+            hi = lo if lo**self.a == T else F(n + 1, 10**places)
+            if self.x[j] < lo and hi <= self.x[j + 1] and 10**9 * (hi - lo) <= lo:
+                return decimal(lo), decimal(hi)
+            places += 1
+
+    def proof(self):
+        lines = ["mdm-certificate 1", f"law {F(self.a, self.b)}", *self.options]
+        if self.M:
+            lines.append(f"at-least {self.M}")
+        lines += [f"particles {self.N}", f"scale {self.S}"]
+        lines += [f"class {j + 1} {self.q[j]} {self.sizes[j][0]} {self.sizes[j][1]}" for j in self.used]
+        if self.M != self.N:
+            if self.z:
+                lines.append(f"above {self.z}")
+            lines.append(" ".join(["chain", *(str(j + 1) for j in self.chain)]))
+        return "\n".join(lines + ["end", ""])
+
+
+def rows(header, *columns, delimiter=","):
+    return "".join(delimiter.join(row) + "\n" for row in [header.split(","), *zip(*columns)])
+
+
+SUITE_X = "0.0001 0.075 0.15 0.3 0.6 1.18 2.36 4.75 9.5 19 25 37.5 50 63 75".split()
+SUITE_M = "3.86 1.2 0 10.1 14.84 20.5 13 11 9.5 7 4 2.9 1.5 0.6 0".split()
+ATHABASCA_X = "0.02 0.038 0.076 0.106 0.15 0.25 0.3 0.425 0.85".split()
+ATHABASCA_M = "0.5 3.86 5.74 14.1 43.2 14.6 11.4 6.6 0".split()
+TRIPLE_X, TRIPLE_M = ["1", "2", "3"], ["2", "1", "0"]
+NARROW_X = "1 1.01 1.02 1.03".split()
+NARROW_M = "1 2 3 0".split()
+
+accepted, rejected, unparsable = {}, {}, {}
+
+
+def accept(name, gradation, case):
+    accepted[name] = (gradation, case.proof())
+
+
+def plain(name, x, m, **question):
+    accept(name, rows("size_mm,mass", x, m), Case(x, m, **question))
+
+
+plain("sphere_two_classes", TRIPLE_X, TRIPLE_M)
+plain("sphere_suite", SUITE_X, SUITE_M)
+plain("sphere_athabasca_upper", ATHABASCA_X, ATHABASCA_M, scale="upper")
+plain("sphere_narrow", NARROW_X, NARROW_M)
+plain("one_class", ["1", "2"], ["5", "0"])
+plain("pan_alone", ["0", "2"], ["5", "0"])
+plain("power_2", ATHABASCA_X, ATHABASCA_M, law=(2, 1))
+plain("power_5_2", ATHABASCA_X, ATHABASCA_M, law=(5, 2))
+plain("power_1_2", TRIPLE_X, TRIPLE_M, law=(1, 2), scale="upper")
+plain("power_3_2", NARROW_X, NARROW_M, law=(3, 2))
+plain("power_tie_of_roots", ["1", "2", "3"], ["1", "128", "0"], law=(7, 2), scale="upper")
+plain("exact_sizes", ["1", "2", "4"], ["1", "8", "0"], scale="upper")
+plain("exact_sizes_in_decimals", ["0.5", "1.5", "2.5"], ["3.375", "15.625", "0"], scale="upper")
+plain("pan_at_zero", ["0", "0.075", "0.15"], ["3", "4", "0"])
+plain("pan_size", ["0", "0.075", "0.15"], ["3", "4", "0"], pan="0.0001")
+plain("pan_size_that_binds", ["0", "0.075", "0.076"], ["3", "4", "0"], pan="0.0745")
+plain("cut_below", SUITE_X, SUITE_M, cut="0.3")
+plain("size_factor", ATHABASCA_X, ATHABASCA_M, factor="5")
+plain("pan_cut_factor", ["0", "1", "2", "4"], ["1", "2", "3", "0"], pan="0.5", cut="0.5", factor="2.5")
+plain("interior_zeros", "1 2 3 4 5 6".split(), "3 0 2 0 1 0".split())
+plain("min_per_class", ATHABASCA_X, ATHABASCA_M, least=10)
+plain("cylinder", ATHABASCA_X, ATHABASCA_M, cylinder="5 2.4 0.683", places=18)
+plain("cylinder_exactly_full", ["1", "2"], ["1", "0"], cylinder="7 3 0.5", scale="start")
+plain("box", ATHABASCA_X, ATHABASCA_M, box="3 2.5 2 0.7", places=18)
+plain("solids_volume", ATHABASCA_X, ATHABASCA_M, volume="12.5", places=18)
+plain("solids_volume_and_min_per_class", TRIPLE_X, TRIPLE_M, volume="30", least=3)
+plain("at_least_reached", ATHABASCA_X, ATHABASCA_M, at_least=20000, places=18)
+plain("at_least_skips_a_gap", NARROW_X, ["5", "1", "0", "0"], at_least=27)
+plain("at_least_of_a_least_match_above_it", ATHABASCA_X, ATHABASCA_M, at_least=100)
+plain("at_least_with_a_pan", ["0", "1", "2"], ["1", "2", "0"], at_least=1000)
+plain("at_least_power_3_2", NARROW_X, ["5", "1", "0", "0"], law=(3, 2), at_least=48)
+plain("at_least_cylinder", NARROW_X, ["5", "1", "0", "0"], cylinder="3 2.5 0.5", at_least=30)
+plain("at_least_everything", "0 1 1.1 1.2 1.3".split(), "1 2 7 4 0".split(), pan="0.9", cut="1", factor="1.5", least=2,
+      cylinder="6 5 0.5", at_least=60)
+LARGE = 10**40
+plain("large_integers", ["1", "1000000", "10000000"], [f"{LARGE + 7}", f"{LARGE + 9}", "0"])
+plain("long_decimals", ["0." + "3" * 300, "0." + "6" * 300, "1"], ["1." + "7" * 200, "2", "0"])
+
+x, m, c = ["1", "2", "3", "4"], ["3", "4", "5", "0"], ["2.65", "2.7", "0.5", "9"]
+accept("factors", rows("size_mm,mass,factor", x, m, c), Case(x, m, c=c))
+accept("factors_power_3_2_and_tolerance",
+       rows("size_m,retained_g,tolerance_percent,factor", x, m, ["0", "1", "2", "3"], c), Case(x, m, c=c, law=(3, 2)))
+accept("factors_solids_volume", rows("size_mm,mass,factor", x, m, c), Case(x, m, c=c, volume="1000"))
+case = Case(TRIPLE_X, TRIPLE_M)
+for header, values in (("size_um,retained_percent", TRIPLE_M), ("size_m,retained_fraction", TRIPLE_M)):
+    accept(header.replace(",", "_"), rows(header, TRIPLE_X, values), case)
+accept("descending_rows_with_comments", "# a sand\n\nsize_mm,mass\n3,0\n# the middle\n2,1\n \t\n1,2\n", case)
+accept("byte_order_mark_and_crlf", "\ufeffsize_mm,mass\r\n1,2\r\n2,1\r\n3,0", case)
+accept("quoted_fields", '"size_mm" , "mass"\n"1","2"\n 2 ,\t1\n"3","0"\n', case)
+accept("semicolon_decimal_comma", "size_mm;mass\n0,5;2\n1;0,5\n1,5;0\n", Case(["0.5", "1", "1.5"], ["2", "0.5", "0"]))
+accept("semicolon_decimal_point", "size_mm;mass\n0.5;2\n1;0.5\n1.5;0\n", Case(["0.5", "1", "1.5"], ["2", "0.5", "0"]))
+accept("decimals_of_all_kinds", "size_mm,mass\n+1.e0,.2e+1\n2000E-3,1\n3,-0\n", case)
+case = Case(["0", "1", "2", "4"], ["10", "30", "60", "0"])
+accept("passing_implies_a_pan", "size_mm,passing_percent\n4,100\n2,40\n1,10\n", case)
+accept("cumulative_implies_a_pan", "size_mm,cumulative_retained_percent\n4,0\n2,60\n1,90\n", case)
+accept("passing_with_a_pan", "size_mm,passing_percent\nPan,0\n1,10\n2,40\n4,100\n", case)
+accept("passing_fraction", "size_mm,passing_fraction\n1,0\n2,0.4\n4,1\n",
+       Case(["1", "2", "4"], ["0.4", "0.6", "0"]))
+accept("cumulative_from_nothing", "size_mm,cumulative_retained_percent\n1,100\n2,60\n4,0\n",
+       Case(["1", "2", "4"], ["40", "60", "0"]))
+accept("inches", "size_in,mass\n0.375,1\n0.5,2\n1,0\n", Case(["9.525", "12.7", "25.4"], ["1", "2", "0"]))
+accept("phi", "size_phi,mass\n1,1\n0,2\n-1.0,3\n-2,0\n", Case(["0.5", "1", "2", "4"], ["1", "2", "3", "0"]))
+accept("phi_rounded", "size_phi,mass\n0.5,1\n0.25,1\n-0.5,0\n",
+       Case(["0.707106781186548", "0.840896415253715", "1.41421356237310"], ["1", "1", "0"]))
+accept("phi_rounded_far_out", "size_phi,mass\n99.5,1\n1e-400,1\n-99.5,0\n",
+       Case([decimal(F("1.11563480063302e-30")), "1", "896367560302855000000000000000"], ["1", "1", "0"]))
+accept("sieve_names", "sieve,mass\npan,1\nNo. 200,2\n# a comment, no row\n#100,3\n# 50,4\nno 30,5\n1.18 MM,6\n"
+       "2360 \u00b5m,1\n4750\u03bcm,1\n3/8\",1\n 0.530 in.,1\n5/8 Inch,2\n1 1/2 inches,1\n0.05 m,0\n",
+       Case("0 0.075 0.15 0.3 0.6 1.18 2.36 4.75 9.5 13.2 16 37.5 50".split(), "1 2 3 4 5 6 1 1 1 1 2 1 0".split()))
+accept("sieve_names_tyler", 'sieve;mass\n"tyler 200 mesh";1\nTyler 100;2\n"1,18 mm";3\n"3/8""";0\n',
+       Case(["0.075", "0.15", "1.18", "9.5"], ["1", "2", "3", "0"]))
+accept("json", '{"id": 7, "sizes": ["1", 2, 3.0e0], "masses": [2, "1", "0"], "note": {"a": [true, null, 1e999]}}',
+       Case(TRIPLE_X, TRIPLE_M))
+accept("json_descending_inches",
+       ' {"unit": "in", "masses": [0, 1, 2], "sizes": [3, 2, 1], "factors": ["1", "3", "2"],\n'
+       '"tolerances_percent": [0, 0, 1], "\\u0061\\ud83d\\ude00": "\\n"}\n',
+       Case(["25.4", "50.8", "76.2"], ["2", "1", "0"], c=["2", "3", "1"]))
+
+
+def edit(name, base, *changes, into=rejected, gradation=None):
+    """A certificate with lines replaced: pairs of the beginning of a line and the new line (None drops it)."""
+    csv, proof = accepted[base]
+    lines = proof.splitlines()
+    for beginning, line in changes:
+        hits = [i for i, old in enumerate(lines) if (old + " ").startswith(beginning)]
+        assert len(hits) == 1, (name, beginning)
+        lines[hits[0]:hits[0] + 1] = [] if line is None else line.split("\n")
+    into[name] = (gradation if gradation is not None else csv, "\n".join(lines) + "\n")
+
+
+def claim(name, gradation, case, **changes):
+    """A certificate of which single values are wrong."""
+    for key, value in changes.items():
+        setattr(case, key, value)
+    rejected[name] = (gradation, case.proof())
+
+
+def triple(**question):
+    return Case(TRIPLE_X, TRIPLE_M, **question)
+
+
+TRIPLE = rows("size_mm,mass", TRIPLE_X, TRIPLE_M)
+ATHABASCA = rows("size_mm,mass", ATHABASCA_X, ATHABASCA_M)
+NARROW = rows("size_mm,mass", NARROW_X, NARROW_M)
+
+# The witness.
+claim("one_more_than_least_with_a_valid_witness", TRIPLE, triple(extra=1))
+edit("sum_is_not_the_claim", "sphere_two_classes", ("particles", "particles 5"))
+edit("claim_below_the_sum", "sphere_two_classes", ("particles", "particles 3"))
+case = Case(NARROW_X, NARROW_M)
+claim("scale_at_the_open_end", NARROW, case, S=case.L)
+case = Case(NARROW_X, NARROW_M, scale="upper")
+claim("scale_above_the_closed_end", NARROW, case, S=case.U + F(1, 10**30))
+edit("class_is_missing", "interior_zeros", ("class 3", None))
+edit("class_without_mass", "interior_zeros", ("class 3", "class 2 1 2.5 2.5"))
+edit("class_without_mass_too", "interior_zeros", ("class 5", "class 4 1 4.5 4.5\n" + "class 5 1 5.5 5.5"))
+edit("class_beyond_the_last", "sphere_two_classes", ("chain", "CHAIN"), ("CHAIN", "class 3 1 3.5 3.5\nchain 2"))
+edit("class_zero", "sphere_two_classes", ("class 1", "class 0 3 1 1"))
+edit("fewer_than_min_per_class", "sphere_two_classes", ("law", "law 3\nmin-per-class 2"))
+case = Case(NARROW_X, NARROW_M)
+claim("exchanged_quantities", NARROW, case, q={0: case.q[1], 1: case.q[0], 2: case.q[2]})
+case = triple()
+claim("another_law", TRIPLE, case, a=2)
+case = Case(ATHABASCA_X, ATHABASCA_M, law=(5, 2))
+claim("law_5_2_claimed_as_5", ATHABASCA, case, b=1)
+edit("another_gradation", "sphere_two_classes", gradation="size_mm,mass\n1,2\n2,1.5\n3,0\n")
+edit("another_unit", "sphere_two_classes", gradation="size_in,mass\n1,2\n2,1\n3,0\n")
+
+# The sizes.
+EXACT = rows("size_mm,mass", ["1", "2", "4"], ["1", "8", "0"])
+
+
+def sizes(name, base_case, gradation, j, lo, hi):
+    claim(name, gradation, base_case, sizes={**base_case.sizes, j: (lo, hi)})
+
+
+def moved(case, j, units):
+    unit = F(case.sizes[j][1]) - F(case.sizes[j][0])
+    return [decimal(F(end) + units * unit) for end in case.sizes[j]]
+
+
+for direction, units in (("low", -1), ("high", 1)):
+    case = triple()
+    sizes(f"enclosure_one_unit_too_{direction}", case, TRIPLE, 0, *moved(case, 0, units))
+case = Case(["1", "2", "4"], ["1", "8", "0"], scale="upper")
+sizes("exact_size_as_an_upper_end", case, EXACT, 1, "3.999999999999", "4")
+case = Case(["1", "2", "4"], ["1", "8", "0"], scale="upper")
+sizes("enclosure_beyond_the_class", case, EXACT, 1, "4", "4.000000000001")
+case = Case(["1", "2", "4"], ["1", "8", "0"], scale="upper")
+sizes("exact_size_off", case, EXACT, 1, "3.999999999999", "3.999999999999")
+case = triple()
+sizes("enclosure_too_wide", case, TRIPLE, 0, *(decimal(F(root(int(F(case.S) * 2 * 10**24 / case.q[0]), 3) // 10**4 + i,
+                                                         10**4)) for i in (0, 1)))
+case = triple()
+sizes("rounded_size_as_exact", case, TRIPLE, 0, *[case.sizes[0][0]] * 2)
+# The size is above the opening, which the class excludes, by less than a unit: its enclosure begins at the opening.
+case = Case(["1", "2"], ["1", "0"])
+case.S = 1 + F(1, 10**12)
+sizes("lower_end_at_the_opening", case, rows("size_mm,mass", ["1", "2"], ["1", "0"]), 0, "1", "1.000000000001")
+
+# The chain.
+case = Case(NARROW_X, NARROW_M)
+claim("chain_one_step_short", NARROW, case, chain=case.chain[:-1])
+claim("chain_without_steps", TRIPLE, triple(), chain=[])
+edit("chain_index_zero", "sphere_two_classes", ("chain", "chain 0 2"))
+edit("chain_index_beyond", "sphere_two_classes", ("chain", "chain 3 2"))
+edit("chain_index_far_beyond", "sphere_two_classes", ("chain", "chain 2 999999999999999999"))
+edit("chain_index_2_to_the_32_and_2", "sphere_two_classes", ("chain", "chain 4294967298"))
+edit("chain_index_of_an_empty_class", "interior_zeros", ("chain", "chain 2 5 3 1 5 3 1 5 3 1"))
+# The chain is closed without the floors that the question adds to the other class, and not with them.
+for name, question in (("min_per_class", {"least": 50}), ("cylinder", {"cylinder": "6 5 0.5"}),
+                       ("volume", {"volume": "100"})):
+    x, m = ["1", "1.5", "2"], ["7", "4", "0"]
+    case = Case(x, m, **question)
+    claim(f"chain_without_the_floors_of_{name}", rows("size_mm,mass", x, m), case, chain=[0])
+case = Case(NARROW_X, NARROW_M)
+claim("chain_of_another_gradation", NARROW, case, chain=[0])
+
+# The volume of the solids.
+case = Case(ATHABASCA_X, ATHABASCA_M, cylinder="5 2.4 0.683", places=18)
+rejected["cylinder_of_a_larger_void_ratio"] = (ATHABASCA, case.proof().replace("0.683", "0.6"))
+case = Case(["1", "2"], ["1", "0"], cylinder="7 3 0.5", scale="start")
+claim("cylinder_not_quite_full", rows("size_mm,mass", ["1", "2"], ["1", "0"]), case, S=case.S - F(1, 10**9))
+edit("pi_low_too_high_in_the_last_digit", "box",
+     ("pi", "pi 3.14159265358979323847 3.14159265358979323848"))
+edit("pi_high_too_low_in_the_last_digit", "box",
+     ("pi", "pi 3.14159265358979323845 3.14159265358979323846"))
+edit("pi_coarse_bounds_lose_the_least", "solids_volume", ("pi", "pi 3 4"))
+
+# At least M.
+edit("fewer_than_at_least", "sphere_two_classes", ("particles", "at-least 5\nparticles 4"))
+GAP_M = ["5", "1", "0", "0"]
+GAP = rows("size_mm,mass", NARROW_X, GAP_M)
+case = Case(NARROW_X, GAP_M, at_least=27)
+higher = next(case.breakpoint(M) for M in range(27, 99) if case.breakpoint(M) > case.z)
+claim("above_one_breakpoint_too_high", GAP, case, z=higher)
+case = Case(NARROW_X, GAP_M, at_least=27)
+claim("above_a_little_too_high", GAP, case, z=case.z + F(1, 10**20))
+case = Case(NARROW_X, GAP_M, at_least=27)
+claim("above_too_low_for_the_chain", GAP, case, z=case.z / 2, chain=case.chain[:-1])
+edit("at_least_skipped_without_above", "at_least_skips_a_gap", ("above", None))
+x, m = ["0", "1", "2"], ["100", "1", "0"]
+claim("above_with_a_pan", rows("size_mm,mass", x, m), Case(x, m, at_least=2), z=F(1, 10**6))
+claim("at_least_and_more_than_needed", GAP, Case(NARROW_X, GAP_M, at_least=30), M=29)
+
+# Questions that do not fit.
+edit("pan_size_without_a_pan", "sphere_two_classes", ("law", "law 3\npan-size 0.5"))
+edit("pan_size_as_large_as_the_next", "pan_size", ("pan-size", "pan-size 0.075"))
+edit("pan_size_left_out", "pan_size_that_binds", ("pan-size", None))
+edit("cut_between_openings", "cut_below", ("cut-below", "cut-below 0.31"))
+edit("cut_at_the_largest", "sphere_two_classes", ("law", "law 3\ncut-below 3"))
+edit("cut_leaves_no_mass", "sphere_two_classes", ("law", "law 3\ncut-below 2"), gradation="size_mm,mass\n1,2\n2,0\n3,0\n")
+edit("cut_left_out", "cut_below", ("cut-below", None))
+edit("size_factor_left_out", "size_factor", ("size-factor", None))
+
+
+def garble(name, *changes, base="sphere_two_classes"):
+    edit(name, base, *changes, into=unparsable)
+
+
+garble("unknown_version", ("mdm-certificate", "mdm-certificate 2"))
+garble("unknown_line", ("law", "law 3\ncomment 3"))
+garble("options_out_of_order", ("law", "law 3\nmin-per-class 2\nsize-factor 2"))
+garble("option_twice", ("law", "law 3\nsize-factor 2\nsize-factor 2"))
+garble("law_missing", ("law", None))
+garble("law_zero", ("law", "law 0"))
+garble("law_not_in_lowest_terms", ("law", "law 6/2"))
+garble("law_with_denominator_one", ("law", "law 3/1"))
+garble("law_too_large", ("law", "law 1001"))
+garble("pan_size_zero", ("law", "law 3\npan-size 0"))
+garble("size_factor_one", ("law", "law 3\nsize-factor 1"))
+garble("min_per_class_one", ("law", "law 3\nmin-per-class 1"))
+garble("at_least_one", ("particles", "at-least 1\nparticles 4"))
+garble("cylinder_with_another_law", ("law", "law 2\ncylinder 1 1 0"))
+garble("cylinder_and_box", ("law", "law 3\ncylinder 1 1 0\nbox 1 1 1 0\npi 3 4"))
+garble("box_without_pi", ("law", "law 3\nbox 1 1 1 0"))
+garble("pi_without_box", ("law", "law 3\npi 3 4"))
+garble("pi_bounds_exchanged", ("pi", "pi 4 3"), base="box")
+garble("pi_bounds_beyond_4", ("pi", "pi 3 4.1"), base="box")
+garble("pi_of_1001_digits", ("pi", "pi 3." + "1" * 1001 + " 4"), base="box")
+garble("particles_zero", ("particles", "particles 0"))
+garble("leading_zero", ("particles", "particles 04"))
+garble("plus_sign", ("particles", "particles +4"))
+garble("trailing_zero_of_a_decimal", ("class 2", "class 2 1 2.50 2.5"))
+garble("decimal_without_digits_behind_the_point", ("class 2", "class 2 1 2. 2.5"))
+garble("exponent", ("class 2", "class 2 1 25e-1 2.5"))
+garble("scale_not_in_lowest_terms", ("scale", "scale 34/4"))
+garble("scale_zero", ("scale", "scale 0"))
+garble("quantity_zero", ("class 2", "class 2 0 2.5 2.5"))
+garble("lower_end_above_the_upper", ("class 2", "class 2 1 2.6 2.5"))
+garble("lower_end_zero", ("class 2", "class 2 1 0 2.5"))
+garble("classes_descend", ("class 1", "class 3 3 1 1"))
+garble("class_of_19_digits", ("class 2", "class 1000000000000000002 1 2.5 2.5"))
+garble("class_too_short", ("class 2", "class 2 1 2.5"))
+garble("class_too_long", ("class 2", "class 2 1 2.5 2.5 2.5"))
+garble("two_spaces", ("chain", "chain  2"))
+garble("space_at_the_end", ("chain", "chain 2 "))
+garble("tab", ("chain", "chain\t2"))
+garble("chain_missing", ("chain", None))
+garble("chain_where_none_is_needed", ("end", "chain 1\nend"), base="at_least_reached")
+garble("above_without_at_least", ("chain", "above 1\nchain 2"))
+garble("end_missing", ("end", None))
+garble("empty_line", ("end", "\nend"))
+garble("line_after_the_end", ("end", "end\nend"))
+garble("number_of_100001_digits", ("particles", "particles 1" + "0" * 100000))
+garble("powers_out_of_hand", ("law", "law 1000"), ("class 2", f"class 2 1 2.{'1' * 500} 2.{'1' * 500}"))
+base_csv, base_proof = accepted["sphere_two_classes"]
+for name, proof in (("empty", ""), ("no_line_end", base_proof[:-1]), ("carriage_returns", base_proof.replace("\n", "\r\n")),
+                    ("byte_order_mark", "\ufeff" + base_proof), ("gradation_twice", base_csv)):
+    unparsable["certificate_" + name] = (base_csv, proof)
+for name, text in {
+        "empty": "", "header_alone": "size_mm,mass\n", "one_row": "size_mm,mass\n1,0\n",
+        "no_header": "1,2\n2,1\n3,0\n", "size_unknown": "size,mass\n1,2\n2,1\n3,0\n",
+        "column_unknown": "size_mm,mass,colour\n1,2,1\n2,1,1\n3,0,1\n",
+        "column_twice": "size_mm,mass,factor,factor\n1,2,1,1\n2,1,1,1\n3,0,1,1\n",
+        "one_column": "size_mm\n1\n2\n3\n", "short_row": "size_mm,mass\n1,2\n2\n3,0\n",
+        "long_row": "size_mm,mass\n1,2\n2,1,1\n3,0\n", "text_as_mass": "size_mm,mass\n1,much\n2,1\n3,0\n",
+        "nan": "size_mm,mass\n1,nan\n2,1\n3,0\n", "inf": "size_mm,mass\n1,2\n2,1\ninf,0\n",
+        "exponent_beyond_400": "size_mm,mass\n1,2\n2,1e401\n3,0\n", "hexadecimal": "size_mm,mass\n0x1,2\n2,1\n3,0\n",
+        "more_than_1000_digits": "size_mm,mass\n1,2\n2,1." + "0" * 1000 + "\n3,0\n",
+        "negative_mass": "size_mm,mass\n1,2\n2,-1\n3,0\n", "negative_size": "size_mm,mass\n-1,2\n2,1\n3,0\n",
+        "size_twice": "size_mm,mass\n1,2\n2,1\n2.0,1\n3,0\n", "pan_twice": "size_mm,mass\n0,2\npan,1\n3,0\n",
+        "top_retains": "size_mm,mass\n1,2\n2,1\n3,1\n", "no_mass": "size_mm,mass\n1,0\n2,0\n3,0\n",
+        "passing_101": "size_mm,passing_percent\n1,10\n2,101\n3,100\n",
+        "passing_99_at_the_top": "size_mm,passing_percent\n1,10\n2,50\n3,99\n",
+        "passing_decreases": "size_mm,passing_percent\n1,50\n2,10\n3,100\n",
+        "passing_the_pan": "size_mm,passing_percent\n0,5\n2,10\n3,100\n",
+        "passing_implies_a_pan_without_factor": "size_mm,passing_percent,factor\n1,5,1\n2,10,1\n3,100,1\n",
+        "cumulative_not_0_at_the_top": "size_mm,cumulative_retained_percent\n1,90\n2,50\n3,1\n",
+        "factor_zero": "size_mm,mass,factor\n1,2,1\n2,1,0\n3,0,1\n",
+        "tolerance_negative": "size_mm,mass,tolerance_percent\n1,2,1\n2,1,-1\n3,0,1\n",
+        "sieve_unknown": "sieve,mass\nNo. 9,2\nNo. 8,1\nNo. 4,0\n",
+        "sieve_without_unit": "sieve,mass\n1,2\n2,1\n3,0\n",
+        "sieve_negative": "sieve,mass\n-1 mm,2\n2 mm,1\n3 mm,0\n",
+        "phi_beyond_1000": "size_phi,mass\n1000.5,2\n2,1\n-3,0\n", "phi_sizes_round_alike":
+        "size_phi,mass\n1e-300,2\n0,1\n-3,0\n",
+        "comma_and_point": "size_mm;mass\n1,0;2\n2.0;1\n3;0\n", "comma_with_comma": "size_mm,mass\n1,0,2\n2,0,1\n3,0,0\n",
+        "open_quote": "size_mm,mass\n\"1,2\n2,1\n3,0\n", "text_behind_a_quote": "size_mm,mass\n\"1\"x,2\n2,1\n3,0\n",
+        "lone_carriage_return": "size_mm,mass\n1,2\r2,1\n3,0\n", "control_character": "size_mm,mass\n1,2\n2,1\n3,0\n\x01\n",
+        "ags4": '"GROUP","GRAT"\n"HEADING","GRAT_SIZE"\n',
+}.items():
+    unparsable["csv_" + name] = (text, base_proof)
+for name, text in {
+        "array": '[1, 2]', "broken_off": '{"sizes": [1, 2, 3], "masses": [2, 1, 0]', "no_masses": '{"sizes": [1, 2, 3]}',
+        "followed": '{"sizes": [1, 2, 3], "masses": [2, 1, 0]} 1', "key_twice":
+        '{"sizes": [1, 2, 3], "masses": [2, 1, 0], "s\\u0069zes": [1, 2, 3]}',
+        "key_twice_inside": '{"sizes": [1, 2, 3], "masses": [2, 1, 0], "x": [{"y": 1, "y": 1}]}',
+        "lengths_differ": '{"sizes": [1, 2, 3], "masses": [2, 0]}', "unit_unknown":
+        '{"unit": "ft", "sizes": [1, 2, 3], "masses": [2, 1, 0]}', "unit_number":
+        '{"unit": 1, "sizes": [1, 2, 3], "masses": [2, 1, 0]}', "id_array":
+        '{"id": [], "sizes": [1, 2, 3], "masses": [2, 1, 0]}', "unsorted": '{"sizes": [1, 3, 2], "masses": [2, 1, 0]}',
+        "number_1e309": '{"sizes": [1, 2, 1e309], "masses": [2, 1, 0]}', "number_1e401":
+        '{"sizes": [1, 2, 3], "masses": [2, 1e401, 0]}', "leading_zero": '{"sizes": [01, 2, 3], "masses": [2, 1, 0]}',
+        "string_with_a_space": '{"sizes": ["1 ", 2, 3], "masses": [2, 1, 0]}', "comma_at_the_end":
+        '{"sizes": [1, 2, 3,], "masses": [2, 1, 0]}', "nested_65_deep":
+        '{"sizes": [1, 2, 3], "masses": [2, 1, 0], "x": ' + "[" * 64 + "]" * 64 + "}", "half_a_surrogate_pair":
+        '{"sizes": [1, 2, 3], "masses": [2, 1, 0], "\\ud800": 1}', "factor_zero":
+        '{"sizes": [1, 2, 3], "masses": [2, 1, 0], "factors": [1, 0, 1]}',
+}.items():
+    unparsable["json_" + name] = (text, base_proof)
+
+for folder, tests in (("accepted", accepted), ("rejected", rejected), ("unparsable", unparsable)):
+    shutil.rmtree(HERE / folder, ignore_errors=True)
+    (HERE / folder).mkdir()
+    for name, (gradation, proof) in tests.items():
+        json = gradation.lstrip().startswith("{")
+        (HERE / folder / (name + (".json" if json else ".csv"))).write_bytes(gradation.encode())
+        (HERE / folder / (name + ".proof")).write_bytes(proof.encode())

@@ -1,0 +1,527 @@
+// Certificates that were changed must not pass, unless they still prove what they claim. What that is, this
+// file decides by itself: it reads the certificate in its own way, demands that it prints it again byte by
+// byte, computes the least number of particles by enumeration of all scales where a count changes, and
+// replays the chain in fractions.
+
+#include "catch.hpp"
+#include "check.hpp"
+#include "program.hpp"
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+
+using namespace mdm_check_test;
+
+namespace {
+
+using Rational = mpq_class;
+using Words = std::vector<std::string>;
+
+Rational to_power(const Rational &x, unsigned long exponent) {
+  Rational result = 1;
+  for (unsigned long i = 0; i < exponent; ++i)
+    result *= x;
+  return result;
+}
+
+bool is_integer_text(const std::string &text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos &&
+         (text == "0" || text[0] != '0');
+}
+
+/// The value of an integer, a decimal or a fraction in its only form.
+std::optional<Rational> value_of(const std::string &text) {
+  const std::size_t slash = text.find('/');
+  const std::size_t point = text.find('.');
+  const std::size_t mark = std::min(slash, point);
+  if (!is_integer_text(text.substr(0, mark)))
+    return std::nullopt;
+  if (mark == std::string::npos)
+    return Rational(text);
+  std::string rest = text.substr(mark + 1);
+  if (slash != std::string::npos) {
+    Rational fraction(text.substr(0, mark) + "/" + (is_integer_text(rest) && rest != "0" ? rest : "1"));
+    fraction.canonicalize();
+    return fraction.get_str() == text ? std::optional<Rational>(fraction) : std::nullopt;
+  }
+  if (rest.empty() || rest.find_first_not_of("0123456789") != std::string::npos || rest.back() == '0')
+    return std::nullopt;
+  Rational decimal(text.substr(0, mark) + rest + "/1" + std::string(rest.size(), '0'), 10);
+  decimal.canonicalize();
+  return decimal;
+}
+
+struct Table {
+  std::vector<Rational> x, m;
+};
+
+/// A gradation `size_mm,mass`, ascending; none if it is wrong.
+std::optional<Table> read_table(const std::string &text) {
+  std::istringstream lines(text);
+  std::string line;
+  std::map<Rational, Rational> rows;
+  std::size_t count = 0;
+  for (std::getline(lines, line); std::getline(lines, line); ++count) {
+    const std::optional<Rational> x = value_of(line.substr(0, line.find(',')));
+    const std::optional<Rational> m = value_of(line.substr(line.find(',') + 1));
+    if (!x || !m)
+      return std::nullopt;
+    rows[*x] = *m;
+  }
+  Table table;
+  for (const auto &row : rows) {
+    table.x.push_back(row.first);
+    table.m.push_back(row.second);
+  }
+  const bool some = std::any_of(table.m.begin(), table.m.end(), [](const Rational &m) { return m > 0; });
+  return count == rows.size() && count >= 2 && some && table.m.back() == 0 ? std::optional<Table>(table)
+                                                                           : std::nullopt;
+}
+
+const Rational pi_below("314159265358979323846264338327950288/100000000000000000000000000000000000");
+const Rational pi_above("314159265358979323846264338327950289/100000000000000000000000000000000000");
+
+/// Judges a certificate by definition, in fractions and by enumeration.
+class Judge {
+public:
+  Judge(Table table, const std::string &certificate) : table_(std::move(table)), text_(certificate) {}
+
+  bool proves() { return read() && derive() && witness_holds() && chain_holds() && claim_is_true(); }
+
+private:
+  struct Sizes {
+    std::size_t index;
+    Rational q, lo, hi;
+  };
+
+  bool has(const std::string &keyword) const { return lines_.count(keyword) == 1; }
+  const Rational &number(const std::string &keyword, std::size_t i = 0) const {
+    return lines_.at(keyword).at(i);
+  }
+
+  bool read() {
+    std::istringstream input(text_);
+    std::ostringstream printed;
+    std::string line;
+    const Words order{"mdm-certificate", "law",       "pan-size", "cut-below",     "size-factor",
+                      "min-per-class",   "cylinder",  "box",      "solids-volume", "pi",
+                      "at-least",        "particles", "scale",    "class",         "above",
+                      "chain",           "end"};
+    const Words fractions{"law", "scale", "above"};
+    const Words decimals{"pan-size", "cut-below", "size-factor", "cylinder", "box", "solids-volume", "pi"};
+    const std::map<std::string, std::size_t> lengths{
+        {"cylinder", 3}, {"box", 4}, {"pi", 2}, {"class", 4}, {"end", 0}};
+    std::size_t next = 0;
+    while (std::getline(input, line)) {
+      std::istringstream words(line);
+      std::string keyword, word;
+      words >> keyword;
+      const auto place =
+          static_cast<std::size_t>(std::find(order.begin(), order.end(), keyword) - order.begin());
+      if (place == order.size() || place + 1 < next || (place + 1 == next && keyword != "class"))
+        return false;
+      next = place + 1;
+      printed << keyword;
+      std::vector<Rational> values;
+      while (words >> word) {
+        const std::optional<Rational> value = value_of(word);
+        const bool fraction = std::find(fractions.begin(), fractions.end(), keyword) != fractions.end();
+        const bool decimal = std::find(decimals.begin(), decimals.end(), keyword) != decimals.end() ||
+                             (keyword == "class" && values.size() >= 2);
+        if (!value || (word.find('/') != std::string::npos && !fraction) ||
+            (word.find('.') != std::string::npos && !decimal))
+          return false;
+        values.push_back(*value);
+        printed << ' ' << word;
+      }
+      printed << '\n';
+      const auto length = lengths.find(keyword);
+      if (keyword != "chain" && values.size() != (length == lengths.end() ? 1 : length->second))
+        return false;
+      if (keyword == "class") {
+        if (!sizes_.empty() && values[0] <= static_cast<unsigned long>(sizes_.back().index))
+          return false;
+        if (values[0] > 1000 || values[1] < 1 || values[2] <= 0 || values[3] < values[2])
+          return false;
+        sizes_.push_back({values[0].get_num().get_ui(), values[1], values[2], values[3]});
+      } else {
+        lines_[keyword] = values;
+      }
+    }
+    for (const char *keyword : {"mdm-certificate", "law", "particles", "scale", "end"})
+      if (!has(keyword))
+        return false;
+    return printed.str() == text_ && number("mdm-certificate") == 1 && question_is_well_formed();
+  }
+
+  bool question_is_well_formed() const {
+    for (const auto &line : lines_)
+      for (std::size_t i = 0; i < line.second.size() && line.first != "chain"; ++i)
+        if (line.second[i] <= 0 &&
+            !(i > 0 && i + 1 == line.second.size() && (line.first == "cylinder" || line.first == "box")))
+          return false;
+    const int solids = has("cylinder") + has("box") + has("solids-volume");
+    const bool pi = has("box") || has("solids-volume");
+    if (solids > 1 || pi != has("pi") || (solids == 1 && number("law") != 3))
+      return false;
+    if (pi && (number("pi", 0) < 3 || number("pi", 0) >= number("pi", 1) || number("pi", 1) > 4))
+      return false;
+    if ((has("size-factor") && number("size-factor") == 1) ||
+        (has("min-per-class") && number("min-per-class") < 2) || (has("at-least") && number("at-least") < 2))
+      return false;
+    const bool no_chain = has("at-least") && number("at-least") == number("particles");
+    return has("chain") != no_chain && (!has("above") || (has("at-least") && has("chain")));
+  }
+
+  bool derive() {
+    std::vector<Rational> &x = table_.x;
+    if (has("pan-size")) {
+      if (x[0] != 0 || number("pan-size") >= x[1])
+        return false;
+      x[0] = number("pan-size");
+    }
+    if (has("cut-below")) {
+      const auto cut = std::find(x.begin(), x.end(), number("cut-below"));
+      if (cut >= x.end() - 1)
+        return false;
+      table_.m.erase(table_.m.begin(), table_.m.begin() + (cut - x.begin()));
+      x.erase(x.begin(), cut);
+    }
+    if (has("size-factor"))
+      for (Rational &opening : x)
+        opening *= number("size-factor");
+    const Rational &law = number("law");
+    if (law.get_num() > 1000 || law.get_den() > 1000)
+      return false;
+    a_ = law.get_num().get_ui();
+    b_ = law.get_den().get_ui();
+    Rational W = 0;
+    for (std::size_t j = 0; j + 1 < x.size(); ++j) {
+      const Rational mass = to_power(table_.m[j], b_);
+      if (mass == 0)
+        continue;
+      used_.push_back(j);
+      A_[j] = to_power(x[j], a_) / mass;
+      B_[j] = to_power(x[j + 1], a_) / mass;
+      W += table_.m[j];
+    }
+    if (used_.empty())
+      return false;
+    if (has("cylinder"))
+      least_below_ = least_above_ = 3 * number("cylinder") * number("cylinder") * number("cylinder", 1) /
+                                    (2 * (1 + number("cylinder", 2)) * W);
+    if (has("pi")) {
+      if (number("pi", 0) >= pi_below || number("pi", 1) <= pi_above)
+        return false;
+      Rational V = has("box")
+                       ? number("box", 0) * number("box", 1) * number("box", 2) / (1 + number("box", 3))
+                       : number("solids-volume");
+      least_below_ = 6 * V / (number("pi", 1) * W);
+      least_above_ = 6 * V / (number("pi", 0) * W);
+    }
+    return true;
+  }
+
+  bool witness_holds() const {
+    const Rational &S = number("scale");
+    Rational sum = 0;
+    if (sizes_.size() != used_.size() || S < least_above_)
+      return false;
+    for (std::size_t i = 0; i < used_.size(); ++i) {
+      const std::size_t j = used_[i];
+      const Sizes &s = sizes_[i];
+      const Rational q = to_power(s.q, b_);
+      const Rational T = S * to_power(table_.m[j], b_) / q;
+      const bool in_class = s.index == j + 1 && q * A_.at(j) < S && S <= q * B_.at(j) && s.q >= least_count();
+      const bool in_interval =
+          s.lo == s.hi ? to_power(s.lo, a_) == T : to_power(s.lo, a_) <= T && T < to_power(s.hi, a_);
+      if (!in_class || !in_interval || table_.x[j] >= s.lo || s.hi > table_.x[j + 1] ||
+          1'000'000'000 * (s.hi - s.lo) > s.lo)
+        return false;
+      sum += s.q;
+    }
+    return sum == number("particles") && (!has("at-least") || sum >= number("at-least"));
+  }
+
+  Rational least_count() const { return has("min-per-class") ? number("min-per-class") : Rational(1); }
+
+  /// The least count of class j at a scale above L (or from `least_below_` up).
+  Rational count(std::size_t j, const Rational &L) const {
+    Rational q = least_count();
+    const Rational z = has("above") ? number("above") : Rational(0);
+    const auto serves = [&] {
+      const Rational end = to_power(q, b_) * B_.at(j);
+      const bool solids = has("pi") ? end > least_below_ : end >= least_below_;
+      return end > L && end > z && solids;
+    };
+    // Doubling before stepping back keeps this quick without an integer root.
+    if (!serves()) {
+      Rational step = 1;
+      for (; !serves(); step *= 2)
+        q += step;
+      for (; step >= 1; step /= 2) {
+        q -= step;
+        if (q < 1 || !serves())
+          q += step;
+      }
+    }
+    return std::max(q, least_count());
+  }
+
+  bool chain_holds() const {
+    if (!has("chain"))
+      return true;
+    Rational L = 0;
+    for (const Rational &index : lines_.at("chain")) {
+      const auto j = std::find_if(used_.begin(), used_.end(),
+                                  [&](std::size_t u) { return index == static_cast<unsigned long>(u + 1); });
+      if (j == used_.end())
+        return false;
+      L = to_power(count(*j, L), b_) * A_.at(*j);
+    }
+    Rational sum = 0;
+    for (const std::size_t j : used_) {
+      if (to_power(count(j, L), b_) * A_.at(j) > L)
+        return false;
+      sum += count(j, L);
+    }
+    if (has("above")) {
+      Rational most = 0;
+      for (const std::size_t j : used_) {
+        if (A_.at(j) == 0)
+          return false;
+        for (Rational q = 1; to_power(q, b_) * A_.at(j) < number("above"); ++q)
+          if (++most >= number("at-least"))
+            return false;
+      }
+    }
+    return sum == number("particles");
+  }
+
+  /// No scale has a match of at least M and fewer than N particles. Counts change at q^b A_j and q^b B_j
+  /// alone, and between two such scales they are what they are at the upper one.
+  bool claim_is_true() const {
+    const Rational &N = number("particles");
+    const Rational M = has("at-least") ? number("at-least") : Rational(1);
+    std::set<Rational> scales{least_above_};
+    for (const std::size_t j : used_)
+      for (Rational q = 1; q <= N; ++q) {
+        scales.insert(to_power(q, b_) * A_.at(j));
+        scales.insert(to_power(q, b_) * B_.at(j));
+      }
+    for (const Rational &S : scales) {
+      if (S == 0 || S < least_above_)
+        continue;
+      Rational fewest = 0, most = 0;
+      bool fits = true;
+      for (const std::size_t j : used_) {
+        Rational q = least_count();
+        while (to_power(q, b_) * B_.at(j) < S && q <= N)
+          ++q;
+        fits = fits && to_power(q, b_) * A_.at(j) < S;
+        fewest += q;
+        for (; q <= N && to_power(q, b_) * A_.at(j) < S; ++q)
+          ;
+        most += q - 1;
+      }
+      if (fits && std::max(fewest, M) < N && most >= M)
+        return false;
+    }
+    return true;
+  }
+
+  Table table_;
+  std::string text_;
+  std::map<std::string, std::vector<Rational>> lines_;
+  std::vector<Sizes> sizes_;
+  std::vector<std::size_t> used_;
+  std::map<std::size_t, Rational> A_, B_;
+  Rational least_below_ = 0, least_above_ = 0;
+  unsigned long a_ = 1, b_ = 1;
+};
+
+Words lines_of(const std::string &text) {
+  Words lines;
+  std::istringstream input(text);
+  for (std::string line; std::getline(input, line);)
+    lines.push_back(line + "\n");
+  return lines;
+}
+
+std::string joined(const Words &words, const std::string &delimiter = "") {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i > 0 ? delimiter : "") + words[i];
+  return text;
+}
+
+/// Every word dropped, doubled and exchanged with every later one.
+void rearrange(const Words &words, const std::string &delimiter, const std::string &before,
+               const std::string &after, std::set<std::string> &mutants) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    Words dropped = words;
+    dropped.erase(dropped.begin() + static_cast<std::ptrdiff_t>(i));
+    mutants.insert(before + joined(dropped, delimiter) + after);
+    Words doubled = words;
+    doubled.insert(doubled.begin() + static_cast<std::ptrdiff_t>(i), words[i]);
+    mutants.insert(before + joined(doubled, delimiter) + after);
+    for (std::size_t k = i + 1; k < words.size(); ++k) {
+      Words exchanged = words;
+      std::swap(exchanged[i], exchanged[k]);
+      mutants.insert(before + joined(exchanged, delimiter) + after);
+    }
+  }
+}
+
+/// Every run of digits one up and one down.
+void shift_numbers(const std::string &text, std::set<std::string> &mutants) {
+  for (std::size_t begin = 0; begin < text.size(); ++begin) {
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", begin), text.size());
+    if (end == begin || (begin > 0 && std::isdigit(static_cast<unsigned char>(text[begin - 1])) != 0))
+      continue;
+    for (const int shift : {-1, 1}) {
+      const mpz_class number = mpz_class(text.substr(begin, end - begin), 10) + shift;
+      std::string digits = number.get_str();
+      if (begin > 0 && text[begin - 1] == '.' && digits.size() < end - begin)
+        digits.insert(0, end - begin - digits.size(), '0');
+      mutants.insert(text.substr(0, begin) + digits + text.substr(end));
+    }
+  }
+}
+
+void change_bytes(const std::string &text, std::set<std::string> &mutants) {
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    mutants.insert(text.substr(0, i));
+    for (const char c : {'0', '1', '9', ' ', '/', '.', '\n', '-', 'e', '\0', '\xFF'}) {
+      mutants.insert(text.substr(0, i) + c + text.substr(i));
+      if (i < text.size())
+        mutants.insert(text.substr(0, i) + c + text.substr(i + 1));
+    }
+    if (i < text.size()) {
+      mutants.insert(text.substr(0, i) + text.substr(i + 1));
+      mutants.insert(text.substr(0, i) + static_cast<char>(text[i] ^ 1) + text.substr(i + 1));
+    }
+  }
+}
+
+/// One more particle in a class, and in the claim.
+void claim_more(const std::string &text, std::set<std::string> &mutants) {
+  const Words lines = lines_of(text);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].rfind("class ", 0) != 0)
+      continue;
+    for (const int shift : {-1, 1}) {
+      std::string mutant;
+      for (std::size_t k = 0; k < lines.size(); ++k) {
+        std::istringstream words(lines[k]);
+        std::string keyword, index, quantity, rest;
+        words >> keyword >> index >> quantity;
+        std::getline(words, rest);
+        if (keyword == "particles")
+          mutant += "particles " + mpz_class(mpz_class(index) + shift).get_str() + "\n";
+        else if (k == i)
+          mutant += "class " + index + " " + mpz_class(mpz_class(quantity) + shift).get_str() + rest + "\n";
+        else
+          mutant += lines[k];
+      }
+      mutants.insert(mutant);
+    }
+  }
+}
+
+/// The mutants that pass although they differ; each verdict must be the judge's.
+std::size_t judge_all(const std::set<std::string> &gradations, const std::set<std::string> &certificates) {
+  std::size_t passed = 0, wrong = 0;
+  for (const std::string &gradation : gradations)
+    for (const std::string &certificate : certificates) {
+      const std::optional<Table> table = read_table(gradation);
+      const bool proves = table && Judge(*table, certificate).proves();
+      const mdm_check::Verdict verdict = mdm_check::check({"g", gradation}, {"c", certificate});
+      const bool accepted = verdict.code == mdm_check::Verdict::accepted;
+      if (accepted != proves && ++wrong <= 3)
+        FAIL_CHECK(verdict.line << "\nbut the judge says " << proves << "\n" << gradation << certificate);
+      passed += accepted ? 1 : 0;
+    }
+  CHECK(wrong == 0);
+  return passed;
+}
+
+const char *const names[] = {"sphere_two_classes",
+                             "sphere_narrow",
+                             "one_class",
+                             "pan_alone",
+                             "power_3_2",
+                             "power_1_2",
+                             "exact_sizes",
+                             "exact_sizes_in_decimals",
+                             "pan_at_zero",
+                             "pan_size_that_binds",
+                             "pan_cut_factor",
+                             "interior_zeros",
+                             "cylinder_exactly_full",
+                             "solids_volume_and_min_per_class",
+                             "at_least_skips_a_gap",
+                             "at_least_power_3_2",
+                             "at_least_cylinder",
+                             "at_least_everything"};
+
+std::string text_of(const std::string &file) {
+  return read_file(std::filesystem::path(MDM_CERTIFICATES_DIR) / "accepted" / file);
+}
+
+} // namespace
+
+TEST_CASE("changed certificates pass only where they still prove their claim", "[checker]") {
+  for (const std::string name : names) {
+    const std::string gradation = text_of(name + ".csv");
+    const std::string certificate = text_of(name + ".proof");
+    std::set<std::string> mutants;
+    change_bytes(certificate, mutants);
+    shift_numbers(certificate, mutants);
+    claim_more(certificate, mutants);
+    rearrange(lines_of(certificate), "", "", "", mutants);
+    const std::size_t chain = certificate.find("\nchain ");
+    if (chain != std::string::npos) {
+      const std::size_t end = certificate.find('\n', chain + 1);
+      Words steps;
+      std::istringstream words(certificate.substr(chain + 7, end - chain - 7));
+      for (std::string step; words >> step;)
+        steps.push_back(step);
+      rearrange(steps, " ", certificate.substr(0, chain + 7), certificate.substr(end), mutants);
+    }
+    mutants.erase(certificate);
+    INFO(name);
+    CHECK(mutants.size() > 1000);
+    REQUIRE(judge_all({gradation}, {certificate}) == 1);
+    const std::size_t harmless = judge_all({gradation}, mutants);
+    CHECK(harmless * 10 < mutants.size());
+  }
+}
+
+TEST_CASE("certificates pass changed gradations only where they still prove their claim", "[checker]") {
+  for (const std::string name : names) {
+    const std::string gradation = text_of(name + ".csv");
+    const std::size_t header = gradation.find('\n') + 1;
+    std::set<std::string> rows;
+    shift_numbers(gradation.substr(header), rows);
+    rearrange(lines_of(gradation.substr(header)), "", "", "", rows);
+    std::set<std::string> mutants;
+    for (const std::string &row : rows)
+      mutants.insert(gradation.substr(0, header) + row);
+    INFO(name);
+    judge_all(mutants, {text_of(name + ".proof")});
+  }
+}
+
+TEST_CASE("no certificate passes another gradation", "[checker]") {
+  for (const std::string name : names)
+    for (const std::string other : names) {
+      INFO(name << " " << other);
+      judge_all({text_of(name + ".csv")}, {text_of(other + ".proof")});
+    }
+}

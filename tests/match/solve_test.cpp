@@ -1,0 +1,180 @@
+#include "brute_force.hpp"
+#include "catch.hpp"
+
+#include <mdm/error.hpp>
+#include <mdm/match/solve.hpp>
+#include <mdm/number/decimal.hpp>
+
+using namespace mdm;
+
+namespace {
+
+Gradation gradation(std::vector<Rational> sizes, std::vector<Rational> masses) {
+  Gradation::Data data;
+  data.sizes = std::move(sizes);
+  data.masses = std::move(masses);
+  return Gradation(std::move(data));
+}
+
+/// Every statement of a match of spheres, from the definitions.
+void check_match(const Match &m) {
+  CHECK(m.window.above < m.scale);
+  CHECK(m.scale <= m.window.up_to);
+  REQUIRE(m.sizes.size() == m.q.size());
+  for (std::size_t i = 0; i < m.q.size(); ++i) {
+    const std::size_t j = m.problem.classes()[i].index;
+    const Rational cube = m.scale * m.gradation.mass(j) / (m.gradation.factor(j) * Rational(m.q[i]));
+    const Enclosure &x = m.sizes[i];
+    CHECK(m.gradation.lower(j) < x.lower());
+    CHECK(x.upper() <= m.gradation.upper(j));
+    if (x.lo == x.hi) {
+      CHECK(power(x.lower(), 3) == cube);
+    } else {
+      CHECK(power(x.lower(), 3) < cube);
+      CHECK(cube < power(x.upper(), 3));
+    }
+    // The margin is certain: sizes are at least that far from both sieves.
+    CHECK(x.upper() >= m.gradation.lower(j) * (1 + m.margin));
+    CHECK(x.lower() * (1 + m.margin) <= m.gradation.upper(j));
+  }
+}
+
+} // namespace
+
+TEST_CASE("a match satisfies its definition") {
+  std::mt19937_64 random(13);
+  for (int i = 0; i < 500; ++i) {
+    const Gradation g = brute::random_gradation(random);
+    SolveOptions options;
+    options.scale = random() % 2 == 0 ? ScaleChoice::automatic : ScaleChoice::upper;
+    options.digits = 1 + static_cast<unsigned>(random() % 20);
+    const Match m = solve(g, {}, options);
+    CHECK(m.status == Status::optimal);
+    check_match(m);
+  }
+}
+
+TEST_CASE("the robust scale is near the geometric middle") {
+  std::mt19937_64 random(14);
+  for (int i = 0; i < 500; ++i) {
+    const Match m = solve(brute::random_gradation(random));
+    const Rational &lo = m.window.above, &hi = m.window.up_to;
+    if (lo == 0) {
+      CHECK(m.scale == hi / 2);
+      continue;
+    }
+    CHECK(m.scale * m.scale >= lo * hi);
+    const Rational less = m.scale - (hi - lo) / 100;
+    CHECK((less <= 0 || less * less <= lo * hi));
+  }
+}
+
+TEST_CASE("a cylinder's volume is met exactly where it can be") {
+  Question q;
+  q.solids = parse_specimen("cylinder:50x24.4", "0.683");
+  const Gradation g = gradation({1, 2, 3}, {2, 1, 0});
+  const Match m = solve(g, q);
+  check_match(m);
+  REQUIRE(m.window.start.has_value());
+  const Rational s0 = m.window.start->lo;
+  CHECK(s0 == ratio(3 * 2500, 1) * parse_decimal("24.4") / (2 * parse_decimal("1.683") * 3));
+  CHECK(m.scale == (m.window.above < s0 ? s0 : m.scale));
+  CHECK(m.scale >= s0);
+}
+
+TEST_CASE("a start at the very end of the window leaves a single scale") {
+  // One class (1, 2] of mass 1: with s >= 8 q exactly, q particles of the largest size.
+  Question q;
+  // s_0 = 3 D^2 H / (2 (1 + e) W) = 24 with D = 2, H = 4, e = 0, W = 1.
+  q.solids = Cylinder{2, 4, 0};
+  const Match m = solve(gradation({1, 2}, {1, 0}), q);
+  CHECK(m.particles() == 3);
+  CHECK(m.scale == 24);
+  CHECK(m.window.up_to == 24);
+  CHECK(m.sizes[0].text() == "2");
+  CHECK(m.margin == 0);
+  CHECK(m.notes.size() == 1);
+}
+
+TEST_CASE("a volume with pi is reached, and closely") {
+  for (const char *volume : {"1", "12.5", "1000", "0.001"}) {
+    Question q;
+    q.solids = SolidsVolume{parse_decimal(volume)};
+    const Match m = solve(gradation({1, 2, 3}, {2, 1, 0}), q);
+    check_match(m);
+    REQUIRE(m.pi.has_value());
+    const Enclosure v = m.solids_volume();
+    CHECK(v.upper() >= parse_decimal(volume));
+    if (m.window.start_is_feasible())
+      CHECK(v.lower() <= parse_decimal(volume));
+  }
+}
+
+TEST_CASE("a specimen needs spheres") {
+  Question q;
+  q.law = {2, 1};
+  q.solids = Cylinder{1, 1, 0};
+  CHECK_THROWS_AS(solve(gradation({1, 2}, {1, 0}), q), InputError);
+  for (const char *shape : {"cylinder:1", "cylinder:1x2x3", "box:1x2", "box:1x2x", "ball:3", "cylinder:0x1", "cylinder:-1x1", ""})
+    CHECK_THROWS_AS(parse_specimen(shape, "0.5"), InputError);
+  CHECK_THROWS_AS(parse_specimen("cylinder:1x1", "-0.5"), InputError);
+}
+
+TEST_CASE("a size next to its sieve gets the digits that keep it inside its class") {
+  // The window is (1, 1 + 10^-30]: sizes agree with the sieve for thirty digits.
+  const Rational tiny = ratio(1, power_of_ten(30));
+  const Match m = solve(gradation({1, 1 + tiny}, {1, 0}));
+  CHECK(m.particles() == 1);
+  check_match(m);
+  CHECK(to_string(m.sizes[0].lo).size() > 30);
+  CHECK(m.notes.size() == 2); // digits, and doubles that cannot hold it
+}
+
+TEST_CASE("at-most decides the verdict") {
+  const Gradation g = gradation({1, 2, 3}, {2, 1, 0});
+  SolveOptions options;
+  options.at_most = 4;
+  CHECK(solve(g, {}, options).status == Status::optimal);
+  options.at_most = 3;
+  const Match none = solve(g, {}, options);
+  CHECK(none.status == Status::none);
+  CHECK(none.lower_bound == 4);
+}
+
+TEST_CASE("a limit leaves a match and a bound") {
+  std::mt19937_64 random(15);
+  for (int i = 0; i < 200; ++i) {
+    const Gradation g = brute::random_gradation(random);
+    Question q;
+    q.at_least = static_cast<int>(1 + random() % 30);
+    const Integer n = solve(g, q).particles();
+    SolveOptions options;
+    options.limits.max_steps = random() % 3;
+    const Match m = solve(g, q, options);
+    check_match(m);
+    CHECK(m.lower_bound <= n);
+    CHECK(n <= m.particles());
+    CHECK((m.status == Status::optimal) == m.complete);
+  }
+}
+
+TEST_CASE("pan size, cut and size factor change the gradation in this order") {
+  Question q;
+  q.pan_size = 1;
+  q.cut_below = 2;
+  q.size_factor = 3;
+  const Gradation g = asked_gradation(gradation({0, 2, 4, 8}, {1, 2, 3, 0}), q);
+  CHECK(g.sizes() == std::vector<Rational>{6, 12, 24});
+  q.pan_size = 2;
+  CHECK_THROWS_AS(asked_gradation(gradation({0, 2, 4, 8}, {1, 2, 3, 0}), q), InputError);
+  q.pan_size = std::nullopt;
+  q.cut_below = 3;
+  CHECK_THROWS_AS(asked_gradation(gradation({0, 2, 4, 8}, {1, 2, 3, 0}), q), InputError);
+}
+
+TEST_CASE("powers that get out of hand are refused") {
+  Question q;
+  q.law = {1000, 999};
+  const Rational size = parse_decimal("1." + std::string(900, '7'));
+  CHECK_THROWS_AS(solve(gradation({size, size + 1}, {1, 0}), q), InputError);
+}
