@@ -40,7 +40,7 @@ bool is_printable(char32_t code) {
 
 } // namespace
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t limit = 80;
   constexpr std::string_view dots = "...";
   std::string shown = "'";

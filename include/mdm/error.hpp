@@ -15,7 +15,7 @@ public:
 };
 
 /// `text` as a message may show it: in single quotes, control and non-UTF-8 bytes escaped, cut to 80 characters.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// True if `text` is well-formed UTF-8 (no surrogates, no overlong forms).
 bool is_utf8(std::string_view text);

@@ -134,7 +134,7 @@ std::vector<Answer> answers(const Batch &batch, const std::vector<Lines::Line> &
 
 int run(const BatchCommand &c) {
   if (c.proofs && mkdir(c.proofs->c_str(), 0777) != 0 && errno != EEXIST)
-    throw InputError("cannot make the folder " + mdm::quoted(*c.proofs) + " for the proofs");
+    throw InputError("cannot make the folder " + in_quotes(*c.proofs) + " for the proofs");
   const Batch batch(c);
   Lines lines(c.file);
   Output out(c.out);

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t chunk = std::size_t{1} << 16;
 
 [[noreturn]] void cannot(const char *what, const std::string &path, int error) {
-  throw InputError(fmt::format("cannot {} {}: {}", what, mdm::quoted(path), std::strerror(error)));
+  throw InputError(fmt::format("cannot {} {}: {}", what, in_quotes(path), std::strerror(error)));
 }
 
 int open_for_reading(const std::string &path) {
@@ -68,7 +68,7 @@ std::string read_file(const std::string &path, std::size_t most) {
   try {
     while (read_some(descriptor, path, text))
       if (text.size() > most)
-        throw InputError(fmt::format("{} has more than {} MiB: is it the right file?", mdm::quoted(path), most >> 20));
+        throw InputError(fmt::format("{} has more than {} MiB: is it the right file?", in_quotes(path), most >> 20));
   } catch (...) {
     close_reading(descriptor);
     throw;

@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "files.hpp"
+#include "number_pool.hpp"
 
 #include <mdm/error.hpp>
 #include <mdm/report/versions.hpp>
@@ -70,7 +71,7 @@ int run(int argc, char **argv) {
   const std::string first = argv[1];
   const auto is_first = [&first](const Command &c) { return c.app->get_name() == first; };
   if (first.rfind('-', 0) != 0 && std::none_of(commands.begin(), commands.end(), is_first))
-    return complain("mdm: " + mdm::quoted(first) + " is no command; there are " + names(commands));
+    return complain("mdm: " + mdm::in_quotes(first) + " is no command; there are " + names(commands));
   const auto parsed = [&]() -> const CLI::App & {
     const std::vector<CLI::App *> sub = app.get_subcommands();
     return sub.empty() ? app : *sub.front();
@@ -85,7 +86,7 @@ int run(int argc, char **argv) {
     return Exit::done;
   } catch (const CLI::ParseError &e) {
     const std::string of = &parsed() == &app ? "" : parsed().get_name() + " ";
-    return complain(fmt::format("mdm: {}; see mdm {}--help", mdm::quoted(e.what()), of));
+    return complain(fmt::format("mdm: {}; see mdm {}--help", mdm::in_quotes(e.what()), of));
   }
   for (const Command &c : commands)
     if (c.app->parsed())
@@ -96,6 +97,7 @@ int run(int argc, char **argv) {
 } // namespace
 
 int main(int argc, char **argv) {
+  mdm::cli::use_number_pool();
   // A closed pipe is then an error of write, with a message and an exit code.
   std::signal(SIGPIPE, SIG_IGN);
   try {

@@ -21,7 +21,7 @@ auto named(const char *option, const std::string &text, Read read) {
 Integer natural(const char *option, const std::string &text, const Integer &least) {
   const std::optional<Integer> n = parse_natural(text);
   if (!n || *n < least)
-    throw InputError(std::string(option) + ": " + mdm::quoted(text) + " is not a whole number from " + to_string(least) +
+    throw InputError(std::string(option) + ": " + in_quotes(text) + " is not a whole number from " + to_string(least) +
                      " on (at most 1000 digits)");
   return *n;
 }
@@ -35,7 +35,7 @@ std::uint64_t natural64(const char *option, const std::string &text) {
 Rational positive(const char *option, const std::string &text) {
   const Rational r = named(option, text, [](const std::string &t) { return parse_decimal(t); });
   if (r <= 0)
-    throw InputError(std::string(option) + ": " + mdm::quoted(text) + " is not positive");
+    throw InputError(std::string(option) + ": " + in_quotes(text) + " is not positive");
   return r;
 }
 
@@ -54,13 +54,13 @@ ScaleChoice scale_of(const std::string &text) {
     return ScaleChoice::robust;
   if (text == "upper")
     return ScaleChoice::upper;
-  throw InputError("--scale: " + mdm::quoted(text) + " is neither robust nor upper");
+  throw InputError("--scale: " + in_quotes(text) + " is neither robust nor upper");
 }
 
 std::chrono::steady_clock::time_point deadline_in(const std::string &text) {
   const Rational seconds = named("--time-limit", text, [](const std::string &t) { return parse_decimal(t); });
   if (seconds < 0)
-    throw InputError("--time-limit: " + mdm::quoted(text) + " is negative");
+    throw InputError("--time-limit: " + in_quotes(text) + " is negative");
   const Integer thirty_years = 1'000'000'000'000;
   const Integer milliseconds = std::min(floor(Rational(seconds * 1000)), thirty_years);
   return std::chrono::steady_clock::now() + std::chrono::milliseconds(static_cast<std::int64_t>(milliseconds));

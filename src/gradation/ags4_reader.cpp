@@ -110,7 +110,7 @@ private:
 
   void check_unit(std::string_view heading, std::size_t i, std::string_view unit) const {
     if (fields_[i] != unit)
-      refuse(fmt::format("{} has the unit {}, only '{}' is read", heading, mdm::quoted(fields_[i]), unit));
+      refuse(fmt::format("{} has the unit {}, only '{}' is read", heading, in_quotes(fields_[i]), unit));
   }
 
   void read_row() {
@@ -180,7 +180,7 @@ const Specimen &choose(const std::vector<Specimen> &specimens, const Source &sou
     return *by_id;
   if (const Specimen *by_location = only(&Specimen::location))
     return *by_location;
-  refuse_choice(specimens, source, fmt::format("{} does not name one specimen of", mdm::quoted(*wanted)));
+  refuse_choice(specimens, source, fmt::format("{} does not name one specimen of", in_quotes(*wanted)));
 }
 
 Rational decimal(const std::string &text, std::string_view heading, std::size_t line, const Source &source) {
@@ -199,7 +199,7 @@ Gradation read_ags4(std::string_view content, const Source &source, const std::s
   const Specimen &chosen = choose(specimens, source, specimen);
   if (chosen.rows.size() > max_gradation_rows)
     source.refuse(chosen.rows.back().line, fmt::format("specimen {} has more than {} rows",
-                                                       mdm::quoted(chosen.id), max_gradation_rows));
+                                                       in_quotes(chosen.id), max_gradation_rows));
   Table table;
   table.column = &percent_passing;
   table.id = id;
@@ -209,7 +209,7 @@ Gradation read_ags4(std::string_view content, const Source &source, const std::s
     table.sizes.push_back(decimal(row.size, size_heading, row.line, source));
     table.values.push_back(decimal(row.passing, passing_heading, row.line, source));
   }
-  table.notes.push_back(fmt::format("Specimen {} of {}.", mdm::quoted(chosen.id), specimens.size()));
+  table.notes.push_back(fmt::format("Specimen {} of {}.", in_quotes(chosen.id), specimens.size()));
   return to_gradation(std::move(table), source);
 }
 

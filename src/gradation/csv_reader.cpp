@@ -94,7 +94,7 @@ private:
     table_.header_line = lines_.number();
     size_column_ = find_column(size_columns, fields_[0]);
     if (size_column_ == nullptr)
-      refuse(fmt::format("first column {} is unknown: use one of {}", mdm::quoted(fields_[0]),
+      refuse(fmt::format("first column {} is unknown: use one of {}", in_quotes(fields_[0]),
                          names(size_columns)));
     if (fields_.size() == 3 && fields_[1] == "passing_min_percent" && fields_[2] == "passing_max_percent")
       refuse("this is a band of allowed gradations, for --band: it needs a curve, a file with one of the "
@@ -104,7 +104,7 @@ private:
       refuse("a second column is missing: use one of " + names(mass_columns));
     table_.column = find_column(mass_columns, fields_[1]);
     if (table_.column == nullptr)
-      refuse(fmt::format("second column {} is unknown: use one of {}", mdm::quoted(fields_[1]),
+      refuse(fmt::format("second column {} is unknown: use one of {}", in_quotes(fields_[1]),
                          names(mass_columns)));
     for (std::size_t i = 2; i < fields_.size(); ++i)
       read_optional_column(i);
@@ -120,7 +120,7 @@ private:
                                                         : nullptr;
     if (place == nullptr)
       refuse(fmt::format("column {} is unknown: after the first two there may be {} and {}",
-                         mdm::quoted(fields_[i]), tolerance_column, factor_column));
+                         in_quotes(fields_[i]), tolerance_column, factor_column));
     if (*place != 0)
       refuse(fmt::format("column {} is there twice", fields_[i]));
     *place = i;
@@ -193,7 +193,7 @@ private:
     if (sign_ != number[at])
       throw InputError(
           fmt::format("{} has a decimal '{}', numbers above have '{}': use one of them throughout",
-                      mdm::quoted(number), number[at], sign_));
+                      in_quotes(number), number[at], sign_));
     return sign_;
   }
 

@@ -162,7 +162,7 @@ bool Handler::number_float(long double, const std::string &raw) {
   const Rational value = decimal(text);
   if (value >= limit)
     refuse(fmt::format("{} {} is too large for a JSON number: write it as a string", place(),
-                       mdm::quoted(text)));
+                       in_quotes(text)));
   add(value);
   return true;
 }
@@ -220,14 +220,14 @@ bool Handler::key(std::string &name) {
     key_ = static_cast<Key>(known - key_names.begin());
     if (key_ != other) {
       if (found_[key_] != nullptr)
-        refuse(fmt::format("key {} is there twice", mdm::quoted(name)));
+        refuse(fmt::format("key {} is there twice", in_quotes(name)));
       found_[key_] = reached_;
       return true;
     }
     unknown_.add(name);
   }
   if (!seen_.back().insert(name).second)
-    refuse(fmt::format("key {} is there twice in one object", mdm::quoted(name)));
+    refuse(fmt::format("key {} is there twice in one object", in_quotes(name)));
   return true;
 }
 
@@ -269,14 +269,14 @@ void Handler::set_unit(std::string_view text) {
   else if (text == "in")
     inches_ = true;
   else if (text != "mm")
-    refuse(fmt::format("unit {} is unknown: use \"mm\", \"um\", \"m\" or \"in\"", mdm::quoted(text)));
+    refuse(fmt::format("unit {} is unknown: use \"mm\", \"um\", \"m\" or \"in\"", in_quotes(text)));
 }
 
 bool Handler::parse_error(std::size_t, const std::string &token, const nlohmann::detail::exception &error) {
   constexpr int number_overflow = 406; // nlohmann's number of that exception
   if (error.id == number_overflow)
     refuse(fmt::format("{} {} is too large for a JSON number: write it as a string",
-                       skipping() ? "number" : place(), mdm::quoted(token)));
+                       skipping() ? "number" : place(), in_quotes(token)));
   constexpr std::size_t shown_bytes = 20;
   const auto position = static_cast<std::size_t>(reached_ - content_.data());
   const std::string_view before = content_.substr(0, position);
@@ -285,7 +285,7 @@ bool Handler::parse_error(std::size_t, const std::string &token, const nlohmann:
   const std::string_view end = line.substr(line.size() - std::min(line.size(), shown_bytes));
   refuse(
       fmt::format("this is not JSON at byte {} of the line, the end of {}: check quotes, commas and brackets",
-                  line.size(), mdm::quoted(end)));
+                  line.size(), in_quotes(end)));
 }
 
 void Handler::check_complete() const {

@@ -10,7 +10,7 @@ namespace {
 [[noreturn]] void refuse(std::string_view text) {
   throw InputError(fmt::format("{} is no mass law: write 'sphere', or 'power:a/b' with whole a and b "
                                "from 1 to {}, for example 'power:2' or 'power:5/2'",
-                               mdm::quoted(text), max_law_exponent));
+                               in_quotes(text), max_law_exponent));
 }
 
 /// The exponent behind `power:`: a/b or a decimal.

@@ -47,7 +47,7 @@ bool is_plain(std::string_view text) {
 std::string printable(std::string_view name) {
   const bool clean =
       is_utf8(name) && find_control(name).empty() && name.find_first_of("\t\r\n") == std::string_view::npos;
-  return clean ? std::string(name) : mdm::quoted(name);
+  return clean ? std::string(name) : in_quotes(name);
 }
 
 } // namespace
@@ -78,7 +78,7 @@ void Source::check_text(std::string_view content) const {
   if (!control.empty())
     refuse(line_number(content, static_cast<std::size_t>(control.data() - content.data())),
            fmt::format("the control character {} does not belong in a gradation: save the file as plain text",
-                       mdm::quoted(control)));
+                       in_quotes(control)));
 }
 
 std::string shown(const Rational &r) {
@@ -99,7 +99,7 @@ std::string shown(const Rational &r) {
 
 void ShortList::add(std::string_view item) {
   if (first_.size() < kept)
-    first_.push_back(mdm::quoted(item));
+    first_.push_back(in_quotes(item));
   ++total_;
 }
 

@@ -36,7 +36,7 @@ constexpr std::array<Sieve, 32> tyler_numbers = {
      {"250", 63},     {"270", 53}, {"325", 45},     {"400", 38}}};
 
 [[noreturn]] void refuse(std::string_view name) {
-  throw InputError(mdm::quoted(name) +
+  throw InputError(in_quotes(name) +
                    " is no sieve: write a name such as 'No. 200', '3/8 in', 'Tyler 65 mesh', "
                    "'1.18 mm', '75 um' or 'pan'");
 }

@@ -70,7 +70,7 @@ bool split_fields(std::string_view line, char delimiter, std::vector<std::string
       field = trimmed(rest.substr(0, rest.find(delimiter)));
     }
     const std::size_t end = rest.find(delimiter);
-    if (end == std::string_view::npos)
+    if (end == std::string_view::npos || fields.size() == max_fields)
       return true;
     rest.remove_prefix(end + 1);
   }

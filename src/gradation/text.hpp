@@ -42,6 +42,9 @@ private:
   std::size_t number_ = 0;
 };
 
+/// The most fields of a line that are looked at: more than any header that is read has. It bounds the memory.
+inline constexpr std::size_t max_fields = 1000;
+
 /// Splits a line into fields without the spaces and tabs around them. A field that begins with `"` ends at
 /// the next
 /// `"` that is not doubled, and only spaces and tabs may follow it up to the delimiter.

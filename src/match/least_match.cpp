@@ -20,61 +20,70 @@ class Sweep {
 public:
   Sweep(const SweepProblem<Int> &problem, const Limits &limits) : problem_(problem), limits_(limits) {}
 
-  LeastMatch run() {
-    LeastMatch result;
+  Swept<Int> run() {
+    Swept<Int> result;
     result.complete = start(result.chain) && rounds(result.chain);
     result.q.reserve(problem_.classes.size());
-    for (const SweepClass<Int> &c : problem_.classes)
-      result.q.push_back(to_integer(count(c)));
+    for (const Class &c : problem_.classes)
+      result.q.push_back(count(c).n);
     return result;
   }
 
 private:
   using Class = SweepClass<Int>;
 
-  static Integer to_integer(const Integer &n) { return n; }
-  static Integer to_integer(Int128 n) { return n.to_integer(); }
+  /// A number of particles, also as a double within 2u.
+  struct Count {
+    Int n;
+    double approx;
+  };
 
-  /// n^b f / mass.
+  /// L = n^b f / mass of a class; 0 before the first.
   struct Level {
-    Int product = 0;
-    Int mass = 1;
+    Int n = 0;
+    const Class *of = nullptr;
     double approx = 0;
   };
 
-  /// The largest integer q with q^b F / mass <= L.
-  Int count_below(const Class &c) const {
+  /// n^b f, the numerator of a level.
+  Int product(const Class &c, const Int &n) const { return problem_.b == 1 ? n * c.f : power(n, problem_.b) * c.f; }
+
+  /// The largest integer q with q^b F / mass <= L, where doubles do not decide.
+  Int exact_count_below(const Class &c) const {
+    if (level_.of == nullptr)
+      return 0;
+    const Int quotient = floor_div(product(*level_.of, level_.n) * c.mass, level_.of->mass * c.F);
+    return problem_.b == 1 ? quotient : floor_root(quotient, problem_.b);
+  }
+
+  /// Least count that class c needs at scales above L.
+  Count count(const Class &c) const {
     const double y = level_.approx * c.per_upper;
     if (y < largest_quotient) {
       const double t = std::floor(y);
       const double slack = y * quotient_error;
       if (y - t > slack && t + 1 - y > slack)
-        return Int(static_cast<std::int64_t>(t));
+        return at_least_floor(c, {Int(static_cast<std::int64_t>(t) + 1), t + 1});
     }
-    return floor_root(floor_div(level_.product * c.mass, level_.mass * c.F), problem_.b);
+    const Int n = exact_count_below(c) + Int(1);
+    return at_least_floor(c, {n, to_double(n)});
   }
 
-  /// Least count that class c needs at scales above L.
-  Int count(const Class &c) const {
-    Int n = count_below(c) + Int(1);
-    return n < c.floor ? c.floor : n;
+  static Count at_least_floor(const Class &c, Count count) {
+    return count.n < c.floor ? Count{c.floor, c.floor_approx} : count;
   }
 
-  /// Raises L to n^b f / mass if that is more.
-  bool raise(const Class &c, const Int &n) {
-    const double approx = to_double(n) * c.lower;
+  /// True if n^b f / mass > L; `approx` is its double.
+  bool rises(const Class &c, const Int &n, double approx) const {
     if (approx < level_.approx * (1 - level_error))
       return false;
-    Int product = power(n, problem_.b) * c.f;
-    if (!(approx > level_.approx * (1 + level_error)) && product * level_.mass <= level_.product * c.mass)
-      return false;
-    level_ = Level{std::move(product), c.mass, approx};
-    return true;
+    return approx > level_.approx * (1 + level_error) || exactly_above(c, n);
   }
 
-  /// True if a count above n could raise L: the smallest, n + 1, has (n + 1)^b f > n^b F.
-  bool may_move(const Class &c, const Int &n) const {
-    return power(n, problem_.b) * c.F < power(n + Int(1), problem_.b) * c.f;
+  bool exactly_above(const Class &c, const Int &n) const {
+    const Int above = product(c, n);
+    return level_.of == nullptr ? above > Int(0)
+                                : above * level_.of->mass > product(*level_.of, level_.n) * c.mass;
   }
 
   bool interrupted(const Chain &chain) {
@@ -89,12 +98,15 @@ private:
     std::uint32_t highest = 0;
     for (std::uint32_t j = 0; j < problem_.classes.size(); ++j) {
       const Class &c = problem_.classes[j];
-      if (raise(c, c.floor))
+      const double approx = c.floor_approx * c.lower;
+      if (rises(c, c.floor, approx)) {
+        level_ = Level{c.floor, &c, approx};
         highest = j;
-      if (may_move(c, c.floor))
+      }
+      if (c.floor < c.settled)
         movable_.push_back(j);
     }
-    if (level_.product == Int(0))
+    if (level_.of == nullptr)
       return true;
     if (interrupted(chain)) {
       level_ = Level{};
@@ -112,17 +124,16 @@ private:
       for (std::size_t i = 0; i < movable_.size(); ++i) {
         const std::uint32_t j = movable_[i];
         const Class &c = problem_.classes[j];
-        const Int n = count(c);
-        const Level before = level_;
-        if (raise(c, n)) {
-          if (interrupted(chain)) {
-            level_ = before;
+        const Count n = count(c);
+        const double approx = n.approx * c.lower;
+        if (rises(c, n.n, approx)) {
+          if (interrupted(chain))
             return false;
-          }
+          level_ = Level{n.n, &c, approx};
           chain.push_back(j);
           moved = true;
         }
-        if (may_move(c, n))
+        if (n.n < c.settled)
           movable_[kept++] = j;
       }
       movable_.resize(kept);
@@ -137,35 +148,31 @@ private:
   std::uint64_t looks_ = 0;
 };
 
-/// Least count n with n^b F >= (n + 1)^b f: from then on the class cannot move.
-Integer settled_count(const ProblemClass &c, unsigned b) {
-  const auto settled = [&](const Integer &n) { return power(n, b) * c.F >= power(Integer(n + 1), b) * c.f; };
-  Integer high = 1;
-  while (!settled(high))
-    high *= 2;
-  Integer low = high / 2; // not settled, or 0
-  while (high - low > 1) {
-    const Integer middle = (low + high) / 2;
-    (settled(middle) ? high : low) = middle;
-  }
-  return high;
+LeastMatch in_integers(const Swept<Int128> &swept) {
+  LeastMatch match;
+  match.q.reserve(swept.q.size());
+  for (const Int128 &n : swept.q)
+    match.q.push_back(n.to_integer());
+  match.chain = swept.chain;
+  match.complete = swept.complete;
+  return match;
 }
 
 } // namespace
 
 template <class Int>
-LeastMatch least_match(const SweepProblem<Int> &problem, const Limits &limits) {
+Swept<Int> sweep(const SweepProblem<Int> &problem, const Limits &limits) {
   return Sweep<Int>(problem, limits).run();
 }
 
-template LeastMatch least_match(const SweepProblem<Int128> &, const Limits &);
-template LeastMatch least_match(const SweepProblem<Integer> &, const Limits &);
+template Swept<Int128> sweep(const SweepProblem<Int128> &, const Limits &);
+template Swept<Integer> sweep(const SweepProblem<Integer> &, const Limits &);
 
 LeastMatch least_match(const Problem &problem, const Limits &limits) {
   try {
-    return least_match(SweepProblem<Int128>(problem), limits);
+    return in_integers(sweep(SweepProblem<Int128>(problem), limits));
   } catch (const Int128Overflow &) {
-    return least_match(SweepProblem<Integer>(problem), limits);
+    return sweep(SweepProblem<Integer>(problem), limits);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <mdm/match/problem.hpp>
 
 #include <mdm/error.hpp>
+#include <mdm/number/common_denominator.hpp>
 
 #include <algorithm>
 
@@ -24,23 +25,6 @@ void check_powers(const Gradation &g, const MassLaw &law, const Integer &min_per
     throw InputError("the exponent " + law.exponent() + " is too large for numbers this long: round one of them");
 }
 
-/// Numbers over a common denominator.
-struct Cleared {
-  std::vector<Integer> numerators;
-  Integer denominator = 1;
-
-  explicit Cleared(const std::vector<Rational> &numbers) {
-    for (const Rational &r : numbers)
-      mpz_lcm(denominator.backend().data(), denominator.backend().data(), mpq_denref(r.backend().data()));
-    numerators.resize(numbers.size());
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const mpz_ptr n = numerators[i].backend().data();
-      mpz_divexact(n, denominator.backend().data(), mpq_denref(numbers[i].backend().data()));
-      mpz_mul(n, n, mpq_numref(numbers[i].backend().data()));
-    }
-  }
-};
-
 /// n / d of two ends of classes, compared as fractions and reduced only at the end.
 struct End {
   Integer n;
@@ -54,8 +38,8 @@ struct End {
 
 Problem::Problem(const Gradation &g, const MassLaw &law, const Integer &min_per_class) : law_(law) {
   check_powers(g, law, min_per_class);
-  Cleared sizes(g.sizes());
-  const Cleared masses(g.masses());
+  CommonDenominator sizes(g.sizes());
+  const CommonDenominator masses(g.masses());
   for (Integer &x : sizes.numerators)
     x = power(x, law.a);
   scale_unit_ = ratio(power(masses.denominator, law.b), power(sizes.denominator, law.a));
@@ -65,7 +49,7 @@ Problem::Problem(const Gradation &g, const MassLaw &law, const Integer &min_per_
       classes_.push_back({j, sizes.numerators[j], sizes.numerators[j + 1], power(masses.numerators[j], law.b), min_per_class});
   if (!g.has_factors())
     return;
-  const Cleared factors(g.factors());
+  const CommonDenominator factors(g.factors());
   for (ProblemClass &c : classes_) {
     const Integer factor = power(factors.numerators[c.index], law.b);
     c.f *= factor;

@@ -6,10 +6,18 @@ namespace mdm {
 
 namespace {
 
-/// lower < x.lo and x.hi <= upper, in integers.
+/// Sign of y * 10^-places - r.
+int compare(const Integer &y, const Integer &unit, const Rational &r) {
+  Integer left, right;
+  mpz_mul(left.backend().data(), y.backend().data(), mpq_denref(r.backend().data()));
+  mpz_mul(right.backend().data(), unit.backend().data(), mpq_numref(r.backend().data()));
+  return mpz_cmp(left.backend().data(), right.backend().data());
+}
+
+/// lower < x.lo and x.hi <= upper.
 bool inside(const Enclosure &x, const Rational &lower, const Rational &upper) {
   const Integer unit = power_of_ten(x.places);
-  return numerator(lower) * unit < x.lo * denominator(lower) && x.hi * denominator(upper) <= numerator(upper) * unit;
+  return compare(x.lo, unit, lower) > 0 && compare(x.hi, unit, upper) <= 0;
 }
 
 } // namespace
@@ -17,15 +25,18 @@ bool inside(const Enclosure &x, const Rational &lower, const Rational &upper) {
 std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem, const std::vector<Integer> &q,
                                      const Rational &scale, unsigned digits) {
   const MassLaw &law = problem.law();
-  const Integer scale_numerator = numerator(scale);
-  const Integer scale_denominator = denominator(scale);
   std::vector<Enclosure> sizes;
   sizes.reserve(q.size());
+  Integer n, d;
   for (std::size_t j = 0; j < q.size(); ++j) {
     const std::size_t index = problem.classes()[j].index;
     const Rational mass = g.has_factors() ? Rational(g.mass(index) / g.factor(index)) : g.mass(index);
-    const Integer n = scale_numerator * power(numerator(mass), law.b);
-    const Integer d = scale_denominator * power(Integer(q[j] * denominator(mass)), law.b);
+    // x^a = n / d = S (m / (c q))^b
+    mpz_pow_ui(n.backend().data(), mpq_numref(mass.backend().data()), law.b);
+    mpz_mul(n.backend().data(), n.backend().data(), mpq_numref(scale.backend().data()));
+    mpz_mul(d.backend().data(), mpq_denref(mass.backend().data()), q[j].backend().data());
+    mpz_pow_ui(d.backend().data(), d.backend().data(), law.b);
+    mpz_mul(d.backend().data(), d.backend().data(), mpq_denref(scale.backend().data()));
     Enclosure x = enclose_root(n, d, law.a, digits);
     for (unsigned more = 2 * digits; !inside(x, g.lower(index), g.upper(index)); more *= 2)
       x = enclose_root(n, d, law.a, more);
@@ -35,13 +46,24 @@ std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem,
 }
 
 Rational size_margin(const MassLaw &law, const Rational &above, const Rational &up_to, const Rational &scale) {
-  Rational closest = up_to / scale;
-  if (above > 0)
-    closest = std::min(closest, Rational(scale / above));
-  if (closest == 1)
+  // closest = n / d >= 1 is the lesser of up_to / scale and scale / above.
+  Integer n = numerator(up_to) * denominator(scale);
+  Integer d = denominator(up_to) * numerator(scale);
+  if (above > 0) {
+    Integer n2 = numerator(scale) * denominator(above);
+    Integer d2 = denominator(scale) * numerator(above);
+    if (n2 * d < n * d2) {
+      n = std::move(n2);
+      d = std::move(d2);
+    }
+  }
+  if (n == d)
     return 0;
-  for (unsigned digits = 6;; digits *= 2) {
-    const Enclosure root = enclose_root(numerator(closest), denominator(closest), law.a, digits);
+  // (n/d)^(1/a) - 1 is about (n - d) / (a d): so many zeros, then three digits and some more. 3 bits are less than a digit.
+  const std::size_t large = bit_length(d) + bit_length(law.a);
+  const std::size_t small = bit_length(Integer(n - d));
+  for (unsigned digits = 6 + static_cast<unsigned>(large > small ? (large - small) / 3 : 0);; digits *= 2) {
+    const Enclosure root = enclose_root(n, d, law.a, digits);
     const Integer excess = root.lo - power_of_ten(root.places);
     if (root.lo == root.hi || excess >= 1000)
       return ratio(excess, power_of_ten(root.places));

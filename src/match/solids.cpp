@@ -12,7 +12,7 @@ namespace {
 Rational positive_length(std::string_view text) {
   const Rational length = parse_decimal(text);
   if (length <= 0)
-    throw InputError("a specimen's length " + quoted(text) + " is not positive");
+    throw InputError("a specimen's length " + in_quotes(text) + " is not positive");
   return length;
 }
 
@@ -32,7 +32,7 @@ std::vector<Rational> lengths(std::string_view text) {
 Solids parse_specimen(std::string_view shape, std::string_view void_ratio) {
   const Rational e = parse_decimal(void_ratio);
   if (e < 0)
-    throw InputError("the void ratio " + quoted(void_ratio) + " is negative");
+    throw InputError("the void ratio " + in_quotes(void_ratio) + " is negative");
   const std::size_t colon = shape.find(':');
   const std::string_view kind = shape.substr(0, colon);
   if (colon != std::string_view::npos && (kind == "cylinder" || kind == "box")) {
@@ -42,7 +42,7 @@ Solids parse_specimen(std::string_view shape, std::string_view void_ratio) {
     if (kind == "box" && l.size() == 3)
       return Box{l[0], l[1], l[2], e};
   }
-  throw InputError("specimen " + quoted(shape) + " is neither cylinder:DxH nor box:AxBxC, such as cylinder:50x24.4");
+  throw InputError("specimen " + in_quotes(shape) + " is neither cylinder:DxH nor box:AxBxC, such as cylinder:50x24.4");
 }
 
 StartScale start_scale(const Solids &solids, const Rational &weight, unsigned pi_places) {

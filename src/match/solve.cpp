@@ -1,6 +1,7 @@
 #include <mdm/match/solve.hpp>
 
 #include <mdm/error.hpp>
+#include <mdm/number/common_denominator.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/pi.hpp>
 
@@ -14,10 +15,12 @@ constexpr unsigned most_pi_places = 1000;
 
 /// sum m_j / c_j over the classes.
 Rational weight_of(const Gradation &g) {
-  Rational sum = 0;
+  if (!g.has_factors())
+    return sum(g.masses());
+  std::vector<Rational> weights;
   for (std::size_t j = 0; j < g.classes(); ++j)
-    sum += g.mass(j) / g.factor(j);
-  return sum;
+    weights.push_back(g.mass(j) / g.factor(j));
+  return sum(weights);
 }
 
 /// A start scale with bounds so close that nothing which is decided about s_0 differs between them.

@@ -10,15 +10,24 @@ constexpr double not_certain = std::numeric_limits<double>::quiet_NaN();
 
 bool in_safe_range(double x) { return x >= 0x1p-200 && x <= 0x1p200; }
 
-template <class Int>
-void approximate(SweepClass<Int> &c) {
-  c.lower = to_double(c.f) / to_double(c.mass);
-  c.per_upper = to_double(c.mass) / to_double(c.F);
-  if ((c.lower != 0 && !in_safe_range(c.lower)) || !in_safe_range(c.per_upper))
-    c.lower = c.per_upper = not_certain;
-}
-
 } // namespace
+
+Integer settled_count(const ProblemClass &c, unsigned b) {
+  if (c.F >= (c.f << b))
+    return 1;
+  if (b == 1)
+    return ceil_div(c.f, c.F - c.f);
+  const auto settled = [&](const Integer &n) { return power(n, b) * c.F >= power(Integer(n + 1), b) * c.f; };
+  Integer high = 2;
+  while (!settled(high))
+    high *= 2;
+  Integer low = high / 2; // not settled
+  while (high - low > 1) {
+    const Integer middle = (low + high) / 2;
+    (settled(middle) ? high : low) = middle;
+  }
+  return high;
+}
 
 double to_double(const Integer &n) {
   return bit_length(n) <= 500 ? mpz_get_d(n.backend().data()) : not_certain;
@@ -27,12 +36,14 @@ double to_double(const Integer &n) {
 template <class Int>
 SweepProblem<Int>::SweepProblem(const Problem &problem) : b(problem.law().b) {
   classes.reserve(problem.classes().size());
-  for (const ProblemClass &c : problem.classes()) {
-    classes.push_back({Int(c.f), Int(c.F), Int(c.mass), Int(c.floor)});
-    if (b == 1)
-      approximate(classes.back());
-    else
-      classes.back().lower = classes.back().per_upper = not_certain;
+  for (const ProblemClass &given : problem.classes()) {
+    SweepClass<Int> c{Int(given.f), Int(given.F), Int(given.mass), Int(given.floor), Int(settled_count(given, b)), 0, 0, 0};
+    c.floor_approx = to_double(c.floor);
+    c.lower = to_double(c.f) / to_double(c.mass);
+    c.per_upper = to_double(c.mass) / to_double(c.F);
+    if (b > 1 || (c.lower != 0 && !in_safe_range(c.lower)) || !in_safe_range(c.per_upper))
+      c.lower = c.per_upper = not_certain;
+    classes.push_back(std::move(c));
   }
 }
 

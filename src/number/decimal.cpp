@@ -19,7 +19,7 @@ struct Parts {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 [[noreturn]] void refuse(std::string_view text, const char *why) {
-  throw InputError(quoted(text) + " " + why);
+  throw InputError(in_quotes(text) + " " + why);
 }
 
 /// Appends the digits at the front of `rest` to `digits` and removes them from `rest`.
@@ -95,6 +95,31 @@ unsigned long remove_factor(Integer &n, unsigned long p) {
   return mpz_remove(n.backend().data(), n.backend().data(), prime.backend().data());
 }
 
+/// digits * 10^-places in plain notation without trailing zeros, `digits` being decimal digits.
+std::string placed(std::string digits, unsigned places) {
+  if (digits.size() <= places)
+    digits.insert(0, places + 1 - digits.size(), '0');
+  if (places == 0)
+    return digits;
+  digits.insert(digits.size() - places, 1, '.');
+  digits.erase(digits.find_last_not_of('0') + 1);
+  if (digits.back() == '.')
+    digits.pop_back();
+  return digits;
+}
+
+/// exact_decimal of n / d in machine words, the common case; nothing if it is no decimal or does not fit.
+std::optional<std::string> exact_short_decimal(std::uint64_t n, std::uint64_t d) {
+  constexpr unsigned most_places = 18;
+  unsigned places = 0;
+  std::uint64_t scale = 1;
+  for (; places <= most_places && scale % d != 0; ++places)
+    scale *= 10;
+  if (places > most_places || __builtin_mul_overflow(n, scale / d, &n))
+    return std::nullopt;
+  return placed(std::to_string(n), places);
+}
+
 } // namespace
 
 Rational parse_decimal(std::string_view text, char point) {
@@ -122,33 +147,15 @@ std::string fixed_decimal(const Integer &digits, unsigned places) {
 }
 
 std::string decimal_string(const Integer &digits, unsigned places) {
-  std::string text = fixed_decimal(digits, places);
-  if (places > 0)
-    text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.')
-    text.pop_back();
-  return text;
-}
-
-/// exact_decimal for a denominator of one machine word, the common case.
-std::optional<std::string> exact_short_decimal(const Rational &r) {
-  std::uint64_t d = mpz_get_ui(mpq_denref(r.backend().data()));
-  unsigned twos = 0, fives = 0;
-  for (; d % 2 == 0; d /= 2)
-    ++twos;
-  for (; d % 5 == 0; d /= 5)
-    ++fives;
-  if (d != 1)
-    return std::nullopt;
-  const unsigned places = std::max(twos, fives);
-  Integer scale;
-  mpz_ui_pow_ui(scale.backend().data(), twos < fives ? 2 : 5, std::max(twos, fives) - std::min(twos, fives));
-  return decimal_string(Integer(numerator(r) * scale), places);
+  return digits < 0 ? "-" + placed(to_string(Integer(-digits)), places) : placed(to_string(digits), places);
 }
 
 std::optional<std::string> exact_decimal(const Rational &r) {
-  if (mpz_fits_ulong_p(mpq_denref(r.backend().data())) != 0)
-    return exact_short_decimal(r);
+  const mpz_srcptr n = mpq_numref(r.backend().data());
+  const mpz_srcptr d = mpq_denref(r.backend().data());
+  if (mpz_fits_ulong_p(n) != 0 && mpz_fits_ulong_p(d) != 0)
+    if (std::optional<std::string> text = exact_short_decimal(mpz_get_ui(n), mpz_get_ui(d)))
+      return text;
   Integer rest = denominator(r);
   if (rest == 1)
     return to_string(Integer(numerator(r)));

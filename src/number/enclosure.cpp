@@ -18,8 +18,8 @@ std::optional<unsigned> decimal_places(const Rational &r) {
 bool terminates(const Integer &n, const Integer &d) {
   Integer rest;
   mpz_tdiv_q_2exp(rest.backend().data(), d.backend().data(), mpz_scan1(d.backend().data(), 0));
-  const Integer five = 5;
-  mpz_remove(rest.backend().data(), rest.backend().data(), five.backend().data());
+  while (mpz_divisible_ui_p(rest.backend().data(), 5) != 0)
+    mpz_divexact_ui(rest.backend().data(), rest.backend().data(), 5);
   return mpz_divisible_p(n.backend().data(), rest.backend().data()) != 0;
 }
 
@@ -61,12 +61,16 @@ Enclosure enclose_root(const Integer &n, const Integer &d, unsigned degree, unsi
   if (std::optional<Enclosure> exact = decimal_root(n, d, degree))
     return std::move(*exact);
   unsigned places = places_for(n, d, degree, digits);
-  Integer lo = floor_root(floor_div(n * power_of_ten(places * degree), d), degree);
+  Integer scaled = power_of_ten(places * degree);
+  mpz_mul(scaled.backend().data(), scaled.backend().data(), n.backend().data());
+  mpz_fdiv_q(scaled.backend().data(), scaled.backend().data(), d.backend().data());
+  Integer lo = floor_root(scaled, degree);
   if (places > 0 && lo >= power_of_ten(digits)) {
     lo = floor_div(lo, 10);
     --places;
   }
-  return {lo, Integer(lo + 1), places};
+  Integer hi = lo + 1;
+  return {std::move(lo), std::move(hi), places};
 }
 
 Enclosure enclose_interval(const Integer &lo, const Integer &hi, const Integer &d, unsigned digits) {

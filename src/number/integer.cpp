@@ -3,6 +3,7 @@
 #include <mdm/number/decimal.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace mdm {
@@ -20,6 +21,13 @@ Integer ceil_div(const Integer &n, const Integer &d) {
 }
 
 Integer power(const Integer &base, unsigned exponent) {
+  // GMP's general power costs several times a product, and squares and cubes are what spheres need.
+  if (exponent == 1)
+    return base;
+  if (exponent == 2)
+    return base * base;
+  if (exponent == 3)
+    return base * base * base;
   Integer result;
   mpz_pow_ui(result.backend().data(), base.backend().data(), exponent);
   return result;
@@ -36,7 +44,44 @@ Integer power_of_ten(unsigned exponent) {
   return exponent < short_powers.size() ? short_powers[exponent] : power(Integer(10), exponent);
 }
 
+namespace {
+
+/// A number near n^(1/degree), for n > 0: a root in double, brought to about 100 bits by a step of Newton's method.
+Integer near_root(const Integer &n, unsigned degree) {
+  long exponent = 0;
+  const double mantissa = mpz_get_d_2exp(&exponent, n.backend().data());
+  const long shift = exponent / static_cast<long>(degree);
+  const double root = std::pow(std::ldexp(mantissa, static_cast<int>(exponent - shift * static_cast<long>(degree))),
+                               1.0 / static_cast<double>(degree));
+  constexpr int bits = 52;
+  Integer y = static_cast<std::int64_t>(std::ldexp(root, bits));
+  if (shift <= bits)
+    return y >> static_cast<unsigned>(bits - shift);
+  y <<= static_cast<unsigned>(shift - bits);
+  Integer z = power(y, degree - 1);
+  mpz_tdiv_q(z.backend().data(), n.backend().data(), z.backend().data());
+  mpz_addmul_ui(z.backend().data(), y.backend().data(), degree - 1);
+  mpz_tdiv_q_ui(z.backend().data(), z.backend().data(), degree);
+  return z;
+}
+
+/// True if y^degree <= n < (y + 1)^degree.
+bool is_floor_root(const Integer &y, const Integer &n, unsigned degree) {
+  return power(y, degree) <= n && n < power(Integer(y + 1), degree);
+}
+
+} // namespace
+
 Integer floor_root(const Integer &n, unsigned degree) {
+  if (degree == 1)
+    return n;
+  // A short root is guessed in floating point and proved in integers, several times cheaper than GMP's root.
+  if (const std::size_t bits = bit_length(n); degree <= 3 && bits > 8 && bits < 96 * degree) {
+    const Integer y = near_root(n, degree);
+    for (const int off : {0, -1, 1})
+      if (is_floor_root(Integer(y + off), n, degree))
+        return y + off;
+  }
   Integer root;
   mpz_root(root.backend().data(), n.backend().data(), degree);
   return root;

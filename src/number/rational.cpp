@@ -39,24 +39,33 @@ std::optional<Rational> exact_root(const Rational &r, unsigned degree) {
 }
 
 Rational simplest_between(const Rational &lo, const Rational &hi) {
-  // The continued fractions of lo and hi agree until an integer (or hi's own end) lies in the remaining interval.
-  // [lo, hi] = [n/d, m/e]; the convergents (p, q) of the common part are kept.
+  // [n/d, m/e] = [lo, hi]. While no integer lies in it, both ends have the same integer part t: it is subtracted and the
+  // rest inverted, which exchanges the ends. (p1, q1) and (p0, q0) are the last convergents of these t.
   Integer n = numerator(lo), d = denominator(lo), m = numerator(hi), e = denominator(hi);
-  Integer p0 = 0, q0 = 1, p1 = 1, q1 = 0;
+  Integer p0 = 0, q0 = 1, p1 = 1, q1 = 0, t, rest;
+  const auto extend = [&t](Integer &before, Integer &last) {
+    mpz_addmul(before.backend().data(), t.backend().data(), last.backend().data());
+    before.swap(last);
+  };
   for (;;) {
-    const Integer least = ceil_div(n, d);
-    const bool integer_inside = least * e <= m;
-    const Integer term = integer_inside ? least : Integer(least - 1);
-    Integer p2 = term * p1 + p0;
-    Integer q2 = term * q1 + q0;
-    if (integer_inside)
-      return ratio(p2, q2);
-    p0 = std::move(p1), q0 = std::move(q1), p1 = std::move(p2), q1 = std::move(q2);
-    // Both ends lie strictly between term and term + 1: invert the fractional parts, which exchanges the ends.
-    Integer low_part = n - term * d;
-    Integer high_part = m - term * e;
-    n = std::move(e), m = std::move(d);
-    d = std::move(high_part), e = std::move(low_part);
+    // n becomes n - t d <= 0 with t = ceil(n / d): t is the least integer from n/d on.
+    mpz_cdiv_qr(t.backend().data(), n.backend().data(), n.backend().data(), d.backend().data());
+    mpz_set(rest.backend().data(), m.backend().data());
+    mpz_submul(rest.backend().data(), t.backend().data(), e.backend().data());
+    const bool inside = rest >= 0;
+    if (!inside) { // take floor(n / d) = t - 1 instead
+      --t;
+      n += d;
+      rest += e;
+    }
+    extend(p0, p1);
+    extend(q0, q1);
+    if (inside)
+      return ratio(p1, q1);
+    // New interval [e / rest, d / n].
+    m.swap(d);
+    d.swap(rest);
+    e.swap(n);
   }
 }
 

@@ -44,7 +44,7 @@ public:
   const Rational &lower(std::size_t j) const { return data_.sizes[j]; }
   const Rational &upper(std::size_t j) const { return data_.sizes[j + 1]; }
   const Rational &mass(std::size_t j) const { return data_.masses[j]; }
-  /// c_j of class j.
+  /// c_j of class j, or for j = k what the largest size's row says.
   Rational factor(std::size_t j) const { return has_factors() ? data_.factors[j] : Rational(1); }
 
   /// The same gradation with its pan (x_1 = 0) taken as `size`.

@@ -6,6 +6,9 @@
 
 namespace mdm {
 
+// Numbers are decimals in plain notation, or with an exponent where that takes more than 1000 digits. Both throw
+// InputError where a number has no such decimal (1/3), and end with a line feed.
+
 /// The canonical CSV of g: `size_<unit>,mass`, `tolerance_percent` and `factor` where g has them, sizes ascending.
 std::string gradation_csv(const Gradation &g);
 

@@ -22,24 +22,29 @@ struct Limits {
 using Chain = std::vector<std::uint32_t>;
 
 /// What a sweep leaves.
-struct LeastMatch {
+template <class Int>
+struct Swept {
   /// Where complete: the least match, least in every class. Else counts that every match reaches: their sum is a lower
   /// bound of N.
-  std::vector<Integer> q;
+  std::vector<Int> q;
   Chain chain;
   bool complete = false;
 };
 
-/// Starts from the floors, raises the lower bound on the scale over the classes that can still move until nothing does.
-/// Every raise is forced, so the result is the least match, class by class.
-/// Cost: at most 1 + sum max(0, ceil(f / (F - f)) - r) steps whatever the masses; one step where F >= 2 f everywhere.
-/// The first form tries 128 bits and repeats with Integer on overflow.
-LeastMatch least_match(const Problem &problem, const Limits &limits = {});
-template <class Int>
-LeastMatch least_match(const SweepProblem<Int> &problem, const Limits &limits = {});
+using LeastMatch = Swept<Integer>;
 
-extern template LeastMatch least_match(const SweepProblem<Int128> &, const Limits &);
-extern template LeastMatch least_match(const SweepProblem<Integer> &, const Limits &);
+/// Starts from the floors, raises the lower bound on the scale over the classes that can still move until nothing does.
+/// Every raise is forced, so the result is the least match, class by class (Theorem 3).
+/// Cost: at most 1 + sum max(0, ceil(f / (F - f)) - r) steps whatever the masses; one step where F >= 2 f everywhere.
+/// Int is Int128 or Integer. \throws Int128Overflow if Int is Int128 and too short
+template <class Int>
+Swept<Int> sweep(const SweepProblem<Int> &problem, const Limits &limits = {});
+
+extern template Swept<Int128> sweep(const SweepProblem<Int128> &, const Limits &);
+extern template Swept<Integer> sweep(const SweepProblem<Integer> &, const Limits &);
+
+/// The least match: a sweep in 128 bits, repeated with Integer where they overflow.
+LeastMatch least_match(const Problem &problem, const Limits &limits = {});
 
 /// A match found without sweeping (Theorem 4): every class at a scale from which on it cannot move. An upper bound.
 std::vector<Integer> some_match(const Problem &problem);

@@ -19,9 +19,12 @@ namespace mdm {
 /// Int is Int128 or Integer.
 template <class Int>
 struct SweepClass {
-  Int f, F, mass, floor;
-  double lower = 0;
-  double per_upper = 0;
+  Int f, F, mass;
+  Int floor;           ///< r
+  Int settled;         ///< least count n >= 1 with n^b F >= (n + 1)^b f: from it on the class cannot raise a scale
+  double floor_approx; ///< to_double(floor)
+  double lower;
+  double per_upper;
 };
 
 template <class Int>
@@ -35,6 +38,9 @@ struct SweepProblem {
 
 extern template struct SweepProblem<Int128>;
 extern template struct SweepProblem<Integer>;
+
+/// Least count n >= 1 with n^b F >= (n + 1)^b f; ceil(f / (F - f)) for b = 1 and f > 0 (Theorem 3).
+Integer settled_count(const ProblemClass &c, unsigned b);
 
 /// n as a double within 2u, or NaN from 2^500 on.
 inline double to_double(Int128 n) { return n.to_double(); }

@@ -1,0 +1,131 @@
+#include "number_pool.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <gmp.h>
+#include <mutex>
+#include <new>
+#include <utility>
+
+namespace mdm::cli {
+namespace {
+
+constexpr std::size_t step = 16;       // sizes of blocks are multiples of it
+constexpr std::size_t longest = 128;   // bytes; longer blocks come from malloc
+constexpr std::size_t chunk = 1 << 14; // bytes cut into blocks at once
+
+struct Block {
+  Block *next;
+};
+
+/// Free blocks, a list for each size.
+using Lists = std::array<Block *, longest / step + 1>;
+
+/// What threads that ended have left.
+std::mutex orphans_mutex;
+Lists orphans{};
+
+/// A thread's lists; at its end they become orphans.
+struct ThreadLists {
+  Lists lists{};
+
+  ~ThreadLists() {
+    const std::lock_guard lock(orphans_mutex);
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      Block *last = lists[i];
+      if (last == nullptr)
+        continue;
+      while (last->next != nullptr)
+        last = last->next;
+      last->next = orphans[i];
+      orphans[i] = lists[i];
+    }
+  }
+};
+
+thread_local ThreadLists own;
+
+/// As GMP does: there is no way back from here.
+[[noreturn]] void out_of_memory() {
+  std::fputs("mdm: out of memory\n", stderr);
+  std::_Exit(2);
+}
+
+void *plain_allocate(std::size_t bytes) {
+  void *const memory = std::malloc(bytes);
+  if (memory == nullptr)
+    out_of_memory();
+  return memory;
+}
+
+std::size_t list_of(std::size_t bytes) { return (std::max<std::size_t>(bytes, 1) + step - 1) / step; }
+
+/// Fills an empty list.
+Block *refill(std::size_t list) {
+  {
+    const std::lock_guard lock(orphans_mutex);
+    if (Block *const left = std::exchange(orphans[list], nullptr))
+      return left;
+  }
+  const std::size_t bytes = list * step;
+  std::byte *const memory = static_cast<std::byte *>(plain_allocate(chunk));
+  Block *first = nullptr;
+  for (std::size_t at = 0; at + bytes <= chunk; at += bytes)
+    first = new (memory + at) Block{first};
+  return first;
+}
+
+void *allocate(std::size_t bytes) {
+  if (bytes > longest)
+    return plain_allocate(bytes);
+  Block *&list = own.lists[list_of(bytes)];
+  if (list == nullptr)
+    list = refill(list_of(bytes));
+  return std::exchange(list, list->next);
+}
+
+void release(void *memory, std::size_t bytes) {
+  if (bytes > longest) {
+    std::free(memory);
+    return;
+  }
+  Block *&list = own.lists[list_of(bytes)];
+  list = new (memory) Block{list};
+}
+
+void *reallocate(void *memory, std::size_t before, std::size_t after) {
+  if (before > longest && after > longest) {
+    void *const moved = std::realloc(memory, after);
+    if (moved == nullptr)
+      out_of_memory();
+    return moved;
+  }
+  if (before <= longest && after <= longest && list_of(before) == list_of(after))
+    return memory;
+  void *const moved = allocate(after);
+  std::memcpy(moved, memory, std::min(before, after));
+  release(memory, before);
+  return moved;
+}
+
+} // namespace
+
+#if defined(__SANITIZE_ADDRESS__)
+#define MDM_SEES_EVERY_BLOCK
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define MDM_SEES_EVERY_BLOCK
+#endif
+#endif
+
+void use_number_pool() {
+#ifndef MDM_SEES_EVERY_BLOCK
+  mp_set_memory_functions(allocate, reallocate, release);
+#endif
+}
+
+} // namespace mdm::cli

@@ -1,0 +1,168 @@
+/// \file
+/// Speed, as ratios measured in one run. The suite is that of the paper's study, 2,750 gradations.
+
+#include <mdm/gradation/read_gradation.hpp>
+#include <mdm/match/solve.hpp>
+#include <mdm/report/answer.hpp>
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace mdm;
+
+const std::vector<std::string> &suite_lines() {
+  static const std::vector<std::string> lines = [] {
+    std::vector<std::string> all;
+    std::ifstream file(MDM_SUITE);
+    for (std::string line; std::getline(file, line);)
+      all.push_back(line);
+    return all;
+  }();
+  return lines;
+}
+
+std::vector<Problem> suite_problems() {
+  std::vector<Problem> problems;
+  for (const std::string &line : suite_lines())
+    problems.emplace_back(read_json_gradation(line, "suite", ""), MassLaw{}, 1);
+  return problems;
+}
+
+/// The sweep in plain double: what a program without certain answers would do. It leaves counts and a chain too.
+struct Twin {
+  struct Class {
+    double lower, per_upper, upper_per_lower;
+  };
+  std::vector<Class> classes;
+
+  explicit Twin(const SweepProblem<Int128> &p) {
+    for (const SweepClass<Int128> &c : p.classes)
+      classes.push_back({c.lower, c.per_upper, c.F.to_double() / c.f.to_double()});
+  }
+
+  std::pair<std::vector<double>, Chain> solve() const {
+    std::pair<std::vector<double>, Chain> result;
+    double level = 0;
+    std::uint32_t highest = 0;
+    std::vector<std::uint32_t> movable;
+    for (std::uint32_t j = 0; j < classes.size(); ++j) {
+      if (classes[j].lower > level) {
+        level = classes[j].lower;
+        highest = j;
+      }
+      if (classes[j].upper_per_lower < 2)
+        movable.push_back(j);
+    }
+    result.second.push_back(highest);
+    for (bool moved = true; moved;) {
+      moved = false;
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < movable.size(); ++i) {
+        const Class &c = classes[movable[i]];
+        const double n = std::floor(level * c.per_upper) + 1;
+        if (n * c.lower > level) {
+          level = n * c.lower;
+          result.second.push_back(movable[i]);
+          moved = true;
+        }
+        if (n * c.upper_per_lower < n + 1)
+          movable[kept++] = movable[i];
+      }
+      movable.resize(kept);
+    }
+    for (const Class &c : classes)
+      result.first.push_back(std::floor(level * c.per_upper) + 1);
+    return result;
+  }
+};
+
+/// The whole suite from prepared integers, exactly and with the chain.
+void exact_sweep(benchmark::State &state) {
+  std::vector<SweepProblem<Int128>> prepared;
+  for (const Problem &p : suite_problems())
+    prepared.emplace_back(p);
+  for (auto _ : state)
+    for (const SweepProblem<Int128> &p : prepared)
+      benchmark::DoNotOptimize(sweep(p));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(prepared.size()));
+}
+BENCHMARK(exact_sweep)->Unit(benchmark::kMillisecond);
+
+void double_twin(benchmark::State &state) {
+  std::vector<Twin> prepared;
+  for (const Problem &p : suite_problems())
+    prepared.emplace_back(SweepProblem<Int128>(p));
+  for (auto _ : state)
+    for (const Twin &p : prepared)
+      benchmark::DoNotOptimize(p.solve());
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(prepared.size()));
+}
+BENCHMARK(double_twin)->Unit(benchmark::kMillisecond);
+
+/// From gradations to prepared integers.
+void preparation(benchmark::State &state) {
+  std::vector<Gradation> gradations;
+  for (const std::string &line : suite_lines())
+    gradations.push_back(read_json_gradation(line, "suite", ""));
+  for (auto _ : state)
+    for (const Gradation &g : gradations)
+      benchmark::DoNotOptimize(SweepProblem<Int128>(Problem(g, MassLaw{}, 1)));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(gradations.size()));
+}
+BENCHMARK(preparation)->Unit(benchmark::kMillisecond);
+
+/// What `mdm batch` does with a line: parse, solve, sizes with 20 digits, answer.
+void batch_line(benchmark::State &state) {
+  SolveOptions options;
+  options.digits = 20;
+  for (auto _ : state)
+    for (const std::string &line : suite_lines())
+      benchmark::DoNotOptimize(answer_json(solve(read_json_gradation(line, "suite", "1"), {}, options)));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(suite_lines().size()));
+}
+BENCHMARK(batch_line)->Unit(benchmark::kMillisecond);
+
+/// n classes from `finest` to `coarsest`, geometric, with ten-digit openings and masses of no pattern.
+Gradation geometric(std::size_t n, double coarsest) {
+  Gradation::Data data;
+  for (std::size_t j = 0; j <= n; ++j) {
+    const double x = std::pow(coarsest, static_cast<double>(j) / static_cast<double>(n));
+    data.sizes.push_back(ratio(Integer(static_cast<std::int64_t>(std::llround(x * 1e10))), power_of_ten(10)));
+    data.masses.emplace_back(j == n ? 0 : 1 + static_cast<int>(j * 7919 % 1009));
+  }
+  return Gradation(std::move(data));
+}
+
+/// 8 classes whose bounds are 1e-6 apart: hundreds of thousands of steps.
+void narrow_classes(benchmark::State &state) {
+  Gradation::Data data;
+  for (int j = 0; j <= 8; ++j) {
+    data.sizes.push_back(1 + ratio(j, 1000000));
+    data.masses.emplace_back(j == 8 ? 0 : 11 + j * j % 7);
+  }
+  const Problem problem(Gradation(std::move(data)), {}, 1);
+  std::size_t steps = 0;
+  for (auto _ : state)
+    steps = least_match(problem).chain.size();
+  state.counters["steps"] = static_cast<double>(steps);
+}
+BENCHMARK(narrow_classes)->Unit(benchmark::kMillisecond);
+
+void number_of_classes(benchmark::State &state) {
+  const Problem problem(geometric(static_cast<std::size_t>(state.range(0)), 1e5), {}, 1);
+  std::size_t steps = 0;
+  for (auto _ : state)
+    steps = least_match(problem).chain.size();
+  state.counters["steps"] = static_cast<double>(steps);
+}
+BENCHMARK(number_of_classes)->RangeMultiplier(10)->Range(10, 100000)->Unit(benchmark::kMillisecond);
+
+} // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,9 @@
+#pragma once
+/// \file
+/// Catch2 v2 or v3, whichever is installed.
+
+#if __has_include(<catch2/catch_all.hpp>)
+#include <catch2/catch_all.hpp>
+#else
+#include <catch2/catch.hpp>
+#endif
