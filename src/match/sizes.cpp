@@ -1,5 +1,7 @@
 #include <mdm/match/sizes.hpp>
 
+#include <mdm/error.hpp>
+
 #include <algorithm>
 
 namespace mdm {
@@ -38,8 +40,12 @@ std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem,
     mpz_pow_ui(d.backend().data(), d.backend().data(), law.b);
     mpz_mul(d.backend().data(), d.backend().data(), mpq_denref(scale.backend().data()));
     Enclosure x = enclose_root(n, d, law.a, digits);
-    for (unsigned more = 2 * digits; !inside(x, g.lower(index), g.upper(index)); more *= 2)
+    for (unsigned more = 2 * digits; !inside(x, g.lower(index), g.upper(index)); more *= 2) {
+      if (x.lo != x.hi && exact_root(ratio(n, d), law.a) == g.upper(index))
+        throw InputError("class " + std::to_string(index + 1) + ": the size is the opening " + to_string(g.upper(index)) +
+                         " itself, which is no decimal: choose another scale");
       x = enclose_root(n, d, law.a, more);
+    }
     sizes.push_back(std::move(x));
   }
   return sizes;

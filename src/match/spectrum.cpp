@@ -57,7 +57,8 @@ void append(std::vector<std::pair<Integer, Integer>> &intervals, const Integer &
 
 Spectrum spectrum(const Problem &problem, const Limits &limits) {
   Spectrum result;
-  LeastMatch least = least_match(problem, limits);
+  const Limits sweep_limits{std::nullopt, limits.deadline};
+  LeastMatch least = least_match(problem, sweep_limits);
   if (!least.complete)
     return result;
   result.all_from = total(least.q);
@@ -67,7 +68,6 @@ Spectrum spectrum(const Problem &problem, const Limits &limits) {
     return result;
   }
   const Integer enough = all_from_bound(problem);
-  const Limits sweep_limits{std::nullopt, limits.deadline};
   Integer next = total(least.q);
   for (std::uint64_t step = 1; next < enough; ++step) {
     // Between the lower ends q and the most particles at their highest scale everything is reached.

@@ -99,3 +99,12 @@ TEST_CASE("a limited spectrum says from where on it is open") {
   CHECK(part.intervals[0].first == all.intervals[0].first);
   CHECK(part.all_from == part.intervals[0].second + 1);
 }
+
+TEST_CASE("the steps of a spectrum are not those of its sweeps") {
+  Gradation::Data data;
+  data.sizes = {100, 104, 108, 109, 112, 116};
+  data.masses = {4, 5, 7, 5, 9, 0};
+  const Problem p(Gradation(data), {}, 1);
+  CHECK(least_match(p).chain.size() > 3);
+  CHECK(spectrum(p, {3, std::nullopt}).intervals.size() >= 1);
+}

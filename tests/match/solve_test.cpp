@@ -110,6 +110,26 @@ TEST_CASE("a volume with pi is reached, and closely") {
   }
 }
 
+TEST_CASE("a volume whose lower scale bound is the window's end is met") {
+  // s_0 = 6 V / pi = 27 (pi + 10^-45) / pi, a little above the window's open end 27; the first bounds of pi touch it.
+  Gradation::Data data;
+  data.sizes = {3, 6};
+  data.masses = {1, 0};
+  Question q;
+  q.solids = SolidsVolume{parse_decimal("4.5") * parse_decimal("3.141592653589793238462643383279502884197169400")};
+  const Match m = solve(Gradation(data), q);
+  check_match(m);
+  CHECK(m.particles() == 1);
+  CHECK(m.scale < 28);
+}
+
+TEST_CASE("a size that is an opening and no decimal is refused") {
+  SolveOptions options;
+  options.scale = ScaleChoice::upper;
+  CHECK_THROWS_AS(solve(gradation({ratio(1, 7), ratio(1, 3)}, {1, 0}), {}, options), InputError);
+  CHECK_NOTHROW(solve(gradation({ratio(1, 7), ratio(1, 3)}, {1, 0})));
+}
+
 TEST_CASE("a specimen needs spheres") {
   Question q;
   q.law = {2, 1};

@@ -15,8 +15,9 @@ struct Window {
   Rational up_to;
   std::optional<StartScale> start;
 
-  /// True if the scale of the asked volume is itself in the window: that volume can be had exactly.
-  bool start_is_feasible() const { return start && start->lo > above; }
+  /// True if the scale of the asked volume is itself in the window: that volume can be had exactly. An irrational s_0 lies
+  /// strictly between its bounds.
+  bool start_is_feasible() const { return start && (start->exact() ? start->lo > above : start->lo >= above); }
 };
 
 enum class ScaleChoice {

@@ -14,7 +14,7 @@ namespace mdm {
 /// Error bounds of the doubles (u = 2^-53; a conversion from Int is off by at most 2u, an operation by u): `lower` is
 /// f / mass within 5u, `per_upper` is mass / F within 5u, relative, and both are 0 (lower of f = 0) or in
 /// [2^-200, 2^200]. Where that cannot be had, or the law has b > 1, both are NaN: then every comparison with them is
-/// false and the exact decision follows.
+/// false and the exact decision follows. The bounds need rounding to nearest and no -ffast-math (Lemma 11).
 ///
 /// Int is Int128 or Integer.
 template <class Int>
