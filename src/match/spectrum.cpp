@@ -18,29 +18,39 @@ Integer spread_below(const Problem &problem, unsigned bits) {
   return sum;
 }
 
-/// A number from which on every integer is reached (Theorem 8): the sum of the lower ends above a scale where every class
-/// is feasible, no floor binds, and s sum(1/a_j - 1/b_j) >= 3k - 1.
-Integer all_from_bound(const Problem &problem) {
+/// A scale from which on the reachable numbers have no gap as long as every class stays feasible (Theorem 8): no floor
+/// binds, and s sum(1/a_j - 1/b_j) >= 3k - 1.
+Rational gapless_scale(const Problem &problem) {
   const unsigned b = problem.law().b;
-  Rational scale = problem.lowest_scale(some_match(problem));
-  for (const ProblemClass &c : problem.classes())
-    scale = std::max(scale, ratio(power(c.floor, b) * c.F, c.mass));
   unsigned bits = 64;
   while (spread_below(problem, bits) <= 0)
     bits *= 2;
   const Integer wanted = Integer(3 * problem.classes().size() - 1) << bits;
-  scale = std::max(scale, power(ratio(wanted, spread_below(problem, bits)), b));
-  const Problem above = problem.from_scale(scale, true);
-  Integer sum = 0;
-  for (const ProblemClass &c : above.classes())
-    sum += c.floor;
-  return sum;
+  Rational scale = power(ratio(wanted, spread_below(problem, bits)), b);
+  for (const ProblemClass &c : problem.classes())
+    scale = std::max(scale, ratio(power(c.floor, b) * c.F, c.mass));
+  return scale;
 }
 
-/// Most particles at the highest scale of the match q.
-Integer most_particles(const Problem &problem, const std::vector<Integer> &q) {
+/// The highest scale up to which every class stays feasible above the lower ends q; nothing if there is none: a settled
+/// class is feasible at every higher scale, another one up to q^b F / mass.
+std::optional<Rational> feasible_up_to(const Problem &problem, const std::vector<Integer> &settled,
+                                       const std::vector<Integer> &q) {
+  std::optional<Rational> end;
+  for (std::size_t j = 0; j < q.size(); ++j) {
+    if (q[j] >= settled[j])
+      continue;
+    const ProblemClass &c = problem.classes()[j];
+    const Rational last = ratio(power(q[j], problem.law().b) * c.F, c.mass);
+    end = end ? std::min(*end, last) : last;
+  }
+  return end;
+}
+
+/// Most particles at a scale.
+Integer most_particles(const Problem &problem, const Rational &scale) {
   Integer sum = 0;
-  for (const std::optional<Integer> &n : largest_counts(problem, problem.highest_scale(q), false))
+  for (const std::optional<Integer> &n : largest_counts(problem, scale, false))
     sum += n.value();
   return sum;
 }
@@ -67,28 +77,33 @@ Spectrum spectrum(const Problem &problem, const Limits &limits) {
     result.complete = true;
     return result;
   }
-  const Integer enough = all_from_bound(problem);
-  Integer next = total(least.q);
-  for (std::uint64_t step = 1; next < enough; ++step) {
-    // Between the lower ends q and the most particles at their highest scale everything is reached.
-    const Integer most = most_particles(problem, least.q);
-    append(result.intervals, std::max(next, total(least.q)), most);
-    next = most + 1;
-    result.all_from = next;
+  const Rational gapless = gapless_scale(problem);
+  std::vector<Integer> settled;
+  for (const ProblemClass &c : problem.classes())
+    settled.push_back(settled_count(c, problem.law().b));
+  for (std::uint64_t step = 1;; ++step) {
+    // From the lower ends q at their lowest scale up to the most particles at `end` everything is reached: while q stays
+    // the lower ends, or, where gaps are excluded, while every class is feasible.
+    std::optional<Rational> end = problem.highest_scale(least.q);
+    if (problem.lowest_scale(least.q) >= gapless)
+      end = feasible_up_to(problem, settled, least.q);
+    const Integer first = std::max(result.all_from, total(least.q));
+    if (!end) {
+      result.complete = true;
+      append(result.intervals, first, first);
+      result.all_from = result.intervals.back().first;
+      result.intervals.pop_back();
+      return result;
+    }
+    const Integer last = most_particles(problem, *end);
+    append(result.intervals, first, last);
+    result.all_from = last + 1;
     if (limits.max_steps && step >= *limits.max_steps)
       return result;
-    least = least_match(problem.from_scale(crowded_scale(problem, next), true), sweep_limits);
+    least = least_match(problem.from_scale(crowded_scale(problem, result.all_from), true), sweep_limits);
     if (!least.complete)
       return result;
   }
-  // What follows the last gap belongs to the part without end.
-  result.complete = true;
-  result.all_from = std::max(next, Integer(total(least.q)));
-  if (!result.intervals.empty() && result.intervals.back().second + 1 >= result.all_from) {
-    result.all_from = result.intervals.back().first;
-    result.intervals.pop_back();
-  }
-  return result;
 }
 
 } // namespace mdm

@@ -17,8 +17,9 @@ struct Spectrum {
   bool complete = false;
 };
 
-/// Walks up the feasible scales (Theorem 8) to the scale from which on the reachable intervals overlap.
-/// Cost: a least match for each vector of lower ends on the way; `limits.max_steps` counts these.
+/// Walks up the feasible scales (Theorem 8): vector of lower ends by vector at first, then, where gaps come only from scales
+/// that are not feasible, from one feasible stretch to the next, until every class is feasible for good.
+/// Cost: a least match a step; `limits.max_steps` counts these.
 Spectrum spectrum(const Problem &problem, const Limits &limits = {});
 
 } // namespace mdm
