@@ -28,7 +28,7 @@ Rational gapless_scale(const Problem &problem) {
   const Integer wanted = Integer(3 * problem.classes().size() - 1) << bits;
   Rational scale = power(ratio(wanted, spread_below(problem, bits)), b);
   for (const ProblemClass &c : problem.classes())
-    scale = std::max(scale, ratio(power(c.floor, b) * c.F, c.mass));
+    scale = std::max(scale, ratio(power(Integer(c.floor - 1), b) * c.F, c.mass));
   return scale;
 }
 
