@@ -25,6 +25,16 @@ void check_powers(const Gradation &g, const MassLaw &law, const Integer &min_per
     throw InputError("the exponent " + law.exponent() + " is too large for numbers this long: round one of them");
 }
 
+/// sum m_j / c_j.
+Rational weight_of(const Gradation &g, const CommonDenominator &masses) {
+  if (!g.has_factors())
+    return ratio(total(masses.numerators), masses.denominator);
+  std::vector<Rational> weights;
+  for (std::size_t j = 0; j < g.classes(); ++j)
+    weights.push_back(g.mass(j) / g.factor(j));
+  return sum(weights);
+}
+
 /// n / d of two ends of classes, compared as fractions and reduced only at the end.
 struct End {
   Integer n;
@@ -43,6 +53,7 @@ Problem::Problem(const Gradation &g, const MassLaw &law, const Integer &min_per_
   for (Integer &x : sizes.numerators)
     x = power(x, law.a);
   scale_unit_ = ratio(power(masses.denominator, law.b), power(sizes.denominator, law.a));
+  weight_ = weight_of(g, masses);
   classes_.reserve(g.classes());
   for (std::size_t j = 0; j < g.classes(); ++j)
     if (g.mass(j) != 0)

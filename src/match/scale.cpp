@@ -5,27 +5,24 @@
 namespace mdm {
 namespace {
 
-/// A rational in [sqrt(above * up_to), sqrt(above * up_to) + width / 2^14].
-Rational middle_from_above(const Rational &above, const Rational &up_to) {
+/// The simplest rational in a part of [m, m + width / 127], m = sqrt(above * up_to). Both ends of the part are multiples of
+/// 2^-bits <= width / 2^14, the lower one less than two of them above m, so that their numbers stay short.
+Rational simplest_near_middle(const Rational &above, const Rational &up_to) {
   const Rational width = up_to - above;
-  const Rational square = above * up_to;
-  const std::size_t small = bit_length(denominator(width)) + 16;
+  const std::size_t small = bit_length(denominator(width)) + 15;
   const std::size_t large = bit_length(numerator(width));
   const std::size_t bits = small > large ? small - large : 0;
-  const Integer scaled = floor_div(Integer(numerator(square) << (2 * bits)), denominator(square));
-  return ratio(Integer(floor_root(scaled, 2) + 1), Integer(Integer(1) << bits));
+  const Rational square = above * up_to;
+  const Integer lo = floor_root(floor_div(numerator(square) << (2 * bits), denominator(square)), 2) + 1;
+  const Integer hi = lo + floor_div(numerator(width) << bits, denominator(width) << 7);
+  const Integer unit = Integer(1) << bits;
+  return simplest_between(ratio(lo, unit), ratio(hi, unit));
 }
 
 Rational robust_scale(const Window &w) {
-  if (w.above == 0 && !w.start)
-    return w.up_to / 2;
-  Rational lo = w.above == 0 ? Rational(0) : middle_from_above(w.above, w.up_to);
-  Rational width = w.up_to - w.above;
-  if (w.start_is_feasible() && w.start->hi > lo) {
-    lo = w.start->hi;
-    width = w.up_to - lo;
-  }
-  return simplest_between(lo, Rational(lo + width / 128));
+  if (w.start_is_feasible() && w.start->hi * w.start->hi > w.above * w.up_to)
+    return simplest_between(w.start->hi, Rational(w.start->hi + (w.up_to - w.start->hi) / 128));
+  return w.above == 0 ? Rational(w.up_to / 2) : simplest_near_middle(w.above, w.up_to);
 }
 
 } // namespace

@@ -70,9 +70,13 @@ Rational size_margin(const MassLaw &law, const Rational &above, const Rational &
   const std::size_t small = bit_length(Integer(n - d));
   for (unsigned digits = 6 + static_cast<unsigned>(large > small ? (large - small) / 3 : 0);; digits *= 2) {
     const Enclosure root = enclose_root(n, d, law.a, digits);
-    const Integer excess = root.lo - power_of_ten(root.places);
-    if (root.lo == root.hi || excess >= 1000)
-      return ratio(excess, power_of_ten(root.places));
+    Integer excess = root.lo - power_of_ten(root.places);
+    if (excess < 1000 && root.lo != root.hi)
+      continue;
+    unsigned places = root.places;
+    for (; excess >= 1000 && places > 0; --places)
+      excess = floor_div(excess, 10);
+    return ratio(excess, power_of_ten(places));
   }
 }
 

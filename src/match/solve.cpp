@@ -1,7 +1,6 @@
 #include <mdm/match/solve.hpp>
 
 #include <mdm/error.hpp>
-#include <mdm/number/common_denominator.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/pi.hpp>
 
@@ -13,26 +12,16 @@ namespace {
 /// Digits of pi after the point at which a start scale that is still undecided is given up: the limit of certificates.
 constexpr unsigned most_pi_places = 1000;
 
-/// sum m_j / c_j over the classes.
-Rational weight_of(const Gradation &g) {
-  if (!g.has_factors())
-    return sum(g.masses());
-  std::vector<Rational> weights;
-  for (std::size_t j = 0; j < g.classes(); ++j)
-    weights.push_back(g.mass(j) / g.factor(j));
-  return sum(weights);
-}
-
 /// A start scale with bounds so close that nothing which is decided about s_0 differs between them.
 class Start {
 public:
-  Start(const Question &question, const Gradation &g, unsigned places) : places_(places) {
+  Start(const Question &question, const Problem &problem, unsigned places) : places_(places) {
     if (!question.solids)
       return;
     if (!question.law.is_sphere())
       throw InputError("a specimen or volume of solids needs spheres: leave out --law " + question.law.exponent());
     solids_ = question.solids;
-    weight_ = weight_of(g);
+    weight_ = problem.weight();
     refresh();
   }
 
@@ -133,7 +122,7 @@ Enclosure Match::solids_volume() const {
   thread_local Enclosure cached = enclose_pi(40);
   if (digits + 10 > cached.places)
     cached = enclose_pi(digits + 10);
-  const Rational product = scale * weight_of(gradation);
+  const Rational product = scale * problem.weight();
   const Integer n = numerator(product);
   const Integer d = denominator(product) * 6 * power_of_ten(cached.places);
   return enclose_interval(n * cached.lo, n * cached.hi, d, digits);
@@ -142,7 +131,7 @@ Enclosure Match::solids_volume() const {
 Match solve(Gradation g, const Question &question, const SolveOptions &options) {
   Gradation asked = asked_gradation(std::move(g), question);
   Problem problem(asked, question.law, question.min_per_class);
-  Start start(question, asked, std::min(options.digits + 30, most_pi_places));
+  Start start(question, problem, std::min(options.digits + 30, most_pi_places));
   if (question.solids)
     problem = problem_from_start(problem, start);
   Match match(question, std::move(asked), std::move(problem));

@@ -20,9 +20,10 @@ struct Row {
 };
 
 std::vector<Row> rows(const Match &m) {
-  std::vector<Row> rows(m.gradation.classes());
+  const Gradation &g = m.gradation;
+  std::vector<Row> rows(g.classes());
   for (std::size_t j = 0; j < rows.size(); ++j)
-    rows[j] = {to_decimal(m.gradation.lower(j)), to_decimal(m.gradation.upper(j)), to_decimal(m.gradation.mass(j)),
+    rows[j] = {j == 0 ? to_decimal(g.lower(0)) : rows[j - 1].upper, to_decimal(g.upper(j)), to_decimal(g.mass(j)),
                m.has_answer() ? "0" : "", std::nullopt};
   for (std::size_t i = 0; m.has_answer() && i < m.q.size(); ++i) {
     Row &row = rows[m.problem.classes()[i].index];
@@ -57,9 +58,15 @@ void add_json_row(Buffer &out, const Row &row) {
                    row.size->upper_text());
 }
 
+/// The margin, which has three digits; with an exponent if it is tiny.
+std::string margin_text(const Match &m) {
+  static const Rational tiny = ratio(1, 1000000);
+  return m.margin < tiny ? approximate(m.margin, 3) : to_decimal(m.margin);
+}
+
 void add_json_scale(Buffer &out, const Match &m) {
   add(out, R"(,"scale":{{"above":"{}","up_to":"{}","chosen":"{}","margin":"{}")", to_string(m.window.above),
-      to_string(m.window.up_to), to_string(m.scale), approximate(m.margin, 3));
+      to_string(m.window.up_to), to_string(m.scale), margin_text(m));
   if (m.window.start)
     add(out, R"(,"start":["{}","{}"])", to_string(m.window.start->lo), to_string(m.window.start->hi));
   if (m.question.law.b > 1)
@@ -124,7 +131,7 @@ void add_text_scale(Buffer &out, const Match &m) {
   if (m.window.start)
     add(out, "; from {} on for the volume", approximate(m.window.start->lo, m.digits));
   add(out, "\n  chosen: {} = {}; every size is {} or more of itself away from the sieves\n", s, to_string(m.scale),
-      approximate(m.margin, 3));
+      margin_text(m));
   if (m.question.law.is_sphere()) {
     add(out, "  volume of the particles: {} {}^3\n", m.solids_volume().text(), name(m.gradation.unit()));
   }

@@ -29,6 +29,8 @@ public:
   const MassLaw &law() const { return law_; }
   /// s^b / S.
   const Rational &scale_unit() const { return scale_unit_; }
+  /// sum m_j / c_j over the classes: the volume of the sample over s, times 6 / pi for spheres.
+  const Rational &weight() const { return weight_; }
 
   /// The same problem at scales S >= start (closed) or S > start (open): nothing but higher floors (Theorem 6).
   Problem from_scale(const Rational &start, bool open) const;
@@ -43,6 +45,7 @@ public:
 private:
   MassLaw law_;
   Rational scale_unit_;
+  Rational weight_;
   std::vector<ProblemClass> classes_;
 };
 
