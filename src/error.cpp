@@ -38,7 +38,30 @@ bool is_printable(char32_t code) {
   return code >= 0xA0 || (code >= 0x20 && code < 0x7F);
 }
 
+/// Moves the first character of `text` to the end of `shown`, escaped where it is no printable one; returns
+/// the width of what was added.
+std::size_t move_character(std::string_view &text, std::string &shown) {
+  const Character character = first_character(text);
+  const std::size_t bytes = character.bytes == 0 ? 1 : character.bytes;
+  const std::string_view moved = text.substr(0, bytes);
+  text.remove_prefix(bytes);
+  if (character.bytes != 0 && is_printable(character.code)) {
+    shown += moved;
+    return 1;
+  }
+  for (const char byte : moved)
+    shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+  return 4 * bytes;
+}
+
 } // namespace
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  while (!text.empty())
+    move_character(text, shown);
+  return shown;
+}
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t limit = 80;
@@ -47,17 +70,7 @@ std::string in_quotes(std::string_view text) {
   std::size_t width = 0;
   std::size_t bytes_before_dots = shown.size();
   while (!text.empty() && width <= limit) {
-    const Character character = first_character(text);
-    const std::size_t bytes = character.bytes == 0 ? 1 : character.bytes;
-    if (character.bytes != 0 && is_printable(character.code)) {
-      shown += text.substr(0, bytes);
-      ++width;
-    } else {
-      for (const char byte : text.substr(0, bytes))
-        shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
-      width += 4 * bytes;
-    }
-    text.remove_prefix(bytes);
+    width += move_character(text, shown);
     if (width <= limit - dots.size())
       bytes_before_dots = shown.size();
   }

@@ -14,7 +14,11 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// `text` as a message may show it: in single quotes, control and non-UTF-8 bytes escaped, cut to 80 characters.
+/// `text` with control and non-UTF-8 bytes escaped.
+std::string printable(std::string_view text);
+
+/// `text` as a message may show it: in single quotes, control and non-UTF-8 bytes escaped, cut to 80
+/// characters.
 std::string in_quotes(std::string_view text);
 
 /// True if `text` is well-formed UTF-8 (no surrogates, no overlong forms).

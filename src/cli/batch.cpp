@@ -9,12 +9,14 @@
 #include <mdm/report/answer.hpp>
 #include <mdm/report/json_text.hpp>
 
+#include <fmt/core.h>
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <fmt/core.h>
 #include <memory>
-#include <sys/stat.h>
+#include <mutex>
 #include <thread>
 
 namespace mdm::cli {
@@ -49,10 +51,12 @@ int severity(int exit) {
   }
 }
 
-/// Name of a line's proof: the line number makes it unique, the id, where it can stand in a file name, findable.
+/// Name of a line's proof: the line number makes it unique, the id, where it can stand in a file name,
+/// findable.
 std::string proof_name(std::uint64_t number, const std::string &id) {
   const auto plain = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_' || c == '.';
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ||
+           c == '_' || c == '.';
   };
   const bool usable = !id.empty() && id.size() <= 64 && std::all_of(id.begin(), id.end(), plain);
   return usable && id != std::to_string(number) ? fmt::format("{}-{}.proof", number, id)
@@ -83,7 +87,8 @@ private:
   }
 
   static Answer error(const std::string &id, const std::string &message) {
-    return {fmt::format(R"({{"id":{},"status":"error","error":{}}})", json_string(id), json_string(message)) + "\n",
+    return {fmt::format(R"({{"id":{},"status":"error","error":{}}})", json_string(id), json_string(message)) +
+                "\n",
             Exit::bad_input};
   }
 
@@ -116,12 +121,20 @@ private:
 };
 
 /// Answers to lines first, first + 1, ..., by several threads, in order.
-std::vector<Answer> answers(const Batch &batch, const std::vector<Lines::Line> &lines, std::uint64_t first, unsigned threads) {
+std::vector<Answer> answers(const Batch &batch, const std::vector<Lines::Line> &lines, std::uint64_t first,
+                            unsigned threads) {
   std::vector<Answer> result(lines.size());
   std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
   const auto work = [&] {
-    for (std::size_t i = next++; i < lines.size(); i = next++)
-      result[i] = batch.answer(lines[i], first + i);
+    try {
+      for (std::size_t i = next++; i < lines.size(); i = next++)
+        result[i] = batch.answer(lines[i], first + i);
+    } catch (...) { // no bad line, but the end of the run: out of memory
+      const std::lock_guard lock(failure_mutex);
+      failure = std::current_exception();
+    }
   };
   std::vector<std::thread> helpers;
   for (unsigned t = 1; t < std::min<std::size_t>(threads, lines.size()); ++t)
@@ -129,6 +142,8 @@ std::vector<Answer> answers(const Batch &batch, const std::vector<Lines::Line> &
   work();
   for (std::thread &helper : helpers)
     helper.join();
+  if (failure)
+    std::rethrow_exception(failure);
   return result;
 }
 
@@ -160,11 +175,13 @@ int run(const BatchCommand &c) {
 
 Run add_batch(CLI::App &app) {
   const auto c = std::make_shared<BatchCommand>();
-  CLI::App &command = *app.add_subcommand("batch", "Solves JSON Lines of gradations, an answer a line in the same order");
+  CLI::App &command =
+      *app.add_subcommand("batch", "Solves JSON Lines of gradations, an answer a line in the same order");
   command.add_option("FILE", c->file, "JSON Lines; standard input if left out");
   c->flags.add_to(command);
   command.add_option("-j", c->threads, "threads")->type_name("THREADS")->check(CLI::Range(1, 1024));
-  command.add_option("--proofs", c->proofs, "write a certificate for each line into the folder DIR")->type_name("DIR");
+  command.add_option("--proofs", c->proofs, "write a certificate for each line into the folder DIR")
+      ->type_name("DIR");
   command.add_option("-o", c->out, "write to OUT instead of standard output")->type_name("OUT");
   command.add_flag("--quiet", c->quiet, "no progress on standard error");
   command.footer("Example: mdm batch suite.jsonl -j 4 -o answers.jsonl");

@@ -10,10 +10,10 @@ namespace mdm::cli {
 
 /// Exit codes, the same for every command.
 enum Exit : int {
-  done = 0,     ///< done, accepted, matched
-  negative = 1, ///< a negative verdict, with its report
-  bad_input = 2,///< bad input or usage, or a file that cannot be read or written
-  limited = 3   ///< a limit was reached; what is certain was reported
+  done = 0,      ///< done, accepted, matched
+  negative = 1,  ///< a negative verdict, with its report
+  bad_input = 2, ///< bad input or usage, or a file that cannot be read or written
+  limited = 3    ///< a limit was reached; what is certain was reported
 };
 
 /// What a command does once its arguments are parsed.

@@ -5,6 +5,7 @@
 #include <mdm/gradation/write_gradation.hpp>
 
 #include <fmt/core.h>
+
 #include <memory>
 
 namespace mdm::cli {
@@ -43,7 +44,8 @@ Run add_convert(CLI::App &app) {
   command.add_option("-o", c->out, "write to OUT instead of standard output")->type_name("OUT");
   command.add_option("--format", c->format, "csv or json; json if OUT ends so, else csv")
       ->check(CLI::IsMember({"csv", "json"}));
-  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")->type_name("ID");
+  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
+      ->type_name("ID");
   command.add_flag("--quiet", c->quiet, "no notes on standard error");
   command.footer("Example: mdm convert report.ags --specimen-id BH1 -o sand.csv");
   return [c] { return run(*c); };

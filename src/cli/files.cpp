@@ -2,14 +2,15 @@
 
 #include <mdm/error.hpp>
 
-#include <algorithm>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
 #include <utility>
 
 namespace mdm::cli {
@@ -68,7 +69,8 @@ std::string read_file(const std::string &path, std::size_t most) {
   try {
     while (read_some(descriptor, path, text))
       if (text.size() > most)
-        throw InputError(fmt::format("{} has more than {} MiB: is it the right file?", in_quotes(path), most >> 20));
+        throw InputError(
+            fmt::format("{} has more than {} MiB: is it the right file?", in_quotes(path), most >> 20));
   } catch (...) {
     close_reading(descriptor);
     throw;
@@ -107,7 +109,9 @@ Output::~Output() {
     unlink(temporary_.c_str());
 }
 
-void Output::fail(int error) const { cannot("write", path_ == "-" ? "standard output" : path_, error); }
+void Output::fail(int error) const {
+  cannot("write", path_ == "-" ? "standard output" : path_, error);
+}
 
 void Output::open_beside() {
   for (unsigned attempt = 0; descriptor_ < 0; ++attempt) {
@@ -144,7 +148,9 @@ void Output::commit() {
 
 Lines::Lines(const std::string &path) : path_(path), descriptor_(open_for_reading(path)) {}
 
-Lines::~Lines() { close_reading(descriptor_); }
+Lines::~Lines() {
+  close_reading(descriptor_);
+}
 
 void Lines::fill() {
   buffer_.erase(0, taken_);

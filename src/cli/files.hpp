@@ -13,8 +13,8 @@ namespace mdm::cli {
 /// \throws InputError if it cannot be read or has more than `most` bytes
 std::string read_file(const std::string &path, std::size_t most);
 
-/// Where a result goes. A regular file or a new path is written beside and takes its name in commit(); without commit
-/// nothing is left of it. Standard output (path `-`), devices and pipes are written in place.
+/// Where a result goes. A regular file or a new path is written beside and takes its name in commit();
+/// without commit nothing is left of it. Standard output (path `-`), devices and pipes are written in place.
 class Output {
 public:
   /// \throws InputError if the path cannot be written
@@ -32,9 +32,9 @@ private:
   [[noreturn]] void fail(int error) const;
   void open_beside();
 
-  std::string path_;       // as the user gave it
-  std::string target_;     // behind symbolic links
-  std::string temporary_;  // empty: written in place
+  std::string path_;      // as the user gave it
+  std::string target_;    // behind symbolic links
+  std::string temporary_; // empty: written in place
   int descriptor_ = -1;
 };
 
@@ -50,7 +50,8 @@ public:
   using Line = std::optional<std::string>;
   static constexpr std::size_t longest_line = std::size_t{64} << 20;
 
-  /// The lines that are there, at least one and at most `most`; waits only for the first. Empty at the end of the input.
+  /// The lines that are there, at least one and at most `most`; waits only for the first. Empty at the end of
+  /// the input.
   std::vector<Line> next(std::size_t most);
 
 private:
@@ -60,9 +61,9 @@ private:
   std::string path_;
   int descriptor_ = -1;
   std::string buffer_;
-  std::size_t taken_ = 0;   // of the buffer
+  std::size_t taken_ = 0;    // of the buffer
   std::size_t searched_ = 0; // no line end before it
-  bool skipping_ = false;   // inside a line that is too long
+  bool skipping_ = false;    // inside a line that is too long
   bool at_end_ = false;
 };
 

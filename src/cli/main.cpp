@@ -5,10 +5,11 @@
 #include <mdm/error.hpp>
 #include <mdm/report/versions.hpp>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <csignal>
 #include <exception>
-#include <fmt/core.h>
 #include <string>
 #include <vector>
 
@@ -86,7 +87,7 @@ int run(int argc, char **argv) {
     return Exit::done;
   } catch (const CLI::ParseError &e) {
     const std::string of = &parsed() == &app ? "" : parsed().get_name() + " ";
-    return complain(fmt::format("mdm: {}; see mdm {}--help", mdm::in_quotes(e.what()), of));
+    return complain(fmt::format("mdm: {}; see mdm {}--help", mdm::printable(e.what()), of));
   }
   for (const Command &c : commands)
     if (c.app->parsed())

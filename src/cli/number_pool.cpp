@@ -1,12 +1,13 @@
 #include "number_pool.hpp"
 
+#include <gmp.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <gmp.h>
 #include <mutex>
 #include <new>
 #include <utility>
@@ -62,7 +63,9 @@ void *plain_allocate(std::size_t bytes) {
   return memory;
 }
 
-std::size_t list_of(std::size_t bytes) { return (std::max<std::size_t>(bytes, 1) + step - 1) / step; }
+std::size_t list_of(std::size_t bytes) {
+  return (std::max<std::size_t>(bytes, 1) + step - 1) / step;
+}
 
 /// Fills an empty list.
 Block *refill(std::size_t list) {

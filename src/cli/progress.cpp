@@ -1,9 +1,10 @@
 #include "progress.hpp"
 
-#include <chrono>
-#include <cstdio>
 #include <fmt/core.h>
 #include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
 
 namespace mdm::cli {
 
@@ -27,7 +28,8 @@ void Progress::run() {
   const steady_clock::time_point start = steady_clock::now();
   bool shown = false;
   std::unique_lock lock(mutex_);
-  for (milliseconds wait(2000); !finished_.wait_for(lock, wait, [this] { return done_; }); wait = milliseconds(500)) {
+  for (milliseconds wait(2000); !finished_.wait_for(lock, wait, [this] { return done_; });
+       wait = milliseconds(500)) {
     const auto seconds = duration_cast<std::chrono::seconds>(steady_clock::now() - start).count();
     fmt::print(stderr, "\r\x1b[K{}, {} s", text_(), seconds);
     std::fflush(stderr);

@@ -10,8 +10,8 @@
 
 namespace mdm::cli {
 
-/// Shows `text()` and the seconds gone twice a second, from the second second on, if standard error is a terminal; the
-/// line is removed at the end. `text` is called from another thread.
+/// Shows `text()` and the seconds gone twice a second, from the second second on, if standard error is a
+/// terminal; the line is removed at the end. `text` is called from another thread.
 class Progress {
 public:
   Progress(std::function<std::string()> text, bool quiet);

@@ -11,6 +11,7 @@
 #include <mdm/report/answer.hpp>
 
 #include <fmt/core.h>
+
 #include <memory>
 
 namespace mdm::cli {
@@ -25,6 +26,10 @@ struct SolveCommand {
   bool quiet = false;
 };
 
+std::string shown_name(const SolveCommand &c) {
+  return c.file == "-" ? "stdin" : c.file;
+}
+
 /// A side result of solve: a file that is to be written with the rest or not at all.
 struct SideFile {
   std::unique_ptr<Output> output;
@@ -32,13 +37,13 @@ struct SideFile {
 };
 
 /// The gradation file that the checker reads beside the proof, where it cannot read the user's own.
-std::optional<SideFile> readable_gradation(const SolveCommand &c, const std::string &content, const Gradation &g,
-                                           std::vector<std::string> &notes) {
+std::optional<SideFile> readable_gradation(const SolveCommand &c, const std::string &content,
+                                           const Gradation &g, std::vector<std::string> &notes) {
   if (!c.proof || !is_ags4(content))
     return std::nullopt;
   const std::string path = *c.proof + ".csv";
-  notes.push_back("mdm-check does not read AGS4: the gradation is in " + path + " as CSV; check with: mdm-check " + path +
-                  " " + *c.proof);
+  notes.push_back("mdm-check does not read AGS4: the gradation is in " + path +
+                  " as CSV; check with: mdm-check " + path + " " + *c.proof);
   return SideFile{std::make_unique<Output>(path), gradation_csv(g)};
 }
 
@@ -69,12 +74,18 @@ int run(const SolveCommand &c) {
   check_outputs(c);
   const Question question = c.flags.question();
   const std::string content = read_file(c.file, max_gradation_bytes);
-  const Gradation g = read_gradation(content, c.file == "-" ? "stdin" : c.file, c.specimen_id);
+  const Gradation g = read_gradation(content, shown_name(c), c.specimen_id);
   Output out(c.out.value_or("-"));
 
   Progress progress([] { return std::string("solving"); }, c.quiet);
   const SolveOptions options = c.flags.options();
-  Match m = solve(g, question, options);
+  Match m = [&] {
+    try {
+      return solve(g, question, options);
+    } catch (const InputError &e) {
+      throw InputError(printable(shown_name(c)) + ": " + e.what());
+    }
+  }();
   std::optional<Spectrum> reachable;
   if (c.spectrum)
     reachable = spectrum(m.problem, options.limits);
@@ -109,10 +120,13 @@ Run add_solve(CLI::App &app) {
   command.add_option("FILE", c->file, "gradation: CSV, JSON or AGS4; - for standard input")->required();
   c->flags.add_to(command);
   command.add_option("--proof", c->proof, "write the certificate for mdm-check")->type_name("OUT");
-  command.add_option("--vipr", c->vipr, "write the proof in the VIPR format (at most 200 classes)")->type_name("OUT");
+  command.add_option("--vipr", c->vipr, "write the proof in the VIPR format (at most 200 classes)")
+      ->type_name("OUT");
   command.add_flag("--spectrum", c->spectrum, "all numbers of particles that have an exact match");
-  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")->type_name("ID");
-  command.add_option("--format", c->format, "text, json or csv")->check(CLI::IsMember({"text", "json", "csv"}));
+  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
+      ->type_name("ID");
+  command.add_option("--format", c->format, "text, json or csv")
+      ->check(CLI::IsMember({"text", "json", "csv"}));
   command.add_option("-o", c->out, "write the answer to OUT instead of standard output")->type_name("OUT");
   command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
   command.footer("Example: mdm solve sand.csv --min-per-class 10 --proof sand.proof");

@@ -21,8 +21,8 @@ auto named(const char *option, const std::string &text, Read read) {
 Integer natural(const char *option, const std::string &text, const Integer &least) {
   const std::optional<Integer> n = parse_natural(text);
   if (!n || *n < least)
-    throw InputError(std::string(option) + ": " + in_quotes(text) + " is not a whole number from " + to_string(least) +
-                     " on (at most 1000 digits)");
+    throw InputError(std::string(option) + ": " + in_quotes(text) + " is not a whole number from " +
+                     to_string(least) + " on (at most 1000 digits)");
   return *n;
 }
 
@@ -63,28 +63,37 @@ std::chrono::steady_clock::time_point deadline_in(const std::string &text) {
     throw InputError("--time-limit: " + in_quotes(text) + " is negative");
   const Integer thirty_years = 1'000'000'000'000;
   const Integer milliseconds = std::min(floor(Rational(seconds * 1000)), thirty_years);
-  return std::chrono::steady_clock::now() + std::chrono::milliseconds(static_cast<std::int64_t>(milliseconds));
+  return std::chrono::steady_clock::now() +
+         std::chrono::milliseconds(static_cast<std::int64_t>(milliseconds));
 }
 
 } // namespace
 
 void SolveFlags::add_to(CLI::App &command) {
-  command.add_option("--min-per-class", min_per_class, "at least R particles in every class with mass")->type_name("R");
+  command.add_option("--min-per-class", min_per_class, "at least R particles in every class with mass")
+      ->type_name("R");
   command.add_option("--at-least", at_least, "the smallest match with at least N particles")->type_name("N");
-  command.add_option("--at-most", at_most, "no match (exit 1) if the smallest has more than N particles")->type_name("N");
-  command.add_option("--specimen", specimen,
-                     "at least the solids of a specimen, lengths in the file's unit: cylinder:DxH or box:AxBxC")
+  command.add_option("--at-most", at_most, "no match (exit 1) if the smallest has more than N particles")
+      ->type_name("N");
+  command
+      .add_option("--specimen", specimen,
+                  "at least the solids of a specimen, lengths in the file's unit: cylinder:DxH or box:AxBxC")
       ->type_name("SHAPE");
   command.add_option("--void-ratio", void_ratio, "void ratio e of the specimen")->type_name("E");
   command.add_option("--solids-volume", solids_volume, "at least this volume of solids")->type_name("V");
-  command.add_option("--law", law, "mass of a particle of size x: sphere (x^3) or power:a/b")->type_name("LAW");
+  command.add_option("--law", law, "mass of a particle of size x: sphere (x^3) or power:a/b")
+      ->type_name("LAW");
   command.add_option("--size-factor", size_factor, "multiply every size by K")->type_name("K");
-  command.add_option("--cut-below", cut_below, "leave out the classes below the sieve SIZE")->type_name("SIZE");
+  command.add_option("--cut-below", cut_below, "leave out the classes below the sieve SIZE")
+      ->type_name("SIZE");
   command.add_option("--pan-size", pan_size, "count the pan as SIZE instead of 0")->type_name("SIZE");
   command.add_option("--digits", digits, "significant digits of sizes (15)")->type_name("D");
-  command.add_option("--scale", scale, "robust (sizes far from the sieves) or upper (largest sizes)")->type_name("WHICH");
-  command.add_option("--max-steps", max_steps, "stop after so many steps, with what is certain (exit 3)")->type_name("N");
-  command.add_option("--node-limit", node_limit, "stop after so many nodes of a search tree (exit 3)")->type_name("N");
+  command.add_option("--scale", scale, "robust (sizes far from the sieves) or upper (largest sizes)")
+      ->type_name("WHICH");
+  command.add_option("--max-steps", max_steps, "stop after so many steps, with what is certain (exit 3)")
+      ->type_name("N");
+  command.add_option("--node-limit", node_limit, "stop after so many nodes of a search tree (exit 3)")
+      ->type_name("N");
   command.add_option("--time-limit", time_limit, "stop after so many seconds (exit 3)")->type_name("S");
 }
 
@@ -107,7 +116,8 @@ Question SolveFlags::question() const {
   if (specimen && solids_volume)
     throw InputError("--specimen and --solids-volume: give one of them");
   if (specimen)
-    q.solids = named("--specimen", *specimen, [this](const std::string &t) { return parse_specimen(t, *void_ratio); });
+    q.solids = named("--specimen", *specimen,
+                     [this](const std::string &t) { return parse_specimen(t, *void_ratio); });
   if (solids_volume)
     q.solids = SolidsVolume{positive("--solids-volume", *solids_volume)};
   return q;

@@ -198,8 +198,8 @@ Gradation read_ags4(std::string_view content, const Source &source, const std::s
   const std::vector<Specimen> specimens = Ags4Reader(content, source).read();
   const Specimen &chosen = choose(specimens, source, specimen);
   if (chosen.rows.size() > max_gradation_rows)
-    source.refuse(chosen.rows.back().line, fmt::format("specimen {} has more than {} rows",
-                                                       in_quotes(chosen.id), max_gradation_rows));
+    source.refuse(chosen.rows.back().line,
+                  fmt::format("specimen {} has more than {} rows", in_quotes(chosen.id), max_gradation_rows));
   Table table;
   table.column = &percent_passing;
   table.id = id;

@@ -57,6 +57,15 @@ void drop_front(std::vector<Rational> &column, std::ptrdiff_t count) {
     column.erase(column.begin(), column.begin() + count);
 }
 
+/// The first openings, for a message.
+std::string openings(const std::vector<Rational> &sizes) {
+  constexpr std::size_t most = 30;
+  std::string text;
+  for (std::size_t j = 0; j < sizes.size() && j < most; ++j)
+    text += (j == 0 ? "" : ", ") + shown(sizes[j]);
+  return sizes.size() > most ? text + ", ..." : text;
+}
+
 } // namespace
 
 Gradation::Gradation(Data data) : data_(std::move(data)) {
@@ -85,7 +94,8 @@ Gradation Gradation::with_pan_size(const Rational &size) const {
 Gradation Gradation::cut_below(const Rational &size) const {
   const auto found = std::lower_bound(data_.sizes.begin(), data_.sizes.end(), size);
   if (found == data_.sizes.end() || *found != size)
-    throw InputError(fmt::format("there is no sieve of {} to cut at", opening(size, unit())));
+    throw InputError(fmt::format("there is no sieve of {} to cut at: the sieves are {}",
+                                 opening(size, unit()), openings(data_.sizes)));
   if (std::next(found) == data_.sizes.end())
     throw InputError(fmt::format("cutting at the largest sieve, {}, leaves nothing", opening(size, unit())));
   const std::ptrdiff_t count = found - data_.sizes.begin();

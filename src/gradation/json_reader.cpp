@@ -161,8 +161,8 @@ bool Handler::number_float(long double, const std::string &raw) {
   static const Rational limit(power(Integer(2), 1024));
   const Rational value = decimal(text);
   if (value >= limit)
-    refuse(fmt::format("{} {} is too large for a JSON number: write it as a string", place(),
-                       in_quotes(text)));
+    refuse(
+        fmt::format("{} {} is too large for a JSON number: write it as a string", place(), in_quotes(text)));
   add(value);
   return true;
 }

@@ -42,14 +42,6 @@ bool is_plain(std::string_view text) {
   }
   return std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7F; });
 }
-
-/// A file's name as it stands if it is printable, else escaped.
-std::string printable(std::string_view name) {
-  const bool clean =
-      is_utf8(name) && find_control(name).empty() && name.find_first_of("\t\r\n") == std::string_view::npos;
-  return clean ? std::string(name) : in_quotes(name);
-}
-
 } // namespace
 
 void Source::refuse(std::size_t line, const std::string &what) const {

@@ -7,7 +7,9 @@ namespace mdm {
 namespace {
 
 /// q^b f / m.
-Rational lower_end(const ProblemClass &c, const Integer &q, unsigned b) { return ratio(power(q, b) * c.f, c.mass); }
+Rational lower_end(const ProblemClass &c, const Integer &q, unsigned b) {
+  return ratio(power(q, b) * c.f, c.mass);
+}
 
 /// floor(2^bits / a_j) for each class, where a_j^b = f_j / m_j.
 std::vector<Integer> inverse_lower_ends(const Problem &problem, unsigned bits) {
@@ -36,10 +38,10 @@ std::vector<Integer> counts_near(const Problem &problem, const Integer &n) {
   return counts;
 }
 
-/// Adds particles to the lower ends q of the least feasible scale above z, from the finest class up, until n are there or
-/// no more fit.
-std::vector<Integer> filled(const Problem &problem, std::vector<Integer> q, const Rational &z, const Rational &start,
-                            const Integer &n) {
+/// Adds particles to the lower ends q of the least feasible scale above z, from the finest class up, until n
+/// are there or no more fit.
+std::vector<Integer> filled(const Problem &problem, std::vector<Integer> q, const Rational &z,
+                            const Rational &start, const Integer &n) {
   const Rational lowest = std::max(z, problem.lowest_scale(q));
   const bool at_start = start > lowest;
   const auto room = largest_counts(problem, at_start ? start : lowest, !at_start);
@@ -93,7 +95,8 @@ Rational crowded_scale(const Problem &problem, const Integer &n) {
   return scale;
 }
 
-AtLeastMatch at_least_match(const Problem &problem, const Integer &n, const Rational &start, const Limits &limits) {
+AtLeastMatch at_least_match(const Problem &problem, const Integer &n, const Rational &start,
+                            const Limits &limits) {
   LeastMatch least = least_match(problem, limits);
   if (least.complete && total(least.q) >= n)
     return {least.q, 0, std::move(least)};

@@ -5,9 +5,9 @@
 namespace mdm {
 namespace {
 
-/// Relative error bound of the doubles below: a level is off by at most 8u, a quotient by at most 14u (lower 5u, count
-/// 2u, per_upper 5u, an operation u each) plus terms in u^2; 2^-49 = 16u. A difference of two levels is decided if it
-/// is more than 2^-48 of them.
+/// Relative error bound of the doubles below: a level is off by at most 8u, a quotient by at most 14u (lower
+/// 5u, count 2u, per_upper 5u, an operation u each) plus terms in u^2; 2^-49 = 16u. A difference of two
+/// levels is decided if it is more than 2^-48 of them.
 constexpr double quotient_error = 0x1p-49;
 constexpr double level_error = 0x1p-48;
 
@@ -46,7 +46,9 @@ private:
   };
 
   /// n^b f, the numerator of a level.
-  Int product(const Class &c, const Int &n) const { return problem_.b == 1 ? n * c.f : power(n, problem_.b) * c.f; }
+  Int product(const Class &c, const Int &n) const {
+    return problem_.b == 1 ? n * c.f : power(n, problem_.b) * c.f;
+  }
 
   /// The largest integer q with q^b F / mass <= L, where doubles do not decide.
   Int exact_count_below(const Class &c) const {
@@ -90,7 +92,8 @@ private:
     if (limits_.max_steps && chain.size() >= *limits_.max_steps)
       return true;
     constexpr std::uint64_t between_looks = 1024;
-    return limits_.deadline && ++looks_ % between_looks == 0 && std::chrono::steady_clock::now() > *limits_.deadline;
+    return limits_.deadline && ++looks_ % between_looks == 0 &&
+           std::chrono::steady_clock::now() > *limits_.deadline;
   }
 
   /// First step: the largest level of the floors.

@@ -1,6 +1,5 @@
-#include <mdm/match/problem.hpp>
-
 #include <mdm/error.hpp>
+#include <mdm/match/problem.hpp>
 #include <mdm/number/common_denominator.hpp>
 
 #include <algorithm>
@@ -8,11 +7,13 @@
 namespace mdm {
 namespace {
 
-/// Powers beyond this many bits are refused: the checker has the same limit (certificate-format.md, section 2).
+/// Powers beyond this many bits are refused: the checker has the same limit (certificate-format.md, section
+/// 2).
 constexpr std::size_t max_power_bits = std::size_t{1} << 20;
 
 std::size_t longest_part(const Rational &r) {
-  return std::max(mpz_sizeinbase(mpq_numref(r.backend().data()), 2), mpz_sizeinbase(mpq_denref(r.backend().data()), 2));
+  return std::max(mpz_sizeinbase(mpq_numref(r.backend().data()), 2),
+                  mpz_sizeinbase(mpq_denref(r.backend().data()), 2));
 }
 
 void check_powers(const Gradation &g, const MassLaw &law, const Integer &min_per_class) {
@@ -22,7 +23,8 @@ void check_powers(const Gradation &g, const MassLaw &law, const Integer &min_per
   for (std::size_t j = 0; g.has_factors() && j < g.classes(); ++j)
     bits = std::max(bits, longest_part(g.factor(j)));
   if (bits * std::max(law.a, law.b) > max_power_bits)
-    throw InputError("the exponent " + law.exponent() + " is too large for numbers this long: round one of them");
+    throw InputError("the exponent " + law.exponent() +
+                     " is too large for numbers this long: round one of them");
 }
 
 /// sum m_j / c_j.
@@ -57,7 +59,8 @@ Problem::Problem(const Gradation &g, const MassLaw &law, const Integer &min_per_
   classes_.reserve(g.classes());
   for (std::size_t j = 0; j < g.classes(); ++j)
     if (g.mass(j) != 0)
-      classes_.push_back({j, sizes.numerators[j], sizes.numerators[j + 1], power(masses.numerators[j], law.b), min_per_class});
+      classes_.push_back({j, sizes.numerators[j], sizes.numerators[j + 1], power(masses.numerators[j], law.b),
+                          min_per_class});
   if (!g.has_factors())
     return;
   const CommonDenominator factors(g.factors());
@@ -74,8 +77,8 @@ Problem Problem::from_scale(const Rational &start, bool open) const {
   const Integer d = denominator(start);
   Problem higher = *this;
   for (ProblemClass &c : higher.classes_) {
-    // Least q with q^b F / m >= start (or > start). Over the integers q^b >= y means q^b >= ceil(y), and q^b > y means
-    // q^b >= floor(y) + 1; the least q with q^b >= y is floor_root(y - 1) + 1.
+    // Least q with q^b F / m >= start (or > start). Over the integers q^b >= y means q^b >= ceil(y), and q^b
+    // > y means q^b >= floor(y) + 1; the least q with q^b >= y is floor_root(y - 1) + 1.
     const Integer below = open ? floor_div(n * c.mass, d * c.F) : Integer(ceil_div(n * c.mass, d * c.F) - 1);
     if (below >= 0)
       c.floor = std::max(c.floor, Integer(floor_root(below, law_.b) + 1));

@@ -5,8 +5,9 @@
 namespace mdm {
 namespace {
 
-/// The simplest rational in a part of [m, m + width / 127], m = sqrt(above * up_to). Both ends of the part are multiples of
-/// 2^-bits <= width / 2^14, the lower one less than two of them above m, so that their numbers stay short.
+/// The simplest rational in a part of [m, m + width / 127], m = sqrt(above * up_to). Both ends of the part
+/// are multiples of 2^-bits <= width / 2^14, the lower one less than two of them above m, so that their
+/// numbers stay short.
 Rational simplest_near_middle(const Rational &above, const Rational &up_to) {
   const Rational width = up_to - above;
   const std::size_t small = bit_length(denominator(width)) + 15;
@@ -35,7 +36,8 @@ Rational choose_scale(const Window &w, ScaleChoice choice, unsigned digits) {
   const Rational &start = w.start->hi;
   if (w.start->exact())
     return start;
-  const Rational room = std::min(Rational((w.up_to - start) / 2), Rational(start / Rational(power_of_ten(digits))));
+  const Rational room =
+      std::min(Rational((w.up_to - start) / 2), Rational(start / Rational(power_of_ten(digits))));
   return simplest_between(start, Rational(start + room));
 }
 

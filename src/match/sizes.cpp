@@ -1,6 +1,5 @@
-#include <mdm/match/sizes.hpp>
-
 #include <mdm/error.hpp>
+#include <mdm/match/sizes.hpp>
 
 #include <algorithm>
 
@@ -24,8 +23,8 @@ bool inside(const Enclosure &x, const Rational &lower, const Rational &upper) {
 
 } // namespace
 
-std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem, const std::vector<Integer> &q,
-                                     const Rational &scale, unsigned digits) {
+std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem,
+                                     const std::vector<Integer> &q, const Rational &scale, unsigned digits) {
   const MassLaw &law = problem.law();
   std::vector<Enclosure> sizes;
   sizes.reserve(q.size());
@@ -42,8 +41,8 @@ std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem,
     Enclosure x = enclose_root(n, d, law.a, digits);
     for (unsigned more = 2 * digits; !inside(x, g.lower(index), g.upper(index)); more *= 2) {
       if (x.lo != x.hi && exact_root(ratio(n, d), law.a) == g.upper(index))
-        throw InputError("class " + std::to_string(index + 1) + ": the size is the opening " + to_string(g.upper(index)) +
-                         " itself, which is no decimal: choose another scale");
+        throw InputError("class " + std::to_string(index + 1) + ": the size is the opening " +
+                         to_string(g.upper(index)) + " itself, which is no decimal: choose another scale");
       x = enclose_root(n, d, law.a, more);
     }
     sizes.push_back(std::move(x));
@@ -51,7 +50,8 @@ std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem,
   return sizes;
 }
 
-Rational size_margin(const MassLaw &law, const Rational &above, const Rational &up_to, const Rational &scale) {
+Rational size_margin(const MassLaw &law, const Rational &above, const Rational &up_to,
+                     const Rational &scale) {
   // closest = n / d >= 1 is the lesser of up_to / scale and scale / above.
   Integer n = numerator(up_to) * denominator(scale);
   Integer d = denominator(up_to) * numerator(scale);
@@ -65,7 +65,8 @@ Rational size_margin(const MassLaw &law, const Rational &above, const Rational &
   }
   if (n == d)
     return 0;
-  // (n/d)^(1/a) - 1 is about (n - d) / (a d): so many zeros, then three digits and some more. 3 bits are less than a digit.
+  // (n/d)^(1/a) - 1 is about (n - d) / (a d): so many zeros, then three digits and some more. 3 bits are less
+  // than a digit.
   const std::size_t large = bit_length(d) + bit_length(law.a);
   const std::size_t small = bit_length(Integer(n - d));
   for (unsigned digits = 6 + static_cast<unsigned>(large > small ? (large - small) / 3 : 0);; digits *= 2) {

@@ -1,6 +1,5 @@
-#include <mdm/match/solids.hpp>
-
 #include <mdm/error.hpp>
+#include <mdm/match/solids.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/pi.hpp>
 
@@ -42,7 +41,8 @@ Solids parse_specimen(std::string_view shape, std::string_view void_ratio) {
     if (kind == "box" && l.size() == 3)
       return Box{l[0], l[1], l[2], e};
   }
-  throw InputError("specimen " + in_quotes(shape) + " is neither cylinder:DxH nor box:AxBxC, such as cylinder:50x24.4");
+  throw InputError("specimen " + in_quotes(shape) +
+                   " is neither cylinder:DxH nor box:AxBxC, such as cylinder:50x24.4");
 }
 
 StartScale start_scale(const Solids &solids, const Rational &weight, unsigned pi_places) {

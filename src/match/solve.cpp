@@ -1,6 +1,5 @@
-#include <mdm/match/solve.hpp>
-
 #include <mdm/error.hpp>
+#include <mdm/match/solve.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/pi.hpp>
 
@@ -9,7 +8,8 @@
 namespace mdm {
 namespace {
 
-/// Digits of pi after the point at which a start scale that is still undecided is given up: the limit of certificates.
+/// Digits of pi after the point at which a start scale that is still undecided is given up: the limit of
+/// certificates.
 constexpr unsigned most_pi_places = 1000;
 
 /// A start scale with bounds so close that nothing which is decided about s_0 differs between them.
@@ -19,7 +19,8 @@ public:
     if (!question.solids)
       return;
     if (!question.law.is_sphere())
-      throw InputError("a specimen or volume of solids needs spheres: leave out --law " + question.law.exponent());
+      throw InputError("a specimen or volume of solids needs spheres: leave out --law " +
+                       question.law.exponent());
     solids_ = question.solids;
     weight_ = problem.weight();
     refresh();
@@ -30,7 +31,8 @@ public:
     if (!bounds_ || bounds_->exact())
       return false;
     if (places_ == most_pi_places)
-      throw InputError("the volume is so close to that of a match that 1000 digits of pi do not decide: change it");
+      throw InputError(
+          "the volume is so close to that of a match that 1000 digits of pi do not decide: change it");
     places_ = std::min(2 * places_, most_pi_places);
     refresh();
     return true;
@@ -90,19 +92,22 @@ void note_precision(Match &match, const Rational &above) {
   if (match.margin >= double_step)
     return;
   const MassLaw &law = match.question.law;
-  // The best margin, at the geometric middle, is (up_to / above)^(1/2a) - 1 >= y iff up_to / above >= (1 + y)^(2a).
+  // The best margin, at the geometric middle, is (up_to / above)^(1/2a) - 1 >= y iff up_to / above >= (1 +
+  // y)^(2a).
   const bool hopeless = above > 0 && match.window.up_to < above * power(Rational(1 + double_step), 2 * law.a);
-  match.notes.push_back(
-      hopeless ? "no scale keeps all sizes 2^-50 (relative) away from the sieves: numbers in double precision cannot hold this match"
-               : "at this scale a size is within 2^-50 (relative) of a sieve: in double precision it may fall out of its class");
+  match.notes.push_back(hopeless ? "no scale keeps all sizes 2^-50 (relative) away from the sieves: numbers "
+                                   "in double precision cannot hold this match"
+                                 : "at this scale a size is within 2^-50 (relative) of a sieve: in double "
+                                   "precision it may fall out of its class");
 }
 
 void note_digits(Match &match, unsigned digits) {
   for (std::size_t j = 0; j < match.sizes.size(); ++j) {
     const Enclosure &x = match.sizes[j];
     if (x.lo != x.hi && to_string(x.lo).size() > digits && x.places > 0)
-      match.notes.push_back("class " + std::to_string(match.problem.classes()[j].index + 1) + ": the size is printed with " +
-                            std::to_string(to_string(x.lo).size()) + " digits, to lie inside its class");
+      match.notes.push_back("class " + std::to_string(match.problem.classes()[j].index + 1) +
+                            ": the size is printed with " + std::to_string(to_string(x.lo).size()) +
+                            " digits, to lie inside its class");
   }
 }
 
@@ -138,7 +143,8 @@ Match solve(Gradation g, const Question &question, const SolveOptions &options) 
   match.digits = options.digits;
   match.notes = match.gradation.notes();
 
-  const Rational from = start.bounds() ? Rational(start.bounds()->lo / match.problem.scale_unit()) : Rational(0);
+  const Rational from =
+      start.bounds() ? Rational(start.bounds()->lo / match.problem.scale_unit()) : Rational(0);
   AtLeastMatch found = at_least_match(match.problem, question.at_least, from, options.limits);
   match.lower_bound = std::max(total(found.least.q), question.at_least);
   match.complete = found.least.complete;

@@ -1,6 +1,5 @@
-#include <mdm/match/spectrum.hpp>
-
 #include <mdm/match/at_least.hpp>
+#include <mdm/match/spectrum.hpp>
 
 #include <algorithm>
 
@@ -18,8 +17,8 @@ Integer spread_below(const Problem &problem, unsigned bits) {
   return sum;
 }
 
-/// A scale from which on the reachable numbers have no gap as long as every class stays feasible (Theorem 8): no floor
-/// binds, and s sum(1/a_j - 1/b_j) >= 3k - 1.
+/// A scale from which on the reachable numbers have no gap as long as every class stays feasible (Theorem 8):
+/// no floor binds, and s sum(1/a_j - 1/b_j) >= 3k - 1.
 Rational gapless_scale(const Problem &problem) {
   const unsigned b = problem.law().b;
   unsigned bits = 64;
@@ -32,8 +31,8 @@ Rational gapless_scale(const Problem &problem) {
   return scale;
 }
 
-/// The highest scale up to which every class stays feasible above the lower ends q; nothing if there is none: a settled
-/// class is feasible at every higher scale, another one up to q^b F / mass.
+/// The highest scale up to which every class stays feasible above the lower ends q; nothing if there is none:
+/// a settled class is feasible at every higher scale, another one up to q^b F / mass.
 std::optional<Rational> feasible_up_to(const Problem &problem, const std::vector<Integer> &settled,
                                        const std::vector<Integer> &q) {
   std::optional<Rational> end;
@@ -82,8 +81,8 @@ Spectrum spectrum(const Problem &problem, const Limits &limits) {
   for (const ProblemClass &c : problem.classes())
     settled.push_back(settled_count(c, problem.law().b));
   for (std::uint64_t step = 1;; ++step) {
-    // From the lower ends q at their lowest scale up to the most particles at `end` everything is reached: while q stays
-    // the lower ends, or, where gaps are excluded, while every class is feasible.
+    // From the lower ends q at their lowest scale up to the most particles at `end` everything is reached:
+    // while q stays the lower ends, or, where gaps are excluded, while every class is feasible.
     std::optional<Rational> end = problem.highest_scale(least.q);
     if (problem.lowest_scale(least.q) >= gapless)
       end = feasible_up_to(problem, settled, least.q);

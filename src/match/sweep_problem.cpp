@@ -8,7 +8,9 @@ namespace {
 
 constexpr double not_certain = std::numeric_limits<double>::quiet_NaN();
 
-bool in_safe_range(double x) { return x >= 0x1p-200 && x <= 0x1p200; }
+bool in_safe_range(double x) {
+  return x >= 0x1p-200 && x <= 0x1p200;
+}
 
 } // namespace
 
@@ -37,7 +39,8 @@ template <class Int>
 SweepProblem<Int>::SweepProblem(const Problem &problem) : b(problem.law().b) {
   classes.reserve(problem.classes().size());
   for (const ProblemClass &given : problem.classes()) {
-    SweepClass<Int> c{Int(given.f), Int(given.F), Int(given.mass), Int(given.floor), Int(settled_count(given, b)), 0, 0, 0};
+    SweepClass<Int> c{
+        Int(given.f), Int(given.F), Int(given.mass), Int(given.floor), Int(settled_count(given, b)), 0, 0, 0};
     c.floor_approx = to_double(c.floor);
     c.lower = to_double(c.f) / to_double(c.mass);
     c.per_upper = to_double(c.mass) / to_double(c.F);

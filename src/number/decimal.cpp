@@ -1,6 +1,5 @@
-#include <mdm/number/decimal.hpp>
-
 #include <mdm/error.hpp>
+#include <mdm/number/decimal.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -16,7 +15,9 @@ struct Parts {
   long exponent = 0;
 };
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
 
 [[noreturn]] void refuse(std::string_view text, const char *why) {
   throw InputError(in_quotes(text) + " " + why);
@@ -46,7 +47,8 @@ long take_exponent(std::string_view text, std::string_view &rest) {
     refuse(text, "is not a number: write a decimal such as 3.86");
   digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
   unsigned value = 0;
-  if (digits.size() > 6 || std::from_chars(digits.data(), digits.data() + digits.size(), value).ec != std::errc{} ||
+  if (digits.size() > 6 ||
+      std::from_chars(digits.data(), digits.data() + digits.size(), value).ec != std::errc{} ||
       value > max_decimal_exponent)
     refuse(text, "has an exponent beyond 400: choose another unit");
   return negative ? -static_cast<long>(value) : static_cast<long>(value);
@@ -166,7 +168,9 @@ std::optional<std::string> exact_decimal(const Rational &r) {
   return decimal_string(Integer(numerator(r) * power_of_ten(digits) / denominator(r)), digits);
 }
 
-std::string to_decimal(const Rational &r) { return exact_decimal(r).value(); }
+std::string to_decimal(const Rational &r) {
+  return exact_decimal(r).value();
+}
 
 std::string approximate(const Rational &r, unsigned digits) {
   if (r == 0)

@@ -1,6 +1,5 @@
-#include <mdm/number/enclosure.hpp>
-
 #include <mdm/number/decimal.hpp>
+#include <mdm/number/enclosure.hpp>
 
 namespace mdm {
 namespace {
@@ -38,21 +37,31 @@ std::optional<Enclosure> decimal_root(const Integer &n, const Integer &d, unsign
 
 /// Decimal places that give (n/d)^(1/degree) `digits` significant digits or one more.
 unsigned places_for(const Integer &n, const Integer &d, unsigned degree, unsigned digits) {
-  // y^degree = n/d has some (bits of n/d) / degree bits before the point. log10(2) < 0.30103 and > 0.30102; the estimate
-  // of the leading digit's place is never too high, and one too low at most.
+  // y^degree = n/d has some (bits of n/d) / degree bits before the point. log10(2) < 0.30103 and > 0.30102;
+  // the estimate of the leading digit's place is never too high, and one too low at most.
   const long bits = static_cast<long>(bit_length(n)) - static_cast<long>(bit_length(d)) - 1;
-  const long degree_bits = bits >= 0 ? bits / static_cast<long>(degree) : -((-bits - 1) / static_cast<long>(degree)) - 1;
-  const long leading = degree_bits >= 0 ? degree_bits * 30102 / 100000 : -((-degree_bits * 30103 - 1) / 100000) - 1;
+  const long degree_bits =
+      bits >= 0 ? bits / static_cast<long>(degree) : -((-bits - 1) / static_cast<long>(degree)) - 1;
+  const long leading =
+      degree_bits >= 0 ? degree_bits * 30102 / 100000 : -((-degree_bits * 30103 - 1) / 100000) - 1;
   const long wanted = static_cast<long>(digits) - 1 - leading;
   return wanted > 0 ? static_cast<unsigned>(wanted) : 0;
 }
 
 } // namespace
 
-Rational Enclosure::lower() const { return ratio(lo, power_of_ten(places)); }
-Rational Enclosure::upper() const { return ratio(hi, power_of_ten(places)); }
-std::string Enclosure::lower_text() const { return decimal_string(lo, places); }
-std::string Enclosure::upper_text() const { return decimal_string(hi, places); }
+Rational Enclosure::lower() const {
+  return ratio(lo, power_of_ten(places));
+}
+Rational Enclosure::upper() const {
+  return ratio(hi, power_of_ten(places));
+}
+std::string Enclosure::lower_text() const {
+  return decimal_string(lo, places);
+}
+std::string Enclosure::upper_text() const {
+  return decimal_string(hi, places);
+}
 std::string Enclosure::text() const {
   return lo == hi ? lower_text() : "[" + fixed_decimal(lo, places) + ", " + fixed_decimal(hi, places) + "]";
 }

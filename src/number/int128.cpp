@@ -17,8 +17,10 @@ Integer Int128::to_integer() const {
   const bool negative = value_ < 0;
   // The magnitude in two's complement, right for the most negative value too.
   __extension__ typedef unsigned __int128 Magnitude;
-  const Magnitude magnitude = negative ? Magnitude{0} - static_cast<Magnitude>(value_) : static_cast<Magnitude>(value_);
-  const std::uint64_t limbs[2] = {static_cast<std::uint64_t>(magnitude), static_cast<std::uint64_t>(magnitude >> 64)};
+  const Magnitude magnitude =
+      negative ? Magnitude{0} - static_cast<Magnitude>(value_) : static_cast<Magnitude>(value_);
+  const std::uint64_t limbs[2] = {static_cast<std::uint64_t>(magnitude),
+                                  static_cast<std::uint64_t>(magnitude >> 64)};
   Integer n;
   mpz_import(n.backend().data(), 2, -1, sizeof(std::uint64_t), 0, 0, limbs);
   return negative ? Integer(-n) : n;

@@ -1,6 +1,5 @@
-#include <mdm/number/integer.hpp>
-
 #include <mdm/number/decimal.hpp>
+#include <mdm/number/integer.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -46,13 +45,15 @@ Integer power_of_ten(unsigned exponent) {
 
 namespace {
 
-/// A number near n^(1/degree), for n > 0: a root in double, brought to about 100 bits by a step of Newton's method.
+/// A number near n^(1/degree), for n > 0: a root in double, brought to about 100 bits by a step of Newton's
+/// method.
 Integer near_root(const Integer &n, unsigned degree) {
   long exponent = 0;
   const double mantissa = mpz_get_d_2exp(&exponent, n.backend().data());
   const long shift = exponent / static_cast<long>(degree);
-  const double root = std::pow(std::ldexp(mantissa, static_cast<int>(exponent - shift * static_cast<long>(degree))),
-                               1.0 / static_cast<double>(degree));
+  const double root =
+      std::pow(std::ldexp(mantissa, static_cast<int>(exponent - shift * static_cast<long>(degree))),
+               1.0 / static_cast<double>(degree));
   constexpr int bits = 52;
   Integer y = static_cast<std::int64_t>(std::ldexp(root, bits));
   if (shift <= bits)
@@ -87,7 +88,9 @@ Integer floor_root(const Integer &n, unsigned degree) {
   return root;
 }
 
-std::size_t bit_length(const Integer &n) { return mpz_sizeinbase(n.backend().data(), 2); }
+std::size_t bit_length(const Integer &n) {
+  return mpz_sizeinbase(n.backend().data(), 2);
+}
 
 std::optional<Integer> parse_natural(std::string_view text) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };

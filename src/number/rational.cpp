@@ -33,14 +33,16 @@ Rational power(const Rational &base, unsigned exponent) {
 std::optional<Rational> exact_root(const Rational &r, unsigned degree) {
   // A fraction in lowest terms is a power iff both its parts are; their roots are coprime too.
   Rational root;
-  const bool exact = mpz_root(mpq_denref(root.backend().data()), mpq_denref(r.backend().data()), degree) != 0 &&
-                     mpz_root(mpq_numref(root.backend().data()), mpq_numref(r.backend().data()), degree) != 0;
+  const bool exact =
+      mpz_root(mpq_denref(root.backend().data()), mpq_denref(r.backend().data()), degree) != 0 &&
+      mpz_root(mpq_numref(root.backend().data()), mpq_numref(r.backend().data()), degree) != 0;
   return exact ? std::optional(root) : std::nullopt;
 }
 
 Rational simplest_between(const Rational &lo, const Rational &hi) {
-  // [n/d, m/e] = [lo, hi]. While no integer lies in it, both ends have the same integer part t: it is subtracted and the
-  // rest inverted, which exchanges the ends. (p1, q1) and (p0, q0) are the last convergents of these t.
+  // [n/d, m/e] = [lo, hi]. While no integer lies in it, both ends have the same integer part t: it is
+  // subtracted and the rest inverted, which exchanges the ends. (p1, q1) and (p0, q0) are the last
+  // convergents of these t.
   Integer n = numerator(lo), d = denominator(lo), m = numerator(hi), e = denominator(hi);
   Integer p0 = 0, q0 = 1, p1 = 1, q1 = 0, t, rest;
   const auto extend = [&t](Integer &before, Integer &last) {

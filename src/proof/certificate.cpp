@@ -1,10 +1,10 @@
-#include <mdm/proof/certificate.hpp>
-
 #include <mdm/error.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/proof/certificate.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <iterator>
 
 namespace mdm {
@@ -23,14 +23,17 @@ bool fits(const Match &m, const Integer &n) {
 void check_powers(const Match &m) {
   const auto fit = [&m](const Integer &n) { return fits(m, n); };
   if (!fit(m.question.at_least) || !fit(m.particles()) || !std::all_of(m.q.begin(), m.q.end(), fit))
-    throw InputError("the exponent " + m.question.law.exponent() + " is too large for a certificate of quantities this long");
+    throw InputError("the exponent " + m.question.law.exponent() +
+                     " is too large for a certificate of quantities this long");
 }
 
 std::string solids_line(const Solids &solids) {
   if (const Cylinder *c = std::get_if<Cylinder>(&solids))
-    return fmt::format("cylinder {} {} {}\n", to_decimal(c->diameter), to_decimal(c->height), to_decimal(c->void_ratio));
+    return fmt::format("cylinder {} {} {}\n", to_decimal(c->diameter), to_decimal(c->height),
+                       to_decimal(c->void_ratio));
   if (const Box *b = std::get_if<Box>(&solids))
-    return fmt::format("box {} {} {} {}\n", to_decimal(b->a), to_decimal(b->b), to_decimal(b->c), to_decimal(b->void_ratio));
+    return fmt::format("box {} {} {} {}\n", to_decimal(b->a), to_decimal(b->b), to_decimal(b->c),
+                       to_decimal(b->void_ratio));
   return fmt::format("solids-volume {}\n", to_decimal(std::get<SolidsVolume>(solids).volume));
 }
 
@@ -62,8 +65,8 @@ std::string witness_lines(const Match &m) {
       precise ? m.sizes : enclose_sizes(m.gradation, m.problem, m.q, m.scale, least_digits);
   std::string text = fmt::format("particles {}\nscale {}\n", to_string(m.particles()), to_string(m.scale));
   for (std::size_t j = 0; j < m.q.size(); ++j)
-    fmt::format_to(std::back_inserter(text), "class {} {} {} {}\n", m.problem.classes()[j].index + 1, to_string(m.q[j]),
-                   sizes[j].lower_text(), sizes[j].upper_text());
+    fmt::format_to(std::back_inserter(text), "class {} {} {} {}\n", m.problem.classes()[j].index + 1,
+                   to_string(m.q[j]), sizes[j].lower_text(), sizes[j].upper_text());
   return text;
 }
 

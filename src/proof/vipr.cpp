@@ -1,8 +1,8 @@
+#include <mdm/error.hpp>
 #include <mdm/proof/vipr.hpp>
 
-#include <mdm/error.hpp>
-
 #include <fmt/format.h>
+
 #include <iterator>
 
 namespace mdm {
@@ -16,7 +16,8 @@ struct LinearClass {
 Integer root_of(const Integer &n, const MassLaw &law) {
   const Integer root = floor_root(n, law.b);
   if (power(root, law.b) != n)
-    throw InputError("--vipr: the mass law x^(" + law.exponent() + ") is irrational at a sieve, VIPR has rational numbers only");
+    throw InputError("--vipr: the mass law x^(" + law.exponent() +
+                     ") is irrational at a sieve, VIPR has rational numbers only");
   return root;
 }
 
@@ -134,8 +135,9 @@ private:
       bounds[j].constraint = derive("G {} 1 {} 1 {{ rnd 1 {} {} }}", to_string(least), j, pair_index(i, j),
                                     to_string(ratio(1, p.A)));
     else
-      bounds[j].constraint = derive("G {} 1 {} 1 {{ rnd 2 {} {} {} {} }}", to_string(least), j, pair_index(i, j),
-                                    to_string(ratio(1, p.A)), bounds[i].constraint, to_string(ratio(p.B, p.A)));
+      bounds[j].constraint =
+          derive("G {} 1 {} 1 {{ rnd 2 {} {} {} {} }}", to_string(least), j, pair_index(i, j),
+                 to_string(ratio(1, p.A)), bounds[i].constraint, to_string(ratio(p.B, p.A)));
     bounds[j].value = least;
   }
 
@@ -160,10 +162,11 @@ private:
       follow(floors(), m_.chain);
   }
 
-  /// At least M particles, N > M (Theorem 7): either all q_j <= h_j, the most at the scale z, which is too few in sum, or
-  /// some q_j >= h_j + 1, which puts the scale above z.
+  /// At least M particles, N > M (Theorem 7): either all q_j <= h_j, the most at the scale z, which is too
+  /// few in sum, or some q_j >= h_j + 1, which puts the scale above z.
   void split() {
-    const std::vector<std::optional<Integer>> most = largest_counts(m_.problem, Rational(m_.above / m_.problem.scale_unit()), false);
+    const std::vector<std::optional<Integer>> most =
+        largest_counts(m_.problem, Rational(m_.above / m_.problem.scale_unit()), false);
     std::vector<std::size_t> few;
     std::string terms = fmt::format(" {} 1", number_index());
     for (std::size_t j = 0; j < most.size(); ++j) {
@@ -193,7 +196,8 @@ private:
 
 std::string vipr(const Match &m) {
   if (m.problem.classes().size() > most_vipr_classes)
-    throw InputError("--vipr: more than 200 classes have mass, the export has a constraint for each pair: leave it out");
+    throw InputError(
+        "--vipr: more than 200 classes have mass, the export has a constraint for each pair: leave it out");
   return Writer(m).text();
 }
 

@@ -1,12 +1,13 @@
-#include <mdm/report/answer.hpp>
-
+#include <mdm/error.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/report/answer.hpp>
 #include <mdm/report/json_text.hpp>
 #include <mdm/report/versions.hpp>
 
+#include <fmt/compile.h>
+
 #include <algorithm>
 #include <array>
-#include <fmt/compile.h>
 #include <iterator>
 
 namespace mdm {
@@ -15,16 +16,16 @@ namespace {
 /// One class of the gradation as all three forms show it.
 struct Row {
   std::string lower, upper, mass;
-  std::string quantity;               // empty: no answer
-  std::optional<Enclosure> size;      // nothing for an empty class
+  std::string quantity;          // empty: no answer
+  std::optional<Enclosure> size; // nothing for an empty class
 };
 
 std::vector<Row> rows(const Match &m) {
   const Gradation &g = m.gradation;
   std::vector<Row> rows(g.classes());
   for (std::size_t j = 0; j < rows.size(); ++j)
-    rows[j] = {j == 0 ? to_decimal(g.lower(0)) : rows[j - 1].upper, to_decimal(g.upper(j)), to_decimal(g.mass(j)),
-               m.has_answer() ? "0" : "", std::nullopt};
+    rows[j] = {j == 0 ? to_decimal(g.lower(0)) : rows[j - 1].upper, to_decimal(g.upper(j)),
+               to_decimal(g.mass(j)), m.has_answer() ? "0" : "", std::nullopt};
   for (std::size_t i = 0; m.has_answer() && i < m.q.size(); ++i) {
     Row &row = rows[m.problem.classes()[i].index];
     row.quantity = to_string(m.q[i]);
@@ -48,14 +49,15 @@ void add(Buffer &out, fmt::format_string<Args...> format, Args &&...args) {
 /// Formats are compiled here: with rows, parsing them at run time costs as much as the rest of a report.
 void add_json_row(Buffer &out, const Row &row) {
   const auto to = std::back_inserter(out);
-  fmt::format_to(to, FMT_COMPILE(R"({{"lower":"{}","upper":"{}","mass":"{}",)"), row.lower, row.upper, row.mass);
+  fmt::format_to(to, FMT_COMPILE(R"({{"lower":"{}","upper":"{}","mass":"{}",)"), row.lower, row.upper,
+                 row.mass);
   if (row.quantity.empty())
     fmt::format_to(to, FMT_COMPILE(R"("quantity":null,"size":null}})"));
   else if (!row.size)
     fmt::format_to(to, FMT_COMPILE(R"("quantity":"{}","size":null}})"), row.quantity);
   else
-    fmt::format_to(to, FMT_COMPILE(R"("quantity":"{}","size":["{}","{}"]}})"), row.quantity, row.size->lower_text(),
-                   row.size->upper_text());
+    fmt::format_to(to, FMT_COMPILE(R"("quantity":"{}","size":["{}","{}"]}})"), row.quantity,
+                   row.size->lower_text(), row.size->upper_text());
 }
 
 /// The margin, which has three digits; with an exponent if it is tiny.
@@ -77,7 +79,8 @@ void add_json_scale(Buffer &out, const Match &m) {
 void add_json_spectrum(Buffer &out, const Spectrum &s) {
   add(out, R"(,"spectrum":{{"intervals":[)");
   for (std::size_t i = 0; i < s.intervals.size(); ++i)
-    add(out, R"({}["{}","{}"])", i == 0 ? "" : ",", to_string(s.intervals[i].first), to_string(s.intervals[i].second));
+    add(out, R"({}["{}","{}"])", i == 0 ? "" : ",", to_string(s.intervals[i].first),
+        to_string(s.intervals[i].second));
   add(out, R"(],"{}":"{}"}})", s.complete ? "all_from" : "unknown_from", to_string(s.all_from));
 }
 
@@ -95,7 +98,8 @@ std::string headline(const Match &m) {
   case Status::optimal:
     return n + " particles: the smallest set that matches exactly";
   case Status::feasible:
-    return "stopped at a limit: the smallest set that matches exactly has N in [" + least + ", " + n + "] particles; below is one with " + n;
+    return "stopped at a limit: the smallest set that matches exactly has N in [" + least + ", " + n +
+           "] particles; below is one with " + n;
   case Status::none:
     return "no match within the limit on N: the smallest set that matches exactly has " +
            (m.complete ? least : "at least " + least) + " particles";
@@ -109,7 +113,8 @@ std::string headline(const Match &m) {
 void add_table(Buffer &out, const Match &m) {
   using Line = std::array<std::string, 5>;
   const std::string unit(name(m.gradation.unit()));
-  std::vector<Line> lines = {Line{"class", "sizes (" + unit + "]", "mass", "quantity", "size of a particle (" + unit + ")"}};
+  std::vector<Line> lines = {
+      Line{"class", "sizes (" + unit + "]", "mass", "quantity", "size of a particle (" + unit + ")"}};
   const std::vector<Row> all = rows(m);
   for (std::size_t j = 0; j < all.size(); ++j) {
     const Row &r = all[j];
@@ -121,7 +126,8 @@ void add_table(Buffer &out, const Match &m) {
     for (std::size_t i = 0; i < width.size(); ++i)
       width[i] = std::max(width[i], line[i].size());
   for (const Line &l : lines)
-    add(out, "  {:>{}}  {:<{}}  {:>{}}  {:>{}}  {}\n", l[0], width[0], l[1], width[1], l[2], width[2], l[3], width[3], l[4]);
+    add(out, "  {:>{}}  {:<{}}  {:>{}}  {:>{}}  {}\n", l[0], width[0], l[1], width[1], l[2], width[2], l[3],
+        width[3], l[4]);
 }
 
 void add_text_scale(Buffer &out, const Match &m) {
@@ -130,8 +136,8 @@ void add_text_scale(Buffer &out, const Match &m) {
   add(out, "\n  scale: {} above {} and up to {}", s, to_string(m.window.above), to_string(m.window.up_to));
   if (m.window.start)
     add(out, "; from {} on for the volume", approximate(m.window.start->lo, m.digits));
-  add(out, "\n  chosen: {} = {}; every size is {} or more of itself away from the sieves\n", s, to_string(m.scale),
-      margin_text(m));
+  add(out, "\n  chosen: {} = {}; every size is {} or more of itself away from the sieves\n", s,
+      to_string(m.scale), margin_text(m));
   if (m.question.law.is_sphere()) {
     add(out, "  volume of the particles: {} {}^3\n", m.solids_volume().text(), name(m.gradation.unit()));
   }
@@ -156,12 +162,14 @@ void add_text_spectrum(Buffer &out, const Spectrum &s) {
 std::string answer_json(const Match &m, const Spectrum *spectrum) {
   static const std::string libraries = json_versions();
   Buffer out;
-  add(out, R"({{"schema":"mdm-answer-1","id":{},"status":"{}",)", json_string(m.gradation.id()), status_name(m.status));
+  add(out, R"({{"schema":"mdm-answer-1","id":{},"status":"{}",)", json_string(m.gradation.id()),
+      status_name(m.status));
   if (m.has_answer())
     add(out, R"("particles":"{}")", to_string(m.particles()));
   else
     add(out, R"("particles":null)");
-  add(out, R"(,"lower_bound":"{}","unit":"{}","classes":[)", to_string(m.lower_bound), name(m.gradation.unit()));
+  add(out, R"(,"lower_bound":"{}","unit":"{}","classes":[)", to_string(m.lower_bound),
+      name(m.gradation.unit()));
   const std::vector<Row> all = rows(m);
   for (std::size_t j = 0; j < all.size(); ++j) {
     if (j > 0)
@@ -201,8 +209,9 @@ std::string answer_csv(const Match &m) {
 
 std::string answer_text(const Match &m, const Spectrum *spectrum) {
   Buffer out;
-  add(out, "{}: {}\n\n", m.gradation.id(), headline(m));
+  add(out, "{}: {}\n", printable(m.gradation.id()), headline(m));
   if (m.has_answer()) {
+    out.push_back('\n');
     add_table(out, m);
     add_text_scale(out, m);
   }

@@ -19,7 +19,8 @@ std::string boost_version() {
 }
 
 std::string json_version() {
-  return fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH);
+  return fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
+                     NLOHMANN_JSON_VERSION_PATCH);
 }
 
 std::string fmt_version() {
@@ -30,16 +31,16 @@ std::string fmt_version() {
 
 const std::vector<std::pair<std::string, std::string>> &versions() {
   static const std::vector<std::pair<std::string, std::string>> list = {
-      {"mdm", MDM_VERSION},
-      {"gmp", gmp_version},
-      {"mpfr", mpfr_get_version()},
-      {"flint", FLINT_VERSION},
+    {"mdm", MDM_VERSION},
+    {"gmp", gmp_version},
+    {"mpfr", mpfr_get_version()},
+    {"flint", FLINT_VERSION},
 #if __FLINT_RELEASE < 30000
-      {"arb", arb_version},
+    {"arb", arb_version},
 #endif
-      {"boost", boost_version()},
-      {"fmt", fmt_version()},
-      {"nlohmann-json", json_version()},
+    {"boost", boost_version()},
+    {"fmt", fmt_version()},
+    {"nlohmann-json", json_version()},
   };
   return list;
 }

@@ -34,7 +34,8 @@ std::vector<Problem> suite_problems() {
   return problems;
 }
 
-/// The sweep in plain double: what a program without certain answers would do. It leaves counts and a chain too.
+/// The sweep in plain double: what a program without certain answers would do. It leaves counts and a chain
+/// too.
 struct Twin {
   struct Class {
     double lower, per_upper, upper_per_lower;

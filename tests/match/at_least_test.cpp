@@ -8,7 +8,9 @@ using namespace mdm;
 
 namespace {
 
-bool is_match(const Problem &p, const std::vector<Integer> &q) { return p.lowest_scale(q) < p.highest_scale(q); }
+bool is_match(const Problem &p, const std::vector<Integer> &q) {
+  return p.lowest_scale(q) < p.highest_scale(q);
+}
 
 } // namespace
 

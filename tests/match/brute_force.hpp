@@ -67,9 +67,10 @@ inline std::vector<Rational> breakpoints(const Problem &p, const Rational &highe
   return points;
 }
 
-/// The least match with s >= start, if it has a scale up to `highest`: the first feasible scale among the upper ends
-/// q b and the start, where every window has its last scale.
-inline std::optional<Vector> least_match(const Problem &p, const Rational &highest, const Rational &start = 0) {
+/// The least match with s >= start, if it has a scale up to `highest`: the first feasible scale among the
+/// upper ends q b and the start, where every window has its last scale.
+inline std::optional<Vector> least_match(const Problem &p, const Rational &highest,
+                                         const Rational &start = 0) {
   for (const Rational &s : breakpoints(p, highest))
     if (s >= start)
       if (std::optional<Vector> q = counts(p, s))
@@ -104,7 +105,8 @@ inline std::set<Integer> reachable(const Problem &p, const Integer &limit) {
   return n;
 }
 
-/// A small gradation with ties, touching classes, empty classes, wide or narrow ones, sometimes a pan at 0 and factors.
+/// A small gradation with ties, touching classes, empty classes, wide or narrow ones, sometimes a pan at 0
+/// and factors.
 inline Gradation random_gradation(std::mt19937_64 &random) {
   Gradation::Data data;
   const std::size_t n = 2 + random() % 4;

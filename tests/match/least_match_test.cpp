@@ -45,12 +45,15 @@ Gradation gradation(std::vector<Rational> sizes, std::vector<Rational> masses) {
   return Gradation(std::move(data));
 }
 
-std::vector<Integer> integers(const std::vector<long> &n) { return {n.begin(), n.end()}; }
+std::vector<Integer> integers(const std::vector<long> &n) {
+  return {n.begin(), n.end()};
+}
 
 } // namespace
 
 TEST_CASE("a sieve series that divides exactly is decided at the open bound") {
-  // q a < s <= q b with a = 1/2, b = 4 and a = 8, b = 27: from the second class s > 8, so the first needs 3, not 2.
+  // q a < s <= q b with a = 1/2, b = 4 and a = 8, b = 27: from the second class s > 8, so the first needs 3,
+  // not 2.
   const Problem p(gradation({1, 2, 3}, {2, 1, 0}), {}, 1);
   CHECK(by_all_tiers(p).q == integers({3, 1}));
 }
@@ -117,13 +120,15 @@ TEST_CASE("the steps are within the bound, and one is enough where every class i
 
 TEST_CASE("the cost does not depend on the size of N") {
   // 10^300 particles of the fine class.
-  const Problem p(gradation({0, 1, Rational(power_of_ten(100)), Rational(2 * power_of_ten(100))}, {1, 0, 1, 0}), {}, 1);
+  const Problem p(
+      gradation({0, 1, Rational(power_of_ten(100)), Rational(2 * power_of_ten(100))}, {1, 0, 1, 0}), {}, 1);
   CHECK(by_all_tiers(p).q[0] == power_of_ten(300) + 1);
 }
 
 TEST_CASE("power laws are decided by powers") {
-  // f = sqrt on (1, 2] and (2, 4], equal masses: q1 < s <= q1 sqrt 2 and q2 sqrt 2 < s <= 2 q2. From s > sqrt 2 on, q1 = 2
-  // asks for s > 2, q2 = 2 for s > 2 sqrt 2, an irrational tie with 2 q1, so q1 = 3; then (3, 4] is left.
+  // f = sqrt on (1, 2] and (2, 4], equal masses: q1 < s <= q1 sqrt 2 and q2 sqrt 2 < s <= 2 q2. From s > sqrt
+  // 2 on, q1 = 2 asks for s > 2, q2 = 2 for s > 2 sqrt 2, an irrational tie with 2 q1, so q1 = 3; then (3, 4]
+  // is left.
   const MassLaw root{1, 2};
   const Problem p(gradation({1, 2, 4}, {1, 1, 0}), root, 1);
   CHECK(by_all_tiers(p).q == integers({3, 2}));

@@ -111,12 +111,14 @@ TEST_CASE("a volume with pi is reached, and closely") {
 }
 
 TEST_CASE("a volume whose lower scale bound is the window's end is met") {
-  // s_0 = 6 V / pi = 27 (pi + 10^-45) / pi, a little above the window's open end 27; the first bounds of pi touch it.
+  // s_0 = 6 V / pi = 27 (pi + 10^-45) / pi, a little above the window's open end 27; the first bounds of pi
+  // touch it.
   Gradation::Data data;
   data.sizes = {3, 6};
   data.masses = {1, 0};
   Question q;
-  q.solids = SolidsVolume{parse_decimal("4.5") * parse_decimal("3.141592653589793238462643383279502884197169400")};
+  q.solids =
+      SolidsVolume{parse_decimal("4.5") * parse_decimal("3.141592653589793238462643383279502884197169400")};
   const Match m = solve(Gradation(data), q);
   check_match(m);
   CHECK(m.particles() == 1);
@@ -135,7 +137,8 @@ TEST_CASE("a specimen needs spheres") {
   q.law = {2, 1};
   q.solids = Cylinder{1, 1, 0};
   CHECK_THROWS_AS(solve(gradation({1, 2}, {1, 0}), q), InputError);
-  for (const char *shape : {"cylinder:1", "cylinder:1x2x3", "box:1x2", "box:1x2x", "ball:3", "cylinder:0x1", "cylinder:-1x1", ""})
+  for (const char *shape :
+       {"cylinder:1", "cylinder:1x2x3", "box:1x2", "box:1x2x", "ball:3", "cylinder:0x1", "cylinder:-1x1", ""})
     CHECK_THROWS_AS(parse_specimen(shape, "0.5"), InputError);
   CHECK_THROWS_AS(parse_specimen("cylinder:1x1", "-0.5"), InputError);
 }

@@ -16,14 +16,15 @@ TEST_CASE("a decimal is read exactly") {
   CHECK(parse_decimal("1E-3") == ratio(1, 1000));
   CHECK(parse_decimal("0000000000000000000000000000001.50") == ratio(3, 2));
   CHECK(parse_decimal("0,075", ',') == ratio(3, 40));
-  CHECK(parse_decimal("0.1234567890123456789012345") * Rational(power_of_ten(25)) == Rational(Integer("1234567890123456789012345")));
+  CHECK(parse_decimal("0.1234567890123456789012345") * Rational(power_of_ten(25)) ==
+        Rational(Integer("1234567890123456789012345")));
   CHECK(parse_decimal("1e400") == Rational(power_of_ten(400)));
   CHECK(parse_decimal("-0") == 0);
 }
 
 TEST_CASE("what is no decimal is refused") {
-  for (const char *text : {"", ".", "-", "+-1", "1 2", "1.2.3", "0x10", "nan", "inf", "1e", "1e+", "1,5", "12a", "e5", "1e401",
-                           "1e-401", "1e999999999", "1e99999999999999999999", "\xff"})
+  for (const char *text : {"", ".", "-", "+-1", "1 2", "1.2.3", "0x10", "nan", "inf", "1e", "1e+", "1,5",
+                           "12a", "e5", "1e401", "1e-401", "1e999999999", "1e99999999999999999999", "\xff"})
     CHECK_THROWS_AS(parse_decimal(text), InputError);
   CHECK_NOTHROW(parse_decimal(std::string(1000, '7')));
   CHECK_THROWS_AS(parse_decimal(std::string(1001, '7')), InputError);

@@ -5,6 +5,7 @@
 #include <mdm/number/pi.hpp>
 
 #include <mpfr.h>
+
 #include <random>
 
 using namespace mdm;
@@ -12,8 +13,10 @@ using namespace mdm;
 TEST_CASE("a root enclosure holds the root, one unit wide, with the digits that were asked for") {
   std::mt19937_64 random(4);
   for (int i = 0; i < 5000; ++i) {
-    const Integer n = 1 + (Integer(random()) >> (random() % 64)) * (i % 3 == 0 ? Integer(random()) : Integer(1));
-    const Integer d = 1 + (Integer(random()) >> (random() % 64)) * (i % 5 == 0 ? Integer(random()) : Integer(1));
+    const Integer n =
+        1 + (Integer(random()) >> (random() % 64)) * (i % 3 == 0 ? Integer(random()) : Integer(1));
+    const Integer d =
+        1 + (Integer(random()) >> (random() % 64)) * (i % 5 == 0 ? Integer(random()) : Integer(1));
     const unsigned degree = 1 + static_cast<unsigned>(random() % 6);
     const unsigned digits = 1 + static_cast<unsigned>(random() % 40);
     const Enclosure x = enclose_root(n, d, degree, digits);
@@ -34,7 +37,8 @@ TEST_CASE("a root that is a decimal is a point, however long") {
   CHECK(enclose_root(2 * 27, 2 * 8, 3, 15).text() == "1.5");
   const Rational x = parse_decimal("0.12345678901234567890123456789");
   const Rational cube = power(x, 3);
-  CHECK(enclose_root(numerator(cube), denominator(cube), 3, 5).lower_text() == "0.12345678901234567890123456789");
+  CHECK(enclose_root(numerator(cube), denominator(cube), 3, 5).lower_text() ==
+        "0.12345678901234567890123456789");
   const Enclosure third = enclose_root(1, 27, 3, 4);
   CHECK(third.text() == "[0.3333, 0.3334]");
   CHECK(enclose_root(power_of_ten(300), 1, 3, 3).text() == "1" + std::string(100, '0'));

@@ -37,7 +37,8 @@ Question random_question(const Gradation &g, std::mt19937_64 &random) {
     return q;
   switch (random() % 6) {
   case 0:
-    q.solids = Cylinder{static_cast<int>(1 + random() % 30), static_cast<int>(1 + random() % 30), ratio(7, 10)};
+    q.solids =
+        Cylinder{static_cast<int>(1 + random() % 30), static_cast<int>(1 + random() % 30), ratio(7, 10)};
     break;
   case 1:
     q.solids = Box{static_cast<int>(1 + random() % 30), 2, ratio(5, 2), ratio(1, 4)};

@@ -1,6 +1,6 @@
 /// \file
-/// The solver and the checker read gradation files with parsers of their own. They must agree on every file: the same
-/// gradation, or no gradation. (The checker reads no AGS4.)
+/// The solver and the checker read gradation files with parsers of their own. They must agree on every file:
+/// the same gradation, or no gradation. (The checker reads no AGS4.)
 
 #include "catch.hpp"
 #include "gradation.hpp"
@@ -20,7 +20,8 @@ std::optional<std::string> by_solver(const std::string &content) {
     const mdm::Gradation g = mdm::read_gradation(content, "file");
     std::string text;
     for (std::size_t j = 0; j < g.sizes().size(); ++j)
-      text += mdm::to_string(g.sizes()[j]) + " " + mdm::to_string(g.masses()[j]) + " " + mdm::to_string(g.factor(j)) + "\n";
+      text += mdm::to_string(g.sizes()[j]) + " " + mdm::to_string(g.masses()[j]) + " " +
+              mdm::to_string(g.factor(j)) + "\n";
     return text;
   } catch (const mdm::InputError &) {
     return std::nullopt;

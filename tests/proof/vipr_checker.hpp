@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// A checker of VIPR 1.0 files for the tests: every rule of the format's specification but `sol`, in plain fractions.
+/// A checker of VIPR 1.0 files for the tests: every rule of the format's specification but `sol`, in plain
+/// fractions.
 
 #include <mdm/number/decimal.hpp>
 
@@ -77,8 +78,9 @@ private:
   Rational number() {
     const std::string w = word();
     const std::size_t slash = w.find('/');
-    return slash == std::string::npos ? mdm::parse_decimal(w)
-                                      : Rational(mdm::parse_decimal(w.substr(0, slash)) / mdm::parse_decimal(w.substr(slash + 1)));
+    return slash == std::string::npos
+               ? mdm::parse_decimal(w)
+               : Rational(mdm::parse_decimal(w.substr(0, slash)) / mdm::parse_decimal(w.substr(slash + 1)));
   }
   void skip_comments() {
     while (in_.peek() == '%') {

@@ -9,18 +9,19 @@
 
 namespace mdm {
 
-/// G of Arnold, Eq. 5-8, complete (Cond1, Eq. 9): openings x_1 < ... < x_n and the masses m_1, ..., m_n retained on
-/// them, n >= 2, x_1 >= 0 (0 is the pan), m_j >= 0, m_n = 0, not all masses 0. Class j = 1, ..., n - 1 holds the
-/// particles with x_j < x <= x_{j+1}: open below, closed above (Eq. 12).
+/// G of Arnold, Eq. 5-8, complete (Cond1, Eq. 9): openings x_1 < ... < x_n and the masses m_1, ..., m_n
+/// retained on them, n >= 2, x_1 >= 0 (0 is the pan), m_j >= 0, m_n = 0, not all masses 0. Class j = 1, ...,
+/// n - 1 holds the particles with x_j < x <= x_{j+1}: open below, closed above (Eq. 12).
 class Gradation {
 public:
   /// What a gradation is made of; vectors of n entries, ascending by size.
   struct Data {
-    std::string id;                   ///< name for reports, any text
-    SizeUnit unit = SizeUnit::mm;     ///< unit of the sizes
-    std::vector<Rational> sizes;      ///< X_G
-    std::vector<Rational> masses;     ///< M_G, in any unit: only their ratios count
-    std::vector<Rational> factors;    ///< density or shape factor c_j > 0 of class j (the last is not used), or empty: all 1
+    std::string id;               ///< name for reports, any text
+    SizeUnit unit = SizeUnit::mm; ///< unit of the sizes
+    std::vector<Rational> sizes;  ///< X_G
+    std::vector<Rational> masses; ///< M_G, in any unit: only their ratios count
+    std::vector<Rational>
+        factors; ///< density or shape factor c_j > 0 of class j (the last is not used), or empty: all 1
     std::vector<Rational> tolerances; ///< percentage points >= 0 as a file gave them, or empty
     std::vector<std::string> notes;   ///< what the reader assumed, for the report
   };

@@ -6,8 +6,9 @@
 
 namespace mdm {
 
-/// f(x) = x^(a/b) with a/b > 0 in lowest terms: the mass of a particle of size x up to a constant that cancels
-/// (Arnold, Eq. 14; x^3 for spheres). Since f may be irrational, values are handled to the power b: f(x)^b = x^a.
+/// f(x) = x^(a/b) with a/b > 0 in lowest terms: the mass of a particle of size x up to a constant that
+/// cancels (Arnold, Eq. 14; x^3 for spheres). Since f may be irrational, values are handled to the power b:
+/// f(x)^b = x^a.
 struct MassLaw {
   unsigned a = 3;
   unsigned b = 1;

@@ -14,9 +14,10 @@ inline constexpr std::size_t max_gradation_bytes = std::size_t{64} << 20;
 /// The most sizes that a gradation file may have; it bounds the memory.
 inline constexpr std::size_t max_gradation_rows = std::size_t{1} << 20;
 
-/// Reads a gradation from the content of a file. The format (CSV, JSON or AGS4) is told by the content; the grammar is
-/// in proofs/certificate-format.md, section 4. `file` names it in messages and, without directories and ending, as id.
-/// \param specimen  AGS4 only: the specimen to read where the file has several: its LOCA_ID, SAMP_* and SPEC_* joined by `/`
+/// Reads a gradation from the content of a file. The format (CSV, JSON or AGS4) is told by the content; the
+/// grammar is in proofs/certificate-format.md, section 4. `file` names it in messages and, without
+/// directories and ending, as id. \param specimen  AGS4 only: the specimen to read where the file has
+/// several: its LOCA_ID, SAMP_* and SPEC_* joined by `/`
 ///                  without the empty ones, or its LOCA_ID where that is enough
 /// \throws InputError `file:line: what is wrong and what to do`
 Gradation read_gradation(std::string_view content, const std::string &file,
@@ -27,9 +28,11 @@ bool is_ags4(std::string_view content);
 
 /// Reads one JSON gradation, for example a line of a suite; `where` precedes messages (`suite.jsonl:7`).
 /// The id is `fallback_id` where the object has none. Cost: some 4 microseconds for 8 sizes.
-Gradation read_json_gradation(std::string_view content, const std::string &where, const std::string &fallback_id);
+Gradation read_json_gradation(std::string_view content, const std::string &where,
+                              const std::string &fallback_id);
 
-/// The id of a JSON gradation that need not be readable otherwise, for error reports; nothing if none is found.
+/// The id of a JSON gradation that need not be readable otherwise, for error reports; nothing if none is
+/// found.
 std::optional<std::string> json_gradation_id(std::string_view content);
 
 } // namespace mdm

@@ -6,13 +6,15 @@
 
 namespace mdm {
 
-// Numbers are decimals in plain notation, or with an exponent where that takes more than 1000 digits. Both throw
-// InputError where a number has no such decimal (1/3), and end with a line feed.
+// Numbers are decimals in plain notation, or with an exponent where that takes more than 1000 digits. Both
+// throw InputError where a number has no such decimal (1/3), and end with a line feed.
 
-/// The canonical CSV of g: `size_<unit>,mass`, `tolerance_percent` and `factor` where g has them, sizes ascending.
+/// The canonical CSV of g: `size_<unit>,mass`, `tolerance_percent` and `factor` where g has them, sizes
+/// ascending.
 std::string gradation_csv(const Gradation &g);
 
-/// The canonical JSON of g: one line {"id", "unit", "sizes", "masses"}, `factors` and `tolerances_percent` where g has them.
+/// The canonical JSON of g: one line {"id", "unit", "sizes", "masses"}, `factors` and `tolerances_percent`
+/// where g has them.
 std::string gradation_json(const Gradation &g);
 
 } // namespace mdm

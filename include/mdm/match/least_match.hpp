@@ -17,15 +17,16 @@ struct Limits {
   std::optional<std::chrono::steady_clock::time_point> deadline;
 };
 
-/// The steps that prove minimality: positions in Problem::classes(). From L = 0, each step j replaces the lower bound L
-/// on the scale by count_j(L)^b f_j / m_j, where count_j(L) is the least count that class j needs above L.
+/// The steps that prove minimality: positions in Problem::classes(). From L = 0, each step j replaces the
+/// lower bound L on the scale by count_j(L)^b f_j / m_j, where count_j(L) is the least count that class j
+/// needs above L.
 using Chain = std::vector<std::uint32_t>;
 
 /// What a sweep leaves.
 template <class Int>
 struct Swept {
-  /// Where complete: the least match, least in every class. Else counts that every match reaches: their sum is a lower
-  /// bound of N.
+  /// Where complete: the least match, least in every class. Else counts that every match reaches: their sum
+  /// is a lower bound of N.
   std::vector<Int> q;
   Chain chain;
   bool complete = false;
@@ -33,10 +34,11 @@ struct Swept {
 
 using LeastMatch = Swept<Integer>;
 
-/// Starts from the floors, raises the lower bound on the scale over the classes that can still move until nothing does.
-/// Every raise is forced, so the result is the least match, class by class (Theorem 3).
-/// Cost: at most 1 + sum max(0, settled - r) steps whatever the masses, settled = ceil(f / (F - f)) for b = 1; one step
-/// where F >= 2^b f everywhere. Int is Int128 or Integer. \throws Int128Overflow if Int is Int128 and too short
+/// Starts from the floors, raises the lower bound on the scale over the classes that can still move until
+/// nothing does. Every raise is forced, so the result is the least match, class by class (Theorem 3). Cost:
+/// at most 1 + sum max(0, settled - r) steps whatever the masses, settled = ceil(f / (F - f)) for b = 1; one
+/// step where F >= 2^b f everywhere. Int is Int128 or Integer. \throws Int128Overflow if Int is Int128 and
+/// too short
 template <class Int>
 Swept<Int> sweep(const SweepProblem<Int> &problem, const Limits &limits = {});
 
@@ -46,7 +48,8 @@ extern template Swept<Integer> sweep(const SweepProblem<Integer> &, const Limits
 /// The least match: a sweep in 128 bits, repeated with Integer where they overflow.
 LeastMatch least_match(const Problem &problem, const Limits &limits = {});
 
-/// A match found without sweeping (Theorem 4): every class at a scale from which on it cannot move. An upper bound.
+/// A match found without sweeping (Theorem 4): every class at a scale from which on it cannot move. An upper
+/// bound.
 std::vector<Integer> some_match(const Problem &problem);
 
 } // namespace mdm

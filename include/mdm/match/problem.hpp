@@ -16,9 +16,9 @@ struct ProblemClass {
   Integer floor;         ///< r_j >= 1, the least count that is allowed
 };
 
-/// Minimise sum q_j over integers q_j >= r_j and scales S > 0 with q_j^b f_j < S m_j <= q_j^b F_j in every class with
-/// mass ((*) of proofs/README.md). Classes are ascending; there is at least one. Common denominators are cleared once:
-/// S is the gradation's s^b divided by scale_unit().
+/// Minimise sum q_j over integers q_j >= r_j and scales S > 0 with q_j^b f_j < S m_j <= q_j^b F_j in every
+/// class with mass ((*) of proofs/README.md). Classes are ascending; there is at least one. Common
+/// denominators are cleared once: S is the gradation's s^b divided by scale_unit().
 class Problem {
 public:
   /// The problem of a gradation (with the question's changes already made), every floor `min_per_class`.
@@ -32,7 +32,8 @@ public:
   /// sum m_j / c_j over the classes: the volume of the sample over s, times 6 / pi for spheres.
   const Rational &weight() const { return weight_; }
 
-  /// The same problem at scales S >= start (closed) or S > start (open): nothing but higher floors (Theorem 6).
+  /// The same problem at scales S >= start (closed) or S > start (open): nothing but higher floors (Theorem
+  /// 6).
   Problem from_scale(const Rational &start, bool open) const;
   /// The same problem with the floor of class j at `least` or higher.
   Problem with_floor(std::size_t j, const Integer &least) const;

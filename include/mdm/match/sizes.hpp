@@ -7,16 +7,16 @@
 
 namespace mdm {
 
-/// Encloses the size x of each class's particles at the scale S: f(x)^b = x^a = S m^b / (q c)^b (Arnold, Eq. 19).
-/// Every enclosure lies inside its class, x_j < lo and hi <= x_{j+1}, for which digits are raised where the size is close
-/// to the sieve (Theorem 9). One entry for each class of the problem.
-/// \pre S is in the window of q
-/// \throws InputError if a size is an opening that is no decimal (1/3), which gradation files cannot have
-std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem, const std::vector<Integer> &q,
-                                     const Rational &scale, unsigned digits);
+/// Encloses the size x of each class's particles at the scale S: f(x)^b = x^a = S m^b / (q c)^b (Arnold, Eq.
+/// 19). Every enclosure lies inside its class, x_j < lo and hi <= x_{j+1}, for which digits are raised where
+/// the size is close to the sieve (Theorem 9). One entry for each class of the problem. \pre S is in the
+/// window of q \throws InputError if a size is an opening that is no decimal (1/3), which gradation files
+/// cannot have
+std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem,
+                                     const std::vector<Integer> &q, const Rational &scale, unsigned digits);
 
-/// How far the sizes are from the sieves: the least of x / lower and upper / x, minus 1, cut to three certain digits.
-/// `above` and `up_to` are the window's ends that q gives.
+/// How far the sizes are from the sieves: the least of x / lower and upper / x, minus 1, cut to three certain
+/// digits. `above` and `up_to` are the window's ends that q gives.
 Rational size_margin(const MassLaw &law, const Rational &above, const Rational &up_to, const Rational &scale);
 
 } // namespace mdm

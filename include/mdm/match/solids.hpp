@@ -27,7 +27,8 @@ using Solids = std::variant<Cylinder, Box, SolidsVolume>;
 Solids parse_specimen(std::string_view shape, std::string_view void_ratio);
 
 /// lo <= s_0 <= hi for the least scale s_0 at which spheres have the volume: s_0 = 6 V / (pi W) with
-/// W = sum m_j / c_j. For a cylinder pi cancels and lo = hi = s_0; otherwise s_0 is irrational and lo < s_0 < hi.
+/// W = sum m_j / c_j. For a cylinder pi cancels and lo = hi = s_0; otherwise s_0 is irrational and lo < s_0 <
+/// hi.
 struct StartScale {
   Rational lo, hi;
   bool exact() const { return lo == hi; }

@@ -13,16 +13,16 @@ namespace mdm {
 /// How to solve and what to show; nothing here changes what is proved.
 struct SolveOptions {
   Limits limits;
-  std::optional<Integer> at_most;                   ///< more particles than this are no match
+  std::optional<Integer> at_most; ///< more particles than this are no match
   ScaleChoice scale = ScaleChoice::automatic;
-  unsigned digits = 15;                             ///< significant digits of sizes
+  unsigned digits = 15; ///< significant digits of sizes
 };
 
 enum class Status {
   optimal,  ///< the match is the smallest
   feasible, ///< a limit came first: the match is one, the smallest has at least `lower_bound` particles
   none,     ///< every match has more than `at_most` particles: at least `lower_bound`
-  unknown   ///< a limit came first: the match has more than `at_most` particles, a smaller one was not excluded
+  unknown ///< a limit came first: the match has more than `at_most` particles, a smaller one was not excluded
 };
 
 /// The smallest set of particles that matches a gradation, or what is known of it.

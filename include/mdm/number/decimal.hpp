@@ -27,7 +27,8 @@ std::optional<std::string> exact_decimal(const Rational &r);
 /// \pre r is a decimal
 std::string to_decimal(const Rational &r);
 
-/// r cut towards zero to `digits` significant digits, with an exponent when |r| < 1e-6: for people, not for proofs.
+/// r cut towards zero to `digits` significant digits, with an exponent when |r| < 1e-6: for people, not for
+/// proofs.
 std::string approximate(const Rational &r, unsigned digits);
 
 } // namespace mdm

@@ -7,7 +7,8 @@
 namespace mdm {
 
 /// A fraction in lowest terms with positive denominator. Expression templates are off, as for Integer.
-using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
 /// n / d in lowest terms, for d != 0.
 Rational ratio(const Integer &n, const Integer &d);
