@@ -97,7 +97,8 @@ Spectrum spectrum(const Problem &problem, const Limits &limits) {
     const Integer last = most_particles(problem, *end);
     append(result.intervals, first, last);
     result.all_from = last + 1;
-    if (limits.max_steps && step >= *limits.max_steps)
+    const bool late = limits.deadline && std::chrono::steady_clock::now() > *limits.deadline;
+    if (late || (limits.max_steps && step >= *limits.max_steps))
       return result;
     least = least_match(problem.from_scale(crowded_scale(problem, result.all_from), true), sweep_limits);
     if (!least.complete)

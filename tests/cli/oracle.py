@@ -215,16 +215,17 @@ def faults(p, answer, question, most=4000):
         expect(S >= p.start[1], "the scale is below the start")
         expect(Q(scale["start"][0]) <= p.start[1] and Q(scale["start"][1]) >= p.start[0], "start")
     width = up_to - above
-    robust = question.get("scale", "robust") == "robust"
-    if not robust:
-        expect(S == up_to, "not the upper scale") if not p.start else None
-    elif above == 0 and not p.start:
-        expect(S == up_to / 2, "not half the upper end")
-    elif not p.start or p.start[1]**2 <= above * up_to:
-        expect((S - width / 100)**2 <= above * up_to or S <= width / 100, "scale above the middle")
-        expect((S + width / 100)**2 >= above * up_to, "scale below the middle")
-    elif p.start[1] > above:
+    if question.get("scale") == "upper":
+        expect(S == up_to, "not the upper scale")
+    elif p.start and above < p.start[1] <= up_to and "scale" not in question:
+        expect(S - p.start[1] <= p.start[1] / 10**14, "not the start's volume")
+    elif p.start and p.start[1]**2 > above * up_to:
         expect(p.start[1] <= S <= p.start[1] + (up_to - p.start[1]) / 8, "scale too far from the start")
+    elif above == 0:
+        expect(S == up_to / 2, "not half the upper end")
+    else:
+        expect(S <= width / 100 or (S - width / 100)**2 <= above * up_to, "scale above the middle")
+        expect((S + width / 100)**2 >= above * up_to, "scale below the middle")
 
     margin = Q(scale["margin"])  # closest / size - 1 with size^a in S
     closest = min(up_to / S, S / above) if above > 0 else up_to / S
@@ -317,8 +318,8 @@ def random_question(r):
         question["size-factor"] = r.choice(["2", "0.1", "1.5", "1e3"])
     if r.random() < 0.15:
         question["digits"] = str(r.choice([10, 12, 25, 60]))
-    if r.random() < 0.15:
-        question["scale"] = "upper"
+    if r.random() < 0.25:
+        question["scale"] = r.choice(["upper", "robust"])
     kind = r.random()
     if kind < 0.3:
         question["law"] = "power:" + r.choice(["1", "2", "3", "1/2", "5/2", "3/2", "1/3", "7/3", "6/4"])
