@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstring>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -147,9 +148,16 @@ std::vector<Answer> answers(const Batch &batch, const std::vector<Lines::Line> &
   return result;
 }
 
+void make_folder(const std::string &path) {
+  struct stat status {};
+  if (mkdir(path.c_str(), 0777) != 0 && (stat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)))
+    throw InputError(printable(path) + ": no folder for the proofs can be made there: " + std::strerror(errno));
+}
+
 int run(const BatchCommand &c) {
-  if (c.proofs && mkdir(c.proofs->c_str(), 0777) != 0 && errno != EEXIST)
-    throw InputError("cannot make the folder " + in_quotes(*c.proofs) + " for the proofs");
+  check_distinct({c.file, c.out});
+  if (c.proofs)
+    make_folder(*c.proofs);
   const Batch batch(c);
   Lines lines(c.file);
   Output out(c.out);

@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <set>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -19,7 +20,7 @@ namespace {
 constexpr std::size_t chunk = std::size_t{1} << 16;
 
 [[noreturn]] void cannot(const char *what, const std::string &path, int error) {
-  throw InputError(fmt::format("cannot {} {}: {}", what, in_quotes(path), std::strerror(error)));
+  throw InputError(fmt::format("{}: cannot be {}: {}", printable(path), what, std::strerror(error)));
 }
 
 int open_for_reading(const std::string &path) {
@@ -27,7 +28,7 @@ int open_for_reading(const std::string &path) {
     return STDIN_FILENO;
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0)
-    cannot("read", path, errno);
+    cannot("read", path == "-" ? "standard input" : path, errno);
   return descriptor;
 }
 
@@ -47,15 +48,15 @@ bool read_some(int descriptor, const std::string &path, std::string &text) {
   const int error = errno;
   text.resize(before + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
   if (n < 0)
-    cannot("read", path, error);
+    cannot("read", path == "-" ? "standard input" : path, error);
   return n > 0;
 }
 
-/// The file behind symbolic links, or `path` itself where there is none yet.
-std::string resolved(const std::string &path) {
+/// realpath, or nothing where there is no such file.
+std::string real_path(const std::string &path) {
   char *const real = realpath(path.c_str(), nullptr);
   if (real == nullptr)
-    return path;
+    return {};
   std::string target(real);
   std::free(real);
   return target;
@@ -69,8 +70,7 @@ std::string read_file(const std::string &path, std::size_t most) {
   try {
     while (read_some(descriptor, path, text))
       if (text.size() > most)
-        throw InputError(
-            fmt::format("{} has more than {} MiB: is it the right file?", in_quotes(path), most >> 20));
+        throw InputError(fmt::format("{}: more than {} MiB: is it the right file?", printable(path), most >> 20));
   } catch (...) {
     close_reading(descriptor);
     throw;
@@ -79,12 +79,32 @@ std::string read_file(const std::string &path, std::size_t most) {
   return text;
 }
 
+std::string canonical_path(const std::string &path) {
+  if (std::string file = real_path(path); !file.empty())
+    return file;
+  const std::size_t slash = path.rfind('/');
+  const std::string folder = real_path(slash == std::string::npos ? "." : path.substr(0, slash + 1));
+  return folder.empty() ? path : folder + "/" + path.substr(slash == std::string::npos ? 0 : slash + 1);
+}
+
+void check_distinct(const std::vector<std::string> &paths) {
+  std::set<std::string> seen;
+  for (const std::string &path : paths) {
+    struct stat status {};
+    const bool exists = stat(path.c_str(), &status) == 0;
+    if (path == "-" || (exists && !S_ISREG(status.st_mode)))
+      continue;
+    if (!seen.insert(canonical_path(path)).second)
+      throw InputError(printable(path) + ": would be overwritten: give input and outputs different names");
+  }
+}
+
 Output::Output(std::string path) : path_(std::move(path)) {
   if (path_ == "-") {
     descriptor_ = STDOUT_FILENO;
     return;
   }
-  target_ = resolved(path_);
+  target_ = canonical_path(path_);
   struct stat status {};
   const bool exists = stat(target_.c_str(), &status) == 0;
   if (!exists && errno != ENOENT)
@@ -110,7 +130,7 @@ Output::~Output() {
 }
 
 void Output::fail(int error) const {
-  cannot("write", path_ == "-" ? "standard output" : path_, error);
+  cannot("written", path_ == "-" ? "standard output" : path_, error);
 }
 
 void Output::open_beside() {

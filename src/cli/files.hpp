@@ -13,6 +13,13 @@ namespace mdm::cli {
 /// \throws InputError if it cannot be read or has more than `most` bytes
 std::string read_file(const std::string &path, std::size_t most);
 
+/// The absolute path without symbolic links of a file or of a file that is to be.
+std::string canonical_path(const std::string &path);
+
+/// Refuses two names of one regular file among the inputs and outputs of a command; `-` and devices do not count.
+/// \throws InputError naming the second
+void check_distinct(const std::vector<std::string> &paths);
+
 /// Where a result goes. A regular file or a new path is written beside and takes its name in commit();
 /// without commit nothing is left of it. Standard output (path `-`), devices and pipes are written in place.
 class Output {

@@ -36,6 +36,12 @@ void print(const std::string &text) {
   out.commit();
 }
 
+/// CLI11's help, without the empty line before it and with the end of the last line.
+std::string help_text(const CLI::App &app, const CLI::App &of) {
+  const std::string text = &of == &app ? of.help() : of.help(app.get_name());
+  return text.substr(text.find_first_not_of('\n')) + "\n";
+}
+
 int complain(const std::string &message) {
   fmt::print(stderr, "{}\n", message);
   return Exit::bad_input;
@@ -80,7 +86,7 @@ int run(int argc, char **argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp &) {
-    print(parsed().help());
+    print(help_text(app, parsed()));
     return Exit::done;
   } catch (const CLI::CallForVersion &) {
     print(version_text() + "\n");

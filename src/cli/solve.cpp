@@ -42,6 +42,7 @@ std::optional<SideFile> readable_gradation(const SolveCommand &c, const std::str
   if (!c.proof || !is_ags4(content))
     return std::nullopt;
   const std::string path = *c.proof + ".csv";
+  check_distinct({c.file, *c.proof, path, c.vipr.value_or("-"), c.out.value_or("-")});
   notes.push_back("mdm-check does not read AGS4: the gradation is in " + path +
                   " as CSV; check with: mdm-check " + path + " " + *c.proof);
   return SideFile{std::make_unique<Output>(path), gradation_csv(g)};
@@ -66,8 +67,11 @@ int exit_code(const Match &m, const std::optional<Spectrum> &spectrum) {
 void check_outputs(const SolveCommand &c) {
   if (c.proof == "-" || c.vipr == "-")
     throw InputError("--proof and --vipr need a file: standard output has the answer");
-  if ((c.proof && (c.proof == c.out || c.proof == c.vipr)) || (c.vipr && c.vipr == c.out))
-    throw InputError("--proof, --vipr and -o name the same file: give each its own");
+  std::vector<std::string> paths = {c.file};
+  for (const std::optional<std::string> &path : {c.proof, c.vipr, c.out})
+    if (path)
+      paths.push_back(*path);
+  check_distinct(paths);
 }
 
 int run(const SolveCommand &c) {

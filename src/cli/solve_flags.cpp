@@ -81,7 +81,7 @@ void SolveFlags::add_to(CLI::App &command) {
       ->type_name("SHAPE");
   command.add_option("--void-ratio", void_ratio, "void ratio e of the specimen")->type_name("E");
   command.add_option("--solids-volume", solids_volume, "at least this volume of solids")->type_name("V");
-  command.add_option("--law", law, "mass of a particle of size x: sphere (x^3) or power:a/b")
+  command.add_option("--law", law, "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5")
       ->type_name("LAW");
   command.add_option("--size-factor", size_factor, "multiply every size by K")->type_name("K");
   command.add_option("--cut-below", cut_below, "leave out the classes below the sieve SIZE")

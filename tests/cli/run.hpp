@@ -1,0 +1,219 @@
+#pragma once
+/// \file
+/// Runs the project's programs as a user does, and looks at all that comes out.
+
+#include "catch.hpp"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace cli_test {
+
+using Arguments = std::vector<std::string>;
+
+inline std::string read_file(const std::filesystem::path &path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw std::runtime_error("cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// A new folder that is gone with the object.
+class TemporaryFolder {
+public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "mdm-cli-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw std::runtime_error("cannot make " + name);
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder &) = delete;
+  TemporaryFolder &operator=(const TemporaryFolder &) = delete;
+
+  std::string operator/(const std::string &name) const { return (path_ / name).string(); }
+
+  std::string write(const std::string &name, const std::string &text) const {
+    std::ofstream file(path_ / name, std::ios::binary);
+    file << text;
+    if (!file.flush())
+      throw std::runtime_error("cannot write " + name);
+    return *this / name;
+  }
+
+  std::size_t entries() const {
+    const std::filesystem::directory_iterator all(path_);
+    return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+  }
+
+private:
+  std::filesystem::path path_;
+};
+
+struct Outcome {
+  int exit_code = -1; // -1: ended by a signal
+  int signal = 0;
+  std::string out, err;
+  long max_rss_kib = 0;
+};
+
+/// A program that runs; its standard input is a pipe that is written to, its output and errors go to files.
+class Process {
+public:
+  static constexpr std::chrono::seconds time_limit{300};
+
+  /// `output` is where standard output goes: "" (kept, see out()), a file, or "closed pipe", a pipe without a
+  /// reader.
+  Process(const std::string &program, const Arguments &arguments, const std::string &output = "")
+      : out_(output.empty() ? folder_ / "out" : output), keeps_output_(output.empty()) {
+    std::vector<std::string> words{program};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char *> pointers;
+    for (std::string &word : words)
+      pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    const std::string err = folder_ / "err";
+    int input[2];
+    if (pipe2(input, O_CLOEXEC) != 0)
+      throw std::runtime_error("cannot make a pipe");
+    child_ = fork();
+    if (child_ < 0)
+      throw std::runtime_error("cannot fork");
+    if (child_ == 0) {
+      dup2(input[0], STDIN_FILENO);
+      int closed[2] = {-1, -1};
+      if (out_ == "closed pipe" && pipe2(closed, O_CLOEXEC) == 0)
+        close(closed[0]);
+      dup2(closed[1] >= 0 ? closed[1] : open(out_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600), STDOUT_FILENO);
+      dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600), STDERR_FILENO);
+      std::signal(SIGPIPE, SIG_DFL);
+      execv(pointers[0], pointers.data());
+      _exit(127);
+    }
+    close(input[0]);
+    input_ = input[1];
+  }
+
+  ~Process() {
+    close_input();
+    if (child_ > 0) {
+      kill(child_, SIGKILL);
+      waitpid(child_, nullptr, 0);
+    }
+  }
+  Process(const Process &) = delete;
+  Process &operator=(const Process &) = delete;
+
+  /// Writes to the standard input; what a program that has ended does not read is dropped.
+  void send(const std::string &text) {
+    const auto before = std::signal(SIGPIPE, SIG_IGN);
+    for (std::size_t done = 0; done < text.size();) {
+      const ssize_t n = write(input_, text.data() + done, text.size() - done);
+      if (n < 0 && errno != EINTR)
+        break;
+      done += n > 0 ? static_cast<std::size_t>(n) : 0;
+    }
+    std::signal(SIGPIPE, before);
+  }
+
+  void close_input() {
+    if (input_ >= 0)
+      close(input_);
+    input_ = -1;
+  }
+
+  void signal(int number) const { kill(child_, number); }
+
+  /// What is on standard output by now.
+  std::string out() const { return keeps_output_ && std::filesystem::exists(out_) ? read_file(out_) : ""; }
+
+  /// Waits until standard output has so many lines; false if the time limit comes first.
+  bool wait_for_lines(std::ptrdiff_t lines) const {
+    const auto deadline = std::chrono::steady_clock::now() + time_limit;
+    while (std::chrono::steady_clock::now() < deadline) {
+      const std::string text = out();
+      if (std::count(text.begin(), text.end(), '\n') >= lines)
+        return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+  }
+
+  Outcome end() {
+    close_input();
+    const auto deadline = std::chrono::steady_clock::now() + time_limit;
+    int status = 0;
+    rusage usage{};
+    while (wait4(child_, &status, WNOHANG, &usage) == 0) {
+      if (std::chrono::steady_clock::now() > deadline)
+        kill(child_, SIGKILL);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    child_ = -1;
+    Outcome outcome;
+    if (WIFEXITED(status))
+      outcome.exit_code = WEXITSTATUS(status);
+    else
+      outcome.signal = WTERMSIG(status);
+    outcome.out = out();
+    outcome.err = read_file(folder_ / "err");
+    outcome.max_rss_kib = usage.ru_maxrss;
+    return outcome;
+  }
+
+private:
+  TemporaryFolder folder_;
+  std::string out_;
+  bool keeps_output_;
+  pid_t child_ = -1;
+  int input_ = -1;
+};
+
+inline Outcome mdm(const Arguments &arguments, const std::string &standard_input = "",
+                   const std::string &output = "") {
+  Process process(MDM_PROGRAM, arguments, output);
+  process.send(standard_input);
+  return process.end();
+}
+
+inline Outcome mdm_check(const std::string &gradation, const std::string &proof) {
+  return Process(MDM_CHECK_PROGRAM, {gradation, proof}).end();
+}
+
+/// The path of one of the real gradations.
+inline std::string example(const std::string &name) {
+  return std::string(MDM_SOURCE_DIR) + "/examples/gradations/" + name + ".csv";
+}
+
+/// Exit 2, a message in one line of clean text, nothing on standard output.
+inline void check_refused(const Outcome &outcome, const std::string &part_of_message = "") {
+  INFO(outcome.out.substr(0, 2000) << outcome.err.substr(0, 2000));
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.signal == 0);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.err.find(part_of_message) != std::string::npos);
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  CHECK(outcome.err.size() < 1000);
+  CHECK(std::all_of(outcome.err.begin(), outcome.err.end(),
+                    [](char c) { return c == '\n' || static_cast<unsigned char>(c) >= ' '; }));
+}
+
+} // namespace cli_test
