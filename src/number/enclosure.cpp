@@ -17,8 +17,9 @@ std::optional<unsigned> decimal_places(const Rational &r) {
 bool terminates(const Integer &n, const Integer &d) {
   Integer rest;
   mpz_tdiv_q_2exp(rest.backend().data(), d.backend().data(), mpz_scan1(d.backend().data(), 0));
-  while (mpz_divisible_ui_p(rest.backend().data(), 5) != 0)
-    mpz_divexact_ui(rest.backend().data(), rest.backend().data(), 5);
+  for (const unsigned long five : {15625UL, 5UL}) // 5^6, then what is left
+    while (mpz_divisible_ui_p(rest.backend().data(), five) != 0)
+      mpz_divexact_ui(rest.backend().data(), rest.backend().data(), five);
   return mpz_divisible_p(n.backend().data(), rest.backend().data()) != 0;
 }
 

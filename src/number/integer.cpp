@@ -45,30 +45,41 @@ Integer power_of_ten(unsigned exponent) {
 
 namespace {
 
-/// A number near n^(1/degree), for n > 0: a root in double, brought to about 100 bits by a step of Newton's
-/// method.
-Integer near_root(const Integer &n, unsigned degree) {
+/// The cube root of a short n > 0, guessed in double, brought to about 100 bits by a step of Newton's method and proved in
+/// integers; nothing if the guess is wrong. Several times cheaper than GMP's root.
+std::optional<Integer> short_cube_root(const Integer &n) {
   long exponent = 0;
   const double mantissa = mpz_get_d_2exp(&exponent, n.backend().data());
-  const long shift = exponent / static_cast<long>(degree);
-  const double root =
-      std::pow(std::ldexp(mantissa, static_cast<int>(exponent - shift * static_cast<long>(degree))),
-               1.0 / static_cast<double>(degree));
+  const long thirds = exponent / 3;
   constexpr int bits = 52;
-  Integer y = static_cast<std::int64_t>(std::ldexp(root, bits));
-  if (shift <= bits)
-    return y >> static_cast<unsigned>(bits - shift);
-  y <<= static_cast<unsigned>(shift - bits);
-  Integer z = power(y, degree - 1);
-  mpz_tdiv_q(z.backend().data(), n.backend().data(), z.backend().data());
-  mpz_addmul_ui(z.backend().data(), y.backend().data(), degree - 1);
-  mpz_tdiv_q_ui(z.backend().data(), z.backend().data(), degree);
-  return z;
-}
-
-/// True if y^degree <= n < (y + 1)^degree.
-bool is_floor_root(const Integer &y, const Integer &n, unsigned degree) {
-  return power(y, degree) <= n && n < power(Integer(y + 1), degree);
+  Integer y = static_cast<std::int64_t>(std::ldexp(std::cbrt(std::ldexp(mantissa, static_cast<int>(exponent % 3))), bits));
+  Integer rest;
+  const mpz_ptr root = y.backend().data();
+  const mpz_ptr r = rest.backend().data();
+  if (thirds <= bits) {
+    mpz_tdiv_q_2exp(root, root, static_cast<mp_bitcnt_t>(bits - thirds));
+  } else {
+    mpz_mul_2exp(root, root, static_cast<mp_bitcnt_t>(thirds - bits));
+    mpz_mul(r, root, root);
+    mpz_tdiv_q(r, n.backend().data(), r);
+    mpz_addmul_ui(r, root, 2);
+    mpz_tdiv_q_ui(root, r, 3);
+  }
+  // y^3 <= n < (y + 1)^3 iff 0 <= n - y^3 <= 3 y (y + 1). The step never ends below the root, but may be one above it.
+  for (int attempt = 0; attempt < 2; ++attempt, mpz_sub_ui(root, root, 1)) {
+    mpz_mul(r, root, root);
+    mpz_mul(r, r, root);
+    mpz_sub(r, n.backend().data(), r);
+    if (mpz_sgn(r) < 0)
+      continue;
+    Integer gap;
+    const mpz_ptr g = gap.backend().data();
+    mpz_mul(g, root, root);
+    mpz_add(g, g, root);
+    mpz_mul_ui(g, g, 3);
+    return mpz_cmp(r, g) <= 0 ? std::optional(std::move(y)) : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 } // namespace
@@ -76,13 +87,9 @@ bool is_floor_root(const Integer &y, const Integer &n, unsigned degree) {
 Integer floor_root(const Integer &n, unsigned degree) {
   if (degree == 1)
     return n;
-  // A short root is guessed in floating point and proved in integers, several times cheaper than GMP's root.
-  if (const std::size_t bits = bit_length(n); degree <= 3 && bits > 8 && bits < 96 * degree) {
-    const Integer y = near_root(n, degree);
-    for (const int off : {0, -1, 1})
-      if (is_floor_root(Integer(y + off), n, degree))
-        return y + off;
-  }
+  if (degree == 3 && n > 0 && bit_length(n) < 288)
+    if (std::optional<Integer> root = short_cube_root(n))
+      return std::move(*root);
   Integer root;
   mpz_root(root.backend().data(), n.backend().data(), degree);
   return root;
