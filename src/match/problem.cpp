@@ -37,14 +37,22 @@ Rational weight_of(const Gradation &g, const CommonDenominator &masses) {
   return sum(weights);
 }
 
-/// n / d of two ends of classes, compared as fractions and reduced only at the end.
-struct End {
-  Integer n;
-  const Integer *d;
-
-  bool below(const End &other) const { return n * *other.d < other.n * *d; }
-  Rational value() const { return ratio(n, *d); }
-};
+/// The extreme of q^b end / mass over the classes, `end` being f or F: the least, or the greatest. Compared
+/// as fractions, reduced only at the end.
+Rational extreme_scale(const std::vector<ProblemClass> &classes, const std::vector<Integer> &q, unsigned b,
+                       Integer ProblemClass::*end, bool greatest) {
+  Integer best = power(q[0], b) * classes[0].*end;
+  const Integer *best_mass = &classes[0].mass;
+  for (std::size_t j = 1; j < q.size(); ++j) {
+    Integer other = power(q[j], b) * classes[j].*end;
+    const bool less = other * *best_mass < best * classes[j].mass;
+    if (less == greatest)
+      continue;
+    best = std::move(other);
+    best_mass = &classes[j].mass;
+  }
+  return ratio(best, *best_mass);
+}
 
 } // namespace
 
@@ -93,23 +101,11 @@ Problem Problem::with_floor(std::size_t j, const Integer &least) const {
 }
 
 Rational Problem::lowest_scale(const std::vector<Integer> &q) const {
-  End highest{power(q[0], law_.b) * classes_[0].f, &classes_[0].mass};
-  for (std::size_t j = 1; j < q.size(); ++j) {
-    End end{power(q[j], law_.b) * classes_[j].f, &classes_[j].mass};
-    if (highest.below(end))
-      highest = std::move(end);
-  }
-  return highest.value();
+  return extreme_scale(classes_, q, law_.b, &ProblemClass::f, true);
 }
 
 Rational Problem::highest_scale(const std::vector<Integer> &q) const {
-  End lowest{power(q[0], law_.b) * classes_[0].F, &classes_[0].mass};
-  for (std::size_t j = 1; j < q.size(); ++j) {
-    End end{power(q[j], law_.b) * classes_[j].F, &classes_[j].mass};
-    if (end.below(lowest))
-      lowest = std::move(end);
-  }
-  return lowest.value();
+  return extreme_scale(classes_, q, law_.b, &ProblemClass::F, false);
 }
 
 Integer total(const std::vector<Integer> &q) {

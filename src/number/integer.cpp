@@ -45,14 +45,15 @@ Integer power_of_ten(unsigned exponent) {
 
 namespace {
 
-/// The cube root of a short n > 0, guessed in double, brought to about 100 bits by a step of Newton's method and proved in
-/// integers; nothing if the guess is wrong. Several times cheaper than GMP's root.
+/// The cube root of a short n > 0, guessed in double, brought to about 100 bits by a step of Newton's method
+/// and proved in integers; nothing if the guess is wrong. Several times cheaper than GMP's root.
 std::optional<Integer> short_cube_root(const Integer &n) {
   long exponent = 0;
   const double mantissa = mpz_get_d_2exp(&exponent, n.backend().data());
   const long thirds = exponent / 3;
   constexpr int bits = 52;
-  Integer y = static_cast<std::int64_t>(std::ldexp(std::cbrt(std::ldexp(mantissa, static_cast<int>(exponent % 3))), bits));
+  Integer y = static_cast<std::int64_t>(
+      std::ldexp(std::cbrt(std::ldexp(mantissa, static_cast<int>(exponent % 3))), bits));
   Integer rest;
   const mpz_ptr root = y.backend().data();
   const mpz_ptr r = rest.backend().data();
@@ -65,7 +66,8 @@ std::optional<Integer> short_cube_root(const Integer &n) {
     mpz_addmul_ui(r, root, 2);
     mpz_tdiv_q_ui(root, r, 3);
   }
-  // y^3 <= n < (y + 1)^3 iff 0 <= n - y^3 <= 3 y (y + 1). The step never ends below the root, but may be one above it.
+  // y^3 <= n < (y + 1)^3 iff 0 <= n - y^3 <= 3 y (y + 1). The step never ends below the root, but may be one
+  // above it.
   for (int attempt = 0; attempt < 2; ++attempt, mpz_sub_ui(root, root, 1)) {
     mpz_mul(r, root, root);
     mpz_mul(r, r, root);
