@@ -151,7 +151,8 @@ std::vector<Answer> answers(const Batch &batch, const std::vector<Lines::Line> &
 void make_folder(const std::string &path) {
   struct stat status {};
   if (mkdir(path.c_str(), 0777) != 0 && (stat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)))
-    throw InputError(printable(path) + ": no folder for the proofs can be made there: " + std::strerror(errno));
+    throw InputError(printable(path) +
+                     ": no folder for the proofs can be made there: " + std::strerror(errno));
 }
 
 int run(const BatchCommand &c) {

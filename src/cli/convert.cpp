@@ -4,8 +4,6 @@
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
 
-#include <fmt/core.h>
-
 #include <memory>
 
 namespace mdm::cli {
@@ -31,7 +29,7 @@ int run(const ConvertCommand &c) {
   out.commit();
   for (const std::string &note : g.notes())
     if (!c.quiet)
-      fmt::print(stderr, "note: {}\n", note);
+      tell("note: " + note + "\n");
   return Exit::done;
 }
 

@@ -4,7 +4,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <set>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,6 +11,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 #include <utility>
 
 namespace mdm::cli {
@@ -64,13 +64,31 @@ std::string real_path(const std::string &path) {
 
 } // namespace
 
+void occupy_standard_streams() {
+  for (const auto &[descriptor, mode] :
+       {std::pair(STDIN_FILENO, O_WRONLY), std::pair(STDOUT_FILENO, O_RDONLY),
+        std::pair(STDERR_FILENO, O_WRONLY)})
+    if (fcntl(descriptor, F_GETFD) < 0)
+      open("/dev/null", mode); // takes the lowest free number: this one
+}
+
+void tell(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t n = ::write(STDERR_FILENO, text.data(), text.size());
+    if (n < 0 && errno != EINTR)
+      return;
+    text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+  }
+}
+
 std::string read_file(const std::string &path, std::size_t most) {
   const int descriptor = open_for_reading(path);
   std::string text;
   try {
     while (read_some(descriptor, path, text))
       if (text.size() > most)
-        throw InputError(fmt::format("{}: more than {} MiB: is it the right file?", printable(path), most >> 20));
+        throw InputError(
+            fmt::format("{}: more than {} MiB: is it the right file?", printable(path), most >> 20));
   } catch (...) {
     close_reading(descriptor);
     throw;

@@ -9,6 +9,13 @@
 
 namespace mdm::cli {
 
+/// Opens what of standard input, output and error is closed, so that no file of ours gets its number: reading
+/// the first and writing the second fail as they should, messages go nowhere. Call first.
+void occupy_standard_streams();
+
+/// Writes a text to standard error. Where that cannot be, there is nobody to tell.
+void tell(std::string_view text);
+
 /// Content of a file, or of standard input for `-`.
 /// \throws InputError if it cannot be read or has more than `most` bytes
 std::string read_file(const std::string &path, std::size_t most);
@@ -16,8 +23,8 @@ std::string read_file(const std::string &path, std::size_t most);
 /// The absolute path without symbolic links of a file or of a file that is to be.
 std::string canonical_path(const std::string &path);
 
-/// Refuses two names of one regular file among the inputs and outputs of a command; `-` and devices do not count.
-/// \throws InputError naming the second
+/// Refuses two names of one regular file among the inputs and outputs of a command; `-` and devices do not
+/// count. \throws InputError naming the second
 void check_distinct(const std::vector<std::string> &paths);
 
 /// Where a result goes. A regular file or a new path is written beside and takes its name in commit();

@@ -43,7 +43,7 @@ std::string help_text(const CLI::App &app, const CLI::App &of) {
 }
 
 int complain(const std::string &message) {
-  fmt::print(stderr, "{}\n", message);
+  tell(message + "\n");
   return Exit::bad_input;
 }
 
@@ -104,7 +104,8 @@ int run(int argc, char **argv) {
 } // namespace
 
 int main(int argc, char **argv) {
-  mdm::cli::use_number_pool();
+  occupy_standard_streams();
+  use_number_pool();
   // A closed pipe is then an error of write, with a message and an exit code.
   std::signal(SIGPIPE, SIG_IGN);
   try {

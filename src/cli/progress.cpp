@@ -1,10 +1,11 @@
 #include "progress.hpp"
 
-#include <fmt/core.h>
+#include "files.hpp"
+
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
 
 namespace mdm::cli {
 
@@ -31,12 +32,11 @@ void Progress::run() {
   for (milliseconds wait(2000); !finished_.wait_for(lock, wait, [this] { return done_; });
        wait = milliseconds(500)) {
     const auto seconds = duration_cast<std::chrono::seconds>(steady_clock::now() - start).count();
-    fmt::print(stderr, "\r\x1b[K{}, {} s", text_(), seconds);
-    std::fflush(stderr);
+    tell(fmt::format("\r\x1b[K{}, {} s", text_(), seconds));
     shown = true;
   }
   if (shown)
-    fmt::print(stderr, "\r\x1b[K");
+    tell("\r\x1b[K");
 }
 
 } // namespace mdm::cli

@@ -10,8 +10,6 @@
 #include <mdm/proof/vipr.hpp>
 #include <mdm/report/answer.hpp>
 
-#include <fmt/core.h>
-
 #include <memory>
 
 namespace mdm::cli {
@@ -109,7 +107,7 @@ int run(const SolveCommand &c) {
   out.write(report(c, m, reachable ? &*reachable : nullptr));
   if (c.format == "csv" && !c.quiet)
     for (const std::string &note : m.notes)
-      fmt::print(stderr, "note: {}\n", note);
+      tell("note: " + note + "\n");
   for (const SideFile &file : files)
     file.output->commit();
   out.commit();
