@@ -5,9 +5,9 @@
 
 #include <mdm/error.hpp>
 #include <mdm/gradation/read_gradation.hpp>
+#include <mdm/json_text.hpp>
 #include <mdm/proof/certificate.hpp>
 #include <mdm/report/answer.hpp>
-#include <mdm/report/json_text.hpp>
 
 #include <fmt/core.h>
 #include <sys/stat.h>
@@ -98,7 +98,7 @@ private:
     SolveOptions options = options_;
     if (command_.flags.time_limit)
       options.limits = command_.flags.options().limits; // a deadline of its own for each line
-    const Match m = [&] {
+    Match m = [&] {
       try {
         return solve(std::move(g), question_, options);
       } catch (const InputError &e) {
@@ -109,6 +109,8 @@ private:
       Output proof(*command_.proofs + "/" + proof_name(number, id));
       proof.write(certificate(m));
       proof.commit();
+    } else if (command_.proofs) {
+      m.notes.push_back("no proof was written: the limit came before the end");
     }
     const int exit = m.status == Status::optimal ? Exit::done
                      : m.status == Status::none  ? Exit::negative

@@ -28,7 +28,7 @@ int open_for_reading(const std::string &path) {
     return STDIN_FILENO;
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0)
-    cannot("read", path == "-" ? "standard input" : path, errno);
+    cannot("read", path, errno);
   return descriptor;
 }
 

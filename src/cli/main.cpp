@@ -73,6 +73,7 @@ int run(int argc, char **argv) {
   CLI::App app("The smallest set of particles that matches a grain size distribution, exactly.", "mdm");
   app.footer("Example: mdm solve sand.csv --proof sand.proof && mdm-check sand.csv sand.proof");
   const std::vector<Command> commands = add_commands(app);
+  app.require_subcommand(0, 1);
   if (argc < 2)
     return complain("mdm: a command is missing; there are " + names(commands) + "; see mdm --help");
   const std::string first = argv[1];

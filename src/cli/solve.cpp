@@ -63,6 +63,8 @@ int exit_code(const Match &m, const std::optional<Spectrum> &spectrum) {
 }
 
 void check_outputs(const SolveCommand &c) {
+  if (c.spectrum && c.format == "csv")
+    throw InputError("--spectrum: CSV has no place for it: use --format text or json");
   if (c.proof == "-" || c.vipr == "-")
     throw InputError("--proof and --vipr need a file: standard output has the answer");
   std::vector<std::string> paths = {c.file};
@@ -97,7 +99,7 @@ int run(const SolveCommand &c) {
     files.push_back({std::make_unique<Output>(*c.proof), certificate(m)});
     if (std::optional<SideFile> csv = readable_gradation(c, content, g, m.notes))
       files.push_back(std::move(*csv));
-  } else if (c.proof) {
+  } else if (c.proof || c.vipr) {
     m.notes.push_back("no proof was written: the limit came before the end");
   }
   if (c.vipr && m.complete)
@@ -105,6 +107,9 @@ int run(const SolveCommand &c) {
   for (const SideFile &file : files)
     file.output->write(file.text);
   out.write(report(c, m, reachable ? &*reachable : nullptr));
+  // CSV has no place for a verdict.
+  if (c.format == "csv" && m.status != Status::optimal)
+    tell(printable(m.gradation.id()) + ": " + headline(m) + "\n");
   if (c.format == "csv" && !c.quiet)
     for (const std::string &note : m.notes)
       tell("note: " + note + "\n");

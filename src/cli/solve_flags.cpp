@@ -77,22 +77,28 @@ void SolveFlags::add_to(CLI::App &command) {
       ->type_name("N");
   command
       .add_option("--specimen", specimen,
-                  "at least the solids of a specimen, lengths in the file's unit: cylinder:DxH or box:AxBxC")
+                  "at least the solids of a specimen: cylinder:DxH or box:AxBxC, lengths in the answer's "
+                  "unit (the file's; mm for inches, phi and sieve names)")
       ->type_name("SHAPE");
   command.add_option("--void-ratio", void_ratio, "void ratio e of the specimen")->type_name("E");
   command.add_option("--solids-volume", solids_volume, "at least this volume of solids")->type_name("V");
   command.add_option("--law", law, "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5")
       ->type_name("LAW");
   command.add_option("--size-factor", size_factor, "multiply every size by K")->type_name("K");
-  command.add_option("--cut-below", cut_below, "leave out the classes below the sieve SIZE")
+  command
+      .add_option("--cut-below", cut_below,
+                  "leave out the classes below the sieve SIZE (before --size-factor)")
       ->type_name("SIZE");
-  command.add_option("--pan-size", pan_size, "count the pan as SIZE instead of 0")->type_name("SIZE");
+  command.add_option("--pan-size", pan_size, "count the pan as SIZE instead of 0 (before --size-factor)")
+      ->type_name("SIZE");
   command.add_option("--digits", digits, "significant digits of sizes (15)")->type_name("D");
   command.add_option("--scale", scale, "robust (sizes far from the sieves) or upper (largest sizes)")
       ->type_name("WHICH");
   command.add_option("--max-steps", max_steps, "stop after so many steps, with what is certain (exit 3)")
       ->type_name("N");
-  command.add_option("--node-limit", node_limit, "stop after so many nodes of a search tree (exit 3)")
+  command
+      .add_option("--node-limit", node_limit,
+                  "stop after so many nodes of a search tree (exit 3); exact matches need none")
       ->type_name("N");
   command.add_option("--time-limit", time_limit, "stop after so many seconds (exit 3)")->type_name("S");
 }
@@ -115,6 +121,8 @@ Question SolveFlags::question() const {
     throw InputError("--specimen and --void-ratio belong together");
   if (specimen && solids_volume)
     throw InputError("--specimen and --solids-volume: give one of them");
+  if (void_ratio)
+    named("--void-ratio", *void_ratio, [](const std::string &t) { return parse_decimal(t); });
   if (specimen)
     q.solids = named("--specimen", *specimen,
                      [this](const std::string &t) { return parse_specimen(t, *void_ratio); });

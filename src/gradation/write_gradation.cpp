@@ -1,5 +1,6 @@
 #include <mdm/error.hpp>
 #include <mdm/gradation/write_gradation.hpp>
+#include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
 
 #include <fmt/format.h>
@@ -47,27 +48,6 @@ std::string file_decimal(const Rational &r) {
     throw InputError(
         "a number of this gradation has no decimal of at most 1000 digits: it cannot be written to a file");
   return *scientific;
-}
-
-/// A JSON string; control characters are escaped, since a gradation file must not hold them. What is not
-/// UTF-8 becomes the replacement character.
-std::string json_string(std::string_view text) {
-  std::string out = "\"";
-  const bool valid = is_utf8(text);
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = [text](std::size_t at) { return static_cast<unsigned char>(text[at]); };
-    if (text[i] == '"' || text[i] == '\\')
-      (out += '\\') += text[i];
-    else if (byte(i) < 0x20 || byte(i) == 0x7F)
-      out += fmt::format("\\u{:04x}", byte(i));
-    else if (byte(i) >= 0x80 && !valid)
-      out += "\\ufffd";
-    else if (byte(i) == 0xC2 && byte(i + 1) < 0xA0) // a C1 control: U+0080 to U+009F
-      out += fmt::format("\\u{:04x}", byte(++i));
-    else
-      out += text[i];
-  }
-  return out + "\"";
 }
 
 /// `, "key": ["1", "2"]`.

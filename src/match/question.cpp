@@ -1,4 +1,7 @@
 #include <mdm/match/question.hpp>
+#include <mdm/number/decimal.hpp>
+
+#include <fmt/core.h>
 
 namespace mdm {
 
@@ -10,6 +13,40 @@ Gradation asked_gradation(Gradation g, const Question &question) {
   if (question.size_factor != 1)
     g = g.scaled(question.size_factor);
   return g;
+}
+
+namespace {
+
+std::string in_words(const Solids &solids) {
+  if (const Cylinder *c = std::get_if<Cylinder>(&solids))
+    return fmt::format("the solids of a cylinder {} x {} at void ratio {}", to_decimal(c->diameter),
+                       to_decimal(c->height), to_decimal(c->void_ratio));
+  if (const Box *b = std::get_if<Box>(&solids))
+    return fmt::format("the solids of a box {} x {} x {} at void ratio {}", to_decimal(b->a),
+                       to_decimal(b->b), to_decimal(b->c), to_decimal(b->void_ratio));
+  return "a solids volume of " + to_decimal(std::get<SolidsVolume>(solids).volume);
+}
+
+} // namespace
+
+std::string in_words(const Question &q) {
+  std::string words;
+  const auto add = [&words](const std::string &part) { words += (words.empty() ? "" : "; ") + part; };
+  if (q.at_least > 1)
+    add("at least " + to_string(q.at_least) + " particles");
+  if (q.min_per_class > 1)
+    add("at least " + to_string(q.min_per_class) + " particles in each class");
+  if (q.solids)
+    add("at least " + in_words(*q.solids));
+  if (!q.law.is_sphere())
+    add("law x^(" + q.law.exponent() + ")");
+  if (q.pan_size)
+    add("pan counted as size " + to_decimal(*q.pan_size));
+  if (q.cut_below)
+    add("classes below " + to_decimal(*q.cut_below) + " left out");
+  if (q.size_factor != 1)
+    add("sizes multiplied by " + to_decimal(q.size_factor));
+  return words;
 }
 
 } // namespace mdm

@@ -147,7 +147,8 @@ Match solve(Gradation g, const Question &question, const SolveOptions &options) 
       start.bounds() ? Rational(start.bounds()->lo / match.problem.scale_unit()) : Rational(0);
   AtLeastMatch found = at_least_match(match.problem, question.at_least, from, options.limits);
   match.lower_bound = std::max(total(found.least.q), question.at_least);
-  match.complete = found.least.complete;
+  // As few as were asked for is the least, whatever a sweep would still show (Theorem 7).
+  match.complete = found.least.complete || (question.at_least > 1 && total(found.q) == question.at_least);
   match.status = match.complete ? Status::optimal : Status::feasible;
   match.q = std::move(found.q);
   match.chain = std::move(found.least.chain);

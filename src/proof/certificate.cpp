@@ -1,4 +1,5 @@
 #include <mdm/error.hpp>
+#include <mdm/number/common_denominator.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/proof/certificate.hpp>
 
@@ -20,11 +21,38 @@ bool fits(const Match &m, const Integer &n) {
   return bit_length(n) * std::max(m.question.law.a, m.question.law.b) <= max_power_bits;
 }
 
-void check_powers(const Match &m) {
-  const auto fit = [&m](const Integer &n) { return fits(m, n); };
-  if (!fit(m.question.at_least) || !fit(m.particles()) || !std::all_of(m.q.begin(), m.q.end(), fit))
-    throw InputError("the exponent " + m.question.law.exponent() +
-                     " is too large for a certificate of quantities this long");
+std::size_t longest_part(const Rational &r) {
+  return std::max(bit_length(numerator(r)), bit_length(denominator(r)));
+}
+
+std::size_t longest_part(const std::vector<Rational> &numbers) {
+  std::size_t bits = 1;
+  for (const Rational &r : numbers)
+    bits = std::max(bits, longest_part(r));
+  return bits;
+}
+
+/// The format's limits on the work of a checker (certificate-format.md, section 2, Limits); they are
+/// estimated from above.
+bool within_limits(const Match &m, const std::vector<Enclosure> &sizes) {
+  const Gradation &g = m.gradation;
+  const std::uint64_t e = std::max(m.question.law.a, m.question.law.b);
+  const std::uint64_t in_gradation =
+      std::max({longest_part(g.sizes()), longest_part(g.masses()), longest_part(g.factors())});
+  std::size_t count = std::max(bit_length(m.question.at_least), bit_length(m.particles()));
+  for (const Enclosure &x : sizes)
+    count = std::max({count, bit_length(x.hi), bit_length(power_of_ten(x.places))});
+  std::size_t scale = longest_part(Rational(m.scale / m.problem.scale_unit()));
+  scale = std::max(scale, longest_part(Rational(m.above / m.problem.scale_unit())));
+  if (m.window.start)
+    scale = std::max(scale, longest_part(Rational(m.window.start->lo / m.problem.scale_unit())));
+  Integer factors = 1;
+  if (m.question.solids)
+    for (const Integer &c : CommonDenominator(g.factors()).numerators)
+      factors = bit_length(factors) > max_power_bits ? factors : lcm(factors, c);
+  return e * in_gradation <= max_power_bits && e * count <= max_power_bits &&
+         (64 * g.sizes().size() + m.chain.size()) * e * (in_gradation + count) <= std::uint64_t{1} << 34 &&
+         g.classes() * scale <= std::uint64_t{1} << 32 && bit_length(factors) <= max_power_bits;
 }
 
 std::string solids_line(const Solids &solids) {
@@ -57,12 +85,15 @@ std::string question_lines(const Match &m) {
   return text;
 }
 
-std::string witness_lines(const Match &m) {
-  const bool precise = std::all_of(m.sizes.begin(), m.sizes.end(), [&m](const Enclosure &x) {
+/// The match's sizes if they are precise and short enough for the format, else such ones.
+std::vector<Enclosure> certified_sizes(const Match &m) {
+  const bool usable = std::all_of(m.sizes.begin(), m.sizes.end(), [&m](const Enclosure &x) {
     return (x.hi - x.lo) * power_of_ten(least_digits - 1) <= x.lo && fits(m, x.hi);
   });
-  const std::vector<Enclosure> sizes =
-      precise ? m.sizes : enclose_sizes(m.gradation, m.problem, m.q, m.scale, least_digits);
+  return usable ? m.sizes : enclose_sizes(m.gradation, m.problem, m.q, m.scale, least_digits);
+}
+
+std::string witness_lines(const Match &m, const std::vector<Enclosure> &sizes) {
   std::string text = fmt::format("particles {}\nscale {}\n", to_string(m.particles()), to_string(m.scale));
   for (std::size_t j = 0; j < m.q.size(); ++j)
     fmt::format_to(std::back_inserter(text), "class {} {} {} {}\n", m.problem.classes()[j].index + 1,
@@ -83,8 +114,12 @@ std::string chain_lines(const Match &m) {
 } // namespace
 
 std::string certificate(const Match &m) {
-  check_powers(m);
-  return "mdm-certificate 1\n" + question_lines(m) + witness_lines(m) + chain_lines(m) + "end\n";
+  const std::vector<Enclosure> sizes = certified_sizes(m);
+  if (!within_limits(m, sizes))
+    throw InputError(
+        "the numbers are too long for a certificate that can be checked in reasonable time: round them, or "
+        "leave out --proof");
+  return "mdm-certificate 1\n" + question_lines(m) + witness_lines(m, sizes) + chain_lines(m) + "end\n";
 }
 
 } // namespace mdm

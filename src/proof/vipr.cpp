@@ -50,7 +50,7 @@ public:
   std::string text() {
     derive();
     const std::size_t k = classes_.size();
-    out("% {}: the least number of particles that match exactly\nVER 1.0\nVAR {}\n", "mdm", k);
+    out("% mdm: the least number of particles that match exactly\nVER 1.0\nVAR {}\n", k);
     for (std::size_t j = 0; j < k; ++j)
       out("{}q{}", separator(j), m_.problem.classes()[j].index + 1);
     out("\nINT {}\n", k);

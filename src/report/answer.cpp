@@ -1,7 +1,7 @@
 #include <mdm/error.hpp>
+#include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/report/answer.hpp>
-#include <mdm/report/json_text.hpp>
 #include <mdm/report/versions.hpp>
 
 #include <fmt/compile.h>
@@ -91,22 +91,8 @@ std::string json_versions() {
   return text;
 }
 
-std::string headline(const Match &m) {
-  const std::string n = to_string(m.particles());
-  const std::string least = to_string(m.lower_bound);
-  switch (m.status) {
-  case Status::optimal:
-    return n + " particles: the smallest set that matches exactly";
-  case Status::feasible:
-    return "stopped at a limit: the smallest set that matches exactly has N in [" + least + ", " + n +
-           "] particles; below is one with " + n;
-  case Status::none:
-    return "no match within the limit on N: the smallest set that matches exactly has " +
-           (m.complete ? least : "at least " + least) + " particles";
-  default:
-    return "stopped at a limit: the smallest set that matches exactly has N in [" + least + ", " + n +
-           "] particles; whether the limit on N can be met is open";
-  }
+std::string counted(const Integer &n) {
+  return to_string(n) + (n == 1 ? " particle" : " particles");
 }
 
 /// The text form's table; columns are as wide as their longest entry.
@@ -130,12 +116,22 @@ void add_table(Buffer &out, const Match &m) {
         width[3], l[4]);
 }
 
+/// The scale of the asked volume: exactly, or enclosed.
+std::string start_text(const Match &m) {
+  const StartScale &s = *m.window.start;
+  if (s.exact())
+    return to_string(s.lo);
+  return enclose_interval(numerator(s.lo) * denominator(s.hi), numerator(s.hi) * denominator(s.lo),
+                          denominator(s.lo) * denominator(s.hi), m.digits)
+      .text();
+}
+
 void add_text_scale(Buffer &out, const Match &m) {
   const unsigned b = m.question.law.b;
   const std::string s = b == 1 ? "s" : "s^" + std::to_string(b);
   add(out, "\n  scale: {} above {} and up to {}", s, to_string(m.window.above), to_string(m.window.up_to));
   if (m.window.start)
-    add(out, "; from {} on for the volume", approximate(m.window.start->lo, m.digits));
+    add(out, "; from {} on for the volume", start_text(m));
   add(out, "\n  chosen: {} = {}; every size is {} or more of itself away from the sieves\n", s,
       to_string(m.scale), margin_text(m));
   if (m.question.law.is_sphere()) {
@@ -158,6 +154,23 @@ void add_text_spectrum(Buffer &out, const Spectrum &s) {
 }
 
 } // namespace
+
+std::string headline(const Match &m) {
+  const std::string words = in_words(m.question);
+  const std::string set = "the smallest set that matches exactly" + (words.empty() ? "" : " (" + words + ")");
+  const std::string between = "N in [" + to_string(m.lower_bound) + ", " + to_string(m.particles()) + "]";
+  switch (m.status) {
+  case Status::optimal:
+    return counted(m.particles()) + ": " + set;
+  case Status::feasible:
+    return "stopped at a limit: " + set + " has " + between + "; below is one with " + counted(m.particles());
+  case Status::none:
+    return "no match within the limit on N: " + set + " has " + (m.complete ? "" : "at least ") +
+           counted(m.lower_bound);
+  default:
+    return "stopped at a limit: " + set + " has " + between + "; whether the limit on N can be met is open";
+  }
+}
 
 std::string answer_json(const Match &m, const Spectrum *spectrum) {
   static const std::string libraries = json_versions();

@@ -25,7 +25,9 @@ inline Rational rational(const Json &text) {
   return Rational(Integer(digits), boost::multiprecision::pow(Integer(10), static_cast<unsigned>(places)));
 }
 
-inline Rational cube(const Rational &x) { return x * x * x; }
+inline Rational cube(const Rational &x) {
+  return x * x * x;
+}
 
 /// The quantities of all classes, ascending, separated by a space.
 inline std::string quantities(const Json &answer) {
@@ -59,7 +61,8 @@ inline void check_match(const Json &answer) {
   Rational above = 0, up_to = -1, upper_before = -1;
   Integer particles = 0;
   for (const Json &c : answer.at("classes")) {
-    const Rational lower = rational(c.at("lower")), upper = rational(c.at("upper")), mass = rational(c.at("mass"));
+    const Rational lower = rational(c.at("lower")), upper = rational(c.at("upper")),
+                   mass = rational(c.at("mass"));
     CHECK(lower < upper);
     CHECK(lower >= upper_before);
     upper_before = upper;
@@ -70,7 +73,8 @@ inline void check_match(const Json &answer) {
       CHECK(c.at("size").is_null());
       continue;
     }
-    const Rational lo = rational(c.at("size").at(0)), hi = rational(c.at("size").at(1)), volume = s * mass / q;
+    const Rational lo = rational(c.at("size").at(0)), hi = rational(c.at("size").at(1)),
+                   volume = s * mass / q;
     CHECK(lower < lo);
     CHECK(hi <= upper);
     CHECK((lo == hi ? cube(lo) == volume : (cube(lo) <= volume && volume < cube(hi))));

@@ -2,18 +2,31 @@
 """Second computation of everything that `mdm batch` answers, with fractions of the standard library alone.
 
     oracle.py MDM MDM_CHECK [--seconds S] [--seed K]        random small problems
-    oracle.py MDM MDM_CHECK --suite FILE [--floats CSV]     a file of JSON Lines; float answers that may not be smaller
+    oracle.py MDM MDM_CHECK --suite FILE [--floats CSV]     JSON Lines; float answers are never smaller
 
-The least match is found by walking all scales at which something changes, not by the program's sweep. Every answer is
-judged completely: status, N, quantities, window, scale, margin, sizes, volume; its proof must be accepted.
-Scales are taken to the power b of the law x^(a/b): q_j^b A_j < S <= q_j^b B_j. Exits with 1 if anything differs.
+The least match is found by walking all scales at which something changes, not by the program's sweep. Every
+answer is judged completely: status, N, quantities, window, scale, margin, sizes, volume; its proof must be
+accepted. Scales are taken to the power b of the law x^(a/b): q_j^b A_j < S <= q_j^b B_j. Exits with 1 if
+anything differs.
 """
 import argparse, csv, heapq, json, os, random, subprocess, sys, tempfile, time
 from fractions import Fraction as Q
 from math import isqrt
 
-PI_LO = Q(314159265358979323846264338327950288419716939937510582097494, 10**59)
-PI_HI = PI_LO + Q(1, 10**59)
+
+def arctan_inverse(n, unit):
+    """unit times arctan(1/n), rounded in each of some 200 terms."""
+    term, total, k = unit // n, 0, 1
+    while term:
+        total += term // k if k % 4 == 1 else -(term // k)
+        term //= n * n
+        k += 2
+    return total
+
+
+UNIT = 10**150
+PI = 16 * arctan_inverse(5, UNIT) - 4 * arctan_inverse(239, UNIT)  # Machin's formula, off by less than 10^5
+PI_LO, PI_HI = Q(PI - 10**5, UNIT), Q(PI + 10**5, UNIT)
 
 
 class Problem:
@@ -139,11 +152,18 @@ class Problem:
         if any(self.A[j] == 0 for j in self.classes):
             # One class takes any number from its lower end on: all N from the least on.
             return [[self.solve()[0], None]] if self.solve() else None
-        s = max(max(self.R, -(-a // (b - a)) if self.b == 1 else 0)**self.b * a
-                for a, b in ((self.A[j], self.B[j]) for j in self.classes))
-        if self.b != 1:
-            return None
-        s = max(s, Q(3 * len(self.classes) - 1) / sum(1 / self.A[j] - 1 / self.B[j] for j in self.classes))
+
+        def closed_from(A, B):
+            """Least q >= R from which on the scales of q and of q + 1 overlap."""
+            q = self.R
+            while (q + 1)**self.b * A > q**self.b * B:
+                q += 1 + q // 100
+            return q
+
+        # Twice the bound of Theorem 8, in doubles: it need not be sharp.
+        s = max(closed_from(self.A[j], self.B[j]) * float(self.A[j])**(1 / self.b) for j in self.classes)
+        width = sum(float(self.A[j])**(-1 / self.b) - float(self.B[j])**(-1 / self.b) for j in self.classes)
+        s = Q(2 * max(s, (3 * len(self.classes) - 1) / width))**self.b
         intervals = []
         for S, closed in self.steps(most):
             counts = self.range_at(S, closed)
@@ -186,12 +206,14 @@ def faults(p, answer, question, most=4000):
             wrong.append(text)
 
     shown = answer["classes"]
-    expect([Q(c["lower"]) for c in shown] == p.x[:-1] and [Q(c["upper"]) for c in shown] == p.x[1:], "class bounds")
+    expect([Q(c["lower"]) for c in shown] == p.x[:-1], "lower bounds")
+    expect([Q(c["upper"]) for c in shown] == p.x[1:], "upper bounds")
     expect([Q(c["mass"]) for c in shown] == p.m, "class masses")
     if answer["particles"] is None:
         return wrong
     q = {j: int(shown[j]["quantity"]) for j in p.classes}
-    expect(all(c["quantity"] == "0" and c["size"] is None for c, m in zip(shown, p.m) if m == 0), "empty classes")
+    empty = [(c["quantity"], c["size"]) for c, m in zip(shown, p.m) if m == 0]
+    expect(all(shown_empty == ("0", None) for shown_empty in empty), "empty classes")
     expect(sum(q.values()) == int(answer["particles"]), "particles are not the sum of the quantities")
     expect(sum(q.values()) >= p.at_least and min(q.values()) >= p.R, "a floor is not met")
     solved = p.solve(most)
@@ -200,10 +222,10 @@ def faults(p, answer, question, most=4000):
         if solved:
             expect(q == solved[1], f"quantities {q} instead of {solved[1]}")
             if p.at_least == 1 and solved[0] <= 12 and len(p.classes) <= 4:
-                expect(enumerated_least(p, solved[0]) == solved[0], "enumeration disagrees with the oracle itself")
+                expect(enumerated_least(p, solved[0]) == solved[0], "enumeration disagrees with the oracle")
     elif solved:
         n = sum(solved[1].values())
-        expect(int(answer["lower_bound"]) <= n <= int(answer["particles"]), f"N = {n} is not in [lower_bound, particles]")
+        expect(int(answer["lower_bound"]) <= n <= int(answer["particles"]), f"N = {n} is outside the bounds")
 
     scale = answer["scale"]
     above, up_to, S = Q(scale["above"]), Q(scale["up_to"]), Q(scale["chosen"])
@@ -218,7 +240,8 @@ def faults(p, answer, question, most=4000):
     if question.get("scale") == "upper":
         expect(S == up_to, "not the upper scale")
     elif p.start and above < p.start[1] <= up_to and "scale" not in question:
-        expect(S - p.start[1] <= p.start[1] / 10**14, "not the start's volume")
+        unit = Q(10)**(1 - int(question.get("digits", 15)))
+        expect(S - p.start[1] <= unit * p.start[1], "not the start's volume")
     elif p.start and p.start[1]**2 > above * up_to:
         expect(p.start[1] <= S <= p.start[1] + (up_to - p.start[1]) / 8, "scale too far from the start")
     elif above == 0:
@@ -296,7 +319,8 @@ def random_gradation(r, identity):
         masses = [Q(r.randrange(1, 10**4), 100) for _ in range(k)]
     if not any(masses):
         masses[r.randrange(k)] = Q(1)
-    gradation = {"id": identity, "sizes": [decimal(Q(x)) for x in sizes], "masses": [decimal(m) for m in masses] + ["0"]}
+    gradation = {"id": identity, "sizes": [decimal(Q(x)) for x in sizes],
+                 "masses": [decimal(m) for m in masses] + ["0"]}
     if r.random() < 0.25:
         gradation["factors"] = [r.choice(["1", "2", "0.5", "2.65", "1.000001", "8"]) for _ in sizes]
     if r.random() < 0.3:
@@ -324,7 +348,8 @@ def random_question(r):
     if kind < 0.3:
         question["law"] = "power:" + r.choice(["1", "2", "3", "1/2", "5/2", "3/2", "1/3", "7/3", "6/4"])
     elif kind < 0.45:
-        question["specimen"] = r.choice(["cylinder:1x1", "cylinder:2x3", "cylinder:10x24.4", "box:2x1x2", "box:3x3x3.5"])
+        question["specimen"] = r.choice(["cylinder:1x1", "cylinder:2x3", "cylinder:10x24.4", "box:2x1x2",
+                                         "box:3x3x3.5"])
         question["void-ratio"] = r.choice(["0", "0.5", "0.683"])
     elif kind < 0.5:
         question["solids-volume"] = r.choice(["1", "0.001", "30", "5e3"])
@@ -332,6 +357,8 @@ def random_question(r):
 
 
 class Run:
+    """Asks the programs and counts what is wrong."""
+
     def __init__(self, mdm, check):
         self.mdm, self.check = mdm, check
         self.answers = self.bad = 0
@@ -340,47 +367,55 @@ class Run:
         self.bad += 1
         print(*words, flush=True)
 
-    def batch(self, gradations, question, most=4000, extra=(), may_fail=False, judge=lambda gradation, answer: None):
+    def ask(self, command, question, extra, text):
+        """The program's run and its options."""
         options = [word for name, value in question.items() for word in ("--" + name, value)] + list(extra)
+        done = subprocess.run([self.mdm, *command, *options], capture_output=True, text=True, input=text,
+                              timeout=600)
+        return done, options
+
+    def judge(self, gradation, question, options, line, most):
+        """The answer of a line, after it was judged."""
+        self.answers += 1
+        answer = json.loads(line)
+        try:
+            wrong = faults(Problem(gradation, question), answer, question, most)
+        except Exception as e:  # an answer without what it should have
+            wrong = [repr(e)]
+        if wrong:
+            self.report(options, json.dumps(gradation), line, wrong)
+        return answer
+
+    def batch(self, gradations, question, extra=(), most=4000):
+        """The answers to all gradations."""
+        answers = []
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([self.mdm, "batch", "--proofs", folder + "/proofs", *options], capture_output=True,
-                                  text=True, input="".join(json.dumps(g) + "\n" for g in gradations), timeout=600)
+            done, options = self.ask(["batch", "--proofs", folder + "/proofs"], question, extra,
+                                     "".join(json.dumps(g) + "\n" for g in gradations))
             lines = done.stdout.splitlines()
             if len(lines) != len(gradations):
-                return self.report(options, "exit", done.returncode, done.stderr, len(lines), "answers", json.dumps(gradations[len(lines)]))
+                self.report(options, "exit", done.returncode, done.stderr, json.dumps(gradations))
+                return answers
             for number, (g, line) in enumerate(zip(gradations, lines), 1):
-                answer = json.loads(line)
-                self.answers += 1
-                if answer["status"] == "error":
-                    if not may_fail:
-                        self.report(options, json.dumps(g), line)
+                answers.append(self.judge(g, question, options, line, most))
+                if answers[-1]["status"] != "optimal":
                     continue
-                try:
-                    wrong = faults(Problem(g, question), answer, question, most)
-                except Exception as e:
-                    wrong = [repr(e)]
-                if wrong:
-                    self.report(options, json.dumps(g), line, wrong)
-                judge(g, answer)
-                name = f"{folder}/proofs/{number}" + (f"-{g['id']}" if g["id"] != str(number) else "") + ".proof"
-                if answer["status"] == "optimal":
-                    with open(folder + "/g.json", "w") as file:
-                        json.dump(g, file)
-                    verdict = subprocess.run([self.check, folder + "/g.json", name], capture_output=True, text=True)
-                    if verdict.returncode != 0:
-                        self.report(options, json.dumps(g), "mdm-check:", verdict.returncode, verdict.stdout, verdict.stderr)
+                with open(folder + "/g.json", "w") as file:
+                    json.dump(g, file)
+                proof = f"{folder}/proofs/{number}-{g['id']}.proof"
+                verdict = subprocess.run([self.check, folder + "/g.json", proof],
+                                         capture_output=True, text=True)
+                if verdict.returncode != 0:
+                    self.report(options, json.dumps(g), "mdm-check:", verdict.stdout, verdict.stderr)
+        return answers
 
     def solve(self, g, question, *extra):
         """One gradation through `mdm solve`, where there is a spectrum."""
-        options = [word for name, value in question.items() for word in ("--" + name, value)] + list(extra)
-        done = subprocess.run([self.mdm, "solve", "-", "--format", "json", *options], capture_output=True, text=True,
-                              input=json.dumps(g), timeout=600)
-        self.answers += 1
-        if not done.stdout:
-            return self.report(options, json.dumps(g), done.returncode, done.stderr)
-        wrong = faults(Problem(g, question), json.loads(done.stdout), question)
-        if wrong:
-            self.report(options, json.dumps(g), done.stdout, wrong)
+        done, options = self.ask(["solve", "-", "--format", "json"], question, extra, json.dumps(g))
+        if done.stdout:
+            self.judge(g, question, options, done.stdout, 4000)
+        else:
+            self.report(options, json.dumps(g), done.returncode, done.stderr)
 
 
 def random_problems(run, seconds, seed):
@@ -392,7 +427,8 @@ def random_problems(run, seconds, seed):
         run.batch(gradations, question)
         run.batch(gradations[:10], question, extra=("--max-steps", str(r.choice([0, 1, 2, 5]))))
         for g in gradations[:3]:
-            run.solve(g, {key: value for key, value in question.items() if key != "at-least"}, "--spectrum", "--max-steps", "2000")
+            without = {key: value for key, value in question.items() if key != "at-least"}
+            run.solve(g, without, "--spectrum", "--max-steps", "2000")
         if time.monotonic() < end:
             seed += 1
     return seed
@@ -401,8 +437,8 @@ def random_problems(run, seconds, seed):
 def suite(run, file, floats):
     with open(file) as lines:
         gradations = [json.loads(line) for line in lines]
-    ours = {}
-    run.batch(gradations, {}, most=0, judge=lambda g, answer: ours.__setitem__(g["id"], (g, answer)))
+    answers = run.batch(gradations, {}, most=0)
+    ours = {g["id"]: (g, answer) for g, answer in zip(gradations, answers)}
     matches = others = 0
     for row in csv.DictReader(open(floats)) if floats else ():
         g, answer = ours[row["id"]]

@@ -80,17 +80,19 @@ class Process {
 public:
   static constexpr std::chrono::seconds time_limit{300};
 
-  /// `output` is where standard output goes: "" (kept, see out()), a file, or "closed pipe", a pipe without a
-  /// reader.
-  Process(const std::string &program, const Arguments &arguments, const std::string &output = "")
-      : out_(output.empty() ? folder_ / "out" : output), keeps_output_(output.empty()) {
+  /// `output` and `errors` are where standard output and standard error go: "" (kept, see end()), a file,
+  /// "closed pipe", a pipe without a reader, or "nowhere", a descriptor that is not open.
+  Process(const std::string &program, const Arguments &arguments, const std::string &output = "",
+          const std::string &errors = "")
+      : keeps_output_(output.empty()), keeps_errors_(errors.empty()) {
     std::vector<std::string> words{program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char *> pointers;
     for (std::string &word : words)
       pointers.push_back(word.data());
     pointers.push_back(nullptr);
-    const std::string err = folder_ / "err";
+    const std::string out = keeps_output_ ? folder_ / "out" : output;
+    const std::string err = keeps_errors_ ? folder_ / "err" : errors;
     int input[2];
     if (pipe2(input, O_CLOEXEC) != 0)
       throw std::runtime_error("cannot make a pipe");
@@ -99,11 +101,8 @@ public:
       throw std::runtime_error("cannot fork");
     if (child_ == 0) {
       dup2(input[0], STDIN_FILENO);
-      int closed[2] = {-1, -1};
-      if (out_ == "closed pipe" && pipe2(closed, O_CLOEXEC) == 0)
-        close(closed[0]);
-      dup2(closed[1] >= 0 ? closed[1] : open(out_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600), STDOUT_FILENO);
-      dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600), STDERR_FILENO);
+      redirect(STDOUT_FILENO, out);
+      redirect(STDERR_FILENO, err);
       std::signal(SIGPIPE, SIG_DFL);
       execv(pointers[0], pointers.data());
       _exit(127);
@@ -143,7 +142,9 @@ public:
   void signal(int number) const { kill(child_, number); }
 
   /// What is on standard output by now.
-  std::string out() const { return keeps_output_ && std::filesystem::exists(out_) ? read_file(out_) : ""; }
+  std::string out() const {
+    return keeps_output_ && std::filesystem::exists(folder_ / "out") ? read_file(folder_ / "out") : "";
+  }
 
   /// Waits until standard output has so many lines; false if the time limit comes first.
   bool wait_for_lines(std::ptrdiff_t lines) const {
@@ -174,22 +175,34 @@ public:
     else
       outcome.signal = WTERMSIG(status);
     outcome.out = out();
-    outcome.err = read_file(folder_ / "err");
+    outcome.err = keeps_errors_ ? read_file(folder_ / "err") : "";
     outcome.max_rss_kib = usage.ru_maxrss;
     return outcome;
   }
 
 private:
+  static void redirect(int descriptor, const std::string &target) {
+    int ends[2];
+    if (target == "nowhere") {
+      close(descriptor);
+    } else if (target == "closed pipe") {
+      if (pipe2(ends, O_CLOEXEC) == 0)
+        close(ends[0]);
+      dup2(ends[1], descriptor);
+    } else {
+      dup2(open(target.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600), descriptor);
+    }
+  }
+
   TemporaryFolder folder_;
-  std::string out_;
-  bool keeps_output_;
+  bool keeps_output_, keeps_errors_;
   pid_t child_ = -1;
   int input_ = -1;
 };
 
 inline Outcome mdm(const Arguments &arguments, const std::string &standard_input = "",
-                   const std::string &output = "") {
-  Process process(MDM_PROGRAM, arguments, output);
+                   const std::string &output = "", const std::string &errors = "") {
+  Process process(MDM_PROGRAM, arguments, output, errors);
   process.send(standard_input);
   return process.end();
 }

@@ -12,7 +12,8 @@ std::vector<std::optional<Integer>> largest_counts(const Problem &problem, const
 
 /// The scale, to the power b, up to which n particles do not fit, and above which they do, empty classes
 /// aside: the n-th smallest of all q^b f / m. 0 if some f = 0. Cost: O(k log k) comparisons for k classes,
-/// whatever n is. \pre n >= 1
+/// whatever n is.
+/// \pre n >= 1
 Rational crowded_scale(const Problem &problem, const Integer &n);
 
 /// A match with at least n particles: the smallest if `least.complete`, else any.

@@ -37,8 +37,8 @@ using LeastMatch = Swept<Integer>;
 /// Starts from the floors, raises the lower bound on the scale over the classes that can still move until
 /// nothing does. Every raise is forced, so the result is the least match, class by class (Theorem 3). Cost:
 /// at most 1 + sum max(0, settled - r) steps whatever the masses, settled = ceil(f / (F - f)) for b = 1; one
-/// step where F >= 2^b f everywhere. Int is Int128 or Integer. \throws Int128Overflow if Int is Int128 and
-/// too short
+/// step where F >= 2^b f everywhere. Int is Int128 or Integer.
+/// \throws Int128Overflow if Int is Int128 and too short
 template <class Int>
 Swept<Int> sweep(const SweepProblem<Int> &problem, const Limits &limits = {});
 

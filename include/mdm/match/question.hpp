@@ -25,4 +25,8 @@ struct Question {
 /// \throws InputError if they do not fit g
 Gradation asked_gradation(Gradation g, const Question &question);
 
+/// The question in words, parts joined by `; `, for example `at least 10 particles in each class; law
+/// x^(5/2)`. Empty for the plain question: spheres, nothing changed, nothing asked for.
+std::string in_words(const Question &question);
+
 } // namespace mdm

@@ -9,7 +9,7 @@ namespace mdm {
 /// The text of the certificate that m.particles() is the least number the question allows, in the format of
 /// proofs/certificate-format.md. `mdm-check` accepts it with the gradation file that m came from.
 /// \pre m.complete
-/// \throws InputError if powers of the quantities get out of hand
+/// \throws InputError if its numbers are beyond the limits of the format
 std::string certificate(const Match &m);
 
 } // namespace mdm

@@ -13,6 +13,9 @@ std::string answer_json(const Match &m, const Spectrum *spectrum = nullptr);
 /// lower_<unit>,upper_<unit>,mass,quantity,size_lo_<unit>,size_hi_<unit>: a row a class, empty ones included.
 std::string answer_csv(const Match &m);
 
+/// The verdict in one line: N, or the bounds that are certain, and the question.
+std::string headline(const Match &m);
+
 /// For people.
 std::string answer_text(const Match &m, const Spectrum *spectrum = nullptr);
 

@@ -1,0 +1,261 @@
+// mdm batch: an answer a line, in order, whatever the lines hold.
+
+#include "answer.hpp"
+
+#include <sstream>
+
+using namespace cli_test;
+
+namespace {
+
+const std::string good = R"({"id":"good","sizes":["1","2","3"],"masses":["2","1","0"]})";
+
+std::vector<Json> answers(const std::string &out) {
+  std::vector<Json> all;
+  std::istringstream lines(out);
+  for (std::string line; std::getline(lines, line);)
+    all.push_back(Json::parse(line));
+  return all;
+}
+
+/// The first lines of the suite of tests/data.
+std::string suite(std::size_t lines) {
+  std::ifstream file(MDM_DATA_DIR "/suite-2750.jsonl");
+  std::string text;
+  for (std::string line; lines > 0 && std::getline(file, line); --lines)
+    text += line + "\n";
+  REQUIRE(lines == 0);
+  return text;
+}
+
+} // namespace
+
+TEST_CASE("answers come in the order of the lines, with their ids", "[cli]") {
+  const std::string input = suite(50);
+  const Outcome outcome = mdm({"batch"}, input);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  const std::vector<Json> all = answers(outcome.out);
+  const std::vector<Json> lines = answers(input);
+  REQUIRE(all.size() == 50);
+  for (std::size_t i = 0; i < 50; ++i) {
+    CHECK(all[i].at("id") == lines[i].at("id"));
+    CHECK(all[i].at("status") == "optimal");
+    check_match(all[i]);
+  }
+}
+
+TEST_CASE("solve and batch give the same answer", "[cli]") {
+  std::istringstream lines(suite(5));
+  for (std::string line; std::getline(lines, line);)
+    CHECK(mdm({"batch"}, line).out == mdm({"solve", "-", "--format", "json"}, line).out);
+}
+
+TEST_CASE("ids need not be unique and a missing one is the line number", "[cli]") {
+  const std::string nameless = R"({"sizes":[1,2],"masses":[1,0]})";
+  const Outcome outcome = mdm(
+      {"batch"}, good + "\n" + nameless + "\n" + good + "\n" + R"({"id":17,"sizes":[1,2],"masses":[1,0]})" +
+                     "\n" + R"({"id":"\u00e9\u0000\"","sizes":[1,2],"masses":[1,0]})" + "\n");
+  CHECK(outcome.exit_code == 0);
+  const std::vector<Json> all = answers(outcome.out);
+  REQUIRE(all.size() == 5);
+  CHECK(all[0].at("id") == "good");
+  CHECK(all[1].at("id") == "2");
+  CHECK(all[2].at("id") == "good");
+  CHECK(all[3].at("id") == "17");
+  CHECK(all[4].at("id") == std::string("\xC3\xA9\0\"", 4));
+}
+
+TEST_CASE("a bad line has its error in its place and the run goes on", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write(
+      "lines.jsonl", good + "\n" + R"({"id":"bad","sizes":[1,2],"masses":["x",0]})" + "\nnonsense\n" +
+                         R"({"sizes":[1,2],"masses":[1,0)" + "\n" + good + "\n");
+  const Outcome outcome = mdm({"batch", file});
+  CHECK(outcome.exit_code == 2);
+  const std::vector<Json> all = answers(outcome.out);
+  REQUIRE(all.size() == 5);
+  CHECK(all[0].at("status") == "optimal");
+  CHECK(all[4].at("status") == "optimal");
+  for (const std::size_t i : {1u, 2u, 3u}) {
+    CHECK(all[i].size() == 3);
+    CHECK(all[i].at("status") == "error");
+    CHECK(all[i].at("error").get<std::string>().find(file + ":" + std::to_string(i + 1) + ": ") == 0);
+  }
+  CHECK(all[1].at("id") == "bad");
+  CHECK(all[2].at("id") == "3");
+  CHECK(outcome.out.find(R"({"id":"bad","status":"error","error":")") != std::string::npos);
+}
+
+TEST_CASE("every kind of bad line stays in its place", "[cli]") {
+  std::string input;
+  const std::vector<std::string> bad = {"{",
+                                        "[]",
+                                        "1",
+                                        "\"x\"",
+                                        "null",
+                                        "{}",
+                                        R"({"sizes":[1,2],"masses":[1e400,0]})",
+                                        R"({"sizes":[1,2],"masses":[1,0],"id":null})",
+                                        R"({"sizes":[1,2],"masses":[1,0],"id":"a","id":"b"})",
+                                        "\xFF",
+                                        std::string("\0", 1),
+                                        "\x7F"
+                                        "ELF",
+                                        "{\"x\":" + std::string(100'000, '['),
+                                        R"({"sizes":[1,2],"masses":[)" + std::string(100'000, '9') + ",0]}"};
+  for (const std::string &line : bad)
+    input += line + "\n" + good + "\n";
+  const Outcome outcome = mdm({"batch"}, input);
+  CHECK(outcome.exit_code == 2);
+  const std::vector<Json> all = answers(outcome.out);
+  REQUIRE(all.size() == 2 * bad.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    CHECK(all[i].at("status") == (i % 2 == 0 ? "error" : "optimal"));
+}
+
+TEST_CASE("the exit code is that of the worst line: 2 before 3 before 1", "[cli]") {
+  std::string slow =
+      R"({"id":"slow","sizes":["1","1.000001","1.000002","1.000003"],"masses":["7","11","13","0"]})";
+  const std::string bad = "nonsense\n";
+  slow += "\n";
+  const std::string easy = R"({"sizes":[1,2],"masses":[1,0]})"
+                           "\n";
+  const auto exit_code = [](const std::string &input, Arguments options) {
+    options.insert(options.begin(), "batch");
+    return mdm(options, input).exit_code;
+  };
+  CHECK(exit_code(easy, {"--at-most", "3"}) == 0);
+  CHECK(exit_code(easy + good + "\n" + easy, {"--at-most", "3"}) == 1);
+  CHECK(exit_code(good + "\n" + slow + easy, {"--at-most", "3", "--max-steps", "1"}) == 1);
+  CHECK(exit_code(easy + slow + easy, {"--max-steps", "1"}) == 3);
+  CHECK(exit_code(good + "\n" + slow + easy, {"--at-most", "2000000", "--max-steps", "1"}) == 3);
+  CHECK(exit_code(good + "\n" + bad + slow + easy, {"--max-steps", "1"}) == 2);
+  CHECK(exit_code(bad + good + "\n", {"--at-most", "3"}) == 2);
+}
+
+TEST_CASE("empty input has an empty answer", "[cli]") {
+  for (const char *input : {"", "\n", "  \n\t\r\n\n"}) {
+    const Outcome outcome = mdm({"batch"}, input);
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.out.empty());
+  }
+}
+
+TEST_CASE("line ends: none at the end, CRLF, blank lines", "[cli]") {
+  const std::string answer = mdm({"batch"}, good + "\n").out;
+  CHECK(mdm({"batch"}, good).out == answer);
+  CHECK(mdm({"batch"}, good + "\r\n").out == answer);
+  CHECK(mdm({"batch"}, "\n\n" + good + "\n\n \n" + good + "\n").out == answer + answer);
+  const std::vector<Json> numbered = answers(mdm({"batch"}, "\n\n"
+                                                            R"({"sizes":[1,2],"masses":[1,0]})")
+                                                 .out);
+  REQUIRE(numbered.size() == 1);
+  CHECK(numbered[0].at("id") == "3");
+}
+
+TEST_CASE("a line of more than 64 MiB is one error and the next line is read", "[cli]") {
+  const Outcome outcome = mdm({"batch"}, std::string((64u << 20) + 100'000, 'x') + "\n" + good + "\n");
+  const std::vector<Json> all = answers(outcome.out);
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].at("status") == "error");
+  CHECK(all[1].at("status") == "optimal");
+}
+
+TEST_CASE("threads change nothing", "[cli]") {
+  const std::string input = suite(1500) + "nonsense\n" + good + "\n";
+  const Outcome one = mdm({"batch", "-j", "1"}, input);
+  CHECK(one.exit_code == 2);
+  CHECK(mdm({"batch", "-j", "2"}, input).out == one.out);
+  CHECK(mdm({"batch", "-j", "7"}, input).out == one.out);
+}
+
+TEST_CASE("a pipe has its answer before the next line is sent", "[cli]") {
+  for (const char *threads : {"1", "2"}) {
+    Process batch(MDM_PROGRAM, {"batch", "-j", threads});
+    for (int line = 1; line <= 3; ++line) {
+      batch.send(good + "\n");
+      CHECK(batch.wait_for_lines(line));
+    }
+    CHECK(batch.end().exit_code == 0);
+  }
+}
+
+TEST_CASE("--proofs has a certificate for each line, accepted with the line as gradation file", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string input = suite(40);
+  CHECK(mdm({"batch", "--proofs", folder / "proofs"}, input).exit_code == 0);
+  std::istringstream lines(input);
+  std::size_t number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const std::string name =
+        std::to_string(number) + "-" + Json::parse(line).at("id").get<std::string>() + ".proof";
+    const Outcome verdict = mdm_check(folder.write("line.json", line), folder / ("proofs/" + name));
+    INFO(verdict.out << verdict.err);
+    CHECK(verdict.exit_code == 0);
+  }
+  CHECK(std::distance(std::filesystem::directory_iterator(folder / "proofs"),
+                      std::filesystem::directory_iterator()) == 40);
+}
+
+TEST_CASE("ids that are no file names stay out of the names of proofs", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string tail = R"(","sizes":[1,2],"masses":[1,0]})"
+                           "\n";
+  std::string input;
+  for (const char *id : {"../x", "/etc/x", "a b", "", ".", "..", "\\u0000", "\xC3\xA9"})
+    input += std::string(R"({"id":")") + id + tail;
+  input += R"({"id":")" + std::string(5000, 'a') + tail;
+  CHECK(mdm({"batch", "--proofs", folder / "proofs"}, input).exit_code == 0);
+  CHECK(folder.entries() == 1);
+  CHECK(std::distance(std::filesystem::directory_iterator(folder / "proofs"),
+                      std::filesystem::directory_iterator()) == 9);
+}
+
+TEST_CASE("a folder of proofs that cannot be made is refused", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("file", "old");
+  check_refused(mdm({"batch", "--proofs", file}, good), "file");
+  check_refused(mdm({"batch", "--proofs", folder / "missing/proofs"}, good), "missing");
+  CHECK(read_file(file) == "old");
+}
+
+TEST_CASE("batch -o is written whole or not at all", "[cli]") {
+  const TemporaryFolder folder;
+  CHECK(mdm({"batch", "-o", folder / "answers"}, good).exit_code == 0);
+  CHECK(read_file(folder / "answers") == mdm({"batch"}, good).out);
+  CHECK(mdm({"batch", "-o", folder / "answers"}, "nonsense").exit_code == 2);
+  CHECK(read_file(folder / "answers").find(R"("status":"error")") != std::string::npos);
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("batch takes the options of solving", "[cli]") {
+  const std::vector<Json> all =
+      answers(mdm({"batch", "--min-per-class", "5", "--at-least", "40", "--scale", "upper"}, good).out);
+  REQUIRE(all.size() == 1);
+  check_match(all[0]);
+  CHECK(all[0].at("particles") == "40");
+  CHECK(all[0].at("scale").at("chosen") == all[0].at("scale").at("up_to"));
+  check_refused(mdm({"batch", "--at-least", "x"}, good), "--at-least");
+  const std::vector<Json> wrong = answers(mdm({"batch", "--cut-below", "1.5"}, good).out);
+  REQUIRE(wrong.size() == 1);
+  CHECK(wrong[0].at("id") == "good");
+  CHECK(wrong[0].at("status") == "error");
+}
+
+TEST_CASE("memory does not grow with the number of lines", "[cli]") {
+  const auto most_kib = [](int lines) {
+    Process batch(MDM_PROGRAM, {"batch", "-j", "2"}, "/dev/null");
+    std::string chunk;
+    for (int i = 0; i < 1000; ++i)
+      chunk += good + "\n";
+    for (int i = 0; i < lines / 1000; ++i)
+      batch.send(chunk);
+    const Outcome outcome = batch.end();
+    CHECK(outcome.exit_code == 0);
+    return outcome.max_rss_kib;
+  };
+  const long few = most_kib(5'000);
+  CHECK(most_kib(100'000) < few + 32 * 1024);
+}

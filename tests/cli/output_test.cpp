@@ -1,0 +1,173 @@
+// Where answers go: whole files or none, and an error for what cannot be written.
+
+#include "answer.hpp"
+
+#include <sys/stat.h>
+
+using namespace cli_test;
+
+namespace {
+
+const std::string athabasca = example("athabasca-sand");
+
+} // namespace
+
+TEST_CASE("-o writes what standard output would have", "[cli]") {
+  const TemporaryFolder folder;
+  const Outcome outcome = mdm({"solve", athabasca, "-o", folder / "answer.txt"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.empty());
+  CHECK(read_file(folder / "answer.txt") == mdm({"solve", athabasca}).out);
+  CHECK(folder.entries() == 1);
+  CHECK(mdm({"solve", athabasca, "-o", "/dev/stdout"}).out == read_file(folder / "answer.txt"));
+  CHECK(mdm({"solve", athabasca, "-o", "-"}).out == read_file(folder / "answer.txt"));
+}
+
+TEST_CASE("-o replaces a file and keeps its mode", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("answer.txt", "old");
+  REQUIRE(chmod(path.c_str(), 0640) == 0);
+  CHECK(mdm({"solve", athabasca, "-o", path}).exit_code == 0);
+  CHECK(read_file(path).find("1485") != std::string::npos);
+  struct stat status {};
+  REQUIRE(stat(path.c_str(), &status) == 0);
+  CHECK((status.st_mode & 07777) == 0640);
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("-o follows a symbolic link", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("answer.txt", "old");
+  std::filesystem::create_symlink(path, folder / "link");
+  CHECK(mdm({"solve", athabasca, "-o", folder / "link"}).exit_code == 0);
+  CHECK(std::filesystem::is_symlink(folder / "link"));
+  CHECK(read_file(path).find("1485") != std::string::npos);
+}
+
+TEST_CASE("after an error an existing file is as before, and nothing else is there", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string answer = folder.write("answer.txt", "old");
+  const std::string proof = folder.write("proof", "old");
+  const std::string bad = folder.write("bad.csv", "size_mm,mass\n1,x\n2,0\n");
+  check_refused(mdm({"solve", bad, "-o", answer, "--proof", proof, "--vipr", folder / "new"}));
+  check_refused(mdm({"convert", bad, "-o", answer}));
+  check_refused(mdm({"solve", athabasca, "-o", answer, "--proof", proof, "--vipr", folder / "missing/new"}));
+  CHECK(read_file(answer) == "old");
+  CHECK(read_file(proof) == "old");
+  CHECK(folder.entries() == 3);
+}
+
+TEST_CASE("a full disk is an error, and no other result is left", "[cli]") {
+  const TemporaryFolder folder;
+  check_refused(mdm({"solve", athabasca, "--proof", folder / "proof"}, "", "/dev/full"), "No space left");
+  check_refused(mdm({"solve", athabasca, "--proof", folder / "proof", "-o", "/dev/full"}), "/dev/full");
+  check_refused(mdm({"solve", athabasca, "--proof", "/dev/full", "-o", folder / "answer"}), "/dev/full");
+  check_refused(mdm({"convert", athabasca}, "", "/dev/full"), "No space left");
+  check_refused(mdm({"convert", athabasca, "-o", "/dev/full"}), "/dev/full");
+  check_refused(mdm({"batch"}, R"({"sizes":[1,2],"masses":[1,0]})", "/dev/full"), "No space left");
+  check_refused(mdm({"--help"}, "", "/dev/full"), "No space left");
+  check_refused(mdm({"--version"}, "", "/dev/full"), "No space left");
+  check_refused(mdm({"solve", "--help"}, "", "/dev/full"), "No space left");
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("a closed pipe is exit 2 without a signal", "[cli]") {
+  const TemporaryFolder folder;
+  check_refused(mdm({"solve", athabasca, "--proof", folder / "proof"}, "", "closed pipe"), "Broken pipe");
+  check_refused(mdm({"convert", athabasca}, "", "closed pipe"), "Broken pipe");
+  check_refused(mdm({"batch"}, R"({"sizes":[1,2],"masses":[1,0]})", "closed pipe"), "Broken pipe");
+  check_refused(mdm({"--help"}, "", "closed pipe"), "Broken pipe");
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("a folder, and a path in a folder that is not there, cannot be written", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string missing = folder / "missing/answer.txt";
+  for (const std::string &path : {folder / ".", missing}) {
+    check_refused(mdm({"solve", athabasca, "-o", path}), path);
+    check_refused(mdm({"solve", athabasca, "--proof", path}), path);
+    check_refused(mdm({"convert", athabasca, "-o", path}), path);
+    check_refused(mdm({"batch", "-o", path}), path);
+  }
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("a folder without write permission cannot be written", "[cli]") {
+  if (geteuid() == 0)
+    return; // permissions do not bind root
+  const TemporaryFolder folder;
+  REQUIRE(chmod((folder / ".").c_str(), 0555) == 0);
+  check_refused(mdm({"solve", athabasca, "-o", folder / "answer.txt"}), "Permission denied");
+  REQUIRE(chmod((folder / ".").c_str(), 0755) == 0);
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("two results cannot have one file", "[cli]") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "sub");
+  const std::string p = folder / "p";
+  for (const std::string &same : {p, folder / "./p", folder / "sub/../p"}) {
+    check_refused(mdm({"solve", athabasca, "--proof", p, "-o", same}), "overwritten");
+    check_refused(mdm({"solve", athabasca, "--proof", p, "--vipr", same}), "overwritten");
+    check_refused(mdm({"solve", athabasca, "--vipr", p, "-o", same}), "overwritten");
+  }
+  folder.write("p", "old");
+  std::filesystem::create_symlink(p, folder / "link");
+  check_refused(mdm({"solve", athabasca, "--proof", p, "-o", folder / "link"}), "overwritten");
+  CHECK(read_file(p) == "old");
+  check_refused(mdm({"solve", athabasca, "--proof", "-"}), "--proof");
+}
+
+TEST_CASE("a proof does not replace the gradation that it proves", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string text = read_file(athabasca);
+  const std::string sand = folder.write("sand.csv", text);
+  check_refused(mdm({"solve", sand, "--proof", sand}), "sand.csv");
+  check_refused(mdm({"solve", sand, "--vipr", folder / "./sand.csv"}), "sand.csv");
+  check_refused(mdm({"solve", sand, "-o", sand}), "sand.csv");
+  CHECK(read_file(sand) == text);
+}
+
+TEST_CASE("what is no regular file is written in place", "[cli]") {
+  CHECK(mdm({"solve", athabasca, "-o", "/dev/null"}).exit_code == 0);
+  struct stat status {};
+  REQUIRE(stat("/dev/null", &status) == 0);
+  CHECK(S_ISCHR(status.st_mode));
+}
+
+TEST_CASE("without a standard output no other file takes its place", "[cli]") {
+  const TemporaryFolder folder;
+  check_refused(mdm({"solve", athabasca}, "", "nowhere"));
+  check_refused(mdm({"convert", athabasca}, "", "nowhere"));
+  check_refused(mdm({"solve", athabasca, "--proof", folder / "proof"}, "", "nowhere"));
+  check_refused(mdm({"batch"}, R"({"sizes":[1,2],"masses":[1,0]})", "nowhere"));
+  CHECK(folder.entries() == 0);
+  CHECK(mdm({"solve", athabasca, "-o", folder / "answer", "--proof", folder / "proof"}, "", "nowhere",
+            "nowhere")
+            .exit_code == 0);
+  CHECK(read_file(folder / "answer") == mdm({"solve", athabasca}).out);
+  CHECK(mdm_check(athabasca, folder / "proof").exit_code == 0);
+}
+
+TEST_CASE("a message that cannot be written changes no exit code", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string bad = folder.write("bad.csv", "size_mm,mass\n1,x\n2,0\n");
+  const std::string noted = folder.write("noted.csv", "size_mm,passing_percent\n1,10\n2,100\n");
+  for (const char *errors : {"nowhere", "/dev/full", "closed pipe"}) {
+    INFO(errors);
+    for (const Arguments &arguments :
+         {Arguments{"solve", bad}, Arguments{"frobnicate"}, Arguments{"solve", bad, "--frob"}, Arguments{}}) {
+      const Outcome outcome = mdm(arguments, "", "", errors);
+      CHECK(outcome.exit_code == 2);
+      CHECK(outcome.out.empty());
+    }
+    const Outcome converted = mdm({"convert", noted}, "", "", errors);
+    CHECK(converted.exit_code == 0);
+    CHECK(converted.out == mdm({"convert", noted}).out);
+    CHECK(mdm({"solve", noted, "--format", "csv", "-o", folder / "answer", "--proof", folder / "proof"}, "",
+              "", errors)
+              .exit_code == 0);
+    CHECK(mdm_check(noted, folder / "proof").exit_code == 0);
+    CHECK(folder.entries() == 4);
+  }
+}

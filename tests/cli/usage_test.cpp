@@ -1,0 +1,71 @@
+// Help, versions, and command lines that are wrong.
+
+#include "run.hpp"
+
+using namespace cli_test;
+
+TEST_CASE("help has an example and exits with 0", "[cli]") {
+  for (const Arguments &arguments : {Arguments{"--help"}, Arguments{"-h"}, Arguments{"solve", "--help"},
+                                     Arguments{"batch", "--help"}, Arguments{"convert", "--help"}}) {
+    const Outcome outcome = mdm(arguments);
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.err.empty());
+    CHECK(outcome.out.find("Example: mdm ") != std::string::npos);
+    CHECK(outcome.out.back() == '\n');
+    CHECK(outcome.out.front() != '\n');
+  }
+  for (const char *option : {"--min-per-class", "--at-least", "--at-most", "--specimen", "--void-ratio",
+                             "--solids-volume", "--law", "--size-factor", "--cut-below", "--pan-size",
+                             "--digits", "--scale", "--max-steps", "--time-limit"})
+    for (const char *command : {"solve", "batch"})
+      CHECK(mdm({command, "--help"}).out.find(option) != std::string::npos);
+}
+
+TEST_CASE("the version names the program and its libraries", "[cli]") {
+  for (const Arguments &arguments : {Arguments{"--version"}, Arguments{"solve", "--version"},
+                                     Arguments{"batch", "--version"}, Arguments{"convert", "--version"}}) {
+    const Outcome outcome = mdm(arguments);
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.out.find("mdm ") == 0);
+    for (const char *library : {"gmp", "boost", "arb"})
+      CHECK(outcome.out.find(library) != std::string::npos);
+  }
+}
+
+TEST_CASE("an unknown command names the commands that there are", "[cli]") {
+  for (const Arguments &arguments :
+       {Arguments{}, Arguments{"sovle"}, Arguments{""}, Arguments{"Solve", "x"}}) {
+    const Outcome outcome = mdm(arguments);
+    check_refused(outcome);
+    for (const char *command : {"solve", "batch", "convert"})
+      CHECK(outcome.err.find(command) != std::string::npos);
+  }
+  check_refused(mdm({"\x1B[31m\xFF\n" + std::string(1000, 'x')}));
+}
+
+TEST_CASE("command lines that are wrong point to the help", "[cli]") {
+  for (const Arguments &arguments :
+       {Arguments{"--frobnicate"}, Arguments{"solve"}, Arguments{"solve", "a", "b"},
+        Arguments{"solve", "a", "--frob"}, Arguments{"solve", "a", "-o"},
+        Arguments{"solve", "a", "--at-least"}, Arguments{"solve", "a", "--digits", "1", "--digits", "2"},
+        Arguments{"batch", "a", "b"}, Arguments{"batch", "-j", "0"}, Arguments{"batch", "-j", "x"},
+        Arguments{"batch", "-j", "-1"}, Arguments{"batch", "-j"}, Arguments{"convert"},
+        Arguments{"convert", "a", "--format", "ags"}})
+    check_refused(mdm(arguments), "--help");
+}
+
+TEST_CASE("- is standard input", "[cli]") {
+  const std::string text = read_file(example("hostun-rf-sand"));
+  const Outcome outcome = mdm({"solve", "-"}, text);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.find(": 31 particles") != std::string::npos);
+  CHECK(mdm({"convert", "-"}, text).exit_code == 0);
+  CHECK(mdm({"batch", "-"}, R"({"sizes":[1,2],"masses":[1,0]})").out ==
+        mdm({"batch"}, R"({"sizes":[1,2],"masses":[1,0]})").out);
+}
+
+TEST_CASE("nothing is on standard error when it is no terminal", "[cli]") {
+  CHECK(mdm({"solve", example("athabasca-sand")}).err.empty());
+  CHECK(mdm({"solve", example("athabasca-sand"), "--quiet"}).out ==
+        mdm({"solve", example("athabasca-sand")}).out);
+}
