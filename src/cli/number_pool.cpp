@@ -118,17 +118,16 @@ void *reallocate(void *memory, std::size_t before, std::size_t after) {
 } // namespace
 
 #if defined(__SANITIZE_ADDRESS__)
-#define MDM_SEES_EVERY_BLOCK
+#define MDM_ADDRESS_SANITIZER 1
 #elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define MDM_SEES_EVERY_BLOCK
-#endif
+#define MDM_ADDRESS_SANITIZER __has_feature(address_sanitizer)
+#else
+#define MDM_ADDRESS_SANITIZER 0
 #endif
 
 void use_number_pool() {
-#ifndef MDM_SEES_EVERY_BLOCK
-  mp_set_memory_functions(allocate, reallocate, release);
-#endif
+  if (MDM_ADDRESS_SANITIZER == 0)
+    mp_set_memory_functions(allocate, reallocate, release);
 }
 
 } // namespace mdm::cli

@@ -263,5 +263,5 @@ TEST_CASE("A file's name is its id, and never spoils a message") {
   CHECK(read_gradation(content, "/data.d/ottawa.f65.csv").id() == "ottawa.f65");
   CHECK(read_gradation(content, "plain").id() == "plain");
   CHECK(read_gradation(content, "a/.hidden").id() == ".hidden");
-  CHECK(contains(message_of([] { read_gradation("", "bad\n\xFFname"); }), "'bad\\x0a\\xffname':1: "));
+  CHECK(contains(message_of([] { read_gradation("", "bad\n\xFFname"); }), "bad\\x0a\\xffname:1: "));
 }
