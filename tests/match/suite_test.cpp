@@ -60,7 +60,7 @@ TEST_CASE("every match that the published code found is at least ours in every c
 }
 
 TEST_CASE("real sands have the known numbers of particles") {
-  const std::map<std::string, int> expected = {{"athabasca-sand", 1485},   {"c778-graded-sand", 141},
+  const std::map<std::string, int> expected = {{"athabasca-sand", 1485},    {"c778-graded-sand", 141},
                                                {"cen-standard-sand", 2977}, {"limestone-pfc", 12078},
                                                {"hostun-rf-sand", 31},      {"ottawa-f65-sand", 2498}};
   for (const auto &[name, n] : expected) {

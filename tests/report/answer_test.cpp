@@ -1,7 +1,7 @@
 #include "catch.hpp"
 
-#include <mdm/report/answer.hpp>
 #include <mdm/json_text.hpp>
+#include <mdm/report/answer.hpp>
 
 #include <nlohmann/json.hpp>
 
