@@ -1,260 +1,190 @@
 #include "certificate.hpp"
 
-#include "gradation.hpp"
 #include "text.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <charconv>
+#include <string>
 
 namespace mdm_check {
 namespace {
 
-bool all_digits(std::string_view text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
-}
+/// A line that stands at most once, and the kinds of its numbers: `1` and `2` are integers from 1 and 2 up,
+/// `d` a decimal above 0, `e` a decimal from 0 up, `r` a rational above 0.
+struct Rule {
+  std::string_view name, kinds;
+  bool optional;
+  Numbers Certificate::*numbers;
+};
+
+constexpr Rule rules[] = {
+    {"mdm-certificate", "1", false, &Certificate::version},
+    {"law", "r", false, &Certificate::law},
+    {"pan-size", "d", true, &Certificate::pan_size},
+    {"cut-below", "d", true, &Certificate::cut_below},
+    {"size-factor", "d", true, &Certificate::size_factor},
+    {"min-per-class", "2", true, &Certificate::min_per_class},
+    {"cylinder", "dde", true, &Certificate::cylinder},
+    {"box", "ddde", true, &Certificate::box},
+    {"solids-volume", "d", true, &Certificate::solids_volume},
+    {"pi", "dd", true, &Certificate::pi},
+    {"at-least", "2", true, &Certificate::at_least},
+    {"particles", "1", false, &Certificate::particles},
+    {"scale", "r", false, &Certificate::scale},
+};
+constexpr Rule rule_of_above = {"above", "r", true, &Certificate::above};
 
 /// Walks over the lines of a certificate and over the words of each.
 class Lines {
 public:
   explicit Lines(std::string_view text) : rest_(text) { next(); }
 
-  [[noreturn]] void fail(const std::string &what) const { throw Malformed(number_, what); }
+  [[noreturn]] void fail(const std::string &what) const { throw Malformed(line_, what); }
 
-  /// Whether the line begins with this word; if so, steps behind it.
-  bool take(std::string_view keyword) {
-    const bool yes = line_.substr(0, line_.find(' ')) == keyword;
-    if (yes)
-      line_.remove_prefix(keyword.size());
+  /// Whether the line has this name; if so, steps behind it.
+  bool take(std::string_view name) {
+    const bool yes = line_.substr(0, line_.find(' ')) == name;
+    line_.remove_prefix(yes ? name.size() : 0);
     return yes;
   }
-  void demand(std::string_view keyword) {
-    if (!take(keyword))
-      fail(quoted(line_) + " where the line " + quoted(keyword) +
-           " belongs: let mdm solve --proof write it again");
+  void demand(std::string_view name) {
+    if (!take(name))
+      fail(quoted(line_) + " instead of the line " + quoted(name) + ": let mdm solve --proof write it again");
+  }
+  void read(const Rule &rule, Certificate &certificate) {
+    if (rule.optional && !take(rule.name))
+      return;
+    if (!rule.optional)
+      demand(rule.name);
+    for (const char kind : rule.kinds)
+      (certificate.*rule.numbers).push_back(number(kind));
+    end_line();
   }
 
-  bool has_word() const { return !line_.empty(); }
   std::size_t words_left() const {
     return static_cast<std::size_t>(std::count(line_.begin(), line_.end(), ' '));
   }
-  std::string_view word() {
-    if (!has_word())
-      fail("the line is too short: give all its numbers");
-    line_.remove_prefix(1);
-    const std::string_view word = line_.substr(0, line_.find(' '));
-    line_.remove_prefix(word.size());
-    return word;
-  }
-
-  mpz_class integer(unsigned long least) {
-    const mpz_class value = integer_of(word());
-    if (value < least)
-      fail("a number below " + std::to_string(least) + ": raise it, or leave out a line that says nothing");
-    return value;
-  }
   std::uint64_t index() {
     const std::string_view text = word();
-    demand_integer(text);
-    if (text.size() > 18)
-      fail("the index " + quoted(text) + " has more than 18 digits: no gradation has that many classes");
     std::uint64_t value = 0;
-    for (const char c : text)
-      value = 10 * value + static_cast<std::uint64_t>(c - '0');
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (text.empty() || end != text.data() + text.size() || (text.size() > 1 && text[0] == '0') ||
+        text.size() > 18)
+      fail(quoted(text) + " is no index: write an integer of at most 18 digits");
     return value;
   }
-  Number decimal(bool zero_allowed) {
+  Number number(char kind) {
     const std::string_view text = word();
-    const std::size_t point = text.find('.');
-    const std::string_view fraction = point == std::string_view::npos ? "1" : text.substr(point + 1);
-    if (!all_digits(fraction) || fraction.back() == '0')
-      fail(quoted(text) + " is no decimal in lowest terms: write it like 0.75");
-    Number number{integer_of(text.substr(0, point)), std::string(text)};
-    if (point != std::string_view::npos) {
-      demand_length(text.size() - 1);
-      number.value = mpq_class(mpz_class(number.text.erase(point, 1), 10), power(10, fraction.size()));
-      number.value.canonicalize();
-      number.text = text;
-    }
-    if (number.value == 0 && !zero_allowed)
-      fail("a zero where a positive number belongs: leave the line out or raise it");
-    return number;
-  }
-  mpq_class rational() {
-    const std::string_view text = word();
-    const std::size_t slash = text.find('/');
-    mpq_class value = integer_of(text.substr(0, slash));
+    const std::size_t slash = kind == 'r' ? text.find('/') : std::string_view::npos;
+    Number number{canonical(text.substr(0, slash), kind == 'd' || kind == 'e'), text};
     if (slash != std::string_view::npos) {
-      const mpz_class numerator = value.get_num();
-      value = mpq_class(numerator, integer_of(text.substr(slash + 1)));
-      const bool proper = value.get_den() >= 2;
-      if (proper)
-        value.canonicalize();
-      if (!proper || value.get_num() != numerator)
-        fail(quoted(text) + " is no fraction in lowest terms: write it like 3/2");
+      const mpz_class numerator = number.value.get_num();
+      const mpz_class denominator = canonical(text.substr(slash + 1), false).get_num();
+      if (denominator < 2 || gcd(numerator, denominator) != 1)
+        fail(quoted(text) + " is not in lowest terms: write it like 3/2");
+      number.value = mpq_class(numerator, denominator);
     }
-    if (value == 0)
-      fail("a zero where a positive number belongs");
-    return value;
+    const unsigned long least_integer = kind == '2' ? 2 : kind == '1' ? 1 : 0;
+    if (number.value < least_integer || (number.value == 0 && kind != 'e'))
+      fail(quoted(text) + " is too small: raise it, or leave out a line that says nothing");
+    return number;
   }
 
   /// The line must be used up; steps to the next one.
   void end_line() {
-    if (has_word())
-      fail(quoted(line_) + " is too much on its line: drop it");
+    demand_form(line_.empty(), line_, "too much on this line: drop what follows its numbers");
     next();
   }
-  /// The line must be used up, and be the last one.
   void end_file() const {
-    if (has_word() || !rest_.empty())
-      fail("something follows `end`: drop it");
+    demand_form(line_.empty() && rest_.empty(), line_, "something follows `end`: drop it");
   }
 
 private:
   void next() {
     const std::size_t end = rest_.find('\n');
-    ++number_;
-    if (end == std::string_view::npos)
-      fail(rest_.empty() ? "the certificate breaks off: it has no line `end`"
-                         : "the line has no end: finish it with one line feed");
     line_ = rest_.substr(0, end);
+    demand_form(end != std::string_view::npos, rest_, "the certificate breaks off: end it with a line `end`");
     rest_.remove_prefix(end + 1);
   }
-  void demand_length(std::size_t digits) const {
-    if (digits > 100'000)
-      fail("a number of more than 100000 digits: give fewer digits");
+  std::string_view word() {
+    demand_form(!line_.empty(), line_, "the line is too short: give all its numbers");
+    line_.remove_prefix(1);
+    const std::string_view word = line_.substr(0, line_.find(' '));
+    line_.remove_prefix(word.size());
+    return word;
   }
-  void demand_integer(std::string_view text) const {
-    if (!all_digits(text) || (text.size() > 1 && text[0] == '0'))
-      fail(quoted(text) + " is not a number as a certificate writes it: no sign, no leading zero");
-    demand_length(text.size());
-  }
-  mpz_class integer_of(std::string_view text) const {
-    demand_integer(text);
-    return mpz_class(std::string(text), 10);
+  /// An integer, or a decimal, in its only form.
+  mpq_class canonical(std::string_view text, bool decimal) const {
+    const Decimal d = split_decimal(text, '.');
+    const std::size_t digits = d.whole.size() + d.fraction.size();
+    const bool whole = !d.whole.empty() && (d.whole.size() == 1 || d.whole[0] != '0');
+    const bool fraction = d.point.empty() || (decimal && !d.fraction.empty() && d.fraction.back() != '0');
+    if (!whole || !fraction || text.size() != digits + d.point.size())
+      fail(quoted(text) + " is no number of a certificate: write it like 75" + (decimal ? " or 0.75" : ""));
+    demand_form(digits <= limit::certificate_digits, text, "more than 100000 digits: give fewer");
+    const mpz_class value(std::string(d.whole) + std::string(d.fraction), 10);
+    return value * ten_to(-static_cast<long>(d.fraction.size()));
   }
 
   std::string_view rest_, line_;
-  std::size_t number_ = 0;
 };
 
-void read_law(Lines &lines, Question &question) {
-  lines.demand("law");
-  const mpq_class exponent = lines.rational();
-  if (exponent.get_num() > 1000 || exponent.get_den() > 1000)
-    lines.fail("a mass law with numbers above 1000: choose a simpler one");
-  question.a = exponent.get_num().get_ui();
-  question.b = exponent.get_den().get_ui();
-  lines.end_line();
-}
-
-void read_options(Lines &lines, Question &question) {
-  if (lines.take("pan-size")) {
-    question.pan_size = lines.decimal(false);
-    lines.end_line();
+/// What section 1 demands beyond the form of single lines, up to the witness.
+void demand_meaning(const Certificate &c) {
+  const auto demand = [](bool holds, const Numbers &line, const char *what) {
+    demand_form(holds, line.empty() ? std::string_view() : line[0].text, what);
+  };
+  demand(c.version[0].value == 1, c.version, "an unknown version: this checker reads `mdm-certificate 1`");
+  const mpq_class &law = c.law[0].value;
+  demand(law.get_num() <= 1000 && law.get_den() <= 1000, c.law,
+         "a law with numbers above 1000: choose a simpler one");
+  demand(c.size_factor.empty() || c.size_factor[0].value != 1, c.size_factor,
+         "a factor of 1 says nothing: leave it out");
+  int solids = 0;
+  for (const Numbers *line : {&c.cylinder, &c.box, &c.solids_volume}) {
+    solids += line->empty() ? 0 : 1;
+    demand(line->empty() || (law == 3 && solids == 1), *line,
+           "solids need `law 3` and one line alone: drop the others");
   }
-  if (lines.take("cut-below")) {
-    question.cut_below = lines.decimal(false);
-    lines.end_line();
-  }
-  if (lines.take("size-factor")) {
-    question.size_factor = lines.decimal(false);
-    if (question.size_factor->value == 1)
-      lines.fail("a size factor of 1 says nothing: leave the line out");
-    lines.end_line();
-  }
-  if (lines.take("min-per-class")) {
-    question.min_per_class = lines.integer(2);
-    lines.end_line();
-  }
-}
-
-void read_solids(Lines &lines, Question &question) {
-  question.solids = lines.take("cylinder")        ? Solids::cylinder
-                    : lines.take("box")           ? Solids::box
-                    : lines.take("solids-volume") ? Solids::volume
-                                                  : Solids::none;
-  if (question.solids == Solids::none)
-    return;
-  if (question.a != 3 || question.b != 1)
-    lines.fail("a volume of solids with a law that is not the sphere's: it needs `law 3`");
-  const int lengths = question.solids == Solids::cylinder ? 2 : question.solids == Solids::box ? 3 : 1;
-  for (int i = 0; i < lengths; ++i)
-    question.dimensions.push_back(lines.decimal(false));
-  if (question.solids != Solids::volume)
-    question.dimensions.push_back(lines.decimal(true));
-  lines.end_line();
-
-  if (question.solids == Solids::cylinder)
-    return;
-  lines.demand("pi");
-  const Number low = lines.decimal(false);
-  const Number high = lines.decimal(false);
-  if (std::max(low.text.size(), high.text.size()) > 1002 || low.value < 3 || low.value >= high.value ||
-      high.value > 4)
-    lines.fail("bounds of pi that are not 3 <= p < r <= 4 with at most 1000 digits after the point");
-  question.pi_low = low.value;
-  question.pi_high = high.value;
-  lines.end_line();
-}
-
-void read_witness(Lines &lines, Certificate &certificate) {
-  lines.demand("particles");
-  certificate.particles = lines.integer(1);
-  lines.end_line();
-  lines.demand("scale");
-  certificate.scale = lines.rational();
-  lines.end_line();
-  while (lines.take("class")) {
-    ClassWitness witness{lines.index(), lines.integer(1), lines.decimal(false).value,
-                         lines.decimal(false).value};
-    if (witness.lo > witness.hi)
-      lines.fail("a size whose lower bound is above its upper one: exchange them");
-    if (!certificate.classes.empty() && certificate.classes.back().index >= witness.index)
-      lines.fail("classes that do not ascend: sort them");
-    if (certificate.classes.size() == most_rows)
-      lines.fail("more classes than a gradation can have");
-    certificate.classes.push_back(std::move(witness));
-    lines.end_line();
-  }
-}
-
-void read_chain(Lines &lines, Certificate &certificate) {
-  const std::optional<mpz_class> &at_least = certificate.question.at_least;
-  if (at_least && *at_least == certificate.particles)
-    return;
-  if (at_least && lines.take("above")) {
-    certificate.above = lines.rational();
-    lines.end_line();
-  }
-  lines.demand("chain");
-  certificate.chain.emplace();
-  certificate.chain->reserve(lines.words_left());
-  while (lines.has_word())
-    certificate.chain->push_back(static_cast<std::uint32_t>(
-        std::min<std::uint64_t>(lines.index(), std::numeric_limits<std::uint32_t>::max())));
-  lines.end_line();
+  const bool needs_pi = !c.box.empty() || !c.solids_volume.empty();
+  demand(needs_pi != c.pi.empty(), c.particles, "`pi` belongs to `box` and `solids-volume`: give both");
+  if (!c.pi.empty())
+    demand(std::max(c.pi[0].text.size(), c.pi[1].text.size()) <= 1002 && c.pi[0].value >= 3 &&
+               c.pi[0].value < c.pi[1].value && c.pi[1].value <= 4,
+           c.pi, "bounds of pi must be 3 <= p < r <= 4 with at most 1000 digits after the point");
 }
 
 } // namespace
 
 Certificate read_certificate(std::string_view text) {
-  if (text.size() > std::size_t{256} << 20U)
-    throw Malformed(1, "more than 256 MiB: no certificate is that long");
+  demand_form(text.size() <= limit::certificate_bytes, text, "more than 256 MiB: give a shorter certificate");
   Lines lines(text);
   Certificate certificate;
-  lines.demand("mdm-certificate");
-  if (lines.word() != "1")
-    lines.fail("a version that this checker does not know: it reads `mdm-certificate 1`");
-  lines.end_line();
-  read_law(lines, certificate.question);
-  read_options(lines, certificate.question);
-  read_solids(lines, certificate.question);
-  if (lines.take("at-least")) {
-    certificate.question.at_least = lines.integer(2);
+  for (const Rule &rule : rules)
+    lines.read(rule, certificate);
+  demand_meaning(certificate);
+  std::vector<ClassWitness> &classes = certificate.classes;
+  while (lines.take("class")) {
+    ClassWitness witness{lines.index(), lines.number('1').value.get_num(), lines.number('d').value,
+                         lines.number('d').value};
+    if (witness.lo > witness.hi || (!classes.empty() && classes.back().index >= witness.index))
+      lines.fail("classes that do not ascend, or bounds of a size that do not: sort them");
+    if (classes.size() == limit::rows)
+      lines.fail("more classes than a gradation can have: drop those that are not there");
+    classes.push_back(std::move(witness));
     lines.end_line();
   }
-  read_witness(lines, certificate);
-  read_chain(lines, certificate);
+  const Numbers &at_least = certificate.at_least;
+  if (at_least.empty() || at_least[0].value != certificate.particles[0].value) {
+    if (!at_least.empty())
+      lines.read(rule_of_above, certificate);
+    lines.demand("chain");
+    const std::size_t steps = lines.words_left();
+    certificate.chain.emplace(steps);
+    for (std::uint32_t &step : *certificate.chain)
+      step = static_cast<std::uint32_t>(std::min<std::uint64_t>(lines.index(), 0xFFFF'FFFF));
+    lines.end_line();
+  }
   lines.demand("end");
   lines.end_file();
   return certificate;

@@ -1,24 +1,17 @@
 #include "check.hpp"
 
-#include <gmp.h>
-
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <exception>
 #include <memory>
 #include <new>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace {
 
-using mdm_check::Input;
-using mdm_check::Verdict;
+using namespace mdm_check;
 
 constexpr const char *help = R"(mdm-check GRADATION CERTIFICATE
 
@@ -33,16 +26,19 @@ Example:
 Exits with 0 (accepted), 1 (refused: the certificate does not prove its claim) or
 2 (malformed: a file cannot be read, or the command is wrong).
 
-  --help     this text
-  --version  the versions of this program and of GMP
+  -h, --help  this text
+  --version   the versions of this program and of GMP
 )";
+
+[[noreturn]] void fail(const std::string &who, const std::string &what) {
+  throw std::runtime_error(printable(who) + ": " + what);
+}
 
 /// GMP cannot pass on an exception: without memory the program ends here.
 [[noreturn]] void out_of_memory() {
   std::fputs("mdm-check: out of memory: check on a larger machine\n", stderr);
   std::_Exit(Verdict::malformed);
 }
-
 void *demand_memory(void *memory) {
   if (memory == nullptr)
     out_of_memory();
@@ -51,50 +47,41 @@ void *demand_memory(void *memory) {
 
 /// Reads a file in pieces, so that a device without end ends at the limit.
 Input read_input(const std::string &path, std::size_t most_bytes) {
-  const bool standard = path == "-";
-  const std::string name = standard ? "standard input" : path;
-  const auto fail = [&](const std::string &what) {
-    throw std::runtime_error(mdm_check::printable(name) + ": " + what);
-  };
-  const auto close = [](std::FILE *file) { std::fclose(file); };
-  const std::unique_ptr<std::FILE, void (*)(std::FILE *)> file(
-      standard ? stdin : std::fopen(path.c_str(), "rb"), close);
-  if (!file)
-    fail(std::string("cannot be opened: ") + std::strerror(errno) + ": give a file that is there");
-  Input input{name, {}};
+  Input input{path == "-" ? "standard input" : path, {}};
+  const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(
+      path == "-" ? stdin : std::fopen(path.c_str(), "rb"), &std::fclose);
   std::vector<char> piece(std::size_t{1} << 16U);
-  while (const std::size_t got = std::fread(piece.data(), 1, piece.size(), file.get())) {
+  while (const std::size_t got = file ? std::fread(piece.data(), 1, piece.size(), file.get()) : 0) {
     input.text.append(piece.data(), got);
     if (input.text.size() > most_bytes)
-      fail("longer than " + std::to_string(most_bytes >> 20U) + " MiB: give the file that was meant");
+      fail(input.name,
+           "longer than " + std::to_string(most_bytes >> 20U) + " MiB: give the file that was meant");
   }
-  if (std::ferror(file.get()) != 0)
-    fail(std::string("cannot be read: ") + std::strerror(errno) + ": give a file");
+  if (!file || std::ferror(file.get()) != 0)
+    fail(input.name, std::string("cannot be read: ") + std::strerror(errno) + ": give a file that is there");
   return input;
 }
 
 int print(const std::string &text) {
   if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-    throw std::runtime_error(std::string("standard output: cannot be written: ") + std::strerror(errno) +
-                             ": send it elsewhere");
+    fail("standard output",
+         std::string("cannot be written: ") + std::strerror(errno) + ": send it elsewhere");
   return 0;
 }
 
 int run(const std::vector<std::string> &arguments) {
-  if (arguments == std::vector<std::string>{"--help"})
+  if (arguments.size() == 1 && (arguments[0] == "-h" || arguments[0] == "--help"))
     return print(help);
-  if (arguments == std::vector<std::string>{"--version"})
+  if (arguments.size() == 1 && arguments[0] == "--version")
     return print(std::string("mdm-check " MDM_CHECK_VERSION " (GMP ") + gmp_version + ")\n");
   for (const std::string &argument : arguments)
     if (argument.size() > 1 && argument[0] == '-')
-      throw std::runtime_error("mdm-check: no option " + mdm_check::quoted(argument) +
-                               ": see mdm-check --help");
+      fail("mdm-check", "no option " + quoted(argument) + ": see mdm-check --help");
   if (arguments.size() != 2 || (arguments[0] == "-" && arguments[1] == "-"))
-    throw std::runtime_error("mdm-check: give one gradation and one certificate: see mdm-check --help");
-
-  const Input gradation = read_input(arguments[0], std::size_t{64} << 20U);
-  const Input certificate = read_input(arguments[1], std::size_t{256} << 20U);
-  const Verdict verdict = mdm_check::check(gradation, certificate);
+    fail("mdm-check", "give one gradation and one certificate: see mdm-check --help");
+  const Input gradation = read_input(arguments[0], limit::gradation_bytes);
+  const Input certificate = read_input(arguments[1], limit::certificate_bytes);
+  const Verdict verdict = check(gradation, certificate);
   if (verdict.code == Verdict::malformed)
     throw std::runtime_error(verdict.line);
   print(verdict.line + "\n");
