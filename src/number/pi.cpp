@@ -29,6 +29,8 @@ Enclosure enclose_pi(unsigned places) {
   fmpz_clear(floor);
   fmpz_clear(scale);
   arb_clear(ball);
+  // Arb keeps pi for the thread, and nobody would free it at the thread's end.
+  flint_cleanup();
   return {digits, Integer(digits + 1), places};
 }
 
