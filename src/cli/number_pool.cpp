@@ -71,8 +71,13 @@ std::size_t list_of(std::size_t bytes) {
 Block *refill(std::size_t list) {
   {
     const std::lock_guard lock(orphans_mutex);
-    if (Block *const left = std::exchange(orphans[list], nullptr))
+    if (Block *const left = orphans[list]) { // no more than a chunk: the rest is for other threads
+      Block *last = left;
+      for (std::size_t n = 1; n < chunk / (list * step) && last->next != nullptr; ++n)
+        last = last->next;
+      orphans[list] = std::exchange(last->next, nullptr);
       return left;
+    }
   }
   const std::size_t bytes = list * step;
   std::byte *const memory = static_cast<std::byte *>(plain_allocate(chunk));
