@@ -8,7 +8,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <set>
@@ -50,6 +53,26 @@ bool read_some(int descriptor, const std::string &path, std::string &text) {
   if (n < 0)
     cannot("read", path == "-" ? "standard input" : path, error);
   return n > 0;
+}
+
+/// Names of the files that Outputs are writing, for the handler of signals: it may use atomics and unlink,
+/// not much else. More than fit in are not removed at a signal.
+std::array<std::atomic<const char *>, 64> unfinished{};
+
+void note_unfinished(const std::string &path) {
+  for (std::atomic<const char *> &place : unfinished) {
+    const char *expected = nullptr;
+    if (place.compare_exchange_strong(expected, path.c_str()))
+      return;
+  }
+}
+
+void forget_unfinished(const std::string &path) {
+  for (std::atomic<const char *> &place : unfinished) {
+    const char *expected = path.c_str();
+    if (place.compare_exchange_strong(expected, nullptr))
+      return;
+  }
 }
 
 /// realpath, or nothing where there is no such file.
@@ -117,6 +140,23 @@ void check_distinct(const std::vector<std::string> &paths) {
   }
 }
 
+void remove_unfinished_at_signals() {
+  struct sigaction action {};
+  action.sa_handler = [](int signal) {
+    for (const std::atomic<const char *> &path : unfinished)
+      if (const char *const name = path.load())
+        unlink(name);
+    std::signal(signal, SIG_DFL);
+    raise(signal);
+  };
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) // nohup
+      sigaction(signal, &action, nullptr);
+  }
+}
+
 Output::Output(std::string path) : path_(std::move(path)) {
   if (path_ == "-") {
     descriptor_ = STDOUT_FILENO;
@@ -143,8 +183,10 @@ Output::Output(std::string path) : path_(std::move(path)) {
 Output::~Output() {
   if (descriptor_ > STDOUT_FILENO)
     close(descriptor_);
-  if (!temporary_.empty())
+  if (!temporary_.empty()) {
     unlink(temporary_.c_str());
+    forget_unfinished(temporary_);
+  }
 }
 
 void Output::fail(int error) const {
@@ -161,6 +203,7 @@ void Output::open_beside() {
       fail(error);
     }
   }
+  note_unfinished(temporary_);
 }
 
 void Output::write(std::string_view text) {
@@ -181,6 +224,7 @@ void Output::commit() {
     return;
   if (rename(temporary_.c_str(), target_.c_str()) != 0)
     fail(errno);
+  forget_unfinished(temporary_);
   temporary_.clear();
 }
 

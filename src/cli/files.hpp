@@ -27,6 +27,10 @@ std::string canonical_path(const std::string &path);
 /// count. \throws InputError naming the second
 void check_distinct(const std::vector<std::string> &paths);
 
+/// Ends of the run by signals (SIGINT, SIGTERM, SIGHUP) first remove what Outputs have written beside their
+/// targets. Call once, before the first Output.
+void remove_unfinished_at_signals();
+
 /// Where a result goes. A regular file or a new path is written beside and takes its name in commit();
 /// without commit nothing is left of it. Standard output (path `-`), devices and pipes are written in place.
 class Output {

@@ -107,6 +107,7 @@ int run(int argc, char **argv) {
 int main(int argc, char **argv) {
   occupy_standard_streams();
   use_number_pool();
+  remove_unfinished_at_signals();
   // A closed pipe is then an error of write, with a message and an exit code.
   std::signal(SIGPIPE, SIG_IGN);
   try {

@@ -30,25 +30,28 @@ using Lists = std::array<Block *, longest / step + 1>;
 std::mutex orphans_mutex;
 Lists orphans{};
 
-/// A thread's lists; at its end they become orphans.
-struct ThreadLists {
-  Lists lists{};
+/// A thread's lists. Without a destructor: an object with one is looked up behind a guard at every use.
+constinit thread_local Lists own{};
 
-  ~ThreadLists() {
+/// Makes the lists of a thread that ends orphans.
+struct AtThreadEnd {
+  AtThreadEnd() = default;
+  AtThreadEnd(const AtThreadEnd &) = delete;
+  AtThreadEnd &operator=(const AtThreadEnd &) = delete;
+  ~AtThreadEnd() {
     const std::lock_guard lock(orphans_mutex);
-    for (std::size_t i = 0; i < lists.size(); ++i) {
-      Block *last = lists[i];
-      if (last == nullptr)
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      Block *const first = std::exchange(own[i], nullptr);
+      if (first == nullptr)
         continue;
+      Block *last = first;
       while (last->next != nullptr)
         last = last->next;
       last->next = orphans[i];
-      orphans[i] = lists[i];
+      orphans[i] = first;
     }
   }
 };
-
-thread_local ThreadLists own;
 
 /// As GMP does: there is no way back from here.
 [[noreturn]] void out_of_memory() {
@@ -69,6 +72,7 @@ std::size_t list_of(std::size_t bytes) {
 
 /// Fills an empty list.
 Block *refill(std::size_t list) {
+  thread_local const AtThreadEnd at_thread_end;
   {
     const std::lock_guard lock(orphans_mutex);
     if (Block *const left = orphans[list]) { // no more than a chunk: the rest is for other threads
@@ -90,7 +94,7 @@ Block *refill(std::size_t list) {
 void *allocate(std::size_t bytes) {
   if (bytes > longest)
     return plain_allocate(bytes);
-  Block *&list = own.lists[list_of(bytes)];
+  Block *&list = own[list_of(bytes)];
   if (list == nullptr)
     list = refill(list_of(bytes));
   return std::exchange(list, list->next);
@@ -101,7 +105,7 @@ void release(void *memory, std::size_t bytes) {
     std::free(memory);
     return;
   }
-  Block *&list = own.lists[list_of(bytes)];
+  Block *&list = own[list_of(bytes)];
   list = new (memory) Block{list};
 }
 

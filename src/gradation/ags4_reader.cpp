@@ -96,9 +96,10 @@ private:
 
   void check_width() const {
     if (width_ == 0)
-      refuse("group GRAT has no HEADING row above this one");
+      refuse("group GRAT has no HEADING row above this one: add it");
     if (fields_.size() != width_)
-      refuse(fmt::format("the row has {} fields, HEADING has {}", fields_.size(), width_));
+      refuse(
+          fmt::format("the row has {} fields, HEADING has {}: give both the same", fields_.size(), width_));
   }
 
   void check_units() {
@@ -116,7 +117,7 @@ private:
   void read_row() {
     check_width();
     if (!has_units_)
-      refuse("group GRAT has no UNIT row above this one");
+      refuse("group GRAT has no UNIT row above this one: add it");
     Row row{lines_.number(), std::move(fields_[size_]), std::move(fields_[passing_])};
     specimen().rows.push_back(std::move(row));
   }
@@ -193,7 +194,7 @@ Rational decimal(const std::string &text, std::string_view heading, std::size_t 
 
 } // namespace
 
-Gradation read_ags4(std::string_view content, const Source &source, const std::string &id,
+Gradation read_ags4(std::string_view content, const Source &source, const std::string &fallback_id,
                     const std::optional<std::string> &specimen) {
   const std::vector<Specimen> specimens = Ags4Reader(content, source).read();
   const Specimen &chosen = choose(specimens, source, specimen);
@@ -202,7 +203,7 @@ Gradation read_ags4(std::string_view content, const Source &source, const std::s
                   fmt::format("specimen {} has more than {} rows", in_quotes(chosen.id), max_gradation_rows));
   Table table;
   table.column = &percent_passing;
-  table.id = id;
+  table.id = chosen.id.empty() ? fallback_id : chosen.id;
   table.header_line = chosen.rows.front().line;
   for (const Row &row : chosen.rows) {
     table.lines.push_back(row.line);

@@ -54,6 +54,10 @@ bool is_sieve_number(std::string_view field) {
          std::any_of(field.begin(), field.end(), is_digit);
 }
 
+std::string counted(std::size_t fields) {
+  return std::to_string(fields) + (fields == 1 ? " field" : " fields");
+}
+
 class CsvReader {
 public:
   CsvReader(std::string_view content, const Source &source, const std::string &id)
@@ -85,7 +89,7 @@ private:
 
   void split(std::string_view line) {
     if (!split_fields(line, delimiter_, fields_))
-      refuse("a quoted field does not end with a quote before the next delimiter");
+      refuse("a quoted field does not end with a quote before the next delimiter: close it");
   }
 
   void read_header(std::string_view line) {
@@ -94,8 +98,8 @@ private:
     table_.header_line = lines_.number();
     size_column_ = find_column(size_columns, fields_[0]);
     if (size_column_ == nullptr)
-      refuse(fmt::format("first column {} is unknown: use one of {}", in_quotes(fields_[0]),
-                         names(size_columns)));
+      refuse(fmt::format("first column {} is unknown: use one of {}{}", in_quotes(fields_[0]),
+                         names(size_columns), header_hint()));
     if (fields_.size() == 3 && fields_[1] == "passing_min_percent" && fields_[2] == "passing_max_percent")
       refuse("this is a band of allowed gradations, for --band: it needs a curve, a file with one of the "
              "columns " +
@@ -114,6 +118,19 @@ private:
       table_.unit = SizeUnit::m;
   }
 
+  /// What else may be wrong with a header whose first column is unknown.
+  std::string header_hint() const {
+    if (fields_[0].find('\t') != std::string::npos)
+      return " (put commas, not tabs, between the fields)";
+    if (!fields_[0].empty() && (is_digit(fields_[0][0]) || fields_[0][0] == '.'))
+      return " (the first line must name the columns, such as 'size_mm,passing_percent')";
+    if (fields_[0].starts_with('[') || fields_[0].starts_with('{'))
+      return " (a JSON file holds one object; mdm batch reads many, one a line)";
+    if (std::any_of(fields_[0].begin(), fields_[0].end(), [](char c) { return lower(c) != c; }))
+      return " (in small letters)";
+    return {};
+  }
+
   void read_optional_column(std::size_t i) {
     std::size_t *place = fields_[i] == tolerance_column ? &tolerance_
                          : fields_[i] == factor_column  ? &factor_
@@ -122,7 +139,7 @@ private:
       refuse(fmt::format("column {} is unknown: after the first two there may be {} and {}",
                          in_quotes(fields_[i]), tolerance_column, factor_column));
     if (*place != 0)
-      refuse(fmt::format("column {} is there twice", fields_[i]));
+      refuse(fmt::format("column {} is there twice: leave one out", fields_[i]));
     *place = i;
     width_ = i + 1;
   }
@@ -136,8 +153,10 @@ private:
   void read_row(std::string_view line) {
     split(line);
     if (fields_.size() != width_)
-      refuse(fmt::format("the row has {} fields, the header has {}{}", fields_.size(), width_,
-                         delimiter_ == ',' ? " (with decimal commas, put ; between fields)" : ""));
+      refuse(fmt::format("the row has {}, the header has {}: {}", counted(fields_.size()), counted(width_),
+                         delimiter_ == ',' && fields_.size() > width_
+                             ? "with decimal commas, put ; between fields"
+                             : "give each column its value"));
     if (table_.lines.size() == max_gradation_rows)
       refuse(fmt::format("there are more than {} rows: give fewer sieves", max_gradation_rows));
     table_.lines.push_back(lines_.number());

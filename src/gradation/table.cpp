@@ -46,15 +46,17 @@ private:
     const bool limited = t_.column->form != MassForm::retained;
     for (std::size_t row = 0; row < t_.sizes.size(); ++row) {
       if (t_.sizes[row] < 0)
-        refuse(row, fmt::format("size {} is negative", size(row)));
+        refuse(row, fmt::format("size {} is negative: give the opening of the sieve", size(row)));
       if (t_.values[row] < 0)
-        refuse(row, fmt::format("{} is negative", value(row)));
+        refuse(row, fmt::format("{} is negative: correct it", value(row)));
       if (limited && t_.values[row] > t_.column->full)
         refuse(row, fmt::format("{} is above {}", value(row), t_.column->full));
       if (!t_.factors.empty() && t_.factors[row] <= 0)
-        refuse(row, fmt::format("factor {} is not above 0", shown(t_.factors[row])));
+        refuse(row, fmt::format("factor {} is not above 0: give a ratio of densities, 1 for none",
+                                shown(t_.factors[row])));
       if (!t_.tolerances.empty() && t_.tolerances[row] < 0)
-        refuse(row, fmt::format("tolerance {} is negative", shown(t_.tolerances[row])));
+        refuse(row, fmt::format("tolerance {} is negative: give percentage points from 0 on",
+                                shown(t_.tolerances[row])));
     }
   }
 
@@ -71,7 +73,8 @@ private:
     const auto repeated = std::adjacent_find(t_.sizes.begin(), t_.sizes.end());
     if (repeated != t_.sizes.end()) {
       const auto row = static_cast<std::size_t>(repeated - t_.sizes.begin());
-      refuse(row + 1, fmt::format("size {} repeats that of line {}", size(row), t_.lines[row]));
+      refuse(row + 1,
+             fmt::format("size {} repeats that of line {}: leave one out", size(row), t_.lines[row]));
     }
   }
 
@@ -127,9 +130,9 @@ private:
 
   [[noreturn]] void refuse_order(std::size_t row) const {
     const bool passes = t_.column->form == MassForm::passing;
-    refuse(row + 1, fmt::format("{} at {} is {} {} at {}, but it must not {} with size", value(row + 1),
-                                size(row + 1), passes ? "below" : "above", shown(t_.values[row]), size(row),
-                                passes ? "decrease" : "increase"));
+    refuse(row + 1, fmt::format("{} at {} is {} {} at {}, but it must not {} with size: correct one of them",
+                                value(row + 1), size(row + 1), passes ? "below" : "above",
+                                shown(t_.values[row]), size(row), passes ? "decrease" : "increase"));
   }
 
   [[noreturn]] void refuse_largest(std::size_t last) const {

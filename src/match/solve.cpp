@@ -102,9 +102,10 @@ void note_precision(Match &match, const Rational &above) {
 }
 
 void note_digits(Match &match, unsigned digits) {
+  const Integer one_digit_more = power_of_ten(digits);
   for (std::size_t j = 0; j < match.sizes.size(); ++j) {
     const Enclosure &x = match.sizes[j];
-    if (x.lo != x.hi && to_string(x.lo).size() > digits && x.places > 0)
+    if (x.lo != x.hi && x.lo >= one_digit_more && x.places > 0)
       match.notes.push_back("class " + std::to_string(match.problem.classes()[j].index + 1) +
                             ": the size is printed with " + std::to_string(to_string(x.lo).size()) +
                             " digits, to lie inside its class");

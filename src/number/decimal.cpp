@@ -8,11 +8,13 @@
 namespace mdm {
 namespace {
 
-/// A decimal's text taken apart: digits * 10^exponent.
+/// A decimal's text taken apart: the digits `whole` and `fraction`, one behind the other, times 10^exponent.
 struct Parts {
   bool negative = false;
-  std::string digits;
+  std::string_view whole, fraction;
   long exponent = 0;
+
+  std::size_t digits() const { return whole.size() + fraction.size(); }
 };
 
 bool is_digit(char c) {
@@ -23,11 +25,12 @@ bool is_digit(char c) {
   throw InputError(in_quotes(text) + " " + why);
 }
 
-/// Appends the digits at the front of `rest` to `digits` and removes them from `rest`.
-void take_digits(std::string_view &rest, std::string &digits) {
+/// Removes the digits at the front of `rest`.
+std::string_view take_digits(std::string_view &rest) {
   const auto end = std::find_if_not(rest.begin(), rest.end(), is_digit);
-  digits.append(rest.begin(), end);
-  rest.remove_prefix(static_cast<std::size_t>(end - rest.begin()));
+  const std::string_view digits = rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
+  rest.remove_prefix(digits.size());
+  return digits;
 }
 
 bool take_sign(std::string_view &rest) {
@@ -41,11 +44,10 @@ bool take_sign(std::string_view &rest) {
 long take_exponent(std::string_view text, std::string_view &rest) {
   rest.remove_prefix(1);
   const bool negative = take_sign(rest);
-  std::string digits;
-  take_digits(rest, digits);
+  std::string_view digits = take_digits(rest);
   if (digits.empty())
     refuse(text, "is not a number: write a decimal such as 3.86");
-  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size() - 1));
   unsigned value = 0;
   if (digits.size() > 6 ||
       std::from_chars(digits.data(), digits.data() + digits.size(), value).ec != std::errc{} ||
@@ -58,20 +60,19 @@ Parts take_apart(std::string_view text, char point) {
   Parts parts;
   std::string_view rest = text;
   parts.negative = take_sign(rest);
-  take_digits(rest, parts.digits);
+  parts.whole = take_digits(rest);
   if (!rest.empty() && rest.front() == point) {
     rest.remove_prefix(1);
-    const std::size_t before = parts.digits.size();
-    take_digits(rest, parts.digits);
-    parts.exponent = -static_cast<long>(parts.digits.size() - before);
+    parts.fraction = take_digits(rest);
+    parts.exponent = -static_cast<long>(parts.fraction.size());
   }
-  if (parts.digits.empty())
+  if (parts.digits() == 0)
     refuse(text, "is not a number: write a decimal such as 3.86");
   if (!rest.empty() && (rest.front() == 'e' || rest.front() == 'E'))
     parts.exponent += take_exponent(text, rest);
   if (!rest.empty())
     refuse(text, "is not a number: write a decimal such as 3.86");
-  if (parts.digits.size() > max_decimal_digits)
+  if (parts.digits() > max_decimal_digits)
     refuse(text, "has more than 1000 digits: round it");
   return parts;
 }
@@ -79,7 +80,9 @@ Parts take_apart(std::string_view text, char point) {
 /// The common case without arbitrary precision: at most 18 digits and 18 places.
 Rational small_decimal(const Parts &parts) {
   std::uint64_t n = 0;
-  std::from_chars(parts.digits.data(), parts.digits.data() + parts.digits.size(), n);
+  for (const std::string_view digits : {parts.whole, parts.fraction})
+    for (const char c : digits)
+      n = 10 * n + static_cast<std::uint64_t>(c - '0');
   std::uint64_t d = 1;
   for (long i = parts.exponent; i < 0; ++i)
     d *= 10;
@@ -126,10 +129,10 @@ std::optional<std::string> exact_short_decimal(std::uint64_t n, std::uint64_t d)
 
 Rational parse_decimal(std::string_view text, char point) {
   const Parts parts = take_apart(text, point);
-  if (parts.digits.size() <= 18 && parts.exponent <= 0 && parts.exponent >= -18)
+  if (parts.digits() <= 18 && parts.exponent <= 0 && parts.exponent >= -18)
     return small_decimal(parts);
   Integer n;
-  mpz_set_str(n.backend().data(), parts.digits.c_str(), 10);
+  mpz_set_str(n.backend().data(), std::string(parts.whole).append(parts.fraction).c_str(), 10);
   if (parts.negative)
     n = -n;
   if (parts.exponent >= 0)

@@ -35,6 +35,21 @@ TEST_CASE("-o replaces a file and keeps its mode", "[cli]") {
   CHECK(folder.entries() == 1);
 }
 
+TEST_CASE("a run that a signal ends leaves nothing beside -o", "[cli]") {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    const TemporaryFolder folder;
+    Process batch(MDM_PROGRAM, {"batch", "-o", folder / "answers.jsonl"});
+    const auto deadline = std::chrono::steady_clock::now() + Process::time_limit;
+    while (folder.entries() == 0 && std::chrono::steady_clock::now() < deadline)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    REQUIRE(folder.entries() == 1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50)); // it has just been made
+    batch.signal(number);
+    CHECK(batch.end().signal == number);
+    CHECK(folder.entries() == 0);
+  }
+}
+
 TEST_CASE("-o follows a symbolic link", "[cli]") {
   const TemporaryFolder folder;
   const std::string path = folder.write("answer.txt", "old");

@@ -46,7 +46,7 @@ TEST_CASE("AGS4: the only specimen is read, other groups are not") {
   const std::string tail =
       "\r\n\"GROUP\",\"GEOL\"\r\n\"HEADING\",\"LOCA_ID\"\r\n\"DATA\",\"327-16A\"\r\n\xFF\r\n";
   const Gradation g = read_gradation("\xEF\xBB\xBF" + head + sand + tail, "site.ags");
-  CHECK(g.id() == "site");
+  CHECK(g.id() == "327-16A/24.55/1a");
   CHECK(text(g.sizes()) == "0 0.063 1.18 3.35");
   CHECK(text(g.masses()) == "8 52 40 0");
   REQUIRE(g.notes().size() == 2);

@@ -61,8 +61,8 @@ TEST_CASE("CSV: semicolons with decimal commas or decimal points, not with both"
   CHECK(contains(refusal("sieve;mass\n1.18 mm;1,5\n2;0\n"), "sand.csv:2: mass '1,5' has a decimal ','"));
   CHECK(contains(refusal("size_mm;mass\n1.000,5;1\n2;0\n"), "sand.csv:2: size_mm '1.000,5' is not a number"));
   CHECK(contains(refusal("size_mm,mass\n\"0,5\",1\n2,0\n"), "sand.csv:2: size_mm '0,5' is not a number"));
-  CHECK(
-      contains(refusal("size_mm,mass\n0,5,1\n2,0\n"), "sand.csv:2: the row has 3 fields, the header has 2"));
+  CHECK(contains(refusal("size_mm,mass\n0,5,1\n2,0\n"),
+                 "sand.csv:2: the row has 3 fields, the header has 2 fields"));
 }
 
 TEST_CASE("CSV: below a sieve header, a sieve number is a row and not a comment") {
@@ -196,8 +196,10 @@ TEST_CASE("CSV: at least a header and two rows") {
 }
 
 TEST_CASE("CSV: rows are as long as the header") {
-  CHECK(contains(refusal("size_mm,mass\n1,1\n2\n"), "sand.csv:3: the row has 1 fields, the header has 2"));
-  CHECK(contains(refusal("size_mm;mass\n1;1;\n2;0\n"), "sand.csv:2: the row has 3 fields, the header has 2"));
+  CHECK(contains(refusal("size_mm,mass\n1,1\n2\n"),
+                 "sand.csv:3: the row has 1 field, the header has 2 fields: give each column its value"));
+  CHECK(contains(refusal("size_mm;mass\n1;1;\n2;0\n"),
+                 "sand.csv:2: the row has 3 fields, the header has 2 fields"));
 }
 
 TEST_CASE("CSV: only clean UTF-8 text") {

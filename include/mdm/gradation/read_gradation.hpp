@@ -16,8 +16,9 @@ inline constexpr std::size_t max_gradation_rows = std::size_t{1} << 20;
 
 /// Reads a gradation from the content of a file. The format (CSV, JSON or AGS4) is told by the content; the
 /// grammar is in proofs/certificate-format.md, section 4. `file` names it in messages and, without
-/// directories and ending, as id. `specimen`, for AGS4 only, is the one to read where the file has several:
-/// its LOCA_ID, SAMP_* and SPEC_* joined by `/` without the empty ones, or its LOCA_ID where that is enough.
+/// directories and ending, as id; the id of AGS4 is the specimen's. `specimen`, for AGS4 only, is the one to
+/// read where the file has several: its LOCA_ID, SAMP_* and SPEC_* joined by `/` without the empty ones, or
+/// its LOCA_ID where that is enough.
 /// \throws InputError `file:line: what is wrong and what to do`
 Gradation read_gradation(std::string_view content, const std::string &file,
                          const std::optional<std::string> &specimen = std::nullopt);
