@@ -128,9 +128,9 @@ Enclosure Match::solids_volume() const {
   thread_local Enclosure cached = enclose_pi(40);
   if (digits + 10 > cached.places)
     cached = enclose_pi(digits + 10);
-  const Rational product = scale * problem.weight();
-  const Integer n = numerator(product);
-  const Integer d = denominator(product) * 6 * power_of_ten(cached.places);
+  const Rational &weight = problem.weight();
+  const Integer n = numerator(scale) * numerator(weight);
+  const Integer d = denominator(scale) * denominator(weight) * 6 * power_of_ten(cached.places);
   return enclose_interval(n * cached.lo, n * cached.hi, d, digits);
 }
 
