@@ -84,13 +84,6 @@ void add_json_spectrum(Buffer &out, const Spectrum &s) {
   add(out, R"(],"{}":"{}"}})", s.complete ? "all_from" : "unknown_from", to_string(s.all_from));
 }
 
-std::string json_versions() {
-  std::string text;
-  for (const auto &[library, version] : versions())
-    text += (text.empty() ? "" : ",") + json_string(library) + ":" + json_string(version);
-  return text;
-}
-
 std::string counted(const Integer &n) {
   return to_string(n) + (n == 1 ? " particle" : " particles");
 }
@@ -173,7 +166,6 @@ std::string headline(const Match &m) {
 }
 
 std::string answer_json(const Match &m, const Spectrum *spectrum) {
-  static const std::string libraries = json_versions();
   Buffer out;
   add(out, R"({{"schema":"mdm-answer-1","id":{},"status":"{}",)", json_string(m.gradation.id()),
       status_name(m.status));
@@ -206,7 +198,7 @@ std::string answer_json(const Match &m, const Spectrum *spectrum) {
   add(out, R"(,"notes":[)");
   for (std::size_t i = 0; i < m.notes.size(); ++i)
     add(out, "{}{}", i == 0 ? "" : ",", json_string(m.notes[i]));
-  add(out, R"(],"versions":{{{}}}}})", libraries);
+  add(out, R"(],"versions":{}}})", versions_json());
   return fmt::to_string(out);
 }
 
