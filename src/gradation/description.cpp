@@ -132,7 +132,7 @@ std::optional<std::size_t> Description::inarticulate_class() const {
 
 MatchError Description::error() const {
   const Interval unit = root(options_.mass_unit, law().b, root_bits);
-  const Rational target = sum_of(g_.masses());
+  const Rational target_sum = sum_of(g_.masses());
   std::vector<Interval> masses;
   Interval mass_sum;
   for (std::size_t j = 0; j < classes_.size(); ++j) {
@@ -146,7 +146,8 @@ MatchError Description::error() const {
                            ? Interval()
                            : Interval(masses[j].lo / mass_sum.hi,
                                       mass_sum.lo == 0 ? Rational(1) : Rational(masses[j].hi / mass_sum.lo)));
-    e.normalised.push_back(e.shares[j] - Interval(g_.mass(j) / target));
+    e.targets.push_back(g_.mass(j) / target_sum);
+    e.normalised.push_back(e.shares[j] - e.targets[j]);
     const Interval size = absolute(e.normalised[j]);
     if (size.hi > absolute(e.normalised[e.worst]).hi)
       e.worst = j;

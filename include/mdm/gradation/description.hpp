@@ -25,6 +25,7 @@ struct RootSize {
 /// particles in class j, M the sum of all t_j. Numbers are exact where the law is rational at the sizes.
 struct MatchError {
   std::vector<Interval> as_given;   ///< m_j - t_j
+  std::vector<Rational> targets;    ///< m_j / sum m
   std::vector<Interval> shares;     ///< t_j / M; 0 where M = 0
   std::vector<Interval> normalised; ///< t_j / M - m_j / sum m
   std::size_t worst = 0;            ///< the finest class with the largest |normalised| (upper ends compared)
