@@ -94,10 +94,9 @@ std::optional<std::string> unit_note(const Description &d, LengthUnit unit) {
   for (const LengthUnit other : {LengthUnit::mm, LengthUnit::um, LengthUnit::m, LengthUnit::in}) {
     const Rational x = first->power * in_mm(other) / in_mm(unit);
     if (other != unit && x > g.lower(finest) && x <= g.upper(g.classes() - 1))
-      return fmt::format(
-          "The sizes were read in {} and lie in no class but that of the pan, if there is one; "
-          "with --size-unit {} the first would lie in another.",
-          name(unit), name(other));
+      return fmt::format("The sizes were read in {}, and no particle lies in a class (the pan's aside); with "
+                         "--size-unit {} the first would.",
+                         name(unit), name(other));
   }
   return std::nullopt;
 }

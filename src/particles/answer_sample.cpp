@@ -14,17 +14,27 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// Levels of arrays and objects that an answer is allowed; it bounds the memory.
+constexpr int most_depth = 16;
+
 /// Numbers of an answer beyond this many digits are refused: powers of them would take too long.
 constexpr std::size_t most_digits = 100000;
 
 class AnswerReader {
 public:
   AnswerReader(std::string_view content, const std::string &file) : file_(file) {
+    const auto check_depth = [this](int depth, Json::parse_event_t, Json &) {
+      if (depth > most_depth)
+        refuse("JSON", "values are nested deeper than in an answer: give the JSON answer of mdm solve");
+      return true;
+    };
     try {
-      answer_ = Json::parse(content);
+      answer_ = Json::parse(content, check_depth);
     } catch (const Json::parse_error &error) {
       Source(file_).refuse(line_number(content, std::min(content.size(), error.byte)),
                            "this is not JSON: check quotes, commas and brackets");
+    } catch (const Json::exception &) {
+      refuse("JSON", "has a number beyond double precision: write numbers as strings");
     }
   }
 
@@ -172,17 +182,23 @@ AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const
   const Rational scale = answer.scale * power(unit, law.a); // with sizes in the unit of g
   AnswerDescription result{Description(std::move(g), {law, snap, scale}), {}};
   Integer particles = 0;
+  std::vector<std::size_t> wrong; // classes whose size is not in its enclosure
   for (const AnswerSample::Class &c : answer.classes) {
     const Rational mass =
         c.mass / (factor(result.description.gradation(), c.lower * unit, c.upper * unit) * c.quantity);
     const Rational powered = scale * power(mass, law.b); // x^a
     if (powered < power(Rational(c.size_lo * unit), law.a) ||
         powered > power(Rational(c.size_hi * unit), law.a))
-      result.objections.push_back(fmt::format(
-          "the size in class {} of the answer is not what scale, mass and quantity give", c.number));
+      wrong.push_back(c.number);
     result.description.add_powered(powered, c.quantity);
     particles += c.quantity;
   }
+  if (!wrong.empty())
+    result.objections.push_back(
+        fmt::format("scale, mass and quantity do not give the size in class {}{} of the answer with the law "
+                    "x^({})",
+                    wrong.front(), wrong.size() > 1 ? fmt::format(" and {} more", wrong.size() - 1) : "",
+                    law.exponent()));
   if (particles != answer.particles)
     result.objections.push_back(fmt::format("the answer says that it has {} particles, its classes have {}",
                                             to_string(answer.particles), to_string(particles)));

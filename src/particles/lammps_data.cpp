@@ -21,10 +21,10 @@ public:
     if (words_.empty())
       return;
     const char first = lower(words_.front().front());
-    if (first >= 'a' && first <= 'z')
+    if (section_ == Section::header && words_.size() == 2 && words_[1] == "atoms")
+      read_count();
+    else if (first >= 'a' && first <= 'z')
       begin_section(trimmed(text.substr(std::min(hash + 1, text.size()))));
-    else if (section_ == Section::header)
-      read_header();
     else if (section_ == Section::atoms)
       read_atom();
   }
@@ -41,9 +41,7 @@ public:
 private:
   enum class Section { header, atoms, other };
 
-  void read_header() {
-    if (words_.size() != 2 || words_[1] != "atoms")
-      return;
+  void read_count() {
     atoms_ = parse_count(words_[0]);
     if (!atoms_)
       source_.refuse(fmt::format("{} is no number of atoms: write a whole number", in_quotes(words_[0])));

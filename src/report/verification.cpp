@@ -53,8 +53,15 @@ std::string json_number(const Interval &y) {
 
 /// A size as a message shows it.
 std::string shown(const RootSize &x, SizeUnit unit) {
+  constexpr unsigned most_digits = 40;
   const Enclosure size = enclose_root(numerator(x.power), denominator(x.power), x.degree, 15);
-  return size.text() + " " + std::string(name(unit));
+  const std::string text = size.text();
+  return (text.size() <= most_digits ? text : approximate(size.lower(), 15)) + " " + std::string(name(unit));
+}
+
+/// True if an error is 0, and known to be.
+bool is_zero(const Interval &error) {
+  return error.lo == 0 && error.hi == 0;
 }
 
 /// A condition of Arnold, Eq. 9-12, with the first reason why it does not hold.
@@ -81,7 +88,7 @@ Condition describes(const Description &d) {
         fmt::format("{}{} larger than the largest opening, {} {}, the first of {}",
                     reason.empty() ? "" : "; ", counted(d.above().count),
                     to_decimal(g.upper(g.classes() - 1)), name(g.unit()), shown(*d.above().first, g.unit()));
-  return {"describes", "describes the sample", d.describes(), reason};
+  return {"describes", "describes the sample (no particle outside)", d.describes(), reason};
 }
 
 Condition articulately(const Description &d) {
@@ -93,12 +100,7 @@ Condition articulately(const Description &d) {
     reason = fmt::format("{} has several sizes, such as {} and {}", class_name(*j),
                          shown(*c.first, d.gradation().unit()), shown(*c.second, d.gradation().unit()));
   }
-  return {"articulately", "articulately: one size a class", d.articulately(), reason};
-}
-
-/// True if all errors are 0, and known to be.
-bool all_zero(const std::vector<Interval> &errors) {
-  return std::all_of(errors.begin(), errors.end(), [](const Interval &e) { return e.exact() && e.lo == 0; });
+  return {"articulately", "articulately (one size a class)", d.articulately(), reason};
 }
 
 /// Cond4 for one scale of the masses.
@@ -108,10 +110,10 @@ Condition accurately(const Verification &v) {
   if (!v.description.describes())
     reason = "particles lie outside all classes";
   for (std::size_t j = 0; reason.empty() && j < e.targets.size(); ++j)
-    if (!all_zero({e.normalised[j]}))
+    if (!is_zero(e.normalised[j]))
       reason = fmt::format("{} has {} % of the mass, not {} %", class_name(j), percent(e.shares[j], v.digits),
                            percent(e.targets[j], v.digits));
-  return {"accurately", "accurately: the shares are equal", reason.empty(), reason};
+  return {"accurately", "accurately (the shares are equal)", reason.empty(), reason};
 }
 
 std::array<Condition, 4> conditions(const Verification &v) {
@@ -179,8 +181,7 @@ std::string headline(const Verification &v) {
   const Integer outside = v.description.below().count + v.description.above().count;
   switch (v.verdict()) {
   case Verdict::match:
-    return v.error.maximum.exact() && v.error.maximum.lo == 0 ? "matches exactly"
-                                                              : "matches" + tolerance + ": " + worst;
+    return is_zero(v.error.maximum) ? "matches exactly" : "matches" + tolerance + ": " + worst;
   case Verdict::undecided:
     return "undecided: 4096 bits do not tell whether it matches" + tolerance + ": " + worst;
   default:
@@ -199,8 +200,10 @@ std::string verification_text(const Verification &v) {
       headline(v), words.empty() ? "" : " (" + words + ")");
   add_table(out, v);
   const Integer n = v.description.particles();
-  add(out, "\n  largest error: {} % in {}; all together: {} %\n", percent(v.error.maximum, v.digits),
-      class_name(v.error.worst), percent(v.error.total, v.digits));
+  out.push_back('\n');
+  if (!is_zero(v.error.maximum))
+    add(out, "  largest error: {} % in {}; all together: {} %\n", percent(v.error.maximum, v.digits),
+        class_name(v.error.worst), percent(v.error.total, v.digits));
   add(out, "  particles: {}; the smallest exact match has {}: {} times as many\n", to_string(n),
       smallest_text(v), ratio_text(v));
   if (v.description.snapped() > 0)
@@ -209,7 +212,7 @@ std::string verification_text(const Verification &v) {
   std::size_t number = 0;
   for (const Condition &c : conditions(v)) {
     add(out, "    {} {}: {}{}\n", ++number, c.words, c.holds ? "yes" : "no",
-        c.reason.empty() ? "" : "; " + c.reason);
+        c.reason.empty() ? "" : ", " + c.reason);
   }
   for (const std::string &objection : v.objections)
     add(out, "  objection: {}\n", objection);
@@ -248,7 +251,8 @@ std::string verification_json(const Verification &v) {
     comma = ",";
   }
   add(out, R"(,"accurately_as_given":{{"holds":{}}}}},"unit":"{}","classes":[)",
-      d.describes() && all_zero(v.error.as_given), name(g.unit()));
+      d.describes() && std::all_of(v.error.as_given.begin(), v.error.as_given.end(), is_zero),
+      name(g.unit()));
   for (std::size_t j = 0; j < g.classes(); ++j)
     add(out,
         R"({}{{"lower":"{}","upper":"{}","quantity":"{}","target":"{}","found":{},"error":{},)"
@@ -257,10 +261,11 @@ std::string verification_json(const Verification &v) {
         to_string(v.error.targets[j]), json_number(v.error.shares[j]), json_number(v.error.normalised[j]),
         percent(v.error.normalised[j], v.digits), json_number(v.error.as_given[j]));
   add(out,
-      R"(],"worst_class":"{}","maximum_error":{},"maximum_error_percent":"{}","total_error":{},)"
+      R"(],"worst_class":{},"maximum_error":{},"maximum_error_percent":"{}","total_error":{},)"
       R"("total_error_percent":"{}","objections":[)",
-      v.error.worst + 1, json_number(v.error.maximum), percent(v.error.maximum, v.digits),
-      json_number(v.error.total), percent(v.error.total, v.digits));
+      is_zero(v.error.maximum) ? "null" : fmt::format("\"{}\"", v.error.worst + 1),
+      json_number(v.error.maximum), percent(v.error.maximum, v.digits), json_number(v.error.total),
+      percent(v.error.total, v.digits));
   for (std::size_t i = 0; i < v.objections.size(); ++i)
     add(out, "{}{}", i == 0 ? "" : ",", json_string(v.objections[i]));
   add(out, R"(],"notes":[)");

@@ -2,6 +2,8 @@
 
 #include <mdm/gradation/description.hpp>
 
+#include <random>
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -208,4 +210,58 @@ TEST_CASE("Description: sizes that are roots are judged by their powers") {
   const MatchError e = roots.error();
   CHECK(exactly(e.normalised[0]) == 0);
   CHECK_FALSE(e.as_given[0].exact());
+}
+
+TEST_CASE("Description: agrees with sums class by class on random samples") {
+  std::mt19937 random(7);
+  const auto draw = [&random](int least, int most) {
+    return std::uniform_int_distribution<int>(least, most)(random);
+  };
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Rational> sizes{draw(0, 1)}, masses;
+    while (sizes.size() < 5)
+      sizes.push_back(sizes.back() + ratio(draw(1, 30), 10));
+    for (std::size_t j = 0; j < 4; ++j)
+      masses.push_back(draw(0, 9));
+    masses[2] += 1;
+    masses.push_back(0);
+    const Gradation g = gradation(sizes, masses);
+    const MassLaw law{static_cast<unsigned>(draw(1, 4)), 1};
+    Description d(g, {law, 0, 1});
+    std::vector<Rational> expected(4, Rational(0));
+    Rational all = 0, target = 0;
+    int outside = 0;
+    for (int i = 0; i < 30; ++i) {
+      const Rational x = ratio(draw(1, 130), 10);
+      const int q = draw(1, 5);
+      d.add(x, q);
+      bool found = false;
+      for (std::size_t j = 0; j < 4; ++j)
+        if (sizes[j] < x && x <= sizes[j + 1]) {
+          found = true;
+          Rational f = 1;
+          for (unsigned k = 0; k < law.a; ++k)
+            f *= x;
+          expected[j] += q * f;
+          all += q * f;
+        }
+      outside += found ? 0 : q;
+    }
+    for (const Rational &m : masses)
+      target += m;
+    CHECK(d.below().count + d.above().count == outside);
+    CHECK(d.describes() == (outside == 0));
+    const MatchError e = d.error();
+    Rational largest = 0, total = 0;
+    for (std::size_t j = 0; j < 4; ++j) {
+      CHECK(exactly(e.as_given[j]) == masses[j] - expected[j]);
+      const Rational error = (all == 0 ? Rational(0) : Rational(expected[j] / all)) - masses[j] / target;
+      CHECK(exactly(e.normalised[j]) == error);
+      largest = std::max(largest, Rational(abs(error)));
+      total += abs(error);
+    }
+    CHECK(exactly(e.maximum) == largest);
+    CHECK(abs(e.normalised[e.worst].lo) == largest);
+    CHECK(exactly(e.total) == total);
+  }
 }
