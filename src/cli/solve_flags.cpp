@@ -1,53 +1,9 @@
 #include "solve_flags.hpp"
 
-#include <mdm/error.hpp>
-#include <mdm/number/decimal.hpp>
-
-#include <limits>
+#include "option_values.hpp"
 
 namespace mdm::cli {
 namespace {
-
-/// Calls read(text) and names the option in what it throws.
-template <class Read>
-auto named(const char *option, const std::string &text, Read read) {
-  try {
-    return read(text);
-  } catch (const InputError &e) {
-    throw InputError(std::string(option) + ": " + e.what());
-  }
-}
-
-Integer natural(const char *option, const std::string &text, const Integer &least) {
-  const std::optional<Integer> n = parse_natural(text);
-  if (!n || *n < least)
-    throw InputError(std::string(option) + ": " + in_quotes(text) + " is not a whole number from " +
-                     to_string(least) + " on (at most 1000 digits)");
-  return *n;
-}
-
-std::uint64_t natural64(const char *option, const std::string &text) {
-  const Integer n = natural(option, text, 0);
-  const Integer most = std::numeric_limits<std::uint64_t>::max();
-  return n > most ? std::numeric_limits<std::uint64_t>::max() : static_cast<std::uint64_t>(n);
-}
-
-Rational positive(const char *option, const std::string &text) {
-  const Rational r = named(option, text, [](const std::string &t) { return parse_decimal(t); });
-  if (r <= 0)
-    throw InputError(std::string(option) + ": " + in_quotes(text) + " is not positive");
-  return r;
-}
-
-/// Digits beyond this are of no use, and cost.
-constexpr unsigned most_digits = 1000;
-
-unsigned digits_of(const std::string &text) {
-  const Integer n = natural("--digits", text, 1);
-  if (n > most_digits)
-    throw InputError("--digits: at most 1000");
-  return static_cast<unsigned>(n);
-}
 
 ScaleChoice scale_of(const std::string &text) {
   if (text == "robust")
@@ -58,9 +14,7 @@ ScaleChoice scale_of(const std::string &text) {
 }
 
 std::chrono::steady_clock::time_point deadline_in(const std::string &text) {
-  const Rational seconds = named("--time-limit", text, [](const std::string &t) { return parse_decimal(t); });
-  if (seconds < 0)
-    throw InputError("--time-limit: " + in_quotes(text) + " is negative");
+  const Rational seconds = not_negative("--time-limit", text);
   const Integer thirty_years = 1'000'000'000'000;
   const Integer milliseconds = std::min(floor(Rational(seconds * 1000)), thirty_years);
   return std::chrono::steady_clock::now() +
@@ -68,6 +22,31 @@ std::chrono::steady_clock::time_point deadline_in(const std::string &text) {
 }
 
 } // namespace
+
+void GradationFlags::add_to(CLI::App &command) {
+  command.add_option("--law", law, "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5")
+      ->type_name("LAW");
+  command.add_option("--size-factor", size_factor, "multiply every size by K")->type_name("K");
+  command
+      .add_option("--cut-below", cut_below,
+                  "leave out the classes below the sieve SIZE (before --size-factor)")
+      ->type_name("SIZE");
+  command.add_option("--pan-size", pan_size, "count the pan as SIZE instead of 0 (before --size-factor)")
+      ->type_name("SIZE");
+}
+
+Question GradationFlags::question() const {
+  Question q;
+  if (law)
+    q.law = named("--law", *law, parse_mass_law);
+  if (pan_size)
+    q.pan_size = positive("--pan-size", *pan_size);
+  if (cut_below)
+    q.cut_below = positive("--cut-below", *cut_below);
+  if (size_factor)
+    q.size_factor = positive("--size-factor", *size_factor);
+  return q;
+}
 
 void SolveFlags::add_to(CLI::App &command) {
   command.add_option("--min-per-class", min_per_class, "at least R particles in every class with mass")
@@ -82,15 +61,7 @@ void SolveFlags::add_to(CLI::App &command) {
       ->type_name("SHAPE");
   command.add_option("--void-ratio", void_ratio, "void ratio e of the specimen")->type_name("E");
   command.add_option("--solids-volume", solids_volume, "at least this volume of solids")->type_name("V");
-  command.add_option("--law", law, "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5")
-      ->type_name("LAW");
-  command.add_option("--size-factor", size_factor, "multiply every size by K")->type_name("K");
-  command
-      .add_option("--cut-below", cut_below,
-                  "leave out the classes below the sieve SIZE (before --size-factor)")
-      ->type_name("SIZE");
-  command.add_option("--pan-size", pan_size, "count the pan as SIZE instead of 0 (before --size-factor)")
-      ->type_name("SIZE");
+  GradationFlags::add_to(command);
   command.add_option("--digits", digits, "significant digits of sizes (15)")->type_name("D");
   command.add_option("--scale", scale, "robust (sizes far from the sieves) or upper (largest sizes)")
       ->type_name("WHICH");
@@ -104,15 +75,7 @@ void SolveFlags::add_to(CLI::App &command) {
 }
 
 Question SolveFlags::question() const {
-  Question q;
-  if (law)
-    q.law = named("--law", *law, parse_mass_law);
-  if (pan_size)
-    q.pan_size = positive("--pan-size", *pan_size);
-  if (cut_below)
-    q.cut_below = positive("--cut-below", *cut_below);
-  if (size_factor)
-    q.size_factor = positive("--size-factor", *size_factor);
+  Question q = GradationFlags::question();
   if (min_per_class)
     q.min_per_class = std::max(natural("--min-per-class", *min_per_class, 0), Integer(1));
   if (at_least)
@@ -122,7 +85,7 @@ Question SolveFlags::question() const {
   if (specimen && solids_volume)
     throw InputError("--specimen and --solids-volume: give one of them");
   if (void_ratio)
-    named("--void-ratio", *void_ratio, [](const std::string &t) { return parse_decimal(t); });
+    not_negative("--void-ratio", *void_ratio);
   if (specimen)
     q.solids = named("--specimen", *specimen,
                      [this](const std::string &t) { return parse_specimen(t, *void_ratio); });
@@ -136,7 +99,7 @@ SolveOptions SolveFlags::options() const {
   if (at_most)
     o.at_most = natural("--at-most", *at_most, 0);
   if (digits)
-    o.digits = digits_of(*digits);
+    o.digits = digits_of("--digits", *digits);
   if (scale)
     o.scale = scale_of(*scale);
   if (max_steps)

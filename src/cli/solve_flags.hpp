@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The options of solving, shared by the commands that solve.
+/// The options of solving, and those of them that more commands share.
 
 #include <mdm/match/solve.hpp>
 
@@ -11,12 +11,22 @@
 
 namespace mdm::cli {
 
-/// What the user wrote, as text: numbers are read exactly, never through double.
-struct SolveFlags {
+/// The options that say how a gradation is to be taken, for every command that weighs particles. Values are
+/// kept as the user wrote them: numbers are read exactly, never through double.
+struct GradationFlags {
   using Text = std::optional<std::string>;
+  Text law, size_factor, cut_below, pan_size;
+
+  void add_to(CLI::App &command);
+
+  /// \throws InputError naming the option where its value does not serve
+  Question question() const;
+};
+
+/// All options of solving.
+struct SolveFlags : GradationFlags {
   Text min_per_class, at_least, at_most;
   Text specimen, void_ratio, solids_volume;
-  Text law, size_factor, cut_below, pan_size;
   Text digits, scale;
   Text max_steps, node_limit, time_limit;
 

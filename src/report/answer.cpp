@@ -89,13 +89,6 @@ void add_json_spectrum(Buffer &out, const Spectrum &s) {
   add(out, R"(],"{}":"{}"}})", s.complete ? "all_from" : "unknown_from", to_string(s.all_from));
 }
 
-std::string json_versions() {
-  std::string text;
-  for (const auto &[library, version] : versions())
-    text += (text.empty() ? "" : ",") + json_string(library) + ":" + json_string(version);
-  return text;
-}
-
 std::string counted(const Integer &n) {
   return to_string(n) + (n == 1 ? " particle" : " particles");
 }
@@ -178,7 +171,6 @@ std::string headline(const Match &m) {
 }
 
 std::string answer_json(const Match &m, const Spectrum *spectrum) {
-  static const std::string libraries = json_versions();
   Buffer out;
   add_compiled(out, FMT_COMPILE(R"({{"schema":"mdm-answer-1","id":{},"status":"{}",)"),
                json_string(m.gradation.id()), status_name(m.status));

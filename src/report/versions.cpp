@@ -1,3 +1,4 @@
+#include <mdm/json_text.hpp>
 #include <mdm/report/versions.hpp>
 
 #include <boost/version.hpp>
@@ -43,6 +44,16 @@ const std::vector<std::pair<std::string, std::string>> &versions() {
     {"nlohmann-json", json_version()},
   };
   return list;
+}
+
+const std::string &versions_json() {
+  static const std::string object = [] {
+    std::string pairs;
+    for (const auto &[library, version] : versions())
+      pairs += (pairs.empty() ? "" : ",") + json_string(library) + ":" + json_string(version);
+    return "{" + pairs + "}";
+  }();
+  return object;
 }
 
 } // namespace mdm

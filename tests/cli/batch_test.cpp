@@ -244,14 +244,6 @@ TEST_CASE("batch takes the options of solving", "[cli]") {
   CHECK(wrong[0].at("status") == "error");
 }
 
-// AddressSanitizer keeps freed memory.
-#if defined(__SANITIZE_ADDRESS__)
-#define MDM_KEEPS_FREED_MEMORY 1
-#elif defined(__has_feature)
-#define MDM_KEEPS_FREED_MEMORY __has_feature(address_sanitizer)
-#else
-#define MDM_KEEPS_FREED_MEMORY 0
-#endif
 #if !MDM_KEEPS_FREED_MEMORY
 TEST_CASE("memory does not grow with the number of lines", "[cli]") {
   const auto most_kib = [chunk = suite(2750)](int chunks, const char *threads) {

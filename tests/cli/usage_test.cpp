@@ -5,8 +5,9 @@
 using namespace cli_test;
 
 TEST_CASE("help has an example and exits with 0", "[cli]") {
-  for (const Arguments &arguments : {Arguments{"--help"}, Arguments{"-h"}, Arguments{"solve", "--help"},
-                                     Arguments{"batch", "--help"}, Arguments{"convert", "--help"}}) {
+  for (const Arguments &arguments :
+       {Arguments{"--help"}, Arguments{"-h"}, Arguments{"solve", "--help"}, Arguments{"batch", "--help"},
+        Arguments{"convert", "--help"}, Arguments{"verify", "--help"}}) {
     const Outcome outcome = mdm(arguments);
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.err.empty());
@@ -22,8 +23,9 @@ TEST_CASE("help has an example and exits with 0", "[cli]") {
 }
 
 TEST_CASE("the version names the program and its libraries", "[cli]") {
-  for (const Arguments &arguments : {Arguments{"--version"}, Arguments{"solve", "--version"},
-                                     Arguments{"batch", "--version"}, Arguments{"convert", "--version"}}) {
+  for (const Arguments &arguments :
+       {Arguments{"--version"}, Arguments{"solve", "--version"}, Arguments{"batch", "--version"},
+        Arguments{"convert", "--version"}, Arguments{"verify", "--version"}}) {
     const Outcome outcome = mdm(arguments);
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.out.find("mdm ") == 0);
@@ -37,7 +39,7 @@ TEST_CASE("an unknown command names the commands that there are", "[cli]") {
        {Arguments{}, Arguments{"sovle"}, Arguments{""}, Arguments{"Solve", "x"}}) {
     const Outcome outcome = mdm(arguments);
     check_refused(outcome);
-    for (const char *command : {"solve", "batch", "convert"})
+    for (const char *command : {"solve", "batch", "convert", "verify"})
       CHECK(outcome.err.find(command) != std::string::npos);
   }
   check_refused(mdm({"\x1B[31m\xFF\n" + std::string(1000, 'x')}));
@@ -50,7 +52,9 @@ TEST_CASE("command lines that are wrong point to the help", "[cli]") {
         Arguments{"solve", "a", "--at-least"}, Arguments{"solve", "a", "--digits", "1", "--digits", "2"},
         Arguments{"batch", "a", "b"}, Arguments{"batch", "-j", "0"}, Arguments{"batch", "-j", "x"},
         Arguments{"batch", "-j", "-1"}, Arguments{"batch", "-j"}, Arguments{"convert"},
-        Arguments{"convert", "a", "--format", "ags"}})
+        Arguments{"convert", "a", "--format", "ags"}, Arguments{"verify", "a"},
+        Arguments{"verify", "a", "b", "--radius", "--diameter"},
+        Arguments{"verify", "a", "b", "--format", "x"}})
     check_refused(mdm(arguments), "--help");
 }
 

@@ -11,4 +11,7 @@ namespace mdm {
 /// Names and versions, mdm first.
 const std::vector<std::pair<std::string, std::string>> &versions();
 
+/// The same as the value of the key "versions": a JSON object.
+const std::string &versions_json();
+
 } // namespace mdm

@@ -1,0 +1,121 @@
+#pragma once
+/// \file
+/// How a gradation G describes a sample S.
+
+#include <mdm/gradation/gradation.hpp>
+#include <mdm/gradation/mass_law.hpp>
+#include <mdm/gradation/sample.hpp>
+#include <mdm/number/fraction_sum.hpp>
+#include <mdm/number/interval.hpp>
+
+#include <optional>
+
+namespace mdm {
+
+/// The size x > 0 with x^degree = power. Sizes of exact matches are roots, seldom fractions.
+struct RootSize {
+  Rational power;
+  unsigned degree = 1;
+
+  /// True if x^of_degree = other.
+  bool is(const Rational &other, unsigned of_degree) const;
+};
+
+/// How far a description is from Cond4: the Error of Arnold, Eq. 13, class by class. t_j is the mass of the
+/// particles in class j, M the sum of all t_j. Numbers are exact where the law is rational at the sizes.
+struct MatchError {
+  std::vector<Interval> as_given;   ///< m_j - t_j
+  std::vector<Rational> targets;    ///< m_j / sum m
+  std::vector<Interval> shares;     ///< t_j / M; 0 where M = 0
+  std::vector<Interval> normalised; ///< t_j / M - m_j / sum m
+  std::size_t worst = 0;            ///< the finest class with the largest |normalised| (upper ends compared)
+  Interval maximum;                 ///< largest |normalised|
+  Interval total;                   ///< sum of |normalised|
+};
+
+/// What a description depends on beside G and S.
+struct DescriptionOptions {
+  MassLaw law;
+  /// Sizes within snap * x_j of an opening x_j are taken as that opening: for sizes computed in double.
+  Rational snap = 0;
+  /// u^b for the unit u in which masses are summed (b as in the law). Roots with a common irrational factor u
+  /// are so summed exactly.
+  Rational mass_unit = 1;
+};
+
+/// What is known of the particles of a sample that were added one by one, class by class. Memory does not
+/// depend on their number (as long as sizes are decimals of bounded length). Class j has x_j < x <= x_{j+1}:
+/// a particle passes an opening of its own size. Since G is complete, Cond1 (Eq. 9) holds.
+class Description {
+public:
+  /// Particles outside all classes, on one side.
+  struct Outside {
+    Integer count = 0;
+    std::optional<RootSize> first; ///< the first that came
+  };
+
+  /// The particles of one class.
+  struct Class {
+    Integer count = 0;
+    std::optional<RootSize> first;  ///< the first size that came
+    std::optional<RootSize> second; ///< the first that differs from it
+  };
+
+  /// \throws InputError if snap is negative or makes neighbouring openings one
+  explicit Description(Gradation g, DescriptionOptions options = {});
+  Description(Gradation g, const Sample &sample, DescriptionOptions options = {});
+
+  /// Adds particles of one size. Cost: a binary search, a power and an exact sum; a root of 4096 bits where
+  /// the law is irrational at the size.
+  /// \pre size > 0, quantity >= 1
+  void add(const Rational &size, const Integer &quantity = 1) { place(size, 1, quantity); }
+  /// Adds particles of the size x with x^a = power, a as in the law.
+  void add_powered(const Rational &power, const Integer &quantity) { place(power, law().a, quantity); }
+  void add(const Sample &sample);
+
+  const Gradation &gradation() const { return g_; }
+  const MassLaw &law() const { return options_.law; }
+  const Class &of_class(std::size_t j) const { return classes_[j].seen; }
+  const Outside &below() const { return below_; } ///< x <= x_1
+  const Outside &above() const { return above_; } ///< x > x_n
+  /// N, particles outside all classes included.
+  Integer particles() const;
+  /// Particles whose size was taken as an opening, and was not that opening.
+  const Integer &snapped() const { return snapped_; }
+
+  /// Cond2 (Eq. 10): no particle lies outside all classes.
+  bool describes() const { return below_.count == 0 && above_.count == 0; }
+  /// The finest class with particles of several sizes.
+  std::optional<std::size_t> inarticulate_class() const;
+  /// Cond3: Cond2, and an opening x_j with x_i <= x_j < x_{i+1} separates neighbouring sizes. (Eq. 11 has the
+  /// two signs exchanged, against Eq. 12.)
+  bool articulately() const { return describes() && !inarticulate_class(); }
+
+  /// What Cond4 (Eq. 12) lacks. Cond4 holds iff Cond2 does and all `as_given` are 0; for one scale of the
+  /// masses, iff Cond2 does and all `normalised` are 0. Cost: some fractions a class.
+  MatchError error() const;
+
+private:
+  struct Tally {
+    Class seen;
+    FractionSum mass;         ///< of the particles whose mass is a fraction
+    Integer roots = 0;        ///< sum of the others' masses, each rounded down to a multiple of 2^-root_bits
+    Integer rooted_count = 0; ///< number of these others
+
+    void add(const Rational &power, unsigned degree, const Integer &quantity,
+             const DescriptionOptions &options);
+    Interval total() const;
+  };
+
+  static void note(Outside &side, const RootSize &size, const Integer &quantity);
+  void place(const Rational &power, unsigned degree, const Integer &quantity);
+
+  Gradation g_;
+  DescriptionOptions options_;
+  std::vector<Rational> lowest_, highest_; ///< sizes that are taken as each opening
+  std::vector<Tally> classes_;
+  Outside below_, above_;
+  Integer snapped_ = 0;
+};
+
+} // namespace mdm

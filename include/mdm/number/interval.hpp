@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// Real numbers between fractions.
+
+#include <mdm/number/rational.hpp>
+
+namespace mdm {
+
+/// A real number y with lo <= y <= hi; lo = hi where y is known to be that fraction.
+struct Interval {
+  Rational lo = 0;
+  Rational hi = 0;
+
+  Interval() = default;
+  Interval(const Rational &exact) : lo(exact), hi(exact) {}
+  /// \pre lo <= hi
+  Interval(const Rational &lower, const Rational &upper) : lo(lower), hi(upper) {}
+
+  bool exact() const { return lo == hi; }
+};
+
+/// Encloses y + z.
+Interval operator+(const Interval &y, const Interval &z);
+/// Encloses y - z.
+Interval operator-(const Interval &y, const Interval &z);
+/// Encloses y * z, for y, z >= 0.
+Interval operator*(const Interval &y, const Interval &z);
+/// Encloses |y|.
+Interval absolute(const Interval &y);
+/// Encloses the greater of y and z.
+Interval greater(const Interval &y, const Interval &z);
+
+/// Encloses r^(1/degree) for r >= 0: exactly where it is a fraction, else within 2^-bits.
+Interval root(const Rational &r, unsigned degree, unsigned bits);
+
+} // namespace mdm

@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// The sample that an answer of mdm states.
+
+#include <mdm/gradation/description.hpp>
+
+#include <string>
+
+namespace mdm {
+
+/// What an mdm-answer-1 says of its particles. A particle of a class has the mass s m / q and the size f^-1
+/// of it, of which the answer prints an enclosure.
+struct AnswerSample {
+  struct Class {
+    std::size_t number; ///< in the answer, from 1
+    Rational lower, upper, mass;
+    Integer quantity; ///< 1 or more
+    Rational size_lo, size_hi;
+  };
+
+  SizeUnit unit = SizeUnit::mm;
+  std::vector<Class> classes; ///< those with particles
+  Rational scale;             ///< s, to the power scale_power
+  unsigned scale_power = 1;   ///< b of the law
+  Integer particles;          ///< N as it is stated
+};
+
+/// Reads an mdm-answer-1. `file` precedes messages.
+/// \throws InputError if it is none, or has no sample (its status is none or unknown)
+AnswerSample read_answer(std::string_view content, const std::string &file);
+
+/// An answer's particles as a gradation describes them.
+struct AnswerDescription {
+  Description description;
+  /// Where the answer contradicts itself: sizes that are not in their enclosures, a wrong N.
+  std::vector<std::string> objections;
+};
+
+/// How g describes the answer's sample, exactly: a size is judged by its power x^a = (s m / (c q))^b, c being
+/// the factor of the class of g that has the answer's bounds. Masses are in units of s.
+/// \throws InputError if the law does not fit the answer, or g has factors and not the answer's classes
+AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const MassLaw &law,
+                                  const Rational &snap);
+
+} // namespace mdm

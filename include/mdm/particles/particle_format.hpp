@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// Formats of particle files, and what their numbers mean.
+
+#include <mdm/gradation/size_unit.hpp>
+
+#include <optional>
+#include <string>
+
+namespace mdm {
+
+/// A format that particles are read from.
+enum class ParticleFormat {
+  csv,           ///< header `size_mm,quantity` (or _um, _m, _in), then a size and its quantity a row
+  answer,        ///< mdm-answer-1, see answer_sample.hpp
+  xyzr,          ///< `x y z r` a line, # comments: YADE's ymport.text
+  lammps_data,   ///< data file of LAMMPS or LIGGGHTS, atom_style sphere
+  lammps_dump,   ///< text dump of LAMMPS with a column radius or diameter
+  liggghts_dump, ///< the same of LIGGGHTS
+  vtk,           ///< legacy VTK in ASCII, POLYDATA or UNSTRUCTURED_GRID, with an array radius or diameter
+  diameters      ///< one diameter a line, # comments
+};
+
+/// `csv`, `answer`, `xyzr`, `lammps-data`, `lammps-dump`, `liggghts-dump`, `vtk` or `diameters`.
+std::string_view name(ParticleFormat format);
+/// The format of that name, or nothing.
+std::optional<ParticleFormat> parse_particle_format(std::string_view name);
+/// All names, separated by commas.
+std::string particle_format_names();
+
+/// What a number that is a particle's size says.
+enum class SizeMeaning { radius, diameter };
+
+/// Units of particle files.
+enum class LengthUnit { mm, um, m, in };
+
+/// `mm`, `um`, `m` or `in`.
+std::string_view name(LengthUnit unit);
+/// The unit of that name, or nothing.
+std::optional<LengthUnit> parse_length_unit(std::string_view name);
+/// The same unit; no gradation is kept in inches.
+LengthUnit length_unit(SizeUnit unit);
+/// How many mm it is.
+Rational in_mm(LengthUnit unit);
+
+} // namespace mdm

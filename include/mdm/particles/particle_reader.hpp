@@ -1,0 +1,71 @@
+#pragma once
+/// \file
+/// Particle files, line by line.
+
+#include <mdm/particles/particle_format.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace mdm {
+
+/// Takes the particles that a file has.
+class ParticleSink {
+public:
+  virtual ~ParticleSink() = default;
+  /// Forget what came so far: another timestep begins.
+  virtual void restart() = 0;
+  /// Particles of one diameter > 0, in the unit that was asked for.
+  virtual void add(const Rational &diameter, const Integer &quantity) = 0;
+};
+
+/// How a particle file is to be read. What is left open is told by the content or is usual in the format.
+struct ParticleOptions {
+  std::optional<ParticleFormat> format;
+  /// What sizes are. Open: what their column says, radii in xyzr, else diameters.
+  std::optional<SizeMeaning> meaning;
+  /// Unit of the file. Open: what a CSV header says, m in files of LAMMPS, LIGGGHTS and VTK, else `target`.
+  std::optional<LengthUnit> unit;
+  /// The timestep of a dump to read. Open: the last.
+  std::optional<Integer> timestep;
+  /// The unit that diameters are handed on in.
+  SizeUnit target = SizeUnit::mm;
+};
+
+class LineReader;
+class ParticleSource;
+
+/// Reads a particle file of any format but `answer` whose lines it is given one by one; numbers are decimals
+/// as written. Memory does not depend on the length of the file.
+/// All members throw InputError `file:line: what is wrong and what to do`.
+class ParticleReader {
+public:
+  /// \param sink must outlive the reader
+  ParticleReader(const std::string &file, ParticleSink &sink, const ParticleOptions &options);
+  ~ParticleReader();
+  ParticleReader(const ParticleReader &) = delete;
+  ParticleReader &operator=(const ParticleReader &) = delete;
+
+  /// Takes the next line, without its LF.
+  void line(std::string_view text);
+  /// The file is at its end. \throws InputError if something is missing
+  void end();
+
+  /// The format; after the end, or after enough lines to tell it.
+  std::optional<ParticleFormat> format() const { return format_; }
+  /// The unit of the file; after the end.
+  LengthUnit unit() const;
+  /// What was assumed, for the report; after the end.
+  std::vector<std::string> notes() const;
+
+private:
+  void begin(ParticleFormat format);
+
+  std::unique_ptr<ParticleSource> source_;
+  std::unique_ptr<LineReader> reader_; ///< null until the format is known
+  std::optional<ParticleFormat> format_;
+  std::vector<std::string> pending_; ///< lines that came before
+};
+
+} // namespace mdm

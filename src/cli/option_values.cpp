@@ -1,0 +1,54 @@
+#include "option_values.hpp"
+
+#include <mdm/number/decimal.hpp>
+
+#include <limits>
+
+namespace mdm::cli {
+namespace {
+
+/// Digits beyond this are of no use, and cost.
+constexpr unsigned most_digits = 1000;
+
+Rational decimal(const std::string &option, const std::string &text) {
+  return named(option, text, [](const std::string &t) { return parse_decimal(t); });
+}
+
+} // namespace
+
+Integer natural(const std::string &option, const std::string &text, const Integer &least) {
+  const std::optional<Integer> n = parse_natural(text);
+  if (!n || *n < least)
+    throw InputError(option + ": " + in_quotes(text) + " is not a whole number from " + to_string(least) +
+                     " on (at most 1000 digits)");
+  return *n;
+}
+
+std::uint64_t natural64(const std::string &option, const std::string &text) {
+  const Integer n = natural(option, text, 0);
+  const Integer most = std::numeric_limits<std::uint64_t>::max();
+  return n > most ? std::numeric_limits<std::uint64_t>::max() : static_cast<std::uint64_t>(n);
+}
+
+Rational positive(const std::string &option, const std::string &text) {
+  const Rational r = decimal(option, text);
+  if (r <= 0)
+    throw InputError(option + ": " + in_quotes(text) + " is not positive");
+  return r;
+}
+
+Rational not_negative(const std::string &option, const std::string &text) {
+  const Rational r = decimal(option, text);
+  if (r < 0)
+    throw InputError(option + ": " + in_quotes(text) + " is negative");
+  return r;
+}
+
+unsigned digits_of(const std::string &option, const std::string &text) {
+  const Integer n = natural(option, text, 1);
+  if (n > most_digits)
+    throw InputError(option + ": at most 1000");
+  return static_cast<unsigned>(n);
+}
+
+} // namespace mdm::cli

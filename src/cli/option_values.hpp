@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// Values of options, read exactly. All throw an InputError that names the option.
+
+#include <mdm/error.hpp>
+#include <mdm/number/rational.hpp>
+
+#include <string>
+
+namespace mdm::cli {
+
+/// Calls read(text) and names the option in what it throws.
+template <class Read>
+auto named(const std::string &option, const std::string &text, Read read) {
+  try {
+    return read(text);
+  } catch (const InputError &e) {
+    throw InputError(option + ": " + e.what());
+  }
+}
+
+/// A whole number from `least` on.
+Integer natural(const std::string &option, const std::string &text, const Integer &least);
+/// The same from 0 on; what is beyond 2^64 - 1 counts as that.
+std::uint64_t natural64(const std::string &option, const std::string &text);
+/// A decimal above 0.
+Rational positive(const std::string &option, const std::string &text);
+/// A decimal from 0 on.
+Rational not_negative(const std::string &option, const std::string &text);
+/// Significant digits, 1 to 1000.
+unsigned digits_of(const std::string &option, const std::string &text);
+
+} // namespace mdm::cli

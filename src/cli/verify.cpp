@@ -1,0 +1,283 @@
+#include "commands.hpp"
+#include "files.hpp"
+#include "option_values.hpp"
+#include "progress.hpp"
+#include "solve_flags.hpp"
+
+#include <mdm/gradation/read_gradation.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/particles/answer_sample.hpp>
+#include <mdm/particles/particle_reader.hpp>
+#include <mdm/report/verification.hpp>
+
+#include <fmt/core.h>
+
+#include <atomic>
+#include <memory>
+
+namespace mdm::cli {
+namespace {
+
+struct VerifyCommand {
+  std::string gradation, sample;
+  GradationFlags flags;
+  GradationFlags::Text from, size_unit, timestep, snap, tolerance, digits, specimen_id;
+  bool radius = false;
+  bool diameter = false;
+  std::string format = "text";
+  std::string out = "-";
+  bool quiet = false;
+};
+
+constexpr std::size_t lines_at_once = 4096;
+
+std::string shown_name(const std::string &path) {
+  return path == "-" ? "stdin" : path;
+}
+
+/// `1%` or `1`: percentage points, as a part of 1.
+Rational tolerance_of(const VerifyCommand &c) {
+  if (!c.tolerance)
+    return 0;
+  const bool has_sign = c.tolerance->size() > 1 && c.tolerance->back() == '%';
+  return not_negative("--tolerance", c.tolerance->substr(0, c.tolerance->size() - (has_sign ? 1 : 0))) / 100;
+}
+
+ParticleOptions particle_options(const VerifyCommand &c, SizeUnit target) {
+  ParticleOptions options;
+  options.target = target;
+  if (c.from)
+    options.format = parse_particle_format(*c.from);
+  if (c.from && !options.format)
+    throw InputError("--from: " + in_quotes(*c.from) + " is no format: use one of " +
+                     particle_format_names());
+  if (c.radius || c.diameter)
+    options.meaning = c.radius ? SizeMeaning::radius : SizeMeaning::diameter;
+  if (c.size_unit)
+    options.unit = parse_length_unit(*c.size_unit);
+  if (c.size_unit && !options.unit)
+    throw InputError("--size-unit: " + in_quotes(*c.size_unit) + " is unknown: use mm, um, m or in");
+  if (c.timestep)
+    options.timestep = natural("--timestep", *c.timestep, 0);
+  return options;
+}
+
+/// Counts what is read.
+class Tally : public ParticleSink {
+public:
+  explicit Tally(Description empty) : empty_(std::move(empty)), description_(empty_) {}
+
+  void restart() override { description_ = empty_; }
+  void add(const Rational &diameter, const Integer &quantity) override {
+    description_.add(diameter, quantity);
+    ++added_;
+  }
+
+  const Description &description() const { return description_; }
+  std::uint64_t added() const { return added_; }
+
+private:
+  Description empty_, description_;
+  std::atomic<std::uint64_t> added_ = 0;
+};
+
+/// Of particles that are all outside, or all in the pan: a unit in which they would not be.
+std::optional<std::string> unit_note(const Description &d, LengthUnit unit) {
+  const Gradation &g = d.gradation();
+  const std::size_t finest = g.lower(0) == 0 ? 1 : 0; // a class or an opening
+  for (std::size_t j = finest; j < g.classes(); ++j)
+    if (d.of_class(j).count > 0)
+      return std::nullopt;
+  const std::optional<RootSize> &first = d.above().first   ? d.above().first
+                                         : d.below().first ? d.below().first
+                                                           : d.of_class(0).first;
+  for (const LengthUnit other : {LengthUnit::mm, LengthUnit::um, LengthUnit::m, LengthUnit::in}) {
+    const Rational x = first->power * in_mm(other) / in_mm(unit);
+    if (other != unit && x > g.lower(finest) && x <= g.upper(g.classes() - 1))
+      return fmt::format("The sizes were read in {}, and no particle lies in a class (the pan's aside); with "
+                         "--size-unit {} the first would.",
+                         name(unit), name(other));
+  }
+  return std::nullopt;
+}
+
+/// What was read of a sample.
+struct Found {
+  Description description;
+  std::vector<std::string> objections, notes;
+};
+
+/// All lines of a file of which the first were taken already.
+std::string whole_text(const std::vector<Lines::Line> &first, Lines &rest, const std::string &file) {
+  std::string text;
+  for (std::vector<Lines::Line> lines = first; !lines.empty(); lines = rest.next(lines_at_once))
+    for (const Lines::Line &line : lines) {
+      if (!line || text.size() + line->size() > Lines::longest_line)
+        throw InputError(file + ": an answer has at most 64 MiB: is it the right file?");
+      text += *line + "\n";
+    }
+  return text;
+}
+
+Found read_answer_sample(const VerifyCommand &c, const std::string &content, Gradation g,
+                         const Question &question, const Rational &snap) {
+  const std::string file = printable(shown_name(c.sample));
+  if (c.radius || c.diameter || c.size_unit || c.timestep)
+    throw InputError(file + ": an answer of mdm says what its sizes are: leave out --radius, --diameter, "
+                            "--size-unit and --timestep");
+  const AnswerSample answer = read_answer(content, shown_name(c.sample));
+  try {
+    AnswerDescription described = describe_answer(answer, std::move(g), question.law, snap);
+    return {std::move(described.description), std::move(described.objections), {}};
+  } catch (const InputError &e) {
+    throw InputError(file + ": " + e.what());
+  }
+}
+
+/// True if a file that begins with these lines is a JSON object.
+bool begins_json(const std::vector<Lines::Line> &lines) {
+  for (const Lines::Line &line : lines) {
+    if (!line)
+      return false;
+    const std::size_t first = line->find_first_not_of(" \t\r\xEF\xBB\xBF");
+    if (first != std::string::npos)
+      return (*line)[first] == '{';
+  }
+  return false;
+}
+
+Found read_sample(const VerifyCommand &c, const Gradation &g, const Question &question,
+                  const Rational &snap) {
+  const ParticleOptions options = particle_options(c, g.unit());
+  Tally tally(Description(g, {question.law, snap, 1}));
+  Lines lines(c.sample);
+  std::vector<Lines::Line> chunk = lines.next(lines_at_once);
+  if (options.format ? options.format == ParticleFormat::answer : begins_json(chunk))
+    return read_answer_sample(c, whole_text(chunk, lines, printable(shown_name(c.sample))), g, question,
+                              snap);
+
+  Progress progress([&tally] { return fmt::format("{} sizes read", tally.added()); }, c.quiet);
+  ParticleReader reader(shown_name(c.sample), tally, options);
+  std::uint64_t number = 0;
+  for (; !chunk.empty(); chunk = lines.next(lines_at_once))
+    for (const Lines::Line &line : chunk) {
+      ++number;
+      if (!line)
+        throw InputError(fmt::format("{}:{}: the line has more than 64 MiB: is it a file of particles?",
+                                     printable(shown_name(c.sample)), number));
+      reader.line(*line);
+    }
+  reader.end();
+  Found found{tally.description(), {}, reader.notes()};
+  if (const std::optional<std::string> note = unit_note(found.description, reader.unit()))
+    found.notes.push_back(*note);
+  return found;
+}
+
+Gradation read_asked_gradation(const VerifyCommand &c, const Question &question) {
+  const std::string file = shown_name(c.gradation);
+  Gradation g = read_gradation(read_file(c.gradation, max_gradation_bytes), file, c.specimen_id);
+  try {
+    return asked_gradation(std::move(g), question);
+  } catch (const InputError &e) {
+    throw InputError(printable(file) + ": " + e.what());
+  }
+}
+
+int exit_code(Verdict verdict) {
+  switch (verdict) {
+  case Verdict::match:
+    return Exit::done;
+  case Verdict::undecided:
+    return Exit::limited;
+  default:
+    return Exit::negative;
+  }
+}
+
+int run(const VerifyCommand &c) {
+  if (c.gradation == "-" && c.sample == "-")
+    throw InputError("GRADATION and SAMPLE cannot both be standard input: give one of them as a file");
+  check_distinct({c.gradation, c.out});
+  check_distinct({c.sample, c.out});
+  const Question question = c.flags.question();
+  const Rational tolerance = tolerance_of(c);
+  const Rational snap = c.snap ? not_negative("--snap", *c.snap) : Rational(0);
+  const unsigned digits = c.digits ? digits_of("--digits", *c.digits) : 6;
+  const Gradation g = read_asked_gradation(c, question);
+  Output out(c.out);
+
+  const Bounds smallest = smallest_match(g, question.law);
+  Found found = read_sample(c, g, question, snap);
+  Verification v(std::move(found.description), question, tolerance);
+  v.smallest = smallest;
+  v.sample = shown_name(c.sample);
+  v.digits = digits;
+  v.objections = std::move(found.objections);
+  v.notes = g.notes();
+  v.notes.insert(v.notes.end(), found.notes.begin(), found.notes.end());
+
+  if (c.format == "json")
+    out.write(verification_json(v) + "\n");
+  else
+    out.write(c.format == "csv" ? verification_csv(v) : verification_text(v));
+  // CSV has no place for a verdict.
+  if (c.format == "csv" && v.verdict() != Verdict::match)
+    tell(printable(v.sample) + ": " + headline(v) + "\n");
+  if (c.format == "csv" && !c.quiet)
+    for (const std::string &note : v.notes)
+      tell("note: " + note + "\n");
+  out.commit();
+  return exit_code(v.verdict());
+}
+
+} // namespace
+
+Run add_verify(CLI::App &app) {
+  const auto c = std::make_shared<VerifyCommand>();
+  CLI::App &command = *app.add_subcommand("verify", "Whether a sample of particles matches a gradation");
+  command.add_option("GRADATION", c->gradation, "gradation: CSV, JSON or AGS4; - for standard input")
+      ->required();
+  command.add_option("SAMPLE", c->sample, "particles, in one of the formats of --from; - for standard input")
+      ->required();
+  command
+      .add_option(
+          "--from", c->from,
+          "format of SAMPLE: csv (size_mm,quantity), answer (JSON of mdm solve), xyzr (x y z r a "
+          "line), lammps-data, lammps-dump, liggghts-dump, vtk or diameters (one a line); told by the "
+          "content if left out")
+      ->type_name("FORMAT");
+  CLI::Option *const radius = command.add_flag("--radius", c->radius, "sizes are radii, whatever their name");
+  command.add_flag("--diameter", c->diameter, "sizes are diameters, whatever their name")->excludes(radius);
+  command
+      .add_option("--size-unit", c->size_unit,
+                  "unit of SAMPLE: mm, um, m or in; m for LAMMPS, LIGGGHTS and VTK if left out, for xyzr and "
+                  "diameters that of the gradation")
+      ->type_name("UNIT");
+  command.add_option("--timestep", c->timestep, "the timestep of a dump, instead of the last")
+      ->type_name("T");
+  command
+      .add_option("--tolerance", c->tolerance,
+                  "greatest error of a share of the mass, in percentage points (0): 1% or 1")
+      ->type_name("T");
+  command
+      .add_option("--snap", c->snap,
+                  "take a size within EPS times an opening of it as that opening (0), for sizes computed in "
+                  "double: 1e-12")
+      ->type_name("EPS");
+  c->flags.add_to(command);
+  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
+      ->type_name("ID");
+  command.add_option("--digits", c->digits, "significant digits of percents (6)")->type_name("D");
+  command.add_option("--format", c->format, "text, json or csv")
+      ->check(CLI::IsMember({"text", "json", "csv"}));
+  command.add_option("-o", c->out, "write the report to OUT instead of standard output")->type_name("OUT");
+  command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
+  command.footer(
+      "Example: mdm verify sand.csv packing.txt --from xyzr --size-unit m --tolerance 1%\n"
+      "Exit 0 if no particle lies outside all classes and every share is within the tolerance, else "
+      "1.");
+  return [c] { return run(*c); };
+}
+
+} // namespace mdm::cli

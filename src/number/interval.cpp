@@ -1,0 +1,40 @@
+#include <mdm/number/interval.hpp>
+
+#include <algorithm>
+
+namespace mdm {
+
+Interval operator+(const Interval &y, const Interval &z) {
+  return {y.lo + z.lo, y.hi + z.hi};
+}
+
+Interval operator-(const Interval &y, const Interval &z) {
+  return {y.lo - z.hi, y.hi - z.lo};
+}
+
+Interval operator*(const Interval &y, const Interval &z) {
+  return {y.lo * z.lo, y.hi * z.hi};
+}
+
+Interval absolute(const Interval &y) {
+  if (y.lo >= 0)
+    return y;
+  if (y.hi <= 0)
+    return {Rational(-y.hi), Rational(-y.lo)};
+  return {Rational(0), std::max(Rational(-y.lo), y.hi)};
+}
+
+Interval greater(const Interval &y, const Interval &z) {
+  return {std::max(y.lo, z.lo), std::max(y.hi, z.hi)};
+}
+
+Interval root(const Rational &r, unsigned degree, unsigned bits) {
+  if (const std::optional<Rational> exact = exact_root(r, degree))
+    return *exact;
+  const Integer scaled = floor_div(numerator(r) << (bits * degree), denominator(r));
+  const Integer lo = floor_root(scaled, degree);
+  const Integer unit = Integer(1) << bits;
+  return {ratio(lo, unit), ratio(lo + 1, unit)};
+}
+
+} // namespace mdm

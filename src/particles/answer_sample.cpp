@@ -1,0 +1,208 @@
+#include "../gradation/message.hpp"
+
+#include <mdm/number/decimal.hpp>
+#include <mdm/particles/answer_sample.hpp>
+#include <mdm/particles/particle_format.hpp>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Levels of arrays and objects that an answer is allowed; it bounds the memory.
+constexpr int most_depth = 16;
+
+/// Numbers of an answer beyond this many digits are refused: powers of them would take too long.
+constexpr std::size_t most_digits = 100000;
+
+class AnswerReader {
+public:
+  AnswerReader(std::string_view content, const std::string &file) : file_(file) {
+    const auto check_depth = [this](int depth, Json::parse_event_t, Json &) {
+      if (depth > most_depth)
+        refuse("JSON", "values are nested deeper than in an answer: give the JSON answer of mdm solve");
+      return true;
+    };
+    try {
+      answer_ = Json::parse(content, check_depth);
+    } catch (const Json::parse_error &error) {
+      Source(file_).refuse(line_number(content, std::min(content.size(), error.byte)),
+                           "this is not JSON: check quotes, commas and brackets");
+    } catch (const Json::exception &) {
+      refuse("JSON", "has a number beyond double precision: write numbers as strings");
+    }
+  }
+
+  AnswerSample read() const {
+    if (const std::string schema = text(answer_, "schema", ""); schema != "mdm-answer-1")
+      refuse("schema", in_quotes(schema) + " is not 'mdm-answer-1': give the JSON answer of mdm solve");
+    if (const std::string status = text(answer_, "status", ""); status != "optimal" && status != "feasible")
+      refuse("status", in_quotes(status) + " means that there is no sample: solve again with other limits");
+    AnswerSample sample;
+    sample.unit = unit();
+    sample.particles = natural(answer_, "particles", "");
+    const Json &scale = member(answer_, "scale", "");
+    sample.scale = fraction(scale, "chosen", "scale.");
+    if (scale.contains("scale_power"))
+      sample.scale_power = scale_power(scale);
+    const Json &classes = member(answer_, "classes", "");
+    if (!classes.is_array())
+      refuse("classes", "is no array: give the JSON answer of mdm solve");
+    for (std::size_t j = 0; j < classes.size(); ++j)
+      add_class(sample, classes[j], j);
+    if (sample.classes.empty())
+      refuse("classes", "have no particles: give an answer that has some");
+    return sample;
+  }
+
+private:
+  [[noreturn]] void refuse(const std::string &key, const std::string &what) const {
+    throw InputError(fmt::format("{}: {} {}", printable(file_), key, what));
+  }
+
+  const Json &member(const Json &object, const char *key, const std::string &place) const {
+    if (!object.is_object() || !object.contains(key))
+      refuse(place + key, "is missing: give the JSON answer of mdm solve");
+    return object[key];
+  }
+
+  const std::string &text(const Json &object, const char *key, const std::string &place) const {
+    const Json &value = member(object, key, place);
+    if (!value.is_string())
+      refuse(place + key, "is not a string: write numbers as strings too");
+    return value.get_ref<const std::string &>();
+  }
+
+  Integer natural(const Json &object, const char *key, const std::string &place) const {
+    return whole(text(object, key, place), key, place);
+  }
+
+  Integer whole(const std::string &digits, const char *key, const std::string &place) const {
+    if (digits.empty() || digits.size() > most_digits ||
+        digits.find_first_not_of("0123456789") != std::string::npos)
+      refuse(place + key, in_quotes(digits) + " is not a whole number: give the JSON answer of mdm solve");
+    Integer n;
+    mpz_set_str(n.backend().data(), digits.c_str(), 10);
+    return n;
+  }
+
+  /// p/q > 0 or p > 0.
+  Rational fraction(const Json &object, const char *key, const std::string &place) const {
+    const std::string &both = text(object, key, place);
+    const std::size_t slash = both.find('/');
+    const Integer n = whole(both.substr(0, slash), key, place);
+    const Integer d = slash == std::string::npos ? Integer(1) : whole(both.substr(slash + 1), key, place);
+    if (n == 0 || d == 0)
+      refuse(place + key, in_quotes(both) + " is not above 0: give the JSON answer of mdm solve");
+    return ratio(n, d);
+  }
+
+  Rational decimal(const std::string &number, const std::string &place) const {
+    try {
+      return parse_decimal(number);
+    } catch (const InputError &error) {
+      refuse(place, error.what());
+    }
+  }
+
+  Rational decimal(const Json &object, const char *key, const std::string &place) const {
+    return decimal(text(object, key, place), place + key);
+  }
+
+  SizeUnit unit() const {
+    const std::string &written = text(answer_, "unit", "");
+    for (const SizeUnit unit : {SizeUnit::mm, SizeUnit::um, SizeUnit::m})
+      if (written == name(unit))
+        return unit;
+    refuse("unit", in_quotes(written) + " is unknown: use mm, um or m");
+  }
+
+  unsigned scale_power(const Json &scale) const {
+    const Integer b = natural(scale, "scale_power", "scale.");
+    if (b < 1 || b > max_law_exponent)
+      refuse("scale.scale_power", "is not from 1 to 1000: give the JSON answer of mdm solve");
+    return b.convert_to<unsigned>();
+  }
+
+  void add_class(AnswerSample &sample, const Json &from, std::size_t j) const {
+    const std::string place = fmt::format("classes[{}].", j);
+    AnswerSample::Class c;
+    c.number = j + 1;
+    c.quantity = natural(from, "quantity", place);
+    if (c.quantity == 0)
+      return;
+    c.lower = decimal(from, "lower", place);
+    c.upper = decimal(from, "upper", place);
+    c.mass = decimal(from, "mass", place);
+    if (c.mass <= 0)
+      refuse(place + "mass", "is not above 0, but there are particles: give the JSON answer of mdm solve");
+    const Json &size = member(from, "size", place);
+    if (!size.is_array() || size.size() != 2 || !size[0].is_string() || !size[1].is_string())
+      refuse(place + "size", "is not [lo, hi], two strings: give the JSON answer of mdm solve");
+    c.size_lo = decimal(size[0].get_ref<const std::string &>(), place + "size");
+    c.size_hi = decimal(size[1].get_ref<const std::string &>(), place + "size");
+    if (c.size_lo < 0 || c.size_hi < c.size_lo)
+      refuse(place + "size", "is not 0 <= lo <= hi: give the JSON answer of mdm solve");
+    sample.classes.push_back(std::move(c));
+  }
+
+  const std::string &file_;
+  Json answer_;
+};
+
+/// The factor of the class of g between the two bounds.
+Rational factor(const Gradation &g, const Rational &lower, const Rational &upper) {
+  if (!g.has_factors())
+    return 1;
+  for (std::size_t j = 0; j < g.classes(); ++j)
+    if (g.lower(j) == lower && g.upper(j) == upper)
+      return g.factor(j);
+  throw InputError(fmt::format("the answer's class ({}, {}] is none of the gradation, whose classes have "
+                               "factors: give the gradation that was solved",
+                               shown(lower), shown(upper)));
+}
+
+} // namespace
+
+AnswerSample read_answer(std::string_view content, const std::string &file) {
+  return AnswerReader(content, file).read();
+}
+
+AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const MassLaw &law,
+                                  const Rational &snap) {
+  if (answer.scale_power != law.b)
+    throw InputError(fmt::format("the answer was made with a law x^(a/{}), not x^({}): say which with --law",
+                                 answer.scale_power, law.exponent()));
+  const Rational unit = in_mm(length_unit(answer.unit)) / in_mm(length_unit(g.unit()));
+  const Rational scale = answer.scale * power(unit, law.a); // with sizes in the unit of g
+  AnswerDescription result{Description(std::move(g), {law, snap, scale}), {}};
+  Integer particles = 0;
+  std::vector<std::size_t> wrong; // classes whose size is not in its enclosure
+  for (const AnswerSample::Class &c : answer.classes) {
+    const Rational mass =
+        c.mass / (factor(result.description.gradation(), c.lower * unit, c.upper * unit) * c.quantity);
+    const Rational powered = scale * power(mass, law.b); // x^a
+    if (powered < power(Rational(c.size_lo * unit), law.a) ||
+        powered > power(Rational(c.size_hi * unit), law.a))
+      wrong.push_back(c.number);
+    result.description.add_powered(powered, c.quantity);
+    particles += c.quantity;
+  }
+  if (!wrong.empty())
+    result.objections.push_back(
+        fmt::format("scale, mass and quantity do not give the size in class {}{} of the answer with the law "
+                    "x^({})",
+                    wrong.front(), wrong.size() > 1 ? fmt::format(" and {} more", wrong.size() - 1) : "",
+                    law.exponent()));
+  if (particles != answer.particles)
+    result.objections.push_back(fmt::format("the answer says that it has {} particles, its classes have {}",
+                                            to_string(answer.particles), to_string(particles)));
+  return result;
+}
+
+} // namespace mdm

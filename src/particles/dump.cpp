@@ -1,0 +1,154 @@
+#include "line_reader.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+/// Text dumps of LAMMPS and LIGGGHTS: for each timestep items with their values below them, at last ITEM:
+/// ATOMS with the names of its columns. The last timestep counts, or the one that was asked for.
+class DumpReader : public LineReader {
+public:
+  explicit DumpReader(ParticleSource &source) : source_(source) {
+    source.set_defaults(SizeMeaning::diameter, LengthUnit::m);
+  }
+
+  void line(std::string_view text) override {
+    constexpr std::string_view mark = "ITEM:";
+    if (text.starts_with(mark)) {
+      begin_item(trimmed(text.substr(mark.size())));
+      return;
+    }
+    split_words(text, words_);
+    if (words_.empty())
+      return;
+    if (item_ == Item::none)
+      source_.refuse("the line is not below an ITEM: begin with ITEM: TIMESTEP");
+    if (item_ == Item::timestep)
+      begin_timestep();
+    else if (item_ == Item::count)
+      read_count();
+    else if (item_ == Item::atoms)
+      read_atom();
+  }
+
+  void end() override {
+    check_complete();
+    const std::optional<Integer> &asked = source_.options().timestep;
+    if (timesteps_ == 0)
+      source_.refuse("there is no ITEM: TIMESTEP up to here, the end: is it a dump?");
+    if (asked && !found_)
+      source_.refuse(fmt::format("there is no timestep {}: there are {}, from {} to {}", to_string(*asked),
+                                 timesteps_, to_string(first_), to_string(timestep_)));
+    if (!asked && timesteps_ > 1)
+      source_.note(fmt::format("The file has {} timesteps; the last, {}, was taken. Use --timestep for "
+                               "another.",
+                               timesteps_, to_string(timestep_)));
+    source_.check_some();
+  }
+
+private:
+  enum class Item { none, timestep, count, atoms, other };
+
+  void begin_item(std::string_view item) {
+    split_words(item, words_);
+    if (item == "TIMESTEP") {
+      check_complete();
+      item_ = Item::timestep;
+      taken_ = !source_.options().timestep;
+      complete_ = false;
+      atoms_.reset();
+      read_ = 0;
+    } else if (item == "NUMBER OF ATOMS") {
+      item_ = Item::count;
+    } else if (!words_.empty() && words_.front() == "ATOMS") {
+      begin_atoms();
+    } else {
+      if (item_ == Item::atoms)
+        check_complete();
+      item_ = Item::other;
+    }
+  }
+
+  void begin_timestep() {
+    const std::optional<Integer> number = parse_natural(words_.front());
+    if (words_.size() != 1 || !number)
+      source_.refuse("the timestep is not a whole number: is the file damaged?");
+    timestep_ = *number;
+    if (++timesteps_ == 1)
+      first_ = timestep_;
+    taken_ = !source_.options().timestep || *source_.options().timestep == timestep_;
+    found_ = found_ || taken_;
+    if (taken_)
+      source_.restart();
+    item_ = Item::other;
+  }
+
+  void read_count() {
+    atoms_ = words_.size() == 1 ? parse_count(words_.front()) : std::nullopt;
+    if (!atoms_)
+      source_.refuse("the number of atoms is not a whole number: is the file damaged?");
+    item_ = Item::other;
+  }
+
+  void begin_atoms() {
+    if (!atoms_ || complete_)
+      source_.refuse("ITEM: ATOMS has no ITEM: TIMESTEP and ITEM: NUMBER OF ATOMS of its own: is the file "
+                     "damaged?");
+    const auto column = [this](std::string_view name) {
+      return static_cast<std::size_t>(std::find(words_.begin() + 1, words_.end(), name) - words_.begin() - 1);
+    };
+    width_ = words_.size() - 1;
+    const std::size_t radius = column("radius"), diameter = column("diameter");
+    if (radius == width_ && diameter == width_)
+      source_.refuse("there is no column radius or diameter: add one of them to the dump command");
+    const bool prefers_diameter = source_.options().meaning == SizeMeaning::diameter;
+    const bool by_radius = radius < width_ && !(prefers_diameter && diameter < width_);
+    column_ = by_radius ? radius : diameter;
+    source_.set_defaults(by_radius ? SizeMeaning::radius : SizeMeaning::diameter, LengthUnit::m);
+    item_ = Item::atoms;
+    complete_ = *atoms_ == 0;
+  }
+
+  void read_atom() {
+    if (read_ == *atoms_)
+      source_.refuse(
+          fmt::format("there are more atoms than the {} of this timestep: is the file damaged?", *atoms_));
+    if (words_.size() != width_)
+      source_.refuse(fmt::format("the line has {} values, there are {} columns: is the file cut off?",
+                                 words_.size(), width_));
+    if (taken_)
+      source_.particle(words_[column_]);
+    complete_ = ++read_ == *atoms_;
+  }
+
+  /// A timestep that was not asked for may be cut off.
+  void check_complete() const {
+    if (!complete_ && taken_)
+      source_.refuse(fmt::format("the timestep ends after {} of {} atoms: is the file cut off? --timestep "
+                                 "takes another",
+                                 read_, atoms_ ? std::to_string(*atoms_) : "its"));
+  }
+
+  ParticleSource &source_;
+  std::vector<std::string_view> words_;
+  Item item_ = Item::none;
+  Integer timestep_, first_;
+  std::uint64_t timesteps_ = 0;
+  bool taken_ = false; ///< the timestep counts
+  bool found_ = false; ///< one was taken
+  std::optional<std::uint64_t> atoms_;
+  std::uint64_t read_ = 0;
+  bool complete_ = true; ///< all atoms of the timestep were read
+  std::size_t width_ = 0, column_ = 0;
+};
+
+} // namespace
+
+std::unique_ptr<LineReader> read_dump(ParticleSource &source) {
+  return std::make_unique<DumpReader>(source);
+}
+
+} // namespace mdm

@@ -1,0 +1,100 @@
+#include "line_reader.hpp"
+
+#include <fmt/core.h>
+
+namespace mdm {
+namespace {
+
+/// A data file: a title, a header with `N atoms`, then sections. In section Atoms, atom_style sphere, a line
+/// is `id type diameter density x y z`, and three image flags where there are some.
+class LammpsDataReader : public LineReader {
+public:
+  explicit LammpsDataReader(ParticleSource &source) : source_(source) {
+    source.set_defaults(SizeMeaning::diameter, LengthUnit::m);
+  }
+
+  void line(std::string_view text) override {
+    if (source_.line() == 1)
+      return;
+    const std::size_t hash = std::min(text.find('#'), text.size());
+    split_words(text.substr(0, hash), words_);
+    if (words_.empty())
+      return;
+    const char first = lower(words_.front().front());
+    if (section_ == Section::header && words_.size() == 2 && words_[1] == "atoms")
+      read_count();
+    else if (first >= 'a' && first <= 'z')
+      begin_section(trimmed(text.substr(std::min(hash + 1, text.size()))));
+    else if (section_ == Section::atoms)
+      read_atom();
+  }
+
+  void end() override {
+    if (!has_atoms_)
+      source_.refuse("the section Atoms is missing: is the file cut off?");
+    check_count();
+    if (!named_style_)
+      source_.note("The section Atoms names no style; atom_style sphere was assumed.");
+    source_.check_some();
+  }
+
+private:
+  enum class Section { header, atoms, other };
+
+  void read_count() {
+    atoms_ = parse_count(words_[0]);
+    if (!atoms_)
+      source_.refuse(fmt::format("{} is no number of atoms: write a whole number", in_quotes(words_[0])));
+  }
+
+  void begin_section(std::string_view comment) {
+    if (section_ == Section::atoms)
+      check_count();
+    section_ = words_.size() == 1 && words_.front() == "Atoms" ? Section::atoms : Section::other;
+    if (section_ == Section::other)
+      return;
+    if (has_atoms_)
+      source_.refuse("the section Atoms is there twice: leave one");
+    if (!atoms_)
+      source_.refuse("the header has no number of atoms: add the line 'N atoms'");
+    has_atoms_ = true;
+    named_style_ = !comment.empty();
+    if (named_style_ && comment != "sphere")
+      source_.refuse(fmt::format("atom_style {} has no diameters here: write the file with atom_style sphere",
+                                 in_quotes(comment)));
+  }
+
+  void read_atom() {
+    if (words_.size() != 7 && words_.size() != 10)
+      source_.refuse(fmt::format("the line has {} numbers, atom_style sphere has id type diameter density x "
+                                 "y z and perhaps 3 image flags: is the file cut off, or of another style?",
+                                 words_.size()));
+    if (read_ == *atoms_)
+      source_.refuse(
+          fmt::format("there are more atoms than the {} of the header: put one of them right", *atoms_));
+    source_.particle(words_[2]);
+    ++read_;
+  }
+
+  void check_count() const {
+    if (read_ != *atoms_)
+      source_.refuse(
+          fmt::format("the section Atoms ends after {} of {} atoms: is the file cut off?", read_, *atoms_));
+  }
+
+  ParticleSource &source_;
+  std::vector<std::string_view> words_;
+  Section section_ = Section::header;
+  std::optional<std::uint64_t> atoms_;
+  std::uint64_t read_ = 0;
+  bool has_atoms_ = false;
+  bool named_style_ = false;
+};
+
+} // namespace
+
+std::unique_ptr<LineReader> read_lammps_data(ParticleSource &source) {
+  return std::make_unique<LammpsDataReader>(source);
+}
+
+} // namespace mdm

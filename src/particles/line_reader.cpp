@@ -1,0 +1,74 @@
+#include "line_reader.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+
+namespace mdm {
+
+ParticleSource::ParticleSource(std::string file, ParticleSink &sink, const ParticleOptions &options)
+    : file_(std::move(file)), sink_(sink), options_(options) {
+  set_defaults(SizeMeaning::diameter, length_unit(options.target));
+}
+
+void ParticleSource::refuse(const std::string &what) const {
+  throw InputError(fmt::format("{}:{}: {}", printable(file_), line_, what));
+}
+
+void ParticleSource::set_defaults(SizeMeaning meaning, LengthUnit unit) {
+  meaning_ = options_.meaning.value_or(meaning);
+  unit_ = options_.unit.value_or(unit);
+  factor_ = in_mm(unit_) / in_mm(length_unit(options_.target)) * (meaning_ == SizeMeaning::radius ? 2 : 1);
+}
+
+void ParticleSource::particle(std::string_view text, const Integer &quantity, char point) {
+  const char *const what = meaning_ == SizeMeaning::radius ? "radius" : "diameter";
+  Rational size;
+  try {
+    size = parse_decimal(text, point);
+  } catch (const InputError &error) {
+    refuse(fmt::format("{} {}", what, error.what()));
+  }
+  if (size <= 0)
+    refuse(fmt::format("{} {} is not above 0: a particle has a size", what, in_quotes(text)));
+  if (factor_ != 1)
+    size *= factor_;
+  sink_.add(size, quantity);
+  any_ = true;
+}
+
+void ParticleSource::restart() {
+  sink_.restart();
+  any_ = false;
+}
+
+void ParticleSource::check_some() const {
+  if (!any_)
+    refuse("there are no particles up to here, the end: give a file that has some");
+}
+
+void split_words(std::string_view line, std::vector<std::string_view> &words) {
+  words.clear();
+  const char *at = line.data();
+  const char *const end = at + line.size();
+  while (words.size() <= max_fields) {
+    while (at != end && is_blank(*at))
+      ++at;
+    if (at == end)
+      return;
+    const char *const begin = at;
+    while (at != end && !is_blank(*at))
+      ++at;
+    words.emplace_back(begin, static_cast<std::size_t>(at - begin));
+  }
+}
+
+std::optional<std::uint64_t> parse_count(std::string_view text) {
+  std::uint64_t n = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+  if (error != std::errc{} || end != text.data() + text.size() || n > (std::uint64_t{1} << 63))
+    return std::nullopt;
+  return n;
+}
+
+} // namespace mdm

@@ -1,0 +1,77 @@
+#pragma once
+/// \file
+/// What the readers of particle files share.
+
+#include "../gradation/message.hpp"
+#include "../gradation/text.hpp"
+
+#include <mdm/number/decimal.hpp>
+#include <mdm/particles/particle_reader.hpp>
+
+namespace mdm {
+
+/// Where a reader is in its file, and where its particles go.
+class ParticleSource {
+public:
+  ParticleSource(std::string file, ParticleSink &sink, const ParticleOptions &options);
+
+  const ParticleOptions &options() const { return options_; }
+  void next_line() { ++line_; }
+  void set_line(std::uint64_t number) { line_ = number; }
+  std::uint64_t line() const { return line_; }
+
+  /// Throws the InputError `file:line: what`.
+  [[noreturn]] void refuse(const std::string &what) const;
+
+  /// What sizes are and their unit, where the user did not say.
+  void set_defaults(SizeMeaning meaning, LengthUnit unit);
+  SizeMeaning meaning() const { return meaning_; }
+  LengthUnit unit() const { return unit_; }
+
+  /// A particle whose size is written as `text`; `point` is the decimal sign.
+  void particle(std::string_view text, const Integer &quantity = 1, char point = '.');
+  /// A particle that is not counted: another timestep was asked for.
+  void restart();
+
+  /// \throws InputError if there was no particle
+  void check_some() const;
+
+  void note(const std::string &text) { notes_.push_back(text); }
+  const std::vector<std::string> &notes() const { return notes_; }
+
+private:
+  std::string file_;
+  ParticleSink &sink_;
+  ParticleOptions options_;
+  std::uint64_t line_ = 0;
+  SizeMeaning meaning_ = SizeMeaning::diameter;
+  LengthUnit unit_ = LengthUnit::mm;
+  Rational factor_ = 1; ///< from the file's number to the diameter in the asked unit
+  bool any_ = false;
+  std::vector<std::string> notes_;
+};
+
+/// The lines of one format.
+class LineReader {
+public:
+  virtual ~LineReader() = default;
+  /// Takes a line without its end, CR included.
+  virtual void line(std::string_view text) = 0;
+  /// \throws InputError if the file must not end here
+  virtual void end() = 0;
+};
+
+std::unique_ptr<LineReader> read_particle_csv(ParticleSource &source);
+std::unique_ptr<LineReader> read_xyzr(ParticleSource &source);
+std::unique_ptr<LineReader> read_diameters(ParticleSource &source);
+std::unique_ptr<LineReader> read_lammps_data(ParticleSource &source);
+std::unique_ptr<LineReader> read_dump(ParticleSource &source);
+std::unique_ptr<LineReader> read_vtk(ParticleSource &source);
+
+/// The words of a line, separated by spaces and tabs; not more than max_fields + 1 of them.
+void split_words(std::string_view line, std::vector<std::string_view> &words);
+
+/// A count that a file gives; at most 2^63.
+std::optional<std::uint64_t> parse_count(std::string_view text);
+
+} // namespace mdm

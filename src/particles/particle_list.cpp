@@ -1,0 +1,84 @@
+#include "line_reader.hpp"
+
+#include <fmt/core.h>
+
+namespace mdm {
+namespace {
+
+/// Lines of words, # comments between them.
+class ListReader : public LineReader {
+public:
+  explicit ListReader(ParticleSource &source) : source_(source) {}
+
+  void line(std::string_view text) override {
+    split_words(text, words_);
+    if (words_.empty())
+      return;
+    if (words_.front().front() == '#')
+      comment();
+    else
+      row();
+  }
+
+  void end() override { source_.check_some(); }
+
+protected:
+  virtual void row() = 0;
+  virtual void comment() {}
+
+  ParticleSource &source_;
+  std::vector<std::string_view> words_;
+};
+
+class DiametersReader : public ListReader {
+public:
+  using ListReader::ListReader;
+
+private:
+  void row() override {
+    if (words_.size() != 1)
+      source_.refuse("the line is not one number: write a size alone, or give --from");
+    source_.particle(words_.front());
+  }
+};
+
+class XyzrReader : public ListReader {
+public:
+  explicit XyzrReader(ParticleSource &source) : ListReader(source) {
+    source.set_defaults(SizeMeaning::radius, length_unit(source.options().target));
+  }
+
+private:
+  static constexpr std::size_t radius = 3;
+
+  /// YADE's export.textExt says so what its columns are.
+  void comment() override {
+    if (words_.size() >= 2 && words_[0] == "#format" && !words_[1].starts_with("x_y_z_r"))
+      source_.refuse(fmt::format("the columns are {}: write x y z r first", in_quotes(words_[1])));
+  }
+
+  void row() override {
+    if (width_ == 0)
+      width_ = words_.size();
+    if (width_ <= radius)
+      source_.refuse("the line has fewer than four numbers: write x y z r");
+    if (words_.size() != width_)
+      source_.refuse(fmt::format("the line has {} numbers, the first has {}: is the file cut off?",
+                                 words_.size(), width_));
+    source_.particle(words_[radius]);
+  }
+
+  std::size_t width_ = 0;
+};
+
+} // namespace
+
+std::unique_ptr<LineReader> read_diameters(ParticleSource &source) {
+  return std::make_unique<DiametersReader>(source);
+}
+
+std::unique_ptr<LineReader> read_xyzr(ParticleSource &source) {
+  return std::make_unique<XyzrReader>(source);
+}
+
+} // namespace mdm

@@ -1,0 +1,134 @@
+#include "line_reader.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+/// Lines at the beginning that may tell nothing of the format, comments mostly.
+constexpr std::size_t most_pending = 1000;
+
+bool is_number(std::string_view text) {
+  try {
+    parse_decimal(text);
+  } catch (const InputError &) {
+    return false;
+  }
+  return true;
+}
+
+std::unique_ptr<LineReader> line_reader(ParticleFormat format, ParticleSource &source) {
+  switch (format) {
+  case ParticleFormat::csv:
+    return read_particle_csv(source);
+  case ParticleFormat::xyzr:
+    return read_xyzr(source);
+  case ParticleFormat::lammps_data:
+    return read_lammps_data(source);
+  case ParticleFormat::lammps_dump:
+  case ParticleFormat::liggghts_dump:
+    return read_dump(source);
+  case ParticleFormat::vtk:
+    return read_vtk(source);
+  case ParticleFormat::diameters:
+    return read_diameters(source);
+  case ParticleFormat::answer:
+    break;
+  }
+  source.refuse("this is an answer of mdm, which is read as a whole: give the file itself");
+}
+
+/// The format that a line at the beginning of a file tells; nothing where the next must be looked at.
+std::optional<ParticleFormat> format_of(std::string_view line, const ParticleSource &source) {
+  const std::string_view text = trimmed(line);
+  const bool is_first = source.line() == 1;
+  if (is_first && text.starts_with("# vtk DataFile"))
+    return ParticleFormat::vtk;
+  if (text.empty() || text.front() == '#')
+    return std::nullopt;
+  if (text.front() == '{')
+    return ParticleFormat::answer;
+  if (text.starts_with("ITEM:"))
+    return ParticleFormat::lammps_dump;
+  if (text.starts_with("size_") || text.starts_with("\"size_") || text.starts_with("lower_"))
+    return ParticleFormat::csv;
+  std::vector<std::string_view> words;
+  split_words(text, words);
+  if (words.size() == 2 && words[1] == "atoms" && !is_first)
+    return ParticleFormat::lammps_data;
+  const bool numbers = std::all_of(words.begin(), words.end(), is_number);
+  if (numbers && words.size() == 1)
+    return ParticleFormat::diameters;
+  if (numbers && words.size() >= 4)
+    return ParticleFormat::xyzr;
+  if (is_first && !numbers)
+    return std::nullopt; // the title of a LAMMPS data file
+  source.refuse("the format is not one that is known: say it with --from, one of " + particle_format_names());
+}
+
+} // namespace
+
+ParticleReader::ParticleReader(const std::string &file, ParticleSink &sink, const ParticleOptions &options)
+    : source_(std::make_unique<ParticleSource>(file, sink, options)) {
+  if (options.format)
+    begin(*options.format);
+}
+
+ParticleReader::~ParticleReader() = default;
+
+void ParticleReader::begin(ParticleFormat format) {
+  format_ = format;
+  const bool is_dump = format == ParticleFormat::lammps_dump || format == ParticleFormat::liggghts_dump;
+  if (source_->options().timestep && !is_dump)
+    source_->refuse(fmt::format("--timestep is for dumps, and this is {}: leave it out", name(format)));
+  reader_ = line_reader(format, *source_);
+}
+
+void ParticleReader::line(std::string_view text) {
+  source_->next_line();
+  constexpr std::string_view mark = "\uFEFF";
+  if (source_->line() == 1 && text.starts_with(mark))
+    text.remove_prefix(mark.size());
+  if (text.ends_with('\r'))
+    text.remove_suffix(1);
+  if (reader_) {
+    reader_->line(text);
+    return;
+  }
+  pending_.emplace_back(text);
+  const std::optional<ParticleFormat> found = format_of(text, *source_);
+  if (!found && pending_.size() == most_pending)
+    source_->refuse("the format is not clear by now: say it with --from, one of " + particle_format_names());
+  if (!found)
+    return;
+  begin(*found);
+  for (std::size_t i = 0; i < pending_.size(); ++i) {
+    source_->set_line(i + 1);
+    reader_->line(pending_[i]);
+  }
+  pending_.clear();
+}
+
+void ParticleReader::end() {
+  if (!reader_)
+    source_->refuse("there are no particles up to here, the end: give a file that has some");
+  reader_->end();
+}
+
+LengthUnit ParticleReader::unit() const {
+  return source_->unit();
+}
+
+std::vector<std::string> ParticleReader::notes() const {
+  std::vector<std::string> notes = source_->notes();
+  if (!source_->options().unit && format_ != ParticleFormat::csv)
+    notes.push_back(fmt::format("The sizes were taken as {} in {}; --radius, --diameter and --size-unit say "
+                                "otherwise.",
+                                source_->meaning() == SizeMeaning::radius ? "radii" : "diameters",
+                                name(source_->unit())));
+  return notes;
+}
+
+} // namespace mdm

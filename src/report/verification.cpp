@@ -1,0 +1,278 @@
+#include <mdm/error.hpp>
+#include <mdm/json_text.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/report/verification.hpp>
+#include <mdm/report/versions.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace mdm {
+namespace {
+
+/// Steps after which the smallest match is left with bounds: some seconds.
+constexpr std::uint64_t most_steps = 10'000'000;
+
+using Buffer = fmt::memory_buffer;
+
+template <class... Args>
+void add(Buffer &out, fmt::format_string<Args...> format, Args &&...args) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
+}
+
+std::string counted(const Integer &n) {
+  return to_string(n) + (n == 1 ? " particle" : " particles");
+}
+
+/// The digits of 100 y that are certain, at most so many.
+std::string percent(const Interval &y, unsigned digits) {
+  const std::string lo = approximate(Rational(100 * y.lo), digits);
+  if (y.exact())
+    return lo;
+  const std::string hi = approximate(Rational(100 * y.hi), digits);
+  return lo == hi ? lo : "[" + lo + ", " + hi + "]";
+}
+
+/// Enough digits for a reader who computes on with an enclosure.
+constexpr unsigned enclosure_digits = 30;
+
+/// Outer decimals of y that differ from it by no more than 10^-enclosure_digits.
+std::string json_number(const Interval &y) {
+  if (y.exact())
+    return "\"" + to_string(y.lo) + "\"";
+  const Rational unit(power_of_ten(enclosure_digits));
+  const auto outer = [](const Integer &n) {
+    return n < 0 ? "-" + decimal_string(Integer(-n), enclosure_digits) : decimal_string(n, enclosure_digits);
+  };
+  return fmt::format(R"(["{}","{}"])", outer(floor(Rational(y.lo * unit))),
+                     outer(ceil(Rational(y.hi * unit))));
+}
+
+/// A size as a message shows it.
+std::string shown(const RootSize &x, SizeUnit unit) {
+  constexpr unsigned most_digits = 40;
+  const Enclosure size = enclose_root(numerator(x.power), denominator(x.power), x.degree, 15);
+  const std::string text = size.text();
+  return (text.size() <= most_digits ? text : approximate(size.lower(), 15)) + " " + std::string(name(unit));
+}
+
+/// True if an error is 0, and known to be.
+bool is_zero(const Interval &error) {
+  return error.lo == 0 && error.hi == 0;
+}
+
+/// A condition of Arnold, Eq. 9-12, with the first reason why it does not hold.
+struct Condition {
+  const char *key;
+  const char *words;
+  bool holds;
+  std::string reason;
+};
+
+std::string class_name(std::size_t j) {
+  return "class " + std::to_string(j + 1);
+}
+
+Condition describes(const Description &d) {
+  const Gradation &g = d.gradation();
+  std::string reason;
+  if (d.below().count > 0)
+    reason =
+        fmt::format("{} not larger than the finest opening, {} {}, the first of {}", counted(d.below().count),
+                    to_decimal(g.lower(0)), name(g.unit()), shown(*d.below().first, g.unit()));
+  if (d.above().count > 0)
+    reason +=
+        fmt::format("{}{} larger than the largest opening, {} {}, the first of {}",
+                    reason.empty() ? "" : "; ", counted(d.above().count),
+                    to_decimal(g.upper(g.classes() - 1)), name(g.unit()), shown(*d.above().first, g.unit()));
+  return {"describes", "describes the sample (no particle outside)", d.describes(), reason};
+}
+
+Condition articulately(const Description &d) {
+  std::string reason;
+  if (!d.describes()) {
+    reason = "particles lie outside all classes";
+  } else if (const std::optional<std::size_t> j = d.inarticulate_class()) {
+    const Description::Class &c = d.of_class(*j);
+    reason = fmt::format("{} has several sizes, such as {} and {}", class_name(*j),
+                         shown(*c.first, d.gradation().unit()), shown(*c.second, d.gradation().unit()));
+  }
+  return {"articulately", "articulately (one size a class)", d.articulately(), reason};
+}
+
+/// Cond4 for one scale of the masses.
+Condition accurately(const Verification &v) {
+  const MatchError &e = v.error;
+  std::string reason;
+  if (!v.description.describes())
+    reason = "particles lie outside all classes";
+  for (std::size_t j = 0; reason.empty() && j < e.targets.size(); ++j)
+    if (!is_zero(e.normalised[j]))
+      reason = fmt::format("{} has {} % of the mass, not {} %", class_name(j), percent(e.shares[j], v.digits),
+                           percent(e.targets[j], v.digits));
+  return {"accurately", "accurately (the shares are equal)", reason.empty(), reason};
+}
+
+std::array<Condition, 4> conditions(const Verification &v) {
+  return {Condition{"complete", "complete", true, ""}, describes(v.description), articulately(v.description),
+          accurately(v)};
+}
+
+std::string smallest_text(const Verification &v) {
+  if (v.smallest.lo == v.smallest.hi)
+    return to_string(v.smallest.lo);
+  return "[" + to_string(v.smallest.lo) + ", " + to_string(v.smallest.hi) + "]";
+}
+
+/// N over the smallest N, cut to four digits.
+std::string ratio_text(const Verification &v) {
+  const Integer n = v.description.particles();
+  const auto over = [&n](const Integer &least) { return approximate(ratio(n, least), 4); };
+  if (v.smallest.lo == v.smallest.hi)
+    return over(v.smallest.lo);
+  return "[" + over(v.smallest.hi) + ", " + over(v.smallest.lo) + "]";
+}
+
+void add_table(Buffer &out, const Verification &v) {
+  using Line = std::array<std::string, 6>;
+  const Gradation &g = v.description.gradation();
+  std::vector<Line> lines = {
+      Line{"class", fmt::format("sizes ({}]", name(g.unit())), "particles", "target %", "found %", "error"}};
+  for (std::size_t j = 0; j < g.classes(); ++j)
+    lines.push_back({std::to_string(j + 1),
+                     "(" + to_decimal(g.lower(j)) + ", " + to_decimal(g.upper(j)) + "]",
+                     to_string(v.description.of_class(j).count), percent(v.error.targets[j], v.digits),
+                     percent(v.error.shares[j], v.digits), percent(v.error.normalised[j], v.digits)});
+  std::array<std::size_t, 6> width{};
+  for (const Line &line : lines)
+    for (std::size_t i = 0; i < width.size(); ++i)
+      width[i] = std::max(width[i], line[i].size());
+  for (const Line &l : lines)
+    add(out, "  {:>{}}  {:<{}}  {:>{}}  {:>{}}  {:>{}}  {:>{}}\n", l[0], width[0], l[1], width[1], l[2],
+        width[2], l[3], width[3], l[4], width[4], l[5], width[5]);
+}
+
+} // namespace
+
+Bounds smallest_match(const Gradation &g, const MassLaw &law) {
+  Limits limits;
+  limits.max_steps = most_steps;
+  const Problem problem(g, law, 1);
+  const LeastMatch least = least_match(problem, limits);
+  return {total(least.q), least.complete ? total(least.q) : total(some_match(problem))};
+}
+
+Verification::Verification(Description d, const Question &asked, const Rational &within)
+    : description(std::move(d)), error(description.error()), question(asked), tolerance(within) {}
+
+Verdict Verification::verdict() const {
+  if (!description.describes() || !objections.empty() || error.maximum.lo > tolerance)
+    return Verdict::no_match;
+  return error.maximum.hi <= tolerance ? Verdict::match : Verdict::undecided;
+}
+
+std::string headline(const Verification &v) {
+  const std::string tolerance = v.tolerance == 0 ? "" : " within " + percent(v.tolerance, 15) + " %";
+  const std::string worst = fmt::format("the largest error of a share is {} %, in {}",
+                                        percent(v.error.maximum, v.digits), class_name(v.error.worst));
+  const Integer outside = v.description.below().count + v.description.above().count;
+  switch (v.verdict()) {
+  case Verdict::match:
+    return is_zero(v.error.maximum) ? "matches exactly" : "matches" + tolerance + ": " + worst;
+  case Verdict::undecided:
+    return "undecided: 4096 bits do not tell whether it matches" + tolerance + ": " + worst;
+  default:
+    if (!v.objections.empty())
+      return "does not match: " + v.objections.front();
+    if (outside > 0)
+      return "does not match: " + counted(outside) + " outside all classes";
+    return "does not match" + tolerance + ": " + worst;
+  }
+}
+
+std::string verification_text(const Verification &v) {
+  Buffer out;
+  const std::string words = in_words(v.question);
+  add(out, "{} against {}: {}{}\n\n", printable(v.sample), printable(v.description.gradation().id()),
+      headline(v), words.empty() ? "" : " (" + words + ")");
+  add_table(out, v);
+  const Integer n = v.description.particles();
+  out.push_back('\n');
+  if (!is_zero(v.error.maximum))
+    add(out, "  largest error: {} % in {}; all together: {} %\n", percent(v.error.maximum, v.digits),
+        class_name(v.error.worst), percent(v.error.total, v.digits));
+  add(out, "  particles: {}; the smallest exact match has {}: {} times as many\n", to_string(n),
+      smallest_text(v), ratio_text(v));
+  if (v.description.snapped() > 0)
+    add(out, "  taken as an opening near by: {}\n", counted(v.description.snapped()));
+  add(out, "\n  conditions, the gradation\n");
+  std::size_t number = 0;
+  for (const Condition &c : conditions(v)) {
+    add(out, "    {} {}: {}{}\n", ++number, c.words, c.holds ? "yes" : "no",
+        c.reason.empty() ? "" : ", " + c.reason);
+  }
+  for (const std::string &objection : v.objections)
+    add(out, "  objection: {}\n", objection);
+  for (const std::string &note : v.notes)
+    add(out, "  note: {}\n", note);
+  return fmt::to_string(out);
+}
+
+std::string verification_csv(const Verification &v) {
+  Buffer out;
+  const Gradation &g = v.description.gradation();
+  add(out, "lower_{0},upper_{0},quantity,target_percent,found_percent,error_percent\n", name(g.unit()));
+  for (std::size_t j = 0; j < g.classes(); ++j)
+    add(out, "{},{},{},{},{},{}\n", to_decimal(g.lower(j)), to_decimal(g.upper(j)),
+        to_string(v.description.of_class(j).count), percent(v.error.targets[j], v.digits),
+        percent(v.error.shares[j], v.digits), percent(v.error.normalised[j], v.digits));
+  return fmt::to_string(out);
+}
+
+std::string verification_json(const Verification &v) {
+  Buffer out;
+  const Description &d = v.description;
+  const Gradation &g = d.gradation();
+  static constexpr std::array<const char *, 3> verdicts = {"match", "no match", "undecided"};
+  add(out, R"({{"schema":"mdm-verify-1","id":{},"sample":{},"verdict":"{}","tolerance_percent":"{}")",
+      json_string(g.id()), json_string(v.sample), verdicts.at(static_cast<std::size_t>(v.verdict())),
+      to_string(Rational(100 * v.tolerance)));
+  add(out, R"(,"particles":"{}","smallest":["{}","{}"],"ratio":"{}")", to_string(d.particles()),
+      to_string(v.smallest.lo), to_string(v.smallest.hi), ratio_text(v));
+  add(out, R"(,"outside":{{"below":"{}","above":"{}"}},"snapped":"{}","conditions":{{)",
+      to_string(d.below().count), to_string(d.above().count), to_string(d.snapped()));
+  const char *comma = "";
+  for (const Condition &c : conditions(v)) {
+    add(out, R"({}"{}":{{"holds":{},"reason":{}}})", comma, c.key, c.holds,
+        c.reason.empty() ? "null" : json_string(c.reason));
+    comma = ",";
+  }
+  add(out, R"(,"accurately_as_given":{{"holds":{}}}}},"unit":"{}","classes":[)",
+      d.describes() && std::all_of(v.error.as_given.begin(), v.error.as_given.end(), is_zero),
+      name(g.unit()));
+  for (std::size_t j = 0; j < g.classes(); ++j)
+    add(out,
+        R"({}{{"lower":"{}","upper":"{}","quantity":"{}","target":"{}","found":{},"error":{},)"
+        R"("error_percent":"{}","error_as_given":{}}})",
+        j == 0 ? "" : ",", to_decimal(g.lower(j)), to_decimal(g.upper(j)), to_string(d.of_class(j).count),
+        to_string(v.error.targets[j]), json_number(v.error.shares[j]), json_number(v.error.normalised[j]),
+        percent(v.error.normalised[j], v.digits), json_number(v.error.as_given[j]));
+  add(out,
+      R"(],"worst_class":{},"maximum_error":{},"maximum_error_percent":"{}","total_error":{},)"
+      R"("total_error_percent":"{}","objections":[)",
+      is_zero(v.error.maximum) ? "null" : fmt::format("\"{}\"", v.error.worst + 1),
+      json_number(v.error.maximum), percent(v.error.maximum, v.digits), json_number(v.error.total),
+      percent(v.error.total, v.digits));
+  for (std::size_t i = 0; i < v.objections.size(); ++i)
+    add(out, "{}{}", i == 0 ? "" : ",", json_string(v.objections[i]));
+  add(out, R"(],"notes":[)");
+  for (std::size_t i = 0; i < v.notes.size(); ++i)
+    add(out, "{}{}", i == 0 ? "" : ",", json_string(v.notes[i]));
+  add(out, R"(],"versions":{}}})", versions_json());
+  return fmt::to_string(out);
+}
+
+} // namespace mdm

@@ -1,0 +1,149 @@
+#include "support.hpp"
+
+#include <mdm/particles/answer_sample.hpp>
+
+using namespace mdm;
+using namespace mdm::test;
+
+namespace {
+
+Gradation gradation(std::vector<Rational> sizes, std::vector<Rational> masses,
+                    std::vector<Rational> factors = {}, SizeUnit unit = SizeUnit::mm) {
+  Gradation::Data d;
+  d.unit = unit;
+  d.sizes = std::move(sizes);
+  d.masses = std::move(masses);
+  d.factors = std::move(factors);
+  return Gradation(std::move(d));
+}
+
+/// Two spheres, of sizes 2 and 16^(1/3).
+const std::string two =
+    R"({"schema":"mdm-answer-1","id":"g","status":"optimal","particles":"2","unit":"mm","classes":[)"
+    R"({"lower":"0","upper":"1","mass":"0","quantity":"0","size":null},)"
+    R"({"lower":"1","upper":"2","mass":"1","quantity":"1","size":["2","2"]},)"
+    R"({"lower":"2","upper":"3","mass":"2","quantity":"1","size":["2.51","2.52"]}],)"
+    R"("scale":{"above":"4","up_to":"8","chosen":"8"}})";
+
+Gradation three_classes(SizeUnit unit = SizeUnit::mm, const Rational &factor = 1) {
+  return gradation({0, 1 * factor, 2 * factor, 3 * factor}, {0, 1, 2, 0}, {}, unit);
+}
+
+std::string replaced(std::string text, const std::string &part, const std::string &by) {
+  const std::size_t at = text.find(part);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, part.size(), by);
+}
+
+AnswerDescription described(const std::string &answer, const Gradation &g = three_classes(),
+                            const MassLaw &law = {}, const Rational &snap = 0) {
+  return describe_answer(read_answer(answer, "a.json"), g, law, snap);
+}
+
+std::string refusal_of(const std::string &content) {
+  try {
+    read_answer(content, "a.json");
+  } catch (const InputError &error) {
+    CHECK(is_utf8(error.what()));
+    return error.what();
+  }
+  FAIL("no InputError");
+  return {};
+}
+
+bool is_exact_match(const AnswerDescription &d) {
+  const MatchError e = d.description.error();
+  return d.objections.empty() && d.description.articulately() && e.maximum.exact() && e.maximum.lo == 0;
+}
+
+} // namespace
+
+TEST_CASE("answers: sizes that are roots match exactly") {
+  const AnswerDescription d = described(two);
+  CHECK(is_exact_match(d));
+  CHECK(d.description.of_class(1).first->is(2, 1)); // on its upper opening
+  CHECK(d.description.of_class(2).first->is(16, 3));
+  // At scale 8 the masses are 8 times those of the gradation.
+  CHECK(d.description.error().as_given[2].lo == -14);
+}
+
+TEST_CASE("answers: in another unit than the gradation") {
+  CHECK(is_exact_match(described(two, three_classes(SizeUnit::um, 1000))));
+  CHECK(is_exact_match(described(two, three_classes(SizeUnit::m, ratio(1, 1000)))));
+  CHECK_FALSE(described(two, three_classes(SizeUnit::um)).description.describes());
+}
+
+TEST_CASE("answers: what they claim is checked") {
+  const auto objection = [](const std::string &part, const std::string &by) {
+    const AnswerDescription d = described(replaced(two, part, by));
+    REQUIRE(d.objections.size() == 1);
+    return d.objections[0];
+  };
+  CHECK(contains(objection("\"2.51\",\"2.52\"", "\"2.52\",\"2.53\""), "the size in class 3 of the answer"));
+  CHECK(contains(objection("\"2.51\",\"2.52\"", "\"2.5\",\"2.51\""), "the size in class 3 of the answer"));
+  CHECK(contains(objection("\"chosen\":\"8\"", "\"chosen\":\"15/2\""), "class 2 and 1 more"));
+  CHECK(contains(objection("\"particles\":\"2\"", "\"particles\":\"3\""), "3 particles, its classes have 2"));
+  CHECK(described(two, three_classes(), {2, 1}).objections.size() == 1);
+}
+
+TEST_CASE("answers: an upper opening is in the class, a lower one is not") {
+  // Size 2 again, as the answer of a gradation with other sieves.
+  CHECK(described(two, gradation({1, 2, 3}, {1, 2, 0})).description.of_class(0).count == 1);
+  CHECK(described(two, gradation({1, ratio(19, 10), 3}, {1, 2, 0})).description.of_class(0).count == 0);
+  CHECK(described(two, gradation({2, ratio(5, 2), 3}, {1, 2, 0})).description.below().count == 1);
+  CHECK(described(two, gradation({1, 2, ratio(251, 100)}, {1, 2, 0})).description.above().count == 1);
+  const AnswerDescription snapped =
+      described(two, gradation({1, ratio(1999, 1000), 3}, {1, 2, 0}), {}, ratio(1, 1000));
+  CHECK(snapped.description.of_class(0).count == 1);
+  CHECK(snapped.description.snapped() == 1);
+}
+
+TEST_CASE("answers: factors are those of the class with the same bounds") {
+  // c = 8 in the second class: 8 * 1^3, and 16 as before.
+  const std::string dense =
+      replaced(replaced(two, "\"lower\":\"1\"", "\"lower\":\"0.5\""), "\"2\",\"2\"", "\"1\",\"1\"");
+  CHECK(is_exact_match(described(dense, gradation({0, ratio(1, 2), 2, 3}, {0, 1, 2, 0}, {1, 8, 1, 1}))));
+  CHECK_THROWS_AS(described(two, gradation({0, ratio(1, 2), 2, 3}, {0, 1, 2, 0}, {1, 8, 1, 1})), InputError);
+}
+
+TEST_CASE("answers: irrational laws match exactly too") {
+  // x^(1/2) with s^2 = 2: sqrt 2 in the second class, 2 sqrt 2 in the third.
+  const std::string text =
+      R"({"schema":"mdm-answer-1","id":"g","status":"feasible","particles":"2","unit":"mm","classes":[)"
+      R"({"lower":"1","upper":"2","mass":"1","quantity":"1","size":["2","2"]},)"
+      R"({"lower":"4","upper":"9","mass":"2","quantity":"1","size":["8","8"]}],)"
+      R"("scale":{"chosen":"2","scale_power":"2"}})";
+  CHECK(is_exact_match(described(text, gradation({1, 2, 4, 9}, {1, 0, 2, 0}), {1, 2})));
+  CHECK_THROWS_AS(described(text), InputError);
+}
+
+TEST_CASE("answers: broken ones") {
+  const auto broken = [](const std::string &part, const std::string &by) {
+    return refusal_of(replaced(two, part, by));
+  };
+  CHECK(contains(refusal_of("{\n\"schema\": }"), "a.json:2: this is not JSON"));
+  CHECK(contains(refusal_of("{}"), "a.json: schema is missing"));
+  CHECK(contains(refusal_of("[]"), "a.json: schema is missing"));
+  CHECK(contains(broken("mdm-answer-1", "mdm-batch-1"), "'mdm-batch-1' is not 'mdm-answer-1'"));
+  CHECK(contains(broken("optimal", "none"), "status 'none' means that there is no sample"));
+  CHECK(contains(broken("optimal", "unknown"), "status 'unknown' means that there is no sample"));
+  CHECK(contains(broken("\"mm\"", "\"in\""), "unit 'in' is unknown"));
+  CHECK(contains(broken("\"2\",\"unit\"", "2,\"unit\""), "particles is not a string"));
+  CHECK(contains(broken("\"quantity\":\"1\"", "\"quantity\":\"-1\""),
+                 "classes[1].quantity '-1' is not a whole"));
+  CHECK(contains(broken("\"mass\":\"1\"", "\"mass\":\"x\""), "classes[1].mass 'x' is not a number"));
+  CHECK(contains(broken("\"mass\":\"1\"", "\"mass\":\"0\""), "classes[1].mass is not above 0"));
+  CHECK(contains(broken("[\"2\",\"2\"]", "null"), "classes[1].size is not [lo, hi]"));
+  CHECK(contains(broken("[\"2\",\"2\"]", "[\"2\",\"1\"]"), "classes[1].size is not 0 <= lo <= hi"));
+  CHECK(contains(broken("\"chosen\":\"8\"", "\"chosen\":\"8/0\""), "scale.chosen '8/0' is not above 0"));
+  CHECK(contains(broken("\"chosen\":\"8\"", "\"chosen\":\"-8\""), "scale.chosen '-8' is not a whole number"));
+  CHECK(contains(broken("\"chosen\":\"8\"", "\"chosen\":\"8\",\"scale_power\":\"0\""), "scale_power"));
+  CHECK(contains(broken("\"scale\"", "\"scales\""), "scale is missing"));
+  CHECK(contains(broken("\"id\":\"g\"", "\"id\":1e999"), "beyond double precision"));
+  CHECK(contains(broken("\"id\":\"g\"", "\"id\":\"\xff\""), "this is not JSON"));
+  CHECK(contains(broken("\"quantity\":\"1\"", "\"quantity\":\"" + std::string(100001, '1') + "\""),
+                 "whole number"));
+  CHECK(contains(broken("\"g\"", std::string(100000, '[')), "nested deeper"));
+  for (std::size_t end = 1; end < two.size(); ++end)
+    refusal_of(two.substr(0, end));
+}

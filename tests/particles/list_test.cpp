@@ -1,0 +1,92 @@
+// CSV, x y z r and lists of diameters.
+
+#include "support.hpp"
+
+using namespace mdm;
+using namespace mdm::test;
+
+TEST_CASE("CSV of particles: sizes and quantities, in the unit of the header") {
+  CHECK(read("size_mm,quantity\n1.5,3\n0.25,1\n").particles == "1.5*3 0.25");
+  CHECK(read("size_um,quantity\n75,2\n").particles == "0.075*2");
+  CHECK(read("size_m,quantity\n75e-6,2\n").particles == "0.075*2");
+  CHECK(read("size_in,quantity\n0.5,2\n").particles == "12.7*2");
+  CHECK(read("size_mm,quantity\n1,2\n").format == ParticleFormat::csv);
+  CHECK(read("size_mm,quantity\n1,2\n").notes.empty());
+  CHECK(read("\xEF\xBB\xBFsize_mm;quantity\r\n# comment\r\n\r\n1,5;2\r\n").particles == "1.5*2");
+  CHECK(read("size_mm,quantity\n\"1\",\"123456789012345678901234567890\"\n").particles ==
+        "1*123456789012345678901234567890");
+  CHECK(read("size_mm,quantity\n2,0\n3,1\n").particles == "3");
+  ParticleOptions radius;
+  radius.meaning = SizeMeaning::radius;
+  CHECK(read("size_mm,quantity\n1.5,3\n", radius).particles == "3*3");
+}
+
+TEST_CASE("CSV of particles: what is wrong is refused with its line") {
+  CHECK(contains(refusal("size_mm,quantity\n1,2\nx,3\n"), "file:3: diameter 'x' is not a number"));
+  CHECK(contains(refusal("size_mm,quantity\n0,2\n"), "file:2: diameter '0' is not above 0"));
+  CHECK(contains(refusal("size_mm,quantity\n-1,2\n"), "file:2: diameter '-1' is not above 0"));
+  CHECK(contains(refusal("size_mm,quantity\n1,2.5\n"), "file:2: quantity '2.5' is not a whole number"));
+  CHECK(contains(refusal("size_mm,quantity\n1,-2\n"), "file:2: quantity '-2' is not a whole number"));
+  CHECK(contains(refusal("size_mm,quantity\n1\n"), "file:2: the row has 1 fields"));
+  CHECK(contains(refusal("size_mm,quantity\n1,5,2\n"), "decimal commas"));
+  CHECK(contains(refusal("size_mm,quantity\n\"1,2\n"), "file:2: a quoted field"));
+  CHECK(contains(refusal("size_mm,count\n1,2\n"), "file:1: the columns are not"));
+  CHECK(contains(refusal("size_ft,quantity\n1,2\n"), "file:1: first column 'size_ft' is unknown"));
+  CHECK(contains(refusal("size_mm,quantity\n"), "file:1: there are no particles"));
+  CHECK(contains(refusal("lower_mm,upper_mm,mass,quantity,size_lo_mm,size_hi_mm\n"), "--format json"));
+  CHECK(contains(refusal("1,2\n", from(ParticleFormat::csv)), "first column '1' is unknown"));
+  CHECK(contains(refusal("# nothing\n", from(ParticleFormat::csv)), "file:1: there is no header"));
+  ParticleOptions unit;
+  unit.unit = LengthUnit::m;
+  CHECK(contains(refusal("size_mm,quantity\n1,2\n", unit), "leave out --size-unit"));
+}
+
+TEST_CASE("x y z r: radii in the unit of the gradation") {
+  const Result result = read("# x_y_z_r\n0 0 0 0.5\n\n 1\t2 3.5e-3 .25 \r\n");
+  CHECK(result.particles == "1 0.5");
+  CHECK(result.format == ParticleFormat::xyzr);
+  REQUIRE(result.notes.size() == 1);
+  CHECK(contains(result.notes[0], "radii in mm"));
+  ParticleOptions options;
+  options.unit = LengthUnit::m;
+  options.meaning = SizeMeaning::diameter;
+  CHECK(read("0 0 0 0.5\n", options).particles == "500");
+  CHECK(read("0 0 0 0.5\n", options).notes.empty());
+  options.target = SizeUnit::um;
+  CHECK(read("0 0 0 5e-4\n", options).particles == "500");
+  CHECK(read("#format x_y_z_r_matId\n0 0 0 1 7\n").particles == "2");
+  CHECK(contains(refusal("#format id_x_y_z_r_matId\n1 0 0 0 1 7\n"), "file:1: the columns are"));
+  CHECK(contains(refusal("0 0 0 1\n0 0 0\n"), "file:2: the line has 3 numbers, the first has 4"));
+  CHECK(contains(refusal("0 0 0 1\n0 0 0 nan\n"), "file:2: radius 'nan' is not a number"));
+  CHECK(contains(refusal("0 0 1\n", from(ParticleFormat::xyzr)), "file:1: the line has fewer than four"));
+}
+
+TEST_CASE("diameters: one a line, radii if told so") {
+  CHECK(read("1.5\n# comment\n2e-1\n").particles == "1.5 0.2");
+  CHECK(read("1.5\n").format == ParticleFormat::diameters);
+  ParticleOptions options;
+  options.meaning = SizeMeaning::radius;
+  options.unit = LengthUnit::um;
+  CHECK(read("1.5\n", options).particles == "0.003");
+  CHECK(contains(refusal("1\n2 3\n"), "file:2: the line is not one number"));
+  CHECK(contains(refusal("1\n0\n"), "file:2: diameter '0' is not above 0"));
+  CHECK(contains(refusal("1\n" + std::string(1001, '1') + "\n"), "more than 1000 digits"));
+}
+
+TEST_CASE("particle files: an unknown format names those there are") {
+  CHECK(contains(refusal(""), "there are no particles"));
+  CHECK(contains(refusal("# only\n#comments\n"), "file:2: there are no particles"));
+  CHECK(contains(refusal("title\nsome text\n"),
+                 "file:2: the format is not one that is known: say it with --from, "
+                 "one of csv, answer, xyzr"));
+  CHECK(contains(refusal("1 2\n"), "file:1: the format is not one"));
+  CHECK(contains(refusal(std::string(3000, '\n')), "file:1000: the format is not clear by now"));
+  CHECK(contains(refusal("{}\n"), "an answer of mdm"));
+  ParticleOptions options;
+  options.timestep = 3;
+  CHECK(contains(refusal("1\n", options), "--timestep is for dumps, and this is diameters"));
+  for (const char *name :
+       {"csv", "answer", "xyzr", "lammps-data", "lammps-dump", "liggghts-dump", "vtk", "diameters"})
+    CHECK(mdm::name(parse_particle_format(name).value()) == name);
+  CHECK_FALSE(parse_particle_format("xyz"));
+}
