@@ -23,5 +23,6 @@ using Run = std::function<int()>;
 Run add_solve(CLI::App &app);
 Run add_batch(CLI::App &app);
 Run add_convert(CLI::App &app);
+Run add_describe(CLI::App &app);
 
 } // namespace mdm::cli
