@@ -41,6 +41,10 @@ long places_for(const Interval &i, unsigned digits) {
 /// value of y or what most_bits tell, with `final` true.
 template <class Decides>
 void refine(const Real &y, unsigned first_bits, Decides decides) {
+  if (y.fraction()) {
+    decides(Interval{*y.fraction(), *y.fraction()}, true);
+    return;
+  }
   bool asked = false;
   for (unsigned bits = std::min(first_bits, most_bits);; bits = std::min(2 * bits, most_bits)) {
     const Ball ball = y.ball(bits);
@@ -116,18 +120,11 @@ std::string text(const Decimal &d, bool exact) {
   return written(d.n, digits - 1) + "e" + std::to_string(exponent);
 }
 
-} // namespace
-
-Real::Real(Rational value)
-    : enclose_([value](unsigned bits) { return Ball(value, bits); }), exact_([value] { return value; }) {}
-
-Real::Real(Enclose enclose, Exact exact) : enclose_(std::move(enclose)), exact_(std::move(exact)) {}
-
-namespace {
-
 /// a (op) b, exact where both are.
 template <class Operation>
 Real combined(const Real &a, const Real &b, Operation operation) {
+  if (a.fraction() && b.fraction())
+    return Real(operation(*a.fraction(), *b.fraction()));
   return Real([=](unsigned bits) { return operation(a.ball(bits), b.ball(bits)); },
               [=]() -> std::optional<Rational> {
                 const std::optional<Rational> x = a.exact();
@@ -137,6 +134,12 @@ Real combined(const Real &a, const Real &b, Operation operation) {
 }
 
 } // namespace
+
+Real::Real(Rational value)
+    : fraction_(std::move(value)), enclose_([r = *fraction_](unsigned bits) { return Ball(r, bits); }),
+      exact_([r = *fraction_] { return r; }) {}
+
+Real::Real(Enclose enclose, Exact exact) : enclose_(std::move(enclose)), exact_(std::move(exact)) {}
 
 Real operator+(const Real &a, const Real &b) {
   return combined(a, b, std::plus<>());

@@ -28,12 +28,15 @@ public:
 
   Ball ball(unsigned bits) const { return enclose_(bits); }
   std::optional<Rational> exact() const { return exact_(); }
+  /// The value of a real that was made from a fraction, or from sums and products of such.
+  const std::optional<Rational> &fraction() const { return fraction_; }
 
   friend Real operator+(const Real &a, const Real &b);
   friend Real operator-(const Real &a, const Real &b);
   friend Real operator*(const Real &a, const Rational &b);
 
 private:
+  std::optional<Rational> fraction_;
   Enclose enclose_;
   Exact exact_;
 };
