@@ -5,8 +5,9 @@
 using namespace cli_test;
 
 TEST_CASE("help has an example and exits with 0", "[cli]") {
-  for (const Arguments &arguments : {Arguments{"--help"}, Arguments{"-h"}, Arguments{"solve", "--help"},
-                                     Arguments{"batch", "--help"}, Arguments{"convert", "--help"}}) {
+  for (const Arguments &arguments :
+       {Arguments{"--help"}, Arguments{"-h"}, Arguments{"solve", "--help"}, Arguments{"batch", "--help"},
+        Arguments{"convert", "--help"}, Arguments{"describe", "--help"}}) {
     const Outcome outcome = mdm(arguments);
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.err.empty());
@@ -37,7 +38,7 @@ TEST_CASE("an unknown command names the commands that there are", "[cli]") {
        {Arguments{}, Arguments{"sovle"}, Arguments{""}, Arguments{"Solve", "x"}}) {
     const Outcome outcome = mdm(arguments);
     check_refused(outcome);
-    for (const char *command : {"solve", "batch", "convert"})
+    for (const char *command : {"solve", "batch", "convert", "describe"})
       CHECK(outcome.err.find(command) != std::string::npos);
   }
   check_refused(mdm({"\x1B[31m\xFF\n" + std::string(1000, 'x')}));
