@@ -194,7 +194,7 @@ Fines classify_fines(const AtterbergLimits &limits) {
 Available<UscsGroup> classify_uscs(const GradingCurve &curve, Fines fines, bool extrapolate) {
   const Available<GradingCurve> part = curve.part_passing(75);
   if (!part)
-    return NotAvailable{"it is a matter of what passes 75 mm, and " + part.why().reason};
+    return NotAvailable{"it is that of what passes 75 mm, and " + part.why().reason};
   try {
     return classify_part(*part, fines, extrapolate, larger_than_gravel(curve));
   } catch (const Undecided &u) {

@@ -90,11 +90,18 @@ struct Decimal {
   Rational value() const { return Rational(n) * ten_to(-places); }
 };
 
-/// The decimal of `digits` digits nearest to every number of i; nothing if that differs.
+/// From here on, and for what starts after more than so many zeros, decimals have an exponent.
+constexpr long most_before_point = 15;
+constexpr long most_zeros = 6;
+
+/// The decimal of `digits` digits nearest to every number of i; nothing if that differs. Digits before the
+/// point are not cut unless there are too many.
 std::optional<Decimal> nearest(const Interval &i, unsigned digits) {
   static const Rational half(1, 2);
   const bool negative = i.hi < 0;
-  const long places = std::max(places_for(i, digits), 0L);
+  long places = places_for(i, digits);
+  if (places < 0 && places > static_cast<long>(digits) - 1 - most_before_point)
+    places = 0;
   const Rational scale = ten_to(places);
   const auto round = [&](const Rational &r) {
     return negative ? Integer(-floor(Rational(-r * scale + half))) : floor(Rational(r * scale + half));
@@ -102,21 +109,20 @@ std::optional<Decimal> nearest(const Interval &i, unsigned digits) {
   Integer n = round(i.lo);
   if (n != round(i.hi))
     return std::nullopt;
-  if (places > 0 && abs(n) == power_of_ten(digits)) // 9.996 is 10.0
+  if (places != 0 && abs(n) == power_of_ten(digits)) // 9.996 is 10.0
     return Decimal{Integer(n / 10), places - 1};
   return Decimal{std::move(n), places};
 }
 
 std::string text(const Decimal &d, bool exact) {
-  constexpr long plain = 6; // zeros before the first digit
-  const unsigned places = static_cast<unsigned>(d.places);
-  const auto written = [exact](const Integer &n, unsigned at) {
+  const auto written = [exact](const Integer &n, long places) {
+    const unsigned at = static_cast<unsigned>(places);
     return exact ? decimal_string(n, at) : fixed_decimal(n, at);
   };
-  const unsigned digits = static_cast<unsigned>(to_string(Integer(abs(d.n))).size());
-  const long exponent = static_cast<long>(digits) - 1 - d.places;
-  if (d.n == 0 || exponent >= -plain)
-    return written(d.n, places);
+  const long digits = static_cast<long>(to_string(Integer(abs(d.n))).size());
+  const long exponent = digits - 1 - d.places;
+  if (d.n == 0 || (exponent >= -most_zeros && d.places >= 0))
+    return written(d.n, d.places);
   return written(d.n, digits - 1) + "e" + std::to_string(exponent);
 }
 

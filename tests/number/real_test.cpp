@@ -86,7 +86,15 @@ TEST_CASE("zeros at the end say that there are further digits", "[real]") {
   CHECK(rounded(Real(0), 4) == "0");
 }
 
-TEST_CASE("small numbers have an exponent", "[real]") {
+TEST_CASE("very small and very large numbers have an exponent", "[real]") {
+  CHECK(rounded(Real(Rational(power_of_ten(14))), 4) == "100000000000000");
+  CHECK(rounded(Real(Rational(power_of_ten(15) - 1)), 4) == "999999999999999");
+  CHECK(rounded(Real(Rational(power_of_ten(15))), 4) == "1e15");
+  CHECK(rounded(Real(Rational(power_of_ten(20) - 1)), 4) == "1.000e20");
+  CHECK(rounded(Real(Rational(Integer(125) * power_of_ten(15))), 4) == "1.25e17");
+  CHECK(rounded(root(Rational(2 * power_of_ten(40)), 2), 4) == "1.414e20");
+  CHECK(rounded(Real(Rational(Integer(123456789) * power_of_ten(10))), 20) == "1234567890000000000");
+  CHECK(rounded(Real(Rational(-power_of_ten(20))), 2) == "-1e20");
   CHECK(rounded(Real(ratio(1, 1000000)), 4) == "0.000001");
   CHECK(rounded(Real(ratio(1, 10000000)), 4) == "1e-7");
   CHECK(rounded(root(ratio(2, power(Integer(10), 20)), 2), 4) == "1.414e-10");

@@ -49,9 +49,10 @@ Order compare(const Real &a, const Real &b);
 /// is known to be a decimal.
 Enclosure enclose(const Real &y, unsigned digits);
 
-/// y rounded to the nearest decimal of `digits` >= 1 significant digits, halves away from 0: all digits are
-/// certain, there are fewer of them where most_bits do not tell. With an exponent where |y| < 1e-6; zeros
-/// at the end are left out where y is that decimal exactly.
+/// y rounded to the nearest decimal of `digits` >= 1 significant digits (more where it has more, up to 15,
+/// before its point), halves away from 0: all digits are certain, and there are fewer of them where most_bits
+/// do not tell. Zeros at the end are left out where y is that decimal exactly. With an exponent below 1e-6
+/// and from 1e15 on.
 std::string rounded(const Real &y, unsigned digits);
 
 } // namespace mdm
