@@ -24,5 +24,6 @@ Run add_solve(CLI::App &app);
 Run add_batch(CLI::App &app);
 Run add_convert(CLI::App &app);
 Run add_verify(CLI::App &app);
+Run add_describe(CLI::App &app);
 
 } // namespace mdm::cli

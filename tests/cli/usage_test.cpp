@@ -8,6 +8,7 @@ TEST_CASE("help has an example and exits with 0", "[cli]") {
   for (const Arguments &arguments :
        {Arguments{"--help"}, Arguments{"-h"}, Arguments{"solve", "--help"}, Arguments{"batch", "--help"},
         Arguments{"convert", "--help"}, Arguments{"verify", "--help"}}) {
+        Arguments{"convert", "--help"}, Arguments{"describe", "--help"}}) {
     const Outcome outcome = mdm(arguments);
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.err.empty());
@@ -40,6 +41,7 @@ TEST_CASE("an unknown command names the commands that there are", "[cli]") {
     const Outcome outcome = mdm(arguments);
     check_refused(outcome);
     for (const char *command : {"solve", "batch", "convert", "verify"})
+    for (const char *command : {"solve", "batch", "convert", "describe"})
       CHECK(outcome.err.find(command) != std::string::npos);
   }
   check_refused(mdm({"\x1B[31m\xFF\n" + std::string(1000, 'x')}));

@@ -1,0 +1,51 @@
+#pragma once
+/// \file
+/// Rigorous enclosures of real numbers.
+
+#include <mdm/number/rational.hpp>
+
+#include <memory>
+
+namespace mdm {
+
+/// What is certain about two numbers.
+enum class Order { less, equal, greater, undecided };
+
+/// A real number y, known to lie in a ball: an interval that Arb computes with. Whatever is done with balls,
+/// the result's ball contains the result; where an operation has no value for all of its ball (log of what
+/// may be 0), the result is not finite and every comparison with it is undecided.
+class Ball {
+public:
+  /// r, rounded to `bits` binary digits, which is also the precision of what is computed from it.
+  Ball(const Rational &r, unsigned bits);
+  Ball(const Ball &other);
+  Ball(Ball &&other) noexcept;
+  Ball &operator=(Ball other) noexcept;
+  ~Ball();
+
+  /// The results have the higher precision of the two.
+  friend Ball operator+(const Ball &a, const Ball &b);
+  friend Ball operator-(const Ball &a, const Ball &b);
+  friend Ball operator*(const Ball &a, const Ball &b);
+  friend Ball operator/(const Ball &a, const Ball &b);
+  friend Ball log(const Ball &y);
+  friend Ball exp(const Ball &y);
+  friend Ball pow(const Ball &y, const Rational &exponent);
+
+  /// less or greater where the balls do not meet; equal only for two points; else undecided.
+  friend Order compare(const Ball &a, const Ball &b);
+
+  bool is_finite() const;
+  /// The ends of an interval around y. \pre is_finite()
+  Rational lower() const;
+  Rational upper() const;
+
+private:
+  struct Value; // Arb's ball: its header is not needed here
+  explicit Ball(unsigned bits);
+
+  std::unique_ptr<Value> value_;
+  unsigned bits_;
+};
+
+} // namespace mdm

@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// The description of a gradation as text, JSON and CSV.
+
+#include <mdm/grading/describe.hpp>
+
+namespace mdm {
+
+// `digits` >= 1 are significant digits; openings must be decimals, as those of a file are.
+
+/// One line of JSON, schema `mdm-describe-1`, without a newline at its end: index numbers and percents as
+/// enclosures ["lo","hi"], null where not available (the notes say why).
+std::string description_json(const Description &d, unsigned digits);
+
+/// item,unit,lo,hi,text: a row an index number or fraction; the group's symbol and name in the last column.
+std::string description_csv(const Description &d, unsigned digits);
+
+/// For people: certain digits, rounded.
+std::string description_text(const Description &d, unsigned digits);
+
+} // namespace mdm

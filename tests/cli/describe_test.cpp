@@ -1,0 +1,149 @@
+// mdm describe: index numbers, fractions and groups as a user sees them.
+
+#include "answer.hpp"
+
+using namespace cli_test;
+
+namespace {
+
+Json describe_json(Arguments arguments, const std::string &input = "") {
+  arguments.insert(arguments.begin(), "describe");
+  arguments.insert(arguments.end(), {"--format", "json"});
+  const Outcome outcome = mdm(arguments, input);
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  REQUIRE(std::count(outcome.out.begin(), outcome.out.end(), '\n') == 1);
+  return Json::parse(outcome.out);
+}
+
+/// D10 = 0.1, D30 = 0.3, D60 = 0.6 mm.
+const std::string sand = "size_mm,passing_percent\n4.75,100\n0.6,60\n0.3,30\n0.1,10\n0.075,4\n0.01,0\n";
+const std::string coarse_pan = "size_mm,passing_percent\n4.75,100\n0.6,60\n0.3,30\n0.15,14\n";
+
+bool has(const std::string &text, const std::string &part) {
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("the text form has the group, the index numbers and the fractions", "[describe]") {
+  const Outcome outcome = mdm({"describe", "-"}, sand);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  INFO(outcome.out);
+  CHECK(outcome.out.rfind("stdin: SW, well-graded sand\n", 0) == 0);
+  for (const char *part : {"  D10     0.1 mm\n", "  D30     0.3 mm\n", "  D50     0.4762 mm\n",
+                           "  C_u     6\n", "  C_c     1.5\n", "percent of the mass, ASTM D2487",
+                           "percent of the mass, ISO 14688", "to 0.075 mm            4\n"})
+    CHECK(has(outcome.out, part));
+  CHECK_FALSE(has(outcome.out, " \n"));
+  CHECK_FALSE(has(outcome.out, "boulders"));
+}
+
+TEST_CASE("the JSON form encloses, and exact values have equal ends", "[describe]") {
+  const Json d = describe_json({"-"}, sand);
+  CHECK(d.at("schema") == "mdm-describe-1");
+  CHECK(d.at("id") == "stdin");
+  CHECK(d.at("D10") == Json({"0.1", "0.1"}));
+  CHECK(d.at("Cu") == Json({"6", "6"}));
+  CHECK(d.at("Cc") == Json({"1.5", "1.5"}));
+  for (const char *key : {"D50", "IGS", "IC"}) {
+    const Rational lo = rational(d.at(key)[0]), hi = rational(d.at(key)[1]);
+    CHECK(lo < hi);
+    CHECK(hi - lo <= hi / 10000000);
+    CHECK(d.at(key)[0].get<std::string>().size() <= 17);
+  }
+  CHECK(d.at("uscs") == Json({{"symbol", "SW"}, {"name", "well-graded sand"}, {"fines", "ML"}}));
+  CHECK(d.at("passing")[1] == Json({{"size", "0.075"}, {"percent", {"4", "4"}}}));
+  CHECK(d.at("versions").contains("arb"));
+  const Json &fractions = d.at("uscs_fractions");
+  CHECK(fractions.back() ==
+        Json({{"name", "fines"}, {"above", "0"}, {"up_to", "0.075"}, {"percent", {"4", "4"}}}));
+  CHECK(fractions.front().at("up_to").is_null());
+}
+
+TEST_CASE("the CSV form has a row for each", "[describe]") {
+  const Outcome outcome = mdm({"describe", "-", "--format", "csv", "--digits", "3"}, sand);
+  CHECK(outcome.exit_code == 0);
+  for (const char *row : {"item,unit,lo,hi,text\n", "\nD10,mm,0.1,0.1,\n", "\nD50,mm,0.476,0.477,\n",
+                          "\nCu,,6,6,\n", "\nUSCS symbol,,,,SW\n", "\nUSCS name,,,,\"well-graded sand\"\n",
+                          "\nUSCS fines,percent,4,4,\n", "\nISO 14688 clay,percent,0,0,\n"})
+    CHECK(has(outcome.out, row));
+  CHECK(has(outcome.err, "note: ISO 14688: interpolated"));
+  CHECK(mdm({"describe", "-", "--format", "csv", "--quiet"}, sand).err.empty());
+}
+
+TEST_CASE("what a pan at size 0 hides is null, with a note", "[describe]") {
+  const Json d = describe_json({"-"}, coarse_pan);
+  for (const char *key : {"D10", "Cu", "Cc", "IGS", "uscs"})
+    CHECK(d.at(key).is_null());
+  CHECK(d.at("D30") == Json({"0.3", "0.3"}));
+  const std::string notes = d.at("notes").dump();
+  for (const char *part : {"D10: below 0.15 mm, the finest sieve", "--extrapolate",
+                           "no USCS group: ", "I_GS is not available", "14 % of the mass lies below 0.15 mm"})
+    CHECK(has(notes, part));
+  const Outcome text = mdm({"describe", "-"}, coarse_pan);
+  CHECK(text.exit_code == 0);
+  CHECK(has(text.out, "stdin: no USCS group\n"));
+  CHECK(has(text.out, "  D10     not available\n"));
+}
+
+TEST_CASE("the pan can be extrapolated or given a size", "[describe]") {
+  const Json line = describe_json({"-", "--extrapolate"}, coarse_pan);
+  // 0.15 * 2^(-4/16)
+  CHECK(line.at("D10")[0].get<std::string>().rfind("0.126134462", 0) == 0);
+  CHECK(has(line.at("notes").dump(), "D10: extrapolated"));
+  const Json sized = describe_json({"-", "--pan-size", "0.0375"}, coarse_pan);
+  // 0.0375 * 4^(10/14)
+  CHECK(sized.at("D10")[0].get<std::string>().rfind("0.10094", 0) == 0);
+  CHECK_FALSE(sized.at("IGS").is_null());
+}
+
+TEST_CASE("limits classify the fines", "[describe]") {
+  const std::string silty = "size_mm,passing_percent\n4.75,100\n0.075,20\n0.01,0\n";
+  CHECK(describe_json({"-"}, silty).at("uscs").at("symbol") == "SM");
+  CHECK(has(describe_json({"-"}, silty).at("notes").dump(), "low-plasticity silt"));
+  const Json clayey = describe_json({"-", "--liquid-limit", "40", "--plastic-limit", "20.5"}, silty);
+  CHECK(clayey.at("uscs") == Json({{"symbol", "SC"}, {"name", "clayey sand"}, {"fines", "CL"}}));
+  CHECK_FALSE(has(clayey.at("notes").dump(), "low-plasticity silt"));
+}
+
+TEST_CASE("a group that no precision decides is a limit", "[describe]") {
+  const Outcome outcome =
+      mdm({"describe", "-"}, "size_mm,passing_percent\n20,100\n7.6,60\n3.8,50\n0.12,20\n0.06,0\n");
+  CHECK(outcome.exit_code == 3);
+  CHECK(has(outcome.out, "no USCS group: gravel against sand: not decided"));
+}
+
+TEST_CASE("the real sands are described", "[describe]") {
+  for (const auto &[file, symbol] : {std::pair("athabasca-sand", "SP"), std::pair("hostun-rf-sand", "SP"),
+                                     std::pair("c778-graded-sand", "SP"), std::pair("ottawa-f65-sand", "SP"),
+                                     std::pair("cen-standard-sand", "SW")})
+    CHECK(describe_json({example(file)}).at("uscs").at("symbol") == symbol);
+}
+
+TEST_CASE("wrong options of describe are refused", "[describe]") {
+  const auto refused = [](Arguments options, const std::string &message) {
+    options.insert(options.begin(), {"describe", "-"});
+    check_refused(mdm(options, sand), message);
+  };
+  refused({"--liquid-limit", "40"}, "go together");
+  refused({"--plastic-limit", "40"}, "go together");
+  refused({"--liquid-limit", "x", "--plastic-limit", "20"}, "--liquid-limit: 'x' is not a number");
+  refused({"--liquid-limit", "20", "--plastic-limit", "40"}, "above the liquid limit");
+  refused({"--digits", "0"}, "--help");
+  refused({"--digits", "1001"}, "--help");
+  refused({"--format", "yaml"}, "--help");
+  refused({"--pan-size", "0.001"}, "there is no pan");
+  refused({"--specimen-id", "BH1"}, "AGS4");
+  check_refused(mdm({"describe"}), "--help");
+  check_refused(mdm({"describe", "-"}, "size_mm,passing_percent\n1,50\n"), "stdin");
+}
+
+TEST_CASE("describe writes its output to a file or not at all", "[describe]") {
+  const TemporaryFolder folder;
+  CHECK(mdm({"describe", "-", "-o", folder / "d.json", "--format", "json"}, sand).out.empty());
+  CHECK(Json::accept(read_file(folder / "d.json")));
+  check_refused(mdm({"describe", "-", "-o", folder / "e.json"}, "nonsense"));
+  CHECK(folder.entries() == 1);
+}

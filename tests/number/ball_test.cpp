@@ -1,0 +1,128 @@
+// Balls hold the exact results, and say only what is certain.
+
+#include "catch.hpp"
+
+#include <mdm/number/ball.hpp>
+
+#include <mpfr.h>
+
+#include <random>
+
+using namespace mdm;
+
+namespace {
+
+bool holds(const Ball &ball, const Rational &r) {
+  return ball.is_finite() && ball.lower() <= r && r <= ball.upper();
+}
+
+bool is_narrow(const Ball &ball, const Rational &width) {
+  return ball.upper() - ball.lower() <= width;
+}
+
+/// A fraction with a numerator up to 10^9 and a denominator up to 10^6, biased to short ones.
+Rational any(std::mt19937_64 &random, int least) {
+  const auto number = [&random](int lo, int hi) {
+    return std::uniform_int_distribution<int>(lo, hi)(random);
+  };
+  return random() % 4 == 0 ? Rational(number(std::max(least, -3), 3))
+                           : ratio(number(least, 1000000000), number(1, 1000000));
+}
+
+/// A function of MPFR at r: decimals around it.
+template <class Function>
+std::pair<Rational, Rational> by_mpfr(const Rational &r, Function function) {
+  const auto end = [&](mpfr_rnd_t inner, mpfr_rnd_t outer) {
+    mpfr_t y;
+    mpfr_init2(y, 300);
+    mpfr_set_q(y, r.backend().data(), inner);
+    function(y, y, outer);
+    Rational result;
+    mpfr_get_q(result.backend().data(), y);
+    mpfr_clear(y);
+    return result;
+  };
+  return {end(MPFR_RNDD, MPFR_RNDD), end(MPFR_RNDU, MPFR_RNDU)};
+}
+
+} // namespace
+
+TEST_CASE("the four operations hold the exact result", "[ball]") {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 2000; ++i) {
+    const unsigned bits = i % 2 == 0 ? 53 : 200;
+    const Rational a = any(random, -1000000000), b = any(random, -1000000000);
+    const Ball x(a, bits), y(b, bits);
+    CHECK(holds(x, a));
+    CHECK(holds(x + y, a + b));
+    CHECK(holds(x - y, a - b));
+    CHECK(holds(x * y, a * b));
+    if (b != 0)
+      CHECK(holds(x / y, a / b));
+  }
+}
+
+TEST_CASE("log and exp agree with MPFR", "[ball]") {
+  std::mt19937_64 random(2);
+  const Rational narrow = ratio(1, power(Integer(2), 180));
+  for (int i = 0; i < 300; ++i) {
+    const Rational a = any(random, 1);
+    const Ball y = log(Ball(a, 200));
+    const auto [lo, hi] = by_mpfr(a, mpfr_log);
+    CHECK(y.lower() <= hi);
+    CHECK(lo <= y.upper());
+    CHECK(is_narrow(y, narrow));
+    CHECK(holds(exp(y), a));
+    const Rational small = a / 1000000000;
+    const Ball e = exp(Ball(small, 200));
+    const auto [from, to] = by_mpfr(small, mpfr_exp);
+    CHECK(e.lower() <= to);
+    CHECK(from <= e.upper());
+    CHECK(is_narrow(e, narrow));
+  }
+}
+
+TEST_CASE("rational powers hold exact roots", "[ball]") {
+  std::mt19937_64 random(3);
+  for (unsigned i = 0; i < 300; ++i) {
+    const Rational root = any(random, 1);
+    const unsigned degree = 1 + i % 7;
+    CHECK(holds(pow(Ball(power(root, degree), 100), ratio(1, degree)), root));
+    CHECK(holds(pow(Ball(root, 100), ratio(-2, 1)), 1 / (root * root)));
+  }
+}
+
+TEST_CASE("comparisons are certain or undecided", "[ball]") {
+  const Ball third(ratio(1, 3), 64), two(2, 64), half(ratio(1, 2), 64);
+  CHECK(compare(third, half) == Order::less);
+  CHECK(compare(half, third) == Order::greater);
+  CHECK(compare(half, half) == Order::equal);
+  CHECK(compare(third, third) == Order::undecided); // 1/3 is no point of 64 bits
+  CHECK(compare(third, Ball(ratio(1, 3) + ratio(1, power(Integer(10), 30)), 64)) == Order::undecided);
+  CHECK(compare(third, Ball(ratio(1, 3) + ratio(1, power(Integer(10), 30)), 128)) == Order::undecided);
+  CHECK(compare(Ball(ratio(1, 3), 128), Ball(ratio(1, 3) + ratio(1, power(Integer(10), 30)), 128)) ==
+        Order::less);
+  CHECK(compare(log(two), half) == Order::greater);
+}
+
+TEST_CASE("what has no value is not finite, and nothing is certain of it", "[ball]") {
+  const Ball zero(0, 64), minus(-1, 64), two(2, 64);
+  for (const Ball &none : {log(zero), log(minus), two / zero}) {
+    CHECK_FALSE(none.is_finite());
+    CHECK(compare(none, two) == Order::undecided);
+    CHECK(compare(two, none) == Order::undecided);
+    CHECK_FALSE((none + two).is_finite());
+  }
+}
+
+TEST_CASE("balls are values", "[ball]") {
+  Ball a(ratio(1, 3), 64), b = a;
+  a = Ball(5, 64);
+  CHECK(holds(b, ratio(1, 3)));
+  CHECK(holds(a, 5));
+  b = std::move(a);
+  CHECK(holds(b, 5));
+  const Ball &same = b;
+  b = same;
+  CHECK(holds(b, 5));
+}
