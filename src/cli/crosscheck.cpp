@@ -1,15 +1,14 @@
-#include "child_process.hpp"
 #include "commands.hpp"
 #include "files.hpp"
-#include "journal.hpp"
 #include "progress.hpp"
+#include "solver.hpp"
 
 #include <mdm/error.hpp>
 #include <mdm/gradation/read_gradation.hpp>
-#include <mdm/gradation/write_gradation.hpp>
 #include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/report/versions.hpp>
+#include <mdm/study/answer_index.hpp>
 #include <mdm/study/crosscheck_report.hpp>
 
 #include <fmt/core.h>
@@ -18,11 +17,11 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <thread>
-#include <unordered_map>
 
 namespace mdm::cli {
 namespace {
@@ -46,212 +45,14 @@ std::string shown_name(const std::string &path) {
 
 using Rows = std::vector<CrosscheckRow>;
 
-/// Where answers come from: a file, or a solver.
-class AnswerSource {
-public:
-  virtual ~AnswerSource() = default;
-  /// Judges all answers to the gradation in that line of the suite. Several threads may call it.
-  virtual Rows rows(const Crosscheck &problem, std::uint64_t line) = 0;
-  /// What is to be said after the last line.
-  virtual std::vector<std::string> notes() const { return {}; }
-};
-
-class AnswersInFile : public AnswerSource {
-public:
-  AnswersInFile(const std::string &path, std::optional<std::string> by, Rational size_tolerance)
-      : by_(std::move(by)), size_tolerance_(std::move(size_tolerance)) {
-    constexpr std::size_t most = std::size_t{1} << 30;
-    answers_ = read_answers(read_file(path, most), shown_name(path));
-    if (by_)
-      check_column(path);
-    for (std::size_t i = 0; i < answers_.size(); ++i) {
-      by_id_[answers_[i].id].answers.push_back(i);
-      const std::string setting = setting_of(answers_[i]);
-      const bool counts = answers_[i].failure != Verdict::garbage &&
-                          std::find(settings_.begin(), settings_.end(), setting) == settings_.end();
-      if (counts)
-        settings_.push_back(setting);
-    }
-    if (settings_.empty())
-      settings_.emplace_back();
-    unreadable_ids_ = by_id_.extract("");
-  }
-
-  Rows rows(const Crosscheck &problem, std::uint64_t) override {
-    const auto found = by_id_.find(problem.gradation().id());
-    Rows rows;
-    std::set<std::string> answered;
-    if (found != by_id_.end()) {
-      found->second.found = true;
-      for (const std::size_t i : found->second.answers) {
-        rows.push_back(problem.judge(answers_[i], size_tolerance_));
-        rows.back().setting = setting_of(answers_[i]);
-        answered.insert(rows.back().setting);
-      }
-    }
-    for (const std::string &setting : settings_) {
-      if (answered.count(setting) > 0)
-        continue;
-      rows.push_back(
-          problem.judge(failed_answer("", Verdict::no_answer, "the file has none"), size_tolerance_));
-      rows.back().setting = setting;
-    }
-    std::stable_sort(rows.begin(), rows.end(), [this](const CrosscheckRow &a, const CrosscheckRow &b) {
-      return place(a.setting) < place(b.setting);
-    });
-    return rows;
-  }
-
-  /// Answers that cannot be read so much as to tell what they answer.
-  Rows rows_without_id() const {
-    Rows rows;
-    if (!unreadable_ids_.empty())
-      for (const std::size_t i : unreadable_ids_.mapped().answers) {
-        CrosscheckRow &row = rows.emplace_back();
-        row.setting = setting_of(answers_[i]);
-        row.verdict = Verdict::garbage;
-        row.reason = answers_[i].failure == Verdict::garbage ? answers_[i].reason : "the answer has no id";
-      }
-    return rows;
-  }
-
-  std::vector<std::string> notes() const override {
-    std::vector<std::string> strangers;
-    std::size_t several = 0;
-    for (const auto &[id, entry] : by_id_) {
-      if (!entry.found)
-        strangers.push_back(id);
-      std::set<std::string> seen;
-      const bool repeated = std::any_of(entry.answers.begin(), entry.answers.end(), [&](std::size_t i) {
-        return !seen.insert(setting_of(answers_[i])).second;
-      });
-      several += repeated ? 1 : 0;
-    }
-    std::vector<std::string> notes;
-    if (!strangers.empty())
-      notes.push_back(
-          fmt::format("the suite has no gradation for {} of the ids that have answers, such as {}",
-                      strangers.size(), in_quotes(*std::min_element(strangers.begin(), strangers.end()))));
-    if (several > 0)
-      notes.push_back(fmt::format("{} ids have several answers{}; each is a row{}", several,
-                                  by_ ? " of one setting" : "", by_ ? "" : hint()));
-    return notes;
-  }
-
-private:
-  struct Entry {
-    std::vector<std::size_t> answers;
-    std::atomic<bool> found = false; ///< the suite has the id
-  };
-
-  std::string setting_of(const OtherAnswer &answer) const {
-    const auto label = by_ ? answer.labels.find(*by_) : answer.labels.end();
-    return label == answer.labels.end() ? "" : label->second;
-  }
-
-  std::size_t place(const std::string &setting) const {
-    return static_cast<std::size_t>(std::find(settings_.begin(), settings_.end(), setting) -
-                                    settings_.begin());
-  }
-
-  std::set<std::string> columns() const {
-    std::set<std::string> names;
-    for (const OtherAnswer &answer : answers_)
-      for (const auto &[name, value] : answer.labels)
-        names.insert(name);
-    return names;
-  }
-
-  std::string names() const {
-    std::string text;
-    for (const std::string &name : columns())
-      text += (text.empty() ? "" : ", ") + in_quotes(name);
-    return text;
-  }
-
-  /// How to tell several answers apart.
-  std::string hint() const {
-    const std::string all = names();
-    return all.empty() ? "" : ": --by tells them apart by one of the columns " + all;
-  }
-
-  void check_column(const std::string &path) const {
-    if (columns().count(*by_) == 0)
-      throw InputError(fmt::format(
-          "--by: {} has no column {}; {}", printable(shown_name(path)), in_quotes(*by_),
-          names().empty() ? "there is none to group by: leave --by out" : "there are " + names()));
-  }
-
-  std::optional<std::string> by_;
-  Rational size_tolerance_;
-  std::vector<OtherAnswer> answers_;
-  std::unordered_map<std::string, Entry> by_id_;
-  std::unordered_map<std::string, Entry>::node_type unreadable_ids_;
-  std::vector<std::string> settings_; ///< in the order of the file
-};
-
-class Solver : public AnswerSource {
-public:
-  Solver(std::string command, std::chrono::milliseconds time_limit, std::string limit_text,
-         Rational size_tolerance, const std::optional<std::string> &journal)
-      : command_(std::move(command)), time_limit_(time_limit), limit_text_(std::move(limit_text)),
-        size_tolerance_(std::move(size_tolerance)) {
-    if (journal)
-      journal_ = std::make_unique<Journal>(*journal, command_);
-    kill_children_on_signals();
-  }
-
-  Rows rows(const Crosscheck &problem, std::uint64_t line) override {
-    const std::string &id = problem.gradation().id();
-    if (const OtherAnswer *const kept = journal_ ? journal_->find(line, id) : nullptr)
-      return {problem.judge(*kept, size_tolerance_)};
-    OtherAnswer answer = ask(problem.gradation());
-    answer.id = id;
-    if (journal_)
-      journal_->add(line, answer);
-    return {problem.judge(answer, size_tolerance_)};
-  }
-
-private:
-  OtherAnswer ask(const Gradation &g) const {
-    constexpr std::size_t most_output = std::size_t{64} << 20;
-    const ChildEnd end = run_child(command_, gradation_json(g), time_limit_, most_output);
-    switch (end.how) {
-    case ChildEnd::How::timed_out:
-      return failed_answer("", Verdict::timeout, "no end within " + limit_text_ + " s");
-    case ChildEnd::How::too_much_output:
-      return failed_answer("", Verdict::garbage, "more than 64 MiB of output");
-    case ChildEnd::How::signalled:
-      return failed_answer("", Verdict::crashed, "signal " + std::to_string(end.code) + said(end));
-    case ChildEnd::How::exited:
-      break;
-    }
-    if (end.code != 0)
-      return failed_answer("", Verdict::crashed, "exit code " + std::to_string(end.code) + said(end));
-    if (end.output.find_first_not_of(" \t\r\n") == std::string::npos)
-      return failed_answer("", Verdict::no_answer, "no output" + said(end));
-    OtherAnswer answer = json_answer(end.output);
-    if (!answer.id.empty() && answer.id != g.id())
-      return failed_answer("", Verdict::garbage, "the answer is for " + in_quotes(answer.id));
-    return answer;
-  }
-
-  static std::string said(const ChildEnd &end) {
-    return end.last_error.empty() ? "" : ": " + in_quotes(end.last_error);
-  }
-
-  std::string command_;
-  std::chrono::milliseconds time_limit_;
-  std::string limit_text_;
-  Rational size_tolerance_;
-  std::unique_ptr<Journal> journal_;
-};
+/// Rows for the gradation in a line of the suite.
+using Judge = std::function<Rows(const Crosscheck &, std::uint64_t line)>;
 
 /// The lines of a suite, worked on by several threads, their rows given out in order.
 class Suite {
 public:
-  Suite(const CrosscheckCommand &command, AnswerSource &source)
-      : command_(command), source_(source), lines_(command.suite) {
+  Suite(const CrosscheckCommand &command, Judge judge)
+      : command_(command), judge_(std::move(judge)), lines_(command.suite) {
     limits_.max_steps = command.max_steps;
   }
 
@@ -308,7 +109,7 @@ private:
     } catch (const InputError &e) {
       return {bad_problem(json_gradation_id(*line).value_or(fallback), e.what())};
     }
-    return source_.rows(*problem, number);
+    return judge_(*problem, number);
   }
 
   static CrosscheckRow bad_problem(std::string id, std::string reason) {
@@ -331,7 +132,7 @@ private:
   }
 
   const CrosscheckCommand &command_;
-  AnswerSource &source_;
+  Judge judge_;
   Limits limits_;
   std::mutex input_mutex_;
   Lines lines_;
@@ -376,6 +177,8 @@ void check_options(const CrosscheckCommand &c) {
     throw InputError("standard input cannot be both SUITE and ANSWERS: name a file for one of them");
   if (c.format == "text" && c.out == "-")
     throw InputError("-o -: standard output has the summary: use --format csv");
+  if (c.journal == "-")
+    throw InputError("--journal needs a file: name one");
   std::vector<std::string> paths = {c.suite};
   for (const std::optional<std::string> &path : {c.answers, c.journal, c.out})
     if (path)
@@ -461,38 +264,59 @@ private:
   CrosscheckSummary summary_;
 };
 
+/// Judges all that the suite has, by `judge`; returns the number of gradations.
+std::uint64_t report_suite(const CrosscheckCommand &c, Judge judge, Report &report) {
+  Suite suite(c, std::move(judge));
+  Progress progress([&suite] { return fmt::format("{} gradations", suite.done()); }, c.quiet);
+  std::uint64_t gradations = 0;
+  suite.run([&](const Rows &rows) {
+    if (!rows.empty())
+      ++gradations;
+    report.add(rows);
+  });
+  return gradations;
+}
+
+AnswerIndex read_index(const CrosscheckCommand &c) {
+  constexpr std::size_t most = std::size_t{1} << 30;
+  std::vector<OtherAnswer> answers = read_answers(read_file(*c.answers, most), shown_name(*c.answers));
+  try {
+    return AnswerIndex(std::move(answers), c.by);
+  } catch (const InputError &e) {
+    throw InputError(printable(shown_name(*c.answers)) + ": --by: " + e.what());
+  }
+}
+
 int run(const CrosscheckCommand &c) {
   check_options(c);
   const Rational size_tolerance = read_tolerance(c.size_tolerance);
-  std::unique_ptr<AnswersInFile> file;
-  std::unique_ptr<Solver> solver;
   if (c.answers) {
-    file = std::make_unique<AnswersInFile>(*c.answers, c.by, size_tolerance);
-  } else {
-    const std::string limit = c.time_limit.value_or("60");
-    solver = std::make_unique<Solver>(*c.solver, read_time_limit(limit), limit, size_tolerance, c.journal);
+    const AnswerIndex index = read_index(c);
+    Report report(c, size_tolerance);
+    const std::uint64_t gradations = report_suite(
+        c, [&](const Crosscheck &problem, std::uint64_t) { return index.judge(problem, size_tolerance); },
+        report);
+    report.add(index.rows_without_id());
+    report.end(gradations, index.notes());
+    return report.exit_code();
   }
-  AnswerSource &source = file ? static_cast<AnswerSource &>(*file) : *solver;
-  Suite suite(c, source);
+  const std::string limit = c.time_limit.value_or("60");
+  Solver solver(*c.solver, read_time_limit(limit), c.journal);
   Report report(c, size_tolerance);
-  std::uint64_t problems = 0;
-  {
-    Progress progress([&suite] { return fmt::format("{} gradations", suite.done()); }, c.quiet);
-    suite.run([&](const Rows &rows) {
-      if (!rows.empty())
-        ++problems;
-      report.add(rows);
-    });
-  }
-  if (file)
-    report.add(file->rows_without_id());
-  report.end(problems, source.notes());
+  const std::uint64_t gradations = report_suite(
+      c,
+      [&](const Crosscheck &problem, std::uint64_t line) {
+        return Rows{problem.judge(solver.answer(problem.gradation(), line), size_tolerance)};
+      },
+      report);
+  report.end(gradations, {});
   return report.exit_code();
 }
 
 constexpr const char *footer =
-    R"(A match is a vector of quantities that some sizes make an exact match, and whose sizes, where the
-answer has them, are right for one such match within --size-tolerance. Its ratio is N over the least N.
+    R"(A match is a vector of quantities that some sizes make an exact match, and whose sizes, where the answer
+has them, are right for one such match within --size-tolerance. Its ratio is N over the least N; quartiles
+are the ratios at the places n/4, n/2, 3n/4 (rounded down, counted from 0) of n in ascending order.
 max_error: the largest error of a class's share in percent, of the sizes as they stand in the answer.
 Verdicts: minimal, larger; not-a-match (--reasons says why); undecided (stopped at --max-steps); no-answer,
 garbage, crashed (a signal or an exit code other than 0), timeout; bad-problem (a bad line of SUITE).
@@ -500,9 +324,11 @@ garbage, crashed (a signal or an exit code other than 0), timeout; bad-problem (
 ANSWERS is CSV with a header: id, quantities (separated by spaces; one a class with mass, or one a class),
 optionally sizes_mm, sizes_um, sizes_m or sizes_in, and any other columns, for --by; or JSON Lines: answers
 of mdm batch, or {"id": "a", "quantities": ["15", "2"], "sizes": ["0.07", "0.14"], "unit": "mm"}, sizes and
-unit (mm) optional. The solver gets one gradation as JSON on its standard input, writes one such object (the
-id may be left out) to its standard output and exits with 0. Ids need not be unique: each gradation of an id
-is held against each answer of that id.
+unit (mm) optional. Ids need not be unique: each gradation of an id is held against each answer of that id.
+
+The solver gets one gradation as JSON on its standard input, writes one such object (the id may be left out)
+to its standard output and exits with 0. A journal keeps failures too, also a timeout: to ask again, name a
+new one.
 
 Exit code: 0 if every answer is a match (with --require-minimal: minimal), 1 if not, 2 if a line of SUITE is
 bad, 3 if something is undecided.

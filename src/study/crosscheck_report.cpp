@@ -131,7 +131,7 @@ std::string CrosscheckSummary::text(const CrosscheckColumns &columns) const {
   std::vector<std::vector<std::string>> lines = {{printable(columns.setting), "answers"}};
   for (const Verdict v : shown)
     lines[0].emplace_back(name(v));
-  for (const char *heading : {"N/minimum: least", "1/4", "1/2", "3/4", "largest"})
+  for (const char *heading : {"N/minimum: least", "1/4", "median", "3/4", "largest"})
     lines[0].emplace_back(heading);
   std::uint64_t rows = 0;
   for (const Setting &s : settings_) {

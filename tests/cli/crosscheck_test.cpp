@@ -169,7 +169,7 @@ TEST_CASE("missing answers, strangers, several answers and bad lines are told", 
       rows({"-", answers, "--reasons"}, 1, problems) ==
       std::vector<std::string>{
           "small,larger,8,4,2,,", "small,minimal,4,4,1,,", "small,minimal,4,4,1,,",
-          "b,no-answer,,1,,,the file has none", "c,minimal,1,1,1,,",
+          "b,no-answer,,1,,,there is none with this id", "c,minimal,1,1,1,,",
           "c,garbage,,1,,," + answers + ":6: quantity 'one' is not a whole number from 0 on",
           ",garbage,,,,," + answers + ":8: a quoted field does not end with a quote before the next comma"});
   CHECK(rows({"-", answers, "--by", "knob"}, 1, problems) ==
@@ -181,8 +181,9 @@ TEST_CASE("missing answers, strangers, several answers and bad lines are told", 
   CHECK(text.out.find("stdin: 3 gradations\n") == 0);
   CHECK(text.out.find("note: the suite has no gradation for 1 of the ids that have answers, such as 'z'") !=
         std::string::npos);
-  CHECK(text.out.find("note: 2 ids have several answers; each is a row: --by tells them apart by one of the "
-                      "columns 'knob'") != std::string::npos);
+  CHECK(text.out.find(
+            "note: 2 ids have several answers; each is a row: tell them apart with --by, by 'knob'") !=
+        std::string::npos);
 }
 
 TEST_CASE("every gradation of an id is held against its answer", "[cli]") {
@@ -219,13 +220,14 @@ TEST_CASE("wrong use of crosscheck is refused", "[cli]") {
   check_refused(crosscheck({problems, "--solver", right, "--by", "x"}), "--by");
   check_refused(crosscheck({problems, "--solver", right, "--time-limit", "0"}), "'0' is not above 0");
   check_refused(crosscheck({problems, "--solver", right, "--time-limit", "x"}), "--time-limit: 'x'");
-  check_refused(crosscheck({problems, answers, "--by", "kno"}), "there are 'knob'");
+  check_refused(crosscheck({problems, answers, "--by", "kno"}), "no answer has 'kno'; they have 'knob'");
   check_refused(crosscheck({problems, answers, "--size-tolerance", "1"}), "[0, 1)");
   check_refused(crosscheck({problems, answers, "--size-tolerance", "-1"}), "[0, 1)");
   check_refused(crosscheck({problems, answers, "--size-tolerance", "x"}), "--size-tolerance: 'x'");
   check_refused(crosscheck({problems, answers, "-o", answers}), "would be overwritten");
   check_refused(crosscheck({problems, answers, "-o", "-"}), "--format csv");
   check_refused(crosscheck({"-", "-"}), "standard input");
+  check_refused(crosscheck({problems, "--solver", right, "--journal", "-"}), "--journal needs a file");
   check_refused(crosscheck({problems, folder / "missing"}), "cannot be read");
   check_refused(crosscheck({folder / "missing", answers}), "cannot be read");
   check_refused(crosscheck({problems, folder.write("bad.csv", "a,b\n")}), "no column id");
@@ -363,15 +365,17 @@ TEST_CASE("a journal keeps failures and sizes, and belongs to its suite", "[cli]
   check_refused(crosscheck({"-", "--solver", right, "--journal", "/dev/null"}, small), "regular file");
 }
 
-TEST_CASE("a run that is interrupted takes its solvers with it", "[cli]") {
+TEST_CASE("a run that is interrupted takes its solvers with it, which is no answer of theirs", "[cli]") {
   const TemporaryFolder folder;
-  for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
-    const std::string pid = folder / std::to_string(signal);
-    Process process(MDM_PROGRAM,
-                    {"crosscheck", suite, "--solver", "echo $$ > '" + pid + "'; exec sleep 1000"});
-    REQUIRE(wait_for_lines(pid, 1));
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) {
+    const std::string pids = folder / std::to_string(signal), journal = pids + ".jsonl";
+    Process process(MDM_PROGRAM, {"crosscheck", suite, "-j", "2", "--journal", journal, "--solver",
+                                  "echo $$ >> '" + pids + "'; exec sleep 1000"});
+    REQUIRE(wait_for_lines(pids, 2));
     process.signal(signal);
     CHECK(process.end().signal == signal);
-    CHECK(wait_until_gone(lines_of(read_file(pid))[0]));
+    for (const std::string &pid : lines_of(read_file(pids)))
+      CHECK(wait_until_gone(pid));
+    CHECK(read_file(journal).empty());
   }
 }
