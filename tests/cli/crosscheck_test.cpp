@@ -310,7 +310,7 @@ TEST_CASE("a run that was killed goes on where it was", "[cli]") {
   const std::string journal = folder / "journal.jsonl", log = folder / "log", out = folder / "rows.csv";
   // Hangs at the third problem until there is the file `go`.
   const std::string solver = "cd '" + (folder / "") + "'; echo $$ >> log; [ $(wc -l < log) = 3 ] && " +
-                             "[ ! -e go ] && sleep 1000; " + right;
+                             "[ ! -e go ] && exec sleep 1000; " + right;
   const Arguments arguments = {"crosscheck", file, "--solver", solver, "--journal", journal, "-o", out};
   {
     Process process(MDM_PROGRAM, arguments);
