@@ -25,9 +25,9 @@ struct ChildEnd {
 ChildEnd run_child(const std::string &command, std::string_view input, std::chrono::milliseconds time_limit,
                    std::size_t most_output);
 
-/// Lets SIGINT, SIGTERM and SIGHUP, which end this program, also kill the programs that run_child runs: they
-/// are in groups of their own and would not see them. Where this program is ended by SIGKILL, the kernel ends
-/// their shells, not what these have started.
+/// Lets SIGINT, SIGTERM and SIGHUP, which end this program, first kill the programs that run_child runs: they
+/// are in groups of their own and would not see them. Call once. Where this program is ended by SIGKILL, the
+/// kernel ends their shells, not what these have started.
 void kill_children_on_signals();
 
 } // namespace mdm::cli

@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "files.hpp"
+#include "option_values.hpp"
 #include "progress.hpp"
 #include "solver.hpp"
 
@@ -30,8 +31,7 @@ struct CrosscheckCommand {
   std::string suite;
   std::optional<std::string> answers, solver, by, journal, out;
   std::string size_tolerance = "1e-9";
-  std::optional<std::string> time_limit;
-  std::optional<std::uint64_t> max_steps;
+  std::optional<std::string> time_limit, max_steps;
   std::string format = "text";
   unsigned threads = 1;
   bool reasons = false;
@@ -53,7 +53,8 @@ class Suite {
 public:
   Suite(const CrosscheckCommand &command, Judge judge)
       : command_(command), judge_(std::move(judge)), lines_(command.suite) {
-    limits_.max_steps = command.max_steps;
+    if (command.max_steps)
+      limits_.max_steps = natural64("--max-steps", *command.max_steps);
   }
 
   /// Calls give(rows) for each line that is not blank.
@@ -115,7 +116,7 @@ private:
   static CrosscheckRow bad_problem(std::string id, std::string reason) {
     CrosscheckRow row;
     row.id = std::move(id);
-    row.verdict = Verdict::bad_problem;
+    row.verdict = AnswerVerdict::bad_problem;
     row.reason = std::move(reason);
     return row;
   }
@@ -144,26 +145,18 @@ private:
 };
 
 Rational read_tolerance(const std::string &text) {
-  try {
-    const Rational r = parse_decimal(text);
-    if (r >= 0 && r < 1)
-      return r;
-  } catch (const InputError &e) {
-    throw InputError(std::string("--size-tolerance: ") + e.what());
-  }
-  throw InputError("--size-tolerance: " + in_quotes(text) + " is not in [0, 1): it is relative to the size");
+  const char *const option = "--size-tolerance";
+  Rational r = not_negative(option, text);
+  if (r >= 1)
+    throw InputError(std::string(option) + ": " + in_quotes(text) +
+                     " is not below 1: it is a part of the size, such as 1e-9");
+  return r;
 }
 
 std::chrono::milliseconds read_time_limit(const std::string &text) {
-  constexpr std::int64_t a_year = 366LL * 24 * 3600 * 1000;
-  try {
-    const Integer milliseconds = ceil(Rational(parse_decimal(text) * 1000));
-    if (milliseconds > 0)
-      return std::chrono::milliseconds(static_cast<std::int64_t>(std::min(milliseconds, Integer(a_year))));
-  } catch (const InputError &e) {
-    throw InputError(std::string("--time-limit: ") + e.what());
-  }
-  throw InputError("--time-limit: " + in_quotes(text) + " is not above 0 seconds");
+  const Integer a_year = 366LL * 24 * 3600 * 1000;
+  const Integer milliseconds = ceil(Rational(positive("--time-limit", text) * 1000));
+  return std::chrono::milliseconds(static_cast<std::int64_t>(std::min(milliseconds, a_year)));
 }
 
 void check_options(const CrosscheckCommand &c) {
@@ -189,49 +182,30 @@ void check_options(const CrosscheckCommand &c) {
 /// Rows as they come, and what stands around them.
 class Report {
 public:
-  Report(const CrosscheckCommand &command, const Rational &size_tolerance) : command_(command) {
-    columns_ = {command.by.value_or(""), command.reasons};
+  Report(const CrosscheckCommand &command, Rational size_tolerance)
+      : command_(command),
+        size_tolerance_(std::move(size_tolerance)), columns_{command.by.value_or(""), command.reasons} {
     if (command.format != "text" || command.out)
       rows_to_.emplace(command.out.value_or("-"));
-    if (command.format == "json")
-      rows_to_->write(fmt::format(
-          R"({{"schema":"mdm-crosscheck-1","suite":{},"answers":{},"solver":{},"by":{},"size_tolerance":"{}","rows":[)",
-          json_string(command.suite), json(command.answers), json(command.solver), json(command.by),
-          to_string(size_tolerance)));
-    else if (rows_to_)
-      rows_to_->write(crosscheck_csv_header(columns_));
   }
 
   void add(const Rows &rows) {
     for (const CrosscheckRow &row : rows) {
-      const bool first = summary_.settings().empty();
+      if (rows_to_)
+        rows_to_->write(before_row() + (json() ? crosscheck_json(row, command_.by.has_value())
+                                               : crosscheck_csv(row, columns_)));
       summary_.add(row);
-      if (command_.format == "json")
-        rows_to_->write((first ? "\n" : ",\n") + crosscheck_json(row, command_.by.has_value()));
-      else if (rows_to_)
-        rows_to_->write(crosscheck_csv(row, columns_));
     }
   }
 
-  void end(std::uint64_t problems, const std::vector<std::string> &notes) {
-    if (command_.format == "json") {
-      rows_to_->write(R"(],"summary":)" + summary_.json(command_.by.has_value()) + R"(,"notes":[)");
-      for (std::size_t i = 0; i < notes.size(); ++i)
-        rows_to_->write((i == 0 ? "" : ",") + json_string(notes[i]));
-      rows_to_->write(R"(],"versions":{)");
-      for (std::size_t i = 0; i < versions().size(); ++i)
-        rows_to_->write((i == 0 ? "" : ",") + json_string(versions()[i].first) + ":" +
-                        json_string(versions()[i].second));
-      rows_to_->write("}}\n");
-    }
+  void end(std::uint64_t gradations, const std::vector<std::string> &notes) {
+    if (rows_to_ && summary_.settings().empty())
+      rows_to_->write(head());
+    if (json())
+      rows_to_->write(tail(notes));
     if (command_.format == "text") {
       Output out("-");
-      std::string text = fmt::format("{}: {} {}\n\n", printable(shown_name(command_.suite)), problems,
-                                     problems == 1 ? "gradation" : "gradations") +
-                         summary_.text(columns_);
-      for (const std::string &note : notes)
-        text += "  note: " + note + "\n";
-      out.write(text);
+      out.write(text(gradations, notes));
       out.commit();
     } else if (command_.format == "csv" && !command_.quiet) {
       for (const std::string &note : notes)
@@ -242,23 +216,57 @@ public:
   }
 
   int exit_code() const {
-    if (summary_.count(Verdict::bad_problem) > 0)
+    if (summary_.count(AnswerVerdict::bad_problem) > 0)
       return Exit::bad_input;
-    if (summary_.count(Verdict::undecided) > 0)
+    if (summary_.count(AnswerVerdict::undecided) > 0)
       return Exit::limited;
-    for (const Verdict v : verdicts)
-      if (v != Verdict::minimal && (v != Verdict::larger || command_.require_minimal) &&
+    for (const AnswerVerdict v : answer_verdicts)
+      if (v != AnswerVerdict::minimal && (v != AnswerVerdict::larger || command_.require_minimal) &&
           summary_.count(v) > 0)
         return Exit::negative;
     return Exit::done;
   }
 
 private:
-  static std::string json(const std::optional<std::string> &text) {
+  bool json() const { return command_.format == "json"; }
+
+  static std::string or_null(const std::optional<std::string> &text) {
     return text ? json_string(*text) : "null";
   }
 
+  /// Nothing is written before the first row, as the suite may turn out not to be readable.
+  std::string before_row() const {
+    const bool first = summary_.settings().empty();
+    return (first ? head() : json() ? "," : "") + (json() ? "\n" : "");
+  }
+
+  std::string head() const {
+    if (!json())
+      return crosscheck_csv_header(columns_);
+    return fmt::format(R"({{"schema":"mdm-crosscheck-1","suite":{},"answers":{},"solver":{},"by":{},)"
+                       R"("size_tolerance":"{}","rows":[)",
+                       json_string(command_.suite), or_null(command_.answers), or_null(command_.solver),
+                       or_null(command_.by), to_string(size_tolerance_));
+  }
+
+  std::string tail(const std::vector<std::string> &notes) const {
+    std::string text = R"(],"summary":)" + summary_.json(command_.by.has_value()) + R"(,"notes":[)";
+    for (std::size_t i = 0; i < notes.size(); ++i)
+      text += (i == 0 ? "" : ",") + json_string(notes[i]);
+    return text + R"(],"versions":)" + versions_json() + "}\n";
+  }
+
+  std::string text(std::uint64_t gradations, const std::vector<std::string> &notes) const {
+    std::string text = fmt::format("{}: {} {}\n\n", printable(shown_name(command_.suite)), gradations,
+                                   gradations == 1 ? "gradation" : "gradations") +
+                       summary_.text(columns_);
+    for (const std::string &note : notes)
+      text += "  note: " + note + "\n";
+    return text;
+  }
+
   const CrosscheckCommand &command_;
+  Rational size_tolerance_;
   CrosscheckColumns columns_;
   std::optional<Output> rows_to_;
   CrosscheckSummary summary_;

@@ -39,28 +39,28 @@ OtherAnswer Solver::answer(const Gradation &g, std::uint64_t line) {
 }
 
 OtherAnswer Solver::ask(const Gradation &g) const {
-  const auto failed = [](Verdict failure, const std::string &reason) {
+  const auto failed = [](AnswerVerdict failure, const std::string &reason) {
     return failed_answer("", failure, reason);
   };
   const ChildEnd end = run_child(command_, gradation_json(g), time_limit_, most_output);
   switch (end.how) {
   case ChildEnd::How::timed_out:
-    return failed(Verdict::timeout,
+    return failed(AnswerVerdict::timeout,
                   fmt::format("no end within {} s", decimal_string(time_limit_.count(), 3)));
   case ChildEnd::How::too_much_output:
-    return failed(Verdict::garbage, "more than 64 MiB of output");
+    return failed(AnswerVerdict::garbage, "more than 64 MiB of output");
   case ChildEnd::How::signalled:
-    return failed(Verdict::crashed, fmt::format("signal {}{}", end.code, said(end)));
+    return failed(AnswerVerdict::crashed, fmt::format("signal {}{}", end.code, said(end)));
   case ChildEnd::How::exited:
     break;
   }
   if (end.code != 0)
-    return failed(Verdict::crashed, fmt::format("exit code {}{}", end.code, said(end)));
+    return failed(AnswerVerdict::crashed, fmt::format("exit code {}{}", end.code, said(end)));
   if (end.output.find_first_not_of(" \t\r\n") == std::string::npos)
-    return failed(Verdict::no_answer, "no output" + said(end));
+    return failed(AnswerVerdict::no_answer, "no output" + said(end));
   OtherAnswer answer = json_answer(end.output);
   if (!answer.id.empty() && answer.id != g.id())
-    return failed(Verdict::garbage, "the answer is for " + in_quotes(answer.id));
+    return failed(AnswerVerdict::garbage, "the answer is for " + in_quotes(answer.id));
   return answer;
 }
 

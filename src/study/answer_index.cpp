@@ -18,7 +18,7 @@ AnswerIndex::AnswerIndex(std::vector<OtherAnswer> answers, std::optional<std::st
   for (std::size_t i = 0; i < answers_.size(); ++i) {
     const OtherAnswer &answer = answers_[i];
     (answer.id.empty() ? without_id_ : by_id_[answer.id].answers).push_back(i);
-    if (answer.failure != Verdict::garbage && place(setting_of(answer)) == settings_.size())
+    if (answer.failure != AnswerVerdict::garbage && place(setting_of(answer)) == settings_.size())
       settings_.push_back(setting_of(answer));
   }
   if (settings_.empty())
@@ -51,7 +51,7 @@ std::vector<CrosscheckRow> AnswerIndex::judge(const Crosscheck &problem,
       answered[place(rows.back().setting)] = true;
     }
   }
-  const OtherAnswer none = failed_answer("", Verdict::no_answer, "there is none with this id");
+  const OtherAnswer none = failed_answer("", AnswerVerdict::no_answer, "there is none with this id");
   for (std::size_t s = 0; s < settings_.size(); ++s)
     if (!answered[s])
       add(none, settings_[s]);
@@ -66,8 +66,8 @@ std::vector<CrosscheckRow> AnswerIndex::rows_without_id() const {
   for (const std::size_t i : without_id_) {
     CrosscheckRow &row = rows.emplace_back();
     row.setting = setting_of(answers_[i]);
-    row.verdict = Verdict::garbage;
-    row.reason = answers_[i].failure == Verdict::garbage ? answers_[i].reason : "the answer has no id";
+    row.verdict = AnswerVerdict::garbage;
+    row.reason = answers_[i].failure == AnswerVerdict::garbage ? answers_[i].reason : "the answer has no id";
   }
   return rows;
 }

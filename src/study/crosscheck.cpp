@@ -176,16 +176,16 @@ CrosscheckRow Crosscheck::judge(const OtherAnswer &answer, const Rational &size_
   row.max_error = max_error(answer);
   row.reason = mismatch(answer, size_tolerance);
   if (!row.reason.empty()) {
-    row.verdict = Verdict::not_a_match;
+    row.verdict = AnswerVerdict::not_a_match;
   } else if (*row.particles == known) {
-    row.verdict = Verdict::minimal;
+    row.verdict = AnswerVerdict::minimal;
     row.minimum = known;
     row.ratio = 1;
   } else if (row.minimum) {
-    row.verdict = Verdict::larger;
+    row.verdict = AnswerVerdict::larger;
     row.ratio = ratio(*row.particles, known);
   } else {
-    row.verdict = Verdict::undecided;
+    row.verdict = AnswerVerdict::undecided;
     row.reason = "stopped at a limit: the least number is " + to_string(known) + " or more";
   }
   return row;

@@ -37,14 +37,14 @@ std::optional<Rational> percent(const std::optional<Rational> &share) {
 }
 
 bool is_match(const CrosscheckRow &row) {
-  return row.verdict == Verdict::minimal || row.verdict == Verdict::larger;
+  return row.verdict == AnswerVerdict::minimal || row.verdict == AnswerVerdict::larger;
 }
 
 /// Verdicts that a table shows: those that always have a meaning, and those that occurred.
-std::vector<Verdict> shown_verdicts(const CrosscheckSummary &summary) {
-  std::vector<Verdict> shown;
-  for (const Verdict v : verdicts)
-    if (v <= Verdict::not_a_match || summary.count(v) > 0)
+std::vector<AnswerVerdict> shown_verdicts(const CrosscheckSummary &summary) {
+  std::vector<AnswerVerdict> shown;
+  for (const AnswerVerdict v : answer_verdicts)
+    if (v <= AnswerVerdict::not_a_match || summary.count(v) > 0)
       shown.push_back(v);
   return shown;
 }
@@ -119,7 +119,7 @@ void CrosscheckSummary::add(const CrosscheckRow &row) {
     first_bad_.push_back(row);
 }
 
-std::uint64_t CrosscheckSummary::count(Verdict verdict) const {
+std::uint64_t CrosscheckSummary::count(AnswerVerdict verdict) const {
   std::uint64_t n = 0;
   for (const Setting &s : settings_)
     n += s.count(verdict);
@@ -127,9 +127,9 @@ std::uint64_t CrosscheckSummary::count(Verdict verdict) const {
 }
 
 std::string CrosscheckSummary::text(const CrosscheckColumns &columns) const {
-  const std::vector<Verdict> shown = shown_verdicts(*this);
+  const std::vector<AnswerVerdict> shown = shown_verdicts(*this);
   std::vector<std::vector<std::string>> lines = {{printable(columns.setting), "answers"}};
-  for (const Verdict v : shown)
+  for (const AnswerVerdict v : shown)
     lines[0].emplace_back(name(v));
   for (const char *heading : {"N/minimum: least", "1/4", "median", "3/4", "largest"})
     lines[0].emplace_back(heading);
@@ -138,7 +138,7 @@ std::string CrosscheckSummary::text(const CrosscheckColumns &columns) const {
     std::vector<std::string> &line = lines.emplace_back();
     line = {printable(s.name), std::to_string(s.rows())};
     rows += s.rows();
-    for (const Verdict v : shown)
+    for (const AnswerVerdict v : shown)
       line.push_back(std::to_string(s.count(v)));
     if (const std::optional<Quartiles> q = quartiles(s.ratios))
       for (const Rational &ratio : *q)
@@ -147,7 +147,7 @@ std::string CrosscheckSummary::text(const CrosscheckColumns &columns) const {
       line.insert(line.end(), quartile_keys.size(), "-");
   }
   std::string text = table(lines);
-  const std::uint64_t bad = rows - count(Verdict::minimal) - count(Verdict::larger);
+  const std::uint64_t bad = rows - count(AnswerVerdict::minimal) - count(AnswerVerdict::larger);
   if (bad > 0)
     text += bad > first_bad_.size()
                 ? fmt::format("\nnot judged a match, the first {} of {}:\n", first_bad_.size(), bad)
@@ -166,8 +166,8 @@ std::string CrosscheckSummary::json(bool has_setting) const {
     if (has_setting)
       text += R"("setting":)" + json_string(s.name) + ",";
     text += fmt::format(R"("answers":"{}","verdicts":{{)", s.rows());
-    for (const Verdict v : verdicts)
-      text += fmt::format(R"({}"{}":"{}")", v == verdicts.front() ? "" : ",", name(v), s.count(v));
+    for (const AnswerVerdict v : answer_verdicts)
+      text += fmt::format(R"({}"{}":"{}")", v == answer_verdicts.front() ? "" : ",", name(v), s.count(v));
     text += R"(},"ratio":)";
     const std::optional<Quartiles> q = quartiles(s.ratios);
     for (std::size_t i = 0; q && i < quartile_keys.size(); ++i)

@@ -119,15 +119,15 @@ void take_particles(const Json &object, OtherAnswer &answer) {
 void take_failure(const Json &object, OtherAnswer &answer) {
   const std::string status = text_or_empty(object, "status");
   const std::string error = text_or_empty(object, "error");
-  const std::optional<Verdict> named = verdict_named(status);
+  const std::optional<AnswerVerdict> named = answer_verdict_named(status);
   answer.reason = text_or_empty(object, "reason");
-  if (named == Verdict::crashed || named == Verdict::timeout || named == Verdict::garbage) {
+  if (named == AnswerVerdict::crashed || named == AnswerVerdict::timeout || named == AnswerVerdict::garbage) {
     answer.failure = named;
     return;
   }
   const bool says_so = object.contains("status") || object.contains("error") ||
                        object.contains("quantities") || object.contains("classes");
-  answer.failure = says_so ? Verdict::no_answer : Verdict::garbage;
+  answer.failure = says_so ? AnswerVerdict::no_answer : AnswerVerdict::garbage;
   if (!error.empty())
     answer.reason = error;
   else if (!says_so)
@@ -157,7 +157,7 @@ void for_each_word(std::string_view text, Use use) {
 }
 
 /// `answer` without particles; its id and labels stay.
-OtherAnswer failed_with(OtherAnswer answer, Verdict failure, std::string reason) {
+OtherAnswer failed_with(OtherAnswer answer, AnswerVerdict failure, std::string reason) {
   OtherAnswer failed = failed_answer(std::move(answer.id), failure, std::move(reason));
   failed.labels = std::move(answer.labels);
   return failed;
@@ -208,7 +208,7 @@ public:
       for_each_word(fields[*sizes_],
                     [&answer](std::string_view word) { answer.sizes.push_back(stated_size(word, word)); });
     if (answer.quantities.empty())
-      answer = failed_with(std::move(answer), Verdict::no_answer, "there are no quantities");
+      answer = failed_with(std::move(answer), AnswerVerdict::no_answer, "there are no quantities");
   }
 
 private:
@@ -229,7 +229,7 @@ private:
 
 } // namespace
 
-OtherAnswer failed_answer(std::string id, Verdict failure, std::string reason) {
+OtherAnswer failed_answer(std::string id, AnswerVerdict failure, std::string reason) {
   OtherAnswer answer;
   answer.id = std::move(id);
   answer.failure = failure;
@@ -252,7 +252,7 @@ OtherAnswer json_answer(std::string_view text) {
   } catch (const InputError &e) {
     if (answer.id.empty())
       answer.id = json_gradation_id(text).value_or("");
-    return failed_with(std::move(answer), Verdict::garbage, e.what());
+    return failed_with(std::move(answer), AnswerVerdict::garbage, e.what());
   }
 }
 
@@ -310,11 +310,11 @@ std::vector<OtherAnswer> read_answers(std::string_view content, const std::strin
       try {
         table->read(line, answer);
       } catch (const InputError &e) {
-        answer = failed_with(std::move(answer), Verdict::garbage, e.what());
+        answer = failed_with(std::move(answer), AnswerVerdict::garbage, e.what());
       }
     }
     OtherAnswer &answer = answers.back();
-    if (answer.failure == Verdict::garbage)
+    if (answer.failure == AnswerVerdict::garbage)
       answer.reason = fmt::format("{}:{}: {}", printable(file), lines.number(), answer.reason);
   }
   if (!json && !table)

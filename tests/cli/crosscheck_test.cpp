@@ -218,11 +218,11 @@ TEST_CASE("wrong use of crosscheck is refused", "[cli]") {
   check_refused(crosscheck({problems, answers, "--journal", folder / "j"}), "--journal");
   check_refused(crosscheck({problems, answers, "--time-limit", "1"}), "--time-limit");
   check_refused(crosscheck({problems, "--solver", right, "--by", "x"}), "--by");
-  check_refused(crosscheck({problems, "--solver", right, "--time-limit", "0"}), "'0' is not above 0");
+  check_refused(crosscheck({problems, "--solver", right, "--time-limit", "0"}), "'0' is not positive");
   check_refused(crosscheck({problems, "--solver", right, "--time-limit", "x"}), "--time-limit: 'x'");
   check_refused(crosscheck({problems, answers, "--by", "kno"}), "no answer has 'kno'; they have 'knob'");
-  check_refused(crosscheck({problems, answers, "--size-tolerance", "1"}), "[0, 1)");
-  check_refused(crosscheck({problems, answers, "--size-tolerance", "-1"}), "[0, 1)");
+  check_refused(crosscheck({problems, answers, "--size-tolerance", "1"}), "'1' is not below 1");
+  check_refused(crosscheck({problems, answers, "--size-tolerance", "-1"}), "'-1' is negative");
   check_refused(crosscheck({problems, answers, "--size-tolerance", "x"}), "--size-tolerance: 'x'");
   check_refused(crosscheck({problems, answers, "-o", answers}), "would be overwritten");
   check_refused(crosscheck({problems, answers, "-o", "-"}), "--format csv");
@@ -230,6 +230,9 @@ TEST_CASE("wrong use of crosscheck is refused", "[cli]") {
   check_refused(crosscheck({problems, "--solver", right, "--journal", "-"}), "--journal needs a file");
   check_refused(crosscheck({problems, folder / "missing"}), "cannot be read");
   check_refused(crosscheck({folder / "missing", answers}), "cannot be read");
+  check_refused(crosscheck({folder / "", answers, "--format", "csv"}), "cannot be read");
+  check_refused(crosscheck({folder / "", answers, "--format", "json"}), "cannot be read");
+  check_refused(crosscheck({problems, answers, "--max-steps", "x"}), "--max-steps: 'x'");
   check_refused(crosscheck({problems, folder.write("bad.csv", "a,b\n")}), "no column id");
   CHECK(folder.entries() == 3);
 }
@@ -367,15 +370,20 @@ TEST_CASE("a journal keeps failures and sizes, and belongs to its suite", "[cli]
 
 TEST_CASE("a run that is interrupted takes its solvers with it, which is no answer of theirs", "[cli]") {
   const TemporaryFolder folder;
+  std::size_t files = 0;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) {
     const std::string pids = folder / std::to_string(signal), journal = pids + ".jsonl";
-    Process process(MDM_PROGRAM, {"crosscheck", suite, "-j", "2", "--journal", journal, "--solver",
-                                  "echo $$ >> '" + pids + "'; exec sleep 1000"});
+    Process process(MDM_PROGRAM,
+                    {"crosscheck", suite, "-j", "2", "--journal", journal, "-o", folder / "rows.csv",
+                     "--solver", "echo $$ >> '" + pids + "'; exec sleep 1000"});
     REQUIRE(wait_for_lines(pids, 2));
     process.signal(signal);
     CHECK(process.end().signal == signal);
     for (const std::string &pid : lines_of(read_file(pids)))
       CHECK(wait_until_gone(pid));
     CHECK(read_file(journal).empty());
+    files += 2;
+    if (signal != SIGKILL)
+      CHECK(folder.entries() == files);
   }
 }

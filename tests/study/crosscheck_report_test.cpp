@@ -13,14 +13,14 @@ using Json = nlohmann::json;
 
 namespace {
 
-CrosscheckRow row(Verdict verdict, int n, int least, const std::string &setting = "") {
+CrosscheckRow row(AnswerVerdict verdict, int n, int least, const std::string &setting = "") {
   CrosscheckRow r;
   r.id = "a";
   r.setting = setting;
   r.verdict = verdict;
   r.particles = n;
   r.minimum = least;
-  if (verdict == Verdict::minimal || verdict == Verdict::larger)
+  if (verdict == AnswerVerdict::minimal || verdict == AnswerVerdict::larger)
     r.ratio = ratio(n, least);
   return r;
 }
@@ -31,7 +31,7 @@ TEST_CASE("CSV rows have the columns of the contract, others only behind them", 
   CHECK(crosscheck_csv_header({}) == "id,verdict,particles,minimum,ratio,max_error\n");
   CHECK(crosscheck_csv_header({"knob", true}) ==
         "id,verdict,particles,minimum,ratio,max_error,knob,reason\n");
-  CrosscheckRow r = row(Verdict::larger, 20, 3, "0.5");
+  CrosscheckRow r = row(AnswerVerdict::larger, 20, 3, "0.5");
   r.max_error = ratio(1, 300);
   CHECK(crosscheck_csv(r, {}) == "a,larger,20,3,6.66666,0.333333\n");
   CHECK(crosscheck_csv(r, {"knob", false}) == "a,larger,20,3,6.66666,0.333333,0.5\n");
@@ -42,7 +42,7 @@ TEST_CASE("CSV rows have the columns of the contract, others only behind them", 
 }
 
 TEST_CASE("JSON rows have every exact number as a string, and null for what is not known", "[study]") {
-  CrosscheckRow r = row(Verdict::minimal, 3, 3, "s");
+  CrosscheckRow r = row(AnswerVerdict::minimal, 3, 3, "s");
   r.max_error = 0;
   const Json full = Json::parse(crosscheck_json(r, true));
   CHECK(full == Json::parse(R"({"id":"a","setting":"s","verdict":"minimal","particles":"3","minimum":"3",)"
@@ -64,16 +64,16 @@ TEST_CASE("quartiles are order statistics", "[study]") {
 
 TEST_CASE("a summary counts verdicts by setting and shows what is no match", "[study]") {
   CrosscheckSummary summary;
-  summary.add(row(Verdict::larger, 3, 2, "b"));
-  summary.add(row(Verdict::minimal, 2, 2, "a"));
-  summary.add(row(Verdict::minimal, 2, 2, "b"));
-  summary.add(row(Verdict::crashed, 2, 2, "a"));
+  summary.add(row(AnswerVerdict::larger, 3, 2, "b"));
+  summary.add(row(AnswerVerdict::minimal, 2, 2, "a"));
+  summary.add(row(AnswerVerdict::minimal, 2, 2, "b"));
+  summary.add(row(AnswerVerdict::crashed, 2, 2, "a"));
   REQUIRE(summary.settings().size() == 2);
   CHECK(summary.settings()[0].name == "b");
   CHECK(summary.settings()[0].rows() == 2);
-  CHECK(summary.settings()[0].count(Verdict::larger) == 1);
-  CHECK(summary.count(Verdict::minimal) == 2);
-  CHECK(summary.count(Verdict::timeout) == 0);
+  CHECK(summary.settings()[0].count(AnswerVerdict::larger) == 1);
+  CHECK(summary.count(AnswerVerdict::minimal) == 2);
+  CHECK(summary.count(AnswerVerdict::timeout) == 0);
   const std::string text = summary.text({"knob", false});
   INFO(text);
   CHECK(text.find("knob") != std::string::npos);
@@ -85,7 +85,7 @@ TEST_CASE("a summary counts verdicts by setting and shows what is no match", "[s
   CHECK(json[0].at("setting") == "b");
   CHECK(json[0].at("answers") == "2");
   CHECK(json[0].at("verdicts").at("larger") == "1");
-  CHECK(json[0].at("verdicts").size() == verdict_count);
+  CHECK(json[0].at("verdicts").size() == answer_verdict_count);
   CHECK(json[0].at("ratio").at("largest") == "1.5");
   CrosscheckSummary empty;
   CHECK(empty.json(false) == "[]");
@@ -96,7 +96,7 @@ TEST_CASE("a summary counts verdicts by setting and shows what is no match", "[s
 TEST_CASE("a summary shows ten rows at most", "[study]") {
   CrosscheckSummary summary;
   for (int i = 0; i < 25; ++i)
-    summary.add(row(Verdict::garbage, 1, 1));
+    summary.add(row(AnswerVerdict::garbage, 1, 1));
   const std::string text = summary.text({});
   CHECK(text.find("the first 10 of 25") != std::string::npos);
   CHECK(std::count(text.begin(), text.end(), '\n') == 14);

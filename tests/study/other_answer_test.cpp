@@ -22,7 +22,7 @@ OtherAnswer csv(const std::string &header, const std::string &row) {
 
 void check_garbage(const OtherAnswer &answer, const std::string &part) {
   INFO(answer.reason);
-  CHECK(answer.failure == Verdict::garbage);
+  CHECK(answer.failure == AnswerVerdict::garbage);
   CHECK(answer.quantities.empty());
   CHECK(answer.sizes.empty());
   CHECK(answer.reason.find(part) != std::string::npos);
@@ -80,7 +80,7 @@ TEST_CASE("a CSV row that cannot be read is garbage with its line, and keeps its
 
 TEST_CASE("a CSV row without quantities is no answer", "[study]") {
   const OtherAnswer a = csv("id,quantities,sizes_mm,knob", "a,,,7");
-  CHECK(a.failure == Verdict::no_answer);
+  CHECK(a.failure == AnswerVerdict::no_answer);
   CHECK(a.labels.at("knob") == "7");
 }
 
@@ -128,21 +128,21 @@ TEST_CASE("an mdm-answer-1 gives all classes with their enclosures", "[study]") 
 }
 
 TEST_CASE("JSON without quantities says why", "[study]") {
-  const auto check = [](const std::string &text, Verdict failure, const std::string &reason) {
+  const auto check = [](const std::string &text, AnswerVerdict failure, const std::string &reason) {
     const OtherAnswer a = json_answer(text);
     INFO(text);
     CHECK(a.failure == failure);
     CHECK(a.reason == reason);
     CHECK(a.id == "x");
   };
-  check(R"({"id":"x","status":"error","error":"too hard"})", Verdict::no_answer, "too hard");
-  check(R"({"id":"x","status":"none","classes":[{"quantity":null,"size":null}]})", Verdict::no_answer,
+  check(R"({"id":"x","status":"error","error":"too hard"})", AnswerVerdict::no_answer, "too hard");
+  check(R"({"id":"x","status":"none","classes":[{"quantity":null,"size":null}]})", AnswerVerdict::no_answer,
         "status none");
-  check(R"({"id":"x","quantities":[]})", Verdict::no_answer, "there are no quantities");
-  check(R"({"id":"x","quantities":null})", Verdict::no_answer, "there are no quantities");
-  check(R"({"id":"x","status":"crashed","reason":"signal 11"})", Verdict::crashed, "signal 11");
-  check(R"({"id":"x","status":"timeout","reason":"r"})", Verdict::timeout, "r");
-  check(R"({"id":"x","n":3})", Verdict::garbage, "there is neither \"quantities\" nor \"classes\"");
+  check(R"({"id":"x","quantities":[]})", AnswerVerdict::no_answer, "there are no quantities");
+  check(R"({"id":"x","quantities":null})", AnswerVerdict::no_answer, "there are no quantities");
+  check(R"({"id":"x","status":"crashed","reason":"signal 11"})", AnswerVerdict::crashed, "signal 11");
+  check(R"({"id":"x","status":"timeout","reason":"r"})", AnswerVerdict::timeout, "r");
+  check(R"({"id":"x","n":3})", AnswerVerdict::garbage, "there is neither \"quantities\" nor \"classes\"");
 }
 
 TEST_CASE("JSON that cannot be read is garbage", "[study]") {
@@ -198,8 +198,8 @@ TEST_CASE("an answer's line is read back as it was", "[study]") {
   CHECK(b.sizes[0]->hi * b.unit_mm == ratio(508, 100));
   CHECK(!b.sizes[1]);
   CHECK(b.labels.at("solver") == "x \"y\"");
-  const OtherAnswer c = json_answer(answer_line(failed_answer("i", Verdict::garbage, "no\nsense"), {}));
-  CHECK(c.failure == Verdict::garbage);
+  const OtherAnswer c = json_answer(answer_line(failed_answer("i", AnswerVerdict::garbage, "no\nsense"), {}));
+  CHECK(c.failure == AnswerVerdict::garbage);
   CHECK(c.reason == "no\nsense");
   CHECK(c.id == "i");
 }

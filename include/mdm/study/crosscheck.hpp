@@ -11,7 +11,7 @@ namespace mdm {
 struct CrosscheckRow {
   std::string id;
   std::string setting; ///< the label that groups answers, or empty
-  Verdict verdict = Verdict::no_answer;
+  AnswerVerdict verdict = AnswerVerdict::no_answer;
   std::optional<Integer> particles; ///< N of the answer
   std::optional<Integer> minimum;   ///< the least N of any match
   std::optional<Rational> ratio;    ///< particles / minimum, of a match

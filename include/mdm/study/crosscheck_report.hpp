@@ -30,9 +30,9 @@ class CrosscheckSummary {
 public:
   struct Setting {
     std::string name;
-    std::array<std::uint64_t, verdict_count> counts{};
+    std::array<std::uint64_t, answer_verdict_count> counts{};
     std::vector<Rational> ratios; ///< of matches
-    std::uint64_t count(Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
+    std::uint64_t count(AnswerVerdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
     std::uint64_t rows() const;
   };
 
@@ -40,7 +40,7 @@ public:
   /// In the order in which they came.
   const std::vector<Setting> &settings() const { return settings_; }
   /// Rows of all settings with the verdict.
-  std::uint64_t count(Verdict verdict) const;
+  std::uint64_t count(AnswerVerdict verdict) const;
 
   /// A table with a line a setting, and the first rows that are no match with their reasons.
   std::string text(const CrosscheckColumns &columns) const;

@@ -3,7 +3,7 @@
 /// Answers of other solvers, as read.
 
 #include <mdm/number/rational.hpp>
-#include <mdm/study/verdict.hpp>
+#include <mdm/study/answer_verdict.hpp>
 
 #include <map>
 #include <string>
@@ -21,7 +21,7 @@ struct OtherAnswer {
   std::string id;                            ///< of the gradation; empty if it could not be read
   std::map<std::string, std::string> labels; ///< other columns or keys with a text or a number, by name
   /// Why there are no particles, if there are none, and the details; else nothing.
-  std::optional<Verdict> failure;
+  std::optional<AnswerVerdict> failure;
   std::string reason;
 
   std::vector<Integer> quantities; ///< >= 0, one a class with mass or one a class
@@ -31,7 +31,7 @@ struct OtherAnswer {
 };
 
 /// An answer that is none.
-OtherAnswer failed_answer(std::string id, Verdict failure, std::string reason);
+OtherAnswer failed_answer(std::string id, AnswerVerdict failure, std::string reason);
 
 /// An answer from its JSON: an mdm-answer-1, or {"id", "quantities": [...], "sizes": [...], "unit": "mm"}, of
 /// which only quantities is needed. Numbers are JSON numbers or strings and read from their text; a size is

@@ -9,7 +9,7 @@
 
 namespace mdm {
 
-enum class Verdict {
+enum class AnswerVerdict {
   minimal,     ///< a match with the least number of particles
   larger,      ///< a match with more particles than are needed
   not_a_match, ///< no particles of these quantities (and sizes) match the gradation
@@ -21,17 +21,18 @@ enum class Verdict {
   bad_problem  ///< the suite's own line is no gradation: there was nothing to answer
 };
 
-inline constexpr std::size_t verdict_count = 9;
+inline constexpr std::size_t answer_verdict_count = 9;
 
 /// All of them, in the order of reports.
-inline constexpr std::array<Verdict, verdict_count> verdicts = {
-    Verdict::minimal, Verdict::larger,  Verdict::not_a_match, Verdict::undecided,  Verdict::no_answer,
-    Verdict::garbage, Verdict::crashed, Verdict::timeout,     Verdict::bad_problem};
+inline constexpr std::array<AnswerVerdict, answer_verdict_count> answer_verdicts = {
+    AnswerVerdict::minimal,   AnswerVerdict::larger,    AnswerVerdict::not_a_match,
+    AnswerVerdict::undecided, AnswerVerdict::no_answer, AnswerVerdict::garbage,
+    AnswerVerdict::crashed,   AnswerVerdict::timeout,   AnswerVerdict::bad_problem};
 
 /// As reports write it, for example `not-a-match`.
-std::string_view name(Verdict verdict);
+std::string_view name(AnswerVerdict verdict);
 
 /// The verdict of that name.
-std::optional<Verdict> verdict_named(std::string_view text);
+std::optional<AnswerVerdict> answer_verdict_named(std::string_view text);
 
 } // namespace mdm
