@@ -23,6 +23,7 @@ using Run = std::function<int()>;
 Run add_solve(CLI::App &app);
 Run add_batch(CLI::App &app);
 Run add_convert(CLI::App &app);
+Run add_crosscheck(CLI::App &app);
 Run add_verify(CLI::App &app);
 Run add_describe(CLI::App &app);
 

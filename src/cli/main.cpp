@@ -51,6 +51,7 @@ std::vector<Command> add_commands(CLI::App &app) {
   std::vector<Command> commands;
   for (Run (*const add)(CLI::App &) : {add_solve, add_batch, add_convert, add_verify}) {
   for (Run (*const add)(CLI::App &) : {add_solve, add_batch, add_convert, add_describe}) {
+  for (Run (*const add)(CLI::App &) : {add_solve, add_batch, add_convert, add_crosscheck, add_verify}) {
     Run run = add(app);
     commands.push_back({app.get_subcommands({}).back(), std::move(run)});
   }

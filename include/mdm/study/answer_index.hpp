@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// The answers of a file, by the gradation that they are for.
+
+#include <mdm/study/crosscheck.hpp>
+
+#include <atomic>
+#include <unordered_map>
+
+namespace mdm {
+
+/// Answers by id and by setting: the value of the label `by`, or one setting for all without it. The settings
+/// are those of the answers that could be read, in the order of the file.
+class AnswerIndex {
+public:
+  /// \throws InputError if no answer has the label
+  explicit AnswerIndex(std::vector<OtherAnswer> answers, std::optional<std::string> by = std::nullopt);
+
+  /// Judges the answers with the gradation's id: rows by setting, each in the order of the file; `no-answer`
+  /// for a setting that has none. Several threads may call it.
+  std::vector<CrosscheckRow> judge(const Crosscheck &problem, const Rational &size_tolerance) const;
+
+  /// Rows of the answers that have no id that could be read.
+  std::vector<CrosscheckRow> rows_without_id() const;
+
+  /// What deserves a word after the last gradation: ids that came in no judge(), ids with several answers.
+  std::vector<std::string> notes() const;
+
+private:
+  struct Entry {
+    std::vector<std::size_t> answers;       ///< positions
+    mutable std::atomic<bool> asked{false}; ///< a gradation had this id
+  };
+
+  std::string setting_of(const OtherAnswer &answer) const;
+  std::size_t place(const std::string &setting) const;
+  std::string labels() const;
+  bool has_several(const Entry &entry) const;
+
+  std::vector<OtherAnswer> answers_;
+  std::optional<std::string> by_;
+  std::unordered_map<std::string, Entry> by_id_;
+  std::vector<std::size_t> without_id_;
+  std::vector<std::string> settings_;
+};
+
+} // namespace mdm

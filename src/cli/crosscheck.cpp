@@ -1,0 +1,393 @@
+#include "commands.hpp"
+#include "files.hpp"
+#include "option_values.hpp"
+#include "progress.hpp"
+#include "solver.hpp"
+
+#include <mdm/error.hpp>
+#include <mdm/gradation/read_gradation.hpp>
+#include <mdm/json_text.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/report/versions.hpp>
+#include <mdm/study/answer_index.hpp>
+#include <mdm/study/crosscheck_report.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace mdm::cli {
+namespace {
+
+struct CrosscheckCommand {
+  std::string suite;
+  std::optional<std::string> answers, solver, by, journal, out;
+  std::string size_tolerance = "1e-9";
+  std::optional<std::string> time_limit, max_steps;
+  std::string format = "text";
+  unsigned threads = 1;
+  bool reasons = false;
+  bool require_minimal = false;
+  bool quiet = false;
+};
+
+std::string shown_name(const std::string &path) {
+  return path == "-" ? "stdin" : path;
+}
+
+using Rows = std::vector<CrosscheckRow>;
+
+/// Rows for the gradation in a line of the suite.
+using Judge = std::function<Rows(const Crosscheck &, std::uint64_t line)>;
+
+/// The lines of a suite, worked on by several threads, their rows given out in order.
+class Suite {
+public:
+  Suite(const CrosscheckCommand &command, Judge judge)
+      : command_(command), judge_(std::move(judge)), lines_(command.suite) {
+    if (command.max_steps)
+      limits_.max_steps = natural64("--max-steps", *command.max_steps);
+  }
+
+  /// Calls give(rows) for each line that is not blank.
+  template <class Give>
+  void run(Give give) {
+    const auto work = [this, &give] {
+      try {
+        while (const std::optional<Numbered> line = take())
+          finish(line->number, rows(line->text, line->number), give);
+      } catch (...) { // no bad line, but the end of the run
+        const std::lock_guard lock(input_mutex_);
+        failure_ = std::current_exception();
+      }
+    };
+    std::vector<std::thread> helpers;
+    for (unsigned t = 1; t < command_.threads; ++t)
+      helpers.emplace_back(work);
+    work();
+    for (std::thread &helper : helpers)
+      helper.join();
+    if (failure_)
+      std::rethrow_exception(failure_);
+  }
+
+  std::uint64_t done() const { return done_; }
+
+private:
+  struct Numbered {
+    std::uint64_t number;
+    Lines::Line text;
+  };
+
+  std::optional<Numbered> take() {
+    const std::lock_guard lock(input_mutex_);
+    if (failure_)
+      return std::nullopt;
+    std::vector<Lines::Line> next = lines_.next(1);
+    if (next.empty())
+      return std::nullopt;
+    return Numbered{++taken_, std::move(next.front())};
+  }
+
+  Rows rows(const Lines::Line &line, std::uint64_t number) {
+    const std::string fallback = std::to_string(number);
+    const std::string where = shown_name(command_.suite) + ":" + fallback;
+    if (!line)
+      return {bad_problem(fallback, where + ": the line has more than 64 MiB")};
+    if (line->find_first_not_of(" \t\r") == std::string::npos)
+      return {};
+    std::optional<Crosscheck> problem;
+    try {
+      problem.emplace(read_json_gradation(*line, where, fallback), limits_);
+    } catch (const InputError &e) {
+      return {bad_problem(json_gradation_id(*line).value_or(fallback), e.what())};
+    }
+    return judge_(*problem, number);
+  }
+
+  static CrosscheckRow bad_problem(std::string id, std::string reason) {
+    CrosscheckRow row;
+    row.id = std::move(id);
+    row.verdict = AnswerVerdict::bad_problem;
+    row.reason = std::move(reason);
+    return row;
+  }
+
+  template <class Give>
+  void finish(std::uint64_t number, Rows rows, Give &give) {
+    const std::lock_guard lock(output_mutex_);
+    waiting_.emplace(number, std::move(rows));
+    for (auto next = waiting_.begin(); next != waiting_.end() && next->first == done_ + 1;
+         next = waiting_.erase(next)) {
+      give(next->second);
+      ++done_;
+    }
+  }
+
+  const CrosscheckCommand &command_;
+  Judge judge_;
+  Limits limits_;
+  std::mutex input_mutex_;
+  Lines lines_;
+  std::uint64_t taken_ = 0;
+  std::exception_ptr failure_;
+  std::mutex output_mutex_;
+  std::map<std::uint64_t, Rows> waiting_; ///< for the rows of a line before them
+  std::atomic<std::uint64_t> done_ = 0;
+};
+
+Rational read_tolerance(const std::string &text) {
+  const char *const option = "--size-tolerance";
+  Rational r = not_negative(option, text);
+  if (r >= 1)
+    throw InputError(std::string(option) + ": " + in_quotes(text) +
+                     " is not below 1: it is a part of the size, such as 1e-9");
+  return r;
+}
+
+std::chrono::milliseconds read_time_limit(const std::string &text) {
+  const Integer a_year = 366LL * 24 * 3600 * 1000;
+  const Integer milliseconds = ceil(Rational(positive("--time-limit", text) * 1000));
+  return std::chrono::milliseconds(static_cast<std::int64_t>(std::min(milliseconds, a_year)));
+}
+
+void check_options(const CrosscheckCommand &c) {
+  if (c.answers.has_value() == c.solver.has_value())
+    throw InputError("crosscheck: give either a file of ANSWERS or a program with --solver");
+  if (c.answers && (c.journal || c.time_limit))
+    throw InputError("--journal and --time-limit are for --solver: a file is judged in one go");
+  if (c.solver && c.by)
+    throw InputError("--by is for a file of ANSWERS: a solver answers once");
+  if (c.answers == "-" && c.suite == "-")
+    throw InputError("standard input cannot be both SUITE and ANSWERS: name a file for one of them");
+  if (c.format == "text" && c.out == "-")
+    throw InputError("-o -: standard output has the summary: use --format csv");
+  if (c.journal == "-")
+    throw InputError("--journal needs a file: name one");
+  std::vector<std::string> paths = {c.suite};
+  for (const std::optional<std::string> &path : {c.answers, c.journal, c.out})
+    if (path)
+      paths.push_back(*path);
+  check_distinct(paths);
+}
+
+/// Rows as they come, and what stands around them.
+class Report {
+public:
+  Report(const CrosscheckCommand &command, Rational size_tolerance)
+      : command_(command),
+        size_tolerance_(std::move(size_tolerance)), columns_{command.by.value_or(""), command.reasons} {
+    if (command.format != "text" || command.out)
+      rows_to_.emplace(command.out.value_or("-"));
+  }
+
+  void add(const Rows &rows) {
+    for (const CrosscheckRow &row : rows) {
+      if (rows_to_)
+        rows_to_->write(before_row() + (json() ? crosscheck_json(row, command_.by.has_value())
+                                               : crosscheck_csv(row, columns_)));
+      summary_.add(row);
+    }
+  }
+
+  void end(std::uint64_t gradations, const std::vector<std::string> &notes) {
+    if (rows_to_ && summary_.settings().empty())
+      rows_to_->write(head());
+    if (json())
+      rows_to_->write(tail(notes));
+    if (command_.format == "text") {
+      Output out("-");
+      out.write(text(gradations, notes));
+      out.commit();
+    } else if (command_.format == "csv" && !command_.quiet) {
+      for (const std::string &note : notes)
+        tell("note: " + note + "\n");
+    }
+    if (rows_to_)
+      rows_to_->commit();
+  }
+
+  int exit_code() const {
+    if (summary_.count(AnswerVerdict::bad_problem) > 0)
+      return Exit::bad_input;
+    if (summary_.count(AnswerVerdict::undecided) > 0)
+      return Exit::limited;
+    for (const AnswerVerdict v : answer_verdicts)
+      if (v != AnswerVerdict::minimal && (v != AnswerVerdict::larger || command_.require_minimal) &&
+          summary_.count(v) > 0)
+        return Exit::negative;
+    return Exit::done;
+  }
+
+private:
+  bool json() const { return command_.format == "json"; }
+
+  static std::string or_null(const std::optional<std::string> &text) {
+    return text ? json_string(*text) : "null";
+  }
+
+  /// Nothing is written before the first row, as the suite may turn out not to be readable.
+  std::string before_row() const {
+    const bool first = summary_.settings().empty();
+    return (first ? head() : json() ? "," : "") + (json() ? "\n" : "");
+  }
+
+  std::string head() const {
+    if (!json())
+      return crosscheck_csv_header(columns_);
+    return fmt::format(R"({{"schema":"mdm-crosscheck-1","suite":{},"answers":{},"solver":{},"by":{},)"
+                       R"("size_tolerance":"{}","rows":[)",
+                       json_string(command_.suite), or_null(command_.answers), or_null(command_.solver),
+                       or_null(command_.by), to_string(size_tolerance_));
+  }
+
+  std::string tail(const std::vector<std::string> &notes) const {
+    std::string text = R"(],"summary":)" + summary_.json(command_.by.has_value()) + R"(,"notes":[)";
+    for (std::size_t i = 0; i < notes.size(); ++i)
+      text += (i == 0 ? "" : ",") + json_string(notes[i]);
+    return text + R"(],"versions":)" + versions_json() + "}\n";
+  }
+
+  std::string text(std::uint64_t gradations, const std::vector<std::string> &notes) const {
+    std::string text = fmt::format("{}: {} {}\n\n", printable(shown_name(command_.suite)), gradations,
+                                   gradations == 1 ? "gradation" : "gradations") +
+                       summary_.text(columns_);
+    for (const std::string &note : notes)
+      text += "  note: " + note + "\n";
+    return text;
+  }
+
+  const CrosscheckCommand &command_;
+  Rational size_tolerance_;
+  CrosscheckColumns columns_;
+  std::optional<Output> rows_to_;
+  CrosscheckSummary summary_;
+};
+
+/// Judges all that the suite has, by `judge`; returns the number of gradations.
+std::uint64_t report_suite(const CrosscheckCommand &c, Judge judge, Report &report) {
+  Suite suite(c, std::move(judge));
+  Progress progress([&suite] { return fmt::format("{} gradations", suite.done()); }, c.quiet);
+  std::uint64_t gradations = 0;
+  suite.run([&](const Rows &rows) {
+    if (!rows.empty())
+      ++gradations;
+    report.add(rows);
+  });
+  return gradations;
+}
+
+AnswerIndex read_index(const CrosscheckCommand &c) {
+  constexpr std::size_t most = std::size_t{1} << 30;
+  std::vector<OtherAnswer> answers = read_answers(read_file(*c.answers, most), shown_name(*c.answers));
+  try {
+    return AnswerIndex(std::move(answers), c.by);
+  } catch (const InputError &e) {
+    throw InputError(printable(shown_name(*c.answers)) + ": --by: " + e.what());
+  }
+}
+
+int run(const CrosscheckCommand &c) {
+  check_options(c);
+  const Rational size_tolerance = read_tolerance(c.size_tolerance);
+  if (c.answers) {
+    const AnswerIndex index = read_index(c);
+    Report report(c, size_tolerance);
+    const std::uint64_t gradations = report_suite(
+        c, [&](const Crosscheck &problem, std::uint64_t) { return index.judge(problem, size_tolerance); },
+        report);
+    report.add(index.rows_without_id());
+    report.end(gradations, index.notes());
+    return report.exit_code();
+  }
+  const std::string limit = c.time_limit.value_or("60");
+  Solver solver(*c.solver, read_time_limit(limit), c.journal);
+  Report report(c, size_tolerance);
+  const std::uint64_t gradations = report_suite(
+      c,
+      [&](const Crosscheck &problem, std::uint64_t line) {
+        return Rows{problem.judge(solver.answer(problem.gradation(), line), size_tolerance)};
+      },
+      report);
+  report.end(gradations, {});
+  return report.exit_code();
+}
+
+constexpr const char *footer =
+    R"(A match is a vector of quantities that some sizes make an exact match, and whose sizes, where the answer
+has them, are right for one such match within --size-tolerance. Its ratio is N over the least N; quartiles
+are the ratios at the places n/4, n/2, 3n/4 (rounded down, counted from 0) of n in ascending order.
+max_error: the largest error of a class's share in percent, of the sizes as they stand in the answer.
+Verdicts: minimal, larger; not-a-match (--reasons says why); undecided (stopped at --max-steps); no-answer,
+garbage, crashed (a signal or an exit code other than 0), timeout; bad-problem (a bad line of SUITE).
+
+ANSWERS is CSV with a header: id, quantities (separated by spaces; one a class with mass, or one a class),
+optionally sizes_mm, sizes_um, sizes_m or sizes_in, and any other columns, for --by; or JSON Lines: answers
+of mdm batch, or {"id": "a", "quantities": ["15", "2"], "sizes": ["0.07", "0.14"], "unit": "mm"}, sizes and
+unit (mm) optional. Ids need not be unique: each gradation of an id is held against each answer of that id.
+
+The solver gets one gradation as JSON on its standard input, writes one such object (the id may be left out)
+to its standard output and exits with 0. A journal keeps failures too, also a timeout: to ask again, name a
+new one.
+
+Exit code: 0 if every answer is a match (with --require-minimal: minimal), 1 if not, 2 if a line of SUITE is
+bad, 3 if something is undecided.
+
+Examples:
+  mdm crosscheck tests/data/suite-2750.jsonl tests/data/suite-2750-float-answers.csv --by x_n_factor
+  mdm crosscheck suite.jsonl --solver './solver --json' --time-limit 10 -j 2 --journal run.jsonl -o rows.csv)";
+
+} // namespace
+
+Run add_crosscheck(CLI::App &app) {
+  const auto c = std::make_shared<CrosscheckCommand>();
+  CLI::App &command =
+      *app.add_subcommand("crosscheck", "Judges another solver's answers to a suite of gradations");
+  command.add_option("SUITE", c->suite, "gradations, JSON Lines; - for standard input")->required();
+  command.add_option("ANSWERS", c->answers, "the answers: CSV or JSON Lines; - for standard input");
+  command.add_option("--solver", c->solver, "run CMD with /bin/sh for each gradation in place of ANSWERS")
+      ->type_name("CMD");
+  command
+      .add_option("--time-limit", c->time_limit,
+                  "seconds after which a solver and its children are killed (60)")
+      ->type_name("S");
+  command.add_option("-j", c->threads, "threads, and solvers at once")
+      ->type_name("THREADS")
+      ->check(CLI::Range(1, 1024));
+  command
+      .add_option("--journal", c->journal,
+                  "append the solver's answers to FILE as they come (JSON Lines, good as ANSWERS too); a run "
+                  "that was interrupted goes on from there when it is started again with the same command")
+      ->type_name("FILE");
+  command
+      .add_option("--size-tolerance", c->size_tolerance,
+                  "how far sizes may be off, as a part of the size as stated (1e-9)")
+      ->type_name("EPS");
+  command.add_option("--by", c->by, "summary and missing answers by each value of a column of ANSWERS")
+      ->type_name("COLUMN");
+  command.add_flag("--reasons", c->reasons, "a last column `reason` in CSV rows");
+  command.add_flag("--require-minimal", c->require_minimal, "exit 1 also if a match is larger than needed");
+  command
+      .add_option("--max-steps", c->max_steps,
+                  "stop the search for a least match after so many steps (undecided, exit 3)")
+      ->type_name("N");
+  command.add_option("--format", c->format, "text (the summary), csv (the rows) or json (both)")
+      ->check(CLI::IsMember({"text", "json", "csv"}));
+  command
+      .add_option("-o", c->out,
+                  "write csv or json to OUT instead of standard output; with text, the rows as CSV")
+      ->type_name("OUT");
+  command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
+  command.footer(footer);
+  return [c] { return run(*c); };
+}
+
+} // namespace mdm::cli

@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// What a solver answered so far, kept for a run that is interrupted.
+
+#include <mdm/study/other_answer.hpp>
+
+#include <cstdint>
+#include <mutex>
+
+namespace mdm::cli {
+
+/// A file of JSON Lines, each an answer that json_answer reads with the keys `solver` and `line` (of the
+/// suite) before it. Each answer is written as a whole when it comes; a last line without its end, of a run
+/// that was killed while writing, is dropped. Lines of other solvers stay and are not used.
+class Journal {
+public:
+  /// Opens or makes the file. \throws InputError if that fails, it is no such file, or another run has it
+  /// open
+  Journal(std::string path, std::string solver);
+  ~Journal();
+  Journal(const Journal &) = delete;
+  Journal &operator=(const Journal &) = delete;
+
+  /// The answer of this solver to the gradation in that line of the suite, or null.
+  /// \throws InputError if the answer there is to one with another id
+  const OtherAnswer *find(std::uint64_t line, const std::string &id) const;
+  /// Adds an answer; several threads may. \throws InputError if it cannot be written
+  void add(std::uint64_t line, const OtherAnswer &answer);
+
+private:
+  [[noreturn]] void fail(int error) const;
+  void read();
+  void take(std::string_view text, std::size_t number);
+
+  std::string path_;
+  std::string solver_;
+  int descriptor_ = -1;
+  std::map<std::uint64_t, OtherAnswer> answers_; ///< of this solver, by line of the suite
+  std::mutex mutex_;                             ///< of the file
+};
+
+} // namespace mdm::cli

@@ -1,0 +1,91 @@
+#include "json_tree.hpp"
+
+#include <mdm/error.hpp>
+
+#include <fmt/core.h>
+
+namespace mdm {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Takes the parser's events. The names of the functions are nlohmann's.
+class Builder : public nlohmann::json_sax<Json> {
+public:
+  Json root;
+
+  bool null() override { return put(nullptr); }
+  bool boolean(bool value) override { return put(value); }
+  bool number_integer(number_integer_t value) override { return put(std::to_string(value)); }
+  bool number_unsigned(number_unsigned_t value) override { return put(std::to_string(value)); }
+  bool number_float(number_float_t, const string_t &text) override {
+    // nlohmann puts the locale's decimal point where the text has `.`.
+    std::string number = text;
+    const std::size_t point = number.find_first_not_of("+-0123456789eE");
+    if (point != std::string::npos)
+      number[point] = '.';
+    return put(std::move(number));
+  }
+  bool string(string_t &text) override { return put(std::move(text)); }
+  bool binary(binary_t &) override { return false; }
+  bool start_object(std::size_t) override { return open(Json::object()); }
+  bool start_array(std::size_t) override { return open(Json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(string_t &name) override {
+    Json &object = *open_.back();
+    if (object.contains(name))
+      throw InputError("key " + in_quotes(name) + " is there twice in one object");
+    slot_ = &object[name];
+    return true;
+  }
+  bool parse_error(std::size_t position, const std::string &token,
+                   const nlohmann::json::exception &error) override {
+    constexpr int number_overflow = 406; // nlohmann's number of that exception
+    if (error.id == number_overflow)
+      throw InputError(in_quotes(token) + " is too large for a JSON number: write it as a string");
+    throw InputError(fmt::format("this is not JSON at byte {}, {}", position, in_quotes(token)));
+  }
+
+private:
+  Json *place(Json value) {
+    if (open_.empty()) {
+      root = std::move(value);
+      return &root;
+    }
+    if (open_.back()->is_array()) {
+      open_.back()->push_back(std::move(value));
+      return &open_.back()->back();
+    }
+    *slot_ = std::move(value);
+    return slot_;
+  }
+  bool put(Json value) {
+    place(std::move(value));
+    return true;
+  }
+  bool open(Json value) {
+    constexpr std::size_t max_depth = 64;
+    if (open_.size() == max_depth)
+      throw InputError(fmt::format("values are nested deeper than {}", max_depth));
+    open_.push_back(place(std::move(value)));
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  std::vector<Json *> open_; ///< arrays and objects around the place that is read
+  Json *slot_ = nullptr;     ///< of the last key
+};
+
+} // namespace
+
+nlohmann::json json_tree(std::string_view text) {
+  Builder builder;
+  Json::sax_parse(text, &builder);
+  return std::move(builder.root);
+}
+
+} // namespace mdm
