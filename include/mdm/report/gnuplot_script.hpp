@@ -1,0 +1,19 @@
+#pragma once
+/// \file
+/// A figure as a script of gnuplot 5.4 or later.
+
+#include <mdm/report/figure.hpp>
+
+namespace mdm {
+
+enum class Picture { svg, png, pdf };
+
+/// The script that writes the figure to gnuplot's standard output, data included. Run by `gnuplot -d`.
+/// Texts of a figure are data: they appear as they are, whatever characters they have, and are never
+/// executed. The same figure gives the same script.
+std::string gnuplot_script(const Figure &figure, Picture picture);
+
+/// `text` as gnuplot's string of these very characters, on one line: control and non-UTF-8 bytes escaped.
+std::string gnuplot_string(std::string_view text);
+
+} // namespace mdm
