@@ -45,12 +45,10 @@ std::string number(double value, double step) {
   return text.find_first_not_of("-0.") == std::string::npos ? "0" : text;
 }
 
-/// 10^exponent as an axis shows it.
-std::string power_of_ten_text(int exponent) {
-  if (exponent >= -4 && exponent <= 0)
-    return fmt::format("{:.{}f}", std::pow(10.0, exponent), -exponent);
-  if (exponent > 0 && exponent <= 4)
-    return fmt::format("{:.0f}", std::pow(10.0, exponent));
+/// 10^exponent in plain notation, or as a power.
+std::string power_of_ten_text(int exponent, bool plain) {
+  if (plain)
+    return fmt::format("{:.{}f}", std::pow(10.0, exponent), std::max(0, -exponent));
   static constexpr std::array<const char *, 10> raised = {"\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074",
                                                           "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
   std::string text = exponent < 0 ? "10\u207B" : "10";
@@ -63,12 +61,14 @@ std::string power_of_ten_text(int exponent) {
 std::vector<Tick> decades(double low, double high) {
   constexpr double most_labels = 12;
   constexpr double most_with_minor = 8;
+  constexpr double most_plain = 4.5;
   const double slack = 1e-9;
+  const bool plain = std::max(-low, high) <= most_plain;
   const double step = std::max(1.0, std::ceil((high - low) / most_labels));
   std::vector<Tick> ticks;
   for (double e = std::floor(low / step) * step; e <= high + slack; e += step) {
     if (e >= low - slack)
-      ticks.push_back({e, power_of_ten_text(static_cast<int>(e))});
+      ticks.push_back({e, power_of_ten_text(static_cast<int>(e), plain)});
     for (int digit = 2; digit < 10 && high - low <= most_with_minor; ++digit)
       if (const double at = e + std::log10(digit); at >= low - slack && at <= high + slack)
         ticks.push_back({at, ""});

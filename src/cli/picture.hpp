@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// Where a command's figure goes, and the program that draws it.
+
+#include <mdm/report/gnuplot_script.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+namespace mdm::cli {
+
+/// The options of a command that draws.
+struct PictureFlags {
+  std::optional<std::string> out, script, format;
+
+  void add_to(CLI::App &command);
+
+  /// The format that was asked for, or that the ending of OUT says.
+  /// \throws InputError if neither says it, or OUT and SCRIPT are both or neither given
+  Picture picture() const;
+};
+
+/// Runs gnuplot; returns the picture. No date is left in it. Cost: some 0.1 s.
+/// \throws InputError if gnuplot is missing or fails
+std::string run_gnuplot(const std::string &script);
+
+/// Draws the figure to OUT, or writes its script to SCRIPT; all of it or no file.
+/// \throws InputError as picture() and run_gnuplot()
+void draw(const Figure &figure, const PictureFlags &flags);
+
+} // namespace mdm::cli
