@@ -1,32 +1,17 @@
 #include "ags4_reader.hpp"
 #include "csv_reader.hpp"
 #include "json_reader.hpp"
+#include "text.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 
 namespace mdm {
 namespace {
 
-std::string_view without_byte_order_mark(std::string_view content) {
-  constexpr std::string_view mark = "\uFEFF";
-  if (content.starts_with(mark))
-    content.remove_prefix(mark.size());
-  return content;
-}
-
 /// The content from its first character on that is no white space.
 std::string_view without_leading_space(std::string_view content) {
   const std::size_t first = content.find_first_not_of(" \t\r\n");
   return first == std::string_view::npos ? std::string_view() : content.substr(first);
-}
-
-/// A file's name without directories and ending.
-std::string stem(std::string_view file) {
-  const std::size_t slash = file.rfind('/');
-  if (slash != std::string_view::npos)
-    file.remove_prefix(slash + 1);
-  const std::size_t dot = file.rfind('.');
-  return std::string(dot == 0 ? file : file.substr(0, dot));
 }
 
 } // namespace

@@ -132,4 +132,15 @@ Rational sieve_opening(std::string_view name, char point) {
   refuse(name);
 }
 
+std::optional<std::string> astm_sieve_name(const Rational &opening) {
+  const auto is_it = [&opening](const Sieve &s) { return opening * 1000 == s.opening; };
+  const auto number = std::find_if(astm_numbers.begin(), astm_numbers.end(), is_it);
+  if (number != astm_numbers.end())
+    return "No. " + std::string(number->name);
+  const auto inches = std::find_if(astm_inches.begin(), astm_inches.end(), is_it);
+  if (inches != astm_inches.end())
+    return std::string(inches->name) + " in";
+  return std::nullopt;
+}
+
 } // namespace mdm

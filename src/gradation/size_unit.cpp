@@ -14,4 +14,16 @@ std::string_view name(SizeUnit unit) {
   return "mm";
 }
 
+Rational in_mm(SizeUnit unit) {
+  switch (unit) {
+  case SizeUnit::um:
+    return ratio(1, 1000);
+  case SizeUnit::m:
+    return 1000;
+  case SizeUnit::mm:
+    break;
+  }
+  return 1;
+}
+
 } // namespace mdm

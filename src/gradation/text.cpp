@@ -27,6 +27,21 @@ bool take_quoted(std::string_view &rest, std::string &field) {
 
 } // namespace
 
+std::string_view without_byte_order_mark(std::string_view content) {
+  constexpr std::string_view mark = "\uFEFF";
+  if (content.starts_with(mark))
+    content.remove_prefix(mark.size());
+  return content;
+}
+
+std::string stem(std::string_view file) {
+  const std::size_t slash = file.rfind('/');
+  if (slash != std::string_view::npos)
+    file.remove_prefix(slash + 1);
+  const std::size_t dot = file.rfind('.');
+  return std::string(dot == 0 ? file : file.substr(0, dot));
+}
+
 std::string_view trimmed(std::string_view text) {
   skip_blanks(text);
   return text.substr(0, text.find_last_not_of(" \t") + 1);

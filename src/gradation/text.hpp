@@ -19,6 +19,12 @@ inline char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
+/// What follows a byte order mark, or all if there is none.
+std::string_view without_byte_order_mark(std::string_view content);
+
+/// A file's name without directories and ending.
+std::string stem(std::string_view file);
+
 /// Without the spaces and tabs around it.
 std::string_view trimmed(std::string_view text);
 

@@ -7,18 +7,6 @@
 namespace mdm {
 namespace {
 
-Rational in_mm(SizeUnit unit) {
-  switch (unit) {
-  case SizeUnit::um:
-    return ratio(1, 1000);
-  case SizeUnit::m:
-    return 1000;
-  case SizeUnit::mm:
-    break;
-  }
-  return 1;
-}
-
 std::string below(const Rational &size) {
   return "below " + rounded(Real(size), 6) + " mm, the finest sieve";
 }

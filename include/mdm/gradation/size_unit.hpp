@@ -12,4 +12,7 @@ enum class SizeUnit { mm, um, m };
 /// `mm`, `um` or `m`.
 std::string_view name(SizeUnit unit);
 
+/// The unit's length in mm.
+Rational in_mm(SizeUnit unit);
+
 } // namespace mdm

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Specification envelopes.
+
+#include <mdm/gradation/size_unit.hpp>
+
+#include <string>
+#include <vector>
+
+namespace mdm {
+
+/// Bounds on the percent that passes each of some sieves: a curve is within the envelope if min_j <= passing
+/// of sizes_j <= max_j for all j. At least one sieve; sizes ascend, and so do, not strictly, both bounds,
+/// with 0 <= min_j <= max_j <= 100.
+struct Envelope {
+  std::string id;
+  SizeUnit unit = SizeUnit::mm;
+  std::vector<Rational> sizes;
+  std::vector<Rational> passing_min, passing_max; ///< percent
+  std::vector<std::string> notes;                 ///< what the reader assumed
+};
+
+/// Reads an envelope from the content of a CSV file with a column of sizes as in a gradation file and the
+/// columns passing_min_percent and passing_max_percent. `file` names it in messages.
+/// \throws InputError `file:line: what is wrong and what to do`
+Envelope read_envelope(std::string_view content, const std::string &file);
+
+} // namespace mdm

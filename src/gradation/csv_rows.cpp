@@ -1,0 +1,187 @@
+#include "csv_rows.hpp"
+
+#include <mdm/gradation/phi.hpp>
+#include <mdm/gradation/sieve_name.hpp>
+#include <mdm/number/decimal.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+namespace mdm {
+namespace {
+
+constexpr std::array<SizeColumn, 6> size_columns = {{{"size_mm", SizeKind::mm},
+                                                     {"size_um", SizeKind::um},
+                                                     {"size_m", SizeKind::m},
+                                                     {"size_in", SizeKind::inch},
+                                                     {"size_phi", SizeKind::phi},
+                                                     {"sieve", SizeKind::sieve}}};
+
+const SizeColumn *find_size_column(std::string_view name) {
+  const auto found = std::find_if(size_columns.begin(), size_columns.end(),
+                                  [name](const SizeColumn &c) { return c.name == name; });
+  return found == size_columns.end() ? nullptr : &*found;
+}
+
+std::string size_column_names() {
+  std::string text;
+  for (const SizeColumn &column : size_columns)
+    text += (text.empty() ? "" : ", ") + std::string(column.name);
+  return text;
+}
+
+/// True for `#200`, `# 3-1/2`: the field of a sieve where a line could be a comment.
+bool is_sieve_number(std::string_view field) {
+  return field.starts_with('#') &&
+         field.substr(1).find_first_not_of("0123456789-/. ") == std::string_view::npos &&
+         std::any_of(field.begin(), field.end(), is_digit);
+}
+
+/// What else may be wrong with a header whose first column is unknown.
+std::string header_hint(std::string_view first, std::string_view example) {
+  if (first.find('\t') != std::string_view::npos)
+    return " (put commas, not tabs, between the fields)";
+  if (!first.empty() && (is_digit(first[0]) || first[0] == '.'))
+    return fmt::format(" (the first line must name the columns, such as '{}')", example);
+  if (first.starts_with('[') || first.starts_with('{'))
+    return " (a JSON file holds one object; mdm batch reads many, one a line)";
+  if (std::any_of(first.begin(), first.end(), [](char c) { return lower(c) != c; }))
+    return " (in small letters)";
+  return {};
+}
+
+std::string counted(std::size_t fields) {
+  return std::to_string(fields) + (fields == 1 ? " field" : " fields");
+}
+
+/// Of the names of sieves, only metric openings are numbers, and only their units end so.
+bool is_metric(std::string_view sieve) {
+  return lower(sieve.back()) == 'm';
+}
+
+} // namespace
+
+void CsvRows::read_header(std::string_view example) {
+  std::string_view line;
+  while (line.empty() || line.front() == '#') {
+    if (!lines_.next())
+      source_.refuse(std::max(lines_.number(), std::size_t{1}),
+                     fmt::format("there is no header: begin with a line such as '{}'", example));
+    line = trimmed(lines_.text());
+  }
+  delimiter_ = line.find(';') == std::string_view::npos ? ',' : ';';
+  split(line);
+  width_ = fields_.size();
+  size_column_ = find_size_column(fields_[0]);
+  if (size_column_ == nullptr)
+    refuse(fmt::format("first column {} is unknown: use one of {}{}", in_quotes(fields_[0]),
+                       size_column_names(), header_hint(fields_[0], example)));
+}
+
+bool CsvRows::next() {
+  while (lines_.next()) {
+    const std::string_view line = trimmed(lines_.text());
+    if (line.empty() || (line.front() == '#' && !is_sieve_row(line)))
+      continue;
+    split(line);
+    if (fields_.size() != width_)
+      refuse(fmt::format("the row has {}, the header has {}: {}", counted(fields_.size()), counted(width_),
+                         delimiter_ == ',' && fields_.size() > width_
+                             ? "with decimal commas, put ; between fields"
+                             : "give each column its value"));
+    return true;
+  }
+  return false;
+}
+
+void CsvRows::split(std::string_view line) {
+  if (!split_fields(line, delimiter_, fields_))
+    refuse("a quoted field does not end with a quote before the next delimiter: close it");
+}
+
+/// The grammar's one exception to comments: a row of a sieve such as `#200`.
+bool CsvRows::is_sieve_row(std::string_view line) {
+  return size_column_->kind == SizeKind::sieve && split_fields(line, delimiter_, fields_) &&
+         fields_.size() == width_ && is_sieve_number(fields_[0]);
+}
+
+Rational CsvRows::size() {
+  return named(size_column_->name, &CsvRows::parse_size, 0);
+}
+
+Rational CsvRows::number(std::string_view column, std::size_t field) {
+  return named(column, &CsvRows::decimal, field);
+}
+
+/// Reads a field; what is wrong with it is said with the line and the column's name.
+Rational CsvRows::named(std::string_view column, Rational (CsvRows::*parse)(std::string_view),
+                        std::size_t field) {
+  try {
+    return (this->*parse)(fields_[field]);
+  } catch (const InputError &error) {
+    refuse(fmt::format("{} {}", column, error.what()));
+  }
+}
+
+Rational CsvRows::parse_size(std::string_view field) {
+  if (is_pan(field))
+    return 0;
+  if (size_column_->kind == SizeKind::sieve)
+    return sieve_opening(field, is_metric(field) ? decimal_sign(field) : '.');
+  const Rational number = decimal(field);
+  switch (size_column_->kind) {
+  case SizeKind::inch:
+    return number * ratio(254, 10);
+  case SizeKind::phi:
+    if (denominator(number) != 1)
+      rounded_phi_.add(field);
+    return phi_size(number);
+  default:
+    return number;
+  }
+}
+
+Rational CsvRows::decimal(std::string_view field) {
+  return parse_decimal(field, decimal_sign(field));
+}
+
+/// The decimal sign of a number; all numbers of a file must agree.
+char CsvRows::decimal_sign(std::string_view number) {
+  if (delimiter_ == ',')
+    return '.';
+  const std::size_t at = number.find_first_of(",.");
+  if (at == std::string_view::npos)
+    return '.';
+  if (sign_ == '\0')
+    sign_ = number[at];
+  if (sign_ != number[at])
+    throw InputError(fmt::format("{} has a decimal '{}', numbers above have '{}': use one of them throughout",
+                                 in_quotes(number), number[at], sign_));
+  return sign_;
+}
+
+SizeUnit CsvRows::unit() const {
+  switch (size_column_->kind) {
+  case SizeKind::um:
+    return SizeUnit::um;
+  case SizeKind::m:
+    return SizeUnit::m;
+  default:
+    return SizeUnit::mm;
+  }
+}
+
+std::vector<std::string> CsvRows::notes() const {
+  std::vector<std::string> notes;
+  if (size_column_->kind == SizeKind::inch)
+    notes.emplace_back("Sizes in inches were converted to mm.");
+  if (!rounded_phi_.empty())
+    notes.push_back(
+        fmt::format("Sizes of phi that is no integer were rounded to 15 significant digits in mm: phi {}.",
+                    rounded_phi_.text()));
+  return notes;
+}
+
+} // namespace mdm

@@ -1,0 +1,84 @@
+#include "csv_rows.hpp"
+
+#include <mdm/gradation/envelope.hpp>
+#include <mdm/gradation/read_gradation.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+constexpr std::string_view min_column = "passing_min_percent";
+constexpr std::string_view max_column = "passing_max_percent";
+
+struct Row {
+  Rational size, least, most;
+  std::size_t line;
+};
+
+Row read_row(CsvRows &rows) {
+  Row row{rows.size(), rows.number(min_column, 1), rows.number(max_column, 2), rows.line()};
+  if (row.size < 0)
+    rows.refuse(fmt::format("size {} is negative: give the opening of the sieve", shown(row.size)));
+  if (row.least < 0)
+    rows.refuse(
+        fmt::format("{} {} is negative: write 0 where nothing needs to pass", min_column, shown(row.least)));
+  if (row.most > 100)
+    rows.refuse(fmt::format("{} {} is above 100: write 100 where all may pass", max_column, shown(row.most)));
+  if (row.least > row.most)
+    rows.refuse(fmt::format("{} {} is above {} {}: exchange them", min_column, shown(row.least), max_column,
+                            shown(row.most)));
+  return row;
+}
+
+void check_neighbours(const Row &finer, const Row &coarser, const Source &source) {
+  if (finer.size == coarser.size)
+    source.refuse(coarser.line, fmt::format("size {} repeats that of line {}: leave one out",
+                                            shown(coarser.size), finer.line));
+  for (const auto &[column, bound] : {std::pair(min_column, &Row::least), std::pair(max_column, &Row::most)})
+    if (finer.*bound > coarser.*bound)
+      source.refuse(
+          coarser.line,
+          fmt::format("{} {} is below the {} of the finer sieve in line {}: bounds must not decrease "
+                      "with size",
+                      column, shown(coarser.*bound), shown(finer.*bound), finer.line));
+}
+
+} // namespace
+
+Envelope read_envelope(std::string_view content, const std::string &file) {
+  const Source source(file);
+  const std::string_view text = without_byte_order_mark(content);
+  source.check_text(text);
+  CsvRows csv(text, source);
+  csv.read_header("size_mm,passing_min_percent,passing_max_percent");
+  if (csv.fields().size() != 3 || csv.fields()[1] != min_column || csv.fields()[2] != max_column)
+    csv.refuse(fmt::format("a band has the columns {} and {} after that of the sizes, and no other",
+                           min_column, max_column));
+  const std::size_t header_line = csv.line();
+  std::vector<Row> rows;
+  while (csv.next()) {
+    if (rows.size() == max_gradation_rows)
+      csv.refuse(fmt::format("there are more than {} rows: give fewer sieves", max_gradation_rows));
+    rows.push_back(read_row(csv));
+  }
+  if (rows.empty())
+    source.refuse(header_line, "there is no row below the header: give the bounds at one sieve or more");
+  std::stable_sort(rows.begin(), rows.end(), [](const Row &a, const Row &b) { return a.size < b.size; });
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    check_neighbours(rows[i - 1], rows[i], source);
+  Envelope e;
+  e.id = stem(file);
+  e.unit = csv.unit();
+  e.notes = csv.notes();
+  for (const Row &row : rows) {
+    e.sizes.push_back(row.size);
+    e.passing_min.push_back(row.least);
+    e.passing_max.push_back(row.most);
+  }
+  return e;
+}
+
+} // namespace mdm
