@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// How far the masses in the classes are from those of a gradation.
+
+#include <mdm/number/rational.hpp>
+
+#include <vector>
+
+namespace mdm {
+
+/// Error of a sample (Arnold, Eq. 13), both sides normalised by their totals: t_j / sum t - m_j / sum m for
+/// the mass t_j that the sample has in class j.
+struct ClassErrors {
+  std::vector<Rational> of_class;
+  Rational total = 0;    ///< sum of |of_class|
+  Rational maximum = 0;  ///< largest |of_class|
+  std::size_t worst = 0; ///< the finest class that has it
+};
+
+/// \param held    t_j, in any unit; their sum is positive
+/// \param target  m_j, in any unit; their sum is positive
+ClassErrors class_errors(const std::vector<Integer> &held, const std::vector<Integer> &target);
+
+} // namespace mdm
