@@ -26,5 +26,6 @@ Run add_convert(CLI::App &app);
 Run add_crosscheck(CLI::App &app);
 Run add_verify(CLI::App &app);
 Run add_describe(CLI::App &app);
+Run add_published(CLI::App &app);
 
 } // namespace mdm::cli

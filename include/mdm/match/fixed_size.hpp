@@ -20,8 +20,8 @@ Integer rounded(const Rational &r, Rounding rounding);
 struct FixedSizeOptions {
   SizeChoice sizes{ratio(1, 2)}; ///< of every class
   Rounding rounding = Rounding::nearest;
-  Rational tolerance = ratio(1, 100);  ///< on the total error
-  std::uint64_t max_iterations = 1000; ///< >= 1
+  Rational tolerance = ratio(1, 100); ///< on the total error
+  std::uint64_t max_iterations = 999; ///< >= 1
 };
 
 /// The fixed size algorithm (FS, steps 1-5): int(i K) particles for i = 1, 2, ... until the total error is

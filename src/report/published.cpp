@@ -1,0 +1,225 @@
+#include <mdm/error.hpp>
+#include <mdm/json_text.hpp>
+#include <mdm/match/problem.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/number/enclosure.hpp>
+#include <mdm/report/published.hpp>
+#include <mdm/report/versions.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+namespace mdm {
+namespace {
+
+const char *algorithm_name(PublishedAlgorithm algorithm) {
+  static constexpr std::array<const char *, 3> names = {"rounded", "fixed-size", "spanned-integer"};
+  return names.at(static_cast<std::size_t>(algorithm));
+}
+
+/// The size of class j's particles; nothing where there are none. Of an exact match it lies in its class.
+std::optional<Enclosure> size_of(const PublishedReport &r, std::size_t j) {
+  const Rational &power = r.run.powers[j];
+  if (power == 0)
+    return std::nullopt;
+  const Gradation &g = r.gradation;
+  const auto enclose = [&](unsigned digits) {
+    return enclose_root(numerator(power), denominator(power), r.law.a, digits);
+  };
+  Enclosure x = enclose(r.digits);
+  const bool in_class = power > r.law.powered(g.lower(j)) && power <= r.law.powered(g.upper(j));
+  const bool is_opening = power == r.law.powered(g.upper(j));
+  for (unsigned digits = 2 * r.digits;
+       in_class && !is_opening && (x.lower() <= g.lower(j) || x.upper() > g.upper(j)); digits *= 2)
+    x = enclose(digits);
+  return x;
+}
+
+/// Classes whose particles do not pass their class's test: at or below its lower sieve.
+std::vector<std::size_t> misplaced(const PublishedReport &r) {
+  std::vector<std::size_t> classes;
+  for (std::size_t j = 0; j < r.gradation.classes(); ++j)
+    if (r.run.powers[j] != 0 && r.run.powers[j] <= r.law.powered(r.gradation.lower(j)))
+      classes.push_back(j);
+  return classes;
+}
+
+Integer particles(const PublishedReport &r) {
+  return total(r.run.result().q);
+}
+
+Rational ratio_to_least(const PublishedReport &r) {
+  return ratio(particles(r), r.least);
+}
+
+std::string percent(const Rational &share) {
+  return approximate(Rational(100 * share), 4) + " %";
+}
+
+std::string counted(const Integer &n, const std::string &one) {
+  return to_string(n) + " " + one + (n == 1 ? "" : "s");
+}
+
+/// Joined by commas, each in quotes.
+template <class Number>
+std::string json_numbers(const std::vector<Number> &numbers) {
+  std::string text;
+  for (const Number &n : numbers)
+    text += (text.empty() ? "\"" : ",\"") + to_string(n) + "\"";
+  return text;
+}
+
+std::string json_optional(const std::optional<Rational> &r) {
+  return r ? "\"" + to_string(*r) + "\"" : "null";
+}
+
+std::optional<Rational> times(const Rational &phi, const std::optional<Rational> &zeta) {
+  if (phi == 0)
+    return Rational(0);
+  return zeta ? std::optional(Rational(phi * *zeta)) : std::nullopt;
+}
+
+std::string json_class(const PublishedReport &r, std::size_t j) {
+  const Gradation &g = r.gradation;
+  const Published &run = r.run;
+  const std::optional<Enclosure> size = size_of(r, j);
+  return fmt::format(
+      R"({{"lower":"{}","upper":"{}","mass":"{}","phi":"{}","zeta":["{}",{}],"kappa":["{}",{}],"quantity":"{}","size":{},"error":"{}"}})",
+      to_decimal(g.lower(j)), to_decimal(g.upper(j)), to_decimal(g.mass(j)), to_string(run.phi[j]),
+      to_string(run.least_zeta[j]), json_optional(run.most_zeta[j]),
+      to_string(Rational(run.phi[j] * run.least_zeta[j])), json_optional(times(run.phi[j], run.most_zeta[j])),
+      to_string(run.result().q[j]),
+      size ? fmt::format(R"(["{}","{}"])", size->lower_text(), size->upper_text()) : "null",
+      to_string(run.result().error.of_class[j]));
+}
+
+std::string json_iteration(const PublishedTry &t) {
+  return fmt::format(
+      R"({{"multiple":"{}","sizes_tried":"{}","particles":"{}","quantities":[{}],"errors":[{}],"total_error":"{}","maximum_error":"{}","worst_class":"{}"}})",
+      t.multiple, t.sizes, to_string(total(t.q)), json_numbers(t.q), json_numbers(t.error.of_class),
+      to_string(t.error.total), to_string(t.error.maximum), t.error.worst + 1);
+}
+
+/// Lines of cells, columns as wide as their longest entry, all to the right but the last.
+template <std::size_t columns>
+std::string table(const std::vector<std::array<std::string, columns>> &lines) {
+  std::array<std::size_t, columns> width{};
+  for (const auto &line : lines)
+    for (std::size_t i = 0; i + 1 < columns; ++i)
+      width[i] = std::max(width[i], line[i].size());
+  std::string text;
+  for (const auto &line : lines) {
+    for (std::size_t i = 0; i + 1 < columns; ++i)
+      text += fmt::format("  {:>{}}", line[i], width[i]);
+    text += "  " + line[columns - 1] + "\n";
+  }
+  return text;
+}
+
+std::string class_table(const PublishedReport &r) {
+  const Gradation &g = r.gradation;
+  const bool one_size = r.algorithm != PublishedAlgorithm::spanned_integer;
+  const std::string unit(name(g.unit()));
+  std::vector<std::array<std::string, 7>> lines = {{"class", "sizes (" + unit + "]", "mass",
+                                                    one_size ? "K" : "K from .. to", "quantity", "error",
+                                                    "size of a particle (" + unit + ")"}};
+  for (std::size_t j = 0; j < g.classes(); ++j) {
+    const std::optional<Rational> most = times(r.run.phi[j], r.run.most_zeta[j]);
+    const std::string least = approximate(Rational(r.run.phi[j] * r.run.least_zeta[j]), 6);
+    const std::optional<Enclosure> size = size_of(r, j);
+    lines.push_back(
+        {std::to_string(j + 1), "(" + to_decimal(g.lower(j)) + ", " + to_decimal(g.upper(j)) + "]",
+         to_decimal(g.mass(j)), one_size ? least : least + " .. " + (most ? approximate(*most, 6) : "oo"),
+         to_string(r.run.result().q[j]), percent(r.run.result().error.of_class[j]),
+         size ? size->text() : "-"});
+  }
+  return table(lines);
+}
+
+/// Of a long run the first and the last iterations.
+std::string iteration_table(const Published &run) {
+  constexpr std::size_t at_each_end = 10;
+  std::vector<std::array<std::string, 6>> lines = {
+      {"iteration", "sizes tried", "particles", "total error", "largest", "in class"}};
+  for (std::size_t n = 0; n < run.tries.size(); ++n) {
+    const PublishedTry &t = run.tries[n];
+    if (n == at_each_end && run.tries.size() > 2 * at_each_end + 1) {
+      lines.push_back({"...", "", "", "", "", ""});
+      n = run.tries.size() - at_each_end - 1;
+      continue;
+    }
+    lines.push_back({std::to_string(t.multiple), std::to_string(t.sizes), to_string(total(t.q)),
+                     percent(t.error.total), percent(t.error.maximum),
+                     t.error.maximum == 0 ? "-" : std::to_string(t.error.worst + 1)});
+  }
+  return table(lines);
+}
+
+std::string verdict(const PublishedReport &r) {
+  if (r.run.is_match())
+    return "an exact match";
+  const std::string error = "no exact match: total error " + percent(r.run.result().error.total);
+  if (r.algorithm == PublishedAlgorithm::fixed_size)
+    return error + (r.run.reached ? ", within the tolerance" : ", above the tolerance");
+  if (r.algorithm == PublishedAlgorithm::spanned_integer && !r.run.reached)
+    return error + ", not every class spans an integer";
+  return error;
+}
+
+std::vector<std::string> all_notes(const PublishedReport &r) {
+  std::vector<std::string> notes = r.notes;
+  for (const std::size_t j : misplaced(r))
+    notes.push_back(fmt::format("class {}: the size that Eq. 19 gives is not above the lower sieve", j + 1));
+  return notes;
+}
+
+} // namespace
+
+bool succeeded(const PublishedReport &r) {
+  switch (r.algorithm) {
+  case PublishedAlgorithm::fixed_size:
+    return r.run.reached;
+  case PublishedAlgorithm::spanned_integer:
+    return r.run.is_match();
+  default:
+    return true;
+  }
+}
+
+std::string published_json(const PublishedReport &r) {
+  std::string classes, iterations, notes;
+  for (std::size_t j = 0; j < r.gradation.classes(); ++j)
+    classes += (j == 0 ? "" : ",") + json_class(r, j);
+  for (const PublishedTry &t : r.run.tries)
+    iterations += (iterations.empty() ? "" : ",") + json_iteration(t);
+  for (const std::string &note : all_notes(r))
+    notes += (notes.empty() ? "" : ",") + json_string(note);
+  return fmt::format(
+      R"({{"schema":"mdm-published-1","id":{},"algorithm":"{}","settings":{},"reached":{},"match":{},"particles":"{}","least":"{}","ratio":"{}","unit":"{}","classes":[{}],"iterations":[{}],"notes":[{}],"versions":{}}})",
+      json_string(r.gradation.id()), algorithm_name(r.algorithm), json_string(r.settings), r.run.reached,
+      r.run.is_match(), to_string(particles(r)), to_string(r.least), to_string(ratio_to_least(r)),
+      name(r.gradation.unit()), classes, iterations, notes, versions_json());
+}
+
+std::string published_csv(const PublishedReport &r) {
+  std::string text = "multiple,sizes_tried,particles,total_error,maximum_error,worst_class\n";
+  for (const PublishedTry &t : r.run.tries)
+    text += fmt::format("{},{},{},{},{},{}\n", t.multiple, t.sizes, to_string(total(t.q)),
+                        approximate(t.error.total, 15), approximate(t.error.maximum, 15), t.error.worst + 1);
+  return text;
+}
+
+std::string published_text(const PublishedReport &r) {
+  std::string text = fmt::format(
+      "{}: {} by the algorithm {} as published ({})\n  {}; the least exact match has {} ({} times)\n\n",
+      printable(r.gradation.id()), counted(particles(r), "particle"), algorithm_name(r.algorithm), r.settings,
+      verdict(r), to_string(r.least), approximate(ratio_to_least(r), 4));
+  text += class_table(r) + "\n" + iteration_table(r.run);
+  for (const std::string &note : all_notes(r))
+    text += "  note: " + note + "\n";
+  return text;
+}
+
+} // namespace mdm
