@@ -55,7 +55,7 @@ Gradation gradation(const DescribeCommand &c) {
   }
 }
 
-std::string report(const DescribeCommand &c, const Description &d) {
+std::string report(const DescribeCommand &c, const SoilDescription &d) {
   constexpr unsigned exchanged = 15, read = 4;
   if (c.format == "json")
     return description_json(d, c.digits.value_or(exchanged)) + "\n";
@@ -67,7 +67,7 @@ std::string report(const DescribeCommand &c, const Description &d) {
 int run(const DescribeCommand &c) {
   check_distinct({c.file, c.out});
   const DescribeOptions o = options(c);
-  const Description d = describe(gradation(c), o);
+  const SoilDescription d = describe(gradation(c), o);
   Output out(c.out);
   out.write(report(c, d));
   out.commit();

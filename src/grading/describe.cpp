@@ -12,7 +12,7 @@ std::string listed(const std::vector<std::string> &items) {
   return text;
 }
 
-void add_diameter_notes(std::vector<std::string> &notes, const Description &d, bool extrapolate) {
+void add_diameter_notes(std::vector<std::string> &notes, const SoilDescription &d, bool extrapolate) {
   std::vector<std::string> in_pan;
   for (const unsigned p : {10U, 30U, 50U, 60U})
     if (d.curve.in_pan(ratio(p, 100)))
@@ -50,7 +50,7 @@ bool depends_on_fines(const UscsGroup &group) {
   return group.symbol.find_first_of("MC") != std::string::npos;
 }
 
-void add_group_notes(std::vector<std::string> &notes, const Description &d, bool limits_given) {
+void add_group_notes(std::vector<std::string> &notes, const SoilDescription &d, bool limits_given) {
   if (!d.group) {
     notes.push_back("no USCS group: " + d.group.why().reason);
     return;
@@ -64,28 +64,28 @@ void add_group_notes(std::vector<std::string> &notes, const Description &d, bool
 
 } // namespace
 
-Description describe(const Gradation &g, const DescribeOptions &options) {
+SoilDescription describe(const Gradation &g, const DescribeOptions &options) {
   const GradingCurve curve(g);
   const bool extrapolate = options.extrapolate;
   const auto diameter = [&](long percent) { return curve.diameter(ratio(percent, 100), extrapolate); };
   const Fines fines = options.limits ? classify_fines(*options.limits) : Fines::ML;
-  Description d{g.id(),
-                curve,
-                diameter(10),
-                diameter(30),
-                diameter(50),
-                diameter(60),
-                uniformity(curve, extrapolate),
-                curvature(curve, extrapolate),
-                grain_size_index(curve),
-                curvature_index(curve),
-                finest_mass_ratio(curve),
-                coarsest_volume_ratio(curve),
-                fines,
-                classify_uscs(curve, fines, extrapolate),
-                uscs_fractions(curve),
-                iso_14688_fractions(curve),
-                g.notes()};
+  SoilDescription d{g.id(),
+                    curve,
+                    diameter(10),
+                    diameter(30),
+                    diameter(50),
+                    diameter(60),
+                    uniformity(curve, extrapolate),
+                    curvature(curve, extrapolate),
+                    grain_size_index(curve),
+                    curvature_index(curve),
+                    finest_mass_ratio(curve),
+                    coarsest_volume_ratio(curve),
+                    fines,
+                    classify_uscs(curve, fines, extrapolate),
+                    uscs_fractions(curve),
+                    iso_14688_fractions(curve),
+                    g.notes()};
   add_diameter_notes(d.notes, d, extrapolate);
   if (!d.i_gs)
     d.notes.push_back("I_GS is not available: " + d.i_gs.why().reason);

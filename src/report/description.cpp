@@ -36,7 +36,7 @@ std::optional<Real> real(const Available<Real> &value) {
   return value ? std::optional(*value) : std::nullopt;
 }
 
-std::vector<Item> items(const Description &d) {
+std::vector<Item> items(const SoilDescription &d) {
   return {{"D10", "D10", "mm", real(d.d10)},    {"D30", "D30", "mm", real(d.d30)},
           {"D50", "D50", "mm", real(d.d50)},    {"D60", "D60", "mm", real(d.d60)},
           {"Cu", "C_u", "", real(d.c_u)},       {"Cc", "C_c", "", real(d.c_c)},
@@ -125,14 +125,14 @@ void add_text_fractions(Buffer &out, const char *system, const std::vector<Fract
   add_table(out, lines);
 }
 
-std::string headline(const Description &d) {
+std::string headline(const SoilDescription &d) {
   const std::string id = printable(d.id) + ": ";
   return d.group ? id + d.group->symbol + ", " + d.group->name : id + "no USCS group";
 }
 
 } // namespace
 
-std::string description_json(const Description &d, unsigned digits) {
+std::string description_json(const SoilDescription &d, unsigned digits) {
   Buffer out;
   add(out, R"({{"schema":"mdm-describe-1","id":{},"unit":"mm","passing":[)", json_string(d.id));
   for (std::size_t i = 0; i < d.curve.sizes().size(); ++i)
@@ -159,7 +159,7 @@ std::string description_json(const Description &d, unsigned digits) {
   return fmt::to_string(out);
 }
 
-std::string description_csv(const Description &d, unsigned digits) {
+std::string description_csv(const SoilDescription &d, unsigned digits) {
   Buffer out;
   add(out, "item,unit,lo,hi,text\n");
   for (const Item &item : items(d))
@@ -172,7 +172,7 @@ std::string description_csv(const Description &d, unsigned digits) {
   return fmt::to_string(out);
 }
 
-std::string description_text(const Description &d, unsigned digits) {
+std::string description_text(const SoilDescription &d, unsigned digits) {
   Buffer out;
   add(out, "{}\n\n", headline(d));
   for (const Item &item : items(d))

@@ -14,7 +14,7 @@ struct DescribeOptions {
 };
 
 /// Index numbers, fractions and groups of a gradation, sizes in mm.
-struct Description {
+struct SoilDescription {
   std::string id;
   GradingCurve curve;
   Available<PowerProduct> d10, d30, d50, d60;
@@ -31,6 +31,6 @@ struct Description {
 };
 
 /// \throws InputError as classify_fines
-Description describe(const Gradation &g, const DescribeOptions &options);
+SoilDescription describe(const Gradation &g, const DescribeOptions &options);
 
 } // namespace mdm

@@ -10,12 +10,12 @@ namespace mdm {
 
 /// One line of JSON, schema `mdm-describe-1`, without a newline at its end: index numbers and percents as
 /// enclosures ["lo","hi"], null where not available (the notes say why).
-std::string description_json(const Description &d, unsigned digits);
+std::string description_json(const SoilDescription &d, unsigned digits);
 
 /// item,unit,lo,hi,text: a row an index number or fraction; the group's symbol and name in the last column.
-std::string description_csv(const Description &d, unsigned digits);
+std::string description_csv(const SoilDescription &d, unsigned digits);
 
 /// For people: certain digits, rounded.
-std::string description_text(const Description &d, unsigned digits);
+std::string description_text(const SoilDescription &d, unsigned digits);
 
 } // namespace mdm
