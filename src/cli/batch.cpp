@@ -10,12 +10,9 @@
 #include <mdm/report/answer.hpp>
 
 #include <fmt/core.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
-#include <cstring>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -148,13 +145,6 @@ std::vector<Answer> answers(const Batch &batch, const std::vector<Lines::Line> &
   if (failure)
     std::rethrow_exception(failure);
   return result;
-}
-
-void make_folder(const std::string &path) {
-  struct stat status {};
-  if (mkdir(path.c_str(), 0777) != 0 && (stat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)))
-    throw InputError(printable(path) +
-                     ": no folder for the proofs can be made there: " + std::strerror(errno));
 }
 
 int run(const BatchCommand &c) {

@@ -128,6 +128,16 @@ std::string canonical_path(const std::string &path) {
   return folder.empty() ? path : folder + "/" + path.substr(slash == std::string::npos ? 0 : slash + 1);
 }
 
+void make_folder(const std::string &path) {
+  struct stat status {};
+  if (mkdir(path.c_str(), 0777) == 0)
+    return;
+  const int error = errno;
+  if (stat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
+    throw InputError(
+        fmt::format("{}: no folder can be made there: {}", printable(path), std::strerror(error)));
+}
+
 void check_distinct(const std::vector<std::string> &paths) {
   std::set<std::string> seen;
   for (const std::string &path : paths) {

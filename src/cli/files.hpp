@@ -27,6 +27,10 @@ std::string canonical_path(const std::string &path);
 /// count. \throws InputError naming the second
 void check_distinct(const std::vector<std::string> &paths);
 
+/// Makes a folder where there is none.
+/// \throws InputError if that cannot be
+void make_folder(const std::string &path);
+
 /// Ends of the run by signals (SIGINT, SIGTERM, SIGHUP) first remove what Outputs have written beside their
 /// targets. Call once, before the first Output.
 void remove_unfinished_at_signals();
