@@ -20,6 +20,10 @@ struct SpannedIntegerOptions {
 ///
 /// An iteration that finds nothing leaves the sample of its last x_nS, with ceil(a_j) in every class; where
 /// that is not spanned, Eq. 19 gives sizes that lie below the class. Cost: a division a class for each x_nS.
+///
+/// The paper's code tries one x_nS. With start 1/2 and one size this gives its answers to all of the paper's
+/// 2,750 gradations, with start 1/1000 to all but four: there b_j < 1 in a class, and the code takes one
+/// particle all the same.
 /// \throws InputError if the law is not rational
 Published spanned_integer(const Gradation &g, const MassLaw &law, const SpannedIntegerOptions &options = {});
 
