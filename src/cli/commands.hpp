@@ -23,11 +23,10 @@ using Run = std::function<int()>;
 Run add_solve(CLI::App &app);
 Run add_batch(CLI::App &app);
 Run add_convert(CLI::App &app);
-Run add_crosscheck(CLI::App &app);
+Run add_describe(CLI::App &app);
 Run add_verify(CLI::App &app);
+Run add_crosscheck(CLI::App &app);
 Run add_published(CLI::App &app);
 Run add_study(CLI::App &app);
-Run add_describe(CLI::App &app);
-Run add_published(CLI::App &app);
 
 } // namespace mdm::cli
