@@ -1,0 +1,84 @@
+#pragma once
+/// \file
+/// Linear programs, decided exactly and with strict bounds.
+
+#include <mdm/number/rational.hpp>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace mdm {
+
+/// value + tiny * eps for an infinitesimal eps > 0: x > 0 is x >= eps (Dutertre and de Moura, "A fast
+/// linear-arithmetic solver for DPLL(T)", 2006).
+struct Infinitesimal {
+  Rational value = 0;
+  Rational tiny = 0;
+
+  friend bool operator==(const Infinitesimal &a, const Infinitesimal &b) {
+    return a.value == b.value && a.tiny == b.tiny;
+  }
+  friend bool operator<(const Infinitesimal &a, const Infinitesimal &b) {
+    return a.value < b.value || (a.value == b.value && a.tiny < b.tiny);
+  }
+};
+
+/// Bounds on variables and on linear forms of them, which are changed and restored as a search tree is walked.
+/// All numbers are exact. Cost: a pivot is a pass over a dense table of forms times variables.
+class Simplex {
+public:
+  /// Variables are numbered from 0: first the given ones, without bounds, then the forms.
+  explicit Simplex(std::size_t variables);
+
+  /// Adds the form sum coefficient * variable over earlier variables that are no forms; its number.
+  std::size_t add_form(const std::vector<std::pair<std::size_t, Rational>> &terms);
+
+  using Bound = std::optional<Infinitesimal>;
+  /// Sets a bound, or removes it.
+  void set_lower(std::size_t variable, const Bound &bound);
+  void set_upper(std::size_t variable, const Bound &bound);
+  const Bound &lower(std::size_t variable) const { return lower_[variable]; }
+  const Bound &upper(std::size_t variable) const { return upper_[variable]; }
+
+  /// Finds values within all bounds. Where there are none, conflict() says why.
+  bool find();
+  /// Minimises a variable that has a lower bound, from values that find() has found.
+  void minimise(std::size_t variable);
+
+  const Infinitesimal &value(std::size_t variable) const { return values_[variable]; }
+
+  /// A bound in a contradiction: `multiplier` > 0 times (variable >= its lower bound) or (variable <= its upper).
+  struct Term {
+    std::size_t variable;
+    bool is_upper;
+    Rational multiplier;
+  };
+  /// Bounds whose sum, each with its multiplier, has 0 on the side of the variables and is false (Farkas).
+  const std::vector<Term> &conflict() const { return conflict_; }
+
+private:
+  struct Row {
+    std::size_t basic;
+    std::vector<Rational> of; ///< coefficient of the variable of each column
+  };
+
+  bool is_below(std::size_t variable) const;
+  bool is_above(std::size_t variable) const;
+  bool can_rise(std::size_t variable) const;
+  bool can_fall(std::size_t variable) const;
+  void move(std::size_t column, const Infinitesimal &by);
+  void pivot(std::size_t row, std::size_t column);
+  std::optional<std::size_t> entering(const Row &row, bool rise) const;
+  void explain(const Row &row, bool rise);
+  bool step(std::size_t column, bool rise);
+
+  std::vector<Row> rows_;
+  std::vector<std::size_t> columns_;                  ///< variable of each column
+  std::vector<std::optional<std::size_t>> row_of_;    ///< of basic variables
+  std::vector<Bound> lower_, upper_;
+  std::vector<Infinitesimal> values_;
+  std::vector<Term> conflict_;
+};
+
+} // namespace mdm

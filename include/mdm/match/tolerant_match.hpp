@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// The smallest match within a tolerance: branch and bound with exact bounds.
+
+#include <mdm/match/least_match.hpp>
+#include <mdm/match/tolerant_problem.hpp>
+
+namespace mdm {
+
+/// A multiple of a condition in a refutation.
+struct Multiple {
+  Condition condition;
+  std::size_t j = 0;
+  Integer multiplier; ///< > 0
+};
+
+/// A node of a search tree: a split of q_j, first into q_j < v and then q_j >= v; or a leaf, where the multiples
+/// of conditions add up to a contradiction.
+struct TreeNode {
+  std::size_t j = 0;
+  Integer v;
+  std::vector<Multiple> leaf; ///< empty: a split
+};
+
+/// Nodes in preorder: a split is followed by its first subtree, then its second.
+using Tree = std::vector<TreeNode>;
+
+/// Particles and class masses that are a match, masses in the problem's units.
+struct TolerantMatch {
+  std::vector<Integer> q;
+  std::vector<Rational> t;
+};
+
+/// What a search found.
+struct TolerantResult {
+  std::optional<TolerantMatch> best; ///< smallest that was found
+  Integer lower_bound = 1;           ///< no match has fewer particles
+  bool complete = false;             ///< the best is the smallest; or there is none at all
+  Tree tree;                         ///< refutes fewer particles than the best has; any number where there is none
+  std::uint64_t nodes = 0;
+};
+
+/// Searches from a match that is known, if there is one; without, the search may go on for ever where there is
+/// no match.
+TolerantResult tolerant_match(const TolerantProblem &problem, std::optional<TolerantMatch> known,
+                              const Limits &limits, std::optional<std::uint64_t> node_limit);
+
+} // namespace mdm

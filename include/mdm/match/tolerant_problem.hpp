@@ -1,0 +1,81 @@
+#pragma once
+/// \file
+/// The integer problem of a match within a tolerance.
+
+#include <mdm/gradation/mass_law.hpp>
+#include <mdm/match/tolerance.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace mdm {
+
+/// The conditions on the variables q_j, t_j and, for a total tolerance, the excesses p_j; M = t_1 + ... + t_k.
+enum class Condition {
+  above_lower,  ///< t_j - f_j q_j >= 0, strict where q_j >= 1
+  up_to_upper,  ///< F_j q_j - t_j >= 0
+  least_count,  ///< q_j >= what min_per_class or a branch demands
+  most_count,   ///< q_j <= what a branch allows
+  retained_lo,  ///< t_j - lo_j M >= 0
+  retained_hi,  ///< hi_j M - t_j >= 0
+  passing_lo,   ///< t_1 + ... + t_j - lo_j M >= 0
+  passing_hi,   ///< hi_j M - t_1 - ... - t_j >= 0
+  excess,       ///< p_j - t_j + g_j M >= 0
+  excess_sign,  ///< p_j >= 0
+  excess_total, ///< (total / 2) M - p_1 - ... - p_k >= 0
+  some_mass,    ///< M > 0
+  weight,       ///< sum t_j / c_j >= what a volume demands
+  at_least,     ///< q_1 + ... + q_k >= what is asked for, at least 1
+  fewer         ///< q_1 + ... + q_k <= N - 1, what is to be refuted
+};
+
+/// sum coefficient * variable >= constant: a condition of the problem with its class (0 where it has none).
+struct LinearRow {
+  Condition condition;
+  std::size_t j = 0;
+  std::vector<std::pair<std::size_t, Rational>> terms;
+  Rational constant = 0;
+};
+
+/// What a match within a tolerance must satisfy besides its tolerance.
+struct TolerantDemands {
+  Integer min_per_class = 1;          ///< in classes with m_j > 0; 1 means nothing
+  Integer at_least = 1;               ///< particles
+  std::optional<Rational> weight;     ///< least sum of x^a (over all particles)
+};
+
+/// Minimise q_1 + ... + q_k over integers q_j >= 0 and masses t_j with the rows (Theorem 12). Variables are
+/// numbered q_j = j, t_j = k + j, p_j = 2k + j, j from 0. Masses are in units in which all f_j and F_j are
+/// integers.
+class TolerantProblem {
+public:
+  /// \throws InputError if the law is irrational at an opening
+  TolerantProblem(const Gradation &g, const MassLaw &law, const Tolerance &tolerance,
+                  const TolerantDemands &demands);
+
+  std::size_t classes() const { return f_.size(); }
+  std::size_t variables() const { return variables_; }
+  /// All conditions but least_count, most_count, excess_sign (bounds on single variables) and fewer.
+  const std::vector<LinearRow> &rows() const { return rows_; }
+  const Integer &f(std::size_t j) const { return f_[j]; }
+  const Integer &F(std::size_t j) const { return F_[j]; }
+  /// Least q_j.
+  const Integer &least(std::size_t j) const { return least_[j]; }
+  /// A mass of 1 (c x^a of the gradation) in the units of t.
+  const Rational &unit() const { return unit_; }
+
+  /// True if the particles q and masses t are a match: every condition holds, by exact arithmetic.
+  bool is_match(const std::vector<Integer> &q, const std::vector<Rational> &t) const;
+
+private:
+  void add(Condition condition, std::size_t j, std::vector<std::pair<std::size_t, Rational>> terms,
+           const Rational &constant = 0);
+  void add_share_rows(const Tolerance &tolerance, const std::vector<Rational> &target);
+
+  std::vector<Integer> f_, F_, least_;
+  Rational unit_;
+  std::size_t variables_ = 0;
+  std::vector<LinearRow> rows_;
+};
+
+} // namespace mdm

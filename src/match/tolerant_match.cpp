@@ -1,0 +1,229 @@
+#include <mdm/match/simplex.hpp>
+#include <mdm/match/tolerant_match.hpp>
+#include <mdm/number/common_denominator.hpp>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+const Infinitesimal strictly_positive{0, 1};
+
+Infinitesimal exactly(const Rational &r) {
+  return {r, 0};
+}
+
+/// Least integer v > x - 1 that is not x: x < v is the branch below, where x is no integer.
+Integer next_integer(const Infinitesimal &x) {
+  const Integer whole = floor(x.value);
+  return x.value == whole && x.tiny < 0 ? whole : Integer(whole + 1);
+}
+
+bool is_integer(const Infinitesimal &x) {
+  return x.tiny == 0 && denominator(x.value) == 1;
+}
+
+class Search {
+public:
+  Search(const TolerantProblem &problem, std::optional<TolerantMatch> known, const Limits &limits,
+         std::optional<std::uint64_t> node_limit)
+      : problem_(problem), limits_(limits), node_limit_(node_limit), program_(problem.variables()) {
+    for (const LinearRow &row : problem.rows())
+      add_row(row);
+    for (std::size_t j = 0; j < problem.classes(); ++j)
+      program_.set_lower(j, exactly(problem.least(j)));
+    for (std::size_t p = 2 * problem.classes(); p < problem.variables(); ++p)
+      program_.set_lower(p, exactly(0));
+    for (std::size_t j = 0; j < problem.classes(); ++j)
+      set_strictness(j);
+    if (known)
+      improve(std::move(*known));
+  }
+
+  TolerantResult run() {
+    for (;;) {
+      if (interrupted())
+        return stopped();
+      ++result_.nodes;
+      if (!program_.find()) {
+        add_leaf();
+        if (!backtrack())
+          break;
+        continue;
+      }
+      program_.minimise(count_);
+      result_.lower_bound = ceil_of(program_.value(count_)); // TODO
+      if (try_rounding())
+        continue; // the same node again, with a lower cutoff
+      branch();
+    }
+    result_.complete = true;
+    if (result_.best)
+      result_.lower_bound = total(result_.best->q);
+    return std::move(result_);
+  }
+
+private:
+  /// A split whose second subtree is still to come.
+  struct Pending {
+    std::size_t j;
+    Integer v;
+    Simplex::Bound upper; ///< of q_j before the split
+    Simplex::Bound lower;
+    Integer bound; ///< no match in the second subtree has fewer particles
+    bool second = false;
+  };
+
+  void add_row(const LinearRow &row) {
+    const std::size_t form = program_.add_form(row.terms);
+    row_of_.push_back(&row);
+    if (row.condition == Condition::above_lower)
+      strict_.push_back(form);
+    else
+      program_.set_lower(form, row.condition == Condition::some_mass ? strictly_positive : exactly(row.constant));
+    if (row.condition == Condition::at_least)
+      count_ = form;
+  }
+
+  /// t_j > f_j q_j where q_j >= 1 in this branch.
+  void set_strictness(std::size_t j) {
+    const bool strict = !(program_.lower(j)->value < 1);
+    program_.set_lower(strict_[j], strict ? strictly_positive : exactly(0));
+  }
+
+  static Integer ceil_of(const Infinitesimal &x) {
+    const Integer whole = floor(x.value);
+    return x.value == whole && !(x.tiny > 0) ? whole : Integer(whole + 1);
+  }
+
+  bool interrupted() const {
+    return (node_limit_ && result_.nodes >= *node_limit_) ||
+           (limits_.deadline && std::chrono::steady_clock::now() > *limits_.deadline);
+  }
+
+  TolerantResult stopped() {
+    for (const Pending &p : pending_)
+      if (!p.second)
+        result_.lower_bound = std::min(result_.lower_bound, p.bound);
+    result_.tree.clear();
+    return std::move(result_);
+  }
+
+  /// The contradiction of the program's bounds as multiples of conditions, cleared of denominators.
+  void add_leaf() {
+    std::vector<Rational> multipliers;
+    TreeNode node;
+    for (const Simplex::Term &term : program_.conflict()) {
+      multipliers.push_back(term.multiplier);
+      node.leaf.push_back(condition_of(term));
+    }
+    const CommonDenominator cleared(multipliers);
+    Integer common = 0;
+    for (const Integer &n : cleared.numerators)
+      common = gcd(common, n);
+    for (std::size_t i = 0; i < node.leaf.size(); ++i)
+      node.leaf[i].multiplier = cleared.numerators[i] / common;
+    result_.tree.push_back(std::move(node));
+  }
+
+  Multiple condition_of(const Simplex::Term &term) const {
+    const std::size_t k = problem_.classes();
+    if (term.variable < k)
+      return {term.is_upper ? Condition::most_count : Condition::least_count, term.variable, 0};
+    if (term.variable < problem_.variables())
+      return {Condition::excess_sign, term.variable - 2 * k, 0};
+    const LinearRow &row = *row_of_[term.variable - problem_.variables()];
+    return {term.is_upper ? Condition::fewer : row.condition, row.j, 0};
+  }
+
+  /// Undoes branches up to the last split whose second subtree is to come, and enters that. False if there is
+  /// none.
+  bool backtrack() {
+    while (!pending_.empty() && pending_.back().second) {
+      const Pending &p = pending_.back();
+      program_.set_lower(p.j, p.lower);
+      set_strictness(p.j);
+      pending_.pop_back();
+    }
+    if (pending_.empty())
+      return false;
+    Pending &p = pending_.back();
+    p.second = true;
+    program_.set_upper(p.j, p.upper);
+    program_.set_lower(p.j, exactly(Rational(p.v)));
+    set_strictness(p.j);
+    return true;
+  }
+
+  /// Splits at the coarsest class whose count is no integer; where all are, at one that holds no mass above
+  /// its lower bound and could be empty.
+  void branch() {
+    for (std::size_t j = problem_.classes(); j-- > 0;)
+      if (!is_integer(program_.value(j)))
+        return split(j, next_integer(program_.value(j)));
+    for (std::size_t j = problem_.classes(); j-- > 0;)
+      if (program_.lower(j)->value < 1 && program_.value(j).value >= 1)
+        return split(j, 1);
+  }
+
+  void split(std::size_t j, const Integer &v) {
+    result_.tree.push_back({j, v, {}});
+    pending_.push_back({j, v, program_.upper(j), program_.lower(j), ceil_of(program_.value(count_))});
+    program_.set_upper(j, exactly(Rational(Integer(v - 1))));
+  }
+
+  /// The program's values with a positive number small enough in the place of eps.
+  std::vector<Rational> masses() const {
+    Rational eps = 1;
+    const std::size_t all = problem_.variables() + problem_.rows().size();
+    for (std::size_t x = 0; x < all; ++x)
+      if (const Simplex::Bound &lower = program_.lower(x)) {
+        const Infinitesimal &v = program_.value(x);
+        const Rational slope = v.tiny - lower->tiny;
+        if (slope < 0)
+          eps = std::min(eps, Rational((v.value - lower->value) / (-2 * slope)));
+      }
+    std::vector<Rational> t;
+    for (std::size_t j = 0; j < problem_.classes(); ++j) {
+      const Infinitesimal &v = program_.value(problem_.classes() + j);
+      t.push_back(v.value + v.tiny * eps);
+    }
+    return t;
+  }
+
+  /// True if the masses of the program, in as few particles as can hold them, are a match with fewer particles
+  /// than the best.
+  bool try_rounding() {
+    TolerantMatch match{{}, masses()};
+    for (std::size_t j = 0; j < problem_.classes(); ++j)
+      match.q.push_back(std::max(problem_.least(j), ceil(Rational(match.t[j] / problem_.F(j)))));
+    if (result_.best && total(match.q) >= total(result_.best->q))
+      return false;
+    return problem_.is_match(match.q, match.t) && (improve(std::move(match)), true);
+  }
+
+  void improve(TolerantMatch match) {
+    const Integer fewer = total(match.q) - 1;
+    program_.set_upper(count_, exactly(Rational(fewer)));
+    result_.best = std::move(match);
+  }
+
+  const TolerantProblem &problem_;
+  Limits limits_;
+  std::optional<std::uint64_t> node_limit_;
+  Simplex program_;
+  std::vector<const LinearRow *> row_of_; ///< of each form
+  std::vector<std::size_t> strict_;       ///< forms of above_lower
+  std::size_t count_ = 0;                 ///< form of at_least
+  std::vector<Pending> pending_;
+  TolerantResult result_;
+};
+
+} // namespace
+
+TolerantResult tolerant_match(const TolerantProblem &problem, std::optional<TolerantMatch> known,
+                              const Limits &limits, std::optional<std::uint64_t> node_limit) {
+  return Search(problem, std::move(known), limits, node_limit).run();
+}
+
+} // namespace mdm
