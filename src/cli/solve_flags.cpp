@@ -1,6 +1,9 @@
 #include "solve_flags.hpp"
 
+#include "files.hpp"
 #include "option_values.hpp"
+
+#include <mdm/gradation/read_gradation.hpp>
 
 namespace mdm::cli {
 namespace {
@@ -49,6 +52,14 @@ Question GradationFlags::question() const {
 }
 
 void SolveFlags::add_to(CLI::App &command) {
+  command
+      .add_option("--tolerance", tolerances,
+                  "the smallest match within a tolerance: retained:1%, passing:0.5%, total:1% (percentage points), "
+                  "retained:file, passing:file (column tolerance_percent), laboratory, rounding; may be repeated")
+      ->type_name("WHICH")
+      ->allow_extra_args(false);
+  command.add_option("--band", band, "the smallest match within the envelope of percent passing in FILE")
+      ->type_name("FILE");
   command.add_option("--min-per-class", min_per_class, "at least R particles in every class with mass")
       ->type_name("R");
   command.add_option("--at-least", at_least, "the smallest match with at least N particles")->type_name("N");
@@ -69,13 +80,17 @@ void SolveFlags::add_to(CLI::App &command) {
       ->type_name("N");
   command
       .add_option("--node-limit", node_limit,
-                  "stop after so many nodes of a search tree (exit 3); exact matches need none")
+                  "stop after so many nodes of the search for a tolerance (exit 3)")
       ->type_name("N");
   command.add_option("--time-limit", time_limit, "stop after so many seconds (exit 3)")->type_name("S");
 }
 
 Question SolveFlags::question() const {
   Question q = GradationFlags::question();
+  for (const std::string &text : tolerances)
+    q.tolerances.push_back(named("--tolerance", text, parse_tolerance));
+  if (band)
+    q.band = read_envelope(read_file(*band, max_gradation_bytes), *band == "-" ? "stdin" : *band);
   if (min_per_class)
     q.min_per_class = std::max(natural("--min-per-class", *min_per_class, 0), Integer(1));
   if (at_least)
@@ -105,7 +120,7 @@ SolveOptions SolveFlags::options() const {
   if (max_steps)
     o.limits.max_steps = natural64("--max-steps", *max_steps);
   if (node_limit)
-    natural64("--node-limit", *node_limit);
+    o.limits.node_limit = natural64("--node-limit", *node_limit);
   if (time_limit)
     o.limits.deadline = deadline_in(*time_limit);
   return o;

@@ -25,6 +25,8 @@ struct GradationFlags {
 
 /// All options of solving.
 struct SolveFlags : GradationFlags {
+  std::vector<std::string> tolerances;
+  Text band;
   Text min_per_class, at_least, at_most;
   Text specimen, void_ratio, solids_volume;
   Text digits, scale;

@@ -209,6 +209,7 @@ Gradation read_ags4(std::string_view content, const Source &source, const std::s
     table.lines.push_back(row.line);
     table.sizes.push_back(decimal(row.size, size_heading, row.line, source));
     table.values.push_back(decimal(row.passing, passing_heading, row.line, source));
+    table.roundings.push_back(last_digit_unit(row.passing) / 2);
   }
   table.notes.push_back(fmt::format("Specimen {} of {}.", in_quotes(chosen.id), specimens.size()));
   return to_gradation(std::move(table), source);

@@ -82,6 +82,8 @@ private:
     table_.lines.push_back(rows_.line());
     table_.sizes.push_back(rows_.size());
     table_.values.push_back(rows_.number(table_.column->name, 1));
+    if (table_.column->form != MassForm::retained)
+      table_.roundings.push_back(rows_.last_digit(1) * 50 / table_.column->full);
     if (tolerance_ != 0)
       table_.tolerances.push_back(rows_.number(tolerance_column, tolerance_));
     if (factor_ != 0)

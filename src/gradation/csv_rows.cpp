@@ -115,6 +115,10 @@ Rational CsvRows::number(std::string_view column, std::size_t field) {
   return named(column, &CsvRows::decimal, field);
 }
 
+Rational CsvRows::last_digit(std::size_t field) {
+  return last_digit_unit(fields_[field], decimal_sign(fields_[field]));
+}
+
 /// Reads a field; what is wrong with it is said with the line and the column's name.
 Rational CsvRows::named(std::string_view column, Rational (CsvRows::*parse)(std::string_view),
                         std::size_t field) {

@@ -38,6 +38,8 @@ public:
   Rational size();
   /// The number in another field; the name of its column is for the message.
   Rational number(std::string_view column, std::size_t field);
+  /// One unit of the last digit of a number.
+  Rational last_digit(std::size_t field);
 
   SizeUnit unit() const;
   /// What was assumed about sizes.

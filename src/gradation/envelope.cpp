@@ -27,23 +27,13 @@ Row read_row(CsvRows &rows) {
         fmt::format("{} {} is negative: write 0 where nothing needs to pass", min_column, shown(row.least)));
   if (row.most > 100)
     rows.refuse(fmt::format("{} {} is above 100: write 100 where all may pass", max_column, shown(row.most)));
-  if (row.least > row.most)
-    rows.refuse(fmt::format("{} {} is above {} {}: exchange them", min_column, shown(row.least), max_column,
-                            shown(row.most)));
   return row;
 }
 
-void check_neighbours(const Row &finer, const Row &coarser, const Source &source) {
+void check_different(const Row &finer, const Row &coarser, const Source &source) {
   if (finer.size == coarser.size)
     source.refuse(coarser.line, fmt::format("size {} repeats that of line {}: leave one out",
                                             shown(coarser.size), finer.line));
-  for (const auto &[column, bound] : {std::pair(min_column, &Row::least), std::pair(max_column, &Row::most)})
-    if (finer.*bound > coarser.*bound)
-      source.refuse(
-          coarser.line,
-          fmt::format("{} {} is below the {} of the finer sieve in line {}: bounds must not decrease "
-                      "with size",
-                      column, shown(coarser.*bound), shown(finer.*bound), finer.line));
 }
 
 } // namespace
@@ -68,7 +58,7 @@ Envelope read_envelope(std::string_view content, const std::string &file) {
     source.refuse(header_line, "there is no row below the header: give the bounds at one sieve or more");
   std::stable_sort(rows.begin(), rows.end(), [](const Row &a, const Row &b) { return a.size < b.size; });
   for (std::size_t i = 1; i < rows.size(); ++i)
-    check_neighbours(rows[i - 1], rows[i], source);
+    check_different(rows[i - 1], rows[i], source);
   Envelope e;
   e.id = stem(file);
   e.unit = csv.unit();

@@ -19,8 +19,8 @@ void check_lengths(const Gradation::Data &data) {
   if (n < 2)
     throw InputError(fmt::format("a gradation needs at least two sizes, there are {}", n));
   const auto fits = [n](const std::vector<Rational> &column) { return column.empty() || column.size() == n; };
-  if (data.masses.size() != n || !fits(data.factors) || !fits(data.tolerances))
-    throw InputError(fmt::format("masses, factors and tolerances must be as many as the sizes, {}", n));
+  if (data.masses.size() != n || !fits(data.factors) || !fits(data.tolerances) || !fits(data.roundings))
+    throw InputError(fmt::format("masses, factors, tolerances and roundings must be as many as the sizes, {}", n));
 }
 
 void check_sizes(const Gradation::Data &data) {
@@ -107,6 +107,7 @@ Gradation Gradation::cut_below(const Rational &size) const {
   drop_front(data.masses, count);
   drop_front(data.factors, count);
   drop_front(data.tolerances, count);
+  drop_front(data.roundings, count);
   return Gradation(std::move(data));
 }
 

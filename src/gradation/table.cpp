@@ -21,7 +21,7 @@ public:
     else
       passing_to_masses();
     return Gradation({std::move(t_.id), t_.unit, std::move(t_.sizes), std::move(t_.values),
-                      std::move(t_.factors), std::move(t_.tolerances), std::move(t_.notes)});
+                      std::move(t_.factors), std::move(t_.tolerances), std::move(t_.roundings), std::move(t_.notes)});
   }
 
 private:
@@ -69,6 +69,7 @@ private:
     arrange(t_.values, order);
     arrange(t_.factors, order);
     arrange(t_.tolerances, order);
+    arrange(t_.roundings, order);
     arrange(t_.lines, order);
     const auto repeated = std::adjacent_find(t_.sizes.begin(), t_.sizes.end());
     if (repeated != t_.sizes.end()) {
@@ -155,6 +156,7 @@ private:
                                    shown(mass), t_.column->full == 100 ? "percent" : "parts of 1", size(0)));
     t_.sizes.insert(t_.sizes.begin(), Rational(0));
     t_.values.insert(t_.values.begin(), mass);
+    t_.roundings.insert(t_.roundings.begin(), Rational(0));
     if (!t_.tolerances.empty()) {
       t_.tolerances.insert(t_.tolerances.begin(), Rational(0));
       t_.notes.emplace_back("The added pan has the tolerance 0; give it a row of its own for another.");

@@ -30,7 +30,7 @@ inline constexpr std::array<MassColumn, 7> mass_columns = {{
     {"passing_fraction", "fraction passing", MassForm::passing, 1},
 }};
 
-/// Columns of one entry a row, in the order of the file; factors and tolerances may be empty.
+/// Columns of one entry a row, in the order of the file; factors, tolerances and roundings may be empty.
 struct Table {
   const MassColumn *column = nullptr;
   std::string id;
@@ -40,7 +40,8 @@ struct Table {
   std::vector<Rational> values;
   std::vector<Rational> factors;
   std::vector<Rational> tolerances;
-  std::vector<std::size_t> lines; ///< where each row stands
+  std::vector<Rational> roundings; ///< half a unit of the last digit of each value
+  std::vector<std::size_t> lines;  ///< where each row stands
   std::vector<std::string> notes;
 };
 

@@ -1,3 +1,4 @@
+#include <mdm/error.hpp>
 #include <mdm/match/question.hpp>
 #include <mdm/number/decimal.hpp>
 
@@ -32,6 +33,10 @@ std::string in_words(const Solids &solids) {
 std::string in_words(const Question &q) {
   std::string words;
   const auto add = [&words](const std::string &part) { words += (words.empty() ? "" : "; ") + part; };
+  for (const AskedTolerance &tolerance : q.tolerances)
+    add("within " + to_string(tolerance));
+  if (q.band)
+    add("within the band " + printable(q.band->id));
   if (q.at_least > 1)
     add("at least " + to_string(q.at_least) + " particles");
   if (q.min_per_class > 1)

@@ -193,6 +193,25 @@ bool Simplex::step(std::size_t column, bool rise) {
   return true;
 }
 
+std::vector<Rational> Simplex::concrete_values(std::size_t from, std::size_t to) const {
+  Rational eps = 1;
+  // room.value + room.tiny * eps >= 0 must hold; at half of the eps where it ends, nothing is at an end.
+  const auto shrink = [&eps](const Infinitesimal &room) {
+    if (room.tiny < 0)
+      eps = std::min(eps, Rational(room.value / (-2 * room.tiny)));
+  };
+  for (std::size_t x = 0; x < values_.size(); ++x) {
+    if (lower_[x])
+      shrink(difference(values_[x], *lower_[x]));
+    if (upper_[x])
+      shrink(difference(*upper_[x], values_[x]));
+  }
+  std::vector<Rational> values;
+  for (std::size_t x = from; x < to; ++x)
+    values.push_back(values_[x].value + values_[x].tiny * eps);
+  return values;
+}
+
 void Simplex::minimise(std::size_t variable) {
   if (!row_of_[variable]) {
     const auto column = std::find(columns_.begin(), columns_.end(), variable);

@@ -23,6 +23,18 @@ bool inside(const Enclosure &x, const Rational &lower, const Rational &upper) {
 
 } // namespace
 
+Enclosure enclose_size(const Gradation &g, std::size_t j, const MassLaw &law, const Integer &n, const Integer &d,
+                       unsigned digits) {
+  Enclosure x = enclose_root(n, d, law.a, digits);
+  for (unsigned more = 2 * digits; !inside(x, g.lower(j), g.upper(j)); more *= 2) {
+    if (x.lo != x.hi && exact_root(ratio(n, d), law.a) == g.upper(j))
+      throw InputError("class " + std::to_string(j + 1) + ": the size is the opening " + to_string(g.upper(j)) +
+                       " itself, which is no decimal: choose another scale");
+    x = enclose_root(n, d, law.a, more);
+  }
+  return x;
+}
+
 std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem,
                                      const std::vector<Integer> &q, const Rational &scale, unsigned digits) {
   const MassLaw &law = problem.law();
@@ -38,14 +50,7 @@ std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem,
     mpz_mul(d.backend().data(), mpq_denref(mass.backend().data()), q[j].backend().data());
     mpz_pow_ui(d.backend().data(), d.backend().data(), law.b);
     mpz_mul(d.backend().data(), d.backend().data(), mpq_denref(scale.backend().data()));
-    Enclosure x = enclose_root(n, d, law.a, digits);
-    for (unsigned more = 2 * digits; !inside(x, g.lower(index), g.upper(index)); more *= 2) {
-      if (x.lo != x.hi && exact_root(ratio(n, d), law.a) == g.upper(index))
-        throw InputError("class " + std::to_string(index + 1) + ": the size is the opening " +
-                         to_string(g.upper(index)) + " itself, which is no decimal: choose another scale");
-      x = enclose_root(n, d, law.a, more);
-    }
-    sizes.push_back(std::move(x));
+    sizes.push_back(enclose_size(g, index, law, n, d, digits));
   }
   return sizes;
 }

@@ -122,13 +122,32 @@ void place(Match &match, Start &start, const SolveOptions &options) {
   note_precision(match, match.window.above);
 }
 
+/// A question with a tolerance.
+Match solve_within_tolerance(Match match, const SolveOptions &options) {
+  match.tolerant = tolerant_answer(match.gradation, match.question, options.limits, options.digits);
+  const TolerantResult &found = match.tolerant->found;
+  match.complete = found.complete;
+  match.lower_bound = found.lower_bound;
+  match.pi = match.tolerant->pi;
+  match.scale = 1;
+  if (!found.best)
+    match.status = found.complete ? Status::none : Status::unknown;
+  else if (options.at_most && match.lower_bound > *options.at_most)
+    match.status = Status::none;
+  else if (options.at_most && match.particles() > *options.at_most)
+    match.status = Status::unknown;
+  else
+    match.status = found.complete ? Status::optimal : Status::feasible;
+  return match;
+}
+
 } // namespace
 
 Enclosure Match::solids_volume() const {
   thread_local Enclosure cached = enclose_pi(40);
   if (digits + 10 > cached.places)
     cached = enclose_pi(digits + 10);
-  const Rational &weight = problem.weight();
+  const Rational &weight = tolerant ? tolerant->weight : problem.weight();
   const Integer n = numerator(scale) * numerator(weight);
   const Integer d = denominator(scale) * denominator(weight) * 6 * power_of_ten(cached.places);
   return enclose_interval(n * cached.lo, n * cached.hi, d, digits);
@@ -137,12 +156,14 @@ Enclosure Match::solids_volume() const {
 Match solve(Gradation g, const Question &question, const SolveOptions &options) {
   Gradation asked = asked_gradation(std::move(g), question);
   Problem problem(asked, question.law, question.min_per_class);
-  Start start(question, problem, std::min(options.digits + 30, most_pi_places));
-  if (question.solids)
-    problem = problem_from_start(problem, start);
   Match match(question, std::move(asked), std::move(problem));
   match.digits = options.digits;
   match.notes = match.gradation.notes();
+  if (question.is_tolerant())
+    return solve_within_tolerance(std::move(match), options);
+  Start start(question, match.problem, std::min(options.digits + 30, most_pi_places));
+  if (question.solids)
+    match.problem = problem_from_start(match.problem, start);
 
   const Rational from =
       start.bounds() ? Rational(start.bounds()->lo / match.problem.scale_unit()) : Rational(0);

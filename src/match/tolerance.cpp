@@ -1,7 +1,215 @@
+#include <mdm/error.hpp>
 #include <mdm/match/tolerance.hpp>
 #include <mdm/number/common_denominator.hpp>
+#include <mdm/number/decimal.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
 
 namespace mdm {
+namespace {
+
+using Kind = AskedTolerance::Kind;
+
+struct Named {
+  std::string_view name;
+  Kind kind;
+};
+constexpr std::array<Named, 3> of_percent = {
+    {{"retained:", Kind::retained}, {"passing:", Kind::passing}, {"total:", Kind::total}}};
+constexpr std::array<Named, 4> of_words = {{{"retained:file", Kind::retained_file},
+                                            {"passing:file", Kind::passing_file},
+                                            {"laboratory", Kind::laboratory},
+                                            {"rounding", Kind::rounding}}};
+
+/// |share - middle| <= width, cut to what shares can be.
+ShareBounds around(const Rational &middle, const Rational &width) {
+  return {std::max(Rational(0), Rational(middle - width)), std::min(Rational(1), Rational(middle + width))};
+}
+
+void narrow(ShareBounds &bounds, const ShareBounds &by) {
+  bounds.lo = std::max(bounds.lo, by.lo);
+  bounds.hi = std::min(bounds.hi, by.hi);
+}
+
+/// What passes the upper sieve of each class.
+std::vector<Rational> passing_shares(const Gradation &g) {
+  std::vector<Rational> passing = shares(g);
+  for (std::size_t j = 1; j < passing.size(); ++j)
+    passing[j] += passing[j - 1];
+  return passing;
+}
+
+/// The least decimal e of 6 places with e >= 0.05 sqrt(X (100 - X)), that is e^2 >= X (100 - X) / 400.
+Rational reproducibility(const Rational &passing) {
+  const Rational x = passing * 100;
+  constexpr unsigned places = 6;
+  const Rational square = x * (100 - x) / 400 * Rational(power_of_ten(2 * places));
+  const Integer below = floor_root(floor(square), 2);
+  return ratio(Rational(below * below) == square ? below : Integer(below + 1), power_of_ten(places));
+}
+
+/// Tolerances on what passes, of all sieves but the first.
+void narrow_passing(Tolerance &tolerance, const Gradation &g, const std::vector<Rational> &percent) {
+  const std::vector<Rational> passing = passing_shares(g);
+  tolerance.passing.resize(g.classes());
+  for (std::size_t j = 0; j + 1 < g.classes(); ++j)
+    narrow(tolerance.passing[j], around(passing[j], Rational(percent[j] / 100)));
+}
+
+void narrow_retained(Tolerance &tolerance, const Gradation &g, const std::vector<Rational> &percent) {
+  const std::vector<Rational> retained = shares(g);
+  tolerance.retained.resize(g.classes());
+  for (std::size_t j = 0; j < g.classes(); ++j)
+    narrow(tolerance.retained[j], around(retained[j], Rational(percent[j] / 100)));
+}
+
+const std::vector<Rational> &file_tolerances(const Gradation &g) {
+  if (g.tolerances().empty())
+    throw InputError("the file has no column tolerance_percent: add one, or give the tolerance in percent");
+  return g.tolerances();
+}
+
+/// The factor from lengths in `from` to lengths in `to`.
+Rational unit_ratio(SizeUnit from, SizeUnit to) {
+  const auto in_um = [](SizeUnit unit) {
+    return Rational(unit == SizeUnit::um ? 1 : unit == SizeUnit::mm ? 1'000 : 1'000'000);
+  };
+  return in_um(from) / in_um(to);
+}
+
+void narrow_to_envelope(Tolerance &tolerance, const Gradation &g, const Envelope &envelope,
+                        const Rational &size_factor) {
+  tolerance.passing.resize(g.classes());
+  const Rational scale = unit_ratio(envelope.unit, g.unit()) * size_factor;
+  for (std::size_t i = 0; i < envelope.sizes.size(); ++i) {
+    const Rational x = envelope.sizes[i] * scale;
+    const std::string sieve = fmt::format("the band's sieve {} {}", to_decimal(envelope.sizes[i]), name(envelope.unit));
+    if (x <= g.lower(0)) {
+      if (envelope.passing_min[i] > 0)
+        throw InputError(sieve + " lets something pass, where the gradation has no finer class: add a row 'pan'");
+      continue;
+    }
+    const auto found = std::lower_bound(g.sizes().begin(), g.sizes().end(), x);
+    if (found != g.sizes().end() && *found != x)
+      throw InputError(sieve + " is no sieve of the gradation: add a row for it");
+    const std::size_t j = found == g.sizes().end() ? g.classes() - 1
+                                                   : static_cast<std::size_t>(found - g.sizes().begin()) - 1;
+    narrow(tolerance.passing[j],
+           {Rational(envelope.passing_min[i] / 100), Rational(envelope.passing_max[i] / 100)});
+  }
+}
+
+} // namespace
+
+AskedTolerance parse_tolerance(std::string_view text) {
+  for (const Named &named : of_words)
+    if (text == named.name)
+      return {named.kind, 0};
+  for (const Named &named : of_percent) {
+    if (!text.starts_with(named.name))
+      continue;
+    std::string_view number = text.substr(named.name.size());
+    if (number.ends_with('%'))
+      number.remove_suffix(1);
+    const Rational percent = parse_decimal(number);
+    if (percent < 0 || percent > 100)
+      throw InputError(in_quotes(text) + " is not between 0 and 100 percentage points");
+    return {named.kind, percent};
+  }
+  throw InputError(in_quotes(text) + " is no tolerance: write retained:1%, passing:0.5%, total:1%, retained:file, "
+                                     "passing:file, laboratory or rounding");
+}
+
+std::string to_string(const AskedTolerance &asked) {
+  for (const Named &named : of_words)
+    if (asked.kind == named.kind)
+      return std::string(named.name);
+  for (const Named &named : of_percent)
+    if (asked.kind == named.kind)
+      return std::string(named.name) + to_decimal(asked.percent) + "%";
+  return {};
+}
+
+std::vector<Rational> passing_tolerances(const Gradation &g, AskedTolerance::Kind kind) {
+  if (kind == Kind::rounding) {
+    if (g.roundings().empty())
+      throw InputError("rounding needs what passes as the laboratory wrote it: a file with passing_percent, "
+                       "passing_fraction or cumulative_retained_percent, or AGS4");
+    return {std::next(g.roundings().begin()), std::prev(g.roundings().end())};
+  }
+  std::vector<Rational> percent = passing_shares(g);
+  percent.pop_back();
+  std::transform(percent.begin(), percent.end(), percent.begin(), reproducibility);
+  return percent;
+}
+
+Tolerance tolerance_of(const Gradation &g, const std::vector<AskedTolerance> &asked,
+                       const std::optional<Envelope> &envelope, const Rational &size_factor) {
+  Tolerance tolerance;
+  for (const AskedTolerance &a : asked) {
+    const std::vector<Rational> everywhere(g.classes(), a.percent);
+    switch (a.kind) {
+    case Kind::retained:
+      narrow_retained(tolerance, g, everywhere);
+      break;
+    case Kind::passing:
+      narrow_passing(tolerance, g, everywhere);
+      break;
+    case Kind::total:
+      tolerance.total = std::min(tolerance.total.value_or(Rational(2)), Rational(a.percent / 100));
+      break;
+    case Kind::retained_file:
+      narrow_retained(tolerance, g, file_tolerances(g));
+      break;
+    case Kind::passing_file:
+      narrow_passing(tolerance, g, {std::next(file_tolerances(g).begin()), g.tolerances().end()});
+      break;
+    default:
+      narrow_passing(tolerance, g, passing_tolerances(g, a.kind));
+    }
+  }
+  if (envelope)
+    narrow_to_envelope(tolerance, g, *envelope, size_factor);
+  return tolerance;
+}
+
+Gradation middle_of(const Envelope &envelope) {
+  if (envelope.passing_max.back() != 100)
+    throw InputError(fmt::format("the band lets at most {} percent pass its largest sieve, {} {}: add a larger sieve "
+                                 "that lets 100 pass",
+                                 to_decimal(envelope.passing_max.back()), to_decimal(envelope.sizes.back()),
+                                 name(envelope.unit)));
+  const std::size_t n = envelope.sizes.size();
+  // The narrowest bounds of a curve that does not fall: lo'_i = max of lo up to i, hi'_i = min of hi from i on.
+  std::vector<Rational> lo = envelope.passing_min, hi = envelope.passing_max;
+  for (std::size_t i = 1; i < n; ++i)
+    lo[i] = std::max(lo[i], lo[i - 1]);
+  for (std::size_t i = n - 1; i-- > 0;)
+    hi[i] = std::min(hi[i], hi[i + 1]);
+  bool contradicts = false;
+  for (std::size_t i = 0; i < n; ++i)
+    contradicts = contradicts || lo[i] > hi[i];
+  std::vector<Rational> passing(n);
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    passing[i] = contradicts ? lo[i] : Rational((lo[i] + hi[i]) / 2);
+  passing.back() = 100;
+  Gradation::Data data;
+  data.id = envelope.id;
+  data.unit = envelope.unit;
+  data.sizes = envelope.sizes;
+  if (passing.front() > 0 && data.sizes.front() > 0) {
+    data.sizes.insert(data.sizes.begin(), Rational(0));
+    passing.insert(passing.begin(), Rational(0));
+  }
+  for (std::size_t i = 0; i + 1 < passing.size(); ++i)
+    data.masses.push_back(passing[i + 1] - passing[i]);
+  data.masses.emplace_back(0);
+  data.notes = envelope.notes;
+  return Gradation(std::move(data));
+}
 
 std::vector<Rational> shares(const Gradation &g) {
   const Rational all = sum(g.masses());

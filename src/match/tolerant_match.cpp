@@ -25,9 +25,8 @@ bool is_integer(const Infinitesimal &x) {
 
 class Search {
 public:
-  Search(const TolerantProblem &problem, std::optional<TolerantMatch> known, const Limits &limits,
-         std::optional<std::uint64_t> node_limit)
-      : problem_(problem), limits_(limits), node_limit_(node_limit), program_(problem.variables()) {
+  Search(const TolerantProblem &problem, const Limits &limits)
+      : problem_(problem), limits_(limits), program_(problem.variables()) {
     for (const LinearRow &row : problem.rows())
       add_row(row);
     for (std::size_t j = 0; j < problem.classes(); ++j)
@@ -36,26 +35,22 @@ public:
       program_.set_lower(p, exactly(0));
     for (std::size_t j = 0; j < problem.classes(); ++j)
       set_strictness(j);
-    if (known)
-      improve(std::move(*known));
   }
 
   TolerantResult run() {
-    for (;;) {
+    for (bool open = true; open;) {
       if (interrupted())
         return stopped();
       ++result_.nodes;
-      if (!program_.find()) {
+      if (program_.find()) {
+        program_.minimise(count_);
+        bound_ = std::max(bound_, ceil_of(program_.value(count_)));
+        if (!try_rounding()) // else the same node again, with a lower cutoff
+          branch();
+      } else {
         add_leaf();
-        if (!backtrack())
-          break;
-        continue;
+        open = backtrack();
       }
-      program_.minimise(count_);
-      result_.lower_bound = ceil_of(program_.value(count_)); // TODO
-      if (try_rounding())
-        continue; // the same node again, with a lower cutoff
-      branch();
     }
     result_.complete = true;
     if (result_.best)
@@ -70,8 +65,8 @@ private:
     Integer v;
     Simplex::Bound upper; ///< of q_j before the split
     Simplex::Bound lower;
-    Integer bound; ///< no match in the second subtree has fewer particles
-    bool second = false;
+    Integer bound;        ///< no match in either subtree has fewer particles
+    bool second = false;  ///< the walk is in the second subtree
   };
 
   void add_row(const LinearRow &row) {
@@ -97,11 +92,13 @@ private:
   }
 
   bool interrupted() const {
-    return (node_limit_ && result_.nodes >= *node_limit_) ||
+    return (limits_.node_limit && result_.nodes >= *limits_.node_limit) ||
            (limits_.deadline && std::chrono::steady_clock::now() > *limits_.deadline);
   }
 
+  /// What is certain: every match is the best, or in a subtree that is still open.
   TolerantResult stopped() {
+    result_.lower_bound = bound_;
     for (const Pending &p : pending_)
       if (!p.second)
         result_.lower_bound = std::min(result_.lower_bound, p.bound);
@@ -149,6 +146,7 @@ private:
       return false;
     Pending &p = pending_.back();
     p.second = true;
+    bound_ = p.bound;
     program_.set_upper(p.j, p.upper);
     program_.set_lower(p.j, exactly(Rational(p.v)));
     set_strictness(p.j);
@@ -168,62 +166,45 @@ private:
 
   void split(std::size_t j, const Integer &v) {
     result_.tree.push_back({j, v, {}});
-    pending_.push_back({j, v, program_.upper(j), program_.lower(j), ceil_of(program_.value(count_))});
+    pending_.push_back({j, v, program_.upper(j), program_.lower(j), bound_});
     program_.set_upper(j, exactly(Rational(Integer(v - 1))));
   }
 
-  /// The program's values with a positive number small enough in the place of eps.
-  std::vector<Rational> masses() const {
-    Rational eps = 1;
-    const std::size_t all = problem_.variables() + problem_.rows().size();
-    for (std::size_t x = 0; x < all; ++x)
-      if (const Simplex::Bound &lower = program_.lower(x)) {
-        const Infinitesimal &v = program_.value(x);
-        const Rational slope = v.tiny - lower->tiny;
-        if (slope < 0)
-          eps = std::min(eps, Rational((v.value - lower->value) / (-2 * slope)));
-      }
-    std::vector<Rational> t;
-    for (std::size_t j = 0; j < problem_.classes(); ++j) {
-      const Infinitesimal &v = program_.value(problem_.classes() + j);
-      t.push_back(v.value + v.tiny * eps);
-    }
-    return t;
-  }
-
   /// True if the masses of the program, in as few particles as can hold them, are a match with fewer particles
-  /// than the best.
+  /// than the best. Before there is a first one, the masses are doubled until they are: with enough of it, a mass
+  /// above 0 can be had in a whole number of particles (Theorem 12).
   bool try_rounding() {
-    TolerantMatch match{{}, masses()};
-    for (std::size_t j = 0; j < problem_.classes(); ++j)
-      match.q.push_back(std::max(problem_.least(j), ceil(Rational(match.t[j] / problem_.F(j)))));
-    if (result_.best && total(match.q) >= total(result_.best->q))
-      return false;
-    return problem_.is_match(match.q, match.t) && (improve(std::move(match)), true);
-  }
-
-  void improve(TolerantMatch match) {
-    const Integer fewer = total(match.q) - 1;
-    program_.set_upper(count_, exactly(Rational(fewer)));
-    result_.best = std::move(match);
+    TolerantMatch match{{}, program_.concrete_values(problem_.classes(), 2 * problem_.classes())};
+    do {
+      match.q.clear();
+      for (std::size_t j = 0; j < problem_.classes(); ++j)
+        match.q.push_back(std::max(problem_.least(j), ceil(Rational(match.t[j] / problem_.F(j)))));
+      if ((!result_.best || total(match.q) < total(result_.best->q)) && problem_.is_match(match.q, match.t)) {
+        program_.set_upper(count_, exactly(Rational(Integer(total(match.q) - 1))));
+        result_.best = std::move(match);
+        return true;
+      }
+      for (Rational &t : match.t)
+        t *= 2;
+    } while (!result_.best);
+    return false;
   }
 
   const TolerantProblem &problem_;
   Limits limits_;
-  std::optional<std::uint64_t> node_limit_;
   Simplex program_;
   std::vector<const LinearRow *> row_of_; ///< of each form
   std::vector<std::size_t> strict_;       ///< forms of above_lower
   std::size_t count_ = 0;                 ///< form of at_least
+  Integer bound_ = 1;                     ///< no match of this node has fewer particles
   std::vector<Pending> pending_;
   TolerantResult result_;
 };
 
 } // namespace
 
-TolerantResult tolerant_match(const TolerantProblem &problem, std::optional<TolerantMatch> known,
-                              const Limits &limits, std::optional<std::uint64_t> node_limit) {
-  return Search(problem, std::move(known), limits, node_limit).run();
+TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limits) {
+  return Search(problem, limits).run();
 }
 
 } // namespace mdm

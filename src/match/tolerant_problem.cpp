@@ -50,8 +50,9 @@ TolerantProblem::TolerantProblem(const Gradation &g, const MassLaw &law, const T
   add(Condition::at_least, 0, counts, Rational(std::max(demands.at_least, Integer(1))));
 }
 
-void TolerantProblem::add(Condition condition, std::size_t j, Terms terms, const Rational &constant) {
-  rows_.push_back({condition, j, std::move(terms), constant});
+void TolerantProblem::add(Condition condition, std::size_t j, Terms terms, const Rational &constant,
+                          const Rational &width) {
+  rows_.push_back({condition, j, std::move(terms), constant, width});
 }
 
 /// What a tolerance says of masses: share * M is linear, as M is the sum of all.
@@ -70,16 +71,16 @@ void TolerantProblem::add_share_rows(const Tolerance &tolerance, const std::vect
   for (std::size_t j = 0; j < tolerance.retained.size(); ++j) {
     const ShareBounds &b = tolerance.retained[j];
     if (b.lo > 0)
-      add(Condition::retained_lo, j, deviation(1, j, j + 1, b.lo));
+      add(Condition::retained_lo, j, deviation(1, j, j + 1, b.lo), 0, Rational(b.hi - b.lo));
     if (b.hi < 1)
-      add(Condition::retained_hi, j, deviation(-1, j, j + 1, b.hi));
+      add(Condition::retained_hi, j, deviation(-1, j, j + 1, b.hi), 0, Rational(b.hi - b.lo));
   }
   for (std::size_t j = 0; j < tolerance.passing.size(); ++j) {
     const ShareBounds &b = tolerance.passing[j];
     if (b.lo > 0)
-      add(Condition::passing_lo, j, deviation(1, 0, j + 1, b.lo));
+      add(Condition::passing_lo, j, deviation(1, 0, j + 1, b.lo), 0, Rational(b.hi - b.lo));
     if (b.hi < 1)
-      add(Condition::passing_hi, j, deviation(-1, 0, j + 1, b.hi));
+      add(Condition::passing_hi, j, deviation(-1, 0, j + 1, b.hi), 0, Rational(b.hi - b.lo));
   }
   if (!tolerance.total)
     return;
@@ -92,7 +93,7 @@ void TolerantProblem::add_share_rows(const Tolerance &tolerance, const std::vect
   }
   for (std::size_t j = 0; j < k; ++j)
     total.emplace_back(2 * k + j, -1);
-  add(Condition::excess_total, 0, std::move(total));
+  add(Condition::excess_total, 0, std::move(total), 0, Rational(*tolerance.total / 2));
 }
 
 bool TolerantProblem::is_match(const std::vector<Integer> &q, const std::vector<Rational> &t) const {

@@ -168,6 +168,12 @@ Rational parse_decimal(std::string_view text, char point) {
   return ratio(n, power_of_ten(static_cast<unsigned>(-parts.exponent)));
 }
 
+Rational last_digit_unit(std::string_view text, char point) {
+  const long exponent = take_apart(text, point).exponent;
+  const Rational unit(power_of_ten(static_cast<unsigned>(exponent < 0 ? -exponent : exponent)));
+  return exponent < 0 ? Rational(1 / unit) : unit;
+}
+
 std::string fixed_decimal(const Integer &digits, unsigned places) {
   if (digits < 0)
     return "-" + fixed_decimal(Integer(-digits), places);

@@ -26,6 +26,13 @@ std::vector<Row> rows(const Match &m) {
   for (std::size_t j = 0; j < rows.size(); ++j)
     rows[j] = {j == 0 ? to_decimal(g.lower(0)) : rows[j - 1].upper, to_decimal(g.upper(j)),
                to_decimal(g.mass(j)), m.has_answer() ? "0" : "", std::nullopt};
+  if (m.has_answer() && m.tolerant) {
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+      rows[j].quantity = to_string(m.tolerant->found.best->q[j]);
+      rows[j].size = m.tolerant->sizes[j];
+    }
+    return rows;
+  }
   for (std::size_t i = 0; m.has_answer() && i < m.q.size(); ++i) {
     Row &row = rows[m.problem.classes()[i].index];
     row.quantity = to_string(m.q[i]);
@@ -81,6 +88,26 @@ void add_json_scale(Buffer &out, const Match &m) {
   add(out, "}}");
 }
 
+std::string json_bounds(const std::vector<ShareBounds> &bounds) {
+  std::string text;
+  for (const ShareBounds &b : bounds)
+    text += fmt::format(R"({}["{}","{}"])", text.empty() ? "" : ",", to_string(b.lo), to_string(b.hi));
+  return "[" + text + "]";
+}
+
+/// The tolerance as it was asked for and as bounds on shares, and the shares that the match has.
+void add_json_tolerance(Buffer &out, const Match &m) {
+  const Tolerance &t = m.tolerant->tolerance;
+  std::string asked, achieved;
+  for (const AskedTolerance &a : m.question.tolerances)
+    asked += (asked.empty() ? "\"" : ",\"") + to_string(a) + "\"";
+  for (const Rational &share : m.tolerant->shares)
+    achieved += (achieved.empty() ? "\"" : ",\"") + to_string(share) + "\"";
+  add(out, R"(,"tolerance":{{"asked":[{}],"band":{},"retained":{},"passing":{},"total":{}}},"achieved":[{}])", asked,
+      m.question.band ? json_string(m.question.band->id) : "null", json_bounds(t.retained), json_bounds(t.passing),
+      t.total ? "\"" + to_string(*t.total) + "\"" : "null", achieved);
+}
+
 void add_json_spectrum(Buffer &out, const Spectrum &s) {
   add(out, R"(,"spectrum":{{"intervals":[)");
   for (std::size_t i = 0; i < s.intervals.size(); ++i)
@@ -93,25 +120,55 @@ std::string counted(const Integer &n) {
   return to_string(n) + (n == 1 ? " particle" : " particles");
 }
 
-/// The text form's table; columns are as wide as their longest entry.
+/// Lines of columns that are as wide as their longest entry; `left` are flush left.
+template <std::size_t n>
+void add_columns(Buffer &out, const std::vector<std::array<std::string, n>> &lines, const std::string &left) {
+  std::array<std::size_t, n> width{};
+  for (const auto &line : lines)
+    for (std::size_t i = 0; i < n; ++i)
+      width[i] = std::max(width[i], line[i].size());
+  for (const auto &line : lines) {
+    std::string text;
+    for (std::size_t i = 0; i < n; ++i)
+      text += left[i] == '<' ? fmt::format("  {:<{}}", line[i], width[i]) : fmt::format("  {:>{}}", line[i], width[i]);
+    text.erase(text.find_last_not_of(' ') + 1);
+    add(out, "{}\n", text);
+  }
+}
+
+/// The text form's table.
 void add_table(Buffer &out, const Match &m) {
-  using Line = std::array<std::string, 5>;
   const std::string unit(name(m.gradation.unit()));
-  std::vector<Line> lines = {
-      Line{"class", "sizes (" + unit + "]", "mass", "quantity", "size of a particle (" + unit + ")"}};
+  std::vector<std::array<std::string, 5>> lines = {
+      {"class", "sizes (" + unit + "]", "mass", "quantity", "size of a particle (" + unit + ")"}};
   const std::vector<Row> all = rows(m);
   for (std::size_t j = 0; j < all.size(); ++j) {
     const Row &r = all[j];
     lines.push_back({std::to_string(j + 1), "(" + r.lower + ", " + r.upper + "]", r.mass, r.quantity,
                      r.size ? r.size->text() : "-"});
   }
-  std::array<std::size_t, 5> width{};
-  for (const Line &line : lines)
-    for (std::size_t i = 0; i < width.size(); ++i)
-      width[i] = std::max(width[i], line[i].size());
-  for (const Line &l : lines)
-    add(out, "  {:>{}}  {:<{}}  {:>{}}  {:>{}}  {}\n", l[0], width[0], l[1], width[1], l[2], width[2], l[3],
-        width[3], l[4]);
+  add_columns(out, lines, "><>><");
+}
+
+/// The same for a tolerance: with what passes the upper sieve, in percent, of the gradation and of the match.
+void add_tolerant_table(Buffer &out, const Match &m) {
+  const std::string unit(name(m.gradation.unit()));
+  std::vector<std::array<std::string, 6>> lines = {{"class", "sizes (" + unit + "]", "passing (%)", "achieved (%)",
+                                                    "quantity", "size of a particle (" + unit + ")"}};
+  const std::vector<Row> all = rows(m);
+  const std::vector<Rational> target = shares(m.gradation);
+  Rational passing = 0, achieved = 0;
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    const Row &r = all[j];
+    passing += target[j];
+    achieved += m.tolerant->shares[j];
+    lines.push_back({std::to_string(j + 1), "(" + r.lower + ", " + r.upper + "]",
+                     approximate(Rational(passing * 100), 6), approximate(Rational(achieved * 100), 6), r.quantity,
+                     r.size ? r.size->text() : "-"});
+  }
+  add_columns(out, lines, "><>>><");
+  if (m.question.law.is_sphere())
+    add(out, "\n  volume of the particles: {} {}^3\n", m.solids_volume().text(), unit);
 }
 
 /// The scale of the asked volume: exactly, or enclosed.
@@ -155,7 +212,11 @@ void add_text_spectrum(Buffer &out, const Spectrum &s) {
 
 std::string headline(const Match &m) {
   const std::string words = in_words(m.question);
-  const std::string set = "the smallest set that matches exactly" + (words.empty() ? "" : " (" + words + ")");
+  const std::string set = std::string("the smallest set that matches") + (m.tolerant ? "" : " exactly") +
+                          (words.empty() ? "" : " (" + words + ")");
+  if (m.tolerant && !m.tolerant->found.best)
+    return m.complete ? "no sample matches (" + words + "): the demands contradict each other"
+                      : "stopped at a limit before any match was found (" + words + ")";
   const std::string between = "N in [" + to_string(m.lower_bound) + ", " + to_string(m.particles()) + "]";
   switch (m.status) {
   case Status::optimal:
@@ -187,11 +248,14 @@ std::string answer_json(const Match &m, const Spectrum *spectrum) {
     add_json_row(out, all[j]);
   }
   out.push_back(']');
-  if (m.has_answer())
+  if (m.has_answer() && !m.tolerant)
     add_json_scale(out, m);
   else
     add(out, R"(,"scale":null)");
-  add(out, R"(,"tolerance":null)");
+  if (m.tolerant)
+    add_json_tolerance(out, m);
+  else
+    add(out, R"(,"tolerance":null)");
   if (m.has_answer() && m.question.law.is_sphere()) {
     const Enclosure volume = m.solids_volume();
     add_compiled(out, FMT_COMPILE(R"(,"solids_volume":["{}","{}"])"), volume.lower_text(),
@@ -223,8 +287,12 @@ std::string answer_text(const Match &m, const Spectrum *spectrum) {
   add(out, "{}: {}\n", printable(m.gradation.id()), headline(m));
   if (m.has_answer()) {
     out.push_back('\n');
-    add_table(out, m);
-    add_text_scale(out, m);
+    if (m.tolerant) {
+      add_tolerant_table(out, m);
+    } else {
+      add_table(out, m);
+      add_text_scale(out, m);
+    }
   }
   if (spectrum != nullptr)
     add_text_spectrum(out, *spectrum);

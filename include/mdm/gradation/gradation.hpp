@@ -23,6 +23,7 @@ public:
     std::vector<Rational>
         factors; ///< density or shape factor c_j > 0 of class j (the last is not used), or empty: all 1
     std::vector<Rational> tolerances; ///< percentage points >= 0 as a file gave them, or empty
+    std::vector<Rational> roundings;  ///< half a unit of the last digit of what passes, percent, or empty
     std::vector<std::string> notes;   ///< what the reader assumed, for the report
   };
 
@@ -34,6 +35,7 @@ public:
   const std::vector<Rational> &sizes() const { return data_.sizes; }
   const std::vector<Rational> &masses() const { return data_.masses; }
   const std::vector<Rational> &tolerances() const { return data_.tolerances; }
+  const std::vector<Rational> &roundings() const { return data_.roundings; }
   const std::vector<std::string> &notes() const { return data_.notes; }
   /// Empty if all factors are 1.
   const std::vector<Rational> &factors() const { return data_.factors; }

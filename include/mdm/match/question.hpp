@@ -5,6 +5,7 @@
 #include <mdm/gradation/gradation.hpp>
 #include <mdm/gradation/mass_law.hpp>
 #include <mdm/match/solids.hpp>
+#include <mdm/match/tolerance.hpp>
 
 #include <optional>
 
@@ -19,6 +20,11 @@ struct Question {
   Integer min_per_class = 1;         ///< floor R >= 1 of every class with mass
   std::optional<Solids> solids;      ///< least volume of solids; spheres only
   Integer at_least = 1;              ///< least number of particles, >= 1
+  std::vector<AskedTolerance> tolerances; ///< all of them hold
+  std::optional<Envelope> band;           ///< bounds on what passes
+
+  /// True if the shares need not be those of the gradation exactly.
+  bool is_tolerant() const { return !tolerances.empty() || band; }
 };
 
 /// g with the pan, the cut and the size factor of the question, in this order.

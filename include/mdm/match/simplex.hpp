@@ -47,6 +47,8 @@ public:
   void minimise(std::size_t variable);
 
   const Infinitesimal &value(std::size_t variable) const { return values_[variable]; }
+  /// The values of variables [from, to) with a number so small in the place of eps that all bounds still hold.
+  std::vector<Rational> concrete_values(std::size_t from, std::size_t to) const;
 
   /// A bound in a contradiction: `multiplier` > 0 times (variable >= its lower bound) or (variable <= its upper).
   struct Term {

@@ -5,6 +5,7 @@
 #include <mdm/match/at_least.hpp>
 #include <mdm/match/scale.hpp>
 #include <mdm/match/sizes.hpp>
+#include <mdm/match/tolerant_answer.hpp>
 
 #include <string>
 
@@ -21,7 +22,7 @@ struct SolveOptions {
 enum class Status {
   optimal,  ///< the match is the smallest
   feasible, ///< a limit came first: the match is one, the smallest has at least `lower_bound` particles
-  none,     ///< every match has more than `at_most` particles: at least `lower_bound`
+  none,     ///< every match has more than `at_most` particles, at least `lower_bound`; or there is none at all
   unknown ///< a limit came first: the match has more than `at_most` particles, a smaller one was not excluded
 };
 
@@ -44,6 +45,9 @@ struct Match {
   std::vector<Enclosure> sizes; ///< of each class's particles at that scale
   Rational margin;              ///< least distance of a size to its sieves, relative
 
+  /// Instead of q, window, scale, sizes and margin where the question has a tolerance.
+  std::optional<TolerantAnswer> tolerant;
+
   /// The evidence of minimality, if `complete`: see certificate.hpp.
   Chain chain;
   Rational above;              ///< z of a question with at_least; 0: nothing
@@ -52,10 +56,11 @@ struct Match {
   unsigned digits = 15; ///< significant digits that were asked for
   std::vector<std::string> notes;
 
-  Integer particles() const { return total(q); }
+  Integer particles() const { return tolerant ? total(tolerant->found.best->q) : total(q); }
   /// True if the match answers the question: it is within `at_most`.
   bool has_answer() const { return status == Status::optimal || status == Status::feasible; }
-  /// Volume of the particles at the chosen scale, (pi/6) s sum m_j / c_j; for spheres only.
+  /// Volume of the particles at the chosen scale, (pi/6) s sum m_j / c_j (for a tolerance (pi/6) sum t_j / c_j);
+  /// for spheres only.
   Enclosure solids_volume() const;
 };
 

@@ -35,6 +35,7 @@ struct LinearRow {
   std::size_t j = 0;
   std::vector<std::pair<std::size_t, Rational>> terms;
   Rational constant = 0;
+  Rational width = 0; ///< of a share: between the two bounds that this is one of
 };
 
 /// What a match within a tolerance must satisfy besides its tolerance.
@@ -69,7 +70,7 @@ public:
 
 private:
   void add(Condition condition, std::size_t j, std::vector<std::pair<std::size_t, Rational>> terms,
-           const Rational &constant = 0);
+           const Rational &constant = 0, const Rational &width = 0);
   void add_share_rows(const Tolerance &tolerance, const std::vector<Rational> &target);
 
   std::vector<Integer> f_, F_, least_;

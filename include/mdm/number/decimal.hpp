@@ -14,6 +14,10 @@ inline constexpr unsigned max_decimal_exponent = 400;
 /// \throws InputError if `text` is anything else or passes the limits.
 Rational parse_decimal(std::string_view text, char point = '.');
 
+/// One unit of the last digit of such a decimal: 1/100 for `3.80`.
+/// \throws InputError as parse_decimal
+Rational last_digit_unit(std::string_view text, char point = '.');
+
 /// digits * 10^-places in plain notation with exactly so many places, for example `0.0380`.
 std::string fixed_decimal(const Integer &digits, unsigned places);
 

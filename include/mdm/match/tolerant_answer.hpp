@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// The smallest match within a tolerance, with its sizes.
+
+#include <mdm/match/question.hpp>
+#include <mdm/match/sizes.hpp>
+#include <mdm/match/tolerant_match.hpp>
+#include <mdm/number/enclosure.hpp>
+
+namespace mdm {
+
+/// What there is to say of a question with a tolerance.
+struct TolerantAnswer {
+  Tolerance tolerance;
+  TolerantProblem problem;
+  TolerantResult found;                       ///< its best has central masses
+  std::vector<std::optional<Enclosure>> sizes; ///< of each class's particles; nothing for an empty class
+  std::vector<Rational> shares;                ///< t_j / M; empty where there is no match
+  Rational weight;                             ///< sum t_j / c_j, in units of x^a
+  std::optional<Enclosure> pi;                 ///< bounds that a demanded volume was decided with
+};
+
+/// Answers a question about g, whose pan, cut and size factor are made.
+/// \throws InputError if the question does not fit g
+TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, const Limits &limits, unsigned digits);
+
+} // namespace mdm
