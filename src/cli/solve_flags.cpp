@@ -53,9 +53,10 @@ Question GradationFlags::question() const {
 
 void SolveFlags::add_to(CLI::App &command) {
   command
-      .add_option("--tolerance", tolerances,
-                  "the smallest match within a tolerance: retained:1%, passing:0.5%, total:1% (percentage points), "
-                  "retained:file, passing:file (column tolerance_percent), laboratory, rounding; may be repeated")
+      .add_option(
+          "--tolerance", tolerances,
+          "the smallest match within a tolerance: retained:1%, passing:0.5%, total:1% (percentage points), "
+          "retained:file, passing:file (column tolerance_percent), laboratory, rounding; may be repeated")
       ->type_name("WHICH")
       ->allow_extra_args(false);
   command.add_option("--band", band, "the smallest match within the envelope of percent passing in FILE")

@@ -20,7 +20,8 @@ void check_lengths(const Gradation::Data &data) {
     throw InputError(fmt::format("a gradation needs at least two sizes, there are {}", n));
   const auto fits = [n](const std::vector<Rational> &column) { return column.empty() || column.size() == n; };
   if (data.masses.size() != n || !fits(data.factors) || !fits(data.tolerances) || !fits(data.roundings))
-    throw InputError(fmt::format("masses, factors, tolerances and roundings must be as many as the sizes, {}", n));
+    throw InputError(
+        fmt::format("masses, factors, tolerances and roundings must be as many as the sizes, {}", n));
 }
 
 void check_sizes(const Gradation::Data &data) {

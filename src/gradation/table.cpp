@@ -21,7 +21,8 @@ public:
     else
       passing_to_masses();
     return Gradation({std::move(t_.id), t_.unit, std::move(t_.sizes), std::move(t_.values),
-                      std::move(t_.factors), std::move(t_.tolerances), std::move(t_.roundings), std::move(t_.notes)});
+                      std::move(t_.factors), std::move(t_.tolerances), std::move(t_.roundings),
+                      std::move(t_.notes)});
   }
 
 private:

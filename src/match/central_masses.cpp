@@ -9,14 +9,14 @@ namespace {
 Rational width_of(const LinearRow &row, const TolerantProblem &problem, const TolerantMatch &match,
                   const Rational &mass) {
   switch (row.condition) {
-  case Condition::above_lower:
-  case Condition::up_to_upper:
+  case TolerantCondition::above_lower:
+  case TolerantCondition::up_to_upper:
     return Rational((problem.F(row.j) - problem.f(row.j)) * match.q[row.j]);
-  case Condition::retained_lo:
-  case Condition::retained_hi:
-  case Condition::passing_lo:
-  case Condition::passing_hi:
-  case Condition::excess_total:
+  case TolerantCondition::retained_lo:
+  case TolerantCondition::retained_hi:
+  case TolerantCondition::passing_lo:
+  case TolerantCondition::passing_hi:
+  case TolerantCondition::excess_total:
     return row.width * mass;
   default:
     return 0;
@@ -25,7 +25,8 @@ Rational width_of(const LinearRow &row, const TolerantProblem &problem, const To
 
 } // namespace
 
-std::optional<std::vector<Rational>> central_masses(const TolerantProblem &problem, const TolerantMatch &match,
+std::optional<std::vector<Rational>> central_masses(const TolerantProblem &problem,
+                                                    const TolerantMatch &match,
                                                     const std::optional<Rational> &weight,
                                                     const Rational &excess) {
   const std::size_t k = problem.classes();
@@ -44,10 +45,10 @@ std::optional<std::vector<Rational>> central_masses(const TolerantProblem &probl
   std::optional<std::size_t> weight_form;
   for (const LinearRow &row : problem.rows()) {
     const std::size_t form = program.add_form(row.terms);
-    const bool strict = row.condition == Condition::some_mass ||
-                        (row.condition == Condition::above_lower && match.q[row.j] >= 1);
+    const bool strict = row.condition == TolerantCondition::some_mass ||
+                        (row.condition == TolerantCondition::above_lower && match.q[row.j] >= 1);
     program.set_lower(form, Infinitesimal{row.constant, strict ? 1 : 0});
-    if (row.condition == Condition::weight) {
+    if (row.condition == TolerantCondition::weight) {
       weight_form = form;
       program.set_lower(form, Infinitesimal{Rational(*weight * problem.unit()), 0});
       program.set_upper(form, Infinitesimal{Rational(*weight * (1 + excess) * problem.unit()), 0});

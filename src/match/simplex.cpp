@@ -116,8 +116,8 @@ void Simplex::pivot(std::size_t r, std::size_t c) {
   }
 }
 
-/// The column of least variable (Bland's rule, so that no cycle can arise) that can make a row's basic variable
-/// rise or fall.
+/// The column of least variable (Bland's rule, so that no cycle can arise) that can make a row's basic
+/// variable rise or fall.
 std::optional<std::size_t> Simplex::entering(const Row &row, bool rise) const {
   std::optional<std::size_t> best;
   for (std::size_t c = 0; c < columns_.size(); ++c) {
@@ -153,8 +153,7 @@ bool Simplex::find() {
       explain(*worst, rise);
       return false;
     }
-    const Infinitesimal missing =
-        difference(rise ? *lower_[variable] : *upper_[variable], values_[variable]);
+    const Infinitesimal missing = difference(rise ? *lower_[variable] : *upper_[variable], values_[variable]);
     const std::size_t r = *row_of_[variable];
     move(*column, product(missing, Rational(1 / rows_[r].of[*column])));
     pivot(r, *column);

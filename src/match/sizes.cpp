@@ -23,13 +23,13 @@ bool inside(const Enclosure &x, const Rational &lower, const Rational &upper) {
 
 } // namespace
 
-Enclosure enclose_size(const Gradation &g, std::size_t j, const MassLaw &law, const Integer &n, const Integer &d,
-                       unsigned digits) {
+Enclosure enclose_size(const Gradation &g, std::size_t j, const MassLaw &law, const Integer &n,
+                       const Integer &d, unsigned digits) {
   Enclosure x = enclose_root(n, d, law.a, digits);
   for (unsigned more = 2 * digits; !inside(x, g.lower(j), g.upper(j)); more *= 2) {
     if (x.lo != x.hi && exact_root(ratio(n, d), law.a) == g.upper(j))
-      throw InputError("class " + std::to_string(j + 1) + ": the size is the opening " + to_string(g.upper(j)) +
-                       " itself, which is no decimal: choose another scale");
+      throw InputError("class " + std::to_string(j + 1) + ": the size is the opening " +
+                       to_string(g.upper(j)) + " itself, which is no decimal: choose another scale");
     x = enclose_root(n, d, law.a, more);
   }
   return x;

@@ -86,17 +86,19 @@ void narrow_to_envelope(Tolerance &tolerance, const Gradation &g, const Envelope
   const Rational scale = unit_ratio(envelope.unit, g.unit()) * size_factor;
   for (std::size_t i = 0; i < envelope.sizes.size(); ++i) {
     const Rational x = envelope.sizes[i] * scale;
-    const std::string sieve = fmt::format("the band's sieve {} {}", to_decimal(envelope.sizes[i]), name(envelope.unit));
+    const std::string sieve =
+        fmt::format("the band's sieve {} {}", to_decimal(envelope.sizes[i]), name(envelope.unit));
     if (x <= g.lower(0)) {
       if (envelope.passing_min[i] > 0)
-        throw InputError(sieve + " lets something pass, where the gradation has no finer class: add a row 'pan'");
+        throw InputError(sieve +
+                         " lets something pass, where the gradation has no finer class: add a row 'pan'");
       continue;
     }
     const auto found = std::lower_bound(g.sizes().begin(), g.sizes().end(), x);
     if (found != g.sizes().end() && *found != x)
       throw InputError(sieve + " is no sieve of the gradation: add a row for it");
-    const std::size_t j = found == g.sizes().end() ? g.classes() - 1
-                                                   : static_cast<std::size_t>(found - g.sizes().begin()) - 1;
+    const std::size_t j =
+        found == g.sizes().end() ? g.classes() - 1 : static_cast<std::size_t>(found - g.sizes().begin()) - 1;
     narrow(tolerance.passing[j],
            {Rational(envelope.passing_min[i] / 100), Rational(envelope.passing_max[i] / 100)});
   }
@@ -119,8 +121,9 @@ AskedTolerance parse_tolerance(std::string_view text) {
       throw InputError(in_quotes(text) + " is not between 0 and 100 percentage points");
     return {named.kind, percent};
   }
-  throw InputError(in_quotes(text) + " is no tolerance: write retained:1%, passing:0.5%, total:1%, retained:file, "
-                                     "passing:file, laboratory or rounding");
+  throw InputError(in_quotes(text) +
+                   " is no tolerance: write retained:1%, passing:0.5%, total:1%, retained:file, "
+                   "passing:file, laboratory or rounding");
 }
 
 std::string to_string(const AskedTolerance &asked) {
@@ -178,12 +181,13 @@ Tolerance tolerance_of(const Gradation &g, const std::vector<AskedTolerance> &as
 
 Gradation middle_of(const Envelope &envelope) {
   if (envelope.passing_max.back() != 100)
-    throw InputError(fmt::format("the band lets at most {} percent pass its largest sieve, {} {}: add a larger sieve "
-                                 "that lets 100 pass",
-                                 to_decimal(envelope.passing_max.back()), to_decimal(envelope.sizes.back()),
-                                 name(envelope.unit)));
+    throw InputError(fmt::format(
+        "the band lets at most {} percent pass its largest sieve, {} {}: add a larger sieve "
+        "that lets 100 pass",
+        to_decimal(envelope.passing_max.back()), to_decimal(envelope.sizes.back()), name(envelope.unit)));
   const std::size_t n = envelope.sizes.size();
-  // The narrowest bounds of a curve that does not fall: lo'_i = max of lo up to i, hi'_i = min of hi from i on.
+  // The narrowest bounds of a curve that does not fall: lo'_i = max of lo up to i, hi'_i = min of hi from i
+  // on.
   std::vector<Rational> lo = envelope.passing_min, hi = envelope.passing_max;
   for (std::size_t i = 1; i < n; ++i)
     lo[i] = std::max(lo[i], lo[i - 1]);

@@ -20,19 +20,22 @@ void complete(TolerantAnswer &answer, const Gradation &g, const MassLaw &law, un
     if (best.q[j] == 0)
       continue;
     const Rational one = best.t[j] / (Rational(best.q[j]) * g.factor(j) * answer.problem.unit());
-    answer.sizes.back() = enclose_size(g, j, law, power(numerator(one), law.b), power(denominator(one), law.b), digits);
+    answer.sizes.back() =
+        enclose_size(g, j, law, power(numerator(one), law.b), power(denominator(one), law.b), digits);
   }
 }
 
 } // namespace
 
-TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, const Limits &limits, unsigned digits) {
+TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, const Limits &limits,
+                               unsigned digits) {
   if (question.solids && !question.law.is_sphere())
-    throw InputError("a specimen or volume of solids needs spheres: leave out --law " + question.law.exponent());
+    throw InputError("a specimen or volume of solids needs spheres: leave out --law " +
+                     question.law.exponent());
   const Tolerance tolerance = tolerance_of(g, question.tolerances, question.band, question.size_factor);
   const Rational excess = 1 / Rational(power_of_ten(digits));
-  // A volume demands an irrational weight between two bounds: fewer particles are refuted at the lower, the match
-  // holds the upper. Where these differ in N, pi is made more precise.
+  // A volume demands an irrational weight between two bounds: fewer particles are refuted at the lower, the
+  // match holds the upper. Where these differ in N, pi is made more precise.
   for (unsigned places = digits + 30;; places = std::min(2 * places, most_pi_places)) {
     TolerantDemands demands{question.min_per_class, question.at_least, std::nullopt};
     Rational weight = 0;
@@ -47,13 +50,15 @@ TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, con
       answer.pi = enclose_pi(places);
     if (!answer.found.best)
       return answer;
-    if (std::optional<std::vector<Rational>> t = central_masses(answer.problem, *answer.found.best, weight, excess)) {
+    if (std::optional<std::vector<Rational>> t =
+            central_masses(answer.problem, *answer.found.best, weight, excess)) {
       answer.found.best->t = std::move(*t);
       complete(answer, g, question.law, digits);
       return answer;
     }
     if (places == most_pi_places)
-      throw InputError("the volume is so close to that of a match that 1000 digits of pi do not decide: change it");
+      throw InputError(
+          "the volume is so close to that of a match that 1000 digits of pi do not decide: change it");
   }
 }
 

@@ -65,18 +65,19 @@ private:
     Integer v;
     Simplex::Bound upper; ///< of q_j before the split
     Simplex::Bound lower;
-    Integer bound;        ///< no match in either subtree has fewer particles
-    bool second = false;  ///< the walk is in the second subtree
+    Integer bound;       ///< no match in either subtree has fewer particles
+    bool second = false; ///< the walk is in the second subtree
   };
 
   void add_row(const LinearRow &row) {
     const std::size_t form = program_.add_form(row.terms);
     row_of_.push_back(&row);
-    if (row.condition == Condition::above_lower)
+    if (row.condition == TolerantCondition::above_lower)
       strict_.push_back(form);
     else
-      program_.set_lower(form, row.condition == Condition::some_mass ? strictly_positive : exactly(row.constant));
-    if (row.condition == Condition::at_least)
+      program_.set_lower(form, row.condition == TolerantCondition::some_mass ? strictly_positive
+                                                                             : exactly(row.constant));
+    if (row.condition == TolerantCondition::at_least)
       count_ = form;
   }
 
@@ -126,11 +127,12 @@ private:
   Multiple condition_of(const Simplex::Term &term) const {
     const std::size_t k = problem_.classes();
     if (term.variable < k)
-      return {term.is_upper ? Condition::most_count : Condition::least_count, term.variable, 0};
+      return {term.is_upper ? TolerantCondition::most_count : TolerantCondition::least_count, term.variable,
+              0};
     if (term.variable < problem_.variables())
-      return {Condition::excess_sign, term.variable - 2 * k, 0};
+      return {TolerantCondition::excess_sign, term.variable - 2 * k, 0};
     const LinearRow &row = *row_of_[term.variable - problem_.variables()];
-    return {term.is_upper ? Condition::fewer : row.condition, row.j, 0};
+    return {term.is_upper ? TolerantCondition::fewer : row.condition, row.j, 0};
   }
 
   /// Undoes branches up to the last split whose second subtree is to come, and enters that. False if there is
@@ -170,9 +172,9 @@ private:
     program_.set_upper(j, exactly(Rational(Integer(v - 1))));
   }
 
-  /// True if the masses of the program, in as few particles as can hold them, are a match with fewer particles
-  /// than the best. Before there is a first one, the masses are doubled until they are: with enough of it, a mass
-  /// above 0 can be had in a whole number of particles (Theorem 12).
+  /// True if the masses of the program, in as few particles as can hold them, are a match with fewer
+  /// particles than the best. Before there is a first one, the masses are doubled until they are: with enough
+  /// of it, a mass above 0 can be had in a whole number of particles (Theorem 12).
   bool try_rounding() {
     TolerantMatch match{{}, program_.concrete_values(problem_.classes(), 2 * problem_.classes())};
     do {

@@ -15,9 +15,10 @@ std::vector<Rational> masses_at_openings(const Gradation &g, const MassLaw &law)
   for (const Rational &x : g.sizes()) {
     const std::optional<Rational> mass = exact_root(law.powered(x), law.b);
     if (!mass)
-      throw InputError("the law x^(" + law.exponent() +
-                       ") is irrational at an opening, and a tolerance needs exact masses: use a law with a whole "
-                       "exponent");
+      throw InputError(
+          "the law x^(" + law.exponent() +
+          ") is irrational at an opening, and a tolerance needs exact masses: use a law with a whole "
+          "exponent");
     masses.push_back(*mass);
   }
   return masses;
@@ -37,20 +38,20 @@ TolerantProblem::TolerantProblem(const Gradation &g, const MassLaw &law, const T
     f_.push_back(openings.numerators[j] * factors.numerators[j]);
     F_.push_back(openings.numerators[j + 1] * factors.numerators[j]);
     least_.push_back(g.mass(j) > 0 && demands.min_per_class > 1 ? demands.min_per_class : Integer(0));
-    add(Condition::above_lower, j, {{j, Rational(-f_[j])}, {k + j, 1}});
-    add(Condition::up_to_upper, j, {{j, Rational(F_[j])}, {k + j, -1}});
+    add(TolerantCondition::above_lower, j, {{j, Rational(-f_[j])}, {k + j, 1}});
+    add(TolerantCondition::up_to_upper, j, {{j, Rational(F_[j])}, {k + j, -1}});
     counts.emplace_back(j, 1);
     masses.emplace_back(k + j, 1);
     weights.emplace_back(k + j, ratio(factors.denominator, factors.numerators[j]));
   }
   add_share_rows(tolerance, shares(g));
-  add(Condition::some_mass, 0, masses);
+  add(TolerantCondition::some_mass, 0, masses);
   if (demands.weight)
-    add(Condition::weight, 0, weights, *demands.weight * unit_);
-  add(Condition::at_least, 0, counts, Rational(std::max(demands.at_least, Integer(1))));
+    add(TolerantCondition::weight, 0, weights, *demands.weight * unit_);
+  add(TolerantCondition::at_least, 0, counts, Rational(std::max(demands.at_least, Integer(1))));
 }
 
-void TolerantProblem::add(Condition condition, std::size_t j, Terms terms, const Rational &constant,
+void TolerantProblem::add(TolerantCondition condition, std::size_t j, Terms terms, const Rational &constant,
                           const Rational &width) {
   rows_.push_back({condition, j, std::move(terms), constant, width});
 }
@@ -71,16 +72,16 @@ void TolerantProblem::add_share_rows(const Tolerance &tolerance, const std::vect
   for (std::size_t j = 0; j < tolerance.retained.size(); ++j) {
     const ShareBounds &b = tolerance.retained[j];
     if (b.lo > 0)
-      add(Condition::retained_lo, j, deviation(1, j, j + 1, b.lo), 0, Rational(b.hi - b.lo));
+      add(TolerantCondition::retained_lo, j, deviation(1, j, j + 1, b.lo), 0, Rational(b.hi - b.lo));
     if (b.hi < 1)
-      add(Condition::retained_hi, j, deviation(-1, j, j + 1, b.hi), 0, Rational(b.hi - b.lo));
+      add(TolerantCondition::retained_hi, j, deviation(-1, j, j + 1, b.hi), 0, Rational(b.hi - b.lo));
   }
   for (std::size_t j = 0; j < tolerance.passing.size(); ++j) {
     const ShareBounds &b = tolerance.passing[j];
     if (b.lo > 0)
-      add(Condition::passing_lo, j, deviation(1, 0, j + 1, b.lo), 0, Rational(b.hi - b.lo));
+      add(TolerantCondition::passing_lo, j, deviation(1, 0, j + 1, b.lo), 0, Rational(b.hi - b.lo));
     if (b.hi < 1)
-      add(Condition::passing_hi, j, deviation(-1, 0, j + 1, b.hi), 0, Rational(b.hi - b.lo));
+      add(TolerantCondition::passing_hi, j, deviation(-1, 0, j + 1, b.hi), 0, Rational(b.hi - b.lo));
   }
   if (!tolerance.total)
     return;
@@ -88,12 +89,12 @@ void TolerantProblem::add_share_rows(const Tolerance &tolerance, const std::vect
   for (std::size_t j = 0; j < k; ++j) {
     Terms terms = deviation(-1, j, j + 1, target[j]);
     terms.emplace_back(2 * k + j, 1);
-    add(Condition::excess, j, std::move(terms));
+    add(TolerantCondition::excess, j, std::move(terms));
     total.emplace_back(k + j, *tolerance.total / 2);
   }
   for (std::size_t j = 0; j < k; ++j)
     total.emplace_back(2 * k + j, -1);
-  add(Condition::excess_total, 0, std::move(total), 0, Rational(*tolerance.total / 2));
+  add(TolerantCondition::excess_total, 0, std::move(total), 0, Rational(*tolerance.total / 2));
 }
 
 bool TolerantProblem::is_match(const std::vector<Integer> &q, const std::vector<Rational> &t) const {
@@ -107,12 +108,12 @@ bool TolerantProblem::is_match(const std::vector<Integer> &q, const std::vector<
     Rational left = 0;
     for (const auto &[variable, coefficient] : row.terms)
       left += coefficient * x[variable];
-    if (row.condition == Condition::excess) {
+    if (row.condition == TolerantCondition::excess) {
       x[2 * k + row.j] = left < 0 ? Rational(-left) : Rational(0);
       continue;
     }
-    const bool strict = row.condition == Condition::some_mass ||
-                        (row.condition == Condition::above_lower && q[row.j] >= 1);
+    const bool strict = row.condition == TolerantCondition::some_mass ||
+                        (row.condition == TolerantCondition::above_lower && q[row.j] >= 1);
     if (left < row.constant || (strict && left == row.constant))
       return false;
   }

@@ -103,9 +103,9 @@ void add_json_tolerance(Buffer &out, const Match &m) {
     asked += (asked.empty() ? "\"" : ",\"") + to_string(a) + "\"";
   for (const Rational &share : m.tolerant->shares)
     achieved += (achieved.empty() ? "\"" : ",\"") + to_string(share) + "\"";
-  add(out, R"(,"tolerance":{{"asked":[{}],"band":{},"retained":{},"passing":{},"total":{}}},"achieved":[{}])", asked,
-      m.question.band ? json_string(m.question.band->id) : "null", json_bounds(t.retained), json_bounds(t.passing),
-      t.total ? "\"" + to_string(*t.total) + "\"" : "null", achieved);
+  add(out, R"(,"tolerance":{{"asked":[{}],"band":{},"retained":{},"passing":{},"total":{}}},"achieved":[{}])",
+      asked, m.question.band ? json_string(m.question.band->id) : "null", json_bounds(t.retained),
+      json_bounds(t.passing), t.total ? "\"" + to_string(*t.total) + "\"" : "null", achieved);
 }
 
 void add_json_spectrum(Buffer &out, const Spectrum &s) {
@@ -130,7 +130,8 @@ void add_columns(Buffer &out, const std::vector<std::array<std::string, n>> &lin
   for (const auto &line : lines) {
     std::string text;
     for (std::size_t i = 0; i < n; ++i)
-      text += left[i] == '<' ? fmt::format("  {:<{}}", line[i], width[i]) : fmt::format("  {:>{}}", line[i], width[i]);
+      text += left[i] == '<' ? fmt::format("  {:<{}}", line[i], width[i])
+                             : fmt::format("  {:>{}}", line[i], width[i]);
     text.erase(text.find_last_not_of(' ') + 1);
     add(out, "{}\n", text);
   }
@@ -153,8 +154,9 @@ void add_table(Buffer &out, const Match &m) {
 /// The same for a tolerance: with what passes the upper sieve, in percent, of the gradation and of the match.
 void add_tolerant_table(Buffer &out, const Match &m) {
   const std::string unit(name(m.gradation.unit()));
-  std::vector<std::array<std::string, 6>> lines = {{"class", "sizes (" + unit + "]", "passing (%)", "achieved (%)",
-                                                    "quantity", "size of a particle (" + unit + ")"}};
+  std::vector<std::array<std::string, 6>> lines = {{"class", "sizes (" + unit + "]", "passing (%)",
+                                                    "achieved (%)", "quantity",
+                                                    "size of a particle (" + unit + ")"}};
   const std::vector<Row> all = rows(m);
   const std::vector<Rational> target = shares(m.gradation);
   Rational passing = 0, achieved = 0;
@@ -163,8 +165,8 @@ void add_tolerant_table(Buffer &out, const Match &m) {
     passing += target[j];
     achieved += m.tolerant->shares[j];
     lines.push_back({std::to_string(j + 1), "(" + r.lower + ", " + r.upper + "]",
-                     approximate(Rational(passing * 100), 6), approximate(Rational(achieved * 100), 6), r.quantity,
-                     r.size ? r.size->text() : "-"});
+                     approximate(Rational(passing * 100), 6), approximate(Rational(achieved * 100), 6),
+                     r.quantity, r.size ? r.size->text() : "-"});
   }
   add_columns(out, lines, "><>>><");
   if (m.question.law.is_sphere())
@@ -268,7 +270,7 @@ std::string answer_json(const Match &m, const Spectrum *spectrum) {
   add(out, R"(,"notes":[)");
   for (std::size_t i = 0; i < m.notes.size(); ++i)
     add(out, "{}{}", i == 0 ? "" : ",", json_string(m.notes[i]));
-  add_compiled(out, FMT_COMPILE(R"(],"versions":{{{}}}}})"), libraries);
+  add_compiled(out, FMT_COMPILE(R"(],"versions":{}}})"), versions_json());
   return fmt::to_string(out);
 }
 

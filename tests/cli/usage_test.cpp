@@ -6,8 +6,8 @@ using namespace cli_test;
 
 namespace {
 
-constexpr const char *commands[] = {"solve",  "batch",      "convert",   "describe",
-                                    "verify", "crosscheck", "published", "study", "plot"};
+constexpr const char *commands[] = {"solve",      "batch",     "convert", "describe", "verify",
+                                    "crosscheck", "published", "study",   "plot"};
 
 } // namespace
 

@@ -10,8 +10,8 @@
 namespace mdm {
 
 /// Bounds on the percent that passes each of some sieves: a curve is within the envelope if min_j <= passing
-/// of sizes_j <= max_j for all j. At least one sieve; sizes ascend; 0 <= min_j and max_j <= 100. An envelope may
-/// contradict itself: whether a curve fits in is for the solver to say.
+/// of sizes_j <= max_j for all j. At least one sieve; sizes ascend; 0 <= min_j and max_j <= 100. An envelope
+/// may contradict itself: whether a curve fits in is for the solver to say.
 struct Envelope {
   std::string id;
   SizeUnit unit = SizeUnit::mm;

@@ -24,8 +24,8 @@ struct Infinitesimal {
   }
 };
 
-/// Bounds on variables and on linear forms of them, which are changed and restored as a search tree is walked.
-/// All numbers are exact. Cost: a pivot is a pass over a dense table of forms times variables.
+/// Bounds on variables and on linear forms of them, which are changed and restored as a search tree is
+/// walked. All numbers are exact. Cost: a pivot is a pass over a dense table of forms times variables.
 class Simplex {
 public:
   /// Variables are numbered from 0: first the given ones, without bounds, then the forms.
@@ -47,10 +47,12 @@ public:
   void minimise(std::size_t variable);
 
   const Infinitesimal &value(std::size_t variable) const { return values_[variable]; }
-  /// The values of variables [from, to) with a number so small in the place of eps that all bounds still hold.
+  /// The values of variables [from, to) with a number so small in the place of eps that all bounds still
+  /// hold.
   std::vector<Rational> concrete_values(std::size_t from, std::size_t to) const;
 
-  /// A bound in a contradiction: `multiplier` > 0 times (variable >= its lower bound) or (variable <= its upper).
+  /// A bound in a contradiction: `multiplier` > 0 times (variable >= its lower bound) or (variable <= its
+  /// upper).
   struct Term {
     std::size_t variable;
     bool is_upper;
@@ -76,8 +78,8 @@ private:
   bool step(std::size_t column, bool rise);
 
   std::vector<Row> rows_;
-  std::vector<std::size_t> columns_;                  ///< variable of each column
-  std::vector<std::optional<std::size_t>> row_of_;    ///< of basic variables
+  std::vector<std::size_t> columns_;               ///< variable of each column
+  std::vector<std::optional<std::size_t>> row_of_; ///< of basic variables
   std::vector<Bound> lower_, upper_;
   std::vector<Infinitesimal> values_;
   std::vector<Term> conflict_;

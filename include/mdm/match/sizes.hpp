@@ -16,8 +16,8 @@ std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem,
                                      const std::vector<Integer> &q, const Rational &scale, unsigned digits);
 
 /// Encloses the size x of class j's particles where x^a = n / d; the same promises.
-Enclosure enclose_size(const Gradation &g, std::size_t j, const MassLaw &law, const Integer &n, const Integer &d,
-                       unsigned digits);
+Enclosure enclose_size(const Gradation &g, std::size_t j, const MassLaw &law, const Integer &n,
+                       const Integer &d, unsigned digits);
 
 /// How far the sizes are from the sieves: the least of x / lower and upper / x, minus 1, cut to three certain
 /// digits. `above` and `up_to` are the window's ends that q gives.

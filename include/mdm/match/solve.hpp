@@ -22,7 +22,7 @@ struct SolveOptions {
 enum class Status {
   optimal,  ///< the match is the smallest
   feasible, ///< a limit came first: the match is one, the smallest has at least `lower_bound` particles
-  none,     ///< every match has more than `at_most` particles, at least `lower_bound`; or there is none at all
+  none,   ///< every match has more than `at_most` particles, at least `lower_bound`; or there is none at all
   unknown ///< a limit came first: the match has more than `at_most` particles, a smaller one was not excluded
 };
 
@@ -59,8 +59,8 @@ struct Match {
   Integer particles() const { return tolerant ? total(tolerant->found.best->q) : total(q); }
   /// True if the match answers the question: it is within `at_most`.
   bool has_answer() const { return status == Status::optimal || status == Status::feasible; }
-  /// Volume of the particles at the chosen scale, (pi/6) s sum m_j / c_j (for a tolerance (pi/6) sum t_j / c_j);
-  /// for spheres only.
+  /// Volume of the particles at the chosen scale, (pi/6) s sum m_j / c_j (for a tolerance (pi/6) sum t_j /
+  /// c_j); for spheres only.
   Enclosure solids_volume() const;
 };
 

@@ -29,7 +29,8 @@ struct AskedTolerance {
   bool operator==(const AskedTolerance &) const = default;
 };
 
-/// Reads `retained:1%`, `passing:0.5%`, `total:1%`, `retained:file`, `passing:file`, `laboratory` or `rounding`.
+/// Reads `retained:1%`, `passing:0.5%`, `total:1%`, `retained:file`, `passing:file`, `laboratory` or
+/// `rounding`.
 /// \throws InputError for anything else, and for percentages not in [0, 100]
 AskedTolerance parse_tolerance(std::string_view text);
 
@@ -57,8 +58,8 @@ struct Tolerance {
 Tolerance tolerance_of(const Gradation &g, const std::vector<AskedTolerance> &asked,
                        const std::optional<Envelope> &envelope, const Rational &size_factor);
 
-/// The tolerance on what passes, in percentage points, of each sieve from the second on to the last but one, as
-/// `laboratory` and `rounding` make it.
+/// The tolerance on what passes, in percentage points, of each sieve from the second on to the last but one,
+/// as `laboratory` and `rounding` make it.
 std::vector<Rational> passing_tolerances(const Gradation &g, AskedTolerance::Kind kind);
 
 /// The gradation in the middle of an envelope, of which no sample is farther than it must be; where the

@@ -13,7 +13,7 @@ namespace mdm {
 struct TolerantAnswer {
   Tolerance tolerance;
   TolerantProblem problem;
-  TolerantResult found;                       ///< its best has central masses
+  TolerantResult found;                        ///< its best has central masses
   std::vector<std::optional<Enclosure>> sizes; ///< of each class's particles; nothing for an empty class
   std::vector<Rational> shares;                ///< t_j / M; empty where there is no match
   Rational weight;                             ///< sum t_j / c_j, in units of x^a
@@ -22,6 +22,7 @@ struct TolerantAnswer {
 
 /// Answers a question about g, whose pan, cut and size factor are made.
 /// \throws InputError if the question does not fit g
-TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, const Limits &limits, unsigned digits);
+TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, const Limits &limits,
+                               unsigned digits);
 
 } // namespace mdm

@@ -9,13 +9,13 @@ namespace mdm {
 
 /// A multiple of a condition in a refutation.
 struct Multiple {
-  Condition condition;
+  TolerantCondition condition;
   std::size_t j = 0;
   Integer multiplier; ///< > 0
 };
 
-/// A node of a search tree: a split of q_j, first into q_j < v and then q_j >= v; or a leaf, where the multiples
-/// of conditions add up to a contradiction.
+/// A node of a search tree: a split of q_j, first into q_j < v and then q_j >= v; or a leaf, where the
+/// multiples of conditions add up to a contradiction.
 struct TreeNode {
   std::size_t j = 0;
   Integer v;
@@ -36,19 +36,21 @@ struct TolerantResult {
   std::optional<TolerantMatch> best; ///< smallest that was found
   Integer lower_bound = 1;           ///< no match has fewer particles
   bool complete = false;             ///< the best is the smallest; or there is none at all
-  Tree tree;                         ///< refutes fewer particles than the best has; any number where there is none
-  std::uint64_t nodes = 0;           ///< that were looked at
+  Tree tree;               ///< refutes fewer particles than the best has; any number where there is none
+  std::uint64_t nodes = 0; ///< that were looked at
 };
 
-/// The least number of particles, by branch and bound over linear programs that are decided exactly. Nodes are
-/// split at the coarsest class whose count is no integer. Cost: depends on the tree; 20 to 60 nodes and some 30 ms
-/// for 13 classes.
+/// The least number of particles, by branch and bound over linear programs that are decided exactly. Nodes
+/// are split at the coarsest class whose count is no integer. Cost: depends on the tree; 20 to 60 nodes and
+/// some 30 ms for 13 classes.
 TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limits = {});
 
 /// Masses of the classes that make q a match, as far from all bounds on sizes and shares as can be: the least
 /// distance, relative to the width between two bounds, is greatest. The weight, where one is demanded, is
-/// `weight` or more by at most a part `excess` of it, if that can be. Nothing if q is no match at that weight.
-std::optional<std::vector<Rational>> central_masses(const TolerantProblem &problem, const TolerantMatch &match,
+/// `weight` or more by at most a part `excess` of it, if that can be. Nothing if q is no match at that
+/// weight.
+std::optional<std::vector<Rational>> central_masses(const TolerantProblem &problem,
+                                                    const TolerantMatch &match,
                                                     const std::optional<Rational> &weight,
                                                     const Rational &excess);
 

@@ -10,8 +10,9 @@
 
 namespace mdm {
 
-/// The conditions on the variables q_j, t_j and, for a total tolerance, the excesses p_j; M = t_1 + ... + t_k.
-enum class Condition {
+/// The conditions on the variables q_j, t_j and, for a total tolerance, the excesses p_j; M = t_1 + ... +
+/// t_k.
+enum class TolerantCondition {
   above_lower,  ///< t_j - f_j q_j >= 0, strict where q_j >= 1
   up_to_upper,  ///< F_j q_j - t_j >= 0
   least_count,  ///< q_j >= what min_per_class or a branch demands
@@ -31,7 +32,7 @@ enum class Condition {
 
 /// sum coefficient * variable >= constant: a condition of the problem with its class (0 where it has none).
 struct LinearRow {
-  Condition condition;
+  TolerantCondition condition;
   std::size_t j = 0;
   std::vector<std::pair<std::size_t, Rational>> terms;
   Rational constant = 0;
@@ -40,9 +41,9 @@ struct LinearRow {
 
 /// What a match within a tolerance must satisfy besides its tolerance.
 struct TolerantDemands {
-  Integer min_per_class = 1;          ///< in classes with m_j > 0; 1 means nothing
-  Integer at_least = 1;               ///< particles
-  std::optional<Rational> weight;     ///< least sum of x^a (over all particles)
+  Integer min_per_class = 1;      ///< in classes with m_j > 0; 1 means nothing
+  Integer at_least = 1;           ///< particles
+  std::optional<Rational> weight; ///< least sum of x^a (over all particles)
 };
 
 /// Minimise q_1 + ... + q_k over integers q_j >= 0 and masses t_j with the rows (Theorem 12). Variables are
@@ -69,7 +70,7 @@ public:
   bool is_match(const std::vector<Integer> &q, const std::vector<Rational> &t) const;
 
 private:
-  void add(Condition condition, std::size_t j, std::vector<std::pair<std::size_t, Rational>> terms,
+  void add(TolerantCondition condition, std::size_t j, std::vector<std::pair<std::size_t, Rational>> terms,
            const Rational &constant = 0, const Rational &width = 0);
   void add_share_rows(const Tolerance &tolerance, const std::vector<Rational> &target);
 
