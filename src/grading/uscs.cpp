@@ -8,27 +8,18 @@
 namespace mdm {
 namespace {
 
-/// Ends a classification that most_bits do not decide.
-struct Undecided {
-  std::string what;
-};
-
 /// Limits in percent, as the standard writes them.
 Rational percent(unsigned n) {
   return ratio(n, 100);
 }
 
+/// a < b. \throws NotAvailable, as all below, where that ends the classification
 bool is_less(const Real &a, const Real &b, const char *what) {
   const Order order = compare(a, b);
   if (order == Order::undecided)
-    throw Undecided{what};
+    throw NotAvailable{std::string(what) + ": not decided with " + std::to_string(most_bits) + " bits", true};
   return order == Order::less;
 }
-
-/// Ends a classification for which something is not available.
-struct Missing {
-  std::string what;
-};
 
 /// Shares of the part that passes 75 mm.
 struct Shares {
@@ -38,7 +29,7 @@ struct Shares {
 bool is_well_graded(const GradingCurve &curve, bool is_gravel, bool extrapolate) {
   const Available<PowerProduct> c_u = uniformity(curve, extrapolate), c_c = curvature(curve, extrapolate);
   if (!c_u)
-    throw Missing{"fines of at most 12 % need C_u, and " + c_u.why().reason};
+    throw NotAvailable{"fines of at most 12 % need C_u, and " + c_u.why().reason};
   if (is_less(c_u->real(), Real(is_gravel ? 4 : 6), "C_u against its limit"))
     return false;
   return !is_less(c_c->real(), Real(1), "C_c against 1") && !is_less(Real(3), c_c->real(), "C_c against 3");
@@ -139,7 +130,7 @@ UscsGroup classify(const GradingCurve &curve, const Real &fines, Fines of_fines,
                    const std::vector<std::string> &larger) {
   const Available<Real> passing_gravel = curve.passing(ratio(475, 100));
   if (!passing_gravel)
-    throw Missing{"4.75 mm lies " + passing_gravel.why().reason};
+    throw NotAvailable{"4.75 mm lies " + passing_gravel.why().reason};
   const Shares s{Real(1) - *passing_gravel, *passing_gravel - fines, fines};
   if (is_less(fines, Real(percent(50)), "fines against 50 %"))
     return coarse_grained(curve, s, of_fines, extrapolate, larger);
@@ -197,10 +188,8 @@ Available<UscsGroup> classify_uscs(const GradingCurve &curve, Fines fines, bool 
     return NotAvailable{"it is that of what passes 75 mm, and " + part.why().reason};
   try {
     return classify_part(*part, fines, extrapolate, larger_than_gravel(curve));
-  } catch (const Undecided &u) {
-    return NotAvailable{u.what + ": not decided with " + std::to_string(most_bits) + " bits", true};
-  } catch (const Missing &m) {
-    return NotAvailable{m.what};
+  } catch (const NotAvailable &why) {
+    return why;
   }
 }
 

@@ -12,13 +12,18 @@
 namespace mdm {
 namespace {
 
-/// Arb keeps constants for each thread; whoever makes a ball frees them at the thread's end.
+/// FLINT and Arb keep memory and constants for each thread; a thread that uses them frees these at its end.
 struct ThreadCleanup {
   ThreadCleanup() = default;
   ~ThreadCleanup() { flint_cleanup(); }
   ThreadCleanup(const ThreadCleanup &) = delete;
   ThreadCleanup &operator=(const ThreadCleanup &) = delete;
 };
+
+void clean_up_at_thread_end() {
+  thread_local const ThreadCleanup cleanup;
+  static_cast<void>(cleanup);
+}
 
 /// A fraction as FLINT has it.
 struct Fraction {
@@ -38,6 +43,7 @@ struct Interval {
   fmpz_t lo, hi, exponent;
 
   explicit Interval(const arb_t ball) {
+    clean_up_at_thread_end();
     fmpz_init(lo);
     fmpz_init(hi);
     fmpz_init(exponent);
@@ -70,8 +76,7 @@ struct Ball::Value {
   arb_t ball;
 
   Value() {
-    thread_local const ThreadCleanup cleanup;
-    static_cast<void>(cleanup);
+    clean_up_at_thread_end();
     arb_init(ball);
   }
   ~Value() { arb_clear(ball); }

@@ -7,6 +7,8 @@
 #include <mpfr.h>
 
 #include <random>
+#include <thread>
+#include <vector>
 
 using namespace mdm;
 
@@ -125,4 +127,16 @@ TEST_CASE("balls are values", "[ball]") {
   const Ball &same = b;
   b = same;
   CHECK(holds(b, 5));
+}
+
+TEST_CASE("threads compute with balls of their own", "[ball]") {
+  // Arb keeps logarithms and pi for each thread; a leak checker sees what is left at its end.
+  std::vector<std::optional<Ball>> results(4);
+  std::vector<std::thread> threads;
+  for (std::optional<Ball> &result : results)
+    threads.emplace_back([&result] { result = exp(log(Ball(3, 5000))); });
+  for (std::thread &thread : threads)
+    thread.join();
+  for (const std::optional<Ball> &result : results)
+    CHECK(holds(*result, 3));
 }

@@ -23,11 +23,10 @@ public:
   Real(int value) : Real(Rational(value)) {}
   /// `exact` answers the value if it is a fraction and that can be told. It is asked only where refining does
   /// not decide, so it may take its time.
-  explicit Real(
-      Enclose enclose, Exact exact = [] { return std::nullopt; });
+  explicit Real(Enclose enclose, Exact exact = nullptr);
 
   Ball ball(unsigned bits) const { return enclose_(bits); }
-  std::optional<Rational> exact() const { return exact_(); }
+  std::optional<Rational> exact() const { return exact_ ? exact_() : std::nullopt; }
   /// The value of a real that was made from a fraction, or from sums and products of such.
   const std::optional<Rational> &fraction() const { return fraction_; }
 

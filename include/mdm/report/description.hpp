@@ -8,8 +8,10 @@ namespace mdm {
 
 // `digits` >= 1 are significant digits; openings must be decimals, as those of a file are.
 
-/// One line of JSON, schema `mdm-describe-1`, without a newline at its end: index numbers and percents as
-/// enclosures ["lo","hi"], null where not available (the notes say why).
+/// One line of JSON, schema `mdm-describe-1`, without a newline at its end: id, unit (mm), passing [{size,
+/// percent}], D10, D30, D50, D60, Cu, Cc, IGS, IC, phi1, zeta1, uscs {symbol, name, fines}, uscs_fractions
+/// and iso_14688_fractions [{name, above, up_to, percent}], notes, versions. Index numbers and percents are
+/// enclosures ["lo","hi"]; what is not available is null (the notes say why).
 std::string description_json(const SoilDescription &d, unsigned digits);
 
 /// item,unit,lo,hi,text: a row an index number or fraction; the group's symbol and name in the last column.
