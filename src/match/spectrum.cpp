@@ -66,7 +66,7 @@ void append(std::vector<std::pair<Integer, Integer>> &intervals, const Integer &
 
 Spectrum spectrum(const Problem &problem, const Limits &limits) {
   Spectrum result;
-  const Limits sweep_limits{std::nullopt, limits.deadline, std::nullopt};
+  const Limits sweep_limits{std::nullopt, limits.deadline};
   LeastMatch least = least_match(problem, sweep_limits);
   if (!least.complete)
     return result;

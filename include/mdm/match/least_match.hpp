@@ -13,9 +13,9 @@ namespace mdm {
 
 /// When to stop before the end. A step is a raise of the lower bound on the scale.
 struct Limits {
-  std::optional<std::uint64_t> max_steps; ///< of a sweep
-  std::optional<std::chrono::steady_clock::time_point> deadline;
-  std::optional<std::uint64_t> node_limit; ///< of a search tree
+  std::optional<std::uint64_t> max_steps = std::nullopt; ///< of a sweep
+  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
+  std::optional<std::uint64_t> node_limit = std::nullopt; ///< of a search tree
 };
 
 /// The steps that prove minimality: positions in Problem::classes(). From L = 0, each step j replaces the
