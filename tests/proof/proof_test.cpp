@@ -59,7 +59,7 @@ TEST_CASE("the certificate of every match is accepted, and refused with another 
   for (int i = 0; i < 2000; ++i) {
     Gradation g = brute::random_gradation(random);
     if (g.has_factors()) { // thirds are no decimals
-      Gradation::Data data{g.id(), g.unit(), g.sizes(), g.masses(), {}, {}, {}};
+      Gradation::Data data{g.id(), g.unit(), g.sizes(), g.masses(), {}, {}, {}, {}};
       for (std::size_t j = 0; j < g.sizes().size(); ++j)
         data.factors.push_back(ratio(static_cast<int>(1 + random() % 9), 4));
       g = Gradation(std::move(data));
