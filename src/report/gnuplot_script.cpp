@@ -225,8 +225,8 @@ private:
         p.grid ? "set grid xtics ytics back linetype 1 linecolor '#dddddd' linewidth 0.5\n" : "unset grid\n");
   }
 
-  void add_boxes(const std::vector<Box> &boxes, const char *layer) {
-    for (const Box &b : boxes)
+  void add_boxes(const std::vector<Rectangle> &boxes, const char *layer) {
+    for (const Rectangle &b : boxes)
       add("set object rectangle from first {:.12g},{:.12g} to first {:.12g},{:.12g} {} clip fillcolor rgb {} "
           "fillstyle solid {}\n",
           b.x_low, b.y_low, b.x_high, b.y_high, layer, gnuplot_string(b.color),
