@@ -38,13 +38,14 @@ void check(const PlotCommand &c) {
     throw InputError("ANSWER and --match: give one of them, a solved match or the wish for one");
   if (c.what && *c.what != "curve" && !c.answer && !c.match)
     throw InputError("--what " + *c.what + ": give the ANSWER of mdm solve --format json, or --match");
-  std::vector<std::string> paths = {c.file};
-  for (const std::optional<std::string> &path : {c.answer, c.band, c.picture.out, c.picture.script})
+  std::vector<std::string> inputs = {c.file};
+  for (const std::optional<std::string> &path : {c.answer, c.band})
     if (path)
-      paths.push_back(*path);
-  check_distinct(paths);
-  if (std::count(paths.begin(), paths.end() - 1, "-") > 1)
-    throw InputError("-: standard input can be one file only");
+      inputs.push_back(*path);
+  if (std::count(inputs.begin(), inputs.end(), "-") > 1)
+    throw InputError("-: standard input is one file: give the others by name");
+  for (const std::string &input : inputs)
+    check_distinct({input, c.picture.out.value_or("-"), c.picture.script.value_or("-")});
 }
 
 /// The classes of an answer with lengths in the gradation's unit.

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
+#include <set>
 
 namespace mdm {
 namespace {
@@ -98,11 +100,8 @@ private:
   /// True if the curve is not known below its finest sieve.
   bool has_pan() const { return curve_.sizes().front() == 0 && curve_.shares()[1] > 0; }
 
-  /// Place in pt from the frame's left side.
-  double across(double at) const {
-    const double part = (at - x_.low) / x_.span();
-    return (x_.reversed ? 1 - part : part) * width_;
-  }
+  /// Distance in pt from the frame's side of the fine sizes.
+  double from_finer_side(double at) const { return (at - x_.low) / x_.span() * width_; }
 
   Panel curve_panel() {
     Panel p;
@@ -153,9 +152,8 @@ private:
       if (high <= x_.low || low >= x_.high)
         continue;
       const std::string full(f.name);
-      const Strip::Part part{std::max(low, x_.low),
-                             std::min(high, x_.high),
-                             {full, full.substr(0, full.find(' ')), full.substr(0, 1)}};
+      const Strip::Part part{
+          std::max(low, x_.low), std::min(high, x_.high), {full, full.substr(0, full.find(' '))}};
       if (f.main) {
         if (main.parts.size() % 2 == 0)
           p.back.push_back({part.low, part.high, 0, 100, band_color});
@@ -262,7 +260,7 @@ private:
     const std::string text = fmt::format("D{}", percent);
     constexpr double away = 7;
     const double room = text_width(text, letter_size) + 2 * away;
-    const bool finer = (x_.reversed ? width_ - across(at) : across(at)) > room;
+    const bool finer = from_finer_side(at) > room;
     const bool leftwards = finer != x_.reversed;
     p.texts.push_back({at, y, text, leftwards ? Align::right : Align::left, leftwards ? -away : away,
                        finer ? away : -away});
@@ -290,6 +288,8 @@ private:
     if (const Available<UscsGroup> group = classify_uscs(curve_); group) {
       notes.push_back("USCS " + group->symbol);
       notes.push_back(group->name);
+    } else {
+      notes.push_back("USCS: not available");
     }
   }
 
@@ -301,13 +301,13 @@ private:
   /// Bars over the classes, from half a particle on, with their numbers above them.
   Panel counts_panel() const {
     const double low = std::log10(0.5);
-    double high = 0;
+    double high = 1;
     double widest = 0;
     double narrowest = width_;
     for (const DrawnClass &c : what_.particles) {
-      high = std::max(high, log10_of(Rational(c.quantity)));
+      high = std::max(high, top(c));
       widest = std::max(widest, text_width(count_text(c.quantity), letter_size));
-      narrowest = std::min(narrowest, std::abs(across(left(c)) - across(log10_of(c.upper))));
+      narrowest = std::min(narrowest, right(c) - left(c));
     }
     const bool upright = widest + 4 > narrowest;
     const double room = ((upright ? widest : letter_size) + 12) / height_;
@@ -319,35 +319,65 @@ private:
     p.grid = true;
     add_sieves(p);
     add_bands(p);
+    p.series.clear(); // lines of bands would cross the numbers
     for (Rectangle &band : p.back) {
       band.y_low = p.y.low;
       band.y_high = p.y.high;
     }
-    p.series.clear(); // lines of bands would cross the numbers
-    double taken = -width_;
-    for (const DrawnClass &c : by_place()) {
-      const double top = log10_of(Rational(c.quantity));
-      const double right = log10_of(c.upper);
-      p.boxes.push_back({left(c), right, low, top, "#8fb4d9", true});
-      const double middle = (left(c) + right) / 2;
-      if (upright && across(middle) - taken < 1.1 * letter_size)
-        continue;
-      taken = across(middle);
-      p.texts.push_back({middle, top, count_text(c.quantity), upright ? Align::left : Align::center, 0,
-                         upright ? 4 : letter_size * 0.7, upright});
-    }
+    for (const DrawnClass &c : what_.particles)
+      p.boxes.push_back(
+          {c.lower > 0 ? log10_of(c.lower) : x_.low, log10_of(c.upper), low, top(c), "#8fb4d9", true});
+    add_numbers(p, upright);
     return p;
   }
 
-  /// The left end of a class's bar; a pan at 0 begins at the frame.
-  double left(const DrawnClass &c) const { return c.lower > 0 ? log10_of(c.lower) : x_.low; }
-
-  std::vector<DrawnClass> by_place() const {
-    std::vector<DrawnClass> all = what_.particles;
-    if (x_.reversed)
-      std::reverse(all.begin(), all.end());
-    return all;
+  /// The numbers of classes: all that have room, the largest first.
+  void add_numbers(Panel &p, bool upright) const {
+    constexpr double away = 4;
+    constexpr double half_room = 0.55 * letter_size;
+    const std::vector<DrawnClass> &all = what_.particles;
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&all](std::size_t i, std::size_t j) { return all[i].quantity > all[j].quantity; });
+    std::set<double> taken;
+    for (const std::size_t j : order) {
+      const DrawnClass &c = all[j];
+      const double middle = (left(c) + right(c)) / 2;
+      if (upright) {
+        const auto next = taken.lower_bound(middle - 2 * half_room);
+        if ((next != taken.end() && *next < middle + 2 * half_room) ||
+            is_behind_a_bar(p, j, middle, half_room, away))
+          continue;
+        taken.insert(middle);
+      }
+      const double at = (p.boxes[j].x_low + p.boxes[j].x_high) / 2;
+      p.texts.push_back({at, top(c), count_text(c.quantity), upright ? Align::left : Align::center, 0,
+                         upright ? away : letter_size * 0.7, upright});
+    }
   }
+
+  /// True if a neighbour's bar rises into the number of class j, which takes `half_room` on both sides.
+  bool is_behind_a_bar(const Panel &p, std::size_t j, double middle, double half_room, double away) const {
+    const std::vector<DrawnClass> &all = what_.particles;
+    const double limit = top(all[j]) + away / height_ * p.y.span();
+    const auto rises = [&](const DrawnClass &c) { return top(c) > limit; };
+    const auto is_near = [&](const DrawnClass &c) {
+      return right(c) > middle - half_room && left(c) < middle + half_room;
+    };
+    for (std::size_t i = j; i > 0 && is_near(all[i - 1]); --i)
+      if (rises(all[i - 1]))
+        return true;
+    for (std::size_t i = j + 1; i < all.size() && is_near(all[i]); ++i)
+      if (rises(all[i]))
+        return true;
+    return false;
+  }
+
+  static double top(const DrawnClass &c) { return log10_of(Rational(c.quantity)); }
+  /// The ends of a class's bar in pt, as from the finer side; a pan at 0 begins at the frame.
+  double left(const DrawnClass &c) const { return c.lower > 0 ? from_finer_side(log10_of(c.lower)) : 0; }
+  double right(const DrawnClass &c) const { return from_finer_side(log10_of(c.upper)); }
 
   const Gradation &g_;
   const GradationFigure &what_;
