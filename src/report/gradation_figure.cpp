@@ -152,8 +152,9 @@ private:
       if (high <= x_.low || low >= x_.high)
         continue;
       const std::string full(f.name);
-      const Strip::Part part{
-          std::max(low, x_.low), std::min(high, x_.high), {full, full.substr(0, full.find(' '))}};
+      const Strip::Part part{std::max(low, x_.low),
+                             std::min(high, x_.high),
+                             {full, full.substr(0, full.find(' ')), full.substr(0, 1)}};
       if (f.main) {
         if (main.parts.size() % 2 == 0)
           p.back.push_back({part.low, part.high, 0, 100, band_color});
@@ -335,6 +336,7 @@ private:
   void add_numbers(Panel &p, bool upright) const {
     constexpr double away = 4;
     constexpr double half_room = 0.55 * letter_size;
+    constexpr double half_figure = 0.4 * letter_size;
     const std::vector<DrawnClass> &all = what_.particles;
     std::vector<std::size_t> order(all.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -347,7 +349,7 @@ private:
       if (upright) {
         const auto next = taken.lower_bound(middle - 2 * half_room);
         if ((next != taken.end() && *next < middle + 2 * half_room) ||
-            is_behind_a_bar(p, j, middle, half_room, away))
+            is_behind_a_bar(p, j, middle, half_figure, away))
           continue;
         taken.insert(middle);
       }
