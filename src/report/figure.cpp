@@ -45,10 +45,15 @@ std::string number(double value, double step) {
   return text.find_first_not_of("-0.") == std::string::npos ? "0" : text;
 }
 
+/// digit * 10^exponent in plain notation.
+std::string multiple_text(int digit, int exponent) {
+  return fmt::format("{:.{}f}", digit * std::pow(10.0, exponent), std::max(0, -exponent));
+}
+
 /// 10^exponent in plain notation, or as a power.
 std::string power_of_ten_text(int exponent, bool plain) {
   if (plain)
-    return fmt::format("{:.{}f}", std::pow(10.0, exponent), std::max(0, -exponent));
+    return multiple_text(1, exponent);
   static constexpr std::array<const char *, 10> raised = {"\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074",
                                                           "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
   std::string text = exponent < 0 ? "10\u207B" : "10";
@@ -57,11 +62,13 @@ std::string power_of_ten_text(int exponent, bool plain) {
   return text;
 }
 
-/// Powers of ten, every one or every few; between those of every one, their multiples.
+/// Powers of ten, every one or every few; between those of every one, their multiples, of which a short axis
+/// shows 2 and 5.
 std::vector<Tick> decades(double low, double high) {
   constexpr double most_labels = 12;
   constexpr double most_with_minor = 8;
   constexpr double most_plain = 4.5;
+  constexpr double shortest = 2.2;
   const double slack = 1e-9;
   const bool plain = std::max(-low, high) <= most_plain;
   const double step = std::max(1.0, std::ceil((high - low) / most_labels));
@@ -71,7 +78,9 @@ std::vector<Tick> decades(double low, double high) {
       ticks.push_back({e, power_of_ten_text(static_cast<int>(e), plain)});
     for (int digit = 2; digit < 10 && high - low <= most_with_minor; ++digit)
       if (const double at = e + std::log10(digit); at >= low - slack && at <= high + slack)
-        ticks.push_back({at, ""});
+        ticks.push_back({at, plain && high - low <= shortest && (digit == 2 || digit == 5)
+                                 ? multiple_text(digit, static_cast<int>(e))
+                                 : ""});
   }
   return ticks;
 }
@@ -125,7 +134,8 @@ Axis log_axis(const std::string &title, double low, double high) {
     high += least_span / 2;
   }
   Axis axis{title, low, high, decades(low, high)};
-  if (labels(axis.ticks) >= 2)
+  constexpr std::size_t enough = 3;
+  if (labels(axis.ticks) >= enough || (labels(axis.ticks) == 2 && high - low >= 1))
     return axis;
   constexpr double most = 300; // what doubles can hold
   if (std::max(-low, high) > most)

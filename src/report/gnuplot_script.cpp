@@ -18,7 +18,7 @@ constexpr double gap = 6;
 constexpr double tick_length = 5;
 constexpr double color_bar_width = 14;
 constexpr double legend_sample = 34;
-constexpr double widest_note = 260;
+constexpr double widest_note = 300;
 
 const char *terminal(Picture picture) {
   // Each makes letters, lines and marks of the same share of the picture.
@@ -116,7 +116,7 @@ private:
     cell_width_ = margins_.left + f_.panel_width + margins_.right;
     cell_height_ = margins_.top + f_.panel_height + margins_.bottom;
     colors_left_ = columns * cell_width_;
-    side_left_ = colors_left_;
+    side_left_ = colors_left_ + (f_.colors ? 0 : 2 * gap);
     if (f_.colors)
       side_left_ += color_bar_width + tick_length + widest(f_.colors->ticks) + line_height + 3 * gap;
     double side = 0;
@@ -193,6 +193,24 @@ private:
     add(")\n");
   }
 
+  /// The ticks of an axis below a frame, without the labels that would overlap one before them.
+  static std::vector<Tick> with_room(const Axis &axis, const Frame &r) {
+    std::vector<Tick> ticks = axis.ticks;
+    double taken = -2 * r.right; // below all places, of either sign
+    const double sign = axis.reversed ? -1 : 1;
+    for (Tick &t : ticks) {
+      if (t.label.empty())
+        continue;
+      const double half = (axis.on_the_tilt ? letter_size : text_width(t.label, letter_size)) / 2;
+      const double at = sign * across(r, axis, t.at);
+      if (at - half < taken)
+        t.label.clear();
+      else
+        taken = at + half + 2;
+    }
+    return ticks;
+  }
+
   /// Labels of ticks are formats of a number.
   static std::string tick_label(const std::string &label) {
     std::string format;
@@ -201,9 +219,9 @@ private:
     return gnuplot_string(format);
   }
 
-  void add_axes(const Panel &p) {
+  void add_axes(const Panel &p, const Frame &r) {
     add_range("x", p.x);
-    add_ticks("x", p.x.ticks, p.x.on_the_tilt ? "out nomirror rotate by 90 right " : "out nomirror ");
+    add_ticks("x", with_room(p.x, r), p.x.on_the_tilt ? "out nomirror rotate by 90 right " : "out nomirror ");
     add_range("y", p.y);
     add_ticks("y", p.y.ticks, "out nomirror ");
     if (p.top.empty()) {
@@ -225,8 +243,8 @@ private:
         p.grid ? "set grid xtics ytics back linetype 1 linecolor '#dddddd' linewidth 0.5\n" : "unset grid\n");
   }
 
-  void add_boxes(const std::vector<Box> &boxes, const char *layer) {
-    for (const Box &b : boxes)
+  void add_boxes(const std::vector<Rectangle> &boxes, const char *layer) {
+    for (const Rectangle &b : boxes)
       add("set object rectangle from first {:.12g},{:.12g} to first {:.12g},{:.12g} {} clip fillcolor rgb {} "
           "fillstyle solid {}\n",
           b.x_low, b.y_low, b.x_high, b.y_high, layer, gnuplot_string(b.color),
@@ -328,7 +346,7 @@ private:
     add("unset label\nunset object\n");
     add("set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\n", r.left / width_, r.right / width_);
     add("set bmargin at screen {:.6f}\nset tmargin at screen {:.6f}\n", r.bottom / height_, r.top / height_);
-    add_axes(p);
+    add_axes(p, r);
     add_boxes(p.back, "behind");
     add_boxes(p.boxes, "back");
     add_strips(p, r);
@@ -381,10 +399,17 @@ private:
 } // namespace
 
 std::string gnuplot_string(std::string_view text) {
-  std::string quoted = "'";
-  for (const char c : printable(text))
-    quoted += c == '\'' ? "''" : std::string(1, c);
-  return quoted + "'";
+  constexpr std::string_view harmless = " .,:;()=/+-%#<>_";
+  std::string quoted = "\"";
+  for (const char c : printable(text)) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool alphanumeric = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    if (alphanumeric || byte >= 0x80 || harmless.find(c) != std::string_view::npos)
+      quoted += c;
+    else
+      quoted += fmt::format("\\{:03o}", byte);
+  }
+  return quoted + "\"";
 }
 
 std::string gnuplot_script(const Figure &figure, Picture picture) {

@@ -43,6 +43,7 @@ TEST_CASE("logarithmic axes have powers of ten, and values where there are none"
   CHECK(labels(log_axis("", 4, 6.1)) == Labels{"10\u2074", "10\u2075", "10\u2076"});
   CHECK(labels(log_axis("", -5, -4)) == Labels{"10\u207B\u2075", "10\u207B\u2074"});
   CHECK(labels(log_axis("", std::log10(0.5), std::log10(0.9))) == Labels{"0.5", "0.6", "0.7", "0.8", "0.9"});
+  CHECK(labels(log_axis("", -1.1, 0.1)) == Labels{"0.1", "0.2", "0.5", "1"});
   CHECK(labels(log_axis("", -400, 400)).size() <= 13);
   CHECK(labels(log_axis("", 350.2, 350.3)).size() <= 1);
   CHECK(log_axis("", 1, 1).span() > 0);
@@ -65,12 +66,13 @@ TEST_CASE("a text that is too wide is cut between characters", "[figure]") {
   CHECK(fitted("a\nb", 100) == "a\\x0ab");
 }
 
-TEST_CASE("a text in a script is a string in one line that ends where it should", "[figure]") {
-  CHECK(gnuplot_string("No. 200") == "'No. 200'");
-  CHECK(gnuplot_string("it's") == "'it''s'");
-  CHECK(gnuplot_string("' . system('x') . '") == "''' . system(''x'') . '''");
-  CHECK(gnuplot_string("`x` @y \"z\" \\") == "'`x` @y \"z\" \\'");
-  CHECK(gnuplot_string("a\nb\r\xFF") == "'a\\x0ab\\x0d\\xff'");
+TEST_CASE("a text in a script is a string in one line that nothing of it can end", "[figure]") {
+  CHECK(gnuplot_string("No. 200") == R"("No. 200")");
+  CHECK(gnuplot_string("it's \"q\"") == R"("it\047s \042q\042")");
+  CHECK(gnuplot_string("`x` @y $z {a}^b") == R"("\140x\140 \100y \044z \173a\175\136b")");
+  CHECK(gnuplot_string("\\n1") == R"("\134n1")");
+  CHECK(gnuplot_string("a\nb\r\xFF") == R"("a\134x0ab\134x0d\134xff")");
+  CHECK(gnuplot_string("\u00E4 \u00B2") == "\"\u00E4 \u00B2\"");
 }
 
 TEST_CASE("a scatter with a colour bar and a line in a script", "[figure]") {
@@ -96,12 +98,12 @@ TEST_CASE("a scatter with a colour bar and a line in a script", "[figure]") {
   CHECK(contains(script, "$panel1_series1 << EOD\n-2 3 5\n-1 4 6\nEOD\n"));
   CHECK(contains(script, "$panel2_series2 << EOD\n-3 1\n-2 2\n\n-3 4\n-1 8\nEOD\n"));
   CHECK(contains(script, "set terminal svg "));
-  CHECK(contains(script, "'Figure 3'"));
-  CHECK(contains(script, "'log volume ratio'"));
+  CHECK(contains(script, "\"Figure 3\""));
+  CHECK(contains(script, "\"log volume ratio\""));
   CHECK(contains(script, "linecolor palette"));
-  const std::size_t legend = script.find("title 'least match'");
+  const std::size_t legend = script.find("title \"least match\"");
   REQUIRE(legend != std::string::npos);
-  CHECK(script.find("title 'least match'", legend + 1) == std::string::npos);
+  CHECK(script.find("title \"least match\"", legend + 1) == std::string::npos);
   CHECK(script == gnuplot_script(figure, Picture::svg));
   CHECK(contains(gnuplot_script(figure, Picture::png), "set terminal pngcairo "));
   CHECK(contains(gnuplot_script(figure, Picture::pdf), "set terminal pdfcairo "));
@@ -116,12 +118,12 @@ TEST_CASE("labels of the upper side keep their distance and both ends", "[figure
   Figure figure;
   figure.panels = {panel};
   const std::string script = gnuplot_script(figure, Picture::svg);
-  CHECK(contains(script, "'s0.'"));
-  CHECK(contains(script, "'s200.'"));
+  CHECK(contains(script, "\"s0.\""));
+  CHECK(contains(script, "\"s200.\""));
   double last = -1;
   std::size_t shown = 0;
   for (int i = 0; i <= 200; ++i)
-    if (contains(script, "'s" + std::to_string(i) + ".'")) {
+    if (contains(script, "\"s" + std::to_string(i) + ".\"")) {
       const double at = figure.panel_width * i / 200;
       CHECK((last < 0 || at - last >= letter_size));
       last = at;

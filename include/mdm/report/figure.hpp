@@ -62,7 +62,7 @@ struct Series {
 };
 
 /// A filled rectangle; `framed` with a line around it.
-struct Box {
+struct Rectangle {
   double x_low = 0, x_high = 1;
   double y_low = 0, y_high = 1;
   std::string color = "#f0f0f0";
@@ -93,12 +93,12 @@ struct Strip {
 struct Panel {
   std::string title;
   Axis x, y;
-  std::vector<Tick> top;   ///< marks of the upper side, labels upright; those without room are left out
-  std::string right_title; ///< of the right side, if it has ticks
-  std::vector<Tick> right; ///< marks of the right side
-  bool grid = false;       ///< lines at the ticks of y and the labelled ones of x
-  std::vector<Box> back;   ///< behind everything
-  std::vector<Box> boxes;  ///< in front of the grid
+  std::vector<Tick> top;        ///< marks of the upper side, labels upright; those without room are left out
+  std::string right_title;      ///< of the right side, if it has ticks
+  std::vector<Tick> right;      ///< marks of the right side
+  bool grid = false;            ///< lines at the ticks of y and the labelled ones of x
+  std::vector<Rectangle> back;  ///< behind everything
+  std::vector<Rectangle> boxes; ///< in front of the grid
   std::vector<Series> series;
   std::vector<Text> texts;
   std::vector<Strip> strips;

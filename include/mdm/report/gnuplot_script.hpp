@@ -13,7 +13,9 @@ enum class Picture { svg, png, pdf };
 /// executed. The same figure gives the same script.
 std::string gnuplot_script(const Figure &figure, Picture picture);
 
-/// `text` as gnuplot's string of these very characters, on one line: control and non-UTF-8 bytes escaped.
+/// `text` as gnuplot's string of these very characters, control and non-UTF-8 bytes escaped: in one line and
+/// without any quote, backslash, `$`, `@` or backtick of the text's own, so that nothing of it can end the
+/// string, be replaced or be executed.
 std::string gnuplot_string(std::string_view text);
 
 } // namespace mdm

@@ -1,0 +1,139 @@
+#include "commands.hpp"
+#include "files.hpp"
+#include "picture.hpp"
+#include "progress.hpp"
+
+#include <mdm/error.hpp>
+#include <mdm/gradation/read_gradation.hpp>
+#include <mdm/match/solve.hpp>
+#include <mdm/particles/answer_sample.hpp>
+#include <mdm/report/gradation_figure.hpp>
+
+#include <algorithm>
+#include <memory>
+
+namespace mdm::cli {
+namespace {
+
+struct PlotCommand {
+  std::string file;
+  std::optional<std::string> answer, band, what, specimen_id;
+  std::string bands = "uscs";
+  bool match = false;
+  bool coarse_left = false;
+  bool quiet = false;
+  PictureFlags picture;
+};
+
+/// Answers have a line a class.
+constexpr std::size_t max_answer_bytes = std::size_t{1} << 30;
+
+std::string shown_name(const std::string &file) {
+  return file == "-" ? "stdin" : file;
+}
+
+void check(const PlotCommand &c) {
+  c.picture.picture();
+  if (c.answer && c.match)
+    throw InputError("ANSWER and --match: give one of them, a solved match or the wish for one");
+  if (c.what && *c.what != "curve" && !c.answer && !c.match)
+    throw InputError("--what " + *c.what + ": give the ANSWER of mdm solve --format json, or --match");
+  std::vector<std::string> inputs = {c.file};
+  for (const std::optional<std::string> &path : {c.answer, c.band})
+    if (path)
+      inputs.push_back(*path);
+  if (std::count(inputs.begin(), inputs.end(), "-") > 1)
+    throw InputError("-: standard input is one file: give the others by name");
+  for (const std::string &input : inputs)
+    check_distinct({input, c.picture.out.value_or("-"), c.picture.script.value_or("-")});
+}
+
+/// The classes of an answer with lengths in the gradation's unit.
+std::vector<DrawnClass> drawn(const AnswerSample &answer, SizeUnit unit) {
+  const Rational factor = in_mm(answer.unit) / in_mm(unit);
+  std::vector<DrawnClass> classes;
+  for (const AnswerSample::Class &c : answer.classes)
+    classes.push_back(
+        {c.lower * factor, c.upper * factor, c.mass, c.quantity, (c.size_lo + c.size_hi) / 2 * factor});
+  return classes;
+}
+
+/// The smallest match of the gradation as it is.
+std::vector<DrawnClass> solved(const Gradation &g, bool quiet) {
+  const Progress progress([] { return std::string("solving"); }, quiet);
+  const Match m = solve(g);
+  std::vector<DrawnClass> classes;
+  for (std::size_t i = 0; i < m.q.size(); ++i) {
+    const std::size_t j = m.problem.classes()[i].index;
+    classes.push_back(
+        {g.lower(j), g.upper(j), g.mass(j), m.q[i], (m.sizes[i].lower() + m.sizes[i].upper()) / 2});
+  }
+  return classes;
+}
+
+/// True if each class of the particles is one of the gradation: not so after a cut, a pan size or a factor.
+bool are_of(const std::vector<DrawnClass> &classes, const Gradation &g) {
+  return std::all_of(classes.begin(), classes.end(), [&g](const DrawnClass &c) {
+    const auto lower = std::lower_bound(g.sizes().begin(), g.sizes().end(), c.lower);
+    return lower != g.sizes().end() && *lower == c.lower && lower + 1 != g.sizes().end() &&
+           *(lower + 1) == c.upper;
+  });
+}
+
+int run(const PlotCommand &c) {
+  check(c);
+  const Gradation g =
+      read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.specimen_id);
+  std::vector<std::string> notes = g.notes();
+  GradationFigure what;
+  if (c.bands != "uscs")
+    what.bands = c.bands == "iso" ? Bands::iso_14688 : Bands::none;
+  what.coarse_left = c.coarse_left;
+  if (c.band) {
+    what.envelope = read_envelope(read_file(*c.band, max_gradation_bytes), shown_name(*c.band));
+    notes.insert(notes.end(), what.envelope->notes.begin(), what.envelope->notes.end());
+  }
+  if (c.answer) {
+    what.particles =
+        drawn(read_answer(read_file(*c.answer, max_answer_bytes), shown_name(*c.answer)), g.unit());
+    if (!are_of(what.particles, g))
+      notes.push_back(printable(*c.answer) + ": its classes are not all of " + printable(c.file) +
+                      ": it was solved with a cut, a pan size or a size factor, or for another gradation");
+  } else if (c.match) {
+    what.particles = solved(g, c.quiet);
+  }
+  const std::string panels = c.what.value_or(what.particles.empty() ? "curve" : "both");
+  what.curve = panels != "counts";
+  what.counts = panels != "curve";
+  draw(gradation_figure(g, what), c.picture);
+  for (const std::string &note : notes)
+    if (!c.quiet)
+      tell("note: " + note + "\n");
+  return Exit::done;
+}
+
+} // namespace
+
+Run add_plot(CLI::App &app) {
+  const auto c = std::make_shared<PlotCommand>();
+  CLI::App &command = *app.add_subcommand(
+      "plot", "A gradation as the field draws it, and the particles that match it (gnuplot draws)");
+  command.add_option("FILE", c->file, "gradation: CSV, JSON or AGS4; - for standard input")->required();
+  command.add_option("ANSWER", c->answer, "particles to show: the JSON answer of mdm solve");
+  command.add_flag("--match", c->match, "show the smallest match: solve now");
+  command.add_option("--what", c->what, "curve, counts or both; both where there are particles, else curve")
+      ->check(CLI::IsMember({"curve", "counts", "both"}));
+  command.add_option("--band", c->band, "show an envelope: CSV with passing_min_percent,passing_max_percent")
+      ->type_name("FILE");
+  command.add_option("--bands", c->bands, "size bands: uscs, iso (14688) or none (uscs)")
+      ->check(CLI::IsMember({"uscs", "iso", "none"}));
+  command.add_flag("--coarse-left", c->coarse_left, "coarse sizes on the left, as in the United States");
+  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
+      ->type_name("ID");
+  c->picture.add_to(command);
+  command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
+  command.footer("Example: mdm plot sand.csv --match -o sand.svg");
+  return [c] { return run(*c); };
+}
+
+} // namespace mdm::cli

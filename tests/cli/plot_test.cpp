@@ -1,0 +1,177 @@
+// mdm plot. Pictures are drawn where there is gnuplot; scripts need none.
+
+#include "run.hpp"
+
+#include <cstdlib>
+
+using namespace cli_test;
+
+namespace {
+
+const std::string sand = example("athabasca-sand");
+
+/// True if gnuplot is there; else says that the rest of the test is skipped.
+bool can_draw() {
+  if (std::system("command -v gnuplot >/dev/null") == 0)
+    return true;
+  WARN("skipped: gnuplot, which draws, is not installed (Debian: gnuplot-nox)");
+  return false;
+}
+
+/// A PATH for the programs that are started, as long as it lives.
+class Path {
+public:
+  explicit Path(const std::string &path) : before_(std::getenv("PATH")) { setenv("PATH", path.c_str(), 1); }
+  ~Path() { setenv("PATH", before_.c_str(), 1); }
+  Path(const Path &) = delete;
+  Path &operator=(const Path &) = delete;
+
+private:
+  std::string before_;
+};
+
+bool contains(const std::string &text, const std::string &part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Done, with nothing but notes said.
+std::string drawn(const TemporaryFolder &folder, const std::string &name, Arguments arguments) {
+  arguments.insert(arguments.begin(), "plot");
+  arguments.insert(arguments.end(), {"-o", folder / name});
+  const Outcome outcome = mdm(arguments);
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(outcome.out.empty());
+  return read_file(folder / name);
+}
+
+} // namespace
+
+TEST_CASE("the ending of the file chooses the format of the picture", "[cli]") {
+  if (!can_draw())
+    return;
+  const TemporaryFolder folder;
+  CHECK(drawn(folder, "a.svg", {sand}).substr(0, 5) == "<?xml");
+  CHECK(drawn(folder, "a.png", {sand}).substr(0, 8) == "\x89PNG\r\n\x1a\n");
+  CHECK(drawn(folder, "a.pdf", {sand}).substr(0, 5) == "%PDF-");
+  CHECK(drawn(folder, "picture", {sand, "--format", "pdf"}).substr(0, 5) == "%PDF-");
+  CHECK(folder.entries() == 4);
+}
+
+TEST_CASE("a picture goes to standard output, and is the same each time", "[cli]") {
+  if (!can_draw())
+    return;
+  const TemporaryFolder folder;
+  for (const std::string &format : Arguments{"svg", "png", "pdf"}) {
+    const Outcome outcome = mdm({"plot", sand, "--match", "--format", format, "-o", "-"});
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.out == drawn(folder, "again." + format, {sand, "--match"}));
+  }
+}
+
+TEST_CASE("the picture has the sieves, the indices, the bands and the counts", "[cli]") {
+  if (!can_draw())
+    return;
+  const TemporaryFolder folder;
+  const std::string svg = drawn(folder, "a.svg", {sand, "--match"});
+  for (const char *text :
+       {"athabasca-sand", "No. 400", "0.076", "percent passing", "percent retained, cumulative", "size (mm)",
+        "D10", "D60", "Cu = 1.96", "USCS SP", "fine sand", "N = 1485", ">819<", "set of particles"}) {
+    INFO(text);
+    CHECK(contains(svg, text));
+  }
+  const std::string limits =
+      std::string(MDM_SOURCE_DIR) + "/examples/gradations/c33-fine-aggregate-limits.csv";
+  const std::string band = drawn(folder, "b.svg", {sand, "--band", limits, "--bands", "iso"});
+  CHECK(contains(band, "allowed: c33"));
+  CHECK(contains(band, "silt"));
+}
+
+TEST_CASE("an answer is drawn as --match draws it", "[cli]") {
+  const TemporaryFolder folder;
+  CHECK(mdm({"solve", sand, "--format", "json", "-o", folder / "answer.json"}).exit_code == 0);
+  CHECK(mdm({"plot", sand, folder / "answer.json", "--script", folder / "a"}).exit_code == 0);
+  CHECK(mdm({"plot", sand, "--match", "--script", folder / "b"}).exit_code == 0);
+  CHECK(read_file(folder / "a") == read_file(folder / "b"));
+  CHECK(
+      mdm({"solve", sand, "--size-factor", "2", "--format", "json", "-o", folder / "other.json"}).exit_code ==
+      0);
+  const Outcome other = mdm({"plot", sand, folder / "other.json", "--script", folder / "c"});
+  CHECK(other.exit_code == 0);
+  CHECK(contains(other.err, "its classes are not all of"));
+}
+
+TEST_CASE("names in a figure are shown as they are and never executed", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string mark = folder / "executed";
+  const std::string gradation = folder.write("g.json", R"({"id":"x\n!touch )" + mark +
+                                                           R"(\nx","sizes":["0.1","1"],"masses":["1","0"]})");
+  CHECK(mdm({"plot", gradation, "--script", folder / "script"}).exit_code == 0);
+  CHECK_FALSE(contains(read_file(folder / "script"), "\n!touch"));
+  if (!can_draw())
+    return;
+  for (const std::string &name :
+       {"`touch " + mark + "`", std::string("a_b^2{x} @y &amp;"), std::string("it's \"\\n %d"),
+        std::string("'.system('touch x').'"), std::string("<b>")}) {
+    std::string text;
+    for (const char c : name)
+      text += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+    const std::string g =
+        folder.write("h.json", R"({"id":")" + text + R"(","sizes":["0.1","1"],"masses":["1","0"]})");
+    std::string svg = drawn(folder, "h.svg", {g});
+    std::string shown;
+    for (const char c : name)
+      shown += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+    INFO(shown);
+    CHECK(contains(svg, shown));
+    CHECK_FALSE(std::filesystem::exists(mark));
+  }
+  drawn(folder, "g.svg", {gradation});
+  CHECK_FALSE(std::filesystem::exists(mark));
+}
+
+TEST_CASE("without gnuplot there is a remedy, and the script", "[cli]") {
+  const TemporaryFolder folder;
+  const Path empty("/nonexistent");
+  check_refused(mdm({"plot", sand, "-o", folder / "a.svg"}), "gnuplot-nox");
+  CHECK(folder.entries() == 0);
+  CHECK(mdm({"plot", sand, "--script", folder / "a.gp"}).exit_code == 0);
+  CHECK(contains(read_file(folder / "a.gp"), "set terminal svg"));
+  CHECK(mdm({"plot", sand, "--format", "pdf", "--script", "-"}).exit_code == 0);
+}
+
+TEST_CASE("a gnuplot that fails leaves no file", "[cli]") {
+  const TemporaryFolder folder;
+  const TemporaryFolder programs;
+  const auto install = [&programs](const std::string &what) {
+    std::filesystem::permissions(programs.write("gnuplot", "#!/bin/sh\n" + what + "\n"),
+                                 std::filesystem::perms::owner_all);
+  };
+  const Path path((programs / "") + ":/usr/bin:/bin");
+  install("echo half a picture; echo 'line 3: unknown terminal' >&2; exit 1");
+  check_refused(mdm({"plot", sand, "-o", folder / "a.svg"}), "unknown terminal");
+  install("exit 0");
+  check_refused(mdm({"plot", sand, "-o", folder / "a.png"}), "gnuplot");
+  install("kill -9 $$");
+  check_refused(mdm({"plot", sand, "-o", folder / "a.pdf"}), "gnuplot");
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("what makes no picture is refused", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string svg = folder / "a.svg";
+  check_refused(mdm({"plot", sand}), "-o OUT.svg");
+  check_refused(mdm({"plot", sand, "-o", svg, "--script", folder / "b"}), "--script");
+  check_refused(mdm({"plot", sand, "-o", folder / "a.jpg"}), ".svg, .png or .pdf");
+  check_refused(mdm({"plot", sand, "-o", "-"}), "--format");
+  check_refused(mdm({"plot", sand, "--what", "counts", "-o", svg}), "--match");
+  check_refused(mdm({"plot", sand, sand, "-o", svg}), "not JSON");
+  check_refused(mdm({"plot", sand, sand, "--match", "-o", svg}), "one of them");
+  check_refused(mdm({"plot", "-", "-", "-o", svg}), "standard input");
+  check_refused(mdm({"plot", sand, "--band", sand, "-o", svg}), "a band has the columns");
+  check_refused(mdm({"plot", folder / "none.csv", "-o", svg}), "none.csv");
+  check_refused(mdm({"plot", sand, "-o", sand + "/x.svg"}), "x.svg");
+  const std::string copy = folder.write("copy.svg", read_file(sand));
+  check_refused(mdm({"plot", copy, "-o", copy}), "overwritten");
+  CHECK(folder.entries() == 1);
+}

@@ -1,0 +1,70 @@
+// Specification envelopes, and the names of sieves that figures show.
+
+#include "support.hpp"
+
+#include <mdm/gradation/envelope.hpp>
+#include <mdm/gradation/sieve_name.hpp>
+#include <mdm/number/decimal.hpp>
+
+using namespace mdm;
+using namespace mdm::test;
+
+namespace {
+
+constexpr const char *header = "size_mm,passing_min_percent,passing_max_percent\n";
+
+std::string refusal_of(const std::string &content) {
+  return message_of([&content] { read_envelope(content, "band.csv"); });
+}
+
+} // namespace
+
+TEST_CASE("an envelope ascends by size whatever the order of its rows") {
+  const Envelope e = read_envelope(std::string("# C33\n") + header + "2.36,80,100\n0.6,25.5,60\n1.18,50,85\n",
+                                   "specs/c33.csv");
+  CHECK(e.id == "c33");
+  CHECK(e.unit == SizeUnit::mm);
+  CHECK(e.sizes == std::vector<Rational>{ratio(3, 5), ratio(59, 50), ratio(59, 25)});
+  CHECK(e.passing_min == std::vector<Rational>{ratio(51, 2), 50, 80});
+  CHECK(e.passing_max == std::vector<Rational>{60, 85, 100});
+  CHECK(e.notes.empty());
+}
+
+TEST_CASE("an envelope has the sizes of gradation files") {
+  const Envelope names = read_envelope(
+      "\uFEFFsieve;passing_min_percent;passing_max_percent\r\n#200;0,5;3\r\n3/8 in;100;100\r\n", "x.csv");
+  CHECK(names.sizes == std::vector<Rational>{ratio(3, 40), ratio(19, 2)});
+  CHECK(names.passing_min[0] == ratio(1, 2));
+  CHECK(read_envelope("size_um,passing_min_percent,passing_max_percent\n75,0,3\n", "x").unit == SizeUnit::um);
+  CHECK(read_envelope("size_in,passing_min_percent,passing_max_percent\n1,0,3\n", "x").notes.size() == 1);
+}
+
+TEST_CASE("an envelope may contradict itself") {
+  CHECK(read_envelope(std::string(header) + "1,20,10\n2,10,5\n", "x").sizes.size() == 2);
+}
+
+TEST_CASE("what is no envelope is refused with its line") {
+  const std::string h = header;
+  CHECK(contains(refusal_of(h + "1,20,100.5\n"), "band.csv:2: passing_max_percent 100.5 is above 100"));
+  CHECK(contains(refusal_of(h + "1,-1,100\n"), "band.csv:2: passing_min_percent -1 is negative"));
+  CHECK(contains(refusal_of(h + "-1,1,100\n"), "band.csv:2: size -1 is negative"));
+  CHECK(contains(refusal_of(h + "1,10,50\n1.0,20,60\n"), "band.csv:3: size 1 repeats that of line 2"));
+  CHECK(contains(refusal_of(h + "1,x,50\n"), "band.csv:2: passing_min_percent 'x'"));
+  CHECK(contains(refusal_of(h + "1,50\n"), "band.csv:2: the row has 2 fields, the header has 3"));
+  CHECK(contains(refusal_of(h), "band.csv:1: there is no row"));
+  CHECK(contains(refusal_of(""), "band.csv:1: there is no header"));
+  CHECK(contains(refusal_of("size_mm,passing_percent\n1,0\n2,100\n"), "band.csv:1: a band has the columns"));
+  CHECK(contains(refusal_of("size_mm,passing_min_percent,passing_max_percent,factor\n1,0,1,1\n"),
+                 "band.csv:1:"));
+}
+
+TEST_CASE("openings have their ASTM names, and only they") {
+  CHECK(astm_sieve_name(ratio(3, 40)) == "No. 200");
+  CHECK(astm_sieve_name(ratio(19, 4)) == "No. 4");
+  CHECK(astm_sieve_name(ratio(19, 2)) == "3/8 in");
+  CHECK(astm_sieve_name(75) == "3 in");
+  CHECK(astm_sieve_name(ratio(74, 1000)) == std::nullopt);
+  CHECK(astm_sieve_name(0) == std::nullopt);
+  for (const char *name : {"No. 635", "No. 3-1/2", "1/4 in", "5 in", "0.530 in"})
+    CHECK(astm_sieve_name(sieve_opening(name)) == name);
+}
