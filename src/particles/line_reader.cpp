@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace mdm {
@@ -12,7 +13,7 @@ ParticleSource::ParticleSource(std::string file, ParticleSink &sink, const Parti
 }
 
 void ParticleSource::refuse(const std::string &what) const {
-  throw InputError(fmt::format("{}:{}: {}", printable(file_), line_, what));
+  throw InputError(fmt::format("{}:{}: {}", printable(file_), std::max<std::uint64_t>(line_, 1), what));
 }
 
 void ParticleSource::set_defaults(SizeMeaning meaning, LengthUnit unit) {

@@ -236,7 +236,7 @@ TEST_CASE("verify: particle files of the engines", "[cli]") {
 
 TEST_CASE("verify: bad files are refused with their line", "[cli]") {
   check_refused(verify(three, sample("2,1\nx,1\n")), "stdin:3: diameter 'x' is not a number");
-  check_refused(verify(three, ""), "stdin:0: there are no particles");
+  check_refused(verify(three, ""), "stdin:1: there are no particles");
   check_refused(verify(three, "size_mm,quantity\n"), "there are no particles");
   check_refused(verify(three, "\x1B[31m\xFF\nabc\n"), "the format is not one that is known");
   check_refused(verify(three, "{\"a\":" + std::string(100000, '[')), "nested deeper");
