@@ -157,7 +157,7 @@ void add_table(Buffer &out, const Verification &v) {
 
 } // namespace
 
-Bounds smallest_match(const Gradation &g, const MassLaw &law) {
+SmallestMatch smallest_match(const Gradation &g, const MassLaw &law) {
   Limits limits;
   limits.max_steps = most_steps;
   const Problem problem(g, law, 1);
@@ -165,8 +165,9 @@ Bounds smallest_match(const Gradation &g, const MassLaw &law) {
   return {total(least.q), least.complete ? total(least.q) : total(some_match(problem))};
 }
 
-Verification::Verification(Description d, const Question &asked, const Rational &within)
-    : description(std::move(d)), error(description.error()), question(asked), tolerance(within) {}
+Verification::Verification(Description d, Question asked, Rational within)
+    : description(std::move(d)), error(description.error()), question(std::move(asked)),
+      tolerance(std::move(within)) {}
 
 Verdict Verification::verdict() const {
   if (!description.describes() || !objections.empty() || error.maximum.lo > tolerance)

@@ -194,6 +194,9 @@ TEST_CASE("verify: options change the gradation as they do for solve", "[cli]") 
   const std::string dense = "size_mm,mass,factor\n1,24,3\n2,0,1\n3,64,1\n4,0,1\n";
   CHECK(exit_of(dense, sample("2,1\n4,1\n")) == 0);
   check_refused(verify(three, sample("2,1\n"), {"--cut-below", "7"}), "g.csv: there is no sieve of 7 mm");
+  check_refused(verify("size_mm,mass\n1,1\n2." + std::string(990, '3') + ",0\n", sample("2,1\n"),
+                       {"--law", "power:1000"}),
+                "g.csv: the exponent 1000 is too large");
 }
 
 TEST_CASE("verify: an irrational law is decided, but for a tie", "[cli]") {
