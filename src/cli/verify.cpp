@@ -179,6 +179,10 @@ Found read_sample(const VerifyCommand &c, const Gradation &g, const Question &qu
   Found found{tally.description(), {}, reader.notes()};
   if (const std::optional<std::string> note = unit_note(found.description, reader.unit()))
     found.notes.push_back(*note);
+  if (found.description.hair_above() > 0)
+    found.notes.push_back(fmt::format("Particles larger than a sieve by less than 1e-12 of it: {}; --snap "
+                                      "1e-12 takes sizes as near as that as the sieve.",
+                                      to_string(found.description.hair_above())));
   return found;
 }
 

@@ -173,7 +173,9 @@ TEST_CASE("verify: the tolerance is closed and in percentage points", "[cli]") {
 TEST_CASE("verify: sizes computed in double are taken as the sieve with --snap", "[cli]") {
   const std::string s = sample("2.0000000000000004,1\n4.0000000000000009,1\n");
   CHECK(exit_of(three, s) == 1);
+  CHECK(verify(three, s).out.find("by less than 1e-12 of it: 2;") != std::string::npos);
   const Json report = verify_json(three, s, 0, {"--snap", "1e-15"});
+  CHECK(report.at("notes").empty());
   CHECK(report.at("snapped") == "2");
   CHECK(verify(three, s, {"--snap", "1e-15"}).out.find("taken as an opening near by: 2 particles") !=
         std::string::npos);
