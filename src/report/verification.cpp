@@ -74,7 +74,7 @@ std::optional<bool> all_zero(const std::vector<Interval> &errors) {
 }
 
 /// A condition of Arnold, Eq. 9-12, with the first reason why it does not hold, or is open.
-struct Condition {
+struct ConditionReport {
   const char *key;
   const char *words;
   std::optional<bool> holds;
@@ -89,7 +89,7 @@ std::string class_name(std::size_t j) {
   return "class " + std::to_string(j + 1);
 }
 
-Condition describes(const Description &d) {
+ConditionReport describes(const Description &d) {
   const Gradation &g = d.gradation();
   std::string reason;
   if (d.below().count > 0)
@@ -104,7 +104,7 @@ Condition describes(const Description &d) {
   return {"describes", "describes the sample (no particle outside)", d.describes(), reason};
 }
 
-Condition articulately(const Description &d) {
+ConditionReport articulately(const Description &d) {
   std::string reason;
   if (!d.describes()) {
     reason = "particles lie outside all classes";
@@ -117,9 +117,9 @@ Condition articulately(const Description &d) {
 }
 
 /// Cond4 for one scale of the masses.
-Condition accurately(const Verification &v) {
+ConditionReport accurately(const Verification &v) {
   const MatchError &e = v.error;
-  Condition c{"accurately", "accurately (the shares are equal)", all_zero(e.normalised), ""};
+  ConditionReport c{"accurately", "accurately (the shares are equal)", all_zero(e.normalised), ""};
   if (!v.description.describes()) {
     c.holds = false;
     c.reason = "particles lie outside all classes";
@@ -140,9 +140,9 @@ std::optional<bool> accurately_as_given(const Verification &v) {
   return v.description.describes() ? all_zero(v.error.as_given) : false;
 }
 
-std::array<Condition, 4> conditions(const Verification &v) {
-  return {Condition{"complete", "complete", true, ""}, describes(v.description), articulately(v.description),
-          accurately(v)};
+std::array<ConditionReport, 4> conditions(const Verification &v) {
+  return {ConditionReport{"complete", "complete", true, ""}, describes(v.description),
+          articulately(v.description), accurately(v)};
 }
 
 std::string smallest_text(const Verification &v) {
@@ -235,7 +235,7 @@ std::string verification_text(const Verification &v) {
     add(out, "  taken as an opening near by: {}\n", counted(v.description.snapped()));
   add(out, "\n  conditions, the gradation\n");
   std::size_t number = 0;
-  for (const Condition &c : conditions(v)) {
+  for (const ConditionReport &c : conditions(v)) {
     add(out, "    {} {}: {}{}\n", ++number, c.words,
         !c.holds   ? "open"
         : *c.holds ? "yes"
@@ -273,7 +273,7 @@ std::string verification_json(const Verification &v) {
   add(out, R"(,"outside":{{"below":"{}","above":"{}"}},"snapped":"{}","conditions":{{)",
       to_string(d.below().count), to_string(d.above().count), to_string(d.snapped()));
   const char *comma = "";
-  for (const Condition &c : conditions(v)) {
+  for (const ConditionReport &c : conditions(v)) {
     add(out, R"({}"{}":{{"holds":{},"reason":{}}})", comma, c.key, json_truth(c.holds),
         c.reason.empty() ? "null" : json_string(c.reason));
     comma = ",";
