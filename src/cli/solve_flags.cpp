@@ -29,7 +29,8 @@ std::chrono::steady_clock::time_point deadline_in(const std::string &text) {
 void GradationFlags::add_to(CLI::App &command) {
   command.add_option("--law", law, "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5")
       ->type_name("LAW");
-  command.add_option("--size-factor", size_factor, "multiply every size by K")->type_name("K");
+  command.add_option("--size-factor", size_factor, "multiply every size of the gradation by K")
+      ->type_name("K");
   command
       .add_option("--cut-below", cut_below,
                   "leave out the classes below the sieve SIZE (before --size-factor)")

@@ -35,6 +35,16 @@ std::string shown_name(const std::string &path) {
   return path == "-" ? "stdin" : path;
 }
 
+/// Calls action() and names the file in what it throws.
+template <class Action>
+auto in_file(const std::string &path, Action action) {
+  try {
+    return action();
+  } catch (const InputError &e) {
+    throw InputError(printable(shown_name(path)) + ": " + e.what());
+  }
+}
+
 /// `1%` or `1`: percentage points, as a part of 1.
 Rational tolerance_of(const VerifyCommand &c) {
   if (!c.tolerance)
@@ -121,17 +131,15 @@ std::string whole_text(const std::vector<Lines::Line> &first, Lines &rest, const
 
 Found read_answer_sample(const VerifyCommand &c, const std::string &content, Gradation g,
                          const Question &question, const Rational &snap) {
-  const std::string file = printable(shown_name(c.sample));
-  if (c.radius || c.diameter || c.size_unit || c.timestep)
-    throw InputError(file + ": an answer of mdm says what its sizes are: leave out --radius, --diameter, "
-                            "--size-unit and --timestep");
   const AnswerSample answer = read_answer(content, shown_name(c.sample));
-  try {
+  return in_file(c.sample, [&] {
+    if (c.radius || c.diameter || c.size_unit || c.timestep)
+      throw InputError(
+          "an answer of mdm says what its sizes are: leave out --radius, --diameter, --size-unit "
+          "and --timestep");
     AnswerDescription described = describe_answer(answer, std::move(g), question.law, snap);
-    return {std::move(described.description), std::move(described.objections), {}};
-  } catch (const InputError &e) {
-    throw InputError(file + ": " + e.what());
-  }
+    return Found{std::move(described.description), std::move(described.objections), {}};
+  });
 }
 
 /// True if a file that begins with these lines is a JSON object.
@@ -171,17 +179,27 @@ Found read_sample(const VerifyCommand &c, const Gradation &g, const Question &qu
   Found found{tally.description(), {}, reader.notes()};
   if (const std::optional<std::string> note = unit_note(found.description, reader.unit()))
     found.notes.push_back(*note);
+  if (found.description.hair_above() > 0)
+    found.notes.push_back(fmt::format("Particles larger than a sieve by less than 1e-12 of it: {}; --snap "
+                                      "1e-12 takes sizes as near as that as the sieve.",
+                                      to_string(found.description.hair_above())));
   return found;
 }
 
-Gradation read_asked_gradation(const VerifyCommand &c, const Question &question) {
-  const std::string file = shown_name(c.gradation);
-  Gradation g = read_gradation(read_file(c.gradation, max_gradation_bytes), file, c.specimen_id);
-  try {
-    return asked_gradation(std::move(g), question);
-  } catch (const InputError &e) {
-    throw InputError(printable(file) + ": " + e.what());
-  }
+/// A gradation with what the question changes, and its smallest match.
+struct Target {
+  Gradation gradation;
+  SmallestMatch smallest;
+};
+
+Target read_target(const VerifyCommand &c, const Question &question) {
+  Gradation g =
+      read_gradation(read_file(c.gradation, max_gradation_bytes), shown_name(c.gradation), c.specimen_id);
+  return in_file(c.gradation, [&] {
+    Gradation asked = asked_gradation(std::move(g), question);
+    SmallestMatch smallest = smallest_match(asked, question.law);
+    return Target{std::move(asked), std::move(smallest)};
+  });
 }
 
 int exit_code(Verdict verdict) {
@@ -204,17 +222,16 @@ int run(const VerifyCommand &c) {
   const Rational tolerance = tolerance_of(c);
   const Rational snap = c.snap ? not_negative("--snap", *c.snap) : Rational(0);
   const unsigned digits = c.digits ? digits_of("--digits", *c.digits) : 6;
-  const Gradation g = read_asked_gradation(c, question);
+  const Target target = read_target(c, question);
   Output out(c.out);
 
-  const Bounds smallest = smallest_match(g, question.law);
-  Found found = read_sample(c, g, question, snap);
+  Found found = read_sample(c, target.gradation, question, snap);
   Verification v(std::move(found.description), question, tolerance);
-  v.smallest = smallest;
+  v.smallest = target.smallest;
   v.sample = shown_name(c.sample);
   v.digits = digits;
   v.objections = std::move(found.objections);
-  v.notes = g.notes();
+  v.notes = target.gradation.notes();
   v.notes.insert(v.notes.end(), found.notes.begin(), found.notes.end());
 
   if (c.format == "json")
@@ -275,8 +292,8 @@ Run add_verify(CLI::App &app) {
   command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
   command.footer(
       "Example: mdm verify sand.csv packing.txt --from xyzr --size-unit m --tolerance 1%\n"
-      "Exit 0 if no particle lies outside all classes and every share is within the tolerance, else "
-      "1.");
+      "Exit 0 if no particle lies outside all classes and every share is within the tolerance; 1 if "
+      "not; 3 if an irrational law leaves it open.");
   return [c] { return run(*c); };
 }
 

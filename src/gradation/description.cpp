@@ -36,9 +36,11 @@ Description::Description(Gradation g, DescriptionOptions options)
     : g_(std::move(g)), options_(std::move(options)), classes_(g_.classes()) {
   if (options_.snap < 0)
     throw InputError("a negative snap has no meaning: leave it out, or give one above 0");
+  const Rational hair = ratio(1, power_of_ten(12));
   for (const Rational &x : g_.sizes()) {
     lowest_.push_back(x * (1 - options_.snap));
     highest_.push_back(x * (1 + options_.snap));
+    hair_beyond_.push_back(x * (1 + hair));
     const std::size_t j = highest_.size() - 1;
     if (j > 0 && highest_[j - 1] >= lowest_[j])
       throw InputError(fmt::format("a snap of {} makes one of the openings {} and {}: give a smaller one",
@@ -67,11 +69,13 @@ void Description::place(const Rational &power, unsigned degree, const Integer &q
       std::partition_point(highest_.begin(), highest_.end(), [&power, degree](const Rational &highest) {
         return compare(power, degree, highest) > 0;
       });
+  const auto i = static_cast<std::size_t>(found - highest_.begin());
+  if (i > 0 && compare(power, degree, hair_beyond_[i - 1]) <= 0)
+    hair_above_ += quantity;
   if (found == highest_.end()) {
     note(above_, {power, degree}, quantity);
     return;
   }
-  const auto i = static_cast<std::size_t>(found - highest_.begin());
   const Rational &opening = g_.sizes()[i];
   const bool snaps =
       options_.snap > 0 && compare(power, degree, lowest_[i]) >= 0 && compare(power, degree, opening) != 0;

@@ -31,8 +31,9 @@ public:
     try {
       answer_ = Json::parse(content, check_depth);
     } catch (const Json::parse_error &error) {
-      Source(file_).refuse(line_number(content, std::min(content.size(), error.byte)),
-                           "this is not JSON: check quotes, commas and brackets");
+      Source(file_).refuse(
+          line_number(content, std::min(content.size(), error.byte)),
+          "this is not one JSON object: give one answer alone, and check quotes, commas and brackets");
     } catch (const Json::exception &) {
       refuse("JSON", "has a number beyond double precision: write numbers as strings");
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace mdm {
@@ -12,7 +13,7 @@ ParticleSource::ParticleSource(std::string file, ParticleSink &sink, const Parti
 }
 
 void ParticleSource::refuse(const std::string &what) const {
-  throw InputError(fmt::format("{}:{}: {}", printable(file_), line_, what));
+  throw InputError(fmt::format("{}:{}: {}", printable(file_), std::max<std::uint64_t>(line_, 1), what));
 }
 
 void ParticleSource::set_defaults(SizeMeaning meaning, LengthUnit unit) {
@@ -47,20 +48,21 @@ void ParticleSource::check_some() const {
     refuse("there are no particles up to here, the end: give a file that has some");
 }
 
+std::string_view take_word(std::string_view &rest) {
+  const auto is_other = [](char c) { return !is_blank(c); };
+  const auto begin = std::find_if(rest.begin(), rest.end(), is_other);
+  const auto end = std::find_if(begin, rest.end(), is_blank);
+  const std::string_view word =
+      rest.substr(static_cast<std::size_t>(begin - rest.begin()), static_cast<std::size_t>(end - begin));
+  rest.remove_prefix(static_cast<std::size_t>(end - rest.begin()));
+  return word;
+}
+
 void split_words(std::string_view line, std::vector<std::string_view> &words) {
   words.clear();
-  const char *at = line.data();
-  const char *const end = at + line.size();
-  while (words.size() <= max_fields) {
-    while (at != end && is_blank(*at))
-      ++at;
-    if (at == end)
-      return;
-    const char *const begin = at;
-    while (at != end && !is_blank(*at))
-      ++at;
-    words.emplace_back(begin, static_cast<std::size_t>(at - begin));
-  }
+  for (std::string_view word = take_word(line); !word.empty() && words.size() <= max_fields;
+       word = take_word(line))
+    words.push_back(word);
 }
 
 std::optional<std::uint64_t> parse_count(std::string_view text) {

@@ -30,7 +30,7 @@ public:
 
   /// A particle whose size is written as `text`; `point` is the decimal sign.
   void particle(std::string_view text, const Integer &quantity = 1, char point = '.');
-  /// A particle that is not counted: another timestep was asked for.
+  /// What came so far does not count: another timestep begins.
   void restart();
 
   /// \throws InputError if there was no particle
@@ -68,7 +68,10 @@ std::unique_ptr<LineReader> read_lammps_data(ParticleSource &source);
 std::unique_ptr<LineReader> read_dump(ParticleSource &source);
 std::unique_ptr<LineReader> read_vtk(ParticleSource &source);
 
-/// The words of a line, separated by spaces and tabs; not more than max_fields + 1 of them.
+/// Moves the first word of `rest`, separated by spaces and tabs, out of it; empty at the end.
+std::string_view take_word(std::string_view &rest);
+
+/// The words of a line, not more than max_fields + 1 of them.
 void split_words(std::string_view line, std::vector<std::string_view> &words);
 
 /// A count that a file gives; at most 2^63.

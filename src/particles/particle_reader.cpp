@@ -9,6 +9,8 @@ namespace {
 
 /// Lines at the beginning that may tell nothing of the format, comments mostly.
 constexpr std::size_t most_pending = 1000;
+/// Bytes of such a line.
+constexpr std::size_t longest_pending = 10000;
 
 bool is_number(std::string_view text) {
   try {
@@ -99,7 +101,7 @@ void ParticleReader::line(std::string_view text) {
   }
   pending_.emplace_back(text);
   const std::optional<ParticleFormat> found = format_of(text, *source_);
-  if (!found && pending_.size() == most_pending)
+  if (!found && (pending_.size() == most_pending || text.size() > longest_pending))
     source_->refuse("the format is not clear by now: say it with --from, one of " + particle_format_names());
   if (!found)
     return;

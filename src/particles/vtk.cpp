@@ -25,7 +25,7 @@ public:
     if (source_.line() <= 3 || words_.empty())
       return;
     if (missing_ > 0)
-      read_values();
+      read_values(text);
     else
       read_keyword();
   }
@@ -82,10 +82,10 @@ private:
     missing_ = *count_;
   }
 
-  void read_values() {
+  void read_values(std::string_view text) {
     if (is(words_.front(), "lookup_table") && missing_ == *count_)
       return;
-    for (const std::string_view word : words_) {
+    for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
       if (missing_ == 0)
         source_.refuse(
             fmt::format("there are more than the {} values of the array: is the file damaged?", *count_));

@@ -158,6 +158,19 @@ TEST_CASE("Description: a snap takes sizes near an opening as it, mass and all")
   CHECK(contains(message_of([] { Description(three_classes(), {{}, -1, 1}); }), "negative snap"));
 }
 
+TEST_CASE("Description: particles a hair above an opening are counted") {
+  const Rational hair = ratio(1, power_of_ten(12));
+  Description d(three_classes());
+  for (const int opening : {1, 2, 3, 4}) {
+    d.add(opening * (1 + hair));
+    d.add(opening * (1 + 2 * hair), 10);
+    d.add(opening, 100);
+    d.add(opening * (1 - hair), 1000);
+  }
+  CHECK(d.hair_above() == 4);
+  CHECK(d.above().count == 11);
+}
+
 TEST_CASE("Description: laws that are rational at the sizes are exact") {
   const MassLaw law{3, 2};
   Description d(three_classes(), {law, 0, 1});

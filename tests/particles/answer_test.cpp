@@ -121,7 +121,7 @@ TEST_CASE("answers: broken ones") {
   const auto broken = [](const std::string &part, const std::string &by) {
     return refusal_of(replaced(two, part, by));
   };
-  CHECK(contains(refusal_of("{\n\"schema\": }"), "a.json:2: this is not JSON"));
+  CHECK(contains(refusal_of("{\n\"schema\": }"), "a.json:2: this is not one JSON object"));
   CHECK(contains(refusal_of("{}"), "a.json: schema is missing"));
   CHECK(contains(refusal_of("[]"), "a.json: schema is missing"));
   CHECK(contains(broken("mdm-answer-1", "mdm-batch-1"), "'mdm-batch-1' is not 'mdm-answer-1'"));
@@ -140,7 +140,7 @@ TEST_CASE("answers: broken ones") {
   CHECK(contains(broken("\"chosen\":\"8\"", "\"chosen\":\"8\",\"scale_power\":\"0\""), "scale_power"));
   CHECK(contains(broken("\"scale\"", "\"scales\""), "scale is missing"));
   CHECK(contains(broken("\"id\":\"g\"", "\"id\":1e999"), "beyond double precision"));
-  CHECK(contains(broken("\"id\":\"g\"", "\"id\":\"\xff\""), "this is not JSON"));
+  CHECK(contains(broken("\"id\":\"g\"", "\"id\":\"\xff\""), "this is not one JSON object"));
   CHECK(contains(broken("\"quantity\":\"1\"", "\"quantity\":\"" + std::string(100001, '1') + "\""),
                  "whole number"));
   CHECK(contains(broken("\"g\"", std::string(100000, '[')), "nested deeper"));

@@ -154,6 +154,10 @@ TEST_CASE("VTK: an array radius or diameter") {
   CHECK(result.format == ParticleFormat::vtk);
   CHECK(contains(result.notes.at(0), "radii in m;"));
   CHECK(read(vtk_points + "scalars Diameter double\n1 2 3\n").particles == "1000 2000 3000");
+  std::string many = "POINT_DATA 5000\nSCALARS radius float\nLOOKUP_TABLE default\n";
+  for (int i = 0; i < 5000; ++i)
+    many += "0.5 ";
+  CHECK(read(replaced(vtk_points, "POINT_DATA 3\n", many)).particles.size() == 5000 * 5 - 1); // 1000 each
   const std::string field = vtk_points + "FIELD FieldData 2\nid 1 3 int\n1 2 3\ndiameter 1 3 double\n1 2 3\n";
   CHECK(read(field).particles == "1000 2000 3000");
   CHECK(read(replaced(scalars, "POLYDATA", "UNSTRUCTURED_GRID")).particles == "2 4 6");

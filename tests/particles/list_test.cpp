@@ -81,6 +81,7 @@ TEST_CASE("particle files: an unknown format names those there are") {
                  "one of csv, answer, xyzr"));
   CHECK(contains(refusal("1 2\n"), "file:1: the format is not one"));
   CHECK(contains(refusal(std::string(3000, '\n')), "file:1000: the format is not clear by now"));
+  CHECK(contains(refusal("#" + std::string(10000, ' ') + "\n"), "file:1: the format is not clear by now"));
   CHECK(contains(refusal("{}\n"), "an answer of mdm"));
   ParticleOptions options;
   options.timestep = 3;

@@ -82,6 +82,8 @@ public:
   Integer particles() const;
   /// Particles whose size was taken as an opening, and was not that opening.
   const Integer &snapped() const { return snapped_; }
+  /// Particles larger than an opening by at most 1e-12 of it: an error of rounding, it may be.
+  const Integer &hair_above() const { return hair_above_; }
 
   /// Cond2 (Eq. 10): no particle lies outside all classes.
   bool describes() const { return below_.count == 0 && above_.count == 0; }
@@ -113,9 +115,11 @@ private:
   Gradation g_;
   DescriptionOptions options_;
   std::vector<Rational> lowest_, highest_; ///< sizes that are taken as each opening
+  std::vector<Rational> hair_beyond_;      ///< each opening and 1e-12 of it
   std::vector<Tally> classes_;
   Outside below_, above_;
   Integer snapped_ = 0;
+  Integer hair_above_ = 0;
 };
 
 } // namespace mdm

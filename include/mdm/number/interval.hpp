@@ -8,13 +8,13 @@ namespace mdm {
 
 /// A real number y with lo <= y <= hi; lo = hi where y is known to be that fraction.
 struct Interval {
-  Rational lo = 0;
-  Rational hi = 0;
+  Rational lo;
+  Rational hi;
 
   Interval() = default;
   Interval(const Rational &exact) : lo(exact), hi(exact) {}
   /// \pre lo <= hi
-  Interval(const Rational &lower, const Rational &upper) : lo(lower), hi(upper) {}
+  Interval(Rational lower, Rational upper) : lo(std::move(lower)), hi(std::move(upper)) {}
 
   bool exact() const { return lo == hi; }
 };

@@ -4,7 +4,6 @@
 
 #include <mdm/particles/particle_format.hpp>
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 

@@ -14,26 +14,24 @@ enum class Verdict {
   undecided ///< an irrational share is closer to the tolerance than 4096 bits can tell
 };
 
-/// What is known of a number.
-struct Bounds {
-  Integer lo, hi; ///< equal, if it is known
+/// Bounds of the number of particles of the smallest exact match.
+struct SmallestMatch {
+  Integer lo, hi; ///< equal but where finding it would take more than some seconds
 };
 
-/// The number of particles of the smallest exact match; bounds where finding it would take more than some
-/// seconds.
-Bounds smallest_match(const Gradation &g, const MassLaw &law);
+SmallestMatch smallest_match(const Gradation &g, const MassLaw &law);
 
 /// A sample beside its gradation.
 struct Verification {
   /// \param asked  what d's gradation and law are; for the report
   /// \param within  the tolerance
-  Verification(Description d, const Question &asked, const Rational &within);
+  Verification(Description d, Question asked, Rational within);
 
   Description description;
   MatchError error;
   Question question;
   Rational tolerance;                  ///< greatest error of a share that is allowed, of 1
-  Bounds smallest;                     ///< N of the smallest exact match
+  SmallestMatch smallest;              ///< N of the smallest exact match
   std::string sample;                  ///< name, for the report
   unsigned digits = 6;                 ///< significant digits of percents
   std::vector<std::string> objections; ///< other reasons why the sample is not what it claims to be
