@@ -54,8 +54,9 @@ public:
     const Json &classes = member(answer_, "classes", "");
     if (!classes.is_array())
       refuse("classes", "is no array: give the JSON answer of mdm solve");
+    const Json *const achieved = achieved_shares(classes.size());
     for (std::size_t j = 0; j < classes.size(); ++j)
-      add_class(sample, classes[j], j);
+      add_class(sample, classes[j], j, achieved);
     if (sample.classes.empty())
       refuse("classes", "have no particles: give an answer that has some");
     return sample;
@@ -92,9 +93,23 @@ private:
     return n;
   }
 
+  /// What a match within a tolerance has instead of the masses; null for an exact match.
+  const Json *achieved_shares(std::size_t classes) const {
+    if (!answer_.contains("achieved") || answer_["achieved"].is_null())
+      return nullptr;
+    const Json &shares = answer_["achieved"];
+    if (!shares.is_array() || shares.size() != classes ||
+        !std::all_of(shares.begin(), shares.end(), [](const Json &share) { return share.is_string(); }))
+      refuse("achieved", "is not a string for each class: give the JSON answer of mdm solve");
+    return &shares;
+  }
+
   /// p/q > 0 or p > 0.
   Rational fraction(const Json &object, const char *key, const std::string &place) const {
-    const std::string &both = text(object, key, place);
+    return fraction(text(object, key, place), key, place);
+  }
+
+  Rational fraction(const std::string &both, const char *key, const std::string &place) const {
     const std::size_t slash = both.find('/');
     const Integer n = whole(both.substr(0, slash), key, place);
     const Integer d = slash == std::string::npos ? Integer(1) : whole(both.substr(slash + 1), key, place);
@@ -130,7 +145,7 @@ private:
     return b.convert_to<unsigned>();
   }
 
-  void add_class(AnswerSample &sample, const Json &from, std::size_t j) const {
+  void add_class(AnswerSample &sample, const Json &from, std::size_t j, const Json *achieved) const {
     const std::string place = fmt::format("classes[{}].", j);
     AnswerSample::Class c;
     c.number = j + 1;
@@ -139,7 +154,8 @@ private:
       return;
     c.lower = decimal(from, "lower", place);
     c.upper = decimal(from, "upper", place);
-    c.mass = decimal(from, "mass", place);
+    c.mass = achieved != nullptr ? fraction((*achieved)[j].get_ref<const std::string &>(), "achieved", place)
+                                 : decimal(from, "mass", place);
     if (c.mass <= 0)
       refuse(place + "mass", "is not above 0, but there are particles: give the JSON answer of mdm solve");
     const Json &size = member(from, "size", place);

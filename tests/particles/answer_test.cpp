@@ -117,6 +117,22 @@ TEST_CASE("answers: irrational laws match exactly too") {
   CHECK_THROWS_AS(described(text), InputError);
 }
 
+TEST_CASE("answers: within a tolerance the achieved shares take the place of the masses") {
+  // Size 2 and, instead of 16^(1/3), 2.5: masses 8 and 125/8.
+  const std::string text =
+      replaced(replaced(replaced(two, "\"chosen\":\"8\"}",
+                                 "\"chosen\":\"189/8\"},\"achieved\":[\"0\",\"64/189\",\"125/189\"]"),
+                        "\"2.51\"", "\"2.5\""),
+               "\"2.52\"", "\"2.5\"");
+  const AnswerDescription d = described(text);
+  CHECK(d.objections.empty());
+  CHECK(d.description.of_class(2).first->is(ratio(5, 2), 1));
+  CHECK(d.description.error().shares[1].lo == ratio(64, 189));
+  CHECK(contains(refusal_of(replaced(text, "[\"0\",", "[")), "achieved is not a string for each class"));
+  CHECK(
+      contains(refusal_of(replaced(text, "\"64/189\"", "\"0\"")), "classes[1].achieved '0' is not above 0"));
+}
+
 TEST_CASE("answers: broken ones") {
   const auto broken = [](const std::string &part, const std::string &by) {
     return refusal_of(replaced(two, part, by));

@@ -9,7 +9,8 @@
 namespace mdm {
 
 /// What an mdm-answer-1 says of its particles. A particle of a class has the mass s m / q and the size f^-1
-/// of it, of which the answer prints an enclosure.
+/// of it, of which the answer prints an enclosure; m is the mass of the class, or within a tolerance the
+/// share that it achieved.
 struct AnswerSample {
   struct Class {
     std::size_t number; ///< in the answer, from 1
