@@ -341,9 +341,8 @@ new one.
 Exit code: 0 if every answer is a match (with --require-minimal: minimal), 1 if not, 2 if a line of SUITE is
 bad, 3 if something is undecided.
 
-Examples:
-  mdm crosscheck tests/data/suite-2750.jsonl tests/data/suite-2750-float-answers.csv --by x_n_factor
-  mdm crosscheck suite.jsonl --solver './solver --json' --time-limit 10 -j 2 --journal run.jsonl -o rows.csv)";
+Example: mdm crosscheck tests/data/suite-2750.jsonl tests/data/suite-2750-float-answers.csv --by x_n_factor
+Example: mdm crosscheck suite.jsonl --solver './solver --json' --time-limit 10 -j 2 --journal run.jsonl -o rows.csv)";
 
 } // namespace
 
