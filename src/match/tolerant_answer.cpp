@@ -13,6 +13,7 @@ void complete(TolerantAnswer &answer, const Gradation &g, const MassLaw &law, un
   Rational mass = 0;
   for (const Rational &t : best.t)
     mass += t;
+  answer.mass = mass / answer.problem.unit();
   for (std::size_t j = 0; j < g.classes(); ++j) {
     answer.weight += best.t[j] / (g.factor(j) * answer.problem.unit());
     answer.shares.push_back(best.t[j] / mass);
@@ -44,7 +45,8 @@ TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, con
       demands.weight = bounds.lo;
       weight = bounds.hi;
     }
-    TolerantAnswer answer{tolerance, TolerantProblem(g, question.law, tolerance, demands), {}, {}, {}, 0, {}};
+    TolerantAnswer answer{tolerance, TolerantProblem(g, question.law, tolerance, demands), {}, {}, {}, 0, 0,
+                          {}};
     answer.found = tolerant_match(answer.problem, limits);
     if (question.solids && *demands.weight != weight)
       answer.pi = enclose_pi(places);

@@ -108,6 +108,17 @@ void add_json_tolerance(Buffer &out, const Match &m) {
       json_bounds(t.passing), t.total ? "\"" + to_string(*t.total) + "\"" : "null", achieved);
 }
 
+/// The scale at which the achieved shares are the masses: with it and the quantities a reader has the sizes
+/// exactly, as f^-1(chosen * share / (quantity * factor)).
+void add_json_tolerant_scale(Buffer &out, const Match &m) {
+  const unsigned b = m.question.law.b;
+  add(out, R"(,"scale":{{"above":null,"up_to":null,"chosen":"{}","margin":null)",
+      to_string(power(m.tolerant->mass, b)));
+  if (b > 1)
+    add(out, R"(,"scale_power":"{}")", b);
+  add(out, "}}");
+}
+
 void add_json_spectrum(Buffer &out, const Spectrum &s) {
   add(out, R"(,"spectrum":{{"intervals":[)");
   for (std::size_t i = 0; i < s.intervals.size(); ++i)
@@ -250,10 +261,12 @@ std::string answer_json(const Match &m, const Spectrum *spectrum) {
     add_json_row(out, all[j]);
   }
   out.push_back(']');
-  if (m.has_answer() && !m.tolerant)
-    add_json_scale(out, m);
-  else
+  if (!m.has_answer())
     add(out, R"(,"scale":null)");
+  else if (m.tolerant)
+    add_json_tolerant_scale(out, m);
+  else
+    add_json_scale(out, m);
   if (m.tolerant)
     add_json_tolerance(out, m);
   else

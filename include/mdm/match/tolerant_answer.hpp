@@ -16,6 +16,7 @@ struct TolerantAnswer {
   TolerantResult found;                        ///< its best has central masses
   std::vector<std::optional<Enclosure>> sizes; ///< of each class's particles; nothing for an empty class
   std::vector<Rational> shares;                ///< t_j / M; empty where there is no match
+  Rational mass;                               ///< M of the match, in units of c x^(a/b)
   Rational weight;                             ///< sum t_j / c_j, in units of x^a
   std::optional<Enclosure> pi;                 ///< bounds that a demanded volume was decided with
 };
