@@ -2,6 +2,7 @@
 #include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/report/answer.hpp>
+#include <mdm/report/text_table.hpp>
 #include <mdm/report/versions.hpp>
 
 #include <fmt/compile.h>
@@ -131,27 +132,10 @@ std::string counted(const Integer &n) {
   return to_string(n) + (n == 1 ? " particle" : " particles");
 }
 
-/// Lines of columns that are as wide as their longest entry; `left` are flush left.
-template <std::size_t n>
-void add_columns(Buffer &out, const std::vector<std::array<std::string, n>> &lines, const std::string &left) {
-  std::array<std::size_t, n> width{};
-  for (const auto &line : lines)
-    for (std::size_t i = 0; i < n; ++i)
-      width[i] = std::max(width[i], line[i].size());
-  for (const auto &line : lines) {
-    std::string text;
-    for (std::size_t i = 0; i < n; ++i)
-      text += left[i] == '<' ? fmt::format("  {:<{}}", line[i], width[i])
-                             : fmt::format("  {:>{}}", line[i], width[i]);
-    text.erase(text.find_last_not_of(' ') + 1);
-    add(out, "{}\n", text);
-  }
-}
-
 /// The text form's table.
 void add_table(Buffer &out, const Match &m) {
   const std::string unit(name(m.gradation.unit()));
-  std::vector<std::array<std::string, 5>> lines = {
+  std::vector<std::vector<std::string>> lines = {
       {"class", "sizes (" + unit + "]", "mass", "quantity", "size of a particle (" + unit + ")"}};
   const std::vector<Row> all = rows(m);
   for (std::size_t j = 0; j < all.size(); ++j) {
@@ -159,15 +143,15 @@ void add_table(Buffer &out, const Match &m) {
     lines.push_back({std::to_string(j + 1), "(" + r.lower + ", " + r.upper + "]", r.mass, r.quantity,
                      r.size ? r.size->text() : "-"});
   }
-  add_columns(out, lines, "><>><");
+  add(out, "{}", text_table(lines, "><>><"));
 }
 
 /// The same for a tolerance: with what passes the upper sieve, in percent, of the gradation and of the match.
 void add_tolerant_table(Buffer &out, const Match &m) {
   const std::string unit(name(m.gradation.unit()));
-  std::vector<std::array<std::string, 6>> lines = {{"class", "sizes (" + unit + "]", "passing (%)",
-                                                    "achieved (%)", "quantity",
-                                                    "size of a particle (" + unit + ")"}};
+  std::vector<std::vector<std::string>> lines = {{"class", "sizes (" + unit + "]", "passing (%)",
+                                                  "achieved (%)", "quantity",
+                                                  "size of a particle (" + unit + ")"}};
   const std::vector<Row> all = rows(m);
   const std::vector<Rational> target = shares(m.gradation);
   Rational passing = 0, achieved = 0;
@@ -179,7 +163,7 @@ void add_tolerant_table(Buffer &out, const Match &m) {
                      approximate(Rational(passing * 100), 6), approximate(Rational(achieved * 100), 6),
                      r.quantity, r.size ? r.size->text() : "-"});
   }
-  add_columns(out, lines, "><>>><");
+  add(out, "{}", text_table(lines, "><>>><"));
   if (m.question.law.is_sphere())
     add(out, "\n  volume of the particles: {} {}^3\n", m.solids_volume().text(), unit);
 }

@@ -2,6 +2,7 @@
 #include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/report/description.hpp>
+#include <mdm/report/text_table.hpp>
 #include <mdm/report/versions.hpp>
 
 #include <fmt/format.h>
@@ -83,17 +84,7 @@ void add_csv_row(Buffer &out, const std::string &item, const char *unit, const s
 }
 
 /// A name, what it is about, and a value.
-using Line = std::array<std::string, 3>;
-
-/// A table of two columns to the left and one to the right.
-void add_table(Buffer &out, const std::vector<Line> &lines) {
-  std::array<std::size_t, 3> width{};
-  for (const Line &line : lines)
-    for (std::size_t i = 0; i < width.size(); ++i)
-      width[i] = std::max(width[i], line[i].size());
-  for (const Line &l : lines)
-    add(out, "  {:<{}}  {:<{}}  {:>{}}\n", l[0], width[0], l[1], width[1], l[2], width[2]);
-}
+using Line = std::vector<std::string>;
 
 bool is_zero(const Fraction &f) {
   return f.share && f.share->exact() == Rational(0);
@@ -122,7 +113,7 @@ void add_text_fractions(Buffer &out, const char *system, const std::vector<Fract
     lines.push_back({(f.main ? "" : "  ") + std::string(f.name), range(f),
                      share ? rounded(*share, digits) : "not available"});
   }
-  add_table(out, lines);
+  add(out, "{}", text_table(lines, "<<>"));
 }
 
 std::string headline(const SoilDescription &d) {

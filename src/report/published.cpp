@@ -4,6 +4,7 @@
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/enclosure.hpp>
 #include <mdm/report/published.hpp>
+#include <mdm/report/text_table.hpp>
 #include <mdm/report/versions.hpp>
 
 #include <fmt/core.h>
@@ -102,29 +103,13 @@ std::string json_iteration(const PublishedTry &t) {
       to_string(t.error.total), to_string(t.error.maximum), t.error.worst + 1);
 }
 
-/// Lines of cells, columns as wide as their longest entry, all to the right but the last.
-template <std::size_t columns>
-std::string table(const std::vector<std::array<std::string, columns>> &lines) {
-  std::array<std::size_t, columns> width{};
-  for (const auto &line : lines)
-    for (std::size_t i = 0; i + 1 < columns; ++i)
-      width[i] = std::max(width[i], line[i].size());
-  std::string text;
-  for (const auto &line : lines) {
-    for (std::size_t i = 0; i + 1 < columns; ++i)
-      text += fmt::format("  {:>{}}", line[i], width[i]);
-    text += "  " + line[columns - 1] + "\n";
-  }
-  return text;
-}
-
 std::string class_table(const PublishedReport &r) {
   const Gradation &g = r.gradation;
   const bool one_size = r.algorithm != PublishedAlgorithm::spanned_integer;
   const std::string unit(name(g.unit()));
-  std::vector<std::array<std::string, 7>> lines = {{"class", "sizes (" + unit + "]", "mass",
-                                                    one_size ? "K" : "K from .. to", "quantity", "error",
-                                                    "size of a particle (" + unit + ")"}};
+  std::vector<std::vector<std::string>> lines = {{"class", "sizes (" + unit + "]", "mass",
+                                                  one_size ? "K" : "K from .. to", "quantity", "error",
+                                                  "size of a particle (" + unit + ")"}};
   for (std::size_t j = 0; j < g.classes(); ++j) {
     const std::optional<Rational> most = times(r.run.phi[j], r.run.most_zeta[j]);
     const std::string least = approximate(Rational(r.run.phi[j] * r.run.least_zeta[j]), 6);
@@ -135,13 +120,13 @@ std::string class_table(const PublishedReport &r) {
          to_string(r.run.result().q[j]), percent(r.run.result().error.of_class[j]),
          size ? size->text() : "-"});
   }
-  return table(lines);
+  return text_table(lines, ">>>>>><");
 }
 
 /// Of a long run the first and the last iterations.
 std::string iteration_table(const Published &run) {
   constexpr std::size_t at_each_end = 10;
-  std::vector<std::array<std::string, 6>> lines = {
+  std::vector<std::vector<std::string>> lines = {
       {"iteration", "sizes tried", "particles", "total error", "largest", "in class"}};
   for (std::size_t n = 0; n < run.tries.size(); ++n) {
     const PublishedTry &t = run.tries[n];
@@ -154,7 +139,7 @@ std::string iteration_table(const Published &run) {
                      percent(t.error.total), percent(t.error.maximum),
                      t.error.maximum == 0 ? "-" : std::to_string(t.error.worst + 1)});
   }
-  return table(lines);
+  return text_table(lines, ">>>>><");
 }
 
 std::string verdict(const PublishedReport &r) {

@@ -1,6 +1,7 @@
 #include <mdm/error.hpp>
 #include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/report/text_table.hpp>
 #include <mdm/report/verification.hpp>
 #include <mdm/report/versions.hpp>
 
@@ -161,7 +162,7 @@ std::string ratio_text(const Verification &v) {
 }
 
 void add_table(Buffer &out, const Verification &v) {
-  using Line = std::array<std::string, 6>;
+  using Line = std::vector<std::string>;
   const Gradation &g = v.description.gradation();
   std::vector<Line> lines = {
       Line{"class", fmt::format("sizes ({}]", name(g.unit())), "particles", "target %", "found %", "error"}};
@@ -170,13 +171,7 @@ void add_table(Buffer &out, const Verification &v) {
                      "(" + to_decimal(g.lower(j)) + ", " + to_decimal(g.upper(j)) + "]",
                      to_string(v.description.of_class(j).count), percent(v.error.targets[j], v.digits),
                      percent(v.error.shares[j], v.digits), percent(v.error.normalised[j], v.digits)});
-  std::array<std::size_t, 6> width{};
-  for (const Line &line : lines)
-    for (std::size_t i = 0; i < width.size(); ++i)
-      width[i] = std::max(width[i], line[i].size());
-  for (const Line &l : lines)
-    add(out, "  {:>{}}  {:<{}}  {:>{}}  {:>{}}  {:>{}}  {:>{}}\n", l[0], width[0], l[1], width[1], l[2],
-        width[2], l[3], width[3], l[4], width[4], l[5], width[5]);
+  add(out, "{}", text_table(lines, "><>"));
 }
 
 } // namespace

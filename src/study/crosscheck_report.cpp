@@ -1,6 +1,7 @@
 #include <mdm/error.hpp>
 #include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/report/text_table.hpp>
 #include <mdm/study/crosscheck_report.hpp>
 
 #include <fmt/core.h>
@@ -13,16 +14,6 @@ namespace {
 
 constexpr unsigned shown_digits = 6;
 constexpr std::size_t shown_bad_rows = 10;
-
-/// A field of CSV: no control characters, in quotes where it needs them.
-std::string csv_field(std::string_view text) {
-  std::string field = printable(text);
-  if (field.find_first_of(",\"") == std::string::npos)
-    return field;
-  for (std::size_t at = field.find('"'); at != std::string::npos; at = field.find('"', at + 2))
-    field.insert(at, 1, '"');
-  return '"' + field + '"';
-}
 
 std::string number(const std::optional<Integer> &n) {
   return n ? to_string(*n) : "";
@@ -47,22 +38,6 @@ std::vector<AnswerVerdict> shown_verdicts(const CrosscheckSummary &summary) {
     if (v <= AnswerVerdict::not_a_match || summary.count(v) > 0)
       shown.push_back(v);
   return shown;
-}
-
-/// Columns as wide as their longest entry; the first flush left, the others flush right.
-std::string table(const std::vector<std::vector<std::string>> &lines) {
-  std::vector<std::size_t> width(lines.front().size());
-  for (const std::vector<std::string> &line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i)
-      width[i] = std::max(width[i], line[i].size());
-  std::string text;
-  for (const std::vector<std::string> &line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i)
-      text +=
-          i == 0 ? fmt::format("  {:<{}}", line[i], width[i]) : fmt::format("  {:>{}}", line[i], width[i]);
-    text += "\n";
-  }
-  return text;
 }
 
 constexpr std::array<const char *, 5> quartile_keys = {"least", "quarter", "median", "three_quarters",
@@ -146,7 +121,7 @@ std::string CrosscheckSummary::text(const CrosscheckColumns &columns) const {
     else
       line.insert(line.end(), quartile_keys.size(), "-");
   }
-  std::string text = table(lines);
+  std::string text = text_table(lines, "<>");
   const std::uint64_t bad = rows - count(AnswerVerdict::minimal) - count(AnswerVerdict::larger);
   if (bad > 0)
     text += bad > first_bad_.size()

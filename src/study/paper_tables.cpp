@@ -1,5 +1,6 @@
 #include <mdm/match/problem.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/report/text_table.hpp>
 #include <mdm/study/paper_tables.hpp>
 
 #include <fmt/core.h>
@@ -24,16 +25,6 @@ std::string cell(const Available<T> &value) {
 
 std::string cell(const std::optional<Integer> &n) {
   return n ? to_string(*n) : "";
-}
-
-/// Any text as a field: quoted where it must be.
-std::string field(const std::string &text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos)
-    return text;
-  std::string quoted = "\"";
-  for (const char c : text)
-    quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
 }
 
 constexpr const char *counts_header =
@@ -79,7 +70,7 @@ std::string extremes(const std::vector<SurveyRow> &rows, const char *name, const
     }
   }
   return fmt::format("{},{},{},{},{},{}\n", name, unit, least ? cell(*least) : "",
-                     greatest ? cell(*greatest) : "", field(least_id), field(greatest_id));
+                     greatest ? cell(*greatest) : "", csv_field(least_id), csv_field(greatest_id));
 }
 
 } // namespace
@@ -127,7 +118,8 @@ std::string figure1_csv(const std::vector<SurveyRow> &rows) {
   const std::optional<std::size_t> example = figure1_example(rows);
   for (std::size_t i = 0; i < rows.size(); i += subset_step) {
     const SurveyRow &row = rows[i];
-    const std::string begin = fmt::format("{},{},{},", field(row.id), cell(row.i_c), example == i ? 1 : 0);
+    const std::string begin =
+        fmt::format("{},{},{},", csv_field(row.id), cell(row.i_c), example == i ? 1 : 0);
     for (std::size_t j = 0; j < row.sizes.size(); ++j)
       text += begin + cell(row.sizes[j]) + "," + cell(Rational(100 * row.passing[j])) + "\n";
   }
@@ -138,7 +130,7 @@ std::string figure2_csv(const std::vector<Convergence> &runs) {
   std::string text = "id,algorithm,iteration,particles,total_error_percent\n";
   const auto add = [&text](const std::string &id, const char *algorithm, const Published &run) {
     for (const PublishedTry &t : run.tries)
-      text += fmt::format("{},{},{},{},{}\n", field(id), algorithm, t.multiple, to_string(total(t.q)),
+      text += fmt::format("{},{},{},{},{}\n", csv_field(id), algorithm, t.multiple, to_string(total(t.q)),
                           cell(Rational(100 * t.error.total)));
   };
   for (const Convergence &c : runs) {
@@ -151,24 +143,24 @@ std::string figure2_csv(const std::vector<Convergence> &runs) {
 std::string figure3_csv(const std::vector<SurveyRow> &rows) {
   std::string text = std::string("id,phi_1,zeta_1,log10_zeta_1,") + counts_header;
   for (const SurveyRow &row : rows)
-    text +=
-        field(row.id) + "," + cell(row.phi_1) + "," + zeta_cells(row.zeta_1) + "," + counts_cells(row.counts);
+    text += csv_field(row.id) + "," + cell(row.phi_1) + "," + zeta_cells(row.zeta_1) + "," +
+            counts_cells(row.counts);
   return text;
 }
 
 std::string figure4_csv(const std::vector<SurveyRow> &rows) {
   std::string text = std::string("id,i_c,zeta_1,log10_zeta_1,") + counts_header;
   for (const SurveyRow &row : rows)
-    text +=
-        field(row.id) + "," + cell(row.i_c) + "," + zeta_cells(row.zeta_1) + "," + counts_cells(row.counts);
+    text += csv_field(row.id) + "," + cell(row.i_c) + "," + zeta_cells(row.zeta_1) + "," +
+            counts_cells(row.counts);
   return text;
 }
 
 std::string figure5_csv(const std::vector<SurveyRow> &rows) {
   std::string text = std::string("id,i_gs,group_symbol,group_name,") + counts_header;
   for (const SurveyRow &row : rows)
-    text += field(row.id) + "," + cell(row.i_gs) + "," + (row.group ? row.group->symbol : "") + "," +
-            (row.group ? field(row.group->name) : "") + "," + counts_cells(row.counts);
+    text += csv_field(row.id) + "," + cell(row.i_gs) + "," + (row.group ? row.group->symbol : "") + "," +
+            (row.group ? csv_field(row.group->name) : "") + "," + counts_cells(row.counts);
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <mdm/error.hpp>
 #include <mdm/match/solve.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/report/text_table.hpp>
 #include <mdm/study/specimens.hpp>
 
 #include <fmt/ranges.h>
@@ -114,14 +115,13 @@ std::string specimens_csv(const Gradation &g, const std::vector<Specimen> &speci
 }
 
 std::string specimens_text(const Gradation &g, const std::vector<Specimen> &specimens) {
-  constexpr const char *row = "{:>13}  {:>12}  {:>11}  {:>10}  {:>10}  {:>10}  {}\n";
-  std::string text = fmt::format(row, "diameter (mm)", "scale factor", "height (mm)", "void ratio",
-                                 "reported", "least", "ratio");
+  std::vector<std::vector<std::string>> lines = {
+      {"diameter (mm)", "scale factor", "height (mm)", "void ratio", "reported", "least", "ratio"}};
   for (const Specimen &s : specimens) {
-    const std::array<std::string, 7> c = cells(g, s);
-    text += fmt::format(row, c[0], c[1], c[2], c[3], c[4], c[5], c[6]);
+    const std::array<std::string, 7> row = cells(g, s);
+    lines.emplace_back(row.begin(), row.end());
   }
-  return text;
+  return text_table(lines, ">>>>>><");
 }
 
 } // namespace mdm
