@@ -50,16 +50,21 @@ std::size_t Simplex::add_form(const std::vector<std::pair<std::size_t, Rational>
 
 void Simplex::set_lower(std::size_t variable, const Bound &bound) {
   lower_[variable] = bound;
-  if (!row_of_[variable] && is_below(variable))
-    move(static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), variable) - columns_.begin()),
-         difference(*bound, values_[variable]));
+  settle(variable);
 }
 
 void Simplex::set_upper(std::size_t variable, const Bound &bound) {
   upper_[variable] = bound;
-  if (!row_of_[variable] && is_above(variable))
-    move(static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), variable) - columns_.begin()),
-         difference(*bound, values_[variable]));
+  settle(variable);
+}
+
+/// A variable of a column is always within its bounds, unless they contradict each other.
+void Simplex::settle(std::size_t variable) {
+  if (row_of_[variable] || (!is_below(variable) && !is_above(variable)))
+    return;
+  const auto column = std::find(columns_.begin(), columns_.end(), variable);
+  const Bound &bound = is_below(variable) ? lower_[variable] : upper_[variable];
+  move(static_cast<std::size_t>(column - columns_.begin()), difference(*bound, values_[variable]));
 }
 
 bool Simplex::is_below(std::size_t variable) const {
@@ -139,6 +144,11 @@ void Simplex::explain(const Row &row, bool rise) {
 }
 
 bool Simplex::find() {
+  for (std::size_t x = 0; x < values_.size(); ++x)
+    if (lower_[x] && upper_[x] && *upper_[x] < *lower_[x]) {
+      conflict_ = {{x, false, 1}, {x, true, 1}};
+      return false;
+    }
   for (;;) {
     const Row *worst = nullptr;
     for (const Row &row : rows_)

@@ -77,8 +77,10 @@ private:
     else
       program_.set_lower(form, row.condition == TolerantCondition::some_mass ? strictly_positive
                                                                              : exactly(row.constant));
-    if (row.condition == TolerantCondition::at_least)
+    if (row.condition == TolerantCondition::at_least) {
       count_ = form;
+      at_least_ = ceil(row.constant);
+    }
   }
 
   /// t_j > f_j q_j where q_j >= 1 in this branch.
@@ -103,6 +105,8 @@ private:
     for (const Pending &p : pending_)
       if (!p.second)
         result_.lower_bound = std::min(result_.lower_bound, p.bound);
+    if (result_.best) // which may lie outside the subtrees that are open
+      result_.lower_bound = std::min(result_.lower_bound, total(result_.best->q));
     result_.tree.clear();
     return std::move(result_);
   }
@@ -172,24 +176,44 @@ private:
     program_.set_upper(j, exactly(Rational(Integer(v - 1))));
   }
 
-  /// True if the masses of the program, in as few particles as can hold them, are a match with fewer
-  /// particles than the best. Before there is a first one, the masses are doubled until they are: with enough
-  /// of it, a mass above 0 can be had in a whole number of particles (Theorem 12).
+  /// As few particles as can hold the masses t; then, where more are asked for, as many more as can, from the
+  /// finest class on.
+  std::vector<Integer> particles_of(const std::vector<Rational> &t) const {
+    std::vector<Integer> q;
+    for (std::size_t j = 0; j < t.size(); ++j)
+      q.push_back(std::max(problem_.least(j), ceil(Rational(t[j] / problem_.F(j)))));
+    Integer missing = at_least_ - total(q);
+    for (std::size_t j = 0; j < t.size() && missing > 0; ++j) {
+      if (t[j] == 0)
+        continue;
+      const Integer &f = problem_.f(j);
+      const Integer room = f == 0 ? missing : Integer(ceil(Rational(t[j] / f)) - 1 - q[j]);
+      const Integer more = std::min(room, missing);
+      if (more <= 0)
+        continue;
+      q[j] += more;
+      missing -= more;
+    }
+    return q;
+  }
+
+  /// True if the masses of the program, in as few particles as can be, are a match with fewer particles than
+  /// the best. Before there is a first one, the masses are doubled until they are: with enough of it, a mass
+  /// above 0 can be had in a whole number of particles (Theorem 12).
   bool try_rounding() {
     TolerantMatch match{{}, program_.concrete_values(problem_.classes(), 2 * problem_.classes())};
-    do {
-      match.q.clear();
-      for (std::size_t j = 0; j < problem_.classes(); ++j)
-        match.q.push_back(std::max(problem_.least(j), ceil(Rational(match.t[j] / problem_.F(j)))));
+    for (;;) {
+      match.q = particles_of(match.t);
       if ((!result_.best || total(match.q) < total(result_.best->q)) && problem_.is_match(match.q, match.t)) {
         program_.set_upper(count_, exactly(Rational(Integer(total(match.q) - 1))));
         result_.best = std::move(match);
         return true;
       }
+      if (result_.best)
+        return false;
       for (Rational &t : match.t)
         t *= 2;
-    } while (!result_.best);
-    return false;
+    }
   }
 
   const TolerantProblem &problem_;
@@ -198,6 +222,7 @@ private:
   std::vector<const LinearRow *> row_of_; ///< of each form
   std::vector<std::size_t> strict_;       ///< forms of above_lower
   std::size_t count_ = 0;                 ///< form of at_least
+  Integer at_least_ = 1;                  ///< its constant
   Integer bound_ = 1;                     ///< no match of this node has fewer particles
   std::vector<Pending> pending_;
   TolerantResult result_;

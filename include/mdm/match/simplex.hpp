@@ -72,6 +72,7 @@ private:
   bool can_rise(std::size_t variable) const;
   bool can_fall(std::size_t variable) const;
   void move(std::size_t column, const Infinitesimal &by);
+  void settle(std::size_t variable);
   void pivot(std::size_t row, std::size_t column);
   std::optional<std::size_t> entering(const Row &row, bool rise) const;
   void explain(const Row &row, bool rise);
