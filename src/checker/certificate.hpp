@@ -16,20 +16,40 @@ struct Number {
 };
 using Numbers = std::vector<Number>;
 
-/// `quantity` particles of class `index`, counted from 1, of one size in [lo, hi].
+/// `quantity` particles of class `index`, counted from 1, of one size in [lo, hi]; for a tolerance with their
+/// mass, else 0.
 struct ClassWitness {
   std::uint64_t index;
   mpz_class quantity;
-  mpq_class lo, hi;
+  mpq_class mass, lo, hi;
 };
 
-/// The numbers of each line; none where the line is absent. The texts are those of the file.
+/// m > 0 times the condition of a letter and, where it has one, a class (section 4).
+struct Multiple {
+  mpz_class m;
+  char condition;
+  std::uint32_t j;
+};
+
+/// A node of a tree: a split of q_j into q_j < v and q_j >= v, or a leaf.
+struct TreeNode {
+  std::uint32_t j = 0;
+  mpz_class v = 0;
+  std::vector<Multiple> leaf; ///< empty: a split
+};
+
+/// The numbers of each line; none where the line is absent. The texts are those of the file. An index beyond
+/// 32 bits, which no class has, is 2^32 - 1.
 struct Certificate {
   Numbers version, law, pan_size, cut_below, size_factor, min_per_class, cylinder, box, solids_volume, pi,
-      at_least, particles, scale, above;
+      at_least;
+  Numbers retained, retained_file, passing, passing_file, passing_each, total; ///< `file` is a number 0
+  Numbers band;                                                                ///< three a line
+  Numbers particles;                                                           ///< none: there is no match
+  Numbers scale, above;
   std::vector<ClassWitness> classes;
-  std::optional<std::vector<std::uint32_t>>
-      chain; ///< an index beyond 32 bits, which no class has, as 2^32 - 1
+  std::optional<std::vector<std::uint32_t>> chain;
+  std::vector<TreeNode> tree; ///< in preorder; empty without a tolerance
 };
 
 /// Reads a certificate (section 1).

@@ -152,7 +152,7 @@ void passing_to_masses(std::vector<Row> &rows, const mpq_class &full, bool has_f
 }
 
 /// What both formats demand of their rows, ascending by size, whose values are masses.
-Gradation complete(std::vector<Row> rows) {
+Gradation complete(std::vector<Row> rows, bool has_tolerances) {
   Gradation gradation;
   bool some = false;
   for (Row &row : rows) {
@@ -167,6 +167,8 @@ Gradation complete(std::vector<Row> rows) {
     gradation.openings.push_back(std::move(row.size));
     gradation.masses.push_back(std::move(row.value));
     gradation.factors.push_back(std::move(row.factor));
+    if (has_tolerances)
+      gradation.tolerances.push_back(std::move(row.tolerance));
   }
   demand_form(gradation.masses.back() == 0, rows.back().place,
               "the largest sieve retains something: add one that retains nothing");
@@ -229,11 +231,13 @@ public:
       for (Row &row : rows_)
         row.value = full - row.value;
     if (kind.starts_with("passing_") || kind.starts_with("cumulative_"))
-      passing_to_masses(rows_, full, std::count(header_.begin(), header_.end(), "factor") > 0);
-    return complete(std::move(rows_));
+      passing_to_masses(rows_, full, has_column("factor"));
+    return complete(std::move(rows_), has_column("tolerance_percent"));
   }
 
 private:
+  bool has_column(const char *name) const { return std::count(header_.begin(), header_.end(), name) > 0; }
+
   void read_line(std::string_view line) {
     const bool comment = trimmed(line).starts_with('#');
     if (trimmed(line).empty() || (comment && (header_.empty() || header_[0] != "sieve")))
@@ -363,7 +367,7 @@ public:
       std::reverse(rows.begin(), rows.end());
     for (Row &row : rows)
       row.size *= unit;
-    return complete(std::move(rows));
+    return complete(std::move(rows), lengths.count("tolerances_percent") > 0);
   }
 
 private:

@@ -14,7 +14,7 @@ namespace mdm_check {
 /// What would take hours or gigabytes is malformed.
 namespace limit {
 constexpr std::size_t gradation_bytes = std::size_t{64} << 20U, certificate_bytes = std::size_t{256} << 20U;
-constexpr std::size_t rows = std::size_t{1} << 20U;
+constexpr std::size_t rows = std::size_t{1} << 20U, tree = std::size_t{1} << 22U;
 constexpr std::size_t decimal_digits = 1000, certificate_digits = 100'000;
 constexpr long exponent = 400;
 constexpr std::uint64_t power_bits = std::uint64_t{1} << 20U, work_of_steps = std::uint64_t{1} << 34U,

@@ -1,3 +1,5 @@
+#include "certificate_parts.hpp"
+
 #include <mdm/error.hpp>
 #include <mdm/number/common_denominator.hpp>
 #include <mdm/number/decimal.hpp>
@@ -9,17 +11,6 @@
 #include <iterator>
 
 namespace mdm {
-namespace {
-
-/// The format asks for ten significant digits.
-constexpr unsigned least_digits = 10;
-/// Limit of the format on the bits of powers of quantities and sizes.
-constexpr std::size_t max_power_bits = std::size_t{1} << 20;
-
-/// True if the format allows the power of n.
-bool fits(const Match &m, const Integer &n) {
-  return bit_length(n) * std::max(m.question.law.a, m.question.law.b) <= max_power_bits;
-}
 
 std::size_t longest_part(const Rational &r) {
   return std::max(bit_length(numerator(r)), bit_length(denominator(r)));
@@ -31,6 +22,13 @@ std::size_t longest_part(const std::vector<Rational> &numbers) {
     bits = std::max(bits, longest_part(r));
   return bits;
 }
+
+bool is_precise(const Match &m, const Enclosure &size) {
+  return (size.hi - size.lo) * power_of_ten(least_digits - 1) <= size.lo &&
+         bit_length(size.hi) * std::max(m.question.law.a, m.question.law.b) <= max_power_bits;
+}
+
+namespace {
 
 /// The format's limits on the work of a checker (certificate-format.md, section 2, Limits); they are
 /// estimated from above.
@@ -51,7 +49,7 @@ bool within_limits(const Match &m, const std::vector<Enclosure> &sizes) {
     for (const Integer &c : CommonDenominator(g.factors()).numerators)
       factors = bit_length(factors) > max_power_bits ? factors : lcm(factors, c);
   return e * in_gradation <= max_power_bits && e * count <= max_power_bits &&
-         (64 * g.sizes().size() + m.chain.size()) * e * (in_gradation + count) <= std::uint64_t{1} << 34 &&
+         (64 * g.sizes().size() + m.chain.size()) * e * (in_gradation + count) <= max_work &&
          g.classes() * scale <= std::uint64_t{1} << 32 && bit_length(factors) <= max_power_bits;
 }
 
@@ -64,6 +62,8 @@ std::string solids_line(const Solids &solids) {
                        to_decimal(b->void_ratio));
   return fmt::format("solids-volume {}\n", to_decimal(std::get<SolidsVolume>(solids).volume));
 }
+
+} // namespace
 
 std::string question_lines(const Match &m) {
   const Question &q = m.question;
@@ -85,11 +85,12 @@ std::string question_lines(const Match &m) {
   return text;
 }
 
+namespace {
+
 /// The match's sizes if they are precise and short enough for the format, else such ones.
 std::vector<Enclosure> certified_sizes(const Match &m) {
-  const bool usable = std::all_of(m.sizes.begin(), m.sizes.end(), [&m](const Enclosure &x) {
-    return (x.hi - x.lo) * power_of_ten(least_digits - 1) <= x.lo && fits(m, x.hi);
-  });
+  const bool usable =
+      std::all_of(m.sizes.begin(), m.sizes.end(), [&m](const Enclosure &x) { return is_precise(m, x); });
   return usable ? m.sizes : enclose_sizes(m.gradation, m.problem, m.q, m.scale, least_digits);
 }
 
@@ -113,12 +114,17 @@ std::string chain_lines(const Match &m) {
 
 } // namespace
 
+void refuse_long_numbers() {
+  throw InputError("the numbers are too long for a certificate that can be checked in reasonable time: round "
+                   "them, or leave out --proof");
+}
+
 std::string certificate(const Match &m) {
+  if (m.tolerant)
+    return tree_certificate(m);
   const std::vector<Enclosure> sizes = certified_sizes(m);
   if (!within_limits(m, sizes))
-    throw InputError(
-        "the numbers are too long for a certificate that can be checked in reasonable time: round them, or "
-        "leave out --proof");
+    refuse_long_numbers();
   return "mdm-certificate 1\n" + question_lines(m) + witness_lines(m, sizes) + chain_lines(m) + "end\n";
 }
 

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "certificate.hpp"
+#include "gradation.hpp"
+#include "text.hpp"
+
+namespace mdm_check {
+
+/// Verifies the claim of an exact match, by a chain (sections 2 and 3). Throws Refused at the first thing
+/// that fails, Malformed where it would take too long.
+void verify_exact(Gradation gradation, const Certificate &certificate);
+
+/// The same for a match within a tolerance, by a tree (section 4).
+void verify_tolerant(Gradation gradation, const Certificate &certificate);
+
+// What both have in common.
+
+using Rationals = std::vector<mpq_class>;
+
+/// A fraction without sign, not in lowest terms, so that no loop pays for a gcd.
+struct Ratio {
+  mpz_class numerator = 0, denominator = 1;
+};
+
+/// Refuses the certificate where a condition does not hold, in class j (from 1) if that is given.
+void demand(bool holds, const char *condition, std::uint64_t j = 0);
+
+/// Malformed where the work is more than a limit of section 2.
+void demand_within(std::uint64_t work, std::uint64_t most, const Certificate &certificate);
+
+std::uint64_t bits(const mpq_class &value);
+mpz_class common_denominator(const Rationals &values);
+/// value * unit, an integer.
+mpz_class in_units(const mpq_class &value, const mpz_class &unit);
+/// Multiplies `common` until it is a multiple of the divisor; limit 4.
+void include(mpz_class &common, const mpz_class &divisor, const Certificate &certificate);
+/// The number of the line; 0 where it is absent.
+mpz_class integer_of(const Numbers &line);
+
+/// Applies pan-size, cut-below and size-factor, in this order, and demands the limits 1 and 2.
+void apply_question(Gradation &gradation, const Certificate &certificate);
+
+/// 6 V / pi, or bounds: every sample with the volume has more than `below`, and `enough` is enough. 0
+/// without solids.
+struct Solids {
+  mpq_class below, enough;
+};
+Solids solids(const Certificate &certificate);
+
+/// p < pi < r.
+void verify_pi(const Certificate &certificate);
+
+/// The size of class j, (x_j, x_{j+1}] between the openings, is T to the power 1/a and in [lo, hi].
+void verify_size(const Rationals &openings, const ClassWitness &witness, const Ratio &T, unsigned long a);
+
+} // namespace mdm_check

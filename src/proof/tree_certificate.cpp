@@ -1,0 +1,243 @@
+#include "certificate_parts.hpp"
+
+#include <mdm/number/common_denominator.hpp>
+#include <mdm/number/decimal.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace mdm {
+namespace {
+
+using Kind = AskedTolerance::Kind;
+using Text = std::back_insert_iterator<std::string>;
+
+/// Limit of the format on the nodes and multiples of a tree.
+constexpr std::size_t max_tree = std::size_t{1} << 22;
+
+/// The least percent that was asked for in this way; nothing if it was not.
+std::optional<Rational> asked(const Question &q, Kind kind) {
+  std::optional<Rational> least;
+  for (const AskedTolerance &tolerance : q.tolerances)
+    if (tolerance.kind == kind)
+      least = std::min(least.value_or(tolerance.percent), tolerance.percent);
+  return least;
+}
+
+/// What `laboratory` and `rounding` come to: the least tolerance of each sieve, in percent.
+std::vector<Rational> passing_each(const Match &m) {
+  std::vector<Rational> least(m.gradation.classes() - 1, Rational(100));
+  for (const Kind kind : {Kind::laboratory, Kind::rounding})
+    if (asked(m.question, kind)) {
+      const std::vector<Rational> percent = passing_tolerances(m.gradation, kind);
+      for (std::size_t j = 0; j < least.size(); ++j)
+        least[j] = std::min(least[j], percent[j]);
+    }
+  return least;
+}
+
+/// The match's size of class j, precise enough for the format.
+Enclosure certified_size(const Match &m, std::size_t j, const Rational &mass) {
+  const TolerantAnswer &answer = *m.tolerant;
+  if (is_precise(m, *answer.sizes[j]))
+    return *answer.sizes[j];
+  const MassLaw &law = m.question.law;
+  const Rational power_b =
+      power(Rational(mass / (Rational(answer.found.best->q[j]) * m.gradation.factor(j))), law.b);
+  return enclose_size(m.gradation, j, law, numerator(power_b), denominator(power_b), least_digits);
+}
+
+/// The letter of a condition.
+char letter(TolerantCondition condition) {
+  switch (condition) {
+  case TolerantCondition::above_lower:
+    return 'f';
+  case TolerantCondition::up_to_upper:
+    return 'F';
+  case TolerantCondition::least_count:
+    return 'q';
+  case TolerantCondition::most_count:
+    return 'Q';
+  case TolerantCondition::retained_lo:
+    return 'r';
+  case TolerantCondition::retained_hi:
+    return 'R';
+  case TolerantCondition::passing_lo:
+    return 'p';
+  case TolerantCondition::passing_hi:
+    return 'P';
+  case TolerantCondition::excess:
+    return 'e';
+  case TolerantCondition::excess_sign:
+    return 'x';
+  case TolerantCondition::excess_total:
+    return 'E';
+  case TolerantCondition::some_mass:
+    return 'm';
+  case TolerantCondition::weight:
+    return 'w';
+  case TolerantCondition::at_least:
+    return 'n';
+  default:
+    return 'N';
+  }
+}
+
+/// True if the condition is about counts alone, so that the unit of masses is nothing to it.
+bool is_of_counts(char letter) {
+  return std::string_view("qQnN").find(letter) != std::string_view::npos;
+}
+
+/// Writes witness and tree, and sums up what the checker's work depends on.
+class Writer {
+public:
+  explicit Writer(const Match &m) : m_(m), answer_(*m.tolerant), unit_(numerator(answer_.problem.unit())) {}
+
+  std::string text() {
+    std::string text = "mdm-certificate 1\n" + question_lines(m_);
+    write_tolerance(text);
+    if (answer_.found.best) {
+      text += fmt::format("particles {}\n", to_string(m_.particles()));
+      write_witness(text);
+    } else {
+      text += "particles none\n";
+    }
+    for (const TreeNode &node : answer_.found.tree)
+      write(node, text);
+    if (!within_limits())
+      refuse_long_numbers();
+    return text + "end\n";
+  }
+
+private:
+  /// The lines from `retained` to `band`.
+  void write_tolerance(std::string &text) {
+    const Question &q = m_.question;
+    const auto add = [&](const char *name, Kind percent, Kind file) {
+      if (const std::optional<Rational> least = asked(q, percent))
+        text += fmt::format("{} {}\n", name, decimal(*least));
+      if (asked(q, file))
+        text += fmt::format("{} file\n", name);
+    };
+    add("retained", Kind::retained, Kind::retained_file);
+    const bool one_class = m_.gradation.classes() == 1;
+    const bool each = asked(q, Kind::laboratory) || asked(q, Kind::rounding);
+    if (each && one_class) // nothing passes below the only sieve
+      text += "passing 0\n";
+    else
+      add("passing", Kind::passing, Kind::passing_file);
+    if (each && !one_class) {
+      text += "passing-each";
+      for (const Rational &percent : passing_each(m_))
+        text += " " + decimal(percent);
+      text += "\n";
+    }
+    if (const std::optional<Rational> least = asked(q, Kind::total))
+      text += fmt::format("total {}\n", decimal(*least));
+    if (!q.band)
+      return;
+    const Rational unit = in_mm(q.band->unit) / in_mm(m_.gradation.unit());
+    for (std::size_t i = 0; i < q.band->sizes.size(); ++i)
+      text += fmt::format("band {} {} {}\n", decimal(Rational(q.band->sizes[i] * unit)),
+                          decimal(q.band->passing_min[i]), decimal(q.band->passing_max[i]));
+  }
+
+  std::string decimal(const Rational &r) {
+    count_ = std::max(count_, longest_part(r));
+    return to_decimal(r);
+  }
+
+  void write_witness(std::string &text) {
+    const TolerantMatch &best = *answer_.found.best;
+    std::vector<Rational> masses;
+    for (std::size_t j = 0; j < best.q.size(); ++j) {
+      if (best.q[j] == 0)
+        continue;
+      masses.emplace_back(best.t[j] / answer_.problem.unit());
+      const Enclosure size = certified_size(m_, j, masses.back());
+      fmt::format_to(Text(text), "class {} {} {} {} {}\n", j + 1, to_string(best.q[j]),
+                     to_string(masses.back()), size.lower_text(), size.upper_text());
+      see(best.q[j]);
+      see(size.hi);
+      see(power_of_ten(size.places));
+    }
+    count_ = std::max(count_, longest_part(masses));
+    witness_unit_ = bit_length(CommonDenominator(masses).denominator);
+  }
+
+  /// In the problem's units a mass is a multiple of what it is in the format's: so is a condition on masses.
+  void write(const TreeNode &node, std::string &text) {
+    ++size_;
+    if (node.leaf.empty()) {
+      fmt::format_to(Text(text), "split {} {}\n", node.j + 1, to_string(node.v));
+      see(node.v);
+      return;
+    }
+    std::vector<Integer> multipliers;
+    Integer common = 0;
+    for (const Multiple &multiple : node.leaf) {
+      const bool of_counts = is_of_counts(letter(multiple.condition));
+      multipliers.push_back(of_counts ? multiple.multiplier : Integer(multiple.multiplier * unit_));
+      common = gcd(common, multipliers.back());
+    }
+    text += "leaf";
+    for (std::size_t i = 0; i < node.leaf.size(); ++i) {
+      const char name = letter(node.leaf[i].condition);
+      const bool has_class = std::string_view("EmwnN").find(name) == std::string_view::npos;
+      fmt::format_to(Text(text), " {} {}{}", to_string(Integer(multipliers[i] / common)), name,
+                     has_class ? std::to_string(node.leaf[i].j + 1) : "");
+      see(Integer(multipliers[i] / common));
+    }
+    text += "\n";
+    size_ += node.leaf.size();
+    ++leaves_;
+  }
+
+  void see(const Integer &n) { count_ = std::max<std::size_t>(count_, bit_length(n)); }
+
+  /// Bits of the unit in which all bounds on shares are integers, and the weights where there are any.
+  std::size_t share_bits() const {
+    std::vector<Rational> shares_of_all = shares(m_.gradation);
+    const Tolerance &tolerance = answer_.tolerance;
+    for (const std::vector<ShareBounds> *bounds : {&tolerance.retained, &tolerance.passing})
+      for (const ShareBounds &b : *bounds) {
+        shares_of_all.push_back(b.lo);
+        shares_of_all.push_back(b.hi);
+      }
+    shares_of_all.emplace_back(tolerance.total.value_or(Rational(2)) / 2);
+    if (m_.question.solids)
+      for (std::size_t j = 0; j < m_.gradation.classes(); ++j)
+        shares_of_all.emplace_back(1 / m_.gradation.factor(j));
+    return bit_length(CommonDenominator(shares_of_all).denominator);
+  }
+
+  /// The format's limits on the work of a checker, estimated from above.
+  bool within_limits() const {
+    const Gradation &g = m_.gradation;
+    const std::uint64_t e = std::max(m_.question.law.a, m_.question.law.b);
+    const std::uint64_t in_gradation = std::max({longest_part(g.sizes()), longest_part(g.masses()),
+                                                 longest_part(g.factors()), longest_part(g.tolerances())});
+    std::uint64_t masses = bit_length(unit_);
+    for (std::size_t j = 0; j < g.classes(); ++j)
+      masses = std::max<std::uint64_t>(masses, bit_length(answer_.problem.F(j)));
+    const std::uint64_t all = 2 * e * (in_gradation + count_) + 2 * masses + share_bits() + witness_unit_;
+    return e * in_gradation <= max_power_bits && e * count_ <= max_power_bits &&
+           share_bits() <= max_power_bits && witness_unit_ <= max_power_bits && size_ <= max_tree &&
+           (64 * g.sizes().size() + leaves_ * g.classes() + size_) * all <= max_work;
+  }
+
+  const Match &m_;
+  const TolerantAnswer &answer_;
+  Integer unit_; ///< a mass of 1 in the problem's units
+  std::size_t count_ = 1, witness_unit_ = 1, size_ = 0, leaves_ = 0;
+};
+
+} // namespace
+
+std::string tree_certificate(const Match &m) {
+  return Writer(m).text();
+}
+
+} // namespace mdm
