@@ -32,6 +32,8 @@ constexpr Rule rules[] = {
     {"solids-volume", "d", true, &Certificate::solids_volume},
     {"pi", "dd", true, &Certificate::pi},
     {"at-least", "2", true, &Certificate::at_least},
+};
+constexpr Rule rules_of_tolerance[] = {
     {"retained", "p", true, &Certificate::retained},
     {"retained", "f", true, &Certificate::retained_file},
     {"passing", "p", true, &Certificate::passing},
@@ -43,8 +45,6 @@ constexpr Rule rule_of_band = {"band", "eee", true, &Certificate::band};
 constexpr Rule rule_of_particles = {"particles", "1", false, &Certificate::particles};
 constexpr Rule rule_of_scale = {"scale", "r", false, &Certificate::scale};
 constexpr Rule rule_of_above = {"above", "r", true, &Certificate::above};
-/// The letters of conditions with a class, and without.
-constexpr std::string_view of_class = "fFqQrRpPex", of_all = "EmwnN";
 
 /// Walks over the lines of a certificate and over the words of each.
 class Lines {
@@ -126,8 +126,9 @@ public:
   Multiple multiple(std::set<std::string_view> &conditions) {
     const mpz_class m = number('1').value.get_num();
     const std::string_view name = word();
-    const bool has_class = name.size() > 1 && of_class.find(name[0]) != std::string_view::npos;
-    if (!has_class && (name.size() != 1 || of_all.find(name[0]) == std::string_view::npos))
+    const bool has_class = name.size() > 1;
+    const std::string_view letters = has_class ? "fFqQrRpPex" : "EmwnN";
+    if (name.empty() || letters.find(name[0]) == std::string_view::npos || name.substr(1) == "0")
       fail(quoted(name) + " is no condition: write a letter of the format, and a class where it has one");
     if (!conditions.insert(name).second)
       fail(quoted(name) + " is twice in a leaf: add its multipliers");
@@ -201,14 +202,6 @@ void demand_meaning(const Certificate &c) {
                 "sieves of a band that do not ascend: sort them");
 }
 
-bool is_tolerant(const Certificate &c) {
-  for (const Numbers *line :
-       {&c.retained, &c.retained_file, &c.passing, &c.passing_file, &c.passing_each, &c.total, &c.band})
-    if (!line->empty())
-      return true;
-  return false;
-}
-
 void read_classes(Lines &lines, Certificate &certificate, bool with_masses) {
   std::vector<ClassWitness> &classes = certificate.classes;
   while (lines.take("class")) {
@@ -256,10 +249,12 @@ Certificate read_certificate(std::string_view text) {
   Certificate certificate;
   for (const Rule &rule : rules)
     lines.read(rule, certificate);
+  bool tolerant = false;
+  for (const Rule &rule : rules_of_tolerance)
+    tolerant = lines.read(rule, certificate) || tolerant;
   while (lines.read(rule_of_band, certificate))
-    ;
+    tolerant = true;
   demand_meaning(certificate);
-  const bool tolerant = is_tolerant(certificate);
   if (!tolerant || !lines.take_none())
     lines.read(rule_of_particles, certificate);
   if (!tolerant)

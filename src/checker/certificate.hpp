@@ -24,7 +24,7 @@ struct ClassWitness {
   mpq_class mass, lo, hi;
 };
 
-/// m > 0 times the condition of a letter and, where it has one, a class (section 4).
+/// m > 0 times the condition of a letter and, where it has one, a class (section 6).
 struct Multiple {
   mpz_class m;
   char condition;

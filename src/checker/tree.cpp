@@ -25,7 +25,7 @@ struct Class {
   mpz_class retained_lo, retained_hi, passing_lo, passing_hi, g, weight;
 };
 
-/// The problem of section 4. A mass t is the integer t * mass_unit where it is compared with f or F.
+/// The problem of section 6. A mass t is the integer t * mass_unit where it is compared with f or F.
 struct Problem {
   std::vector<Class> classes; ///< class j at j - 1
   mpz_class mass_unit, share_unit;
@@ -115,7 +115,8 @@ Problem derive(const Gradation &gradation, const Certificate &certificate) {
   const mpz_class size_unit = common_denominator(size), factor_unit = common_denominator(gradation.factors);
   problem.mass_unit = power(size_unit, a) * factor_unit;
   problem.half_total = in_units(half_total, unit);
-  demand_within(64 * k * (bits(unit) + bits(problem.mass_unit)), limit::work_of_steps, certificate);
+  demand_within(work_of(certificate, k) * (bits(unit) + bits(problem.weight)), limit::work_of_steps,
+                certificate); // limit 6
   for (std::size_t j = 0; j < k; ++j) {
     const mpz_class c = in_units(gradation.factors[j], factor_unit);
     const auto mass = [&](std::size_t i) -> mpz_class { return c * power(in_units(size[i], size_unit), a); };
@@ -136,7 +137,7 @@ void verify_witness(const Problem &problem, const Gradation &gradation, const Ce
   mpz_class unit = 1; // the masses times this are integers
   for (const ClassWitness &witness : certificate.classes)
     include(unit, witness.mass.get_den(), certificate);
-  demand_within(64 * k * bits(unit), limit::work_of_steps, certificate);
+  demand_within(work_of(certificate, k) * bits(unit), limit::work_of_steps, certificate); // limit 6
   std::vector<mpz_class> q(k), t(k);
   mpz_class N = 0, M = 0;
   for (const ClassWitness &witness : certificate.classes) {
@@ -212,93 +213,81 @@ private:
     split.second = true;
   }
 
+  /// A condition: sum of coefficient * variable >= constant. q, t, p and P_j are those of its class, or of
+  /// every class where it has none; q is in mass units, M in share units.
+  struct Condition {
+    mpz_class q = 0, t = 0, P = 0, p = 0, M = 0, weight = 0, constant = 0;
+    bool strict = false;
+  };
+
+  /// The condition of class j, or for j = 0 of all.
+  Condition condition(char letter, std::uint32_t j) const {
+    const Class &c = problem_.classes[j == 0 ? 0 : j - 1];
+    const mpz_class &least = least_[j == 0 ? 0 : j - 1], &most = most_[j == 0 ? 0 : j - 1];
+    const mpz_class &unit = problem_.mass_unit;
+    switch (letter) {
+    case 'f': // t_j - f_j q_j >= 0, strict where q_j >= 1
+      return {-c.f, 1, 0, 0, 0, 0, 0, least >= 1};
+    case 'F': // F_j q_j - t_j >= 0
+      return {c.F, -1};
+    case 'q': // q_j >= the bound in force
+      return {unit, 0, 0, 0, 0, 0, least};
+    case 'Q': // -q_j >= minus the bound in force
+      demand(most >= 0, "leaf: Q where q is bounded", j);
+      return {-unit, 0, 0, 0, 0, 0, -most};
+    case 'r': // t_j - lo_j M >= 0
+      return {0, 1, 0, 0, -c.retained_lo};
+    case 'R': // hi_j M - t_j >= 0
+      return {0, -1, 0, 0, c.retained_hi};
+    case 'p': // P_j - lo_j M >= 0
+      return {0, 0, 1, 0, -c.passing_lo};
+    case 'P': // hi_j M - P_j >= 0
+      return {0, 0, -1, 0, c.passing_hi};
+    case 'e': // p_j - t_j + g_j M >= 0
+      return {0, -1, 0, 1, c.g};
+    case 'x': // p_j >= 0
+      return {0, 0, 0, 1};
+    case 'E': // (e / 2) M - sum p >= 0
+      return {0, 0, 0, -1, problem_.half_total};
+    case 'm': // M > 0
+      return {0, 1, 0, 0, 0, 0, 0, true};
+    case 'w': // sum t / c >= w; the constant is added at the end
+      return {0, 0, 0, 0, 0, 1};
+    case 'n': // sum q >= max(1, M)
+      return {unit, 0, 0, 0, 0, 0, std::max<mpz_class>(1, integer_of(certificate_.at_least))};
+    default: // N: -sum q >= -(N - 1)
+      demand(!certificate_.particles.empty(), "leaf: N with a number of particles");
+      return {-unit, 0, 0, 0, 0, 0, 1 - integer_of(certificate_.particles)};
+    }
+  }
+
   /// The sum of the conditions is 0 >= positive, or 0 > 0 (Theorem 14).
   void refute(const std::vector<Multiple> &leaf) const {
     const std::size_t k = least_.size();
-    std::vector<mpz_class> q(k), t(k), P(k), p(k); // coefficients; those of q in mass units
-    mpz_class all_q = 0, all_t = 0, all_p = 0, M = 0, weight = 0, constant = 0; // M in share units
+    std::vector<mpz_class> q(k + 1), t(k + 1), P(k + 1), p(k + 1); // of all classes in place 0
+    mpz_class M = 0, weight = 0, constant = 0;
     bool strict = false;
-    for (const auto &[m, condition, index] : leaf) {
-      const bool has_class = index > 0;
-      demand(index <= k && has_class == (std::string_view("EmwnN").find(condition) == std::string::npos),
-             "leaf: a class of the gradation", index);
-      const std::size_t j = has_class ? index - 1 : 0;
-      const Class &c = problem_.classes[j];
-      switch (condition) {
-      case 'f': // t_j - f_j q_j >= 0, strict where q_j >= 1
-        t[j] += m;
-        q[j] -= m * c.f;
-        strict = strict || least_[j] >= 1;
-        break;
-      case 'F': // F_j q_j - t_j >= 0
-        q[j] += m * c.F;
-        t[j] -= m;
-        break;
-      case 'q': // q_j >= least
-        q[j] += m * problem_.mass_unit;
-        constant += m * least_[j];
-        break;
-      case 'Q': // -q_j >= -most
-        demand(most_[j] >= 0, "leaf: Q where a split has bounded q", index);
-        q[j] -= m * problem_.mass_unit;
-        constant -= m * most_[j];
-        break;
-      case 'r': // t_j - lo_j M >= 0
-        t[j] += m;
-        M -= m * c.retained_lo;
-        break;
-      case 'R': // hi_j M - t_j >= 0
-        t[j] -= m;
-        M += m * c.retained_hi;
-        break;
-      case 'p': // P_j - lo_j M >= 0
-        P[j] += m;
-        M -= m * c.passing_lo;
-        break;
-      case 'P': // hi_j M - P_j >= 0
-        P[j] -= m;
-        M += m * c.passing_hi;
-        break;
-      case 'e': // p_j - t_j + g_j M >= 0
-        p[j] += m;
-        t[j] -= m;
-        M += m * c.g;
-        break;
-      case 'x': // p_j >= 0
-        p[j] += m;
-        break;
-      case 'E': // (e / 2) M - sum p >= 0
-        all_p -= m;
-        M += m * problem_.half_total;
-        break;
-      case 'm': // M > 0
-        all_t += m;
-        strict = true;
-        break;
-      case 'w': // sum t_j / c_j >= w
-        weight += m;
-        break;
-      case 'n': // sum q >= max(1, M)
-        all_q += m;
-        constant += m * std::max<mpz_class>(1, integer_of(certificate_.at_least));
-        break;
-      default: // N: -sum q >= -(N - 1)
-        demand(!certificate_.particles.empty(), "leaf: N with a number of particles");
-        all_q -= m;
-        constant -= m * (integer_of(certificate_.particles) - 1);
-      }
+    for (const auto &[m, letter, j] : leaf) {
+      demand(j <= k, "leaf: a class of the gradation", j);
+      const Condition c = condition(letter, j);
+      q[j] += m * c.q;
+      t[j] += m * c.t;
+      P[j] += m * c.P;
+      p[j] += m * c.p;
+      M += m * c.M;
+      weight += m * c.weight;
+      constant += m * c.constant;
+      strict = strict || c.strict;
     }
-    mpz_class sum_P = 0; // P_i holds t_j for i >= j
-    for (std::size_t j = k; j-- > 0;) {
-      const Class &c = problem_.classes[j];
-      sum_P += P[j];
-      demand(q[j] + all_q * problem_.mass_unit == 0, "leaf: the sum is 0 on q", j + 1);
-      demand((t[j] + all_t + sum_P) * problem_.share_unit + M + weight * c.weight == 0,
-             "leaf: the sum is 0 on t", j + 1);
-      demand(p[j] + all_p == 0, "leaf: the sum is 0 on p", j + 1);
+    mpz_class held = t[0]; // t_j is part of P_j, ..., P_k
+    for (std::size_t j = k; j > 0; --j) {
+      held += P[j];
+      const mpz_class of_t =
+          (t[j] + held) * problem_.share_unit + M + weight * problem_.classes[j - 1].weight;
+      demand(q[j] + q[0] == 0 && of_t == 0 && p[j] + p[0] == 0, "leaf: the variables add up to 0", j);
     }
     const mpq_class right = constant + weight * problem_.weight;
-    demand(right > 0 || (right == 0 && strict), "leaf: the sum is a contradiction");
+    demand(right > 0 || (right == 0 && strict), "leaf: the constants are a contradiction");
   }
 
   const Problem &problem_;
@@ -306,24 +295,6 @@ private:
   std::vector<mpz_class> least_, most_; ///< -1: none
   std::vector<Split> path_;
 };
-
-/// The limit 6 of section 2.
-void demand_short_replay(const Problem &problem, const Certificate &certificate) {
-  std::uint64_t leaves = 0, multiples = 0, longest = bits(problem.weight);
-  for (const TreeNode &node : certificate.tree) {
-    leaves += node.leaf.empty() ? 0U : 1U;
-    multiples += node.leaf.size();
-    longest = std::max(longest, bits(node.v));
-    for (const Multiple &multiple : node.leaf)
-      longest = std::max(longest, bits(multiple.m));
-  }
-  for (const Numbers *line : {&certificate.particles, &certificate.at_least, &certificate.min_per_class})
-    longest = std::max(longest, bits(integer_of(*line)));
-  for (const Class &c : problem.classes)
-    longest = std::max(longest, bits(c.F));
-  longest = std::max({longest, bits(problem.mass_unit), bits(problem.share_unit)});
-  demand_within((leaves * problem.classes.size() + multiples) * longest, limit::work_of_steps, certificate);
-}
 
 } // namespace
 
@@ -333,7 +304,6 @@ void verify_tolerant(Gradation gradation, const Certificate &certificate) {
   verify_pi(certificate);
   if (!certificate.particles.empty())
     verify_witness(problem, gradation, certificate);
-  demand_short_replay(problem, certificate);
   Replay(problem, certificate).run();
 }
 

@@ -37,6 +37,13 @@ void include(mpz_class &common, const mpz_class &divisor, const Certificate &cer
   demand_within(bits(common), limit::power_bits, certificate);
 }
 
+std::uint64_t work_of(const Certificate &certificate, std::uint64_t n) {
+  std::uint64_t steps = 64 * n + (certificate.chain ? certificate.chain->size() : 0);
+  for (const TreeNode &node : certificate.tree)
+    steps += node.leaf.empty() ? 1 : n + node.leaf.size();
+  return steps;
+}
+
 mpz_class integer_of(const Numbers &line) {
   return line.empty() ? mpz_class(0) : line[0].value.get_num();
 }
@@ -65,9 +72,8 @@ void demand_small(const Gradation &gradation, const Certificate &c) {
   }
   const mpq_class &law = c.law[0].value;
   const std::uint64_t exponent = mpz_class(std::max(law.get_num(), law.get_den())).get_ui();
-  const std::uint64_t steps = c.chain ? c.chain->size() : 0;
   demand_within(exponent * std::max(longest, longest_count), limit::power_bits, c);
-  demand_within((64 * gradation.openings.size() + steps) * exponent * (longest + longest_count),
+  demand_within(work_of(c, gradation.openings.size()) * exponent * (longest + longest_count),
                 limit::work_of_steps, c);
 }
 

@@ -10,7 +10,7 @@ namespace mdm_check {
 /// that fails, Malformed where it would take too long.
 void verify_exact(Gradation gradation, const Certificate &certificate);
 
-/// The same for a match within a tolerance, by a tree (section 4).
+/// The same for a match within a tolerance, by a tree (section 6).
 void verify_tolerant(Gradation gradation, const Certificate &certificate);
 
 // What both have in common.
@@ -27,6 +27,9 @@ void demand(bool holds, const char *condition, std::uint64_t j = 0);
 
 /// Malformed where the work is more than a limit of section 2.
 void demand_within(std::uint64_t work, std::uint64_t most, const Certificate &certificate);
+
+/// Operations that n openings and the steps of a chain, or the nodes of a tree take, for limits 2 and 6.
+std::uint64_t work_of(const Certificate &certificate, std::uint64_t n);
 
 std::uint64_t bits(const mpq_class &value);
 mpz_class common_denominator(const Rationals &values);

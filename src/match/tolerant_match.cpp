@@ -199,7 +199,7 @@ private:
 
   /// True if the masses of the program, in as few particles as can be, are a match with fewer particles than
   /// the best. Before there is a first one, the masses are doubled until they are: with enough of it, a mass
-  /// above 0 can be had in a whole number of particles (Theorem 12).
+  /// above 0 can be had in a whole number of particles (Theorem 13).
   bool try_rounding() {
     TolerantMatch match{{}, program_.concrete_values(problem_.classes(), 2 * problem_.classes())};
     for (;;) {
