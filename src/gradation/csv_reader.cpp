@@ -52,8 +52,7 @@ private:
     table_.header_line = rows_.line();
     if (names.size() == 3 && names[1] == "passing_min_percent" && names[2] == "passing_max_percent")
       rows_.refuse(
-          "this is a band of allowed gradations, for --band: it needs a curve, a file with one of the "
-          "columns " +
+          "this is a band of allowed gradations: give it to --band; a gradation has one of the columns " +
           mass_column_names());
     if (names.size() < 2)
       rows_.refuse("a second column is missing: use one of " + mass_column_names());

@@ -25,6 +25,12 @@ Row read_row(CsvRows &rows) {
   if (row.least < 0)
     rows.refuse(
         fmt::format("{} {} is negative: write 0 where nothing needs to pass", min_column, shown(row.least)));
+  if (row.least > 100)
+    rows.refuse(
+        fmt::format("{} {} is above 100: write 100 where all must pass", min_column, shown(row.least)));
+  if (row.size == 0 && row.least > 0)
+    rows.refuse(
+        fmt::format("{} {} at size 0: nothing passes the pan, so write 0", min_column, shown(row.least)));
   if (row.most > 100)
     rows.refuse(fmt::format("{} {} is above 100: write 100 where all may pass", max_column, shown(row.most)));
   return row;
@@ -37,6 +43,19 @@ void check_different(const Row &finer, const Row &coarser, const Source &source)
 }
 
 } // namespace
+
+std::optional<std::string> contradiction(const Envelope &e) {
+  std::size_t demanding = 0; // the sieve up to i that most must pass
+  for (std::size_t i = 0; i < e.sizes.size(); ++i) {
+    if (e.passing_min[i] > e.passing_min[demanding])
+      demanding = i;
+    if (e.passing_min[demanding] > e.passing_max[i])
+      return fmt::format("at least {} percent must pass {} {}, but at most {} may pass {} {}",
+                         shown(e.passing_min[demanding]), shown(e.sizes[demanding]), name(e.unit),
+                         shown(e.passing_max[i]), shown(e.sizes[i]), name(e.unit));
+  }
+  return std::nullopt;
+}
 
 Envelope read_envelope(std::string_view content, const std::string &file) {
   const Source source(file);

@@ -96,7 +96,8 @@ void narrow_to_envelope(Tolerance &tolerance, const Gradation &g, const Envelope
     }
     const auto found = std::lower_bound(g.sizes().begin(), g.sizes().end(), x);
     if (found != g.sizes().end() && *found != x)
-      throw InputError(sieve + " is no sieve of the gradation: add a row for it");
+      throw InputError(sieve + " is no sieve of the gradation: add a row for it, or leave it out of "
+                               "the band");
     const std::size_t j =
         found == g.sizes().end() ? g.classes() - 1 : static_cast<std::size_t>(found - g.sizes().begin()) - 1;
     narrow(tolerance.passing[j],
@@ -113,10 +114,11 @@ AskedTolerance parse_tolerance(std::string_view text) {
   for (const Named &named : of_percent) {
     if (!text.starts_with(named.name))
       continue;
-    std::string_view number = text.substr(named.name.size());
-    if (number.ends_with('%'))
-      number.remove_suffix(1);
-    const Rational percent = parse_decimal(number);
+    if (!text.ends_with('%'))
+      throw InputError(in_quotes(text) + " has no unit: write percentage points, for example " +
+                       std::string(named.name) + "1%");
+    const std::string_view number = text.substr(named.name.size());
+    const Rational percent = parse_decimal(number.substr(0, number.size() - 1));
     if (percent < 0 || percent > 100)
       throw InputError(in_quotes(text) + " is not between 0 and 100 percentage points");
     return {named.kind, percent};
@@ -193,13 +195,13 @@ Gradation middle_of(const Envelope &envelope) {
     lo[i] = std::max(lo[i], lo[i - 1]);
   for (std::size_t i = n - 1; i-- > 0;)
     hi[i] = std::min(hi[i], hi[i + 1]);
-  bool contradicts = false;
-  for (std::size_t i = 0; i < n; ++i)
-    contradicts = contradicts || lo[i] > hi[i];
+  const bool contradicts = contradiction(envelope).has_value();
   std::vector<Rational> passing(n);
   for (std::size_t i = 0; i + 1 < n; ++i)
     passing[i] = contradicts ? lo[i] : Rational((lo[i] + hi[i]) / 2);
   passing.back() = 100;
+  if (envelope.sizes.front() == 0)
+    passing.front() = 0;
   Gradation::Data data;
   data.id = envelope.id;
   data.unit = envelope.unit;
@@ -212,6 +214,7 @@ Gradation middle_of(const Envelope &envelope) {
     data.masses.push_back(passing[i + 1] - passing[i]);
   data.masses.emplace_back(0);
   data.notes = envelope.notes;
+  data.notes.emplace_back("No gradation was given: the target is the middle of the band.");
   return Gradation(std::move(data));
 }
 

@@ -133,7 +133,7 @@ TEST_CASE("CSV: the header is told what columns there are") {
   CHECK(contains(refusal("SIZE_MM,mass\n1,1\n2,0\n"), "sand.csv:1: first column 'SIZE_MM' is unknown"));
   CHECK(contains(refusal("size_mm,mass,\n1,1,\n2,0,\n"), "sand.csv:1: column '' is unknown"));
   CHECK(contains(refusal("size_mm,passing_min_percent,passing_max_percent\n1,0,10\n2,100,100\n"),
-                 "sand.csv:1: this is a band of allowed gradations, for --band: it needs a curve"));
+                 "sand.csv:1: this is a band of allowed gradations: give it to --band"));
 }
 
 TEST_CASE("CSV: the largest sieve must retain nothing (Cond1), and the message says what to add") {

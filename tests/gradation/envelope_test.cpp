@@ -39,12 +39,10 @@ TEST_CASE("an envelope has the sizes of gradation files") {
   CHECK(read_envelope("size_in,passing_min_percent,passing_max_percent\n1,0,3\n", "x").notes.size() == 1);
 }
 
-TEST_CASE("an envelope may contradict itself") {
-  CHECK(read_envelope(std::string(header) + "1,20,10\n2,10,5\n", "x").sizes.size() == 2);
-}
-
-TEST_CASE("what is no envelope is refused with its line") {
+TEST_CASE("bounds that are no percentages, and what is no envelope, are refused with their line") {
   const std::string h = header;
+  CHECK(contains(refusal_of(h + "1,101,100\n"), "band.csv:2: passing_min_percent 101 is above 100"));
+  CHECK(contains(refusal_of(h + "pan,1,5\n"), "band.csv:2: passing_min_percent 1 at size 0"));
   CHECK(contains(refusal_of(h + "1,20,100.5\n"), "band.csv:2: passing_max_percent 100.5 is above 100"));
   CHECK(contains(refusal_of(h + "1,-1,100\n"), "band.csv:2: passing_min_percent -1 is negative"));
   CHECK(contains(refusal_of(h + "-1,1,100\n"), "band.csv:2: size -1 is negative"));
@@ -56,6 +54,17 @@ TEST_CASE("what is no envelope is refused with its line") {
   CHECK(contains(refusal_of("size_mm,passing_percent\n1,0\n2,100\n"), "band.csv:1: a band has the columns"));
   CHECK(contains(refusal_of("size_mm,passing_min_percent,passing_max_percent,factor\n1,0,1,1\n"),
                  "band.csv:1:"));
+}
+
+TEST_CASE("an envelope that contradicts itself is read, and says where") {
+  const auto reason = [](const std::string &rows) {
+    return contradiction(read_envelope(header + rows, "x"));
+  };
+  CHECK(reason("1,20,10\n") == "at least 20 percent must pass 1 mm, but at most 10 may pass 1 mm");
+  CHECK(reason("1,20,30\n2,0,10\n4,5,100\n") ==
+        "at least 20 percent must pass 1 mm, but at most 10 may pass 2 mm");
+  CHECK(reason("1,20,20\n2,0,20\n4,100,100\n") == std::nullopt);
+  CHECK(reason("1,60,90\n2,50,80\n4,55,100\n") == std::nullopt);
 }
 
 TEST_CASE("openings have their ASTM names, and only they") {
