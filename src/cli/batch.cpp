@@ -149,6 +149,10 @@ std::vector<Answer> answers(const Batch &batch, const std::vector<Lines::Line> &
 
 int run(const BatchCommand &c) {
   check_distinct({c.file, c.out});
+  if (c.flags.band)
+    check_distinct({*c.flags.band, c.out});
+  if (c.file == "-" && c.flags.band == "-")
+    throw InputError("--band: standard input has the gradations: give the band by name");
   if (c.proofs)
     make_folder(*c.proofs);
   const Batch batch(c);

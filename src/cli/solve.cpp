@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "files.hpp"
+#include "option_values.hpp"
 #include "progress.hpp"
 #include "solve_flags.hpp"
 
@@ -16,7 +17,7 @@ namespace mdm::cli {
 namespace {
 
 struct SolveCommand {
-  std::string file;
+  std::optional<std::string> file;
   SolveFlags flags;
   std::optional<std::string> proof, vipr, out, specimen_id;
   std::string format = "text";
@@ -24,8 +25,13 @@ struct SolveCommand {
   bool quiet = false;
 };
 
+/// Where the gradation comes from: FILE, or else the band.
+const std::string &source(const SolveCommand &c) {
+  return c.file ? *c.file : *c.flags.band;
+}
+
 std::string shown_name(const SolveCommand &c) {
-  return c.file == "-" ? "stdin" : c.file;
+  return source(c) == "-" ? "stdin" : source(c);
 }
 
 /// A side result of solve: a file that is to be written with the rest or not at all.
@@ -34,16 +40,32 @@ struct SideFile {
   std::string text;
 };
 
+/// What is asked about, and why the checker could not read it in the user's file.
+struct Target {
+  Gradation gradation;
+  std::string unreadable; ///< empty: it could
+};
+
+Target target(const SolveCommand &c, const Question &question) {
+  if (!c.file)
+    return {
+        named(printable(shown_name(c)), "", [&](const std::string &) { return middle_of(*question.band); }),
+        "mdm-check reads a gradation beside a band"};
+  const std::string content = read_file(*c.file, max_gradation_bytes);
+  return {read_gradation(content, shown_name(c), c.specimen_id),
+          is_ags4(content) ? "mdm-check does not read AGS4" : ""};
+}
+
 /// The gradation file that the checker reads beside the proof, where it cannot read the user's own.
-std::optional<SideFile> readable_gradation(const SolveCommand &c, const std::string &content,
-                                           const Gradation &g, std::vector<std::string> &notes) {
-  if (!c.proof || !is_ags4(content))
+std::optional<SideFile> readable_gradation(const SolveCommand &c, const Target &of,
+                                           std::vector<std::string> &notes) {
+  if (!c.proof || of.unreadable.empty())
     return std::nullopt;
   const std::string path = *c.proof + ".csv";
-  check_distinct({c.file, *c.proof, path, c.vipr.value_or("-"), c.out.value_or("-")});
-  notes.push_back("mdm-check does not read AGS4: the gradation is in " + path +
-                  " as CSV; check with: mdm-check " + path + " " + *c.proof);
-  return SideFile{std::make_unique<Output>(path), gradation_csv(g)};
+  check_distinct({source(c), *c.proof, path, c.vipr.value_or("-"), c.out.value_or("-")});
+  notes.push_back(of.unreadable + ": the gradation is in " + path + " as CSV; check with: mdm-check " + path +
+                  " " + *c.proof);
+  return SideFile{std::make_unique<Output>(path), gradation_csv(of.gradation)};
 }
 
 std::string report(const SolveCommand &c, const Match &m, const Spectrum *spectrum) {
@@ -62,30 +84,41 @@ int exit_code(const Match &m, const std::optional<Spectrum> &spectrum) {
   return Exit::done;
 }
 
-void check_outputs(const SolveCommand &c) {
+void check_files(const SolveCommand &c) {
+  if (!c.file && !c.flags.band)
+    throw InputError("mdm: FILE is required, or --band; see mdm solve --help");
+  if (!c.file && c.specimen_id)
+    throw InputError("--specimen-id: it is of the gradation's FILE, and there is none: leave it out");
+  if (c.file == "-" && c.flags.band == "-")
+    throw InputError("--band: standard input is the gradation already: give one of them by name");
+  if (c.spectrum && c.flags.is_tolerant())
+    throw InputError("--spectrum: it is of exact matches: leave it out, or --tolerance and --band");
   if (c.spectrum && c.format == "csv")
     throw InputError("--spectrum: CSV has no place for it: use --format text or json");
   if (c.proof == "-" || c.vipr == "-")
     throw InputError("--proof and --vipr need a file: standard output has the answer");
-  std::vector<std::string> paths = {c.file};
+  std::vector<std::string> paths = {source(c)};
   for (const std::optional<std::string> &path : {c.proof, c.vipr, c.out})
     if (path)
       paths.push_back(*path);
   check_distinct(paths);
+  if (c.flags.band) {
+    paths.front() = *c.flags.band;
+    check_distinct(paths);
+  }
 }
 
 int run(const SolveCommand &c) {
-  check_outputs(c);
+  check_files(c);
   const Question question = c.flags.question();
-  const std::string content = read_file(c.file, max_gradation_bytes);
-  const Gradation g = read_gradation(content, shown_name(c), c.specimen_id);
+  const Target asked = target(c, question);
   Output out(c.out.value_or("-"));
 
   Progress progress([] { return std::string("solving"); }, c.quiet);
   const SolveOptions options = c.flags.options();
   Match m = [&] {
     try {
-      return solve(g, question, options);
+      return solve(asked.gradation, question, options);
     } catch (const InputError &e) {
       throw InputError(printable(shown_name(c)) + ": " + e.what());
     }
@@ -97,7 +130,7 @@ int run(const SolveCommand &c) {
   std::vector<SideFile> files;
   if (c.proof && m.complete) {
     files.push_back({std::make_unique<Output>(*c.proof), certificate(m)});
-    if (std::optional<SideFile> csv = readable_gradation(c, content, g, m.notes))
+    if (std::optional<SideFile> csv = readable_gradation(c, asked, m.notes))
       files.push_back(std::move(*csv));
   } else if (c.proof || c.vipr) {
     m.notes.push_back("no proof was written: the limit came before the end");
@@ -124,7 +157,8 @@ int run(const SolveCommand &c) {
 Run add_solve(CLI::App &app) {
   const auto c = std::make_shared<SolveCommand>();
   CLI::App &command = *app.add_subcommand("solve", "The smallest set of particles that matches a gradation");
-  command.add_option("FILE", c->file, "gradation: CSV, JSON or AGS4; - for standard input")->required();
+  command.add_option("FILE", c->file,
+                     "gradation: CSV, JSON or AGS4; - for standard input; needed unless there is a --band");
   c->flags.add_to(command);
   command.add_option("--proof", c->proof, "write the certificate for mdm-check")->type_name("OUT");
   command.add_option("--vipr", c->vipr, "write the proof in the VIPR format (at most 200 classes)")

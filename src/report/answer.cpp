@@ -104,9 +104,10 @@ void add_json_tolerance(Buffer &out, const Match &m) {
     asked += (asked.empty() ? "\"" : ",\"") + to_string(a) + "\"";
   for (const Rational &share : m.tolerant->shares)
     achieved += (achieved.empty() ? "\"" : ",\"") + to_string(share) + "\"";
-  add(out, R"(,"tolerance":{{"asked":[{}],"band":{},"retained":{},"passing":{},"total":{}}},"achieved":[{}])",
+  add(out, R"(,"tolerance":{{"asked":[{}],"band":{},"retained":{},"passing":{},"total":{}}},"achieved":{})",
       asked, m.question.band ? json_string(m.question.band->id) : "null", json_bounds(t.retained),
-      json_bounds(t.passing), t.total ? "\"" + to_string(*t.total) + "\"" : "null", achieved);
+      json_bounds(t.passing), t.total ? "\"" + to_string(*t.total) + "\"" : "null",
+      m.has_answer() ? "[" + achieved + "]" : "null");
 }
 
 /// The scale at which the achieved shares are the masses: with it and the quantities a reader has the sizes
@@ -135,37 +136,129 @@ std::string counted(const Integer &n) {
 /// The text form's table.
 void add_table(Buffer &out, const Match &m) {
   const std::string unit(name(m.gradation.unit()));
-  std::vector<std::vector<std::string>> lines = {
-      {"class", "sizes (" + unit + "]", "mass", "quantity", "size of a particle (" + unit + ")"}};
+  TextTable table;
+  table.add_column("class", '>');
+  table.add_column("sizes (" + unit + "]", '<');
+  table.add_column("mass", '>');
+  table.add_column("quantity", '>');
+  table.add_column("size of a particle (" + unit + ")", '<');
   const std::vector<Row> all = rows(m);
   for (std::size_t j = 0; j < all.size(); ++j) {
     const Row &r = all[j];
-    lines.push_back({std::to_string(j + 1), "(" + r.lower + ", " + r.upper + "]", r.mass, r.quantity,
-                     r.size ? r.size->text() : "-"});
+    table.add_line();
+    for (const std::string &entry : {std::to_string(j + 1), "(" + r.lower + ", " + r.upper + "]", r.mass,
+                                     r.quantity, r.size ? r.size->text() : "-"})
+      table.add(entry);
   }
-  add(out, "{}", text_table(lines, "><>><"));
+  add(out, "{}", table.text());
 }
 
-/// The same for a tolerance: with what passes the upper sieve, in percent, of the gradation and of the match.
+/// A share in percent: exact if that is short, else its first digits.
+std::string percent_text(const Rational &share) {
+  constexpr std::size_t longest = 9;
+  constexpr unsigned digits = 7;
+  const std::optional<std::string> exact = exact_decimal(Rational(share * 100));
+  return exact && exact->size() <= longest ? *exact : approximate(Rational(share * 100), digits);
+}
+
+std::string limits_text(const ShareBounds &bounds) {
+  if (bounds.lo == 0 && bounds.hi == 1)
+    return "-";
+  return percent_text(bounds.lo) + " .. " + percent_text(bounds.hi);
+}
+
+/// Shares that a tolerance speaks of, one a class: those of the gradation, their limits and those of the
+/// match.
+struct ShownShares {
+  std::string what;
+  std::vector<Rational> target;
+  std::vector<ShareBounds> limits; ///< may be empty
+  std::vector<Rational> achieved;
+};
+
+std::vector<Rational> accumulated(std::vector<Rational> shares) {
+  for (std::size_t j = 1; j < shares.size(); ++j)
+    shares[j] += shares[j - 1];
+  return shares;
+}
+
+/// What passes the upper sieves or is retained on the lower ones, as the question asks.
+std::vector<ShownShares> shown_shares(const Match &m) {
+  const Tolerance &t = m.tolerant->tolerance;
+  const std::vector<Rational> target = shares(m.gradation);
+  const std::vector<Rational> &achieved = m.tolerant->shares;
+  std::vector<ShownShares> shown;
+  if (!t.passing.empty())
+    shown.push_back({"passes upper (%)", accumulated(target), t.passing, accumulated(achieved)});
+  if (!t.retained.empty() || t.total)
+    shown.push_back({"retained (%)", target, t.retained, achieved});
+  return shown;
+}
+
+/// A column of percentage points that were worked out for each sieve: those at the upper one of each class.
+struct ShownTolerance {
+  std::string what;
+  std::vector<Rational> percent;
+};
+
+std::vector<ShownTolerance> shown_tolerances(const Match &m) {
+  std::vector<ShownTolerance> shown;
+  for (const AskedTolerance &a : m.question.tolerances)
+    if (a.kind == AskedTolerance::Kind::laboratory || a.kind == AskedTolerance::Kind::rounding)
+      shown.push_back({to_string(a) + " +-", passing_tolerances(m.gradation, a.kind)});
+  return shown;
+}
+
+Rational total_deviation(const Match &m) {
+  const std::vector<Rational> target = shares(m.gradation);
+  Rational all = 0;
+  for (std::size_t j = 0; j < target.size(); ++j)
+    all += abs(Rational(m.tolerant->shares[j] - target[j]));
+  return all;
+}
+
+/// The same for a tolerance, with the shares that it speaks of.
 void add_tolerant_table(Buffer &out, const Match &m) {
   const std::string unit(name(m.gradation.unit()));
-  std::vector<std::vector<std::string>> lines = {{"class", "sizes (" + unit + "]", "passing (%)",
-                                                  "achieved (%)", "quantity",
-                                                  "size of a particle (" + unit + ")"}};
+  const std::vector<ShownShares> shown = shown_shares(m);
+  const std::vector<ShownTolerance> tolerances = shown_tolerances(m);
+  TextTable table;
+  table.add_column("class", '>');
+  table.add_column("sizes (" + unit + "]", '<');
+  for (const ShownShares &s : shown) {
+    table.add_column(s.what, '>');
+    if (!s.limits.empty())
+      table.add_column("limits", '>');
+    table.add_column("achieved", '>');
+  }
+  for (const ShownTolerance &t : tolerances)
+    table.add_column(t.what, '>');
+  table.add_column("quantity", '>');
+  table.add_column("size of a particle (" + unit + ")", '<');
   const std::vector<Row> all = rows(m);
-  const std::vector<Rational> target = shares(m.gradation);
-  Rational passing = 0, achieved = 0;
   for (std::size_t j = 0; j < all.size(); ++j) {
     const Row &r = all[j];
-    passing += target[j];
-    achieved += m.tolerant->shares[j];
-    lines.push_back({std::to_string(j + 1), "(" + r.lower + ", " + r.upper + "]",
-                     approximate(Rational(passing * 100), 6), approximate(Rational(achieved * 100), 6),
-                     r.quantity, r.size ? r.size->text() : "-"});
+    table.add_line();
+    table.add(std::to_string(j + 1));
+    table.add("(" + r.lower + ", " + r.upper + "]");
+    for (const ShownShares &s : shown) {
+      table.add(percent_text(s.target[j]));
+      if (!s.limits.empty())
+        table.add(limits_text(s.limits[j]));
+      table.add(percent_text(s.achieved[j]));
+    }
+    for (const ShownTolerance &t : tolerances)
+      table.add(j < t.percent.size() ? to_decimal(t.percent[j]) : "-");
+    table.add(r.quantity);
+    table.add(r.size ? r.size->text() : "-");
   }
-  add(out, "{}", text_table(lines, "><>>><"));
+  add(out, "{}", table.text());
+  out.push_back('\n');
+  if (m.tolerant->tolerance.total)
+    add(out, "  sum of all deviations: {} of {} percentage points\n", percent_text(total_deviation(m)),
+        percent_text(*m.tolerant->tolerance.total));
   if (m.question.law.is_sphere())
-    add(out, "\n  volume of the particles: {} {}^3\n", m.solids_volume().text(), unit);
+    add(out, "  volume of the particles: {} {}^3\n", m.solids_volume().text(), unit);
 }
 
 /// The scale of the asked volume: exactly, or enclosed.
@@ -211,9 +304,15 @@ std::string headline(const Match &m) {
   const std::string words = in_words(m.question);
   const std::string set = std::string("the smallest set that matches") + (m.tolerant ? "" : " exactly") +
                           (words.empty() ? "" : " (" + words + ")");
-  if (m.tolerant && !m.tolerant->found.best)
-    return m.complete ? "no sample matches (" + words + "): the demands contradict each other"
-                      : "stopped at a limit before any match was found (" + words + ")";
+  if (m.tolerant && !m.tolerant->found.best) {
+    if (!m.complete)
+      return "stopped at a limit before a match was found: " + set + " has at least " +
+             counted(m.lower_bound);
+    const std::optional<std::string> reason =
+        m.question.band ? contradiction(*m.question.band) : std::nullopt;
+    return "no set matches (" + words + "): " +
+           (reason ? "the band contradicts itself: " + *reason : "no gradation meets these demands at once");
+  }
   const std::string between = "N in [" + to_string(m.lower_bound) + ", " + to_string(m.particles()) + "]";
   switch (m.status) {
   case Status::optimal:

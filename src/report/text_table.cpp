@@ -25,6 +25,11 @@ std::string text_table(const std::vector<std::vector<std::string>> &lines, std::
   return text;
 }
 
+void TextTable::add_column(const std::string &title, char align) {
+  lines_.front().push_back(title);
+  alignment_ += align;
+}
+
 std::string csv_field(std::string_view text) {
   const std::string field = printable(text);
   if (field.find_first_of(",\"") == std::string::npos)
