@@ -29,5 +29,6 @@ Run add_verify(CLI::App &app);
 Run add_crosscheck(CLI::App &app);
 Run add_published(CLI::App &app);
 Run add_study(CLI::App &app);
+Run add_tradeoff(CLI::App &app);
 
 } // namespace mdm::cli

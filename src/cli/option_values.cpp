@@ -44,6 +44,13 @@ Rational not_negative(const std::string &option, const std::string &text) {
   return r;
 }
 
+std::chrono::milliseconds duration(const std::string &option, const std::string &text) {
+  const Rational seconds = not_negative(option, text);
+  const Integer thirty_years = 1'000'000'000'000;
+  const Integer milliseconds = std::min(floor(Rational(seconds * 1000)), thirty_years);
+  return std::chrono::milliseconds(static_cast<std::int64_t>(milliseconds));
+}
+
 unsigned digits_of(const std::string &option, const std::string &text) {
   const Integer n = natural(option, text, 1);
   if (n > most_digits)

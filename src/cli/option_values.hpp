@@ -5,6 +5,7 @@
 #include <mdm/error.hpp>
 #include <mdm/number/rational.hpp>
 
+#include <chrono>
 #include <string>
 
 namespace mdm::cli {
@@ -27,6 +28,8 @@ std::uint64_t natural64(const std::string &option, const std::string &text);
 Rational positive(const std::string &option, const std::string &text);
 /// A decimal from 0 on.
 Rational not_negative(const std::string &option, const std::string &text);
+/// Seconds, a decimal from 0 on, cut to milliseconds; at most some thirty years.
+std::chrono::milliseconds duration(const std::string &option, const std::string &text);
 /// Significant digits, 1 to 1000.
 unsigned digits_of(const std::string &option, const std::string &text);
 

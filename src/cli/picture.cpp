@@ -49,11 +49,15 @@ Picture PictureFlags::picture() const {
     return *picture_named(*format);
   if (script)
     return Picture::svg;
-  const std::size_t dot = out->rfind('.');
-  const std::optional<Picture> picture = picture_named(dot == std::string::npos ? "" : out->substr(dot + 1));
+  const std::optional<Picture> picture = picture_at(*out);
   if (!picture)
     throw InputError(printable(*out) + ": let OUT end in .svg, .png or .pdf, or give --format");
   return *picture;
+}
+
+std::optional<Picture> picture_at(const std::string &path) {
+  const std::size_t dot = path.rfind('.');
+  return picture_named(dot == std::string::npos ? "" : path.substr(dot + 1));
 }
 
 std::string run_gnuplot(const std::string &script) {

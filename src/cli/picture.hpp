@@ -22,6 +22,9 @@ struct PictureFlags {
   Picture picture() const;
 };
 
+/// The format that the ending of `path` says; nothing if it says none.
+std::optional<Picture> picture_at(const std::string &path);
+
 /// Runs gnuplot; returns the picture. No date is left in it. Cost: some 0.1 s.
 /// \throws InputError if gnuplot is missing or fails
 std::string run_gnuplot(const std::string &script);

@@ -16,14 +16,6 @@ ScaleChoice scale_of(const std::string &text) {
   throw InputError("--scale: " + in_quotes(text) + " is neither robust nor upper");
 }
 
-std::chrono::steady_clock::time_point deadline_in(const std::string &text) {
-  const Rational seconds = not_negative("--time-limit", text);
-  const Integer thirty_years = 1'000'000'000'000;
-  const Integer milliseconds = std::min(floor(Rational(seconds * 1000)), thirty_years);
-  return std::chrono::steady_clock::now() +
-         std::chrono::milliseconds(static_cast<std::int64_t>(milliseconds));
-}
-
 } // namespace
 
 void GradationFlags::add_to(CLI::App &command) {
@@ -60,7 +52,10 @@ void SolveFlags::add_to(CLI::App &command) {
           "retained:file, passing:file (column tolerance_percent), laboratory, rounding; may be repeated")
       ->type_name("WHICH")
       ->allow_extra_args(false);
-  command.add_option("--band", band, "the smallest match within the envelope of percent passing in FILE")
+  command
+      .add_option("--band", band,
+                  "the smallest match within the envelope in FILE: CSV with passing_min_percent and "
+                  "passing_max_percent of each sieve")
       ->type_name("FILE");
   command.add_option("--min-per-class", min_per_class, "at least R particles in every class with mass")
       ->type_name("R");
@@ -88,6 +83,12 @@ void SolveFlags::add_to(CLI::App &command) {
 }
 
 Question SolveFlags::question() const {
+  if (is_tolerant() && scale)
+    throw InputError("--scale: sizes within a tolerance are as far from all bounds as can be: leave it out");
+  if (is_tolerant() && max_steps)
+    throw InputError("--max-steps: it is of exact matches: give --node-limit, or --time-limit");
+  if (!is_tolerant() && node_limit)
+    throw InputError("--node-limit: it is of matches within a tolerance: give --max-steps, or --time-limit");
   Question q = GradationFlags::question();
   for (const std::string &text : tolerances)
     q.tolerances.push_back(named("--tolerance", text, parse_tolerance));
@@ -124,7 +125,7 @@ SolveOptions SolveFlags::options() const {
   if (node_limit)
     o.limits.node_limit = natural64("--node-limit", *node_limit);
   if (time_limit)
-    o.limits.deadline = deadline_in(*time_limit);
+    o.limits.deadline = std::chrono::steady_clock::now() + duration("--time-limit", *time_limit);
   return o;
 }
 

@@ -34,6 +34,7 @@ struct SolveFlags : GradationFlags {
 
   void add_to(CLI::App &command);
 
+  bool is_tolerant() const { return !tolerances.empty() || band; }
   /// \throws InputError naming the option where its value does not serve
   Question question() const;
   /// The deadline counts from this call.
