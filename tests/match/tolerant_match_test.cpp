@@ -333,6 +333,7 @@ TEST_CASE("a tolerance of nothing is the exact problem") {
 
 TEST_CASE("the least number within a tolerance is that of enumeration") {
   std::mt19937_64 random(42);
+  int none = 0, decided = 0;
   for (int i = 0; i < 1000; ++i) {
     const Twins twins = random_twins(random, i % 4 == 0 ? 4 : 3);
     const TolerantResult found = tolerant_match(twins.problem);
