@@ -15,7 +15,8 @@ using namespace mdm_check;
 
 constexpr const char *help = R"(mdm-check GRADATION CERTIFICATE
 
-Checks the proof that a number of particles is the least that matches a gradation exactly.
+Checks the proof that a number of particles is the least that matches a gradation exactly or
+within a tolerance.
 GRADATION is the gradation file (CSV or JSON) and CERTIFICATE what mdm solve --proof wrote;
 one of them may be - for standard input.
 

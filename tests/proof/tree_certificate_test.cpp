@@ -1,0 +1,192 @@
+#include "catch.hpp"
+#include "check.hpp"
+#include "match/brute_force.hpp"
+
+#include <mdm/error.hpp>
+#include <mdm/gradation/write_gradation.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/proof/certificate.hpp>
+
+#include <sstream>
+
+using namespace mdm;
+
+namespace {
+
+using Kind = AskedTolerance::Kind;
+
+mdm_check::Verdict checked(const Gradation &g, const std::string &certificate) {
+  return mdm_check::check({"gradation", gradation_csv(g)}, {"certificate", certificate});
+}
+
+bool is_accepted(const Gradation &g, const std::string &certificate) {
+  return checked(g, certificate).code == mdm_check::Verdict::accepted;
+}
+
+int below(std::mt19937_64 &random, unsigned end) {
+  return static_cast<int>(random() % end);
+}
+
+/// A small gradation with columns for all kinds of tolerance.
+Gradation random_gradation(std::mt19937_64 &random) {
+  const Gradation g = brute::random_gradation(random);
+  Gradation::Data data{g.id(), g.unit(), g.sizes(), g.masses(), {}, {}, {}, {}};
+  for (std::size_t j = 0; j < g.sizes().size(); ++j) {
+    if (g.has_factors())
+      data.factors.push_back(ratio(1 + below(random, 9), 4));
+    data.tolerances.push_back(ratio(below(random, 80), 4));
+    data.roundings.push_back(ratio(below(random, 20), 4));
+  }
+  return Gradation(std::move(data));
+}
+
+Envelope random_envelope(const Gradation &g, std::mt19937_64 &random) {
+  Envelope e;
+  e.unit = random() % 2 == 0 ? SizeUnit::um : SizeUnit::mm;
+  for (std::size_t i = 0; i < g.sizes().size(); ++i) {
+    if (random() % 3 == 0)
+      continue;
+    e.sizes.emplace_back(g.sizes()[i] / in_mm(e.unit));
+    e.passing_min.emplace_back(i == 0 ? 0 : below(random, 60) / (random() % 2 == 0 ? 10 : 1));
+    e.passing_max.push_back(std::min(Rational(100), Rational(e.passing_min.back() + 10 + below(random, 90))));
+  }
+  e.sizes.push_back(g.sizes().back() / in_mm(e.unit) + 1);
+  e.passing_min.emplace_back(100);
+  e.passing_max.emplace_back(100);
+  return e;
+}
+
+/// A question with one tolerance or two, and other demands now and then.
+Question random_question(const Gradation &g, std::mt19937_64 &random) {
+  const Kind kinds[] = {Kind::retained,     Kind::passing,    Kind::total,   Kind::retained_file,
+                        Kind::passing_file, Kind::laboratory, Kind::rounding};
+  Question q;
+  const std::size_t count = random() % 3;
+  for (std::size_t i = 0; i < count; ++i)
+    q.tolerances.push_back({kinds[random() % 7], ratio(below(random, 120), 4)});
+  if (q.tolerances.empty())
+    q.band = random_envelope(g, random);
+  const MassLaw laws[] = {{3, 1}, {3, 1}, {1, 1}, {2, 1}};
+  q.law = laws[random() % 4];
+  if (random() % 4 == 0)
+    q.min_per_class = 1 + below(random, 4);
+  if (random() % 4 == 0)
+    q.at_least = 1 + below(random, 20);
+  if (random() % 4 == 0 && !q.band)
+    q.size_factor = ratio(1 + below(random, 30), 10);
+  if (random() % 4 == 0 && g.sizes().front() == 0)
+    q.pan_size = g.sizes()[1] / 2;
+  if (random() % 4 == 0 && g.mass(g.classes() - 1) > 0 && g.classes() > 1 && !q.band)
+    q.cut_below = g.sizes()[1];
+  if (!q.law.is_sphere())
+    return q;
+  switch (random() % 8) {
+  case 0:
+    q.solids = Cylinder{1 + below(random, 12), 1 + below(random, 12), ratio(7, 10)};
+    break;
+  case 1:
+    q.solids = Box{1 + below(random, 12), 2, ratio(5, 2), ratio(1, 4)};
+    break;
+  case 2:
+    q.solids = SolidsVolume{ratio(1 + below(random, 1000), 10)};
+    break;
+  default:
+    break;
+  }
+  return q;
+}
+
+/// The text with the n-th word of the first line that begins so replaced.
+std::string with_word(const std::string &text, const std::string &beginning, int n, const std::string &word) {
+  const std::size_t begin = text.find("\n" + beginning) + 1;
+  std::istringstream words(text.substr(begin, text.find('\n', begin) - begin));
+  std::string line, old;
+  for (int i = 0; words >> old; ++i)
+    line += (i == 0 ? "" : " ") + (i == n ? word : old);
+  return text.substr(0, begin) + line + text.substr(text.find('\n', begin));
+}
+
+std::string word_of(const std::string &text, const std::string &beginning, int n) {
+  std::istringstream words(text.substr(text.find("\n" + beginning) + 1));
+  std::string word;
+  for (int i = 0; i <= n; ++i)
+    words >> word;
+  return word;
+}
+
+std::string one_more(const std::string &number) {
+  return to_string(Integer(Integer(number) + 1));
+}
+
+/// Changes of an accepted certificate that leave nothing proved.
+std::vector<std::string> tampered(const std::string &text, const Match &m) {
+  std::vector<std::string> wrong = {with_word(text, "leaf", 1, one_more(word_of(text, "leaf", 1)))};
+  if (!m.tolerant->found.best) {
+    wrong.push_back(with_word(text, "particles", 1, "1"));
+    return wrong;
+  }
+  wrong.push_back(with_word(text, "particles", 1, "none"));
+  wrong.push_back(with_word(text, "particles", 1, one_more(word_of(text, "particles", 1))));
+  if (m.particles() > 1)
+    wrong.push_back(with_word(text, "particles", 1, to_string(Integer(m.particles() - 1))));
+  wrong.push_back(with_word(text, "class", 2, one_more(word_of(text, "class", 2))));
+  const std::string mass = word_of(text, "class", 3);
+  const std::size_t slash = mass.find('/');
+  const Rational twice = slash == std::string::npos
+                             ? Rational(Integer(mass) * 2)
+                             : ratio(Integer(mass.substr(0, slash)) * 2, Integer(mass.substr(slash + 1)));
+  wrong.push_back(with_word(text, "class", 3, to_string(twice)));
+  wrong.push_back(with_word(text, "class", 4, to_decimal(m.gradation.lower(0))));
+  return wrong;
+}
+
+} // namespace
+
+TEST_CASE("the tree certificate of every question is accepted, and refused when it is tampered with") {
+  std::mt19937_64 random(21);
+  int none = 0, some = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Gradation g = random_gradation(random);
+    const Question q = random_question(g, random);
+    SolveOptions options;
+    options.digits = 1 + static_cast<unsigned>(random() % 25);
+    const Match m = solve(g, q, options);
+    INFO(gradation_csv(g) << in_words(q));
+    REQUIRE(m.complete);
+    const std::string text = certificate(m);
+    const mdm_check::Verdict verdict = checked(g, text);
+    INFO(text << verdict.line);
+    REQUIRE(verdict.code == mdm_check::Verdict::accepted);
+    ++(m.tolerant->found.best ? some : none);
+    for (const std::string &wrong : tampered(text, m)) {
+      INFO(wrong);
+      REQUIRE_FALSE(is_accepted(g, wrong));
+    }
+  }
+  CHECK(some > 1500);
+  CHECK(none > 50);
+}
+
+TEST_CASE("a law that is rational at all openings has tree certificates") {
+  Gradation::Data data;
+  data.sizes = {1, 4, 9, ratio(49, 4)};
+  data.masses = {2, 1, 3, 0};
+  const Gradation g(std::move(data));
+  Question q;
+  q.law = {3, 2};
+  q.tolerances = {parse_tolerance("retained:5%")};
+  CHECK(is_accepted(g, certificate(solve(g, q))));
+  q.law = {1, 2};
+  CHECK(is_accepted(g, certificate(solve(g, q))));
+}
+
+TEST_CASE("an interrupted search leaves no certificate") {
+  Gradation::Data data;
+  data.sizes = {1, 2, 3, 4, 5};
+  data.masses = {5, 4, 3, 3, 0};
+  Question q;
+  q.tolerances = {parse_tolerance("passing:1%")};
+  SolveOptions options;
+  options.limits.node_limit = 2;
+  CHECK_FALSE(solve(Gradation(data), q, options).complete);
+}
