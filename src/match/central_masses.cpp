@@ -60,10 +60,10 @@ std::optional<std::vector<Rational>> central_masses(const TolerantProblem &probl
     terms.emplace_back(distance, width);
     program.set_lower(program.add_form(terms), Infinitesimal{Rational(row.constant + width), 0});
   }
-  bool found = program.find();
+  bool found = program.find(distance);
   if (!found && weight_form) {
     program.set_upper(*weight_form, std::nullopt);
-    found = program.find();
+    found = program.find(distance);
   }
   if (!found)
     return std::nullopt;

@@ -1,4 +1,5 @@
 #include <mdm/match/simplex.hpp>
+#include <mdm/number/common_denominator.hpp>
 
 #include <algorithm>
 
@@ -18,17 +19,38 @@ void add(Infinitesimal &to, const Infinitesimal &a) {
   to.tiny += a.tiny;
 }
 
+/// Divides a row's numbers, of which `scale` is one, by their greatest common divisor.
+void reduce(Integer &scale, std::vector<Integer> &numbers) {
+  Integer common = scale;
+  for (const Integer &n : numbers) {
+    if (common == 1)
+      return;
+    if (n.sign() != 0)
+      common = gcd(common, n);
+  }
+  if (common == 1)
+    return;
+  const auto divide = [&common](Integer &n) {
+    mpz_divexact(n.backend().data(), n.backend().data(), common.backend().data());
+  };
+  divide(scale);
+  for (Integer &n : numbers)
+    if (n.sign() != 0)
+      divide(n);
+}
+
 } // namespace
 
-Simplex::Simplex(std::size_t variables)
-    : columns_(variables), row_of_(variables), lower_(variables), upper_(variables), values_(variables) {
+Simplex::Simplex(std::size_t variables, std::optional<std::chrono::steady_clock::time_point> deadline)
+    : deadline_(deadline), columns_(variables), row_of_(variables), lower_(variables), upper_(variables),
+      values_(variables) {
   for (std::size_t i = 0; i < variables; ++i)
     columns_[i] = i;
 }
 
 std::size_t Simplex::add_form(const std::vector<std::pair<std::size_t, Rational>> &terms) {
   const std::size_t form = values_.size();
-  Row row{form, std::vector<Rational>(columns_.size())};
+  std::vector<Rational> coefficients(columns_.size());
   values_.emplace_back();
   lower_.emplace_back();
   upper_.emplace_back();
@@ -37,14 +59,15 @@ std::size_t Simplex::add_form(const std::vector<std::pair<std::size_t, Rational>
     if (row_of_[variable]) {
       const Row &definition = rows_[*row_of_[variable]];
       for (std::size_t c = 0; c < columns_.size(); ++c)
-        row.of[c] += coefficient * definition.of[c];
+        coefficients[c] += coefficient * ratio(definition.of[c], definition.scale);
     } else {
       const auto column = std::find(columns_.begin(), columns_.end(), variable);
-      row.of[static_cast<std::size_t>(column - columns_.begin())] += coefficient;
+      coefficients[static_cast<std::size_t>(column - columns_.begin())] += coefficient;
     }
   }
+  CommonDenominator cleared(coefficients);
   row_of_.emplace_back(rows_.size());
-  rows_.push_back(std::move(row));
+  rows_.push_back({form, std::move(cleared.denominator), std::move(cleared.numerators)});
   return form;
 }
 
@@ -88,25 +111,29 @@ void Simplex::move(std::size_t column, const Infinitesimal &by) {
   add(values_[columns_[column]], by);
   for (const Row &row : rows_)
     if (row.of[column].sign() != 0)
-      add(values_[row.basic], product(by, row.of[column]));
+      add(values_[row.basic], product(by, ratio(row.of[column], row.scale)));
 }
 
 /// Exchanges a row's basic variable with a column's.
 void Simplex::pivot(std::size_t r, std::size_t c) {
+  if (deadline_ && std::chrono::steady_clock::now() > *deadline_)
+    throw Interrupted();
   Row &row = rows_[r];
   const std::size_t entering = columns_[c];
   const std::size_t leaving = row.basic;
-  // leaving = a * entering + rest, so entering = leaving / a - rest / a.
-  const Rational inverse = 1 / row.of[c];
-  const Rational negative = -inverse;
+  // scale * leaving = a * entering + rest, so a * entering = scale * leaving - rest.
   std::vector<std::size_t> used;
+  std::swap(row.scale, row.of[c]);
+  const bool negative = row.scale.sign() < 0;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (i == c || row.of[i].sign() == 0)
+    if (row.of[i].sign() == 0)
       continue;
-    row.of[i] *= negative;
+    if ((i == c) == negative)
+      row.of[i] = -row.of[i];
     used.push_back(i);
   }
-  row.of[c] = inverse;
+  if (negative)
+    row.scale = -row.scale;
   row.basic = entering;
   columns_[c] = leaving;
   row_of_[entering] = r;
@@ -114,59 +141,112 @@ void Simplex::pivot(std::size_t r, std::size_t c) {
   for (Row &other : rows_) {
     if (&other == &row || other.of[c].sign() == 0)
       continue;
-    const Rational factor = other.of[c];
+    const Integer common = gcd(other.of[c], row.scale);
+    const Integer factor = other.of[c] / common;
+    const Integer scale = row.scale / common;
+    other.of[c] = 0;
+    if (scale != 1) {
+      other.scale *= scale;
+      for (Integer &n : other.of)
+        if (n.sign() != 0)
+          n *= scale;
+    }
     for (const std::size_t i : used)
-      other.of[i] += factor * row.of[i];
-    other.of[c] = factor * inverse;
+      mpz_addmul(other.of[i].backend().data(), factor.backend().data(), row.of[i].backend().data());
+    reduce(other.scale, other.of);
   }
 }
 
-/// The column of least variable (Bland's rule, so that no cycle can arise) that can make a row's basic
-/// variable rise or fall.
-std::optional<std::size_t> Simplex::entering(const Row &row, bool rise) const {
+/// The least variable of columns that can make a row's basic variable rise or fall: with Bland's rule no
+/// cycle can arise.
+std::optional<std::size_t> Simplex::least_entering(const Row &row, bool rise) const {
   std::optional<std::size_t> best;
-  for (std::size_t c = 0; c < columns_.size(); ++c) {
-    const int sign = row.of[c].sign();
-    if (sign == 0 || (best && columns_[*best] < columns_[c]))
-      continue;
-    if ((sign > 0) == rise ? can_rise(columns_[c]) : can_fall(columns_[c]))
+  for (std::size_t c = 0; c < columns_.size(); ++c)
+    if ((!best || columns_[c] < columns_[*best]) && can_move(row, c, rise))
       best = c;
+  return best;
+}
+
+/// The column that makes `aim` rise least: values that are least for it stay so (dual simplex).
+std::optional<std::size_t> Simplex::cheapest_entering(const Row &row, bool rise, std::size_t aim) const {
+  const Row *cost = row_of_[aim] ? &rows_[*row_of_[aim]] : nullptr;
+  const auto cost_of = [&](std::size_t c) {
+    return cost ? Integer(abs(cost->of[c])) : Integer(columns_[c] == aim ? 1 : 0);
+  };
+  std::optional<std::size_t> best;
+  Integer best_cost;
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    if (!can_move(row, c, rise))
+      continue;
+    Integer other = cost_of(c);
+    if (best) {
+      const Integer a = other * abs(row.of[*best]), b = best_cost * abs(row.of[c]);
+      if (b < a || (a == b && columns_[*best] < columns_[c]))
+        continue;
+    }
+    best = c;
+    best_cost = std::move(other);
   }
   return best;
 }
 
-/// No column can make the row's basic variable rise (or fall) to its bound: the bounds of all that hold it.
-void Simplex::explain(const Row &row, bool rise) {
-  conflict_.assign(1, {row.basic, !rise, 1});
-  for (std::size_t c = 0; c < columns_.size(); ++c)
-    if (const int sign = row.of[c].sign(); sign != 0)
-      conflict_.push_back({columns_[c], (sign > 0) == rise, abs(row.of[c])});
+bool Simplex::can_move(const Row &row, std::size_t column, bool rise) const {
+  const int sign = row.of[column].sign();
+  return sign != 0 && ((sign > 0) == rise ? can_rise(columns_[column]) : can_fall(columns_[column]));
 }
 
-bool Simplex::find() {
+/// No column can make the row's basic variable rise (or fall) to its bound: the bounds of all that hold it.
+void Simplex::explain(const Row &row, bool rise) {
+  conflict_.assign(1, {row.basic, !rise, Rational(row.scale)});
+  for (std::size_t c = 0; c < columns_.size(); ++c)
+    if (const int sign = row.of[c].sign(); sign != 0)
+      conflict_.push_back({columns_[c], (sign > 0) == rise, Rational(abs(row.of[c]))});
+}
+
+/// A row whose basic variable is out of bounds: the one of shortest numbers, which stay short so; or, by
+/// Bland's rule, that of the least variable.
+std::optional<std::size_t> Simplex::violated_row(bool by_bland) const {
+  std::optional<std::size_t> best;
+  std::size_t best_length = 0;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const Row &row = rows_[r];
+    if (!is_below(row.basic) && !is_above(row.basic))
+      continue;
+    std::size_t length = by_bland ? row.basic : bit_length(row.scale);
+    for (std::size_t c = 0; c < row.of.size() && !by_bland; ++c)
+      length += row.of[c].sign() == 0 ? 0 : bit_length(row.of[c]);
+    if (best && best_length <= length)
+      continue;
+    best = r;
+    best_length = length;
+  }
+  return best;
+}
+
+bool Simplex::find(std::size_t aim) {
   for (std::size_t x = 0; x < values_.size(); ++x)
     if (lower_[x] && upper_[x] && *upper_[x] < *lower_[x]) {
       conflict_ = {{x, false, 1}, {x, true, 1}};
       return false;
     }
-  for (;;) {
-    const Row *worst = nullptr;
-    for (const Row &row : rows_)
-      if ((is_below(row.basic) || is_above(row.basic)) && (worst == nullptr || row.basic < worst->basic))
-        worst = &row;
-    if (worst == nullptr)
+  const std::size_t patience = 2 * values_.size(); // after so many pivots it may be in a cycle
+  for (std::size_t pivots = 0;; ++pivots) {
+    const bool by_bland = pivots >= patience;
+    const std::optional<std::size_t> r = violated_row(by_bland);
+    if (!r)
       return true;
-    const std::size_t variable = worst->basic;
-    const bool rise = is_below(variable);
-    const std::optional<std::size_t> column = entering(*worst, rise);
+    const Row &row = rows_[*r];
+    const bool rise = is_below(row.basic);
+    const std::optional<std::size_t> column =
+        by_bland ? least_entering(row, rise) : cheapest_entering(row, rise, aim);
     if (!column) {
-      explain(*worst, rise);
+      explain(row, rise);
       return false;
     }
-    const Infinitesimal missing = difference(rise ? *lower_[variable] : *upper_[variable], values_[variable]);
-    const std::size_t r = *row_of_[variable];
-    move(*column, product(missing, Rational(1 / rows_[r].of[*column])));
-    pivot(r, *column);
+    const Infinitesimal missing =
+        difference(rise ? *lower_[row.basic] : *upper_[row.basic], values_[row.basic]);
+    move(*column, product(missing, ratio(row.scale, row.of[*column])));
+    pivot(*r, *column);
   }
 }
 
@@ -187,7 +267,7 @@ bool Simplex::step(std::size_t column, bool rise) {
     const Bound &bound = (sign > 0) == rise ? upper_[row.basic] : lower_[row.basic];
     if (!bound)
       continue;
-    const Rational per_value = (rise ? 1 : -1) / row.of[column];
+    const Rational per_value = ratio(rise ? row.scale : Integer(-row.scale), row.of[column]);
     Infinitesimal distance = product(difference(*bound, values_[row.basic]), per_value);
     if (!room || distance < *room || (distance == *room && stop != itself && row.basic < rows_[stop].basic)) {
       room = std::move(distance);
@@ -228,7 +308,7 @@ void Simplex::minimise(std::size_t variable) {
   }
   while (row_of_[variable]) {
     const Row &row = rows_[*row_of_[variable]];
-    const std::optional<std::size_t> column = entering(row, false);
+    const std::optional<std::size_t> column = least_entering(row, false);
     if (!column || !step(*column, row.of[*column].sign() < 0))
       return;
   }

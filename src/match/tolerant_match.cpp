@@ -26,7 +26,7 @@ bool is_integer(const Infinitesimal &x) {
 class Search {
 public:
   Search(const TolerantProblem &problem, const Limits &limits)
-      : problem_(problem), limits_(limits), program_(problem.variables()) {
+      : problem_(problem), limits_(limits), program_(problem.variables(), limits.deadline) {
     for (const LinearRow &row : problem.rows())
       add_row(row);
     for (std::size_t j = 0; j < problem.classes(); ++j)
@@ -42,11 +42,15 @@ public:
       if (interrupted())
         return stopped();
       ++result_.nodes;
-      if (program_.find()) {
+      if (program_.find(count_)) {
         program_.minimise(count_);
         bound_ = std::max(bound_, ceil_of(program_.value(count_)));
         if (!try_rounding()) // else the same node again, with a lower cutoff
           branch();
+        else if (total(result_.best->q) == at_least_) { // needs no search
+          result_.tree = {{0, 0, {{TolerantCondition::at_least, 0, 1}, {TolerantCondition::fewer, 0, 1}}}};
+          break;
+        }
       } else {
         add_leaf();
         open = backtrack();
@@ -55,6 +59,18 @@ public:
     result_.complete = true;
     if (result_.best)
       result_.lower_bound = total(result_.best->q);
+    return std::move(result_);
+  }
+
+  /// What is certain: every match is the best, or in a subtree that is still open.
+  TolerantResult stopped() {
+    result_.lower_bound = bound_;
+    for (const Pending &p : pending_)
+      if (!p.second)
+        result_.lower_bound = std::min(result_.lower_bound, p.bound);
+    if (result_.best) // which may lie outside the subtrees that are open
+      result_.lower_bound = std::min(result_.lower_bound, total(result_.best->q));
+    result_.tree.clear();
     return std::move(result_);
   }
 
@@ -97,18 +113,6 @@ private:
   bool interrupted() const {
     return (limits_.node_limit && result_.nodes >= *limits_.node_limit) ||
            (limits_.deadline && std::chrono::steady_clock::now() > *limits_.deadline);
-  }
-
-  /// What is certain: every match is the best, or in a subtree that is still open.
-  TolerantResult stopped() {
-    result_.lower_bound = bound_;
-    for (const Pending &p : pending_)
-      if (!p.second)
-        result_.lower_bound = std::min(result_.lower_bound, p.bound);
-    if (result_.best) // which may lie outside the subtrees that are open
-      result_.lower_bound = std::min(result_.lower_bound, total(result_.best->q));
-    result_.tree.clear();
-    return std::move(result_);
   }
 
   /// The contradiction of the program's bounds as multiples of conditions, cleared of denominators.
@@ -231,7 +235,12 @@ private:
 } // namespace
 
 TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limits) {
-  return Search(problem, limits).run();
+  Search search(problem, limits);
+  try {
+    return search.run();
+  } catch (const Simplex::Interrupted &) {
+    return search.stopped();
+  }
 }
 
 } // namespace mdm

@@ -4,6 +4,7 @@
 
 #include <mdm/number/rational.hpp>
 
+#include <chrono>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,7 +30,11 @@ struct Infinitesimal {
 class Simplex {
 public:
   /// Variables are numbered from 0: first the given ones, without bounds, then the forms.
-  explicit Simplex(std::size_t variables);
+  /// find() and minimise() stop soon after the deadline.
+  explicit Simplex(std::size_t variables, std::optional<std::chrono::steady_clock::time_point> deadline = {});
+
+  /// Thrown at the deadline, after which the object is of no use.
+  struct Interrupted {};
 
   /// Adds the form sum coefficient * variable over earlier variables that are no forms; its number.
   std::size_t add_form(const std::vector<std::pair<std::size_t, Rational>> &terms);
@@ -41,8 +46,10 @@ public:
   const Bound &lower(std::size_t variable) const { return lower_[variable]; }
   const Bound &upper(std::size_t variable) const { return upper_[variable]; }
 
-  /// Finds values within all bounds. Where there are none, conflict() says why.
-  bool find();
+  /// Finds values within all bounds. Where there are none, conflict() says why. Values on the way to the
+  /// least of `aim` are preferred: after bounds have changed little, few pivots lead there, by the rule of
+  /// the dual simplex method.
+  bool find(std::size_t aim);
   /// Minimises a variable that has a lower bound, from values that find() has found.
   void minimise(std::size_t variable);
 
@@ -62,9 +69,11 @@ public:
   const std::vector<Term> &conflict() const { return conflict_; }
 
 private:
+  /// scale * basic = sum of_c * (variable of column c), in integers without a common divisor.
   struct Row {
     std::size_t basic;
-    std::vector<Rational> of; ///< coefficient of the variable of each column
+    Integer scale; ///< > 0
+    std::vector<Integer> of;
   };
 
   bool is_below(std::size_t variable) const;
@@ -74,10 +83,14 @@ private:
   void move(std::size_t column, const Infinitesimal &by);
   void settle(std::size_t variable);
   void pivot(std::size_t row, std::size_t column);
-  std::optional<std::size_t> entering(const Row &row, bool rise) const;
+  std::optional<std::size_t> violated_row(bool by_bland) const;
+  bool can_move(const Row &row, std::size_t column, bool rise) const;
+  std::optional<std::size_t> least_entering(const Row &row, bool rise) const;
+  std::optional<std::size_t> cheapest_entering(const Row &row, bool rise, std::size_t aim) const;
   void explain(const Row &row, bool rise);
   bool step(std::size_t column, bool rise);
 
+  std::optional<std::chrono::steady_clock::time_point> deadline_;
   std::vector<Row> rows_;
   std::vector<std::size_t> columns_;               ///< variable of each column
   std::vector<std::optional<std::size_t>> row_of_; ///< of basic variables
