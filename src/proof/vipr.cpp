@@ -1,3 +1,5 @@
+#include "tolerant_vipr.hpp"
+
 #include <mdm/error.hpp>
 #include <mdm/proof/vipr.hpp>
 
@@ -198,7 +200,7 @@ std::string vipr(const Match &m) {
   if (m.problem.classes().size() > most_vipr_classes)
     throw InputError(
         "--vipr: more than 200 classes have mass, the export has a constraint for each pair: leave it out");
-  return Writer(m).text();
+  return m.tolerant ? tolerant_vipr(m) : Writer(m).text();
 }
 
 } // namespace mdm

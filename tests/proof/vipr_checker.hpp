@@ -5,6 +5,7 @@
 
 #include <mdm/number/decimal.hpp>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <sstream>
@@ -28,24 +29,7 @@ public:
 
   /// Throws if the file is not a proof that the least objective is `claimed`.
   void check(const Integer &claimed) {
-    skip_comments();
-    expect("VER");
-    expect("1.0");
-    expect("VAR");
-    const std::size_t n = count();
-    for (std::size_t i = 0; i < n; ++i)
-      word();
-    expect("INT");
-    for (std::size_t i = count(); i > 0; --i)
-      integers_.insert(count());
-    expect("OBJ");
-    expect("min");
-    objective_ = terms(count());
-    expect("CON");
-    const std::size_t constraints = count();
-    count(); // bounds
-    for (std::size_t i = 0; i < constraints; ++i)
-      all_.push_back(constraint());
+    problem("min");
     expect("RTP");
     expect("range");
     demand(number() == Rational(claimed) && number() == Rational(claimed), "range");
@@ -53,14 +37,32 @@ public:
     demand(count() == 1, "one solution");
     word();
     check_solution(terms(count()), claimed);
-    expect("DER");
-    for (std::size_t left = count(); left > 0; --left)
-      derivation();
-    std::string rest;
-    demand(!(in_ >> rest), "nothing after the end");
-    const Constraint &last = all_.back();
-    demand(last.assumptions.empty() && last.sense == 'G', "last");
-    demand(last.terms == objective_ && last.rhs >= Rational(claimed), "the last line bounds the objective");
+    const Constraint last = proved();
+    demand(last.sense == 'G' && last.terms == objective_ && last.rhs >= Rational(claimed),
+           "the last line bounds the objective");
+  }
+
+  /// Throws if the file is not a proof that the greatest objective is at most `bound`.
+  void check_at_most(const Rational &bound) {
+    problem("max");
+    expect("RTP");
+    expect("range");
+    expect("-inf");
+    demand(number() == bound, "range");
+    expect("SOL");
+    demand(count() == 0, "no solution");
+    const Constraint last = proved();
+    demand(last.sense == 'L' && last.terms == objective_ && last.rhs <= bound,
+           "the last line bounds the objective");
+  }
+
+  /// True if the values, 0 where there are none, satisfy the problem of the file.
+  bool admits(const std::map<std::size_t, Rational> &x) {
+    problem("max");
+    for (const std::size_t i : integers_)
+      if (const auto v = x.find(i); v != x.end() && denominator(v->second) != 1)
+        return false;
+    return std::all_of(all_.begin(), all_.end(), [&](const Constraint &c) { return satisfied(c, x); });
   }
 
 private:
@@ -87,6 +89,37 @@ private:
       std::string line;
       std::getline(in_, line);
     }
+  }
+
+  void problem(const char *sense) {
+    skip_comments();
+    expect("VER");
+    expect("1.0");
+    expect("VAR");
+    for (std::size_t i = count(); i > 0; --i)
+      word();
+    expect("INT");
+    for (std::size_t i = count(); i > 0; --i)
+      integers_.insert(count());
+    expect("OBJ");
+    expect(sense);
+    objective_ = terms(count());
+    expect("CON");
+    const std::size_t constraints = count();
+    count(); // bounds
+    for (std::size_t i = 0; i < constraints; ++i)
+      all_.push_back(constraint());
+  }
+
+  /// What the last derived line states.
+  Constraint proved() {
+    expect("DER");
+    for (std::size_t left = count(); left > 0; --left)
+      derivation();
+    std::string rest;
+    demand(!(in_ >> rest), "nothing after the end");
+    demand(all_.back().assumptions.empty(), "the last line holds without assumptions");
+    return all_.back();
   }
 
   std::map<std::size_t, Rational> terms(std::size_t k) {

@@ -1,0 +1,220 @@
+#include "tolerant_vipr.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <map>
+
+namespace mdm {
+namespace {
+
+/// Writes the file section by section; derived constraints are numbered behind those of the problem.
+class Writer {
+public:
+  explicit Writer(const Match &m)
+      : problem_(m.tolerant->problem), tree_(m.tolerant->found.tree), k_(problem_.classes()),
+        variables_(problem_.variables()), least_(k_), least_value_(k_), most_(k_), strict_(k_), filled_(k_) {
+    if (m.tolerant->found.best)
+      fewer_ = total(m.tolerant->found.best->q) - 1;
+    for (std::size_t j = 0; j < k_; ++j)
+      least_value_[j] = problem_.least(j);
+  }
+
+  std::string text() {
+    constraints();
+    next_ = given_;
+    subtree();
+    header();
+    return fmt::to_string(header_) + fmt::to_string(constraints_) +
+           fmt::format("RTP range -inf 0\nSOL 0\nDER {}\n", next_ - given_) + fmt::to_string(derivation_);
+  }
+
+private:
+  using Terms = std::vector<std::pair<std::size_t, Rational>>;
+
+  // Variables: those of the problem, d, and y_j, 1 where class j holds particles and may be empty.
+  std::size_t d() const { return variables_; }
+  std::size_t y(std::size_t j) const { return variables_ + 1 + j; }
+  bool has_y() const { return fewer_.has_value(); }
+  bool is_optional(std::size_t j) const { return problem_.least(j) < 1; }
+
+  static std::string to_text(const Terms &terms) {
+    std::string text = fmt::format("{}", terms.size());
+    for (const auto &[variable, coefficient] : terms)
+      text += fmt::format(" {} {}", variable, to_string(coefficient));
+    return text;
+  }
+
+  template <class... Args>
+  void out(fmt::format_string<Args...> format, Args &&...args) {
+    fmt::format_to(std::back_inserter(header_), format, std::forward<Args>(args)...);
+  }
+
+  void header() {
+    if (fewer_)
+      out("% mdm: no {} particles or fewer match within the tolerance: d > 0 is impossible\n",
+          to_string(*fewer_));
+    else
+      out("% mdm: no particles match within the tolerance: d > 0 is impossible\n");
+    out("VER 1.0\nVAR {}\n", variables_ + 1 + (has_y() ? k_ : 0));
+    for (const char *name : {"q", "t", "p"})
+      for (std::size_t j = 0; j < k_ && (*name != 'p' || variables_ == 3 * k_); ++j)
+        out("{}{} ", name, j + 1);
+    out("d");
+    for (std::size_t j = 0; j < k_ && has_y(); ++j)
+      out(" y{}", j + 1);
+    out("\nINT {}\n", has_y() ? 2 * k_ : k_);
+    for (std::size_t j = 0; j < k_; ++j)
+      out("{} ", j);
+    for (std::size_t j = 0; j < k_ && has_y(); ++j)
+      out("{} ", y(j));
+    out("\nOBJ max\n1 {} 1\nCON {} {}\n", d(), given_, bounds_);
+  }
+
+  std::size_t given(const std::string &name, char sense, const Rational &constant, const Terms &terms) {
+    fmt::format_to(std::back_inserter(constraints_), "{} {} {} {}\n", name, sense, to_string(constant),
+                   to_text(terms));
+    return given_++;
+  }
+
+  void constraints() {
+    for (std::size_t j = 0; j < k_; ++j)
+      least_[j] = given(fmt::format("q{}", j + 1), 'G', Rational(problem_.least(j)), {{j, 1}});
+    for (std::size_t p = 2 * k_; p < variables_; ++p)
+      row_[{TolerantCondition::excess_sign, p - 2 * k_}] =
+          given(fmt::format("p{}", p - 2 * k_ + 1), 'G', 0, {{p, 1}});
+    for (std::size_t j = 0; j < k_ && has_y(); ++j)
+      given(fmt::format("y{}", j + 1), 'L', 1, {{y(j), 1}});
+    bounds_ = given_;
+    for (const LinearRow &row : problem_.rows())
+      row_[{row.condition, row.j}] = given(fmt::format("r{}", given_), 'G', row.constant, with_slack(row));
+    for (std::size_t j = 0; j < k_ && has_y(); ++j)
+      fill(j);
+    if (!fewer_)
+      return;
+    Terms counts;
+    for (std::size_t j = 0; j < k_; ++j)
+      counts.emplace_back(j, 1);
+    row_[{TolerantCondition::fewer, 0}] = given("fewer", 'L', Rational(*fewer_), counts);
+  }
+
+  /// A condition that is always strict, less d.
+  Terms with_slack(const LinearRow &row) {
+    Terms terms = row.terms;
+    const bool strict = row.condition == TolerantCondition::some_mass ||
+                        (row.condition == TolerantCondition::above_lower && !is_optional(row.j));
+    if (strict)
+      terms.emplace_back(d(), -1);
+    if (strict && row.condition == TolerantCondition::above_lower)
+      strict_[row.j] = given_;
+    return terms;
+  }
+
+  /// Where class j is not empty, y_j = 1 and its lower bound is strict.
+  void fill(std::size_t j) {
+    if (!is_optional(j))
+      return;
+    Integer widest = 0;
+    for (std::size_t i = 0; i < k_; ++i)
+      widest = std::max(widest, Integer(problem_.F(i) - problem_.f(i)));
+    most_excess_ = Rational(widest * *fewer_);
+    given(fmt::format("a{}", j + 1), 'G', 0, {{j, 1}, {y(j), -1}});
+    filled_[j] = given(fmt::format("b{}", j + 1), 'G', 0, {{j, -1}, {y(j), Rational(*fewer_)}});
+    given(fmt::format("s{}", j + 1), 'G', Rational(-most_excess_),
+          {{j, Rational(-problem_.f(j))}, {k_ + j, 1}, {d(), -1}, {y(j), Rational(-most_excess_)}});
+  }
+
+  /// Appends a derived constraint and returns its number.
+  template <class... Args>
+  std::size_t derive(fmt::format_string<Args...> format, Args &&...args) {
+    fmt::format_to(std::back_inserter(derivation_), "d{} ", next_);
+    fmt::format_to(std::back_inserter(derivation_), format, std::forward<Args>(args)...);
+    fmt::format_to(std::back_inserter(derivation_), " -1\n");
+    return next_++;
+  }
+
+  /// Derives d <= 0 in the subtree of the next node, and returns the number of that.
+  std::size_t subtree() {
+    const TreeNode &node = tree_[node_++];
+    return node.leaf.empty() ? split(node.j, node.v) : leaf(node.leaf);
+  }
+
+  std::size_t split(std::size_t j, const Integer &v) {
+    const std::size_t most = most_[j], least = least_[j], strict = strict_[j];
+    const Integer least_value = least_value_[j];
+    const std::size_t few = most_[j] = derive("L {} 1 {} 1 {{ asm }}", to_string(Integer(v - 1)), j);
+    const std::size_t first = subtree();
+    most_[j] = most;
+    const std::size_t many = least_[j] = derive("G {} 1 {} 1 {{ asm }}", to_string(v), j);
+    least_value_[j] = v;
+    if (least_value < 1)
+      strict_[j] = strict_bound(j, many);
+    const std::size_t second = subtree();
+    least_[j] = least;
+    least_value_[j] = least_value;
+    strict_[j] = strict;
+    return derive("L 0 OBJ {{ uns {} {} {} {} }}", first, few, second, many);
+  }
+
+  /// t_j - f_j q_j - d >= 0 where class j is not empty.
+  std::size_t strict_bound(std::size_t j, std::size_t many) {
+    const std::string part = to_string(ratio(1, *fewer_));
+    const std::size_t full = derive("G 1 1 {} 1 {{ rnd 2 {} {} {} {} }}", y(j), many, part, filled_[j], part);
+    const Terms terms = {{j, Rational(-problem_.f(j))}, {k_ + j, 1}, {d(), -1}};
+    return derive("G 0 {} {{ lin 2 {} 1 {} {} }}", to_text(terms), filled_[j] + 1, full,
+                  to_string(most_excess_));
+  }
+
+  std::size_t leaf(const std::vector<Multiple> &multiples) {
+    Integer slack = 0; // of d in the sum
+    for (const Multiple &m : multiples)
+      if (is_strict(m))
+        slack += m.multiplier;
+    if (slack == 0) // the sum is a contradiction without d
+      slack = 1;
+    std::string terms;
+    for (const Multiple &m : multiples) {
+      const bool is_upper =
+          m.condition == TolerantCondition::most_count || m.condition == TolerantCondition::fewer;
+      terms += fmt::format(" {} {}", constraint_of(m),
+                           to_string(ratio(is_upper ? m.multiplier : Integer(-m.multiplier), slack)));
+    }
+    return derive("L 0 OBJ {{ lin {}{} }}", multiples.size(), terms);
+  }
+
+  bool is_strict(const Multiple &m) const {
+    return m.condition == TolerantCondition::some_mass ||
+           (m.condition == TolerantCondition::above_lower && least_value_[m.j] >= 1);
+  }
+
+  std::size_t constraint_of(const Multiple &m) const {
+    if (m.condition == TolerantCondition::least_count)
+      return least_[m.j];
+    if (m.condition == TolerantCondition::most_count)
+      return most_[m.j];
+    return m.condition == TolerantCondition::above_lower && is_strict(m) ? strict_[m.j]
+                                                                         : row_.at({m.condition, m.j});
+  }
+
+  const TolerantProblem &problem_;
+  const Tree &tree_;
+  std::size_t k_, variables_;
+  std::optional<Integer> fewer_; ///< N - 1
+  Rational most_excess_ = 0;     ///< D: no sample of so few particles has a greater d
+  std::map<std::pair<TolerantCondition, std::size_t>, std::size_t> row_; ///< constraints of conditions
+  /// Constraints in force on the way to a node: bounds of q_j, and the strict lower bound of t_j.
+  std::vector<std::size_t> least_;
+  std::vector<Integer> least_value_;
+  std::vector<std::size_t> most_, strict_;
+  std::vector<std::size_t> filled_; ///< q_j <= (N - 1) y_j; the next one is the strict bound where y_j = 1
+  std::size_t given_ = 0, bounds_ = 0, next_ = 0, node_ = 0;
+  fmt::memory_buffer header_, constraints_, derivation_;
+};
+
+} // namespace
+
+std::string tolerant_vipr(const Match &m) {
+  return Writer(m).text();
+}
+
+} // namespace mdm
