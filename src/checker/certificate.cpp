@@ -26,7 +26,7 @@ constexpr Rule rules[] = {
     {"pan-size", "d", true, &Certificate::pan_size},
     {"cut-below", "d", true, &Certificate::cut_below},
     {"size-factor", "d", true, &Certificate::size_factor},
-    {"min-per-class", "2", true, &Certificate::min_per_class},
+    {"min-per-class", "1", true, &Certificate::min_per_class},
     {"cylinder", "dde", true, &Certificate::cylinder},
     {"box", "ddde", true, &Certificate::box},
     {"solids-volume", "d", true, &Certificate::solids_volume},
@@ -255,6 +255,8 @@ Certificate read_certificate(std::string_view text) {
   while (lines.read(rule_of_band, certificate))
     tolerant = true;
   demand_meaning(certificate);
+  if (!tolerant && !certificate.min_per_class.empty() && certificate.min_per_class[0].value == 1)
+    lines.fail("min-per-class 1 says nothing of an exact match: leave it out");
   if (!tolerant || !lines.take_none())
     lines.read(rule_of_particles, certificate);
   if (!tolerant)

@@ -95,7 +95,7 @@ Question SolveFlags::question() const {
   if (band)
     q.band = read_envelope(read_file(*band, max_gradation_bytes), *band == "-" ? "stdin" : *band);
   if (min_per_class)
-    q.min_per_class = std::max(natural("--min-per-class", *min_per_class, 0), Integer(1));
+    q.min_per_class = natural("--min-per-class", *min_per_class, 0);
   if (at_least)
     q.at_least = std::max(natural("--at-least", *at_least, 0), Integer(1));
   if (specimen.has_value() != void_ratio.has_value())

@@ -59,7 +59,7 @@ TradeoffOptions options(const TradeoffCommand &c) {
 Question question(const TradeoffCommand &c) {
   Question q = c.flags.question();
   if (c.min_per_class)
-    q.min_per_class = std::max(natural("--min-per-class", *c.min_per_class, 0), Integer(1));
+    q.min_per_class = natural("--min-per-class", *c.min_per_class, 0);
   return q;
 }
 

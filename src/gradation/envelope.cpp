@@ -32,7 +32,8 @@ Row read_row(CsvRows &rows) {
     rows.refuse(
         fmt::format("{} {} at size 0: nothing passes the pan, so write 0", min_column, shown(row.least)));
   if (row.most < 0)
-    rows.refuse(fmt::format("{} {} is negative: write 0 where nothing may pass", max_column, shown(row.most)));
+    rows.refuse(
+        fmt::format("{} {} is negative: write 0 where nothing may pass", max_column, shown(row.most)));
   if (row.most > 100)
     rows.refuse(fmt::format("{} {} is above 100: write 100 where all may pass", max_column, shown(row.most)));
   return row;

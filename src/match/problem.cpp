@@ -68,7 +68,7 @@ Problem::Problem(const Gradation &g, const MassLaw &law, const Integer &min_per_
   for (std::size_t j = 0; j < g.classes(); ++j)
     if (g.mass(j) != 0)
       classes_.push_back({j, sizes.numerators[j], sizes.numerators[j + 1], power(masses.numerators[j], law.b),
-                          min_per_class});
+                          std::max(min_per_class, Integer(1))});
   if (!g.has_factors())
     return;
   const CommonDenominator factors(g.factors());

@@ -39,8 +39,9 @@ std::string in_words(const Question &q) {
     add("within the band " + printable(q.band->id));
   if (q.at_least > 1)
     add("at least " + to_string(q.at_least) + " particles");
-  if (q.min_per_class > 1)
-    add("at least " + to_string(q.min_per_class) + " particles in each class");
+  if (q.min_per_class > (q.is_tolerant() ? 0 : 1))
+    add("at least " + to_string(q.min_per_class) + (q.min_per_class == 1 ? " particle" : " particles") +
+        " in each class");
   if (q.solids)
     add("at least " + in_words(*q.solids));
   if (!q.law.is_sphere())

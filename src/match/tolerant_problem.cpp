@@ -37,7 +37,7 @@ TolerantProblem::TolerantProblem(const Gradation &g, const MassLaw &law, const T
   for (std::size_t j = 0; j < k; ++j) {
     f_.push_back(openings.numerators[j] * factors.numerators[j]);
     F_.push_back(openings.numerators[j + 1] * factors.numerators[j]);
-    least_.push_back(g.mass(j) > 0 && demands.min_per_class > 1 ? demands.min_per_class : Integer(0));
+    least_.push_back(g.mass(j) > 0 ? demands.min_per_class : Integer(0));
     add(TolerantCondition::above_lower, j, {{j, Rational(-f_[j])}, {k + j, 1}});
     add(TolerantCondition::up_to_upper, j, {{j, Rational(F_[j])}, {k + j, -1}});
     counts.emplace_back(j, 1);

@@ -74,7 +74,7 @@ std::string question_lines(const Match &m) {
     text += fmt::format("cut-below {}\n", to_decimal(*q.cut_below));
   if (q.size_factor != 1)
     text += fmt::format("size-factor {}\n", to_decimal(q.size_factor));
-  if (q.min_per_class > 1)
+  if (q.min_per_class > (q.is_tolerant() ? 0 : 1))
     text += fmt::format("min-per-class {}\n", to_string(q.min_per_class));
   if (q.solids)
     text += solids_line(*q.solids);

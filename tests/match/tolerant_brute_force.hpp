@@ -184,7 +184,7 @@ inline bool is_match(const Problem &p, const Counts &q) {
   int sum = 0;
   for (std::size_t j = 0; j < q.size(); ++j) {
     sum += q[j];
-    if (p.classes[j].has_mass && p.demands.min_per_class > 1 && q[j] < p.demands.min_per_class)
+    if (p.classes[j].has_mass && q[j] < p.demands.min_per_class)
       return false;
   }
   if (sum < 1 || sum < p.demands.at_least)

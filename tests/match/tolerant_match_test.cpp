@@ -122,7 +122,7 @@ void check_match(const Twins &twins, const TolerantMatch &match) {
     const Rational t = match.t[j] / twins.problem.unit(), share = t / all;
     CHECK(t <= p.classes[j].F * Rational(match.q[j]));
     CHECK((match.q[j] == 0 ? t == 0 : t > p.classes[j].f * Rational(match.q[j])));
-    if (p.classes[j].has_mass && p.demands.min_per_class > 1)
+    if (p.classes[j].has_mass)
       CHECK(match.q[j] >= p.demands.min_per_class);
     deviation += abs(Rational(share - p.target[j]));
     passing += share;

@@ -21,7 +21,7 @@ struct ProblemClass {
 /// denominators are cleared once: S is the gradation's s^b divided by scale_unit().
 class Problem {
 public:
-  /// The problem of a gradation (with the question's changes already made), every floor `min_per_class`.
+  /// The problem of a gradation (with the question's changes already made), every floor `min_per_class` or 1.
   /// \throws InputError if powers of its numbers get out of hand (more than 2^20 bits)
   Problem(const Gradation &g, const MassLaw &law, const Integer &min_per_class);
 

@@ -17,7 +17,7 @@ struct Question {
   std::optional<Rational> pan_size;       ///< size > 0 to count the pan as
   std::optional<Rational> cut_below;      ///< opening below which classes are left out
   Rational size_factor = 1;               ///< > 0, multiplies every opening
-  Integer min_per_class = 1;              ///< floor R >= 1 of every class with mass
+  Integer min_per_class = 0;              ///< floor R of every class with mass; exact matches have 1 anyhow
   std::optional<Solids> solids;           ///< least volume of solids; spheres only
   Integer at_least = 1;                   ///< least number of particles, >= 1
   std::vector<AskedTolerance> tolerances; ///< all of them hold

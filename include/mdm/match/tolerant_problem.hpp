@@ -41,7 +41,7 @@ struct LinearRow {
 
 /// What a match within a tolerance must satisfy besides its tolerance.
 struct TolerantDemands {
-  Integer min_per_class = 1;      ///< in classes with m_j > 0; 1 means nothing
+  Integer min_per_class = 0;      ///< in classes with m_j > 0
   Integer at_least = 1;           ///< particles
   std::optional<Rational> weight; ///< least sum of x^a (over all particles)
 };
