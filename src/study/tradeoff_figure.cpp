@@ -46,6 +46,7 @@ public:
 
   void add(const Point &p, const std::string &text) {
     constexpr double away = 8;
+    constexpr double gap = 4;
     const double width = text_width(text, letter_size);
     for (const double dy : {away, 2.2 * away, -away, -2.2 * away, 3.4 * away})
       for (const Align align : {Align::left, Align::center, Align::right}) {
@@ -58,7 +59,7 @@ public:
         const Area area{start, start + width, middle - letter_size / 2, middle + letter_size / 2};
         if (!is_free(area))
           continue;
-        taken_.push_back(area);
+        taken_.push_back({area.left - gap, area.right + gap, area.bottom, area.top});
         panel_.texts.push_back({p.x, p.y, text, align, dx, dy});
         return;
       }
@@ -100,7 +101,7 @@ private:
   std::vector<Area> taken_;
 };
 
-/// log10 of N with room for labels; all powers of ten from 1 on.
+/// log10 of N, a decade or more, with room for labels; ticks from 1 on.
 Axis count_axis(const std::vector<TradeoffRow> &rows) {
   double low = log10_of_count(rows.front().particles);
   double high = low;
@@ -108,7 +109,8 @@ Axis count_axis(const std::vector<TradeoffRow> &rows) {
     low = std::min(low, log10_of_count(row.lower_bound));
     high = std::max(high, log10_of_count(row.particles));
   }
-  const double span = std::max(high - low, 0.5);
+  high = std::max(high, low + 1);
+  const double span = high - low;
   Axis axis = log_axis("N (particles)", low - 0.1 * span, high + 0.12 * span);
   axis.ticks.erase(axis.ticks.begin(), std::find_if(axis.ticks.begin(), axis.ticks.end(),
                                                     [](const Tick &t) { return t.at > -1e-9; }));
@@ -129,7 +131,8 @@ ValueAxis value_axis(const std::string &title, const std::vector<Rational> &valu
   const std::size_t first = has_zero && values.size() > 1 ? 1 : 0;
   const double low = values[first] > 0 ? log10_of(values[first]) : 0;
   const double high = values.back() > 0 ? log10_of(values.back()) : 0;
-  const double span = std::max(high - low, 0.3);
+  constexpr double least_span = 1e-9; // what doubles can tell apart
+  const double span = high - low > least_span ? high - low : 1;
   const double zero = low - 0.25 * span;
   Axis axis{title, (has_zero ? zero : low) - 0.06 * span, high + 0.12 * span, {}};
   for (const Rational &value : values)

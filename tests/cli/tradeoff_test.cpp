@@ -1,0 +1,143 @@
+// mdm tradeoff as a whole program.
+
+#include "answer.hpp"
+
+#include <cstdlib>
+
+using namespace cli_test;
+
+namespace {
+
+const std::string sand = example("athabasca-sand");
+const std::string halves = "size_mm,mass\n1,1\n2,1\n3,0\n";
+
+bool contains(const std::string &text, const std::string &part) {
+  UNSCOPED_INFO(text);
+  return text.find(part) != std::string::npos;
+}
+
+Outcome tradeoff(Arguments arguments, const std::string &standard_input = "") {
+  arguments.insert(arguments.begin(), "tradeoff");
+  return mdm(arguments, standard_input);
+}
+
+Json json(const Arguments &arguments, int exit_code = 0, const std::string &standard_input = "") {
+  Arguments all = arguments;
+  all.insert(all.end(), {"--format", "json"});
+  const Outcome outcome = tradeoff(all, standard_input);
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == exit_code);
+  CHECK(std::count(outcome.out.begin(), outcome.out.end(), '\n') == 1);
+  return Json::parse(outcome.out);
+}
+
+} // namespace
+
+TEST_CASE("the trade-off as text has a table for each choice", "[cli]") {
+  const Outcome outcome = tradeoff({"-", "--tolerances", "50,0,1"}, halves);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out == "stdin: the smallest match within a tolerance, and without the finest classes\n\n"
+                       "  retained within (%)  particles  times fewer\n"
+                       "                    0          3            1\n"
+                       "                    1          2          1.5\n"
+                       "                   50          1            3\n\n"
+                       "  smallest sieve kept (mm)  mass lost (%)  particles  times fewer\n"
+                       "                         1              0          3            1\n"
+                       "                         2             50          1            3\n");
+}
+
+TEST_CASE("the trade-off of a real sand never rises", "[cli]") {
+  for (const char *kind : {"retained", "passing", "total"}) {
+    const Json t = json({sand, "--kind", kind});
+    CHECK(t.at("schema") == "mdm-tradeoff-1");
+    CHECK(t.at("id") == "athabasca-sand");
+    CHECK(t.at("kind") == kind);
+    CHECK(t.at("unit") == "mm");
+    CHECK(t.at("question") == "");
+    CHECK(t.at("versions").contains("mdm"));
+    CHECK(t.at("by_tolerance").size() == 7);
+    CHECK(t.at("by_tolerance").at(0).at("particles") == "1485");
+    CHECK(t.at("by_sieve").size() == 7);
+    CHECK(t.at("by_sieve").at(3).at("lost") == "1527/10000");
+    CHECK(t.at("by_sieve").at(6).at("particles") == "1");
+    for (const char *curve : {"by_tolerance", "by_sieve"}) {
+      Integer last = 1485;
+      for (const Json &row : t.at(curve)) {
+        const Integer n(row.at("particles").get<std::string>());
+        CHECK(n <= last);
+        CHECK(row.at("status") == "optimal");
+        CHECK(row.at("lower_bound") == row.at("particles"));
+        last = n;
+      }
+    }
+  }
+}
+
+TEST_CASE("the options of the gradation and the floor change both curves", "[cli]") {
+  const Json t = json(
+      {sand, "--cut-below", "0.25", "--size-factor", "2", "--min-per-class", "5", "--tolerances", "0,1%"});
+  CHECK(t.at("question") ==
+        "at least 5 particles in each class; classes below 0.25 left out; sizes multiplied by 2");
+  CHECK(t.at("by_sieve").size() == 3);
+  CHECK(t.at("by_sieve").at(0).at("smallest") == "0.5");
+  CHECK(t.at("by_sieve").at(2).at("particles") == "5");
+  const Json exact = solve_json({sand, "--cut-below", "0.25", "--min-per-class", "5"});
+  CHECK(t.at("by_sieve").at(0).at("particles") == exact.at("particles"));
+  CHECK(t.at("by_tolerance").at(0).at("particles") == exact.at("particles"));
+}
+
+TEST_CASE("a limit leaves rows with bounds and exit code 3", "[cli]") {
+  const Json t = json({sand, "--node-limit", "2", "--tolerances", "0,1"}, 3);
+  CHECK(t.at("by_tolerance").at(0).at("status") == "optimal");
+  const Json &row = t.at("by_tolerance").at(1);
+  CHECK(row.at("status") == "feasible");
+  CHECK(Integer(row.at("particles").get<std::string>()) <= 1485);
+  const Outcome text = tradeoff({sand, "--time-limit", "0", "--tolerances", "1"});
+  CHECK(text.exit_code == 3);
+  CHECK(contains(text.out, "[1, "));
+}
+
+TEST_CASE("the trade-off as CSV goes to a file, notes to standard error", "[cli]") {
+  const TemporaryFolder folder;
+  const Outcome outcome = tradeoff({"-", "--tolerances", "0", "--format", "csv", "-o", folder / "t.csv"},
+                                   "size_mm,passing_percent\n1,10\n2,100\n");
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.empty());
+  CHECK(contains(outcome.err, "note: A pan of size 0 was added"));
+  CHECK(read_file(folder / "t.csv") ==
+        "kind,tolerance_percent,smallest_mm,lost_percent,particles,lower_bound,status\n"
+        "retained,0,0,0,2,2,optimal\nretained,0,0,0,2,2,optimal\nretained,0,1,10,1,1,optimal\n");
+}
+
+TEST_CASE("the trade-off refuses what makes no sense, and leaves no file", "[cli]") {
+  const TemporaryFolder folder;
+  const auto refused = [&folder](Arguments options, const std::string &message) {
+    options.insert(options.begin(), {sand, "-o", folder / "out"});
+    check_refused(tradeoff(options), message);
+    CHECK(folder.entries() == 0);
+  };
+  for (const char *list : {"1,,2", ",", "1,x", "nan", "-1", "101", "1;2", "1%%"})
+    refused({std::string("--tolerances=") + list}, "--tolerances: ");
+  refused({"--kind", "rounding"}, "--kind");
+  refused({"--plot", folder / "a.gif"}, "let OUT end in .svg, .png or .pdf");
+  refused({"--plot", "-"}, "--plot needs a file");
+  refused({"--plot", folder / "out"}, "different names");
+  refused({"--time-limit", "-1"}, "--time-limit");
+  refused({"--law", "power:5/2"}, "use a law with a whole exponent");
+  refused({"--cut-below", "0.2"}, "athabasca-sand.csv: there is no sieve of");
+}
+
+TEST_CASE("the trade-off is drawn beside its tables", "[cli]") {
+  if (std::system("command -v gnuplot >/dev/null") != 0) {
+    WARN("skipped: gnuplot, which draws, is not installed (Debian: gnuplot-nox)");
+    return;
+  }
+  const TemporaryFolder folder;
+  const Outcome outcome = tradeoff({sand, "--tolerances", "0,1,5", "--plot", folder / "t.svg"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(contains(outcome.out, "smallest sieve kept (mm)"));
+  const std::string svg = read_file(folder / "t.svg");
+  for (const char *text : {"1485", "1021", "238", "mass lost (percent)", "smallest sieve kept (mm)"})
+    CHECK(svg.find(text) != std::string::npos);
+  CHECK(folder.entries() == 1);
+}
