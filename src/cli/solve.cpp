@@ -132,7 +132,7 @@ int run(const SolveCommand &c) {
     files.push_back({std::make_unique<Output>(*c.proof), certificate(m)});
     if (std::optional<SideFile> csv = readable_gradation(c, asked, m.notes))
       files.push_back(std::move(*csv));
-  } else if (c.proof || c.vipr) {
+  } else if ((c.proof || c.vipr) && !m.complete) {
     m.notes.push_back("no proof was written: the limit came before the end");
   }
   if (c.vipr && m.complete)

@@ -143,6 +143,23 @@ TEST_CASE("a proof does not replace the gradation that it proves", "[cli]") {
   CHECK(read_file(sand) == text);
 }
 
+TEST_CASE("--vipr writes the proof, exact or within a tolerance, and --node-limit leaves none", "[cli]") {
+  const TemporaryFolder folder;
+  for (const Arguments &how : {Arguments{}, Arguments{"--tolerance", "retained:1%"}}) {
+    Arguments arguments = {"solve", athabasca, "--vipr", folder / "vipr"};
+    arguments.insert(arguments.end(), how.begin(), how.end());
+    const Outcome outcome = mdm(arguments);
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.out.find("no proof was written") == std::string::npos);
+    CHECK(read_file(folder / "vipr").find("\nVER 1.0\n") != std::string::npos);
+  }
+  const Outcome limited =
+      mdm({"solve", athabasca, "--tolerance", "retained:1%", "--node-limit", "2", "--vipr", folder / "none"});
+  CHECK(limited.exit_code == 3);
+  CHECK(limited.out.find("no proof was written") != std::string::npos);
+  CHECK(folder.entries() == 1);
+}
+
 TEST_CASE("what is no regular file is written in place", "[cli]") {
   CHECK(mdm({"solve", athabasca, "-o", "/dev/null"}).exit_code == 0);
   struct stat status {};

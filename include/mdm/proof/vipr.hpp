@@ -12,7 +12,7 @@ inline constexpr std::size_t most_vipr_classes = 200;
 /// The problem without its scale, the match and the proof of minimality in the VIPR format, version 1.0
 /// (Cheung, Gleixner, Steffy, "Verifying integer programming results", 2017; proofs/README.md, Theorem 10).
 /// Within a tolerance: the problem of fewer particles than the match has, and the proof that it has no
-/// solution, in slack form (Theorem 13).
+/// solution, in slack form (Theorem 15).
 /// \pre m.complete
 /// \throws InputError if m has too many classes, or a mass law that is irrational at an opening
 std::string vipr(const Match &m);
