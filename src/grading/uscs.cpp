@@ -110,7 +110,9 @@ UscsGroup fine_grained(const Shares &s, Fines fines, const std::vector<std::stri
     group = {"CL-ML", "silty clay"};
     break;
   }
-  const Real coarse = s.gravel + s.sand;
+  // Not the sum of the two, whose bound at 4.75 mm need not be rational: this is exact where 0.075 mm is a
+  // sieve.
+  const Real coarse = Real(1) - s.fines;
   const bool more_gravel = is_less(s.sand, s.gravel, "gravel against sand");
   std::vector<std::string> others;
   if (!is_less(coarse, Real(percent(30)), "what is coarser than 0.075 mm against 30 %")) {
@@ -169,8 +171,9 @@ Available<UscsGroup> classify_part(const GradingCurve &part, Fines fines, bool e
 } // namespace
 
 Fines classify_fines(const AtterbergLimits &limits) {
-  if (limits.plastic < 0)
-    throw InputError("the plastic limit is negative: give it in percent");
+  if (limits.liquid < 0 || limits.plastic < 0)
+    throw InputError(std::string("the ") + (limits.liquid < 0 ? "liquid" : "plastic") +
+                     " limit is negative: give 0 or more, in percent");
   if (limits.plastic > limits.liquid)
     throw InputError("the plastic limit is above the liquid limit: leave both out for nonplastic fines");
   const Rational index = limits.liquid - limits.plastic;

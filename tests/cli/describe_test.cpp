@@ -113,6 +113,7 @@ TEST_CASE("a group that no precision decides is a limit", "[describe]") {
       mdm({"describe", "-"}, "size_mm,passing_percent\n20,100\n7.6,60\n3.8,50\n0.12,20\n0.06,0\n");
   CHECK(outcome.exit_code == 3);
   CHECK(has(outcome.out, "no USCS group: gravel against sand: not decided"));
+  CHECK(has(mdm({"describe", "--help"}).out, "Exit code 3"));
 }
 
 TEST_CASE("the real sands are described", "[describe]") {
@@ -131,6 +132,7 @@ TEST_CASE("wrong options of describe are refused", "[describe]") {
   refused({"--plastic-limit", "40"}, "go together");
   refused({"--liquid-limit", "x", "--plastic-limit", "20"}, "--liquid-limit: 'x' is not a number");
   refused({"--liquid-limit", "20", "--plastic-limit", "40"}, "above the liquid limit");
+  refused({"--liquid-limit", "-1", "--plastic-limit", "2"}, "the liquid limit is negative: give 0 or more");
   refused({"--digits", "0"}, "--help");
   refused({"--digits", "1001"}, "--help");
   refused({"--format", "yaml"}, "--help");

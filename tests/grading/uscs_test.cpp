@@ -211,7 +211,19 @@ TEST_CASE("the plasticity chart", "[uscs]") {
   CHECK(fines("15", "13") == Fines::ML); // PI 2 above it
   CHECK(fines("20", "20") == Fines::ML);
   CHECK_THROWS_AS(fines("20", "20.1"), InputError);
-  CHECK_THROWS_AS(fines("20", "-1"), InputError);
+  CHECK_THROWS_WITH(fines("20", "-1"), "the plastic limit is negative: give 0 or more, in percent");
+  CHECK_THROWS_WITH(fines("-1", "2"), "the liquid limit is negative: give 0 or more, in percent");
+  CHECK_THROWS_WITH(fines("-1", "-2"), "the liquid limit is negative: give 0 or more, in percent");
+}
+
+TEST_CASE("what is coarser than 0.075 mm is decided at its limits, without a sieve of 4.75 mm", "[uscs]") {
+  const auto points = [](const char *fines) {
+    return Points{{"0.001", "0"}, {"0.075", fines}, {"25", "100"}};
+  };
+  CHECK(name(points("85.000000001")) == "silt");
+  CHECK(name(points("85")) == "silt with sand");
+  CHECK(name(points("70.000000001")) == "silt with sand");
+  CHECK(name(points("70")) == "sandy silt");
 }
 
 TEST_CASE("the group is that of what passes 75 mm", "[uscs]") {
