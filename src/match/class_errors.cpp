@@ -11,7 +11,7 @@ ClassErrors class_errors(const std::vector<Integer> &held, const std::vector<Int
   errors.of_class.reserve(held.size());
   Integer sum = 0, largest = -1;
   for (std::size_t j = 0; j < held.size(); ++j) {
-    const Integer difference = held[j] * all_target - target[j] * all_held;
+    const Integer difference = target[j] * all_held - held[j] * all_target;
     const Integer size = abs(difference);
     sum += size;
     if (size > largest) {

@@ -96,11 +96,17 @@ std::string json_class(const PublishedReport &r, std::size_t j) {
       to_string(run.result().error.of_class[j]));
 }
 
+/// Counted from 1; `none` where no class has an error.
+std::string worst_class(const PublishedTry &t, const char *none) {
+  return t.error.maximum == 0 ? none : std::to_string(t.error.worst + 1);
+}
+
 std::string json_iteration(const PublishedTry &t) {
   return fmt::format(
-      R"({{"multiple":"{}","sizes_tried":"{}","particles":"{}","quantities":[{}],"errors":[{}],"total_error":"{}","maximum_error":"{}","worst_class":"{}"}})",
+      R"({{"multiple":"{}","sizes_tried":"{}","particles":"{}","quantities":[{}],"errors":[{}],"total_error":"{}","maximum_error":"{}","worst_class":{}}})",
       t.multiple, t.sizes, to_string(total(t.q)), json_numbers(t.q), json_numbers(t.error.of_class),
-      to_string(t.error.total), to_string(t.error.maximum), t.error.worst + 1);
+      to_string(t.error.total), to_string(t.error.maximum),
+      t.error.maximum == 0 ? "null" : fmt::format("\"{}\"", t.error.worst + 1));
 }
 
 std::string class_table(const PublishedReport &r) {
@@ -108,8 +114,8 @@ std::string class_table(const PublishedReport &r) {
   const bool one_size = r.algorithm != PublishedAlgorithm::spanned_integer;
   const std::string unit(name(g.unit()));
   std::vector<std::vector<std::string>> lines = {{"class", "sizes (" + unit + "]", "mass",
-                                                  one_size ? "K" : "K from .. to", "quantity", "error",
-                                                  "size of a particle (" + unit + ")"}};
+                                                  one_size ? "K" : "K from .. to", "quantity",
+                                                  "target - found", "size of a particle (" + unit + ")"}};
   for (std::size_t j = 0; j < g.classes(); ++j) {
     const std::optional<Rational> most = times(r.run.phi[j], r.run.most_zeta[j]);
     const std::string least = approximate(Rational(r.run.phi[j] * r.run.least_zeta[j]), 6);
@@ -136,8 +142,7 @@ std::string iteration_table(const Published &run) {
       continue;
     }
     lines.push_back({std::to_string(t.multiple), std::to_string(t.sizes), to_string(total(t.q)),
-                     percent(t.error.total), percent(t.error.maximum),
-                     t.error.maximum == 0 ? "-" : std::to_string(t.error.worst + 1)});
+                     percent(t.error.total), percent(t.error.maximum), worst_class(t, "-")});
   }
   return text_table(lines, ">>>>><");
 }
@@ -192,7 +197,7 @@ std::string published_csv(const PublishedReport &r) {
   std::string text = "multiple,sizes_tried,particles,total_error,maximum_error,worst_class\n";
   for (const PublishedTry &t : r.run.tries)
     text += fmt::format("{},{},{},{},{},{}\n", t.multiple, t.sizes, to_string(total(t.q)),
-                        approximate(t.error.total, 15), approximate(t.error.maximum, 15), t.error.worst + 1);
+                        approximate(t.error.total, 15), approximate(t.error.maximum, 15), worst_class(t, ""));
   return text;
 }
 

@@ -56,7 +56,12 @@ TEST_CASE("a report has the ratios, every iteration's exact error and the least 
   for (const Json &iteration : fixed.at("iterations"))
     errors.push_back(iteration.at("total_error"));
   CHECK(errors == std::vector<std::string>{"1/15", "1/57", "1/87", "1/57", "0"});
-  CHECK(fixed.at("iterations").at(0).at("errors") == Json({"1/30", "-1/30"}));
+  CHECK(fixed.at("iterations").at(0).at("worst_class") == "1");
+  CHECK(fixed.at("iterations").at(4).at("worst_class").is_null());
+  const Outcome csv =
+      mdm({"published", "fixed-size", file, "--sizes", "upper", "--tolerance", "0%", "--format", "csv"});
+  CHECK(csv.out.find("\n5,1,13,0,0,\n") != std::string::npos);
+  CHECK(fixed.at("iterations").at(0).at("errors") == Json({"-1/30", "1/30"}));
 
   const Json rounded = published({"rounded", file, "--sizes", "volume"});
   CHECK(rounded.at("match") == false);

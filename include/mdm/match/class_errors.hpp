@@ -8,8 +8,8 @@
 
 namespace mdm {
 
-/// Error of a sample (Arnold, Eq. 13), both sides normalised by their totals: t_j / sum t - m_j / sum m for
-/// the mass t_j that the sample has in class j.
+/// Error of a sample (Arnold, Eq. 13), both sides normalised by their totals: m_j / sum m - t_j / sum t for
+/// the mass t_j that the sample has in class j, so positive where mass is missing.
 struct ClassErrors {
   std::vector<Rational> of_class;
   Rational total = 0;    ///< sum of |of_class|

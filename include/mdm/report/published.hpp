@@ -30,7 +30,8 @@ bool succeeded(const PublishedReport &report);
 std::string published_json(const PublishedReport &report);
 
 /// A row an iteration: multiple,sizes_tried,particles,total_error,maximum_error,worst_class. Errors are
-/// parts of 1, cut to 15 significant digits; classes count from 1.
+/// parts of 1, cut to 15 significant digits; classes count from 1, and worst_class is empty where no class
+/// has an error.
 std::string published_csv(const PublishedReport &report);
 
 /// For people.
