@@ -95,8 +95,9 @@ std::vector<Specimen> read_specimens(std::string_view content, const std::string
     specimens.push_back(specimen(source, lines.number(), ordered));
   }
   if (specimens.empty())
-    source.refuse(lines.number(),
-                  std::string("there is no specimen: give a header and rows of ") + column_list);
+    source.refuse(std::max(lines.number(), std::size_t{1}),
+                  fmt::format("there is no specimen: give {}a row for each: {}",
+                              at ? "" : "a header row and below it ", column_list));
   return specimens;
 }
 
