@@ -138,7 +138,8 @@ Found read_answer_sample(const VerifyCommand &c, const std::string &content, Gra
           "an answer of mdm says what its sizes are: leave out --radius, --diameter, --size-unit "
           "and --timestep");
     AnswerDescription described = describe_answer(answer, std::move(g), question.law, snap);
-    return Found{std::move(described.description), std::move(described.objections), {}};
+    return Found{std::move(described.description), std::move(described.objections),
+                 std::move(described.notes)};
   });
 }
 

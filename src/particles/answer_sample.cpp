@@ -197,7 +197,7 @@ AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const
                                  answer.scale_power, law.exponent()));
   const Rational unit = in_mm(length_unit(answer.unit)) / in_mm(length_unit(g.unit()));
   const Rational scale = answer.scale * power(unit, law.a); // with sizes in the unit of g
-  AnswerDescription result{Description(std::move(g), {law, snap, scale}), {}};
+  AnswerDescription result{Description(std::move(g), {law, snap, scale}), {}, {}};
   Integer particles = 0;
   std::vector<std::size_t> wrong; // classes whose size is not in its enclosure
   for (const AnswerSample::Class &c : answer.classes) {
@@ -217,8 +217,8 @@ AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const
                     wrong.front(), wrong.size() > 1 ? fmt::format(" and {} more", wrong.size() - 1) : "",
                     law.exponent()));
   if (particles != answer.particles)
-    result.objections.push_back(fmt::format("the answer says that it has {} particles, its classes have {}",
-                                            to_string(answer.particles), to_string(particles)));
+    result.notes.push_back(fmt::format("The answer says that it has {} particles; its classes have {}.",
+                                       to_string(answer.particles), to_string(particles)));
   return result;
 }
 

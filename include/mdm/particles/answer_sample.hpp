@@ -33,8 +33,10 @@ AnswerSample read_answer(std::string_view content, const std::string &file);
 /// An answer's particles as a gradation describes them.
 struct AnswerDescription {
   Description description;
-  /// Where the answer contradicts itself: sizes that are not in their enclosures, a wrong N.
+  /// Where sizes are not in their enclosures: the sample is not what the answer says.
   std::vector<std::string> objections;
+  /// What else the answer says wrongly: its N.
+  std::vector<std::string> notes;
 };
 
 /// How g describes the answer's sample, exactly: a size is judged by its power x^a = (s m / (c q))^b, c being
