@@ -1,5 +1,7 @@
 #include "json_reader.hpp"
 
+#include "json_cursor.hpp"
+
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/number/decimal.hpp>
 
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <map>
 #include <set>
 
@@ -19,29 +20,6 @@ namespace {
 /// those that round to 2^1024. No value of this type is used: numbers are read from their text.
 using Json =
     nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
-
-/// Walks over the content and leaves behind how far the parser has come, for messages.
-class Cursor {
-public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char *;
-  using reference = const char &;
-
-  Cursor(const char *at, const char **reached) : at_(at), reached_(reached) {}
-  reference operator*() const { return *at_; }
-  Cursor &operator++() {
-    *reached_ = ++at_;
-    return *this;
-  }
-  bool operator==(const Cursor &other) const { return at_ == other.at_; }
-  bool operator!=(const Cursor &other) const { return at_ != other.at_; }
-
-private:
-  const char *at_;
-  const char **reached_;
-};
 
 /// The keys of a gradation; the first four hold columns.
 enum Key : std::size_t { sizes, masses, factors, tolerances, unit, id, other };
@@ -337,8 +315,8 @@ Gradation read_json(std::string_view content, const Source &source, const std::s
   if (!content.substr(std::min(content.find_first_not_of(" \t\r\n"), content.size())).starts_with('{'))
     source.refuse(1, "there is no JSON object: write one as {\"sizes\": [...], \"masses\": [...]}");
   Handler handler(content, source);
-  const Cursor begin(content.data(), handler.reached());
-  const Cursor end(content.data() + content.size(), handler.reached());
+  const JsonCursor begin(content.data(), handler.reached());
+  const JsonCursor end(content.data() + content.size(), handler.reached());
   Json::sax_parse(begin, end, &handler);
   return handler.gradation(fallback_id);
 }

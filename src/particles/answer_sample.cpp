@@ -1,3 +1,4 @@
+#include "../gradation/json_tree.hpp"
 #include "../gradation/message.hpp"
 
 #include <mdm/number/decimal.hpp>
@@ -5,7 +6,6 @@
 #include <mdm/particles/particle_format.hpp>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -14,29 +14,18 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Levels of arrays and objects that an answer is allowed; it bounds the memory.
-constexpr int most_depth = 16;
-
 /// Numbers of an answer beyond this many digits are refused: powers of them would take too long.
 constexpr std::size_t most_digits = 100000;
 
 class AnswerReader {
 public:
   AnswerReader(std::string_view content, const std::string &file) : file_(file) {
-    const auto check_depth = [this](int depth, Json::parse_event_t, Json &) {
-      if (depth > most_depth)
-        refuse("JSON", "values are nested deeper than in an answer: give the JSON answer of mdm solve");
-      return true;
-    };
     try {
-      answer_ = Json::parse(content, check_depth);
-    } catch (const Json::parse_error &error) {
-      Source(file_).refuse(
-          line_number(content, std::min(content.size(), error.byte)),
-          "this is not one JSON object: give one answer alone, and check quotes, commas and brackets");
-    } catch (const Json::exception &) {
-      refuse("JSON", "has a number beyond double precision: write numbers as strings");
+      answer_ = json_tree(content);
+    } catch (const JsonError &error) {
+      Source(file_).refuse(error.line, error.what());
     }
+    begin_line_ = line_number(content, content.find_first_not_of(" \t\r\n"));
   }
 
   AnswerSample read() const {
@@ -63,8 +52,9 @@ public:
   }
 
 private:
+  /// Names the line where the answer begins, mostly the only one: the key says where in it.
   [[noreturn]] void refuse(const std::string &key, const std::string &what) const {
-    throw InputError(fmt::format("{}: {} {}", printable(file_), key, what));
+    Source(file_).refuse(begin_line_, key + " " + what);
   }
 
   const Json &member(const Json &object, const char *key, const std::string &place) const {
@@ -76,21 +66,25 @@ private:
   const std::string &text(const Json &object, const char *key, const std::string &place) const {
     const Json &value = member(object, key, place);
     if (!value.is_string())
-      refuse(place + key, "is not a string: write numbers as strings too");
+      refuse(place + key, "is no number and no text: give the JSON answer of mdm solve");
     return value.get_ref<const std::string &>();
   }
 
-  Integer natural(const Json &object, const char *key, const std::string &place) const {
-    return whole(text(object, key, place), key, place);
+  static std::optional<Integer> digits(const std::string &text) {
+    if (text.empty() || text.size() > most_digits ||
+        text.find_first_not_of("0123456789") != std::string::npos)
+      return std::nullopt;
+    Integer n;
+    mpz_set_str(n.backend().data(), text.c_str(), 10);
+    return n;
   }
 
-  Integer whole(const std::string &digits, const char *key, const std::string &place) const {
-    if (digits.empty() || digits.size() > most_digits ||
-        digits.find_first_not_of("0123456789") != std::string::npos)
-      refuse(place + key, in_quotes(digits) + " is not a whole number: give the JSON answer of mdm solve");
-    Integer n;
-    mpz_set_str(n.backend().data(), digits.c_str(), 10);
-    return n;
+  Integer natural(const Json &object, const char *key, const std::string &place) const {
+    const std::string &written = text(object, key, place);
+    const std::optional<Integer> n = digits(written);
+    if (!n)
+      refuse(place + key, in_quotes(written) + " is not a whole number: give the JSON answer of mdm solve");
+    return *n;
   }
 
   /// What a match within a tolerance has instead of the masses; null for an exact match.
@@ -106,16 +100,16 @@ private:
 
   /// p/q > 0 or p > 0.
   Rational fraction(const Json &object, const char *key, const std::string &place) const {
-    return fraction(text(object, key, place), key, place);
+    return fraction(text(object, key, place), place + key);
   }
 
-  Rational fraction(const std::string &both, const char *key, const std::string &place) const {
+  Rational fraction(const std::string &both, const std::string &place) const {
     const std::size_t slash = both.find('/');
-    const Integer n = whole(both.substr(0, slash), key, place);
-    const Integer d = slash == std::string::npos ? Integer(1) : whole(both.substr(slash + 1), key, place);
-    if (n == 0 || d == 0)
-      refuse(place + key, in_quotes(both) + " is not above 0: give the JSON answer of mdm solve");
-    return ratio(n, d);
+    const std::optional<Integer> n = digits(both.substr(0, slash));
+    const std::optional<Integer> d = slash == std::string::npos ? Integer(1) : digits(both.substr(slash + 1));
+    if (!n || !d || *n == 0 || *d == 0)
+      refuse(place, in_quotes(both) + " is no fraction p/q above 0: give the JSON answer of mdm solve");
+    return ratio(*n, *d);
   }
 
   Rational decimal(const std::string &number, const std::string &place) const {
@@ -154,7 +148,7 @@ private:
       return;
     c.lower = decimal(from, "lower", place);
     c.upper = decimal(from, "upper", place);
-    c.mass = achieved != nullptr ? fraction((*achieved)[j].get_ref<const std::string &>(), "achieved", place)
+    c.mass = achieved != nullptr ? fraction((*achieved)[j].get_ref<const std::string &>(), place + "achieved")
                                  : decimal(from, "mass", place);
     if (c.mass <= 0)
       refuse(place + "mass", "is not above 0, but there are particles: give the JSON answer of mdm solve");
@@ -169,6 +163,7 @@ private:
   }
 
   const std::string &file_;
+  std::size_t begin_line_ = 1;
   Json answer_;
 };
 

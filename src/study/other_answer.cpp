@@ -1,6 +1,6 @@
+#include "../gradation/json_tree.hpp"
 #include "../gradation/message.hpp"
 #include "../gradation/text.hpp"
-#include "json_tree.hpp"
 
 #include <mdm/error.hpp>
 #include <mdm/gradation/read_gradation.hpp>

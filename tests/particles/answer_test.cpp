@@ -131,34 +131,42 @@ TEST_CASE("answers: within a tolerance the achieved shares take the place of the
   CHECK(d.description.of_class(2).first->is(ratio(5, 2), 1));
   CHECK(d.description.error().shares[1].lo == ratio(64, 189));
   CHECK(contains(refusal_of(replaced(text, "[\"0\",", "[")), "achieved is not a string for each class"));
-  CHECK(
-      contains(refusal_of(replaced(text, "\"64/189\"", "\"0\"")), "classes[1].achieved '0' is not above 0"));
+  CHECK(contains(refusal_of(replaced(text, "\"64/189\"", "\"0\"")),
+                 "classes[1].achieved '0' is no fraction p/q above 0"));
 }
 
 TEST_CASE("answers: broken ones") {
   const auto broken = [](const std::string &part, const std::string &by) {
     return refusal_of(replaced(two, part, by));
   };
-  CHECK(contains(refusal_of("{\n\"schema\": }"), "a.json:2: this is not one JSON object"));
-  CHECK(contains(refusal_of("{}"), "a.json: schema is missing"));
-  CHECK(contains(refusal_of("[]"), "a.json: schema is missing"));
+  CHECK(contains(refusal_of("{\n\"schema\": }"), "a.json:2: this is not JSON"));
+  CHECK(contains(refusal_of("{}"), "a.json:1: schema is missing"));
+  CHECK(contains(refusal_of("[]"), "a.json:1: schema is missing"));
+  CHECK(contains(refusal_of("\n{\"schema\":\"x\"}"), "a.json:2: schema 'x'"));
+  CHECK(contains(broken("\"unit\":", "\n\"unit\":\"um\",\n\"unit\":"),
+                 "a.json:3: key 'unit' is there twice: leave one"));
+  CHECK(contains(broken("\"mass\":\"1\"", "\"mass\":\"1\",\"mass\":\"1\""),
+                 "a.json:1: key 'mass' is there twice"));
   CHECK(contains(broken("mdm-answer-1", "mdm-batch-1"), "'mdm-batch-1' is not 'mdm-answer-1'"));
   CHECK(contains(broken("optimal", "none"), "status 'none' means that there is no sample"));
   CHECK(contains(broken("optimal", "unknown"), "status 'unknown' means that there is no sample"));
   CHECK(contains(broken("\"mm\"", "\"in\""), "unit 'in' is unknown"));
-  CHECK(contains(broken("\"2\",\"unit\"", "2,\"unit\""), "particles is not a string"));
+  CHECK(contains(broken("\"2\",\"unit\"", "true,\"unit\""), "particles is no number and no text"));
   CHECK(contains(broken("\"quantity\":\"1\"", "\"quantity\":\"-1\""),
                  "classes[1].quantity '-1' is not a whole"));
   CHECK(contains(broken("\"mass\":\"1\"", "\"mass\":\"x\""), "classes[1].mass 'x' is not a number"));
   CHECK(contains(broken("\"mass\":\"1\"", "\"mass\":\"0\""), "classes[1].mass is not above 0"));
   CHECK(contains(broken("[\"2\",\"2\"]", "null"), "classes[1].size is not [lo, hi]"));
   CHECK(contains(broken("[\"2\",\"2\"]", "[\"2\",\"1\"]"), "classes[1].size is not 0 <= lo <= hi"));
-  CHECK(contains(broken("\"chosen\":\"8\"", "\"chosen\":\"8/0\""), "scale.chosen '8/0' is not above 0"));
-  CHECK(contains(broken("\"chosen\":\"8\"", "\"chosen\":\"-8\""), "scale.chosen '-8' is not a whole number"));
+  CHECK(contains(broken("\"chosen\":\"8\"", "\"chosen\":\"8/0\""),
+                 "scale.chosen '8/0' is no fraction p/q above 0"));
+  CHECK(contains(broken("\"chosen\":\"8\"", "\"chosen\":\"-8\""),
+                 "scale.chosen '-8' is no fraction p/q above 0"));
   CHECK(contains(broken("\"chosen\":\"8\"", "\"chosen\":\"8\",\"scale_power\":\"0\""), "scale_power"));
+  CHECK(contains(broken("\"chosen\":\"8\"", "\"chosen\":\"-1/2\""), "scale.chosen '-1/2' is no fraction"));
   CHECK(contains(broken("\"scale\"", "\"scales\""), "scale is missing"));
-  CHECK(contains(broken("\"id\":\"g\"", "\"id\":1e999"), "beyond double precision"));
-  CHECK(contains(broken("\"id\":\"g\"", "\"id\":\"\xff\""), "this is not one JSON object"));
+  CHECK(contains(broken("\"id\":\"g\"", "\"id\":1e999"), "'1e999' is too large for a JSON number"));
+  CHECK(contains(broken("\"id\":\"g\"", "\"id\":\"\xff\""), "this is not JSON"));
   CHECK(contains(broken("\"quantity\":\"1\"", "\"quantity\":\"" + std::string(100001, '1') + "\""),
                  "whole number"));
   CHECK(contains(broken("\"g\"", std::string(100000, '[')), "nested deeper"));

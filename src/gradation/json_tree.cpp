@@ -1,6 +1,7 @@
 #include "json_tree.hpp"
 
-#include <mdm/error.hpp>
+#include "json_cursor.hpp"
+#include "message.hpp"
 
 #include <fmt/core.h>
 
@@ -12,7 +13,11 @@ using Json = nlohmann::json;
 /// Takes the parser's events. The names of the functions are nlohmann's.
 class Builder : public nlohmann::json_sax<Json> {
 public:
+  explicit Builder(std::string_view text) : text_(text) {}
+
   Json root;
+
+  const char **reached() { return &reached_; }
 
   bool null() override { return put(nullptr); }
   bool boolean(bool value) override { return put(value); }
@@ -35,7 +40,7 @@ public:
   bool key(string_t &name) override {
     Json &object = *open_.back();
     if (object.contains(name))
-      throw InputError("key " + in_quotes(name) + " is there twice in one object");
+      refuse("key " + in_quotes(name) + " is there twice: leave one");
     slot_ = &object[name];
     return true;
   }
@@ -43,11 +48,15 @@ public:
                    const nlohmann::json::exception &error) override {
     constexpr int number_overflow = 406; // nlohmann's number of that exception
     if (error.id == number_overflow)
-      throw InputError(in_quotes(token) + " is too large for a JSON number: write it as a string");
-    throw InputError(fmt::format("this is not JSON at byte {}, {}", position, in_quotes(token)));
+      refuse(in_quotes(token) + " is too large for a JSON number: write it as a string");
+    refuse(fmt::format("this is not JSON at byte {}, {}: check quotes, commas and brackets", position,
+                       in_quotes(token)));
   }
 
 private:
+  [[noreturn]] void refuse(const std::string &what) const {
+    throw JsonError(line_number(text_, static_cast<std::size_t>(reached_ - text_.data())), what);
+  }
   Json *place(Json value) {
     if (open_.empty()) {
       root = std::move(value);
@@ -67,7 +76,7 @@ private:
   bool open(Json value) {
     constexpr std::size_t max_depth = 64;
     if (open_.size() == max_depth)
-      throw InputError(fmt::format("values are nested deeper than {}", max_depth));
+      refuse(fmt::format("values are nested deeper than {}: is it the right file?", max_depth));
     open_.push_back(place(std::move(value)));
     return true;
   }
@@ -76,6 +85,8 @@ private:
     return true;
   }
 
+  std::string_view text_;
+  const char *reached_ = text_.data();
   std::vector<Json *> open_; ///< arrays and objects around the place that is read
   Json *slot_ = nullptr;     ///< of the last key
 };
@@ -83,8 +94,9 @@ private:
 } // namespace
 
 nlohmann::json json_tree(std::string_view text) {
-  Builder builder;
-  Json::sax_parse(text, &builder);
+  Builder builder(text);
+  Json::sax_parse(JsonCursor(text.data(), builder.reached()),
+                  JsonCursor(text.data() + text.size(), builder.reached()), &builder);
   return std::move(builder.root);
 }
 
