@@ -101,6 +101,9 @@ private:
       return static_cast<std::size_t>(std::find(words_.begin() + 1, words_.end(), name) - words_.begin() - 1);
     };
     width_ = words_.size() - 1;
+    for (const std::string_view name : {"radius", "diameter"})
+      if (std::count(words_.begin() + 1, words_.end(), name) > 1)
+        source_.refuse(fmt::format("there are several columns {}: write one", name));
     const std::size_t radius = column("radius"), diameter = column("diameter");
     if (radius == width_ && diameter == width_)
       source_.refuse("there is no column radius or diameter: add one of them to the dump command");

@@ -39,6 +39,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t diameter = 2; ///< its place in a line
+
   enum class Section { header, atoms, other };
 
   void read_count() {
@@ -69,10 +71,14 @@ private:
       source_.refuse(fmt::format("the line has {} numbers, atom_style sphere has id type diameter density x "
                                  "y z and perhaps 3 image flags: is the file cut off, or of another style?",
                                  words_.size()));
+    for (std::size_t i = 0; i < words_.size(); ++i)
+      if (i != diameter && !is_number(words_[i]))
+        source_.refuse(fmt::format("{} is not a number: write id type diameter density x y z in numbers",
+                                   in_quotes(words_[i])));
     if (read_ == *atoms_)
       source_.refuse(
           fmt::format("there are more atoms than the {} of the header: put one of them right", *atoms_));
-    source_.particle(words_[2]);
+    source_.particle(words_[diameter]);
     ++read_;
   }
 

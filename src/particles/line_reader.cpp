@@ -65,10 +65,36 @@ void split_words(std::string_view line, std::vector<std::string_view> &words) {
     words.push_back(word);
 }
 
+bool is_number(std::string_view text) {
+  std::size_t at = 0;
+  const auto skip_sign = [&] { at += at < text.size() && (text[at] == '+' || text[at] == '-') ? 1U : 0U; };
+  const auto skip_digits = [&] {
+    const std::size_t begin = at;
+    while (at < text.size() && is_digit(text[at]))
+      ++at;
+    return at - begin;
+  };
+  skip_sign();
+  std::size_t digits = skip_digits();
+  if (at < text.size() && text[at] == '.') {
+    ++at;
+    digits += skip_digits();
+  }
+  if (digits == 0)
+    return false;
+  if (at < text.size() && lower(text[at]) == 'e') {
+    ++at;
+    skip_sign();
+    if (skip_digits() == 0)
+      return false;
+  }
+  return at == text.size();
+}
+
 std::optional<std::uint64_t> parse_count(std::string_view text) {
   std::uint64_t n = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-  if (error != std::errc{} || end != text.data() + text.size() || n > (std::uint64_t{1} << 63))
+  if (error != std::errc{} || end != text.data() + text.size() || n > (std::uint64_t{1} << 62))
     return std::nullopt;
   return n;
 }

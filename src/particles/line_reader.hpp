@@ -74,7 +74,10 @@ std::string_view take_word(std::string_view &rest);
 /// The words of a line, not more than max_fields + 1 of them.
 void split_words(std::string_view line, std::vector<std::string_view> &words);
 
-/// A count that a file gives; at most 2^63.
+/// True for a decimal such as `-1.5e-3`, whatever its length.
+bool is_number(std::string_view text);
+
+/// A count that a file gives; at most 2^62.
 std::optional<std::uint64_t> parse_count(std::string_view text);
 
 } // namespace mdm

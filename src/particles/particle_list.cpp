@@ -65,6 +65,9 @@ private:
     if (words_.size() != width_)
       source_.refuse(fmt::format("the line has {} numbers, the first has {}: is the file cut off?",
                                  words_.size(), width_));
+    for (std::size_t i = 0; i < radius; ++i)
+      if (!is_number(words_[i]))
+        source_.refuse(fmt::format("{} is not a number: write x y z r", in_quotes(words_[i])));
     source_.particle(words_[radius]);
   }
 

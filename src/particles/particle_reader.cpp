@@ -12,15 +12,6 @@ constexpr std::size_t most_pending = 1000;
 /// Bytes of such a line.
 constexpr std::size_t longest_pending = 10000;
 
-bool is_number(std::string_view text) {
-  try {
-    parse_decimal(text);
-  } catch (const InputError &) {
-    return false;
-  }
-  return true;
-}
-
 std::unique_ptr<LineReader> line_reader(ParticleFormat format, ParticleSource &source) {
   switch (format) {
   case ParticleFormat::csv:

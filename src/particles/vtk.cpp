@@ -24,18 +24,25 @@ public:
       source_.refuse("the file is not ASCII: write it as ASCII");
     if (source_.line() <= 3 || words_.empty())
       return;
-    if (missing_ > 0)
+    if (missing_ > 0) {
       read_values(text);
-    else
-      read_keyword();
+      return;
+    }
+    if (block_ != Block::none && is_number(words_.front()))
+      refuse_more();
+    block_ = Block::none;
+    read_keyword();
   }
 
   void end() override {
+    if (missing_ > 0)
+      refuse_fewer();
+    if (!found_ && cell_array_line_ > 0) {
+      source_.set_line(cell_array_line_);
+      source_.refuse("the sizes are below CELL_DATA: write one a point, below POINT_DATA");
+    }
     if (!found_)
       source_.refuse("there is no array radius or diameter up to here, the end: add one to the points");
-    if (missing_ > 0)
-      source_.refuse(fmt::format("the array ends after {} of {} values: is the file cut off?",
-                                 *count_ - missing_, *count_));
     source_.check_some();
   }
 
@@ -59,46 +66,105 @@ private:
     if (is(keyword, "dataset")) {
       if (words_.size() != 2 || !(is(words_[1], "polydata") || is(words_[1], "unstructured_grid")))
         source_.refuse("the data set is not of points: write POLYDATA or UNSTRUCTURED_GRID");
-    } else if (is(keyword, "point_data") || is(keyword, "cell_data")) {
-      count_ = words_.size() == 2 ? parse_count(words_[1]) : std::nullopt;
-      if (!count_)
-        source_.refuse(fmt::format("{} has no number of values: is the file damaged?", in_quotes(keyword)));
+    } else if (is(keyword, "points")) {
+      begin_points();
+    } else if (is(keyword, "point_data")) {
+      begin_point_data();
+    } else if (is(keyword, "cell_data")) {
+      data_ = Data::of_cells;
     } else if (!found_ && is(keyword, "scalars")) {
       if (words_.size() >= 3 && meaning(words_[1]))
         begin_array(*meaning(words_[1]), words_.size() == 3 || (words_.size() == 4 && words_[3] == "1"));
     } else if (!found_ && words_.size() == 4 && meaning(keyword) && parse_count(words_[2])) {
-      count_ = parse_count(words_[2]);
+      if (data_ == Data::of_points && parse_count(words_[2]) != points_)
+        source_.refuse(fmt::format("the array has {} values, there are {} points: is the file damaged?",
+                                   words_[2], *points_));
       begin_array(*meaning(keyword), words_[1] == "1");
     }
   }
 
+  void begin_points() {
+    if (points_)
+      source_.refuse("POINTS is there twice: leave one");
+    points_ = words_.size() == 3 ? parse_count(words_[1]) : std::nullopt;
+    if (!points_)
+      source_.refuse("POINTS has no number of points: write 'POINTS n float'");
+    block_ = Block::points;
+    missing_ = coordinates * *points_;
+  }
+
+  void begin_point_data() {
+    const std::optional<std::uint64_t> count = words_.size() == 2 ? parse_count(words_[1]) : std::nullopt;
+    if (!count)
+      source_.refuse("POINT_DATA has no number of values: is the file damaged?");
+    if (!points_)
+      source_.refuse("there are no POINTS above POINT_DATA: is the file damaged?");
+    if (count != points_)
+      source_.refuse(fmt::format("POINT_DATA has {} values, there are {} points: put one of them right",
+                                 *count, *points_));
+    data_ = Data::of_points;
+  }
+
   void begin_array(SizeMeaning meaning, bool is_single) {
-    if (!count_)
+    if (data_ == Data::of_cells) {
+      cell_array_line_ = source_.line();
+      return;
+    }
+    if (data_ == Data::none)
       source_.refuse("the array is not below POINT_DATA: is the file damaged?");
     if (!is_single)
       source_.refuse("the array has several values a point: write one");
     source_.set_defaults(meaning, LengthUnit::m);
     found_ = true;
-    missing_ = *count_;
+    block_ = Block::sizes;
+    missing_ = *points_;
   }
 
   void read_values(std::string_view text) {
-    if (is(words_.front(), "lookup_table") && missing_ == *count_)
+    if (block_ == Block::sizes && is(words_.front(), "lookup_table") && missing_ == *points_)
       return;
     for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
       if (missing_ == 0)
-        source_.refuse(
-            fmt::format("there are more than the {} values of the array: is the file damaged?", *count_));
-      source_.particle(word);
+        refuse_more();
+      if (block_ == Block::sizes)
+        source_.particle(word);
+      else if (!is_number(word))
+        source_.refuse(fmt::format("{} is not a number, but there are {} of {} coordinates: is the file cut "
+                                   "off?",
+                                   in_quotes(word), coordinates * *points_ - missing_,
+                                   coordinates * *points_));
       --missing_;
     }
   }
 
+  [[noreturn]] void refuse_more() const {
+    source_.refuse(
+        block_ == Block::sizes
+            ? fmt::format("there are more than the {} values of the array: is the file damaged?", *points_)
+            : fmt::format("there are more than the {} coordinates of {} points: is the file "
+                          "damaged?",
+                          coordinates * *points_, *points_));
+  }
+
+  [[noreturn]] void refuse_fewer() const {
+    const std::uint64_t all = block_ == Block::sizes ? *points_ : coordinates * *points_;
+    source_.refuse(fmt::format("the {} end after {} of {}: is the file cut off?",
+                               block_ == Block::sizes ? "values of the array" : "coordinates", all - missing_,
+                               all));
+  }
+
+  static constexpr std::uint64_t coordinates = 3; ///< of a point
+  enum class Block { none, points, sizes };
+  enum class Data { none, of_points, of_cells };
+
   ParticleSource &source_;
   std::vector<std::string_view> words_;
-  std::optional<std::uint64_t> count_; ///< of the values of each array
-  bool found_ = false;
-  std::uint64_t missing_ = 0; ///< values that the array still lacks
+  std::optional<std::uint64_t> points_;
+  Block block_ = Block::none; ///< the numbers that are read, or end above this line
+  std::uint64_t missing_ = 0; ///< numbers that the block still lacks
+  Data data_ = Data::none;
+  bool found_ = false;                ///< the sizes
+  std::uint64_t cell_array_line_ = 0; ///< of sizes that are not of points; 0 if there are none
 };
 
 } // namespace

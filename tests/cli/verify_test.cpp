@@ -231,12 +231,15 @@ TEST_CASE("verify: particle files of the engines", "[cli]") {
   CHECK(exit_of(sand, particle_lines(answer)) == 1); // decimals are not the roots
   CHECK(exit_of(sand, particle_lines(answer, "1 2 3 "), with({"--diameter"})) == 0);
   CHECK(exit_of(sand, particle_lines(answer, "1 2 3 "), within) == 1);
-  CHECK(exit_of(
-            sand,
-            "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINT_DATA 31\nSCALARS diameter float\n"
-            "LOOKUP_TABLE default\n" +
-                particle_lines(answer),
-            with({"--size-unit", "mm"})) == 0);
+  std::string zeros;
+  for (int i = 0; i < 31; ++i)
+    zeros += "0 0 0\n";
+  CHECK(exit_of(sand,
+                "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 31 float\n" + zeros +
+                    "POINT_DATA 31\nSCALARS diameter float\n"
+                    "LOOKUP_TABLE default\n" +
+                    particle_lines(answer),
+                with({"--size-unit", "mm"})) == 0);
   const std::string dump = "ITEM: TIMESTEP\n9\nITEM: NUMBER OF ATOMS\n31\nITEM: ATOMS id diameter\n" +
                            particle_lines(answer, "1 ");
   for (const char *format : {"lammps-dump", "liggghts-dump"})

@@ -74,6 +74,8 @@ TEST_CASE("LAMMPS data: broken files") {
   CHECK(contains(broken("# sphere", "# full"), "file:10: atom_style 'full' has no diameters"));
   CHECK(contains(broken("0.002 ", ""), "file:13: the line has 9 numbers"));
   CHECK(contains(broken("0.002 ", "zero "), "file:13: diameter 'zero' is not a number"));
+  CHECK(contains(broken("0.012 0.01 0.01", "0.012 a 0.01"), "file:13: 'a' is not a number"));
+  CHECK(contains(broken("2 1 0.002", "2 sand 0.002"), "file:13: 'sand' is not a number"));
   CHECK(contains(broken("0.002 ", "0 "), "file:13: diameter '0' is not above 0"));
   CHECK(contains(broken("Atoms # sphere", "Particles"), "the section Atoms is missing"));
   CHECK(contains(refusal(data + "\nAtoms\n\n"), "file:16: the section Atoms is there twice"));
@@ -134,6 +136,8 @@ TEST_CASE("dumps: broken files") {
   CHECK(contains(broken("ITEM: NUMBER OF ATOMS\n2\n", ""), "ITEM: ATOMS has no ITEM: TIMESTEP"));
   CHECK(contains(broken("ITEM: TIMESTEP\n0\n", ""), "ITEM: ATOMS has no ITEM: TIMESTEP"));
   CHECK(contains(broken("ITEM: TIMESTEP", "0"), "file:1: the line is not below an ITEM"));
+  CHECK(
+      contains(refusal(timestep("0", "radius radius", {"1 2"})), "file:9: there are several columns radius"));
   CHECK(contains(refusal(good + "ITEM: ATOMS id radius\n"), "ITEM: ATOMS has no ITEM: TIMESTEP"));
   CHECK(contains(refusal("ITEM: UNITS\nsi\n"), "there is no ITEM: TIMESTEP"));
   check_truncations(good, from(ParticleFormat::lammps_dump));
@@ -154,10 +158,13 @@ TEST_CASE("VTK: an array radius or diameter") {
   CHECK(result.format == ParticleFormat::vtk);
   CHECK(contains(result.notes.at(0), "radii in m;"));
   CHECK(read(vtk_points + "scalars Diameter double\n1 2 3\n").particles == "1000 2000 3000");
-  std::string many = "POINT_DATA 5000\nSCALARS radius float\nLOOKUP_TABLE default\n";
+  std::string many = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 5000 float\n";
+  for (int i = 0; i < 5000; ++i)
+    many += "0 1 -2e-3 ";
+  many += "\nPOINT_DATA 5000\nSCALARS radius float\nLOOKUP_TABLE default\n";
   for (int i = 0; i < 5000; ++i)
     many += "0.5 ";
-  CHECK(read(replaced(vtk_points, "POINT_DATA 3\n", many)).particles.size() == 5000 * 5 - 1); // 1000 each
+  CHECK(read(many).particles.size() == 5000 * 5 - 1); // 1000 each
   const std::string field = vtk_points + "FIELD FieldData 2\nid 1 3 int\n1 2 3\ndiameter 1 3 double\n1 2 3\n";
   CHECK(read(field).particles == "1000 2000 3000");
   CHECK(read(replaced(scalars, "POLYDATA", "UNSTRUCTURED_GRID")).particles == "2 4 6");
@@ -178,9 +185,27 @@ TEST_CASE("VTK: broken files") {
   CHECK(contains(broken("POLYDATA", "STRUCTURED_POINTS"), "file:4: the data set is not of points"));
   CHECK(contains(broken("SCALARS radius", "SCALARS r"), "there is no array radius or diameter"));
   CHECK(contains(broken("double 1", "double 3"), "file:13: the array has several values a point"));
-  CHECK(contains(broken("POINT_DATA 3", "POINT_DATA x"), "file:12: 'POINT_DATA' has no number of values"));
+  CHECK(contains(broken("POINT_DATA 3", "POINT_DATA x"), "file:12: POINT_DATA has no number of values"));
   CHECK(contains(broken("POINT_DATA 3\n", ""), "file:12: the array is not below POINT_DATA"));
-  CHECK(contains(broken("1 2\n3\n", "1 2\n"), "file:15: the array ends after 2 of 3 values"));
+  CHECK(contains(broken("1 2\n3\n", "1 2\n"), "file:15: the values of the array end after 2 of 3"));
+  CHECK(contains(broken("1 2\n3\n", "1 2\n3\n4\n"), "file:17: there are more than the 3 values"));
+  CHECK(
+      contains(broken("POINTS 3", "POINTS 5"), "file:8: 'VERTICES' is not a number, but there are 9 of 15"));
+  CHECK(
+      contains(broken("POINTS 3", "POINTS 2"), "file:7: there are more than the 6 coordinates of 2 points"));
+  CHECK(contains(broken("2 2 2\n", "2 2 2\n0 0 0\n"), "file:8: there are more than the 9 coordinates"));
+  CHECK(contains(broken("POINTS 3", "POINTS x"), "file:5: POINTS has no number of points"));
+  CHECK(contains(broken("POINT_DATA 3", "POINT_DATA 4"), "file:12: POINT_DATA has 4 values, there are 3"));
+  CHECK(contains(broken("POINT_DATA 3", "CELL_DATA 3"), "file:13: the sizes are below CELL_DATA"));
+  CHECK(contains(broken("0 0 0", "0 nan 0"), "file:6: 'nan' is not a number"));
+  CHECK(contains(refusal("# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINT_DATA 1\n"
+                         "SCALARS radius float\n1\n"),
+                 "file:5: there are no POINTS above POINT_DATA"));
+  const std::string field = vtk_points + "FIELD FieldData 1\nradius 1 2 double\n1 2\n";
+  CHECK(contains(refusal(field), "file:14: the array has 2 values, there are 3 points"));
+  // Sizes of cells do not matter beside those of points.
+  CHECK(read(replaced(good, "POINT_DATA 3\n", "CELL_DATA 3\nSCALARS radius float\n7 8 9\nPOINT_DATA 3\n"))
+            .particles == "2000 4000 6000");
   CHECK(contains(broken("1 2\n3\n", "1 2\n3 4\n"), "file:16: there are more than the 3 values"));
   CHECK(contains(broken("1 2\n3\n", "1 nan\n3\n"), "file:15: radius 'nan' is not a number"));
   check_truncations(good, from(ParticleFormat::vtk));

@@ -58,6 +58,12 @@ TEST_CASE("x y z r: radii in the unit of the gradation") {
   CHECK(contains(refusal("#format id_x_y_z_r_matId\n1 0 0 0 1 7\n"), "file:1: the columns are"));
   CHECK(contains(refusal("0 0 0 1\n0 0 0\n"), "file:2: the line has 3 numbers, the first has 4"));
   CHECK(contains(refusal("0 0 0 1\n0 0 0 nan\n"), "file:2: radius 'nan' is not a number"));
+  CHECK(contains(refusal("0 0 0 1\na b c 1\n"), "file:2: 'a' is not a number: write x y z r"));
+  CHECK(contains(refusal("nan 0 0 1\n", from(ParticleFormat::xyzr)), "file:1: 'nan' is not a number"));
+  for (const char *number : {"1", "-1.", "+.5", "1e3", "-2.5E-03"})
+    CHECK(read(number + std::string(" 0 0 1\n"), from(ParticleFormat::xyzr)).particles == "2");
+  for (const char *word : {"-", ".", "1e", "1e+", "e5", "1.2.3", "0x1", "inf", "1,5"})
+    CHECK(contains(refusal(word + std::string(" 0 0 1\n"), from(ParticleFormat::xyzr)), "is not a number"));
   CHECK(contains(refusal("0 0 1\n", from(ParticleFormat::xyzr)), "file:1: the line has fewer than four"));
 }
 
