@@ -173,8 +173,10 @@ TEST_CASE("the published specimens have 1.33 to 1.55 times the least number of p
 
 TEST_CASE("a broken table of specimens is refused with its line") {
   const std::string header = "diameter_mm,scale_factor,height_mm,void_ratio,particles\n";
-  check_refused("", "there is no specimen");
-  check_refused(header, "there is no specimen");
+  const std::string columns = "diameter_mm,scale_factor,height_mm,void_ratio,particles";
+  check_refused("", "specimens.csv:1: there is no specimen: give a header row and below it a row for each: " +
+                        columns);
+  check_refused(header, "specimens.csv:1: there is no specimen: give a row for each: " + columns);
   check_refused("# source\ndiameter,height\n1,2\n", "specimens.csv:2: the header is not that of specimens");
   check_refused(header + "1,2,3,0.5\n", "specimens.csv:2: 4 columns");
   check_refused(header + "1,2,x,0.5,7\n", "specimens.csv:2: height_mm");
