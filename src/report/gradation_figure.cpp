@@ -75,7 +75,8 @@ private:
   /// Place on the x axis of a size in mm.
   double at_mm(const Rational &size) const { return log10_of(Rational(size / unit_mm_)); }
 
-  /// The axis holds all that is drawn, with room beside it; more where the curve goes on below it.
+  /// The axis holds all that is drawn, classes from end to end, with room beside it; more where the curve or
+  /// a class goes on below it.
   void set_x() {
     double low = at_mm(curve_.sizes().back());
     double high = low;
@@ -86,14 +87,21 @@ private:
     for (const Rational &size : curve_.sizes())
       if (size > 0)
         cover(at_mm(size));
-    for (const DrawnClass &c : what_.particles)
+    bool is_open = has_pan();
+    for (const DrawnClass &c : what_.particles) {
       cover(log10_of(c.size));
+      cover(log10_of(c.upper));
+      if (c.lower > 0)
+        cover(log10_of(c.lower));
+      else
+        is_open = true;
+    }
     if (what_.envelope && what_.curve)
       for (const Rational &size : what_.envelope->sizes)
         if (size > 0)
           cover(at_mm(Rational(size * in_mm(what_.envelope->unit))));
     const double span = high > low ? high - low : 1;
-    x_ = log_axis(fmt::format("size ({})", unit_), low - (has_pan() ? 0.2 : 0.06) * span, high + 0.06 * span);
+    x_ = log_axis(fmt::format("size ({})", unit_), low - (is_open ? 0.2 : 0.06) * span, high + 0.06 * span);
     x_.reversed = what_.coarse_left;
   }
 

@@ -147,6 +147,20 @@ TEST_CASE("a set of particles is steps of its mass and bars of its counts", "[fi
   CHECK(counts.y.high > std::log10(1.3e13));
 }
 
+TEST_CASE("the axis holds particles beyond the sieves, and their classes from end to end", "[figure]") {
+  GradationFigure what;
+  what.counts = true;
+  what.particles = {{ratio(1, 100), ratio(3, 40), 10, 70, ratio(1, 15)}, {4, 50, 30, 7, 5}};
+  for (const Panel &p : gradation_figure(sand(), what).panels) {
+    CHECK(p.x.low < -2);
+    CHECK(p.x.high > std::log10(50));
+  }
+  what.particles[0].lower = 0; // to the frame, with room for its number
+  const Panel counts = gradation_figure(sand(), what).panels[1];
+  CHECK(counts.boxes[0].x_low == counts.x.low);
+  CHECK(counts.boxes[0].x_high - counts.x.low > 0.1);
+}
+
 TEST_CASE("numbers of crowded classes keep their distance, the largest are shown", "[figure]") {
   GradationFigure what;
   what.curve = false;
