@@ -134,13 +134,21 @@ Axis iteration_axis(std::uint64_t most) {
   return axis;
 }
 
-/// Logarithmic, with a place for no error at all a decade below the rest.
-Axis error_axis(const Range &errors) {
+/// Logarithmic; below it, behind a line and shaded, a level for no error at all.
+void set_error_axis(Panel &panel, const Range &errors) {
+  constexpr double to_line = 0.4, to_zero = 0.8, to_frame = 1.2;
   Axis axis = decades_axis("total error (percent of the mass)", errors);
   axis.high = std::max(axis.high, 1.0);
-  axis.ticks.insert(axis.ticks.begin(), {axis.low - 1, "0"});
-  axis.low -= 1.3;
-  return axis;
+  const double least = axis.low;
+  axis.ticks.insert(axis.ticks.begin(), {least - to_zero, "0"});
+  axis.low = least - to_frame;
+  panel.back.push_back({panel.x.low, panel.x.high, axis.low, least - to_line, "#ececec"});
+  Series line;
+  line.points = {{panel.x.low, least - to_line}, {panel.x.high, least - to_line}};
+  line.color = "#333333";
+  line.width = 0.75;
+  panel.series.push_back(std::move(line));
+  panel.y = std::move(axis);
 }
 
 /// A cloud of numbers of particles in log10, with what is common to Figures 3 to 5.
@@ -243,7 +251,7 @@ Figure paper_figure2(const std::vector<Convergence> &runs) {
       }
   Panel panel;
   panel.x = iteration_axis(most);
-  panel.y = error_axis(errors);
+  set_error_axis(panel, errors);
   panel.grid = true;
   const auto series = [&](const char *title, const char *color, Published Convergence::*run) {
     Series s;
@@ -267,14 +275,15 @@ Figure paper_figure2(const std::vector<Convergence> &runs) {
   tolerance.points = {{panel.x.low, 0}, {panel.x.high, 0}};
   tolerance.color = "#333333";
   tolerance.stroke = Stroke::dashed;
-  panel.series = {series("fixed size (FS)", published_color, &Convergence::fixed_size),
-                  series("spanned integer (SI)", exact_color, &Convergence::spanned_integer),
-                  std::move(tolerance)};
+  panel.series.push_back(series("fixed size (FS)", published_color, &Convergence::fixed_size));
+  panel.series.push_back(series("spanned integer (SI)", exact_color, &Convergence::spanned_integer));
+  panel.series.push_back(std::move(tolerance));
   const auto at_once = std::count_if(runs.begin(), runs.end(), [](const Convergence &c) {
     return c.spanned_integer.tries.size() == 1 && c.spanned_integer.is_match();
   });
   Figure figure;
-  figure.notes.push_back(fmt::format("SI has no error at once in {}", at_once));
+  figure.notes = {fmt::format("SI has no error at once in {}", at_once), "shaded: no error at all, which",
+                  "a logarithmic axis does not reach"};
   figure.title = fmt::format("Convergence of the published algorithms, {} gradations", runs.size());
   figure.panels.push_back(std::move(panel));
   return figure;
@@ -306,12 +315,11 @@ Figure paper_figure5(const std::vector<SurveyRow> &rows) {
   figure.title = "Particles of the minimal match by USCS group";
   figure.notes = {"in each panel: group symbol", "and number of gradations"};
   figure.columns = 4;
-  figure.panel_width = 200;
-  figure.panel_height = 150;
+  figure.panel_width = 250;
+  figure.panel_height = 260;
   const auto series_of = [](const Cloud &cloud, const std::vector<const SurveyRow *> &members) {
     Series series;
     series.stroke = Stroke::none;
-    series.mark_size = 0.3;
     for (const SurveyRow *row : members)
       if (const std::optional<Integer> n = cloud.count(*row))
         series.points.push_back({to_double(*row->i_gs), log10_of(Rational(*n))});
@@ -325,13 +333,15 @@ Figure paper_figure5(const std::vector<SurveyRow> &rows) {
     panel.x = plain_axis("I_GS", abscissae);
     panel.y = count_axis(rows);
     panel.grid = true;
-    panel.series = {series_of(clouds[1], members), series_of(clouds[0], members)};
+    panel.series = {series_of(clouds[0], members), series_of(clouds[1], members)};
     panel.texts.push_back(
         {panel.x.low, panel.y.high, fmt::format("{}: {}", group.symbol, members.size()), Align::left, 4, -8});
-    panel.series[0].color = "#e6b999";
-    panel.series[0].mark = Mark::ring;
-    panel.series[1].color = exact_color;
-    panel.series[1].mark = Mark::disc;
+    panel.series[0].color = exact_color;
+    panel.series[0].mark = Mark::disc;
+    panel.series[0].mark_size = 0.22;
+    panel.series[1].color = "#f08c3c"; // open and in front: where the two are near, both are seen
+    panel.series[1].mark = Mark::ring;
+    panel.series[1].mark_size = 0.35;
     figure.panels.push_back(std::move(panel));
   }
   return figure;

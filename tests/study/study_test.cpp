@@ -151,6 +151,11 @@ TEST_CASE("figures show every gradation that has the values") {
     points += panel.series[1].points.size();
   CHECK(points == 2750);
   const Figure second = paper_figure2({convergence(sand())});
+  // No error at all lies behind the line below the logarithmic axis.
+  const Panel &errors = second.panels[0];
+  CHECK(errors.y.ticks[0].label == "0");
+  CHECK(errors.y.ticks[0].at < errors.back.at(0).y_high);
+  CHECK(errors.back[0].y_high < errors.y.ticks[1].at);
   for (const Series &series : second.panels[0].series)
     for (const Point &p : series.points)
       CHECK_FALSE(p.y < second.panels[0].y.low);
