@@ -81,11 +81,19 @@ std::string run_gnuplot(const std::string &script) {
   return std::move(end.output);
 }
 
-void draw(const Figure &figure, const PictureFlags &flags) {
+void tell_escapes(const Figure &figure) {
+  for (const std::string &text : escaped_texts(figure))
+    tell(fmt::format("note: {} is drawn as {}: gnuplot's fonts may lack its characters\n", in_quotes(text),
+                     in_quotes(drawable(text))));
+}
+
+void draw(const Figure &figure, const PictureFlags &flags, bool quiet) {
   const std::string script = gnuplot_script(figure, flags.picture());
   Output out(flags.script ? *flags.script : *flags.out);
   out.write(flags.script ? script : run_gnuplot(script));
   out.commit();
+  if (!quiet)
+    tell_escapes(figure);
 }
 
 } // namespace mdm::cli

@@ -29,8 +29,12 @@ std::optional<Picture> picture_at(const std::string &path);
 /// \throws InputError if gnuplot is missing or fails
 std::string run_gnuplot(const std::string &script);
 
-/// Draws the figure to OUT, or writes its script to SCRIPT; all of it or no file.
+/// Says on standard error which texts of the figure are not drawn as they are.
+void tell_escapes(const Figure &figure);
+
+/// Draws the figure to OUT, or writes its script to SCRIPT; all of it or no file. Unless `quiet`, tells what
+/// is escaped.
 /// \throws InputError as picture() and run_gnuplot()
-void draw(const Figure &figure, const PictureFlags &flags);
+void draw(const Figure &figure, const PictureFlags &flags, bool quiet);
 
 } // namespace mdm::cli

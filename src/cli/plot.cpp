@@ -105,7 +105,7 @@ int run(const PlotCommand &c) {
   const std::string panels = c.what.value_or(what.particles.empty() ? "curve" : "both");
   what.curve = panels != "counts";
   what.counts = panels != "curve";
-  draw(gradation_figure(g, what), c.picture);
+  draw(gradation_figure(g, what), c.picture, c.quiet);
   for (const std::string &note : notes)
     if (!c.quiet)
       tell("note: " + note + "\n");

@@ -76,14 +76,17 @@ std::vector<StudyFile> tables(const Survey &s) {
           {"figure4.csv", figure4_csv(s.rows)}, {"figure5.csv", figure5_csv(s.rows)}};
 }
 
-std::vector<StudyFile> pictures(const Survey &s, const std::string &format) {
+std::vector<StudyFile> pictures(const Survey &s, const std::string &format, bool quiet) {
   const Figure figures[] = {paper_figure1(s.rows), paper_figure2(s.runs), paper_figure3(s.rows),
                             paper_figure4(s.rows), paper_figure5(s.rows)};
   const Picture picture = format == "png" ? Picture::png : format == "pdf" ? Picture::pdf : Picture::svg;
   std::vector<StudyFile> files;
-  for (const Figure &figure : figures)
+  for (const Figure &figure : figures) {
     files.push_back(
         {fmt::format("figure{}.{}", files.size() + 1, format), run_gnuplot(gnuplot_script(figure, picture))});
+    if (!quiet)
+      tell_escapes(figure);
+  }
   return files;
 }
 
@@ -106,7 +109,7 @@ int run_figures(const StudyCommand &c) {
   const Survey survey = survey_of(c);
   std::vector<StudyFile> files = tables(survey);
   if (c.plots) {
-    std::vector<StudyFile> drawn = pictures(survey, *c.plots);
+    std::vector<StudyFile> drawn = pictures(survey, *c.plots, c.quiet);
     std::move(drawn.begin(), drawn.end(), std::back_inserter(files));
   }
   write_all(*c.out, files);
@@ -156,7 +159,7 @@ Run add_study(CLI::App &app) {
       ->type_name("DIR");
   command.add_option("--plots", c->plots, "figures: draw them as well, as svg, png or pdf (needs gnuplot)")
       ->check(CLI::IsMember({"svg", "png", "pdf"}));
-  command.add_flag("--quiet", c->quiet, "no progress on standard error");
+  command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
   command.footer("Example: mdm study figures suite.jsonl --out study --plots svg");
   return [c] { return c->what == "figures" ? run_figures(*c) : run_specimens(*c); };
 }

@@ -92,7 +92,10 @@ int run(const TradeoffCommand &c) {
   std::unique_ptr<Output> plot;
   if (picture) {
     plot = std::make_unique<Output>(*c.plot);
-    plot->write(run_gnuplot(gnuplot_script(tradeoff_figure(t), *picture)));
+    const Figure figure = tradeoff_figure(t);
+    plot->write(run_gnuplot(gnuplot_script(figure, *picture)));
+    if (!c.quiet)
+      tell_escapes(figure);
   }
   out.write(report(c, t));
   if (c.format == "csv" && !c.quiet)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace mdm {
 namespace {
@@ -100,11 +101,33 @@ std::size_t character_bytes(std::string_view text) {
 
 /// In parts of the letter size; those of DejaVu Sans, which is wider than most.
 double character_width(std::string_view character) {
-  if (character.size() >= 3 && character >= "\u2E80") // East Asian
-    return 1.05;
   if (std::string_view("mwMW@%").find(character) != std::string_view::npos)
     return 1.0;
   return std::string_view(" .,:;'|!ijl()[]").find(character) != std::string_view::npos ? 0.42 : 0.66;
+}
+
+/// Of one well-formed character.
+char32_t code_point(std::string_view character) {
+  const auto byte = [character](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  char32_t code = character.size() == 1 ? byte(0) : byte(0) & (0x7FU >> character.size());
+  for (std::size_t i = 1; i < character.size(); ++i)
+    code = (code << 6) | (byte(i) & 0x3FU);
+  return code;
+}
+
+/// True for what the fonts of a plain installation have: Latin, Greek, Cyrillic, common signs.
+bool is_in_fonts(char32_t code) {
+  struct Codes {
+    char32_t first, last;
+  };
+  static constexpr std::array<Codes, 21> all = {
+      {{0x20, 0x7E},     {0xA0, 0x17F},    {0x386, 0x386},   {0x388, 0x38A},   {0x38C, 0x38C},
+       {0x38E, 0x3A1},   {0x3A3, 0x3CE},   {0x401, 0x40C},   {0x40E, 0x44F},   {0x451, 0x45C},
+       {0x2013, 0x2014}, {0x2018, 0x201A}, {0x201C, 0x201E}, {0x2020, 0x2022}, {0x2026, 0x2026},
+       {0x2030, 0x2030}, {0x2070, 0x2070}, {0x2074, 0x207B}, {0x20AC, 0x20AC}, {0x2212, 0x2212},
+       {0x2264, 0x2265}}};
+  return std::any_of(all.begin(), all.end(),
+                     [code](const Codes &c) { return c.first <= code && code <= c.last; });
 }
 
 } // namespace
@@ -160,9 +183,38 @@ double text_width(std::string_view text, double size) {
   return width;
 }
 
+std::string drawable(std::string_view text) {
+  std::string shown;
+  const std::string clean = printable(text);
+  for (std::string_view rest = clean; !rest.empty();) {
+    const std::string_view next = rest.substr(0, character_bytes(rest));
+    const char32_t code = code_point(next);
+    shown += is_in_fonts(code) ? std::string(next) : fmt::format("\\u{:04x}", static_cast<unsigned>(code));
+    rest.remove_prefix(next.size());
+  }
+  return shown;
+}
+
+std::vector<std::string> escaped_texts(const Figure &figure) {
+  std::set<std::string> found;
+  const auto look_at = [&found](const std::string &text) {
+    if (drawable(text) != printable(text))
+      found.insert(text);
+  };
+  look_at(figure.title);
+  for (const std::string &note : figure.notes)
+    look_at(note);
+  for (const Panel &panel : figure.panels) {
+    look_at(panel.title);
+    for (const Series &series : panel.series)
+      look_at(series.title);
+  }
+  return {found.begin(), found.end()};
+}
+
 std::string fitted(std::string_view text, double width, double size) {
   constexpr std::string_view dots = "...";
-  const std::string clean = printable(text);
+  const std::string clean = drawable(text);
   if (text_width(clean, size) <= width)
     return clean;
   std::string kept;

@@ -401,7 +401,7 @@ private:
 std::string gnuplot_string(std::string_view text) {
   constexpr std::string_view harmless = " .,:;()=/+-%#<>_";
   std::string quoted = "\"";
-  for (const char c : printable(text)) {
+  for (const char c : drawable(text)) {
     const auto byte = static_cast<unsigned char>(c);
     const bool alphanumeric = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
     if (alphanumeric || byte >= 0x80 || harmless.find(c) != std::string_view::npos)

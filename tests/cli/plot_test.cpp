@@ -130,6 +130,18 @@ TEST_CASE("names in a figure are shown as they are and never executed", "[cli]")
   CHECK_FALSE(std::filesystem::exists(mark));
 }
 
+TEST_CASE("what fonts may lack is escaped, and said", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.write("g.json", R"({"id":"sand \u4e2d","sizes":["0.1","1"],"masses":["1","0"]})");
+  const Outcome outcome = mdm({"plot", file, "--script", "-"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(contains(outcome.out, R"("sand \134u4e2d")"));
+  CHECK(outcome.err ==
+        "note: 'sand \u4E2D' is drawn as 'sand \\u4e2d': gnuplot's fonts may lack its characters\n");
+  CHECK(mdm({"plot", file, "--quiet", "--script", "-"}).err.empty());
+}
+
 TEST_CASE("without gnuplot there is a remedy, and the script", "[cli]") {
   const TemporaryFolder folder;
   const Path empty("/nonexistent");

@@ -75,6 +75,30 @@ TEST_CASE("a text in a script is a string in one line that nothing of it can end
   CHECK(gnuplot_string("\u00E4 \u00B2") == "\"\u00E4 \u00B2\"");
 }
 
+TEST_CASE("characters that fonts may lack are drawn as their numbers", "[figure]") {
+  CHECK(drawable("sand \u4E2D") == "sand \\u4e2d");
+  CHECK(drawable("\U0001F600\u200B\u202E\u0301\u0378") == "\\u1f600\\u200b\\u202e\\u0301\\u0378");
+  const std::string common =
+      "\u00E9\u0159\u00DF\u03B1\u03A9\u0416\u044F \u2013\u201C\u2026\u2264\u00B5m\u00B3";
+  CHECK(drawable(common) == common);
+  CHECK(drawable("a\n\xFF") == "a\\x0a\\xff");
+  CHECK(gnuplot_string("\u4E2D") == R"("\134u4e2d")");
+  Figure figure;
+  figure.title = "sand \u4E2D";
+  figure.notes = {"\u00E4", "a\nb"};
+  figure.panels.resize(2);
+  figure.panels[0].title = "\u6C99";
+  figure.panels[1].series.resize(1);
+  figure.panels[1].series[0].title = "\u77F3";
+  figure.panels[1].series[0].points = {{0, 0}};
+  CHECK(escaped_texts(figure) == std::vector<std::string>{"sand \u4E2D", "\u6C99", "\u77F3"});
+  const std::string script = gnuplot_script(figure, Picture::png);
+  CHECK(contains(script, R"("sand \134u4e2d")"));
+  CHECK(contains(script, R"("\134u6c99")"));
+  CHECK(contains(script, R"(title "\134u77f3")"));
+  CHECK_FALSE(contains(script, "\u4E2D"));
+}
+
 TEST_CASE("a scatter with a colour bar and a line in a script", "[figure]") {
   Panel panel;
   panel.x = log_axis("share", -3, 0);

@@ -121,8 +121,15 @@ double text_width(std::string_view text, double size);
 /// Letters of ticks, titles and notes, in pt.
 inline constexpr double letter_size = 11;
 
-/// `text` cut to `width` pt, with three dots at its end where it was cut; in one line, control and non-UTF-8
-/// bytes escaped.
+/// `text` as it is drawn: in one line, control and non-UTF-8 bytes escaped (\xff), and so the characters
+/// beyond Latin, Greek, Cyrillic and common signs (\u4e2d): gnuplot draws one that its font lacks as a black
+/// box as large as the picture.
+std::string drawable(std::string_view text);
+
+/// Titles and notes of the figure in which drawable() escapes a character that fonts may lack.
+std::vector<std::string> escaped_texts(const Figure &figure);
+
+/// `text` as drawable(), cut to `width` pt, with three dots at its end where it was cut.
 std::string fitted(std::string_view text, double width, double size = letter_size);
 
 } // namespace mdm

@@ -9,13 +9,13 @@ namespace mdm {
 enum class Picture { svg, png, pdf };
 
 /// The script that writes the figure to gnuplot's standard output, data included. Run by `gnuplot -d`.
-/// Texts of a figure are data: they appear as they are, whatever characters they have, and are never
-/// executed. The same figure gives the same script.
+/// Texts of a figure are data: they appear as drawable() has them, whatever characters they have, and are
+/// never executed. The same figure gives the same script.
 std::string gnuplot_script(const Figure &figure, Picture picture);
 
-/// `text` as gnuplot's string of these very characters, control and non-UTF-8 bytes escaped: in one line and
-/// without any quote, backslash, `$`, `@` or backtick of the text's own, so that nothing of it can end the
-/// string, be replaced or be executed.
+/// drawable(text) as gnuplot's string of these very characters: in one line and without any quote, backslash,
+/// `$`, `@` or backtick of the text's own, so that nothing of it can end the string, be replaced or be
+/// executed.
 std::string gnuplot_string(std::string_view text);
 
 } // namespace mdm
