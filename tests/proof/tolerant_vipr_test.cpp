@@ -55,7 +55,7 @@ std::map<std::size_t, Rational> values_of(const Match &m) {
 TEST_CASE("the VIPR export of a tolerance proves that fewer particles leave no slack") {
   std::mt19937_64 random(51);
   int searched = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 500; ++i) {
     const Match m = solve(brute::random_gradation(random), random_question(random));
     REQUIRE(m.complete);
     const std::string text = vipr(m);
