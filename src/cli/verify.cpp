@@ -293,7 +293,8 @@ Run add_verify(CLI::App &app) {
   command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
   command.footer(
       "Example: mdm verify sand.csv packing.txt --from xyzr --size-unit m --tolerance 1%\n"
-      "Exit 0 if no particle lies outside all classes and every share is within the tolerance; 1 if "
+      "Errors are target minus found (Arnold, Eq. 13), of shares of the mass; error_as_given, in JSON, of "
+      "masses.\nExit 0 if no particle lies outside all classes and every share is within the tolerance; 1 if "
       "not; 3 if an irrational law leaves it open.");
   return [c] { return run(*c); };
 }

@@ -151,7 +151,7 @@ MatchError Description::error() const {
                            : Interval(masses[j].lo / mass_sum.hi,
                                       mass_sum.lo == 0 ? Rational(1) : Rational(masses[j].hi / mass_sum.lo)));
     e.targets.push_back(g_.mass(j) / target_sum);
-    e.normalised.push_back(e.shares[j] - e.targets[j]);
+    e.normalised.push_back(Interval(e.targets[j]) - e.shares[j]);
     const Interval size = absolute(e.normalised[j]);
     if (size.hi > absolute(e.normalised[e.worst]).hi)
       e.worst = j;

@@ -164,8 +164,8 @@ std::string ratio_text(const Verification &v) {
 void add_table(Buffer &out, const Verification &v) {
   using Line = std::vector<std::string>;
   const Gradation &g = v.description.gradation();
-  std::vector<Line> lines = {
-      Line{"class", fmt::format("sizes ({}]", name(g.unit())), "particles", "target %", "found %", "error"}};
+  std::vector<Line> lines = {Line{"class", fmt::format("sizes ({}]", name(g.unit())), "particles", "target %",
+                                  "found %", "target - found"}};
   for (std::size_t j = 0; j < g.classes(); ++j)
     lines.push_back({std::to_string(j + 1),
                      "(" + to_decimal(g.lower(j)) + ", " + to_decimal(g.upper(j)) + "]",

@@ -132,8 +132,8 @@ TEST_CASE("verify: a hand-made match, and it with one particle less or a size ov
 
   const Json less = verify_json(three, sample("4,2\n2,1\n"), 1);
   CHECK(less.at("classes").at(0).at("found") == "1/17");
-  CHECK(less.at("classes").at(0).at("error") == "-8/153");
-  CHECK(less.at("classes").at(0).at("error_percent") == "-5.22875");
+  CHECK(less.at("classes").at(0).at("error") == "8/153");
+  CHECK(less.at("classes").at(0).at("error_percent") == "5.22875");
   CHECK(less.at("maximum_error") == "8/153");
   CHECK(less.at("total_error") == "16/153");
   CHECK(less.at("worst_class") == "1");
@@ -275,6 +275,7 @@ TEST_CASE("verify: reports as text and CSV, to a file or standard output", "[cli
   CHECK(text.exit_code == 1);
   CHECK(text.out.find("beads.csv against sand: does not match: the largest error of a share is 5.22875 %, in "
                       "class 1") != std::string::npos);
+  CHECK(text.out.find("target - found") != std::string::npos);
   CHECK(text.out.find("the smallest exact match has 2 (ratio 1.5)") != std::string::npos);
   CHECK(mdm({"verify", "-", s}, three).exit_code == 1);
   const Outcome to_file = mdm({"verify", g, s, "-o", folder / "report"});
@@ -283,7 +284,7 @@ TEST_CASE("verify: reports as text and CSV, to a file or standard output", "[cli
   CHECK(read_file(folder / "report") == text.out);
   const Outcome csv = mdm({"verify", g, s, "--format", "csv", "--digits", "3"});
   CHECK(csv.out == "lower_mm,upper_mm,quantity,target_percent,found_percent,error_percent\n"
-                   "1,2,1,11.1,5.88,-5.22\n2,3,0,0,0,0\n3,4,2,88.8,94.1,5.22\n");
+                   "1,2,1,11.1,5.88,5.22\n2,3,0,0,0,0\n3,4,2,88.8,94.1,-5.22\n");
   CHECK(csv.err.find("does not match") != std::string::npos);
   check_refused(mdm({"verify", g, s, "-o", s}), "would be overwritten");
   check_refused(mdm({"verify", g, s, "-o", g}), "would be overwritten");

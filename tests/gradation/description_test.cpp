@@ -109,8 +109,8 @@ TEST_CASE("Description: errors, the worst class and the total") {
   CHECK(exactly(e.as_given[0]) == ratio(5, 4));
   CHECK(exactly(e.as_given[1]) == -27);
   CHECK(exactly(e.shares[0]) == ratio(27, 391));
-  CHECK(exactly(e.normalised[0]) == ratio(27, 391) - ratio(1, 9));
-  CHECK(exactly(e.normalised[1]) == ratio(108, 391));
+  CHECK(exactly(e.normalised[0]) == ratio(1, 9) - ratio(27, 391));
+  CHECK(exactly(e.normalised[1]) == ratio(-108, 391));
   CHECK(e.worst == 1);
   CHECK(exactly(e.maximum) == ratio(108, 391));
   CHECK(exactly(e.total) == ratio(216, 391));
@@ -125,7 +125,7 @@ TEST_CASE("Description: factors weigh the classes, and particles outside have no
 
 TEST_CASE("Description: no particles, no shares") {
   const MatchError e = Description(three_classes()).error();
-  CHECK(exactly(e.normalised[0]) == ratio(-1, 9));
+  CHECK(exactly(e.normalised[0]) == ratio(1, 9));
   CHECK(exactly(e.maximum) == ratio(8, 9));
   CHECK(e.worst == 2);
   CHECK(exactly(e.total) == 1);
@@ -268,7 +268,7 @@ TEST_CASE("Description: agrees with sums class by class on random samples") {
     Rational largest = 0, total = 0;
     for (std::size_t j = 0; j < 4; ++j) {
       CHECK(exactly(e.as_given[j]) == masses[j] - expected[j]);
-      const Rational error = (all == 0 ? Rational(0) : Rational(expected[j] / all)) - masses[j] / target;
+      const Rational error = masses[j] / target - (all == 0 ? Rational(0) : Rational(expected[j] / all));
       CHECK(exactly(e.normalised[j]) == error);
       largest = std::max(largest, Rational(abs(error)));
       total += abs(error);

@@ -21,13 +21,14 @@ struct RootSize {
   bool is(const Rational &other, unsigned of_degree) const;
 };
 
-/// How far a description is from Cond4: the Error of Arnold, Eq. 13, class by class. t_j is the mass of the
-/// particles in class j, M the sum of all t_j. Numbers are exact where the law is rational at the sizes.
+/// How far a description is from Cond4: the Error of Arnold, Eq. 13, class by class, target minus found. t_j
+/// is the mass of the particles in class j, M the sum of all t_j. Numbers are exact where the law is rational
+/// at the sizes.
 struct MatchError {
   std::vector<Interval> as_given;   ///< m_j - t_j
   std::vector<Rational> targets;    ///< m_j / sum m
   std::vector<Interval> shares;     ///< t_j / M; 0 where M = 0
-  std::vector<Interval> normalised; ///< t_j / M - m_j / sum m
+  std::vector<Interval> normalised; ///< m_j / sum m - t_j / M
   std::size_t worst = 0;            ///< the finest class with the largest |normalised| (upper ends compared)
   Interval maximum;                 ///< largest |normalised|
   Interval total;                   ///< sum of |normalised|

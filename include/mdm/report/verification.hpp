@@ -41,11 +41,11 @@ struct Verification {
 };
 
 /// One line of JSON, schema `mdm-verify-1`, without a newline at its end. Exact numbers are strings `p/q`;
-/// enclosures of irrational ones are pairs of decimals.
+/// enclosures of irrational ones are pairs of decimals. `error` of a class is target minus found.
 std::string verification_json(const Verification &v);
 
-/// lower_<unit>,upper_<unit>,quantity,target_percent,found_percent,error_percent: a row a class. Percents are
-/// cut to `digits` significant digits.
+/// lower_<unit>,upper_<unit>,quantity,target_percent,found_percent,error_percent: a row a class. The error is
+/// target minus found. Percents are cut to `digits` significant digits.
 std::string verification_csv(const Verification &v);
 
 /// The verdict in one line.
