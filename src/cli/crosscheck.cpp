@@ -45,32 +45,57 @@ std::string shown_name(const std::string &path) {
 
 using Rows = std::vector<CrosscheckRow>;
 
-/// Rows for the gradation in a line of the suite.
+/// A gradation in a line of a suite.
+struct Entry {
+  std::uint64_t line;
+  Gradation gradation;
+};
+
+/// All of a suite, so that nothing is run or written where a line is bad.
+std::vector<Entry> read_suite(const std::string &path) {
+  std::vector<Entry> suite;
+  Lines lines(path);
+  std::uint64_t number = 0;
+  for (std::vector<Lines::Line> next = lines.next(1); !next.empty(); next = lines.next(1)) {
+    const Lines::Line &line = next.front();
+    const std::string fallback_id = std::to_string(++number);
+    const std::string where = shown_name(path) + ":" + fallback_id;
+    if (!line)
+      throw InputError(printable(where) + ": the line has more than 64 MiB: write one gradation a line");
+    if (line->find_first_not_of(" \t\r") != std::string::npos)
+      suite.push_back({number, read_json_gradation(*line, where, fallback_id)});
+  }
+  if (suite.empty())
+    throw InputError(fmt::format("{}:{}: there are no gradations up to here, the end: write one a line, as "
+                                 "JSON",
+                                 printable(shown_name(path)), std::max<std::uint64_t>(number, 1)));
+  return suite;
+}
+
+/// Rows for a gradation of the suite.
 using Judge = std::function<Rows(const Crosscheck &, std::uint64_t line)>;
 
-/// The lines of a suite, worked on by several threads, their rows given out in order.
-class Suite {
+/// Judges a suite by several threads and gives the rows out in order.
+class Crosschecking {
 public:
-  Suite(const CrosscheckCommand &command, Judge judge)
-      : command_(command), judge_(std::move(judge)), lines_(command.suite) {
-    if (command.max_steps)
-      limits_.max_steps = natural64("--max-steps", *command.max_steps);
-  }
+  Crosschecking(const std::vector<Entry> &suite, Judge judge, const Limits &limits)
+      : suite_(suite), judge_(std::move(judge)), limits_(limits) {}
 
-  /// Calls give(rows) for each line that is not blank.
+  /// Calls give(rows) for each gradation.
   template <class Give>
-  void run(Give give) {
+  void run(unsigned threads, Give give) {
     const auto work = [this, &give] {
       try {
-        while (const std::optional<Numbered> line = take())
-          finish(line->number, rows(line->text, line->number), give);
-      } catch (...) { // no bad line, but the end of the run
-        const std::lock_guard lock(input_mutex_);
+        for (std::size_t i = next_++; i < suite_.size(); i = next_++)
+          finish(i, judge_(Crosscheck(suite_[i].gradation, limits_), suite_[i].line), give);
+      } catch (...) { // the end of the run
+        const std::lock_guard lock(mutex_);
+        next_ = suite_.size();
         failure_ = std::current_exception();
       }
     };
     std::vector<std::thread> helpers;
-    for (unsigned t = 1; t < command_.threads; ++t)
+    for (unsigned t = 1; t < threads; ++t)
       helpers.emplace_back(work);
     work();
     for (std::thread &helper : helpers)
@@ -79,69 +104,28 @@ public:
       std::rethrow_exception(failure_);
   }
 
-  std::uint64_t done() const { return done_; }
+  std::size_t done() const { return done_; }
 
 private:
-  struct Numbered {
-    std::uint64_t number;
-    Lines::Line text;
-  };
-
-  std::optional<Numbered> take() {
-    const std::lock_guard lock(input_mutex_);
-    if (failure_)
-      return std::nullopt;
-    std::vector<Lines::Line> next = lines_.next(1);
-    if (next.empty())
-      return std::nullopt;
-    return Numbered{++taken_, std::move(next.front())};
-  }
-
-  Rows rows(const Lines::Line &line, std::uint64_t number) {
-    const std::string fallback = std::to_string(number);
-    const std::string where = shown_name(command_.suite) + ":" + fallback;
-    if (!line)
-      return {bad_problem(fallback, where + ": the line has more than 64 MiB")};
-    if (line->find_first_not_of(" \t\r") == std::string::npos)
-      return {};
-    std::optional<Crosscheck> problem;
-    try {
-      problem.emplace(read_json_gradation(*line, where, fallback), limits_);
-    } catch (const InputError &e) {
-      return {bad_problem(json_gradation_id(*line).value_or(fallback), e.what())};
-    }
-    return judge_(*problem, number);
-  }
-
-  static CrosscheckRow bad_problem(std::string id, std::string reason) {
-    CrosscheckRow row;
-    row.id = std::move(id);
-    row.verdict = AnswerVerdict::bad_problem;
-    row.reason = std::move(reason);
-    return row;
-  }
-
   template <class Give>
-  void finish(std::uint64_t number, Rows rows, Give &give) {
-    const std::lock_guard lock(output_mutex_);
-    waiting_.emplace(number, std::move(rows));
-    for (auto next = waiting_.begin(); next != waiting_.end() && next->first == done_ + 1;
+  void finish(std::size_t i, Rows rows, Give &give) {
+    const std::lock_guard lock(mutex_);
+    waiting_.emplace(i, std::move(rows));
+    for (auto next = waiting_.begin(); next != waiting_.end() && next->first == done_;
          next = waiting_.erase(next)) {
       give(next->second);
       ++done_;
     }
   }
 
-  const CrosscheckCommand &command_;
+  const std::vector<Entry> &suite_;
   Judge judge_;
   Limits limits_;
-  std::mutex input_mutex_;
-  Lines lines_;
-  std::uint64_t taken_ = 0;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;
   std::exception_ptr failure_;
-  std::mutex output_mutex_;
-  std::map<std::uint64_t, Rows> waiting_; ///< for the rows of a line before them
-  std::atomic<std::uint64_t> done_ = 0;
+  std::map<std::size_t, Rows> waiting_; ///< for the rows of a gradation before them
+  std::atomic<std::size_t> done_ = 0;
 };
 
 Rational read_tolerance(const std::string &text) {
@@ -216,8 +200,6 @@ public:
   }
 
   int exit_code() const {
-    if (summary_.count(AnswerVerdict::bad_problem) > 0)
-      return Exit::bad_input;
     if (summary_.count(AnswerVerdict::undecided) > 0)
       return Exit::limited;
     for (const AnswerVerdict v : answer_verdicts)
@@ -234,7 +216,7 @@ private:
     return text ? json_string(*text) : "null";
   }
 
-  /// Nothing is written before the first row, as the suite may turn out not to be readable.
+  /// Nothing is written before the first row, as the first may fail.
   std::string before_row() const {
     const bool first = summary_.settings().empty();
     return (first ? head() : json() ? "," : "") + (json() ? "\n" : "");
@@ -272,17 +254,15 @@ private:
   CrosscheckSummary summary_;
 };
 
-/// Judges all that the suite has, by `judge`; returns the number of gradations.
-std::uint64_t report_suite(const CrosscheckCommand &c, Judge judge, Report &report) {
-  Suite suite(c, std::move(judge));
-  Progress progress([&suite] { return fmt::format("{} gradations", suite.done()); }, c.quiet);
-  std::uint64_t gradations = 0;
-  suite.run([&](const Rows &rows) {
-    if (!rows.empty())
-      ++gradations;
-    report.add(rows);
-  });
-  return gradations;
+/// Judges all gradations of the suite.
+void report_suite(const CrosscheckCommand &c, const std::vector<Entry> &suite, Judge judge, Report &report) {
+  Limits limits;
+  if (c.max_steps)
+    limits.max_steps = natural64("--max-steps", *c.max_steps);
+  Crosschecking crosschecking(suite, std::move(judge), limits);
+  Progress progress([&] { return fmt::format("{} of {} gradations", crosschecking.done(), suite.size()); },
+                    c.quiet);
+  crosschecking.run(c.threads, [&report](const Rows &rows) { report.add(rows); });
 }
 
 AnswerIndex read_index(const CrosscheckCommand &c) {
@@ -298,26 +278,28 @@ AnswerIndex read_index(const CrosscheckCommand &c) {
 int run(const CrosscheckCommand &c) {
   check_options(c);
   const Rational size_tolerance = read_tolerance(c.size_tolerance);
+  const std::vector<Entry> suite = read_suite(c.suite);
   if (c.answers) {
     const AnswerIndex index = read_index(c);
     Report report(c, size_tolerance);
-    const std::uint64_t gradations = report_suite(
-        c, [&](const Crosscheck &problem, std::uint64_t) { return index.judge(problem, size_tolerance); },
+    report_suite(
+        c, suite,
+        [&](const Crosscheck &problem, std::uint64_t) { return index.judge(problem, size_tolerance); },
         report);
     report.add(index.rows_without_id());
-    report.end(gradations, index.notes());
+    report.end(suite.size(), index.notes());
     return report.exit_code();
   }
   const std::string limit = c.time_limit.value_or("60");
   Solver solver(*c.solver, read_time_limit(limit), c.journal);
   Report report(c, size_tolerance);
-  const std::uint64_t gradations = report_suite(
-      c,
+  report_suite(
+      c, suite,
       [&](const Crosscheck &problem, std::uint64_t line) {
         return Rows{problem.judge(solver.answer(problem.gradation(), line), size_tolerance)};
       },
       report);
-  report.end(gradations, {});
+  report.end(suite.size(), {});
   return report.exit_code();
 }
 
@@ -327,7 +309,7 @@ has them, are right for one such match within --size-tolerance. Its ratio is N o
 are the ratios at the places n/4, n/2, 3n/4 (rounded down, counted from 0) of n in ascending order.
 max_error: the largest error of a class's share in percent, of the sizes as they stand in the answer.
 Verdicts: minimal, larger; not-a-match (--reasons says why); undecided (stopped at --max-steps); no-answer,
-garbage, crashed (a signal or an exit code other than 0), timeout; bad-problem (a bad line of SUITE).
+garbage, crashed (a signal or an exit code other than 0), timeout.
 
 ANSWERS is CSV with a header: id, quantities (separated by spaces; one a class with mass, or one a class),
 optionally sizes_mm, sizes_um, sizes_m or sizes_in, and any other columns, for --by; or JSON Lines: answers
@@ -339,7 +321,7 @@ to its standard output and exits with 0. A journal keeps failures too, also a ti
 new one.
 
 Exit code: 0 if every answer is a match (with --require-minimal: minimal), 1 if not, 2 if a line of SUITE is
-bad, 3 if something is undecided.
+bad (before anything is run), 3 if something is undecided.
 
 Example: mdm crosscheck tests/data/suite-2750.jsonl tests/data/suite-2750-float-answers.csv --by x_n_factor
 Example: mdm crosscheck suite.jsonl --solver './solver --json' --time-limit 10 -j 2 --journal run.jsonl -o rows.csv)";

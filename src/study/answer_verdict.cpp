@@ -6,8 +6,7 @@ namespace mdm {
 
 std::string_view name(AnswerVerdict verdict) {
   static constexpr std::array<std::string_view, answer_verdict_count> names = {
-      "minimal", "larger",  "not-a-match", "undecided",  "no-answer",
-      "garbage", "crashed", "timeout",     "bad-problem"};
+      "minimal", "larger", "not-a-match", "undecided", "no-answer", "garbage", "crashed", "timeout"};
   return names.at(static_cast<std::size_t>(verdict));
 }
 

@@ -17,17 +17,15 @@ enum class AnswerVerdict {
   no_answer,   ///< nothing was answered
   garbage,     ///< the answer cannot be read
   crashed,     ///< the solver ended with a signal or an exit code other than 0
-  timeout,     ///< the solver did not end in time
-  bad_problem  ///< the suite's own line is no gradation: there was nothing to answer
+  timeout      ///< the solver did not end in time
 };
 
-inline constexpr std::size_t answer_verdict_count = 9;
+inline constexpr std::size_t answer_verdict_count = 8;
 
 /// All of them, in the order of reports.
 inline constexpr std::array<AnswerVerdict, answer_verdict_count> answer_verdicts = {
-    AnswerVerdict::minimal,   AnswerVerdict::larger,    AnswerVerdict::not_a_match,
-    AnswerVerdict::undecided, AnswerVerdict::no_answer, AnswerVerdict::garbage,
-    AnswerVerdict::crashed,   AnswerVerdict::timeout,   AnswerVerdict::bad_problem};
+    AnswerVerdict::minimal,   AnswerVerdict::larger,  AnswerVerdict::not_a_match, AnswerVerdict::undecided,
+    AnswerVerdict::no_answer, AnswerVerdict::garbage, AnswerVerdict::crashed,     AnswerVerdict::timeout};
 
 /// As reports write it, for example `not-a-match`.
 std::string_view name(AnswerVerdict verdict);
