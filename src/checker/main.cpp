@@ -93,6 +93,7 @@ int run(const std::vector<std::string> &arguments) {
 
 int main(int argc, char **argv) {
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   std::set_new_handler(out_of_memory);
   mp_set_memory_functions(
       [](std::size_t size) { return demand_memory(std::malloc(size)); },

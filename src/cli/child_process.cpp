@@ -114,7 +114,8 @@ void kill_children(int signal) {
   dup2(input, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   dup2(errors, STDERR_FILENO);
-  std::signal(SIGPIPE, SIG_DFL); // ignored here, which exec would keep
+  for (const int signal : {SIGPIPE, SIGXFSZ}) // ignored here, which exec would keep
+    std::signal(signal, SIG_DFL);
   execl("/bin/sh", "sh", "-c", command, static_cast<char *>(nullptr));
   _exit(127);
 }

@@ -109,8 +109,9 @@ int main(int argc, char **argv) {
   occupy_standard_streams();
   use_number_pool();
   remove_unfinished_at_signals();
-  // A closed pipe is then an error of write, with a message and an exit code.
+  // A closed pipe and a limit of the file size are then errors of write, with a message and an exit code.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return run(argc, argv);
   } catch (const mdm::InputError &e) {

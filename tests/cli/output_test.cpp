@@ -86,6 +86,19 @@ TEST_CASE("a full disk is an error, and no other result is left", "[cli]") {
   CHECK(folder.entries() == 0);
 }
 
+TEST_CASE("a limit of the file size is exit 2 without a signal, and leaves no file", "[cli]") {
+  const TemporaryFolder folder;
+  rlimit before{};
+  REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
+  rlimit limit = before;
+  limit.rlim_cur = 256; // bytes: room for the message, not for the answer
+  REQUIRE(setrlimit(RLIMIT_FSIZE, &limit) == 0);
+  const Outcome outcome = mdm({"solve", athabasca, "-o", folder / "answer.txt"});
+  REQUIRE(setrlimit(RLIMIT_FSIZE, &before) == 0);
+  check_refused(outcome, "File too large");
+  CHECK(folder.entries() == 0);
+}
+
 TEST_CASE("a closed pipe is exit 2 without a signal", "[cli]") {
   const TemporaryFolder folder;
   check_refused(mdm({"solve", athabasca, "--proof", folder / "proof"}, "", "closed pipe"), "Broken pipe");
