@@ -95,7 +95,10 @@ int run(int argc, char **argv) {
     return Exit::done;
   } catch (const CLI::ParseError &e) {
     const std::string of = &parsed() == &app ? "" : parsed().get_name() + " ";
-    return complain(fmt::format("mdm: {}; see mdm {}--help", mdm::printable(e.what()), of));
+    // CLI11 looks for missing arguments before it looks at those that it does not know.
+    const std::vector<std::string> unknown = parsed().remaining();
+    const std::string what = unknown.empty() ? e.what() : CLI::ExtrasError(unknown).what();
+    return complain(fmt::format("mdm: {}; see mdm {}--help", mdm::printable(what), of));
   }
   for (const Command &c : commands)
     if (c.app->parsed())

@@ -50,7 +50,12 @@ Rational tolerance_of(const VerifyCommand &c) {
   if (!c.tolerance)
     return 0;
   const bool has_sign = c.tolerance->size() > 1 && c.tolerance->back() == '%';
-  return not_negative("--tolerance", c.tolerance->substr(0, c.tolerance->size() - (has_sign ? 1 : 0))) / 100;
+  try {
+    return not_negative("", c.tolerance->substr(0, c.tolerance->size() - (has_sign ? 1 : 0))) / 100;
+  } catch (const InputError &) {
+    throw InputError("--tolerance: " + in_quotes(*c.tolerance) +
+                     " is not a number of percentage points from 0 on: write for example 1%");
+  }
 }
 
 ParticleOptions particle_options(const VerifyCommand &c, SizeUnit target) {
@@ -261,7 +266,8 @@ Run add_verify(CLI::App &app) {
   command
       .add_option(
           "--from", c->from,
-          "format of SAMPLE: csv (size_mm,quantity), answer (JSON of mdm solve), xyzr (x y z r a "
+          "format of SAMPLE: csv (size_mm,quantity; also size_um, size_m, size_in, size_phi or sieve), "
+          "answer (JSON of mdm solve), xyzr (x y z r a "
           "line), lammps-data, lammps-dump, liggghts-dump, vtk or diameters (one a line); told by the "
           "content if left out")
       ->type_name("FORMAT");
@@ -270,7 +276,7 @@ Run add_verify(CLI::App &app) {
   command
       .add_option("--size-unit", c->size_unit,
                   "unit of SAMPLE: mm, um, m or in; m for LAMMPS, LIGGGHTS and VTK if left out, for xyzr and "
-                  "diameters that of the gradation")
+                  "diameters that of the gradation (mm for size_in, size_phi and sieve)")
       ->type_name("UNIT");
   command.add_option("--timestep", c->timestep, "the timestep of a dump, instead of the last")
       ->type_name("T");

@@ -19,24 +19,11 @@ constexpr std::array<SizeColumn, 6> size_columns = {{{"size_mm", SizeKind::mm},
                                                      {"size_phi", SizeKind::phi},
                                                      {"sieve", SizeKind::sieve}}};
 
-const SizeColumn *find_size_column(std::string_view name) {
-  const auto found = std::find_if(size_columns.begin(), size_columns.end(),
-                                  [name](const SizeColumn &c) { return c.name == name; });
-  return found == size_columns.end() ? nullptr : &*found;
-}
-
 std::string size_column_names() {
   std::string text;
   for (const SizeColumn &column : size_columns)
     text += (text.empty() ? "" : ", ") + std::string(column.name);
   return text;
-}
-
-/// True for `#200`, `# 3-1/2`: the field of a sieve where a line could be a comment.
-bool is_sieve_number(std::string_view field) {
-  return field.starts_with('#') &&
-         field.substr(1).find_first_not_of("0123456789-/. ") == std::string_view::npos &&
-         std::any_of(field.begin(), field.end(), is_digit);
 }
 
 /// What else may be wrong with a header whose first column is unknown.
@@ -63,6 +50,23 @@ bool is_metric(std::string_view sieve) {
 
 } // namespace
 
+const SizeColumn *find_size_column(std::string_view name) {
+  const auto found = std::find_if(size_columns.begin(), size_columns.end(),
+                                  [name](const SizeColumn &c) { return c.name == name; });
+  return found == size_columns.end() ? nullptr : &*found;
+}
+
+std::string unknown_size_column(std::string_view name, std::string_view example) {
+  return fmt::format("first column {} is unknown: use one of {}{}", in_quotes(name), size_column_names(),
+                     header_hint(name, example));
+}
+
+bool is_sieve_number(std::string_view field) {
+  return field.starts_with('#') &&
+         field.substr(1).find_first_not_of("0123456789-/. ") == std::string_view::npos &&
+         std::any_of(field.begin(), field.end(), is_digit);
+}
+
 void CsvRows::read_header(std::string_view example) {
   std::string_view line;
   while (line.empty() || line.front() == '#') {
@@ -76,8 +80,7 @@ void CsvRows::read_header(std::string_view example) {
   width_ = fields_.size();
   size_column_ = find_size_column(fields_[0]);
   if (size_column_ == nullptr)
-    refuse(fmt::format("first column {} is unknown: use one of {}{}", in_quotes(fields_[0]),
-                       size_column_names(), header_hint(fields_[0], example)));
+    refuse(unknown_size_column(fields_[0], example));
 }
 
 bool CsvRows::next() {

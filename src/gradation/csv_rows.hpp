@@ -16,6 +16,15 @@ struct SizeColumn {
   SizeKind kind;
 };
 
+/// The column of that name, or null.
+const SizeColumn *find_size_column(std::string_view name);
+
+/// What is wrong with the name of a first column that is no size column; `example` is a header.
+std::string unknown_size_column(std::string_view name, std::string_view example);
+
+/// True for `#200`, `# 3-1/2`: the field of a sieve where a line could be a comment.
+bool is_sieve_number(std::string_view field);
+
 /// A pass over a CSV file, first its header, then its rows; the grammar is in proofs/certificate-format.md,
 /// section 4. Empty lines and comments are skipped. All throw InputError with the line.
 class CsvRows {

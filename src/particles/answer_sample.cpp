@@ -1,5 +1,6 @@
 #include "../gradation/json_tree.hpp"
 #include "../gradation/message.hpp"
+#include "../gradation/text.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/particles/answer_sample.hpp>
@@ -20,12 +21,16 @@ constexpr std::size_t most_digits = 100000;
 class AnswerReader {
 public:
   AnswerReader(std::string_view content, const std::string &file) : file_(file) {
+    content = without_byte_order_mark(content);
+    const std::size_t first = std::min(content.find_first_not_of(" \t\r\n"), content.size());
+    begin_line_ = line_number(content, first);
+    if (!content.substr(first).starts_with('{'))
+      Source(file_).refuse(begin_line_, "this is not one JSON object: give the JSON answer of mdm solve");
     try {
       answer_ = json_tree(content);
     } catch (const JsonError &error) {
       Source(file_).refuse(error.line, error.what());
     }
-    begin_line_ = line_number(content, content.find_first_not_of(" \t\r\n"));
   }
 
   AnswerSample read() const {

@@ -22,11 +22,11 @@ void ParticleSource::set_defaults(SizeMeaning meaning, LengthUnit unit) {
   factor_ = in_mm(unit_) / in_mm(length_unit(options_.target)) * (meaning_ == SizeMeaning::radius ? 2 : 1);
 }
 
-void ParticleSource::particle(std::string_view text, const Integer &quantity, char point) {
+void ParticleSource::particle(std::string_view text, const Integer &quantity, char point, ReadSize read) {
   const char *const what = meaning_ == SizeMeaning::radius ? "radius" : "diameter";
   Rational size;
   try {
-    size = parse_decimal(text, point);
+    size = read(text, point);
   } catch (const InputError &error) {
     refuse(fmt::format("{} {}", what, error.what()));
   }

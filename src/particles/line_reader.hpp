@@ -28,8 +28,11 @@ public:
   SizeMeaning meaning() const { return meaning_; }
   LengthUnit unit() const { return unit_; }
 
-  /// A particle whose size is written as `text`; `point` is the decimal sign.
-  void particle(std::string_view text, const Integer &quantity = 1, char point = '.');
+  /// What reads a size; `point` is the decimal sign.
+  using ReadSize = Rational (*)(std::string_view text, char point);
+  /// A particle whose size is written as `text`.
+  void particle(std::string_view text, const Integer &quantity = 1, char point = '.',
+                ReadSize read = parse_decimal);
   /// What came so far does not count: another timestep begins.
   void restart();
 

@@ -1,4 +1,8 @@
+#include "../gradation/csv_rows.hpp"
 #include "line_reader.hpp"
+
+#include <mdm/gradation/phi.hpp>
+#include <mdm/gradation/sieve_name.hpp>
 
 #include <fmt/core.h>
 
@@ -11,7 +15,7 @@ public:
 
   void line(std::string_view text) override {
     const std::string_view row = trimmed(text);
-    if (row.empty() || row.front() == '#')
+    if (row.empty() || (row.front() == '#' && !is_sieve_row(row)))
       return;
     if (has_header_)
       read_row(row);
@@ -37,19 +41,54 @@ private:
     split(row);
     if (fields_[0].starts_with("lower_"))
       source_.refuse("this is the CSV answer of mdm solve, whose sizes are rounded: use its --format json");
-    constexpr std::string_view prefix = "size_";
-    const std::optional<LengthUnit> unit =
-        fields_[0].starts_with(prefix) ? parse_length_unit(std::string_view(fields_[0]).substr(prefix.size()))
-                                       : std::nullopt;
-    if (!unit)
-      source_.refuse(fmt::format("first column {} is unknown: use size_mm, size_um, size_m or size_in",
-                                 in_quotes(fields_[0])));
+    const SizeColumn *const column = find_size_column(fields_[0]);
+    if (column == nullptr)
+      source_.refuse(unknown_size_column(fields_[0], "size_mm,quantity"));
     if (fields_.size() != 2 || fields_[1] != "quantity")
-      source_.refuse("the columns are not a size and 'quantity': write, for example, 'size_mm,quantity'");
+      source_.refuse("the columns are not a size and 'quantity', in this order: write, for example, "
+                     "'size_mm,quantity'");
     if (source_.options().unit)
       source_.refuse("the header names the unit: leave out --size-unit");
-    source_.set_defaults(SizeMeaning::diameter, *unit);
+    kind_ = column->kind;
+    source_.set_defaults(SizeMeaning::diameter, unit());
     has_header_ = true;
+  }
+
+  LengthUnit unit() const {
+    switch (kind_) {
+    case SizeKind::um:
+      return LengthUnit::um;
+    case SizeKind::m:
+      return LengthUnit::m;
+    case SizeKind::inch:
+      return LengthUnit::in;
+    default: // phi and sieves are turned into mm
+      return LengthUnit::mm;
+    }
+  }
+
+  ParticleSource::ReadSize reader() const {
+    switch (kind_) {
+    case SizeKind::phi:
+      return [](std::string_view text, char point) { return phi_size(parse_decimal(text, point)); };
+    case SizeKind::sieve:
+      return sieve_opening;
+    default:
+      return parse_decimal;
+    }
+  }
+
+  /// The one exception to comments: a row of a sieve such as `#200`.
+  bool is_sieve_row(std::string_view row) {
+    return has_header_ && kind_ == SizeKind::sieve && split_fields(row, delimiter_, fields_) &&
+           fields_.size() == 2 && is_sieve_number(fields_[0]);
+  }
+
+  void note_rounding(char point) {
+    if (kind_ != SizeKind::phi || noted_ || denominator(parse_decimal(fields_[0], point)) == 1)
+      return;
+    source_.note("Sizes of phi that is no integer were rounded to 15 significant digits in mm.");
+    noted_ = true;
   }
 
   void read_row(std::string_view row) {
@@ -62,13 +101,18 @@ private:
       source_.refuse(
           fmt::format("quantity {} is not a whole number from 0 on: write it in at most 1000 digits",
                       in_quotes(fields_[1])));
+    if (*quantity == 0)
+      return;
     const bool comma = delimiter_ == ';' && fields_[0].find(',') != std::string::npos;
-    if (*quantity != 0)
-      source_.particle(fields_[0], *quantity, comma ? ',' : '.');
+    const char point = comma ? ',' : '.';
+    source_.particle(fields_[0], *quantity, point, reader());
+    note_rounding(point);
   }
 
   ParticleSource &source_;
   bool has_header_ = false;
+  SizeKind kind_ = SizeKind::mm;
+  bool noted_ = false;
   char delimiter_ = ',';
   std::vector<std::string> fields_;
 };

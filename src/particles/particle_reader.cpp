@@ -33,6 +33,26 @@ std::unique_ptr<LineReader> line_reader(ParticleFormat format, ParticleSource &s
   source.refuse("this is an answer of mdm, which is read as a whole: give the file itself");
 }
 
+/// True for a header of CSV, also one that will be refused: names of columns, one of them of sizes or
+/// quantities.
+bool is_csv_header(std::string_view line) {
+  std::vector<std::string> names;
+  if (!split_fields(line, line.find(';') == std::string_view::npos ? ',' : ';', names))
+    return false;
+  const auto is_word = [](const std::string &name) {
+    return !name.empty() && name.find_first_of(" \t") == std::string::npos;
+  };
+  const bool is_alone = names.size() == 1; // a title, it may be
+  const auto is_known = [is_alone](std::string name) {
+    std::transform(name.begin(), name.end(), name.begin(), lower);
+    const auto begins = [&name](const char *word) { return name.starts_with(word); };
+    return begins("size_") || begins("lower_") || name == "sieve" ||
+           (!is_alone && (begins("diameter") || begins("radius") || begins("quantity")));
+  };
+  return std::all_of(names.begin(), names.end(), is_word) &&
+         std::any_of(names.begin(), names.end(), is_known);
+}
+
 /// The format that a line at the beginning of a file tells; nothing where the next must be looked at.
 std::optional<ParticleFormat> format_of(std::string_view line, const ParticleSource &source) {
   const std::string_view text = trimmed(line);
@@ -45,7 +65,7 @@ std::optional<ParticleFormat> format_of(std::string_view line, const ParticleSou
     return ParticleFormat::answer;
   if (text.starts_with("ITEM:"))
     return ParticleFormat::lammps_dump;
-  if (text.starts_with("size_") || text.starts_with("\"size_") || text.starts_with("lower_"))
+  if (is_csv_header(text))
     return ParticleFormat::csv;
   std::vector<std::string_view> words;
   split_words(text, words);

@@ -67,6 +67,12 @@ TEST_CASE("command lines that are wrong point to the help", "[cli]") {
     check_refused(mdm(arguments), "--help");
 }
 
+TEST_CASE("an unknown option is named also where arguments are missing", "[cli]") {
+  check_refused(mdm({"verify", "--nosuch"}), "--nosuch");
+  check_refused(mdm({"verify", "a", "--nosuch", "b"}), "--nosuch");
+  check_refused(mdm({"verify", "a"}), "SAMPLE is required");
+}
+
 TEST_CASE("- is standard input", "[cli]") {
   const std::string text = read_file(example("hostun-rf-sand"));
   const Outcome outcome = mdm({"solve", "-"}, text);

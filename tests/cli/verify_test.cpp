@@ -172,8 +172,9 @@ TEST_CASE("verify: the tolerance is closed and in percentage points", "[cli]") {
     CHECK(exit_of(g, s, {"--tolerance", little}) == 1);
   CHECK(verify_json(g, s, 0, {"--tolerance", "0.25e2"}).at("tolerance_percent") == "25");
   CHECK(exit_of(g, sample("2,24\n4,1\n1,1\n"), {"--tolerance", "100%"}) == 1); // one outside
-  for (const char *wrong : {"-1%", "x", "%", "", "1%%", "retained:1%"})
-    check_refused(verify(g, s, {std::string("--tolerance=") + wrong}), "--tolerance");
+  for (const char *wrong : {"-1%", "x", "%", "1%%", "retained:1%"})
+    check_refused(verify(g, s, {std::string("--tolerance=") + wrong}),
+                  "--tolerance: '" + std::string(wrong) + "' is not a number of percentage points");
 }
 
 TEST_CASE("verify: sizes computed in double are taken as the sieve with --snap", "[cli]") {

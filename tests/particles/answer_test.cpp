@@ -61,6 +61,7 @@ bool is_exact_match(const AnswerDescription &d) {
 TEST_CASE("answers: sizes that are roots match exactly") {
   const AnswerDescription d = described(two);
   CHECK(is_exact_match(d));
+  CHECK(is_exact_match(described("\uFEFF" + two)));
   CHECK(d.description.of_class(1).first->is(2, 1)); // on its upper opening
   CHECK(d.description.of_class(2).first->is(16, 3));
   // At scale 8 the masses are 8 times those of the gradation.
@@ -141,7 +142,7 @@ TEST_CASE("answers: broken ones") {
   };
   CHECK(contains(refusal_of("{\n\"schema\": }"), "a.json:2: this is not JSON"));
   CHECK(contains(refusal_of("{}"), "a.json:1: schema is missing"));
-  CHECK(contains(refusal_of("[]"), "a.json:1: schema is missing"));
+  CHECK(contains(refusal_of("[]"), "a.json:1: this is not one JSON object"));
   CHECK(contains(refusal_of("\n{\"schema\":\"x\"}"), "a.json:2: schema 'x'"));
   CHECK(contains(broken("\"unit\":", "\n\"unit\":\"um\",\n\"unit\":"),
                  "a.json:3: key 'unit' is there twice: leave one"));

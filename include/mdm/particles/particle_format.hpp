@@ -11,7 +11,7 @@ namespace mdm {
 
 /// A format that particles are read from.
 enum class ParticleFormat {
-  csv,           ///< header `size_mm,quantity` (or _um, _m, _in), then a size and its quantity a row
+  csv, ///< header `size_mm,quantity` (or _um, _m, _in, _phi; or `sieve`), then a size and its quantity a row
   answer,        ///< mdm-answer-1, see answer_sample.hpp
   xyzr,          ///< `x y z r` a line, # comments: YADE's ymport.text
   lammps_data,   ///< data file of LAMMPS or LIGGGHTS, atom_style sphere
