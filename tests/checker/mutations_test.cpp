@@ -5,86 +5,11 @@
 
 #include "catch.hpp"
 #include "check.hpp"
-#include "program.hpp"
-
-#include <gmpxx.h>
-
-#include <algorithm>
-#include <map>
-#include <optional>
-#include <set>
-#include <sstream>
+#include "mutants.hpp"
 
 using namespace mdm_check_test;
 
 namespace {
-
-using Rational = mpq_class;
-using Words = std::vector<std::string>;
-
-Rational to_power(const Rational &x, unsigned long exponent) {
-  Rational result = 1;
-  for (unsigned long i = 0; i < exponent; ++i)
-    result *= x;
-  return result;
-}
-
-bool is_integer_text(const std::string &text) {
-  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos &&
-         (text == "0" || text[0] != '0');
-}
-
-/// The value of an integer, a decimal or a fraction in its only form.
-std::optional<Rational> value_of(const std::string &text) {
-  const std::size_t slash = text.find('/');
-  const std::size_t point = text.find('.');
-  const std::size_t mark = std::min(slash, point);
-  if (!is_integer_text(text.substr(0, mark)))
-    return std::nullopt;
-  if (mark == std::string::npos)
-    return Rational(text);
-  std::string rest = text.substr(mark + 1);
-  if (slash != std::string::npos) {
-    Rational fraction(text.substr(0, mark) + "/" + (is_integer_text(rest) && rest != "0" ? rest : "1"));
-    fraction.canonicalize();
-    return fraction.get_str() == text ? std::optional<Rational>(fraction) : std::nullopt;
-  }
-  if (rest.empty() || rest.find_first_not_of("0123456789") != std::string::npos || rest.back() == '0')
-    return std::nullopt;
-  Rational decimal(text.substr(0, mark) + rest + "/1" + std::string(rest.size(), '0'), 10);
-  decimal.canonicalize();
-  return decimal;
-}
-
-struct Table {
-  std::vector<Rational> x, m;
-};
-
-/// A gradation `size_mm,mass`, ascending; none if it is wrong.
-std::optional<Table> read_table(const std::string &text) {
-  std::istringstream lines(text);
-  std::string line;
-  std::map<Rational, Rational> rows;
-  std::size_t count = 0;
-  for (std::getline(lines, line); std::getline(lines, line); ++count) {
-    const std::optional<Rational> x = value_of(line.substr(0, line.find(',')));
-    const std::optional<Rational> m = value_of(line.substr(line.find(',') + 1));
-    if (!x || !m)
-      return std::nullopt;
-    rows[*x] = *m;
-  }
-  Table table;
-  for (const auto &row : rows) {
-    table.x.push_back(row.first);
-    table.m.push_back(row.second);
-  }
-  const bool some = std::any_of(table.m.begin(), table.m.end(), [](const Rational &m) { return m > 0; });
-  return count == rows.size() && count >= 2 && some && table.m.back() == 0 ? std::optional<Table>(table)
-                                                                           : std::nullopt;
-}
-
-const Rational pi_below("314159265358979323846264338327950288/100000000000000000000000000000000000");
-const Rational pi_above("314159265358979323846264338327950289/100000000000000000000000000000000000");
 
 /// Judges a certificate by definition, in fractions and by enumeration.
 class Judge {
@@ -345,70 +270,6 @@ private:
   unsigned long a_ = 1, b_ = 1;
 };
 
-Words lines_of(const std::string &text) {
-  Words lines;
-  std::istringstream input(text);
-  for (std::string line; std::getline(input, line);)
-    lines.push_back(line + "\n");
-  return lines;
-}
-
-std::string joined(const Words &words, const std::string &delimiter = "") {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += (i > 0 ? delimiter : "") + words[i];
-  return text;
-}
-
-/// Every word dropped, doubled and exchanged with every later one.
-void rearrange(const Words &words, const std::string &delimiter, const std::string &before,
-               const std::string &after, std::set<std::string> &mutants) {
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    Words dropped = words;
-    dropped.erase(dropped.begin() + static_cast<std::ptrdiff_t>(i));
-    mutants.insert(before + joined(dropped, delimiter) + after);
-    Words doubled = words;
-    doubled.insert(doubled.begin() + static_cast<std::ptrdiff_t>(i), words[i]);
-    mutants.insert(before + joined(doubled, delimiter) + after);
-    for (std::size_t k = i + 1; k < words.size(); ++k) {
-      Words exchanged = words;
-      std::swap(exchanged[i], exchanged[k]);
-      mutants.insert(before + joined(exchanged, delimiter) + after);
-    }
-  }
-}
-
-/// Every run of digits one up and one down.
-void shift_numbers(const std::string &text, std::set<std::string> &mutants) {
-  for (std::size_t begin = 0; begin < text.size(); ++begin) {
-    const std::size_t end = std::min(text.find_first_not_of("0123456789", begin), text.size());
-    if (end == begin || (begin > 0 && std::isdigit(static_cast<unsigned char>(text[begin - 1])) != 0))
-      continue;
-    for (const int shift : {-1, 1}) {
-      const mpz_class number = mpz_class(text.substr(begin, end - begin), 10) + shift;
-      std::string digits = number.get_str();
-      if (begin > 0 && text[begin - 1] == '.' && digits.size() < end - begin)
-        digits.insert(0, end - begin - digits.size(), '0');
-      mutants.insert(text.substr(0, begin) + digits + text.substr(end));
-    }
-  }
-}
-
-void change_bytes(const std::string &text, std::set<std::string> &mutants) {
-  for (std::size_t i = 0; i <= text.size(); ++i) {
-    mutants.insert(text.substr(0, i));
-    for (const char c : {'0', '1', '9', ' ', '/', '.', '\n', '-', 'e', '\0', '\xFF'}) {
-      mutants.insert(text.substr(0, i) + c + text.substr(i));
-      if (i < text.size())
-        mutants.insert(text.substr(0, i) + c + text.substr(i + 1));
-    }
-    if (i < text.size()) {
-      mutants.insert(text.substr(0, i) + text.substr(i + 1));
-      mutants.insert(text.substr(0, i) + static_cast<char>(text[i] ^ 1) + text.substr(i + 1));
-    }
-  }
-}
-
 /// One more particle in a class, and in the claim.
 void claim_more(const std::string &text, std::set<std::string> &mutants) {
   const Words lines = lines_of(text);
@@ -469,10 +330,6 @@ const char *const names[] = {"sphere_two_classes",
                              "at_least_power_3_2",
                              "at_least_cylinder",
                              "at_least_everything"};
-
-std::string text_of(const std::string &file) {
-  return read_file(std::filesystem::path(MDM_CERTIFICATES_DIR) / "accepted" / file);
-}
 
 } // namespace
 

@@ -1,0 +1,403 @@
+// The same for tree certificates: what passes must still prove its claim. The judge of this file writes every
+// condition out in all variables, in fractions, and adds them up as they stand.
+
+#include "catch.hpp"
+#include "check.hpp"
+#include "mutants.hpp"
+
+using namespace mdm_check_test;
+
+namespace {
+
+using Row = std::vector<Rational>;
+
+struct Condition {
+  Row of; ///< coefficients of q_1..q_k, t_1..t_k, p_1..p_k
+  Rational right = 0;
+  bool strict = false;
+};
+
+Row sum(const Row &x, const Rational &factor, const Row &y) {
+  Row result = x;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    result[i] += factor * y[i];
+  return result;
+}
+
+/// Judges a certificate by definition. Refused stands for malformed as well.
+class TreeJudge {
+public:
+  TreeJudge(Table table, const std::string &certificate) : table_(std::move(table)) {
+    for (const std::string &line : lines_of(certificate)) {
+      Words words;
+      std::istringstream input(line);
+      for (std::string word; input >> word;)
+        words.push_back(word);
+      well_formed_ = well_formed_ && line == joined(words, " ") + "\n" && !words.empty();
+      lines_.push_back(words);
+    }
+    well_formed_ = well_formed_ && certificate.find('\0') == std::string::npos && !certificate.empty() &&
+                   certificate.back() == '\n';
+  }
+
+  bool proves() {
+    return well_formed_ && read_question() && derive() && read_witness() && tree_holds() &&
+           next_ == lines_.size();
+  }
+
+private:
+  using Bounds = std::pair<Rational, Rational>;
+
+  bool is(const std::string &name) const { return next_ < lines_.size() && lines_[next_][0] == name; }
+
+  /// The numbers of the next line, if it has this name and so many; only some may be fractions.
+  std::optional<Row> take(const std::string &name, std::size_t count, const std::string &kinds) {
+    if (!is(name) || (count > 0 && lines_[next_].size() != count + 1))
+      return std::nullopt;
+    Row numbers;
+    const Words &words = lines_[next_];
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const char kind = kinds[std::min(i, kinds.size()) - 1];
+      const std::optional<Rational> value = value_of(words[i]);
+      if (!value || (kind != 'r' && words[i].find('/') != std::string::npos) ||
+          (kind == 'i' && words[i].find('.') != std::string::npos) ||
+          (kind == 'r' && words[i].find('.') != std::string::npos))
+        return std::nullopt;
+      numbers.push_back(*value);
+    }
+    ++next_;
+    return numbers;
+  }
+
+  bool read_question() {
+    const std::optional<Row> version = take("mdm-certificate", 1, "i"), law = take("law", 1, "r");
+    if (!version || (*version)[0] != 1 || !law || (*law)[0] <= 0 || (*law)[0] > 1000 ||
+        (*law)[0].get_den() != 1)
+      return false;
+    a_ = (*law)[0].get_num().get_ui();
+    for (const char *name : {"min-per-class", "cylinder", "at-least"}) {
+      if (!is(name))
+        continue;
+      const bool cylinder = std::string(name) == "cylinder";
+      const std::optional<Row> numbers = take(name, cylinder ? 3 : 1, cylinder ? "d" : "i");
+      if (!numbers || (!cylinder && (*numbers)[0] < 2) ||
+          (cylinder && ((*numbers)[0] <= 0 || (*numbers)[1] <= 0 || a_ != 3)))
+        return false;
+      question_[name] = *numbers;
+    }
+    for (const char *name : {"retained", "passing", "passing-each", "total"})
+      if (is(name)) {
+        const bool each = std::string(name) == "passing-each";
+        const std::optional<Row> numbers = take(name, each ? 0 : 1, "d");
+        if (!numbers || numbers->empty() || *std::max_element(numbers->begin(), numbers->end()) > 100)
+          return false;
+        question_[name] = *numbers;
+      }
+    while (is("band")) {
+      const std::optional<Row> numbers = take("band", 3, "d");
+      if (!numbers || (!band_.empty() && (*numbers)[0] <= band_.back()[0]))
+        return false;
+      band_.push_back(*numbers);
+    }
+    return !band_.empty() || has("retained") || has("passing") || has("passing-each") || has("total");
+  }
+
+  bool has(const char *name) const { return question_.count(name) > 0; }
+
+  static void narrow(Bounds &bounds, const Rational &lo, const Rational &hi) {
+    bounds = {std::max(bounds.first, lo), std::min(bounds.second, hi)};
+  }
+
+  bool derive() {
+    const std::vector<Rational> &x = table_.x;
+    k_ = x.size() - 1;
+    Rational whole = 0, passed = 0;
+    for (const Rational &m : table_.m)
+      whole += m;
+    retained_ = passing_ = std::vector<Bounds>(k_, {0, 1});
+    if (has("passing-each") && question_["passing-each"].size() != k_ - 1)
+      return false;
+    for (std::size_t j = 0; j < k_; ++j) {
+      g_.push_back(table_.m[j] / whole);
+      passed += g_[j];
+      if (has("retained"))
+        narrow(retained_[j], g_[j] - question_["retained"][0] / 100, g_[j] + question_["retained"][0] / 100);
+      for (const char *name : {"passing", "passing-each"})
+        if (has(name) && j + 1 < k_) {
+          const Rational e = question_[name][name == std::string("passing") ? 0 : j] / 100;
+          narrow(passing_[j], passed - e, passed + e);
+        }
+    }
+    for (const Row &band : band_) {
+      if (band[0] <= x[0] && band[1] != 0)
+        return false;
+      if (band[0] <= x[0])
+        continue;
+      const auto found = std::find(x.begin(), x.end(), band[0]);
+      if (found == x.end() && band[0] < x.back())
+        return false;
+      narrow(passing_[found == x.end() ? k_ - 1 : static_cast<std::size_t>(found - x.begin()) - 1],
+             band[1] / 100, band[2] / 100);
+    }
+    if (has("total"))
+      total_ = question_["total"][0] / 100;
+    if (has("cylinder")) {
+      const Row &c = question_["cylinder"];
+      weight_ = 3 * c[0] * c[0] * c[1] / (2 * (1 + c[2]));
+    }
+    for (std::size_t j = 0; j < k_; ++j)
+      least_.push_back(has("min-per-class") && table_.m[j] > 0 ? question_["min-per-class"][0] : Rational(0));
+    most_.assign(k_, -1);
+    return true;
+  }
+
+  Rational mass(std::size_t opening) const { return to_power(table_.x[opening], a_); }
+
+  bool read_witness() {
+    if (lines_.size() > next_ && joined(lines_[next_], " ") == "particles none") {
+      ++next_;
+      return true;
+    }
+    const std::optional<Row> N = take("particles", 1, "i");
+    if (!N || (*N)[0] < 1)
+      return false;
+    N_ = (*N)[0];
+    Row q(k_), t(k_);
+    Rational count = 0, M = 0, weight = 0, off = 0, P = 0, last = 0;
+    while (is("class")) {
+      const std::optional<Row> line = take("class", 5, "iirdd");
+      if (!line || (*line)[0] <= last || (*line)[0] > static_cast<unsigned long>(k_) || (*line)[1] < 1)
+        return false;
+      last = (*line)[0];
+      const std::size_t j = last.get_num().get_ui() - 1;
+      q[j] = (*line)[1];
+      t[j] = (*line)[2];
+      const Rational &lo = (*line)[3], &hi = (*line)[4], T = t[j] / q[j];
+      const bool inside = lo == hi ? to_power(lo, a_) == T : to_power(lo, a_) <= T && T < to_power(hi, a_);
+      if (!inside || lo > hi || table_.x[j] >= lo || hi > table_.x[j + 1] || 1'000'000'000 * (hi - lo) > lo ||
+          T <= mass(j) || T > mass(j + 1))
+        return false;
+      count += q[j];
+      M += t[j];
+      weight += t[j];
+    }
+    for (std::size_t j = 0; j < k_ && M > 0; ++j) {
+      P += t[j];
+      off += abs(t[j] / M - g_[j]);
+      if (q[j] < least_[j] || t[j] < retained_[j].first * M || t[j] > retained_[j].second * M ||
+          P < passing_[j].first * M || P > passing_[j].second * M)
+        return false;
+    }
+    return count == *N_ && count >= least_count() && off <= total_ && weight >= weight_;
+  }
+
+  Rational least_count() const { return has("at-least") ? question_.at("at-least")[0] : Rational(1); }
+
+  /// The condition of a name, in all variables.
+  std::optional<Condition> condition(const std::string &name) const {
+    const std::size_t k = k_;
+    const auto unit = [k](std::size_t from, std::size_t to) {
+      Row row(3 * k);
+      std::fill(row.begin() + static_cast<std::ptrdiff_t>(from),
+                row.begin() + static_cast<std::ptrdiff_t>(to), 1);
+      return row;
+    };
+    const Row none(3 * k), M = unit(k, 2 * k), counts = unit(0, k);
+    if (name == "m")
+      return Condition{M, 0, true};
+    if (name == "n")
+      return Condition{counts, least_count(), false};
+    if (name == "N" && N_)
+      return Condition{sum(none, -1, counts), 1 - *N_, false};
+    if (name == "E")
+      return Condition{sum(sum(none, total_ / 2, M), -1, unit(2 * k, 3 * k)), 0, false};
+    if (name == "w")
+      return Condition{weight_ > 0 ? M : none, weight_, false};
+    const std::optional<Rational> index = value_of(name.size() > 1 ? name.substr(1) : "0");
+    if (!index || index->get_den() != 1 || *index < 1 || *index > static_cast<unsigned long>(k) ||
+        name.find_first_of("./") != std::string::npos)
+      return std::nullopt;
+    const std::size_t j = index->get_num().get_ui() - 1;
+    const Row q = unit(j, j + 1), t = unit(k + j, k + j + 1), p = unit(2 * k + j, 2 * k + j + 1);
+    const Row P = unit(k, k + j + 1);
+    switch (name[0]) {
+    case 'f':
+      return Condition{sum(t, -mass(j), q), 0, least_[j] >= 1};
+    case 'F':
+      return Condition{sum(sum(none, mass(j + 1), q), -1, t), 0, false};
+    case 'q':
+      return Condition{q, least_[j], false};
+    case 'Q':
+      return most_[j] < 0 ? std::nullopt : std::optional(Condition{sum(none, -1, q), -most_[j], false});
+    case 'r':
+      return Condition{sum(t, -retained_[j].first, M), 0, false};
+    case 'R':
+      return Condition{sum(sum(none, retained_[j].second, M), -1, t), 0, false};
+    case 'p':
+      return Condition{sum(P, -passing_[j].first, M), 0, false};
+    case 'P':
+      return Condition{sum(sum(none, passing_[j].second, M), -1, P), 0, false};
+    case 'e':
+      return Condition{sum(sum(p, -1, t), g_[j], M), 0, false};
+    case 'x':
+      return Condition{p, 0, false};
+    default:
+      return std::nullopt;
+    }
+  }
+
+  bool leaf_holds(const Words &words) const {
+    Condition all{Row(3 * k_), 0, false};
+    std::set<std::string> names;
+    for (std::size_t i = 1; i + 1 < words.size(); i += 2) {
+      const std::optional<Rational> m = value_of(words[i]);
+      const std::optional<Condition> c = condition(words[i + 1]);
+      if (!m || *m < 1 || !is_integer_text(words[i]) || !c || !names.insert(words[i + 1]).second)
+        return false;
+      all = {sum(all.of, *m, c->of), all.right + *m * c->right, all.strict || c->strict};
+    }
+    return words.size() > 1 && words.size() % 2 == 1 && all.of == Row(3 * k_) &&
+           (all.right > 0 || (all.right == 0 && all.strict));
+  }
+
+  /// Recursive, as the format says it: these trees are small.
+  bool subtree_holds() {
+    if (is("leaf"))
+      return leaf_holds(lines_[next_++]);
+    const std::optional<Row> split = take("split", 2, "i");
+    if (!split || (*split)[0] < 1 || (*split)[0] > static_cast<unsigned long>(k_) || (*split)[1] < 1)
+      return false;
+    const std::size_t j = (*split)[0].get_num().get_ui() - 1;
+    const Rational &v = (*split)[1];
+    const Rational most = most_[j], least = least_[j];
+    most_[j] = most < 0 ? Rational(v - 1) : std::min<Rational>(most, v - 1);
+    const bool below = subtree_holds();
+    most_[j] = most;
+    least_[j] = std::max(least, v);
+    const bool above = below && subtree_holds();
+    least_[j] = least;
+    return above;
+  }
+
+  bool tree_holds() { return subtree_holds() && is("end") && lines_[next_++].size() == 1; }
+
+  Table table_;
+  std::vector<Words> lines_;
+  bool well_formed_ = true;
+  std::size_t next_ = 0, k_ = 0;
+  unsigned long a_ = 1;
+  std::map<std::string, Row> question_;
+  std::vector<Row> band_;
+  std::vector<Bounds> retained_, passing_;
+  Row g_, least_, most_;
+  Rational total_ = 2, weight_ = 0;
+  std::optional<Rational> N_;
+};
+
+/// What stands before the claim.
+std::string question_of(const std::string &certificate) {
+  return certificate.substr(0, certificate.find("particles "));
+}
+
+/// Demands the judge's verdict on every mutant; the mutants that pass. There is one least number to a
+/// question, so all that pass with the same question claim the same.
+std::size_t judge_all(const std::string &gradation, const std::set<std::string> &certificates) {
+  const Table table = *read_table(gradation);
+  std::map<std::string, std::set<std::string>> claims;
+  std::size_t passed = 0, wrong = 0;
+  for (const std::string &certificate : certificates) {
+    const bool proves = TreeJudge(table, certificate).proves();
+    const mdm_check::Verdict verdict = mdm_check::check({"g", gradation}, {"c", certificate});
+    const bool accepted = verdict.code == mdm_check::Verdict::accepted;
+    if (accepted != proves && ++wrong <= 3)
+      FAIL_CHECK(verdict.line << "\nbut the judge says " << proves << "\n" << certificate);
+    if (!accepted)
+      continue;
+    ++passed;
+    const std::size_t claim = certificate.find("particles ");
+    claims[question_of(certificate)].insert(certificate.substr(claim, certificate.find('\n', claim) - claim));
+  }
+  CHECK(wrong == 0);
+  for (const auto &[question, numbers] : claims) {
+    INFO(question);
+    CHECK(numbers.size() == 1);
+  }
+  return passed;
+}
+
+/// In each line that begins so, every word dropped, doubled and exchanged, and its conditions changed.
+void change_leaves(const std::string &text, std::set<std::string> &mutants) {
+  const Words lines = lines_of(text);
+  std::string before;
+  for (std::size_t i = 0; i < lines.size(); before += lines[i++]) {
+    Words words;
+    std::istringstream input(lines[i]);
+    for (std::string word; input >> word;)
+      words.push_back(word);
+    const std::string after = joined(Words(lines.begin() + static_cast<std::ptrdiff_t>(i) + 1, lines.end()));
+    rearrange(words, " ", before, "\n" + after, mutants);
+    if (words[0] != "leaf")
+      continue;
+    for (std::size_t w = 2; w < words.size(); w += 2)
+      for (const char letter : std::string("fFqQrRpPexEmwnN")) {
+        Words changed = words;
+        changed[w][0] = letter;
+        mutants.insert(before + joined(changed, " ") + "\n" + after);
+      }
+    Words scaled = words;
+    for (std::size_t w = 1; w < words.size(); w += 2)
+      scaled[w] = mpz_class(3 * mpz_class(words[w], 10)).get_str();
+    mutants.insert(before + joined(scaled, " ") + "\n" + after);
+    for (const std::string condition :
+         {"m", "n", "N", "w", "E", "r1", "R1", "p2", "P2", "x1", "q1", "f1", "F1"})
+      mutants.insert(before + joined(words, " ") + " 1 " + condition + "\n" + after);
+  }
+}
+
+const char *const names[] = {"by_hand",
+                             "strict_where_a_class_is_occupied",
+                             "relaxation_at_an_open_bound",
+                             "open_bound_between_two_classes",
+                             "closed_bound_between_two_classes",
+                             "spheres_total",
+                             "one_class",
+                             "any_sample",
+                             "class_without_mass_holds_a_particle",
+                             "passing_each_and_more",
+                             "band",
+                             "band_on_all_sieves",
+                             "min_per_class",
+                             "at_least",
+                             "cylinder",
+                             "none_of_a_band",
+                             "none_of_an_empty_class"};
+
+} // namespace
+
+TEST_CASE("changed tree certificates pass only where they still prove their claim", "[checker]") {
+  for (const std::string name : names) {
+    INFO(name);
+    const std::string gradation = text_of("tree_" + name + ".csv");
+    const std::string certificate = text_of("tree_" + name + ".proof");
+    std::set<std::string> mutants;
+    change_bytes(certificate, mutants);
+    shift_numbers(certificate, mutants);
+    change_leaves(certificate, mutants);
+    rearrange(lines_of(certificate), "", "", "", mutants);
+    mutants.erase(certificate);
+    CHECK(mutants.size() > 1000);
+    REQUIRE(judge_all(gradation, {certificate}) == 1);
+    const std::size_t harmless = judge_all(gradation, mutants);
+    CHECK(harmless * 10 < mutants.size());
+  }
+}
+
+TEST_CASE("tree certificates of other gradations pass only where they prove their claim", "[checker]") {
+  for (const std::string name : names) {
+    std::set<std::string> certificates;
+    for (const std::string other : names)
+      certificates.insert(text_of("tree_" + other + ".proof"));
+    INFO(name);
+    CHECK(judge_all(text_of("tree_" + name + ".csv"), certificates) >= 1);
+  }
+}
