@@ -8,30 +8,11 @@ import pathlib
 import shutil
 from fractions import Fraction as F
 
+from exact import decimal, enclose, floor_root, root
+from trees import Tree
+
 HERE = pathlib.Path(__file__).parent
 PI = ("3.14159265358979323846", "3.14159265358979323847")
-
-
-def decimal(value):
-    """The canonical text of a decimal fraction."""
-    places = 0
-    while (value * 10**places).denominator != 1:
-        places += 1
-    digits = str(value * 10**places).rjust(places + 1, "0")
-    return digits if places == 0 else digits[:-places] + "." + digits[-places:]
-
-
-def root(n, degree):
-    """floor of the root of an integer."""
-    low, high = 0, 1 << (n.bit_length() // degree + 1)
-    while high - low > 1:
-        middle = (low + high) // 2
-        low, high = (middle, high) if middle**degree <= n else (low, middle)
-    return low
-
-
-def floor_root(value, degree):
-    return root(value.numerator // value.denominator, degree)
 
 
 class Case:
@@ -77,7 +58,8 @@ class Case:
                 self.solve()
         self.N = max(sum(self.q.values()), at_least or 0)
         self.choose(scale, extra)
-        self.sizes = {j: self.enclose(j, places) for j in self.used}
+        self.sizes = {j: enclose(self.S * self.m[j]**b / (self.q[j] * self.c[j])**b, a, self.x[j], self.x[j + 1], places)
+                      for j in self.used}
 
     def above(self, z):
         """Raises the floors to what a scale above z needs."""
@@ -119,16 +101,6 @@ class Case:
                 missing -= 1
         self.N += extra
         assert missing == 0
-
-    def enclose(self, j, places):
-        T = self.S * self.m[j]**self.b / (self.q[j] * self.c[j])**self.b
-        while True:
-            n = floor_root(T * 10**(places * self.a), self.a)
-            lo = F(n, 10**places)
-            hi = lo if lo**self.a == T else F(n + 1, 10**places)
-            if self.x[j] < lo and hi <= self.x[j + 1] and 10**9 * (hi - lo) <= lo:
-                return decimal(lo), decimal(hi)
-            places += 1
 
     def proof(self):
         lines = ["mdm-certificate 1", f"law {F(self.a, self.b)}", *self.options]
@@ -243,6 +215,54 @@ accept("json_descending_inches",
        ' {"unit": "in", "masses": [0, 1, 2], "sizes": [3, 2, 1], "factors": ["1", "3", "2"],\n'
        '"tolerances_percent": [0, 0, 1], "\\u0061\\ud83d\\ude00": "\\n"}\n',
        Case(["25.4", "50.8", "76.2"], ["2", "1", "0"], c=["2", "3", "1"]))
+
+
+def tree(name, N, x, m, *tolerance, header="size_mm,mass", columns=(), **question):
+    """A match within a tolerance; N was found by hand, by the reason that stands beside it, or is what came out."""
+    case = Tree(x, m, tolerance, **question)
+    assert N == case.N, (name, case.N)
+    accept("tree_" + name, rows(header, x, m, *columns), case)
+
+
+LINEAR = {"law": (1, 1)}
+OPEN_X, OPEN_M = ["0", "2", "5", "9"], ["2", "1", "1", "0"]
+# Two particles would need one of size 2 in (2, 5]; an empty class 3 must be allowed.
+tree("strict_where_a_class_is_occupied", 3, OPEN_X, OPEN_M, "retained 25", **LINEAR)
+# One particle a class would need one of size 1 in (1, 2].
+tree("relaxation_at_an_open_bound", 3, ["1", "2", "3"], ["2", "8", "0"], "total 10", **LINEAR)
+# Particles of classes that touch: 2 and more than 2.
+tree("open_bound_between_two_classes", 3, ["1", "2", "4"], ["1", "1", "0"], "retained 0", **LINEAR)
+tree("closed_bound_between_two_classes", 2, ["1", "2", "4"], ["1", "2", "0"], "retained 0", **LINEAR)
+tree("spheres_retained", 3, OPEN_X, OPEN_M, "retained 25")
+tree("spheres_total", 2, ["1", "2", "3"], ["2", "8", "0"], "total 10")
+tree("one_class", 1, ["1", "2"], ["5", "0"], "passing 0")
+tree("any_sample", 1, OPEN_X, OPEN_M, "total 100", "band 20 100 100")
+tree("no_tolerance_is_exact", 4, TRIPLE_X, TRIPLE_M, "retained 0")
+tree("class_without_mass_holds_a_particle", 2, ["1", "2", "3", "4"], ["1", "0", "2", "0"], "retained 40", "passing 20",
+     **LINEAR)
+tree("passing", 6, OPEN_X, OPEN_M, "passing 5", **LINEAR)
+tree("passing_each", 6, OPEN_X, OPEN_M, "passing-each 1.25 16", **LINEAR)
+tree("passing_each_and_more", 6, OPEN_X, OPEN_M, "retained 12", "passing 15", "passing-each 10 4", "total 20.5",
+     **LINEAR)
+tree("band", 3, ["1", "2", "3"], ["1", "1", "0"], "band 1 0 0", "band 2 20.5 21", **LINEAR)
+tree("band_on_all_sieves", 3, ["1", "2", "3"], ["1", "1", "0"], "band 0.5 0 100", "band 2 10 24", "band 3 100 100",
+     "band 4 50 100", **LINEAR)
+TOLERANCES = ["30", "4", "10", "0"]
+FILE = {"header": "size_mm,mass,tolerance_percent", "columns": (TOLERANCES,), "file": TOLERANCES}
+tree("retained_file", 5, OPEN_X, OPEN_M, "retained file", **FILE, **LINEAR)
+tree("passing_file", 6, OPEN_X, OPEN_M, "retained 20", "passing file", "total 25", **FILE, **LINEAR)
+tree("min_per_class", 7, OPEN_X, OPEN_M, "retained 25", least="2", **LINEAR)
+tree("at_least", 5, OPEN_X, OPEN_M, "retained 25", at_least="5", **LINEAR)
+tree("cylinder", 3, ["0", "2", "3"], ["1", "1", "0"], "retained 40", cylinder="4 3.5 0.5")
+tree("solids_volume", 3, ["0", "2", "3"], ["1", "1", "0"], "retained 40", volume="30")
+tree("factors", 3, ["0", "2", "3"], ["1", "1", "0"], "passing 10", c=["2", "0.5", "1"], volume="20",
+     header="size_mm,mass,factor", columns=(["2", "0.5", "1"],))
+tree("law_3_2", 2, ["1", "4", "9"], ["1", "2", "0"], "retained 12.5", law=(3, 2))
+tree("pan_cut_factor", 3, ["0", "1", "2", "4"], ["1", "2", "3", "0"], "total 20", "band 0.5 0 50", "band 2 0 60",
+     "band 7 0 100", pan="0.5", cut="0.5", factor="2.5")
+tree("none_of_a_band", None, OPEN_X, OPEN_M, "band 2 50 60", "band 5 20 40", **LINEAR)
+tree("none_of_retained_and_passing", None, OPEN_X, OPEN_M, "retained 1", "band 5 0 70")
+tree("none_of_an_empty_class", None, ["1", "2", "4"], ["1", "1", "0"], "band 2 0 0", least="2", **LINEAR)
 
 
 def edit(name, base, *changes, into=rejected, gradation=None):
@@ -382,6 +402,98 @@ edit("cut_left_out", "cut_below", ("cut-below", None))
 edit("size_factor_left_out", "size_factor", ("size-factor", None))
 
 
+# Trees. A leaf or a line of the witness is exchanged for a wrong one.
+def leaf_edit(name, base, old, new, into=rejected):
+    """The text `old`, which is there exactly once, replaced."""
+    csv, proof = accepted["tree_" + base]
+    assert proof.count(old) == 1, (name, proof)
+    into["tree_" + name] = (csv, proof.replace(old, new))
+
+
+OPEN, AT_OPEN = "strict_where_a_class_is_occupied", "relaxation_at_an_open_bound"
+HAND = """mdm-certificate 1
+law 1
+total 10
+particles 3
+class 1 1 3/2 1.5 1.5
+class 2 2 5 2.5 2.5
+split 2 1
+leaf 4 e1 4 E 4 x2 4 F2 12 Q2 3 m
+split 1 1
+leaf 20 e2 20 E 20 x1 20 F1 40 Q1 3 m
+leaf 4 e1 4 E 4 x2 3 f1 1 F2 3 N 6 q1
+end
+"""
+BY_HAND = rows("size_mm,mass", ["1", "2", "3"], ["2", "8", "0"])
+accepted["tree_by_hand"] = (BY_HAND, HAND)
+for name, old, new in (
+        ("one_more_than_least", "particles 3\n", "particles 4\n"),
+        ("one_more_in_claim_and_witness", "particles 3\nclass 1 1 3/2", "particles 4\nclass 1 2 3"),
+        ("one_less_than_least", "particles 3\n", "particles 2\n"),
+        ("one_less_in_claim_and_witness", "particles 3\nclass 1 1 3/2 1.5 1.5\nclass 2 2 5 2.5 2.5",
+         "particles 2\nclass 1 1 1 1 1\nclass 2 1 3 3 3"),
+        ("claims_that_there_is_none", HAND[HAND.index("particles"):HAND.index("split 2")], "particles none\n"),
+        ("without_the_split_that_makes_a_bound_strict",
+         "split 1 1\nleaf 20 e2 20 E 20 x1 20 F1 40 Q1 3 m\nleaf 4 e1 4 E 4 x2 3 f1 1 F2 3 N 6 q1",
+         "leaf 4 e1 4 E 4 x2 3 f1 1 F2 3 N 6 q1"),
+        ("split_that_is_not_where_it_was", "split 1 1", "split 2 1"),
+        ("split_at_two", "split 1 1", "split 1 2"),
+        ("subtrees_exchanged", "leaf 20 e2 20 E 20 x1 20 F1 40 Q1 3 m\nleaf 4 e1 4 E 4 x2 3 f1 1 F2 3 N 6 q1",
+         "leaf 4 e1 4 E 4 x2 3 f1 1 F2 3 N 6 q1\nleaf 20 e2 20 E 20 x1 20 F1 40 Q1 3 m"),
+        ("split_of_class_zero", "split 1 1", "split 0 1"),
+        ("split_of_a_class_beyond", "split 1 1", "split 3 1"),
+        ("split_far_beyond", "split 1 1", "split 4294967297 1"),
+        ("leaf_of_a_class_beyond", "4 x2 4 F2", "4 x3 4 F2"),
+        ("leaf_far_beyond", "4 x2 4 F2", "4 x4294967298 4 F2"),
+        ("multiplier_one_more", "12 Q2", "13 Q2"),
+        ("multiplier_one_less", "6 q1", "5 q1"),
+        ("without_the_strict_condition", "40 Q1 3 m", "40 Q1"),
+        ("leaf_with_nothing_strict", "leaf 4 e1 4 E 4 x2 4 F2 12 Q2 3 m", "leaf 1 q2 1 Q2"),
+        ("leaf_true", "leaf 4 e1 4 E 4 x2 4 F2 12 Q2 3 m", "leaf 1 m"),
+        ("bound_of_the_other_branch", "3 N 6 q1", "3 N 6 Q1"),
+        ("most_without_a_bound", "leaf 4 e1 4 E 4 x2 4 F2 12 Q2 3 m", "leaf 4 e1 4 E 4 x2 4 F2 12 Q1 3 m"),
+        ("tighter_total", "total 10", "total 5"),
+        ("looser_total", "total 10", "total 11"),
+        ("another_tolerance", "total 10", "retained 10"),
+        ("another_law", "law 1", "law 2"),
+        ("irrational_law", "law 1", "law 1/2"),
+        ("at_least_more", "total 10", "at-least 4\ntotal 10"),
+        ("min_per_class", "total 10", "min-per-class 2\ntotal 10"),
+        ("column_of_tolerances_missing", "total 10", "retained file\ntotal 10"),
+        ("passing_each_too_many", "total 10", "passing-each 50 50\ntotal 10"),
+        ("band_at_no_opening", "total 10", "total 10\nband 2.5 0 100"),
+        ("band_below_the_finest", "total 10", "total 10\nband 0.5 1 100"),
+        ("band_at_the_finest", "total 10", "total 10\nband 1 0.1 100"),
+        ("band_that_the_witness_misses", "total 10", "total 10\nband 2 0 23"),
+        ("band_above_the_largest", "total 10", "total 10\nband 7 0 99.9"),
+        ("witness_of_a_class_beyond", "class 2 2 5 2.5 2.5", "class 3 2 5 2.5 2.5"),
+        ("witness_of_class_zero", "class 1 1 3/2 1.5 1.5", "class 0 1 3/2 1.5 1.5"),
+        ("witness_without_a_class", "class 1 1 3/2 1.5 1.5\n", ""),
+        ("witness_with_another_mass", "class 1 1 3/2 1.5 1.5", "class 1 1 4/3 1.5 1.5"),
+        ("witness_with_another_size", "class 1 1 3/2 1.5 1.5", "class 1 1 3/2 1.4 1.4"),
+        ("witness_with_a_wide_size", "class 1 1 3/2 1.5 1.5", "class 1 1 3/2 1.5 1.50000001"),
+        ("witness_at_the_open_bound", "class 1 1 3/2 1.5 1.5", "class 1 1 1 1 1"),
+        ("witness_above_the_closed_bound", "class 2 2 5 2.5 2.5", "class 2 2 7 3.5 3.5"),
+        ("witness_beyond_the_tolerance", "class 1 1 3/2 1.5 1.5", "class 1 1 2 2 2"),
+        ("witness_exchanged", "class 1 1 3/2 1.5 1.5\nclass 2 2 5 2.5 2.5",
+         "class 1 2 5 2.5 2.5\nclass 2 1 3/2 1.5 1.5")):
+    assert HAND.count(old) == 1, name
+    rejected["tree_" + name] = (BY_HAND, HAND.replace(old, new))
+edit("tree_file_with_other_tolerances", "tree_retained_file",
+     gradation=rows("size_mm,mass,tolerance_percent", OPEN_X, OPEN_M, ["30", "9", "10", "0"]))
+edit("tree_file_with_other_tolerances_of_sieves", "tree_passing_file",
+     gradation=rows("size_mm,mass,tolerance_percent", OPEN_X, OPEN_M, ["30", "9", "20", "0"]))
+edit("tree_of_another_gradation", "tree_" + OPEN, gradation=rows("size_mm,mass", OPEN_X, ["1", "2", "1", "0"]))
+edit("tree_of_a_larger_cylinder", "tree_cylinder", ("cylinder", "cylinder 5 4 0.5"))
+edit("tree_of_a_smaller_volume", "tree_solids_volume", ("solids-volume", "solids-volume 20"))
+edit("tree_of_a_larger_volume", "tree_solids_volume", ("solids-volume", "solids-volume 40"))
+edit("tree_pi_low_too_high", "tree_solids_volume", ("pi", "pi 3.14159265358979323847 3.14159265358979323848"))
+edit("tree_none_by_the_bound_on_N", "tree_none_of_a_band", ("leaf", "leaf 1 n 1 N"))
+edit("tree_min_per_class_left_out", "tree_min_per_class", ("min-per-class", None))
+edit("tree_at_least_left_out", "tree_at_least", ("at-least", None))
+edit("tree_size_factor_left_out", "tree_pan_cut_factor", ("size-factor", None))
+
+
 def garble(name, *changes, base="sphere_two_classes"):
     edit(name, base, *changes, into=unparsable)
 
@@ -432,6 +544,45 @@ garble("empty_line", ("end", "\nend"))
 garble("line_after_the_end", ("end", "end\nend"))
 garble("number_of_100001_digits", ("particles", "particles 1" + "0" * 100000))
 garble("powers_out_of_hand", ("law", "law 1000"), ("class 2", f"class 2 1 2.{'1' * 500} 2.{'1' * 500}"))
+for name, old, new in (
+        ("leaf_without_conditions", "leaf 4 e1 4 E 4 x2 4 F2 12 Q2 3 m", "leaf"),
+        ("leaf_breaks_off", "12 Q2 3 m", "12 Q2 3"),
+        ("condition_unknown", "12 Q2", "12 Z2"),
+        ("condition_without_its_class", "12 Q2", "12 Q"),
+        ("condition_with_a_class_too_many", "12 Q2 3 m", "12 Q2 3 m1"),
+        ("condition_of_class_zero", "12 Q2", "12 Q0"),
+        ("condition_of_a_class_with_a_leading_zero", "12 Q2", "12 Q02"),
+        ("condition_twice", "12 Q2", "6 Q2 6 Q2"),
+        ("multiplier_zero", "12 Q2", "0 R1 12 Q2"),
+        ("multiplier_negative", "12 Q2", "-12 Q2"),
+        ("multiplier_fraction", "12 Q2", "25/2 Q2"),
+        ("split_at_zero", "split 1 1", "split 1 0"),
+        ("split_without_its_bound", "split 1 1", "split 1"),
+        ("one_leaf_short", "leaf 4 e1 4 E 4 x2 3 f1 1 F2 3 N 6 q1\n", ""),
+        ("one_leaf_too_many", "end\n", "leaf 1 m\nend\n"),
+        ("no_tree", HAND[HAND.index("split 2"):], "end\n"),
+        ("scale_in_it", "particles 3\n", "particles 3\nscale 1\n"),
+        ("chain_in_it", "split 2 1\n", "chain 2\n"),
+        ("class_without_a_mass", "class 1 1 3/2 1.5 1.5", "class 1 1 1.5 1.5"),
+        ("mass_zero", "class 1 1 3/2 1.5 1.5", "class 1 1 0 1.5 1.5"),
+        ("mass_not_in_lowest_terms", "class 1 1 3/2 1.5 1.5", "class 1 1 6/4 1.5 1.5"),
+        ("no_particles_in_a_class", "class 1 1 3/2 1.5 1.5", "class 1 0 3/2 1.5 1.5"),
+        ("none_with_a_witness", "particles 3\n", "particles none\n"),
+        ("particles_zero", "particles 3\n", "particles 0\n"),
+        ("tolerance_above_100", "total 10", "total 100.1"),
+        ("tolerance_negative", "total 10", "total -1"),
+        ("tolerance_twice", "total 10", "total 10\ntotal 10"),
+        ("tolerances_out_of_order", "total 10", "total 10\nretained 5"),
+        ("file_before_percent", "total 10", "retained file\nretained 5\ntotal 10"),
+        ("total_of_the_file", "total 10", "total file"),
+        ("passing_each_of_nothing", "total 10", "passing-each"),
+        ("band_of_two_numbers", "total 10", "band 2 100"),
+        ("band_that_descends", "total 10", "band 2 0 100\nband 1 0 100"),
+        ("band_with_a_sieve_twice", "total 10", "band 2 0 100\nband 2 0 100"),
+        ("no_tolerance", "total 10\n", "")):
+    assert HAND.count(old) == 1, name
+    unparsable["tree_" + name] = (BY_HAND, HAND.replace(old, new))
+unparsable["exact_particles_none"] = (TRIPLE, accepted["sphere_two_classes"][1].replace("particles 4", "particles none"))
 base_csv, base_proof = accepted["sphere_two_classes"]
 for name, proof in (("empty", ""), ("no_line_end", base_proof[:-1]), ("carriage_returns", base_proof.replace("\n", "\r\n")),
                     ("byte_order_mark", "\ufeff" + base_proof), ("gradation_twice", base_csv)):
