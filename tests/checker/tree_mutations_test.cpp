@@ -80,7 +80,8 @@ private:
         continue;
       const bool cylinder = std::string(name) == "cylinder";
       const std::optional<Row> numbers = take(name, cylinder ? 3 : 1, cylinder ? "d" : "i");
-      if (!numbers || (!cylinder && (*numbers)[0] < 2) ||
+      const int least = std::string(name) == "at-least" ? 2 : 1;
+      if (!numbers || (!cylinder && (*numbers)[0] < least) ||
           (cylinder && ((*numbers)[0] <= 0 || (*numbers)[1] <= 0 || a_ != 3)))
         return false;
       question_[name] = *numbers;
