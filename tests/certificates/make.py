@@ -252,6 +252,7 @@ FILE = {"header": "size_mm,mass,tolerance_percent", "columns": (TOLERANCES,), "f
 tree("retained_file", 5, OPEN_X, OPEN_M, "retained file", **FILE, **LINEAR)
 tree("passing_file", 6, OPEN_X, OPEN_M, "retained 20", "passing file", "total 25", **FILE, **LINEAR)
 tree("min_per_class", 7, OPEN_X, OPEN_M, "retained 25", least="2", **LINEAR)
+tree("min_per_class_1", 4, OPEN_X, OPEN_M, "retained 25", least="1", **LINEAR)
 tree("at_least", 5, OPEN_X, OPEN_M, "retained 25", at_least="5", **LINEAR)
 tree("cylinder", 3, ["0", "2", "3"], ["1", "1", "0"], "retained 40", cylinder="4 3.5 0.5")
 tree("solids_volume", 3, ["0", "2", "3"], ["1", "1", "0"], "retained 40", volume="30")

@@ -1,0 +1,85 @@
+// The proofs of mdm solve and mdm batch within tolerances, as a user gives them to mdm-check.
+
+#include "answer.hpp"
+
+using namespace cli_test;
+
+namespace {
+
+const std::string athabasca = example("athabasca-sand");
+
+const std::string file_with_tolerances = "size_mm,mass,tolerance_percent\n0,2,30\n2,1,4\n5,1,10\n9,0,0\n";
+
+/// The verdict on the proof of a question, which has to be accepted.
+std::string verdict(const std::string &gradation, const Arguments &options, int exit_code = 0) {
+  const TemporaryFolder folder;
+  Arguments arguments{"solve", gradation, "--proof", folder / "proof"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Outcome outcome = mdm(arguments);
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.exit_code == exit_code);
+  const Outcome checked = mdm_check(gradation, folder / "proof");
+  INFO(checked.out << checked.err);
+  CHECK(checked.exit_code == 0);
+  return checked.out;
+}
+
+bool contains(const std::string &text, const std::string &part) {
+  UNSCOPED_INFO(text);
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("every kind of tolerance has a proof whose verdict repeats it", "[cli]") {
+  CHECK(contains(verdict(athabasca, {"--tolerance", "retained:1%"}),
+                 "within a tolerance (retained 1%; law x^3)"));
+  CHECK(contains(verdict(athabasca, {"--tolerance", "passing:0.5%", "--tolerance", "total:3%"}),
+                 "(passing 0.5%; total 3%; law x^3)"));
+  CHECK(contains(verdict(athabasca, {"--tolerance", "laboratory"}), "(passing "));
+  CHECK(contains(verdict(athabasca, {"--tolerance", "rounding", "--at-least", "5000"}), "from 5000 up"));
+  const TemporaryFolder folder;
+  const std::string file = folder.write("file.csv", file_with_tolerances);
+  CHECK(contains(verdict(file, {"--tolerance", "retained:file"}), "(retained as the file has it; law x^3)"));
+  CHECK(contains(verdict(file, {"--tolerance", "passing:file", "--min-per-class", "2"}),
+                 "(passing as the file has it; law x^3; at least 2 particles in each class)"));
+}
+
+TEST_CASE("the proof within a band comes with the gradation that the checker reads", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string band = folder.write("band.csv", "size_um,passing_min_percent,passing_max_percent\n"
+                                                    "2000,40,60\n5000,60,80.5\n9000,100,100\n");
+  const std::string file = folder.write("file.csv", file_with_tolerances);
+  CHECK(contains(verdict(file, {"--band", band}), "(2: 40 to 60% passing; 5: 60 to 80.5% passing; "
+                                                  "9: 100 to 100% passing; law x^3)"));
+  const std::string proof = folder / "proof";
+  CHECK(mdm({"solve", "--band", band, "--proof", proof}).exit_code == 0);
+  CHECK(mdm_check(proof + ".csv", proof).exit_code == 0);
+}
+
+TEST_CASE("that no sample is within a tolerance has a proof", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string band =
+      folder.write("band.csv", "size_mm,passing_min_percent,passing_max_percent\n2,50,60\n5,20,40\n");
+  const std::string file = folder.write("file.csv", file_with_tolerances);
+  CHECK(contains(verdict(file, {"--band", band}, 1), "accepted: no sample matches "));
+}
+
+TEST_CASE("a search that a limit has ended leaves no proof", "[cli]") {
+  const TemporaryFolder folder;
+  const Outcome outcome = mdm(
+      {"solve", athabasca, "--tolerance", "passing:0.5%", "--node-limit", "1", "--proof", folder / "proof"});
+  CHECK(outcome.exit_code == 3);
+  CHECK(contains(outcome.out, "no proof was written"));
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("a batch within a tolerance writes the proof of each line", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string line = R"({"id": "a", "sizes": [0, 2, 5, 9], "masses": [2, 1, 1, 0]})";
+  CHECK(mdm({"batch", "--tolerance", "retained:5%", "--proofs", folder / "proofs"}, line + "\n" + line + "\n")
+            .exit_code == 0);
+  const std::string gradation = folder.write("line.json", line);
+  CHECK(mdm_check(gradation, folder / "proofs/1-a.proof").exit_code == 0);
+  CHECK(mdm_check(gradation, folder / "proofs/2-a.proof").exit_code == 0);
+}
