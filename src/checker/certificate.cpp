@@ -87,6 +87,7 @@ public:
     return true;
   }
 
+  bool more() const { return !line_.empty(); }
   std::size_t words_left() const {
     return static_cast<std::size_t>(std::count(line_.begin(), line_.end(), ' '));
   }
@@ -233,7 +234,7 @@ void read_tree(Lines &lines, std::vector<TreeNode> &tree) {
     } else {
       lines.demand("leaf");
       std::set<std::string_view> conditions;
-      for (--open; node.leaf.empty() || lines.words_left() > 0; grow())
+      for (--open; node.leaf.empty() || lines.more(); grow())
         node.leaf.push_back(lines.multiple(conditions));
     }
     tree.push_back(std::move(node));

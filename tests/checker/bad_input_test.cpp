@@ -182,3 +182,26 @@ TEST_CASE("certificates of numbers without measure end soon", "[checker]") {
   CHECK(exit_code(factors + "9999,0,1\n", "mdm-certificate 1\nlaw 3\ncylinder 1 1 1\nparticles 2\nscale 1\n" +
                                               sizes + "chain 1\nend\n") == 2);
 }
+
+TEST_CASE("trees without measure end soon", "[checker]") {
+  const TemporaryFolder folder;
+  const auto exit_code = [&](const std::string &tree) {
+    return run({write_file(folder.path() / "g.csv", good_gradation).string(),
+                write_file(folder.path() / "c.proof",
+                           "mdm-certificate 1\nlaw 3\nretained 1\nparticles none\n" + tree + "end\n")
+                    .string()})
+        .exit_code;
+  };
+  const auto times = [](int n, const std::string &text) {
+    std::string all;
+    for (int i = 0; i < n; ++i)
+      all += text;
+    return all;
+  };
+  CHECK(exit_code(times(1'000'000, "split 1 1\n") + times(1'000'001, "leaf 1 m\n")) == 1);
+  CHECK(exit_code(times(3'000'000, "split 1 1\n") + times(3'000'001, "leaf 1 m\n")) == 2);
+  std::string conditions;
+  for (int i = 1; i <= 300'000; ++i)
+    conditions += " 1 f" + std::to_string(i);
+  CHECK(exit_code("leaf" + conditions + "\n") == 1);
+}

@@ -14,14 +14,15 @@
 
 namespace {
 
-/// Openings, masses and factors as one text; nothing if the file is refused.
+/// Openings, masses, factors and tolerances as one text; nothing if the file is refused.
 std::optional<std::string> by_solver(const std::string &content) {
   try {
     const mdm::Gradation g = mdm::read_gradation(content, "file");
     std::string text;
     for (std::size_t j = 0; j < g.sizes().size(); ++j)
       text += mdm::to_string(g.sizes()[j]) + " " + mdm::to_string(g.masses()[j]) + " " +
-              mdm::to_string(g.factor(j)) + "\n";
+              mdm::to_string(g.factor(j)) + " " +
+              (g.tolerances().empty() ? "" : mdm::to_string(g.tolerances()[j])) + "\n";
     return text;
   } catch (const mdm::InputError &) {
     return std::nullopt;
@@ -33,8 +34,8 @@ std::optional<std::string> by_checker(const std::string &content) {
     const mdm_check::Gradation g = mdm_check::read_gradation(content);
     std::string text;
     for (std::size_t j = 0; j < g.openings.size(); ++j)
-      text += g.openings[j].get_str() + " " + g.masses[j].get_str() + " " +
-              (g.factors.empty() ? "1" : g.factors[j].get_str()) + "\n";
+      text += g.openings[j].get_str() + " " + g.masses[j].get_str() + " " + g.factors[j].get_str() + " " +
+              (g.tolerances.empty() ? "" : g.tolerances[j].get_str()) + "\n";
     return text;
   } catch (const mdm_check::Malformed &) {
     return std::nullopt;
@@ -49,6 +50,8 @@ const std::vector<std::string> seeds = {
     "sieve,retained_g,factor\n1.18 mm,0,1\nTyler 65 mesh,3.5,1.5\n75 um,2,2\npan,1,2.65\n",
     "size_phi,retained_fraction\n-1,0\n0.5,.25\n1.5,0.5\n4,2.5e-1\n",
     "size_in,mass,tolerance_percent\n0.375,0,1\n0.1,5,0.5\n0,3,2\n",
+    "size_mm,passing_percent,tolerance_percent\n2,100,1\n1,40,0.5\n0.5,10,2\n",
+    R"({"sizes": [3, 2, 1], "masses": [0, 1, 2], "tolerances_percent": [1, "2", 3.5]})",
     R"({"id": "g1", "unit": "mm", "sizes": ["0.075", 0.15, "3e-1"], "masses": [1, 2.50, "0"]})",
     R"({"sizes": [3, 2, 1], "masses": [0, 1, 2], "factors": [1, "2", 3.5], "x": {"y": [null, true, "\u00e9"]}})",
 };
