@@ -8,19 +8,12 @@
 namespace mdm {
 namespace {
 
-/// Digits of pi after the point at which a start scale that is still undecided is given up: the limit of
-/// certificates.
-constexpr unsigned most_pi_places = 1000;
-
 /// A start scale with bounds so close that nothing which is decided about s_0 differs between them.
 class Start {
 public:
   Start(const Question &question, const Problem &problem, unsigned places) : places_(places) {
     if (!question.solids)
       return;
-    if (!question.law.is_sphere())
-      throw InputError("a specimen or volume of solids needs spheres: leave out --law " +
-                       question.law.exponent());
     solids_ = question.solids;
     weight_ = problem.weight();
     refresh();
@@ -122,9 +115,56 @@ void place(Match &match, Start &start, const SolveOptions &options) {
   note_precision(match, match.window.above);
 }
 
-/// A question with a tolerance.
+/// A question without a tolerance.
+Match solve_exactly(Match match, const SolveOptions &options) {
+  const Question &question = match.question;
+  Start start(question, match.problem, std::min(options.digits + 30, most_pi_places));
+  if (question.solids)
+    match.problem = problem_from_start(match.problem, start);
+
+  const Rational from =
+      start.bounds() ? Rational(start.bounds()->lo / match.problem.scale_unit()) : Rational(0);
+  AtLeastMatch found = at_least_match(match.problem, question.at_least, from, options.limits);
+  match.lower_bound = std::max(total(found.least.q), question.at_least);
+  // As few as were asked for is the least, whatever a sweep would still show (Theorem 7).
+  match.complete = found.least.complete || (question.at_least > 1 && total(found.q) == question.at_least);
+  match.status = match.complete ? Status::optimal : Status::feasible;
+  match.q = std::move(found.q);
+  match.chain = std::move(found.least.chain);
+  match.above = found.above * match.problem.scale_unit();
+  if (options.at_most && match.lower_bound > *options.at_most)
+    match.status = Status::none;
+  else if (options.at_most && match.particles() > *options.at_most)
+    match.status = Status::unknown;
+  place(match, start, options);
+  if (start.bounds() && !start.bounds()->exact())
+    match.pi = enclose_pi(start.places());
+  return match;
+}
+
+/// Quantities of all classes, those without mass included.
+std::vector<Integer> quantities(const Match &match) {
+  std::vector<Integer> q(match.gradation.classes());
+  for (std::size_t j = 0; j < match.q.size(); ++j)
+    q[match.problem.classes()[j].index] = match.q[j];
+  return q;
+}
+
+/// A scale of masses s, near the match's where s^b is chosen and s irrational.
+Rational mass_scale(const Match &match) {
+  const unsigned b = match.question.law.b;
+  if (b == 1)
+    return match.scale;
+  const unsigned places = match.digits + 30;
+  const Integer s = floor_root(floor(Rational(match.scale * power_of_ten(b * places))), b);
+  return ratio(s, power_of_ten(places));
+}
+
+/// A question with a tolerance; the exact match is a first answer.
 Match solve_within_tolerance(Match match, const SolveOptions &options) {
-  match.tolerant = tolerant_answer(match.gradation, match.question, options.limits, options.digits);
+  const Match exact = solve_exactly(match, options);
+  match.tolerant = tolerant_answer(match.gradation, match.question, quantities(exact), mass_scale(exact),
+                                   options.limits, options.digits);
   const TolerantResult &found = match.tolerant->found;
   match.complete = found.complete;
   match.lower_bound = found.lower_bound;
@@ -154,35 +194,16 @@ Enclosure Match::solids_volume() const {
 }
 
 Match solve(Gradation g, const Question &question, const SolveOptions &options) {
+  if (question.solids && !question.law.is_sphere())
+    throw InputError("a specimen or volume of solids needs spheres: leave out --law " +
+                     question.law.exponent());
   Gradation asked = asked_gradation(std::move(g), question);
   Problem problem(asked, question.law, question.min_per_class);
   Match match(question, std::move(asked), std::move(problem));
   match.digits = options.digits;
   match.notes = match.gradation.notes();
-  if (question.is_tolerant())
-    return solve_within_tolerance(std::move(match), options);
-  Start start(question, match.problem, std::min(options.digits + 30, most_pi_places));
-  if (question.solids)
-    match.problem = problem_from_start(match.problem, start);
-
-  const Rational from =
-      start.bounds() ? Rational(start.bounds()->lo / match.problem.scale_unit()) : Rational(0);
-  AtLeastMatch found = at_least_match(match.problem, question.at_least, from, options.limits);
-  match.lower_bound = std::max(total(found.least.q), question.at_least);
-  // As few as were asked for is the least, whatever a sweep would still show (Theorem 7).
-  match.complete = found.least.complete || (question.at_least > 1 && total(found.q) == question.at_least);
-  match.status = match.complete ? Status::optimal : Status::feasible;
-  match.q = std::move(found.q);
-  match.chain = std::move(found.least.chain);
-  match.above = found.above * match.problem.scale_unit();
-  if (options.at_most && match.lower_bound > *options.at_most)
-    match.status = Status::none;
-  else if (options.at_most && match.particles() > *options.at_most)
-    match.status = Status::unknown;
-  place(match, start, options);
-  if (start.bounds() && !start.bounds()->exact())
-    match.pi = enclose_pi(start.places());
-  return match;
+  return question.is_tolerant() ? solve_within_tolerance(std::move(match), options)
+                                : solve_exactly(std::move(match), options);
 }
 
 } // namespace mdm

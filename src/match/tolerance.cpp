@@ -34,14 +34,6 @@ void narrow(ShareBounds &bounds, const ShareBounds &by) {
   bounds.hi = std::min(bounds.hi, by.hi);
 }
 
-/// What passes the upper sieve of each class.
-std::vector<Rational> passing_shares(const Gradation &g) {
-  std::vector<Rational> passing = shares(g);
-  for (std::size_t j = 1; j < passing.size(); ++j)
-    passing[j] += passing[j - 1];
-  return passing;
-}
-
 /// The least decimal e of 6 places with e >= 0.05 sqrt(X (100 - X)), that is e^2 >= X (100 - X) / 400.
 Rational reproducibility(const Rational &passing) {
   const Rational x = passing * 100;
@@ -53,7 +45,7 @@ Rational reproducibility(const Rational &passing) {
 
 /// Tolerances on what passes, of all sieves but the first.
 void narrow_passing(Tolerance &tolerance, const Gradation &g, const std::vector<Rational> &percent) {
-  const std::vector<Rational> passing = passing_shares(g);
+  const std::vector<Rational> passing = accumulated(shares(g));
   tolerance.passing.resize(g.classes());
   for (std::size_t j = 0; j + 1 < g.classes(); ++j)
     narrow(tolerance.passing[j], around(passing[j], Rational(percent[j] / 100)));
@@ -72,18 +64,10 @@ const std::vector<Rational> &file_tolerances(const Gradation &g) {
   return g.tolerances();
 }
 
-/// The factor from lengths in `from` to lengths in `to`.
-Rational unit_ratio(SizeUnit from, SizeUnit to) {
-  const auto in_um = [](SizeUnit unit) {
-    return Rational(unit == SizeUnit::um ? 1 : unit == SizeUnit::mm ? 1'000 : 1'000'000);
-  };
-  return in_um(from) / in_um(to);
-}
-
 void narrow_to_envelope(Tolerance &tolerance, const Gradation &g, const Envelope &envelope,
                         const Rational &size_factor) {
   tolerance.passing.resize(g.classes());
-  const Rational scale = unit_ratio(envelope.unit, g.unit()) * size_factor;
+  const Rational scale = in_mm(envelope.unit) / in_mm(g.unit()) * size_factor;
   for (std::size_t i = 0; i < envelope.sizes.size(); ++i) {
     const Rational x = envelope.sizes[i] * scale;
     const std::string sieve =
@@ -145,7 +129,7 @@ std::vector<Rational> passing_tolerances(const Gradation &g, AskedTolerance::Kin
                        "passing_fraction or cumulative_retained_percent, or AGS4");
     return {std::next(g.roundings().begin()), std::prev(g.roundings().end())};
   }
-  std::vector<Rational> percent = passing_shares(g);
+  std::vector<Rational> percent = accumulated(shares(g));
   percent.pop_back();
   std::transform(percent.begin(), percent.end(), percent.begin(), reproducibility);
   return percent;
@@ -224,6 +208,12 @@ std::vector<Rational> shares(const Gradation &g) {
   for (std::size_t j = 0; j < g.classes(); ++j)
     result.push_back(g.mass(j) / all);
   return result;
+}
+
+std::vector<Rational> accumulated(std::vector<Rational> shares) {
+  for (std::size_t j = 1; j < shares.size(); ++j)
+    shares[j] += shares[j - 1];
+  return shares;
 }
 
 } // namespace mdm

@@ -5,8 +5,6 @@
 namespace mdm {
 namespace {
 
-constexpr unsigned most_pi_places = 1000;
-
 /// Sizes and shares of the best match.
 void complete(TolerantAnswer &answer, const Gradation &g, const MassLaw &law, unsigned digits) {
   const TolerantMatch &best = *answer.found.best;
@@ -28,16 +26,14 @@ void complete(TolerantAnswer &answer, const Gradation &g, const MassLaw &law, un
 
 } // namespace
 
-TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, const Limits &limits,
-                               unsigned digits) {
-  if (question.solids && !question.law.is_sphere())
-    throw InputError("a specimen or volume of solids needs spheres: leave out --law " +
-                     question.law.exponent());
+TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, const std::vector<Integer> &q,
+                               const Rational &s, const Limits &limits, unsigned digits) {
   const Tolerance tolerance = tolerance_of(g, question.tolerances, question.band, question.size_factor);
   const Rational excess = 1 / Rational(power_of_ten(digits));
   // A volume demands an irrational weight between two bounds: fewer particles are refuted at the lower, the
   // match holds the upper. Where these differ in N, pi is made more precise.
-  for (unsigned places = digits + 30;; places = std::min(2 * places, most_pi_places)) {
+  for (unsigned places = std::min(digits + 30, most_pi_places);;
+       places = std::min(2 * places, most_pi_places)) {
     TolerantDemands demands{question.min_per_class, question.at_least, std::nullopt};
     Rational weight = 0;
     if (question.solids) {
@@ -47,7 +43,10 @@ TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, con
     }
     TolerantAnswer answer{tolerance, TolerantProblem(g, question.law, tolerance, demands), {}, {}, {}, 0, 0,
                           {}};
-    answer.found = tolerant_match(answer.problem, limits);
+    TolerantMatch exact{q, {}};
+    for (std::size_t j = 0; j < g.classes(); ++j)
+      exact.t.push_back(s * g.mass(j) * answer.problem.unit());
+    answer.found = tolerant_match(answer.problem, limits, exact);
     if (question.solids && *demands.weight != weight)
       answer.pi = enclose_pi(places);
     if (!answer.found.best)

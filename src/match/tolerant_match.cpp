@@ -25,7 +25,7 @@ bool is_integer(const Infinitesimal &x) {
 
 class Search {
 public:
-  Search(const TolerantProblem &problem, const Limits &limits)
+  Search(const TolerantProblem &problem, const Limits &limits, const std::optional<TolerantMatch> &first)
       : problem_(problem), limits_(limits), program_(problem.variables(), limits.deadline) {
     for (const LinearRow &row : problem.rows())
       add_row(row);
@@ -35,12 +35,27 @@ public:
       program_.set_lower(p, exactly(0));
     for (std::size_t j = 0; j < problem.classes(); ++j)
       set_strictness(j);
+    for (std::size_t j = 0; j < problem.classes(); ++j)
+      bound_ += problem.least(j);
+    bound_ = std::max(bound_, at_least_);
+    if (first && problem.is_match(first->q, first->t))
+      improve(*first);
   }
 
   TolerantResult run() {
+    try {
+      search();
+    } catch (const Simplex::Interrupted &) {
+      stop();
+    }
+    return std::move(result_);
+  }
+
+private:
+  void search() {
     for (bool open = true; open;) {
       if (interrupted())
-        return stopped();
+        return stop();
       ++result_.nodes;
       if (program_.find(count_)) {
         program_.minimise(count_);
@@ -59,11 +74,10 @@ public:
     result_.complete = true;
     if (result_.best)
       result_.lower_bound = total(result_.best->q);
-    return std::move(result_);
   }
 
   /// What is certain: every match is the best, or in a subtree that is still open.
-  TolerantResult stopped() {
+  void stop() {
     result_.lower_bound = bound_;
     for (const Pending &p : pending_)
       if (!p.second)
@@ -71,10 +85,8 @@ public:
     if (result_.best) // which may lie outside the subtrees that are open
       result_.lower_bound = std::min(result_.lower_bound, total(result_.best->q));
     result_.tree.clear();
-    return std::move(result_);
   }
 
-private:
   /// A split whose second subtree is still to come.
   struct Pending {
     std::size_t j;
@@ -201,20 +213,24 @@ private:
     return q;
   }
 
-  /// True if the masses of the program, in as few particles as can be, are a match with fewer particles than
-  /// the best. Before there is a first one, the masses are doubled until they are: with enough of it, a mass
-  /// above 0 can be had in a whole number of particles (Theorem 13).
+  void improve(TolerantMatch match) {
+    program_.set_upper(count_, exactly(Rational(Integer(total(match.q) - 1))));
+    result_.best = std::move(match);
+  }
+
+  /// True if the masses of the program, or twice or more times as much, in as few particles as can be, are a
+  /// match with fewer particles than the best. With enough of it, a mass above 0 can be had in a whole number
+  /// of particles (Theorem 13): where there is no best yet, this is one.
   bool try_rounding() {
     TolerantMatch match{{}, program_.concrete_values(problem_.classes(), 2 * problem_.classes())};
     for (;;) {
       match.q = particles_of(match.t);
-      if ((!result_.best || total(match.q) < total(result_.best->q)) && problem_.is_match(match.q, match.t)) {
-        program_.set_upper(count_, exactly(Rational(Integer(total(match.q) - 1))));
-        result_.best = std::move(match);
+      if (result_.best && total(match.q) >= total(result_.best->q))
+        return false;
+      if (problem_.is_match(match.q, match.t)) {
+        improve(std::move(match));
         return true;
       }
-      if (result_.best)
-        return false;
       for (Rational &t : match.t)
         t *= 2;
     }
@@ -227,20 +243,16 @@ private:
   std::vector<std::size_t> strict_;       ///< forms of above_lower
   std::size_t count_ = 0;                 ///< form of at_least
   Integer at_least_ = 1;                  ///< its constant
-  Integer bound_ = 1;                     ///< no match of this node has fewer particles
+  Integer bound_ = 0;                     ///< no match of this node has fewer particles
   std::vector<Pending> pending_;
   TolerantResult result_;
 };
 
 } // namespace
 
-TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limits) {
-  Search search(problem, limits);
-  try {
-    return search.run();
-  } catch (const Simplex::Interrupted &) {
-    return search.stopped();
-  }
+TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limits,
+                              const std::optional<TolerantMatch> &first) {
+  return Search(problem, limits, first).run();
 }
 
 } // namespace mdm

@@ -23,7 +23,7 @@ struct Demand {
 };
 
 struct Class {
-  Rational f, F;
+  Rational f, F, factor;
   bool has_mass; ///< m_j > 0
 };
 

@@ -1,6 +1,7 @@
 #include "catch.hpp"
 #include "tolerant_brute_force.hpp"
 
+#include <mdm/match/solve.hpp>
 #include <mdm/match/tolerant_match.hpp>
 
 using namespace mdm;
@@ -22,8 +23,8 @@ struct Twins {
   Twins(const Gradation &g, const MassLaw &law, const Tolerance &tolerance, const TolerantDemands &demands)
       : problem(g, law, tolerance, demands), brute{{}, shares(g), tolerance, demands} {
     for (std::size_t j = 0; j < g.classes(); ++j)
-      brute.classes.push_back(
-          {g.factor(j) * power(g.lower(j), law.a), g.factor(j) * power(g.upper(j), law.a), g.mass(j) > 0});
+      brute.classes.push_back({g.factor(j) * power(g.lower(j), law.a), g.factor(j) * power(g.upper(j), law.a),
+                               g.factor(j), g.mass(j) > 0});
   }
 };
 
@@ -111,12 +112,14 @@ void check_match(const Twins &twins, const TolerantMatch &match) {
   const tolerant_brute::Problem &p = twins.brute;
   REQUIRE(match.q.size() == p.classes.size());
   REQUIRE(match.t.size() == p.classes.size());
-  Rational all = 0, deviation = 0, passing = 0;
-  for (const Rational &t : match.t)
-    all += t / twins.problem.unit();
+  Rational all = 0, weight = 0, deviation = 0, passing = 0;
+  for (std::size_t j = 0; j < match.t.size(); ++j) {
+    all += match.t[j] / twins.problem.unit();
+    weight += match.t[j] / twins.problem.unit() / p.classes[j].factor;
+  }
   CHECK(all > 0);
   if (p.demands.weight)
-    CHECK(all >= *p.demands.weight);
+    CHECK(weight >= *p.demands.weight);
   CHECK(total(match.q) >= p.demands.at_least);
   for (std::size_t j = 0; j < match.q.size(); ++j) {
     const Rational t = match.t[j] / twins.problem.unit(), share = t / all;
@@ -252,8 +255,9 @@ private:
     case TolerantCondition::some_mass:
       add_mass(n);
       break;
-    case TolerantCondition::weight: // all factors are 1 where there is one
-      add_mass(n);
+    case TolerantCondition::weight:
+      for (std::size_t j = 0; j < k_; ++j)
+        t(j) += n / problem.classes[j].factor;
       right_ += n * problem.demands.weight.value() * unit;
       break;
     case TolerantCondition::at_least:
@@ -329,6 +333,37 @@ TEST_CASE("a tolerance of nothing is the exact problem") {
     for (const Kind kind : {Kind::retained, Kind::passing, Kind::total})
       CHECK(least_particles({g, {}, tolerance_of(g, kind, 0), {}}) == exact);
   }
+}
+
+TEST_CASE("a volume is that of the particles, whatever their density") {
+  // Spheres of up to 3: 27 in units of pi / 6 each, although one of them weighs 4 times 27.
+  Gradation::Data data;
+  data.sizes = {1, 2, 3};
+  data.masses = {1, 1, 0};
+  data.factors = {1, 4, 1};
+  const Gradation g((Gradation::Data(data)));
+  TolerantDemands demands;
+  demands.weight = 81;
+  CHECK(least_particles({g, {}, tolerance_of(g, Kind::retained, 100), demands}) == 3);
+  demands.weight = 82;
+  CHECK(least_particles({g, {}, tolerance_of(g, Kind::retained, 100), demands}) == 4);
+}
+
+TEST_CASE("a volume within no tolerance is that of the exact problem, densities included") {
+  std::mt19937_64 random(45);
+  int with_factors = 0;
+  for (int i = 0; i < 150; ++i) {
+    const Gradation g = random_gradation(random, 4);
+    with_factors += g.has_factors() ? 1 : 0;
+    Question exact;
+    exact.solids = SolidsVolume{Rational(static_cast<int>(1 + random() % 900))};
+    Question tolerant = exact;
+    tolerant.tolerances = {{Kind::retained, 0}};
+    const Match found = solve(g, tolerant, {});
+    REQUIRE(found.status == Status::optimal);
+    CHECK(found.particles() == solve(g, exact, {}).particles());
+  }
+  CHECK(with_factors > 20);
 }
 
 TEST_CASE("the least number within a tolerance is that of enumeration") {

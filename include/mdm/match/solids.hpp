@@ -34,6 +34,9 @@ struct StartScale {
   bool exact() const { return lo == hi; }
 };
 
+/// Digits of pi after the point at which what is still undecided is given up: the limit of certificates.
+constexpr unsigned most_pi_places = 1000;
+
 /// \param pi_places  digits of pi after the point
 StartScale start_scale(const Solids &solids, const Rational &weight, unsigned pi_places);
 

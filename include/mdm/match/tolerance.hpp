@@ -71,4 +71,7 @@ Gradation middle_of(const Envelope &envelope);
 /// g_j = m_j / sum m.
 std::vector<Rational> shares(const Gradation &g);
 
+/// What passes the upper sieve of each class, from the classes' shares.
+std::vector<Rational> accumulated(std::vector<Rational> shares);
+
 } // namespace mdm

@@ -22,8 +22,9 @@ struct TolerantAnswer {
 };
 
 /// Answers a question about g, whose pan, cut and size factor are made.
+/// \param q, s  an exact match with its scale, which may be within the tolerance
 /// \throws InputError if the question does not fit g
-TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, const Limits &limits,
-                               unsigned digits);
+TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, const std::vector<Integer> &q,
+                               const Rational &s, const Limits &limits, unsigned digits);
 
 } // namespace mdm

@@ -43,7 +43,9 @@ struct TolerantResult {
 /// The least number of particles, by branch and bound over linear programs that are decided exactly. Nodes
 /// are split at the coarsest class whose count is no integer. Cost: depends on the tree; 20 to 60 nodes and
 /// some 30 ms for 13 classes.
-TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limits = {});
+/// \param first  a match to improve upon, if it is one: what there is when a limit ends the search early
+TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limits = {},
+                              const std::optional<TolerantMatch> &first = std::nullopt);
 
 /// Masses of the classes that make q a match, as far from all bounds on sizes and shares as can be: the least
 /// distance, relative to the width between two bounds, is greatest. The weight, where one is demanded, is
