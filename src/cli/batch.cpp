@@ -81,7 +81,7 @@ public:
 
 private:
   std::string where(std::uint64_t number) const {
-    return (command_.file == "-" ? "stdin" : command_.file) + ":" + std::to_string(number);
+    return shown_name(command_.file) + ":" + std::to_string(number);
   }
 
   static Answer error(const std::string &id, const std::string &message) {

@@ -23,7 +23,7 @@ bool ends_with_json(const std::string &path) {
 int run(const ConvertCommand &c) {
   check_distinct({c.file, c.out});
   const std::string content = read_file(c.file, max_gradation_bytes);
-  const Gradation g = read_gradation(content, c.file == "-" ? "stdin" : c.file, c.specimen_id);
+  const Gradation g = read_gradation(content, shown_name(c.file), c.specimen_id);
   const bool json = c.format ? *c.format == "json" : ends_with_json(c.out);
   Output out(c.out);
   out.write(json ? gradation_json(g) : gradation_csv(g));

@@ -39,10 +39,6 @@ struct CrosscheckCommand {
   bool quiet = false;
 };
 
-std::string shown_name(const std::string &path) {
-  return path == "-" ? "stdin" : path;
-}
-
 using Rows = std::vector<CrosscheckRow>;
 
 /// A gradation in a line of a suite.

@@ -43,7 +43,7 @@ DescribeOptions options(const DescribeCommand &c) {
 }
 
 Gradation gradation(const DescribeCommand &c) {
-  const std::string name = c.file == "-" ? "stdin" : c.file;
+  const std::string name = shown_name(c.file);
   Gradation g = read_gradation(read_file(c.file, max_gradation_bytes), name, c.specimen_id);
   if (!c.pan_size)
     return g;

@@ -120,6 +120,10 @@ std::string read_file(const std::string &path, std::size_t most) {
   return text;
 }
 
+std::string shown_name(const std::string &path) {
+  return path == "-" ? "stdin" : path;
+}
+
 std::string canonical_path(const std::string &path) {
   if (std::string file = real_path(path); !file.empty())
     return file;

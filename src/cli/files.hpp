@@ -20,6 +20,9 @@ void tell(std::string_view text);
 /// \throws InputError if it cannot be read or has more than `most` bytes
 std::string read_file(const std::string &path, std::size_t most);
 
+/// A path as messages name it: `stdin` for `-`.
+std::string shown_name(const std::string &path);
+
 /// The absolute path without symbolic links of a file or of a file that is to be.
 std::string canonical_path(const std::string &path);
 

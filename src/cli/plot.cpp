@@ -28,10 +28,6 @@ struct PlotCommand {
 /// Answers have a line a class.
 constexpr std::size_t max_answer_bytes = std::size_t{1} << 30;
 
-std::string shown_name(const std::string &file) {
-  return file == "-" ? "stdin" : file;
-}
-
 void check(const PlotCommand &c) {
   c.picture.picture();
   if (c.answer && c.match)

@@ -156,7 +156,7 @@ int run(const PublishedCommand &c) {
   const Algorithm algorithm = c.algorithm == "spanned-integer" ? spanned_integer_of(c) : fixed_size_of(c);
   const Question question = c.flags.question();
   const unsigned digits = c.digits ? digits_of("--digits", *c.digits) : 15;
-  const std::string file = c.file == "-" ? "stdin" : c.file;
+  const std::string file = shown_name(c.file);
   const Gradation read = read_gradation(read_file(c.file, max_gradation_bytes), file, c.specimen_id);
   Progress progress([] { return std::string("running the algorithm"); }, c.quiet);
   const PublishedReport report = named(printable(file), "", [&](const std::string &) {

@@ -30,10 +30,6 @@ const std::string &source(const SolveCommand &c) {
   return c.file ? *c.file : *c.flags.band;
 }
 
-std::string shown_name(const SolveCommand &c) {
-  return source(c) == "-" ? "stdin" : source(c);
-}
-
 /// A side result of solve: a file that is to be written with the rest or not at all.
 struct SideFile {
   std::unique_ptr<Output> output;
@@ -48,11 +44,11 @@ struct Target {
 
 Target target(const SolveCommand &c, const Question &question) {
   if (!c.file)
-    return {
-        named(printable(shown_name(c)), "", [&](const std::string &) { return middle_of(*question.band); }),
-        "mdm-check reads a gradation beside a band"};
+    return {named(printable(shown_name(source(c))), "",
+                  [&](const std::string &) { return middle_of(*question.band); }),
+            "mdm-check reads a gradation beside a band"};
   const std::string content = read_file(*c.file, max_gradation_bytes);
-  return {read_gradation(content, shown_name(c), c.specimen_id),
+  return {read_gradation(content, shown_name(source(c)), c.specimen_id),
           is_ags4(content) ? "mdm-check does not read AGS4" : ""};
 }
 
@@ -120,7 +116,7 @@ int run(const SolveCommand &c) {
     try {
       return solve(asked.gradation, question, options);
     } catch (const InputError &e) {
-      throw InputError(printable(shown_name(c)) + ": " + e.what());
+      throw InputError(printable(shown_name(source(c))) + ": " + e.what());
     }
   }();
   std::optional<Spectrum> reachable;

@@ -93,7 +93,7 @@ Question SolveFlags::question() const {
   for (const std::string &text : tolerances)
     q.tolerances.push_back(named("--tolerance", text, parse_tolerance));
   if (band)
-    q.band = read_envelope(read_file(*band, max_gradation_bytes), *band == "-" ? "stdin" : *band);
+    q.band = read_envelope(read_file(*band, max_gradation_bytes), shown_name(*band));
   if (min_per_class)
     q.min_per_class = natural("--min-per-class", *min_per_class, 0);
   if (at_least)

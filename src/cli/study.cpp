@@ -29,10 +29,6 @@ struct StudyFile {
   std::string name, text;
 };
 
-std::string shown_name(const std::string &file) {
-  return file == "-" ? "stdin" : file;
-}
-
 /// What is known of every gradation of the suite.
 struct Survey {
   std::vector<SurveyRow> rows;

@@ -84,7 +84,7 @@ int run(const TradeoffCommand &c) {
     throw InputError("--plot: " + printable(*c.plot) + ": let OUT end in .svg, .png or .pdf");
   const TradeoffOptions o = options(c);
   const Question q = question(c);
-  const std::string file = c.file == "-" ? "stdin" : c.file;
+  const std::string file = shown_name(c.file);
   const Gradation g = read_gradation(read_file(c.file, max_gradation_bytes), file, c.specimen_id);
   Output out(c.out);
   Progress progress([] { return std::string("solving"); }, c.quiet);

@@ -31,10 +31,6 @@ struct VerifyCommand {
 
 constexpr std::size_t lines_at_once = 4096;
 
-std::string shown_name(const std::string &path) {
-  return path == "-" ? "stdin" : path;
-}
-
 /// Calls action() and names the file in what it throws.
 template <class Action>
 auto in_file(const std::string &path, Action action) {

@@ -176,12 +176,6 @@ struct ShownShares {
   std::vector<Rational> achieved;
 };
 
-std::vector<Rational> accumulated(std::vector<Rational> shares) {
-  for (std::size_t j = 1; j < shares.size(); ++j)
-    shares[j] += shares[j - 1];
-  return shares;
-}
-
 /// What passes the upper sieves or is retained on the lower ones, as the question asks.
 std::vector<ShownShares> shown_shares(const Match &m) {
   const Tolerance &t = m.tolerant->tolerance;

@@ -6,6 +6,7 @@
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/particles/particle_format.hpp>
 #include <mdm/study/other_answer.hpp>
 
 #include <fmt/core.h>
@@ -17,19 +18,6 @@ namespace mdm {
 namespace {
 
 using Json = nlohmann::json;
-
-/// Units of sizes: the end of a CSV column's name, or the "unit" of JSON.
-std::optional<Rational> unit_in_mm(std::string_view unit) {
-  if (unit == "mm")
-    return Rational(1);
-  if (unit == "um")
-    return ratio(1, 1000);
-  if (unit == "m")
-    return Rational(1000);
-  if (unit == "in")
-    return ratio(254, 10);
-  return std::nullopt;
-}
 
 /// Also `15.0`, as programs write that compute in floating point.
 Integer quantity(std::string_view text) {
@@ -109,10 +97,10 @@ void take_particles(const Json &object, OtherAnswer &answer) {
   if (!has(object, "unit"))
     return;
   const std::string &unit = text_of(object.at("unit"), "unit");
-  const std::optional<Rational> mm = unit_in_mm(unit);
-  if (!mm)
+  const std::optional<LengthUnit> known = parse_length_unit(unit);
+  if (!known)
     throw InputError("unit " + in_quotes(unit) + " is unknown: use \"mm\", \"um\", \"m\" or \"in\"");
-  answer.unit_mm = *mm;
+  answer.unit_mm = in_mm(*known);
 }
 
 /// Why an object has no quantities.
@@ -177,14 +165,14 @@ public:
                                 ": give every column a name of its own");
       if (!header_[i].starts_with(sizes_prefix))
         continue;
-      const std::optional<Rational> unit =
-          unit_in_mm(std::string_view(header_[i]).substr(sizes_prefix.size()));
+      const std::optional<LengthUnit> unit =
+          parse_length_unit(std::string_view(header_[i]).substr(sizes_prefix.size()));
       if (!unit || sizes_)
         source.refuse(line, "column " + in_quotes(header_[i]) +
                                 (unit ? " is a second one with sizes: give one"
                                       : " has an unknown unit: use sizes_mm, sizes_um, sizes_m or sizes_in"));
       sizes_ = i;
-      unit_mm_ = *unit;
+      unit_mm_ = in_mm(*unit);
     }
   }
 
