@@ -68,10 +68,10 @@ std::string run_gnuplot(const std::string &script) {
   ChildEnd end = run_child("TZ=UTC LC_ALL=C.UTF-8 exec gnuplot -d -", script, time_limit, most_output);
   if (end.how == ChildEnd::How::exited && end.code == not_found)
     throw InputError("gnuplot, which draws, is not found: install it (Debian, Ubuntu: apt-get install "
-                     "gnuplot-nox), or write a script for it with --script");
+                     "gnuplot-nox), or ask for no picture");
   if (end.how == ChildEnd::How::timed_out)
-    throw InputError(
-        "gnuplot did not end within two minutes: write the script with --script and draw it by hand");
+    throw InputError("gnuplot did not end within two minutes: try again on a machine that is less busy, or "
+                     "ask for no picture");
   if (end.how != ChildEnd::How::exited || end.code != 0 || end.output.empty())
     throw InputError(
         fmt::format("gnuplot failed: {}; version 5.4 or later with the svg, pngcairo and pdfcairo "

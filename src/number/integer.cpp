@@ -54,32 +54,30 @@ std::optional<Integer> short_cube_root(const Integer &n) {
   constexpr int bits = 52;
   Integer y = static_cast<std::int64_t>(
       std::ldexp(std::cbrt(std::ldexp(mantissa, static_cast<int>(exponent % 3))), bits));
-  Integer rest;
+  Integer square, rest;
   const mpz_ptr root = y.backend().data();
+  const mpz_ptr y2 = square.backend().data();
   const mpz_ptr r = rest.backend().data();
   if (thirds <= bits) {
     mpz_tdiv_q_2exp(root, root, static_cast<mp_bitcnt_t>(bits - thirds));
   } else {
     mpz_mul_2exp(root, root, static_cast<mp_bitcnt_t>(thirds - bits));
-    mpz_mul(r, root, root);
-    mpz_tdiv_q(r, n.backend().data(), r);
+    mpz_mul(y2, root, root);
+    mpz_tdiv_q(r, n.backend().data(), y2);
     mpz_addmul_ui(r, root, 2);
     mpz_tdiv_q_ui(root, r, 3);
   }
-  // y^3 <= n < (y + 1)^3 iff 0 <= n - y^3 <= 3 y (y + 1). The step never ends below the root, but may be one
+  // y^3 <= n < (y + 1)^3 iff 0 <= n - y^3 <= 3 (y^2 + y). The step never ends below the root, but may be one
   // above it.
   for (int attempt = 0; attempt < 2; ++attempt, mpz_sub_ui(root, root, 1)) {
-    mpz_mul(r, root, root);
-    mpz_mul(r, r, root);
+    mpz_mul(y2, root, root);
+    mpz_mul(r, y2, root);
     mpz_sub(r, n.backend().data(), r);
     if (mpz_sgn(r) < 0)
       continue;
-    Integer gap;
-    const mpz_ptr g = gap.backend().data();
-    mpz_mul(g, root, root);
-    mpz_add(g, g, root);
-    mpz_mul_ui(g, g, 3);
-    return mpz_cmp(r, g) <= 0 ? std::optional(std::move(y)) : std::nullopt;
+    mpz_add(y2, y2, root);
+    mpz_mul_ui(y2, y2, 3);
+    return mpz_cmp(r, y2) <= 0 ? std::optional(std::move(y)) : std::nullopt;
   }
   return std::nullopt;
 }

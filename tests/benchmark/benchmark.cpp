@@ -3,11 +3,14 @@
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
+#include <mdm/proof/certificate.hpp>
 #include <mdm/report/answer.hpp>
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -163,6 +166,43 @@ void number_of_classes(benchmark::State &state) {
   state.counters["steps"] = static_cast<double>(steps);
 }
 BENCHMARK(number_of_classes)->RangeMultiplier(10)->Range(10, 100000)->Unit(benchmark::kMillisecond);
+
+/// What is at most the part `part` of the values.
+double quantile(std::vector<double> values, double part) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+}
+
+/// Quartiles and the end of what was measured, one value a gradation.
+void report(benchmark::State &state, const std::string &what, const std::vector<double> &values) {
+  for (const auto &[name, part] :
+       {std::pair{"25%", 0.25}, {"50%", 0.5}, {"75%", 0.75}, {"99%", 0.99}, {"max", 1.0}})
+    state.counters[what + "_" + name] = quantile(values, part);
+}
+
+/// The smallest matches of the suite within 1 % retained, with the text of each proof.
+void within_tolerance(benchmark::State &state) {
+  Question question;
+  question.tolerances = {parse_tolerance("retained:1%")};
+  std::vector<double> ms, nodes, fewer, kilobytes;
+  for (auto _ : state)
+    for (const std::string &line : suite_lines()) {
+      const Gradation g = read_json_gradation(line, "suite", "");
+      const std::clock_t start = std::clock();
+      const Match m = solve(g, question, {});
+      ms.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+      if (m.status != Status::optimal)
+        state.SkipWithError("a gradation is not solved to optimality");
+      nodes.push_back(static_cast<double>(m.tolerant->found.tree.size()));
+      fewer.push_back(ratio(solve(g, {}, {}).particles(), m.particles()).convert_to<double>());
+      kilobytes.push_back(static_cast<double>(certificate(m).size()) / 1000);
+    }
+  report(state, "ms", ms);
+  report(state, "tree_nodes", nodes);
+  report(state, "times_fewer", fewer);
+  report(state, "proof_kB", kilobytes);
+}
+BENCHMARK(within_tolerance)->Unit(benchmark::kSecond)->Iterations(1);
 
 } // namespace
 
