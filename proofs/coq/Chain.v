@@ -50,11 +50,11 @@ Definition check_chain (b N : Z) (js : list bounds) (chain : list Z) : result un
   demand (forallb (closed b L) js) "chain: count(j, L)^b A <= L" ;;
   demand (sum (map (least b L) js) =? N) "chain: sum of count(j, L) = N".
 
-(* q particles of class j at the scale S = n/d. *)
-Definition fits (b : Z) (S : ratio) (j : bounds) (q : Z) : bool :=
+(* q particles of class j, R at least, at the scale S = n/d. *)
+Definition fits (b R : Z) (S : ratio) (j : bounds) (q : Z) : bool :=
   let (n, d) := S in
   if m j =? 0 then q =? 0
-  else (1 <=? q) && (q ^ b * f j * d <? n * m j) && (n * m j <=? q ^ b * F j * d).
+  else (Z.max 1 R <=? q) && (q ^ b * f j * d <? n * m j) && (n * m j <=? q ^ b * F j * d).
 
 (* The most that class j can hold at scales up to z: q^b A < z. All A must be positive. *)
 Definition most_below (b : Z) (z : ratio) (j : bounds) : Z :=

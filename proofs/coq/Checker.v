@@ -7,8 +7,9 @@ Open Scope string_scope.
 
 Definition check_certificate (G : gradation) (cert : certificate) : result unit :=
   let G := reduced G in
-  demand_form (well_formed G) "no gradation" ;;
+  demand_form (well_formed G && sensible cert) "no gradation, or no question" ;;
   let* G := apply_question cert G in
+  demand_form (well_formed G) "no gradation after the question" ;;
   match tolerances_of (asked cert), proof_of cert with
   | None, Exact scale z chain => check_exact cert G scale z chain
   | Some tol, Tolerant nodes => check_tolerant cert G tol nodes

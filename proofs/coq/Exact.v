@@ -89,10 +89,10 @@ Fixpoint counts (j : Z) (js : list bounds) (ws : list witness_line) : option (li
     else if index w =? j then option_map (cons (count w)) (counts (j + 1) js ws') else None
   end.
 
-Fixpoint all_fit (b : Z) (S : ratio) (js : list bounds) (qs : list Z) : bool :=
+Fixpoint all_fit (b R : Z) (S : ratio) (js : list bounds) (qs : list Z) : bool :=
   match js, qs with
   | [], [] => true
-  | j :: js, q :: qs => fits b S j q && all_fit b S js qs
+  | j :: js, q :: qs => fits b R S j q && all_fit b R S js qs
   | _, _ => false
   end.
 
@@ -123,8 +123,7 @@ Definition check_exact (cert : certificate) (G : gradation) (scale : Q) (z : opt
   match particles cert, counts 1 bs (witness cert) with
   | Some N, Some qs =>
     demand (fst (enough ss) * snd S <=? fst S * snd (enough ss)) "scale: the volume of the solids" ;;
-    demand (all_fit b S bs qs) "q^b A < S <= q^b B" ;;
-    demand (forallb (fun w => min_per_class q <=? count w) (witness cert)) "q >= R" ;;
+    demand (all_fit b (min_per_class q) S bs qs) "q >= R, q^b A < S <= q^b B" ;;
     demand (sum qs =? N) "sum of q = N" ;;
     demand (at_least q <=? N) "N >= M" ;;
     check_sizes u a b S (with_mass js) (witness cert) ;;
