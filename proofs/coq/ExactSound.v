@@ -62,7 +62,7 @@ Qed.
 
 Section Units.
 Variables (na nb : nat).
-Hypothesis a_positive : (1 <= na)%nat.
+
 Hypothesis b_positive : (1 <= nb)%nat.
 Variable law : R -> R.
 Hypothesis power : power_law na nb law.
