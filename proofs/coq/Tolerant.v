@@ -182,7 +182,7 @@ Fixpoint within (unit M P : Z) (cs : list limits) (qts : list (Z * Z)) : bool :=
   | c :: cs, (q, t) :: qts =>
     let t := t * unit in
     let P := P + t in
-    (R c <=? q) && (retained_lo c * M <=? t) && (t <=? retained_hi c * M) &&
+    (floor c <=? q) && (retained_lo c * M <=? t) && (t <=? retained_hi c * M) &&
     (passing_lo c * M <=? P) && (P <=? passing_hi c * M) && within unit M P cs qts
   | [], [] => true
   | _, _ => false

@@ -9,10 +9,10 @@ Open Scope Z_scope.
 
 (* ---- The problem --------------------------------------------------------------------------------- *)
 
-(* A class: f and F in units of mass, the least count [R], and in units of shares the bounds on what is
+(* A class: f and F in units of mass, the least count, and in units of shares the bounds on what is
    retained and on what passes, the gradation's share g, and 1 / c. *)
 Record limits := Limits {
-  f : Z; F : Z; R : Z; retained_lo : Z; retained_hi : Z; passing_lo : Z; passing_hi : Z; g : Z; per_factor : Z }.
+  f : Z; F : Z; floor : Z; retained_lo : Z; retained_hi : Z; passing_lo : Z; passing_hi : Z; g : Z; per_factor : Z }.
 
 (* [half_total] is e/2 in units of shares; the samples have at least [least_count] particles, and a sum of
    t/c of at least [volume]; N is the claim. *)
@@ -32,7 +32,7 @@ Record force := Force { at_least_v : PositiveMap.t Z; at_most_v : PositiveMap.t 
 Definition nothing : force := Force (PositiveMap.empty Z) (PositiveMap.empty Z).
 
 Definition least_of (e : force) (j : positive) (c : limits) : Z :=
-  match PositiveMap.find j (at_least_v e) with Some v => Z.max (R c) v | None => R c end.
+  match PositiveMap.find j (at_least_v e) with Some v => Z.max (floor c) v | None => floor c end.
 
 Definition below (e : force) (j : positive) (v : Z) : force :=
   let most := match PositiveMap.find j (at_most_v e) with Some u => Z.min u (v - 1) | None => v - 1 end in
@@ -99,6 +99,7 @@ Fixpoint number_from (j : positive) (cs : list limits) (t : table) : table :=
   end.
 
 Definition add_multiple (pr : problem) (t : table) (e : force) (x : combination) (k : multiple) : option combination :=
+  if times_m k <=? 0 then None else
   match of_class k with
   | Zpos j =>
     match PositiveMap.find j t with
