@@ -22,9 +22,11 @@ Definition sensible (cert : certificate) : bool :=
   end &&
   match tolerances_of q with
   | Some t =>
-    match passing_all t with Some e => at_most 0 e | None => true end && forallb (at_most 0) (passing_each t)
+    match passing_all t with Some e => at_most 0 e | None => true end && forallb (at_most 0) (passing_each t) &&
+    forallb (fun '(_, _, h) => at_most 0 h) (band t)
   | None => true
   end &&
+  match particles cert with Some n => 1 <=? n | None => true end &&
   match proof_of cert with
   | Exact scale z _ => (match tolerances_of q with None => positive scale | Some _ => true end) &&
                        match z with Some z => positive z | None => true end

@@ -27,7 +27,7 @@ Qed.
 Lemma sensible_question cert :
   sensible cert = true -> check_pi (solids_of (asked cert)) = Ok tt -> proper_question (asked cert).
 Proof.
-  unfold sensible. cbv zeta. rewrite !andb_true_iff, !Z.leb_le. intros ((((((A & B) & R) & _) & S) & _) & _) Pi.
+  unfold sensible. cbv zeta. rewrite !andb_true_iff, !Z.leb_le. intros (((((((A & B) & R) & _) & S) & _) & _) & _) Pi.
   split; [exact A|]. split; [exact B|]. split; [exact R|].
   destruct (solids_of (asked cert)) as [|d h e|v p r].
   - split; [exact I | left; reflexivity].

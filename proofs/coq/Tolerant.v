@@ -49,21 +49,21 @@ Definition narrow_passing (s : share) (l h : Q) : share :=
 Definition narrow_by (s : share) (lines : list (Q * Q * Q)) : share :=
   fold_left (fun s '(_, l, h) => narrow_passing s (percent l) (percent h)) lines s.
 
-(* The band's lines whose sieve is coarser than the lower opening of class j, in the gradation's unit. *)
+(* The band's lines whose sieve is coarser than the lower opening of class j, in the gradation's unit. All passes a
+   sieve from the largest opening on. *)
 Fixpoint apply_band (js : list class) (ss : list share) (lines : list (Q * Q * Q)) : result (list share) :=
   match js, ss with
-  | [j], [s] =>
-    demand (match lines with (x, _, _) :: _ => at_most (upper j) x | [] => true end)
-      "band: every sieve is an opening" ;;
-    Ok [narrow_by s lines]
-  | j :: js, s :: ss =>
-    match lines with
-    | (x, l, h) :: rest =>
+  | j :: js', s :: ss' =>
+    match js', lines with
+    | [], _ =>
+      demand (forallb (fun '(x, _, _) => at_most (upper j) x) lines) "band: every sieve is an opening" ;;
+      Ok [narrow_by s lines]
+    | _, [] => Ok (s :: ss')
+    | _, (x, l, h) :: rest =>
       demand (at_most (upper j) x) "band: every sieve is an opening" ;;
       let here := equal x (upper j) in
-      let* later := apply_band js ss (if here then rest else lines) in
+      let* later := apply_band js' ss' (if here then rest else lines) in
       Ok ((if here then narrow_passing s (percent l) (percent h) else s) :: later)
-    | [] => Ok (s :: ss)
     end
   | _, _ => Ok []
   end.
