@@ -33,7 +33,7 @@ Proof.
   destruct e as [e|]; simpl.
   - rewrite narrow_within, Q2R_subtract, Q2R_add, percent_real. unfold near. split.
     + intros (A & B). split; [exact A|]. intros e' [= <-]. apply Rabs_le. lra.
-    + intros (A & B). specialize (B e eq_refl). apply Rabs_def2_le in B || idtac.
+    + intros (A & B). specialize (B e eq_refl). 
       assert (- (Q2R e / 100) <= x - Q2R share <= Q2R e / 100).
       { revert B. unfold Rabs. destruct (Rcase_abs (x - Q2R share)); lra. }
       split; [exact A | lra].
@@ -226,8 +226,7 @@ Proof.
   { unfold fits_share, narrow_passing. cbn [g_j retained_in passing_in]. rewrite narrow_within, !percent_real. tauto. }
   rewrite <- (P X l h (or_introl eq_refl)). unfold band_holds. split.
   - intros ((A & B) & C). split; [exact A|]. intros X' l' h' [[= <- <- <-]|I]; [exact B | eapply C; exact I].
-  - intros (A & C). repeat split; [apply A..| | |]; try (intros; eapply C; right; eassumption);
-      destruct (C X l h (or_introl eq_refl)); assumption.
+  - intros (A & C). split; [split; [exact A | apply C; left; reflexivity]|]. intros X' l' h' I. apply C. right; exact I.
 Qed.
 
 Lemma apply_band_fit js : forall ss lines result,
@@ -313,7 +312,7 @@ Qed.
 
 Lemma of_lines_hold rs : forall each,
   lines_hold rs each ->
-  (forall e, 0 <= Q2R e -> forall j, last (classes rs) j = j -> near e (y j) (gy j)) ->
+  (forall e, 0 <= Q2R e -> forall j, In j (classes rs) -> last (classes rs) j = j -> near e (y j) (gy j)) ->
   Forall (fun r => 0 <= Q2R (tolerance r)) rs -> Forall (fun e => 0 <= Q2R e) each ->
   (forall e, passing_all tol = Some e -> 0 <= Q2R e) ->
   (forall e, retained_each tol = Some e -> forall j, In j (classes rs) -> near e (x j) (gx j)) /\
@@ -333,15 +332,12 @@ Proof.
       (passing_file tol = true -> near (tolerance next) (y j) (gy j)) /\
       (forall e, hd_error each = Some e -> near e (y j) (gy j))) as (C1 & C2 & C3).
   { destruct later as [|n2 later]; [|exact C].
-    assert (forall e, 0 <= Q2R e -> near e (y j) (gy j)) as L by (intros e E; apply Last; [exact E | reflexivity]).
+    assert (forall e, 0 <= Q2R e -> near e (y j) (gy j)) as L by (intros e E; apply Last; [exact E | left; reflexivity | reflexivity]).
     split; [intros e E; apply L, Tp, E|]. split; [intros _; apply L, Tn|].
     intros e E. apply L. destruct each as [|e0 each]; [discriminate|]. injection E as ->. inversion Te; assumption. }
   destruct (IH (tl each) D) as (I1 & I2 & I3 & I4 & I5); trivial.
-  { intros e E i Li. apply Last; [exact E|]. destruct later as [|n2 later]; [simpl in Li |- *|].
-    - destruct (classes [next]); simpl in *; [|assumption]. reflexivity || exact Li.
-    - change (classes (next :: n2 :: later)) with
-        (Class (opening next) (opening n2) (retained next) (factor next) :: classes (n2 :: later)) in *.
-      exact Li. }
+  { intros e E i Ii Li. apply Last; [exact E | right; exact Ii|].
+    destruct later as [|n2 later]; [destruct Ii|]. exact Li. }
   split; [|split; [|split; [|split]]].
   - intros e E i [<-|Ii]; [apply A, E | apply (I1 e E), Ii].
   - intros E i r' [[= <- <-]|Ii]; [apply B, E | apply (I2 E), Ii].
