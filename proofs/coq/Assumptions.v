@@ -14,3 +14,4 @@ Print Assumptions tree_sound.
 Print Assumptions check_pi_sound.
 Print Assumptions power_law_exists.
 Print Assumptions exact_match.
+Print Assumptions tolerant_match_least.

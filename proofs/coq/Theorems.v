@@ -2,7 +2,7 @@
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
 From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain Exact Tolerant Checker Spec Reduction
-  RealFacts Pi ExactSound Solids ExactTheorem.
+  RealFacts Pi ExactSound Solids ExactTheorem TolerantTheorem.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -60,4 +60,32 @@ Proof.
   exists G', N. split; [exact E|]. split; [exact EN|]. split.
   - destruct (exact_attained cert G' scale z chain T Wp M Q Sp Zp H f P N EN) as (s & A & L & _). eauto.
   - intros s A. exact (exact_lower_bound cert G' scale z chain T Wp M Q Zp H f P N s EN A).
+Qed.
+
+Lemma check_tolerant_ok cert G tol nodes :
+  check_tolerant cert G tol nodes = Ok tt ->
+  exists pr, derive cert G tol = Ok pr /\ check_pi (solids_of (asked cert)) = Ok tt /\
+    (forall N, particles cert = Some N -> check_witness cert G pr N = Ok tt) /\ Tree.check_tree pr nodes = Ok tt.
+Proof.
+  intro H. unfold check_tolerant in H. passed H. rename x into pr. passed H. destruct x. passed H. destruct x.
+  exists pr. repeat split; trivial. intros N E. rewrite E in H2. exact H2.
+Qed.
+
+(* No sample with fewer than N particles is within the tolerance. *)
+Theorem tolerant_match_least G cert f :
+  check_certificate G cert = Ok tt -> tolerances_of (asked cert) <> None ->
+  power_law (Z.to_nat (a (asked cert))) (Z.to_nat (b (asked cert))) f ->
+  exists G', asked_gradation G cert = Ok G' /\
+    forall S, allowed f (asked cert) (rows G') S ->
+      match particles cert with Some N => (N <= Z.of_nat (length S))%Z | None => False end.
+Proof.
+  intros H T P. apply check_certificate_ok in H as (G' & E & W & S & H).
+  destruct (tolerances_of (asked cert)) as [tol|] eqn:Et; [|congruence].
+  destruct (proof_of cert) as [scale z chain|nodes] eqn:Ep; [destruct H|].
+  destruct (well_formed_proper G' W) as (Wp & M).
+  apply check_tolerant_ok in H as (pr & D & Pi & _ & C).
+  pose proof (sensible_question cert S Pi) as (Qa & Qb & _ & Qs & Ql).
+  exists G'. split; [exact E|]. intros s A. destruct (particles cert) as [N|] eqn:EN.
+  - exact (tolerant_lower_bound cert G' tol nodes Et Wp M Qa Qb Qs Ql f P pr D C N s EN A).
+  - exact (tolerant_none cert G' tol nodes Et Wp M Qa Qb Qs Ql f P pr D C s EN A).
 Qed.
