@@ -14,4 +14,5 @@ Print Assumptions tree_sound.
 Print Assumptions check_pi_sound.
 Print Assumptions power_law_exists.
 Print Assumptions exact_match.
-Print Assumptions tolerant_match_least.
+Print Assumptions match_within_tolerance.
+Print Assumptions mdm_check_accepted.

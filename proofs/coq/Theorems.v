@@ -71,21 +71,75 @@ Proof.
   exists pr. repeat split; trivial. intros N E. rewrite E in H2. exact H2.
 Qed.
 
-(* No sample with fewer than N particles is within the tolerance. *)
-Theorem tolerant_match_least G cert f :
+Lemma sensible_tolerances cert tol :
+  sensible cert = true -> tolerances_of (asked cert) = Some tol ->
+  (forall N, particles cert = Some N -> (1 <= N)%Z) /\
+  Forall (fun e => 0 <= Q2R e) (passing_each tol) /\
+  (forall e, passing_all tol = Some e -> 0 <= Q2R e) /\
+  (forall X l h, In (X, l, h) (band tol) -> 0 <= Q2R h).
+Proof.
+  unfold sensible. cbv zeta. intros S T. rewrite T, !andb_true_iff in S.
+  destruct S as (((_ & ((Pa & Pe) & Bd)) & N) & _). repeat split.
+  - intros n E. rewrite E in N. apply Z.leb_le, N.
+  - apply Forall_forall. intros e I. rewrite forallb_forall in Pe. specialize (Pe e I). apply at_most_real in Pe.
+    rewrite Q2R_0 in Pe. exact Pe.
+  - intros e E. rewrite E in Pa. apply at_most_real in Pa. rewrite Q2R_0 in Pa. exact Pa.
+  - intros X l h I. rewrite forallb_forall in Bd. specialize (Bd _ I). apply at_most_real in Bd. rewrite Q2R_0 in Bd. exact Bd.
+Qed.
+
+Lemma well_formed_tolerances G : well_formed G = true -> Forall (fun r => 0 <= Q2R (tolerance r)) (rows G).
+Proof.
+  unfold well_formed. rewrite !andb_true_iff. intros ((((_ & _) & P) & _) & _). apply Forall_forall. intros r I.
+  rewrite forallb_forall in P. specialize (P r I). rewrite !andb_true_iff in P. destruct P as (_ & P).
+  apply at_most_real in P. rewrite Q2R_0 in P. exact P.
+Qed.
+
+(* No sample with fewer than N particles is within the tolerance, and one with N is. Or, where none is claimed, no
+   sample of any number is. *)
+Theorem match_within_tolerance G cert f :
   check_certificate G cert = Ok tt -> tolerances_of (asked cert) <> None ->
   power_law (Z.to_nat (a (asked cert))) (Z.to_nat (b (asked cert))) f ->
   exists G', asked_gradation G cert = Ok G' /\
-    forall S, allowed f (asked cert) (rows G') S ->
-      match particles cert with Some N => (N <= Z.of_nat (length S))%Z | None => False end.
+    match particles cert with
+    | Some N => least_number f (asked cert) (rows G') N
+    | None => forall S, ~ allowed f (asked cert) (rows G') S
+    end.
 Proof.
   intros H T P. apply check_certificate_ok in H as (G' & E & W & S & H).
   destruct (tolerances_of (asked cert)) as [tol|] eqn:Et; [|congruence].
   destruct (proof_of cert) as [scale z chain|nodes] eqn:Ep; [destruct H|].
   destruct (well_formed_proper G' W) as (Wp & M).
-  apply check_tolerant_ok in H as (pr & D & Pi & _ & C).
+  apply check_tolerant_ok in H as (pr & D & Pi & Wi & C).
   pose proof (sensible_question cert S Pi) as (Qa & Qb & _ & Qs & Ql).
-  exists G'. split; [exact E|]. intros s A. destruct (particles cert) as [N|] eqn:EN.
-  - exact (tolerant_lower_bound cert G' tol nodes Et Wp M Qa Qb Qs Ql f P pr D C N s EN A).
-  - exact (tolerant_none cert G' tol nodes Et Wp M Qa Qb Qs Ql f P pr D C s EN A).
+  destruct (sensible_tolerances cert tol S Et) as (Np & Te & Tp & Tb).
+  exists G'. split; [exact E|]. destruct (particles cert) as [N|] eqn:EN.
+  - split.
+    + destruct (tolerant_attained cert G' tol Et Wp M Qa Qb Qs Ql f P pr D (well_formed_tolerances G' W) Te Tp Tb N
+                  (Np N eq_refl) (Wi N eq_refl)) as (s & A & L & _). eauto.
+    + intros s A. exact (tolerant_lower_bound cert G' tol nodes Et Wp M Qa Qb Qs Ql f P pr D C N s EN A).
+  - intros s. exact (tolerant_none cert G' tol nodes Et Wp M Qa Qb Qs Ql f P pr D C s EN).
+Qed.
+
+(* The driver's function: the rows and the text as words. *)
+Theorem mdm_check_accepted words has text f :
+  mdm_check words has text = Accepted ->
+  exists rows0 cert G',
+    read_rows words [] = Some rows0 /\ read_certificate text = Ok cert /\
+    asked_gradation (Gradation rows0 has) cert = Ok G' /\
+    (power_law (Z.to_nat (a (asked cert))) (Z.to_nat (b (asked cert))) f ->
+     match particles cert with
+     | Some N => least_number f (asked cert) (rows G') N
+     | None => forall S, ~ allowed f (asked cert) (rows G') S
+     end).
+Proof.
+  unfold mdm_check. destruct (read_rows words []) as [rows0|]; [|discriminate].
+  destruct (check (Gradation rows0 has) text) as [cert0| |] eqn:C; [|discriminate|discriminate]. intros _.
+  unfold check in C. passed C. rename x into cert. passed C. destruct x. injection C as _.
+  pose proof (check_certificate_ok _ _ C1) as (G' & E & _).
+  exists rows0, cert, G'. repeat split; trivial. intro P.
+  destruct (tolerances_of (asked cert)) as [tol|] eqn:Et.
+  - destruct (match_within_tolerance _ cert f C1) as (G2 & E2 & L); [congruence | exact P|].
+    rewrite E in E2. injection E2 as <-. exact L.
+  - destruct (exact_match _ cert f C1 Et P) as (G2 & N & E2 & EN & L).
+    rewrite E in E2. injection E2 as <-. rewrite EN. exact L.
 Qed.
