@@ -101,7 +101,7 @@ TEST_CASE("both checkers agree on changed certificates") {
       for (const std::string &text : texts)
         pairs.push_back({pair.gradation, text});
   }
-  demand_agreement(compare(MDM_VERIFIED, pairs), 800, 6000, 12000);
+  demand_agreement(compare(MDM_VERIFIED, pairs), 600, 4500, 12000);
 }
 
 TEST_CASE("both checkers agree on changed gradations") {
