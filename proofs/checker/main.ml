@@ -87,6 +87,8 @@ let run arguments =
 let () =
   let code =
     try
+      (* The extracted functions copy a word as often as it has characters: in large pieces of memory, quickly. *)
+      Gc.set { (Gc.get ()) with allocation_policy = 2; major_heap_increment = 1 lsl 22; space_overhead = 200 };
       set_binary_mode_in stdin true;
       Sys.set_signal Sys.sigpipe Sys.Signal_ignore;
       let code = run (List.tl (Array.to_list Sys.argv)) in
