@@ -36,13 +36,16 @@ inline Agreement compare(const std::string &program, const std::vector<Pair> &pa
     const std::size_t end = std::min(begin + pairs_a_run, pairs.size());
     const mdm_check_test::TemporaryFolder folder;
     const auto path = [&](const std::string &name) { return (folder.path() / name).string(); };
+    std::map<std::string, std::string> files; // by their text
+    const auto file_of = [&](const std::string &text) {
+      const auto [file, is_new] = files.try_emplace(text, path(std::to_string(files.size())));
+      if (is_new)
+        mdm_check_test::write_file(file->second, text);
+      return file->second;
+    };
     std::string names;
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::string gradation = path("g" + std::to_string(i)), certificate = path(std::to_string(i));
-      mdm_check_test::write_file(gradation, pairs[i].gradation);
-      mdm_check_test::write_file(certificate, pairs[i].certificate);
-      names.append(gradation).append("\n").append(certificate).append("\n");
-    }
+    for (std::size_t i = begin; i < end; ++i)
+      names += file_of(pairs[i].gradation) + "\n" + file_of(pairs[i].certificate) + "\n";
     mdm_check_test::write_file(path("names"), names);
     const std::string command = "xargs -n " + std::to_string(2 * pairs_a_run) + " -s 1000000 '" + program +
                                 "' <" + path("names") + " >" + path("verdicts") + " 2>&1";
@@ -50,8 +53,8 @@ inline Agreement compare(const std::string &program, const std::vector<Pair> &pa
     std::istringstream verdicts(mdm_check_test::read_file(path("verdicts")));
     for (std::size_t i = begin; i < end; ++i) {
       const Pair &pair = pairs[i];
-      const Verdict verdict = mdm_check::check({path("g" + std::to_string(i)), pair.gradation},
-                                               {path(std::to_string(i)), pair.certificate});
+      const Verdict verdict = mdm_check::check({file_of(pair.gradation), pair.gradation},
+                                               {file_of(pair.certificate), pair.certificate});
       std::string line;
       std::getline(verdicts, line);
       const Verdict::Code code = line.empty() ? Verdict::malformed : code_of(line);
