@@ -3,8 +3,11 @@
 
 #include "catch.hpp"
 #include "match/brute_force.hpp"
+#include "proof/gradation_files.hpp"
 #include "verified/comparison.hpp"
 
+#include <mdm/error.hpp>
+#include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/proof/certificate.hpp>
 
@@ -136,4 +139,25 @@ TEST_CASE("both checkers agree on the certificates of random questions, changed 
       pairs.push_back({pair.gradation, text});
   }
   demand_agreement(compare(MDM_VERIFIED, pairs), 3000, 5000, 1000);
+}
+
+TEST_CASE("both checkers read the same gradation from files of all kinds, changed or not") {
+  std::mt19937_64 random(34);
+  std::vector<Pair> pairs;
+  mdm::SolveOptions options;
+  options.limits.max_steps = 1000;
+  options.digits = 40;
+  for (std::size_t i = 0; i < 20000; ++i) {
+    const std::string &seed = gradation_files::seeds[i % gradation_files::seeds.size()];
+    const std::string text =
+        i < gradation_files::seeds.size() ? seed : gradation_files::mutated(seed, random);
+    try {
+      const mdm::Match m = mdm::solve(mdm::read_gradation(text, "file"), {}, options);
+      if (m.complete)
+        pairs.push_back({text, mdm::certificate(m)});
+    } catch (const mdm::InputError &) {
+      pairs.push_back({text, "mdm-certificate 1\nlaw 3\nparticles 1\nscale 1\nclass 1 1 1 1\nchain\nend\n"});
+    }
+  }
+  demand_agreement(compare(MDM_VERIFIED, pairs), 1000, 0, 10000);
 }
