@@ -161,3 +161,48 @@ TEST_CASE("both checkers read the same gradation from files of all kinds, change
   }
   demand_agreement(compare(MDM_VERIFIED, pairs), 1000, 0, 10000);
 }
+
+TEST_CASE("both checkers have the same limits") {
+  const std::string gradation = "size_mm,mass\n1,2\n2,1\n3,0\n";
+  const auto certificate = [](const std::string &question, const std::string &N, const std::string &q) {
+    return "mdm-certificate 1\nlaw 1000\n" + question + "particles " + N + "\nscale 10\nclass 1 " + q +
+           " 1.5 1.5\nchain 2\nend\n";
+  };
+  // 1000 times the bits of a number of 316 digits or more is above 2^20.
+  std::vector<Pair> pairs;
+  for (std::size_t digits = 312; digits < 320; ++digits) {
+    const std::string number = "1" + std::string(digits, '0');
+    pairs.push_back({"size_mm,mass\n1,2\n2,1\n" + number + "1,0\n", certificate("", "4", "3")});
+    pairs.push_back({"size_mm,mass\n1,2\n2," + number + "1\n3,0\n", certificate("", "4", "3")});
+    pairs.push_back({gradation, certificate("", number, "3")});
+    pairs.push_back({gradation, certificate("", "4", number)});
+    pairs.push_back({gradation, certificate("at-least " + number + "\n", "4", "3")});
+    pairs.push_back({gradation, certificate("min-per-class " + number + "\n", "4", "3")});
+  }
+  for (const int digits : {999, 1000})
+    pairs.push_back({gradation, "mdm-certificate 1\nlaw 3\nsolids-volume 1\npi 3.1 3.2" +
+                                    std::string(static_cast<std::size_t>(digits - 1), '4') +
+                                    "\nparticles 4\nscale 10\nclass 1 3 1.5 1.5\nchain 2\nend\n"});
+  demand_agreement(compare(MDM_VERIFIED, pairs), 0, 15, 15);
+}
+
+TEST_CASE("the program judges pairs, and says how it wants to be called") {
+  const auto exit_code = [](const std::string &arguments) {
+    const std::string program = "'" + std::string(MDM_VERIFIED) + "' ";
+    return WEXITSTATUS(std::system((program + arguments + " >/dev/null 2>&1").c_str()));
+  };
+  const std::string folder = "'" MDM_CERTIFICATES_DIR "'/";
+  const std::string good = " " + folder + "accepted/box.csv " + folder + "accepted/box.proof";
+  const std::string other = " " + folder + "accepted/box.csv " + folder + "accepted/cut_below.proof";
+  CHECK(exit_code(good) == 0);
+  CHECK(exit_code("- " + folder + "accepted/box.proof <" + folder + "accepted/box.csv") == 0);
+  CHECK(exit_code(good + other) == 1);
+  CHECK(exit_code(other + good) == 1);
+  CHECK(exit_code(other + " absent absent" + good) == 2);
+  CHECK(exit_code("--help") == 0);
+  CHECK(exit_code("--version") == 0);
+  CHECK(exit_code("") == 2);
+  CHECK(exit_code("--unknown" + good) == 2);
+  CHECK(exit_code("- -") == 2);
+  CHECK(exit_code(folder + "accepted/box.csv") == 2);
+}
