@@ -326,35 +326,6 @@ std::size_t judge_all(const std::string &gradation, const std::set<std::string> 
   return passed;
 }
 
-/// In each line that begins so, every word dropped, doubled and exchanged, and its conditions changed.
-void change_leaves(const std::string &text, std::set<std::string> &mutants) {
-  const Words lines = lines_of(text);
-  std::string before;
-  for (std::size_t i = 0; i < lines.size(); before += lines[i++]) {
-    Words words;
-    std::istringstream input(lines[i]);
-    for (std::string word; input >> word;)
-      words.push_back(word);
-    const std::string after = joined(Words(lines.begin() + static_cast<std::ptrdiff_t>(i) + 1, lines.end()));
-    rearrange(words, " ", before, "\n" + after, mutants);
-    if (words[0] != "leaf")
-      continue;
-    for (std::size_t w = 2; w < words.size(); w += 2)
-      for (const char letter : std::string("fFqQrRpPexEmwnN")) {
-        Words changed = words;
-        changed[w][0] = letter;
-        mutants.insert(before + joined(changed, " ") + "\n" + after);
-      }
-    Words scaled = words;
-    for (std::size_t w = 1; w < words.size(); w += 2)
-      scaled[w] = mpz_class(3 * mpz_class(words[w], 10)).get_str();
-    mutants.insert(before + joined(scaled, " ") + "\n" + after);
-    for (const std::string condition :
-         {"m", "n", "N", "w", "E", "r1", "R1", "p2", "P2", "x1", "q1", "f1", "F1"})
-      mutants.insert(before + joined(words, " ") + " 1 " + condition + "\n" + after);
-  }
-}
-
 const char *const names[] = {"by_hand",
                              "strict_where_a_class_is_occupied",
                              "relaxation_at_an_open_bound",

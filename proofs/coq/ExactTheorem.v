@@ -1,0 +1,367 @@
+(* An accepted certificate of an exact match: no sample with fewer than N particles is described accurately, and one
+   with N is (Theorems 1, 2, 5, 6, 7). *)
+
+From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
+From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain ChainSound Exact Spec Reduction
+  RealFacts ExactSound Solids.
+Import ListNotations.
+Open Scope R_scope.
+
+Local Arguments Chain.above : simpl never.
+
+(* ---- Floors -------------------------------------------------------------------------------------- *)
+
+Lemma under_zero scale : (0 < fst scale)%Z -> under (0, 1)%Z scale.
+Proof. unfold under. simpl. lia. Qed.
+
+Lemma raise b L scale j floor q :
+  (1 <= b)%Z -> (1 <= floor)%Z -> sound (set_floor j floor) -> bound L -> (0 < snd scale)%Z -> under L scale ->
+  holds b scale (set_floor j floor) q -> (0 < m j)%Z -> (above b L (set_floor j floor) <= q)%Z.
+Proof. intros B Fl W Bd D U H M. exact (proj1 (forced b B L scale (set_floor j floor) q W M Bd D U H)). Qed.
+
+Lemma holds_floor b scale j floor floor' q :
+  holds b scale (set_floor j floor) q -> ((0 < m j)%Z -> (floor' <= q)%Z) -> holds b scale (set_floor j floor') q.
+Proof.
+  destruct scale as (n, d). intros [H|(M & R & H)] Fl; [left; exact H | right]. simpl in *. auto.
+Qed.
+
+Lemma from_start_least start scale j q :
+  bound start -> (0 < snd scale)%Z -> (fst start * snd scale <= fst scale * snd start)%Z ->
+  sound j -> (0 < m j)%Z -> holds 1 scale j q -> (0 < fst start)%Z -> (from_start start j <= q)%Z.
+Proof.
+  destruct start as (n0, d0), scale as (n, d). unfold bound, from_start, holds. cbn [fst snd].
+  intros (N & D0) D L (_ & R & Fp) M [(E & _)|(_ & Q & _ & Hi)] P; [lia|]. rewrite Z.pow_1_r in Hi.
+  assert (n0 * m j <= q * F j * d0)%Z as K.
+  { apply (Z.mul_le_mono_pos_r _ _ d); [exact D|].
+    assert (n0 * d * m j <= n * d0 * m j)%Z by (apply Z.mul_le_mono_nonneg_r; lia).
+    assert (n * m j * d0 <= q * F j * d * d0)%Z by (apply Z.mul_le_mono_nonneg_r; lia). lia. }
+  assert ((n0 * m j - 1) / (d0 * F j) < q)%Z; [|lia]. apply Z.div_lt_upper_bound; nia.
+Qed.
+
+Lemma with_floor_sound b R ss z j :
+  (forall floor, (1 <= floor)%Z -> sound (set_floor j floor)) -> sound (with_floor b R ss z j).
+Proof.
+  intro W. unfold with_floor.
+  set (fl := if (fst (start ss) =? 0)%Z then Z.max 1 R else Z.max (Z.max 1 R) (from_start (start ss) j)).
+  apply (W (Z.max (above b (excluded ss) (set_floor j fl)) (above b z (set_floor j fl)))).
+  pose proof (above_floor b (excluded ss) (set_floor j fl)) as A. cbn [set_floor r] in A.
+  assert (1 <= fl)%Z by (unfold fl; destruct (fst (start ss) =? 0)%Z; lia). lia.
+Qed.
+
+(* A solution with the least counts R that is at the start, and above what is excluded, has the floors. *)
+Lemma with_floor_holds b R ss z scale j q :
+  (1 <= b)%Z -> (forall floor, (1 <= floor)%Z -> sound (set_floor j floor)) ->
+  bound (start ss) -> bound (excluded ss) -> bound z -> (0 < snd scale)%Z ->
+  (fst (start ss) = 0%Z \/ b = 1%Z) ->
+  (fst (start ss) * snd scale <= fst scale * snd (start ss))%Z -> under (excluded ss) scale -> under z scale ->
+  holds b scale (set_floor j (Z.max 1 R)) q -> holds b scale (with_floor b R ss z j) q.
+Proof.
+  intros B W Bs Be Bz D B1 Us Ue Uz H. unfold with_floor.
+  set (fl := if (fst (start ss) =? 0)%Z then Z.max 1 R else Z.max (Z.max 1 R) (from_start (start ss) j)).
+  assert (1 <= fl)%Z as Fl by (unfold fl; destruct (fst (start ss) =? 0)%Z; lia).
+  assert ((0 < m j)%Z -> (Z.max 1 R <= q)%Z) as Q0.
+  { intro M. destruct scale. destruct H as [(E & _)|(_ & Q & _)]; cbn [set_floor m r] in *; lia. }
+  assert (holds b scale (set_floor j fl) q) as Hf.
+  { apply (holds_floor b scale j (Z.max 1 R)); [exact H|]. intro M. unfold fl.
+    destruct (Z.eqb_spec (fst (start ss)) 0) as [E|E]; [apply Q0, M|].
+    destruct B1 as [B1|B1]; [contradiction|]. rewrite B1 in *.
+    pose proof (from_start_least (start ss) scale (set_floor j (Z.max 1 R)) q Bs D Us (W (Z.max 1 R) ltac:(lia)) M H) as K.
+    destruct Bs as (N & _). change (from_start (start ss) (set_floor j (Z.max 1 R))) with (from_start (start ss) j) in K.
+    specialize (Q0 M). lia. }
+  apply (holds_floor b scale j fl); [exact Hf|]. intro M. apply Z.max_lub.
+  - exact (raise b (excluded ss) scale j fl q B Fl (W fl Fl) Be D Ue Hf M).
+  - exact (raise b z scale j fl q B Fl (W fl Fl) Bz D Uz Hf M).
+Qed.
+
+Lemma Forall2_map_left {A B C} (P : B -> C -> Prop) (g : A -> B) xs ys :
+  Forall2 (fun x y => P (g x) y) xs ys -> Forall2 P (map g xs) ys.
+Proof. induction 1; simpl; constructor; assumption. Qed.
+
+Lemma Forall2_unmap_left {A B C} (P : B -> C -> Prop) (g : A -> B) xs : forall ys,
+  Forall2 P (map g xs) ys -> Forall2 (fun x y => P (g x) y) xs ys.
+Proof. induction xs; intros ys H; inversion H; subst; constructor; auto. Qed.
+
+Lemma Forall2_impl_in {A B} (P Q : A -> B -> Prop) xs ys :
+  (forall x y, In x xs -> P x y -> Q x y) -> Forall2 P xs ys -> Forall2 Q xs ys.
+Proof.
+  intros H F. induction F; constructor; [apply H; [left; reflexivity | assumption]|].
+  apply IHF. intros; apply H; [right|]; assumption.
+Qed.
+
+Lemma check_above_floor b M z R ss z' js :
+  check_above b M z (map (with_floor b R ss z') js) = check_above b M z (map (fun j => set_floor j 1) js).
+Proof.
+  unfold check_above. rewrite !map_map.
+  replace (forallb (fun j => (m j =? 0)%Z || (0 <? f j)%Z) (map (with_floor b R ss z' ) js))
+    with (forallb (fun j => (m j =? 0)%Z || (0 <? f j)%Z) (map (fun j => set_floor j 1) js)).
+  - f_equal.
+  - induction js as [|j js IH]; [reflexivity|]. cbn [map forallb]. rewrite IH. reflexivity.
+Qed.
+
+(* ---- The theorem --------------------------------------------------------------------------------- *)
+
+Definition proper_question (q : question) : Prop :=
+  (1 <= a q)%Z /\ (1 <= b q)%Z /\ (0 <= min_per_class q)%Z /\ proper_solids (solids_of q) /\
+  (solids_of q = Anything \/ a q = 3%Z /\ b q = 1%Z).
+
+Section Claim.
+Variables (cert : certificate) (G : gradation) (scale : Q) (z : option Q) (chain : option (list Z)).
+Notation q := (asked cert).
+Notation rs := (rows G).
+Notation js := (classes rs).
+Notation u := (units_of rs).
+Notation na := (Z.to_nat (a q)).
+Notation nb := (Z.to_nat (b q)).
+
+Hypothesis exact : tolerances_of q = None.
+Hypothesis rows_proper : proper_rows rs.
+Hypothesis some_mass : exists j, In j js /\ 0 < Q2R (mass j).
+Hypothesis question_proper : proper_question q.
+Hypothesis scale_positive : 0 < Q2R scale.
+Hypothesis z_positive : forall y, z = Some y -> 0 < Q2R y.
+Hypothesis checked : check_exact cert G scale z chain = Ok tt.
+
+Variable law : R -> R.
+Hypothesis power : power_law na nb law.
+
+Lemma na_positive : (1 <= na)%nat.
+Proof. destruct question_proper as (A & _). lia. Qed.
+Lemma nb_positive : (1 <= nb)%nat.
+Proof. destruct question_proper as (_ & B & _). lia. Qed.
+Lemma na_z : Z.of_nat na = a q.
+Proof. destruct question_proper as (A & _). lia. Qed.
+Lemma nb_z : Z.of_nat nb = b q.
+Proof. destruct question_proper as (_ & B & _). lia. Qed.
+Lemma units_positive : (0 < of_openings u)%Z /\ (0 < of_masses u)%Z /\ (0 < of_factors u)%Z.
+Proof. repeat split; apply common_denominator_spec. Qed.
+Lemma classes_integral : Forall (integral u) js.
+Proof.
+  apply Forall_forall. intros j J. destruct (class_of_rows rs j J) as (L & U & M & C).
+  repeat split; apply common_denominator_spec; assumption.
+Qed.
+Lemma classes_proper : Forall proper js.
+Proof. apply proper_classes, rows_proper. Qed.
+
+Lemma in_integers_z j : in_integers u (a q) (b q) j = in_integers u (Z.of_nat na) (Z.of_nat nb) j.
+Proof. rewrite na_z, nb_z. reflexivity. Qed.
+
+Lemma base_sound j : In j js -> forall floor, (1 <= floor)%Z -> sound (set_floor (in_integers u (a q) (b q) j) floor).
+Proof.
+  intros J floor Fl. destruct units_positive as (Ux & Um & Uc).
+  pose proof classes_integral as I. pose proof classes_proper as P. rewrite Forall_forall in I, P. rewrite in_integers_z.
+  apply (in_integers_sound na nb nb_positive law power); auto.
+Qed.
+
+(* What the check was about, by names. *)
+Definition z_scale : ratio := match z with Some y => in_scale_units u (a q) (b q) y | None => (0, 1)%Z end.
+
+Lemma scale_units_real y :
+  IZR (fst (in_scale_units u (a q) (b q) y)) / IZR (snd (in_scale_units u (a q) (b q) y)) = Q2R y * per_scale na nb u /\
+  (0 < snd (in_scale_units u (a q) (b q) y))%Z.
+Proof.
+  destruct units_positive as (Ux & Um & Uc). unfold in_scale_units. cbn [fst snd]. rewrite <- na_z, <- nb_z.
+  pose proof (IZR_lt _ _ Ux) as Rx. pose proof (IZR_lt _ _ Um) as Rm. pose proof (den_positive y) as D. split.
+  - rewrite !mult_IZR, <- !pow_IZR, Q2R_num. rewrite !Nat2Z.id. unfold per_scale. pose proof (pow_lt _ nb Rm). field. lra.
+  - apply Z.mul_pos_pos; [reflexivity|]. apply Z.pow_pos_nonneg; lia.
+Qed.
+
+Lemma z_bound : bound z_scale /\ (z <> None -> 0 < fst z_scale)%Z.
+Proof.
+  unfold z_scale. destruct z as [y|] eqn:E; [|split; [split; simpl; lia | congruence]].
+  destruct (scale_units_real y) as (R & D). destruct units_positive as (Ux & Um & Uc).
+  assert (0 < fst (in_scale_units u (a q) (b q) y))%Z as P.
+  { apply lt_IZR. apply IZR_lt in D. pose proof (z_positive y eq_refl) as Y.
+    pose proof (Rmult_lt_0_compat _ _ Y (per_scale_positive na nb u Ux Um Uc)) as K. rewrite <- R in K.
+    apply (Rmult_lt_compat_r _ _ _ D) in K. unfold Rdiv in K. rewrite Rmult_assoc, Rinv_l in K by lra. lra. }
+  split; [split; [lia | exact D] | intros _; exact P].
+Qed.
+
+Record accepted (N : Z) (qs : list Z) (ss : scales) : Prop := {
+  acc_scales : scales_of u js (solids_of q) = Ok ss;
+  acc_volume : (fst (enough ss) * snd (in_scale_units u (a q) (b q) scale) <=
+                fst (in_scale_units u (a q) (b q) scale) * snd (enough ss))%Z;
+  acc_fit : all_fit (b q) (min_per_class q) (in_scale_units u (a q) (b q) scale)
+              (map (fun j => with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)) js) qs = true;
+  acc_sum : sum qs = N;
+  acc_at_least : (at_least q <= N)%Z;
+  acc_chain : match chain with
+              | Some chain =>
+                check_chain (b q) N (map (fun j => with_floor (b q) (min_per_class q) ss z_scale
+                                                     (in_integers u (a q) (b q) j)) js) chain = Ok tt
+              | None => N = at_least q
+              end;
+  acc_above : z <> None ->
+              check_above (b q) (at_least q) z_scale
+                (map (fun j => with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)) js) = Ok tt }.
+
+Lemma check_accepted : exists N qs ss, particles cert = Some N /\ accepted N qs ss.
+Proof.
+  pose proof checked as H. unfold check_exact in H. fold z_scale in H.
+  passed H. rename x into ss. passed H. passed H. destruct x.
+  destruct (particles cert) as [N|]; [|discriminate].
+  destruct (counts 1 _ (witness cert)) as [qs|] eqn:C; [|discriminate].
+  do 6 passed H.
+  exists N, qs, ss. split; [reflexivity|]. constructor; trivial.
+  - apply Z.leb_le. assumption.
+  - apply Z.eqb_eq. assumption.
+  - apply Z.leb_le. assumption.
+  - destruct x0, chain; [assumption|]. passed H8. unfold claims_least in H8. apply Z.eqb_eq in H8. exact H8.
+  - intro Nz. destruct z; [exact H | congruence].
+Qed.
+
+(* A match in the paper's words gives a solution in integers with the floors. *)
+Lemma sample_solution N qs ss S :
+  accepted N qs ss -> allowed law q rs S ->
+  (at_least q <= Z.of_nat (length S))%Z /\
+  exists sc, solution (b q) (map (fun j => with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)) js)
+               (map (fun j => number j S) js) sc.
+Proof.
+  intros Acc (Acc' & R & V & M). rewrite exact in Acc'. destruct Acc' as (s & Sp & D & H).
+  split; [exact M|].
+  destruct units_positive as (Ux & Um & Uc). pose proof classes_integral as I. pose proof classes_proper as P.
+  destruct question_proper as (Qa & Qb & QR & Qs & Ql).
+  assert (Forall2 (holds_real (b q) (s ^ nb * per_scale na nb u))
+            (map (fun j => set_floor (in_integers u (a q) (b q) j) (Z.max 1 (min_per_class q))) js)
+            (map (fun j => number j S) js)) as HR.
+  { apply Forall2_map_left. rewrite Forall_forall in I, P.
+    assert (forall j, In j js -> holds_real (b q) (s ^ nb * per_scale na nb u)
+              (set_floor (in_integers u (a q) (b q) j) (Z.max 1 (min_per_class q))) (number j S)) as K.
+    { intros j J. rewrite in_integers_z. rewrite <- nb_z at 1.
+      apply (realizes_holds na nb nb_positive law power u Ux Um Uc j s); auto.
+      - rewrite <- (H j J). apply sample_realizes; [apply power | auto].
+      - intro Mp. pose proof (sample_realizes law (proj1 power) j S (P j J)) as Rz. rewrite (H j J) in Rz.
+        pose proof (Rmult_lt_0_compat _ _ Sp Mp) as K. destruct Rz as [(_ & E)|(Q1 & _)]; [lra|].
+        assert (min_per_class q <= number j S)%Z by (apply R; [exact J|]; apply Rlt_Qlt; rewrite Q2R_0; exact Mp). lia. }
+    clear -K. induction js as [|j l IH]; simpl; constructor; [apply K; left; reflexivity|].
+    apply IH. intros; apply K; right; assumption. }
+  assert (0 < s ^ nb * per_scale na nb u) as Sc.
+  { apply Rmult_lt_0_compat; [apply pow_lt, Sp | apply per_scale_positive; assumption]. }
+  destruct (rational_scale _ _ _ _ Sc HR) as (sc & (N1 & D1 & Hq) & U).
+  destruct (scales_ok u Ux Um Uc na nb js (solids_of q) ss I P some_mass Qs ltac:(destruct Ql as [|(A3 & B1)]; [tauto | right; split; lia])
+              (acc_scales _ _ _ Acc)) as (Bs & Be & _ & B1 & S0 & Sol).
+  assert (has_cubes (solids_of q) (s * unit_cubes js)) as HC.
+  { destruct (solids_of q) eqn:Es; [exact Logic.I|..].
+    all: destruct Ql as [Ql|(A3 & B3)]; [discriminate|].
+    all: assert (power_law 3 1 law) as P31 by (rewrite A3, B3 in power; exact power).
+    all: simpl in V; rewrite (volume_of_match law rs S s P31 rows_proper (conj D H)) in V; exact V. }
+  destruct (proj1 (Sol s Sp) HC) as (St & Ex).
+  pose proof (IZR_lt _ _ D1) as D1r.
+  assert (forall L, bound L -> IZR (fst L) / IZR (snd L) < s ^ nb * per_scale na nb u -> under L sc) as Under.
+  { intros L (Ln & Ld) HL. unfold under. apply lt_IZR. rewrite !mult_IZR. apply IZR_lt in Ld.
+    apply (Rmult_lt_compat_r (IZR (snd L))) in HL; [|exact Ld]. unfold Rdiv in HL.
+    rewrite Rmult_assoc, Rinv_l, Rmult_1_r in HL by lra.
+    apply (Rmult_lt_compat_r (IZR (snd sc))) in HL; [|exact D1r].
+    apply (Rmult_le_compat_r (IZR (snd L))) in U; [|lra]. lra. }
+  assert (fst (start ss) * snd sc <= fst sc * snd (start ss))%Z as Ust.
+  { destruct Bs as (Sn & Sd). apply le_IZR. rewrite !mult_IZR. apply IZR_lt in Sd.
+    apply (Rmult_le_compat_r (IZR (snd (start ss)))) in St; [|lra]. unfold Rdiv in St.
+    rewrite Rmult_assoc, Rinv_l, Rmult_1_r in St by lra.
+    apply (Rmult_le_compat_r (IZR (snd sc))) in St; [|lra].
+    apply (Rmult_le_compat_r (IZR (snd (start ss)))) in U; [|lra]. lra. }
+  destruct z_bound as (Bz & Zp).
+  assert (under z_scale sc) as Uz.
+  { destruct z as [y|] eqn:Ez.
+    2: { unfold z_scale. rewrite Ez. apply under_zero, N1. }
+    rewrite <- Ez in *. assert (z <> None) as Nz by congruence.
+    pose proof (acc_above _ _ _ Acc Nz) as Ab. rewrite <- map_map, check_above_floor in Ab.
+    refine (above_sound (b q) Qb (at_least q) z_scale _ (map (fun j => number j S) js) sc _ (Zp Nz) (proj2 Bz) Ab _ _).
+    - apply Forall_forall. intros j J. rewrite map_map in J. apply in_map_iff in J as (i & <- & J). apply base_sound; [exact J | lia].
+    - split; [exact N1|]. split; [exact D1|]. rewrite map_map. apply Forall2_unmap_left in Hq. apply Forall2_map_left.
+      eapply Forall2_impl_in; [|exact Hq]. intros j n J Hj. apply (holds_floor _ _ _ _ _ _ Hj).
+      intro Mj. destruct sc. destruct Hj as [(E0 & _)|(_ & Qj & _)]; cbn [set_floor m r] in *; lia.
+    - rewrite <- (describes_number rs S rows_proper D). exact M. }
+  exists sc. split; [exact N1|]. split; [exact D1|]. apply Forall2_map_left. apply Forall2_unmap_left in Hq.
+  eapply Forall2_impl_in; [|exact Hq]. intros j n J Hj. apply with_floor_holds; trivial.
+  - apply base_sound, J.
+  - destruct B1 as [Any|B1]; [left; apply S0, Any | right; lia].
+  - apply Under; assumption.
+Qed.
+
+(* None with fewer. *)
+Theorem exact_lower_bound N S : particles cert = Some N -> allowed law q rs S -> (N <= Z.of_nat (length S))%Z.
+Proof.
+  intros E A. destruct check_accepted as (N' & qs & ss & E' & Acc). rewrite E in E'. injection E' as <-.
+  destruct (sample_solution N qs ss S Acc A) as (M & sc & Sol).
+  pose proof (acc_chain _ _ _ Acc) as C. destruct chain as [js'|]; [|lia].
+  assert (Z.of_nat (length S) = sum (map (fun j => number j S) js)) as ->.
+  { destruct A as (A & _). rewrite exact in A. destruct A as (s & _ & D & _). apply describes_number; assumption. }
+  refine (proj2 (chain_sound (b q) _ N _ js' _ C) _ (ex_intro _ sc Sol)).
+  - destruct question_proper as (_ & B & _). exact B.
+  - apply Forall_forall. intros j J. apply in_map_iff in J as (i & <- & J). apply with_floor_sound, base_sound, J.
+Qed.
+
+Lemma all_fit_spec bb RR sc bs : forall qs, all_fit bb RR sc bs qs = true -> Forall2 (fun j n => fits bb RR sc j n = true) bs qs.
+Proof.
+  induction bs as [|j bs IH]; intros [|n qs] H; simpl in H; try discriminate; [constructor|].
+  apply andb_prop in H as (H1 & H2). constructor; auto.
+Qed.
+
+Lemma fits_holds bb RR sc j n :
+  (0 <= m j)%Z -> fits bb RR sc j n = true -> holds bb sc (set_floor j (Z.max 1 RR)) n.
+Proof.
+  destruct sc as (sn, sd). unfold fits, holds. cbn [set_floor m r f F]. intros M H.
+  destruct (Z.eqb_spec (m j) 0) as [E|E]; [left; split; [exact E | apply Z.eqb_eq, H] | right].
+  rewrite !andb_true_iff, !Z.leb_le, Z.ltb_lt in H. lia.
+Qed.
+
+(* One with N, with one size a class. *)
+Theorem exact_attained N :
+  particles cert = Some N ->
+  exists S, allowed law q rs S /\ Z.of_nat (length S) = N /\ one_size_a_class js S.
+Proof.
+  intro E. destruct check_accepted as (N' & qs & ss & E' & Acc). rewrite E in E'. injection E' as <-.
+  destruct units_positive as (Ux & Um & Uc). pose proof classes_integral as I. pose proof classes_proper as P.
+  destruct question_proper as (Qa & Qb & QR & Qs & Ql).
+  set (sc := in_scale_units u (a q) (b q) scale).
+  destruct (scale_units_real scale) as (Rs & Ds). fold sc in Rs, Ds.
+  pose proof (per_scale_positive na nb u Ux Um Uc) as K.
+  destruct (real_root (Q2R scale) nb scale_positive nb_positive) as (s & Sp & Es).
+  pose proof (all_fit_spec _ _ _ _ _ (acc_fit _ _ _ Acc)) as Ft. apply Forall2_unmap_left in Ft. fold sc in Ft.
+  assert (Forall2 (fun j n => realizes law j n (s * Q2R (mass j)) /\ (0 < Q2R (mass j) -> (min_per_class q <= n)%Z)) js qs) as Rz.
+  { eapply Forall2_impl_in; [|exact Ft]. intros j n J Hj. cbv beta in Hj.
+    rewrite Forall_forall in I, P.
+    assert (0 <= m (in_integers u (a q) (b q) j))%Z as Mn by (destruct (base_sound j J 1) as (Mn & _); [lia | exact Mn]).
+    apply fits_holds in Hj; [|exact Mn].
+    change (holds (b q) sc (set_floor (in_integers u (a q) (b q) j) (Z.max 1 (min_per_class q))) n) in Hj.
+    split.
+    - destruct sc as (sn, sd). apply real_scale in Hj; [|exact Ds]. cbn [fst snd] in Rs. rewrite Rs, <- Es in Hj.
+      rewrite in_integers_z in Hj. rewrite <- nb_z in Hj at 1.
+      apply (holds_realizes na nb nb_positive law power u Ux Um Uc j s n (Z.max 1 (min_per_class q))); auto. lia.
+    - intro Mp. destruct sc as (sn, sd). destruct Hj as [(E0 & _)|(_ & Qj & _)]; [|simpl in Qj; lia].
+      change (m (in_integers u (a q) (b q) j) = 0%Z) in E0. rewrite in_integers_z in E0.
+      apply (mass_zero na nb nb_positive law power u Ux Um Uc j (I j J) (P j J)) in E0. lra. }
+  destruct (classes_ascend rs (proj1 rows_proper)) as (As & T).
+  destruct (counts_sample law (proj1 power) js _ (map (fun '(j, n) => (n, s * Q2R (mass j))) (combine js qs)) As P) as (S & B & O & C).
+  { clear -Rz. induction Rz as [|j n l qs (H & _) _ IH]; constructor; [exact H | exact IH]. }
+  assert (Forall2 (fun j n => number j S = n /\ held law j S = s * Q2R (mass j)) js qs) as C'.
+  { clear -C Rz. induction Rz as [|j n l qs _ _ IH]; [constructor|]. simpl in C. inversion C; subst. constructor; auto. }
+  clear C. assert (describes rs S) as D.
+  { split; [apply rows_proper|]. intros x X. rewrite <- T. apply B, X. }
+  assert (forall j, In j js -> held law j S = s * Q2R (mass j)) as H.
+  { intros j J. clear -C' J. induction C' as [|i n l qs (_ & E) _ IH]; [destruct J|]; destruct J as [->|J]; auto. }
+  assert (Z.of_nat (length S) = N) as L.
+  { rewrite (describes_number rs S rows_proper D), <- (acc_sum _ _ _ Acc). f_equal.
+    clear -C'. induction C' as [|j n l qs (E & _) _ IH]; simpl; [reflexivity | rewrite E, IH; reflexivity]. }
+  exists S. split; [|split; [exact L | exact O]]. split; [rewrite exact; exists s; split; [exact Sp | split; assumption]|].
+  split; [|split].
+  - intros j J Mp. apply Qlt_Rlt in Mp. rewrite Q2R_0 in Mp.
+    clear -C' Rz J Mp. induction C' as [|i n l qs (E & _) _ IH]; [destruct J|]. inversion Rz as [|? ? ? ? (_ & Rn) Rz']; subst.
+    destruct J as [<-|J]; [apply Rn, Mp | apply IH; assumption].
+  - destruct (scales_ok u Ux Um Uc na nb js (solids_of q) ss I P some_mass Qs ltac:(destruct Ql as [|(A3 & B1)]; [tauto | right; split; lia])
+                (acc_scales _ _ _ Acc)) as (_ & _ & Be & _ & _ & Sol).
+    assert (has_cubes (solids_of q) (s * unit_cubes js)) as HC.
+    { apply (proj2 (Sol s Sp)). rewrite Es, <- Rs. pose proof (acc_volume _ _ _ Acc) as V. fold sc in V.
+      apply IZR_le in V. rewrite !mult_IZR in V. destruct Be as (_ & Ed). apply IZR_lt in Ed, Ds.
+      apply (Rmult_le_reg_r (IZR (snd (enough ss)) * IZR (snd sc))); [apply Rmult_lt_0_compat; assumption|].
+      replace (IZR (fst (enough ss)) / IZR (snd (enough ss)) * (IZR (snd (enough ss)) * IZR (snd sc)))
+        with (IZR (fst (enough ss)) * IZR (snd sc)) by (field; lra).
+      replace (IZR (fst sc) / IZR (snd sc) * (IZR (snd (enough ss)) * IZR (snd sc)))
+        with (IZR (fst sc) * IZR (snd (enough ss))) by (field; lra). exact V. }
+    destruct (solids_of q) eqn:Eso; [exact Logic.I|..].
+    all: destruct Ql as [Ql|(A3 & B3)]; [discriminate|].
+    all: assert (power_law 3 1 law) as P31 by (rewrite A3, B3 in power; exact power).
+    all: simpl; rewrite (volume_of_match law rs S s P31 rows_proper (conj D H)); exact HC.
+  - rewrite L. apply (acc_at_least _ _ _ Acc).
+Qed.
+
+End Claim.

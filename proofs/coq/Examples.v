@@ -1,0 +1,94 @@
+(* The definitions at work, evaluated by Coq's kernel: what is accepted, what is not, and what it means. *)
+
+From Coq Require Import ZArith QArith Reals List String Ascii.
+From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Checker Spec RealFacts Laws Theorems.
+Import ListNotations.
+Open Scope string_scope.
+
+(* A text as lines of words. *)
+Fixpoint words (s word : string) : list string :=
+  match s with
+  | EmptyString => [word]
+  | String ch s => if Ascii.eqb ch " " then word :: words s "" else words s (word ++ String ch "")
+  end.
+Definition text_of (ls : list string) : lines := (map (fun l => words l "") ls ++ [[""]])%list.
+
+(* ---- An open bound decides (certificate-format.md, section 7) ------------------------------------- *)
+
+(* Classes (1, 2] and (2, 3] of spheres with the masses 2 and 1. *)
+Definition sand : list row := [Row 1 2 1 0; Row 2 1 1 0; Row 3 0 1 0].
+
+Definition four : lines := text_of
+  ["mdm-certificate 1"; "law 3"; "particles 4"; "scale 10";
+   "class 1 3 1.882072057762 1.882072057763"; "class 2 1 2.154434690031 2.154434690032"; "chain 2"; "end"].
+
+(* Two particles of size 2 in the first class and one of size 2 in the second would do, were (2, 3] closed below: its
+   mass f(2) is the bound that is not allowed. *)
+Definition three : lines := text_of
+  ["mdm-certificate 1"; "law 3"; "particles 3"; "scale 8"; "class 1 2 2 2"; "class 2 1 2 2"; "chain 2"; "end"].
+
+Example four_is_accepted : match check (Gradation sand false) four with Ok _ => True | _ => False end.
+Proof. vm_compute. exact I. Qed.
+
+Example three_is_refused :
+  match check (Gradation sand false) three with Refused what => what = "q >= R, q^b A < S <= q^b B" | _ => False end.
+Proof. vm_compute. reflexivity. Qed.
+
+(* At the scale 8 the first class holds two particles, and the second one, but for the strict bound. *)
+Example only_the_bound : let s := 8%Z in
+  (2 * 1 ^ 3 < s * 2 <= 2 * 2 ^ 3 /\ 1 * 2 ^ 3 <= s * 1 <= 1 * 3 ^ 3 /\ ~ (1 * 2 ^ 3 < s * 1))%Z.
+Proof. cbv zeta. repeat split; vm_compute; congruence. Qed.
+
+(* What the acceptance means: no sample with fewer than four spheres is described accurately, and one with four is. *)
+Theorem four_is_least :
+  (exists S, describes_accurately sphere sand S /\ List.length S = 4%nat) /\
+  forall S, describes_accurately sphere sand S -> (4 <= List.length S)%nat.
+Proof.
+  destruct (read_certificate four) as [cert| |] eqn:R; [|vm_compute in R; discriminate..].
+  vm_compute in R. injection R as R.
+  assert (check_certificate (Gradation sand false) cert = Ok tt) as C by (rewrite <- R; vm_compute; reflexivity).
+  destruct (exact_match _ cert sphere C) as (G' & N & E & EN & (S & A & L) & Least);
+    [rewrite <- R; reflexivity | rewrite <- R; exact sphere_law|].
+  rewrite <- R in E, EN. vm_compute in E. injection E as <-. injection EN as <-. split.
+  - exists S. split; [|apply Nat2Z.inj; rewrite L; reflexivity]. destruct A as (A & _). rewrite <- R in A. exact A.
+  - intros T D. apply Nat2Z.inj_le. apply Least. split; [rewrite <- R; exact D|]. rewrite <- R. repeat split.
+    + intros j _ _. apply Nat2Z.is_nonneg.
+    + apply Nat2Z.is_nonneg.
+Qed.
+
+(* ---- Within a tolerance -------------------------------------------------------------------------- *)
+
+Definition two_and_eight : list row := [Row 1 2 1 0; Row 2 8 1 0; Row 3 0 1 0].
+
+(* The total of 10 % with f(x) = x: three particles. Only the open bound of the first class, f1 where q_1 >= 1, makes
+   the last leaf a contradiction. *)
+Definition by_hand (last_leaf : string) : lines := text_of
+  ["mdm-certificate 1"; "law 1"; "total 10"; "particles 3"; "class 1 1 3/2 1.5 1.5"; "class 2 2 5 2.5 2.5";
+   "split 2 1"; "leaf 4 e1 4 E 4 x2 4 F2 12 Q2 3 m"; "split 1 1"; "leaf 20 e2 20 E 20 x1 20 F1 40 Q1 3 m"; last_leaf; "end"].
+
+Example tree_is_accepted :
+  match check (Gradation two_and_eight false) (by_hand "leaf 4 e1 4 E 4 x2 3 f1 1 F2 3 N 6 q1") with
+  | Ok _ => True | _ => False
+  end.
+Proof. vm_compute. exact I. Qed.
+
+(* One multiplier too many, and nothing cancels. *)
+Example changed_tree_is_refused :
+  match check (Gradation two_and_eight false) (by_hand "leaf 4 e1 4 E 4 x2 3 f1 1 F2 3 N 7 q1") with
+  | Refused what => what = "leaf: a contradiction" | _ => False
+  end.
+Proof. vm_compute. reflexivity. Qed.
+
+(* (0, 2], (2, 5], (5, 9] with the masses 2, 1, 1, shares within 25 percentage points: 3. Were f3 strict where class 3 may
+   be empty, a sample of 3 would be excluded; were it closed everywhere, 2 would do. *)
+Definition occupied : lines := text_of
+  ["mdm-certificate 1"; "law 1"; "retained 25"; "particles 3"; "class 1 2 4 2 2"; "class 2 1 4 4 4";
+   "split 1 1"; "leaf 12 F1 34 Q1 3 R2 5 f2 2 f3 10 n 14 r1"; "split 2 1"; "split 3 1";
+   "leaf 3 F2 3 F3 15 Q2 27 Q3 4 R1 1 f1"; "leaf 10 F1 4 F2 20 N 11 R3 7 f3 55 q3 6 r1";
+   "leaf 1 F1 1 F3 9 N 2 R2 1 f2 7 q1 11 q2"; "end"].
+
+Example strict_where_occupied :
+  match check (Gradation [Row 0 2 1 0; Row 2 1 1 0; Row 5 1 1 0; Row 9 0 1 0] false) occupied with
+  | Ok _ => True | _ => False
+  end.
+Proof. vm_compute. exact I. Qed.

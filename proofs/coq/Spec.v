@@ -1,0 +1,152 @@
+(* What the checker's verdict is about, in the paper's words: gradation, sample, Conditions 1-4 (Eq. 9-12).
+
+   Sizes are real numbers; the gradation's numbers are rational. To be read before anything else: all that is
+   proved is proved about these definitions. *)
+
+From Coq Require Import ZArith QArith Reals Qreals List.
+From Mdm Require Import Gradation Certificate.
+Import ListNotations.
+Open Scope R_scope.
+
+(* ---- Sample and mass law ------------------------------------------------------------------------- *)
+
+(* The sizes of its particles, one entry a particle. *)
+Definition sample : Type := list R.
+
+(* Size to mass (Eq. 12). *)
+Record mass_law (f : R -> R) : Prop := {
+  law_continuous : forall x, 0 <= x -> continuity_pt f x;
+  law_increasing : forall x y, 0 <= x < y -> f x < f y;
+  law_at_0 : 0 <= f 0 }.
+
+(* Eq. 14, without the factor that all particles share. *)
+Definition sphere (x : R) : R := x ^ 3.
+
+(* f(x) = x^(a/b). *)
+Definition power_law (a b : nat) (f : R -> R) : Prop :=
+  mass_law f /\ forall x, 0 <= x -> 0 <= f x /\ f x ^ b = x ^ a.
+
+(* ---- Classes ------------------------------------------------------------------------------------- *)
+
+(* Open below, closed above: a particle passes an opening of its own size. *)
+Definition in_class (j : class) (x : R) : Prop := Q2R (lower j) < x <= Q2R (upper j).
+
+Definition in_class_dec (j : class) (x : R) : {in_class j x} + {~ in_class j x}.
+Proof.
+  unfold in_class. destruct (Rlt_dec (Q2R (lower j)) x), (Rle_dec x (Q2R (upper j))); [left | right..]; tauto.
+Defined.
+
+Definition total (xs : list R) : R := fold_right Rplus 0 xs.
+
+(* The particles of class j, their number, and their mass; c is the class's factor. *)
+Definition inside (j : class) (S : sample) : sample :=
+  filter (fun x => if in_class_dec j x then true else false) S.
+Definition number (j : class) (S : sample) : Z := Z.of_nat (length (inside j S)).
+Definition held (f : R -> R) (j : class) (S : sample) : R := Q2R (c j) * total (map f (inside j S)).
+
+(* ---- Conditions 1 to 4 --------------------------------------------------------------------------- *)
+
+Definition least_opening (rs : list row) : R := Q2R (opening (hd (Row 0 0 1 0) rs)).
+Definition largest_opening (rs : list row) : R := Q2R (opening (last_row rs)).
+
+(* Cond1 (Eq. 9): nothing is retained on the largest opening. *)
+Definition complete (rs : list row) : Prop := (retained (last_row rs) == 0)%Q.
+
+(* Cond2 (Eq. 10). *)
+Definition describes (rs : list row) (S : sample) : Prop :=
+  complete rs /\ forall x, In x S -> least_opening rs < x <= largest_opening rs.
+
+(* Cond3 (Eq. 11): an opening separates any two sizes; that is, one size a class. (x_i < x_j <= x_(i+1), as printed,
+   has < and <= the other way round than Eq. 12.) *)
+Definition describes_articulately (rs : list row) (S : sample) : Prop :=
+  describes rs S /\
+  forall x y, In x S -> In y S -> x < y -> exists r, In r rs /\ x <= Q2R (opening r) < y.
+
+(* Cond4 (Eq. 12), for the gradation with all masses times s. *)
+Definition describes_accurately_at (s : R) (f : R -> R) (rs : list row) (S : sample) : Prop :=
+  describes rs S /\ forall j, In j (classes rs) -> held f j S = s * Q2R (mass j).
+
+(* Cond4 up to the unit of mass: the sample is a match of the gradation. *)
+Definition describes_accurately (f : R -> R) (rs : list row) (S : sample) : Prop :=
+  exists s, 0 < s /\ describes_accurately_at s f rs S.
+
+(* ---- What a question demands besides ------------------------------------------------------------- *)
+
+(* The particles' own volume. *)
+Definition solid_volume (S : sample) : R := PI / 6 * total (map sphere S).
+
+Definition has_solids (s : solids) (S : sample) : Prop :=
+  match s with
+  | Anything => True
+  | Cylinder d h e => PI / 4 * Q2R d ^ 2 * Q2R h <= solid_volume S * (1 + Q2R e)
+  | Volume v _ _ => Q2R v <= solid_volume S
+  end.
+
+Definition has_enough (q : question) (rs : list row) (S : sample) : Prop :=
+  (forall j, In j (classes rs) -> (0 < mass j)%Q -> (min_per_class q <= number j S)%Z) /\
+  has_solids (solids_of q) S /\
+  (at_least q <= Z.of_nat (length S))%Z.
+
+(* ---- Tolerances ---------------------------------------------------------------------------------- *)
+
+(* The sample's mass, and what of it passes an opening y. *)
+Definition mass_of_all (f : R -> R) (rs : list row) (S : sample) : R :=
+  total (map (fun j => held f j S) (classes rs)).
+Definition mass_passing (f : R -> R) (rs : list row) (y : R) (S : sample) : R :=
+  total (map (fun j => if Rle_dec (Q2R (upper j)) y then held f j S else 0) (classes rs)).
+
+(* The shares of the sample and of the gradation. *)
+Definition share_retained (f : R -> R) (rs : list row) (j : class) (S : sample) : R :=
+  held f j S / mass_of_all f rs S.
+Definition share_passing (f : R -> R) (rs : list row) (y : R) (S : sample) : R :=
+  mass_passing f rs y S / mass_of_all f rs S.
+Definition gradation_mass (rs : list row) : R := total (map (fun j => Q2R (mass j)) (classes rs)).
+Definition target_retained (rs : list row) (j : class) : R := Q2R (mass j) / gradation_mass rs.
+Definition target_passing (rs : list row) (y : R) : R :=
+  total (map (fun j => if Rle_dec (Q2R (upper j)) y then Q2R (mass j) else 0) (classes rs)) / gradation_mass rs.
+
+Definition near (e : Q) (x y : R) : Prop := Rabs (x - y) <= Q2R e / 100.
+
+Section Tolerance.
+Variables (f : R -> R) (K : option Q) (tol : tolerances) (rs : list row) (S : sample).
+
+Definition meets_retained (j : class) (e : Q) : Prop :=
+  near e (share_retained f rs j S) (target_retained rs j).
+Definition meets_passing (j : class) (e : Q) : Prop :=
+  near e (share_passing f rs (Q2R (upper j)) S) (target_passing rs (Q2R (upper j))).
+
+(* An opening X of the band, in the unit that the question gives the gradation. *)
+Definition scaled (x : Q) : R := match K with Some k => Q2R k * Q2R x | None => Q2R x end.
+
+(* The lines of certificate-format.md, section 6. The tolerance of a file's row is that of the class above it for
+   what is retained, and that of the class below it for what passes. *)
+Definition meets_tolerances : Prop :=
+  (forall e, retained_each tol = Some e -> forall j, In j (classes rs) -> meets_retained j e) /\
+  (retained_file tol = true ->
+     forall j r, In (j, r) (combine (classes rs) rs) -> meets_retained j (tolerance r)) /\
+  (forall e, passing_all tol = Some e -> forall j, In j (classes rs) -> meets_passing j e) /\
+  (passing_file tol = true ->
+     forall j r, In (j, r) (combine (classes rs) (tl rs)) -> meets_passing j (tolerance r)) /\
+  (forall j e, In (j, e) (combine (classes rs) (passing_each tol)) -> meets_passing j e) /\
+  (forall e, Certificate.total tol = Some e ->
+     total (map (fun j => Rabs (share_retained f rs j S - target_retained rs j)) (classes rs)) <= Q2R e / 100) /\
+  (forall x l h, In (x, l, h) (band tol) ->
+     Q2R l / 100 <= share_passing f rs (scaled x) S <= Q2R h / 100).
+
+(* A sample of at least one particle, all of them in classes, that meets them. *)
+Definition describes_within : Prop := describes rs S /\ S <> [] /\ meets_tolerances.
+
+End Tolerance.
+
+(* ---- The least number ---------------------------------------------------------------------------- *)
+
+(* Samples that the question allows. *)
+Definition allowed (f : R -> R) (q : question) (rs : list row) (S : sample) : Prop :=
+  match tolerances_of q with
+  | None => describes_accurately f rs S
+  | Some tol => describes_within f (size_factor q) tol rs S
+  end /\ has_enough q rs S.
+
+Definition least_number (f : R -> R) (q : question) (rs : list row) (n : Z) : Prop :=
+  (exists S, allowed f q rs S /\ Z.of_nat (length S) = n) /\
+  forall S, allowed f q rs S -> (n <= Z.of_nat (length S))%Z.

@@ -1,0 +1,90 @@
+#pragma once
+/// \file
+/// Judges pairs of files with the checker, in this process, and with a program that is extracted from Coq.
+
+#include "check.hpp"
+#include "checker/mutants.hpp"
+
+#include <cstdlib>
+
+namespace verified_test {
+
+using mdm_check::Verdict;
+
+/// A gradation file and a certificate.
+struct Pair {
+  std::string gradation, certificate;
+};
+
+inline Verdict::Code code_of(const std::string &line) {
+  return line.rfind("accepted: ", 0) == 0  ? Verdict::accepted
+         : line.rfind("refused: ", 0) == 0 ? Verdict::refused
+                                           : Verdict::malformed;
+}
+
+/// How often each verdict was the same.
+struct Agreement {
+  std::size_t accepted = 0, refused = 0, malformed = 0;
+  std::vector<std::string> differences; ///< both verdicts and the pair
+};
+
+/// The program judges many pairs in one run, a line each. Where both accept the lines must be the same too.
+inline Agreement compare(const std::string &program, const std::vector<Pair> &pairs) {
+  constexpr std::size_t pairs_a_run = 2000;
+  Agreement agreement;
+  for (std::size_t begin = 0; begin < pairs.size(); begin += pairs_a_run) {
+    const std::size_t end = std::min(begin + pairs_a_run, pairs.size());
+    const mdm_check_test::TemporaryFolder folder;
+    const auto path = [&](const std::string &name) { return (folder.path() / name).string(); };
+    std::map<std::string, std::string> files; // by their text
+    const auto file_of = [&](const std::string &text) {
+      const auto [file, is_new] = files.try_emplace(text, path(std::to_string(files.size())));
+      if (is_new)
+        mdm_check_test::write_file(file->second, text);
+      return file->second;
+    };
+    std::string names;
+    for (std::size_t i = begin; i < end; ++i)
+      names += file_of(pairs[i].gradation) + "\n" + file_of(pairs[i].certificate) + "\n";
+    mdm_check_test::write_file(path("names"), names);
+    const std::string command = "xargs -n " + std::to_string(2 * pairs_a_run) + " -s 1000000 '" + program +
+                                "' <" + path("names") + " >" + path("verdicts") + " 2>&1";
+    static_cast<void>(std::system(command.c_str()));
+    std::istringstream verdicts(mdm_check_test::read_file(path("verdicts")));
+    for (std::size_t i = begin; i < end; ++i) {
+      const Pair &pair = pairs[i];
+      const Verdict verdict = mdm_check::check({file_of(pair.gradation), pair.gradation},
+                                               {file_of(pair.certificate), pair.certificate});
+      std::string line;
+      std::getline(verdicts, line);
+      const Verdict::Code code = line.empty() ? Verdict::malformed : code_of(line);
+      if (line.empty() || code != verdict.code || (code == Verdict::accepted && line != verdict.line))
+        agreement.differences.push_back(verdict.line + "\nbut " + line + "\n" + pair.gradation +
+                                        pair.certificate);
+      else
+        ++(code == Verdict::accepted  ? agreement.accepted
+           : code == Verdict::refused ? agreement.refused
+                                      : agreement.malformed);
+    }
+  }
+  return agreement;
+}
+
+/// The pairs of a folder of tests/certificates, by the certificate's name.
+inline std::map<std::string, Pair> certificates(const std::string &folder) {
+  std::map<std::string, Pair> pairs;
+  for (const auto &entry :
+       std::filesystem::directory_iterator(std::filesystem::path(MDM_CERTIFICATES_DIR) / folder)) {
+    std::filesystem::path gradation = entry.path();
+    if (gradation.extension() != ".proof")
+      continue;
+    gradation.replace_extension(".csv");
+    if (!std::filesystem::exists(gradation))
+      gradation.replace_extension(".json");
+    pairs[entry.path().stem().string()] = {mdm_check_test::read_file(gradation),
+                                           mdm_check_test::read_file(entry.path())};
+  }
+  return pairs;
+}
+
+} // namespace verified_test
