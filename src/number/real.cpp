@@ -1,4 +1,5 @@
 #include <mdm/number/decimal.hpp>
+#include <mdm/number/power_product.hpp>
 #include <mdm/number/real.hpp>
 
 #include <algorithm>
@@ -155,8 +156,39 @@ Real operator-(const Real &a, const Real &b) {
   return combined(a, b, std::minus<>());
 }
 
-Real operator*(const Real &a, const Rational &b) {
-  return combined(a, Real(b), std::multiplies<>());
+Real operator*(const Real &a, const Real &b) {
+  return combined(a, b, std::multiplies<>());
+}
+
+Real operator/(const Real &a, const Real &b) {
+  return combined(a, b, std::divides<>());
+}
+
+Real pow(const Real &y, const Rational &exponent) {
+  constexpr int short_exponent = 8;
+  if (y.fraction() && denominator(exponent) == 1 && exponent >= 0 && exponent <= short_exponent)
+    return Real(power(*y.fraction(), static_cast<unsigned>(numerator(exponent))));
+  return Real([=](unsigned bits) { return pow(y.ball(bits), exponent); },
+              [=]() -> std::optional<Rational> {
+                const std::optional<Rational> value = y.exact();
+                return value ? PowerProduct(*value, exponent).exact() : std::nullopt;
+              });
+}
+
+IntegerBounds floor_of(const Real &y, const std::function<bool(const Integer &k)> &is_exactly) {
+  constexpr unsigned first_bits = 128;
+  IntegerBounds result;
+  bool asked = !is_exactly;
+  refine(y, first_bits, [&](const Interval &i, bool) {
+    result = {floor(i.lo), floor(i.hi)};
+    if (!asked && result.hi - result.lo == 1) {
+      asked = true;
+      if (is_exactly(result.hi))
+        result.lo = result.hi;
+    }
+    return result.known();
+  });
+  return result;
 }
 
 Order compare(const Real &a, const Real &b) {

@@ -32,7 +32,11 @@ public:
 
   friend Real operator+(const Real &a, const Real &b);
   friend Real operator-(const Real &a, const Real &b);
-  friend Real operator*(const Real &a, const Rational &b);
+  friend Real operator*(const Real &a, const Real &b);
+  /// \pre b != 0
+  friend Real operator/(const Real &a, const Real &b);
+  /// \pre y > 0
+  friend Real pow(const Real &y, const Rational &exponent);
 
 private:
   std::optional<Rational> fraction_;
@@ -42,6 +46,17 @@ private:
 
 /// Decided by refining; undecided if most_bits do not separate the two and their exact values are not known.
 Order compare(const Real &a, const Real &b);
+
+/// What is certain of an integer: lo = hi where it is known.
+struct IntegerBounds {
+  Integer lo, hi;
+
+  bool known() const { return lo == hi; }
+};
+
+/// The largest integer <= y, decided by refining. `is_exactly(k)` answers true only if y = k; it is asked
+/// once, where refining has left two integers.
+IntegerBounds floor_of(const Real &y, const std::function<bool(const Integer &k)> &is_exactly = nullptr);
 
 /// Decimals around y of `digits` >= 1 significant digits (more if y has more before its point): one unit of
 /// the last digit apart, two where most_bits do not tell on which side of a decimal y lies; lo = hi where y

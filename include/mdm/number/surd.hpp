@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// Exact arithmetic with one irrational root.
+
+#include <mdm/number/real.hpp>
+
+#include <vector>
+
+namespace mdm {
+
+/// c_0 + c_1 t + ... + c_{m-1} t^{m-1} with fractions c_k and t = base^(1/m), where base > 0 is no p-th power
+/// for any prime p that divides m. Then x^m - base is irreducible (Capelli), and such a number is 0 only if
+/// all c_k are. A fraction has m = 1. Numbers with m > 1 can be combined if they have the same base and m.
+class Surd {
+public:
+  Surd(const Rational &r = 0) : c_{r} {}
+  Surd(int n) : Surd(Rational(n)) {}
+  /// r^(n/degree), for r > 0 and degree >= 1; equal r and degree give numbers that can be combined.
+  static Surd root_power(const Rational &r, unsigned n, unsigned degree);
+
+  friend Surd operator+(const Surd &a, const Surd &b);
+  friend Surd operator-(const Surd &a, const Surd &b);
+  /// Cost: m^2 products of fractions.
+  friend Surd operator*(const Surd &a, const Surd &b);
+  /// \pre a is some c t^k, c != 0
+  friend Surd inverse(const Surd &a);
+
+  /// The value, if it is a fraction.
+  std::optional<Rational> exact() const;
+  Real real() const;
+  /// m
+  std::size_t degree() const { return c_.size(); }
+
+private:
+  std::vector<Rational> c_; // m of them
+  Rational base_ = 1;
+};
+
+/// a^exponent.
+Surd power(const Surd &a, unsigned exponent);
+
+} // namespace mdm
