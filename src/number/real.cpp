@@ -143,10 +143,11 @@ Real combined(const Real &a, const Real &b, Operation operation) {
 } // namespace
 
 Real::Real(Rational value)
-    : fraction_(std::move(value)), enclose_([r = *fraction_](unsigned bits) { return Ball(r, bits); }),
-      exact_([r = *fraction_] { return r; }) {}
+    : node_(std::make_shared<const Node>(
+          Node{value, [value](unsigned bits) { return Ball(value, bits); }, [value] { return value; }})) {}
 
-Real::Real(Enclose enclose, Exact exact) : enclose_(std::move(enclose)), exact_(std::move(exact)) {}
+Real::Real(Enclose enclose, Exact exact)
+    : node_(std::make_shared<const Node>(Node{std::nullopt, std::move(enclose), std::move(exact)})) {}
 
 Real operator+(const Real &a, const Real &b) {
   return combined(a, b, std::plus<>());

@@ -13,8 +13,8 @@ struct SizeClass {
   CurveSize lower, upper;
   Real volume_fraction; ///< f_v (Eq. 6)
 
-  /// True if f_v is known to be 0.
-  bool is_empty() const { return volume_fraction.exact() == Rational(0); }
+  /// True if f_v is 0, as between sieves that the same share passes.
+  bool is_empty() const { return volume_fraction.fraction() == Rational(0); }
 };
 
 /// Where one class ends and the next begins.

@@ -6,6 +6,7 @@
 #include <mdm/number/enclosure.hpp>
 
 #include <functional>
+#include <memory>
 
 namespace mdm {
 
@@ -25,10 +26,10 @@ public:
   /// not decide, so it may take its time.
   explicit Real(Enclose enclose, Exact exact = nullptr);
 
-  Ball ball(unsigned bits) const { return enclose_(bits); }
-  std::optional<Rational> exact() const { return exact_ ? exact_() : std::nullopt; }
+  Ball ball(unsigned bits) const { return node_->enclose(bits); }
+  std::optional<Rational> exact() const { return node_->exact ? node_->exact() : std::nullopt; }
   /// The value of a real that was made from a fraction, or from sums and products of such.
-  const std::optional<Rational> &fraction() const { return fraction_; }
+  const std::optional<Rational> &fraction() const { return node_->fraction; }
 
   friend Real operator+(const Real &a, const Real &b);
   friend Real operator-(const Real &a, const Real &b);
@@ -39,9 +40,13 @@ public:
   friend Real pow(const Real &y, const Rational &exponent);
 
 private:
-  std::optional<Rational> fraction_;
-  Enclose enclose_;
-  Exact exact_;
+  struct Node {
+    std::optional<Rational> fraction;
+    Enclose enclose;
+    Exact exact;
+  };
+
+  std::shared_ptr<const Node> node_; // shared: computations are built from computations
 };
 
 /// Decided by refining; undecided if most_bits do not separate the two and their exact values are not known.

@@ -1,0 +1,52 @@
+#pragma once
+/// \file
+/// A representative set as text, JSON and CSV.
+
+#include <mdm/grading/matched_set.hpp>
+#include <mdm/grading/set_sizes.hpp>
+
+namespace mdm {
+
+/// A representative set and where it comes from.
+struct GeneratedSet {
+  std::shared_ptr<const ModelCurve> curve;
+  std::string id;    ///< the curve in words
+  std::string unit;  ///< of sizes; empty: any
+  std::string terms; ///< classes and criteria, in words
+  std::vector<SizeClass> classes;
+  Representativity wanted;
+  ClassCounts counts;             ///< by Eq. 6-10
+  std::optional<Integer> at_most; ///< N_max
+  std::optional<Match> match;     ///< the exact alternative, if it was asked for
+  unsigned match_digits = 0;      ///< of its gradation
+  unsigned table = 0;             ///< sizes of a table of h
+  unsigned digits = 15;           ///< significant digits of enclosures
+  std::vector<std::string> notes;
+
+  /// Particles of class j; nothing where that is not decided.
+  std::optional<Integer> quantity(std::size_t j) const;
+  /// Of all classes.
+  std::optional<Integer> particles() const;
+  /// N_min <= N <= N_max (of the set by Eq. 6-10: max(sum N', N_min)); nothing if not decided.
+  std::optional<bool> accessible() const;
+};
+
+/// Takes a part of a long text.
+using Sink = std::function<void(std::string_view)>;
+
+/// One line of JSON, schema `mdm-generate-1`, without a newline at its end: id, unit, method, dimension,
+/// classes
+/// [{lower, upper, volume_fraction: enclosures, "estimate":["lo","hi"] (N'), "quantity"}], particles,
+/// accessible, Cu, Cc, curve [{size, passing}] with a table, notes, versions, and with `draws` sizes, class
+/// by class: "p/q" where it is a fraction, else an enclosure. Memory does not grow with the number of sizes.
+void generated_json(const GeneratedSet &set, const std::optional<Draws> &draws, const Sink &sink);
+
+/// A row a class: class,lower_lo,lower_hi,upper_lo,upper_hi,volume_fraction_lo,volume_fraction_hi,quantity;
+/// with `draws` instead a row a particle: class,size_lo,size_hi; with a table instead
+/// size_lo,size_hi,passing_lo, passing_hi.
+void generated_csv(const GeneratedSet &set, const std::optional<Draws> &draws, const Sink &sink);
+
+/// For people.
+std::string generated_text(const GeneratedSet &set);
+
+} // namespace mdm
