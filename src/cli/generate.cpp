@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include <atomic>
 #include <chrono>
 #include <limits>
 #include <memory>
@@ -18,10 +19,17 @@ namespace mdm::cli {
 namespace {
 
 constexpr unsigned most_table = 100000;
+constexpr unsigned most_points = 1000;
+
+/// What is longer no file holds.
+const Integer &most_sizes() {
+  static const Integer most = power_of_ten(12);
+  return most;
+}
 
 struct GenerateCommand {
   std::optional<std::string> beta, d_min, d_max, span, ratio, curve, pan_size, between, specimen_id;
-  std::optional<std::string> classing, at_most, seed;
+  std::optional<std::string> classing, at_most, seed, points;
   std::string classes = "10", min_per_class = "10", at_least = "2000", dimension = "3", method = "paper";
   std::string digits = "15", match_digits = "6", time_limit = "60", format = "text", out = "-";
   std::optional<std::string> table;
@@ -117,14 +125,37 @@ void check(const GenerateCommand &c) {
     throw InputError("--classing: a beta curve has no sieves: use regular, geometric or isochoric");
   if (c.seed && c.quantiles)
     throw InputError("--seed and --quantiles exclude each other: random sizes, or none by chance");
-  if ((c.seed || c.quantiles) && !c.sizes)
-    throw InputError("--seed and --quantiles say how sizes are drawn: add --sizes to get them");
   if (c.sizes && c.format == "text")
     throw InputError("--sizes: text has no place for them: use --format json or csv");
   if (c.sizes && c.method == "match" && (c.seed || c.quantiles))
     throw InputError("--method match gives a class one size: leave out --seed and --quantiles");
   if (c.sizes && c.table && c.format == "csv")
     throw InputError("--sizes and --table: CSV has place for one of them; use --format json");
+}
+
+/// Particles of sets of which the quality is told without being asked for: a second or so.
+constexpr unsigned most_judged = 1000000;
+constexpr unsigned usual_points = 100;
+
+/// C_r and the rest of Eq. 18-21 for the particles themselves.
+void add_quality(const GenerateCommand &c, GeneratedSet &set) {
+  set.points = c.points ? small_natural("--points", *c.points, 0, most_points) : usual_points;
+  if (set.points == 1)
+    throw InputError("--points: at least 2, or 0 to leave the quality out");
+  if (set.points == 0)
+    return;
+  if (set.match && set.match->complete)
+    set.match_quality = matched_quality(*set.match, *set.curve, set.wanted.dimension, set.points);
+  if (!set.counts.decided())
+    return;
+  if (set.counts.particles() > (c.points ? most_sizes() : Integer(most_judged))) {
+    set.notes.push_back("the quality of a set of " + to_string(set.counts.particles()) +
+                        " particles is told with --points, up to 10^12 particles");
+    return;
+  }
+  set.drawn_quality = set_quality(
+      *set.curve, set.classes, set.wanted.dimension, set.points,
+      drawn_particles(set.classes, set.counts.numbers, set.wanted.dimension, set.digits, draws(c)));
 }
 
 /// Adds the curve and its classes.
@@ -186,6 +217,7 @@ GeneratedSet generated(const GenerateCommand &c) {
   } else if (set.counts.decided() && set.counts.particles() < set.wanted.at_least) {
     set.notes.push_back("the floors of Eq. 9 sum to " + to_string(set.counts.particles()) + ", below N_min");
   }
+  add_quality(c, set);
   return set;
 }
 
@@ -200,15 +232,18 @@ int run(const GenerateCommand &c) {
   check(c);
   check_distinct({c.curve.value_or("-"), c.out});
   const std::optional<Draws> how = c.sizes ? std::optional(draws(c)) : std::nullopt;
-  Progress progress([] { return std::string("generating"); }, c.quiet);
+  std::atomic<std::uint64_t> written = 0;
+  Progress progress([&written] { return fmt::format("generating, {} MB written", written / 1000000); },
+                    c.quiet);
   const GeneratedSet set = generated(c);
-  // What is not decided has no sizes, and what is longer no file holds.
-  static const Integer most_sizes = power_of_ten(12);
-  if (how && set.particles() && *set.particles() > most_sizes)
+  if (how && set.particles() && *set.particles() > most_sizes())
     throw InputError("--sizes: " + to_string(*set.particles()) +
                      " particles: at most 10^12 can be listed; leave out --sizes or ask for fewer classes");
   Output out(c.out);
-  const Sink sink = [&out](std::string_view text) { out.write(text); };
+  const Sink sink = [&](std::string_view text) {
+    out.write(text);
+    written += text.size();
+  };
   if (c.format == "json") {
     generated_json(set, how, sink);
     out.write("\n");
@@ -264,9 +299,12 @@ Run add_generate(CLI::App &app) {
   option("--time-limit", c->time_limit, "SECONDS",
          "of --method match (60); then exit 3 with what is certain");
   command.add_flag("--sizes", c->sizes, "the size of every particle (JSON and CSV)");
-  option("--seed", c->seed, "K", "draw sizes at random, from the counter-based generator Philox 4x32-10");
+  option("--seed", c->seed, "K", "draw sizes at random, by the counter-based generator Philox 4x32-10");
   command.add_flag("--quantiles", c->quantiles, "draw sizes without randomness (the default)");
-  option("--table", c->table, "K", "the curve at K equally spaced sizes");
+  option("--points", c->points, "K",
+         "sizes, equally spaced in log size, at which the set's curve is compared (C_r; 100, up to 10^6 "
+         "particles); 0: no quality");
+  option("--table", c->table, "K", "h, V, F and f at K equally spaced sizes");
   option("--digits", c->digits, "D", "significant digits of enclosures (15)");
   command.add_option("--format", c->format, "text, json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}));

@@ -1,5 +1,6 @@
 #include <mdm/error.hpp>
 #include <mdm/grading/class_counts.hpp>
+#include <mdm/number/interval.hpp>
 
 #include <algorithm>
 
@@ -151,6 +152,29 @@ Real median_power(const SizeClass &c, unsigned dimension) {
 ClassCounts class_counts(const std::vector<SizeClass> &classes, const ModelCurve &curve,
                          const Representativity &wanted) {
   return Counting(classes, curve, wanted).run();
+}
+
+Real rounding_cost(const std::vector<SizeClass> &classes, const ClassCounts &counts, unsigned dimension) {
+  std::vector<Real> volumes;
+  for (std::size_t j = 0; j < classes.size(); ++j)
+    volumes.push_back(counts.numbers[j] == 0
+                          ? Real(0)
+                          : Real(Rational(counts.numbers[j])) *
+                                pow(median_power(classes[j], dimension), ratio(dimension, dimension - 1)));
+  return Real([volumes, classes](unsigned bits) {
+    std::vector<Ball> of;
+    Ball total(0, bits);
+    for (const Real &volume : volumes) {
+      of.push_back(volume.ball(bits));
+      total = total + of.back();
+    }
+    Interval worst = Rational(0);
+    for (std::size_t j = 0; j < of.size(); ++j) {
+      const Ball error = of[j] / total - classes[j].volume_fraction.ball(bits);
+      worst = greater(worst, absolute({error.lower(), error.upper()}));
+    }
+    return hull(Ball(worst.lo, bits), Ball(worst.hi, bits));
+  });
 }
 
 std::optional<bool> is_accessible(const ClassCounts &counts, const Representativity &wanted,

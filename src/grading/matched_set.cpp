@@ -1,6 +1,9 @@
 #include <mdm/error.hpp>
 #include <mdm/grading/matched_set.hpp>
+#include <mdm/number/common_denominator.hpp>
 #include <mdm/number/decimal.hpp>
+
+#include <algorithm>
 
 namespace mdm {
 namespace {
@@ -32,6 +35,33 @@ Match matched_set(const Gradation &rounded, const Representativity &wanted, cons
   question.min_per_class = wanted.min_per_class;
   question.at_least = wanted.at_least;
   return solve(rounded, question, options);
+}
+
+std::optional<std::size_t> place_in_match(const Match &m, std::size_t j) {
+  const std::vector<ProblemClass> &classes = m.problem.classes();
+  const auto at = std::find_if(classes.begin(), classes.end(), [j](const auto &c) { return c.index == j; });
+  if (at == classes.end())
+    return std::nullopt;
+  return static_cast<std::size_t>(at - classes.begin());
+}
+
+ParticlesOf matched_particles(const Match &m) {
+  return [&m](std::size_t j, const TakeSize &take) {
+    if (const std::optional<std::size_t> place = place_in_match(m, j))
+      take(m.sizes[*place], m.q[*place]);
+  };
+}
+
+SetQuality matched_quality(const Match &m, const ModelCurve &curve, unsigned dimension, unsigned points) {
+  const Gradation &g = m.gradation;
+  const Rational all = sum(g.masses());
+  std::vector<SizeClass> classes;
+  std::vector<Rational> shares;
+  for (std::size_t j = 0; j < g.classes(); ++j) {
+    shares.push_back(g.mass(j) / all);
+    classes.push_back({Surd(g.lower(j)), Surd(g.upper(j)), shares.back()});
+  }
+  return set_quality(curve, classes, dimension, points, matched_particles(m), shares);
 }
 
 } // namespace mdm

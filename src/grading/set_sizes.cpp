@@ -53,7 +53,7 @@ Enclosure ClassSizes::at(const Rational &y) const {
 }
 
 std::optional<Rational> ClassSizes::exact(const Rational &y) const {
-  if (!exact_ || below_.power() != 1)
+  if (!has_fractions())
     return std::nullopt;
   return below_.powered_size(y);
 }

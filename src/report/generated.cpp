@@ -1,30 +1,32 @@
+#include "generated_sizes.hpp"
+
 #include <mdm/error.hpp>
+#include <mdm/grading/size_distribution.hpp>
 #include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
-#include <mdm/report/generated.hpp>
+#include <mdm/report/text_table.hpp>
 #include <mdm/report/versions.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace mdm {
 namespace {
 
 constexpr unsigned read_digits = 6; // in text
-/// What is streamed is handed on in parts of some such length.
-constexpr std::size_t part = std::size_t{1} << 16;
 
-std::string pair(const Enclosure &e) {
+std::string pair(const Real &y, unsigned digits) {
+  const Enclosure e = enclose(y, digits);
   return fmt::format(R"(["{}","{}"])", e.lower_text(), e.upper_text());
 }
 
-std::string pair(const Real &y, unsigned digits) {
-  return pair(enclose(y, digits));
+std::string pair(const Interval &y, unsigned digits) {
+  return pair(real_in(y), digits);
 }
 
-std::string columns(const Enclosure &e) {
+std::string columns(const Real &y, unsigned digits) {
+  const Enclosure e = enclose(y, digits);
   return e.lower_text() + "," + e.upper_text();
 }
 
@@ -40,13 +42,10 @@ Shown shown(const GeneratedSet &set, std::size_t j) {
   return {g.lower(j), g.upper(j), g.mass(j)};
 }
 
-/// The place of class j among those of the match; nothing if it is empty.
-std::optional<std::size_t> place(const Match &m, std::size_t j) {
-  const std::vector<ProblemClass> &classes = m.problem.classes();
-  const auto at = std::find_if(classes.begin(), classes.end(), [j](const auto &c) { return c.index == j; });
-  if (at == classes.end())
-    return std::nullopt;
-  return static_cast<std::size_t>(at - classes.begin());
+/// P_i (Eq. 10); nothing if not decided.
+std::optional<Rational> number_fraction(const GeneratedSet &set, std::size_t j) {
+  const std::optional<Integer> q = set.quantity(j), n = set.particles();
+  return q && n ? std::optional(ratio(*q, *n)) : std::nullopt;
 }
 
 /// Size i of the table: equal steps from d_min to d_max.
@@ -55,28 +54,30 @@ Rational table_size(const GeneratedSet &set, unsigned i) {
   return low + (set.curve->d_max() - low) * ratio(i, set.table - 1);
 }
 
-using TakeSize =
-    std::function<void(std::size_t j, const Enclosure &size, const std::optional<Rational> &exact)>;
-
-/// All sizes of the set, class by class.
-void for_each_size(const GeneratedSet &set, const Draws &draws, const TakeSize &take) {
-  for (std::size_t j = 0; j < set.classes.size(); ++j) {
-    const Integer q = set.quantity(j).value_or(0);
-    if (q == 0)
-      continue;
-    const auto n = static_cast<std::uint64_t>(q);
-    if (set.match) {
-      const Enclosure &size = set.match->sizes[*place(*set.match, j)];
-      for (std::uint64_t i = 0; i < n; ++i)
-        take(j, size, std::nullopt);
-      continue;
-    }
-    const ClassSizes sizes(set.classes[j], set.wanted.dimension, set.digits);
-    for (std::uint64_t i = 0; i < n; ++i) {
-      const Rational y = draws(j, i, q);
-      take(j, sizes.at(y), sizes.exact(y));
-    }
+SizeDistribution distribution(const GeneratedSet &set) {
+  std::vector<Real> bounds{set.classes.front().lower.real}, shares;
+  for (const SizeClass &c : set.classes) {
+    bounds.push_back(c.upper.real);
+    shares.push_back(c.volume_fraction);
   }
+  return SizeDistribution::by_volume(std::move(bounds), std::move(shares), set.wanted.dimension);
+}
+
+/// One line of the table.
+struct TableLine {
+  Rational size;
+  Real passing, volume_density, partition, number_density;
+};
+
+std::vector<TableLine> table_lines(const GeneratedSet &set) {
+  const SizeDistribution all = distribution(set);
+  std::vector<TableLine> lines;
+  for (unsigned i = 0; i < set.table; ++i) {
+    const Rational d = table_size(set, i);
+    lines.push_back(
+        {d, set.curve->passing(Surd(d)), all.volume_density(d), all.partition(d), all.number_density(d)});
+  }
+  return lines;
 }
 
 std::string estimate_text(const IntegerBounds &n) {
@@ -87,69 +88,40 @@ std::string percent(const Real &share) {
   return rounded(share * 100, read_digits);
 }
 
-/// The volume of class j's particles, all of the median size, up to a constant.
-Real median_volume(const GeneratedSet &set, std::size_t j) {
-  const unsigned p = set.wanted.dimension - 1;
-  return Real(Rational(set.counts.numbers[j])) *
-         pow(median_power(set.classes[j], set.wanted.dimension), ratio(set.wanted.dimension, p));
-}
-
-/// The largest error of a class's share by volume, with particles of the median size: what the floors cost.
-Real worst_error(const GeneratedSet &set) {
-  Real total = 0, worst = 0;
-  for (std::size_t j = 0; j < set.classes.size(); ++j)
-    total = total + median_volume(set, j);
-  for (std::size_t j = 0; j < set.classes.size(); ++j) {
-    Real error = median_volume(set, j) / total - set.classes[j].volume_fraction;
-    if (compare(error, 0) == Order::less)
-      error = Real(0) - error;
-    if (compare(worst, error) == Order::less)
-      worst = error;
-  }
-  return worst;
-}
-
-/// Columns as wide as their longest entry, all to the right.
-template <std::size_t n>
-std::string table(const std::vector<std::array<std::string, n>> &lines) {
-  std::array<std::size_t, n> width{};
-  for (const auto &line : lines)
-    for (std::size_t i = 0; i < n; ++i)
-      width[i] = std::max(width[i], line[i].size());
-  std::string text;
-  for (const auto &line : lines) {
-    for (std::size_t i = 0; i < n; ++i)
-      text += fmt::format("  {:>{}}", line[i], width[i]);
-    text += "\n";
-  }
-  return text;
+std::string percent(const Interval &share) {
+  return percent(real_in(share));
 }
 
 std::string class_table(const GeneratedSet &set) {
-  std::vector<std::array<std::string, 7>> lines = {
+  std::vector<std::vector<std::string>> lines = {
       {"class", "from", "to", "volume [%]", "N'", "N", "number [%]"}};
+  if (set.drawn_quality)
+    lines.front().insert(lines.front().end(), {"drawn volume [%]", "its largest [%]"});
+  const bool decided = set.counts.decided();
   for (std::size_t j = 0; j < set.classes.size(); ++j) {
     const SizeClass &c = set.classes[j];
-    const bool decided = set.counts.decided();
     lines.push_back({std::to_string(j + 1), rounded(c.lower.real, read_digits),
                      rounded(c.upper.real, read_digits), percent(c.volume_fraction),
                      estimate_text(set.counts.estimate[j]), decided ? to_string(set.counts.numbers[j]) : "?",
                      decided ? percent(Real(ratio(set.counts.numbers[j], set.counts.particles()))) : "?"});
+    if (set.drawn_quality)
+      lines.back().insert(lines.back().end(),
+                          {percent(set.drawn_quality->shares[j]), percent(set.drawn_quality->largest[j])});
   }
-  return table(lines);
+  return text_table(lines, ">");
 }
 
 std::string match_table(const GeneratedSet &set) {
   const Match &m = *set.match;
-  std::vector<std::array<std::string, 6>> lines = {
+  std::vector<std::vector<std::string>> lines = {
       {"class", "from", "to", "volume", "quantity", "size of a particle"}};
   for (std::size_t j = 0; j < m.gradation.classes(); ++j) {
-    const std::optional<std::size_t> at = place(m, j);
+    const std::optional<std::size_t> at = place_in_match(m, j);
     lines.push_back({std::to_string(j + 1), to_decimal(m.gradation.lower(j)),
                      to_decimal(m.gradation.upper(j)), to_decimal(m.gradation.mass(j)),
                      at ? to_string(m.q[*at]) : "0", at ? m.sizes[*at].text() : "-"});
   }
-  return table(lines);
+  return text_table(lines, ">");
 }
 
 std::string sized(const Rational &size, const std::string &unit) {
@@ -168,6 +140,40 @@ std::string count_line(const GeneratedSet &set) {
   return text;
 }
 
+std::vector<std::string> quality_line(const std::string &name, const Integer &n, const SetQuality &q) {
+  return {name,
+          to_string(n),
+          percent(q.worst_error),
+          rounded(real_in(q.c_r), read_digits),
+          rounded(real_in(q.c_u), read_digits),
+          rounded(real_in(q.c_c), read_digits)};
+}
+
+/// Beside the curve, what of it the sets have.
+std::string quality_table(const GeneratedSet &set) {
+  std::vector<std::vector<std::string>> lines = {{"", "N", "worst class error [%]", "C_r", "C_u", "C_c"},
+                                                 {"the curve", "", "", "",
+                                                  rounded(uniformity(*set.curve), read_digits),
+                                                  rounded(curvature(*set.curve), read_digits)}};
+  if (set.counts.decided())
+    lines.push_back({"Eq. 6-10, all of median size", to_string(set.counts.particles()),
+                     percent(rounding_cost(set.classes, set.counts, set.wanted.dimension)), "", "", ""});
+  if (set.drawn_quality)
+    lines.push_back(quality_line("Eq. 6-10, as drawn", set.counts.particles(), *set.drawn_quality));
+  if (set.match_quality)
+    lines.push_back(quality_line("the match", set.match->particles(), *set.match_quality));
+  return text_table(lines, "<>");
+}
+
+std::string quality_json(const SetQuality &q, unsigned digits) {
+  std::string classes;
+  for (std::size_t j = 0; j < q.shares.size(); ++j)
+    classes += fmt::format(R"({}{{"share":{},"largest":{}}})", j == 0 ? "" : ",", pair(q.shares[j], digits),
+                           pair(q.largest[j], digits));
+  return fmt::format(R"({{"Cr":{},"worst_error":{},"Cu":{},"Cc":{},"classes":[{}]}})", pair(q.c_r, digits),
+                     pair(q.worst_error, digits), pair(q.c_u, digits), pair(q.c_c, digits), classes);
+}
+
 } // namespace
 
 std::optional<Integer> GeneratedSet::quantity(std::size_t j) const {
@@ -175,7 +181,7 @@ std::optional<Integer> GeneratedSet::quantity(std::size_t j) const {
     return counts.decided() ? std::optional(counts.numbers[j]) : std::nullopt;
   if (!match->complete)
     return std::nullopt;
-  const std::optional<std::size_t> at = place(*match, j);
+  const std::optional<std::size_t> at = place_in_match(*match, j);
   return at ? match->q[*at] : Integer(0);
 }
 
@@ -196,6 +202,7 @@ std::optional<bool> GeneratedSet::accessible() const {
 }
 
 void generated_json(const GeneratedSet &set, const std::optional<Draws> &draws, const Sink &sink) {
+  const unsigned digits = set.digits;
   std::string text = fmt::format(
       R"({{"schema":"mdm-generate-1","id":{},"unit":{},"method":"{}","dimension":"{}","classes":[)",
       json_string(set.id), set.unit.empty() ? "null" : json_string(set.unit), set.match ? "match" : "paper",
@@ -203,74 +210,69 @@ void generated_json(const GeneratedSet &set, const std::optional<Draws> &draws, 
   for (std::size_t j = 0; j < set.classes.size(); ++j) {
     const Shown c = shown(set, j);
     const std::optional<Integer> q = set.quantity(j);
+    const std::optional<Rational> p = number_fraction(set, j);
     text += fmt::format(
-        R"({}{{"lower":{},"upper":{},"volume_fraction":{},"estimate":["{}","{}"],"quantity":{}}})",
-        j == 0 ? "" : ",", pair(c.lower, set.digits), pair(c.upper, set.digits),
-        pair(c.volume_fraction, set.digits), to_string(set.counts.estimate[j].lo),
-        to_string(set.counts.estimate[j].hi), q ? "\"" + to_string(*q) + "\"" : "null");
+        R"({}{{"lower":{},"upper":{},"volume_fraction":{},"estimate":["{}","{}"],"quantity":{},)"
+        R"("number_fraction":{}}})",
+        j == 0 ? "" : ",", pair(c.lower, digits), pair(c.upper, digits), pair(c.volume_fraction, digits),
+        to_string(set.counts.estimate[j].lo), to_string(set.counts.estimate[j].hi),
+        q ? "\"" + to_string(*q) + "\"" : "null", p ? pair(Real(*p), digits) : "null");
   }
   const std::optional<Integer> n = set.particles();
   const std::optional<bool> accessible = set.at_most ? set.accessible() : std::nullopt;
   text += fmt::format(R"(],"particles":{},"accessible":{},"Cu":{},"Cc":{})",
                       n ? "\"" + to_string(*n) + "\"" : "null",
                       accessible ? (*accessible ? "true" : "false") : "null",
-                      pair(uniformity(*set.curve), set.digits), pair(curvature(*set.curve), set.digits));
+                      pair(uniformity(*set.curve), digits), pair(curvature(*set.curve), digits));
+  if (set.drawn_quality || set.match_quality)
+    text += fmt::format(R"(,"quality":{{"points":"{}","drawn":{},"match":{}}})", set.points,
+                        set.drawn_quality ? quality_json(*set.drawn_quality, digits) : "null",
+                        set.match_quality ? quality_json(*set.match_quality, digits) : "null");
   if (set.table > 0) {
-    text += R"(,"curve":[)";
-    for (unsigned i = 0; i < set.table; ++i) {
-      const Rational d = table_size(set, i);
-      text += fmt::format(R"({}{{"size":{},"passing":{}}})", i == 0 ? "" : ",", pair(Real(d), set.digits),
-                          pair(set.curve->passing(Surd(d)), set.digits));
-    }
-    text += "]";
+    std::string lines;
+    for (const TableLine &line : table_lines(set))
+      lines += fmt::format(
+          R"({}{{"size":{},"passing":{},"volume_density":{},"partition":{},"number_density":{}}})",
+          lines.empty() ? "" : ",", pair(Real(line.size), digits), pair(line.passing, digits),
+          pair(line.volume_density, digits), pair(line.partition, digits), pair(line.number_density, digits));
+    text += R"(,"curve":[)" + lines + "]";
   }
   text += R"(,"notes":[)";
   for (std::size_t i = 0; i < set.notes.size(); ++i)
     text += (i == 0 ? "" : ",") + json_string(set.notes[i]);
   text += R"(],"versions":)" + versions_json();
   if (draws) {
-    text += R"(,"sizes":[)";
-    bool first = true;
-    for_each_size(set, *draws, [&](std::size_t, const Enclosure &size, const std::optional<Rational> &exact) {
-      text += first ? "" : ",";
-      first = false;
-      text += exact ? "\"" + to_string(*exact) + "\"" : pair(size);
-      if (text.size() > part) {
-        sink(text);
-        text.clear();
-      }
-    });
-    text += "]";
+    sink(text + R"(,"sizes":[)");
+    write_sizes_json(set, *draws, sink);
+    text = "]";
   }
   sink(text + "}");
 }
 
 void generated_csv(const GeneratedSet &set, const std::optional<Draws> &draws, const Sink &sink) {
-  std::string text;
   if (draws) {
-    text = "class,size_lo,size_hi\n";
-    for_each_size(set, *draws, [&](std::size_t j, const Enclosure &size, const std::optional<Rational> &) {
-      text += std::to_string(j + 1) + "," + columns(size) + "\n";
-      if (text.size() > part) {
-        sink(text);
-        text.clear();
-      }
-    });
-  } else if (set.table > 0) {
-    text = "size_lo,size_hi,passing_lo,passing_hi\n";
-    for (unsigned i = 0; i < set.table; ++i) {
-      const Rational d = table_size(set, i);
-      text += columns(enclose(Real(d), set.digits)) + "," +
-              columns(enclose(set.curve->passing(Surd(d)), set.digits)) + "\n";
-    }
+    write_sizes_csv(set, *draws, sink);
+    return;
+  }
+  const unsigned digits = set.digits;
+  std::string text;
+  if (set.table > 0) {
+    text = "size_lo,size_hi,passing_lo,passing_hi,volume_density_lo,volume_density_hi,partition_lo,"
+           "partition_hi,number_density_lo,number_density_hi\n";
+    for (const TableLine &line : table_lines(set))
+      text += fmt::format("{},{},{},{},{}\n", columns(Real(line.size), digits), columns(line.passing, digits),
+                          columns(line.volume_density, digits), columns(line.partition, digits),
+                          columns(line.number_density, digits));
   } else {
-    text = "class,lower_lo,lower_hi,upper_lo,upper_hi,volume_fraction_lo,volume_fraction_hi,quantity\n";
+    text = "class,lower_lo,lower_hi,upper_lo,upper_hi,volume_fraction_lo,volume_fraction_hi,quantity,"
+           "number_fraction_lo,number_fraction_hi\n";
     for (std::size_t j = 0; j < set.classes.size(); ++j) {
       const Shown c = shown(set, j);
       const std::optional<Integer> q = set.quantity(j);
-      text += fmt::format("{},{},{},{},{}\n", j + 1, columns(enclose(c.lower, set.digits)),
-                          columns(enclose(c.upper, set.digits)),
-                          columns(enclose(c.volume_fraction, set.digits)), q ? to_string(*q) : "");
+      const std::optional<Rational> p = number_fraction(set, j);
+      text += fmt::format("{},{},{},{},{},{}\n", j + 1, columns(c.lower, digits), columns(c.upper, digits),
+                          columns(c.volume_fraction, digits), q ? to_string(*q) : "",
+                          p ? columns(Real(*p), digits) : ",");
     }
   }
   sink(text);
@@ -278,14 +280,9 @@ void generated_csv(const GeneratedSet &set, const std::optional<Draws> &draws, c
 
 std::string generated_text(const GeneratedSet &set) {
   std::string text =
-      fmt::format("{}, from {} to {}\n  {}\n  C_u = {}, C_c = {}\n", printable(set.id),
-                  sized(set.curve->d_min(), set.unit), sized(set.curve->d_max(), set.unit), set.terms,
-                  rounded(uniformity(*set.curve), read_digits), rounded(curvature(*set.curve), read_digits));
-  text += "\n  by the paper (Eq. 6-10): " + count_line(set) + "\n";
-  if (set.counts.decided())
-    text += "  the floors cost up to " + percent(worst_error(set)) +
-            " % of the volume in a class, with particles of its median size\n";
-  text += class_table(set);
+      fmt::format("{}, from {} to {}\n  {}\n", printable(set.id), sized(set.curve->d_min(), set.unit),
+                  sized(set.curve->d_max(), set.unit), set.terms);
+  text += "\n  by the paper (Eq. 6-10): " + count_line(set) + "\n" + class_table(set);
   if (set.match) {
     const Match &m = *set.match;
     text += fmt::format("\n  exact, bounds and volumes rounded to {} digits: ", set.match_digits);
@@ -293,16 +290,17 @@ std::string generated_text(const GeneratedSet &set) {
                              match_table(set)
                        : "N is at least " + to_string(m.lower_bound) + "\n";
   }
+  text += "\n" + quality_table(set);
   if (const std::optional<bool> accessible = set.at_most ? set.accessible() : std::nullopt)
     text +=
         fmt::format("\n  {}accessible with N_max = {}\n", *accessible ? "" : "not ", to_string(*set.at_most));
   if (set.table > 0) {
-    std::vector<std::array<std::string, 2>> lines = {{"d", "h(d)"}};
-    for (unsigned i = 0; i < set.table; ++i) {
-      const Rational d = table_size(set, i);
-      lines.push_back({rounded(Real(d), read_digits), rounded(set.curve->passing(Surd(d)), read_digits)});
-    }
-    text += "\n" + table(lines);
+    std::vector<std::vector<std::string>> lines = {{"d", "h(d)", "V(d)", "F(d)", "f(d)"}};
+    for (const TableLine &line : table_lines(set))
+      lines.push_back({rounded(Real(line.size), read_digits), rounded(line.passing, read_digits),
+                       rounded(line.volume_density, read_digits), rounded(line.partition, read_digits),
+                       rounded(line.number_density, read_digits)});
+    text += "\n" + text_table(lines, ">");
   }
   for (const std::string &note : set.notes)
     text += "  note: " + note + "\n";

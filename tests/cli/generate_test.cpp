@@ -77,8 +77,10 @@ TEST_CASE("sets of measured curves have the sieves as classes", "[generate]") {
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.out ==
-        "class,lower_lo,lower_hi,upper_lo,upper_hi,volume_fraction_lo,volume_fraction_hi,quantity\n"
-        "1,1,1,2,2,0.5,0.5,48\n2,2,2,4,4,0,0,0\n3,4,4,8,8,0.5,0.5,3\n");
+        "class,lower_lo,lower_hi,upper_lo,upper_hi,volume_fraction_lo,volume_fraction_hi,quantity,"
+        "number_fraction_lo,number_fraction_hi\n"
+        "1,1,1,2,2,0.5,0.5,48,0.941176470588235,0.941176470588236\n2,2,2,4,4,0,0,0,0,0\n"
+        "3,4,4,8,8,0.5,0.5,3,0.0588235294117647,0.0588235294117648\n");
   CHECK(outcome.err.find("no volume, thus no particles, in class 2") != std::string::npos);
 }
 
@@ -95,7 +97,10 @@ TEST_CASE("what no set can be made of is refused", "[generate]") {
                                                       {"--ratio", "2", "--at-least", "20", "--at-most", "10"},
                                                       {"--ratio", "2", "--classing", "sieves"},
                                                       {"--ratio", "2", "--sizes"},
-                                                      {"--ratio", "2", "--seed", "1"}})
+                                                      {"--ratio", "2", "--seed", "1", "--quantiles"},
+                                                      {"--ratio", "2", "--seed", "18446744073709551616"},
+                                                      {"--ratio", "2", "--points", "1"},
+                                                      {"--ratio", "2", "--table", "1"}})
     check_refused(mdm(with(beta, more)));
   for (const char *parameters : {"0,1", "1,0", "1", "1,2,3", "1000000,1", "x,1"})
     check_refused(mdm({"generate", "--beta", parameters, "--dmin", "1", "--ratio", "2"}));

@@ -37,6 +37,11 @@ Real median_power(const SizeClass &c, unsigned dimension);
 ClassCounts class_counts(const std::vector<SizeClass> &classes, const ModelCurve &curve,
                          const Representativity &wanted);
 
+/// What the floors of Eq. 8-9 cost: the largest error of a class's share by volume if all its particles were
+/// of size d_m.
+/// \pre counts are decided
+Real rounding_cost(const std::vector<SizeClass> &classes, const ClassCounts &counts, unsigned dimension);
+
 /// max(sum N', N_min) <= N_max: the set can be had with N_max particles (Fig. 8). Nothing if not decided.
 std::optional<bool> is_accessible(const ClassCounts &counts, const Representativity &wanted,
                                   const Integer &at_most);

@@ -3,6 +3,7 @@
 /// The smallest representative set whose class masses are exact.
 
 #include <mdm/grading/class_counts.hpp>
+#include <mdm/grading/set_quality.hpp>
 #include <mdm/match/solve.hpp>
 
 namespace mdm {
@@ -16,5 +17,15 @@ Gradation rounded_gradation(const std::vector<SizeClass> &classes, unsigned digi
 /// law x^D.
 /// \throws InputError as solve
 Match matched_set(const Gradation &rounded, const Representativity &wanted, const SolveOptions &options);
+
+/// Place of class j of the gradation among those of the match; nothing if it is empty.
+std::optional<std::size_t> place_in_match(const Match &m, std::size_t j);
+
+/// The particles of a complete match without a tolerance; it must outlive them.
+ParticlesOf matched_particles(const Match &m);
+
+/// The quality of such a match: its shares are exactly those of its gradation, which are the f_v that it is
+/// compared with.
+SetQuality matched_quality(const Match &m, const ModelCurve &curve, unsigned dimension, unsigned points);
 
 } // namespace mdm

@@ -21,7 +21,9 @@ public:
   Enclosure at(const Rational &y) const;
   /// The same for every y in [Y, Y + 1] / 2^64, where that is decided quickly.
   std::optional<ShortSize> quick(std::uint64_t y) const { return quick_.at(y); }
-  /// F^-1(y) exactly: in dimension 2, between bounds that are fractions.
+  /// True in dimension 2 between bounds that are fractions: so are sizes then.
+  bool has_fractions() const { return exact_ && below_.power() == 1; }
+  /// F^-1(y) exactly, if has_fractions().
   std::optional<Rational> exact(const Rational &y) const;
 
 private:
