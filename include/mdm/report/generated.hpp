@@ -4,6 +4,7 @@
 
 #include <mdm/grading/matched_set.hpp>
 #include <mdm/grading/set_sizes.hpp>
+#include <mdm/report/sink.hpp>
 
 namespace mdm {
 
@@ -33,9 +34,6 @@ struct GeneratedSet {
   /// N_min <= N <= N_max (of the set by Eq. 6-10: max(sum N', N_min)); nothing if not decided.
   std::optional<bool> accessible() const;
 };
-
-/// Takes a part of a long text.
-using Sink = std::function<void(std::string_view)>;
 
 /// One line of JSON, schema `mdm-generate-1`, without a newline at its end: id, unit, method, dimension,
 /// classes [{lower, upper, volume_fraction: enclosures, "estimate":["lo","hi"] (N'), "quantity",
