@@ -122,6 +122,19 @@ private:
   Bracket x_;
 };
 
+/// The inverse of p, if it is a short fraction that is known to be it.
+std::optional<Rational> exact_inverse(const Rational &p, const Rational &a, const Rational &b) {
+  constexpr unsigned bits = 64;
+  constexpr std::size_t most_bits_of_guess = 24; // beyond, it is no more than the middle of what is known
+  const Bracket x = Inverse(p, a, b, bits).find();
+  if (x.lo == 0 || x.hi == 1)
+    return std::nullopt;
+  const Rational guess = simplest_between(x.lo, x.hi);
+  if (bit_length(denominator(guess)) > most_bits_of_guess || exact_incomplete_beta(guess, a, b) != p)
+    return std::nullopt;
+  return guess;
+}
+
 std::string decimal_or_fraction(const Rational &r) {
   return exact_decimal(r).value_or(to_string(r));
 }
@@ -238,8 +251,8 @@ Real BetaCurve::diameter(const Rational &p) const {
       return pow(Real(p), 1 / a_);
     if (a_ == 1)
       return Real(1) - pow(Real(Rational(1 - p)), 1 / b_);
-    if (a_ == b_ && p == ratio(1, 2))
-      return Real(ratio(1, 2));
+    if (const std::optional<Rational> x = exact_inverse(p, a_, b_))
+      return Real(*x);
     return std::nullopt;
   }();
   // Bounds and indices ask for the same inverse again and again.

@@ -39,6 +39,9 @@ Real SieveCurve::passing(const CurveSize &d) const {
     return Real(p[i]) + (d.real - Real(x[i])) * Real(Rational(curve_.mass(i) / (x[i + 1] - x[i])));
   if (d.real.fraction())
     return *curve_.passing(*d.real.fraction());
+  if (const std::optional<PowerProduct> product = d.exact ? d.exact->product() : std::nullopt)
+    return Real(p[i]) + log_ratio(*product / PowerProduct(x[i]), PowerProduct(Rational(x[i + 1] / x[i]))) *
+                            Real(curve_.mass(i));
   return Real(p[i]) + log(d.real / Real(x[i])) / log(Real(Rational(x[i + 1] / x[i]))) * Real(curve_.mass(i));
 }
 

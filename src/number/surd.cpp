@@ -92,6 +92,13 @@ Real Surd::real() const {
   });
 }
 
+std::optional<PowerProduct> Surd::product() const {
+  const auto at = std::find_if_not(c_.begin(), c_.end(), is_zero);
+  if (at == c_.end() || *at < 0 || !std::all_of(at + 1, c_.end(), is_zero))
+    return std::nullopt;
+  return PowerProduct(*at) * PowerProduct(base_, ratio(at - c_.begin(), degree()));
+}
+
 Surd power(const Surd &a, unsigned exponent) {
   Surd result = 1;
   for (Surd square = a; exponent != 0; exponent /= 2, square = square * square)

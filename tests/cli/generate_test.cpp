@@ -84,6 +84,21 @@ TEST_CASE("sets of measured curves have the sieves as classes", "[generate]") {
   CHECK(outcome.err.find("no volume, thus no particles, in class 2") != std::string::npos);
 }
 
+TEST_CASE("counts that enclosures do not decide are exit 3, with both values", "[generate]") {
+  const Arguments tie = {"generate", "--curve",     "-", "--classing", "isochoric", "--classes",
+                         "2",        "--dimension", "2", "--at-least", "1"};
+  const std::string line = "size_mm,passing_percent\n1,0\n2,100\n";
+  const Outcome text = mdm(tie, line);
+  CHECK(text.exit_code == 3);
+  CHECK(text.out.find("19 or 20") != std::string::npos);
+  const Outcome sizes = mdm(with(tie, {"--format", "json", "--sizes"}), line);
+  CHECK(sizes.exit_code == 3);
+  const Json set = Json::parse(sizes.out);
+  CHECK(set.at("classes")[0].at("estimate") == Json({"19", "20"}));
+  CHECK(set.at("particles").is_null());
+  CHECK(set.at("sizes").empty());
+}
+
 TEST_CASE("what no set can be made of is refused", "[generate]") {
   const Arguments beta = {"generate", "--beta", "1,3", "--dmin", "1"};
   for (const Arguments &more : std::vector<Arguments>{{"--span", "0"},

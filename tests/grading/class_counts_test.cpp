@@ -96,6 +96,31 @@ TEST_CASE("floors at integers are decided in the field of the bounds") {
         std::vector<Integer>{39810, 15848, 6309, 2511, 1000, 398, 158, 63, 25, 10});
 }
 
+TEST_CASE("inverses that are fractions give exact isochoric classes") {
+  // I_{1/4}(1/2, 1/2) = 1/3: bounds 1, 2, 4, 5, d_m = 4/3, 8/3, 40/9, ratios of n 100/9 and 25/9.
+  const BetaCurve arcsine(ratio(1, 2), ratio(1, 2), 1, 5);
+  CHECK(estimates(counts_of(arcsine, Classing::isochoric, 3, {9, 1, 2})) == std::vector<Integer>{100, 25, 9});
+  CHECK(BetaCurve(2, 2, 1, 4).diameter(ratio(7, 27)).fraction() == Rational(2)); // 3 / 9 - 2 / 27
+}
+
+TEST_CASE("geometric classes of a curve that is linear in log size hold equal volumes, exactly") {
+  const SieveCurve line(curve({{"1", "0"}, {"2", "100"}}), Interpolation::log);
+  // d_m and thus n in ratio sqrt 2 to the power D
+  const ClassCounts counts = class_counts(size_classes(line, Classing::geometric, 2), line, {10, 1, 2});
+  CHECK(estimates(counts) == std::vector<Integer>{20, 10});
+}
+
+TEST_CASE("what 4096 bits do not decide is said, with both values") {
+  // The same, as isochoric classes: that h^-1(1/2) is sqrt 2 is not known exactly.
+  const SieveCurve line(curve({{"1", "0"}, {"2", "100"}}), Interpolation::log);
+  const ClassCounts counts = class_counts(size_classes(line, Classing::isochoric, 2), line, {10, 1, 2});
+  CHECK_FALSE(counts.decided());
+  CHECK(counts.estimate[0].lo == 19);
+  CHECK(counts.estimate[0].hi == 20);
+  CHECK(counts.estimated().lo == 29);
+  CHECK_FALSE(is_accessible(counts, {10, 1, 2}, 29));
+}
+
 TEST_CASE("without an exact form the enclosures decide the same") {
   // I_x(3, 3) through Arb, by hiding that the parameters are integers.
   const BetaCurve near(3 + ratio(1, power_of_ten(30)), 3, ratio(2, 100), ratio(198, 100));

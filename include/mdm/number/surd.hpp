@@ -2,7 +2,7 @@
 /// \file
 /// Exact arithmetic with one irrational root.
 
-#include <mdm/number/real.hpp>
+#include <mdm/number/power_product.hpp>
 
 #include <vector>
 
@@ -28,6 +28,8 @@ public:
   /// The value, if it is a fraction.
   std::optional<Rational> exact() const;
   Real real() const;
+  /// The value, if it is some c t^k, c > 0.
+  std::optional<PowerProduct> product() const;
   /// m
   std::size_t degree() const { return c_.size(); }
 
