@@ -9,9 +9,9 @@
 namespace mdm {
 namespace {
 
-/// Closed forms cost this many products of numbers of this many bits at most; beyond, enclosures must do.
+/// Closed forms have so many terms of so many bits at most; beyond, enclosures must do.
 constexpr unsigned most_terms = 200;
-constexpr std::size_t most_surd_terms = 10000;
+constexpr unsigned most_surd_terms = 100;
 constexpr std::size_t most_closed_bits = std::size_t{1} << 18;
 
 bool is_small_integer(const Rational &r) {
@@ -199,7 +199,7 @@ std::optional<Surd> BetaCurve::exact_passing(const Surd &x) const {
     return value ? std::optional(Surd(*value)) : std::nullopt;
   }
   if (!is_small_integer(a_) || !is_small_integer(b_) || a_ + b_ > most_terms ||
-      x.degree() * x.degree() > most_surd_terms)
+      std::min<Rational>(x.degree(), a_ + b_) > most_surd_terms)
     return std::nullopt;
   return power(x, to_unsigned(numerator(a_))) * polynomial(a_, to_unsigned(numerator(b_)), Surd(1) - x);
 }

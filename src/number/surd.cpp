@@ -1,13 +1,7 @@
 #include <mdm/number/surd.hpp>
 
-#include <algorithm>
-
 namespace mdm {
 namespace {
-
-bool is_zero(const Rational &r) {
-  return r == 0;
-}
 
 /// The largest divisor e of `degree` for which r^(1/e) is a fraction, and that fraction.
 std::pair<unsigned, Rational> largest_root(const Rational &r, unsigned degree) {
@@ -19,23 +13,32 @@ std::pair<unsigned, Rational> largest_root(const Rational &r, unsigned degree) {
 
 } // namespace
 
+void Surd::add(unsigned k, const Rational &r) {
+  if (r == 0)
+    return;
+  Rational &c = c_[k];
+  c += r;
+  if (c == 0)
+    c_.erase(k);
+}
+
 Surd Surd::root_power(const Rational &r, unsigned n, unsigned degree) {
   const auto [e, base] = largest_root(r, degree);
   const unsigned m = degree / e;
   Surd result;
-  result.c_.assign(m, 0);
-  result.c_[n % m] = mdm::power(base, n / m);
+  result.degree_ = m;
   if (m > 1)
     result.base_ = base;
+  result.add(n % m, mdm::power(base, n / m));
   return result;
 }
 
 Surd operator+(const Surd &a, const Surd &b) {
-  if (a.degree() < b.degree())
+  if (a.degree_ < b.degree_)
     return b + a;
   Surd result = a;
-  for (std::size_t k = 0; k < b.degree(); ++k)
-    result.c_[k] += b.c_[k];
+  for (const auto &[k, c] : b.c_)
+    result.add(k, c);
   return result;
 }
 
@@ -44,39 +47,35 @@ Surd operator-(const Surd &a, const Surd &b) {
 }
 
 Surd operator*(const Surd &a, const Surd &b) {
-  if (a.degree() < b.degree())
+  if (a.degree_ < b.degree_)
     return b * a;
-  const std::size_t m = a.degree();
+  const unsigned m = a.degree_;
   Surd result;
+  result.degree_ = m;
   result.base_ = a.base_;
-  result.c_.assign(m, 0);
-  for (std::size_t i = 0; i < m; ++i) {
-    if (is_zero(a.c_[i]))
-      continue;
-    for (std::size_t j = 0; j < b.degree(); ++j)
-      if (!is_zero(b.c_[j])) {
-        const Rational product = a.c_[i] * b.c_[j];
-        result.c_[(i + j) % m] += i + j < m ? product : Rational(product * a.base_);
-      }
-  }
+  for (const auto &[i, c] : a.c_)
+    for (const auto &[j, d] : b.c_)
+      result.add((i + j) % m, i + j < m ? Rational(c * d) : Rational(c * d * a.base_));
   return result;
 }
 
 Surd inverse(const Surd &a) {
-  const auto at = std::find_if_not(a.c_.begin(), a.c_.end(), is_zero);
-  const auto k = static_cast<std::size_t>(at - a.c_.begin());
-  Surd result = a;
-  result.c_[k] = 0;
+  const auto &[k, c] = *a.c_.begin();
+  Surd result;
+  result.degree_ = a.degree_;
+  result.base_ = a.base_;
   if (k == 0)
-    result.c_[0] = 1 / *at;
+    result.add(0, 1 / c);
   else
-    result.c_[a.degree() - k] = 1 / Rational(*at * a.base_);
+    result.add(a.degree_ - k, 1 / Rational(c * a.base_));
   return result;
 }
 
 std::optional<Rational> Surd::exact() const {
-  if (std::all_of(c_.begin() + 1, c_.end(), is_zero))
-    return c_[0];
+  if (c_.empty())
+    return Rational(0);
+  if (c_.size() == 1 && c_.begin()->first == 0)
+    return c_.begin()->second;
   return std::nullopt;
 }
 
@@ -84,19 +83,18 @@ Real Surd::real() const {
   if (const std::optional<Rational> value = exact())
     return Real(*value);
   return Real([*this](unsigned bits) {
-    Ball sum(c_[0], bits);
-    for (std::size_t k = 1; k < degree(); ++k)
-      if (!is_zero(c_[k]))
-        sum = sum + Ball(c_[k], bits) * pow(Ball(base_, bits), ratio(k, degree()));
+    Ball sum(0, bits);
+    for (const auto &[k, c] : c_)
+      sum = sum + Ball(c, bits) * pow(Ball(base_, bits), ratio(k, degree_));
     return sum;
   });
 }
 
 std::optional<PowerProduct> Surd::product() const {
-  const auto at = std::find_if_not(c_.begin(), c_.end(), is_zero);
-  if (at == c_.end() || *at < 0 || !std::all_of(at + 1, c_.end(), is_zero))
+  if (c_.size() != 1 || c_.begin()->second < 0)
     return std::nullopt;
-  return PowerProduct(*at) * PowerProduct(base_, ratio(at - c_.begin(), degree()));
+  const auto &[k, c] = *c_.begin();
+  return PowerProduct(c) * PowerProduct(base_, ratio(k, degree_));
 }
 
 Surd power(const Surd &a, unsigned exponent) {
