@@ -19,6 +19,7 @@ struct AnswerSample {
     Rational size_lo, size_hi;
   };
 
+  std::string id; ///< of the gradation; empty if there is none
   SizeUnit unit = SizeUnit::mm;
   std::vector<Class> classes; ///< those with particles
   Rational scale;             ///< s, to the power scale_power

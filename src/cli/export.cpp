@@ -1,0 +1,175 @@
+#include "commands.hpp"
+#include "files.hpp"
+#include "option_values.hpp"
+#include "progress.hpp"
+#include "solve_flags.hpp"
+
+#include <mdm/error.hpp>
+#include <mdm/gradation/read_gradation.hpp>
+#include <mdm/particles/answer_sample.hpp>
+#include <mdm/particles/particle_writer.hpp>
+#include <mdm/report/answer.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+namespace mdm::cli {
+namespace {
+
+/// A format that export writes.
+struct Format {
+  const char *name;
+  void (*write)(const ParticleSet &, const TextSink &);
+};
+
+constexpr std::array<Format, 2> formats = {{{"csv", write_size_csv}, {"diameters", write_diameters}}};
+
+struct ExportCommand {
+  std::string file;
+  SolveFlags flags;
+  std::vector<CLI::Option *> solving; ///< options that only a gradation has a use for
+  GradationFlags::Text unit, density, mass_error, specimen_id;
+  std::string to;
+  std::string out = "-";
+  bool quiet = false;
+};
+
+std::string shown_name(const ExportCommand &c) {
+  return c.file == "-" ? "stdin" : c.file;
+}
+
+std::string format_names() {
+  std::string text;
+  for (const Format &format : formats)
+    text += (text.empty() ? "" : ", ") + std::string(format.name);
+  return text;
+}
+
+const Format &format_of(const ExportCommand &c) {
+  const auto found = std::find_if(formats.begin(), formats.end(),
+                                  [&c](const Format &format) { return c.to == format.name; });
+  if (found == formats.end())
+    throw InputError("--to: " + in_quotes(c.to) + " is no format: use one of " + format_names());
+  return *found;
+}
+
+ParticleSetOptions set_options(const ExportCommand &c) {
+  ParticleSetOptions options;
+  if (c.unit) {
+    const std::optional<LengthUnit> unit = parse_length_unit(*c.unit);
+    if (!unit)
+      throw InputError("--unit: " + in_quotes(*c.unit) + " is unknown: use mm, um, m or in");
+    options.unit = *unit;
+  }
+  if (c.density)
+    options.density = positive("--density", *c.density);
+  if (c.mass_error)
+    options.most_mass_error = positive("--mass-error", *c.mass_error);
+  return options;
+}
+
+/// True for the JSON answer of mdm solve; a gradation in JSON has no schema.
+bool is_answer(std::string_view content) {
+  const std::size_t first = content.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != std::string_view::npos && content[first] == '{' &&
+         content.find("\"schema\"") != std::string_view::npos;
+}
+
+/// What is exported, and how the command ends.
+struct Particles {
+  std::optional<ParticleSet> set; ///< nothing: there is no match
+  int exit_code = Exit::done;
+};
+
+Particles answer_particles(const ExportCommand &c, const std::string &content,
+                           const ParticleSetOptions &options) {
+  for (const CLI::Option *option : c.solving)
+    if (option->count() > 0 && option->get_name() != "--law")
+      throw InputError(option->get_name() + ": the answer in " + printable(shown_name(c)) +
+                       " is solved already: leave it out, or export the gradation");
+  const AnswerSample answer = read_answer(content, shown_name(c));
+  return {particle_set(answer, c.flags.GradationFlags::question().law, options), Exit::done};
+}
+
+Particles solved_particles(const ExportCommand &c, const std::string &content,
+                           const ParticleSetOptions &options) {
+  const Question question = c.flags.question();
+  Progress progress([] { return std::string("solving"); }, c.quiet);
+  const Match m = solve(read_gradation(content, shown_name(c), c.specimen_id), question, c.flags.options());
+  if (!c.quiet)
+    for (const std::string &note : m.notes)
+      tell("note: " + note + "\n");
+  if (m.status != Status::optimal)
+    tell(printable(m.gradation.id()) + ": " + headline(m) + "\n");
+  const int code = m.status == Status::optimal ? Exit::done
+                   : m.status == Status::none  ? Exit::negative
+                                               : Exit::limited;
+  if (!m.has_answer())
+    return {std::nullopt, code};
+  return {particle_set(m, options), code};
+}
+
+Particles particles(const ExportCommand &c, const ParticleSetOptions &options) {
+  const std::string content = read_file(c.file, max_gradation_bytes);
+  try {
+    return is_answer(content) ? answer_particles(c, content, options) : solved_particles(c, content, options);
+  } catch (const InputError &e) {
+    const std::string name = printable(shown_name(c));
+    const std::string what = e.what();
+    throw InputError(what.starts_with(name + ":") || what.starts_with("--") ? what : name + ": " + what);
+  }
+}
+
+int run(const ExportCommand &c) {
+  const Format &format = format_of(c);
+  const ParticleSetOptions options = set_options(c);
+  std::vector<std::string> paths = {c.file, c.out};
+  if (c.flags.band)
+    paths.push_back(*c.flags.band);
+  check_distinct(paths);
+  const Particles found = particles(c, options);
+  if (!found.set)
+    return found.exit_code;
+  Output out(c.out);
+  format.write(*found.set, [&out](std::string_view text) { out.write(text); });
+  out.commit();
+  return found.exit_code;
+}
+
+} // namespace
+
+Run add_export(CLI::App &app) {
+  const auto c = std::make_shared<ExportCommand>();
+  CLI::App &command = *app.add_subcommand("export", "Particle files for DEM codes, with exact counts");
+  command
+      .add_option(
+          "FILE", c->file,
+          "JSON answer of mdm solve, or a gradation to solve (CSV, JSON or AGS4); - for standard input")
+      ->required();
+  command.add_option("--to", c->to, "format: " + format_names())->type_name("FORMAT")->required();
+  command.add_option("--unit", c->unit, "unit of lengths in the file: m (default), mm, um or in")
+      ->type_name("UNIT");
+  command
+      .add_option("--density", c->density,
+                  "of the grains in kg/m^3 (2650); a class's factor, where there is one, multiplies it")
+      ->type_name("RHO");
+  command
+      .add_option("--mass-error", c->mass_error,
+                  "relative error of the mass of a class that rounded sizes may make (1e-9)")
+      ->type_name("EPS");
+  const std::size_t before = command.get_options().size();
+  c->flags.add_to(command);
+  c->solving = command.get_options();
+  c->solving.erase(c->solving.begin(), c->solving.begin() + static_cast<std::ptrdiff_t>(before));
+  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
+      ->type_name("ID");
+  command.add_option("-o", c->out, "write the file to OUT instead of standard output")->type_name("OUT");
+  command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
+  command.footer("Example: mdm export sand.csv --to csv --unit mm -o particles.csv");
+  return [c] { return run(*c); };
+}
+
+} // namespace mdm::cli
