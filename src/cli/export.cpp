@@ -19,19 +19,26 @@
 namespace mdm::cli {
 namespace {
 
-/// A format that export writes.
+/// A format that export writes: sizes alone, or particles in their places.
 struct Format {
   const char *name;
   void (*write)(const ParticleSet &, const TextSink &);
+  void (*write_placed)(const Placement &, const TextSink &);
 };
 
-constexpr std::array<Format, 2> formats = {{{"csv", write_size_csv}, {"diameters", write_diameters}}};
+constexpr std::array<Format, 7> formats = {{{"liggghts", write_liggghts, nullptr},
+                                            {"lammps", nullptr, write_lammps_data},
+                                            {"yade", nullptr, write_xyzr},
+                                            {"mercurydpm", write_mercurydpm, nullptr},
+                                            {"vtk", nullptr, write_vtk},
+                                            {"csv", write_size_csv, nullptr},
+                                            {"diameters", write_diameters, nullptr}}};
 
 struct ExportCommand {
   std::string file;
   SolveFlags flags;
   std::vector<CLI::Option *> solving; ///< options that only a gradation has a use for
-  GradationFlags::Text unit, density, mass_error, specimen_id;
+  GradationFlags::Text unit, density, mass_error, box, seed, specimen_id;
   std::string to;
   std::string out = "-";
   bool quiet = false;
@@ -82,6 +89,8 @@ bool is_answer(std::string_view content) {
 struct Particles {
   std::optional<ParticleSet> set; ///< nothing: there is no match
   int exit_code = Exit::done;
+  SizeUnit unit = SizeUnit::mm; ///< of lengths in options
+  std::optional<Solids> solids; ///< that were asked for
 };
 
 Particles answer_particles(const ExportCommand &c, const std::string &content,
@@ -91,7 +100,8 @@ Particles answer_particles(const ExportCommand &c, const std::string &content,
       throw InputError(option->get_name() + ": the answer in " + printable(shown_name(c)) +
                        " is solved already: leave it out, or export the gradation");
   const AnswerSample answer = read_answer(content, shown_name(c));
-  return {particle_set(answer, c.flags.GradationFlags::question().law, options), Exit::done};
+  return {particle_set(answer, c.flags.GradationFlags::question().law, options), Exit::done, answer.unit,
+          std::nullopt};
 }
 
 Particles solved_particles(const ExportCommand &c, const std::string &content,
@@ -108,8 +118,8 @@ Particles solved_particles(const ExportCommand &c, const std::string &content,
                    : m.status == Status::none  ? Exit::negative
                                                : Exit::limited;
   if (!m.has_answer())
-    return {std::nullopt, code};
-  return {particle_set(m, options), code};
+    return {std::nullopt, code, m.gradation.unit(), std::nullopt};
+  return {particle_set(m, options), code, m.gradation.unit(), question.solids};
 }
 
 Particles particles(const ExportCommand &c, const ParticleSetOptions &options) {
@@ -123,6 +133,52 @@ Particles particles(const ExportCommand &c, const ParticleSetOptions &options) {
   }
 }
 
+/// Reads `AxB` or `AxBxC`.
+Footprint parse_box(const std::string &text) {
+  std::vector<Rational> lengths;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('x', begin), text.size());
+    lengths.push_back(positive("--box", text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  if (lengths.size() < 2 || lengths.size() > 3)
+    throw InputError("--box: " + in_quotes(text) + " is neither AxB nor AxBxC: write for example 50x50");
+  return {lengths[0], lengths[1], lengths.size() == 3 ? std::optional(lengths[2]) : std::nullopt};
+}
+
+/// What the start stands on: --box, or else the specimen.
+std::optional<Footprint> footprint(const ExportCommand &c, const Particles &found) {
+  std::optional<Footprint> floor;
+  if (c.box)
+    floor = parse_box(*c.box);
+  else if (found.solids && std::holds_alternative<Box>(*found.solids))
+    floor = {std::get<Box>(*found.solids).a, std::get<Box>(*found.solids).b, std::nullopt};
+  else if (found.solids && std::holds_alternative<Cylinder>(*found.solids))
+    floor = inscribed_square(std::get<Cylinder>(*found.solids).diameter);
+  if (!floor)
+    return floor;
+  const Rational unit = in_mm(length_unit(found.unit)) / in_mm(found.set->unit);
+  floor->a *= unit;
+  floor->b *= unit;
+  if (floor->c)
+    *floor->c *= unit;
+  return floor;
+}
+
+void write_file(const ExportCommand &c, const Format &format, const Particles &found) {
+  const std::uint64_t seed = c.seed ? natural64("--seed", *c.seed) : 1;
+  std::optional<Placement> start;
+  if (format.write_placed != nullptr)
+    start.emplace(*found.set, footprint(c, found), seed);
+  Output out(c.out);
+  const TextSink sink = [&out](std::string_view text) { out.write(text); };
+  if (start)
+    format.write_placed(*start, sink);
+  else
+    format.write(*found.set, sink);
+  out.commit();
+}
+
 int run(const ExportCommand &c) {
   const Format &format = format_of(c);
   const ParticleSetOptions options = set_options(c);
@@ -133,9 +189,7 @@ int run(const ExportCommand &c) {
   const Particles found = particles(c, options);
   if (!found.set)
     return found.exit_code;
-  Output out(c.out);
-  format.write(*found.set, [&out](std::string_view text) { out.write(text); });
-  out.commit();
+  write_file(c, format, found);
   return found.exit_code;
 }
 
@@ -160,6 +214,14 @@ Run add_export(CLI::App &app) {
       .add_option("--mass-error", c->mass_error,
                   "relative error of the mass of a class that rounded sizes may make (1e-9)")
       ->type_name("EPS");
+  command
+      .add_option(
+          "--box", c->box,
+          "footprint of the start, and its height, in the answer's unit (lammps, yade, vtk); without "
+          "it the specimen's, a square in it for a cylinder, or a square that makes the start as high "
+          "as wide")
+      ->type_name("AxB[xC]");
+  command.add_option("--seed", c->seed, "of the places of the start (1)")->type_name("K");
   const std::size_t before = command.get_options().size();
   c->flags.add_to(command);
   c->solving = command.get_options();

@@ -24,11 +24,19 @@ std::string densities(const ParticleSet &set) {
 
 } // namespace
 
-std::string comment_lines(const ParticleSet &set) {
-  return fmt::format("# {}: {} particles in {} classes, by exactmdm; lengths in {}, density {}\n"
-                     "# The mass of each class is that of the exact match within {} of it.\n",
+std::string title(const ParticleSet &set) {
+  return fmt::format("{}: {} particles in {} classes, by exactmdm; lengths in {}, density {}",
                      set.name.empty() ? "a gradation" : printable(set.name), to_string(set.particles()),
-                     set.classes.size(), name(set.unit), densities(set), rounded_up(set.mass_error()));
+                     set.classes.size(), name(set.unit), densities(set));
+}
+
+std::string mass_statement(const ParticleSet &set) {
+  return fmt::format("The mass of each class is that of the exact match within {} of it.",
+                     rounded_up(set.mass_error()));
+}
+
+std::string comment_lines(const ParticleSet &set) {
+  return "# " + title(set) + "\n# " + mass_statement(set) + "\n";
 }
 
 void write_size_csv(const ParticleSet &set, const TextSink &out) {

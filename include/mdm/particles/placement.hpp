@@ -1,0 +1,90 @@
+#pragma once
+/// \file
+/// A start for a simulation: places for all particles of a set, none of which overlap.
+
+#include <mdm/particles/particle_set.hpp>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+namespace mdm {
+
+/// The most particles that are placed; programs count them in 32 bits.
+inline constexpr std::uint64_t most_placed = 2147483647;
+
+/// What a start is to stand on; lengths in the unit of the set.
+struct Footprint {
+  Rational a, b;             ///< the sides
+  std::optional<Rational> c; ///< height that must do; open: as high as the start needs
+};
+
+/// The square that fits into a circle of that diameter, its side cut to 15 digits.
+Footprint inscribed_square(const Rational &diameter);
+
+/// A loose and tall start. All lengths are integers in units of u = 10^-places(), some 10^-3 to 10^-4 of the
+/// smallest size, and below 2^52. Classes are slabs, the largest at the bottom. A slab is a grid of cells of
+/// the same sides; a particle of a class takes a cell of its slab, and a place in it, which a hash of the
+/// seed chooses: no two take the same cell, and no place is nearer to a side of its cell than R, the class's
+/// largest radius (decimal or double) rounded up to units, plus 2.
+///
+/// No two particles overlap, as decimals and as doubles. Their cells differ, and both ends of an axis on
+/// which they do are R + R' or more apart there, so that the distance is at least r + r' + 4 in units. A
+/// double is within 2^-53 of its decimal, relatively, which is half a unit at most: the distance of the
+/// doubles is at least r + r' + 2 (Theorem: |x - y| >= |x_i - y_i| for each axis i). In the same way all are
+/// inside the box.
+///
+/// Cost: each() takes some 100 ns a particle and memory that does not depend on their number.
+class Placement {
+public:
+  /// A particle with its centre, in units.
+  struct Sphere {
+    std::size_t class_index; ///< in the set
+    const ParticleSize *size;
+    std::array<std::int64_t, 3> at;
+  };
+
+  /// \param set must outlive the placement
+  /// \param floor open: a square, so that the start is about as high as wide
+  /// \throws InputError if there are more than most_placed particles, the largest is wider than the
+  /// footprint, the start is higher than it may be, or lengths are too far apart for doubles
+  Placement(const ParticleSet &set, const std::optional<Footprint> &floor, std::uint64_t seed);
+
+  const ParticleSet &set() const { return *set_; }
+  /// The box is [0, a] x [0, b] x [0, height], in units.
+  const std::array<std::int64_t, 3> &box() const { return box_; }
+  unsigned places() const { return places_; }
+  /// A length in units as a decimal.
+  std::string text(std::int64_t units) const;
+
+  /// Gives all particles, the largest class first and its sizes descending; the same at every call.
+  void each(const std::function<void(const Sphere &)> &take) const;
+
+  /// Volume of the box by that of the particles, minus 1: lower and upper bound.
+  std::pair<Rational, Rational> void_ratio() const;
+
+private:
+  /// The grid of a class.
+  struct Slab {
+    std::size_t class_index;
+    std::int64_t radius;              ///< R
+    std::array<std::int64_t, 3> cell; ///< sides
+    std::array<std::uint64_t, 3> n;   ///< cells along each axis
+    std::int64_t base;                ///< height of the bottom
+  };
+
+  void choose_unit();
+  std::int64_t units(const Rational &length) const;
+  std::int64_t radius(const ParticleClass &c) const;
+  void choose_floor(const std::optional<Footprint> &floor);
+  void add_slab(std::size_t class_index);
+  Sphere place(const Slab &slab, const ParticleSize &size, std::uint64_t i) const;
+
+  const ParticleSet *set_;
+  std::uint64_t seed_;
+  unsigned places_ = 0;
+  std::array<std::int64_t, 3> box_{};
+  std::vector<Slab> slabs_;
+};
+
+} // namespace mdm
