@@ -49,6 +49,7 @@ public:
   /// \throws InputError if there are more than most_placed particles, the largest is wider than the
   /// footprint, the start is higher than it may be, or lengths are too far apart for doubles
   Placement(const ParticleSet &set, const std::optional<Footprint> &floor, std::uint64_t seed);
+  Placement(ParticleSet &&set, const std::optional<Footprint> &floor, std::uint64_t seed) = delete;
 
   const ParticleSet &set() const { return *set_; }
   /// The box is [0, a] x [0, b] x [0, height], in units.
