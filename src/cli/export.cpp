@@ -6,7 +6,9 @@
 
 #include <mdm/error.hpp>
 #include <mdm/gradation/read_gradation.hpp>
+#include <mdm/number/decimal.hpp>
 #include <mdm/particles/answer_sample.hpp>
+#include <mdm/particles/cost.hpp>
 #include <mdm/particles/particle_writer.hpp>
 #include <mdm/report/answer.hpp>
 
@@ -24,23 +26,39 @@ struct Format {
   const char *name;
   void (*write)(const ParticleSet &, const TextSink &);
   void (*write_placed)(const Placement &, const TextSink &);
+  unsigned bytes; ///< of the engine's memory for a particle; 0: not known
 };
 
-constexpr std::array<Format, 7> formats = {{{"liggghts", write_liggghts, nullptr},
-                                            {"lammps", nullptr, write_lammps_data},
-                                            {"yade", nullptr, write_xyzr},
-                                            {"mercurydpm", write_mercurydpm, nullptr},
-                                            {"vtk", nullptr, write_vtk},
-                                            {"csv", write_size_csv, nullptr},
-                                            {"diameters", write_diameters, nullptr}}};
+/// Bytes were measured with 97,336 particles of one size in contact with six others each, and rounded up.
+constexpr std::array<Format, 7> formats = {{{"liggghts", write_liggghts, nullptr, 1000},
+                                            {"lammps", nullptr, write_lammps_data, 1000},
+                                            {"yade", nullptr, write_xyzr, 10000},
+                                            {"mercurydpm", write_mercurydpm, nullptr, 0},
+                                            {"vtk", nullptr, write_vtk, 0},
+                                            {"csv", write_size_csv, nullptr, 0},
+                                            {"diameters", write_diameters, nullptr, 0}}};
+
+/// More particles than this are to be wanted.
+constexpr std::uint64_t huge = 10000000;
+/// Boxes and sizes beyond these, in m, are mostly wrong units.
+const Rational &largest_box() {
+  static const Rational side = 100;
+  return side;
+}
+const Rational &smallest_size() {
+  static const Rational micrometre = ratio(1, 1000000);
+  return micrometre;
+}
 
 struct ExportCommand {
   std::string file;
   SolveFlags flags;
   std::vector<CLI::Option *> solving; ///< options that only a gradation has a use for
-  GradationFlags::Text unit, density, mass_error, box, seed, specimen_id;
+  GradationFlags::Text unit, density, mass_error, box, seed, young, poisson, specimen_id;
   std::string to;
   std::string out = "-";
+  bool yes_huge = false;
+  bool yes_units = false;
   bool quiet = false;
 };
 
@@ -165,12 +183,90 @@ std::optional<Footprint> footprint(const ExportCommand &c, const Particles &foun
   return floor;
 }
 
+Elasticity elasticity(const ExportCommand &c) {
+  Elasticity e;
+  if (c.young)
+    e.young = positive("--young", *c.young);
+  if (c.poisson)
+    e.poisson = not_negative("--poisson", *c.poisson);
+  if (e.poisson > ratio(1, 2))
+    throw InputError("--poisson: " + in_quotes(*c.poisson) + " is above 0.5, which no material has");
+  return e;
+}
+
+/// What a user may not have meant.
+void check_wanted(const ExportCommand &c, const Format &format, const ParticleSet &set,
+                  const std::optional<Placement> &start) {
+  if (!c.yes_huge && set.particles() > huge && format.write != write_size_csv)
+    throw InputError(fmt::format("{} particles are more than {}: --yes-huge if that is wanted; else a "
+                                 "--tolerance or --cut-below needs fewer, and --to csv writes counts alone",
+                                 to_string(set.particles()), huge));
+  if (c.yes_units)
+    return;
+  const Rational smallest = in_metres(set, set.smallest().diameter.decimal);
+  if (smallest < smallest_size())
+    throw InputError(fmt::format("particles of {} m are below 1 um: is the unit of the gradation right? "
+                                 "--yes-units if it is, --cut-below leaves fine classes out",
+                                 approximate(smallest, 3)));
+  Rational side = loose_side(set);
+  if (start)
+    for (const std::int64_t length : start->box())
+      side = std::max(side, in_metres(set, parse_decimal(start->text(length))));
+  if (side > largest_box())
+    throw InputError(fmt::format("the particles need a box of {} m, more than 100 m: is the unit of the "
+                                 "gradation right? --yes-units if it is",
+                                 approximate(side, 3)));
+}
+
+/// `1.5 MB`, three digits of it.
+std::string bytes_text(const Integer &bytes) {
+  constexpr int step = 1000;
+  Rational n = bytes;
+  std::size_t i = 0;
+  constexpr std::array<const char *, 5> units = {"bytes", "kB", "MB", "GB", "TB"};
+  for (; n >= step && i + 1 < units.size(); ++i)
+    n /= step;
+  return approximate(n, 3) + " " + units.at(i);
+}
+
+/// The digits that two bounds of a number have in common, four at most.
+std::string certain_digits(const std::pair<Rational, Rational> &bounds) {
+  unsigned digits = 4;
+  while (digits > 1 && approximate(bounds.first, digits) != approximate(bounds.second, digits))
+    --digits;
+  return approximate(bounds.first, digits);
+}
+
+/// What the simulation will cost, and where the particles start.
+std::string guide(const Format &format, const ParticleSet &set, const std::optional<Placement> &start,
+                  const Elasticity &e) {
+  std::string text = fmt::format(
+      "{} particles; Rayleigh time {} s (E = {} Pa, nu = {}): take some 20 % of it as time step\n",
+      to_string(set.particles()), approximate(rayleigh_time(set, e), 3), short_decimal(e.young),
+      short_decimal(e.poisson));
+  if (format.bytes > 0)
+    text += fmt::format("memory of {}: some {} ({} bytes a particle, more where sizes are far apart)\n",
+                        format.name, bytes_text(Integer(set.particles() * format.bytes)), format.bytes);
+  if (format.write == write_mercurydpm)
+    text += "MercuryDPM draws sizes at random from the shares: its counts are not exact\n";
+  if (start)
+    text += fmt::format("box: {} x {} x {} {}, void ratio {}; no two particles overlap\n",
+                        start->text(start->box()[0]), start->text(start->box()[1]),
+                        start->text(start->box()[2]), name(set.unit), certain_digits(start->void_ratio()));
+  return text;
+}
+
 void write_file(const ExportCommand &c, const Format &format, const Particles &found) {
   const std::uint64_t seed = c.seed ? natural64("--seed", *c.seed) : 1;
+  const Elasticity e = elasticity(c);
   std::optional<Placement> start;
   if (format.write_placed != nullptr)
     start.emplace(*found.set, footprint(c, found), seed);
+  check_wanted(c, format, *found.set, start);
   Output out(c.out);
+  if (!c.quiet)
+    tell(guide(format, *found.set, start, e));
+  Progress progress([] { return std::string("writing"); }, c.quiet);
   const TextSink sink = [&out](std::string_view text) { out.write(text); };
   if (start)
     format.write_placed(*start, sink);
@@ -179,8 +275,16 @@ void write_file(const ExportCommand &c, const Format &format, const Particles &f
   out.commit();
 }
 
+/// Refuses options that the format has no use for.
+void check_options(const ExportCommand &c, const Format &format) {
+  if (format.write_placed == nullptr && (c.box || c.seed))
+    throw InputError(std::string(c.box ? "--box" : "--seed") + ": " + format.name +
+                     " has sizes without places: leave it out");
+}
+
 int run(const ExportCommand &c) {
   const Format &format = format_of(c);
+  check_options(c, format);
   const ParticleSetOptions options = set_options(c);
   std::vector<std::string> paths = {c.file, c.out};
   if (c.flags.band)
@@ -222,6 +326,11 @@ Run add_export(CLI::App &app) {
           "as wide")
       ->type_name("AxB[xC]");
   command.add_option("--seed", c->seed, "of the places of the start (1)")->type_name("K");
+  command.add_option("--young", c->young, "Young's modulus for the time step, in Pa (7e10)")->type_name("E");
+  command.add_option("--poisson", c->poisson, "Poisson's ratio for the time step (0.25)")->type_name("NU");
+  command.add_flag("--yes-huge", c->yes_huge, "more than 10000000 particles are wanted");
+  command.add_flag("--yes-units", c->yes_units,
+                   "sizes below 1 um and boxes above 100 m are right: the units are no mistake");
   const std::size_t before = command.get_options().size();
   c->flags.add_to(command);
   c->solving = command.get_options();
@@ -229,8 +338,10 @@ Run add_export(CLI::App &app) {
   command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
       ->type_name("ID");
   command.add_option("-o", c->out, "write the file to OUT instead of standard output")->type_name("OUT");
-  command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
-  command.footer("Example: mdm export sand.csv --to csv --unit mm -o particles.csv");
+  command.add_flag("--quiet", c->quiet, "no progress, costs and notes on standard error");
+  command.footer(
+      "Example: mdm export sand.csv --to lammps --box 50x50 -o sand.data\n"
+      "LIGGGHTS, LAMMPS, YADE, VTK, csv and diameters carry exact counts; MercuryDPM draws at random.");
   return [c] { return run(*c); };
 }
 
