@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "export_model.hpp"
 #include "files.hpp"
 #include "option_values.hpp"
 #include "progress.hpp"
@@ -54,7 +55,7 @@ struct ExportCommand {
   std::string file;
   SolveFlags flags;
   std::vector<CLI::Option *> solving; ///< options that only a gradation has a use for
-  GradationFlags::Text unit, density, mass_error, box, seed, young, poisson, specimen_id;
+  GradationFlags::Text unit, density, mass_error, box, seed, young, poisson, specimen_id, model, steps;
   std::string to;
   std::string out = "-";
   bool yes_huge = false;
@@ -256,13 +257,36 @@ std::string guide(const Format &format, const ParticleSet &set, const std::optio
   return text;
 }
 
-void write_file(const ExportCommand &c, const Format &format, const Particles &found) {
+void write_model(const ExportCommand &c, const Format &format, const ModelWriter &writer,
+                 const Particles &found, const std::optional<Placement> &start, std::uint64_t seed) {
+  SettleModel model = writer.model(*found.set, start, footprint(c, found));
+  model.seed = seed;
+  if (c.steps)
+    model.steps = natural64("--steps", *c.steps);
+  const Elasticity e = elasticity(c);
+  if (c.young)
+    model.young = e.young;
+  model.poisson = e.poisson;
+  writer.write(model, start);
+  if (c.quiet)
+    return;
+  const Settling s = settling(model);
+  tell(guide(format, *found.set, start, s.elasticity));
+  tell(fmt::format(
+      "model: {} steps of {:.3g} s; its first lines say how to run it and to verify what it leaves\n",
+      s.steps, s.step));
+}
+
+void write_file(const ExportCommand &c, const Format &format, const std::optional<ModelWriter> &model,
+                const Particles &found) {
   const std::uint64_t seed = c.seed ? natural64("--seed", *c.seed) : 1;
   const Elasticity e = elasticity(c);
   std::optional<Placement> start;
   if (format.write_placed != nullptr)
     start.emplace(*found.set, footprint(c, found), seed);
   check_wanted(c, format, *found.set, start);
+  if (model)
+    return write_model(c, format, *model, found, start, seed);
   Output out(c.out);
   if (!c.quiet)
     tell(guide(format, *found.set, start, e));
@@ -277,7 +301,11 @@ void write_file(const ExportCommand &c, const Format &format, const Particles &f
 
 /// Refuses options that the format has no use for.
 void check_options(const ExportCommand &c, const Format &format) {
-  if (format.write_placed == nullptr && (c.box || c.seed))
+  if (c.steps && !c.model)
+    throw InputError("--steps is for a model: give --model settle too");
+  if (c.model && c.unit && c.unit != "m")
+    throw InputError("--unit: models are in SI units: leave it out");
+  if (format.write_placed == nullptr && !c.model && (c.box || c.seed))
     throw InputError(std::string(c.box ? "--box" : "--seed") + ": " + format.name +
                      " has sizes without places: leave it out");
 }
@@ -287,13 +315,19 @@ int run(const ExportCommand &c) {
   check_options(c, format);
   const ParticleSetOptions options = set_options(c);
   std::vector<std::string> paths = {c.file, c.out};
+  std::optional<ModelWriter> model;
+  if (c.model) {
+    model.emplace(*c.model, c.to, c.out);
+    if (!model->particles().empty())
+      paths.push_back(model->particles());
+  }
   if (c.flags.band)
     paths.push_back(*c.flags.band);
   check_distinct(paths);
   const Particles found = particles(c, options);
   if (!found.set)
     return found.exit_code;
-  write_file(c, format, found);
+  write_file(c, format, model, found);
   return found.exit_code;
 }
 
@@ -321,12 +355,25 @@ Run add_export(CLI::App &app) {
   command
       .add_option(
           "--box", c->box,
-          "footprint of the start, and its height, in the answer's unit (lammps, yade, vtk); without "
+          "footprint of the start, and its height, in the answer's unit (lammps, yade, vtk, models); without "
           "it the specimen's, a square in it for a cylinder, or a square that makes the start as high "
           "as wide")
       ->type_name("AxB[xC]");
+  command
+      .add_option(
+          "--model", c->model,
+          "settle: a complete model that lets the particles settle in the box, for liggghts, lammps or "
+          "yade, and beside it the file of particles that it reads")
+      ->type_name("MODEL");
+  command
+      .add_option("--steps", c->steps,
+                  "time steps of the model; without it three times as long as a fall from the top of the box")
+      ->type_name("N");
   command.add_option("--seed", c->seed, "of the places of the start (1)")->type_name("K");
-  command.add_option("--young", c->young, "Young's modulus for the time step, in Pa (7e10)")->type_name("E");
+  command
+      .add_option("--young", c->young,
+                  "Young's modulus for the time step, in Pa (7e10; a model is softer, and says so)")
+      ->type_name("E");
   command.add_option("--poisson", c->poisson, "Poisson's ratio for the time step (0.25)")->type_name("NU");
   command.add_flag("--yes-huge", c->yes_huge, "more than 10000000 particles are wanted");
   command.add_flag("--yes-units", c->yes_units,

@@ -1,4 +1,4 @@
-#include "text_buffer.hpp"
+#include "liggghts_insertion.hpp"
 
 #include <mdm/error.hpp>
 #include <mdm/number/decimal.hpp>
@@ -11,6 +11,8 @@ namespace {
 /// Primes above 10000, each once: LIGGGHTS takes no other seeds, and none twice.
 class Seeds {
 public:
+  explicit Seeds(std::uint64_t seed) : last_(10000 * (1 + seed % 200000)) {}
+
   std::uint64_t next() {
     do
       ++last_;
@@ -26,7 +28,7 @@ private:
     return true;
   }
 
-  std::uint64_t last_ = 10000;
+  std::uint64_t last_;
 };
 
 /// Text for a comment of a script, without what the script's reader looks for even there.
@@ -46,7 +48,7 @@ void each_size(const ParticleSet &set, Take take) {
 
 } // namespace
 
-void write_liggghts(const ParticleSet &set, const TextSink &out) {
+void add_liggghts_insertion(const ParticleSet &set, std::uint64_t seed, TextBuffer &text) {
   if (set.particles() > most_placed)
     throw InputError(
         fmt::format("{} particles are more than the {} that LIGGGHTS counts: take another gradation, "
@@ -54,18 +56,8 @@ void write_liggghts(const ParticleSet &set, const TextSink &out) {
                     to_string(set.particles()), most_placed));
   // LIGGGHTS refuses volumes below 1e-12, sizes below 0.124 mm, unless told otherwise.
   const std::string limit = approximate(Rational(power(set.smallest().diameter.decimal, 3) / 1000), 2);
-  TextBuffer text(out);
-  text.add("# {}\n# {}\n", script_words(title(set)), mass_statement(set));
-  text.add(R"(#
-# Insertion for LIGGGHTS, to be included where a model without particles has a region called mdm_region:
-#   include THIS_FILE
-# It stops with a message where a count is not reached: the region is too small then. One template and one insertion
-# a size, largest first, the count given as the running total. The largest template takes part with weight 0: insert/pack
-# looks for overlaps with grains up to the largest of its distribution alone. Seeds are distinct primes.
-
-variable mdm_count equal count(all)
-)");
-  Seeds seeds;
+  text.add("\nvariable mdm_count equal count(all)\n");
+  Seeds seeds(seed);
   Integer total = 0;
   each_size(set, [&](const ParticleClass &c, const ParticleSize &size) {
     const bool is_largest = total == 0;
@@ -89,6 +81,19 @@ variable mdm_count equal count(all)
     if (!is_largest)
       text.add("unfix mdm_size\n");
   });
+}
+
+void write_liggghts(const ParticleSet &set, const TextSink &out) {
+  TextBuffer text(out);
+  text.add("# {}\n# {}\n", script_words(title(set)), mass_statement(set));
+  text.add(R"(#
+# Insertion for LIGGGHTS, to be included where a model without particles has a region called mdm_region:
+#   include THIS_FILE
+# It stops with a message where a count is not reached: the region is too small then. One template and one insertion
+# a size, largest first, the count given as the running total. The largest template takes part with weight 0: insert/pack
+# looks for overlaps with grains up to the largest of its distribution alone. Seeds are distinct primes.
+)");
+  add_liggghts_insertion(set, 0, text);
   text.finish();
 }
 

@@ -7,7 +7,8 @@ namespace mdm {
 std::string lammps_model(const SettleModel &model) {
   const SettleScript s(model);
   std::string text = s.head("LAMMPS", "lmp -in THIS_FILE", "-var steps 1000", "");
-  text += fmt::format(R"(
+  text +=
+      fmt::format(R"(
 variable steps index {steps}
 
 units si
@@ -40,11 +41,10 @@ thermo 10000
 # Each class, largest first: its sizes, as they are in the data file, and its count.
 run 0
 )",
-                      fmt::arg("steps", s.steps), fmt::arg("particles", file_word(model.particles)),
-                      fmt::arg("young", s.physics.young), fmt::arg("e", s.physics.restitution),
-                      fmt::arg("nu", s.physics.poisson), fmt::arg("mu", s.physics.friction),
-                      fmt::arg("skin", s.set.smallest().radius.value), fmt::arg("dt", s.physics.step),
-                      fmt::arg("gravity", s.physics.gravity));
+                  fmt::arg("steps", s.physics.steps), fmt::arg("particles", file_word(model.particles)),
+                  fmt::arg("young", s.young), fmt::arg("e", s.physics.restitution), fmt::arg("nu", s.poisson),
+                  fmt::arg("mu", s.physics.friction), fmt::arg("skin", s.set.smallest().radius.value),
+                  fmt::arg("dt", s.physics.step), fmt::arg("gravity", s.physics.gravity));
 
   for (auto c = s.set.classes.rbegin(); c != s.set.classes.rend(); ++c)
     text += fmt::format(R"(

@@ -26,8 +26,8 @@ walls = len(O.bodies)
 # Each class, largest first: its name, density, least and greatest radius as they are in the file, and its count.
 classes = [
 )",
-                      fmt::arg("steps", s.steps), fmt::arg("young", s.physics.young),
-                      fmt::arg("nu", s.physics.poisson), fmt::arg("mu", s.physics.friction),
+                      fmt::arg("steps", s.physics.steps), fmt::arg("young", s.young),
+                      fmt::arg("nu", s.poisson), fmt::arg("mu", s.physics.friction),
                       fmt::arg("density", short_decimal(s.set.classes.back().density)),
                       fmt::arg("x", s.box.x), fmt::arg("y", s.box.y), fmt::arg("z", s.box.z));
   for (auto c = s.set.classes.rbegin(); c != s.set.classes.rend(); ++c)

@@ -10,19 +10,19 @@ namespace mdm {
 
 using std::numbers::pi;
 
-Settling settling(const ParticleSet &set, double height) {
-  double densest = 0, least = INFINITY; // of R sqrt(rho)
-  for (const ParticleClass &c : set.classes) {
-    const double density = c.density.convert_to<double>();
-    densest = std::max(densest, density);
-    least = std::min(least, c.sizes.front().radius.value * std::sqrt(density));
-  }
+Settling settling(const SettleModel &model) {
+  Rational densest = 0;
+  for (const ParticleClass &c : model.set.classes)
+    densest = std::max(densest, c.density);
   Settling s;
-  s.young = std::max(5e6, 1e4 * densest * s.gravity * height);
-  const double shear = s.young / (2 * (1 + s.poisson));
-  s.rayleigh = pi * least / std::sqrt(shear) / (0.1631 * s.poisson + 0.8766);
+  const double weight = densest.convert_to<double>() * s.gravity * model.box.z;
+  s.elasticity.young = model.young ? *model.young : Rational(std::max(5e6, std::ceil(1e4 * weight)));
+  s.elasticity.poisson = model.poisson;
+  s.rayleigh = rayleigh_time(model.set, s.elasticity).convert_to<double>();
   s.step = s.part_of_rayleigh * s.rayleigh;
-  s.steps = static_cast<std::uint64_t>(std::ceil(3 * std::sqrt(2 * height / s.gravity) / s.step));
+  s.steps = model.steps
+                ? *model.steps
+                : static_cast<std::uint64_t>(std::ceil(3 * std::sqrt(2 * model.box.z / s.gravity) / s.step));
   return s;
 }
 
@@ -74,16 +74,11 @@ std::string class_name(const ParticleClass &c) {
 }
 
 SettleScript::SettleScript(const SettleModel &m)
-    : set(m.set), box(m.box), physics(settling(m.set, m.box.z)), dump(file_word(m.dump)), seed(m.seed),
-      steps(m.steps.value_or(physics.steps)), particles(m.set.particles()) {
+    : set(m.set), box(m.box), physics(settling(m)), young(physics.elasticity.young.convert_to<double>()),
+      poisson(physics.elasticity.poisson.convert_to<double>()), dump(file_word(m.dump)), seed(m.seed),
+      is_softer(!m.young), particles(m.set.particles()) {
   if (set.unit != LengthUnit::m)
     throw InputError("a model is in SI units: leave out --unit");
-  // Counts are 32-bit numbers in LIGGGHTS, and ids are in LAMMPS.
-  if (particles > 2147483647)
-    throw InputError(
-        fmt::format("the engine counts up to 2147483647, and these are {} particles: solve with a "
-                    "tolerance or without the finest classes",
-                    to_string(particles)));
 }
 
 std::string SettleScript::head(const char *engine, const char *command, const char *more_steps,
@@ -94,8 +89,7 @@ std::string SettleScript::head(const char *engine, const char *command, const ch
 # Run it in its folder: {command}   (fewer or more steps: {more_steps})
 # Then: mdm verify GRADATION {dump}{verify_options} --tolerance {tolerance}
 #
-# Material: E = {young:.4g} Pa, nu = {nu}, restitution {e}, friction {mu}. E is softer than rock to save steps: 10^4 times
-# the weight of a column as high as the box, 5 MPa at least.
+# Material: E = {young:.4g} Pa, nu = {nu}, restitution {e}, friction {mu}.{softness}
 # Time step: a fifth of the Rayleigh time of the smallest grain,
 # pi R sqrt(rho/G) / (0.1631 nu + 0.8766) = {rayleigh:.4g} s with G = E / (2 (1 + nu)).
 # {steps} steps: {time:.3g} s; a fall from the top of the box takes {fall:.3g} s.
@@ -105,9 +99,13 @@ std::string SettleScript::head(const char *engine, const char *command, const ch
       fmt::arg("error", fmt::format("{:.1e}", set.mass_error().convert_to<double>())),
       fmt::arg("command", command), fmt::arg("more_steps", more_steps), fmt::arg("dump", dump),
       fmt::arg("verify_options", verify_options), fmt::arg("tolerance", share_tolerance(set)),
-      fmt::arg("young", physics.young), fmt::arg("nu", physics.poisson), fmt::arg("e", physics.restitution),
-      fmt::arg("mu", physics.friction), fmt::arg("rayleigh", physics.rayleigh), fmt::arg("steps", steps),
-      fmt::arg("time", static_cast<double>(steps) * physics.step),
+      fmt::arg("young", young), fmt::arg("nu", poisson), fmt::arg("e", physics.restitution),
+      fmt::arg("mu", physics.friction),
+      fmt::arg("softness", is_softer ? " E is softer than rock to save steps:\n# 10^4 times the weight of a "
+                                       "column as high as the box, 5 MPa at least."
+                                     : ""),
+      fmt::arg("rayleigh", physics.rayleigh), fmt::arg("steps", physics.steps),
+      fmt::arg("time", static_cast<double>(physics.steps) * physics.step),
       fmt::arg("fall", std::sqrt(2 * box.z / physics.gravity)));
 }
 

@@ -26,9 +26,10 @@ struct SettleScript {
   const ParticleSet &set;
   ModelBox box;
   Settling physics;
+  double young, poisson;
   std::string dump;
   std::uint64_t seed;
-  std::uint64_t steps;
+  bool is_softer; ///< than rock
   Integer particles;
 };
 

@@ -2,7 +2,8 @@
 /// \file
 /// Complete models of LIGGGHTS, LAMMPS and YADE that let a set settle in a box.
 
-#include <mdm/particles/particle_set.hpp>
+#include <mdm/particles/cost.hpp>
+#include <mdm/particles/placement.hpp>
 
 #include <cstdint>
 
@@ -13,24 +14,6 @@ struct ModelBox {
   double x = 0, y = 0, z = 0;
 };
 
-/// The material and the time of a model, in SI units.
-struct Settling {
-  static constexpr double poisson = 0.3, friction = 0.5, restitution = 0.5, gravity = 9.81;
-  /// The time step is this part of the Rayleigh time.
-  static constexpr double part_of_rayleigh = 0.2;
-
-  /// Softer than rock to save steps, and stiff enough for overlaps of some percent of a size at the impact of
-  /// a fall from the top: 10^4 rho g height, and 5 MPa at least, which LIGGGHTS wants.
-  double young = 0;
-  /// The least over the sizes of pi R sqrt(rho / G) / (0.1631 nu + 0.8766), G = E / (2 (1 + nu)).
-  double rayleigh = 0;
-  double step = 0;         ///< s
-  std::uint64_t steps = 0; ///< three times as long as the fall from the top of the box
-};
-
-/// What the models use. \pre the unit of the set is m
-Settling settling(const ParticleSet &set, double height);
-
 /// A height of a box for insertion at random places, largest first, without overlaps: each try finds a place
 /// with a chance of a fifth or more, because what grains keep free of others' centres is at most four fifths
 /// of where centres can be. \pre x and y are more than the largest size; the unit of the set is m
@@ -40,11 +23,31 @@ double insertion_height(const ParticleSet &set, double x, double y);
 struct SettleModel {
   const ParticleSet &set; ///< in m
   ModelBox box;
-  std::string particles; ///< what LAMMPS (a data file) and YADE (`x y z r` a line) read
-  std::string dump;      ///< what the model writes at its end, for `mdm verify`
-  std::uint64_t seed = 1;
-  std::optional<std::uint64_t> steps; ///< instead of Settling::steps
+  std::string particles;                   ///< what LAMMPS (a data file) and YADE (`x y z r` a line) read
+  std::string dump;                        ///< what the model writes at its end, for `mdm verify`
+  std::uint64_t seed = 1;                  ///< of the insertion of LIGGGHTS
+  std::optional<std::uint64_t> steps = {}; ///< instead of those of Settling
+  std::optional<Rational> young = {};      ///< instead of that of Settling
+  Rational poisson = ratio(1, 4);
 };
+
+/// The material and the time of a model, in SI units.
+struct Settling {
+  static constexpr double friction = 0.5, restitution = 0.5, gravity = 9.81;
+  /// The time step is this part of the Rayleigh time.
+  static constexpr double part_of_rayleigh = 0.2;
+
+  /// Young's modulus is softer than that of rock to save steps, and stiff enough for overlaps of some percent
+  /// of a size at the impact of a fall from the top: 10^4 rho g height, and 5 MPa at least.
+  Elasticity elasticity;
+  double rayleigh = 0; ///< of the set, s
+  double step = 0;     ///< s
+  /// Three times as many as for a fall from the top of the box.
+  std::uint64_t steps = 0;
+};
+
+/// What the model uses.
+Settling settling(const SettleModel &model);
 
 /// Percentage points by which no share can be off in a sample with these sizes, rounded up: what to give to
 /// `mdm verify --tolerance`.
@@ -53,7 +56,7 @@ std::string share_tolerance(const ParticleSet &set);
 /// Each is an input script that is run in its folder; it stops with a message where a count is wrong.
 /// LIGGGHTS and LAMMPS take `-var steps N`, YADE the number of steps as its argument.
 /// \throws InputError if the set is not in m, a file's name has characters that scripts could take for their
-/// own, or the engine cannot count so many
+/// own, or LIGGGHTS cannot count so many
 std::string liggghts_model(const SettleModel &model);
 std::string lammps_model(const SettleModel &model);
 std::string yade_model(const SettleModel &model);
