@@ -202,6 +202,8 @@ void check_wanted(const ExportCommand &c, const Format &format, const ParticleSe
     throw InputError(fmt::format("{} particles are more than {}: --yes-huge if that is wanted; else a "
                                  "--tolerance or --cut-below needs fewer, and --to csv writes counts alone",
                                  to_string(set.particles()), huge));
+  if (format.bytes > 0)
+    check_simulated(set);
   if (c.yes_units)
     return;
   const Rational smallest = in_metres(set, set.smallest().diameter.decimal);

@@ -1,6 +1,5 @@
 #include "liggghts_insertion.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/number/decimal.hpp>
 
 #include <algorithm>
@@ -49,11 +48,7 @@ void each_size(const ParticleSet &set, Take take) {
 } // namespace
 
 void add_liggghts_insertion(const ParticleSet &set, std::uint64_t seed, TextBuffer &text) {
-  if (set.particles() > most_placed)
-    throw InputError(
-        fmt::format("{} particles are more than the {} that LIGGGHTS counts: take another gradation, "
-                    "--cut-below or --to csv",
-                    to_string(set.particles()), most_placed));
+  check_simulated(set);
   // LIGGGHTS refuses volumes below 1e-12, sizes below 0.124 mm, unless told otherwise.
   const std::string limit = approximate(Rational(power(set.smallest().diameter.decimal, 3) / 1000), 2);
   text.add("\nvariable mdm_count equal count(all)\n");

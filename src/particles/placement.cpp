@@ -40,6 +40,14 @@ std::string length_text(const ParticleSet &set, const Rational &length) {
 
 } // namespace
 
+void check_simulated(const ParticleSet &set) {
+  if (set.particles() > most_simulated)
+    throw InputError(
+        fmt::format("{} particles are more than the {} that programs count: take a gradation or a "
+                    "--tolerance that needs fewer, --cut-below, or --to csv",
+                    to_string(set.particles()), most_simulated));
+}
+
 Footprint inscribed_square(const Rational &diameter) {
   const Rational square = diameter * diameter / 2;
   unsigned places = 0;
@@ -53,10 +61,7 @@ Footprint inscribed_square(const Rational &diameter) {
 
 Placement::Placement(const ParticleSet &set, const std::optional<Footprint> &floor, std::uint64_t seed)
     : set_(&set), seed_(seed) {
-  if (set.particles() > most_placed)
-    throw InputError(fmt::format("{} particles are more than the {} that can be placed: take another "
-                                 "gradation, --cut-below or --to csv",
-                                 to_string(set.particles()), most_placed));
+  check_simulated(set);
   choose_unit();
   choose_floor(floor);
   for (std::size_t i = set.classes.size(); i > 0; --i)

@@ -10,8 +10,10 @@
 
 namespace mdm {
 
-/// The most particles that are placed; programs count them in 32 bits.
-inline constexpr std::uint64_t most_placed = 2147483647;
+/// The most particles that simulations can have: programs count them in 32 bits.
+inline constexpr std::uint64_t most_simulated = 2147483647;
+/// \throws InputError if the set has more
+void check_simulated(const ParticleSet &set);
 
 /// What a start is to stand on; lengths in the unit of the set.
 struct Footprint {
@@ -46,7 +48,7 @@ public:
 
   /// \param set must outlive the placement
   /// \param floor open: a square, so that the start is about as high as wide
-  /// \throws InputError if there are more than most_placed particles, the largest is wider than the
+  /// \throws InputError if there are more than most_simulated particles, the largest is wider than the
   /// footprint, the start is higher than it may be, or lengths are too far apart for doubles
   Placement(const ParticleSet &set, const std::optional<Footprint> &floor, std::uint64_t seed);
   Placement(ParticleSet &&set, const std::optional<Footprint> &floor, std::uint64_t seed) = delete;
