@@ -190,5 +190,5 @@ TEST_CASE("models: refusals") {
   }
   ParticleSet many = set;
   many.classes[0].sizes[0].quantity = Integer(1) << 31;
-  CHECK(contains(refusal_of(model_of(many), liggghts_model), "2147483647 that LIGGGHTS counts"));
+  CHECK(contains(refusal_of(model_of(many), liggghts_model), "2147483647 that programs count"));
 }
