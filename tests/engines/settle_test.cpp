@@ -239,3 +239,75 @@ TEST_CASE("YADE stops where a grain is missing", "[engines]") {
   CHECK((outcome.out + outcome.err).find("STOP: class 1 ") != std::string::npos);
   CHECK_FALSE(model.has_dump());
 }
+
+namespace {
+
+/// Exports Athabasca sand into a folder with a user's script, runs that, and judges the dump that it leaves.
+void check_reads(const Engine &engine, const std::string &to, const std::string &script,
+                 const Arguments &verification) {
+  if (!is_there(engine))
+    return;
+  const TemporaryFolder folder;
+  const Outcome exported = mdm({"export", example("athabasca-sand"), "--to", to, "-o", folder / "grains"});
+  INFO(exported.err);
+  REQUIRE(exported.exit_code == 0);
+  folder.write(engine.model, script);
+  const Outcome run =
+      Process("/bin/sh", {"-c", "cd '" + (folder / ".") + "' && exec " + engine.command + engine.model})
+          .end();
+  INFO(run.out.substr(0, 20000) << run.err.substr(0, 2000));
+  REQUIRE(run.exit_code == 0);
+  Arguments arguments{"verify", example("athabasca-sand"), folder / "dump", "--tolerance", "1e-6"};
+  arguments.insert(arguments.end(), verification.begin(), verification.end());
+  const Outcome verdict = mdm(arguments);
+  INFO(verdict.out << verdict.err);
+  CHECK(verdict.exit_code == 0);
+  CHECK(verdict.out.find("particles: 1485;") != std::string::npos);
+}
+
+const std::string liggghts_material =
+    "fix m1 all property/global youngsModulus peratomtype 5e6\n"
+    "fix m2 all property/global poissonsRatio peratomtype 0.3\n"
+    "fix m3 all property/global coefficientRestitution peratomtypepair 1 0.5\n"
+    "fix m4 all property/global coefficientFriction peratomtypepair 1 0.5\n"
+    "pair_style gran model hertz tangential history\n"
+    "pair_coeff * *\n"
+    "timestep 1e-7\n"
+    "fix motion all nve/sphere\n";
+
+const std::string liggghts_begin = "atom_style granular\n"
+                                   "atom_modify map array\n"
+                                   "boundary f f f\n"
+                                   "newton off\n"
+                                   "communicate single vel yes\n"
+                                   "units si\n"
+                                   "neighbor 1e-4 bin\n";
+
+const std::string liggghts_dump =
+    "write_dump all custom dump id type x y z radius modify format \"%d %d %.17g %.17g %.17g %.17g\"\n";
+
+} // namespace
+
+TEST_CASE("a user's model of LIGGGHTS includes the insertion", "[engines]") {
+  check_reads(liggghts, "liggghts",
+              liggghts_begin +
+                  "region mdm_region block 0 0.002 0 0.002 0 0.012 units box\n"
+                  "create_box 1 mdm_region\n" +
+                  liggghts_material + "include grains\n" + liggghts_dump,
+              {});
+}
+
+TEST_CASE("LIGGGHTS reads the data file of LAMMPS", "[engines]") {
+  check_reads(liggghts, "lammps",
+              liggghts_begin + "read_data grains\n" + liggghts_material + "run 1\n" + liggghts_dump, {});
+}
+
+TEST_CASE("a user's model of YADE reads the places", "[engines]") {
+  check_reads(yade, "yade",
+              "from yade import ymport\n"
+              "O.bodies.append(ymport.text('grains'))\n"
+              "with open('dump', 'w') as file:\n"
+              "    for b in O.bodies:\n"
+              "        file.write('%r %r %r %r\\n' % (*b.state.pos, b.shape.radius))\n",
+              {"--size-unit", "m"});
+}
