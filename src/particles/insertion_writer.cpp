@@ -96,10 +96,11 @@ void write_mercurydpm(const ParticleSet &set, const TextSink &out) {
   const Integer all = set.particles();
   TextBuffer text(out);
   text.add(
-      "radius_{},cumulative_number,{}. {} MercuryDPM draws sizes at random from these shares: its counts "
+      "radius_{},cumulative_number,{} particles: {}. {} MercuryDPM draws sizes at random from these shares: "
+      "its counts "
       "are not exact. Read with setPSDFromCSV(file; CUMULATIVE_NUMBER_DISTRIBUTION; true): the first row "
       "is a heading.\n",
-      name(set.unit), title(set), mass_statement(set));
+      name(set.unit), to_string(all), title(set), mass_statement(set));
   Integer below = 0;
   for (const ParticleClass &c : set.classes)
     for (const ParticleSize &size : c.sizes) {

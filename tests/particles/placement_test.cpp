@@ -314,3 +314,65 @@ TEST_CASE("written files: a name in any script stays a name and VTK's title is s
   const std::string liggghts = written(write_liggghts, set);
   CHECK(liggghts.substr(0, liggghts.find('\n')).find_first_of("\"$&\\") == std::string::npos);
 }
+
+TEST_CASE("written files: LIGGGHTS's insertions and MercuryDPM's steps are read with their counts") {
+  const ParticleSet set = set_of("size_mm,mass\n1,10\n1.4,0\n2,50\n2.8,40\n4,0\n", 1, LengthUnit::mm);
+  std::string ascending, descending;
+  for (const ParticleClass &c : set.classes) {
+    std::string one = to_decimal(Rational(2 * c.sizes[0].radius.decimal));
+    if (c.quantity() != 1)
+      one += "*" + to_string(c.quantity());
+    ascending += (ascending.empty() ? "" : " ") + one;
+    descending = one + (descending.empty() ? "" : " ") + descending;
+  }
+  const Result mercury = read(written(write_mercurydpm, set));
+  CHECK(mercury.format == ParticleFormat::mercurydpm);
+  CHECK(mercury.particles == ascending);
+  ParticleOptions in_mm;
+  in_mm.unit = LengthUnit::mm;
+  const Result liggghts = read(written(write_liggghts, set), in_mm);
+  CHECK(liggghts.format == ParticleFormat::liggghts_insertion);
+  CHECK(liggghts.particles == descending);
+}
+
+TEST_CASE("LIGGGHTS insertions: what draws at random, or is not there, is refused") {
+  const ParticleOptions options = from(ParticleFormat::liggghts_insertion);
+  const std::string t = "fix t all particletemplate/sphere 10007 radius constant 1\n";
+  const std::string d = "fix d all particledistribution/discrete/numberbased 10009 1 t 1\n";
+  const std::string i = "fix i all insert/pack distributiontemplate d particles_in_region ";
+  CHECK(read(t + d + i + "3\n", options).particles == "2000*3");
+  CHECK(read(t + d + i + "3\n" + i + "5\n", options).particles == "2000*3 2000*2");
+  CHECK(contains(refusal(t + d + i + "3\n" + i + "3\n", options), "file:4: particles_in_region"));
+  CHECK(contains(refusal(t + d + i + "x\n", options), "running total"));
+  CHECK(contains(refusal(d + i + "3\n", options), "file:1: the distribution has no template"));
+  CHECK(contains(refusal(t + i + "3\n", options), "file:2: the insertion has no distributiontemplate"));
+  CHECK(contains(refusal(t + d, options), "no particles"));
+  CHECK(
+      contains(refusal(t + "fix d all particledistribution/discrete/numberbased 10009 2 t 1 t 1\n", options),
+               "at random"));
+  CHECK(
+      contains(refusal(t + "fix d all particledistribution/discrete 10009 1 t 1\n", options), "numberbased"));
+  CHECK(contains(refusal("fix t all particletemplate/sphere 10007 radius gaussian number 1 2\n", options),
+                 "constant"));
+  CHECK(contains(refusal("fix t all particletemplate/sphere 10007 radius constant\n", options), "constant"));
+}
+
+TEST_CASE("MercuryDPM: broken distributions are refused") {
+  const ParticleOptions options = from(ParticleFormat::mercurydpm);
+  const std::string good = "radius_mm,cumulative_number,4 particles: a\n1,0\n1,0.25\n2,0.25\n2,1\n";
+  CHECK(read(good, options).particles == "2 4*3");
+  check_truncations(good, options);
+  const auto changed = [&good](const std::string &part, const std::string &by) {
+    std::string text = good;
+    return text.replace(text.find(part), part.size(), by);
+  };
+  CHECK(contains(refusal(changed("4 particles", "particles"), options), "file:1: the heading"));
+  CHECK(contains(refusal(changed("_mm", "_ft"), options), "file:1: the heading"));
+  CHECK(contains(refusal(changed("1,0.25", "1,0.3"), options), "file:3: the step is not"));
+  CHECK(contains(refusal(changed("2,0.25", "2,0.5"), options), "file:4: the step does not begin"));
+  CHECK(contains(refusal(changed("2,1", "3,1"), options), "file:5: the step has two radii"));
+  CHECK(contains(refusal(changed("2,1", "2 1"), options), "file:5: the row"));
+  CHECK(contains(refusal(changed("2,1", "2,x"), options), "file:5: cumulative"));
+  CHECK(
+      contains(refusal(changed("1,0\n", "0,0\n").replace(good.find("1,0.25"), 1, "0"), options), "above 0"));
+}
