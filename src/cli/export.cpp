@@ -55,7 +55,7 @@ struct ExportCommand {
   std::string file;
   SolveFlags flags;
   std::vector<CLI::Option *> solving; ///< options that only a gradation has a use for
-  GradationFlags::Text unit, density, mass_error, box, seed, young, poisson, specimen_id, model, steps;
+  GradationFlags::Text unit, density, mass_error, box, seed, young, poisson, specimen_id, model, steps, start;
   std::string to;
   std::string out = "-";
   bool yes_huge = false;
@@ -259,6 +259,17 @@ std::string guide(const Format &format, const ParticleSet &set, const std::optio
   return text;
 }
 
+/// More particles than this are mixed by request alone: it takes seconds and memory.
+constexpr std::uint64_t most_mixed = 1000000;
+
+Start start_of(const ExportCommand &c, const ParticleSet &set) {
+  if (!c.start)
+    return c.model && set.particles() <= most_mixed ? Start::mixed : Start::layers;
+  if (*c.start != "layers" && *c.start != "mixed")
+    throw InputError("--start: " + in_quotes(*c.start) + " is neither layers nor mixed");
+  return *c.start == "mixed" ? Start::mixed : Start::layers;
+}
+
 void write_model(const ExportCommand &c, const Format &format, const ModelWriter &writer,
                  const Particles &found, const std::optional<Placement> &start, std::uint64_t seed) {
   SettleModel model = writer.model(*found.set, start, footprint(c, found));
@@ -285,7 +296,7 @@ void write_file(const ExportCommand &c, const Format &format, const std::optiona
   const Elasticity e = elasticity(c);
   std::optional<Placement> start;
   if (format.write_placed != nullptr)
-    start.emplace(*found.set, footprint(c, found), seed);
+    start.emplace(*found.set, footprint(c, found), seed, start_of(c, *found.set));
   check_wanted(c, format, *found.set, start);
   if (model)
     return write_model(c, format, *model, found, start, seed);
@@ -307,6 +318,8 @@ void check_options(const ExportCommand &c, const Format &format) {
     throw InputError("--steps is for a model: give --model settle too");
   if (c.model && c.unit && c.unit != "m")
     throw InputError("--unit: models are in SI units: leave it out");
+  if (format.write_placed == nullptr && c.start)
+    throw InputError(std::string("--start: ") + format.name + " has no places here: leave it out");
   if (format.write_placed == nullptr && !c.model && (c.box || c.seed))
     throw InputError(std::string(c.box ? "--box" : "--seed") + ": " + format.name +
                      " has sizes without places: leave it out");

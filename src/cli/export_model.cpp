@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -34,13 +33,8 @@ constexpr std::array<ModelEngine, 3> engines = {
 ModelBox insertion_box(const ParticleSet &set, const std::optional<Footprint> &floor) {
   const double largest = set.largest().diameter.value;
   ModelBox box;
-  if (floor) {
-    box.x = floor->a.convert_to<double>();
-    box.y = floor->b.convert_to<double>();
-  } else {
-    // Settled about as high as wide, with room for the two largest side by side.
-    box.x = box.y = std::max(std::cbrt(set.cubes().convert_to<double>()), 2 * largest);
-  }
+  box.x = floor ? floor->a.convert_to<double>() : settled_side(set);
+  box.y = floor ? floor->b.convert_to<double>() : box.x;
   if (std::min(box.x, box.y) <= largest)
     throw InputError(fmt::format("--box: the largest grain, {} m, does not fit into it: give a wider one",
                                  set.largest().diameter.text));

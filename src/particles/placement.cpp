@@ -59,11 +59,17 @@ Footprint inscribed_square(const Rational &diameter) {
   return {side, side, std::nullopt};
 }
 
-Placement::Placement(const ParticleSet &set, const std::optional<Footprint> &floor, std::uint64_t seed)
+Placement::Placement(const ParticleSet &set, const std::optional<Footprint> &floor, std::uint64_t seed,
+                     Start start)
     : set_(&set), seed_(seed) {
   check_simulated(set);
   choose_unit();
   choose_floor(floor);
+  if (start == Start::mixed) {
+    choose_mixed_box(floor);
+    mix();
+    return;
+  }
   for (std::size_t i = set.classes.size(); i > 0; --i)
     add_slab(i - 1);
   if (!floor || !floor->c)
@@ -167,6 +173,7 @@ Placement::Sphere Placement::place(const Slab &slab, const ParticleSize &size, s
 }
 
 void Placement::each(const std::function<void(const Sphere &)> &take) const {
+  std::for_each(spheres_.begin(), spheres_.end(), take);
   for (const Slab &slab : slabs_) {
     std::uint64_t i = 0;
     const std::vector<ParticleSize> &sizes = set_->classes[slab.class_index].sizes;

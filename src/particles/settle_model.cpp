@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace mdm {
-
-using std::numbers::pi;
 
 Settling settling(const SettleModel &model) {
   Rational densest = 0;
@@ -24,22 +21,6 @@ Settling settling(const SettleModel &model) {
                 ? *model.steps
                 : static_cast<std::uint64_t>(std::ceil(3 * std::sqrt(2 * model.box.z / s.gravity) / s.step));
   return s;
-}
-
-double insertion_height(const ParticleSet &set, double x, double y) {
-  constexpr double most_part = 0.8;
-  std::vector<const ParticleSize *> placed; // those that are there when a size is inserted, and itself
-  double height = 0;
-  for (auto c = set.classes.rbegin(); c != set.classes.rend(); ++c)
-    for (auto size = c->sizes.rbegin(); size != c->sizes.rend(); ++size) {
-      placed.push_back(&*size);
-      const double d = size->diameter.value;
-      double kept_free = 0;
-      for (const ParticleSize *other : placed)
-        kept_free += other->quantity.convert_to<double>() * pi / 6 * std::pow(other->diameter.value + d, 3);
-      height = std::max(height, d + kept_free / (most_part * (x - d) * (y - d)));
-    }
-  return height;
 }
 
 std::string share_tolerance(const ParticleSet &set) {

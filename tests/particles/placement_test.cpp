@@ -117,9 +117,10 @@ std::size_t outside(const std::vector<Ball> &balls, const Placement &start) {
   return n;
 }
 
-std::string refusal_of(const ParticleSet &set, const std::optional<Footprint> &floor) {
+std::string refusal_of(const ParticleSet &set, const std::optional<Footprint> &floor,
+                       Start start = Start::layers) {
   try {
-    Placement(set, floor, 1);
+    Placement(set, floor, 1, start);
   } catch (const InputError &error) {
     return error.what();
   }
@@ -135,14 +136,15 @@ TEST_CASE("placement: no two particles overlap and all are inside the box") {
        {std::optional<Footprint>(),
         std::optional<Footprint>({ratio(86, 100000), ratio(9, 1000), std::nullopt}),
         std::optional<Footprint>({ratio(1, 100), ratio(1, 300), std::nullopt})}) {
-    for (const std::uint64_t seed : {1U, 2U}) {
-      const Placement start(set, floor, seed);
-      const std::vector<Ball> balls = read_balls(written(write_xyzr, start));
-      CHECK(balls.size() == 1485);
-      CHECK(all_pairs(balls) == 0);
-      CHECK(by_cells(balls) == 0);
-      CHECK(outside(balls, start) == 0);
-    }
+    for (const std::uint64_t seed : {1U, 2U})
+      for (const Start kind : {Start::layers, Start::mixed}) {
+        const Placement start(set, floor, seed, kind);
+        const std::vector<Ball> balls = read_balls(written(write_xyzr, start));
+        CHECK(balls.size() == 1485);
+        CHECK(all_pairs(balls) == 0);
+        CHECK(by_cells(balls) == 0);
+        CHECK(outside(balls, start) == 0);
+      }
   }
 }
 
@@ -166,6 +168,45 @@ TEST_CASE("placement: 100000 particles in a narrow box and in a wide one") {
     CHECK(by_cells(balls) == 0);
     CHECK(outside(balls, start) == 0);
   }
+}
+
+TEST_CASE("placement: 100000 particles at random places") {
+  const ParticleSet set = set_of(sand, 100000);
+  const Placement start(set, std::nullopt, 3, Start::mixed);
+  const std::vector<Ball> balls = read_balls(written(write_xyzr, start));
+  CHECK(Integer(balls.size()) == set.particles());
+  CHECK(by_cells(balls) == 0);
+  CHECK(outside(balls, start) == 0);
+}
+
+TEST_CASE("placement: a mixed start has each class at all heights") {
+  const ParticleSet set = set_of(sand);
+  const Placement start(set, std::nullopt, 1, Start::mixed);
+  const double height = std::strtod(start.text(start.box()[2]).c_str(), nullptr);
+  std::map<double, std::vector<double>> heights;
+  for (const Ball &b : read_balls(written(write_xyzr, start)))
+    heights[b.r].push_back(b.x[2] / height);
+  for (const auto &[r, at] : heights) {
+    if (at.size() < 80)
+      continue;
+    // The mean of n numbers between 0 and 1 is within five of its standard deviations of 1/2.
+    double sum = 0;
+    for (const double z : at)
+      sum += z;
+    const auto n = static_cast<double>(at.size());
+    CHECK(std::abs(sum / n - 0.5) < 5 / std::sqrt(12 * n));
+    CHECK(*std::min_element(at.begin(), at.end()) < 0.1);
+    CHECK(*std::max_element(at.begin(), at.end()) > 0.9);
+  }
+}
+
+TEST_CASE("placement: a mixed start is chosen by its seed") {
+  const ParticleSet set = set_of(narrow);
+  const auto text = [&set](std::uint64_t seed) {
+    return written(write_xyzr, Placement(set, std::nullopt, seed, Start::mixed));
+  };
+  CHECK(text(1) == text(1));
+  CHECK(text(1) != text(2));
 }
 
 TEST_CASE("placement: the seed and nothing else chooses the places") {
@@ -208,6 +249,10 @@ TEST_CASE("placement: what cannot be placed is refused") {
   CHECK(contains(refusal_of(set, Footprint{ratio(1, 1000), ratio(1, 1000), ratio(5, 1000)}), "is 0.0"));
   CHECK(contains(refusal_of(set, Footprint{1000000000000, 1, std::nullopt}), "are the units right?"));
   CHECK(contains(refusal_of(set_of(narrow, Integer(3000000000)), std::nullopt), "more than the 2147483647"));
+  CHECK(contains(refusal_of(set, Footprint{ratio(18, 10000), ratio(18, 10000), ratio(2, 1000)}, Start::mixed),
+                 "leave the height of --box out"));
+  CHECK(contains(refusal_of(set, Footprint{ratio(1, 1000), ratio(1, 1000), ratio(1, 2000)}, Start::mixed),
+                 "does not fit into the box"));
   CHECK(contains(refusal_of(set_of("size_um,mass\n1e-18,1\n2e-18,0\n"), std::nullopt), "--unit"));
 }
 

@@ -24,11 +24,26 @@ struct Footprint {
 /// The square that fits into a circle of that diameter, its side cut to 15 digits.
 Footprint inscribed_square(const Rational &diameter);
 
+/// A height of a box for insertion at random places, largest first, without overlaps: each try finds a place
+/// with a chance of a fifth or more, because what particles keep free of others' centres is at most four
+/// fifths of where centres can be. \pre x and y are more than the largest size; all in the unit of the set
+double insertion_height(const ParticleSet &set, double x, double y);
+
+/// Side of a square on which a set is about as high as wide once it has settled, and in which the two largest
+/// lie side by side.
+double settled_side(const ParticleSet &set);
+
+/// How particles start.
+enum class Start {
+  layers, ///< a slab for each class
+  mixed   ///< at random places of the whole box, inserted the largest first
+};
+
 /// A loose and tall start. All lengths are integers in units of u = 10^-places(), some 10^-3 to 10^-4 of the
-/// smallest size, and below 2^52. Classes are slabs, the largest at the bottom. A slab is a grid of cells of
-/// the same sides; a particle of a class takes a cell of its slab, and a place in it, which a hash of the
-/// seed chooses: no two take the same cell, and no place is nearer to a side of its cell than R, the class's
-/// largest radius (decimal or double) rounded up to units, plus 2.
+/// smallest size, and below 2^52. In layers classes are slabs, the largest at the bottom. A slab is a grid of
+/// cells of the same sides; a particle of a class takes a cell of its slab, and a place in it, which a hash
+/// of the seed chooses: no two take the same cell, and no place is nearer to a side of its cell than R, the
+/// class's largest radius (decimal or double) rounded up to units, plus 2.
 ///
 /// No two particles overlap, as decimals and as doubles. Their cells differ, and both ends of an axis on
 /// which they do are R + R' or more apart there, so that the distance is at least r + r' + 4 in units. A
@@ -36,7 +51,11 @@ Footprint inscribed_square(const Rational &diameter);
 /// doubles is at least r + r' + 2 (Theorem: |x - y| >= |x_i - y_i| for each axis i). In the same way all are
 /// inside the box.
 ///
-/// Cost: each() takes some 100 ns a particle and memory that does not depend on their number.
+/// Mixed, a particle is put where no centre is within R + R' of its own, decided in integers: the distance of
+/// doubles is the same at least. The box is insertion_height() high.
+///
+/// Cost: each() takes some 100 ns a particle. Layers need memory that does not depend on their number, a
+/// mixed start some 50 bytes and some us a particle.
 class Placement {
 public:
   /// A particle with its centre, in units.
@@ -47,10 +66,12 @@ public:
   };
 
   /// \param set must outlive the placement
-  /// \param floor open: a square, so that the start is about as high as wide
-  /// \throws InputError if there are more than most_simulated particles, the largest is wider than the
-  /// footprint, the start is higher than it may be, or lengths are too far apart for doubles
-  Placement(const ParticleSet &set, const std::optional<Footprint> &floor, std::uint64_t seed);
+  /// \param floor open: a square, so that layers are about as high as wide, or a mixed start will be once it
+  /// has settled
+  /// \throws InputError if there are more than most_simulated particles, the largest is wider than the footprint, the
+  /// start is higher than it may be, or lengths are too far apart for doubles
+  Placement(const ParticleSet &set, const std::optional<Footprint> &floor, std::uint64_t seed,
+            Start start = Start::layers);
   Placement(ParticleSet &&set, const std::optional<Footprint> &floor, std::uint64_t seed) = delete;
 
   const ParticleSet &set() const { return *set_; }
@@ -80,6 +101,8 @@ private:
   std::int64_t units(const Rational &length) const;
   std::int64_t radius(const ParticleClass &c) const;
   void choose_floor(const std::optional<Footprint> &floor);
+  void choose_mixed_box(const std::optional<Footprint> &floor);
+  void mix();
   void add_slab(std::size_t class_index);
   Sphere place(const Slab &slab, const ParticleSize &size, std::uint64_t i) const;
 
@@ -87,7 +110,8 @@ private:
   std::uint64_t seed_;
   unsigned places_ = 0;
   std::array<std::int64_t, 3> box_{};
-  std::vector<Slab> slabs_;
+  std::vector<Slab> slabs_;     ///< of layers
+  std::vector<Sphere> spheres_; ///< of a mixed start
 };
 
 } // namespace mdm

@@ -14,11 +14,6 @@ struct ModelBox {
   double x = 0, y = 0, z = 0;
 };
 
-/// A height of a box for insertion at random places, largest first, without overlaps: each try finds a place
-/// with a chance of a fifth or more, because what grains keep free of others' centres is at most four fifths
-/// of where centres can be. \pre x and y are more than the largest size; the unit of the set is m
-double insertion_height(const ParticleSet &set, double x, double y);
-
 /// A set that is to settle, and the names of the files of its model, which lie side by side.
 struct SettleModel {
   const ParticleSet &set; ///< in m
