@@ -58,6 +58,7 @@ struct ExportCommand {
   GradationFlags::Text unit, density, mass_error, box, seed, young, poisson, specimen_id, model, steps, start;
   std::string to;
   std::string out = "-";
+  bool spread = false;
   bool yes_huge = false;
   bool yes_units = false;
   bool quiet = false;
@@ -95,6 +96,10 @@ ParticleSetOptions set_options(const ExportCommand &c) {
   if (c.mass_error)
     options.most_mass_error = positive("--mass-error", *c.mass_error);
   return options;
+}
+
+std::uint64_t seed_of(const ExportCommand &c) {
+  return c.seed ? natural64("--seed", *c.seed) : 1;
 }
 
 /// True for the JSON answer of mdm solve; a gradation in JSON has no schema.
@@ -138,7 +143,8 @@ Particles solved_particles(const ExportCommand &c, const std::string &content,
                                                : Exit::limited;
   if (!m.has_answer())
     return {std::nullopt, code, m.gradation.unit(), std::nullopt};
-  return {particle_set(m, options), code, m.gradation.unit(), question.solids};
+  return {c.spread ? particle_set(m, spread(m, seed_of(c)), options) : particle_set(m, options), code,
+          m.gradation.unit(), question.solids};
 }
 
 Particles particles(const ExportCommand &c, const ParticleSetOptions &options) {
@@ -206,7 +212,7 @@ void check_wanted(const ExportCommand &c, const Format &format, const ParticleSe
     check_simulated(set);
   if (c.yes_units)
     return;
-  const Rational smallest = in_metres(set, set.smallest().diameter.decimal);
+  const Rational smallest = in_metres(set, set.smallest().diameter.decimal());
   if (smallest < smallest_size())
     throw InputError(fmt::format("particles of {} m are below 1 um: is the unit of the gradation right? "
                                  "--yes-units if it is, --cut-below leaves fine classes out",
@@ -292,7 +298,7 @@ void write_model(const ExportCommand &c, const Format &format, const ModelWriter
 
 void write_file(const ExportCommand &c, const Format &format, const std::optional<ModelWriter> &model,
                 const Particles &found) {
-  const std::uint64_t seed = c.seed ? natural64("--seed", *c.seed) : 1;
+  const std::uint64_t seed = seed_of(c);
   const Elasticity e = elasticity(c);
   std::optional<Placement> start;
   if (format.write_placed != nullptr)
@@ -320,7 +326,8 @@ void check_options(const ExportCommand &c, const Format &format) {
     throw InputError("--unit: models are in SI units: leave it out");
   if (format.write_placed == nullptr && c.start)
     throw InputError(std::string("--start: ") + format.name + " has no places here: leave it out");
-  if (format.write_placed == nullptr && !c.model && (c.box || c.seed))
+  const bool has_no_places = format.write_placed == nullptr && !c.model;
+  if (has_no_places && (c.box || (c.seed && !c.spread)))
     throw InputError(std::string(c.box ? "--box" : "--seed") + ": " + format.name +
                      " has sizes without places: leave it out");
 }
@@ -384,7 +391,8 @@ Run add_export(CLI::App &app) {
       .add_option("--steps", c->steps,
                   "time steps of the model; without it three times as long as a fall from the top of the box")
       ->type_name("N");
-  command.add_option("--seed", c->seed, "of the places of the start (1)")->type_name("K");
+  command.add_option("--seed", c->seed, "of the places of the start, and of a spread's sizes (1)")
+      ->type_name("K");
   command
       .add_option("--young", c->young,
                   "Young's modulus for the time step, in Pa (7e10; a model is softer, and says so)")
@@ -393,10 +401,14 @@ Run add_export(CLI::App &app) {
   command.add_flag("--yes-huge", c->yes_huge, "more than 10000000 particles are wanted");
   command.add_flag("--yes-units", c->yes_units,
                    "sizes below 1 um and boxes above 100 m are right: the units are no mistake");
+  CLI::Option *const spread =
+      command.add_flag("--spread", c->spread,
+                       "sizes for all particles, as solve --spread gives them: exact masses of the classes");
   const std::size_t before = command.get_options().size();
   c->flags.add_to(command);
   c->solving = command.get_options();
   c->solving.erase(c->solving.begin(), c->solving.begin() + static_cast<std::ptrdiff_t>(before));
+  c->solving.push_back(spread);
   command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
       ->type_name("ID");
   command.add_option("-o", c->out, "write the file to OUT instead of standard output")->type_name("OUT");

@@ -150,6 +150,7 @@ private:
     const std::string place = fmt::format("classes[{}].", j);
     AnswerSample::Class c;
     c.number = j + 1;
+    sample.has_spread = sample.has_spread || (from.is_object() && from.contains("sizes"));
     c.quantity = natural(from, "quantity", place);
     if (c.quantity == 0)
       return;

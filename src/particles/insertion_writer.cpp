@@ -50,7 +50,7 @@ void each_size(const ParticleSet &set, Take take) {
 void add_liggghts_insertion(const ParticleSet &set, std::uint64_t seed, TextBuffer &text) {
   check_simulated(set);
   // LIGGGHTS refuses volumes below 1e-12, sizes below 0.124 mm, unless told otherwise.
-  const std::string limit = approximate(Rational(power(set.smallest().diameter.decimal, 3) / 1000), 2);
+  const std::string limit = approximate(Rational(power(set.smallest().diameter.decimal(), 3) / 1000), 2);
   text.add("\nvariable mdm_count equal count(all)\n");
   Seeds seeds(seed);
   Integer total = 0;

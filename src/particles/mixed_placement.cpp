@@ -87,18 +87,18 @@ private:
 
 double insertion_height(const ParticleSet &set, double x, double y) {
   constexpr double most_part = 0.8;
-  std::vector<const ParticleSize *> placed; // those that are there when a size is inserted, and itself
+  std::vector<std::pair<double, double>> placed; // largest size and quantity of the classes that are there
   double height = 0;
-  for (auto c = set.classes.rbegin(); c != set.classes.rend(); ++c)
-    for (auto size = c->sizes.rbegin(); size != c->sizes.rend(); ++size) {
-      placed.push_back(&*size);
-      const double d = size->diameter.value;
-      double kept_free = 0;
-      for (const ParticleSize *other : placed)
-        kept_free += other->quantity.convert_to<double>() * std::numbers::pi / 6 *
-                     std::pow(other->diameter.value + d, 3);
-      height = std::max(height, d + kept_free / (most_part * (x - d) * (y - d)));
-    }
+  for (auto c = set.classes.rbegin(); c != set.classes.rend(); ++c) {
+    double d = 0;
+    for (const ParticleSize &size : c->sizes)
+      d = std::max(d, size.diameter.value);
+    placed.emplace_back(d, c->quantity().convert_to<double>());
+    double kept_free = 0;
+    for (const auto &[other, quantity] : placed)
+      kept_free += quantity * std::numbers::pi / 6 * std::pow(other + d, 3);
+    height = std::max(height, d + kept_free / (most_part * (x - d) * (y - d)));
+  }
   return height;
 }
 

@@ -27,11 +27,12 @@ const Rational &looseness() {
   return tenth;
 }
 
-/// The largest number that stands for a radius of the class.
-Rational largest_radius(const ParticleClass &c) {
-  const ParticleSize &size = c.sizes.back();
-  return std::max({size.radius.decimal, exact_value(size.radius.value), Rational(size.diameter.decimal / 2),
-                   Rational(exact_value(size.diameter.value) / 2)});
+/// The largest double that stands for a radius of the class.
+double largest_radius(const ParticleClass &c) {
+  double largest = 0;
+  for (const ParticleSize &size : c.sizes)
+    largest = std::max({largest, size.radius.value, size.diameter.value / 2});
+  return largest;
 }
 
 std::string length_text(const ParticleSet &set, const Rational &length) {
@@ -84,7 +85,7 @@ Placement::Placement(const ParticleSet &set, const std::optional<Footprint> &flo
 }
 
 void Placement::choose_unit() {
-  const Rational smallest = set_->smallest().diameter.decimal;
+  const Rational smallest = set_->smallest().diameter.decimal();
   while (places_ <= most_places && smallest * power_of_ten(places_) < units_of_smallest)
     ++places_;
   if (places_ > most_places)
@@ -98,12 +99,12 @@ std::int64_t Placement::units(const Rational &length) const {
     throw InputError(fmt::format("a length of {} is too far from the smallest size, {}: are the units right? "
                                  "Else leave fine classes out with --cut-below",
                                  length_text(*set_, length),
-                                 length_text(*set_, set_->smallest().diameter.decimal)));
+                                 length_text(*set_, set_->smallest().diameter.decimal())));
   return n.convert_to<std::int64_t>();
 }
 
 std::int64_t Placement::radius(const ParticleClass &c) const {
-  return units(largest_radius(c)) + 1 + slack;
+  return units(exact_value(largest_radius(c))) + 1 + slack;
 }
 
 void Placement::choose_floor(const std::optional<Footprint> &floor) {
@@ -115,7 +116,7 @@ void Placement::choose_floor(const std::optional<Footprint> &floor) {
           fmt::format("the footprint, {} x {}, is narrower than the largest particle, {}: give a "
                       "--box that it fits into",
                       length_text(*set_, floor->a), length_text(*set_, floor->b),
-                      length_text(*set_, set_->largest().diameter.decimal)));
+                      length_text(*set_, set_->largest().diameter.decimal())));
     return;
   }
   Rational volume = 0;

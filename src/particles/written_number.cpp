@@ -22,10 +22,9 @@ double nearest_double(const std::string &decimal) {
 
 /// Nothing if the number or its double is not allowed.
 std::optional<WrittenNumber> written(const SizeToWrite &size, std::string text) {
-  WrittenNumber n{std::move(text), 0, 0};
-  n.decimal = parse_decimal(n.text);
+  WrittenNumber n{std::move(text), 0};
   n.value = nearest_double(n.text);
-  if (!std::isnormal(n.value) || !size.allows(n.decimal) || !size.allows(exact_value(n.value)))
+  if (!std::isnormal(n.value) || !size.allows(n.decimal()) || !size.allows(exact_value(n.value)))
     return std::nullopt;
   return n;
 }
@@ -35,7 +34,7 @@ std::optional<WrittenNumber> closer(const SizeToWrite &size, std::optional<Writt
                                     std::optional<WrittenNumber> b) {
   if (!a || !b)
     return a ? a : b;
-  return size.error(b->decimal) < size.error(a->decimal) ? b : a;
+  return size.error(b->decimal()) < size.error(a->decimal()) ? b : a;
 }
 
 /// Around x there may be a double that no decimal next to x leads to.
@@ -51,6 +50,10 @@ std::optional<WrittenNumber> neighbour(const SizeToWrite &size, double around) {
 }
 
 } // namespace
+
+Rational WrittenNumber::decimal() const {
+  return parse_decimal(text);
+}
 
 Rational exact_value(double value) {
   Rational r;
@@ -101,6 +104,9 @@ std::optional<WrittenNumber> shortest_number(const SizeToWrite &size) {
   const Enclosure x =
       enclose_root(numerator(size.powered), denominator(size.powered), size.degree, digits_of_double + 3);
   const unsigned known = static_cast<unsigned>(to_string(x.hi).size());
+  // |y^a / x^a - 1| >= |y / x - 1|: what is farther from x than this, in its last places, has too large an
+  // error.
+  const Integer most_off = floor(Rational(size.most_error * x.hi));
   for (unsigned digits = 1; digits <= std::min(known, digits_of_double); ++digits) {
     const unsigned cut = known - digits;
     const Integer unit = power_of_ten(cut);
@@ -108,8 +114,10 @@ std::optional<WrittenNumber> shortest_number(const SizeToWrite &size) {
     const Integer below = floor_div(x.lo, unit);
     const Integer above = ceil_div(x.hi, unit);
     std::optional<WrittenNumber> best =
-        closer(size, below > 0 ? written(size, short_decimal(below, places)) : std::nullopt,
-               written(size, short_decimal(above, places)));
+        closer(size,
+               below > 0 && x.lo - below * unit <= most_off ? written(size, short_decimal(below, places))
+                                                            : std::nullopt,
+               above * unit - x.hi <= most_off ? written(size, short_decimal(above, places)) : std::nullopt);
     if (best)
       return best;
   }

@@ -196,3 +196,28 @@ TEST_CASE("export: nonsense is refused", "[cli]") {
   check_refused(mdm({"export", path, "--to", "yade", "--box", "0.5x0.5", "-o", folder / "new"}));
   CHECK(folder.entries() == 1);
 }
+
+TEST_CASE("export: a spread has the sizes that solve gives", "[cli]") {
+  const std::string sand = read_file(example("c778-graded-sand"));
+  const Json answer = solve_json({"-", "--spread", "--seed", "7"}, 0, sand);
+  const std::string file =
+      file_of("csv", sand, {"--spread", "--seed", "7", "--unit", "mm", "--mass-error", "1e-14"});
+  std::vector<double> solved, written;
+  for (const Json &c : answer.at("classes"))
+    if (c.contains("sizes"))
+      for (const Json &size : c.at("sizes"))
+        solved.push_back(std::stod(size.at(0).get<std::string>()));
+  for (std::size_t at = file.find("size_mm"); (at = file.find('\n', at) + 1) < file.size();)
+    written.push_back(std::stod(file.substr(at)));
+  std::sort(solved.begin(), solved.end());
+  REQUIRE(written.size() == solved.size());
+  for (std::size_t i = 0; i < solved.size(); ++i)
+    CHECK(written[i] == Approx(solved[i]).epsilon(1e-13));
+  for (const std::string &format : readable) {
+    const Json report = verified(sand, file_of(format, sand, {"--spread"}), format, "m", "0.0000002");
+    CHECK(quantities(report) == quantities(answer));
+  }
+  check_refused(export_to("csv", answer.dump()), "--spread");
+  check_refused(export_to("csv", answer.dump(), {"--spread"}), "--spread: the answer");
+  check_refused(export_to("csv", sand, {"--spread", "--at-least", "10000001"}), "leave --spread out");
+}

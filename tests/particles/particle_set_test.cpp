@@ -26,9 +26,9 @@ Rational read_double(const std::string &text) {
 void check_number(const WrittenNumber &n, const Rational &cube_of_size, const Rational &lower,
                   const Rational &upper, const Rational &most_error) {
   INFO(n.text << " in (" << lower << ", " << upper << "]");
-  CHECK(parse_decimal(n.text) == n.decimal);
+  CHECK(parse_decimal(n.text) == n.decimal());
   CHECK(std::strtod(n.text.c_str(), nullptr) == n.value);
-  for (const Rational &x : {n.decimal, read_double(n.text)}) {
+  for (const Rational &x : {n.decimal(), read_double(n.text)}) {
     CHECK(x > lower);
     CHECK(x <= upper);
     CHECK(abs(Rational(cube(x) / cube_of_size - 1)) <= most_error);
@@ -90,7 +90,7 @@ TEST_CASE("written numbers: at an opening whose double is beyond it, the double 
       shortest_number({cube(upper), 3, ratio(1, 100000), upper, ratio(1, 1000000000)});
   REQUIRE(below);
   CHECK(below->value == std::nextafter(7.6e-5, 0.0));
-  CHECK(below->decimal < upper);
+  CHECK(below->decimal() < upper);
   REQUIRE(Rational(0.00085) < ratio(85, 100000));
   CHECK(shortest_number({cube(ratio(85, 100000)), 3, 0, ratio(85, 100000), ratio(1, 1000)})->text ==
         "8.5e-4");
@@ -183,4 +183,40 @@ TEST_CASE("particle sets: what an answer says wrongly is refused") {
   other = answer;
   other.classes[0].lower = other.classes[0].size_hi;
   CHECK_THROWS_AS(particle_set(other, {}), InputError);
+}
+
+TEST_CASE("particle sets: a spread has the counts and, within the stated error, the masses of its match") {
+  for (const bool tolerant : {false, true}) {
+    Question question;
+    question.at_least = 3000;
+    if (tolerant)
+      question.tolerances.push_back(parse_tolerance("retained:1%"));
+    const Match m = match(sand, question);
+    const ParticleSet one = particle_set(m);
+    const ParticleSet set = particle_set(m, spread(m, 5));
+    CHECK(set.particles() == m.particles());
+    REQUIRE(set.classes.size() == one.classes.size());
+    for (std::size_t j = 0; j < set.classes.size(); ++j) {
+      const ParticleClass &c = set.classes[j];
+      CHECK(c.quantity() == one.classes[j].quantity());
+      Rational mass = 0;
+      for (const ParticleSize &size : c.sizes)
+        for (const Rational &x :
+             {size.diameter.decimal(), read_double(size.diameter.text), Rational(2 * size.radius.decimal()),
+              Rational(2 * read_double(size.radius.text))}) {
+          CHECK((x > c.lower && x <= c.upper));
+          mass += cube(x) / 4;
+        }
+      const Rational exact =
+          Rational(one.classes[j].quantity()) * cube(one.classes[j].sizes[0].diameter.decimal());
+      CHECK(abs(Rational(mass / exact - 1)) <= 2 * ParticleSetOptions().most_mass_error);
+    }
+    CHECK(set.classes[0].sizes.front().diameter.value < set.classes[0].sizes.back().diameter.value);
+  }
+}
+
+TEST_CASE("particle sets: the answer of a spread is refused") {
+  AnswerSample answer = read_answer(answer_json(match(sand)), "answer.json");
+  answer.has_spread = true;
+  CHECK_THROWS_AS(particle_set(answer, {}), InputError);
 }

@@ -279,8 +279,8 @@ TEST_CASE("written files: readers find each particle again") {
     std::string diameters, radii;
     for (auto c = set.classes.rbegin(); c != set.classes.rend(); ++c)
       for (Integer i = 0; i < c->quantity(); ++i) {
-        diameters += (diameters.empty() ? "" : " ") + to_decimal(c->sizes[0].diameter.decimal);
-        radii += (radii.empty() ? "" : " ") + to_decimal(Rational(2 * c->sizes[0].radius.decimal));
+        diameters += (diameters.empty() ? "" : " ") + to_decimal(c->sizes[0].diameter.decimal());
+        radii += (radii.empty() ? "" : " ") + to_decimal(Rational(2 * c->sizes[0].radius.decimal()));
       }
     ParticleOptions options;
     options.unit = unit; // handed on in mm
@@ -364,7 +364,7 @@ TEST_CASE("written files: LIGGGHTS's insertions and MercuryDPM's steps are read 
   const ParticleSet set = set_of("size_mm,mass\n1,10\n1.4,0\n2,50\n2.8,40\n4,0\n", 1, LengthUnit::mm);
   std::string ascending, descending;
   for (const ParticleClass &c : set.classes) {
-    std::string one = to_decimal(Rational(2 * c.sizes[0].radius.decimal));
+    std::string one = to_decimal(Rational(2 * c.sizes[0].radius.decimal()));
     if (c.quantity() != 1)
       one += "*" + to_string(c.quantity());
     ascending += (ascending.empty() ? "" : " ") + one;
@@ -420,4 +420,16 @@ TEST_CASE("MercuryDPM: broken distributions are refused") {
   CHECK(contains(refusal(changed("2,1", "2,x"), options), "file:5: cumulative"));
   CHECK(
       contains(refusal(changed("1,0\n", "0,0\n").replace(good.find("1,0.25"), 1, "0"), options), "above 0"));
+}
+
+TEST_CASE("placement: particles of many sizes in a class") {
+  Question question;
+  question.at_least = 5000;
+  const Match m = solve(read_gradation(narrow, "sand.csv"), question);
+  const ParticleSet set = particle_set(m, spread(m, 1));
+  const Placement start(set, Footprint{ratio(3, 100), ratio(2, 100), std::nullopt}, 1);
+  const std::vector<Ball> balls = read_balls(written(write_xyzr, start));
+  CHECK(Integer(balls.size()) == m.particles());
+  CHECK(all_pairs(balls) == 0);
+  CHECK(outside(balls, start) == 0);
 }

@@ -25,6 +25,7 @@ struct AnswerSample {
   Rational scale;             ///< s, to the power scale_power
   unsigned scale_power = 1;   ///< b of the law
   Integer particles;          ///< N as it is stated
+  bool has_spread = false;    ///< particles have other sizes as well, which are not read
 };
 
 /// Reads an mdm-answer-1. `file` precedes messages.

@@ -2,12 +2,15 @@
 /// \file
 /// The particles of a match as they are written into files.
 
-#include <mdm/match/solve.hpp>
+#include <mdm/match/spread.hpp>
 #include <mdm/particles/answer_sample.hpp>
 #include <mdm/particles/particle_format.hpp>
 #include <mdm/particles/written_number.hpp>
 
 namespace mdm {
+
+/// The most sizes that a set can hold; they take some 200 bytes each.
+inline constexpr std::uint64_t most_sizes = 10000000;
 
 /// Particles of one size. Formats have diameters or radii, and half of a short decimal need not be one, nor
 /// half of its double be in the class: each is a number of its own.
@@ -22,7 +25,7 @@ struct ParticleClass {
   std::size_t number = 0;          ///< of the gradation, from 1
   Rational lower, upper;           ///< in the unit of the set
   Rational density;                ///< in kg per cube of the unit of the set
-  std::vector<ParticleSize> sizes; ///< ascending, one or more
+  std::vector<ParticleSize> sizes; ///< ascending but for their rounding, one or more
   Rational mass_error; ///< greatest relative error of the mass of any of them, as decimal or double
 
   Integer quantity() const;
@@ -55,8 +58,14 @@ struct ParticleSetOptions {
 /// \throws InputError if a class has no double close enough to its size
 ParticleSet particle_set(const Match &m, const ParticleSetOptions &options = {});
 
+/// The particles of a spread of the match, each with a size of its own; the mass of each is as close to the
+/// exact one as the options say. Cost: some 20 us a particle.
+/// \throws InputError as above, or if there are more than most_sizes
+ParticleSet particle_set(const Match &m, const Spread &spread, const ParticleSetOptions &options = {});
+
 /// The particles of an answer; sizes are f^-1(scale * mass / quantity), exactly.
-/// \throws InputError if that is not what the answer says, with this law and without factors, or as above
+/// \throws InputError if that is not what the answer says, with this law and without factors, if it has a spread,
+/// or as above
 ParticleSet particle_set(const AnswerSample &answer, const MassLaw &law,
                          const ParticleSetOptions &options = {});
 

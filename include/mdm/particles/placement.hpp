@@ -43,12 +43,12 @@ enum class Start {
 /// smallest size, and below 2^52. In layers classes are slabs, the largest at the bottom. A slab is a grid of
 /// cells of the same sides; a particle of a class takes a cell of its slab, and a place in it, which a hash
 /// of the seed chooses: no two take the same cell, and no place is nearer to a side of its cell than R, the
-/// class's largest radius (decimal or double) rounded up to units, plus 2.
+/// class's largest radius as a double, rounded up to units, plus 2.
 ///
-/// No two particles overlap, as decimals and as doubles. Their cells differ, and both ends of an axis on
-/// which they do are R + R' or more apart there, so that the distance is at least r + r' + 4 in units. A
-/// double is within 2^-53 of its decimal, relatively, which is half a unit at most: the distance of the
-/// doubles is at least r + r' + 2 (Theorem: |x - y| >= |x_i - y_i| for each axis i). In the same way all are
+/// No two particles overlap, as doubles and as decimals. Their cells differ; on an axis where they do, the
+/// decimals of the places are R + R' >= r + r' + 4 or more apart, and so the particles are. A double is
+/// within 2^-53 of its decimal, relatively, which is half a unit at most: the doubles of the places are r +
+/// r' + 3 or more apart, and so are the decimals with the decimals of the radii. In the same way all are
 /// inside the box.
 ///
 /// Mixed, a particle is put where no centre is within R + R' of its own, decided in integers: the distance of

@@ -12,8 +12,10 @@ namespace mdm {
 /// A decimal above 0 and the double that is nearest to it.
 struct WrittenNumber {
   std::string text;
-  Rational decimal; ///< what `text` says, exactly
   double value = 0; ///< what a program reads
+
+  /// What `text` says, exactly.
+  Rational decimal() const;
 };
 
 /// The value of a finite double, exactly.
