@@ -301,6 +301,7 @@ void write_file(const ExportCommand &c, const Format &format, const std::optiona
   const std::uint64_t seed = seed_of(c);
   const Elasticity e = elasticity(c);
   std::optional<Placement> start;
+  check_wanted(c, format, *found.set, start); // before a long search for places
   if (format.write_placed != nullptr)
     start.emplace(*found.set, footprint(c, found), seed, start_of(c, *found.set));
   check_wanted(c, format, *found.set, start);
@@ -391,6 +392,12 @@ Run add_export(CLI::App &app) {
       .add_option("--steps", c->steps,
                   "time steps of the model; without it three times as long as a fall from the top of the box")
       ->type_name("N");
+  command
+      .add_option(
+          "--start", c->start,
+          "layers, a slab for each class; or mixed, at random places of a higher box (lammps, yade, vtk; "
+          "layers, but mixed for a model of up to 1000000 particles)")
+      ->type_name("START");
   command.add_option("--seed", c->seed, "of the places of the start, and of a spread's sizes (1)")
       ->type_name("K");
   command

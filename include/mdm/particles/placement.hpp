@@ -55,7 +55,7 @@ enum class Start {
 /// doubles is the same at least. The box is insertion_height() high.
 ///
 /// Cost: each() takes some 100 ns a particle. Layers need memory that does not depend on their number, a
-/// mixed start some 50 bytes and some us a particle.
+/// mixed start some 80 bytes and a us or two a particle.
 class Placement {
 public:
   /// A particle with its centre, in units.
