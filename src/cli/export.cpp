@@ -143,7 +143,7 @@ Particles solved_particles(const ExportCommand &c, const std::string &content,
                                                : Exit::limited;
   if (!m.has_answer())
     return {std::nullopt, code, m.gradation.unit(), std::nullopt};
-  return {c.spread ? particle_set(m, spread(m, seed_of(c)), options) : particle_set(m, options), code,
+  return {c.spread ? spread_particle_set(m, seed_of(c), options) : particle_set(m, options), code,
           m.gradation.unit(), question.solids};
 }
 

@@ -1,5 +1,6 @@
 #include "../gradation/message.hpp"
 
+#include <mdm/match/spread.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/particles/particle_set.hpp>
 
@@ -129,7 +130,7 @@ ParticleSet particle_set(const Match &m, const ParticleSetOptions &options) {
                    });
 }
 
-ParticleSet particle_set(const Match &m, const Spread &spread, const ParticleSetOptions &options) {
+ParticleSet spread_particle_set(const Match &m, std::uint64_t seed, const ParticleSetOptions &options) {
   if (m.particles() > most_sizes)
     throw InputError(
         fmt::format("{} particles are more than the {} that can have a size each: leave --spread "
@@ -137,6 +138,7 @@ ParticleSet particle_set(const Match &m, const Spread &spread, const ParticleSet
                     to_string(m.particles()), most_sizes));
   const MassLaw &law = m.question.law;
   const Writer writer(length_unit(m.gradation.unit()), law, options);
+  const Spread spread = mdm::spread(m, seed);
   auto of_class = spread.classes.begin();
   return match_set(m, writer, options.unit,
                    [&](ParticleClass &c, const ClassMass &, const Rational &powered) {

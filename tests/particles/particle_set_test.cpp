@@ -193,7 +193,7 @@ TEST_CASE("particle sets: a spread has the counts and, within the stated error, 
       question.tolerances.push_back(parse_tolerance("retained:1%"));
     const Match m = match(sand, question);
     const ParticleSet one = particle_set(m);
-    const ParticleSet set = particle_set(m, spread(m, 5));
+    const ParticleSet set = spread_particle_set(m, 5);
     CHECK(set.particles() == m.particles());
     REQUIRE(set.classes.size() == one.classes.size());
     for (std::size_t j = 0; j < set.classes.size(); ++j) {

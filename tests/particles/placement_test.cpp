@@ -426,7 +426,7 @@ TEST_CASE("placement: particles of many sizes in a class") {
   Question question;
   question.at_least = 5000;
   const Match m = solve(read_gradation(narrow, "sand.csv"), question);
-  const ParticleSet set = particle_set(m, spread(m, 1));
+  const ParticleSet set = spread_particle_set(m, 1);
   const Placement start(set, Footprint{ratio(3, 100), ratio(2, 100), std::nullopt}, 1);
   const std::vector<Ball> balls = read_balls(written(write_xyzr, start));
   CHECK(Integer(balls.size()) == m.particles());

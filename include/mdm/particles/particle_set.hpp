@@ -2,7 +2,7 @@
 /// \file
 /// The particles of a match as they are written into files.
 
-#include <mdm/match/spread.hpp>
+#include <mdm/match/solve.hpp>
 #include <mdm/particles/answer_sample.hpp>
 #include <mdm/particles/particle_format.hpp>
 #include <mdm/particles/written_number.hpp>
@@ -58,10 +58,10 @@ struct ParticleSetOptions {
 /// \throws InputError if a class has no double close enough to its size
 ParticleSet particle_set(const Match &m, const ParticleSetOptions &options = {});
 
-/// The particles of a spread of the match, each with a size of its own; the mass of each is as close to the
-/// exact one as the options say. Cost: some 20 us a particle.
+/// The particles of the match's spread with that seed, each with a size of its own; the mass of each is as
+/// close to the exact one as the options say. Cost: some 20 us a particle.
 /// \throws InputError as above, or if there are more than most_sizes
-ParticleSet particle_set(const Match &m, const Spread &spread, const ParticleSetOptions &options = {});
+ParticleSet spread_particle_set(const Match &m, std::uint64_t seed, const ParticleSetOptions &options = {});
 
 /// The particles of an answer; sizes are f^-1(scale * mass / quantity), exactly.
 /// \throws InputError if that is not what the answer says, with this law and without factors, if it has a spread,
