@@ -104,6 +104,10 @@ TEST_CASE("export: matches within a tolerance, other laws and other solving opti
   CHECK(file_of("csv", sand, {"--law", "power:2"}) == file_of("csv", flat.dump(), {"--law", "power:2"}));
   check_refused(export_to("csv", flat.dump()), "--law");
   check_refused(export_to("csv", answer.dump(), {"--at-least", "10"}), "--at-least: the answer");
+  const Outcome limited = export_to("csv", sand, {"--max-steps", "0"});
+  CHECK(limited.exit_code == 3);
+  CHECK(limited.err.find("stopped at a limit") != std::string::npos);
+  CHECK(quantities(verified(sand, limited.out, "csv", "m", "0.0000002")) == "819 90 280 268 25 2 1");
   const Outcome none = export_to("csv", sand, {"--at-most", "1484"});
   CHECK(none.exit_code == 1);
   CHECK(none.out.empty());
