@@ -24,10 +24,12 @@ Run add_solve(CLI::App &app);
 Run add_batch(CLI::App &app);
 Run add_convert(CLI::App &app);
 Run add_describe(CLI::App &app);
+Run add_export(CLI::App &app);
 Run add_plot(CLI::App &app);
 Run add_verify(CLI::App &app);
 Run add_crosscheck(CLI::App &app);
 Run add_published(CLI::App &app);
+Run add_generate(CLI::App &app);
 Run add_study(CLI::App &app);
 Run add_tradeoff(CLI::App &app);
 

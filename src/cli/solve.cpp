@@ -11,6 +11,7 @@
 #include <mdm/proof/vipr.hpp>
 #include <mdm/report/answer.hpp>
 
+#include <limits>
 #include <memory>
 
 namespace mdm::cli {
@@ -21,7 +22,8 @@ struct SolveCommand {
   SolveFlags flags;
   std::optional<std::string> proof, vipr, out, specimen_id;
   std::string format = "text";
-  bool spectrum = false;
+  std::optional<std::string> seed;
+  bool spectrum = false, spread = false;
   bool quiet = false;
 };
 
@@ -64,12 +66,21 @@ std::optional<SideFile> readable_gradation(const SolveCommand &c, const Target &
   return SideFile{std::make_unique<Output>(path), gradation_csv(of.gradation)};
 }
 
-std::string report(const SolveCommand &c, const Match &m, const Spectrum *spectrum) {
+void report(const SolveCommand &c, const Match &m, const Spectrum *spectrum, const Spread *spread,
+            Output &out) {
+  const Sink sink = [&out](std::string_view text) { out.write(text); };
+  if (c.format == "text")
+    out.write(answer_text(m, spectrum, spread));
+  else if (c.format == "csv" && spread != nullptr)
+    spread_csv(m, *spread, sink);
+  else if (c.format == "csv")
+    out.write(answer_csv(m));
+  else if (spread != nullptr)
+    spread_json(m, spectrum, *spread, sink);
+  else
+    out.write(answer_json(m, spectrum));
   if (c.format == "json")
-    return answer_json(m, spectrum) + "\n";
-  if (c.format == "csv")
-    return answer_csv(m);
-  return answer_text(m, spectrum);
+    out.write("\n");
 }
 
 int exit_code(const Match &m, const std::optional<Spectrum> &spectrum) {
@@ -91,6 +102,8 @@ void check_files(const SolveCommand &c) {
     throw InputError("--spectrum: it is of exact matches: leave it out, or --tolerance and --band");
   if (c.spectrum && c.format == "csv")
     throw InputError("--spectrum: CSV has no place for it: use --format text or json");
+  if (c.seed && !c.spread)
+    throw InputError("--seed: it is of a spread: add --spread, or leave it out");
   if (c.proof == "-" || c.vipr == "-")
     throw InputError("--proof and --vipr need a file: standard output has the answer");
   std::vector<std::string> paths = {source(c)};
@@ -104,9 +117,17 @@ void check_files(const SolveCommand &c) {
   }
 }
 
+std::uint64_t seed_of(const SolveCommand &c) {
+  const Integer seed = natural("--seed", c.seed.value_or("1"), 0);
+  if (seed > std::numeric_limits<std::uint64_t>::max())
+    throw InputError("--seed: at most 18446744073709551615 (64 bits)");
+  return static_cast<std::uint64_t>(seed);
+}
+
 int run(const SolveCommand &c) {
   check_files(c);
   const Question question = c.flags.question();
+  const std::uint64_t seed = seed_of(c);
   const Target asked = target(c, question);
   Output out(c.out.value_or("-"));
 
@@ -122,6 +143,9 @@ int run(const SolveCommand &c) {
   std::optional<Spectrum> reachable;
   if (c.spectrum)
     reachable = spectrum(m.problem, options.limits);
+  std::optional<Spread> particles;
+  if (c.spread && m.has_answer())
+    particles = spread(m, seed);
 
   std::vector<SideFile> files;
   if (c.proof && m.complete) {
@@ -135,7 +159,7 @@ int run(const SolveCommand &c) {
     files.push_back({std::make_unique<Output>(*c.vipr), vipr(m)});
   for (const SideFile &file : files)
     file.output->write(file.text);
-  out.write(report(c, m, reachable ? &*reachable : nullptr));
+  report(c, m, reachable ? &*reachable : nullptr, particles ? &*particles : nullptr, out);
   // CSV has no place for a verdict.
   if (c.format == "csv" && m.status != Status::optimal)
     tell(printable(m.gradation.id()) + ": " + headline(m) + "\n");
@@ -160,6 +184,10 @@ Run add_solve(CLI::App &app) {
   command.add_option("--vipr", c->vipr, "write the proof in the VIPR format (at most 200 classes)")
       ->type_name("OUT");
   command.add_flag("--spectrum", c->spectrum, "all numbers of particles that have an exact match");
+  command.add_flag("--spread", c->spread,
+                   "sizes for all particles, uniform by volume in their class as far as its exact mass lets "
+                   "them (CSV: a row a particle)");
+  command.add_option("--seed", c->seed, "of a spread's sizes (1)")->type_name("K");
   command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
       ->type_name("ID");
   command.add_option("--format", c->format, "text, json or csv")

@@ -7,18 +7,22 @@
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/study/paper_figures.hpp>
 #include <mdm/study/paper_tables.hpp>
+#include <mdm/study/size_model_figures.hpp>
+#include <mdm/study/size_model_tables.hpp>
 #include <mdm/study/specimens.hpp>
 
 #include <fmt/core.h>
 
 #include <atomic>
+#include <functional>
 #include <memory>
+#include <thread>
 
 namespace mdm::cli {
 namespace {
 
 struct StudyCommand {
-  std::string what;
+  std::string what, paper = "arnold";
   std::vector<std::string> files;
   std::optional<std::string> out, plots;
   bool quiet = false;
@@ -72,14 +76,14 @@ std::vector<StudyFile> tables(const Survey &s) {
           {"figure4.csv", figure4_csv(s.rows)}, {"figure5.csv", figure5_csv(s.rows)}};
 }
 
-std::vector<StudyFile> pictures(const Survey &s, const std::string &format, bool quiet) {
-  const Figure figures[] = {paper_figure1(s.rows), paper_figure2(s.runs), paper_figure3(s.rows),
-                            paper_figure4(s.rows), paper_figure5(s.rows)};
+/// Drawn as figure<number>, counted from `first`.
+std::vector<StudyFile> pictures(const std::vector<Figure> &figures, std::size_t first,
+                                const std::string &format, bool quiet) {
   const Picture picture = format == "png" ? Picture::png : format == "pdf" ? Picture::pdf : Picture::svg;
   std::vector<StudyFile> files;
   for (const Figure &figure : figures) {
-    files.push_back(
-        {fmt::format("figure{}.{}", files.size() + 1, format), run_gnuplot(gnuplot_script(figure, picture))});
+    files.push_back({fmt::format("figure{}.{}", files.size() + first, format),
+                     run_gnuplot(gnuplot_script(figure, picture))});
     if (!quiet)
       tell_escapes(figure);
   }
@@ -105,7 +109,68 @@ int run_figures(const StudyCommand &c) {
   const Survey survey = survey_of(c);
   std::vector<StudyFile> files = tables(survey);
   if (c.plots) {
-    std::vector<StudyFile> drawn = pictures(survey, *c.plots, c.quiet);
+    std::vector<StudyFile> drawn =
+        pictures({paper_figure1(survey.rows), paper_figure2(survey.runs), paper_figure3(survey.rows),
+                  paper_figure4(survey.rows), paper_figure5(survey.rows)},
+                 1, *c.plots, c.quiet);
+    std::move(drawn.begin(), drawn.end(), std::back_inserter(files));
+  }
+  write_all(*c.out, files);
+  return Exit::done;
+}
+
+/// Answers in the order of the questions, found by several threads.
+template <class Question, class Answer>
+auto answers(const std::vector<Question> &questions, Answer answer, std::atomic<std::uint64_t> &count) {
+  std::vector<std::optional<decltype(answer(questions.front()))>> found(questions.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < questions.size(); i = next++, ++count)
+      found[i] = answer(questions[i]);
+  };
+  std::vector<std::thread> threads;
+  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+    threads.emplace_back(work);
+  work();
+  for (std::thread &thread : threads)
+    thread.join();
+  std::vector<decltype(answer(questions.front()))> all;
+  for (auto &one : found)
+    all.push_back(std::move(*one));
+  return all;
+}
+
+int run_size_models(const StudyCommand &c) {
+  if (!c.files.empty() || c.what == "specimens")
+    throw InputError("--paper voivret needs no FILE: mdm study --paper voivret --out DIR");
+  if (!c.out)
+    throw InputError("--out is missing: name the folder for the files");
+  static const Integer most_drawn = 100000;
+  std::atomic<std::uint64_t> count = 0;
+  const Progress progress([&count] { return fmt::format("{} curves and sets", count.load()); }, c.quiet);
+  const auto sets = [&](const std::vector<SetQuestion> &questions) {
+    return answers(
+        questions, [](const SetQuestion &q) { return set_row(q, most_drawn); }, count);
+  };
+  const std::vector<DistributionRow> densities = figure1_rows();
+  const std::vector<PassingRow> curves = figure3_rows();
+  const std::vector<CoefficientRow> coefficients = figure4_rows();
+  const std::vector<SetRow> classes = sets(figure5_questions()), class_sizes = sets(figure6_questions()),
+                            totals = sets(figure7_questions());
+  const std::vector<ShapeRow> maps = answers(figure8_maps(), shape_row, count),
+                              spans = answers(figure8_spans(), shape_row, count);
+  std::vector<StudyFile> files = {
+      {"figure3.csv", table_csv(curves)},     {"figure4.csv", table_csv(coefficients)},
+      {"figure5.csv", table_csv(classes)},    {"figure6.csv", table_csv(class_sizes)},
+      {"figure7.csv", table_csv(totals)},     {"figure8.csv", table_csv(maps)},
+      {"figure8-spans.csv", table_csv(spans)}};
+  if (c.plots) {
+    files.push_back(std::move(pictures({distribution_figure(densities)}, 1, *c.plots, c.quiet).front()));
+    std::vector<StudyFile> drawn =
+        pictures({passing_figure(curves), coefficient_figure(coefficients),
+                  set_figure(classes, Criterion::classes), set_figure(class_sizes, Criterion::min_per_class),
+                  set_figure(totals, Criterion::at_least), accessible_figure(maps, spans)},
+                 3, *c.plots, c.quiet);
     std::move(drawn.begin(), drawn.end(), std::back_inserter(files));
   }
   write_all(*c.out, files);
@@ -140,24 +205,36 @@ int run_specimens(const StudyCommand &c) {
 Run add_study(CLI::App &app) {
   const auto c = std::make_shared<StudyCommand>();
   CLI::App &command = *app.add_subcommand(
-      "study", "The paper's Table 1 and Figures 1 to 5 of a suite, and published specimens, with exact N");
+      "study", "The papers' tables and figures, and published specimens, with exact numbers");
   command
       .add_option("WHAT", c->what,
                   "figures (FILE: a suite, JSON Lines) or specimens (FILE: the gradation, then the table of "
                   "specimens)")
-      ->required()
       ->check(CLI::IsMember({"figures", "specimens"}));
-  command.add_option("FILE", c->files, "as WHAT says; - for standard input")->required();
+  command.add_option("FILE", c->files, "as WHAT says; - for standard input");
+  command
+      .add_option(
+          "--paper", c->paper,
+          "arnold: Table 1 and Figures 1 to 5 of a suite (the default); voivret: the figures on models "
+          "of size distributions, without WHAT and FILE")
+      ->check(CLI::IsMember({"arnold", "voivret"}));
   command
       .add_option("--out", c->out,
-                  "write CSV files into the folder DIR, made if need be: table1.csv, figure1.csv to "
-                  "figure5.csv, or specimens.csv (else shown as text)")
+                  "write CSV files into the folder DIR, made if need be: table1.csv, figure1.csv, ..., or "
+                  "specimens.csv (else shown as text)")
       ->type_name("DIR");
-  command.add_option("--plots", c->plots, "figures: draw them as well, as svg, png or pdf (needs gnuplot)")
+  command.add_option("--plots", c->plots, "draw the figures as well, as svg, png or pdf (needs gnuplot)")
       ->check(CLI::IsMember({"svg", "png", "pdf"}));
   command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
-  command.footer("Example: mdm study figures suite.jsonl --out study --plots svg");
-  return [c] { return c->what == "figures" ? run_figures(*c) : run_specimens(*c); };
+  command.footer("Example: mdm study figures suite.jsonl --out study --plots svg\n"
+                 "         mdm study --paper voivret --out study --plots svg");
+  return [c] {
+    if (c->paper == "voivret")
+      return run_size_models(*c);
+    if (c->what.empty())
+      throw InputError("WHAT is missing: figures or specimens, or --paper voivret; see mdm study --help");
+    return c->what == "figures" ? run_figures(*c) : run_specimens(*c);
+  };
 }
 
 } // namespace mdm::cli

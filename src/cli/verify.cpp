@@ -264,8 +264,9 @@ Run add_verify(CLI::App &app) {
           "--from", c->from,
           "format of SAMPLE: csv (size_mm,quantity; also size_um, size_m, size_in, size_phi or sieve), "
           "answer (JSON of mdm solve), xyzr (x y z r a "
-          "line), lammps-data, lammps-dump, liggghts-dump, vtk or diameters (one a line); told by the "
-          "content if left out")
+          "line), lammps-data, lammps-dump, liggghts-dump, vtk, diameters (one a line), liggghts-insertion "
+          "or "
+          "mercurydpm (scripts and distributions of mdm export); told by the content if left out")
       ->type_name("FORMAT");
   CLI::Option *const radius = command.add_flag("--radius", c->radius, "sizes are radii, whatever their name");
   command.add_flag("--diameter", c->diameter, "sizes are diameters, whatever their name")->excludes(radius);

@@ -2,8 +2,10 @@
 
 #if __has_include(<flint/arb.h>)
 #include <flint/arb.h>
+#include <flint/arb_hypgeom.h>
 #else
 #include <arb.h>
+#include <arb_hypgeom.h>
 #endif
 
 #include <algorithm>
@@ -142,6 +144,28 @@ Ball exp(const Ball &y) {
 Ball pow(const Ball &y, const Rational &exponent) {
   Ball result(y.bits_);
   arb_pow_fmpq(result.value_->ball, y.value_->ball, Fraction(exponent).value, y.bits_);
+  return result;
+}
+
+Ball incomplete_beta(const Ball &x, const Rational &a, const Rational &b) {
+  Ball result(x.bits_);
+  arb_hypgeom_beta_lower(result.value_->ball, Ball(a, x.bits_).value_->ball, Ball(b, x.bits_).value_->ball,
+                         x.value_->ball, 1, x.bits_);
+  return result;
+}
+
+Ball beta_function(const Rational &a, const Rational &b, unsigned bits) {
+  const auto gamma = [bits](const Rational &r) {
+    Ball result(bits);
+    arb_gamma_fmpq(result.value_->ball, Fraction(r).value, bits);
+    return result;
+  };
+  return gamma(a) * gamma(b) / gamma(a + b);
+}
+
+Ball hull(const Ball &a, const Ball &b) {
+  Ball result(std::max(a.bits_, b.bits_));
+  arb_union(result.value_->ball, a.value_->ball, b.value_->ball, result.bits_);
   return result;
 }
 

@@ -1,4 +1,5 @@
 #include <mdm/number/decimal.hpp>
+#include <mdm/number/power_product.hpp>
 #include <mdm/number/real.hpp>
 
 #include <algorithm>
@@ -142,10 +143,11 @@ Real combined(const Real &a, const Real &b, Operation operation) {
 } // namespace
 
 Real::Real(Rational value)
-    : fraction_(std::move(value)), enclose_([r = *fraction_](unsigned bits) { return Ball(r, bits); }),
-      exact_([r = *fraction_] { return r; }) {}
+    : node_(std::make_shared<const Node>(
+          Node{value, [value](unsigned bits) { return Ball(value, bits); }, [value] { return value; }})) {}
 
-Real::Real(Enclose enclose, Exact exact) : enclose_(std::move(enclose)), exact_(std::move(exact)) {}
+Real::Real(Enclose enclose, Exact exact)
+    : node_(std::make_shared<const Node>(Node{std::nullopt, std::move(enclose), std::move(exact)})) {}
 
 Real operator+(const Real &a, const Real &b) {
   return combined(a, b, std::plus<>());
@@ -155,8 +157,65 @@ Real operator-(const Real &a, const Real &b) {
   return combined(a, b, std::minus<>());
 }
 
-Real operator*(const Real &a, const Rational &b) {
-  return combined(a, Real(b), std::multiplies<>());
+Real operator*(const Real &a, const Real &b) {
+  return combined(a, b, std::multiplies<>());
+}
+
+Real operator/(const Real &a, const Real &b) {
+  return combined(a, b, std::divides<>());
+}
+
+Real pow(const Real &y, const Rational &exponent) {
+  constexpr int short_exponent = 8;
+  if (y.fraction() && denominator(exponent) == 1 && exponent >= 0 && exponent <= short_exponent)
+    return Real(power(*y.fraction(), static_cast<unsigned>(numerator(exponent))));
+  return Real([=](unsigned bits) { return pow(y.ball(bits), exponent); },
+              [=]() -> std::optional<Rational> {
+                const std::optional<Rational> value = y.exact();
+                return value ? PowerProduct(*value, exponent).exact() : std::nullopt;
+              });
+}
+
+Real sum(const std::vector<Real> &terms) {
+  if (std::all_of(terms.begin(), terms.end(), [](const Real &y) { return y.fraction().has_value(); })) {
+    Rational total = 0;
+    for (const Real &y : terms)
+      total += *y.fraction();
+    return Real(total);
+  }
+  return Real(
+      [terms](unsigned bits) {
+        Ball total(0, bits);
+        for (const Real &y : terms)
+          total = total + y.ball(bits);
+        return total;
+      },
+      [terms]() -> std::optional<Rational> {
+        Rational total = 0;
+        for (const Real &y : terms) {
+          const std::optional<Rational> value = y.exact();
+          if (!value)
+            return std::nullopt;
+          total += *value;
+        }
+        return total;
+      });
+}
+
+IntegerBounds floor_of(const Real &y, const std::function<bool(const Integer &k)> &is_exactly) {
+  constexpr unsigned first_bits = 128;
+  IntegerBounds result;
+  bool asked = !is_exactly;
+  refine(y, first_bits, [&](const Interval &i, bool) {
+    result = {floor(i.lo), floor(i.hi)};
+    if (!asked && result.hi - result.lo == 1) {
+      asked = true;
+      if (is_exactly(result.hi))
+        result.lo = result.hi;
+    }
+    return result.known();
+  });
+  return result;
 }
 
 Order compare(const Real &a, const Real &b) {

@@ -39,6 +39,8 @@ public:
     if (const std::string status = text(answer_, "status", ""); status != "optimal" && status != "feasible")
       refuse("status", in_quotes(status) + " means that there is no sample: solve again with other limits");
     AnswerSample sample;
+    if (answer_.contains("id"))
+      sample.id = text(answer_, "id", "");
     sample.unit = unit();
     sample.particles = natural(answer_, "particles", "");
     const Json &scale = member(answer_, "scale", "");
@@ -148,6 +150,7 @@ private:
     const std::string place = fmt::format("classes[{}].", j);
     AnswerSample::Class c;
     c.number = j + 1;
+    sample.has_spread = sample.has_spread || (from.is_object() && from.contains("sizes"));
     c.quantity = natural(from, "quantity", place);
     if (c.quantity == 0)
       return;

@@ -69,6 +69,8 @@ std::unique_ptr<LineReader> read_xyzr(ParticleSource &source);
 std::unique_ptr<LineReader> read_diameters(ParticleSource &source);
 std::unique_ptr<LineReader> read_lammps_data(ParticleSource &source);
 std::unique_ptr<LineReader> read_dump(ParticleSource &source);
+std::unique_ptr<LineReader> read_liggghts_insertion(ParticleSource &source);
+std::unique_ptr<LineReader> read_mercurydpm(ParticleSource &source);
 std::unique_ptr<LineReader> read_vtk(ParticleSource &source);
 
 /// Moves the first word of `rest`, separated by spaces and tabs, out of it; empty at the end.

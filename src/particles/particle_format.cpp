@@ -6,8 +6,9 @@
 namespace mdm {
 namespace {
 
-constexpr std::array<std::string_view, 8> format_names = {
-    "csv", "answer", "xyzr", "lammps-data", "lammps-dump", "liggghts-dump", "vtk", "diameters"};
+constexpr std::array<std::string_view, 10> format_names = {
+    "csv",           "answer", "xyzr",      "lammps-data",        "lammps-dump",
+    "liggghts-dump", "vtk",    "diameters", "liggghts-insertion", "mercurydpm"};
 constexpr std::array<std::string_view, 4> unit_names = {"mm", "um", "m", "in"};
 
 /// The enumerator at the place of the name.

@@ -27,6 +27,10 @@ std::unique_ptr<LineReader> line_reader(ParticleFormat format, ParticleSource &s
     return read_vtk(source);
   case ParticleFormat::diameters:
     return read_diameters(source);
+  case ParticleFormat::liggghts_insertion:
+    return read_liggghts_insertion(source);
+  case ParticleFormat::mercurydpm:
+    return read_mercurydpm(source);
   case ParticleFormat::answer:
     break;
   }
@@ -65,10 +69,14 @@ std::optional<ParticleFormat> format_of(std::string_view line, const ParticleSou
     return ParticleFormat::answer;
   if (text.starts_with("ITEM:"))
     return ParticleFormat::lammps_dump;
+  if (text.starts_with("radius_") && text.find(",cumulative_number") != std::string_view::npos)
+    return ParticleFormat::mercurydpm;
   if (is_csv_header(text))
     return ParticleFormat::csv;
   std::vector<std::string_view> words;
   split_words(text, words);
+  if (words.front() == "fix" || words.front() == "variable")
+    return ParticleFormat::liggghts_insertion;
   if (words.size() == 2 && words[1] == "atoms" && !is_first)
     return ParticleFormat::lammps_data;
   const bool numbers = std::all_of(words.begin(), words.end(), is_number);
@@ -136,7 +144,7 @@ LengthUnit ParticleReader::unit() const {
 
 std::vector<std::string> ParticleReader::notes() const {
   std::vector<std::string> notes = source_->notes();
-  if (!source_->options().unit && format_ != ParticleFormat::csv)
+  if (!source_->options().unit && format_ != ParticleFormat::csv && format_ != ParticleFormat::mercurydpm)
     notes.push_back(fmt::format("The sizes were taken as {} in {}; --radius, --diameter and --size-unit say "
                                 "otherwise.",
                                 source_->meaning() == SizeMeaning::radius ? "radii" : "diameters",

@@ -61,15 +61,16 @@ void add_compiled(Buffer &out, const Format &format, Args &&...args) {
   fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
 }
 
+/// Without its end.
 void add_json_row(Buffer &out, const Row &row) {
   add_compiled(out, FMT_COMPILE(R"({{"lower":"{}","upper":"{}","mass":"{}",)"), row.lower, row.upper,
                row.mass);
   if (row.quantity.empty())
-    add_compiled(out, FMT_COMPILE(R"("quantity":null,"size":null}})"));
+    add_compiled(out, FMT_COMPILE(R"("quantity":null,"size":null)"));
   else if (!row.size)
-    add_compiled(out, FMT_COMPILE(R"("quantity":"{}","size":null}})"), row.quantity);
+    add_compiled(out, FMT_COMPILE(R"("quantity":"{}","size":null)"), row.quantity);
   else
-    add_compiled(out, FMT_COMPILE(R"("quantity":"{}","size":["{}","{}"]}})"), row.quantity,
+    add_compiled(out, FMT_COMPILE(R"("quantity":"{}","size":["{}","{}"])"), row.quantity,
                  row.size->lower_text(), row.size->upper_text());
 }
 
@@ -292,6 +293,89 @@ void add_text_spectrum(Buffer &out, const Spectrum &s) {
     add(out, "    from {} on it is open: a limit was reached\n", to_string(s.all_from));
 }
 
+/// The JSON answer up to its classes.
+void add_json_begin(Buffer &out, const Match &m) {
+  add_compiled(out, FMT_COMPILE(R"({{"schema":"mdm-answer-1","id":{},"status":"{}",)"),
+               json_string(m.gradation.id()), status_name(m.status));
+  if (m.has_answer())
+    add_compiled(out, FMT_COMPILE(R"("particles":"{}")"), to_string(m.particles()));
+  else
+    add(out, R"("particles":null)");
+  add_compiled(out, FMT_COMPILE(R"(,"lower_bound":"{}","unit":"{}","classes":[)"), to_string(m.lower_bound),
+               name(m.gradation.unit()));
+}
+
+/// What follows on its classes.
+void add_json_end(Buffer &out, const Match &m, const Spectrum *spectrum,
+                  const std::optional<std::uint64_t> &seed) {
+  out.push_back(']');
+  if (!m.has_answer())
+    add(out, R"(,"scale":null)");
+  else if (m.tolerant)
+    add_json_tolerant_scale(out, m);
+  else
+    add_json_scale(out, m);
+  if (m.tolerant)
+    add_json_tolerance(out, m);
+  else
+    add(out, R"(,"tolerance":null)");
+  if (m.has_answer() && m.question.law.is_sphere()) {
+    const Enclosure volume = m.solids_volume();
+    add_compiled(out, FMT_COMPILE(R"(,"solids_volume":["{}","{}"])"), volume.lower_text(),
+                 volume.upper_text());
+  } else {
+    add(out, R"(,"solids_volume":null)");
+  }
+  if (spectrum != nullptr)
+    add_json_spectrum(out, *spectrum);
+  if (seed)
+    add(out, R"(,"seed":"{}")", *seed);
+  add(out, R"(,"notes":[)");
+  for (std::size_t i = 0; i < m.notes.size(); ++i)
+    add(out, "{}{}", i == 0 ? "" : ",", json_string(m.notes[i]));
+  add_compiled(out, FMT_COMPILE(R"(],"versions":{}}})"), versions_json());
+}
+
+/// What is streamed is handed on in parts of some such length.
+constexpr std::size_t part = std::size_t{1} << 16;
+
+void hand_on(Buffer &out, const Sink &sink) {
+  sink(std::string_view(out.data(), out.size()));
+  out.clear();
+}
+
+/// Calls take(size) for every particle of a class.
+template <class Take>
+void for_each_size(const ClassSpread &c, unsigned digits, Take take) {
+  ClassSpread::Masses masses = c.masses();
+  for (std::uint64_t i = 0; i < c.quantity(); ++i)
+    take(c.size(masses.next(), digits));
+}
+
+void add_text_spread(Buffer &out, const Match &m, const Spread &spread) {
+  add(out, "\n  a spread with every class's mass exactly, seed {}:\n\n", spread.seed);
+  const std::string unit(name(m.gradation.unit()));
+  TextTable table;
+  table.add_column("class", '>');
+  table.add_column("quantity", '>');
+  table.add_column("smallest size (" + unit + ")", '<');
+  table.add_column("largest size (" + unit + ")", '<');
+  for (const ClassSpread &c : spread.classes) {
+    ClassSpread::Masses masses = c.masses();
+    Integer least = c.most(), most = c.least();
+    for (std::uint64_t i = 0; i < c.quantity(); ++i) {
+      const Integer n = masses.next();
+      least = std::min(least, n);
+      most = std::max(most, n);
+    }
+    table.add_line();
+    for (const std::string &entry : {std::to_string(c.index() + 1), std::to_string(c.quantity()),
+                                     c.size(least, m.digits).text(), c.size(most, m.digits).text()})
+      table.add(entry);
+  }
+  add(out, "{}", table.text());
+}
+
 } // namespace
 
 std::string headline(const Match &m) {
@@ -323,45 +407,42 @@ std::string headline(const Match &m) {
 
 std::string answer_json(const Match &m, const Spectrum *spectrum) {
   Buffer out;
-  add_compiled(out, FMT_COMPILE(R"({{"schema":"mdm-answer-1","id":{},"status":"{}",)"),
-               json_string(m.gradation.id()), status_name(m.status));
-  if (m.has_answer())
-    add_compiled(out, FMT_COMPILE(R"("particles":"{}")"), to_string(m.particles()));
-  else
-    add(out, R"("particles":null)");
-  add_compiled(out, FMT_COMPILE(R"(,"lower_bound":"{}","unit":"{}","classes":[)"), to_string(m.lower_bound),
-               name(m.gradation.unit()));
+  add_json_begin(out, m);
   const std::vector<Row> all = rows(m);
   for (std::size_t j = 0; j < all.size(); ++j) {
     if (j > 0)
       out.push_back(',');
     add_json_row(out, all[j]);
+    out.push_back('}');
   }
-  out.push_back(']');
-  if (!m.has_answer())
-    add(out, R"(,"scale":null)");
-  else if (m.tolerant)
-    add_json_tolerant_scale(out, m);
-  else
-    add_json_scale(out, m);
-  if (m.tolerant)
-    add_json_tolerance(out, m);
-  else
-    add(out, R"(,"tolerance":null)");
-  if (m.has_answer() && m.question.law.is_sphere()) {
-    const Enclosure volume = m.solids_volume();
-    add_compiled(out, FMT_COMPILE(R"(,"solids_volume":["{}","{}"])"), volume.lower_text(),
-                 volume.upper_text());
-  } else {
-    add(out, R"(,"solids_volume":null)");
-  }
-  if (spectrum != nullptr)
-    add_json_spectrum(out, *spectrum);
-  add(out, R"(,"notes":[)");
-  for (std::size_t i = 0; i < m.notes.size(); ++i)
-    add(out, "{}{}", i == 0 ? "" : ",", json_string(m.notes[i]));
-  add_compiled(out, FMT_COMPILE(R"(],"versions":{}}})"), versions_json());
+  add_json_end(out, m, spectrum, std::nullopt);
   return fmt::to_string(out);
+}
+
+void spread_json(const Match &m, const Spectrum *spectrum, const Spread &spread, const Sink &sink) {
+  Buffer out;
+  add_json_begin(out, m);
+  const std::vector<Row> all = rows(m);
+  auto spread_class = spread.classes.begin();
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    if (j > 0)
+      out.push_back(',');
+    add_json_row(out, all[j]);
+    if (spread_class != spread.classes.end() && spread_class->index() == j) {
+      add(out, R"(,"sizes":)");
+      char before = '[';
+      for_each_size(*spread_class++, m.digits, [&](const Enclosure &size) {
+        add_compiled(out, FMT_COMPILE(R"({}["{}","{}"])"), before, size.lower_text(), size.upper_text());
+        before = ',';
+        if (out.size() > part)
+          hand_on(out, sink);
+      });
+      out.push_back(']');
+    }
+    out.push_back('}');
+  }
+  add_json_end(out, m, spectrum, spread.seed);
+  hand_on(out, sink);
 }
 
 std::string answer_csv(const Match &m) {
@@ -374,7 +455,22 @@ std::string answer_csv(const Match &m) {
   return fmt::to_string(out);
 }
 
-std::string answer_text(const Match &m, const Spectrum *spectrum) {
+void spread_csv(const Match &m, const Spread &spread, const Sink &sink) {
+  Buffer out;
+  add(out, "lower_{0},upper_{0},size_lo_{0},size_hi_{0}\n", name(m.gradation.unit()));
+  const std::vector<Row> all = rows(m);
+  for (const ClassSpread &c : spread.classes)
+    for_each_size(c, m.digits, [&](const Enclosure &size) {
+      const Row &row = all[c.index()];
+      add_compiled(out, FMT_COMPILE("{},{},{},{}\n"), row.lower, row.upper, size.lower_text(),
+                   size.upper_text());
+      if (out.size() > part)
+        hand_on(out, sink);
+    });
+  hand_on(out, sink);
+}
+
+std::string answer_text(const Match &m, const Spectrum *spectrum, const Spread *spread) {
   Buffer out;
   add(out, "{}: {}\n", printable(m.gradation.id()), headline(m));
   if (m.has_answer()) {
@@ -386,6 +482,8 @@ std::string answer_text(const Match &m, const Spectrum *spectrum) {
       add_text_scale(out, m);
     }
   }
+  if (spread != nullptr)
+    add_text_spread(out, m, *spread);
   if (spectrum != nullptr)
     add_text_spectrum(out, *spectrum);
   for (const std::string &note : m.notes)

@@ -356,7 +356,11 @@ private:
       add_surroundings();
     else
       add("unset key\nunset colorbox\n");
-    add("plot NaN notitle");
+    // The colour bar is drawn with a plot that takes colours from it.
+    const auto by_value = [](const Series &series) { return series.by_value; };
+    add("{}", i == 0 && f_.colors && std::none_of(p.series.begin(), p.series.end(), by_value)
+                  ? "plot NaN with points linecolor palette notitle"
+                  : "plot NaN notitle");
     for (std::size_t j = 0; j < p.series.size(); ++j)
       if (!p.series[j].points.empty())
         add(", \\\n  {} using 1:2{} with {} notitle", block(i, j), p.series[j].by_value ? ":3" : "",

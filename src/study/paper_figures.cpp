@@ -1,51 +1,18 @@
+#include "drawing.hpp"
+
 #include <mdm/study/paper_figures.hpp>
 #include <mdm/study/paper_tables.hpp>
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 
 namespace mdm {
 namespace {
 
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr const char *exact_color = "#1f4e79";
 constexpr const char *published_color = "#c55a11";
-
-double to_double(const Rational &r) {
-  return r.convert_to<double>();
-}
-
-double to_double(const Real &y) {
-  return to_double(enclose(y, 15).lower());
-}
-
-/// Ends of a set of numbers.
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void cover(double at) {
-    low = std::min(low, at);
-    high = std::max(high, at);
-  }
-  bool empty() const { return low > high; }
-};
-
-/// A logarithmic axis out to the next powers of ten.
-Axis decades_axis(const std::string &title, const Range &range) {
-  if (range.empty())
-    return log_axis(title, 0, 1);
-  const double low = std::floor(range.low);
-  return log_axis(title, low, std::max(std::ceil(range.high), low + 1));
-}
-
-Axis plain_axis(const std::string &title, const Range &range) {
-  return range.empty() ? linear_axis(title, 0, 1) : linear_axis(title, range.low, range.high);
-}
 
 /// The points of a curve in log size, from `from` on.
 std::vector<Point> curve_points(const SurveyRow &row, std::size_t from) {

@@ -69,6 +69,11 @@ TEST_CASE("study refuses what is broken and leaves no folder behind", "[cli]") {
   refused({"specimens", example("athabasca-sand"), "-"}, "a,b\n", "stdin:1");
   refused({"specimens", example("athabasca-sand"), specimens, "--plots", "svg"}, "", "not an option");
   check_refused(mdm({"study", "figures", "-"}, some_of_the_suite(1)), "--out is missing");
+  check_refused(mdm({"study", "--out", folder / "study"}), "WHAT is missing");
+  check_refused(mdm({"study", "--paper", "voivret"}), "--out is missing");
+  refused({"figures", "-", "--paper", "voivret"}, "", "needs no FILE");
+  refused({"specimens", "--paper", "voivret"}, "", "needs no FILE");
+  refused({"--paper", "newton"}, "", "--paper");
   const std::string file = folder.write("file", "");
   check_refused(mdm({"study", "figures", "-", "--out", file}, some_of_the_suite(1)), "no folder can be made");
   CHECK(folder.entries() == 1);

@@ -31,6 +31,12 @@ public:
   friend Ball log(const Ball &y);
   friend Ball exp(const Ball &y);
   friend Ball pow(const Ball &y, const Rational &exponent);
+  /// I_x(a, b), the regularised incomplete beta function, for 0 <= x <= 1 and a, b > 0.
+  friend Ball incomplete_beta(const Ball &x, const Rational &a, const Rational &b);
+  /// B(a, b) = Gamma(a) Gamma(b) / Gamma(a + b), for a, b > 0.
+  friend Ball beta_function(const Rational &a, const Rational &b, unsigned bits);
+  /// A ball around both, and thus around all between them.
+  friend Ball hull(const Ball &a, const Ball &b);
 
   /// less or greater where the balls do not meet; equal only for two points; else undecided.
   friend Order compare(const Ball &a, const Ball &b);
@@ -47,5 +53,9 @@ private:
   std::unique_ptr<Value> value_;
   unsigned bits_;
 };
+
+Ball incomplete_beta(const Ball &x, const Rational &a, const Rational &b);
+Ball beta_function(const Rational &a, const Rational &b, unsigned bits);
+Ball hull(const Ball &a, const Ball &b);
 
 } // namespace mdm

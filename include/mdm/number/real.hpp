@@ -6,6 +6,8 @@
 #include <mdm/number/enclosure.hpp>
 
 #include <functional>
+#include <memory>
+#include <vector>
 
 namespace mdm {
 
@@ -25,23 +27,45 @@ public:
   /// not decide, so it may take its time.
   explicit Real(Enclose enclose, Exact exact = nullptr);
 
-  Ball ball(unsigned bits) const { return enclose_(bits); }
-  std::optional<Rational> exact() const { return exact_ ? exact_() : std::nullopt; }
+  Ball ball(unsigned bits) const { return node_->enclose(bits); }
+  std::optional<Rational> exact() const { return node_->exact ? node_->exact() : std::nullopt; }
   /// The value of a real that was made from a fraction, or from sums and products of such.
-  const std::optional<Rational> &fraction() const { return fraction_; }
+  const std::optional<Rational> &fraction() const { return node_->fraction; }
 
   friend Real operator+(const Real &a, const Real &b);
   friend Real operator-(const Real &a, const Real &b);
-  friend Real operator*(const Real &a, const Rational &b);
+  friend Real operator*(const Real &a, const Real &b);
+  /// \pre b != 0
+  friend Real operator/(const Real &a, const Real &b);
+  /// \pre y > 0
+  friend Real pow(const Real &y, const Rational &exponent);
 
 private:
-  std::optional<Rational> fraction_;
-  Enclose enclose_;
-  Exact exact_;
+  struct Node {
+    std::optional<Rational> fraction;
+    Enclose enclose;
+    Exact exact;
+  };
+
+  std::shared_ptr<const Node> node_; // shared: computations are built from computations
 };
+
+/// Their sum, as one computation, however many there are.
+Real sum(const std::vector<Real> &terms);
 
 /// Decided by refining; undecided if most_bits do not separate the two and their exact values are not known.
 Order compare(const Real &a, const Real &b);
+
+/// What is certain of an integer: lo = hi where it is known.
+struct IntegerBounds {
+  Integer lo, hi;
+
+  bool known() const { return lo == hi; }
+};
+
+/// The largest integer <= y, decided by refining. `is_exactly(k)` answers true only if y = k; it is asked
+/// once, where refining has left two integers.
+IntegerBounds floor_of(const Real &y, const std::function<bool(const Integer &k)> &is_exactly = nullptr);
 
 /// Decimals around y of `digits` >= 1 significant digits (more if y has more before its point): one unit of
 /// the last digit apart, two where most_bits do not tell on which side of a decimal y lies; lo = hi where y

@@ -19,11 +19,13 @@ struct AnswerSample {
     Rational size_lo, size_hi;
   };
 
+  std::string id; ///< of the gradation; empty if there is none
   SizeUnit unit = SizeUnit::mm;
   std::vector<Class> classes; ///< those with particles
   Rational scale;             ///< s, to the power scale_power
   unsigned scale_power = 1;   ///< b of the law
   Integer particles;          ///< N as it is stated
+  bool has_spread = false;    ///< particles have other sizes as well, which are not read
 };
 
 /// Reads an mdm-answer-1. `file` precedes messages.

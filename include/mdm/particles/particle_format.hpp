@@ -18,10 +18,14 @@ enum class ParticleFormat {
   lammps_dump,   ///< text dump of LAMMPS with a column radius or diameter
   liggghts_dump, ///< the same of LIGGGHTS
   vtk,           ///< legacy VTK in ASCII, POLYDATA or UNSTRUCTURED_GRID, with an array radius or diameter
-  diameters      ///< one diameter a line, # comments
+  diameters,     ///< one diameter a line, # comments
+  liggghts_insertion, ///< script of LIGGGHTS with an insertion of one template after the other, to running
+                      ///< totals
+  mercurydpm          ///< cumulative number distribution below the heading that mdm export writes
 };
 
-/// `csv`, `answer`, `xyzr`, `lammps-data`, `lammps-dump`, `liggghts-dump`, `vtk` or `diameters`.
+/// `csv`, `answer`, `xyzr`, `lammps-data`, `lammps-dump`, `liggghts-dump`, `vtk`, `diameters`,
+/// `liggghts-insertion` or `mercurydpm`.
 std::string_view name(ParticleFormat format);
 /// The format of that name, or nothing.
 std::optional<ParticleFormat> parse_particle_format(std::string_view name);

@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// The smallest representative set whose class masses are exact.
+
+#include <mdm/grading/class_counts.hpp>
+#include <mdm/grading/set_quality.hpp>
+#include <mdm/match/spread.hpp>
+
+namespace mdm {
+
+/// Classes as a gradation: bounds and volume fractions rounded to decimals of `digits` significant digits, id
+/// `id`. From there on these decimals are what is matched.
+/// \throws InputError if two bounds become the same decimal
+Gradation rounded_gradation(const std::vector<SizeClass> &classes, unsigned digits, const std::string &id);
+
+/// The least match of such a gradation with N_pc particles in each class with volume and N_min in all, by the
+/// law x^D.
+/// \throws InputError as solve
+Match matched_set(const Gradation &rounded, const Representativity &wanted, const SolveOptions &options);
+
+/// Place of class j of the gradation among those of the match; nothing if it is empty.
+std::optional<std::size_t> place_in_match(const Match &m, std::size_t j);
+
+/// The particles of a complete match without a tolerance; it must outlive them.
+ParticlesOf matched_particles(const Match &m);
+
+/// Those of a spread of it (spread.hpp), of a size each.
+/// \throws InputError as spread
+ParticlesOf spread_particles(const Match &m, std::uint64_t seed);
+
+/// The quality of such a match: its shares are exactly those of its gradation, which are the f_v that it is
+/// compared with.
+SetQuality matched_quality(const Match &m, const ModelCurve &curve, unsigned dimension, unsigned points,
+                           const ParticlesOf &particles);
+
+} // namespace mdm

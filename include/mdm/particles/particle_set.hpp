@@ -1,0 +1,72 @@
+#pragma once
+/// \file
+/// The particles of a match as they are written into files.
+
+#include <mdm/match/solve.hpp>
+#include <mdm/particles/answer_sample.hpp>
+#include <mdm/particles/particle_format.hpp>
+#include <mdm/particles/written_number.hpp>
+
+namespace mdm {
+
+/// The most sizes that a set can hold; they take some 200 bytes each.
+inline constexpr std::uint64_t most_sizes = 10000000;
+
+/// Particles of one size. Formats have diameters or radii, and half of a short decimal need not be one, nor
+/// half of its double be in the class: each is a number of its own.
+struct ParticleSize {
+  WrittenNumber diameter, radius;
+  Integer quantity; ///< 1 or more
+};
+
+/// The particles of a class. Twice a radius and a diameter are above `lower` and up to `upper`, as decimals
+/// and as doubles.
+struct ParticleClass {
+  std::size_t number = 0;          ///< of the gradation, from 1
+  Rational lower, upper;           ///< in the unit of the set
+  Rational density;                ///< in kg per cube of the unit of the set
+  std::vector<ParticleSize> sizes; ///< ascending but for their rounding, one or more
+  Rational mass_error; ///< greatest relative error of the mass of any of them, as decimal or double
+
+  Integer quantity() const;
+};
+
+struct ParticleSet {
+  std::string name; ///< of the gradation
+  LengthUnit unit = LengthUnit::m;
+  MassLaw law;
+  std::vector<ParticleClass> classes; ///< those with particles, ascending
+
+  Integer particles() const;
+  /// The greatest of the classes: the mass of each is off by no more than this part of itself.
+  Rational mass_error() const;
+  const ParticleSize &smallest() const { return classes.front().sizes.front(); }
+  const ParticleSize &largest() const { return classes.back().sizes.back(); }
+  /// (pi / 6) sum of q x^3, over pi / 6: with the doubles of the diameters.
+  Rational cubes() const;
+};
+
+/// How particles are to be written.
+struct ParticleSetOptions {
+  LengthUnit unit = LengthUnit::m;
+  Rational density = 2650;                         ///< kg/m^3; the factor of a class multiplies it
+  Rational most_mass_error = ratio(1, 1000000000); ///< relative, of each class
+};
+
+/// The particles of a match.
+/// \pre m.has_answer()
+/// \throws InputError if a class has no double close enough to its size
+ParticleSet particle_set(const Match &m, const ParticleSetOptions &options = {});
+
+/// The particles of the match's spread with that seed, each with a size of its own; the mass of each is as
+/// close to the exact one as the options say. Cost: some 20 us a particle.
+/// \throws InputError as above, or if there are more than most_sizes
+ParticleSet spread_particle_set(const Match &m, std::uint64_t seed, const ParticleSetOptions &options = {});
+
+/// The particles of an answer; sizes are f^-1(scale * mass / quantity), exactly.
+/// \throws InputError if that is not what the answer says, with this law and without factors, if it has a spread,
+/// or as above
+ParticleSet particle_set(const AnswerSample &answer, const MassLaw &law,
+                         const ParticleSetOptions &options = {});
+
+} // namespace mdm

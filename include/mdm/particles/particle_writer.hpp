@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// Particle files, written.
+
+#include <mdm/particles/placement.hpp>
+
+#include <functional>
+#include <string_view>
+
+namespace mdm {
+
+/// Takes a file piece by piece.
+using TextSink = std::function<void(std::string_view)>;
+
+/// The gradation's name, N, unit and density, in one line of printable text.
+std::string title(const ParticleSet &set);
+/// How exact the masses are, in one line.
+std::string mass_statement(const ParticleSet &set);
+/// What stands above files that have comments: both lines, each behind `# `.
+std::string comment_lines(const ParticleSet &set);
+
+/// `size_<unit>,quantity` below comments: a diameter and its quantity a row, ascending.
+void write_size_csv(const ParticleSet &set, const TextSink &out);
+
+/// One diameter a line below comments, descending.
+void write_diameters(const ParticleSet &set, const TextSink &out);
+
+/// Commands of LIGGGHTS that insert the particles into the region `mdm_region`, class by class, the largest
+/// first, to exact counts, and stop with a message where a count is not reached.
+/// \throws InputError if there are more particles than LIGGGHTS counts
+void write_liggghts(const ParticleSet &set, const TextSink &out);
+
+/// Cumulative number distribution for MercuryDPM's setPSDFromCSV: `radius,cumulative` a row, radii twice. It
+/// cannot carry counts: MercuryDPM draws at random.
+void write_mercurydpm(const ParticleSet &set, const TextSink &out);
+
+/// Data file of LAMMPS and LIGGGHTS, atom_style sphere, one type.
+void write_lammps_data(const Placement &start, const TextSink &out);
+
+/// `x y z r` a line below comments, for YADE's ymport.text.
+void write_xyzr(const Placement &start, const TextSink &out);
+
+/// Legacy VTK 3.0 in ASCII, POLYDATA with VERTICES, radius, and the number of the class.
+void write_vtk(const Placement &start, const TextSink &out);
+
+} // namespace mdm

@@ -1,0 +1,429 @@
+#include "commands.hpp"
+#include "export_model.hpp"
+#include "files.hpp"
+#include "option_values.hpp"
+#include "progress.hpp"
+#include "solve_flags.hpp"
+
+#include <mdm/error.hpp>
+#include <mdm/gradation/read_gradation.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/particles/answer_sample.hpp>
+#include <mdm/particles/cost.hpp>
+#include <mdm/particles/particle_writer.hpp>
+#include <mdm/report/answer.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+namespace mdm::cli {
+namespace {
+
+/// A format that export writes: sizes alone, or particles in their places.
+struct Format {
+  const char *name;
+  void (*write)(const ParticleSet &, const TextSink &);
+  void (*write_placed)(const Placement &, const TextSink &);
+  unsigned bytes; ///< of the engine's memory for a particle; 0: not known
+};
+
+/// Bytes were measured with 97,336 particles of one size in contact with six others each, and rounded up.
+constexpr std::array<Format, 7> formats = {{{"liggghts", write_liggghts, nullptr, 1000},
+                                            {"lammps", nullptr, write_lammps_data, 1000},
+                                            {"yade", nullptr, write_xyzr, 10000},
+                                            {"mercurydpm", write_mercurydpm, nullptr, 0},
+                                            {"vtk", nullptr, write_vtk, 0},
+                                            {"csv", write_size_csv, nullptr, 0},
+                                            {"diameters", write_diameters, nullptr, 0}}};
+
+/// More particles than this are to be wanted.
+constexpr std::uint64_t huge = 10000000;
+/// Boxes and sizes beyond these, in m, are mostly wrong units.
+const Rational &largest_box() {
+  static const Rational side = 100;
+  return side;
+}
+const Rational &smallest_size() {
+  static const Rational micrometre = ratio(1, 1000000);
+  return micrometre;
+}
+
+struct ExportCommand {
+  std::string file;
+  SolveFlags flags;
+  std::vector<CLI::Option *> solving; ///< options that only a gradation has a use for
+  GradationFlags::Text unit, density, mass_error, box, seed, young, poisson, specimen_id, model, steps, start;
+  std::string to;
+  std::string out = "-";
+  bool spread = false;
+  bool yes_huge = false;
+  bool yes_units = false;
+  bool quiet = false;
+};
+
+std::string shown_name(const ExportCommand &c) {
+  return c.file == "-" ? "stdin" : c.file;
+}
+
+std::string format_names() {
+  std::string text;
+  for (const Format &format : formats)
+    text += (text.empty() ? "" : ", ") + std::string(format.name);
+  return text;
+}
+
+const Format &format_of(const ExportCommand &c) {
+  const auto found = std::find_if(formats.begin(), formats.end(),
+                                  [&c](const Format &format) { return c.to == format.name; });
+  if (found == formats.end())
+    throw InputError("--to: " + in_quotes(c.to) + " is no format: use one of " + format_names());
+  return *found;
+}
+
+ParticleSetOptions set_options(const ExportCommand &c) {
+  ParticleSetOptions options;
+  if (c.unit) {
+    const std::optional<LengthUnit> unit = parse_length_unit(*c.unit);
+    if (!unit)
+      throw InputError("--unit: " + in_quotes(*c.unit) + " is unknown: use mm, um, m or in");
+    options.unit = *unit;
+  }
+  if (c.density)
+    options.density = positive("--density", *c.density);
+  if (c.mass_error)
+    options.most_mass_error = positive("--mass-error", *c.mass_error);
+  return options;
+}
+
+std::uint64_t seed_of(const ExportCommand &c) {
+  return c.seed ? natural64("--seed", *c.seed) : 1;
+}
+
+/// True for the JSON answer of mdm solve; a gradation in JSON has no schema.
+bool is_answer(std::string_view content) {
+  const std::size_t first = content.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != std::string_view::npos && content[first] == '{' &&
+         content.find("\"schema\"") != std::string_view::npos;
+}
+
+/// What is exported, and how the command ends.
+struct Particles {
+  std::optional<ParticleSet> set; ///< nothing: there is no match
+  int exit_code = Exit::done;
+  SizeUnit unit = SizeUnit::mm; ///< of lengths in options
+  std::optional<Solids> solids; ///< that were asked for
+};
+
+Particles answer_particles(const ExportCommand &c, const std::string &content,
+                           const ParticleSetOptions &options) {
+  for (const CLI::Option *option : c.solving)
+    if (option->count() > 0 && option->get_name() != "--law")
+      throw InputError(option->get_name() + ": the answer in " + printable(shown_name(c)) +
+                       " is solved already: leave it out, or export the gradation");
+  const AnswerSample answer = read_answer(content, shown_name(c));
+  return {particle_set(answer, c.flags.GradationFlags::question().law, options), Exit::done, answer.unit,
+          std::nullopt};
+}
+
+Particles solved_particles(const ExportCommand &c, const std::string &content,
+                           const ParticleSetOptions &options) {
+  const Question question = c.flags.question();
+  Progress progress([] { return std::string("solving"); }, c.quiet);
+  const Match m = solve(read_gradation(content, shown_name(c), c.specimen_id), question, c.flags.options());
+  if (!c.quiet)
+    for (const std::string &note : m.notes)
+      tell("note: " + note + "\n");
+  if (m.status != Status::optimal)
+    tell(printable(m.gradation.id()) + ": " + headline(m) + "\n");
+  const int code = m.status == Status::optimal ? Exit::done
+                   : m.status == Status::none  ? Exit::negative
+                                               : Exit::limited;
+  if (!m.has_answer())
+    return {std::nullopt, code, m.gradation.unit(), std::nullopt};
+  return {c.spread ? spread_particle_set(m, seed_of(c), options) : particle_set(m, options), code,
+          m.gradation.unit(), question.solids};
+}
+
+Particles particles(const ExportCommand &c, const ParticleSetOptions &options) {
+  const std::string content = read_file(c.file, max_gradation_bytes);
+  try {
+    return is_answer(content) ? answer_particles(c, content, options) : solved_particles(c, content, options);
+  } catch (const InputError &e) {
+    const std::string name = printable(shown_name(c));
+    const std::string what = e.what();
+    throw InputError(what.starts_with(name + ":") || what.starts_with("--") ? what : name + ": " + what);
+  }
+}
+
+/// Reads `AxB` or `AxBxC`.
+Footprint parse_box(const std::string &text) {
+  std::vector<Rational> lengths;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('x', begin), text.size());
+    lengths.push_back(positive("--box", text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  if (lengths.size() < 2 || lengths.size() > 3)
+    throw InputError("--box: " + in_quotes(text) + " is neither AxB nor AxBxC: write for example 50x50");
+  return {lengths[0], lengths[1], lengths.size() == 3 ? std::optional(lengths[2]) : std::nullopt};
+}
+
+/// What the start stands on: --box, or else the specimen.
+std::optional<Footprint> footprint(const ExportCommand &c, const Particles &found) {
+  std::optional<Footprint> floor;
+  if (c.box)
+    floor = parse_box(*c.box);
+  else if (found.solids && std::holds_alternative<Box>(*found.solids))
+    floor = {std::get<Box>(*found.solids).a, std::get<Box>(*found.solids).b, std::nullopt};
+  else if (found.solids && std::holds_alternative<Cylinder>(*found.solids))
+    floor = inscribed_square(std::get<Cylinder>(*found.solids).diameter);
+  if (!floor)
+    return floor;
+  const Rational unit = in_mm(length_unit(found.unit)) / in_mm(found.set->unit);
+  floor->a *= unit;
+  floor->b *= unit;
+  if (floor->c)
+    *floor->c *= unit;
+  return floor;
+}
+
+Elasticity elasticity(const ExportCommand &c) {
+  Elasticity e;
+  if (c.young)
+    e.young = positive("--young", *c.young);
+  if (c.poisson)
+    e.poisson = not_negative("--poisson", *c.poisson);
+  if (e.poisson > ratio(1, 2))
+    throw InputError("--poisson: " + in_quotes(*c.poisson) + " is above 0.5, which no material has");
+  return e;
+}
+
+/// What a user may not have meant.
+void check_wanted(const ExportCommand &c, const Format &format, const ParticleSet &set,
+                  const std::optional<Placement> &start) {
+  if (!c.yes_huge && set.particles() > huge && format.write != write_size_csv)
+    throw InputError(fmt::format("{} particles are more than {}: --yes-huge if that is wanted; else a "
+                                 "--tolerance or --cut-below needs fewer, and --to csv writes counts alone",
+                                 to_string(set.particles()), huge));
+  if (format.bytes > 0)
+    check_simulated(set);
+  if (c.yes_units)
+    return;
+  const Rational smallest = in_metres(set, set.smallest().diameter.decimal());
+  if (smallest < smallest_size())
+    throw InputError(fmt::format("particles of {} m are below 1 um: is the unit of the gradation right? "
+                                 "--yes-units if it is, --cut-below leaves fine classes out",
+                                 approximate(smallest, 3)));
+  Rational side = loose_side(set);
+  if (start)
+    for (const std::int64_t length : start->box())
+      side = std::max(side, in_metres(set, parse_decimal(start->text(length))));
+  if (side > largest_box())
+    throw InputError(fmt::format("the particles need a box of {} m, more than 100 m: is the unit of the "
+                                 "gradation right? --yes-units if it is",
+                                 approximate(side, 3)));
+}
+
+/// `1.5 MB`, three digits of it.
+std::string bytes_text(const Integer &bytes) {
+  constexpr int step = 1000;
+  Rational n = bytes;
+  std::size_t i = 0;
+  constexpr std::array<const char *, 5> units = {"bytes", "kB", "MB", "GB", "TB"};
+  for (; n >= step && i + 1 < units.size(); ++i)
+    n /= step;
+  return approximate(n, 3) + " " + units.at(i);
+}
+
+/// The digits that two bounds of a number have in common, four at most.
+std::string certain_digits(const std::pair<Rational, Rational> &bounds) {
+  unsigned digits = 4;
+  while (digits > 1 && approximate(bounds.first, digits) != approximate(bounds.second, digits))
+    --digits;
+  return approximate(bounds.first, digits);
+}
+
+/// What the simulation will cost, and where the particles start.
+std::string guide(const Format &format, const ParticleSet &set, const std::optional<Placement> &start,
+                  const Elasticity &e) {
+  std::string text = fmt::format(
+      "{} particles; Rayleigh time {} s (E = {} Pa, nu = {}): take some 20 % of it as time step\n",
+      to_string(set.particles()), approximate(rayleigh_time(set, e), 3), short_decimal(e.young),
+      short_decimal(e.poisson));
+  if (format.bytes > 0)
+    text += fmt::format("memory of {}: some {} ({} bytes a particle, more where sizes are far apart)\n",
+                        format.name, bytes_text(Integer(set.particles() * format.bytes)), format.bytes);
+  if (format.write == write_mercurydpm)
+    text += "MercuryDPM draws sizes at random from the shares: its counts are not exact\n";
+  if (start)
+    text += fmt::format("box: {} x {} x {} {}, void ratio {}; no two particles overlap\n",
+                        start->text(start->box()[0]), start->text(start->box()[1]),
+                        start->text(start->box()[2]), name(set.unit), certain_digits(start->void_ratio()));
+  return text;
+}
+
+/// More particles than this are mixed by request alone: it takes seconds and memory.
+constexpr std::uint64_t most_mixed = 1000000;
+
+Start start_of(const ExportCommand &c, const ParticleSet &set) {
+  if (!c.start)
+    return c.model && set.particles() <= most_mixed ? Start::mixed : Start::layers;
+  if (*c.start != "layers" && *c.start != "mixed")
+    throw InputError("--start: " + in_quotes(*c.start) + " is neither layers nor mixed");
+  return *c.start == "mixed" ? Start::mixed : Start::layers;
+}
+
+void write_model(const ExportCommand &c, const Format &format, const ModelWriter &writer,
+                 const Particles &found, const std::optional<Placement> &start, std::uint64_t seed) {
+  SettleModel model = writer.model(*found.set, start, footprint(c, found));
+  model.seed = seed;
+  if (c.steps)
+    model.steps = natural64("--steps", *c.steps);
+  const Elasticity e = elasticity(c);
+  if (c.young)
+    model.young = e.young;
+  model.poisson = e.poisson;
+  writer.write(model, start);
+  if (c.quiet)
+    return;
+  const Settling s = settling(model);
+  tell(guide(format, *found.set, start, s.elasticity));
+  tell(fmt::format(
+      "model: {} steps of {:.3g} s; its first lines say how to run it and to verify what it leaves\n",
+      s.steps, s.step));
+}
+
+void write_file(const ExportCommand &c, const Format &format, const std::optional<ModelWriter> &model,
+                const Particles &found) {
+  const std::uint64_t seed = seed_of(c);
+  const Elasticity e = elasticity(c);
+  std::optional<Placement> start;
+  check_wanted(c, format, *found.set, start); // before a long search for places
+  if (format.write_placed != nullptr)
+    start.emplace(*found.set, footprint(c, found), seed, start_of(c, *found.set));
+  check_wanted(c, format, *found.set, start);
+  if (model)
+    return write_model(c, format, *model, found, start, seed);
+  Output out(c.out);
+  if (!c.quiet)
+    tell(guide(format, *found.set, start, e));
+  Progress progress([] { return std::string("writing"); }, c.quiet);
+  const TextSink sink = [&out](std::string_view text) { out.write(text); };
+  if (start)
+    format.write_placed(*start, sink);
+  else
+    format.write(*found.set, sink);
+  out.commit();
+}
+
+/// Refuses options that the format has no use for.
+void check_options(const ExportCommand &c, const Format &format) {
+  if (c.steps && !c.model)
+    throw InputError("--steps is for a model: give --model settle too");
+  if (c.model && c.unit && c.unit != "m")
+    throw InputError("--unit: models are in SI units: leave it out");
+  if (format.write_placed == nullptr && c.start)
+    throw InputError(std::string("--start: ") + format.name + " has no places here: leave it out");
+  const bool has_no_places = format.write_placed == nullptr && !c.model;
+  if (has_no_places && (c.box || (c.seed && !c.spread)))
+    throw InputError(std::string(c.box ? "--box" : "--seed") + ": " + format.name +
+                     " has sizes without places: leave it out");
+}
+
+int run(const ExportCommand &c) {
+  const Format &format = format_of(c);
+  check_options(c, format);
+  const ParticleSetOptions options = set_options(c);
+  std::vector<std::string> paths = {c.file, c.out};
+  std::optional<ModelWriter> model;
+  if (c.model) {
+    model.emplace(*c.model, c.to, c.out);
+    if (!model->particles().empty())
+      paths.push_back(model->particles());
+  }
+  if (c.flags.band)
+    paths.push_back(*c.flags.band);
+  check_distinct(paths);
+  const Particles found = particles(c, options);
+  if (!found.set)
+    return found.exit_code;
+  write_file(c, format, model, found);
+  return found.exit_code;
+}
+
+} // namespace
+
+Run add_export(CLI::App &app) {
+  const auto c = std::make_shared<ExportCommand>();
+  CLI::App &command = *app.add_subcommand("export", "Particle files for DEM codes, with exact counts");
+  command
+      .add_option(
+          "FILE", c->file,
+          "JSON answer of mdm solve, or a gradation to solve (CSV, JSON or AGS4); - for standard input")
+      ->required();
+  command.add_option("--to", c->to, "format: " + format_names())->type_name("FORMAT")->required();
+  command.add_option("--unit", c->unit, "unit of lengths in the file: m (default), mm, um or in")
+      ->type_name("UNIT");
+  command
+      .add_option("--density", c->density,
+                  "of the grains in kg/m^3 (2650); a class's factor, where there is one, multiplies it")
+      ->type_name("RHO");
+  command
+      .add_option("--mass-error", c->mass_error,
+                  "relative error of the mass of a class that rounded sizes may make (1e-9)")
+      ->type_name("EPS");
+  command
+      .add_option(
+          "--box", c->box,
+          "footprint of the start, and its height, in the answer's unit (lammps, yade, vtk, models); without "
+          "it the specimen's, a square in it for a cylinder, or a square that makes the start as high "
+          "as wide")
+      ->type_name("AxB[xC]");
+  command
+      .add_option(
+          "--model", c->model,
+          "settle: a complete model that lets the particles settle in the box, for liggghts, lammps or "
+          "yade, and beside it the file of particles that it reads")
+      ->type_name("MODEL");
+  command
+      .add_option("--steps", c->steps,
+                  "time steps of the model; without it three times as long as a fall from the top of the box")
+      ->type_name("N");
+  command
+      .add_option(
+          "--start", c->start,
+          "layers, a slab for each class; or mixed, at random places of a higher box (lammps, yade, vtk; "
+          "layers, but mixed for a model of up to 1000000 particles)")
+      ->type_name("START");
+  command.add_option("--seed", c->seed, "of the places of the start, and of a spread's sizes (1)")
+      ->type_name("K");
+  command
+      .add_option("--young", c->young,
+                  "Young's modulus for the time step, in Pa (7e10; a model is softer, and says so)")
+      ->type_name("E");
+  command.add_option("--poisson", c->poisson, "Poisson's ratio for the time step (0.25)")->type_name("NU");
+  command.add_flag("--yes-huge", c->yes_huge, "more than 10000000 particles are wanted");
+  command.add_flag("--yes-units", c->yes_units,
+                   "sizes below 1 um and boxes above 100 m are right: the units are no mistake");
+  CLI::Option *const spread =
+      command.add_flag("--spread", c->spread,
+                       "sizes for all particles, as solve --spread gives them: exact masses of the classes");
+  const std::size_t before = command.get_options().size();
+  c->flags.add_to(command);
+  c->solving = command.get_options();
+  c->solving.erase(c->solving.begin(), c->solving.begin() + static_cast<std::ptrdiff_t>(before));
+  c->solving.push_back(spread);
+  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
+      ->type_name("ID");
+  command.add_option("-o", c->out, "write the file to OUT instead of standard output")->type_name("OUT");
+  command.add_flag("--quiet", c->quiet, "no progress, costs and notes on standard error");
+  command.footer(
+      "Example: mdm export sand.csv --to lammps --box 50x50 -o sand.data\n"
+      "LIGGGHTS, LAMMPS, YADE, VTK, csv and diameters carry exact counts; MercuryDPM draws at random.");
+  return [c] { return run(*c); };
+}
+
+} // namespace mdm::cli

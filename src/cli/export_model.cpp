@@ -1,0 +1,84 @@
+#include "export_model.hpp"
+
+#include "files.hpp"
+
+#include <mdm/error.hpp>
+#include <mdm/particles/particle_writer.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+
+namespace mdm::cli {
+
+struct ModelEngine {
+  const char *name;
+  std::string (*script)(const SettleModel &);
+  /// What the script reads; null if it inserts by itself.
+  void (*write_particles)(const Placement &, const TextSink &);
+  const char *particles_ending;
+  const char *dump_ending;
+};
+
+namespace {
+
+constexpr std::array<ModelEngine, 3> engines = {
+    {{"liggghts", liggghts_model, nullptr, "", ".dump"},
+     {"lammps", lammps_model, write_lammps_data, ".data", ".dump"},
+     {"yade", yade_model, write_xyzr, ".xyzr", ".xyzr"}}};
+
+ModelBox insertion_box(const ParticleSet &set, const std::optional<Footprint> &floor) {
+  const double largest = set.largest().diameter.value;
+  ModelBox box;
+  box.x = floor ? floor->a.convert_to<double>() : settled_side(set);
+  box.y = floor ? floor->b.convert_to<double>() : box.x;
+  if (std::min(box.x, box.y) <= largest)
+    throw InputError(fmt::format("--box: the largest grain, {} m, does not fit into it: give a wider one",
+                                 set.largest().diameter.text));
+  box.z = floor && floor->c ? floor->c->convert_to<double>() : insertion_height(set, box.x, box.y);
+  return box;
+}
+
+} // namespace
+
+ModelWriter::ModelWriter(const std::string &model, const std::string &to, std::string out)
+    : engine_(std::find_if(engines.begin(), engines.end(),
+                           [&to](const ModelEngine &engine) { return to == engine.name; })),
+      out_(std::move(out)) {
+  if (model != "settle")
+    throw InputError("--model: " + in_quotes(model) + " is none: there is settle");
+  if (engine_ == engines.end())
+    throw InputError("--model: there is none for " + to + ": use --to liggghts, lammps or yade");
+  if (out_ == "-")
+    throw InputError("--model: what it reads and writes lies beside it: say where with -o FILE");
+  if (engine_->script == yade_model && std::filesystem::path(out_).extension() != ".py")
+    throw InputError("-o: YADE runs models that end in .py: give it such a name");
+  if (engine_->write_particles != nullptr)
+    particles_ = std::filesystem::path(out_).replace_extension(engine_->particles_ending).string();
+}
+
+SettleModel ModelWriter::model(const ParticleSet &set, const std::optional<Placement> &start,
+                               const std::optional<Footprint> &floor) const {
+  const auto length = [&start](std::size_t axis) {
+    return std::strtod(start->text(start->box()[axis]).c_str(), nullptr);
+  };
+  const ModelBox box = start ? ModelBox{length(0), length(1), length(2)} : insertion_box(set, floor);
+  return {set, box, std::filesystem::path(particles_).filename().string(),
+          std::filesystem::path(out_).stem().string() + "-settled" + engine_->dump_ending};
+}
+
+void ModelWriter::write(const SettleModel &model, const std::optional<Placement> &start) const {
+  Output script(out_);
+  script.write(engine_->script(model));
+  if (start) {
+    Output particles(particles_);
+    engine_->write_particles(*start, [&particles](std::string_view text) { particles.write(text); });
+    particles.commit();
+  }
+  script.commit();
+}
+
+} // namespace mdm::cli

@@ -1,0 +1,330 @@
+#include "commands.hpp"
+#include "files.hpp"
+#include "option_values.hpp"
+#include "progress.hpp"
+
+#include <mdm/gradation/read_gradation.hpp>
+#include <mdm/grading/beta_curve.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/report/generated.hpp>
+
+#include <fmt/core.h>
+
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <memory>
+
+namespace mdm::cli {
+namespace {
+
+constexpr unsigned most_table = 100000;
+constexpr unsigned most_points = 1000;
+
+/// What is longer no file holds.
+const Integer &most_sizes() {
+  static const Integer most = power_of_ten(12);
+  return most;
+}
+
+struct GenerateCommand {
+  std::optional<std::string> beta, d_min, d_max, span, ratio, curve, pan_size, between, specimen_id;
+  std::optional<std::string> classing, at_most, seed, points;
+  std::string classes = "10", min_per_class = "10", at_least = "2000", dimension = "3", method = "paper";
+  std::string digits = "15", match_digits = "6", time_limit = "60", format = "text", out = "-";
+  std::optional<std::string> table;
+  bool quantiles = false, sizes = false, spread = false, quiet = false;
+};
+
+/// The ends of the curve from two of the four options (Eq. 17).
+std::pair<Rational, Rational> ends(const GenerateCommand &c) {
+  const int given = c.d_min.has_value() + c.d_max.has_value() + c.span.has_value() + c.ratio.has_value();
+  if (given != 2 || (!c.d_min && !c.d_max))
+    throw InputError(
+        "--beta: two sizes are needed: --dmin and --dmax, or one of them with --span or --ratio");
+  if (c.d_min && c.d_max)
+    return {positive("--dmin", *c.d_min), positive("--dmax", *c.d_max)};
+  Rational r;
+  if (c.span) {
+    const Rational s = positive("--span", *c.span);
+    if (s >= 1)
+      throw InputError("--span: " + in_quotes(*c.span) + " is not below 1: then d_min would be 0");
+    r = (1 + s) / (1 - s);
+  } else {
+    r = positive("--ratio", *c.ratio);
+    if (r <= 1)
+      throw InputError("--ratio: " + in_quotes(*c.ratio) + " is not above 1: d_max / d_min is needed");
+  }
+  if (c.d_min) {
+    const Rational low = positive("--dmin", *c.d_min);
+    return {low, low * r};
+  }
+  const Rational high = positive("--dmax", *c.d_max);
+  return {high / r, high};
+}
+
+std::shared_ptr<const BetaCurve> beta_curve(const GenerateCommand &c) {
+  const std::size_t comma = c.beta->find(',');
+  if (comma == std::string::npos)
+    throw InputError("--beta: " + in_quotes(*c.beta) + " is not A,B: write for example 1,3");
+  const Rational a = positive("--beta", c.beta->substr(0, comma)),
+                 b = positive("--beta", c.beta->substr(comma + 1));
+  const auto [low, high] = ends(c);
+  return named("--beta", *c.beta, [&, l = low, h = high](const std::string &) {
+    return std::make_shared<const BetaCurve>(a, b, l, h);
+  });
+}
+
+std::shared_ptr<const SieveCurve> sieve_curve(const GenerateCommand &c, std::vector<std::string> &notes) {
+  if (c.d_min || c.d_max || c.span || c.ratio)
+    throw InputError("--curve: the file has the sizes: leave out --dmin, --dmax, --span and --ratio");
+  const std::string name = *c.curve == "-" ? "stdin" : *c.curve;
+  Gradation g = read_gradation(read_file(*c.curve, max_gradation_bytes), name, c.specimen_id);
+  notes = g.notes();
+  const std::string between = c.between.value_or("log");
+  const Interpolation interpolation = between == "log"      ? Interpolation::log
+                                      : between == "linear" ? Interpolation::linear
+                                                            : Interpolation::stair;
+  try {
+    if (c.pan_size)
+      g = g.with_pan_size(positive("--pan-size", *c.pan_size));
+    return std::make_shared<const SieveCurve>(GradingCurve(g), interpolation);
+  } catch (const InputError &e) {
+    throw InputError(printable(name) + ": " + e.what());
+  }
+}
+
+unsigned small_natural(const char *option, const std::string &text, unsigned least, unsigned most) {
+  const Integer n = natural(option, text, least);
+  if (n > most)
+    throw InputError(std::string(option) + ": at most " + std::to_string(most));
+  return static_cast<unsigned>(n);
+}
+
+Classing classing(const std::string &name) {
+  return name == "regular"     ? Classing::regular
+         : name == "geometric" ? Classing::geometric
+                               : Classing::isochoric;
+}
+
+std::uint64_t seed_of(const GenerateCommand &c) {
+  const Integer seed = natural("--seed", c.seed.value_or("1"), 0);
+  if (seed > std::numeric_limits<std::uint64_t>::max())
+    throw InputError("--seed: at most 18446744073709551615 (64 bits)");
+  return static_cast<std::uint64_t>(seed);
+}
+
+Draws draws(const GenerateCommand &c) {
+  return c.seed ? Draws::random(seed_of(c)) : Draws::quantiles();
+}
+
+void check(const GenerateCommand &c) {
+  if (c.beta.has_value() == c.curve.has_value())
+    throw InputError("a curve is needed: --beta A,B or --curve FILE, one of them");
+  if (c.beta && (c.between || c.pan_size || c.specimen_id))
+    throw InputError("--between, --pan-size and --specimen-id need --curve: a beta curve has no sieves");
+  if (c.beta && c.classing == "sieves")
+    throw InputError("--classing: a beta curve has no sieves: use regular, geometric or isochoric");
+  if (c.seed && c.quantiles)
+    throw InputError("--seed and --quantiles exclude each other: random sizes, or none by chance");
+  if (c.sizes && c.format == "text")
+    throw InputError("--sizes: text has no place for them: use --format json or csv");
+  if (c.spread && c.method != "match")
+    throw InputError("--spread: it is of --method match; --method paper draws sizes anyhow, with --seed K");
+  if (c.spread && c.quantiles)
+    throw InputError("--spread draws at random: leave out --quantiles");
+  if (c.sizes && c.method == "match" && !c.spread && (c.seed || c.quantiles))
+    throw InputError(
+        "--method match gives a class one size: leave out --seed and --quantiles, or add --spread");
+  if (c.sizes && c.table && c.format == "csv")
+    throw InputError("--sizes and --table: CSV has place for one of them; use --format json");
+}
+
+/// Particles of sets of which the quality is told without being asked for: a second or so.
+constexpr unsigned most_judged = 1000000;
+constexpr unsigned usual_points = 100;
+
+/// C_r and the rest of Eq. 18-21 for the particles themselves.
+void add_quality(const GenerateCommand &c, GeneratedSet &set) {
+  set.points = c.points ? small_natural("--points", *c.points, 0, most_points) : usual_points;
+  if (set.points == 1)
+    throw InputError("--points: at least 2, or 0 to leave the quality out");
+  if (set.points == 0)
+    return;
+  if (set.match && set.match->complete)
+    set.match_quality =
+        matched_quality(*set.match, *set.curve, set.wanted.dimension, set.points, set.match_particles());
+  if (!set.counts.decided())
+    return;
+  if (set.counts.particles() > (c.points ? most_sizes() : Integer(most_judged))) {
+    set.notes.push_back("the quality of a set of " + to_string(set.counts.particles()) +
+                        " particles is told with --points, up to 10^12 particles");
+    return;
+  }
+  set.drawn_quality = set_quality(
+      *set.curve, set.classes, set.wanted.dimension, set.points,
+      drawn_particles(set.classes, set.counts.numbers, set.wanted.dimension, set.digits, draws(c)));
+}
+
+/// Adds the curve and its classes.
+void add_curve(const GenerateCommand &c, GeneratedSet &set) {
+  const unsigned n = small_natural("--classes", c.classes, 1, max_size_classes);
+  if (c.beta) {
+    const std::shared_ptr<const BetaCurve> curve = beta_curve(c);
+    const std::string how = c.classing.value_or("geometric");
+    set.curve = curve;
+    set.id = "beta curve (" + to_decimal(curve->a()) + ", " + to_decimal(curve->b()) + "), " + curve->shape();
+    set.terms = c.classes + " " + how + " classes";
+    set.classes = size_classes(*curve, classing(how), n);
+    return;
+  }
+  const std::shared_ptr<const SieveCurve> curve = sieve_curve(c, set.notes);
+  const std::string how = c.classing.value_or("sieves");
+  set.curve = curve;
+  set.unit = "mm";
+  const std::string between = c.between.value_or("log");
+  set.id = (*c.curve == "-" ? "stdin" : *c.curve) +
+           (between == "stair" ? ", a stair"
+                               : ", linear in " + std::string(between == "log" ? "log size" : "size"));
+  set.terms = how == "sieves" ? "classes between the sieves" : c.classes + " " + how + " classes";
+  set.classes = how == "sieves" ? sieve_classes(*curve) : size_classes(*curve, classing(how), n);
+}
+
+GeneratedSet generated(const GenerateCommand &c) {
+  GeneratedSet set;
+  set.digits = digits_of("--digits", c.digits);
+  set.match_digits = digits_of("--match-digits", c.match_digits);
+  set.wanted.min_per_class = natural("--min-per-class", c.min_per_class, 1);
+  set.wanted.at_least = natural("--at-least", c.at_least, 1);
+  set.wanted.dimension = c.dimension == "2" ? 2 : 3;
+  if (c.at_most) {
+    set.at_most = natural("--at-most", *c.at_most, 1);
+    if (*set.at_most < set.wanted.at_least)
+      throw InputError("--at-most: fewer than --at-least: no set can have both");
+  }
+  if (c.table)
+    set.table = small_natural("--table", *c.table, 2, most_table);
+  add_curve(c, set);
+  set.terms += fmt::format(", at least {} particles in each and {} in all, dimension {}", c.min_per_class,
+                           c.at_least, c.dimension);
+  set.counts = class_counts(set.classes, *set.curve, set.wanted);
+  std::string empty;
+  for (std::size_t j = 0; j < set.classes.size(); ++j)
+    if (set.classes[j].is_empty())
+      empty += (empty.empty() ? "" : ", ") + std::to_string(j + 1);
+  if (!empty.empty())
+    set.notes.push_back("no volume, thus no particles, in class " + empty);
+  if (c.method == "match") {
+    SolveOptions options;
+    options.digits = set.digits;
+    options.at_most = set.at_most;
+    options.limits.deadline = std::chrono::steady_clock::now() +
+                              std::chrono::seconds(small_natural("--time-limit", c.time_limit, 1, 1000000));
+    set.match = matched_set(rounded_gradation(set.classes, set.match_digits, set.id), set.wanted, options);
+    set.notes.insert(set.notes.end(), set.match->notes.begin(), set.match->notes.end());
+    if (c.spread)
+      set.spread = seed_of(c);
+  } else if (set.counts.decided() && set.counts.particles() < set.wanted.at_least) {
+    set.notes.push_back("the floors of Eq. 9 sum to " + to_string(set.counts.particles()) + ", below N_min");
+  }
+  add_quality(c, set);
+  return set;
+}
+
+int exit_code(const GeneratedSet &set) {
+  const std::optional<bool> accessible = set.accessible();
+  if (accessible == false)
+    return Exit::negative;
+  return accessible && set.particles() ? Exit::done : Exit::limited;
+}
+
+int run(const GenerateCommand &c) {
+  check(c);
+  check_distinct({c.curve.value_or("-"), c.out});
+  const std::optional<Draws> how = c.sizes ? std::optional(draws(c)) : std::nullopt;
+  std::atomic<std::uint64_t> written = 0;
+  Progress progress([&written] { return fmt::format("generating, {} MB written", written / 1000000); },
+                    c.quiet);
+  const GeneratedSet set = generated(c);
+  if (how && set.particles() && *set.particles() > most_sizes())
+    throw InputError("--sizes: " + to_string(*set.particles()) +
+                     " particles: at most 10^12 can be listed; leave out --sizes or ask for fewer classes");
+  Output out(c.out);
+  const Sink sink = [&](std::string_view text) {
+    out.write(text);
+    written += text.size();
+  };
+  if (c.format == "json") {
+    generated_json(set, how, sink);
+    out.write("\n");
+  } else if (c.format == "csv") {
+    generated_csv(set, how, sink);
+  } else {
+    out.write(generated_text(set));
+  }
+  out.commit();
+  // CSV has no place for them.
+  if (c.format == "csv" && !c.quiet)
+    for (const std::string &note : set.notes)
+      tell("note: " + note + "\n");
+  return exit_code(set);
+}
+
+} // namespace
+
+Run add_generate(CLI::App &app) {
+  const auto c = std::make_shared<GenerateCommand>();
+  CLI::App &command =
+      *app.add_subcommand("generate", "A representative set of particles from a grading curve");
+  const auto option = [&command](const char *name, auto &value, const char *type, const char *help) {
+    return command.add_option(name, value, help)->type_name(type);
+  };
+  option("--beta", c->beta, "A,B",
+         "the cumulative beta curve, a and b from 0.001 to 1000; 1,1 is uniform by volume");
+  option("--dmin", c->d_min, "SIZE", "smallest size of a beta curve");
+  option("--dmax", c->d_max, "SIZE", "largest size of a beta curve");
+  option("--span", c->span, "S", "(dmax - dmin) / (dmax + dmin), between 0 and 1");
+  option("--ratio", c->ratio, "R", "dmax / dmin, above 1");
+  option("--curve", c->curve, "FILE", "the curve of a gradation: CSV, JSON or AGS4; - for standard input");
+  option("--between", c->between, "",
+         "what the curve of a file does between sieves: linear in log size (log, the "
+         "default) or in size (linear), or constant (stair)")
+      ->check(CLI::IsMember({"log", "linear", "stair"}));
+  option("--pan-size", c->pan_size, "SIZE", "take the pan of a file as a sieve of this size");
+  option("--specimen-id", c->specimen_id, "ID", "the specimen of an AGS4 file with several");
+  option("--classes", c->classes, "N", "number of size classes (10)");
+  option("--classing", c->classing, "",
+         "classes of equal widths (regular), equal ratios (geometric, the default of --beta), equal volumes "
+         "(isochoric), or between the sieves (sieves, the default of --curve)")
+      ->check(CLI::IsMember({"regular", "geometric", "isochoric", "sieves"}));
+  option("--min-per-class", c->min_per_class, "N", "particles in the scarcest class (10)");
+  option("--at-least", c->at_least, "N", "particles in all (2000)");
+  option("--at-most", c->at_most, "N", "more are not accessible: exit 1");
+  option("--dimension", c->dimension, "", "2, discs, or 3, spheres (3)")->check(CLI::IsMember({"2", "3"}));
+  option("--method", c->method, "",
+         "counts by rounding (paper), or the smallest set whose class volumes are exact (match)")
+      ->check(CLI::IsMember({"paper", "match"}));
+  option("--match-digits", c->match_digits, "D",
+         "significant digits of bounds and volumes for --method match (6)");
+  option("--time-limit", c->time_limit, "SECONDS",
+         "of --method match (60); then exit 3 with what is certain");
+  command.add_flag("--sizes", c->sizes, "the size of every particle (JSON and CSV)");
+  option("--seed", c->seed, "K", "draw sizes at random, by the counter-based generator Philox 4x32-10");
+  command.add_flag("--spread", c->spread,
+                   "sizes of --method match uniform by volume in their class as far as its exact volume lets "
+                   "them, by --seed (1)");
+  command.add_flag("--quantiles", c->quantiles, "draw sizes without randomness (the default)");
+  option("--points", c->points, "K",
+         "sizes, equally spaced in log size, at which the set's curve is compared (C_r; 100, up to 10^6 "
+         "particles); 0: no quality");
+  option("--table", c->table, "K", "h, V, F and f at K equally spaced sizes");
+  option("--digits", c->digits, "D", "significant digits of enclosures (15)");
+  command.add_option("--format", c->format, "text, json or csv")
+      ->check(CLI::IsMember({"text", "json", "csv"}));
+  option("-o", c->out, "OUT", "write to OUT instead of standard output");
+  command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
+  command.footer("Example: mdm generate --beta 1,3 --dmin 0.1 --ratio 20 --sizes --seed 1 --format csv");
+  return [c] { return run(*c); };
+}
+
+} // namespace mdm::cli

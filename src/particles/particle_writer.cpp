@@ -1,0 +1,61 @@
+#include "text_buffer.hpp"
+
+#include <mdm/error.hpp>
+#include <mdm/number/decimal.hpp>
+
+namespace mdm {
+namespace {
+
+/// r to three digits, not rounded down: approximate() cuts off less than a hundredth.
+std::string rounded_up(const Rational &r) {
+  return approximate(Rational(r * ratio(1011, 1000)), 3);
+}
+
+/// `2650 kg/m^3` in the unit of the set, or from the least to the greatest where classes differ.
+std::string densities(const ParticleSet &set) {
+  Rational least = set.classes.front().density, most = least;
+  for (const ParticleClass &c : set.classes) {
+    least = std::min(least, c.density);
+    most = std::max(most, c.density);
+  }
+  return fmt::format("{}{} kg/{}^3", short_decimal(least), least == most ? "" : " to " + short_decimal(most),
+                     name(set.unit));
+}
+
+} // namespace
+
+std::string title(const ParticleSet &set) {
+  return fmt::format("{}: {} particles in {} classes, by exactmdm; lengths in {}, density {}",
+                     set.name.empty() ? "a gradation" : printable(set.name), to_string(set.particles()),
+                     set.classes.size(), name(set.unit), densities(set));
+}
+
+std::string mass_statement(const ParticleSet &set) {
+  return fmt::format("The mass of each class is that of the exact match within {} of it.",
+                     rounded_up(set.mass_error()));
+}
+
+std::string comment_lines(const ParticleSet &set) {
+  return "# " + title(set) + "\n# " + mass_statement(set) + "\n";
+}
+
+void write_size_csv(const ParticleSet &set, const TextSink &out) {
+  TextBuffer text(out);
+  text.add("{}size_{},quantity\n", comment_lines(set), name(set.unit));
+  for (const ParticleClass &c : set.classes)
+    for (const ParticleSize &size : c.sizes)
+      text.add("{},{}\n", size.diameter.text, to_string(size.quantity));
+  text.finish();
+}
+
+void write_diameters(const ParticleSet &set, const TextSink &out) {
+  TextBuffer text(out);
+  text.add("{}", comment_lines(set));
+  for (auto c = set.classes.rbegin(); c != set.classes.rend(); ++c)
+    for (auto size = c->sizes.rbegin(); size != c->sizes.rend(); ++size)
+      for (Integer i = 0; i < size->quantity; ++i)
+        text.add("{}\n", size->diameter.text);
+  text.finish();
+}
+
+} // namespace mdm

@@ -1,0 +1,80 @@
+#include "text_buffer.hpp"
+
+#include <fmt/compile.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+/// VTK's title has at most 256 characters, its line end included.
+constexpr std::size_t longest_title = 255;
+
+std::string box_line(const Placement &start) {
+  const auto &[a, b, height] = start.box();
+  return fmt::format("Box: {} x {} x {}, from the origin; no two particles overlap.", start.text(a),
+                     start.text(b), start.text(height));
+}
+
+} // namespace
+
+void write_lammps_data(const Placement &start, const TextSink &out) {
+  const ParticleSet &set = start.set();
+  TextBuffer text(out);
+  text.add("{}\n# {}\n# {}\n\n{} atoms\n1 atom types\n\n", title(set), mass_statement(set), box_line(start),
+           to_string(set.particles()));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    text.add("0 {} {}lo {}hi\n", start.text(start.box()[axis]), "xyz"[axis], "xyz"[axis]);
+  text.add("\nAtoms # sphere\n\n");
+  std::vector<std::string> densities;
+  for (const ParticleClass &c : set.classes)
+    densities.push_back(short_decimal(c.density));
+  std::uint64_t id = 0;
+  start.each([&](const Placement::Sphere &s) {
+    text.add("{} 1 {} {} {} {} {}\n", ++id, s.size->diameter.text, densities[s.class_index],
+             start.text(s.at[0]), start.text(s.at[1]), start.text(s.at[2]));
+  });
+  text.finish();
+}
+
+void write_xyzr(const Placement &start, const TextSink &out) {
+  TextBuffer text(out);
+  // Without an empty line: YADE's reader takes the first word of every line.
+  text.add(
+      "#format x_y_z_r\n{}# {}\n# YADE: O.bodies.append(ymport.text('FILE')) with FILE, the name of this "
+      "file.\n",
+      comment_lines(start.set()), box_line(start));
+  start.each([&](const Placement::Sphere &s) {
+    text.add("{} {} {} {}\n", start.text(s.at[0]), start.text(s.at[1]), start.text(s.at[2]),
+             s.size->radius.text);
+  });
+  text.finish();
+}
+
+void write_vtk(const Placement &start, const TextSink &out) {
+  const ParticleSet &set = start.set();
+  const std::string n = to_string(set.particles());
+  // Cut in front, so that the statement stays whole; not inside a character.
+  std::string heading = title(set) + ". " + mass_statement(set);
+  if (heading.size() > longest_title) {
+    std::size_t cut = heading.size() - longest_title;
+    while ((static_cast<unsigned char>(heading[cut]) & 0xc0U) == 0x80U)
+      ++cut;
+    heading.erase(0, cut);
+  }
+  TextBuffer text(out);
+  text.add("# vtk DataFile Version 3.0\n{}\nASCII\nDATASET POLYDATA\nPOINTS {} double\n", heading, n);
+  start.each([&](const Placement::Sphere &s) {
+    text.add("{} {} {}\n", start.text(s.at[0]), start.text(s.at[1]), start.text(s.at[2]));
+  });
+  text.add("VERTICES {} {}\n", n, to_string(Integer(2 * set.particles())));
+  std::uint64_t point = 0;
+  start.each([&](const Placement::Sphere &) { text.add("1 {}\n", point++); });
+  text.add("POINT_DATA {}\nSCALARS radius double 1\nLOOKUP_TABLE default\n", n);
+  start.each([&](const Placement::Sphere &s) { text.add("{}\n", s.size->radius.text); });
+  text.add("SCALARS class int 1\nLOOKUP_TABLE default\n");
+  start.each([&](const Placement::Sphere &s) { text.add("{}\n", set.classes[s.class_index].number); });
+  text.finish();
+}
+
+} // namespace mdm

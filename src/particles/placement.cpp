@@ -1,0 +1,196 @@
+#include "../gradation/message.hpp"
+#include "shuffle.hpp"
+
+#include <mdm/error.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/number/pi.hpp>
+#include <mdm/particles/placement.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+/// The smallest size has so many units or more, and less than ten times as many unless a unit is 1.
+constexpr int units_of_smallest = 1000;
+/// What rounding to doubles may take at each side of a particle, and more.
+constexpr std::int64_t slack = 2;
+/// Lengths in units are below it, so that doubles are within half a unit of them.
+constexpr std::int64_t most_units = std::int64_t{1} << 52;
+/// Powers of ten up to this one are doubles: n / 10^places is then the double nearest to the decimal.
+constexpr unsigned most_places = 22;
+/// A cell is by this wider than its particle where there is room: its place in it is no regular one.
+const Rational &looseness() {
+  static const Rational tenth = ratio(11, 10);
+  return tenth;
+}
+
+/// The largest double that stands for a radius of the class.
+double largest_radius(const ParticleClass &c) {
+  double largest = 0;
+  for (const ParticleSize &size : c.sizes)
+    largest = std::max({largest, size.radius.value, size.diameter.value / 2});
+  return largest;
+}
+
+std::string length_text(const ParticleSet &set, const Rational &length) {
+  return approximate(length, 6) + " " + std::string(name(set.unit));
+}
+
+} // namespace
+
+void check_simulated(const ParticleSet &set) {
+  if (set.particles() > most_simulated)
+    throw InputError(
+        fmt::format("{} particles are more than the {} that programs count: take a gradation or a "
+                    "--tolerance that needs fewer, --cut-below, or --to csv",
+                    to_string(set.particles()), most_simulated));
+}
+
+Footprint inscribed_square(const Rational &diameter) {
+  const Rational square = diameter * diameter / 2;
+  unsigned places = 0;
+  while (square * power(Rational(power_of_ten(places)), 2) < Rational(power_of_ten(30)))
+    ++places;
+  const Rational side =
+      ratio(floor_root(floor(Rational(square * power(Rational(power_of_ten(places)), 2))), 2),
+            power_of_ten(places));
+  return {side, side, std::nullopt};
+}
+
+Placement::Placement(const ParticleSet &set, const std::optional<Footprint> &floor, std::uint64_t seed,
+                     Start start)
+    : set_(&set), seed_(seed) {
+  check_simulated(set);
+  choose_unit();
+  choose_floor(floor);
+  if (start == Start::mixed) {
+    choose_mixed_box(floor);
+    mix();
+    return;
+  }
+  for (std::size_t i = set.classes.size(); i > 0; --i)
+    add_slab(i - 1);
+  if (!floor || !floor->c)
+    return;
+  const std::int64_t height = units(*floor->c);
+  if (height < box_[2])
+    throw InputError(fmt::format("a start without overlaps on {} x {} is {} high, more than {}: leave the "
+                                 "height of --box out, or make the box wider",
+                                 length_text(set, floor->a), length_text(set, floor->b), text(box_[2]),
+                                 length_text(set, *floor->c)));
+  box_[2] = height;
+}
+
+void Placement::choose_unit() {
+  const Rational smallest = set_->smallest().diameter.decimal();
+  while (places_ <= most_places && smallest * power_of_ten(places_) < units_of_smallest)
+    ++places_;
+  if (places_ > most_places)
+    throw InputError(fmt::format("a size of {} is too small a number to be placed: take a smaller --unit",
+                                 length_text(*set_, smallest)));
+}
+
+std::int64_t Placement::units(const Rational &length) const {
+  const Integer n = floor(Rational(length * power_of_ten(places_)));
+  if (n >= most_units)
+    throw InputError(fmt::format("a length of {} is too far from the smallest size, {}: are the units right? "
+                                 "Else leave fine classes out with --cut-below",
+                                 length_text(*set_, length),
+                                 length_text(*set_, set_->smallest().diameter.decimal())));
+  return n.convert_to<std::int64_t>();
+}
+
+std::int64_t Placement::radius(const ParticleClass &c) const {
+  return units(exact_value(largest_radius(c))) + 1 + slack;
+}
+
+void Placement::choose_floor(const std::optional<Footprint> &floor) {
+  const std::int64_t widest = 2 * radius(set_->classes.back());
+  if (floor) {
+    box_ = {units(floor->a), units(floor->b), 0};
+    if (std::min(box_[0], box_[1]) < widest)
+      throw InputError(
+          fmt::format("the footprint, {} x {}, is narrower than the largest particle, {}: give a "
+                      "--box that it fits into",
+                      length_text(*set_, floor->a), length_text(*set_, floor->b),
+                      length_text(*set_, set_->largest().diameter.decimal())));
+    return;
+  }
+  Rational volume = 0;
+  for (const ParticleClass &c : set_->classes)
+    volume += Rational(c.quantity()) * power(Rational(looseness() * 2 * radius(c)), 3);
+  const Integer side = std::max(floor_root(mdm::floor(volume), 3), mdm::ceil(Rational(looseness() * widest)));
+  box_[0] = box_[1] = units(ratio(side, power_of_ten(places_)));
+}
+
+void Placement::add_slab(std::size_t class_index) {
+  const ParticleClass &c = set_->classes[class_index];
+  const auto quantity = c.quantity().convert_to<std::uint64_t>();
+  Slab slab{class_index, radius(c), {}, {}, box_[2]};
+  const std::int64_t wide =
+      units(ratio(mdm::ceil(Rational(looseness() * 2 * slab.radius)), power_of_ten(places_)));
+  for (const std::size_t axis : {0U, 1U}) {
+    const std::int64_t fit = std::max<std::int64_t>(1, box_[axis] / wide);
+    slab.n[axis] = std::min(static_cast<std::uint64_t>(fit), quantity);
+    slab.cell[axis] = box_[axis] / static_cast<std::int64_t>(slab.n[axis]);
+  }
+  const std::uint64_t layer = slab.n[0] * slab.n[1];
+  slab.n[2] = (quantity + layer - 1) / layer;
+  slab.cell[2] = wide;
+  const Integer top = Integer(box_[2]) + Integer(wide) * slab.n[2];
+  box_[2] = units(ratio(top, power_of_ten(places_)));
+  slabs_.push_back(slab);
+}
+
+std::string Placement::text(std::int64_t units) const {
+  std::string digits = std::to_string(units);
+  if (places_ == 0)
+    return digits;
+  if (digits.size() <= places_)
+    digits.insert(0, places_ + 1 - digits.size(), '0');
+  digits.insert(digits.size() - places_, 1, '.');
+  digits.erase(digits.find_last_not_of('0') + 1);
+  if (digits.back() == '.')
+    digits.pop_back();
+  return digits;
+}
+
+Placement::Sphere Placement::place(const Slab &slab, const ParticleSize &size, std::uint64_t i) const {
+  const std::uint64_t key = mixed(seed_ ^ mixed(set_->classes[slab.class_index].number));
+  const std::uint64_t cell = shuffled(i, slab.n[0] * slab.n[1] * slab.n[2], key);
+  const std::array<std::uint64_t, 3> index = {cell % slab.n[0], cell / slab.n[0] % slab.n[1],
+                                              cell / slab.n[0] / slab.n[1]};
+  Sphere sphere{slab.class_index, &size, {0, 0, slab.base}};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto room = static_cast<std::uint64_t>(slab.cell[axis] - 2 * slab.radius);
+    const std::uint64_t shift = mixed(key ^ mixed(3 * cell + axis)) % (room + 1);
+    sphere.at[axis] += static_cast<std::int64_t>(index[axis]) * slab.cell[axis] + slab.radius +
+                       static_cast<std::int64_t>(shift);
+  }
+  return sphere;
+}
+
+void Placement::each(const std::function<void(const Sphere &)> &take) const {
+  std::for_each(spheres_.begin(), spheres_.end(), take);
+  for (const Slab &slab : slabs_) {
+    std::uint64_t i = 0;
+    const std::vector<ParticleSize> &sizes = set_->classes[slab.class_index].sizes;
+    for (auto size = sizes.rbegin(); size != sizes.rend(); ++size)
+      for (const std::uint64_t end = i + size->quantity.convert_to<std::uint64_t>(); i < end; ++i)
+        take(place(slab, *size, i));
+  }
+}
+
+std::pair<Rational, Rational> Placement::void_ratio() const {
+  constexpr unsigned pi_places = 30;
+  const Enclosure pi = enclose_pi(pi_places);
+  const Rational box =
+      Rational(Integer(box_[0]) * box_[1] * box_[2]) / power(Rational(power_of_ten(places_)), 3);
+  const Rational by_cubes = 6 * box / set_->cubes();
+  return {by_cubes / pi.upper() - 1, by_cubes / pi.lower() - 1};
+}
+
+} // namespace mdm

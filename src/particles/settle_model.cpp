@@ -1,0 +1,93 @@
+#include "settle_script.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mdm {
+
+Settling settling(const SettleModel &model) {
+  Rational densest = 0;
+  for (const ParticleClass &c : model.set.classes)
+    densest = std::max(densest, c.density);
+  Settling s;
+  const double weight = densest.convert_to<double>() * s.gravity * model.box.z;
+  s.elasticity.young = model.young ? *model.young : Rational(std::max(5e6, std::ceil(1e4 * weight)));
+  s.elasticity.poisson = model.poisson;
+  s.rayleigh = rayleigh_time(model.set, s.elasticity).convert_to<double>();
+  s.step = s.part_of_rayleigh * s.rayleigh;
+  s.steps = model.steps
+                ? *model.steps
+                : static_cast<std::uint64_t>(std::ceil(3 * std::sqrt(2 * model.box.z / s.gravity) / s.step));
+  return s;
+}
+
+std::string share_tolerance(const ParticleSet &set) {
+  // Masses m_j (1 + e_j), |e_j| <= e, have shares within 2 e / (1 - e); 17 digits of a dump add a little.
+  const double e = set.mass_error().convert_to<double>() + 1e-15;
+  const double points = 100 * 2.001 * e;
+  const int places = -static_cast<int>(std::floor(std::log10(points)));
+  return short_decimal(Integer(std::ceil(points * std::pow(10, places))), places);
+}
+
+std::string file_word(const std::string &name) {
+  const bool plain = !name.empty() && name[0] != '-' && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+           c == '_' || c == '-' || c == '+';
+  });
+  if (!plain)
+    throw InputError(
+        "a model's files have names of letters, digits and . _ - + alone, which no engine takes for "
+        "its own signs: give such a name to -o");
+  return name;
+}
+
+std::string comment_word(const std::string &text) {
+  std::string word;
+  for (const char c : text)
+    word += c >= ' ' && c <= '~' && std::string_view("&$`\\\"'").find(c) == std::string_view::npos ? c : '_';
+  return word;
+}
+
+std::string class_name(const ParticleClass &c) {
+  return fmt::format("class {} ({}, {}]", c.number, short_decimal(c.lower), short_decimal(c.upper));
+}
+
+SettleScript::SettleScript(const SettleModel &m)
+    : set(m.set), box(m.box), physics(settling(m)), young(physics.elasticity.young.convert_to<double>()),
+      poisson(physics.elasticity.poisson.convert_to<double>()), dump(file_word(m.dump)), seed(m.seed),
+      is_softer(!m.young), particles(m.set.particles()) {
+  if (set.unit != LengthUnit::m)
+    throw InputError("a model is in SI units: leave out --unit");
+}
+
+std::string SettleScript::head(const char *engine, const char *command, const char *more_steps,
+                               const char *verify_options) const {
+  return fmt::format(
+      R"(# {name}: {n} grains settle in a box. Written by mdm export for {engine}; SI units.
+# The mass of each class is exact to {error} of itself, the count of each is exact, and checked as it comes in.
+# Run it in its folder: {command}   (fewer or more steps: {more_steps})
+# Then: mdm verify GRADATION {dump}{verify_options} --tolerance {tolerance}
+#
+# Material: E = {young:.4g} Pa, nu = {nu}, restitution {e}, friction {mu}.{softness}
+# Time step: a fifth of the Rayleigh time of the smallest grain,
+# pi R sqrt(rho/G) / (0.1631 nu + 0.8766) = {rayleigh:.4g} s with G = E / (2 (1 + nu)).
+# {steps} steps: {time:.3g} s; a fall from the top of the box takes {fall:.3g} s.
+)",
+      fmt::arg("name", set.name.empty() ? "grains" : comment_word(set.name)),
+      fmt::arg("n", to_string(particles)), fmt::arg("engine", engine),
+      fmt::arg("error", fmt::format("{:.1e}", set.mass_error().convert_to<double>())),
+      fmt::arg("command", command), fmt::arg("more_steps", more_steps), fmt::arg("dump", dump),
+      fmt::arg("verify_options", verify_options), fmt::arg("tolerance", share_tolerance(set)),
+      fmt::arg("young", young), fmt::arg("nu", poisson), fmt::arg("e", physics.restitution),
+      fmt::arg("mu", physics.friction),
+      fmt::arg("softness", is_softer ? " E is softer than rock to save steps:\n# 10^4 times the weight of a "
+                                       "column as high as the box, 5 MPa at least."
+                                     : ""),
+      fmt::arg("rayleigh", physics.rayleigh), fmt::arg("steps", physics.steps),
+      fmt::arg("time", static_cast<double>(physics.steps) * physics.step),
+      fmt::arg("fall", std::sqrt(2 * box.z / physics.gravity)));
+}
+
+} // namespace mdm

@@ -1,0 +1,153 @@
+// mdm generate: representative sets as a user sees them.
+
+#include "answer.hpp"
+
+using namespace cli_test;
+
+namespace {
+
+/// N' of two isochoric classes of discs on [1, 2]: d_m = 6/5 and 12/7, (10/7)^2 = 2.04.
+const Arguments two = {"generate", "--beta",          "1,1", "--dmin",     "1",         "--ratio",
+                       "2",        "--classes",       "2",   "--classing", "isochoric", "--dimension",
+                       "2",        "--min-per-class", "100", "--at-least", "1"};
+
+Arguments with(Arguments arguments, const Arguments &more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+Json json(const Arguments &arguments, int exit_code = 0) {
+  const Outcome outcome = mdm(with(arguments, {"--format", "json"}));
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == exit_code);
+  return Json::parse(outcome.out);
+}
+
+} // namespace
+
+TEST_CASE("the set has the counts, bounds and fractions of its classes", "[generate]") {
+  const Json set = json(two);
+  CHECK(set.at("schema") == "mdm-generate-1");
+  CHECK(set.at("particles") == "304");
+  CHECK(set.at("classes")[0].at("quantity") == "204");
+  CHECK(set.at("classes")[0].at("lower") == Json({"1", "1"}));
+  CHECK(set.at("classes")[0].at("upper") == Json({"1.5", "1.5"}));
+  CHECK(set.at("classes")[1].at("volume_fraction") == Json({"0.5", "0.5"}));
+  CHECK_FALSE(set.contains("sizes"));
+}
+
+TEST_CASE("sizes are exact fractions in dimension 2, and the same for the same seed", "[generate]") {
+  Arguments few = {"generate", "--beta",      "1,1", "--dmin",          "1", "--dmax",     "2", "--classes",
+                   "1",        "--dimension", "2",   "--min-per-class", "2", "--at-least", "1", "--sizes"};
+  // 2 / (2 - y) at y = 1/4 and 3/4
+  CHECK(json(few).at("sizes") == Json({"8/7", "8/5"}));
+  CHECK(json(with(few, {"--seed", "7"})) == json(with(few, {"--seed", "7"})));
+  CHECK(json(with(few, {"--seed", "7"})) != json(with(few, {"--seed", "8"})));
+  const Outcome csv = mdm(with(few, {"--format", "csv", "--digits", "4"}));
+  CHECK(csv.out == "class,size_lo,size_hi\n1,1.142,1.143\n1,1.6,1.6\n");
+}
+
+TEST_CASE("the exact alternative matches what was rounded", "[generate]") {
+  const Json set = json(with(two, {"--method", "match"}));
+  CHECK(set.at("method") == "match");
+  CHECK(set.at("particles").get<std::string>().size() <= 3);
+  for (const Json &c : set.at("classes"))
+    CHECK(std::stoi(c.at("quantity").get<std::string>()) >= 100);
+  const Outcome text = mdm(with(two, {"--method", "match"}));
+  CHECK(text.exit_code == 0);
+  CHECK(text.out.find("N = 304") != std::string::npos);
+  CHECK(text.out.find("rounded to 6 digits") != std::string::npos);
+}
+
+TEST_CASE("a spread of the exact alternative has every class's volume exactly", "[generate]") {
+  const Arguments match = with(two, {"--method", "match"}), spread = with(match, {"--spread", "--sizes"});
+  const Json set = json(spread), bounds = json(match);
+  CHECK((set.at("sizes") == json(with(spread, {"--seed", "1"})).at("sizes")));
+  CHECK((set.at("sizes") != json(with(spread, {"--seed", "2"})).at("sizes")));
+  // Discs from 1 to 2 in two classes: in each, sizes at the lower ends have too little and at the upper too
+  // much for the ratio of the classes.
+  std::size_t i = 0;
+  std::vector<Rational> low, high, fraction;
+  for (const Json &c : bounds.at("classes")) {
+    low.emplace_back(0);
+    high.emplace_back(0);
+    fraction.push_back(rational(c.at("volume_fraction")[0]));
+    for (int left = std::stoi(c.at("quantity").get<std::string>()); left > 0; --left, ++i) {
+      const Json &size = set.at("sizes").at(i);
+      CHECK(rational(c.at("lower")[0]) < rational(size[0]));
+      CHECK(rational(size[1]) <= rational(c.at("upper")[0]));
+      low.back() += rational(size[0]) * rational(size[0]);
+      high.back() += rational(size[1]) * rational(size[1]);
+    }
+  }
+  CHECK(i == set.at("sizes").size());
+  REQUIRE(low.size() == 2);
+  CHECK(low[0] * fraction[1] < high[1] * fraction[0]);
+  CHECK(low[1] * fraction[0] < high[0] * fraction[1]);
+  CHECK(high[0] - low[0] < high[0] / 1000000000);
+  check_refused(mdm(with(two, {"--spread"})), "--method match");
+  check_refused(mdm(with(spread, {"--format", "csv", "--quantiles"})), "--quantiles");
+}
+
+TEST_CASE("a table of the curve is exact where the curve is", "[generate]") {
+  const Json set = json(with(two, {"--table", "3"}));
+  CHECK(set.at("curve")[1].at("size") == Json({"1.5", "1.5"}));
+  CHECK(set.at("curve")[1].at("passing") == Json({"0.5", "0.5"}));
+}
+
+TEST_CASE("a set that is not accessible is a negative verdict", "[generate]") {
+  CHECK(json(with(two, {"--at-most", "304"})).at("accessible") == true);
+  CHECK(json(with(two, {"--at-most", "303"}), 1).at("accessible") == false);
+}
+
+TEST_CASE("sets of measured curves have the sieves as classes", "[generate]") {
+  const Outcome outcome = mdm({"generate", "--curve", "-", "--format", "csv", "--dimension", "2",
+                               "--min-per-class", "3", "--at-least", "1"},
+                              "size_mm,passing_percent\n1,0\n2,50\n4,50\n8,100\n");
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out ==
+        "class,lower_lo,lower_hi,upper_lo,upper_hi,volume_fraction_lo,volume_fraction_hi,quantity,"
+        "number_fraction_lo,number_fraction_hi\n"
+        "1,1,1,2,2,0.5,0.5,48,0.941176470588235,0.941176470588236\n2,2,2,4,4,0,0,0,0,0\n"
+        "3,4,4,8,8,0.5,0.5,3,0.0588235294117647,0.0588235294117648\n");
+  CHECK(outcome.err.find("no volume, thus no particles, in class 2") != std::string::npos);
+}
+
+TEST_CASE("counts that enclosures do not decide are exit 3, with both values", "[generate]") {
+  const Arguments tie = {"generate", "--curve",     "-", "--classing", "isochoric", "--classes",
+                         "2",        "--dimension", "2", "--at-least", "1"};
+  const std::string line = "size_mm,passing_percent\n1,0\n2,100\n";
+  const Outcome text = mdm(tie, line);
+  CHECK(text.exit_code == 3);
+  CHECK(text.out.find("19 or 20") != std::string::npos);
+  const Outcome sizes = mdm(with(tie, {"--format", "json", "--sizes"}), line);
+  CHECK(sizes.exit_code == 3);
+  const Json set = Json::parse(sizes.out);
+  CHECK(set.at("classes")[0].at("estimate") == Json({"19", "20"}));
+  CHECK(set.at("particles").is_null());
+  CHECK(set.at("sizes").empty());
+}
+
+TEST_CASE("what no set can be made of is refused", "[generate]") {
+  const Arguments beta = {"generate", "--beta", "1,3", "--dmin", "1"};
+  for (const Arguments &more : std::vector<Arguments>{{"--span", "0"},
+                                                      {"--span", "1"},
+                                                      {"--ratio", "1"},
+                                                      {"--dmax", "1"},
+                                                      {"--dmax", "0.5"},
+                                                      {},
+                                                      {"--ratio", "2", "--span", "0.5"},
+                                                      {"--ratio", "2", "--classes", "0"},
+                                                      {"--ratio", "2", "--at-least", "20", "--at-most", "10"},
+                                                      {"--ratio", "2", "--classing", "sieves"},
+                                                      {"--ratio", "2", "--sizes"},
+                                                      {"--ratio", "2", "--seed", "1", "--quantiles"},
+                                                      {"--ratio", "2", "--seed", "18446744073709551616"},
+                                                      {"--ratio", "2", "--points", "1"},
+                                                      {"--ratio", "2", "--table", "1"}})
+    check_refused(mdm(with(beta, more)));
+  for (const char *parameters : {"0,1", "1,0", "1", "1,2,3", "1000000,1", "x,1"})
+    check_refused(mdm({"generate", "--beta", parameters, "--dmin", "1", "--ratio", "2"}));
+  check_refused(mdm({"generate"}));
+}

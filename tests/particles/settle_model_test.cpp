@@ -1,0 +1,194 @@
+#include "support.hpp"
+
+#include <mdm/gradation/read_gradation.hpp>
+#include <mdm/particles/settle_model.hpp>
+
+#include <cmath>
+#include <random>
+#include <regex>
+#include <set>
+
+using namespace mdm;
+using namespace mdm::test;
+
+namespace {
+
+const std::string sand = "size_mm,mass\n0.038,3.86\n0.076,1.28\n0.11,10.13\n0.15,44.86\n0.25,21.22\n"
+                         "0.43,12.05\n0.85,6.6\n2.4,0\n";
+
+ParticleSet set_of(const std::string &csv, const ParticleSetOptions &options = {}) {
+  return particle_set(solve(read_gradation(csv, "sand.csv")), options);
+}
+
+SettleModel model_of(const ParticleSet &set) {
+  return {set, {0.002, 0.002, 0.01}, "sand.data", "settled.dump", 1, {}};
+}
+
+std::vector<std::string> found(const std::string &text, const std::string &pattern) {
+  const std::regex regex(pattern);
+  std::vector<std::string> all;
+  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it)
+    all.push_back((*it)[1]);
+  return all;
+}
+
+std::string refusal_of(const SettleModel &model, std::string (*script)(const SettleModel &)) {
+  try {
+    script(model);
+  } catch (const InputError &error) {
+    return error.what();
+  }
+  FAIL("no InputError");
+  return {};
+}
+
+constexpr auto scripts = {liggghts_model, lammps_model, yade_model};
+
+} // namespace
+
+TEST_CASE("settling: the time step from the smallest grain, computed by hand") {
+  // G = 5e6 / 2.5 Pa, sqrt(2650 / G) = 0.03640055 s/m.
+  const ParticleSet one = set_of("size_mm,mass\n1,1\n2,0\n");
+  REQUIRE(one.particles() == 1);
+  SettleModel model = model_of(one);
+  const double radius = one.smallest().radius.value;
+  const Settling s = settling(model);
+  CHECK(s.elasticity.young == 5000000);
+  CHECK(s.rayleigh / radius == Approx(3.14159265 * 0.03640055 / (0.1631 * 0.25 + 0.8766)));
+  CHECK(s.step == Approx(s.rayleigh / 5));
+  // A fall from 1 cm takes 0.0451524 s.
+  CHECK(static_cast<double>(s.steps) == Approx(3 * 0.0451524 / s.step).epsilon(2e-4));
+  // Below 1 m of sand 10^4 times its weight is more than 5 MPa.
+  model.box.z = 1;
+  CHECK(settling(model).elasticity.young == 259965000);
+  model.young = 1000000;
+  CHECK(settling(model).elasticity.young == 1000000);
+  model.steps = 17;
+  CHECK(settling(model).steps == 17);
+}
+
+TEST_CASE("insertion height: grains of one size keep at most four fifths of the places free") {
+  ParticleSet set = set_of("size_mm,mass\n1,1\n2,0\n");
+  set.classes[0].sizes[0].quantity = 100;
+  const double d = set.largest().diameter.value;
+  const double height = insertion_height(set, 0.01, 0.02);
+  const double places = (0.01 - d) * (0.02 - d) * (height - d);
+  // No centre lies within d of another.
+  CHECK(100 * 4 * 3.14159265 / 3 * d * d * d == Approx(0.8 * places));
+}
+
+TEST_CASE("insertion height: a random insertion largest first finds its places") {
+  const ParticleSet set = set_of(sand);
+  const double side = 0.0018, height = insertion_height(set, side, side);
+  struct Ball {
+    double x, y, z, r;
+  };
+  std::vector<Ball> balls;
+  std::mt19937_64 random(3);
+  const auto place = [&random](double r, double length) {
+    return std::uniform_real_distribution<>(r, length - r)(random);
+  };
+  std::size_t tries = 0;
+  for (auto c = set.classes.rbegin(); c != set.classes.rend(); ++c)
+    for (Integer n = 0; n < c->quantity(); ++tries) {
+      const double r = c->sizes[0].radius.value;
+      const Ball ball{place(r, side), place(r, side), place(r, height), r};
+      if (std::none_of(balls.begin(), balls.end(), [&ball](const Ball &b) {
+            return std::hypot(ball.x - b.x, ball.y - b.y, ball.z - b.z) < ball.r + b.r;
+          })) {
+        balls.push_back(ball);
+        ++n;
+      }
+    }
+  CHECK(tries < 5 * balls.size());
+}
+
+TEST_CASE("share tolerance: no shares of masses within their error are further off") {
+  const ParticleSet set = set_of(sand);
+  const double tolerance = parse_decimal(share_tolerance(set)).convert_to<double>() / 100;
+  const double e = set.mass_error().convert_to<double>();
+  CHECK(tolerance >= 2 * e);
+  CHECK(tolerance <= 5 * e + 1e-14);
+  // Half of the mass too heavy by e, the other half too light: the shares are off by e / 2.
+  CHECK(std::abs(0.5 * (1 + e) / (0.5 * (1 + e) + 0.5 * (1 - e)) - 0.5) <= tolerance);
+}
+
+TEST_CASE("LIGGGHTS model: largest first, exact running totals, and a check of each") {
+  const ParticleSet set = set_of(sand);
+  const std::string text = liggghts_model(model_of(set));
+  const std::vector<std::string> totals{"1", "3", "28", "296", "576", "666", "1485"};
+  CHECK(found(text, "particles_in_region ([0-9]+)\n") == totals);
+  CHECK(found(text, "\nif \"\\$\\{mdm_count\\} != ([0-9]+)\" then .*at the end") ==
+        std::vector<std::string>{"1485"});
+  std::vector<std::string> checks = found(text, "\nif \"\\$\\{mdm_count\\} != ([0-9]+)\" then");
+  REQUIRE(checks.size() == totals.size() + 1);
+  checks.pop_back();
+  CHECK(checks == totals);
+  CHECK(contains(text, "gravity 9.81"));
+}
+
+TEST_CASE("LIGGGHTS model: seeds are distinct primes above 10000") {
+  const ParticleSet set = set_of(sand);
+  std::set<std::string> all;
+  SettleModel model = model_of(set);
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    model.seed = seed;
+    const std::string text = liggghts_model(model);
+    for (const std::string &each :
+         found(text, "(?:particletemplate/sphere|numberbased|insert/pack seed) ([0-9]+)")) {
+      const long n = std::stol(each);
+      CHECK(n > 10000);
+      CHECK(all.insert(each).second);
+      bool is_prime = true;
+      for (long d = 2; d < n && is_prime; d += d * d > n ? n : 1)
+        is_prime = n % d != 0;
+      CHECK(is_prime);
+    }
+  }
+  CHECK(all.size() == 3 * 3 * 7);
+}
+
+TEST_CASE("models: sizes and counts are those of the set") {
+  const ParticleSet set = set_of(sand);
+  const SettleModel model = model_of(set);
+  for (const ParticleClass &c : set.classes) {
+    CHECK(contains(liggghts_model(model), "radius constant " + c.sizes[0].radius.text + "\n"));
+    CHECK(contains(lammps_model(model), "c_d >= " + c.sizes[0].diameter.text + " "));
+    CHECK(
+        contains(yade_model(model), ", " + c.sizes[0].radius.text + ", " + to_string(c.quantity()) + "),\n"));
+  }
+}
+
+TEST_CASE("models: a bounded number of steps") {
+  const ParticleSet set = set_of(sand);
+  SettleModel model = model_of(set);
+  model.steps = 1234;
+  CHECK(contains(liggghts_model(model), "\nvariable steps index 1234\n"));
+  CHECK(contains(lammps_model(model), "\nvariable steps index 1234\n"));
+  CHECK(contains(yade_model(model), " else 1234\n"));
+}
+
+TEST_CASE("models: nothing of a name is taken for a command") {
+  ParticleSet set = set_of(sand);
+  set.name = "a\nshell rm &\nb $x `y` '\"\\ \xC3\xA9";
+  const SettleModel model = model_of(set);
+  for (const auto script : scripts)
+    CHECK(contains(script(model), "# a_shell rm __b _x _y_ ___ __: 1485 grains"));
+}
+
+TEST_CASE("models: refusals") {
+  const ParticleSet set = set_of(sand);
+  SettleModel model = model_of(set);
+  for (const auto script : scripts) {
+    for (const std::string name : {"", "a b", "$x", "a&", "../a", "-a", "\xC3\xA9"}) {
+      model.dump = name;
+      CHECK(contains(refusal_of(model, script), "letters, digits"));
+    }
+    model.dump = "ok";
+    CHECK(contains(refusal_of(model_of(set_of(sand, {LengthUnit::mm, 2650, ratio(1, 1000)})), script),
+                   "leave out --unit"));
+  }
+  ParticleSet many = set;
+  many.classes[0].sizes[0].quantity = Integer(1) << 31;
+  CHECK(contains(refusal_of(model_of(many), liggghts_model), "2147483647 that programs count"));
+}
