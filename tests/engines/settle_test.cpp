@@ -184,6 +184,30 @@ TEST_CASE("LIGGGHTS inserts without overlaps", "[engines]") {
   CHECK(least >= 1);
 }
 
+TEST_CASE("a whole run lets the grains come to rest on the floor", "[engines]") {
+  if (!is_there(lammps))
+    return;
+  const Model model(lammps, c778(), {});
+  model.check_settles();
+  const std::vector<Grain> all = grains(read_file(model.dump()));
+  REQUIRE(all.size() == 141);
+  const std::string data = read_file(model.path("sand.data"));
+  const double height = std::stod(data.substr(data.rfind('\n', data.find(" zlo")) + 3));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    CHECK(all[i].z < height / 2);
+    // Each touches the floor or others, and none is pressed into another by more than 3 % of the smaller.
+    bool is_in_touch = all[i].z < 1.001 * all[i].r;
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      const double distance = std::hypot(all[i].x - all[j].x, all[i].y - all[j].y, all[i].z - all[j].z);
+      const double gap = distance - all[i].r - all[j].r;
+      is_in_touch = is_in_touch || (j != i && gap < 0.001 * all[i].r);
+      if (j != i)
+        CHECK(gap > -0.03 * std::min(all[i].r, all[j].r));
+    }
+    CHECK(is_in_touch);
+  }
+}
+
 TEST_CASE("another seed puts the grains elsewhere, the same does not", "[engines]") {
   if (!is_there(liggghts))
     return;
