@@ -1,3 +1,4 @@
+#include "accessible.hpp"
 #include "commands.hpp"
 #include "files.hpp"
 #include "option_values.hpp"
@@ -33,6 +34,7 @@ struct GenerateCommand {
   std::string classes = "10", min_per_class = "10", at_least = "2000", dimension = "3", method = "paper";
   std::string digits = "15", match_digits = "6", time_limit = "60", format = "text", out = "-";
   std::optional<std::string> table;
+  AccessibleFlags accessible;
   bool quantiles = false, sizes = false, quiet = false;
 };
 
@@ -149,8 +151,8 @@ void add_quality(const GenerateCommand &c, GeneratedSet &set) {
   if (!set.counts.decided())
     return;
   if (set.counts.particles() > (c.points ? most_sizes() : Integer(most_judged))) {
-    set.notes.push_back("the quality of a set of " + to_string(set.counts.particles()) +
-                        " particles is told with --points, up to 10^12 particles");
+    set.notes.push_back(
+        "the quality of a set of more than 10^6 particles is told with --points, up to 10^12");
     return;
   }
   set.drawn_quality = set_quality(
@@ -182,13 +184,16 @@ void add_curve(const GenerateCommand &c, GeneratedSet &set) {
   set.classes = how == "sieves" ? sieve_classes(*curve) : size_classes(*curve, classing(how), n);
 }
 
+Representativity representativity(const GenerateCommand &c) {
+  return {natural("--min-per-class", c.min_per_class, 1), natural("--at-least", c.at_least, 1),
+          c.dimension == "2" ? 2U : 3U};
+}
+
 GeneratedSet generated(const GenerateCommand &c) {
   GeneratedSet set;
   set.digits = digits_of("--digits", c.digits);
   set.match_digits = digits_of("--match-digits", c.match_digits);
-  set.wanted.min_per_class = natural("--min-per-class", c.min_per_class, 1);
-  set.wanted.at_least = natural("--at-least", c.at_least, 1);
-  set.wanted.dimension = c.dimension == "2" ? 2 : 3;
+  set.wanted = representativity(c);
   if (c.at_most) {
     set.at_most = natural("--at-most", *c.at_most, 1);
     if (*set.at_most < set.wanted.at_least)
@@ -228,7 +233,40 @@ int exit_code(const GeneratedSet &set) {
   return accessible && set.particles() ? Exit::done : Exit::limited;
 }
 
+AccessibleQuestion accessible_question(const GenerateCommand &c) {
+  if (c.beta || c.curve || c.d_min || c.d_max || c.ratio || c.pan_size || c.between || c.specimen_id)
+    throw InputError("--accessible: shapes are asked for with --a and --b, their sizes with --span "
+                     "alone: leave out other options of the curve");
+  if (!c.span)
+    throw InputError("--accessible: give --span: one number or several, between 0 and 1");
+  if (c.sizes || c.seed || c.quantiles || c.table || c.points)
+    throw InputError("--accessible tells how many particles there would be and draws none: leave out "
+                     "--sizes, --seed, --quantiles, --points and --table");
+  if (c.classing == "sieves")
+    throw InputError("--classing: a beta curve has no sieves: use regular, geometric or isochoric");
+  AccessibleQuestion q;
+  q.a = number_list("--a", c.accessible.a.value_or("0.5:10:0.5"));
+  q.b = number_list("--b", c.accessible.b.value_or("0.5:10:0.5"));
+  q.spans = number_list("--span", *c.span);
+  if (q.spans.back() >= 1)
+    throw InputError("--span: " + to_decimal(q.spans.back()) + " is not below 1: then d_min would be 0");
+  q.classing = classing(c.classing.value_or("geometric"));
+  q.classes = small_natural("--classes", c.classes, 1, max_size_classes);
+  q.wanted = representativity(c);
+  q.at_most = natural("--at-most", c.at_most.value_or("10000"), 1);
+  if (q.at_most < q.wanted.at_least)
+    throw InputError("--at-most: fewer than --at-least: no set can have both");
+  q.match_digits = digits_of("--match-digits", c.match_digits);
+  q.time_limit = std::chrono::seconds(small_natural("--time-limit", c.time_limit, 1, 1000000));
+  return q;
+}
+
 int run(const GenerateCommand &c) {
+  if (c.accessible.needless())
+    throw InputError("--a, --b, --plot and -j are of --accessible: add it or leave them out");
+  if (c.accessible.on)
+    return run_accessible(accessible_question(c),
+                          {c.format, c.out, c.accessible.plot, c.accessible.threads, c.quiet});
   check(c);
   check_distinct({c.curve.value_or("-"), c.out});
   const std::optional<Draws> how = c.sizes ? std::optional(draws(c)) : std::nullopt;
@@ -305,6 +343,7 @@ Run add_generate(CLI::App &app) {
          "sizes, equally spaced in log size, at which the set's curve is compared (C_r; 100, up to 10^6 "
          "particles); 0: no quality");
   option("--table", c->table, "K", "h, V, F and f at K equally spaced sizes");
+  c->accessible.add_to(command);
   option("--digits", c->digits, "D", "significant digits of enclosures (15)");
   command.add_option("--format", c->format, "text, json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}));
