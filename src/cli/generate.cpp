@@ -35,7 +35,7 @@ struct GenerateCommand {
   std::string digits = "15", match_digits = "6", time_limit = "60", format = "text", out = "-";
   std::optional<std::string> table;
   AccessibleFlags accessible;
-  bool quantiles = false, sizes = false, quiet = false;
+  bool quantiles = false, sizes = false, spread = false, quiet = false;
 };
 
 /// The ends of the curve from two of the four options (Eq. 17).
@@ -109,13 +109,15 @@ Classing classing(const std::string &name) {
                                : Classing::isochoric;
 }
 
-Draws draws(const GenerateCommand &c) {
-  if (!c.seed)
-    return Draws::quantiles();
-  const Integer seed = natural("--seed", *c.seed, 0);
+std::uint64_t seed_of(const GenerateCommand &c) {
+  const Integer seed = natural("--seed", c.seed.value_or("1"), 0);
   if (seed > std::numeric_limits<std::uint64_t>::max())
     throw InputError("--seed: at most 18446744073709551615 (64 bits)");
-  return Draws::random(static_cast<std::uint64_t>(seed));
+  return static_cast<std::uint64_t>(seed);
+}
+
+Draws draws(const GenerateCommand &c) {
+  return c.seed ? Draws::random(seed_of(c)) : Draws::quantiles();
 }
 
 void check(const GenerateCommand &c) {
@@ -129,8 +131,13 @@ void check(const GenerateCommand &c) {
     throw InputError("--seed and --quantiles exclude each other: random sizes, or none by chance");
   if (c.sizes && c.format == "text")
     throw InputError("--sizes: text has no place for them: use --format json or csv");
-  if (c.sizes && c.method == "match" && (c.seed || c.quantiles))
-    throw InputError("--method match gives a class one size: leave out --seed and --quantiles");
+  if (c.spread && c.method != "match")
+    throw InputError("--spread: it is of --method match; --method paper draws sizes anyhow, with --seed K");
+  if (c.spread && c.quantiles)
+    throw InputError("--spread draws at random: leave out --quantiles");
+  if (c.sizes && c.method == "match" && !c.spread && (c.seed || c.quantiles))
+    throw InputError(
+        "--method match gives a class one size: leave out --seed and --quantiles, or add --spread");
   if (c.sizes && c.table && c.format == "csv")
     throw InputError("--sizes and --table: CSV has place for one of them; use --format json");
 }
@@ -147,7 +154,8 @@ void add_quality(const GenerateCommand &c, GeneratedSet &set) {
   if (set.points == 0)
     return;
   if (set.match && set.match->complete)
-    set.match_quality = matched_quality(*set.match, *set.curve, set.wanted.dimension, set.points);
+    set.match_quality =
+        matched_quality(*set.match, *set.curve, set.wanted.dimension, set.points, set.match_particles());
   if (!set.counts.decided())
     return;
   if (set.counts.particles() > (c.points ? most_sizes() : Integer(most_judged))) {
@@ -219,6 +227,8 @@ GeneratedSet generated(const GenerateCommand &c) {
                               std::chrono::seconds(small_natural("--time-limit", c.time_limit, 1, 1000000));
     set.match = matched_set(rounded_gradation(set.classes, set.match_digits, set.id), set.wanted, options);
     set.notes.insert(set.notes.end(), set.match->notes.begin(), set.match->notes.end());
+    if (c.spread)
+      set.spread = seed_of(c);
   } else if (set.counts.decided() && set.counts.particles() < set.wanted.at_least) {
     set.notes.push_back("the floors of Eq. 9 sum to " + to_string(set.counts.particles()) + ", below N_min");
   }
@@ -338,6 +348,9 @@ Run add_generate(CLI::App &app) {
          "of --method match (60); then exit 3 with what is certain");
   command.add_flag("--sizes", c->sizes, "the size of every particle (JSON and CSV)");
   option("--seed", c->seed, "K", "draw sizes at random, by the counter-based generator Philox 4x32-10");
+  command.add_flag("--spread", c->spread,
+                   "sizes of --method match uniform by volume in their class as far as its exact volume lets "
+                   "them, by --seed (1)");
   command.add_flag("--quantiles", c->quantiles, "draw sizes without randomness (the default)");
   option("--points", c->points, "K",
          "sizes, equally spaced in log size, at which the set's curve is compared (C_r; 100, up to 10^6 "

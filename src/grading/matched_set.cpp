@@ -52,7 +52,21 @@ ParticlesOf matched_particles(const Match &m) {
   };
 }
 
-SetQuality matched_quality(const Match &m, const ModelCurve &curve, unsigned dimension, unsigned points) {
+ParticlesOf spread_particles(const Match &m, std::uint64_t seed) {
+  const auto all = std::make_shared<const Spread>(spread(m, seed));
+  return [all, digits = m.digits](std::size_t j, const TakeSize &take) {
+    const auto at = std::find_if(all->classes.begin(), all->classes.end(),
+                                 [j](const ClassSpread &c) { return c.index() == j; });
+    if (at == all->classes.end())
+      return;
+    ClassSpread::Masses masses = at->masses();
+    for (std::uint64_t i = 0; i < at->quantity(); ++i)
+      take(at->size(masses.next(), digits), 1);
+  };
+}
+
+SetQuality matched_quality(const Match &m, const ModelCurve &curve, unsigned dimension, unsigned points,
+                           const ParticlesOf &particles) {
   const Gradation &g = m.gradation;
   const Rational all = sum(g.masses());
   std::vector<SizeClass> classes;
@@ -61,7 +75,7 @@ SetQuality matched_quality(const Match &m, const ModelCurve &curve, unsigned dim
     shares.push_back(g.mass(j) / all);
     classes.push_back({Surd(g.lower(j)), Surd(g.upper(j)), shares.back()});
   }
-  return set_quality(curve, classes, dimension, points, matched_particles(m), shares);
+  return set_quality(curve, classes, dimension, points, particles, shares);
 }
 
 } // namespace mdm

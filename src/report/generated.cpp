@@ -170,7 +170,8 @@ std::string quality_table(const GeneratedSet &set) {
   if (set.drawn_quality)
     lines.push_back(quality_line("Eq. 6-10, as drawn", set.counts.particles(), *set.drawn_quality));
   if (set.match_quality)
-    lines.push_back(quality_line("the match", set.match->particles(), *set.match_quality));
+    lines.push_back(quality_line(set.spread ? "the match, spread" : "the match", set.match->particles(),
+                                 *set.match_quality));
   return text_table(lines, "<>");
 }
 
@@ -198,6 +199,10 @@ std::optional<Integer> GeneratedSet::particles() const {
   if (match)
     return match->complete ? std::optional(match->particles()) : std::nullopt;
   return counts.decided() ? std::optional(counts.particles()) : std::nullopt;
+}
+
+ParticlesOf GeneratedSet::match_particles() const {
+  return spread ? spread_particles(*match, *spread) : matched_particles(*match);
 }
 
 std::optional<bool> GeneratedSet::accessible() const {

@@ -66,16 +66,22 @@ private:
   std::string text_;
 };
 
-/// The sizes of class j; `exact` where fractions are to be written as such.
-void write_class(const GeneratedSet &set, std::size_t j, const Draws &draws, const Frame &frame, bool exact,
-                 Stream &out) {
+/// The particles of the match, if there is a complete one.
+ParticlesOf match_particles(const GeneratedSet &set) {
+  return set.match && set.match->complete ? set.match_particles() : nullptr;
+}
+
+/// The sizes of class j, of the match's `particles` if there are; `exact` where fractions are to be written
+/// as such.
+void write_class(const GeneratedSet &set, std::size_t j, const ParticlesOf &particles, const Draws &draws,
+                 const Frame &frame, bool exact, Stream &out) {
   const Integer count = set.quantity(j).value_or(0);
   if (count == 0)
     return;
   const auto q = static_cast<std::uint64_t>(count);
-  if (set.match) {
-    matched_particles (*set.match)(j, [&](const Enclosure &size, const Integer &) {
-      for (std::uint64_t i = 0; i < q; ++i) {
+  if (particles) {
+    particles(j, [&](const Enclosure &size, const Integer &n) {
+      for (auto left = static_cast<std::uint64_t>(n); left > 0; --left) {
         frame.append(out.text(), size);
         out.pass_on();
       }
@@ -99,8 +105,9 @@ void write_class(const GeneratedSet &set, std::size_t j, const Draws &draws, con
 void write_sizes_csv(const GeneratedSet &set, const Draws &draws, const Sink &sink) {
   Stream out(sink);
   out.text() = "class,size_lo,size_hi\n";
+  const ParticlesOf particles = match_particles(set);
   for (std::size_t j = 0; j < set.classes.size(); ++j)
-    write_class(set, j, draws, {std::to_string(j + 1) + ",", ",", "\n"}, false, out);
+    write_class(set, j, particles, draws, {std::to_string(j + 1) + ",", ",", "\n"}, false, out);
   out.finish();
 }
 
@@ -115,8 +122,9 @@ void write_sizes_json(const GeneratedSet &set, const Draws &draws, const Sink &s
     sink(text);
   };
   Stream out(without_first);
+  const ParticlesOf particles = match_particles(set);
   for (std::size_t j = 0; j < set.classes.size(); ++j)
-    write_class(set, j, draws, {",[\"", "\",\"", "\"]"}, true, out);
+    write_class(set, j, particles, draws, {",[\"", "\",\"", "\"]"}, true, out);
   out.finish();
 }
 

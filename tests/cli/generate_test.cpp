@@ -59,6 +59,36 @@ TEST_CASE("the exact alternative matches what was rounded", "[generate]") {
   CHECK(text.out.find("rounded to 6 digits") != std::string::npos);
 }
 
+TEST_CASE("a spread of the exact alternative has every class's volume exactly", "[generate]") {
+  const Arguments match = with(two, {"--method", "match"}), spread = with(match, {"--spread", "--sizes"});
+  const Json set = json(spread), bounds = json(match);
+  CHECK((set.at("sizes") == json(with(spread, {"--seed", "1"})).at("sizes")));
+  CHECK((set.at("sizes") != json(with(spread, {"--seed", "2"})).at("sizes")));
+  // Discs from 1 to 2 in two classes: in each, sizes at the lower ends have too little and at the upper too
+  // much for the ratio of the classes.
+  std::size_t i = 0;
+  std::vector<Rational> low, high, fraction;
+  for (const Json &c : bounds.at("classes")) {
+    low.emplace_back(0);
+    high.emplace_back(0);
+    fraction.push_back(rational(c.at("volume_fraction")[0]));
+    for (int left = std::stoi(c.at("quantity").get<std::string>()); left > 0; --left, ++i) {
+      const Json &size = set.at("sizes").at(i);
+      CHECK(rational(c.at("lower")[0]) < rational(size[0]));
+      CHECK(rational(size[1]) <= rational(c.at("upper")[0]));
+      low.back() += rational(size[0]) * rational(size[0]);
+      high.back() += rational(size[1]) * rational(size[1]);
+    }
+  }
+  CHECK(i == set.at("sizes").size());
+  REQUIRE(low.size() == 2);
+  CHECK(low[0] * fraction[1] < high[1] * fraction[0]);
+  CHECK(low[1] * fraction[0] < high[0] * fraction[1]);
+  CHECK(high[0] - low[0] < high[0] / 1000000000);
+  check_refused(mdm(with(two, {"--spread"})), "--method match");
+  check_refused(mdm(with(spread, {"--format", "csv", "--quantiles"})), "--quantiles");
+}
+
 TEST_CASE("a table of the curve is exact where the curve is", "[generate]") {
   const Json set = json(with(two, {"--table", "3"}));
   CHECK(set.at("curve")[1].at("size") == Json({"1.5", "1.5"}));

@@ -4,7 +4,7 @@
 
 #include <mdm/grading/class_counts.hpp>
 #include <mdm/grading/set_quality.hpp>
-#include <mdm/match/solve.hpp>
+#include <mdm/match/spread.hpp>
 
 namespace mdm {
 
@@ -24,8 +24,13 @@ std::optional<std::size_t> place_in_match(const Match &m, std::size_t j);
 /// The particles of a complete match without a tolerance; it must outlive them.
 ParticlesOf matched_particles(const Match &m);
 
+/// Those of a spread of it (spread.hpp), of a size each.
+/// \throws InputError as spread
+ParticlesOf spread_particles(const Match &m, std::uint64_t seed);
+
 /// The quality of such a match: its shares are exactly those of its gradation, which are the f_v that it is
 /// compared with.
-SetQuality matched_quality(const Match &m, const ModelCurve &curve, unsigned dimension, unsigned points);
+SetQuality matched_quality(const Match &m, const ModelCurve &curve, unsigned dimension, unsigned points,
+                           const ParticlesOf &particles);
 
 } // namespace mdm

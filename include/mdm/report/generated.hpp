@@ -19,6 +19,7 @@ struct GeneratedSet {
   ClassCounts counts;                      ///< by Eq. 6-10
   std::optional<Integer> at_most;          ///< N_max
   std::optional<Match> match;              ///< the exact alternative, if it was asked for
+  std::optional<std::uint64_t> spread;     ///< seed of the match's spread; else a class has one size
   unsigned match_digits = 0;               ///< of its gradation
   unsigned points = 0;                     ///< sizes at which C_r is taken
   std::optional<SetQuality> drawn_quality; ///< of the particles drawn by Eq. 6-10
@@ -31,6 +32,8 @@ struct GeneratedSet {
   std::optional<Integer> quantity(std::size_t j) const;
   /// Of all classes.
   std::optional<Integer> particles() const;
+  /// Of the match.
+  ParticlesOf match_particles() const;
   /// N_min <= N <= N_max (of the set by Eq. 6-10: max(sum N', N_min)); nothing if not decided.
   std::optional<bool> accessible() const;
 };
