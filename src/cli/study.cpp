@@ -156,6 +156,7 @@ int run_size_models(const StudyCommand &c) {
     return answers(
         questions, [](const SetQuestion &q) { return set_row(q, most_drawn); }, count);
   };
+  const std::vector<DistributionRow> densities = figure1_rows();
   const std::vector<PassingRow> curves = figure3_rows();
   const std::vector<CoefficientRow> coefficients = figure4_rows();
   const std::vector<SetRow> classes = sets(figure5_questions()), class_sizes = sets(figure6_questions()),
@@ -168,6 +169,7 @@ int run_size_models(const StudyCommand &c) {
       {"figure7.csv", table_csv(totals)},     {"figure8.csv", table_csv(maps)},
       {"figure8-spans.csv", table_csv(spans)}};
   if (c.plots) {
+    files.push_back(std::move(pictures({distribution_figure(densities)}, 1, *c.plots, c.quiet).front()));
     std::vector<StudyFile> drawn =
         pictures({passing_figure(curves), coefficient_figure(coefficients),
                   set_figure(classes, Criterion::classes), set_figure(class_sizes, Criterion::min_per_class),

@@ -20,6 +20,15 @@ const char *name(Classing classing) {
 
 } // namespace
 
+std::string table_csv(const std::vector<DistributionRow> &rows) {
+  std::string text = "size_mm,number_density,volume_density,partition,grading\n";
+  for (const DistributionRow &r : rows)
+    text += fmt::format("{},{},{},{},{}\n", to_decimal(r.size), rounded(r.number_density, digits),
+                        rounded(r.volume_density, digits), rounded(r.partition, digits),
+                        rounded(r.grading, digits));
+  return text;
+}
+
 std::string table_csv(const std::vector<PassingRow> &rows) {
   std::string text = "a,b,reduced_size,passing\n";
   for (const PassingRow &r : rows)

@@ -1,9 +1,11 @@
 #include <mdm/grading/set_sizes.hpp>
+#include <mdm/grading/size_distribution.hpp>
 #include <mdm/study/size_models.hpp>
 
 namespace mdm {
 namespace {
 
+constexpr unsigned discs = 2;
 constexpr unsigned quality_points = 100;
 constexpr unsigned size_digits = 15;
 
@@ -39,6 +41,25 @@ BetaCurve spanned_curve(const Shape &shape, const Rational &span) {
 
 std::vector<Shape> compared_shapes() {
   return {{1, 3}, {3, 3}, {3, 1}};
+}
+
+std::vector<DistributionRow> figure1_rows() {
+  constexpr unsigned n = 100;
+  const BetaCurve curve(3, 3, ratio(1, 1000), ratio(1, 100));
+  std::vector<Real> bounds, shares;
+  for (const SizeClass &c : size_classes(curve, Classing::regular, n)) {
+    bounds.push_back(c.lower.real);
+    shares.push_back(c.volume_fraction);
+  }
+  bounds.emplace_back(curve.d_max());
+  const SizeDistribution set = SizeDistribution::by_volume(std::move(bounds), std::move(shares), discs);
+  std::vector<DistributionRow> rows;
+  for (unsigned i = 0; i < n; ++i) {
+    const Rational size = curve.d_min() + (curve.d_max() - curve.d_min()) * ratio(2 * i + 1, 2 * n);
+    rows.push_back(
+        {size, set.number_density(size), set.volume_density(size), set.partition(size), set.grading(size)});
+  }
+  return rows;
 }
 
 std::vector<PassingRow> figure3_rows() {

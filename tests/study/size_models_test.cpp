@@ -163,6 +163,29 @@ TEST_CASE("C_r gets better with more classes, and large sets go without") {
   CHECK_FALSE(set_row(question, 1000).c_r);
 }
 
+TEST_CASE("the four functions of Figure 1 belong together") {
+  const std::vector<DistributionRow> rows = figure1_rows();
+  REQUIRE(rows.size() == 100);
+  const double width = 0.00009;
+  const Shape shape{3, 3};
+  double F = 0, moment = 0;
+  for (const DistributionRow &r : rows) {
+    const double d = r.size.convert_to<double>(), f = to_double(r.number_density);
+    CHECK(to_double(r.partition) == Approx(F + f * width / 2).margin(5e-4)); // the middle of a class
+    F += f * width;
+    moment += d * d * f * width;
+  }
+  CHECK(F == Approx(1).margin(2e-3));
+  for (const DistributionRow &r : rows) {
+    const double d = r.size.convert_to<double>();
+    CHECK(to_double(r.volume_density) ==
+          Approx(d * d * to_double(r.number_density) / moment).epsilon(2e-3)); // Eq. 5
+    const Rational reduced = (r.size - ratio(1, 1000)) / ratio(9, 1000);
+    const double h = passing(shape, reduced).convert_to<double>();
+    CHECK(to_double(r.grading) == Approx(h).margin(1e-4));
+  }
+}
+
 TEST_CASE("curves of Figure 3 begin at 0, end at 1 and do not fall") {
   const std::vector<PassingRow> rows = figure3_rows();
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -187,7 +210,8 @@ TEST_CASE("tables have a row a point and as many cells as their header") {
   const SetRow set = set_row(figure7_questions().front(), 0);
   const ShapeRow shape = shape_row({Classing::regular, ratio(1, 10), {1, 1}});
   for (const std::string &text :
-       {table_csv(std::vector<PassingRow>{figure3_rows()[7]}),
+       {table_csv(std::vector<DistributionRow>{figure1_rows()[7]}),
+        table_csv(std::vector<PassingRow>{figure3_rows()[7]}),
         table_csv(std::vector<CoefficientRow>{figure4_rows()[7]}), table_csv(std::vector<SetRow>{set}),
         table_csv(std::vector<ShapeRow>{shape})}) {
     const std::string header = text.substr(0, text.find('\n'));
@@ -210,9 +234,10 @@ TEST_CASE("figures of the size models have axes, and lines for every shape") {
   for (const ShapeQuestion &q : figure8_spans())
     if (q.shape.a == 1)
       spans.push_back(shape_row(q));
-  const std::vector<Figure> figures = {passing_figure(figure3_rows()), coefficient_figure(figure4_rows()),
+  const std::vector<Figure> figures = {distribution_figure(figure1_rows()), passing_figure(figure3_rows()),
+                                       coefficient_figure(figure4_rows()),
                                        set_figure(sets, Criterion::at_least), accessible_figure(maps, spans)};
-  const std::vector<std::size_t> panels = {1, 2, 2, 6};
+  const std::vector<std::size_t> panels = {2, 1, 2, 2, 6};
   for (std::size_t i = 0; i < figures.size(); ++i) {
     REQUIRE(figures[i].panels.size() == panels[i]);
     for (const Panel &panel : figures[i].panels) {
@@ -228,7 +253,7 @@ TEST_CASE("figures of the size models have axes, and lines for every shape") {
         }
     }
   }
-  CHECK(figures[0].panels[0].series.size() == 7);
-  CHECK(figures[1].panels[0].series.size() == 6);
-  CHECK(figures[2].panels[1].series.size() == 6);
+  CHECK(figures[1].panels[0].series.size() == 7);
+  CHECK(figures[2].panels[0].series.size() == 6);
+  CHECK(figures[3].panels[1].series.size() == 6);
 }

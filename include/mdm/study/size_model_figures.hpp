@@ -7,6 +7,8 @@
 
 namespace mdm {
 
+/// Figure 1: densities and cumulative functions by number and by volume.
+Figure distribution_figure(const std::vector<DistributionRow> &rows);
 /// Figure 3: grading curves of the model.
 Figure passing_figure(const std::vector<PassingRow> &rows);
 /// Figure 4: C_u and C_c over the span.

@@ -9,6 +9,8 @@ namespace mdm {
 // Counts are exact, other numbers have up to 10 significant digits, all certain. A cell is empty where there
 // is no value.
 
+/// size_mm,number_density,volume_density,partition,grading: f and V per mm, F and h
+std::string table_csv(const std::vector<DistributionRow> &rows);
 /// a,b,reduced_size,passing
 std::string table_csv(const std::vector<PassingRow> &rows);
 /// a,b,span,C_u,C_c

@@ -17,6 +17,15 @@ struct Shape {
 /// The curve of the shape from d_min = 1 on with the span s (Eq. 17), 0 < s < 1.
 BetaCurve spanned_curve(const Shape &shape, const Rational &span);
 
+/// The four functions that describe a set by number and by volume (Eq. 5), sizes in mm: Figure 1.
+struct DistributionRow {
+  Rational size;
+  Real number_density, volume_density; ///< f and V, per mm
+  Real partition, grading;             ///< F and h
+};
+/// From 0.001 to 0.01 mm, with the shape (3, 3): the middles of 100 regular classes, each uniform by volume.
+std::vector<DistributionRow> figure1_rows();
+
 /// h of a shape at the reduced diameter d_r (Eq. 15-16): Figure 3.
 struct PassingRow {
   Shape shape;
