@@ -225,7 +225,9 @@ GeneratedSet generated(const GenerateCommand &c) {
     options.at_most = set.at_most;
     options.limits.deadline = std::chrono::steady_clock::now() +
                               std::chrono::seconds(small_natural("--time-limit", c.time_limit, 1, 1000000));
-    set.match = matched_set(rounded_gradation(set.classes, set.match_digits, set.id), set.wanted, options);
+    const Gradation rounded = rounded_gradation(set.classes, set.match_digits, set.id);
+    set.match = c.spread ? roomy_set(rounded, set.wanted, options, set.match_digits)
+                         : matched_set(rounded, set.wanted, options);
     set.notes.insert(set.notes.end(), set.match->notes.begin(), set.match->notes.end());
     if (c.spread)
       set.spread = seed_of(c);
@@ -348,9 +350,10 @@ Run add_generate(CLI::App &app) {
          "of --method match (60); then exit 3 with what is certain");
   command.add_flag("--sizes", c->sizes, "the size of every particle (JSON and CSV)");
   option("--seed", c->seed, "K", "draw sizes at random, by the counter-based generator Philox 4x32-10");
-  command.add_flag("--spread", c->spread,
-                   "sizes of --method match uniform by volume in their class as far as its exact volume lets "
-                   "them, by --seed (1)");
+  command.add_flag(
+      "--spread", c->spread,
+      "for --method match: sizes drawn uniform by volume in their class by --seed (1), and enough "
+      "particles for that");
   command.add_flag("--quantiles", c->quantiles, "draw sizes without randomness (the default)");
   option("--points", c->points, "K",
          "sizes, equally spaced in log size, at which the set's curve is compared (C_r; 100, up to 10^6 "
