@@ -144,6 +144,7 @@ void check(const GenerateCommand &c) {
 
 /// Particles of sets of which the quality is told without being asked for: a second or so.
 constexpr unsigned most_judged = 1000000;
+constexpr unsigned most_judged_if_asked = 10000000;
 constexpr unsigned usual_points = 100;
 
 /// C_r and the rest of Eq. 18-21 for the particles themselves.
@@ -158,9 +159,8 @@ void add_quality(const GenerateCommand &c, GeneratedSet &set) {
         matched_quality(*set.match, *set.curve, set.wanted.dimension, set.points, set.match_particles());
   if (!set.counts.decided())
     return;
-  if (set.counts.particles() > (c.points ? most_sizes() : Integer(most_judged))) {
-    set.notes.push_back(
-        "the quality of a set of more than 10^6 particles is told with --points, up to 10^12");
+  if (set.counts.particles() > (c.points ? most_judged_if_asked : most_judged)) {
+    set.notes.push_back("the quality of a set of more than 10^6 particles is told with --points, up to 10^7");
     return;
   }
   set.drawn_quality = set_quality(
@@ -356,8 +356,8 @@ Run add_generate(CLI::App &app) {
       "particles for that");
   command.add_flag("--quantiles", c->quantiles, "draw sizes without randomness (the default)");
   option("--points", c->points, "K",
-         "sizes, equally spaced in log size, at which the set's curve is compared (C_r; 100, up to 10^6 "
-         "particles); 0: no quality");
+         "sizes, equally spaced in log size, at which the set's curve is compared (C_r; 100 for up to "
+         "10^6 particles, if given up to 10^7 in 1 GB); 0: no quality");
   option("--table", c->table, "K", "h, V, F and f at K equally spaced sizes");
   c->accessible.add_to(command);
   option("--digits", c->digits, "D", "significant digits of enclosures (15)");

@@ -49,8 +49,9 @@ int complain(const std::string &message) {
 
 std::vector<Command> add_commands(CLI::App &app) {
   std::vector<Command> commands;
-  for (Run (*const add)(CLI::App &) : {add_solve, add_batch, add_convert, add_describe, add_verify,
-                                       add_crosscheck, add_published, add_generate, add_study, add_tradeoff, add_plot}) {
+  for (Run (*const add)(CLI::App &) :
+       {add_solve, add_batch, add_convert, add_describe, add_verify, add_crosscheck, add_published,
+        add_generate, add_study, add_tradeoff, add_plot}) {
     Run run = add(app);
     commands.push_back({app.get_subcommands({}).back(), std::move(run)});
   }

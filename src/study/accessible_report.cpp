@@ -111,13 +111,13 @@ Axis value_axis(const std::string &title, const std::vector<Rational> &values) {
 constexpr double map_size = 330;
 
 Series cells(const AccessibleQuestion &q) {
-  constexpr double points_of_mark = 7; // about, with pointsize 1
+  constexpr double points_of_mark = 6.2; // about, with pointsize 1
   Series series;
   series.stroke = Stroke::none;
   series.mark = Mark::square;
   const double across = map_size / (to_double(Rational(q.a.back() - q.a.front())) / least_step(q.a) + 1);
   const double up = map_size / (to_double(Rational(q.b.back() - q.b.front())) / least_step(q.b) + 1);
-  series.mark_size = std::clamp(std::min(across, up) / points_of_mark, 0.2, 3.0);
+  series.mark_size = std::clamp(std::min(across, up) / points_of_mark, 0.2, 12.0);
   return series;
 }
 
