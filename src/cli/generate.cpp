@@ -138,6 +138,8 @@ void check(const GenerateCommand &c) {
   if (c.sizes && c.method == "match" && !c.spread && (c.seed || c.quantiles))
     throw InputError(
         "--method match gives a class one size: leave out --seed and --quantiles, or add --spread");
+  if (c.points && c.format == "csv")
+    throw InputError("--points: CSV has no place for the quality of the set; use --format text or json");
   if (c.sizes && c.table && c.format == "csv")
     throw InputError("--sizes and --table: CSV has place for one of them; use --format json");
 }
@@ -152,7 +154,7 @@ void add_quality(const GenerateCommand &c, GeneratedSet &set) {
   set.points = c.points ? small_natural("--points", *c.points, 0, most_points) : usual_points;
   if (set.points == 1)
     throw InputError("--points: at least 2, or 0 to leave the quality out");
-  if (set.points == 0)
+  if (set.points == 0 || c.format == "csv")
     return;
   if (set.match && set.match->complete)
     set.match_quality =

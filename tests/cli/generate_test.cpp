@@ -130,8 +130,8 @@ TEST_CASE("counts that enclosures do not decide are exit 3, with both values", "
 }
 
 TEST_CASE("sizes are streamed: many of them take no memory, and both formats have the same", "[generate]") {
-  const Arguments many = {"generate", "--beta", "3,3",      "--dmin", "0.02",    "--dmax",    "1.98",
-                          "--seed",   "5",      "--points", "0",      "--sizes", "--at-least"};
+  const Arguments many = {"generate", "--beta", "3,3", "--dmin",  "0.02",      "--dmax",
+                          "1.98",     "--seed", "5",   "--sizes", "--at-least"};
   TemporaryFolder folder;
   const std::string few_csv = folder / "few.csv", all_csv = folder / "all.csv";
   const Outcome few = mdm(with(many, {"1", "--format", "csv", "-o", few_csv}));
@@ -277,6 +277,7 @@ TEST_CASE("what no set can be made of is refused", "[generate]") {
                                                       {"--ratio", "2", "--seed", "1", "--quantiles"},
                                                       {"--ratio", "2", "--seed", "18446744073709551616"},
                                                       {"--ratio", "2", "--points", "1"},
+                                                      {"--ratio", "2", "--points", "9", "--format", "csv"},
                                                       {"--ratio", "2", "--table", "1"}})
     check_refused(mdm(with(beta, more)));
   for (const char *parameters : {"0,1", "1,0", "1", "1,2,3", "1000000,1", "x,1"})
