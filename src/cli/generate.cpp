@@ -1,3 +1,4 @@
+#include "accessible.hpp"
 #include "commands.hpp"
 #include "files.hpp"
 #include "option_values.hpp"
@@ -33,6 +34,7 @@ struct GenerateCommand {
   std::string classes = "10", min_per_class = "10", at_least = "2000", dimension = "3", method = "paper";
   std::string digits = "15", match_digits = "6", time_limit = "60", format = "text", out = "-";
   std::optional<std::string> table;
+  AccessibleFlags accessible;
   bool quantiles = false, sizes = false, spread = false, quiet = false;
 };
 
@@ -136,12 +138,15 @@ void check(const GenerateCommand &c) {
   if (c.sizes && c.method == "match" && !c.spread && (c.seed || c.quantiles))
     throw InputError(
         "--method match gives a class one size: leave out --seed and --quantiles, or add --spread");
+  if (c.points && c.format == "csv")
+    throw InputError("--points: CSV has no place for the quality of the set; use --format text or json");
   if (c.sizes && c.table && c.format == "csv")
     throw InputError("--sizes and --table: CSV has place for one of them; use --format json");
 }
 
 /// Particles of sets of which the quality is told without being asked for: a second or so.
 constexpr unsigned most_judged = 1000000;
+constexpr unsigned most_judged_if_asked = 10000000;
 constexpr unsigned usual_points = 100;
 
 /// C_r and the rest of Eq. 18-21 for the particles themselves.
@@ -149,16 +154,15 @@ void add_quality(const GenerateCommand &c, GeneratedSet &set) {
   set.points = c.points ? small_natural("--points", *c.points, 0, most_points) : usual_points;
   if (set.points == 1)
     throw InputError("--points: at least 2, or 0 to leave the quality out");
-  if (set.points == 0)
+  if (set.points == 0 || c.format == "csv")
     return;
   if (set.match && set.match->complete)
     set.match_quality =
         matched_quality(*set.match, *set.curve, set.wanted.dimension, set.points, set.match_particles());
   if (!set.counts.decided())
     return;
-  if (set.counts.particles() > (c.points ? most_sizes() : Integer(most_judged))) {
-    set.notes.push_back("the quality of a set of " + to_string(set.counts.particles()) +
-                        " particles is told with --points, up to 10^12 particles");
+  if (set.counts.particles() > (c.points ? most_judged_if_asked : most_judged)) {
+    set.notes.push_back("the quality of a set of more than 10^6 particles is told with --points, up to 10^7");
     return;
   }
   set.drawn_quality = set_quality(
@@ -190,13 +194,16 @@ void add_curve(const GenerateCommand &c, GeneratedSet &set) {
   set.classes = how == "sieves" ? sieve_classes(*curve) : size_classes(*curve, classing(how), n);
 }
 
+Representativity representativity(const GenerateCommand &c) {
+  return {natural("--min-per-class", c.min_per_class, 1), natural("--at-least", c.at_least, 1),
+          c.dimension == "2" ? 2U : 3U};
+}
+
 GeneratedSet generated(const GenerateCommand &c) {
   GeneratedSet set;
   set.digits = digits_of("--digits", c.digits);
   set.match_digits = digits_of("--match-digits", c.match_digits);
-  set.wanted.min_per_class = natural("--min-per-class", c.min_per_class, 1);
-  set.wanted.at_least = natural("--at-least", c.at_least, 1);
-  set.wanted.dimension = c.dimension == "2" ? 2 : 3;
+  set.wanted = representativity(c);
   if (c.at_most) {
     set.at_most = natural("--at-most", *c.at_most, 1);
     if (*set.at_most < set.wanted.at_least)
@@ -220,7 +227,9 @@ GeneratedSet generated(const GenerateCommand &c) {
     options.at_most = set.at_most;
     options.limits.deadline = std::chrono::steady_clock::now() +
                               std::chrono::seconds(small_natural("--time-limit", c.time_limit, 1, 1000000));
-    set.match = matched_set(rounded_gradation(set.classes, set.match_digits, set.id), set.wanted, options);
+    const Gradation rounded = rounded_gradation(set.classes, set.match_digits, set.id);
+    set.match = c.spread ? roomy_set(rounded, set.wanted, options, set.match_digits)
+                         : matched_set(rounded, set.wanted, options);
     set.notes.insert(set.notes.end(), set.match->notes.begin(), set.match->notes.end());
     if (c.spread)
       set.spread = seed_of(c);
@@ -238,7 +247,40 @@ int exit_code(const GeneratedSet &set) {
   return accessible && set.particles() ? Exit::done : Exit::limited;
 }
 
+AccessibleQuestion accessible_question(const GenerateCommand &c) {
+  if (c.beta || c.curve || c.d_min || c.d_max || c.ratio || c.pan_size || c.between || c.specimen_id)
+    throw InputError("--accessible: shapes are asked for with --a and --b, their sizes with --span "
+                     "alone: leave out other options of the curve");
+  if (!c.span)
+    throw InputError("--accessible: give --span: one number or several, between 0 and 1");
+  if (c.sizes || c.seed || c.quantiles || c.table || c.points)
+    throw InputError("--accessible tells how many particles there would be and draws none: leave out "
+                     "--sizes, --seed, --quantiles, --points and --table");
+  if (c.classing == "sieves")
+    throw InputError("--classing: a beta curve has no sieves: use regular, geometric or isochoric");
+  AccessibleQuestion q;
+  q.a = number_list("--a", c.accessible.a.value_or("0.5:10:0.5"));
+  q.b = number_list("--b", c.accessible.b.value_or("0.5:10:0.5"));
+  q.spans = number_list("--span", *c.span);
+  if (q.spans.back() >= 1)
+    throw InputError("--span: " + to_decimal(q.spans.back()) + " is not below 1: then d_min would be 0");
+  q.classing = classing(c.classing.value_or("geometric"));
+  q.classes = small_natural("--classes", c.classes, 1, max_size_classes);
+  q.wanted = representativity(c);
+  q.at_most = natural("--at-most", c.at_most.value_or("10000"), 1);
+  if (q.at_most < q.wanted.at_least)
+    throw InputError("--at-most: fewer than --at-least: no set can have both");
+  q.match_digits = digits_of("--match-digits", c.match_digits);
+  q.time_limit = std::chrono::seconds(small_natural("--time-limit", c.time_limit, 1, 1000000));
+  return q;
+}
+
 int run(const GenerateCommand &c) {
+  if (c.accessible.needless())
+    throw InputError("--a, --b, --plot and -j are of --accessible: add it or leave them out");
+  if (c.accessible.on)
+    return run_accessible(accessible_question(c),
+                          {c.format, c.out, c.accessible.plot, c.accessible.threads, c.quiet});
   check(c);
   check_distinct({c.curve.value_or("-"), c.out});
   const std::optional<Draws> how = c.sizes ? std::optional(draws(c)) : std::nullopt;
@@ -310,14 +352,16 @@ Run add_generate(CLI::App &app) {
          "of --method match (60); then exit 3 with what is certain");
   command.add_flag("--sizes", c->sizes, "the size of every particle (JSON and CSV)");
   option("--seed", c->seed, "K", "draw sizes at random, by the counter-based generator Philox 4x32-10");
-  command.add_flag("--spread", c->spread,
-                   "sizes of --method match uniform by volume in their class as far as its exact volume lets "
-                   "them, by --seed (1)");
+  command.add_flag(
+      "--spread", c->spread,
+      "for --method match: sizes drawn uniform by volume in their class by --seed (1), and enough "
+      "particles for that");
   command.add_flag("--quantiles", c->quantiles, "draw sizes without randomness (the default)");
   option("--points", c->points, "K",
-         "sizes, equally spaced in log size, at which the set's curve is compared (C_r; 100, up to 10^6 "
-         "particles); 0: no quality");
+         "sizes, equally spaced in log size, at which the set's curve is compared (C_r; 100 for up to "
+         "10^6 particles, if given up to 10^7 in 1 GB); 0: no quality");
   option("--table", c->table, "K", "h, V, F and f at K equally spaced sizes");
+  c->accessible.add_to(command);
   option("--digits", c->digits, "D", "significant digits of enclosures (15)");
   command.add_option("--format", c->format, "text, json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}));

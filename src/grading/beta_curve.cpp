@@ -219,9 +219,13 @@ Real BetaCurve::passing(const CurveSize &d) const {
 
 Real BetaCurve::between(const CurveSize &lower, const CurveSize &upper) const {
   const Real l = passing(lower), u = passing(upper);
-  constexpr unsigned glance = 64;
   // Near 1 the difference of the complements loses no digits.
-  if ((l.fraction() && u.fraction()) || l.ball(glance).upper() < ratio(1, 2))
+  const auto is_near_1 = [](const Real &h) {
+    constexpr unsigned glance = 64;
+    const Ball ball = h.ball(glance);
+    return ball.is_finite() && ball.upper() > ratio(1, 2);
+  };
+  if ((l.fraction() && u.fraction()) || !is_near_1(l))
     return u - l;
   const auto complement = [this](const CurveSize &d) {
     const CurveSize x = reduced(d);

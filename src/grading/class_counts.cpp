@@ -1,4 +1,3 @@
-#include <mdm/error.hpp>
 #include <mdm/grading/class_counts.hpp>
 #include <mdm/number/interval.hpp>
 
@@ -108,8 +107,9 @@ private:
   void check_length(const Real &n) const {
     static const Rational most(power_of_ten(most_count_digits));
     if (compare(n, Real(most)) != Order::less)
-      throw InputError("a class would need more than 10^1000 particles: use fewer or isochoric classes, or a "
-                       "curve with more volume at its ends");
+      throw TooManyParticles(
+          "a class would need more than 10^1000 particles: use fewer or isochoric classes, "
+          "or a curve with more volume at its ends");
   }
 
   void set_numbers(ClassCounts &counts) const {
@@ -171,6 +171,8 @@ Real rounding_cost(const std::vector<SizeClass> &classes, const ClassCounts &cou
     Interval worst = Rational(0);
     for (std::size_t j = 0; j < of.size(); ++j) {
       const Ball error = of[j] / total - classes[j].volume_fraction.ball(bits);
+      if (!error.is_finite())
+        return error;
       worst = greater(worst, absolute({error.lower(), error.upper()}));
     }
     return hull(Ball(worst.lo, bits), Ball(worst.hi, bits));

@@ -12,6 +12,52 @@ Rational decimal(const Real &y, unsigned digits) {
   return parse_decimal(rounded(y, digits));
 }
 
+Question question_of(const Representativity &wanted) {
+  Question question;
+  question.law = MassLaw{wanted.dimension, 1};
+  question.min_per_class = wanted.min_per_class;
+  question.at_least = wanted.at_least;
+  return question;
+}
+
+/// The sizes between which the mean particle of a class with lower bound l > 0 and upper bound u is to be,
+/// rounded down: that of the mean volume, l u for discs and 2 l^2 u^2 / (l + u) for spheres, and that halfway
+/// in volume from l to it.
+std::pair<Rational, Rational> room(const Rational &l, const Rational &u, unsigned dimension,
+                                   unsigned digits) {
+  const Rational mean = dimension == 2 ? Rational(l * u) : Rational(2 * l * l * u * u / (l + u));
+  const Rational half = (power(l, dimension) + mean) / 2;
+  for (;; digits *= 2) {
+    const auto size = [&](const Rational &volume) {
+      return enclose_root(numerator(volume), denominator(volume), dimension, digits).lower();
+    };
+    if (l < size(half) && size(half) < size(mean))
+      return {size(half), size(mean)};
+  }
+}
+
+/// Every class that does not begin at 0 cut at both: the mass is between them.
+Gradation cut_to_room(const Gradation &g, unsigned dimension, unsigned digits) {
+  Gradation::Data data;
+  data.id = g.id();
+  const auto add = [&](const Rational &size, const Rational &mass) {
+    data.sizes.push_back(size);
+    data.masses.push_back(mass);
+  };
+  for (std::size_t j = 0; j < g.classes(); ++j) {
+    if (g.mass(j) == 0 || g.lower(j) == 0) {
+      add(g.lower(j), g.mass(j));
+      continue;
+    }
+    const auto [from, to] = room(g.lower(j), g.upper(j), dimension, digits);
+    add(g.lower(j), 0);
+    add(from, g.mass(j));
+    add(to, 0);
+  }
+  add(g.sizes().back(), 0);
+  return Gradation(std::move(data));
+}
+
 } // namespace
 
 Gradation rounded_gradation(const std::vector<SizeClass> &classes, unsigned digits, const std::string &id) {
@@ -30,11 +76,24 @@ Gradation rounded_gradation(const std::vector<SizeClass> &classes, unsigned digi
 }
 
 Match matched_set(const Gradation &rounded, const Representativity &wanted, const SolveOptions &options) {
-  Question question;
-  question.law = MassLaw{wanted.dimension, 1};
-  question.min_per_class = wanted.min_per_class;
-  question.at_least = wanted.at_least;
-  return solve(rounded, question, options);
+  return solve(rounded, question_of(wanted), options);
+}
+
+Match roomy_set(const Gradation &rounded, const Representativity &wanted, const SolveOptions &options,
+                unsigned size_digits) {
+  Match cut = solve(cut_to_room(rounded, wanted.dimension, size_digits), question_of(wanted), options);
+  Match m(cut.question, rounded, Problem(rounded, cut.question.law, cut.question.min_per_class));
+  m.status = cut.status;
+  m.complete = cut.complete;
+  m.lower_bound = cut.lower_bound;
+  m.q = std::move(cut.q);
+  m.scale = cut.scale;
+  const Rational &unit = m.problem.scale_unit();
+  m.window = {m.problem.lowest_scale(m.q) * unit, m.problem.highest_scale(m.q) * unit, std::nullopt};
+  m.sizes = enclose_sizes(m.gradation, m.problem, m.q, m.scale, options.digits);
+  m.margin = size_margin(m.question.law, m.window.above, m.window.up_to, m.scale);
+  m.digits = options.digits;
+  return m;
 }
 
 std::optional<std::size_t> place_in_match(const Match &m, std::size_t j) {

@@ -49,11 +49,13 @@ public:
   Units(const Rational &least, unsigned dimension) : dimension_(dimension) {
     while (Rational(least * Rational(power_of_ten(places_))) < Rational(power_of_ten(work_digits / 2)))
       ++places_;
+    for (unsigned i = 0; i <= places_; ++i)
+      powers_.push_back(power_of_ten(i));
   }
 
   Amount size(const Enclosure &e) const {
     if (e.places <= places_) {
-      const Integer factor = power_of_ten(places_ - e.places);
+      const Integer &factor = powers_[places_ - e.places];
       return {e.lo * factor, e.hi * factor};
     }
     const Integer divisor = power_of_ten(e.places - places_);
@@ -69,6 +71,7 @@ public:
 
 private:
   unsigned dimension_, places_ = 0;
+  std::vector<Integer> powers_; // of ten
 };
 
 /// Particles of one size.

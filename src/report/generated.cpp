@@ -80,8 +80,15 @@ std::vector<TableLine> table_lines(const GeneratedSet &set) {
   return lines;
 }
 
+/// A number of particles, with an exponent if it is long.
+std::string short_count(const Integer &n) {
+  constexpr std::size_t longest = 20;
+  const std::string text = to_string(n);
+  return text.size() <= longest ? text : rounded(Real(Rational(n)), read_digits);
+}
+
 std::string estimate_text(const IntegerBounds &n) {
-  return n.known() ? to_string(n.lo) : to_string(n.lo) + " or " + to_string(n.hi);
+  return n.known() ? short_count(n.lo) : short_count(n.lo) + " or " + short_count(n.hi);
 }
 
 std::string percent(const Real &share) {
@@ -102,7 +109,8 @@ std::string class_table(const GeneratedSet &set) {
     const SizeClass &c = set.classes[j];
     lines.push_back({std::to_string(j + 1), rounded(c.lower.real, read_digits),
                      rounded(c.upper.real, read_digits), percent(c.volume_fraction),
-                     estimate_text(set.counts.estimate[j]), decided ? to_string(set.counts.numbers[j]) : "?",
+                     estimate_text(set.counts.estimate[j]),
+                     decided ? short_count(set.counts.numbers[j]) : "?",
                      decided ? percent(Real(ratio(set.counts.numbers[j], set.counts.particles()))) : "?"});
     if (set.drawn_quality)
       lines.back().insert(lines.back().end(),
@@ -133,7 +141,8 @@ std::string count_line(const GeneratedSet &set) {
   const ClassCounts &c = set.counts;
   if (!c.decided())
     return "4096 bits do not decide every N': N is not known";
-  std::string text = "N = " + to_string(c.particles()) + " (sum N' = " + to_string(c.estimated().lo) + ")";
+  std::string text =
+      "N = " + short_count(c.particles()) + " (sum N' = " + short_count(c.estimated().lo) + ")";
   if (c.particles() < set.wanted.at_least)
     text += ", " + to_string(Integer(set.wanted.at_least - c.particles())) +
             " fewer than N_min: the floors of Eq. 9 lose them";
@@ -142,7 +151,7 @@ std::string count_line(const GeneratedSet &set) {
 
 std::vector<std::string> quality_line(const std::string &name, const Integer &n, const SetQuality &q) {
   return {name,
-          to_string(n),
+          short_count(n),
           percent(q.worst_error),
           rounded(real_in(q.c_r), read_digits),
           rounded(real_in(q.c_u), read_digits),
@@ -156,7 +165,7 @@ std::string quality_table(const GeneratedSet &set) {
                                                   rounded(uniformity(*set.curve), read_digits),
                                                   rounded(curvature(*set.curve), read_digits)}};
   if (set.counts.decided())
-    lines.push_back({"Eq. 6-10, all of median size", to_string(set.counts.particles()),
+    lines.push_back({"Eq. 6-10, all of median size", short_count(set.counts.particles()),
                      percent(rounding_cost(set.classes, set.counts, set.wanted.dimension)), "", "", ""});
   if (set.drawn_quality)
     lines.push_back(quality_line("Eq. 6-10, as drawn", set.counts.particles(), *set.drawn_quality));

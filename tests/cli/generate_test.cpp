@@ -61,14 +61,14 @@ TEST_CASE("the exact alternative matches what was rounded", "[generate]") {
 
 TEST_CASE("a spread of the exact alternative has every class's volume exactly", "[generate]") {
   const Arguments match = with(two, {"--method", "match"}), spread = with(match, {"--spread", "--sizes"});
-  const Json set = json(spread), bounds = json(match);
+  const Json set = json(spread);
   CHECK((set.at("sizes") == json(with(spread, {"--seed", "1"})).at("sizes")));
   CHECK((set.at("sizes") != json(with(spread, {"--seed", "2"})).at("sizes")));
   // Discs from 1 to 2 in two classes: in each, sizes at the lower ends have too little and at the upper too
   // much for the ratio of the classes.
   std::size_t i = 0;
   std::vector<Rational> low, high, fraction;
-  for (const Json &c : bounds.at("classes")) {
+  for (const Json &c : set.at("classes")) {
     low.emplace_back(0);
     high.emplace_back(0);
     fraction.push_back(rational(c.at("volume_fraction")[0]));
@@ -129,6 +129,138 @@ TEST_CASE("counts that enclosures do not decide are exit 3, with both values", "
   CHECK(set.at("sizes").empty());
 }
 
+TEST_CASE("sizes are streamed: many of them take no memory, and both formats have the same", "[generate]") {
+  const Arguments many = {"generate", "--beta", "3,3", "--dmin",  "0.02",      "--dmax",
+                          "1.98",     "--seed", "5",   "--sizes", "--at-least"};
+  TemporaryFolder folder;
+  const std::string few_csv = folder / "few.csv", all_csv = folder / "all.csv";
+  const Outcome few = mdm(with(many, {"1", "--format", "csv", "-o", few_csv}));
+  CHECK(few.exit_code == 0);
+  const Outcome all = mdm(with(many, {"400000", "--format", "csv", "-o", all_csv}));
+  CHECK(all.exit_code == 0);
+  const std::string text = read_file(all_csv);
+  CHECK(std::count(text.begin(), text.end(), '\n') > 399000);
+  if (!MDM_KEEPS_FREED_MEMORY)
+    CHECK(all.max_rss_kib < few.max_rss_kib + 2000);
+
+  const Json set = json(with(many, {"1"}));
+  const std::string rows = read_file(few_csv);
+  std::string expected = "class,size_lo,size_hi\n";
+  std::size_t i = 0;
+  for (std::size_t j = 0; j < set.at("classes").size(); ++j)
+    for (int n = std::stoi(set.at("classes")[j].at("quantity").get<std::string>()); n > 0; --n, ++i)
+      expected += std::to_string(j + 1) + "," + set.at("sizes")[i][0].get<std::string>() + "," +
+                  set.at("sizes")[i][1].get<std::string>() + "\n";
+  CHECK(rows == expected);
+  CHECK(set.at("sizes").size() == i);
+}
+
+TEST_CASE("the quality of the set is told, as drawn and as matched", "[generate]") {
+  const Json set = json(with(two, {"--method", "match"}));
+  const Json &quality = set.at("quality");
+  CHECK(quality.at("points") == "100");
+  // Classes hold half of the volume each: of the match exactly, of 204 and 100 drawn discs nearly.
+  CHECK(quality.at("match").at("worst_error") == Json({"0", "0"}));
+  CHECK(rational(quality.at("drawn").at("worst_error")[1]) < Rational(1, 100));
+  CHECK(rational(quality.at("drawn").at("Cr")[0]) > 0);
+  CHECK(rational(quality.at("drawn").at("classes")[1].at("largest")[1]) < Rational(2, 100));
+  CHECK(set.at("classes")[0].at("number_fraction").size() == 2);
+  CHECK_FALSE(json(with(two, {"--points", "0"})).contains("quality"));
+  CHECK(mdm(two).out.find("Eq. 6-10, as drawn") != std::string::npos);
+}
+
+TEST_CASE("f, F, V and h of the set stand in one table", "[generate]") {
+  // One class of discs on [1, 2]: F = 2 (d - 1) / d, f = 2 / d^2.
+  const Json line = json({"generate", "--beta", "1,1", "--dmin", "1", "--ratio", "2", "--classes", "1",
+                          "--dimension", "2", "--table", "3"})
+                        .at("curve")[1];
+  CHECK(line.at("size") == Json({"1.5", "1.5"}));
+  CHECK(line.at("volume_density") == Json({"1", "1"}));
+  CHECK(line.at("partition") == Json({"0.666666666666666", "0.666666666666667"}));
+  CHECK(line.at("number_density") == Json({"0.888888888888888", "0.888888888888889"}));
+}
+
+TEST_CASE("accessible shapes are those whose sets are, both ways", "[generate]") {
+  const Arguments terms = {"--classes", "4", "--min-per-class", "5", "--at-least", "100", "--at-most", "300"};
+  const Arguments grid = with(
+      {"generate", "--accessible", "--span", "0.5,0.9", "--a", "1:3:1", "--b", "0.5,3", "-j", "2"}, terms);
+  const Json answer = json(grid);
+  CHECK(answer.at("schema") == "mdm-accessible-1");
+  const Json &shapes = answer.at("shapes");
+  REQUIRE(shapes.size() == 12);
+  unsigned accessible = 0;
+  for (const Json &shape : shapes)
+    for (const std::string method : {"paper", "match"}) {
+      const bool expected = shape.at(method).at("accessible").get<bool>();
+      accessible += expected ? 1 : 0;
+      const std::string a_and_b = shape.at("a").get<std::string>() + "," + shape.at("b").get<std::string>();
+      const Json set = json(with({"generate", "--beta", a_and_b, "--dmin", "1", "--span",
+                                  shape.at("span").get<std::string>(), "--method", method},
+                                 terms),
+                            expected ? 0 : 1);
+      CHECK(set.at("Cu")[0].get<std::string>().substr(0, 6) ==
+            shape.at("Cu")[0].get<std::string>().substr(0, 6));
+      if (method == "match")
+        CHECK(set.at("particles") == shape.at("match").at("particles"));
+    }
+  CHECK(accessible > 0);
+  CHECK(accessible < 24);
+  const Outcome one = mdm(with(grid, {"--format", "csv"}));
+  Arguments alone = grid;
+  *(std::find(alone.begin(), alone.end(), "-j") + 1) = "1";
+  CHECK(mdm(with(alone, {"--format", "csv"})).out == one.out);
+  CHECK(std::count(one.out.begin(), one.out.end(), '\n') == 13);
+  CHECK(mdm(grid).out.find("3 |") != std::string::npos);
+}
+
+TEST_CASE("the map of accessible shapes is drawn", "[generate]") {
+  TemporaryFolder folder;
+  const Outcome outcome = mdm({"generate", "--accessible", "--span", "0.3,0.5", "--a", "1,2", "--b", "1,2",
+                               "--plot", folder / "map.svg"});
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(read_file(folder / "map.svg").find("least match") != std::string::npos);
+}
+
+TEST_CASE("extreme shapes and counts end soon, with an answer or a refusal", "[generate]") {
+  for (const char *shape : {"0.001,1000", "1000,0.001", "1000,1", "0.001,0.001"}) {
+    const Outcome outcome =
+        mdm({"generate", "--beta", shape, "--dmin", "1", "--span", "0.5", "--classes", "4"});
+    INFO(shape << outcome.err);
+    CHECK(outcome.signal == 0);
+    CHECK((outcome.exit_code == 0 || outcome.exit_code == 2 || outcome.exit_code == 3));
+  }
+  const std::string huge(300, '9');
+  const Arguments many = {"generate", "--beta", "1,1", "--dmin", "1", "--ratio", "2", "--at-least", huge};
+  CHECK(json(many).at("particles").get<std::string>().size() == 300);
+  check_refused(mdm(with(many, {"--sizes", "--format", "csv"})), "10^12");
+  CHECK(json({"generate", "--beta", "1,1", "--dmin", "1", "--ratio", "100", "--classes", "1000",
+              "--dimension", "2", "--points", "0"})
+            .at("particles") == "213975");
+}
+
+TEST_CASE("what no grid of shapes can be made of is refused", "[generate]") {
+  for (const Arguments &more : std::vector<Arguments>{{},
+                                                      {"--span", "1"},
+                                                      {"--span", "0.5", "--ratio", "2"},
+                                                      {"--span", "0.5", "--dmin", "1"},
+                                                      {"--span", "0.5", "--beta", "1,1"},
+                                                      {"--span", "0.5", "--a", "1:2"},
+                                                      {"--span", "0.5", "--a", "2:1:1"},
+                                                      {"--span", "0.5", "--a", "0:1:1"},
+                                                      {"--span", "0.5", "--a", "1:2:0.0001"},
+                                                      {"--span", "0.5", "--a", "1,,2"},
+                                                      {"--span", "0.5", "--b", ""},
+                                                      {"--span", "0.5", "--classing", "sieves"},
+                                                      {"--span", "0.5", "--sizes", "--format", "csv"},
+                                                      {"--span", "0.5", "--at-most", "10"},
+                                                      {"--span", "0.5", "--plot", "-"},
+                                                      {"--span", "0.5", "--plot", "map.gif"}})
+    check_refused(mdm(with({"generate", "--accessible"}, more)));
+  check_refused(mdm(with(two, {"--a", "1"})), "--accessible");
+  check_refused(mdm(with(two, {"-j", "2"})), "--accessible");
+}
+
 TEST_CASE("what no set can be made of is refused", "[generate]") {
   const Arguments beta = {"generate", "--beta", "1,3", "--dmin", "1"};
   for (const Arguments &more : std::vector<Arguments>{{"--span", "0"},
@@ -145,6 +277,7 @@ TEST_CASE("what no set can be made of is refused", "[generate]") {
                                                       {"--ratio", "2", "--seed", "1", "--quantiles"},
                                                       {"--ratio", "2", "--seed", "18446744073709551616"},
                                                       {"--ratio", "2", "--points", "1"},
+                                                      {"--ratio", "2", "--points", "9", "--format", "csv"},
                                                       {"--ratio", "2", "--table", "1"}})
     check_refused(mdm(with(beta, more)));
   for (const char *parameters : {"0,1", "1,0", "1", "1,2,3", "1000000,1", "x,1"})

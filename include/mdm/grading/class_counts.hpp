@@ -2,6 +2,7 @@
 /// \file
 /// How many particles of each class make a representative set.
 
+#include <mdm/error.hpp>
 #include <mdm/grading/size_classes.hpp>
 
 namespace mdm {
@@ -26,6 +27,11 @@ struct ClassCounts {
   Integer particles() const;
 };
 
+/// A class would need more than 10^1000 particles.
+struct TooManyParticles : InputError {
+  using InputError::InputError;
+};
+
 /// d_m^p, p = D - 1, with d_m = F^-1(1/2) the median size of the class, uniform by volume: 2 (l u)^p / (l^p +
 /// u^p).
 Real median_power(const SizeClass &c, unsigned dimension);
@@ -33,7 +39,8 @@ Real median_power(const SizeClass &c, unsigned dimension);
 /// n = f_v / V(d_m) (Eq. 7), N' = floor(N_pc n / min n) (Eq. 8) and, where sum N' < N_min, N = floor(N_min /
 /// sum N' N') (Eq. 9). Every floor is decided: with fractions, by refining, and where that leaves two
 /// integers in the field of the bounds (Surd), to the power p: in dimension 3 squares are compared.
-/// \throws InputError if a count has more than 1000 digits or no class has volume
+/// \throws TooManyParticles if a count has more than 1000 digits
+/// \throws InputError if no class has volume, or one has so little that it cannot be told from 0
 ClassCounts class_counts(const std::vector<SizeClass> &classes, const ModelCurve &curve,
                          const Representativity &wanted);
 

@@ -1,0 +1,112 @@
+#include "accessible.hpp"
+
+#include "commands.hpp"
+#include "files.hpp"
+#include "in_parallel.hpp"
+#include "option_values.hpp"
+#include "picture.hpp"
+#include "progress.hpp"
+
+#include <mdm/study/accessible_report.hpp>
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace mdm::cli {
+namespace {
+
+constexpr std::size_t most_numbers = 1000;
+constexpr std::size_t most_shapes = 100000;
+
+std::vector<std::string> parts(const std::string &text, char separator) {
+  std::vector<std::string> all;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(separator, from), text.size());
+    all.push_back(text.substr(from, to - from));
+    from = to + 1;
+  }
+  return all;
+}
+
+std::vector<Rational> steps(const std::string &option, const std::vector<std::string> &words) {
+  const Rational from = positive(option, words[0]), to = positive(option, words[1]),
+                 step = positive(option, words[2]);
+  if (to < from)
+    throw InputError(option + ": " + in_quotes(words[0] + ":" + words[1]) + " has its end before its start");
+  if ((to - from) / step >= Rational(most_numbers))
+    throw InputError(option + ": more than 1000 numbers: take a larger step");
+  std::vector<Rational> numbers;
+  for (Rational at = from; at <= to; at += step)
+    numbers.push_back(at);
+  return numbers;
+}
+
+} // namespace
+
+void AccessibleFlags::add_to(CLI::App &command) {
+  command.add_flag("--accessible", on,
+                   "instead of one set: which shapes a, b take at most --at-most (10000) particles, by Eq. "
+                   "6-9 and by the least match, at the --span (one or several, as the shapes)");
+  command.add_option("--a", a, "shapes of --accessible: numbers 1,2,5 or FROM:TO:STEP (0.5:10:0.5)")
+      ->type_name("LIST");
+  command.add_option("--b", b, "the same for b (0.5:10:0.5)")->type_name("LIST");
+  command.add_option("--plot", plot, "the map of --accessible into OUT.svg, .png or .pdf (needs gnuplot)")
+      ->type_name("OUT");
+  command.add_option("-j", threads, "threads of --accessible")
+      ->type_name("THREADS")
+      ->check(CLI::Range(1, 1024));
+}
+
+std::vector<Rational> number_list(const std::string &option, const std::string &text) {
+  const std::vector<std::string> words = parts(text, ':');
+  if (words.size() == 3)
+    return steps(option, words);
+  if (words.size() != 1)
+    throw InputError(option + ": " + in_quotes(text) + " is not a list: write 1,2,5 or FROM:TO:STEP");
+  std::vector<Rational> numbers;
+  for (const std::string &word : parts(text, ','))
+    numbers.push_back(positive(option, word));
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
+int run_accessible(const AccessibleQuestion &question, const AccessibleOutput &output) {
+  if (output.plot == "-")
+    throw InputError("--plot needs a file: standard output has the answer");
+  const std::optional<Picture> picture = output.plot ? picture_at(*output.plot) : std::nullopt;
+  if (output.plot && !picture)
+    throw InputError("--plot: " + printable(*output.plot) + ": let OUT end in .svg, .png or .pdf");
+  check_distinct({output.out, output.plot.value_or("-")});
+  std::vector<AccessibleRow> rows = grid(question);
+  if (rows.size() > most_shapes)
+    throw InputError("--accessible: more than 100000 shapes: take larger steps or fewer spans");
+  Output out(output.out);
+  std::atomic<std::size_t> done = 0;
+  {
+    const Progress progress([&] { return fmt::format("{} of {} shapes", done.load(), rows.size()); },
+                            output.quiet);
+    in_parallel(rows.size(), output.threads, [&](std::size_t i) {
+      fill(rows[i], question);
+      ++done;
+    });
+  }
+  std::unique_ptr<Output> plot;
+  if (picture) {
+    plot = std::make_unique<Output>(*output.plot);
+    plot->write(run_gnuplot(gnuplot_script(accessible_map(question, rows), *picture)));
+  }
+  out.write(output.format == "json"  ? accessible_json(question, rows) + "\n"
+            : output.format == "csv" ? accessible_csv(rows)
+                                     : accessible_text(question, rows));
+  if (plot)
+    plot->commit();
+  out.commit();
+  const bool decided = std::all_of(rows.begin(), rows.end(), [](const AccessibleRow &row) {
+    return row.paper_accessible && row.match_accessible;
+  });
+  return decided ? Exit::done : Exit::limited;
+}
+
+} // namespace mdm::cli
