@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "files.hpp"
+#include "in_parallel.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
 
@@ -14,7 +15,6 @@
 #include <fmt/core.h>
 
 #include <atomic>
-#include <functional>
 #include <memory>
 #include <thread>
 
@@ -123,17 +123,10 @@ int run_figures(const StudyCommand &c) {
 template <class Question, class Answer>
 auto answers(const std::vector<Question> &questions, Answer answer, std::atomic<std::uint64_t> &count) {
   std::vector<std::optional<decltype(answer(questions.front()))>> found(questions.size());
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < questions.size(); i = next++, ++count)
-      found[i] = answer(questions[i]);
-  };
-  std::vector<std::thread> threads;
-  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-    threads.emplace_back(work);
-  work();
-  for (std::thread &thread : threads)
-    thread.join();
+  in_parallel(questions.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
+    found[i] = answer(questions[i]);
+    ++count;
+  });
   std::vector<decltype(answer(questions.front()))> all;
   for (auto &one : found)
     all.push_back(std::move(*one));
@@ -145,7 +138,7 @@ int run_size_models(const StudyCommand &c) {
     throw InputError("--paper voivret needs no FILE: mdm study --paper voivret --out DIR");
   if (!c.out)
     throw InputError("--out is missing: name the folder for the files");
-  static const Integer most_drawn = 100000;
+  static const Integer most_drawn = 50000;
   std::atomic<std::uint64_t> count = 0;
   const Progress progress([&count] { return fmt::format("{} curves and sets", count.load()); }, c.quiet);
   const auto sets = [&](const std::vector<SetQuestion> &questions) {
@@ -160,10 +153,10 @@ int run_size_models(const StudyCommand &c) {
   const std::vector<ShapeRow> maps = answers(figure8_maps(), shape_row, count),
                               spans = answers(figure8_spans(), shape_row, count);
   std::vector<StudyFile> files = {
-      {"figure3.csv", table_csv(curves)},     {"figure4.csv", table_csv(coefficients)},
-      {"figure5.csv", table_csv(classes)},    {"figure6.csv", table_csv(class_sizes)},
-      {"figure7.csv", table_csv(totals)},     {"figure8.csv", table_csv(maps)},
-      {"figure8-spans.csv", table_csv(spans)}};
+      {"figure1.csv", table_csv(densities)},    {"figure3.csv", table_csv(curves)},
+      {"figure4.csv", table_csv(coefficients)}, {"figure5.csv", table_csv(classes)},
+      {"figure6.csv", table_csv(class_sizes)},  {"figure7.csv", table_csv(totals)},
+      {"figure8.csv", table_csv(maps)},         {"figure8-spans.csv", table_csv(spans)}};
   if (c.plots) {
     files.push_back(std::move(pictures({distribution_figure(densities)}, 1, *c.plots, c.quiet).front()));
     std::vector<StudyFile> drawn =

@@ -244,7 +244,7 @@ Figure set_figure(const std::vector<SetRow> &rows, Criterion varied) {
   figure.panel_width = panel_width;
   figure.notes = {"geometric classes,", "where nothing else is said;",
                   "what is not varied: N_c = 10, N_pc = 10,", "N_min = 2000;",
-                  "C_r of sets up to 100,000 particles"};
+                  "C_r of sets up to 50,000 particles"};
   figure.panels = {std::move(c_r), std::move(n)};
   return figure;
 }

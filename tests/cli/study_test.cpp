@@ -92,3 +92,20 @@ TEST_CASE("study draws its figures, or says that gnuplot is missing", "[cli]") {
                            "study/figure5.svg"})
     CHECK(read_file(folder / name).find("</svg>") != std::string::npos);
 }
+
+TEST_CASE("study --paper voivret writes the numbers of its figures", "[cli]") {
+  if (MDM_KEEPS_FREED_MEMORY) // all of them: a minute there
+    return;
+  const TemporaryFolder folder;
+  const Outcome outcome = mdm({"study", "--paper", "voivret", "--out", folder / "study"});
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.empty());
+  const std::pair<const char *, std::ptrdiff_t> rows[] = {
+      {"1", 100}, {"3", 707}, {"4", 294}, {"5", 180}, {"6", 48}, {"7", 66}, {"8", 2304}, {"8-spans", 2000}};
+  for (const auto &[number, n] : rows)
+    CHECK(lines_of(folder / ("study/figure" + std::string(number) + ".csv")) == n + 1);
+  const std::string sets = read_file(folder / "study/figure7.csv");
+  CHECK(sets.find("\n1,3,geometric,10,10,2000,33927,33927,0.01") != std::string::npos);
+  CHECK(sets.find("\n1,3,regular,10,10,2000,7258942,7258942,\n") != std::string::npos);
+}
