@@ -2,13 +2,16 @@
 #include "../gradation/message.hpp"
 #include "../gradation/text.hpp"
 
+#include <mdm/number/common_denominator.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/number/interval.hpp>
 #include <mdm/particles/answer_sample.hpp>
 #include <mdm/particles/particle_format.hpp>
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace mdm {
 namespace {
@@ -160,14 +163,25 @@ private:
                                  : decimal(from, "mass", place);
     if (c.mass <= 0)
       refuse(place + "mass", "is not above 0, but there are particles: give the JSON answer of mdm solve");
-    const Json &size = member(from, "size", place);
-    if (!size.is_array() || size.size() != 2 || !size[0].is_string() || !size[1].is_string())
-      refuse(place + "size", "is not [lo, hi], two strings: give the JSON answer of mdm solve");
-    c.size_lo = decimal(size[0].get_ref<const std::string &>(), place + "size");
-    c.size_hi = decimal(size[1].get_ref<const std::string &>(), place + "size");
-    if (c.size_lo < 0 || c.size_hi < c.size_lo)
-      refuse(place + "size", "is not 0 <= lo <= hi: give the JSON answer of mdm solve");
+    std::tie(c.size_lo, c.size_hi) = enclosure(member(from, "size", place), place + "size");
+    if (from.contains("sizes")) {
+      const Json &sizes = from["sizes"];
+      if (!sizes.is_array() || sizes.empty())
+        refuse(place + "sizes", "is no list of sizes: give the JSON answer of mdm solve");
+      for (const Json &size : sizes)
+        c.sizes.push_back(enclosure(size, place + "sizes"));
+    }
     sample.classes.push_back(std::move(c));
+  }
+
+  std::pair<Rational, Rational> enclosure(const Json &size, const std::string &place) const {
+    if (!size.is_array() || size.size() != 2 || !size[0].is_string() || !size[1].is_string())
+      refuse(place, "is not [lo, hi], two strings: give the JSON answer of mdm solve");
+    std::pair<Rational, Rational> e{decimal(size[0].get_ref<const std::string &>(), place),
+                                    decimal(size[1].get_ref<const std::string &>(), place)};
+    if (e.first < 0 || e.second < e.first)
+      refuse(place, "is not 0 <= lo <= hi: give the JSON answer of mdm solve");
+    return e;
   }
 
   const std::string &file_;
@@ -185,6 +199,36 @@ Rational factor(const Gradation &g, const Rational &lower, const Rational &upper
   throw InputError(fmt::format("the answer's class ({}, {}] is none of the gradation, whose classes have "
                                "factors: give the gradation that was solved",
                                shown(lower), shown(upper)));
+}
+
+/// What is wrong with a class's spread; nothing if its sizes are one a particle, in the class, and around its
+/// mass (Theorem 16 (d)). \param powered x^a of a particle if all had one size
+std::string spread_objection(const AnswerSample::Class &c, const MassLaw &law, const Rational &powered) {
+  constexpr unsigned bits = 128;
+  const auto mass = [&](const Rational &x) { return root(x, law.b, bits); };
+  if (c.quantity != c.sizes.size())
+    return fmt::format("{} sizes are listed for its {} particles", c.sizes.size(), to_string(c.quantity));
+  std::vector<Rational> low, high;
+  for (const auto &[lo, hi] : c.sizes) {
+    if (lo < c.lower || (lo == c.lower && lo == hi) || hi > c.upper)
+      return "a size is not in it";
+    low.push_back(mass(law.powered(lo)).lo);
+    high.push_back(mass(law.powered(hi)).hi);
+  }
+  const Interval one = mass(powered);
+  if (sum(low) > one.hi * c.quantity || sum(high) < one.lo * c.quantity)
+    return "its sizes do not have its mass together";
+  return "";
+}
+
+/// \throws InputError if g has an opening inside a class of the answer that is spread
+void check_classes(const Gradation &g, const Rational &lower, const Rational &upper) {
+  for (const Rational &x : g.sizes())
+    if (lower < x && x < upper)
+      throw InputError(
+          fmt::format("the answer is a spread over ({}, {}], and the gradation has a sieve of {} "
+                      "there: give the gradation that was solved",
+                      shown(lower), shown(upper), shown(x)));
 }
 
 } // namespace
@@ -210,6 +254,12 @@ AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const
     if (powered < power(Rational(c.size_lo * unit), law.a) ||
         powered > power(Rational(c.size_hi * unit), law.a))
       wrong.push_back(c.number);
+    if (!c.sizes.empty()) {
+      check_classes(result.description.gradation(), c.lower * unit, c.upper * unit);
+      const std::string objection = spread_objection(c, law, powered / power(unit, law.a));
+      if (!objection.empty())
+        result.objections.push_back(fmt::format("class {} of the answer: {}", c.number, objection));
+    }
     result.description.add_powered(powered, c.quantity);
     particles += c.quantity;
   }
@@ -219,6 +269,10 @@ AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const
                     "x^({})",
                     wrong.front(), wrong.size() > 1 ? fmt::format(" and {} more", wrong.size() - 1) : "",
                     law.exponent()));
+  if (std::any_of(answer.classes.begin(), answer.classes.end(),
+                  [](const auto &c) { return !c.sizes.empty(); }))
+    result.notes.emplace_back("The answer is a spread: the particles of a class are judged by their mass "
+                              "together, and condition 3 is that of particles of one size with this mass.");
   if (particles != answer.particles)
     result.notes.push_back(fmt::format("The answer says that it has {} particles; its classes have {}.",
                                        to_string(answer.particles), to_string(particles)));

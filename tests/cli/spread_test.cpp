@@ -92,6 +92,40 @@ TEST_CASE("verify takes a spread for what it is", "[cli]") {
   CHECK(mdm({"verify", athabasca, folder.write("answer.json", answer.out)}).exit_code == 0);
 }
 
+TEST_CASE("verify judges the sizes of a spread in an answer", "[cli]") {
+  const TemporaryFolder folder;
+  for (const char *law : {"sphere", "power:5/2"}) {
+    const Json answer = solve_json({athabasca, "--spread", "--law", law});
+    const auto verified = [&](const Json &changed) {
+      return mdm({"verify", athabasca, folder.write("answer.json", changed.dump()), "--law", law});
+    };
+    const Outcome good = verified(answer);
+    CHECK(good.exit_code == 0);
+    CHECK(good.out.find("The answer is a spread") != std::string::npos);
+    const auto objected = [&](std::size_t j, const std::string &objection, auto change) {
+      Json changed = answer;
+      change(changed.at("classes").at(j).at("sizes"));
+      const Outcome outcome = verified(changed);
+      INFO(outcome.out << outcome.err);
+      CHECK(outcome.exit_code == 1);
+      CHECK(outcome.out.find(objection) != std::string::npos);
+    };
+    objected(4, "sizes are listed for its", [](Json &sizes) { sizes.erase(3); });
+    objected(4, "not in it", [](Json &sizes) { sizes[7] = {"0.24", "0.241"}; });
+    objected(4, "not in it", [](Json &sizes) { sizes[7] = {"0.42", "0.4300001"}; });
+    objected(4, "not in it", [](Json &sizes) { sizes[7] = {"0.25", "0.25"}; });
+    objected(4, "do not have its mass", [](Json &sizes) { sizes[7] = {"0.4", "0.41"}; });
+    objected(5, "do not have its mass", [](Json &sizes) { sizes[0] = sizes[1] = {"0.83", "0.84"}; });
+  }
+  const Json answer = solve_json({athabasca, "--spread"});
+  const std::string other = folder.write("other.csv", "size_mm,mass\n0.038,1\n0.1,1\n0.2,1\n5,0\n");
+  const std::string file = folder.write("answer.json", answer.dump());
+  check_refused(mdm({"verify", other, file}), "a sieve of 0.1 there");
+  Json broken = answer;
+  broken.at("classes").at(4).at("sizes") = "0.4";
+  check_refused(mdm({"verify", athabasca, folder.write("broken.json", broken.dump())}), "no list of sizes");
+}
+
 TEST_CASE("the text shows how far a spread reaches", "[cli]") {
   const Outcome text = mdm({"solve", athabasca, "--spread", "--seed", "9"});
   CHECK(text.exit_code == 0);

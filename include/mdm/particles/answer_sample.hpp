@@ -5,6 +5,8 @@
 #include <mdm/gradation/description.hpp>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace mdm {
 
@@ -17,6 +19,7 @@ struct AnswerSample {
     Rational lower, upper, mass;
     Integer quantity; ///< 1 or more
     Rational size_lo, size_hi;
+    std::vector<std::pair<Rational, Rational>> sizes; ///< of a spread's particles, lo and hi; or none
   };
 
   std::string id; ///< of the gradation; empty if there is none
@@ -35,7 +38,8 @@ AnswerSample read_answer(std::string_view content, const std::string &file);
 /// An answer's particles as a gradation describes them.
 struct AnswerDescription {
   Description description;
-  /// Where sizes are not in their enclosures: the sample is not what the answer says.
+  /// Where sizes are not in their enclosures, or those of a spread do not lie in their class, one a particle,
+  /// around its mass: the sample is not what the answer says.
   std::vector<std::string> objections;
   /// What else the answer says wrongly: its N.
   std::vector<std::string> notes;
@@ -43,7 +47,8 @@ struct AnswerDescription {
 
 /// How g describes the answer's sample, exactly: a size is judged by its power x^a = (s m / (c q))^b, c being
 /// the factor of the class of g that has the answer's bounds. Masses are in units of s.
-/// \throws InputError if the law does not fit the answer, or g has factors and not the answer's classes
+/// \throws InputError if the law does not fit the answer, or g has factors and not the answer's classes, or
+/// openings inside a class that is spread
 AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const MassLaw &law,
                                   const Rational &snap);
 
