@@ -284,7 +284,8 @@ TEST_CASE("a limit ends the search with what is certain", "[cli]") {
     check_tolerant(answer);
     CHECK(Integer(answer.at("lower_bound").get<std::string>()) <= least);
     CHECK(Integer(answer.at("particles").get<std::string>()) >= least);
-    CHECK(Integer(answer.at("particles").get<std::string>()) <= 1485); // the exact match is within the tolerance
+    CHECK(Integer(answer.at("particles").get<std::string>()) <=
+          1485); // the exact match is within the tolerance
   }
   const Json stopped = solve_json({sand, "--tolerance", "retained:1%", "--time-limit", "0"}, 3);
   CHECK(stopped.at("status") == "feasible");
