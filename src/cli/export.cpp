@@ -134,7 +134,8 @@ Particles solved_particles(const ExportCommand &c, const std::string &content,
   Progress progress([] { return std::string("solving"); }, c.quiet);
   const Match m = solve(read_gradation(content, shown_name(c), c.specimen_id), question, c.flags.options());
   if (!c.quiet)
-    for (const std::string &note : m.notes)
+    for (const std::string &note :
+         m.gradation.notes()) // solve's own are of doubles that may leave their class
       tell("note: " + note + "\n");
   if (m.status != Status::optimal)
     tell(printable(m.gradation.id()) + ": " + headline(m) + "\n");

@@ -87,6 +87,8 @@ TEST_CASE("export: sizes on sieves stay in their classes as doubles", "[cli]") {
   const std::string on_sieves = "size_mm,mass\n0.038,0.438976\n0.076,1.331\n0.11,3.375\n0.15,0\n";
   for (const std::string unit : {"m", "mm", "um", "in"}) {
     const std::string file = file_of("yade", on_sieves, {"--scale", "upper", "--unit", unit});
+    CHECK(export_to("csv", on_sieves, {"--scale", "upper"}).err.find("double precision") ==
+          std::string::npos);
     const Json report = verified(on_sieves, file, "yade", unit, "0.0000002");
     CHECK(quantities(report) == "1 1 1");
   }
