@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "files.hpp"
+#include "in_parallel.hpp"
 #include "progress.hpp"
 #include "solve_flags.hpp"
 
@@ -14,8 +15,6 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
-#include <mutex>
-#include <thread>
 
 namespace mdm::cli {
 namespace {
@@ -124,26 +123,7 @@ private:
 std::vector<Answer> answers(const Batch &batch, const std::vector<Lines::Line> &lines, std::uint64_t first,
                             unsigned threads) {
   std::vector<Answer> result(lines.size());
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr failure;
-  std::mutex failure_mutex;
-  const auto work = [&] {
-    try {
-      for (std::size_t i = next++; i < lines.size(); i = next++)
-        result[i] = batch.answer(lines[i], first + i);
-    } catch (...) { // no bad line, but the end of the run: out of memory
-      const std::lock_guard lock(failure_mutex);
-      failure = std::current_exception();
-    }
-  };
-  std::vector<std::thread> helpers;
-  for (unsigned t = 1; t < std::min<std::size_t>(threads, lines.size()); ++t)
-    helpers.emplace_back(work);
-  work();
-  for (std::thread &helper : helpers)
-    helper.join();
-  if (failure)
-    std::rethrow_exception(failure);
+  in_parallel(lines.size(), threads, [&](std::size_t i) { result[i] = batch.answer(lines[i], first + i); });
   return result;
 }
 

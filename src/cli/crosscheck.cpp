@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "files.hpp"
+#include "in_parallel.hpp"
 #include "option_values.hpp"
 #include "progress.hpp"
 #include "solver.hpp"
@@ -17,12 +18,10 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <exception>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 namespace mdm::cli {
 namespace {
@@ -80,24 +79,9 @@ public:
   /// Calls give(rows) for each gradation.
   template <class Give>
   void run(unsigned threads, Give give) {
-    const auto work = [this, &give] {
-      try {
-        for (std::size_t i = next_++; i < suite_.size(); i = next_++)
-          finish(i, judge_(Crosscheck(suite_[i].gradation, limits_), suite_[i].line), give);
-      } catch (...) { // the end of the run
-        const std::lock_guard lock(mutex_);
-        next_ = suite_.size();
-        failure_ = std::current_exception();
-      }
-    };
-    std::vector<std::thread> helpers;
-    for (unsigned t = 1; t < threads; ++t)
-      helpers.emplace_back(work);
-    work();
-    for (std::thread &helper : helpers)
-      helper.join();
-    if (failure_)
-      std::rethrow_exception(failure_);
+    in_parallel(suite_.size(), threads, [this, &give](std::size_t i) {
+      finish(i, judge_(Crosscheck(suite_[i].gradation, limits_), suite_[i].line), give);
+    });
   }
 
   std::size_t done() const { return done_; }
@@ -117,9 +101,7 @@ private:
   const std::vector<Entry> &suite_;
   Judge judge_;
   Limits limits_;
-  std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;
-  std::exception_ptr failure_;
   std::map<std::size_t, Rows> waiting_; ///< for the rows of a gradation before them
   std::atomic<std::size_t> done_ = 0;
 };

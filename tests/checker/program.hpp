@@ -1,5 +1,7 @@
 #pragma once
 
+#include "files.hpp"
+
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,13 +16,6 @@
 
 namespace mdm_check_test {
 
-inline std::string read_file(const std::filesystem::path &path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw std::runtime_error("cannot read " + path.string());
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 inline std::filesystem::path write_file(const std::filesystem::path &path, const std::string &text) {
   std::ofstream file(path, std::ios::binary);
   file << text;
@@ -29,26 +24,8 @@ inline std::filesystem::path write_file(const std::filesystem::path &path, const
   return path;
 }
 
-/// A new folder that is gone with the object.
-class TemporaryFolder {
-public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "mdm-check-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw std::runtime_error("cannot make " + name);
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder &) = delete;
-  TemporaryFolder &operator=(const TemporaryFolder &) = delete;
-  const std::filesystem::path &path() const { return path_; }
-
-private:
-  std::filesystem::path path_;
-};
+using mdm_test::read_file;
+using mdm_test::TemporaryFolder;
 
 struct Outcome {
   int exit_code; ///< 128 + signal where a signal ended the program

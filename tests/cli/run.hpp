@@ -3,6 +3,7 @@
 /// Runs the project's programs as a user does, and looks at all that comes out.
 
 #include "catch.hpp"
+#include "files.hpp"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -34,48 +35,8 @@
 namespace cli_test {
 
 using Arguments = std::vector<std::string>;
-
-inline std::string read_file(const std::filesystem::path &path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw std::runtime_error("cannot read " + path.string());
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-/// A new folder that is gone with the object.
-class TemporaryFolder {
-public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "mdm-cli-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw std::runtime_error("cannot make " + name);
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder &) = delete;
-  TemporaryFolder &operator=(const TemporaryFolder &) = delete;
-
-  std::string operator/(const std::string &name) const { return (path_ / name).string(); }
-
-  std::string write(const std::string &name, const std::string &text) const {
-    std::ofstream file(path_ / name, std::ios::binary);
-    file << text;
-    if (!file.flush())
-      throw std::runtime_error("cannot write " + name);
-    return *this / name;
-  }
-
-  std::size_t entries() const {
-    const std::filesystem::directory_iterator all(path_);
-    return static_cast<std::size_t>(std::distance(begin(all), end(all)));
-  }
-
-private:
-  std::filesystem::path path_;
-};
+using mdm_test::read_file;
+using mdm_test::TemporaryFolder;
 
 struct Outcome {
   int exit_code = -1; // -1: ended by a signal

@@ -1,6 +1,7 @@
 // Representative sets with exact class volumes: room for a spread.
 
 #include "catch.hpp"
+#include "gradation.hpp"
 
 #include <mdm/grading/matched_set.hpp>
 
@@ -9,13 +10,6 @@
 using namespace mdm;
 
 namespace {
-
-Gradation gradation(std::vector<Rational> sizes, std::vector<Rational> masses) {
-  Gradation::Data data;
-  data.sizes = std::move(sizes);
-  data.masses = std::move(masses);
-  return Gradation(std::move(data));
-}
 
 /// The mean volume of sizes from l to u, uniform by volume.
 Rational mean_volume(const Rational &l, const Rational &u, unsigned dimension) {

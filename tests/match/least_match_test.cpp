@@ -1,5 +1,6 @@
 #include "brute_force.hpp"
 #include "catch.hpp"
+#include "gradation.hpp"
 
 #include <mdm/match/least_match.hpp>
 
@@ -36,13 +37,6 @@ LeastMatch by_all_tiers(const Problem &p) {
   } catch (const Int128Overflow &) {
   }
   return exact;
-}
-
-Gradation gradation(std::vector<Rational> sizes, std::vector<Rational> masses) {
-  Gradation::Data data;
-  data.sizes = std::move(sizes);
-  data.masses = std::move(masses);
-  return Gradation(std::move(data));
 }
 
 std::vector<Integer> integers(const std::vector<long> &n) {

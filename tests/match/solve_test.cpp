@@ -1,5 +1,6 @@
 #include "brute_force.hpp"
 #include "catch.hpp"
+#include "gradation.hpp"
 
 #include <mdm/error.hpp>
 #include <mdm/match/solve.hpp>
@@ -8,13 +9,6 @@
 using namespace mdm;
 
 namespace {
-
-Gradation gradation(std::vector<Rational> sizes, std::vector<Rational> masses) {
-  Gradation::Data data;
-  data.sizes = std::move(sizes);
-  data.masses = std::move(masses);
-  return Gradation(std::move(data));
-}
 
 /// Every statement of a match of spheres, from the definitions.
 void check_match(const Match &m) {

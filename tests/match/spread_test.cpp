@@ -2,6 +2,7 @@
 
 #include "brute_force.hpp"
 #include "catch.hpp"
+#include "gradation.hpp"
 
 #include <mdm/error.hpp>
 #include <mdm/grading/uniform_by_volume.hpp>
@@ -13,13 +14,6 @@
 using namespace mdm;
 
 namespace {
-
-Gradation gradation(std::vector<Rational> sizes, std::vector<Rational> masses) {
-  Gradation::Data data;
-  data.sizes = std::move(sizes);
-  data.masses = std::move(masses);
-  return Gradation(std::move(data));
-}
 
 std::vector<Integer> all_parts(const ClassSpread &c) {
   std::vector<Integer> n;

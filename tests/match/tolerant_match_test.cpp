@@ -1,4 +1,5 @@
 #include "catch.hpp"
+#include "gradation.hpp"
 #include "tolerant_brute_force.hpp"
 
 #include <mdm/match/solve.hpp>
@@ -7,13 +8,6 @@
 using namespace mdm;
 
 namespace {
-
-Gradation gradation(std::vector<Rational> sizes, std::vector<Rational> masses) {
-  Gradation::Data data;
-  data.sizes = std::move(sizes);
-  data.masses = std::move(masses);
-  return Gradation(std::move(data));
-}
 
 /// The same problem for the solver and for enumeration.
 struct Twins {

@@ -1,4 +1,5 @@
 #include "catch.hpp"
+#include "files.hpp"
 
 #include <mdm/error.hpp>
 #include <mdm/gradation/read_gradation.hpp>
@@ -15,17 +16,11 @@ using namespace mdm;
 
 namespace {
 
-std::string file(const std::string &path) {
-  std::ifstream stream(path);
-  REQUIRE(stream.good());
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// The suite's rows, made once.
 const std::vector<SurveyRow> &suite() {
   static const std::vector<SurveyRow> rows = [] {
     std::vector<SurveyRow> all;
-    std::istringstream lines(file(MDM_DATA_DIR "/suite-2750.jsonl"));
+    std::istringstream lines(mdm_test::read_file(MDM_DATA_DIR "/suite-2750.jsonl"));
     for (std::string line; std::getline(lines, line);)
       all.push_back(survey(read_json_gradation(line, "suite", "")));
     return all;
@@ -54,7 +49,7 @@ std::map<std::string, std::pair<double, double>> table1() {
 
 Gradation sand() {
   const std::string path = MDM_SOURCE_DIR "/examples/gradations/athabasca-sand.csv";
-  return read_gradation(file(path), path);
+  return read_gradation(mdm_test::read_file(path), path);
 }
 
 void check_refused(const std::string &content, const std::string &part) {
@@ -163,7 +158,7 @@ TEST_CASE("figures show every gradation that has the values") {
 
 TEST_CASE("the published specimens have 1.33 to 1.55 times the least number of particles") {
   const std::string path = MDM_SOURCE_DIR "/examples/specimens/zeraati-2025.csv";
-  const std::vector<Specimen> specimens = read_specimens(file(path), path);
+  const std::vector<Specimen> specimens = read_specimens(mdm_test::read_file(path), path);
   REQUIRE(specimens.size() == 14);
   CHECK(least_specimen(sand(), specimens[0]) == 69221);
   for (const Specimen &s : specimens) {

@@ -1,6 +1,7 @@
 // The trade-off: hand-made cases, the commands' own answers one by one, and pictures whose labels keep apart.
 
 #include "catch.hpp"
+#include "files.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
@@ -13,15 +14,9 @@ using namespace mdm;
 
 namespace {
 
-std::string file(const std::string &path) {
-  std::ifstream stream(path);
-  REQUIRE(stream.good());
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 Gradation example(const std::string &name) {
   const std::string path = MDM_SOURCE_DIR "/examples/gradations/" + name + ".csv";
-  return read_gradation(file(path), path);
+  return read_gradation(mdm_test::read_file(path), path);
 }
 
 TradeoffOptions within(const std::vector<Rational> &percents) {
