@@ -3,7 +3,7 @@
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
 From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain ChainSound Exact Spec Reduction
-  RealFacts ExactSound Solids.
+  RealFacts Sizes ExactSound Solids.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -182,6 +182,9 @@ Record accepted (N : Z) (qs : list Z) (ss : scales) : Prop := {
                 fst (in_scale_units u (a q) (b q) scale) * snd (enough ss))%Z;
   acc_fit : all_fit (b q) (min_per_class q) (in_scale_units u (a q) (b q) scale)
               (map (fun j => with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)) js) qs = true;
+  acc_counts : counts 1 (map (fun j => with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)) js)
+                 (witness cert) = Some qs;
+  acc_sizes : check_sizes u (a q) (b q) (in_scale_units u (a q) (b q) scale) (with_mass js) (witness cert) = Ok tt;
   acc_sum : sum qs = N;
   acc_at_least : (at_least q <= N)%Z;
   acc_chain : match chain with
@@ -203,6 +206,7 @@ Proof.
   do 6 passed H.
   exists N, qs, ss. split; [reflexivity|]. constructor; trivial.
   - apply Z.leb_le. assumption.
+  - destruct x. assumption.
   - apply Z.eqb_eq. assumption.
   - apply Z.leb_le. assumption.
   - destruct x0, chain; [assumption|]. passed H8. unfold claims_least in H8. apply Z.eqb_eq in H8. exact H8.
@@ -304,10 +308,87 @@ Proof.
   rewrite !andb_true_iff, !Z.leb_le, Z.ltb_lt in H. lia.
 Qed.
 
-(* One with N, with one size a class. *)
+Lemma quotient_power x y n : (x / y) ^ n = x ^ n / y ^ n.
+Proof. unfold Rdiv. rewrite Rpow_mult_distr, pow_inv. reflexivity. Qed.
+
+Lemma size_fraction s m n c mu cu xu d :
+  n <> 0 -> c <> 0 -> mu <> 0 -> cu <> 0 -> xu <> 0 -> d <> 0 ->
+  s * m / (n * c) = s * (cu * xu / mu) * d * (m * mu) / (n * d * (c * cu * xu)).
+Proof. intros. field. repeat split; assumption. Qed.
+
+(* The witness's sizes are those of a match at the witness's scale with the witness's counts. *)
+Lemma sizes_true S s : 0 < s -> s ^ nb = Q2R scale -> describes rs S -> one_size_a_class js S ->
+  (forall j, In j js -> held law j S = s * Q2R (mass j)) ->
+  forall post pre ws qs (ss : scales),
+  js = pre ++ post ->
+  counts (Z.of_nat (length pre) + 1)
+    (map (fun j => with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)) post) ws = Some qs ->
+  Forall2 (fun j n => number j S = n) post qs ->
+  check_sizes u (a q) (b q) (in_scale_units u (a q) (b q) scale) (with_mass post) ws = Ok tt ->
+  Forall (line_true js S) ws.
+Proof.
+  intros Sp Es D O H. destruct units_positive as (Ux & Um & Uc).
+  pose proof classes_integral as I. pose proof classes_proper as P. rewrite Forall_forall in I, P.
+  induction post as [|j post IH]; intros pre ws qs ss E C Q Z.
+  { destruct ws; [constructor | discriminate]. }
+  assert (In j js) as J by (rewrite E; apply in_or_app; right; left; reflexivity).
+  assert (forall ws' qs', counts (Z.of_nat (length pre) + 1 + 1)
+    (map (fun j => with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)) post) ws' = Some qs' ->
+    Forall2 (fun j n => number j S = n) post qs' ->
+    check_sizes u (a q) (b q) (in_scale_units u (a q) (b q) scale) (with_mass post) ws' = Ok tt ->
+    Forall (line_true js S) ws') as Rest.
+  { intros ws' qs' C' Q' Z'. apply (IH (pre ++ [j]) ws' qs' ss); trivial.
+    - rewrite <- app_assoc. exact E.
+    - rewrite app_length. simpl length. replace (Z.of_nat (length pre + 1) + 1)%Z with (Z.of_nat (length pre) + 1 + 1)%Z by lia.
+      exact C'. }
+  pose proof (mass_zero na nb nb_positive law power u Ux Um Uc j (I j J) (P j J)) as Mz.
+  rewrite <- in_integers_z in Mz.
+  cbn [map counts] in C.
+  change (m (with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)))
+    with (m (in_integers u (a q) (b q) j)) in C.
+  cbn [with_mass filter] in Z. fold (with_mass post) in Z.
+  destruct (Z.eqb_spec (m (in_integers u (a q) (b q) j)) 0) as [M0|M0].
+  - assert (equal (mass j) 0 = true) as E0 by (apply equal_real; rewrite Q2R_0; apply Mz, M0).
+    rewrite E0 in Z. cbn [negb] in Z.
+    assert (option_map (cons 0%Z) (counts (Z.of_nat (length pre) + 1 + 1) (map (fun j => with_floor (b q) (min_per_class q)
+              ss z_scale (in_integers u (a q) (b q) j)) post) ws) = Some qs) as C0 by (destruct ws; exact C).
+    destruct (counts (Z.of_nat (length pre) + 1 + 1) (map (fun j => with_floor (b q) (min_per_class q) ss z_scale
+                (in_integers u (a q) (b q) j)) post) ws) as [qs'|] eqn:C'; [|discriminate]. injection C0 as <-.
+    inversion Q; subst. exact (Rest ws qs' C' ltac:(assumption) Z).
+  - destruct (equal (mass j) 0) eqn:E0; [exfalso; apply M0, Mz; apply equal_real in E0; rewrite E0; apply Q2R_0|].
+    destruct ws as [|w ws]; [discriminate|]. destruct (Z.eqb_spec (index w) (Z.of_nat (length pre) + 1)) as [Iw|]; [|discriminate].
+    destruct (counts (Z.of_nat (length pre) + 1 + 1) (map (fun j => with_floor (b q) (min_per_class q) ss z_scale
+                (in_integers u (a q) (b q) j)) post) ws) as [qs'|] eqn:C'; [|discriminate].
+    injection C as <-. inversion Q as [|? ? ? ? Qj Q']; subst. cbn [negb] in Z. cbn [check_sizes] in Z.
+    destruct (in_scale_units u (a q) (b q) scale) as (n, d) eqn:Esc. passed Z. destruct x.
+    constructor; [|exact (Rest ws qs' C' Q' Z)].
+    exists j. split; [|split; [exact Qj|]].
+    + rewrite Iw, E. replace (Z.to_nat (Z.of_nat (length pre) + 1 - 1)) with (length pre) by lia.
+      rewrite nth_error_app2, Nat.sub_diag by lia. reflexivity.
+    + intros x X Jx. destruct (size_of_class na nb law rs S j x power rows_proper D O J X Jx) as (Sz & N1).
+      pose proof (scale_units_real scale) as (Rs & Ds). rewrite Esc in Rs, Ds. cbn [fst snd] in Rs, Ds.
+      destruct (P j J) as ((L & U) & Cj & Mj). destruct (I j J) as (_ & _ & Dm & Dc).
+      rewrite <- na_z in Z0. rewrite Qj in Sz, N1. apply (IZR_le 1) in N1 as N1r.
+      pose proof (IZR_lt _ _ Ux) as Rx. pose proof (IZR_lt _ _ Um) as Rm. pose proof (IZR_lt _ _ Uc) as Rc. pose proof (IZR_lt _ _ Ds) as Rd.
+      assert (0 < integer_factor u j)%Z as Fp.
+      { apply lt_IZR. unfold integer_factor. rewrite in_units_real by exact Dc. apply Rmult_lt_0_compat; assumption. }
+      destruct question_proper as (Qa & Qb & _).
+      refine (check_size_sound na j w _ _ x na_positive L _ _ _ Z0).
+      * apply Z.mul_pos_pos; [apply Z.mul_pos_pos; [apply Z.pow_pos_nonneg; lia | exact Ds]|].
+        apply Z.mul_pos_pos; apply Z.pow_pos_nonneg; lia.
+      * unfold in_class in Jx. lra.
+      * rewrite Sz, (H j J), !mult_IZR. rewrite <- nb_z, <- na_z, <- !pow_IZR, !Nat2Z.id.
+        unfold integer_factor. rewrite !in_units_real by assumption. rewrite !Rpow_mult_distr.
+        replace (IZR n) with (Q2R scale * per_scale na nb u * IZR d) by (rewrite <- Rs; field; lra).
+        rewrite <- Es. unfold per_scale. rewrite quotient_power, !Rpow_mult_distr.
+        apply size_fraction; try apply Rgt_not_eq; try apply pow_lt; lra.
+Qed.
+
+(* One with N, with one size a class, in the witness's bounds. *)
 Theorem exact_attained N :
   particles cert = Some N ->
-  exists S, allowed law q rs S /\ Z.of_nat (length S) = N /\ one_size_a_class js S.
+  exists S, allowed law q rs S /\ Z.of_nat (length S) = N /\ one_size_a_class js S /\
+    Forall (line_true js S) (witness cert).
 Proof.
   intro E. destruct check_accepted as (N' & qs & ss & E' & Acc). rewrite E in E'. injection E' as <-.
   destruct units_positive as (Ux & Um & Uc). pose proof classes_integral as I. pose proof classes_proper as P.
@@ -342,7 +423,10 @@ Proof.
   assert (Z.of_nat (length S) = N) as L.
   { rewrite (describes_number rs S rows_proper D), <- (acc_sum _ _ _ Acc). f_equal.
     clear -C'. induction C' as [|j n l qs (E & _) _ IH]; simpl; [reflexivity | rewrite E, IH; reflexivity]. }
-  exists S. split; [|split; [exact L | exact O]]. split; [rewrite exact; exists s; split; [exact Sp | split; assumption]|].
+  assert (Forall (line_true js S) (witness cert)) as Lines.
+  { refine (sizes_true S s Sp Es D O H js [] (witness cert) qs ss eq_refl (acc_counts _ _ _ Acc) _ (acc_sizes _ _ _ Acc)).
+    clear -C'. induction C' as [|j n l qs (E & _) _ IH]; constructor; assumption. }
+  exists S. split; [|split; [exact L | split; [exact O | exact Lines]]]. split; [rewrite exact; exists s; split; [exact Sp | split; assumption]|].
   split; [|split].
   - intros j J Mp. apply Qlt_Rlt in Mp. rewrite Q2R_0 in Mp.
     clear -C' Rz J Mp. induction C' as [|i n l qs (E & _) _ IH]; [destruct J|]. inversion Rz as [|? ? ? ? (_ & Rn) Rz']; subst.

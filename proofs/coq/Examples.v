@@ -47,7 +47,7 @@ Proof.
   destruct (read_certificate four) as [cert| |] eqn:R; [|vm_compute in R; discriminate..].
   vm_compute in R. injection R as R.
   assert (check_certificate (Gradation sand false) cert = Ok tt) as C by (rewrite <- R; vm_compute; reflexivity).
-  destruct (exact_match _ cert sphere C) as (G' & N & E & EN & (S & A & L) & Least);
+  destruct (exact_match _ cert sphere C) as (G' & N & E & EN & ((S & A & L) & Least) & _);
     [rewrite <- R; reflexivity | rewrite <- R; exact sphere_law|].
   rewrite <- R in E, EN. vm_compute in E. injection E as <-. injection EN as <-. split.
   - exists S. split; [|apply Nat2Z.inj; rewrite L; reflexivity]. destruct A as (A & _). rewrite <- R in A. exact A.

@@ -179,7 +179,7 @@ Definition check_size (a : Z) (j : class) (w : witness_line) (T : ratio) : resul
   let hi := size_hi w in
   let left x := Qnum x ^ a * denominator in
   let right x := numerator * Zpos (Qden x) ^ a in
-  demand (less (lower j) lo) "x_j < lo" ;;
+  demand (less (lower j) lo && at_most lo hi) "x_j < lo <= hi" ;;
   demand (at_most hi (upper j)) "hi <= x_{j+1}" ;;
   demand (at_most (times (of_integer (10 ^ 9)) (subtract hi lo)) lo) "10^9 (hi - lo) <= lo" ;;
   if equal lo hi then demand (left lo =? right lo) "lo^a = T"

@@ -2,7 +2,7 @@
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
 From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain Exact Tolerant Checker Spec Reduction
-  RealFacts Pi ExactSound Solids ExactTheorem TolerantTheorem.
+  RealFacts Pi Sizes ExactSound Solids ExactTheorem TolerantTheorem.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -43,7 +43,10 @@ Theorem exact_match G cert f :
   check_certificate G cert = Ok tt -> tolerances_of (asked cert) = None ->
   power_law (Z.to_nat (a (asked cert))) (Z.to_nat (b (asked cert))) f ->
   exists G' N, asked_gradation G cert = Ok G' /\ particles cert = Some N /\
-    least_number f (asked cert) (rows G') N.
+    least_number f (asked cert) (rows G') N /\
+    (* One with one size a class (Cond3), in the classes, numbers and sizes of the witness's lines. *)
+    exists S, allowed f (asked cert) (rows G') S /\ Z.of_nat (length S) = N /\
+      describes_articulately (rows G') S /\ Forall (line_true (classes (rows G')) S) (witness cert).
 Proof.
   intros H T P. apply check_certificate_ok in H as (G' & E & W & S & H). rewrite T in H.
   destruct (proof_of cert) as [scale z chain|nodes] eqn:Ep; [|destruct H].
@@ -57,9 +60,12 @@ Proof.
     rewrite Q2R_0 in Zz. exact Zz. }
   assert (exists N, particles cert = Some N) as (N & EN).
   { destruct (check_accepted cert G' scale z chain Zp H) as (N & _ & _ & EN & _). eauto. }
-  exists G', N. split; [exact E|]. split; [exact EN|]. split.
-  - destruct (exact_attained cert G' scale z chain T Wp M Q Sp Zp H f P N EN) as (s & A & L & _). eauto.
-  - intros s A. exact (exact_lower_bound cert G' scale z chain T Wp M Q Zp H f P N s EN A).
+  destruct (exact_attained cert G' scale z chain T Wp M Q Sp Zp H f P N EN) as (s & A & L & O & Lines).
+  assert (describes (rows G') s) as D.
+  { destruct A as (A & _). rewrite T in A. destruct A as (sc & _ & D & _). exact D. }
+  exists G', N. split; [exact E|]. split; [exact EN|]. split; [split; [eauto|]|].
+  - intros t A'. exact (exact_lower_bound cert G' scale z chain T Wp M Q Zp H f P N t EN A').
+  - exists s. split; [exact A|]. split; [exact L|]. split; [exact (one_size_articulate _ _ Wp D O) | exact Lines].
 Qed.
 
 Lemma check_tolerant_ok cert G tol nodes :
@@ -140,6 +146,6 @@ Proof.
   destruct (tolerances_of (asked cert)) as [tol|] eqn:Et.
   - destruct (match_within_tolerance _ cert f C1) as (G2 & E2 & L); [congruence | exact P|].
     rewrite E in E2. injection E2 as <-. exact L.
-  - destruct (exact_match _ cert f C1 Et P) as (G2 & N & E2 & EN & L).
+  - destruct (exact_match _ cert f C1 Et P) as (G2 & N & E2 & EN & L & _).
     rewrite E in E2. injection E2 as <-. rewrite EN. exact L.
 Qed.
