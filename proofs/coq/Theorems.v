@@ -107,7 +107,10 @@ Theorem match_within_tolerance G cert f :
   power_law (Z.to_nat (a (asked cert))) (Z.to_nat (b (asked cert))) f ->
   exists G', asked_gradation G cert = Ok G' /\
     match particles cert with
-    | Some N => least_number f (asked cert) (rows G') N
+    | Some N =>
+      least_number f (asked cert) (rows G') N /\
+      exists S, allowed f (asked cert) (rows G') S /\ Z.of_nat (length S) = N /\
+        describes_articulately (rows G') S /\ Forall (line_true (classes (rows G')) S) (witness cert)
     | None => forall S, ~ allowed f (asked cert) (rows G') S
     end.
 Proof.
@@ -119,10 +122,11 @@ Proof.
   pose proof (sensible_question cert S Pi) as (Qa & Qb & _ & Qs & Ql).
   destruct (sensible_tolerances cert tol S Et) as (Np & Te & Tp & Tb).
   exists G'. split; [exact E|]. destruct (particles cert) as [N|] eqn:EN.
-  - split.
-    + destruct (tolerant_attained cert G' tol Et Wp M Qa Qb Qs Ql f P pr D (well_formed_tolerances G' W) Te Tp Tb N
-                  (Np N eq_refl) (Wi N eq_refl)) as (s & A & L & _). eauto.
-    + intros s A. exact (tolerant_lower_bound cert G' tol nodes Et Wp M Qa Qb Qs Ql f P pr D C N s EN A).
+  - destruct (tolerant_attained cert G' tol Et Wp M Qa Qb Qs Ql f P pr D (well_formed_tolerances G' W) Te Tp Tb N
+                (Np N eq_refl) (Wi N eq_refl)) as (s & A & L & Ds & O & Lines).
+    split; [split; [eauto|]|].
+    + intros t A'. exact (tolerant_lower_bound cert G' tol nodes Et Wp M Qa Qb Qs Ql f P pr D C N t EN A').
+    + exists s. split; [exact A|]. split; [exact L|]. split; [exact (one_size_articulate _ _ Wp Ds O) | exact Lines].
   - intros s. exact (tolerant_none cert G' tol nodes Et Wp M Qa Qb Qs Ql f P pr D C s EN).
 Qed.
 
@@ -145,7 +149,7 @@ Proof.
   exists rows0, cert, G'. repeat split; trivial. intro P.
   destruct (tolerances_of (asked cert)) as [tol|] eqn:Et.
   - destruct (match_within_tolerance _ cert f C1) as (G2 & E2 & L); [congruence | exact P|].
-    rewrite E in E2. injection E2 as <-. exact L.
+    rewrite E in E2. injection E2 as <-. destruct (particles cert); [exact (proj1 L) | exact L].
   - destruct (exact_match _ cert f C1 Et P) as (G2 & N & E2 & EN & L & _).
     rewrite E in E2. injection E2 as <-. rewrite EN. exact L.
 Qed.

@@ -3,7 +3,7 @@
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
 From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Exact Tree Tolerant Spec Reduction RealFacts
-  Solids TreeSound Shares TolerantSound.
+  Sizes Solids TreeSound Shares TolerantSound.
 From Mdm Require ExactTheorem.
 Import ListNotations.
 Open Scope R_scope.
@@ -590,7 +590,8 @@ Qed.
 
 End Found.
 
-Theorem found_sample : exists S, allowed law q rs S /\ Z.of_nat (length S) = N /\ one_size_a_class js S.
+Theorem found_sample : exists S, allowed law q rs S /\ Z.of_nat (length S) = N /\ describes rs S /\
+  one_size_a_class js S /\ Forall2 (fun j qt => number j S = fst qt /\ held law j S = IZR (snd qt) / IZR unit) js qts.
 Proof.
   assert (length ss = length js) as Le.
   { pose proof (shares_of_target ss (der_shares _ der)) as Gt. symmetry. exact (same_length _ _ _ Gt). }
@@ -600,32 +601,82 @@ Proof.
   assert (describes rs S) as D by (split; [apply rows_proper | intros z Z; rewrite <- T; apply B, Z]).
   assert (Forall2 (fun j qt => number j S = fst qt /\ held law j S = IZR (snd qt) / IZR unit) js qts) as C'.
   { clear -C. revert C. generalize js as l. generalize qts as qs. induction qs as [|qt qs IH]; intros l C; inversion C; subst; constructor; auto. }
-  exists S. split; [exact (found_allowed S D C')|]. split; [exact (found_length S D C') | exact O].
+  exists S. split; [exact (found_allowed S D C')|]. split; [exact (found_length S D C')|].
+  split; [exact D | split; [exact O | exact C']].
 Qed.
 
 End Witness.
+
+(* The witness's sizes are those of this sample. *)
+Lemma tolerant_sizes unit S : (0 < unit)%Z -> describes rs S -> one_size_a_class js S -> forall post pre ls ws qts,
+  js = pre ++ post -> contents (a q) (b q) unit pr (Z.of_nat (length pre) + 1) post ls ws = Ok qts ->
+  (forall w, In w ws -> (Zpos (Qden (together w)) | unit)%Z) ->
+  Forall2 (fun j qt => number j S = fst qt /\ held law j S = IZR (snd qt) / IZR unit) post qts ->
+  Forall (line_true js S) ws.
+Proof.
+  intros Up D O. induction post as [|j post IH]; intros pre ls ws qts E C Dv Q; cbn [contents] in C.
+  { destruct ws; [constructor | discriminate]. }
+  destruct ls as [|l ls]; [discriminate|].
+  assert (forall ws' qts', contents (a q) (b q) unit pr (Z.of_nat (length pre) + 1 + 1) post ls ws' = Ok qts' ->
+    (forall w, In w ws' -> (Zpos (Qden (together w)) | unit)%Z) ->
+    Forall2 (fun j qt => number j S = fst qt /\ held law j S = IZR (snd qt) / IZR unit) post qts' ->
+    Forall (line_true js S) ws') as Rest.
+  { intros ws' qts' C' Dv' Q'. apply (IH (pre ++ [j]) ls ws' qts'); trivial; [rewrite <- app_assoc; exact E|].
+    rewrite app_length. simpl length. replace (Z.of_nat (length pre + 1) + 1)%Z with (Z.of_nat (length pre) + 1 + 1)%Z by lia.
+    exact C'. }
+  destruct ws as [|w ws]; [constructor|]. destruct (Z.eqb_spec (index w) (Z.of_nat (length pre) + 1)) as [Iw|].
+  - passed C. passed C. passed C. passed C. destruct x. injection C as <-. inversion Q as [|? ? ? ? (Qj & Hj) Q']; subst.
+    cbn [fst snd] in Qj, Hj. constructor; [|apply (Rest ws _ C3); trivial; intros; apply Dv; right; assumption].
+    exists j. split; [|split; [exact Qj|]].
+    + rewrite Iw, E. replace (Z.to_nat (Z.of_nat (length pre) + 1 - 1)) with (length pre) by lia.
+      rewrite nth_error_app2, Nat.sub_diag by lia. reflexivity.
+    + assert (In j js) as J by (rewrite E; apply in_or_app; right; left; reflexivity).
+      intros x X Jx. destruct (size_of_class na nb law rs S j x power rows_proper D O J X Jx) as (Sz & N1).
+      destruct (classes_ok j J) as ((L & U) & Cj & _). rewrite Qj in Sz, N1. apply (IZR_le 1) in N1.
+      pose proof (IZR_lt _ _ Up) as Ur.
+      set (one := over (together w) (times (of_integer (count w)) (c j))) in *.
+      assert (Q2R one = Q2R (together w) / (IZR (count w) * Q2R (c j))) as Eo.
+      { unfold one. rewrite Q2R_over; rewrite Q2R_times, Q2R_integer; [reflexivity|].
+        apply Rgt_not_eq, Rmult_lt_0_compat; lra. }
+      replace (a q) with (Z.of_nat na) in C2 by lia.
+      refine (check_size_sound na j w _ _ x ltac:(lia) L _ _ _ C2).
+      * apply Z.pow_pos_nonneg; lia.
+      * unfold in_class in Jx. lra.
+      * rewrite Sz, Hj, in_units_real by (apply Dv; left; reflexivity).
+        replace (Q2R (together w) * IZR unit / IZR unit) with (Q2R (together w)) by (field; lra).
+        rewrite <- Eo. replace (b q) with (Z.of_nat nb) by lia. rewrite <- !pow_IZR, Nat2Z.id.
+        unfold Q2R, Rdiv. rewrite Rpow_mult_distr, pow_inv. reflexivity.
+  - passed C. injection C as <-. inversion Q as [|? ? ? ? _ Q']; subst. exact (Rest (w :: ws) _ C0 Dv Q').
+Qed.
 
 Hypothesis rows_tolerances : Forall (fun r => 0 <= Q2R (tolerance r)) rs.
 Hypothesis each_nonneg : Forall (fun e => 0 <= Q2R e) (passing_each tol).
 Hypothesis passing_nonneg : forall e, passing_all tol = Some e -> 0 <= Q2R e.
 Hypothesis band_nonneg : forall X l h, In (X, l, h) (band tol) -> 0 <= Q2R h.
 
-(* One with N is within the tolerance, with one size a class. *)
+(* One with N is within the tolerance, with one size a class, in the witness's bounds. *)
 Theorem tolerant_attained N :
   (1 <= N)%Z -> check_witness cert G pr N = Ok tt ->
-  exists S, allowed law q rs S /\ Z.of_nat (length S) = N /\ one_size_a_class js S.
+  exists S, allowed law q rs S /\ Z.of_nat (length S) = N /\ describes rs S /\ one_size_a_class js S /\
+    Forall (line_true js S) (witness cert).
 Proof.
   intros Np H. unfold check_witness in H. cbv zeta in H. passed H. rename x into unit. passed H. passed H. rename x into qts.
   passed H. passed H. passed H. passed H. passed H.
   destruct derive_ok as (ss & der).
-  apply include_all_ok in H0 as (Up & _ & _); [|reflexivity|].
+  apply include_all_ok in H0 as (Up & _ & Dv); [|reflexivity|].
   2: { intros d I. apply in_map_iff in I as (w & <- & _). reflexivity. }
   apply Z.leb_le in H4, H. apply at_most_real in H5.
   rewrite Q2R_times, !Q2R_integer, mult_IZR in H5.
-  eapply found_sample; try eassumption.
-  eapply contents_hold; [|exact H2].
-  pose proof (same_length _ _ _ (der_classes _ der)) as L. rewrite combine_length in L.
-  pose proof (same_length _ _ _ (shares_of_target ss (der_shares _ der))). lia.
+  assert (Forall2 (holds_in unit) (classes_of pr) qts) as Hin.
+  { eapply contents_hold; [|exact H2].
+    pose proof (same_length _ _ _ (der_classes _ der)) as L. rewrite combine_length in L.
+    pose proof (same_length _ _ _ (shares_of_target ss (der_shares _ der))). lia. }
+  assert (exists S, allowed law q rs S /\ Z.of_nat (length S) = N /\ describes rs S /\ one_size_a_class js S /\
+    Forall2 (fun j qt => number j S = fst qt /\ held law j S = IZR (snd qt) / IZR unit) js qts) as (S & A & L & D & O & C)
+    by (eapply found_sample; eassumption).
+  exists S. split; [exact A|]. split; [exact L|]. split; [exact D|]. split; [exact O|].
+  refine (tolerant_sizes unit S Up D O js [] _ _ qts eq_refl H2 _ C).
+  intros w I. apply Dv, in_map_iff. exists w. auto.
 Qed.
 
 End Claim.
