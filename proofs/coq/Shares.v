@@ -1,8 +1,7 @@
 (* The tolerance's lines and the bounds on shares that the checker derives from them say the same. *)
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
-From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Exact Tolerant Spec Reduction RealFacts
-  ExactTheorem.
+From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Exact Tolerant Spec Reduction RealFacts.
 Import ListNotations.
 Open Scope R_scope.
 

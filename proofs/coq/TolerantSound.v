@@ -3,7 +3,6 @@
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
 From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Exact Tree Tolerant Spec Reduction RealFacts
   Solids TreeSound Shares.
-From Mdm Require ExactTheorem.
 Import ListNotations.
 Open Scope R_scope.
 

@@ -4,7 +4,6 @@
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
 From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Exact Tree Tolerant Spec Reduction RealFacts
   Sizes Solids TreeSound Shares TolerantSound.
-From Mdm Require ExactTheorem.
 Import ListNotations.
 Open Scope R_scope.
 
