@@ -16,7 +16,8 @@ let words_of text = List.rev (List.rev_map (String.split_on_char ' ') (String.sp
 
 (** The verdict repeats the question: its reader sees what was proved. *)
 let accepted lines file =
-  let numbers name = List.concat (List.filter_map (function first :: rest when first = name -> Some rest | _ -> None) lines) in
+  let rest_of name = function first :: rest when first = name -> Some rest | _ -> None in
+  let numbers name = List.concat (List.filter_map (rest_of name) lines) in
   let rec say words numbers =
     match (String.index_opt words '#', numbers) with
     | Some i, number :: rest -> String.sub words 0 i ^ number ^ say (behind words (i + 1)) rest
@@ -27,9 +28,9 @@ let accepted lines file =
     let of_file = if List.mem "file" (numbers name) then of_file else "" in
     tell words (List.filter (fun word -> word <> "file") (numbers name)) ^ of_file
   in
-  let rec bands = function
-    | x :: lo :: hi :: rest -> say "#: # to #% passing; " [ x; lo; hi ] ^ bands rest
-    | _ -> ""
+  let rec bands said = function
+    | x :: lo :: hi :: rest -> bands (say "#: # to #% passing; " [ x; lo; hi ] :: said) rest
+    | _ -> String.concat "" (List.rev said)
   in
   let each = String.concat ", " (List.map (fun number -> number ^ "%") (numbers "passing-each")) in
   let is_tolerant = not (List.exists (fun line -> List.hd line = "scale") lines) in
@@ -46,7 +47,7 @@ let accepted lines file =
       tolerance "passing" "passing #%; " "passing as the file has it; ";
       (if each = "" then "" else "passing " ^ each ^ "; ");
       tell "total #%; " (numbers "total");
-      bands (numbers "band");
+      bands [] (numbers "band");
       tell (if List.exists (fun word -> String.contains word '/') law then "law x^(#)" else "law x^#") law;
       tell "; at least # particles in each class" (numbers "min-per-class");
       tell "; solids of the cylinder # x # at void ratio #" (numbers "cylinder");
