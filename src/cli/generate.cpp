@@ -236,6 +236,8 @@ GeneratedSet generated(const GenerateCommand &c) {
   } else if (set.counts.decided() && set.counts.particles() < set.wanted.at_least) {
     set.notes.push_back("the floors of Eq. 9 sum to " + to_string(set.counts.particles()) + ", below N_min");
   }
+  if (c.seed)
+    set.seed = seed_of(c);
   add_quality(c, set);
   return set;
 }
@@ -253,6 +255,8 @@ AccessibleQuestion accessible_question(const GenerateCommand &c) {
                      "alone: leave out other options of the curve");
   if (!c.span)
     throw InputError("--accessible: give --span: one number or several, between 0 and 1");
+  if (c.method == "match" || c.spread)
+    throw InputError("--accessible: it tells of both methods: leave out --method and --spread");
   if (c.sizes || c.seed || c.quantiles || c.table || c.points)
     throw InputError("--accessible tells how many particles there would be and draws none: leave out "
                      "--sizes, --seed, --quantiles, --points and --table");

@@ -280,12 +280,18 @@ std::string BetaCurve::shape() const {
     return symmetric ? "U-shaped, symmetric" : "U-shaped";
   if (a_ > 1 && b_ > 1)
     return symmetric ? "unimodal, symmetric" : "unimodal";
-  const auto curvature = [](const Rational &power) {
-    return power > 2 ? ", strictly convex" : power == 2 ? ", a straight line" : ", strictly concave";
+  // With a or b 1 the density is a power of x or 1 - x.
+  const auto power_law = [](const Rational &exponent) -> std::string {
+    if (exponent < 1)
+      return ", a power law";
+    return exponent > 2    ? ", strictly convex, a power law"
+           : exponent == 2 ? ", a straight line"
+                           : ", strictly concave, a power law";
   };
-  if (a_ < 1 || (a_ == 1 && b_ > 1))
-    return std::string("strictly decreasing") + (a_ == 1 ? curvature(b_) : "");
-  return std::string("strictly increasing") + (b_ == 1 ? curvature(a_) : "");
+  const bool falls = a_ < 1 || (a_ == 1 && b_ > 1);
+  return (falls ? "strictly decreasing" : "strictly increasing") + (a_ == 1   ? power_law(b_)
+                                                                    : b_ == 1 ? power_law(a_)
+                                                                              : "");
 }
 
 } // namespace mdm

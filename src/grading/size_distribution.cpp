@@ -5,43 +5,63 @@
 namespace mdm {
 namespace {
 
-/// Each of them over their sum.
-std::vector<Real> normalised(const std::vector<Real> &amounts) {
-  const Real whole = sum(amounts);
-  std::vector<Real> shares;
-  shares.reserve(amounts.size());
-  for (const Real &amount : amounts)
-    shares.push_back(amount / whole);
-  return shares;
-}
-
-/// The sum of the first n.
-Real sum_of_first(const std::vector<Real> &shares, std::size_t n) {
-  return sum({shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(n)});
+/// The number of particles in a class [l, u] that have volume 1 together: the mean of d^-D over the class,
+/// (l^-p - u^-p) / (p (u - l)), p = D - 1.
+Real number_in_volume(const Real &l, const Real &u, unsigned dimension) {
+  if (dimension == 2)
+    return Real(1) / (l * u);
+  return (l + u) / (Real(2) * pow(l * u, 2));
 }
 
 } // namespace
 
+PartialSums::PartialSums(std::vector<Real> terms)
+    : terms_(std::move(terms)), known_(std::make_shared<std::map<unsigned, std::vector<Ball>>>()) {
+  if (!std::all_of(terms_.begin(), terms_.end(), [](const Real &y) { return y.fraction().has_value(); }))
+    return;
+  exact_.emplace_back(0);
+  for (const Real &term : terms_)
+    exact_.push_back(exact_.back() + *term.fraction());
+}
+
+Real PartialSums::of_first(std::size_t n) const {
+  if (!exact_.empty())
+    return Real(exact_[n]);
+  return Real([known = known_, terms = terms_, n](unsigned bits) {
+    auto at = known->find(bits);
+    if (at == known->end()) {
+      std::vector<Ball> sums{Ball(0, bits)};
+      for (const Real &term : terms)
+        sums.push_back(sums.back() + term.ball(bits));
+      at = known->emplace(bits, std::move(sums)).first;
+    }
+    return at->second[n];
+  });
+}
+
+SizeDistribution::SizeDistribution(std::vector<Real> bounds, std::vector<Real> volumes,
+                                   std::vector<Real> numbers, unsigned dimension)
+    : bounds_(std::move(bounds)), volumes_(std::move(volumes)), numbers_(std::move(numbers)),
+      volumes_below_(volumes_), numbers_below_(numbers_), dimension_(dimension) {}
+
 SizeDistribution SizeDistribution::by_volume(std::vector<Real> bounds, std::vector<Real> shares,
                                              unsigned dimension) {
-  SizeDistribution result(std::move(bounds), dimension);
   std::vector<Real> numbers;
   for (std::size_t i = 0; i < shares.size(); ++i)
-    numbers.push_back(shares[i] * result.number_in_volume(i));
-  result.volumes_ = std::move(shares);
-  result.numbers_ = normalised(numbers);
-  return result;
+    numbers.push_back(shares[i] * number_in_volume(bounds[i], bounds[i + 1], dimension));
+  return {std::move(bounds), std::move(shares), std::move(numbers), dimension};
 }
 
 SizeDistribution SizeDistribution::by_number(std::vector<Real> bounds, std::vector<Real> shares,
                                              unsigned dimension) {
-  SizeDistribution result(std::move(bounds), dimension);
   std::vector<Real> volumes;
   for (std::size_t i = 0; i < shares.size(); ++i)
-    volumes.push_back(shares[i] / result.number_in_volume(i));
-  result.numbers_ = std::move(shares);
-  result.volumes_ = normalised(volumes);
-  return result;
+    volumes.push_back(shares[i] / number_in_volume(bounds[i], bounds[i + 1], dimension));
+  return {std::move(bounds), std::move(volumes), std::move(shares), dimension};
+}
+
+bool SizeDistribution::is_end(const Real &d) const {
+  return d.fraction() && d.fraction() == bounds_.back().fraction();
 }
 
 std::size_t SizeDistribution::class_of(const Real &d) const {
@@ -51,35 +71,33 @@ std::size_t SizeDistribution::class_of(const Real &d) const {
   return static_cast<std::size_t>(after - bounds_.begin()) - 1;
 }
 
-/// The mean of d^-D over the class: (l^-p - u^-p) / (p (u - l)), p = D - 1.
-Real SizeDistribution::number_in_volume(std::size_t i) const {
-  const Real &l = bounds_[i], &u = bounds_[i + 1];
-  if (dimension_ == 2)
-    return Real(1) / (l * u);
-  return (l + u) / (Real(2) * pow(l * u, 2));
-}
-
 Real SizeDistribution::grading(const Real &d) const {
+  if (is_end(d))
+    return Real(1);
   const std::size_t i = class_of(d);
-  return sum_of_first(volumes_, i) + volume_density(d) * (d - bounds_[i]);
+  const Real &l = bounds_[i], &u = bounds_[i + 1];
+  return (volumes_below_.of_first(i) + volumes_[i] * (d - l) / (u - l)) / volumes_below_.of_all();
 }
 
 Real SizeDistribution::partition(const Real &d) const {
+  if (is_end(d))
+    return Real(1);
   const std::size_t i = class_of(d);
   const Rational p = dimension_ - 1;
   const Real &l = bounds_[i], &u = bounds_[i + 1];
-  return sum_of_first(numbers_, i) + numbers_[i] * (Real(1) - pow(l / d, p)) / (Real(1) - pow(l / u, p));
+  const Real in_class = (Real(1) - pow(l / d, p)) / (Real(1) - pow(l / u, p));
+  return (numbers_below_.of_first(i) + numbers_[i] * in_class) / numbers_below_.of_all();
 }
 
 Real SizeDistribution::volume_density(const Real &d) const {
   const std::size_t i = class_of(d);
-  return volumes_[i] / (bounds_[i + 1] - bounds_[i]);
+  return volume_share(i) / (bounds_[i + 1] - bounds_[i]);
 }
 
 Real SizeDistribution::number_density(const Real &d) const {
   const std::size_t i = class_of(d);
-  const Real in_class = Real(1) / (pow(d, dimension_) * number_in_volume(i));
-  return numbers_[i] * in_class / (bounds_[i + 1] - bounds_[i]);
+  const Real &l = bounds_[i], &u = bounds_[i + 1];
+  return number_share(i) / (pow(d, dimension_) * number_in_volume(l, u, dimension_) * (u - l));
 }
 
 } // namespace mdm

@@ -176,32 +176,6 @@ Real pow(const Real &y, const Rational &exponent) {
               });
 }
 
-Real sum(const std::vector<Real> &terms) {
-  if (std::all_of(terms.begin(), terms.end(), [](const Real &y) { return y.fraction().has_value(); })) {
-    Rational total = 0;
-    for (const Real &y : terms)
-      total += *y.fraction();
-    return Real(total);
-  }
-  return Real(
-      [terms](unsigned bits) {
-        Ball total(0, bits);
-        for (const Real &y : terms)
-          total = total + y.ball(bits);
-        return total;
-      },
-      [terms]() -> std::optional<Rational> {
-        Rational total = 0;
-        for (const Real &y : terms) {
-          const std::optional<Rational> value = y.exact();
-          if (!value)
-            return std::nullopt;
-          total += *value;
-        }
-        return total;
-      });
-}
-
 IntegerBounds floor_of(const Real &y, const std::function<bool(const Integer &k)> &is_exactly) {
   constexpr unsigned first_bits = 128;
   IntegerBounds result;

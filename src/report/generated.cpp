@@ -168,7 +168,9 @@ std::string quality_table(const GeneratedSet &set) {
     lines.push_back({"Eq. 6-10, all of median size", short_count(set.counts.particles()),
                      percent(rounding_cost(set.classes, set.counts, set.wanted.dimension)), "", "", ""});
   if (set.drawn_quality)
-    lines.push_back(quality_line("Eq. 6-10, as drawn", set.counts.particles(), *set.drawn_quality));
+    lines.push_back(quality_line(set.seed ? fmt::format("Eq. 6-10, drawn with seed {}", *set.seed)
+                                          : "Eq. 6-10, quantiles",
+                                 set.counts.particles(), *set.drawn_quality));
   if (set.match_quality)
     lines.push_back(quality_line(set.spread ? "the match, spread" : "the match", set.match->particles(),
                                  *set.match_quality));
@@ -217,10 +219,12 @@ std::optional<bool> GeneratedSet::accessible() const {
 
 void generated_json(const GeneratedSet &set, const std::optional<Draws> &draws, const Sink &sink) {
   const unsigned digits = set.digits;
+  const std::optional<std::uint64_t> seed = set.match ? set.spread : set.seed;
   std::string text = fmt::format(
-      R"({{"schema":"mdm-generate-1","id":{},"unit":{},"method":"{}","dimension":"{}","classes":[)",
+      R"({{"schema":"mdm-generate-1","id":{},"unit":{},"method":"{}","dimension":"{}","seed":{},)"
+      R"("classes":[)",
       json_string(set.id), set.unit.empty() ? "null" : json_string(set.unit), set.match ? "match" : "paper",
-      set.wanted.dimension);
+      set.wanted.dimension, seed ? fmt::format("\"{}\"", *seed) : "null");
   for (std::size_t j = 0; j < set.classes.size(); ++j) {
     const Shown c = shown(set, j);
     const std::optional<Integer> q = set.quantity(j);

@@ -41,6 +41,8 @@ TEST_CASE("sizes are exact fractions in dimension 2, and the same for the same s
                    "1",        "--dimension", "2",   "--min-per-class", "2", "--at-least", "1", "--sizes"};
   // 2 / (2 - y) at y = 1/4 and 3/4
   CHECK(json(few).at("sizes") == Json({"8/7", "8/5"}));
+  CHECK(json(with(few, {"--seed", "7"})).at("seed") == "7");
+  CHECK(json(few).at("seed").is_null());
   CHECK(json(with(few, {"--seed", "7"})) == json(with(few, {"--seed", "7"})));
   CHECK(json(with(few, {"--seed", "7"})) != json(with(few, {"--seed", "8"})));
   const Outcome csv = mdm(with(few, {"--format", "csv", "--digits", "4"}));
@@ -166,7 +168,7 @@ TEST_CASE("the quality of the set is told, as drawn and as matched", "[generate]
   CHECK(rational(quality.at("drawn").at("classes")[1].at("largest")[1]) < Rational(2, 100));
   CHECK(set.at("classes")[0].at("number_fraction").size() == 2);
   CHECK_FALSE(json(with(two, {"--points", "0"})).contains("quality"));
-  CHECK(mdm(two).out.find("Eq. 6-10, as drawn") != std::string::npos);
+  CHECK(mdm(two).out.find("Eq. 6-10, quantiles") != std::string::npos);
 }
 
 TEST_CASE("f, F, V and h of the set stand in one table", "[generate]") {
@@ -252,6 +254,7 @@ TEST_CASE("what no grid of shapes can be made of is refused", "[generate]") {
                                                       {"--span", "0.5", "--a", "1,,2"},
                                                       {"--span", "0.5", "--b", ""},
                                                       {"--span", "0.5", "--classing", "sieves"},
+                                                      {"--span", "0.5", "--method", "match"},
                                                       {"--span", "0.5", "--sizes", "--format", "csv"},
                                                       {"--span", "0.5", "--at-most", "10"},
                                                       {"--span", "0.5", "--plot", "-"},

@@ -140,13 +140,19 @@ TEST_CASE("diameters and coefficients of the curve") {
 TEST_CASE("shapes are those of the paper's table") {
   const Rational half = ratio(1, 2);
   CHECK(curve(half, half).shape() == "U-shaped, symmetric");
-  CHECK(curve(half, 1).shape() == "strictly decreasing");
-  CHECK(curve(1, 3).shape() == "strictly decreasing, strictly convex");
+  CHECK(curve(half, ratio(1, 3)).shape() == "U-shaped");
+  CHECK(curve(half, 1).shape() == "strictly decreasing, a power law");
+  CHECK(curve(half, 3).shape() == "strictly decreasing");
+  CHECK(curve(1, half).shape() == "strictly increasing, a power law");
+  CHECK(curve(2, 1).shape() == "strictly increasing, a straight line");
+  CHECK(curve(ratio(3, 2), 1).shape() == "strictly increasing, strictly concave, a power law");
+  CHECK(curve(3, 3).shape() == "unimodal, symmetric");
+  CHECK(curve(1, 3).shape() == "strictly decreasing, strictly convex, a power law");
   CHECK(curve(1, 2).shape() == "strictly decreasing, a straight line");
-  CHECK(curve(1, ratio(3, 2)).shape() == "strictly decreasing, strictly concave");
+  CHECK(curve(1, ratio(3, 2)).shape() == "strictly decreasing, strictly concave, a power law");
   CHECK(curve(1, 1).shape() == "uniform by volume fraction");
   CHECK(curve(2, half).shape() == "strictly increasing");
-  CHECK(curve(3, 1).shape() == "strictly increasing, strictly convex");
+  CHECK(curve(3, 1).shape() == "strictly increasing, strictly convex, a power law");
   CHECK(curve(3, 4).shape() == "unimodal");
 }
 

@@ -37,7 +37,7 @@ public:
   std::optional<Surd> exact_between(const Surd &lower, const Surd &upper) const override;
   Real diameter(const Rational &p) const override;
 
-  /// The shape in words: of the volume density, as the table of the paper.
+  /// The shape in words, of the volume density h': the table of the paper (section 2.1), with its power laws.
   std::string shape() const;
 
 private:

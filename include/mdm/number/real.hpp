@@ -7,7 +7,6 @@
 
 #include <functional>
 #include <memory>
-#include <vector>
 
 namespace mdm {
 
@@ -49,9 +48,6 @@ private:
 
   std::shared_ptr<const Node> node_; // shared: computations are built from computations
 };
-
-/// Their sum, as one computation, however many there are.
-Real sum(const std::vector<Real> &terms);
 
 /// Decided by refining; undecided if most_bits do not separate the two and their exact values are not known.
 Order compare(const Real &a, const Real &b);

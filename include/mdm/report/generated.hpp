@@ -18,6 +18,7 @@ struct GeneratedSet {
   Representativity wanted;
   ClassCounts counts;                      ///< by Eq. 6-10
   std::optional<Integer> at_most;          ///< N_max
+  std::optional<std::uint64_t> seed;       ///< by which their sizes are drawn; else they are quantiles
   std::optional<Match> match;              ///< the exact alternative, if it was asked for
   std::optional<std::uint64_t> spread;     ///< seed of the match's spread; else a class has one size
   unsigned match_digits = 0;               ///< of its gradation
@@ -39,7 +40,7 @@ struct GeneratedSet {
 };
 
 /// One line of JSON, schema `mdm-generate-1`, without a newline at its end: id, unit, method, dimension,
-/// classes [{lower, upper, volume_fraction: enclosures, "estimate":["lo","hi"] (N'), "quantity",
+/// seed, classes [{lower, upper, volume_fraction: enclosures, "estimate":["lo","hi"] (N'), "quantity",
 /// number_fraction (P_i)}], particles, accessible, Cu, Cc, quality {points, drawn, match: {Cr, worst_error,
 /// Cu, Cc, classes [{share, largest}]}}, curve [{size, passing, volume_density, partition, number_density}]
 /// with a table (V, F and f of the set that is linear between the bounds of its classes), notes, versions,
