@@ -74,6 +74,8 @@ std::size_t SizeDistribution::class_of(const Real &d) const {
 Real SizeDistribution::grading(const Real &d) const {
   if (is_end(d))
     return Real(1);
+  if (d.fraction() && d.fraction() == bounds_.front().fraction())
+    return Real(0);
   const std::size_t i = class_of(d);
   const Real &l = bounds_[i], &u = bounds_[i + 1];
   return (volumes_below_.of_first(i) + volumes_[i] * (d - l) / (u - l)) / volumes_below_.of_all();
@@ -82,6 +84,8 @@ Real SizeDistribution::grading(const Real &d) const {
 Real SizeDistribution::partition(const Real &d) const {
   if (is_end(d))
     return Real(1);
+  if (d.fraction() && d.fraction() == bounds_.front().fraction())
+    return Real(0);
   const std::size_t i = class_of(d);
   const Rational p = dimension_ - 1;
   const Real &l = bounds_[i], &u = bounds_[i + 1];
