@@ -30,8 +30,8 @@ const Integer &most_sizes() {
 
 struct GenerateCommand {
   std::optional<std::string> beta, d_min, d_max, span, ratio, curve, pan_size, between, specimen_id;
-  std::optional<std::string> classing, at_most, seed, points;
-  std::string classes = "10", min_per_class = "10", at_least = "2000", dimension = "3", method = "paper";
+  std::optional<std::string> classes, classing, at_most, seed, points;
+  std::string min_per_class = "10", at_least = "2000", dimension = "3", method = "paper";
   std::string digits = "15", match_digits = "6", time_limit = "60", format = "text", out = "-";
   std::optional<std::string> table;
   AccessibleFlags accessible;
@@ -103,6 +103,10 @@ unsigned small_natural(const char *option, const std::string &text, unsigned lea
   return static_cast<unsigned>(n);
 }
 
+unsigned class_number(const GenerateCommand &c) {
+  return small_natural("--classes", c.classes.value_or("10"), 1, max_size_classes);
+}
+
 Classing classing(const std::string &name) {
   return name == "regular"     ? Classing::regular
          : name == "geometric" ? Classing::geometric
@@ -129,6 +133,9 @@ void check(const GenerateCommand &c) {
     throw InputError("--classing: a beta curve has no sieves: use regular, geometric or isochoric");
   if (c.seed && c.quantiles)
     throw InputError("--seed and --quantiles exclude each other: random sizes, or none by chance");
+  if (c.classes && c.classing == "sieves")
+    throw InputError("--classes: between the sieves there are as many as the file has: leave it out, or use "
+                     "--classing regular, geometric or isochoric");
   if (c.sizes && c.format == "text")
     throw InputError("--sizes: text has no place for them: use --format json or csv");
   if (c.spread && c.method != "match")
@@ -172,25 +179,25 @@ void add_quality(const GenerateCommand &c, GeneratedSet &set) {
 
 /// Adds the curve and its classes.
 void add_curve(const GenerateCommand &c, GeneratedSet &set) {
-  const unsigned n = small_natural("--classes", c.classes, 1, max_size_classes);
+  const unsigned n = class_number(c);
   if (c.beta) {
     const std::shared_ptr<const BetaCurve> curve = beta_curve(c);
     const std::string how = c.classing.value_or("geometric");
     set.curve = curve;
     set.id = "beta curve (" + to_decimal(curve->a()) + ", " + to_decimal(curve->b()) + "), " + curve->shape();
-    set.terms = c.classes + " " + how + " classes";
+    set.terms = std::to_string(n) + " " + how + " classes";
     set.classes = size_classes(*curve, classing(how), n);
     return;
   }
   const std::shared_ptr<const SieveCurve> curve = sieve_curve(c, set.notes);
-  const std::string how = c.classing.value_or("sieves");
+  const std::string how = c.classing.value_or(c.classes ? "geometric" : "sieves");
   set.curve = curve;
   set.unit = "mm";
   const std::string between = c.between.value_or("log");
   set.id = (*c.curve == "-" ? "stdin" : *c.curve) +
            (between == "stair" ? ", a stair"
                                : ", linear in " + std::string(between == "log" ? "log size" : "size"));
-  set.terms = how == "sieves" ? "classes between the sieves" : c.classes + " " + how + " classes";
+  set.terms = how == "sieves" ? "classes between the sieves" : std::to_string(n) + " " + how + " classes";
   set.classes = how == "sieves" ? sieve_classes(*curve) : size_classes(*curve, classing(how), n);
 }
 
@@ -255,11 +262,11 @@ AccessibleQuestion accessible_question(const GenerateCommand &c) {
                      "alone: leave out other options of the curve");
   if (!c.span)
     throw InputError("--accessible: give --span: one number or several, between 0 and 1");
-  if (c.method == "match" || c.spread)
-    throw InputError("--accessible: it tells of both methods: leave out --method and --spread");
-  if (c.sizes || c.seed || c.quantiles || c.table || c.points)
+  if (c.method == "match")
+    throw InputError("--accessible: it tells of both methods: leave out --method");
+  if (c.sizes || c.seed || c.quantiles || c.spread || c.table || c.points)
     throw InputError("--accessible tells how many particles there would be and draws none: leave out "
-                     "--sizes, --seed, --quantiles, --points and --table");
+                     "--sizes, --seed, --quantiles, --spread, --points and --table");
   if (c.classing == "sieves")
     throw InputError("--classing: a beta curve has no sieves: use regular, geometric or isochoric");
   AccessibleQuestion q;
@@ -269,7 +276,7 @@ AccessibleQuestion accessible_question(const GenerateCommand &c) {
   if (q.spans.back() >= 1)
     throw InputError("--span: " + to_decimal(q.spans.back()) + " is not below 1: then d_min would be 0");
   q.classing = classing(c.classing.value_or("geometric"));
-  q.classes = small_natural("--classes", c.classes, 1, max_size_classes);
+  q.classes = class_number(c);
   q.wanted = representativity(c);
   q.at_most = natural("--at-most", c.at_most.value_or("10000"), 1);
   if (q.at_most < q.wanted.at_least)
@@ -332,22 +339,23 @@ Run add_generate(CLI::App &app) {
   option("--span", c->span, "S", "(dmax - dmin) / (dmax + dmin), between 0 and 1");
   option("--ratio", c->ratio, "R", "dmax / dmin, above 1");
   option("--curve", c->curve, "FILE", "the curve of a gradation: CSV, JSON or AGS4; - for standard input");
-  option("--between", c->between, "",
+  option("--between", c->between, "TEXT",
          "what the curve of a file does between sieves: linear in log size (log, the "
          "default) or in size (linear), or constant (stair)")
       ->check(CLI::IsMember({"log", "linear", "stair"}));
   option("--pan-size", c->pan_size, "SIZE", "take the pan of a file as a sieve of this size");
   option("--specimen-id", c->specimen_id, "ID", "the specimen of an AGS4 file with several");
   option("--classes", c->classes, "N", "number of size classes (10)");
-  option("--classing", c->classing, "",
-         "classes of equal widths (regular), equal ratios (geometric, the default of --beta), equal volumes "
-         "(isochoric), or between the sieves (sieves, the default of --curve)")
+  option(
+      "--classing", c->classing, "TEXT",
+      "classes of equal widths (regular), equal ratios (geometric, the default), equal volumes (isochoric), "
+      "or between the sieves (sieves, the default of --curve without --classes)")
       ->check(CLI::IsMember({"regular", "geometric", "isochoric", "sieves"}));
   option("--min-per-class", c->min_per_class, "N", "particles in the scarcest class (10)");
   option("--at-least", c->at_least, "N", "particles in all (2000)");
   option("--at-most", c->at_most, "N", "more are not accessible: exit 1");
-  option("--dimension", c->dimension, "", "2, discs, or 3, spheres (3)")->check(CLI::IsMember({"2", "3"}));
-  option("--method", c->method, "",
+  option("--dimension", c->dimension, "D", "2, discs, or 3, spheres (3)")->check(CLI::IsMember({"2", "3"}));
+  option("--method", c->method, "TEXT",
          "counts by rounding (paper), or the smallest set whose class volumes are exact (match)")
       ->check(CLI::IsMember({"paper", "match"}));
   option("--match-digits", c->match_digits, "D",

@@ -33,7 +33,7 @@ std::uint64_t natural64(const std::string &option, const std::string &text) {
 Rational positive(const std::string &option, const std::string &text) {
   const Rational r = decimal(option, text);
   if (r <= 0)
-    throw InputError(option + ": " + in_quotes(text) + " is not positive");
+    throw InputError(option + ": " + in_quotes(text) + " is not positive: write a number above 0");
   return r;
 }
 

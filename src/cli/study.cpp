@@ -214,7 +214,7 @@ Run add_study(CLI::App &app) {
   command
       .add_option("--out", c->out,
                   "write CSV files into the folder DIR, made if need be: table1.csv, figure1.csv, ..., or "
-                  "specimens.csv (else shown as text)")
+                  "specimens.csv (else shown as text; voivret needs it)")
       ->type_name("DIR");
   command.add_option("--plots", c->plots, "draw the figures as well, as svg, png or pdf (needs gnuplot)")
       ->check(CLI::IsMember({"svg", "png", "pdf"}));

@@ -177,7 +177,7 @@ BetaCurve::BetaCurve(Rational a, Rational b, Rational d_min, Rational d_max)
     : a_(std::move(a)), b_(std::move(b)), d_min_(std::move(d_min)), width_(d_max - d_min_) {
   for (const Rational &parameter : {a_, b_})
     if (parameter < least_parameter() || parameter > largest_parameter())
-      throw InputError("a parameter of the beta curve is " + decimal_or_fraction(parameter) +
+      throw InputError("a parameter of the beta curve is " + in_quotes(decimal_or_fraction(parameter)) +
                        ": a and b must be from 0.001 to 1000");
   if (d_min_ <= 0)
     throw InputError("the smallest size is not positive: particles have a size; give d_min > 0, a span below "

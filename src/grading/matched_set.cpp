@@ -9,7 +9,13 @@ namespace mdm {
 namespace {
 
 Rational decimal(const Real &y, unsigned digits) {
-  return parse_decimal(rounded(y, digits));
+  try {
+    return parse_decimal(rounded(y, digits));
+  } catch (const InputError &) {
+    throw InputError(
+        "a bound or volume of a class has no decimal of up to 1000 digits and exponent 400 to be "
+        "matched: give fewer --match-digits, or use fewer or isochoric classes");
+  }
 }
 
 Question question_of(const Representativity &wanted) {

@@ -84,7 +84,8 @@ public:
   Quality(const ModelCurve &curve, const std::vector<SizeClass> &classes, unsigned dimension, unsigned points,
           const ParticlesOf &particles, const std::optional<std::vector<Rational>> &exact_shares)
       : curve_(curve), classes_(classes), particles_(particles), exact_shares_(exact_shares),
-        units_(curve.d_min(), dimension), volumes_(classes.size()) {
+        units_(std::min(curve.d_min(), Rational(curve.d_max() - curve.d_min())), dimension),
+        volumes_(classes.size()) {
     for (unsigned i = 0; i < points; ++i) {
       sizes_.emplace_back(Surd(curve.d_min()) *
                           Surd::root_power(curve.d_max() / curve.d_min(), i, points - 1));
@@ -133,7 +134,10 @@ private:
     result.worst_error = Rational(0);
     for (std::size_t j = 0; j < classes_.size(); ++j) {
       result.shares.push_back(exact_shares_ ? Interval((*exact_shares_)[j]) : share(volumes_[j], total_));
-      const Interval error = absolute(result.shares.back() - interval(classes_[j].volume_fraction));
+      const Real &wanted = classes_[j].volume_fraction;
+      const Interval error =
+          absolute(result.shares.back() -
+                   (exact_shares_ && wanted.fraction() ? Interval(*wanted.fraction()) : interval(wanted)));
       result.worst_error = greater(result.worst_error, error);
     }
   }
@@ -143,7 +147,8 @@ private:
     Amount passed;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       passed += passing[i];
-      const Interval found = share(passed, total_);
+      const bool is_end = i + 1 == points_.size(); // of the classes too, rounded or not: all have passed
+      const Interval found = is_end ? Interval(1) : share(passed, total_);
       deviations = deviations + square(found - interval(curve_.passing(sizes_[i])));
       squares = squares + square(found);
     }

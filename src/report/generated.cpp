@@ -21,8 +21,21 @@ std::string pair(const Real &y, unsigned digits) {
   return fmt::format(R"(["{}","{}"])", e.lower_text(), e.upper_text());
 }
 
+/// What is not negative, rounded outwards: never below 0, nor any wider than it is.
+Enclosure outwards(const Interval &y, unsigned digits) {
+  if (y.exact())
+    return enclose(Real(y.lo), digits);
+  const Integer d = denominator(y.lo) * denominator(y.hi);
+  const Integer lo = numerator(y.lo) * denominator(y.hi), hi = numerator(y.hi) * denominator(y.lo);
+  Enclosure e = enclose_interval(lo > 0 ? lo : hi, hi, d, digits);
+  if (lo == 0)
+    e.lo = 0;
+  return e;
+}
+
 std::string pair(const Interval &y, unsigned digits) {
-  return pair(real_in(y), digits);
+  const Enclosure e = outwards(y, digits);
+  return fmt::format(R"(["{}","{}"])", e.lower_text(), e.upper_text());
 }
 
 std::string columns(const Real &y, unsigned digits) {
@@ -95,8 +108,17 @@ std::string percent(const Real &share) {
   return rounded(share * 100, read_digits);
 }
 
+/// Its certain digits, or a bound where there are none.
+std::string shown(const Interval &y) {
+  const std::string text = rounded(real_in(y), read_digits);
+  if (text != "0" || y.hi == 0)
+    return text;
+  const Integer n = numerator(y.hi);
+  return "<= " + rounded(Real(enclose_interval(n, n, denominator(y.hi), 1).upper()), 1);
+}
+
 std::string percent(const Interval &share) {
-  return percent(real_in(share));
+  return shown(share * Interval(100));
 }
 
 std::string class_table(const GeneratedSet &set) {
@@ -150,12 +172,7 @@ std::string count_line(const GeneratedSet &set) {
 }
 
 std::vector<std::string> quality_line(const std::string &name, const Integer &n, const SetQuality &q) {
-  return {name,
-          short_count(n),
-          percent(q.worst_error),
-          rounded(real_in(q.c_r), read_digits),
-          rounded(real_in(q.c_u), read_digits),
-          rounded(real_in(q.c_c), read_digits)};
+  return {name, short_count(n), percent(q.worst_error), shown(q.c_r), shown(q.c_u), shown(q.c_c)};
 }
 
 /// Beside the curve, what of it the sets have.

@@ -291,7 +291,7 @@ Figure accessible_figure(const std::vector<ShapeRow> &maps, const std::vector<Sh
   Panel over = lines_panel({std::move(greatest), std::move(least)});
   for (Series &line : over.series)
     line.mark = Mark::disc;
-  over.title = "C_u with 10\u2076 particles, regular classes";
+  over.title = "C_u with 10\u2076 particles, regular, whole a and b to 10";
   over.x = linear_axis("size span s", 0, 1);
   over.y = decades_axis("C_u", range_of(over.series, &Point::y));
   figure.panels.push_back(std::move(over));

@@ -91,6 +91,17 @@ TEST_CASE("a spread of the exact alternative has every class's volume exactly", 
   check_refused(mdm(with(spread, {"--format", "csv", "--quantiles"})), "--quantiles");
 }
 
+TEST_CASE("a match has no error, whatever its rounded volumes add up to", "[generate]") {
+  const Json set =
+      json({"generate", "--beta", "1,3", "--dmin", "0.1", "--ratio", "20", "--classes", "4", "--match-digits",
+            "2", "--dimension", "2", "--min-per-class", "1", "--at-least", "1", "--method", "match"});
+  Rational all = 0;
+  for (const Json &c : set.at("classes"))
+    all += rational(c.at("volume_fraction")[0]);
+  REQUIRE(all != 1);
+  CHECK(set.at("quality").at("match").at("worst_error") == Json({"0", "0"}));
+}
+
 TEST_CASE("a table of the curve is exact where the curve is", "[generate]") {
   const Json set = json(with(two, {"--table", "3"}));
   CHECK(set.at("curve")[1].at("size") == Json({"1.5", "1.5"}));
@@ -114,6 +125,19 @@ TEST_CASE("sets of measured curves have the sieves as classes", "[generate]") {
         "1,1,1,2,2,0.5,0.5,48,0.941176470588235,0.941176470588236\n2,2,2,4,4,0,0,0,0,0\n"
         "3,4,4,8,8,0.5,0.5,3,0.0588235294117647,0.0588235294117648\n");
   CHECK(outcome.err.find("no volume, thus no particles, in class 2") != std::string::npos);
+}
+
+TEST_CASE("a number of classes for a measured curve makes them geometric", "[generate]") {
+  const std::string sieves = "size_mm,passing_percent\n1,0\n2,50\n8,100\n16,100\n";
+  const Arguments curve = {"generate", "--curve", "-", "--classes", "2", "--format", "json"};
+  const Outcome outcome = mdm(curve, sieves);
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  const Json classes = Json::parse(outcome.out).at("classes");
+  REQUIRE(classes.size() == 2);
+  CHECK(classes[0].at("upper") == Json({"4", "4"}));
+  CHECK(mdm(with(curve, {"--classing", "geometric"}), sieves).out == outcome.out);
+  check_refused(mdm(with(curve, {"--classing", "sieves"}), sieves), "--classes");
 }
 
 TEST_CASE("counts that enclosures do not decide are exit 3, with both values", "[generate]") {
@@ -232,6 +256,16 @@ TEST_CASE("extreme shapes and counts end soon, with an answer or a refusal", "[g
     CHECK(outcome.signal == 0);
     CHECK((outcome.exit_code == 0 || outcome.exit_code == 2 || outcome.exit_code == 3));
   }
+  const Json narrow = json({"generate", "--beta", "1,1", "--dmin", "1", "--dmax",
+                            "1." + std::string(33, '0') + "1", "--dimension", "2"});
+  CHECK(narrow.at("particles") == "2000");
+  const Json c_r = narrow.at("quality").at("drawn").at("Cr");
+  CHECK(rational(c_r[0]) <= rational(c_r[1]));
+  CHECK(rational(c_r[1]) < Rational(1, 1000));
+  CHECK(c_r[1].get<std::string>().size() < 40);
+  const Outcome text = mdm({"generate", "--beta", "1,1", "--dmin", "1", "--dmax",
+                            "1." + std::string(33, '0') + "1", "--dimension", "2"});
+  CHECK(text.out.find("<= 0.0003") != std::string::npos); // what is certain of C_r, and not 0
   const std::string huge(300, '9');
   const Arguments many = {"generate", "--beta", "1,1", "--dmin", "1", "--ratio", "2", "--at-least", huge};
   CHECK(json(many).at("particles").get<std::string>().size() == 300);
@@ -239,6 +273,13 @@ TEST_CASE("extreme shapes and counts end soon, with an answer or a refusal", "[g
   CHECK(json({"generate", "--beta", "1,1", "--dmin", "1", "--ratio", "100", "--classes", "1000",
               "--dimension", "2", "--points", "0"})
             .at("particles") == "213975");
+}
+
+TEST_CASE("a match of decimals that are too long or small is refused with a remedy", "[generate]") {
+  const Arguments beta = {"generate", "--dmin", "1", "--method", "match", "--points", "0", "--classes", "10"};
+  check_refused(mdm(with(beta, {"--beta", "1,1000", "--span", "0.97"})), "fewer or isochoric classes");
+  check_refused(mdm(with(beta, {"--beta", "1,3", "--ratio", "20", "--match-digits", "1000"})),
+                "fewer --match-digits");
 }
 
 TEST_CASE("what no grid of shapes can be made of is refused", "[generate]") {
@@ -256,6 +297,7 @@ TEST_CASE("what no grid of shapes can be made of is refused", "[generate]") {
                                                       {"--span", "0.5", "--classing", "sieves"},
                                                       {"--span", "0.5", "--method", "match"},
                                                       {"--span", "0.5", "--sizes", "--format", "csv"},
+                                                      {"--span", "0.5", "--method", "match", "--spread"},
                                                       {"--span", "0.5", "--at-most", "10"},
                                                       {"--span", "0.5", "--plot", "-"},
                                                       {"--span", "0.5", "--plot", "map.gif"}})
@@ -286,4 +328,15 @@ TEST_CASE("what no set can be made of is refused", "[generate]") {
   for (const char *parameters : {"0,1", "1,0", "1", "1,2,3", "1000000,1", "x,1"})
     check_refused(mdm({"generate", "--beta", parameters, "--dmin", "1", "--ratio", "2"}));
   check_refused(mdm({"generate"}));
+  check_refused(mdm(with(beta, {"--span", "0"})), "write a number above 0");
+  const Outcome tiny = mdm({"generate", "--beta", "1e-400,1", "--dmin", "1", "--ratio", "2"});
+  check_refused(tiny, "from 0.001 to 1000");
+  CHECK(tiny.err.size() < 250);
+}
+
+TEST_CASE("the help names what its options take", "[generate]") {
+  const Outcome help = mdm({"generate", "--help"});
+  CHECK(help.exit_code == 0);
+  CHECK(help.out.find(" :{") == std::string::npos);
+  CHECK(help.out.find("--method TEXT:{paper,match}") != std::string::npos);
 }

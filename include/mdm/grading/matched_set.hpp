@@ -10,7 +10,7 @@ namespace mdm {
 
 /// Classes as a gradation: bounds and volume fractions rounded to decimals of `digits` significant digits, id
 /// `id`. From there on these decimals are what is matched.
-/// \throws InputError if two bounds become the same decimal
+/// \throws InputError if two bounds become the same decimal, or a decimal would be beyond what is read
 Gradation rounded_gradation(const std::vector<SizeClass> &classes, unsigned digits, const std::string &id);
 
 /// The least match of such a gradation with N_pc particles in each class with volume and N_min in all, by the

@@ -23,7 +23,8 @@ struct SetQuality {
   Interval c_u, c_c;             ///< with d_p the least size up to which the share p of the volume lies
 };
 
-/// C_r is taken at `points` >= 2 sizes d_min (d_max / d_min)^(i / (points - 1)), i = 0, 1, ...;
+/// C_r is taken at `points` >= 2 sizes d_min (d_max / d_min)^(i / (points - 1)), i = 0, 1, ..., the last of
+/// which all particles pass;
 /// `exact_shares` are the shares of the classes where they are known, as for a match. Cost: some microseconds
 /// a size; memory for the sizes of one class.
 /// \pre there is a particle
