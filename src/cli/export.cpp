@@ -52,7 +52,7 @@ const Rational &smallest_size() {
 }
 
 struct ExportCommand {
-  std::string file;
+  GradationFlags::Text file; ///< open: the band alone
   SolveFlags flags;
   std::vector<CLI::Option *> solving; ///< options that only a gradation has a use for
   GradationFlags::Text unit, density, mass_error, box, seed, young, poisson, specimen_id, model, steps, start;
@@ -64,8 +64,13 @@ struct ExportCommand {
   bool quiet = false;
 };
 
+/// Where the gradation comes from: FILE, or else the band.
+const std::string &source(const ExportCommand &c) {
+  return c.file ? *c.file : *c.flags.band;
+}
+
 std::string shown_name(const ExportCommand &c) {
-  return c.file == "-" ? "stdin" : c.file;
+  return cli::shown_name(source(c));
 }
 
 std::string format_names() {
@@ -83,6 +88,16 @@ const Format &format_of(const ExportCommand &c) {
   return *found;
 }
 
+/// A positive number that engines compute with as a double.
+Rational physical(const std::string &option, const std::string &text) {
+  constexpr unsigned most_exponent = 30;
+  const Rational most = power_of_ten(most_exponent);
+  const Rational r = positive(option, text);
+  if (r > most || r * most < 1)
+    throw InputError(option + ": " + in_quotes(text) + " is not from 1e-30 to 1e30: give it in SI units");
+  return r;
+}
+
 ParticleSetOptions set_options(const ExportCommand &c) {
   ParticleSetOptions options;
   if (c.unit) {
@@ -92,21 +107,28 @@ ParticleSetOptions set_options(const ExportCommand &c) {
     options.unit = *unit;
   }
   if (c.density)
-    options.density = positive("--density", *c.density);
+    options.density = physical("--density", *c.density);
   if (c.mass_error)
     options.most_mass_error = positive("--mass-error", *c.mass_error);
   return options;
 }
 
 std::uint64_t seed_of(const ExportCommand &c) {
-  return c.seed ? natural64("--seed", *c.seed) : 1;
+  return seed64("--seed", c.seed.value_or("1"));
 }
 
-/// True for the JSON answer of mdm solve; a gradation in JSON has no schema.
+/// True for the JSON answer of mdm solve; a gradation in JSON has no key schema.
 bool is_answer(std::string_view content) {
+  constexpr std::string_view key = "\"schema\"", space = " \t\r\n";
   const std::size_t first = content.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return first != std::string_view::npos && content[first] == '{' &&
-         content.find("\"schema\"") != std::string_view::npos;
+  if (first == std::string_view::npos || content[first] != '{')
+    return false;
+  for (std::size_t at = content.find(key); at != std::string_view::npos; at = content.find(key, at + 1)) {
+    const std::size_t next = content.find_first_not_of(space, at + key.size());
+    if (next != std::string_view::npos && content[next] == ':')
+      return true;
+  }
+  return false;
 }
 
 /// What is exported, and how the command ends.
@@ -128,11 +150,14 @@ Particles answer_particles(const ExportCommand &c, const std::string &content,
           std::nullopt};
 }
 
-Particles solved_particles(const ExportCommand &c, const std::string &content,
+/// \param content of FILE; open: there is the band alone
+Particles solved_particles(const ExportCommand &c, const std::optional<std::string> &content,
                            const ParticleSetOptions &options) {
   const Question question = c.flags.question();
   Progress progress([] { return std::string("solving"); }, c.quiet);
-  const Match m = solve(read_gradation(content, shown_name(c), c.specimen_id), question, c.flags.options());
+  const Match m =
+      solve(content ? read_gradation(*content, shown_name(c), c.specimen_id) : middle_of(*question.band),
+            question, c.flags.options());
   if (!c.quiet)
     for (const std::string &note :
          m.gradation.notes()) // solve's own are of doubles that may leave their class
@@ -149,9 +174,12 @@ Particles solved_particles(const ExportCommand &c, const std::string &content,
 }
 
 Particles particles(const ExportCommand &c, const ParticleSetOptions &options) {
-  const std::string content = read_file(c.file, max_gradation_bytes);
+  std::optional<std::string> content;
+  if (c.file)
+    content = read_file(*c.file, max_gradation_bytes);
   try {
-    return is_answer(content) ? answer_particles(c, content, options) : solved_particles(c, content, options);
+    return content && is_answer(*content) ? answer_particles(c, *content, options)
+                                          : solved_particles(c, content, options);
   } catch (const InputError &e) {
     const std::string name = printable(shown_name(c));
     const std::string what = e.what();
@@ -194,12 +222,20 @@ std::optional<Footprint> footprint(const ExportCommand &c, const Particles &foun
 Elasticity elasticity(const ExportCommand &c) {
   Elasticity e;
   if (c.young)
-    e.young = positive("--young", *c.young);
+    e.young = physical("--young", *c.young);
   if (c.poisson)
     e.poisson = not_negative("--poisson", *c.poisson);
   if (e.poisson > ratio(1, 2))
     throw InputError("--poisson: " + in_quotes(*c.poisson) + " is above 0.5, which no material has");
   return e;
+}
+
+/// \throws InputError if a side of that many metres looks like a mistake
+void check_side(const ExportCommand &c, const Rational &side) {
+  if (!c.yes_units && side > largest_box())
+    throw InputError(fmt::format("the particles need a box of {} m, more than 100 m: is the unit of the "
+                                 "gradation right, and --box wide enough? --yes-units if they are",
+                                 approximate(side, 3)));
 }
 
 /// What a user may not have meant.
@@ -222,10 +258,7 @@ void check_wanted(const ExportCommand &c, const Format &format, const ParticleSe
   if (start)
     for (const std::int64_t length : start->box())
       side = std::max(side, in_metres(set, parse_decimal(start->text(length))));
-  if (side > largest_box())
-    throw InputError(fmt::format("the particles need a box of {} m, more than 100 m: is the unit of the "
-                                 "gradation right? --yes-units if it is",
-                                 approximate(side, 3)));
+  check_side(c, side);
 }
 
 /// `1.5 MB`, three digits of it.
@@ -280,9 +313,10 @@ Start start_of(const ExportCommand &c, const ParticleSet &set) {
 void write_model(const ExportCommand &c, const Format &format, const ModelWriter &writer,
                  const Particles &found, const std::optional<Placement> &start, std::uint64_t seed) {
   SettleModel model = writer.model(*found.set, start, footprint(c, found));
+  check_side(c, Rational(std::max({model.box.x, model.box.y, model.box.z})));
   model.seed = seed;
   if (c.steps)
-    model.steps = natural64("--steps", *c.steps);
+    model.steps = natural64("--steps", *c.steps); // settling() refuses too many
   const Elasticity e = elasticity(c);
   if (c.young)
     model.young = e.young;
@@ -322,6 +356,12 @@ void write_file(const ExportCommand &c, const Format &format, const std::optiona
 
 /// Refuses options that the format has no use for.
 void check_options(const ExportCommand &c, const Format &format) {
+  if (!c.file && !c.flags.band)
+    throw InputError("mdm: FILE is required, or --band; see mdm export --help");
+  if (!c.file && c.specimen_id)
+    throw InputError("--specimen-id: it is of the gradation's FILE, and there is none: leave it out");
+  if (c.file == "-" && c.flags.band == "-")
+    throw InputError("--band: standard input is the gradation already: give one of them by name");
   if (c.steps && !c.model)
     throw InputError("--steps is for a model: give --model settle too");
   if (c.model && c.unit && c.unit != "m")
@@ -338,16 +378,18 @@ int run(const ExportCommand &c) {
   const Format &format = format_of(c);
   check_options(c, format);
   const ParticleSetOptions options = set_options(c);
-  std::vector<std::string> paths = {c.file, c.out};
+  std::vector<std::string> paths = {source(c), c.out};
   std::optional<ModelWriter> model;
   if (c.model) {
     model.emplace(*c.model, c.to, c.out);
     if (!model->particles().empty())
       paths.push_back(model->particles());
   }
-  if (c.flags.band)
-    paths.push_back(*c.flags.band);
   check_distinct(paths);
+  if (c.flags.band) { // FILE may be the band
+    paths.front() = *c.flags.band;
+    check_distinct(paths);
+  }
   const Particles found = particles(c, options);
   if (!found.set)
     return found.exit_code;
@@ -360,11 +402,10 @@ int run(const ExportCommand &c) {
 Run add_export(CLI::App &app) {
   const auto c = std::make_shared<ExportCommand>();
   CLI::App &command = *app.add_subcommand("export", "Particle files for DEM codes, with exact counts");
-  command
-      .add_option(
-          "FILE", c->file,
-          "JSON answer of mdm solve, or a gradation to solve (CSV, JSON or AGS4); - for standard input")
-      ->required();
+  command.add_option(
+      "FILE", c->file,
+      "JSON answer of mdm solve, or a gradation to solve (CSV, JSON or AGS4); - for standard input; "
+      "needed unless there is a --band");
   command.add_option("--to", c->to, "format: " + format_names())->type_name("FORMAT")->required();
   command.add_option("--unit", c->unit, "unit of lengths in the file: m (default), mm, um or in")
       ->type_name("UNIT");
@@ -417,8 +458,9 @@ Run add_export(CLI::App &app) {
   c->solving = command.get_options();
   c->solving.erase(c->solving.begin(), c->solving.begin() + static_cast<std::ptrdiff_t>(before));
   c->solving.push_back(spread);
-  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
-      ->type_name("ID");
+  c->solving.push_back(
+      command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
+          ->type_name("ID"));
   command.add_option("-o", c->out, "write the file to OUT instead of standard output")->type_name("OUT");
   command.add_flag("--quiet", c->quiet, "no progress, costs and notes on standard error");
   command.footer(

@@ -56,6 +56,11 @@ ModelWriter::ModelWriter(const std::string &model, const std::string &to, std::s
     throw InputError("--model: what it reads and writes lies beside it: say where with -o FILE");
   if (engine_->script == yade_model && std::filesystem::path(out_).extension() != ".py")
     throw InputError("-o: YADE runs models that end in .py: give it such a name");
+  std::error_code none;
+  if (const auto type = std::filesystem::status(out_, none).type();
+      type != std::filesystem::file_type::not_found && type != std::filesystem::file_type::regular)
+    throw InputError("-o: " + printable(out_) +
+                     " is no regular file, beside which a model's other files could lie: give another name");
   if (engine_->write_particles != nullptr)
     particles_ = std::filesystem::path(out_).replace_extension(engine_->particles_ending).string();
 }

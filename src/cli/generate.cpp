@@ -13,7 +13,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <limits>
 #include <memory>
 
 namespace mdm::cli {
@@ -114,10 +113,7 @@ Classing classing(const std::string &name) {
 }
 
 std::uint64_t seed_of(const GenerateCommand &c) {
-  const Integer seed = natural("--seed", c.seed.value_or("1"), 0);
-  if (seed > std::numeric_limits<std::uint64_t>::max())
-    throw InputError("--seed: at most 18446744073709551615 (64 bits)");
-  return static_cast<std::uint64_t>(seed);
+  return seed64("--seed", c.seed.value_or("1"));
 }
 
 Draws draws(const GenerateCommand &c) {

@@ -30,6 +30,13 @@ std::uint64_t natural64(const std::string &option, const std::string &text) {
   return n > most ? std::numeric_limits<std::uint64_t>::max() : static_cast<std::uint64_t>(n);
 }
 
+std::uint64_t seed64(const std::string &option, const std::string &text) {
+  const Integer n = natural(option, text, 0);
+  if (n > std::numeric_limits<std::uint64_t>::max())
+    throw InputError(option + ": at most 18446744073709551615 (64 bits)");
+  return static_cast<std::uint64_t>(n);
+}
+
 Rational positive(const std::string &option, const std::string &text) {
   const Rational r = decimal(option, text);
   if (r <= 0)

@@ -24,6 +24,8 @@ auto named(const std::string &option, const std::string &text, Read read) {
 Integer natural(const std::string &option, const std::string &text, const Integer &least);
 /// The same from 0 on; what is beyond 2^64 - 1 counts as that.
 std::uint64_t natural64(const std::string &option, const std::string &text);
+/// The same; what is beyond 2^64 - 1 is refused.
+std::uint64_t seed64(const std::string &option, const std::string &text);
 /// A decimal above 0.
 Rational positive(const std::string &option, const std::string &text);
 /// A decimal from 0 on.

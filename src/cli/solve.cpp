@@ -11,7 +11,6 @@
 #include <mdm/proof/vipr.hpp>
 #include <mdm/report/answer.hpp>
 
-#include <limits>
 #include <memory>
 
 namespace mdm::cli {
@@ -118,10 +117,7 @@ void check_files(const SolveCommand &c) {
 }
 
 std::uint64_t seed_of(const SolveCommand &c) {
-  const Integer seed = natural("--seed", c.seed.value_or("1"), 0);
-  if (seed > std::numeric_limits<std::uint64_t>::max())
-    throw InputError("--seed: at most 18446744073709551615 (64 bits)");
-  return static_cast<std::uint64_t>(seed);
+  return seed64("--seed", c.seed.value_or("1"));
 }
 
 int run(const SolveCommand &c) {

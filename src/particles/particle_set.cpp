@@ -90,6 +90,15 @@ ParticleSet match_set(const Match &m, const Writer &writer, LengthUnit unit, Fil
   return set;
 }
 
+template <class Diameter>
+Rational sum_of_cubes(const ParticleSet &set, Diameter diameter) {
+  Rational sum = 0;
+  for (const ParticleClass &c : set.classes)
+    for (const ParticleSize &size : c.sizes)
+      sum += Rational(size.quantity) * power(diameter(size), 3);
+  return sum;
+}
+
 } // namespace
 
 Integer ParticleClass::quantity() const {
@@ -114,11 +123,12 @@ Rational ParticleSet::mass_error() const {
 }
 
 Rational ParticleSet::cubes() const {
-  Rational sum = 0;
-  for (const ParticleClass &c : classes)
-    for (const ParticleSize &size : c.sizes)
-      sum += Rational(size.quantity) * power(exact_value(size.diameter.value), 3);
-  return sum;
+  return sum_of_cubes(*this, [](const ParticleSize &size) { return exact_value(size.diameter.value); });
+}
+
+Rational ParticleSet::cubes_of_radii() const {
+  return sum_of_cubes(*this,
+                      [](const ParticleSize &size) { return Rational(2 * exact_value(size.radius.value)); });
 }
 
 ParticleSet particle_set(const Match &m, const ParticleSetOptions &options) {
@@ -163,6 +173,7 @@ ParticleSet particle_set(const AnswerSample &answer, const MassLaw &law, const P
         "the answer has a spread of sizes, which are rounded: export the gradation with --spread "
         "and the same --seed");
   const Writer writer(length_unit(answer.unit), law, options);
+  const Rational unit = in_mm(length_unit(answer.unit)) / in_mm(options.unit);
   ParticleSet set{answer.id, options.unit, law, {}};
   for (const AnswerSample::Class &c : answer.classes) {
     const Rational powered = answer.scale * power(Rational(c.mass / c.quantity), law.b);
@@ -171,6 +182,11 @@ ParticleSet particle_set(const AnswerSample &answer, const MassLaw &law, const P
                                    "with the law x^({}): say which with --law, or export the gradation "
                                    "itself if it has factors",
                                    c.number, law.exponent()));
+    if (c.lower < 0 || (!set.classes.empty() && c.lower * unit < set.classes.back().upper))
+      throw InputError(
+          fmt::format("class {} of the answer does not begin at or above the end of those before "
+                      "it: solve again",
+                      c.number));
     if (powered <= power(c.lower, law.a) || powered > power(c.upper, law.a))
       throw InputError(
           fmt::format("the size in class {} of the answer is not in the class: solve again", c.number));

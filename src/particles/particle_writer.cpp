@@ -6,11 +6,6 @@
 namespace mdm {
 namespace {
 
-/// r to three digits, not rounded down: approximate() cuts off less than a hundredth.
-std::string rounded_up(const Rational &r) {
-  return approximate(Rational(r * ratio(1011, 1000)), 3);
-}
-
 /// `2650 kg/m^3` in the unit of the set, or from the least to the greatest where classes differ.
 std::string densities(const ParticleSet &set) {
   Rational least = set.classes.front().density, most = least;
@@ -30,9 +25,13 @@ std::string title(const ParticleSet &set) {
                      set.classes.size(), name(set.unit), densities(set));
 }
 
+std::string stated_error(const ParticleSet &set) {
+  // approximate() cuts off less than a hundredth.
+  return approximate(Rational(set.mass_error() * ratio(1011, 1000)), 3);
+}
+
 std::string mass_statement(const ParticleSet &set) {
-  return fmt::format("The mass of each class is that of the exact match within {} of it.",
-                     rounded_up(set.mass_error()));
+  return fmt::format("The mass of each class is that of the exact match within {} of it.", stated_error(set));
 }
 
 std::string comment_lines(const ParticleSet &set) {

@@ -189,8 +189,8 @@ std::pair<Rational, Rational> Placement::void_ratio() const {
   const Enclosure pi = enclose_pi(pi_places);
   const Rational box =
       Rational(Integer(box_[0]) * box_[1] * box_[2]) / power(Rational(power_of_ten(places_)), 3);
-  const Rational by_cubes = 6 * box / set_->cubes();
-  return {by_cubes / pi.upper() - 1, by_cubes / pi.lower() - 1};
+  const auto [least, most] = std::minmax({set_->cubes(), set_->cubes_of_radii()});
+  return {6 * box / (most * pi.upper()) - 1, 6 * box / (least * pi.lower()) - 1};
 }
 
 } // namespace mdm

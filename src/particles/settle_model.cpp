@@ -1,5 +1,7 @@
 #include "settle_script.hpp"
 
+#include <mdm/particles/particle_writer.hpp>
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -17,9 +19,14 @@ Settling settling(const SettleModel &model) {
   s.elasticity.poisson = model.poisson;
   s.rayleigh = rayleigh_time(model.set, s.elasticity).convert_to<double>();
   s.step = s.part_of_rayleigh * s.rayleigh;
-  s.steps = model.steps
-                ? *model.steps
-                : static_cast<std::uint64_t>(std::ceil(3 * std::sqrt(2 * model.box.z / s.gravity) / s.step));
+  const double steps = model.steps ? static_cast<double>(*model.steps)
+                                   : std::ceil(3 * std::sqrt(2 * model.box.z / s.gravity) / s.step);
+  if (steps > Settling::most_steps)
+    throw InputError(
+        fmt::format("{:.3g} steps are more than the {} that LAMMPS and LIGGGHTS make in a run: give "
+                    "fewer --steps, a softer --young, or a lower --box",
+                    steps, Settling::most_steps));
+  s.steps = static_cast<std::uint64_t>(steps);
   return s;
 }
 
@@ -76,8 +83,7 @@ std::string SettleScript::head(const char *engine, const char *command, const ch
 # {steps} steps: {time:.3g} s; a fall from the top of the box takes {fall:.3g} s.
 )",
       fmt::arg("name", set.name.empty() ? "grains" : comment_word(set.name)),
-      fmt::arg("n", to_string(particles)), fmt::arg("engine", engine),
-      fmt::arg("error", fmt::format("{:.1e}", set.mass_error().convert_to<double>())),
+      fmt::arg("n", to_string(particles)), fmt::arg("engine", engine), fmt::arg("error", stated_error(set)),
       fmt::arg("command", command), fmt::arg("more_steps", more_steps), fmt::arg("dump", dump),
       fmt::arg("verify_options", verify_options), fmt::arg("tolerance", share_tolerance(set)),
       fmt::arg("young", young), fmt::arg("nu", poisson), fmt::arg("e", physics.restitution),

@@ -76,6 +76,15 @@ TEST_CASE("what is no model is refused with a remedy, and leaves nothing", "[cli
   check_refused(export_model("lammps", folder / "a b.in"), "letters, digits");
   check_refused(export_model("liggghts", out, {"--unit", "mm"}), "--unit");
   check_refused(export_model("liggghts", out, {"--steps", "-1"}), "--steps");
+  for (const std::string to : {"liggghts", "lammps"}) {
+    check_refused(export_model(to, out, {"--steps", "2147483648"}), "fewer --steps");
+    check_refused(export_model(to, out, {"--steps", "18446744073709551616"}), "fewer --steps");
+    check_refused(export_model(to, out, {"--young", "1e30"}), "softer --young"); // 10^17 steps
+    check_refused(export_model(to, out, {"--box", "2x100001"}), "more than 100 m");
+    check_refused(export_model(to, out, {"--box", "2x2x100001"}), "more than 100 m");
+    check_refused(export_model(to, "/dev/null"), "no regular file");
+  }
+  CHECK(!std::filesystem::exists("/dev/null.data"));
   check_refused(export_model("liggghts", out, {"--start", "mixed"}), "--start");
   check_refused(export_model("lammps", out, {"--start", "shaken"}), "layers nor mixed");
   check_refused(mdm({"export", sand, "--to", "csv", "--start", "mixed", "-o", out}), "--start");

@@ -183,6 +183,10 @@ TEST_CASE("export: nonsense is refused", "[cli]") {
   check_refused(export_to("csv", sand, {"--unit", "ft"}), "--unit");
   check_refused(export_to("csv", sand, {"--density", "0"}), "--density");
   check_refused(export_to("csv", sand, {"--density", "nan"}), "--density");
+  for (const std::string size : {"1.01e30", "1e400", "0.99e-30", "1e-400"}) {
+    check_refused(export_to("csv", sand, {"--density", size}), "from 1e-30 to 1e30");
+    check_refused(export_to("csv", sand, {"--young", size}), "from 1e-30 to 1e30");
+  }
   check_refused(export_to("csv", sand, {"--mass-error", "-1"}), "--mass-error");
   check_refused(export_to("csv", sand, {"--box", "3x4"}), "--box: csv");
   check_refused(export_to("liggghts", sand, {"--seed", "3"}), "--seed: liggghts");
@@ -191,6 +195,9 @@ TEST_CASE("export: nonsense is refused", "[cli]") {
   check_refused(export_to("yade", sand, {"--box", "0.5x5"}), "narrower than the largest");
   check_refused(export_to("yade", sand, {"--box", "2x2x2"}), "wider");
   check_refused(export_to("yade", sand, {"--seed", "x"}), "--seed");
+  check_refused(export_to("yade", sand, {"--seed", "18446744073709551616"}), "--seed: at most");
+  CHECK(file_of("yade", sand, {"--seed", "18446744073709551615"}) !=
+        file_of("yade", sand, {"--seed", "18446744073709551614"}));
   check_refused(export_to("yade", sand, {"--poisson", "0.6"}), "--poisson");
   check_refused(export_to("yade", sand, {"--young", "0"}), "--young");
   check_refused(export_to("yade", "nothing"), "stdin");
@@ -201,6 +208,32 @@ TEST_CASE("export: nonsense is refused", "[cli]") {
   check_refused(mdm({"export", path, "--to", "csv", "-o", path}), "sand.csv");
   check_refused(mdm({"export", path, "--to", "yade", "--box", "0.5x0.5", "-o", folder / "new"}));
   CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("export: an answer in another order, or with options of gradations, is refused", "[cli]") {
+  Json answer = solve_json({example("athabasca-sand")});
+  CHECK(export_to("lammps", answer.dump()).exit_code == 0);
+  check_refused(export_to("lammps", answer.dump(), {"--specimen-id", "BH1"}), "--specimen-id: the answer");
+  std::reverse(answer["classes"].begin(), answer["classes"].end());
+  check_refused(export_to("lammps", answer.dump(), {"--start", "mixed"}), "before it: solve again");
+}
+
+TEST_CASE("export: a gradation is one, whatever its id", "[cli]") {
+  const std::string text = R"({"id":"schema","sizes":["1","2"],"masses":["3","0"]})";
+  CHECK(file_of("csv", text).find("# schema: 1 particles") == 0);
+}
+
+TEST_CASE("export: a band alone gives the particles of its answer", "[cli]") {
+  const Arguments band = {"--band", example("c33-fine-aggregate-limits")};
+  Arguments solving = {"solve", "--format", "json"}, exporting = {"export", "--to", "csv"};
+  solving.insert(solving.end(), band.begin(), band.end());
+  exporting.insert(exporting.end(), band.begin(), band.end());
+  const Outcome outcome = mdm(exporting);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out == file_of("csv", mdm(solving).out));
+  check_refused(mdm({"export", "--to", "csv"}), "or --band");
+  exporting.insert(exporting.end(), {"--specimen-id", "BH1"});
+  check_refused(mdm(exporting), "--specimen-id");
 }
 
 TEST_CASE("export: a spread has the sizes that solve gives", "[cli]") {

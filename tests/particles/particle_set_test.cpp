@@ -183,6 +183,15 @@ TEST_CASE("particle sets: what an answer says wrongly is refused") {
   other = answer;
   other.classes[0].lower = other.classes[0].size_hi;
   CHECK_THROWS_AS(particle_set(other, {}), InputError);
+  other = answer;
+  other.classes[0].lower = -1;
+  CHECK_THROWS_AS(particle_set(other, {}), InputError);
+  other = answer;
+  std::swap(other.classes[0], other.classes[1]);
+  CHECK_THROWS_AS(particle_set(other, {}), InputError);
+  other = answer;
+  other.classes[1].lower = other.classes[0].lower;
+  CHECK_THROWS_AS(particle_set(other, {}), InputError);
 }
 
 TEST_CASE("particle sets: a spread has the counts and, within the stated error, the masses of its match") {

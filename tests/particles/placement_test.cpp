@@ -242,6 +242,27 @@ TEST_CASE("placement: the void ratio is that of the box") {
   CHECK(1e-5 / solids - 1 == Approx(lo.convert_to<double>()).epsilon(1e-7));
 }
 
+TEST_CASE("placement: the void ratio is between those of rounded diameters and of rounded radii") {
+  const ParticleSet set =
+      particle_set(solve(read_gradation(sand, "sand.csv")), {LengthUnit::m, 2650, ratio(1, 100)});
+  const Placement start(set, std::nullopt, 1);
+  double box = 1;
+  for (const std::int64_t side : start.box())
+    box *= std::stod(start.text(side));
+  const auto [lo, hi] = start.void_ratio();
+  double by_radii = 0, by_diameters = 0;
+  for (const Ball &b : read_balls(written(write_xyzr, start)))
+    by_radii += 4.0 / 3 * std::acos(-1.0) * b.r * b.r * b.r;
+  for (const ParticleClass &c : set.classes)
+    by_diameters +=
+        c.quantity().convert_to<double>() * std::acos(-1.0) / 6 * std::pow(c.sizes[0].diameter.value, 3);
+  std::vector<double> ratios = {box / by_radii - 1, box / by_diameters - 1};
+  std::sort(ratios.begin(), ratios.end());
+  CHECK(ratios[1] > 1.001 * ratios[0]);
+  CHECK(lo.convert_to<double>() == Approx(ratios[0]).epsilon(1e-12));
+  CHECK(hi.convert_to<double>() == Approx(ratios[1]).epsilon(1e-12));
+}
+
 TEST_CASE("placement: what cannot be placed is refused") {
   const ParticleSet set = set_of(sand);
   CHECK(

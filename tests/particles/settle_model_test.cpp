@@ -166,6 +166,25 @@ TEST_CASE("models: a bounded number of steps") {
   CHECK(contains(liggghts_model(model), "\nvariable steps index 1234\n"));
   CHECK(contains(lammps_model(model), "\nvariable steps index 1234\n"));
   CHECK(contains(yade_model(model), " else 1234\n"));
+  model.steps = 2147483647;
+  CHECK(contains(lammps_model(model), "\nvariable steps index 2147483647\n"));
+  model.steps = 2147483648;
+  for (const auto script : scripts)
+    CHECK(contains(refusal_of(model, script), "fewer --steps"));
+  model.steps = {};
+  model.young = power_of_ten(30);
+  for (const auto script : scripts)
+    CHECK(contains(refusal_of(model, script), "softer --young"));
+}
+
+TEST_CASE("models: the error that they state is not below the one that there is") {
+  for (const unsigned places : {3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U}) {
+    const ParticleSet set = set_of(sand, {LengthUnit::m, 2650, ratio(1, power_of_ten(places))});
+    const std::vector<std::string> stated = found(lammps_model(model_of(set)), "is exact to ([0-9.e-]+) of");
+    REQUIRE(stated.size() == 1);
+    CHECK(parse_decimal(stated[0]) >= set.mass_error());
+    CHECK(parse_decimal(stated[0]) <= set.mass_error() * ratio(102, 100));
+  }
 }
 
 TEST_CASE("models: nothing of a name is taken for a command") {

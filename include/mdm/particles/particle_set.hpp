@@ -44,6 +44,8 @@ struct ParticleSet {
   const ParticleSize &largest() const { return classes.back().sizes.back(); }
   /// (pi / 6) sum of q x^3, over pi / 6: with the doubles of the diameters.
   Rational cubes() const;
+  /// The same with those of the radii.
+  Rational cubes_of_radii() const;
 };
 
 /// How particles are to be written.

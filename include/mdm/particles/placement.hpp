@@ -84,7 +84,8 @@ public:
   /// Gives all particles, the largest class first and its sizes descending; the same at every call.
   void each(const std::function<void(const Sphere &)> &take) const;
 
-  /// Volume of the box by that of the particles, minus 1: lower and upper bound.
+  /// Volume of the box by that of the particles, by their diameters and by their radii, minus 1: lower and
+  /// upper bound.
   std::pair<Rational, Rational> void_ratio() const;
 
 private:

@@ -39,9 +39,11 @@ struct Settling {
   double step = 0;     ///< s
   /// Three times as many as for a fall from the top of the box.
   std::uint64_t steps = 0;
+  /// LAMMPS and LIGGGHTS refuse longer runs.
+  static constexpr std::uint32_t most_steps = 2147483647;
 };
 
-/// What the model uses.
+/// What the model uses. \throws InputError if it has more steps than most_steps
 Settling settling(const SettleModel &model);
 
 /// Percentage points by which no share can be off in a sample with these sizes, rounded up: what to give to
