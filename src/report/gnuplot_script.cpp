@@ -13,6 +13,7 @@ namespace mdm {
 namespace {
 
 constexpr double title_size = 13;
+constexpr double legend_mark = 1.4; // largest that fits a line of the legend
 constexpr double line_height = 1.35 * letter_size;
 constexpr double gap = 6;
 constexpr double tick_length = 5;
@@ -364,14 +365,15 @@ private:
     for (std::size_t j = 0; j < p.series.size(); ++j)
       if (!p.series[j].points.empty())
         add(", \\\n  {} using 1:2{} with {} notitle", block(i, j), p.series[j].by_value ? ":3" : "",
-            look(p.series[j], p.series[j].by_value));
+            look(p.series[j], p.series[j].by_value, p.series[j].mark_size));
     for (std::size_t j = 0; i == 0 && j < legend_.size(); ++j)
-      add(", \\\n  keyentry with {} title {}", look(*legend_[j], false),
+      add(", \\\n  keyentry with {} title {}",
+          look(*legend_[j], false, std::min(legend_[j]->mark_size, legend_mark)),
           gnuplot_string(legend_title(*legend_[j])));
     add("\n");
   }
 
-  static std::string look(const Series &s, bool by_value) {
+  static std::string look(const Series &s, bool by_value, double mark_size) {
     static constexpr std::array<const char *, 4> dashes = {"1", "1", "(9,5)", "(2,3)"};
     static constexpr std::array<int, 6> marks = {0, 7, 6, 5, 9, 13};
     const std::string color = by_value ? "linecolor palette" : "linecolor rgb " + gnuplot_string(s.color);
@@ -381,7 +383,7 @@ private:
     const std::string line =
         fmt::format("linewidth {} dashtype {}", s.width, dashes.at(static_cast<std::size_t>(s.stroke)));
     const std::string mark =
-        fmt::format("pointtype {} pointsize {}", marks.at(static_cast<std::size_t>(s.mark)), s.mark_size);
+        fmt::format("pointtype {} pointsize {}", marks.at(static_cast<std::size_t>(s.mark)), mark_size);
     if (s.mark == Mark::none)
       return fmt::format("lines {} {}", color, line);
     if (s.stroke == Stroke::none)
