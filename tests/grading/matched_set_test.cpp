@@ -1,7 +1,7 @@
 // Representative sets with exact class volumes: room for a spread.
 
 #include "catch.hpp"
-#include "gradation.hpp"
+#include "plain_gradation.hpp"
 
 #include <mdm/grading/matched_set.hpp>
 

@@ -1,6 +1,6 @@
 #include "brute_force.hpp"
 #include "catch.hpp"
-#include "gradation.hpp"
+#include "plain_gradation.hpp"
 
 #include <mdm/match/least_match.hpp>
 

@@ -1,6 +1,6 @@
 #include "brute_force.hpp"
 #include "catch.hpp"
-#include "gradation.hpp"
+#include "plain_gradation.hpp"
 
 #include <mdm/error.hpp>
 #include <mdm/match/solve.hpp>

@@ -2,7 +2,7 @@
 
 #include "brute_force.hpp"
 #include "catch.hpp"
-#include "gradation.hpp"
+#include "plain_gradation.hpp"
 
 #include <mdm/error.hpp>
 #include <mdm/grading/uniform_by_volume.hpp>

@@ -1,5 +1,5 @@
 #include "catch.hpp"
-#include "gradation.hpp"
+#include "plain_gradation.hpp"
 #include "tolerant_brute_force.hpp"
 
 #include <mdm/match/solve.hpp>
