@@ -124,19 +124,22 @@ Variable tol : tolerances.
 (* Shares retained and passing of the sample, and of the gradation. *)
 Variables x y gx gy : class -> R.
 
+(* Of the class j between the openings of r and next. *)
+Definition line_holds (j : class) (r next : row) (later : list row) (each : list Q) : Prop :=
+  (forall e, retained_each tol = Some e -> near e (x j) (gx j)) /\
+  (retained_file tol = true -> near (tolerance r) (x j) (gx j)) /\
+  match later with
+  | [] => True
+  | _ =>
+    (forall e, passing_all tol = Some e -> near e (y j) (gy j)) /\
+    (passing_file tol = true -> near (tolerance next) (y j) (gy j)) /\
+    (forall e, hd_error each = Some e -> near e (y j) (gy j))
+  end.
+
 Fixpoint lines_hold (rs : list row) (each : list Q) : Prop :=
   match rs with
   | r :: ((next :: later) as rest) =>
-    let j := Class (opening r) (opening next) (retained r) (factor r) in
-    (forall e, retained_each tol = Some e -> near e (x j) (gx j)) /\
-    (retained_file tol = true -> near (tolerance r) (x j) (gx j)) /\
-    match later with
-    | [] => True
-    | _ =>
-      (forall e, passing_all tol = Some e -> near e (y j) (gy j)) /\
-      (passing_file tol = true -> near (tolerance next) (y j) (gy j)) /\
-      (forall e, hd_error each = Some e -> near e (y j) (gy j))
-    end /\ lines_hold rest (tl each)
+    line_holds (Class (opening r) (opening next) (retained r) (factor r)) r next later each /\ lines_hold rest (tl each)
   | _ => True
   end.
 
@@ -162,15 +165,7 @@ Proof.
   specialize (IH (add G (over (retained r) all)) (tl each) Al ltac:(intros; apply Gx; right; assumption)).
   rewrite EG in IH. specialize (IH Pr ltac:(intros; apply Un; right; assumption)).
   change (lines_hold (r :: next :: later) each) with
-    ((forall e, retained_each tol = Some e -> near e (x j) (gx j)) /\
-     (retained_file tol = true -> near (tolerance r) (x j) (gx j)) /\
-     match later with
-     | [] => True
-     | _ =>
-       (forall e, passing_all tol = Some e -> near e (y j) (gy j)) /\
-       (passing_file tol = true -> near (tolerance next) (y j) (gy j)) /\
-       (forall e, hd_error each = Some e -> near e (y j) (gy j))
-     end /\ lines_hold (next :: later) (tl each)).
+    (line_holds j r next later each /\ lines_hold (next :: later) (tl each)).
   rewrite <- IH. clear IH.
   set (s := Share (over (retained r) all)
     (around (over (retained r) all) (only_if (retained_file tol) (tolerance r))
@@ -183,17 +178,8 @@ Proof.
     end).
   change (shares tol all G (r :: next :: later) each)
     with (s :: shares tol all (add G (over (retained r) all)) (next :: later) (tl each)).
-  assert (fits_share j s <->
-    (forall e, retained_each tol = Some e -> near e (x j) (gx j)) /\
-    (retained_file tol = true -> near (tolerance r) (x j) (gx j)) /\
-    match later with
-    | [] => True
-    | _ =>
-      (forall e, passing_all tol = Some e -> near e (y j) (gy j)) /\
-      (passing_file tol = true -> near (tolerance next) (y j) (gy j)) /\
-      (forall e, hd_error each = Some e -> near e (y j) (gy j))
-    end) as K.
-  { unfold fits_share, s. cbn [g_j retained_in passing_in]. rewrite !around_within, Eg, any_share_within.
+  assert (fits_share j s <-> line_holds j r next later each) as K.
+  { unfold line_holds, fits_share, s. cbn [g_j retained_in passing_in]. rewrite !around_within, Eg, any_share_within.
     assert (forall (yes : bool) e u v, (forall e', only_if yes e = Some e' -> near e' u v) <-> (yes = true -> near e u v)) as O.
     { intros yes e u v. split.
       - intros H Y. apply H. apply only_if_some. auto.
@@ -290,7 +276,7 @@ Proof.
   induction rs as [|r rs IH]; intros each H1 H2 H3 H4 H5; [exact I|]. destruct rs as [|next later]; [exact I|].
   set (j := Class (opening r) (opening next) (retained r) (factor r)).
   change (classes (r :: next :: later)) with (j :: classes (next :: later)) in *.
-  split; [|split; [|split]].
+  split; [split; [|split]|].
   - intros e E. apply H1; [exact E | left; reflexivity].
   - intro E. apply H2; [exact E | left; reflexivity].
   - assert ((forall e, passing_all tol = Some e -> near e (y j) (gy j)) /\
@@ -324,7 +310,7 @@ Proof.
   destruct rs as [|next later]; [repeat split; intros; contradiction|].
   set (j := Class (opening r) (opening next) (retained r) (factor r)).
   change (classes (r :: next :: later)) with (j :: classes (next :: later)) in *.
-  destruct H as (A & B & C & D). fold j in A, B, C.
+  destruct H as ((A & B & C) & D). fold j in A, B, C.
   inversion Tr as [|? ? _ Tr']; subst. inversion Tr' as [|? ? Tn _]; subst.
   assert (Forall (fun e => 0 <= Q2R e) (tl each)) as Te' by (destruct each; [exact Te | inversion Te; assumption]).
   assert ((forall e, passing_all tol = Some e -> near e (y j) (gy j)) /\

@@ -64,15 +64,6 @@ struct ExportCommand {
   bool quiet = false;
 };
 
-/// Where the gradation comes from: FILE, or else the band.
-const std::string &source(const ExportCommand &c) {
-  return c.file ? *c.file : *c.flags.band;
-}
-
-std::string shown_name(const ExportCommand &c) {
-  return cli::shown_name(source(c));
-}
-
 std::string format_names() {
   std::string text;
   for (const Format &format : formats)
@@ -143,9 +134,10 @@ Particles answer_particles(const ExportCommand &c, const std::string &content,
                            const ParticleSetOptions &options) {
   for (const CLI::Option *option : c.solving)
     if (option->count() > 0 && option->get_name() != "--law")
-      throw InputError(option->get_name() + ": the answer in " + printable(shown_name(c)) +
+      throw InputError(option->get_name() + ": the answer in " +
+                       printable(shown_name(c.flags.source(c.file))) +
                        " is solved already: leave it out, or export the gradation");
-  const AnswerSample answer = read_answer(content, shown_name(c));
+  const AnswerSample answer = read_answer(content, shown_name(c.flags.source(c.file)));
   return {particle_set(answer, c.flags.GradationFlags::question().law, options), Exit::done, answer.unit,
           std::nullopt};
 }
@@ -155,9 +147,9 @@ Particles solved_particles(const ExportCommand &c, const std::optional<std::stri
                            const ParticleSetOptions &options) {
   const Question question = c.flags.question();
   Progress progress([] { return std::string("solving"); }, c.quiet);
-  const Match m =
-      solve(content ? read_gradation(*content, shown_name(c), c.specimen_id) : middle_of(*question.band),
-            question, c.flags.options());
+  const Match m = solve(content ? read_gradation(*content, shown_name(c.flags.source(c.file)), c.specimen_id)
+                                : middle_of(*question.band),
+                        question, c.flags.options());
   if (!c.quiet)
     for (const std::string &note :
          m.gradation.notes()) // solve's own are of doubles that may leave their class
@@ -181,7 +173,7 @@ Particles particles(const ExportCommand &c, const ParticleSetOptions &options) {
     return content && is_answer(*content) ? answer_particles(c, *content, options)
                                           : solved_particles(c, content, options);
   } catch (const InputError &e) {
-    const std::string name = printable(shown_name(c));
+    const std::string name = printable(shown_name(c.flags.source(c.file)));
     const std::string what = e.what();
     throw InputError(what.starts_with(name + ":") || what.starts_with("--") ? what : name + ": " + what);
   }
@@ -356,12 +348,7 @@ void write_file(const ExportCommand &c, const Format &format, const std::optiona
 
 /// Refuses options that the format has no use for.
 void check_options(const ExportCommand &c, const Format &format) {
-  if (!c.file && !c.flags.band)
-    throw InputError("mdm: FILE is required, or --band; see mdm export --help");
-  if (!c.file && c.specimen_id)
-    throw InputError("--specimen-id: it is of the gradation's FILE, and there is none: leave it out");
-  if (c.file == "-" && c.flags.band == "-")
-    throw InputError("--band: standard input is the gradation already: give one of them by name");
+  c.flags.check_source(c.file, c.specimen_id, "export");
   if (c.steps && !c.model)
     throw InputError("--steps is for a model: give --model settle too");
   if (c.model && c.unit && c.unit != "m")
@@ -378,7 +365,7 @@ int run(const ExportCommand &c) {
   const Format &format = format_of(c);
   check_options(c, format);
   const ParticleSetOptions options = set_options(c);
-  std::vector<std::string> paths = {source(c), c.out};
+  std::vector<std::string> paths = {c.flags.source(c.file), c.out};
   std::optional<ModelWriter> model;
   if (c.model) {
     model.emplace(*c.model, c.to, c.out);

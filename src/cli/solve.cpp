@@ -26,11 +26,6 @@ struct SolveCommand {
   bool quiet = false;
 };
 
-/// Where the gradation comes from: FILE, or else the band.
-const std::string &source(const SolveCommand &c) {
-  return c.file ? *c.file : *c.flags.band;
-}
-
 /// A side result of solve: a file that is to be written with the rest or not at all.
 struct SideFile {
   std::unique_ptr<Output> output;
@@ -45,11 +40,11 @@ struct Target {
 
 Target target(const SolveCommand &c, const Question &question) {
   if (!c.file)
-    return {named(printable(shown_name(source(c))), "",
+    return {named(printable(shown_name(c.flags.source(c.file))), "",
                   [&](const std::string &) { return middle_of(*question.band); }),
             "mdm-check reads a gradation beside a band"};
   const std::string content = read_file(*c.file, max_gradation_bytes);
-  return {read_gradation(content, shown_name(source(c)), c.specimen_id),
+  return {read_gradation(content, shown_name(c.flags.source(c.file)), c.specimen_id),
           is_ags4(content) ? "mdm-check does not read AGS4" : ""};
 }
 
@@ -59,7 +54,7 @@ std::optional<SideFile> readable_gradation(const SolveCommand &c, const Target &
   if (!c.proof || of.unreadable.empty())
     return std::nullopt;
   const std::string path = *c.proof + ".csv";
-  check_distinct({source(c), *c.proof, path, c.vipr.value_or("-"), c.out.value_or("-")});
+  check_distinct({c.flags.source(c.file), *c.proof, path, c.vipr.value_or("-"), c.out.value_or("-")});
   notes.push_back(of.unreadable + ": the gradation is in " + path + " as CSV; check with: mdm-check " + path +
                   " " + *c.proof);
   return SideFile{std::make_unique<Output>(path), gradation_csv(of.gradation)};
@@ -91,12 +86,7 @@ int exit_code(const Match &m, const std::optional<Spectrum> &spectrum) {
 }
 
 void check_files(const SolveCommand &c) {
-  if (!c.file && !c.flags.band)
-    throw InputError("mdm: FILE is required, or --band; see mdm solve --help");
-  if (!c.file && c.specimen_id)
-    throw InputError("--specimen-id: it is of the gradation's FILE, and there is none: leave it out");
-  if (c.file == "-" && c.flags.band == "-")
-    throw InputError("--band: standard input is the gradation already: give one of them by name");
+  c.flags.check_source(c.file, c.specimen_id, "solve");
   if (c.spectrum && c.flags.is_tolerant())
     throw InputError("--spectrum: it is of exact matches: leave it out, or --tolerance and --band");
   if (c.spectrum && c.format == "csv")
@@ -105,7 +95,7 @@ void check_files(const SolveCommand &c) {
     throw InputError("--seed: it is of a spread: add --spread, or leave it out");
   if (c.proof == "-" || c.vipr == "-")
     throw InputError("--proof and --vipr need a file: standard output has the answer");
-  std::vector<std::string> paths = {source(c)};
+  std::vector<std::string> paths = {c.flags.source(c.file)};
   for (const std::optional<std::string> &path : {c.proof, c.vipr, c.out})
     if (path)
       paths.push_back(*path);
@@ -133,7 +123,7 @@ int run(const SolveCommand &c) {
     try {
       return solve(asked.gradation, question, options);
     } catch (const InputError &e) {
-      throw InputError(printable(shown_name(source(c))) + ": " + e.what());
+      throw InputError(printable(shown_name(c.flags.source(c.file))) + ": " + e.what());
     }
   }();
   std::optional<Spectrum> reachable;

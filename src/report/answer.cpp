@@ -1,3 +1,5 @@
+#include "text_buffer.hpp"
+
 #include <mdm/error.hpp>
 #include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
@@ -47,14 +49,7 @@ const char *status_name(Status status) {
   return names.at(static_cast<std::size_t>(status));
 }
 
-using Buffer = fmt::memory_buffer;
-
-template <class... Args>
-void add(Buffer &out, fmt::format_string<Args...> format, Args &&...args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
-
-/// The same with a format that FMT_COMPILE made: in a batch, reading formats at run time costs as much as the
+/// add() with a format that FMT_COMPILE made: in a batch, reading formats at run time costs as much as the
 /// rest of a report.
 template <class Format, class... Args>
 void add_compiled(Buffer &out, const Format &format, Args &&...args) {

@@ -1,3 +1,5 @@
+#include "text_buffer.hpp"
+
 #include <mdm/error.hpp>
 #include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
@@ -13,13 +15,6 @@
 
 namespace mdm {
 namespace {
-
-using Buffer = fmt::memory_buffer;
-
-template <class... Args>
-void add(Buffer &out, fmt::format_string<Args...> format, Args &&...args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
 
 /// An index number as all three forms show it.
 struct Item {
@@ -57,8 +52,7 @@ const char *name(Fines fines) {
 std::string json_enclosure(const std::optional<Real> &value, unsigned digits) {
   if (!value)
     return "null";
-  const Enclosure e = enclose(*value, digits);
-  return fmt::format(R"(["{}","{}"])", e.lower_text(), e.upper_text());
+  return json_enclosure(enclose(*value, digits));
 }
 
 void add_json_fractions(Buffer &out, const char *key, const std::vector<Fraction> &fractions,

@@ -1,4 +1,5 @@
 #include "generated_sizes.hpp"
+#include "text_buffer.hpp"
 
 #include <mdm/error.hpp>
 #include <mdm/grading/size_distribution.hpp>
@@ -17,8 +18,7 @@ namespace {
 constexpr unsigned read_digits = 6; // in text
 
 std::string pair(const Real &y, unsigned digits) {
-  const Enclosure e = enclose(y, digits);
-  return fmt::format(R"(["{}","{}"])", e.lower_text(), e.upper_text());
+  return json_enclosure(enclose(y, digits));
 }
 
 /// What is not negative, rounded outwards: never below 0, nor any wider than it is.
@@ -34,8 +34,7 @@ Enclosure outwards(const Interval &y, unsigned digits) {
 }
 
 std::string pair(const Interval &y, unsigned digits) {
-  const Enclosure e = outwards(y, digits);
-  return fmt::format(R"(["{}","{}"])", e.lower_text(), e.upper_text());
+  return json_enclosure(outwards(y, digits));
 }
 
 std::string columns(const Real &y, unsigned digits) {

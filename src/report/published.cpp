@@ -1,3 +1,5 @@
+#include "text_buffer.hpp"
+
 #include <mdm/error.hpp>
 #include <mdm/json_text.hpp>
 #include <mdm/match/problem.hpp>
@@ -91,8 +93,7 @@ std::string json_class(const PublishedReport &r, std::size_t j) {
       to_decimal(g.lower(j)), to_decimal(g.upper(j)), to_decimal(g.mass(j)), to_string(run.phi[j]),
       to_string(run.least_zeta[j]), json_optional(run.most_zeta[j]),
       to_string(Rational(run.phi[j] * run.least_zeta[j])), json_optional(times(run.phi[j], run.most_zeta[j])),
-      to_string(run.result().q[j]),
-      size ? fmt::format(R"(["{}","{}"])", size->lower_text(), size->upper_text()) : "null",
+      to_string(run.result().q[j]), size ? json_enclosure(*size) : "null",
       to_string(run.result().error.of_class[j]));
 }
 

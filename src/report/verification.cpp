@@ -1,3 +1,5 @@
+#include "text_buffer.hpp"
+
 #include <mdm/error.hpp>
 #include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
@@ -16,13 +18,6 @@ namespace {
 
 /// Steps after which the smallest match is left with bounds: some seconds.
 constexpr std::uint64_t most_steps = 10'000'000;
-
-using Buffer = fmt::memory_buffer;
-
-template <class... Args>
-void add(Buffer &out, fmt::format_string<Args...> format, Args &&...args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
 
 std::string counted(const Integer &n) {
   return to_string(n) + (n == 1 ? " particle" : " particles");

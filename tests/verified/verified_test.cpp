@@ -35,6 +35,15 @@ std::vector<std::string> some(const std::set<std::string> &texts, std::size_t co
   return chosen;
 }
 
+/// A text with bytes changed, and one with numbers and lines changed.
+std::pair<std::set<std::string>, std::set<std::string>> changed(const std::string &text) {
+  std::set<std::string> bytes, numbers;
+  mdm_check_test::change_bytes(text, bytes);
+  mdm_check_test::shift_numbers(text, numbers);
+  mdm_check_test::rearrange(mdm_check_test::lines_of(text), "", "", "", numbers);
+  return {bytes, numbers};
+}
+
 int below(std::mt19937_64 &random, unsigned end) {
   return static_cast<int>(random() % end);
 }
@@ -96,10 +105,7 @@ TEST_CASE("both checkers agree on changed certificates") {
   std::mt19937_64 random(31);
   std::vector<Pair> pairs;
   for (const auto &[name, pair] : certificates("accepted")) {
-    std::set<std::string> bytes, numbers;
-    mdm_check_test::change_bytes(pair.certificate, bytes);
-    mdm_check_test::shift_numbers(pair.certificate, numbers);
-    mdm_check_test::rearrange(mdm_check_test::lines_of(pair.certificate), "", "", "", numbers);
+    auto [bytes, numbers] = changed(pair.certificate);
     if (name.rfind("tree_", 0) == 0)
       mdm_check_test::change_leaves(pair.certificate, numbers);
     for (const auto &texts : {some(bytes, 200, random), some(numbers, 300, random)})
@@ -113,10 +119,7 @@ TEST_CASE("both checkers agree on changed gradations") {
   std::mt19937_64 random(32);
   std::vector<Pair> pairs;
   for (const auto &[name, pair] : certificates("accepted")) {
-    std::set<std::string> bytes, numbers;
-    mdm_check_test::change_bytes(pair.gradation, bytes);
-    mdm_check_test::shift_numbers(pair.gradation, numbers);
-    mdm_check_test::rearrange(mdm_check_test::lines_of(pair.gradation), "", "", "", numbers);
+    const auto [bytes, numbers] = changed(pair.gradation);
     for (const auto &texts : {some(bytes, 150, random), some(numbers, 50, random)})
       for (const std::string &text : texts)
         pairs.push_back({text, pair.certificate});
