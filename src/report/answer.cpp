@@ -288,6 +288,11 @@ void add_text_spectrum(Buffer &out, const Spectrum &s) {
     add(out, "    from {} on it is open: a limit was reached\n", to_string(s.all_from));
 }
 
+/// True if a match is known, within the limit on N or not.
+bool has_match(const Match &m) {
+  return m.tolerant ? m.tolerant->found.best.has_value() : !m.q.empty();
+}
+
 /// The JSON answer up to its classes.
 void add_json_begin(Buffer &out, const Match &m) {
   add_compiled(out, FMT_COMPILE(R"({{"schema":"mdm-answer-1","id":{},"status":"{}",)"),
@@ -296,8 +301,10 @@ void add_json_begin(Buffer &out, const Match &m) {
     add_compiled(out, FMT_COMPILE(R"("particles":"{}")"), to_string(m.particles()));
   else
     add(out, R"("particles":null)");
-  add_compiled(out, FMT_COMPILE(R"(,"lower_bound":"{}","unit":"{}","classes":[)"), to_string(m.lower_bound),
-               name(m.gradation.unit()));
+  add_compiled(out, FMT_COMPILE(R"(,"lower_bound":"{}")"), to_string(m.lower_bound));
+  if (m.status == Status::feasible || (m.status == Status::unknown && has_match(m)))
+    add(out, R"(,"upper_bound":"{}")", to_string(m.particles()));
+  add_compiled(out, FMT_COMPILE(R"(,"unit":"{}","classes":[)"), name(m.gradation.unit()));
 }
 
 /// What follows on its classes.
@@ -325,6 +332,8 @@ void add_json_end(Buffer &out, const Match &m, const Spectrum *spectrum,
     add_json_spectrum(out, *spectrum);
   if (seed)
     add(out, R"(,"seed":"{}")", *seed);
+  if (const std::string words = in_words(m.question); !words.empty())
+    add(out, R"(,"question":{})", json_string(words));
   add(out, R"(,"notes":[)");
   for (std::size_t i = 0; i < m.notes.size(); ++i)
     add(out, "{}{}", i == 0 ? "" : ",", json_string(m.notes[i]));

@@ -185,8 +185,14 @@ TEST_CASE("a limit gives what is certain", "[cli]") {
     CHECK(answer.at("status") == "feasible");
     CHECK(Integer(answer.at("lower_bound").get<std::string>()) <= n);
     CHECK(Integer(answer.at("particles").get<std::string>()) >= n);
+    CHECK(answer.at("upper_bound") == answer.at("particles"));
     CHECK_FALSE(std::filesystem::exists(folder / "proof"));
   }
+  const Json open = solve_json({gradation, "--max-steps", "0", "--at-most", to_string(n)}, 3);
+  CHECK(open.at("status") == "unknown");
+  CHECK(open.at("particles").is_null());
+  CHECK(Integer(open.at("upper_bound").get<std::string>()) > n);
+  CHECK(open.at("question").get<std::string>().empty() == false);
   CHECK(mdm({"solve", gradation, "--max-steps", "1"}).out.find("N in [") != std::string::npos);
   CHECK(solve_json({gradation, "--max-steps", "99999999999999999999999"}).at("status") == "optimal");
   CHECK(solve_json({gradation, "--time-limit", "1000"}).at("status") == "optimal");
