@@ -1,3 +1,5 @@
+#include "quick_cube_root.hpp"
+
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/enclosure.hpp>
 
@@ -49,6 +51,17 @@ unsigned places_for(const Integer &n, const Integer &d, unsigned degree, unsigne
   return wanted > 0 ? static_cast<unsigned>(wanted) : 0;
 }
 
+/// floor(10^places (n/d)^(1/degree)).
+Integer floor_of_root(const Integer &n, const Integer &d, unsigned degree, unsigned places) {
+  if (degree == 3)
+    if (std::optional<Integer> root = quick_cube_root(n, d, places))
+      return std::move(*root);
+  Integer scaled = power_of_ten(places * degree);
+  mpz_mul(scaled.backend().data(), scaled.backend().data(), n.backend().data());
+  mpz_fdiv_q(scaled.backend().data(), scaled.backend().data(), d.backend().data());
+  return floor_root(scaled, degree);
+}
+
 } // namespace
 
 Rational Enclosure::lower() const {
@@ -68,13 +81,12 @@ std::string Enclosure::text() const {
 }
 
 Enclosure enclose_root(const Integer &n, const Integer &d, unsigned degree, unsigned digits) {
-  if (std::optional<Enclosure> exact = decimal_root(n, d, degree))
-    return std::move(*exact);
+  const bool is_power = degree != 3 || may_be_cube(n, d);
+  if (is_power)
+    if (std::optional<Enclosure> exact = decimal_root(n, d, degree))
+      return std::move(*exact);
   unsigned places = places_for(n, d, degree, digits);
-  Integer scaled = power_of_ten(places * degree);
-  mpz_mul(scaled.backend().data(), scaled.backend().data(), n.backend().data());
-  mpz_fdiv_q(scaled.backend().data(), scaled.backend().data(), d.backend().data());
-  Integer lo = floor_root(scaled, degree);
+  Integer lo = floor_of_root(n, d, degree, places);
   if (places > 0 && lo >= power_of_ten(digits)) {
     lo = floor_div(lo, 10);
     --places;

@@ -44,6 +44,56 @@ TEST_CASE("a root that is a decimal is a point, however long") {
   CHECK(enclose_root(power_of_ten(300), 1, 3, 3).text() == "1" + std::string(100, '0'));
 }
 
+namespace {
+
+/// floor(10^places (n/d)^(1/3)), by GMP's root.
+Integer cube_root(const Integer &n, const Integer &d, unsigned places) {
+  const Integer scaled = n * power(power_of_ten(places), 3) / d;
+  Integer root;
+  mpz_root(root.backend().data(), scaled.backend().data(), 3);
+  return root;
+}
+
+} // namespace
+
+TEST_CASE("cube roots are those of integers, whatever doubles decide") {
+  std::mt19937_64 random(17);
+  const auto number = [&random](unsigned bits) {
+    Integer n = random();
+    while (bit_length(n) < bits)
+      n = (n << 64) + Integer(random());
+    return Integer((n >> (bit_length(n) - bits)) + 1);
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const auto bits = static_cast<unsigned>(1 + random() % 250);
+    const Integer n = number(bits);
+    const Integer d = number(static_cast<unsigned>(1 + random() % 250));
+    const Enclosure x = enclose_root(n, d, 3, static_cast<unsigned>(1 + random() % 32));
+    CHECK(x.lo == cube_root(n, d, x.places));
+  }
+}
+
+TEST_CASE("cube roots next to a decimal, or one themselves, are told apart") {
+  std::mt19937_64 random(18);
+  for (int i = 0; i < 3000; ++i) {
+    const auto places = static_cast<unsigned>(1 + random() % 24);
+    const Integer decimal = 1 + Integer(random()) * (i % 2 == 0 ? Integer(1) : Integer(random()));
+    const Integer unit = power(power_of_ten(places), 3) * (1 + random() % 1000);
+    const Integer cube = power(decimal, 3) * (unit / power(power_of_ten(places), 3));
+    const auto digits = static_cast<unsigned>(1 + random() % 30);
+    const Enclosure exact = enclose_root(cube, unit, 3, digits);
+    CHECK(exact.lo == exact.hi);
+    CHECK(exact.lower() == ratio(decimal, power_of_ten(places)));
+    for (const int change : {-1, 1}) {
+      const Integer n = cube + change;
+      if (n == 0)
+        continue;
+      const Enclosure x = enclose_root(n, unit, 3, digits);
+      CHECK(x.lo == cube_root(n, unit, x.places));
+    }
+  }
+}
+
 TEST_CASE("an interval is rounded outwards") {
   CHECK(enclose_interval(1, 1, 3, 3).text() == "[0.333, 0.334]");
   CHECK(enclose_interval(1, 2, 3, 2).text() == "[0.33, 0.67]");
