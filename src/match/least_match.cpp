@@ -11,7 +11,7 @@ namespace {
 constexpr double quotient_error = 0x1p-49;
 constexpr double level_error = 0x1p-48;
 
-/// Below this a double holds every integer, and y - floor(y) is computed exactly.
+/// Below this y + 2^52 is rounded to an integer, and y's distance from the nearest one is computed exactly.
 constexpr double largest_quotient = 0x1p50;
 
 /// The lower bound L on the scale and what every class needs above it.
@@ -62,10 +62,11 @@ private:
   Count count(const Class &c) const {
     const double y = level_.approx * c.per_upper;
     if (y < largest_quotient) {
-      const double t = std::floor(y);
-      const double slack = y * quotient_error;
-      if (y - t > slack && t + 1 - y > slack)
-        return at_least_floor(c, {Int(static_cast<std::int64_t>(t) + 1), t + 1});
+      const double nearest = (y + 0x1p52) - 0x1p52; // the integer, rounded without a call
+      if (std::abs(y - nearest) > y * quotient_error) {
+        const double n = nearest + static_cast<double>(nearest < y); // floor(y) + 1, without a branch
+        return at_least_floor(c, {Int(static_cast<std::int64_t>(n)), n});
+      }
     }
     const Int n = exact_count_below(c) + Int(1);
     return at_least_floor(c, {n, to_double(n)});
