@@ -70,7 +70,7 @@ private:
   bool whole_number(Whole value);
   Rational decimal(std::string_view text) const;
   void add(Rational value);
-  void check_order(const Rational &size) const;
+  void check_order(const Rational &size);
   void set_unit(std::string_view text);
   void check_complete() const;
   void to_ascending_mm();
@@ -85,6 +85,7 @@ private:
   std::string id_;
   SizeUnit unit_ = SizeUnit::mm;
   bool inches_ = false;
+  bool descending_ = false;                 ///< as the first two sizes do
   std::vector<std::set<std::string>> seen_; ///< keys of each open object, apart from those in found_
   ShortList unknown_;
 };
@@ -229,13 +230,16 @@ void Handler::add(Rational value) {
 }
 
 /// Sizes go on in the direction of the first two.
-void Handler::check_order(const Rational &size) const {
+void Handler::check_order(const Rational &size) {
   const std::vector<Rational> &x = columns_[sizes];
   if (x.empty())
     return;
-  if (size == x.back())
+  const int order = size.compare(x.back());
+  if (order == 0)
     refuse(fmt::format("{} {} repeats the size before it", place(), shown(size)));
-  if (x.size() > 1 && (size < x.back()) != (x[1] < x[0]))
+  if (x.size() == 1)
+    descending_ = order < 0;
+  else if ((order < 0) != descending_)
     refuse(fmt::format("{} {} breaks the order: sizes must all ascend or all descend", place(), shown(size)));
 }
 
@@ -280,7 +284,7 @@ void Handler::check_complete() const {
 }
 
 void Handler::to_ascending_mm() {
-  if (columns_[sizes].front() > columns_[sizes].back())
+  if (descending_)
     for (std::vector<Rational> &column : columns_)
       std::reverse(column.begin(), column.end());
   if (inches_)

@@ -96,8 +96,8 @@ Match roomy_set(const Gradation &rounded, const Representativity &wanted, const 
   m.scale = cut.scale;
   const Rational &unit = m.problem.scale_unit();
   m.window = {m.problem.lowest_scale(m.q) * unit, m.problem.highest_scale(m.q) * unit, std::nullopt};
-  m.sizes = enclose_sizes(m.gradation, m.problem, m.q, m.scale, options.digits);
   m.margin = size_margin(m.question.law, m.window.above, m.window.up_to, m.scale);
+  m.sizes = enclose_sizes(m.gradation, m.problem, m.q, m.scale, m.margin, options.digits);
   m.digits = options.digits;
   return m;
 }

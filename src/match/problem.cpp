@@ -11,18 +11,34 @@ namespace {
 /// 2).
 constexpr std::size_t max_power_bits = std::size_t{1} << 20;
 
-std::size_t longest_part(const Rational &r) {
-  return std::max(mpz_sizeinbase(mpq_numref(r.backend().data()), 2),
-                  mpz_sizeinbase(mpq_denref(r.backend().data()), 2));
+std::size_t bits_of(mpz_srcptr n) {
+  return mpz_sizeinbase(n, 2);
+}
+
+/// At least the bits, quickly.
+std::size_t bits_of_words(mpz_srcptr n) {
+  return 64 * mpz_size(n);
+}
+
+/// The most bits of a number of the problem.
+template <class Bits>
+std::size_t longest(const Gradation &g, const Integer &min_per_class, Bits bits) {
+  std::size_t most = bits(min_per_class.backend().data());
+  const auto add = [&](const std::vector<Rational> &column, std::size_t count) {
+    for (std::size_t j = 0; j < count; ++j)
+      most = std::max(
+          {most, bits(mpq_numref(column[j].backend().data())), bits(mpq_denref(column[j].backend().data()))});
+  };
+  add(g.sizes(), g.classes() + 1);
+  add(g.masses(), g.classes());
+  add(g.factors(), g.has_factors() ? g.classes() : 0);
+  return most;
 }
 
 void check_powers(const Gradation &g, const MassLaw &law, const Integer &min_per_class) {
-  std::size_t bits = bit_length(min_per_class);
-  for (std::size_t j = 0; j <= g.classes(); ++j)
-    bits = std::max({bits, longest_part(g.sizes()[j]), longest_part(g.masses()[j])});
-  for (std::size_t j = 0; g.has_factors() && j < g.classes(); ++j)
-    bits = std::max(bits, longest_part(g.factor(j)));
-  if (bits * std::max(law.a, law.b) > max_power_bits)
+  const std::size_t degree = std::max(law.a, law.b);
+  if (longest(g, min_per_class, bits_of_words) * degree > max_power_bits &&
+      longest(g, min_per_class, bits_of) * degree > max_power_bits)
     throw InputError("the exponent " + law.exponent() +
                      " is too large for numbers this long: round one of them");
 }
@@ -41,14 +57,22 @@ Rational weight_of(const Gradation &g, const CommonDenominator &masses) {
 /// as fractions, reduced only at the end.
 Rational extreme_scale(const std::vector<ProblemClass> &classes, const std::vector<Integer> &q, unsigned b,
                        Integer ProblemClass::*end, bool greatest) {
-  Integer best = power(q[0], b) * classes[0].*end;
+  Integer best, other, left, right;
+  const auto multiply = [](Integer &product, const Integer &x, const Integer &y) {
+    mpz_mul(product.backend().data(), x.backend().data(), y.backend().data());
+  };
+  const auto end_of = [&](std::size_t j, Integer &product) {
+    multiply(product, b == 1 ? q[j] : power(q[j], b), classes[j].*end);
+  };
+  end_of(0, best);
   const Integer *best_mass = &classes[0].mass;
   for (std::size_t j = 1; j < q.size(); ++j) {
-    Integer other = power(q[j], b) * classes[j].*end;
-    const bool less = other * *best_mass < best * classes[j].mass;
-    if (less == greatest)
+    end_of(j, other);
+    multiply(left, other, *best_mass);
+    multiply(right, best, classes[j].mass);
+    if ((left < right) == greatest)
       continue;
-    best = std::move(other);
+    best.swap(other);
     best_mass = &classes[j].mass;
   }
   return ratio(best, *best_mass);

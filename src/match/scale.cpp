@@ -9,15 +9,15 @@ namespace {
 /// are multiples of 2^-bits <= width / 2^14, the lower one less than two of them above m, so that their
 /// numbers stay short.
 Rational simplest_near_middle(const Rational &above, const Rational &up_to) {
-  const Rational width = up_to - above;
-  const std::size_t small = bit_length(denominator(width)) + 15;
-  const std::size_t large = bit_length(numerator(width));
+  const Integer n = numerator(above), d = denominator(above), m = numerator(up_to), e = denominator(up_to);
+  const Integer width = m * d - n * e; // over unit
+  const Integer unit = d * e;
+  const std::size_t small = bit_length(unit) + 15;
+  const std::size_t large = bit_length(width);
   const std::size_t bits = small > large ? small - large : 0;
-  const Rational square = above * up_to;
-  const Integer lo = floor_root(floor_div(numerator(square) << (2 * bits), denominator(square)), 2) + 1;
-  const Integer hi = lo + floor_div(numerator(width) << bits, denominator(width) << 7);
-  const Integer unit = Integer(1) << bits;
-  return simplest_between(ratio(lo, unit), ratio(hi, unit));
+  const Integer lo = floor_root(floor_div(Integer(n * m) << (2 * bits), unit), 2) + 1;
+  const Integer hi = lo + floor_div(width << bits, unit << 7);
+  return simplest_between(lo, hi, Integer(1) << bits);
 }
 
 Rational robust_scale(const Window &w) {

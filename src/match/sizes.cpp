@@ -36,21 +36,25 @@ Enclosure enclose_size(const Gradation &g, std::size_t j, const MassLaw &law, co
 }
 
 std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem,
-                                     const std::vector<Integer> &q, const Rational &scale, unsigned digits) {
+                                     const std::vector<Integer> &q, const Rational &scale,
+                                     const Rational &margin, unsigned digits) {
   const MassLaw &law = problem.law();
+  // An enclosure is at most 10^(1-digits) of its size wide: ten times that from the sieves it is inside.
+  const bool clear = digits > 1 && margin * power_of_ten(digits) >= 100;
   std::vector<Enclosure> sizes;
   sizes.reserve(q.size());
   Integer n, d;
+  Rational quotient;
   for (std::size_t j = 0; j < q.size(); ++j) {
     const std::size_t index = problem.classes()[j].index;
-    const Rational mass = g.has_factors() ? Rational(g.mass(index) / g.factor(index)) : g.mass(index);
+    const Rational &mass = g.has_factors() ? quotient = g.mass(index) / g.factors()[index] : g.mass(index);
     // x^a = n / d = S (m / (c q))^b
     mpz_pow_ui(n.backend().data(), mpq_numref(mass.backend().data()), law.b);
     mpz_mul(n.backend().data(), n.backend().data(), mpq_numref(scale.backend().data()));
     mpz_mul(d.backend().data(), mpq_denref(mass.backend().data()), q[j].backend().data());
     mpz_pow_ui(d.backend().data(), d.backend().data(), law.b);
     mpz_mul(d.backend().data(), d.backend().data(), mpq_denref(scale.backend().data()));
-    sizes.push_back(enclose_size(g, index, law, n, d, digits));
+    sizes.push_back(clear ? enclose_root(n, d, law.a, digits) : enclose_size(g, index, law, n, d, digits));
   }
   return sizes;
 }
@@ -76,13 +80,12 @@ Rational size_margin(const MassLaw &law, const Rational &above, const Rational &
   const std::size_t small = bit_length(Integer(n - d));
   for (unsigned digits = 6 + static_cast<unsigned>(large > small ? (large - small) / 3 : 0);; digits *= 2) {
     const Enclosure root = enclose_root(n, d, law.a, digits);
-    Integer excess = root.lo - power_of_ten(root.places);
+    const Integer excess = root.lo - power_of_ten(root.places);
     if (excess < 1000 && root.lo != root.hi)
       continue;
-    unsigned places = root.places;
-    for (; excess >= 1000 && places > 0; --places)
-      excess = floor_div(excess, 10);
-    return ratio(excess, power_of_ten(places));
+    const std::size_t length = to_string(excess).size();
+    const unsigned surplus = length > 3 ? std::min(static_cast<unsigned>(length - 3), root.places) : 0;
+    return ratio(floor_div(excess, power_of_ten(surplus)), power_of_ten(root.places - surplus));
   }
 }
 

@@ -109,8 +109,9 @@ void note_digits(Match &match, unsigned digits) {
 void place(Match &match, Start &start, const SolveOptions &options) {
   match.window = window_of(match.problem, match.q, start);
   match.scale = choose_scale(match.window, options.scale, options.digits);
-  match.sizes = enclose_sizes(match.gradation, match.problem, match.q, match.scale, options.digits);
   match.margin = size_margin(match.question.law, match.window.above, match.window.up_to, match.scale);
+  match.sizes =
+      enclose_sizes(match.gradation, match.problem, match.q, match.scale, match.margin, options.digits);
   note_digits(match, options.digits);
   note_precision(match, match.window.above);
 }

@@ -12,6 +12,12 @@ bool in_safe_range(double x) {
   return x >= 0x1p-200 && x <= 0x1p200;
 }
 
+/// settled_count, in Int where the class is wide.
+template <class Int>
+Int settled(const SweepClass<Int> &c, const ProblemClass &given, unsigned b) {
+  return c.F >= power(Int(2), b) * c.f ? Int(1) : Int(settled_count(given, b));
+}
+
 } // namespace
 
 Integer settled_count(const ProblemClass &c, unsigned b) {
@@ -32,15 +38,16 @@ Integer settled_count(const ProblemClass &c, unsigned b) {
 }
 
 double to_double(const Integer &n) {
-  return bit_length(n) <= 500 ? mpz_get_d(n.backend().data()) : not_certain;
+  return mpz_size(n.backend().data()) <= 7 || bit_length(n) <= 500 ? mpz_get_d(n.backend().data())
+                                                                   : not_certain;
 }
 
 template <class Int>
 SweepProblem<Int>::SweepProblem(const Problem &problem) : b(problem.law().b) {
   classes.reserve(problem.classes().size());
   for (const ProblemClass &given : problem.classes()) {
-    SweepClass<Int> c{
-        Int(given.f), Int(given.F), Int(given.mass), Int(given.floor), Int(settled_count(given, b)), 0, 0, 0};
+    SweepClass<Int> c{Int(given.f), Int(given.F), Int(given.mass), Int(given.floor), 1, 0, 0, 0};
+    c.settled = settled(c, given, b);
     c.floor_approx = to_double(c.floor);
     c.lower = to_double(c.f) / to_double(c.mass);
     c.per_upper = to_double(c.mass) / to_double(c.F);

@@ -1,10 +1,9 @@
+#include "short_digits.hpp"
+
 #include <mdm/error.hpp>
 #include <mdm/number/decimal.hpp>
 
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <numeric>
+#include <bit>
 
 namespace mdm {
 namespace {
@@ -84,12 +83,18 @@ Rational small_decimal(const Parts &parts) {
   for (const std::string_view digits : {parts.whole, parts.fraction})
     for (const char c : digits)
       n = 10 * n + static_cast<std::uint64_t>(c - '0');
-  std::uint64_t d = 1;
-  for (long i = parts.exponent; i < 0; ++i)
-    d *= 10;
-  const std::uint64_t common = std::gcd(n, d);
+  // n / (2^twos 5^fives) in lowest terms.
+  const auto places = static_cast<unsigned>(-parts.exponent);
+  const unsigned common_twos = n == 0 ? places : std::min(places, static_cast<unsigned>(std::countr_zero(n)));
+  n >>= common_twos;
+  unsigned fives = places;
+  for (; fives > 0 && n % 5 == 0; --fives)
+    n /= 5;
+  std::uint64_t d = std::uint64_t{1} << (places - common_twos);
+  for (unsigned i = 0; i < fives; ++i)
+    d *= 5;
   Rational r;
-  mpq_set_ui(r.backend().data(), n / common, d / common);
+  mpq_set_ui(r.backend().data(), n, d);
   if (parts.negative)
     mpq_neg(r.backend().data(), r.backend().data());
   return r;
@@ -115,31 +120,6 @@ std::string placed(std::string_view digits, unsigned places) {
     text.append(1, '.').append(places - fraction, '0').append(tail);
   return text;
 }
-
-__extension__ typedef unsigned __int128 Wide;
-
-/// The decimal digits of a number below 2^126, made on the stack: several times cheaper than a string by GMP.
-class ShortDigits {
-public:
-  explicit ShortDigits(Wide value) {
-    constexpr std::uint64_t half = 10'000'000'000'000'000'000U; // 10^19; 2^126 < 10^38
-    const auto high = static_cast<std::uint64_t>(value / half);
-    const auto low = static_cast<std::uint64_t>(value - static_cast<Wide>(high) * half);
-    if (high == 0) {
-      end_ = std::to_chars(digits_.data(), digits_.data() + digits_.size(), low).ptr;
-      return;
-    }
-    end_ = std::to_chars(digits_.data(), digits_.data() + digits_.size(), high).ptr + 19;
-    std::uint64_t rest = low;
-    for (char *digit = end_; digit != end_ - 19; rest /= 10)
-      *--digit = static_cast<char>('0' + rest % 10);
-  }
-  std::string_view text() const { return {digits_.data(), static_cast<std::size_t>(end_ - digits_.data())}; }
-
-private:
-  std::array<char, 40> digits_;
-  char *end_;
-};
 
 /// exact_decimal of n / d in machine words, the common case; nothing if it is no decimal or does not fit.
 std::optional<std::string> exact_short_decimal(std::uint64_t n, std::uint64_t d) {
@@ -188,10 +168,9 @@ std::string fixed_decimal(const Integer &digits, unsigned places) {
 std::string decimal_string(const Integer &digits, unsigned places) {
   if (digits < 0)
     return "-" + decimal_string(Integer(-digits), places);
-  if (bit_length(digits) > 126)
-    return placed(to_string(digits), places);
-  const mpz_srcptr z = digits.backend().data();
-  return placed(ShortDigits(static_cast<Wide>(mpz_getlimbn(z, 1)) << 64 | mpz_getlimbn(z, 0)).text(), places);
+  if (const std::optional<ShortDigits> text = short_digits(digits))
+    return placed(text->text(), places);
+  return placed(to_string(digits), places);
 }
 
 std::optional<std::string> exact_decimal(const Rational &r) {

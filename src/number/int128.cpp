@@ -19,11 +19,13 @@ Integer Int128::to_integer() const {
   __extension__ typedef unsigned __int128 Magnitude;
   const Magnitude magnitude =
       negative ? Magnitude{0} - static_cast<Magnitude>(value_) : static_cast<Magnitude>(value_);
-  const std::uint64_t limbs[2] = {static_cast<std::uint64_t>(magnitude),
-                                  static_cast<std::uint64_t>(magnitude >> 64)};
-  Integer n;
-  mpz_import(n.backend().data(), 2, -1, sizeof(std::uint64_t), 0, 0, limbs);
-  return negative ? Integer(-n) : n;
+  Integer n = static_cast<std::uint64_t>(magnitude >> 64);
+  if (n != 0)
+    n <<= 64;
+  mpz_add_ui(n.backend().data(), n.backend().data(), static_cast<std::uint64_t>(magnitude));
+  if (negative)
+    mpz_neg(n.backend().data(), n.backend().data());
+  return n;
 }
 
 } // namespace mdm

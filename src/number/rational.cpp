@@ -39,42 +39,59 @@ std::optional<Rational> exact_root(const Rational &r, unsigned degree) {
   return exact ? std::optional(root) : std::nullopt;
 }
 
-Rational simplest_between(const Rational &lo, const Rational &hi) {
-  // [n/d, m/e] = [lo, hi]. While no integer lies in it, both ends have the same integer part t: it is
-  // subtracted and the rest inverted, which exchanges the ends. (p1, q1) and (p0, q0) are the last
-  // convergents of these t.
-  Integer n = numerator(lo), d = denominator(lo), m = numerator(hi), e = denominator(hi);
-  Integer p0 = 0, q0 = 1, p1 = 1, q1 = 0, t, rest;
-  const auto extend = [&t](Integer &before, Integer &last) {
-    mpz_addmul(before.backend().data(), t.backend().data(), last.backend().data());
-    before.swap(last);
-  };
+namespace {
+
+/// simplest_between [n/d, m/e]. Int is Integer or, for less than 2^62, std::int64_t.
+template <class Int>
+Rational simplest(Int n, Int d, Int m, Int e) {
+  // While no integer lies in the interval, both ends have the same integer part t: it is subtracted and the
+  // rest inverted, which exchanges the ends. (p1, q1) and (p0, q0) are the last convergents of these t. None
+  // is above the numerator and the denominator of n/d, which lies in the interval too.
+  Int p0 = 0, q0 = 1, p1 = 1, q1 = 0;
   for (;;) {
-    // n becomes n - t d <= 0 with t = ceil(n / d): t is the least integer from n/d on.
-    mpz_cdiv_qr(t.backend().data(), n.backend().data(), n.backend().data(), d.backend().data());
-    mpz_set(rest.backend().data(), m.backend().data());
-    mpz_submul(rest.backend().data(), t.backend().data(), e.backend().data());
-    const bool inside = rest >= 0;
-    if (!inside) { // take floor(n / d) = t - 1 instead
-      --t;
-      n += d;
-      rest += e;
-    }
-    extend(p0, p1);
-    extend(q0, q1);
+    Int t = n / d;
+    n -= t * d;
+    const bool inside = n == 0 || (t + 1) * e <= m;
+    if (inside && n != 0)
+      ++t;
+    p0 += t * p1;
+    q0 += t * q1;
+    std::swap(p0, p1);
+    std::swap(q0, q1);
     if (inside)
       return ratio(p1, q1);
-    // New interval [e / rest, d / n].
-    m.swap(d);
-    d.swap(rest);
-    e.swap(n);
+    m -= t * e;
+    // New interval [e / m, d / n].
+    std::swap(m, d);
+    std::swap(n, e);
   }
 }
 
+Rational simplest_of_parts(const Integer &n, const Integer &d, const Integer &m, const Integer &e) {
+  const auto is_short = [](const Integer &part) { return bit_length(part) <= 62; };
+  const auto word = [](const Integer &part) {
+    return static_cast<std::int64_t>(mpz_get_ui(part.backend().data()));
+  };
+  if (is_short(n) && is_short(d) && is_short(m) && is_short(e))
+    return simplest(word(n), word(d), word(m), word(e));
+  return simplest(n, d, m, e);
+}
+
+} // namespace
+
+Rational simplest_between(const Rational &lo, const Rational &hi) {
+  return simplest_of_parts(numerator(lo), denominator(lo), numerator(hi), denominator(hi));
+}
+
+Rational simplest_between(const Integer &lo, const Integer &hi, const Integer &unit) {
+  return simplest_of_parts(lo, unit, hi, unit);
+}
+
 std::string to_string(const Rational &r) {
-  const Integer d = denominator(r);
-  const std::string n = to_string(Integer(numerator(r)));
-  return d == 1 ? n : n + "/" + to_string(d);
+  std::string text = to_string(Integer(numerator(r)));
+  if (const Integer d = denominator(r); d != 1)
+    text.append(1, '/').append(to_string(d));
+  return text;
 }
 
 } // namespace mdm

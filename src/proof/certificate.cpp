@@ -91,7 +91,7 @@ namespace {
 std::vector<Enclosure> certified_sizes(const Match &m) {
   const bool usable =
       std::all_of(m.sizes.begin(), m.sizes.end(), [&m](const Enclosure &x) { return is_precise(m, x); });
-  return usable ? m.sizes : enclose_sizes(m.gradation, m.problem, m.q, m.scale, least_digits);
+  return usable ? m.sizes : enclose_sizes(m.gradation, m.problem, m.q, m.scale, m.margin, least_digits);
 }
 
 std::string witness_lines(const Match &m, const std::vector<Enclosure> &sizes) {

@@ -19,8 +19,8 @@ namespace {
 /// One class of the gradation as all three forms show it.
 struct Row {
   std::string lower, upper, mass;
-  std::string quantity;          // empty: no answer
-  std::optional<Enclosure> size; // nothing for an empty class
+  std::string quantity;            // empty: no answer
+  const Enclosure *size = nullptr; // nothing for an empty class
 };
 
 std::vector<Row> rows(const Match &m) {
@@ -28,18 +28,18 @@ std::vector<Row> rows(const Match &m) {
   std::vector<Row> rows(g.classes());
   for (std::size_t j = 0; j < rows.size(); ++j)
     rows[j] = {j == 0 ? to_decimal(g.lower(0)) : rows[j - 1].upper, to_decimal(g.upper(j)),
-               to_decimal(g.mass(j)), m.has_answer() ? "0" : "", std::nullopt};
+               to_decimal(g.mass(j)), m.has_answer() ? "0" : "", nullptr};
   if (m.has_answer() && m.tolerant) {
     for (std::size_t j = 0; j < rows.size(); ++j) {
       rows[j].quantity = to_string(m.tolerant->found.best->q[j]);
-      rows[j].size = m.tolerant->sizes[j];
+      rows[j].size = m.tolerant->sizes[j] ? &*m.tolerant->sizes[j] : nullptr;
     }
     return rows;
   }
   for (std::size_t i = 0; m.has_answer() && i < m.q.size(); ++i) {
     Row &row = rows[m.problem.classes()[i].index];
     row.quantity = to_string(m.q[i]);
-    row.size = m.sizes[i];
+    row.size = &m.sizes[i];
   }
   return rows;
 }

@@ -9,11 +9,13 @@ namespace mdm {
 
 /// Encloses the size x of each class's particles at the scale S: f(x)^b = x^a = S m^b / (q c)^b (Arnold, Eq.
 /// 19). Every enclosure lies inside its class, x_j < lo and hi <= x_{j+1}, for which digits are raised where
-/// the size is close to the sieve (Theorem 9). One entry for each class of the problem.
+/// the size is close to the sieve (Theorem 9). One entry for each class of the problem. `margin` is
+/// size_margin at S.
 /// \pre S is in the window of q
 /// \throws InputError if a size is an opening that is no decimal (1/3), which gradation files cannot have
 std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem,
-                                     const std::vector<Integer> &q, const Rational &scale, unsigned digits);
+                                     const std::vector<Integer> &q, const Rational &scale,
+                                     const Rational &margin, unsigned digits);
 
 /// Encloses the size x of class j's particles where x^a = n / d; the same promises.
 Enclosure enclose_size(const Gradation &g, std::size_t j, const MassLaw &law, const Integer &n,
