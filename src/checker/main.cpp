@@ -1,4 +1,5 @@
 #include "check.hpp"
+#include "text.hpp"
 
 #include <cerrno>
 #include <csignal>
@@ -80,8 +81,8 @@ int run(const std::vector<std::string> &arguments) {
       fail("mdm-check", "no option " + quoted(argument) + ": see mdm-check --help");
   if (arguments.size() != 2 || (arguments[0] == "-" && arguments[1] == "-"))
     fail("mdm-check", "give one gradation and one certificate: see mdm-check --help");
-  const Input gradation = read_input(arguments[0], limit::gradation_bytes);
-  const Input certificate = read_input(arguments[1], limit::certificate_bytes);
+  const Input gradation = read_input(arguments[0], std::size_t{64} << 20U);
+  const Input certificate = read_input(arguments[1], std::size_t{256} << 20U);
   const Verdict verdict = check(gradation, certificate);
   if (verdict.code == Verdict::malformed)
     throw std::runtime_error(verdict.line);
