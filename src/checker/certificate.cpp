@@ -7,6 +7,7 @@
 #include <charconv>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace mdm_check {
 namespace {
@@ -23,6 +24,9 @@ public:
   std::uint64_t longest_count() const { return longest_count_; }
 
   void check(bool holds, const char *what) const { demand_form(holds, line_, what); }
+  /// Of the line that was read last.
+  void check_before(bool holds, const char *what) const { demand_form(holds, before_, what); }
+  const char *here() const { return line_.data(); }
   bool more() const { return !line_.empty(); }
   bool begins_with(std::string_view words) const {
     return line_.starts_with(words) && (line_.size() == words.size() || line_[words.size()] == ' ');
@@ -98,6 +102,7 @@ public:
 private:
   void next() {
     const std::size_t end = rest_.find('\n');
+    before_ = std::exchange(begin_, rest_);
     line_ = rest_.substr(0, end);
     demand_form(end != std::string_view::npos, rest_, "the certificate breaks off: end it with a line `end`");
     rest_.remove_prefix(end + 1);
@@ -129,64 +134,56 @@ private:
   }
 
   std::string_view rest_, line_;
+  std::string_view begin_, before_; ///< of this line and the one before
   std::uint64_t longest_count_ = 0;
 };
-
-void demand_of(const Numbers &line, bool holds, const char *what) {
-  demand_form(holds, line.empty() ? std::string_view() : line[0].text, what);
-}
 
 void read_question(Lines &lines, Certificate &c) {
   lines.demand("mdm-certificate 1");
   lines.end();
   lines.read("law", "r", c.law);
+  const mpq_class &law = c.law[0].value;
+  lines.check_before(law.get_num() <= 1000 && law.get_den() <= 1000,
+                     "a law with numbers above 1000: choose a simpler one");
+  c.a = law.get_num().get_ui();
+  c.b = law.get_den().get_ui();
   lines.read_if_there("pan-size", "d", c.pan_size);
   lines.read_if_there("cut-below", "d", c.cut_below);
   lines.read_if_there("size-factor", "d", c.size_factor);
+  lines.check_before(c.size_factor.empty() || c.size_factor[0].value != 1,
+                     "a factor of 1 says nothing: leave it out");
   lines.read_if_there("min-per-class", "1", c.min_per_class);
   lines.read_if_there("cylinder", "ddz", c.cylinder);
   lines.read_if_there("box", "dddz", c.box);
   lines.read_if_there("solids-volume", "d", c.solids_volume);
+  const auto absent = c.cylinder.empty() + c.box.empty() + c.solids_volume.empty();
+  lines.check_before(absent == 3 || (absent == 2 && law == 3),
+                     "solids need `law 3` and one line alone: drop the others");
   lines.read_if_there("pi", "dd", c.pi);
+  lines.check_before(c.pi.empty() == (c.box.empty() && c.solids_volume.empty()),
+                     "`pi` belongs to `box` and `solids-volume`: give both");
+  if (!c.pi.empty())
+    lines.check_before(c.pi[0].value >= 3 && c.pi[0].value < c.pi[1].value && c.pi[1].value <= 4 &&
+                           std::max(c.pi[0].text.size(), c.pi[1].text.size()) <= 1002,
+                       "bounds of pi must be 3 <= p < r <= 4 with at most 1000 digits after the point");
   lines.read_if_there("at-least", "2", c.at_least);
-
-  const mpq_class &law = c.law[0].value;
-  demand_of(c.law, law.get_num() <= 1000 && law.get_den() <= 1000,
-            "a law with numbers above 1000: choose a simpler one");
-  c.a = law.get_num().get_ui();
-  c.b = law.get_den().get_ui();
-  demand_of(c.size_factor, c.size_factor.empty() || c.size_factor[0].value != 1,
-            "a factor of 1 says nothing: leave it out");
-  bool solids = false;
-  for (const Numbers *line : {&c.cylinder, &c.box, &c.solids_volume}) {
-    demand_of(*line, line->empty() || (law == 3 && !solids),
-              "solids need `law 3` and one line alone: drop the others");
-    solids = solids || !line->empty();
-  }
-  demand_of(c.law, c.pi.empty() == (c.box.empty() && c.solids_volume.empty()),
-            "`pi` belongs to `box` and `solids-volume`: give both");
-  demand_of(c.pi,
-            c.pi.empty() || (std::max(c.pi[0].text.size(), c.pi[1].text.size()) <= 1002 &&
-                             c.pi[0].value >= 3 && c.pi[0].value < c.pi[1].value && c.pi[1].value <= 4),
-            "bounds of pi must be 3 <= p < r <= 4 with at most 1000 digits after the point");
 }
 
 /// Returns whether there is a tolerance.
 bool read_tolerance(Lines &lines, Certificate &c) {
+  const char *const begin = lines.here();
   lines.read_if_there("retained", "P", c.retained);
   lines.read_if_there("retained", "f", c.retained_file);
   lines.read_if_there("passing", "P", c.passing);
   lines.read_if_there("passing", "f", c.passing_file);
   lines.read_if_there("passing-each", "P", c.passing_each, true);
   lines.read_if_there("total", "P", c.total);
-  while (lines.begins_with("band"))
+  for (std::size_t i = 0; lines.begins_with("band"); i += 3) {
     lines.read("band", "ZZZ", c.band);
-  for (std::size_t i = 3; i < c.band.size(); i += 3)
-    demand_form(c.band[i - 3].value < c.band[i].value, c.band[i].text,
-                "sieves of a band that do not ascend: sort them");
-  const Numbers *const all[] = {&c.retained,     &c.retained_file, &c.passing, &c.passing_file,
-                                &c.passing_each, &c.total,         &c.band};
-  return std::any_of(std::begin(all), std::end(all), [](const Numbers *line) { return !line->empty(); });
+    lines.check_before(i == 0 || c.band[i - 3].value < c.band[i].value,
+                       "sieves of a band that do not ascend: sort them");
+  }
+  return lines.here() != begin;
 }
 
 void read_classes(Lines &lines, std::vector<ClassWitness> &classes, bool with_masses) {
@@ -226,13 +223,6 @@ void read_tree(Lines &lines, std::vector<TreeNode> &tree) {
   }
 }
 
-void read_chain(Lines &lines, std::vector<std::uint32_t> &chain) {
-  lines.demand("chain");
-  while (lines.more())
-    chain.push_back(static_cast<std::uint32_t>(std::min<std::uint64_t>(lines.index(), 0xFFFF'FFFF)));
-  lines.end();
-}
-
 } // namespace
 
 Certificate read_certificate(std::string_view text) {
@@ -255,7 +245,10 @@ Certificate read_certificate(std::string_view text) {
   } else if (c.at_least.empty() || c.at_least[0].value != c.particles[0].value) {
     if (!c.at_least.empty())
       lines.read_if_there("above", "r", c.above);
-    read_chain(lines, c.chain.emplace());
+    lines.demand("chain");
+    for (c.chain.emplace(); lines.more();)
+      c.chain->push_back(static_cast<std::uint32_t>(std::min<std::uint64_t>(lines.index(), 0xFFFF'FFFF)));
+    lines.end();
   }
   lines.demand("end");
   lines.end_file();

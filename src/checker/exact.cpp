@@ -72,8 +72,9 @@ Problem derive(const Gradation &gradation, const Certificate &certificate) {
   for (std::size_t j = 0; j < gradation.masses.size(); ++j)
     if (gradation.masses[j] > 0) {
       const mpq_class mass = gradation.masses[j] / gradation.factors[j];
-      const Ratio lower = power(gradation.openings[j], a), upper = power(gradation.openings[j + 1], a);
-      problem.classes.push_back({j + 1, mass, lower / power(mass, b), upper / power(mass, b), least});
+      const Ratio of_mass = power(mass, b);
+      problem.classes.push_back({j + 1, mass, power(gradation.openings[j], a) / of_mass,
+                                 power(gradation.openings[j + 1], a) / of_mass, least});
     }
   problem.S = certificate.scale[0].value;
   if (!certificate.above.empty())

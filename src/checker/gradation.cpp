@@ -39,25 +39,24 @@ void passing_to_masses(std::vector<Row> &rows, const mpq_class &full, bool has_f
 }
 
 /// What both formats demand of their rows, ascending by size, whose values are masses.
-Gradation complete(const std::vector<Row> &rows, bool has_tolerances) {
+Gradation complete(std::vector<Row> rows, bool has_tolerances) {
   Gradation gradation;
   bool some = false;
-  for (const auto &[size, mass, factor, tolerance, place] : rows) {
-    demand_form(size >= 0, place, "a negative size: give the opening of the sieve");
-    demand_form(gradation.openings.empty() || size > gradation.openings.back(), place,
-                "a size that is there twice or out of order: give each sieve once, sorted");
+  for (auto &[size, mass, factor, tolerance, place] : rows) {
+    demand_form(gradation.openings.empty() ? size >= 0 : size > gradation.openings.back(), place,
+                "a size that is negative, there twice or out of order: give each sieve once, sorted");
     demand_form(mass >= 0, place,
                 "a negative mass, or more passes than the next sieve lets through: correct it");
     demand_form(factor > 0 && tolerance >= 0, place,
                 "a factor or tolerance is too small: give positive factors, tolerances from 0 up");
-    gradation.openings.push_back(size);
-    gradation.masses.push_back(mass);
-    gradation.factors.push_back(factor);
-    if (has_tolerances)
-      gradation.tolerances.push_back(tolerance);
     some = some || mass > 0;
+    gradation.openings.push_back(std::move(size));
+    gradation.masses.push_back(std::move(mass));
+    gradation.factors.push_back(std::move(factor));
+    if (has_tolerances)
+      gradation.tolerances.push_back(std::move(tolerance));
   }
-  demand_form(rows.back().value == 0, rows.back().place,
+  demand_form(gradation.masses.back() == 0, rows.back().place,
               "the largest sieve retains something: add one that retains nothing");
   demand_form(some, rows.front().place, "nothing is retained anywhere: give the masses");
   return gradation;
@@ -205,7 +204,7 @@ public:
         row.value = full - row.value;
     if (kind.starts_with("passing_") || kind.starts_with("cumulative_"))
       passing_to_masses(rows_, full, has_column("factor"));
-    return complete(rows_, has_column("tolerance_percent"));
+    return complete(std::move(rows_), has_column("tolerance_percent"));
   }
 
 private:
@@ -344,7 +343,7 @@ public:
       std::reverse(rows.begin(), rows.end());
     for (Row &row : rows)
       row.size *= unit;
-    return complete(rows, lengths.count("tolerances_percent") > 0);
+    return complete(std::move(rows), lengths.count("tolerances_percent") > 0);
   }
 
 private:

@@ -36,15 +36,15 @@ Exits with 0 (accepted), 1 (refused: the certificate does not prove its claim) o
   throw std::runtime_error(printable(who) + ": " + what);
 }
 
-/// GMP cannot pass on an exception: without memory the program ends here.
 [[noreturn]] void out_of_memory() {
   std::fputs("mdm-check: out of memory: check on a larger machine\n", stderr);
   std::_Exit(Verdict::malformed);
 }
-void *demand_memory(void *memory) {
-  if (memory == nullptr)
-    out_of_memory();
-  return memory;
+/// GMP cannot pass on an exception: without memory the program ends here.
+void *reallocate(void *memory, std::size_t, std::size_t size) {
+  if (void *const larger = std::realloc(memory, size))
+    return larger;
+  out_of_memory();
 }
 
 /// Reads a file in pieces, so that a device without end ends at the limit.
@@ -96,10 +96,7 @@ int main(int argc, char **argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   std::set_new_handler(out_of_memory);
-  mp_set_memory_functions(
-      [](std::size_t size) { return demand_memory(std::malloc(size)); },
-      [](void *memory, std::size_t, std::size_t size) { return demand_memory(std::realloc(memory, size)); },
-      nullptr);
+  mp_set_memory_functions([](std::size_t size) { return reallocate(nullptr, 0, size); }, reallocate, nullptr);
   try {
     return run({argv + (argc > 0 ? 1 : 0), argv + argc});
   } catch (const std::exception &error) {

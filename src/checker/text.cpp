@@ -95,20 +95,26 @@ mpq_class ten_to(long exponent) {
 }
 
 Decimal split_decimal(std::string_view text) {
-  const auto take = [&](std::string_view set, std::size_t most) {
-    const std::string_view taken = text.substr(0, std::min(text.find_first_not_of(set), most));
-    text.remove_prefix(taken.size());
+  const auto take = [&](std::size_t size) {
+    const std::string_view taken = text.substr(0, size);
+    text.remove_prefix(size);
     return taken;
   };
-  constexpr std::string_view digits = "0123456789";
+  const auto one_of = [&](const char *set) {
+    return take(text.substr(0, 1).find_first_of(set) == 0 ? 1 : 0);
+  };
+  const auto digits = [&] {
+    return take(
+        static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_digit) - text.begin()));
+  };
   Decimal d;
-  d.sign = take("+-", 1);
-  d.whole = take(digits, text.size());
-  d.point = take(".", 1);
-  d.fraction = take(digits, d.point.empty() ? 0 : text.size());
-  d.e = take("eE", 1);
-  d.exponent_sign = take("+-", d.e.size());
-  d.exponent = take(digits, d.e.empty() ? 0 : text.size());
+  d.sign = one_of("+-");
+  d.whole = digits();
+  d.point = one_of(".");
+  d.fraction = d.point.empty() ? std::string_view() : digits();
+  d.e = one_of("eE");
+  d.exponent_sign = d.e.empty() ? std::string_view() : one_of("+-");
+  d.exponent = d.e.empty() ? std::string_view() : digits();
   d.rest = text;
   return d;
 }
