@@ -13,11 +13,21 @@ struct Class {
   mpz_class floor; ///< r_j: no match has fewer particles in the class
 };
 
-/// What section 2 derives. Scales are to the power b.
+/// What section 2 derives, with openings, masses and factors as integers, each column in its own unit. Scales
+/// are to the power b.
 struct Problem {
   std::vector<Class> classes;
-  mpq_class S, z, S0, Z; ///< the witness's scale; that of `above`, and those of the solids, or 0
+  mpz_class opening_unit; ///< to the power a
+  Ratio S, z, S0, Z;      ///< the witness's scale; those of `above` and the solids, or 0
 };
+
+/// Multiplies the values with their common denominator, and returns that.
+mpz_class make_integers(Rationals &values) {
+  const mpz_class unit = common_denominator(values);
+  for (mpq_class &value : values)
+    value = in_units(value, unit);
+  return unit;
+}
 
 mpz_class root(const mpz_class &value, unsigned long degree) {
   if (degree == 1)
@@ -36,39 +46,29 @@ mpz_class count(const Class &c, const Ratio &L, unsigned long b) {
 
 /// Sets S0, which is enough for the witness, and Z: with bounds of pi every match has a larger scale, because
 /// r > pi. Factors of many digits make the denominator of W grow with the classes: limit 4.
-void apply_solids(Problem &problem, const Gradation &gradation, const Certificate &certificate) {
+void apply_solids(Problem &problem, const Gradation &integers, const Certificate &certificate) {
   const Solids demanded = solids(certificate);
   if (demanded.enough == 0)
     return;
-  const mpz_class unit = common_denominator(gradation.factors);
   mpz_class common = 1;
   mpq_class W = 0;
   for (const Class &c : problem.classes) {
-    include(common, in_units(gradation.factors[c.j - 1], unit), certificate);
+    include(common, integers.factors[c.j - 1].get_num(), certificate);
     W += c.mass;
   }
-  problem.S0 = demanded.enough / W;
+  const mpq_class per_volume = problem.opening_unit / W;
+  problem.S0 = mpq_class(demanded.enough * per_volume);
   if (!certificate.pi.empty())
-    problem.Z = demanded.below / W;
+    problem.Z = mpq_class(demanded.below * per_volume);
 }
 
-/// Limit 3: scales over the common denominators of the A_j, those of the certificate without reduction.
-void demand_short_scales(const Problem &problem, const Gradation &gradation, const Certificate &certificate) {
-  const mpz_class up = power(common_denominator(gradation.openings), certificate.a) *
-                       power(common_denominator(gradation.factors), certificate.b);
-  const mpz_class down = power(common_denominator(gradation.masses), certificate.b);
-  mpq_class unit(up, down);
-  unit.canonicalize();
-  std::uint64_t longest = std::max(bits(problem.S0 * unit), bits(problem.Z * unit));
-  for (const mpq_class &scale : {problem.S, problem.z})
-    longest = std::max({longest, bits(scale.get_num() * up), bits(scale.get_den() * down)});
-  demand_within((gradation.openings.size() - 1) * longest, 32, certificate);
-}
-
-Problem derive(const Gradation &gradation, const Certificate &certificate) {
+Problem derive(Gradation gradation, const Certificate &certificate) {
   const unsigned long a = certificate.a, b = certificate.b;
   const mpz_class least = std::max<mpz_class>(1, integer_of(certificate.min_per_class));
   Problem problem;
+  problem.opening_unit = power(make_integers(gradation.openings), a);
+  const Ratio unit(problem.opening_unit * power(make_integers(gradation.factors), b),
+                   power(make_integers(gradation.masses), b));
   for (std::size_t j = 0; j < gradation.masses.size(); ++j)
     if (gradation.masses[j] > 0) {
       const mpq_class mass = gradation.masses[j] / gradation.factors[j];
@@ -76,14 +76,17 @@ Problem derive(const Gradation &gradation, const Certificate &certificate) {
       problem.classes.push_back({j + 1, mass, power(gradation.openings[j], a) / of_mass,
                                  power(gradation.openings[j + 1], a) / of_mass, least});
     }
-  problem.S = certificate.scale[0].value;
+  problem.S = unit * certificate.scale[0].value;
   if (!certificate.above.empty())
-    problem.z = certificate.above[0].value;
+    problem.z = unit * certificate.above[0].value;
   apply_solids(problem, gradation, certificate);
-  demand_short_scales(problem, gradation, certificate);
+  std::uint64_t longest = 0;
+  for (const Ratio *scale : {&problem.S, &problem.z, &problem.S0, &problem.Z})
+    longest = std::max({longest, bits(scale->num), bits(scale->den)});
+  demand_within((gradation.openings.size() - 1) * longest, 32, certificate); // limit 3
   for (Class &c : problem.classes) {
     if (!certificate.cylinder.empty()) {
-      const Ratio quotient = Ratio(problem.S0) / c.B;
+      const Ratio quotient = problem.S0 / c.B;
       c.floor = std::max<mpz_class>(c.floor, (quotient.num - 1) / quotient.den + 1);
     }
     c.floor = std::max(count(c, problem.Z, b), count(c, problem.z, b));
@@ -92,7 +95,7 @@ Problem derive(const Gradation &gradation, const Certificate &certificate) {
 }
 
 void verify_witness(const Problem &problem, const Gradation &gradation, const Certificate &certificate) {
-  demand(problem.S >= problem.S0, "scale: the volume of the solids");
+  demand(compare(problem.S, problem.S0) >= 0, "scale: the volume of the solids");
   demand(certificate.classes.size() == problem.classes.size(), "witness: one line a class with mass");
   mpz_class sum = 0;
   for (std::size_t i = 0; i < problem.classes.size(); ++i) {
@@ -102,7 +105,8 @@ void verify_witness(const Problem &problem, const Gradation &gradation, const Ce
     demand(witness.quantity >= integer_of(certificate.min_per_class), "q >= R", c.j);
     // That the size is in (x_j, x_{j+1}] says that q^b A < S <= q^b B.
     const Ratio one = Ratio(c.mass) / witness.quantity;
-    verify_size(gradation.openings, witness, power(one, certificate.b) * problem.S, certificate.a);
+    const Ratio T = power(one, certificate.b) * problem.S / problem.opening_unit;
+    verify_size(gradation.openings, witness, T, certificate.a);
     sum += witness.quantity;
   }
   demand(sum == integer_of(certificate.particles), "sum of q = N");
@@ -117,7 +121,7 @@ void verify_chain(const Problem &problem, const Certificate &certificate) {
   std::vector<const Class *> class_of(problem.classes.back().j + 1);
   for (const Class &c : problem.classes)
     class_of[c.j] = &c;
-  Ratio L(mpz_class(0));
+  Ratio L;
   for (const std::uint32_t j : *certificate.chain) {
     demand(j < class_of.size() && class_of[j] != nullptr, "chain: every step is a class with mass", j);
     const mpz_class q = count(*class_of[j], L, b);
@@ -139,7 +143,7 @@ void verify_above(const Problem &problem, const Certificate &certificate) {
   mpz_class sum = 0;
   for (const Class &c : problem.classes) {
     demand(c.A.num > 0, "above: A > 0", c.j);
-    const Ratio quotient = Ratio(problem.z) / c.A;
+    const Ratio quotient = problem.z / c.A;
     sum += root((quotient.num - 1) / quotient.den, certificate.b);
   }
   demand(sum < integer_of(certificate.at_least), "above: sum of h < M");

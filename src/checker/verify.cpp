@@ -22,19 +22,6 @@ std::uint64_t work_of(const Certificate &certificate, std::uint64_t n) {
   return steps;
 }
 
-Ratio operator*(const Ratio &x, const Ratio &y) {
-  return {x.num * y.num, x.den * y.den};
-}
-Ratio operator/(const Ratio &x, const Ratio &y) {
-  return {x.num * y.den, x.den * y.num};
-}
-Ratio power(const Ratio &x, unsigned long exponent) {
-  return {power(x.num, exponent), power(x.den, exponent)};
-}
-int compare(const Ratio &x, const Ratio &y) {
-  return cmp(x.num * y.den, y.num * x.den);
-}
-
 mpz_class common_denominator(const Rationals &values) {
   mpz_class common = 1;
   for (const mpq_class &value : values)

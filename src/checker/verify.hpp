@@ -32,13 +32,17 @@ std::uint64_t work_of(const Certificate &certificate, std::uint64_t n);
 /// A fraction that need not be in lowest terms, so that no loop pays for a gcd.
 struct Ratio {
   mpz_class num, den;
-  Ratio(mpz_class n, mpz_class d = 1) : num(std::move(n)), den(std::move(d)) {}
+  Ratio(mpz_class n = 0, mpz_class d = 1) : num(std::move(n)), den(std::move(d)) {}
   Ratio(const mpq_class &value) : num(value.get_num()), den(value.get_den()) {}
+
+  friend Ratio operator*(const Ratio &x, const Ratio &y) { return {x.num * y.num, x.den * y.den}; }
+  friend Ratio operator*(const Ratio &x, const mpz_class &n) { return {x.num * n, x.den}; }
+  friend Ratio operator/(const Ratio &x, const Ratio &y) { return {x.num * y.den, x.den * y.num}; }
+  friend int compare(const Ratio &x, const Ratio &y) { return cmp(x.num * y.den, y.num * x.den); }
 };
-Ratio operator*(const Ratio &x, const Ratio &y);
-Ratio operator/(const Ratio &x, const Ratio &y);
-int compare(const Ratio &x, const Ratio &y);
-Ratio power(const Ratio &x, unsigned long exponent);
+inline Ratio power(const Ratio &x, unsigned long exponent) {
+  return {power(x.num, exponent), power(x.den, exponent)};
+}
 
 mpz_class common_denominator(const Rationals &values);
 /// value * unit, an integer.
