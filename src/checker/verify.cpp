@@ -94,8 +94,7 @@ void verify_pi(const Certificate &certificate) {
   if (certificate.pi.empty())
     return;
   const mpz_class unit = power(10, 1100);
-  // Each term is a floor and the rest of the series is below 1: with k terms the sum is off by less than k
-  // + 1.
+  // Each term is a floor and the rest of the series is below 1: k terms are off by less than k + 1.
   const auto arctangent_of_one_over = [&](unsigned long m) {
     mpz_class sum = 0;
     mpz_class odd_power = unit / m;
