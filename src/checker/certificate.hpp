@@ -24,32 +24,32 @@ struct ClassWitness {
   mpq_class mass, lo, hi;
 };
 
-/// m > 0 times the condition of a letter and, where it has one, a class (section 6).
+/// m > 0 times the condition of a letter and, where it has one, a class (section 6), else 0.
 struct Multiple {
   mpz_class m;
   char condition;
-  std::uint32_t j;
+  std::uint64_t j;
 };
 
 /// A node of a tree: a split of q_j into q_j < v and q_j >= v, or a leaf.
 struct TreeNode {
-  std::uint32_t j = 0;
+  std::uint64_t j = 0;
   mpz_class v = 0;
   std::vector<Multiple> leaf; ///< empty: a split
 };
 
-/// The numbers of each line; none where the line is absent. The texts are those of the file. An index beyond
-/// 32 bits, which no class has, is 2^32 - 1.
+/// The numbers of each line; none where the line is absent. The texts are those of the file.
 struct Certificate {
-  Numbers version, law, pan_size, cut_below, size_factor, min_per_class, cylinder, box, solids_volume, pi,
-      at_least;
+  Numbers law, pan_size, cut_below, size_factor, min_per_class, cylinder, box, solids_volume, pi, at_least;
   Numbers retained, retained_file, passing, passing_file, passing_each, total; ///< `file` is a number 0
   Numbers band;                                                                ///< three a line
   Numbers particles;                                                           ///< none: there is no match
   Numbers scale, above;
   std::vector<ClassWitness> classes;
-  std::optional<std::vector<std::uint32_t>> chain;
-  std::vector<TreeNode> tree; ///< in preorder; empty without a tolerance
+  std::optional<std::vector<std::uint32_t>> chain; ///< 2^32 - 1 is an index that no class has
+  std::vector<TreeNode> tree;                      ///< in preorder; empty without a tolerance
+  unsigned long a, b;                              ///< of the law
+  std::uint64_t longest_count;                     ///< in bits, for the limits 1 and 2
 };
 
 /// Reads a certificate (section 1).

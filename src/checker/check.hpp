@@ -1,10 +1,13 @@
 #pragma once
 
-#include "text.hpp"
-
 #include <string>
 
 namespace mdm_check {
+
+/// A file to be judged, and the name under which messages speak of it.
+struct Input {
+  std::string name, text;
+};
 
 /// What the program exits with, and the one line that it writes.
 struct Verdict {

@@ -7,10 +7,12 @@
 
 namespace mdm_check {
 
+using Rationals = std::vector<mpq_class>;
+
 /// Openings x_1 < ... < x_n, masses m_1..m_n >= 0 with m_n = 0 and not all 0, factors c_1..c_n > 0, and
 /// tolerances in percent >= 0 (none at all where the file has none).
 struct Gradation {
-  std::vector<mpq_class> openings, masses, factors, tolerances;
+  Rationals openings, masses, factors, tolerances;
 };
 
 /// Reads a gradation file, CSV or JSON (section 4).

@@ -1,4 +1,5 @@
 #include "check.hpp"
+#include "text.hpp"
 
 #include <cerrno>
 #include <csignal>
@@ -35,15 +36,15 @@ Exits with 0 (accepted), 1 (refused: the certificate does not prove its claim) o
   throw std::runtime_error(printable(who) + ": " + what);
 }
 
-/// GMP cannot pass on an exception: without memory the program ends here.
 [[noreturn]] void out_of_memory() {
   std::fputs("mdm-check: out of memory: check on a larger machine\n", stderr);
   std::_Exit(Verdict::malformed);
 }
-void *demand_memory(void *memory) {
-  if (memory == nullptr)
-    out_of_memory();
-  return memory;
+/// GMP cannot pass on an exception: without memory the program ends here.
+void *reallocate(void *memory, std::size_t, std::size_t size) {
+  if (void *const larger = std::realloc(memory, size))
+    return larger;
+  out_of_memory();
 }
 
 /// Reads a file in pieces, so that a device without end ends at the limit.
@@ -80,8 +81,8 @@ int run(const std::vector<std::string> &arguments) {
       fail("mdm-check", "no option " + quoted(argument) + ": see mdm-check --help");
   if (arguments.size() != 2 || (arguments[0] == "-" && arguments[1] == "-"))
     fail("mdm-check", "give one gradation and one certificate: see mdm-check --help");
-  const Input gradation = read_input(arguments[0], limit::gradation_bytes);
-  const Input certificate = read_input(arguments[1], limit::certificate_bytes);
+  const Input gradation = read_input(arguments[0], std::size_t{64} << 20U);
+  const Input certificate = read_input(arguments[1], std::size_t{256} << 20U);
   const Verdict verdict = check(gradation, certificate);
   if (verdict.code == Verdict::malformed)
     throw std::runtime_error(verdict.line);
@@ -95,10 +96,7 @@ int main(int argc, char **argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   std::set_new_handler(out_of_memory);
-  mp_set_memory_functions(
-      [](std::size_t size) { return demand_memory(std::malloc(size)); },
-      [](void *memory, std::size_t, std::size_t size) { return demand_memory(std::realloc(memory, size)); },
-      nullptr);
+  mp_set_memory_functions([](std::size_t size) { return reallocate(nullptr, 0, size); }, reallocate, nullptr);
   try {
     return run({argv + (argc > 0 ? 1 : 0), argv + argc});
   } catch (const std::exception &error) {

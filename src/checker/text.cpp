@@ -1,49 +1,55 @@
 #include "text.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 namespace mdm_check {
 namespace {
 
+/// The character that a text begins with.
 struct Character {
-  std::uint32_t code;
   std::size_t bytes; ///< 0: no valid UTF-8 begins here
+  std::uint32_t code;
+
+  bool is_control() const { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
+  /// Invisible characters, line separators and marks of the direction of writing could make a message lie.
+  bool misleads() const {
+    return (code >= 0x200B && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) ||
+           (code >= 0x2060 && code <= 0x2069) || code == 0xFEFF;
+  }
 };
 
 Character first_character(std::string_view text) {
-  const auto byte = [&](std::size_t i) -> std::uint32_t {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
-  };
-  const std::uint32_t lead = byte(0);
-  if (lead < 0x80)
-    return {lead, 1};
-  const std::size_t bytes = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  constexpr std::uint32_t least_code[] = {0, 0, 0x80, 0x800, 0x10000}; // in so many bytes
+  const auto lead = static_cast<unsigned char>(text[0]);
+  const auto bytes = static_cast<std::size_t>(std::countl_one(lead)); // 0 for ASCII
+  bool valid = bytes != 1 && bytes <= 4 && bytes <= text.size();
   std::uint32_t code = lead & (0x7FU >> bytes);
-  bool valid = lead >= 0xC2 && lead <= 0xF4;
-  for (std::size_t i = 1; i < bytes; ++i) {
-    valid = valid && (byte(i) & 0xC0U) == 0x80;
-    code = (code << 6U) | (byte(i) & 0x3FU);
+  for (std::size_t i = 1; valid && i < bytes; ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    valid = byte >> 6U == 2;
+    code = code << 6U | (byte & 0x3FU);
   }
-  const bool overlong = (bytes == 3 && code < 0x800) || (bytes == 4 && code < 0x10000);
-  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-  return valid && !overlong && !surrogate && code <= 0x10FFFF ? Character{code, bytes} : Character{0, 0};
-}
-
-bool is_control(std::uint32_t code) {
-  return code < 0x20 || (code >= 0x7F && code < 0xA0);
-}
-
-/// Invisible characters, line separators and marks of the direction of writing could make a message lie.
-bool misleads(std::uint32_t code) {
-  return (code >= 0x200B && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) ||
-         (code >= 0x2060 && code <= 0x2069) || code == 0xFEFF;
+  valid = valid && code >= least_code[bytes] && code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF);
+  return valid ? Character{std::max<std::size_t>(bytes, 1), code} : Character{0, 0};
 }
 
 } // namespace
 
-void demand_form(bool holds, std::string_view place, const char *what) {
+void demand_form(bool holds, std::string_view place, const char *what, std::string_view culprit) {
   if (!holds)
-    throw Malformed(place, what);
+    throw Malformed(place, culprit.data() == nullptr ? what : quoted(culprit) + " " + what);
+}
+
+void demand_text(std::string_view text) {
+  while (!text.empty()) {
+    const Character c = first_character(text);
+    const bool space = c.code == '\t' || c.code == '\r' || c.code == '\n';
+    demand_form(c.bytes > 0, text, "not valid UTF-8: save the file as UTF-8 text");
+    demand_form(space || !c.is_control(), text, "a control character: give a text file without them");
+    text.remove_prefix(c.bytes);
+  }
 }
 
 std::string printable(std::string_view text, std::size_t most_characters) {
@@ -52,7 +58,7 @@ std::string printable(std::string_view text, std::size_t most_characters) {
   for (std::size_t characters = 0; !text.empty();) {
     const Character c = first_character(text);
     const std::string_view raw = text.substr(0, std::max<std::size_t>(c.bytes, 1));
-    const bool plain = c.bytes > 0 && !is_control(c.code) && !misleads(c.code);
+    const bool plain = c.bytes > 0 && !c.is_control() && !c.misleads();
     characters += plain ? 1 : 4 * raw.size();
     if (characters > most_characters)
       return out + "...";
@@ -69,16 +75,6 @@ std::string quoted(std::string_view text) {
   return "'" + printable(text, 80) + "'";
 }
 
-void demand_text(std::string_view text) {
-  while (!text.empty()) {
-    const Character c = first_character(text);
-    const bool space = c.code == '\t' || c.code == '\r' || c.code == '\n';
-    demand_form(c.bytes > 0, text, "not valid UTF-8: save the file as UTF-8 text");
-    demand_form(space || !is_control(c.code), text, "a control character: give a text file without them");
-    text.remove_prefix(c.bytes);
-  }
-}
-
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
@@ -89,44 +85,53 @@ mpz_class power(const mpz_class &base, unsigned long exponent) {
   return result;
 }
 
+std::size_t bits(const mpq_class &value) {
+  return std::max(mpz_sizeinbase(value.get_num_mpz_t(), 2), mpz_sizeinbase(value.get_den_mpz_t(), 2));
+}
+
 mpq_class ten_to(long exponent) {
   const mpz_class magnitude = power(10, static_cast<unsigned long>(exponent < 0 ? -exponent : exponent));
   return exponent < 0 ? mpq_class(1, magnitude) : mpq_class(magnitude);
 }
 
-Decimal split_decimal(std::string_view text, char point) {
-  const auto take = [&](std::string_view set, std::size_t most) {
-    const std::string_view taken = text.substr(0, std::min(text.find_first_not_of(set), most));
-    text.remove_prefix(taken.size());
+Decimal split_decimal(std::string_view text) {
+  const auto take = [&](std::size_t size) {
+    const std::string_view taken = text.substr(0, size);
+    text.remove_prefix(size);
     return taken;
   };
-  constexpr std::string_view digits = "0123456789";
+  const auto one_of = [&](const char *set) {
+    return take(text.substr(0, 1).find_first_of(set) == 0 ? 1 : 0);
+  };
+  const auto digits = [&] {
+    return take(
+        static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_digit) - text.begin()));
+  };
   Decimal d;
-  d.sign = take("+-", 1);
-  d.whole = take(digits, text.size());
-  d.point = take({&point, 1}, 1);
-  d.fraction = take(digits, d.point.empty() ? 0 : text.size());
-  d.e = take("eE", 1);
-  d.exponent_sign = take("+-", d.e.size());
-  d.exponent = take(digits, d.e.empty() ? 0 : text.size());
+  d.sign = one_of("+-");
+  d.whole = digits();
+  d.point = one_of(".");
+  d.fraction = d.point.empty() ? std::string_view() : digits();
+  d.e = one_of("eE");
+  d.exponent_sign = d.e.empty() ? std::string_view() : one_of("+-");
+  d.exponent = d.e.empty() ? std::string_view() : digits();
   d.rest = text;
   return d;
 }
 
-mpq_class read_decimal(std::string_view text, char point, std::string_view place) {
-  const Decimal d = split_decimal(text, point);
-  const std::size_t digits = d.whole.size() + d.fraction.size();
-  if (digits == 0 || !d.rest.empty() || d.e.empty() != d.exponent.empty())
-    throw Malformed(place, quoted(text) + " is not a number: write a decimal such as 0.075");
-  if (digits > limit::decimal_digits)
-    throw Malformed(place, quoted(text) + " has more than 1000 digits: shorten it");
+mpq_class read_decimal(std::string_view text, std::string_view place, std::size_t most_digits) {
+  const Decimal d = split_decimal(text);
+  const std::string digits = std::string(d.whole) + std::string(d.fraction);
+  demand_form(!digits.empty() && d.rest.empty() && d.e.empty() == d.exponent.empty(), place,
+              "is not a number: write a decimal such as 0.075", text);
+  demand_form(digits.size() <= most_digits, place, "has too many digits: shorten it", text);
+  constexpr long most = 400;
   long exponent = 0;
   for (const char c : d.exponent)
-    exponent = std::min(10 * exponent + (c - '0'), limit::exponent + 1);
-  if (exponent > limit::exponent)
-    throw Malformed(place, quoted(text) + " has an exponent beyond 400: choose another unit");
+    exponent = std::min(10 * exponent + (c - '0'), most + 1);
+  demand_form(exponent <= most, place, "has an exponent beyond 400: choose another unit", text);
   exponent = (d.exponent_sign == "-" ? -exponent : exponent) - static_cast<long>(d.fraction.size());
-  const mpz_class value(std::string(d.whole) + std::string(d.fraction), 10);
+  const mpz_class value(digits, 10);
   return (d.sign == "-" ? mpz_class(-value) : value) * ten_to(exponent);
 }
 

@@ -1,28 +1,18 @@
 #include "verify.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace mdm_check {
 namespace {
 
-/// What is demanded of a share: lo <= share <= hi.
-struct Bounds {
-  mpq_class lo = 0, hi = 1;
+/// The shares of section 6 that belong to a class: the bounds on t_j / M and on P_j / M, g_j, and 1 / c_j.
+enum Share : std::size_t { r, R, p, P, g, weight, shares };
 
-  void narrow(const mpq_class &least, const mpq_class &most) {
-    lo = std::max(lo, least);
-    hi = std::min(hi, most);
-  }
-  void narrow_around(const mpq_class &share, const mpq_class &percent) {
-    narrow(share - percent / 100, share + percent / 100);
-  }
-};
-
-/// Class j in integers: f_j and F_j in mass units; in share units the bounds on t_j / M and on P_j / M, the
-/// share g_j and the weight of a mass, 1 / c_j.
+/// Class j in integers: f_j and F_j in mass units, the shares in share units; q_j >= least.
 struct Class {
-  mpz_class f, F, least; ///< q_j >= least
-  mpz_class retained_lo, retained_hi, passing_lo, passing_hi, g, weight;
+  mpz_class f, F, least;
+  std::array<mpz_class, shares> share;
 };
 
 /// The problem of section 6. A mass t is the integer t * mass_unit where it is compared with f or F.
@@ -30,7 +20,7 @@ struct Problem {
   std::vector<Class> classes; ///< class j at j - 1
   mpz_class mass_unit, share_unit;
   mpz_class half_total; ///< e / 2 in share units
-  mpq_class weight;     ///< least sum of t / c of every match
+  mpq_class w;          ///< least sum of t / c of every match
 };
 
 /// x^(a/b) = (root_b x)^a is rational iff the root is: a and b have no common factor.
@@ -46,85 +36,77 @@ Rationals roots(const Rationals &openings, unsigned long b) {
   return result;
 }
 
-/// What the lines of the tolerance demand of the shares retained and passing, g the gradation's shares.
-void narrow(std::vector<Bounds> &retained, std::vector<Bounds> &passing, const Rationals &g,
-            const Gradation &gradation, const Certificate &c) {
-  const std::size_t k = g.size();
+/// The shares of each class, the bounds narrowed by what the lines of the tolerance demand.
+std::vector<std::array<mpq_class, shares>> derive_shares(const Gradation &gradation, const Certificate &c) {
+  const Rationals &x = gradation.openings;
+  const std::size_t k = x.size() - 1;
   const bool has_file = !c.retained_file.empty() || !c.passing_file.empty();
   demand(!has_file || !gradation.tolerances.empty(), "a column tolerance_percent");
   demand(c.passing_each.empty() || c.passing_each.size() == k - 1, "passing-each: k - 1 tolerances");
-  mpq_class G = 0;
+  std::vector<std::array<mpq_class, shares>> of(k, {0, 1, 0, 1, 0, 0});
+  const auto narrow = [&](std::size_t j, Share lo, const mpq_class &least, const mpq_class &most) {
+    of[j][lo] = std::max(of[j][lo], least);
+    of[j][lo + 1] = std::min(of[j][lo + 1], most);
+  };
+  const Solids demanded = solids(c);
+  mpq_class all = 0, G = 0;
+  for (const mpq_class &mass : gradation.masses)
+    all += mass;
   for (std::size_t j = 0; j < k; ++j) {
-    G += g[j];
-    const auto narrow = [&](Bounds &bounds, const mpq_class &share, const Numbers &percent,
-                            const Numbers &file, std::size_t row) {
-      if (!percent.empty())
-        bounds.narrow_around(share, percent[0].value);
-      if (!file.empty())
-        bounds.narrow_around(share, gradation.tolerances[row]);
+    of[j][g] = gradation.masses[j] / all;
+    G += of[j][g];
+    const auto narrow_around = [&](Share lo, const mpq_class &share, const mpq_class &percent) {
+      narrow(j, lo, share - percent / 100, share + percent / 100);
     };
-    narrow(retained[j], g[j], c.retained, c.retained_file, j);
-    if (j + 1 == k)
-      break;
-    narrow(passing[j], G, c.passing, c.passing_file, j + 1);
-    if (!c.passing_each.empty())
-      passing[j].narrow_around(G, c.passing_each[j].value);
+    if (demanded.enough > 0)
+      of[j][weight] = 1 / gradation.factors[j];
+    if (!c.retained.empty())
+      narrow_around(r, of[j][g], c.retained[0].value);
+    if (!c.retained_file.empty())
+      narrow_around(r, of[j][g], gradation.tolerances[j]);
+    if (!c.passing.empty() && j + 1 < k)
+      narrow_around(p, G, c.passing[0].value);
+    if (!c.passing_file.empty() && j + 1 < k)
+      narrow_around(p, G, gradation.tolerances[j + 1]);
+    if (!c.passing_each.empty() && j + 1 < k)
+      narrow_around(p, G, c.passing_each[j].value);
   }
-  const Rationals &openings = gradation.openings;
   for (std::size_t i = 0; i < c.band.size(); i += 3) {
-    const mpq_class x = c.band[i].value * (c.size_factor.empty() ? mpq_class(1) : c.size_factor[0].value);
-    const mpq_class lo = c.band[i + 1].value / 100, hi = c.band[i + 2].value / 100;
-    const auto found = std::lower_bound(openings.begin(), openings.end(), x);
-    if (x <= openings.front()) {
-      demand(lo == 0, "band: nothing passes the finest opening");
-      continue;
-    }
-    demand(found == openings.end() || *found == x, "band: every sieve is an opening");
-    const auto i_upper = static_cast<std::size_t>(found - openings.begin());
-    passing[std::min(i_upper, k) - 1].narrow(lo, hi);
+    const mpq_class size = c.band[i].value * (c.size_factor.empty() ? mpq_class(1) : c.size_factor[0].value);
+    const mpq_class least = c.band[i + 1].value / 100, most = c.band[i + 2].value / 100;
+    const auto passes = static_cast<std::size_t>(std::lower_bound(x.begin(), x.end(), size) - x.begin());
+    demand(size > x[0] || least == 0, "band: nothing passes the finest opening");
+    demand(size <= x[0] || passes > k || x[passes] == size, "band: every sieve is an opening");
+    if (size > x[0])
+      narrow(std::min(passes, k) - 1, p, least, most);
   }
+  return of;
 }
 
 /// Derives the problem; what does not fit together is Refused, what would take too long is Malformed.
 Problem derive(const Gradation &gradation, const Certificate &certificate) {
-  const std::size_t k = gradation.openings.size() - 1;
-  const unsigned long a = certificate.law[0].value.get_num().get_ui();
-  mpq_class all = 0;
-  for (const mpq_class &mass : gradation.masses)
-    all += mass;
-  Rationals g, weights;
-  const Solids demanded = solids(certificate);
-  for (std::size_t j = 0; j < k; ++j) {
-    g.push_back(gradation.masses[j] / all);
-    weights.push_back(demanded.enough == 0 ? mpq_class(0) : 1 / gradation.factors[j]);
-  }
-  std::vector<Bounds> retained(k), passing(k);
-  narrow(retained, passing, g, gradation, certificate);
+  const std::vector<std::array<mpq_class, shares>> of = derive_shares(gradation, certificate);
   // The total is at most 2 for any shares.
   const mpq_class half_total = certificate.total.empty() ? mpq_class(1) : certificate.total[0].value / 200;
-
-  Problem problem;
-  problem.weight = demanded.below;
-  mpz_class &unit = problem.share_unit;
-  unit = half_total.get_den();
-  for (std::size_t j = 0; j < k; ++j)
-    for (const mpq_class *share :
-         {&g[j], &weights[j], &retained[j].lo, &retained[j].hi, &passing[j].lo, &passing[j].hi})
-      include(unit, share->get_den(), certificate);
-  const Rationals size = roots(gradation.openings, certificate.law[0].value.get_den().get_ui());
+  mpz_class unit = half_total.get_den();
+  for (const auto &class_j : of)
+    for (const mpq_class &share : class_j)
+      include(unit, share.get_den(), certificate);
+  const Rationals size = roots(gradation.openings, certificate.b);
   const mpz_class size_unit = common_denominator(size), factor_unit = common_denominator(gradation.factors);
-  problem.mass_unit = power(size_unit, a) * factor_unit;
-  problem.half_total = in_units(half_total, unit);
-  demand_within(work_of(certificate, k) * (bits(unit) + bits(problem.weight)), limit::work_of_steps,
-                certificate); // limit 6
-  for (std::size_t j = 0; j < k; ++j) {
+  const mpq_class w = solids(certificate).below;
+  demand_within(work_of(certificate, of.size()) * (bits(unit) + bits(w)), 34, certificate); // limit 6
+
+  Problem problem{{}, power(size_unit, certificate.a) * factor_unit, unit, in_units(half_total, unit), w};
+  for (std::size_t j = 0; j < of.size(); ++j) {
     const mpz_class c = in_units(gradation.factors[j], factor_unit);
-    const auto mass = [&](std::size_t i) -> mpz_class { return c * power(in_units(size[i], size_unit), a); };
-    const auto share = [&](const mpq_class &value) { return in_units(value, unit); };
-    problem.classes.push_back({mass(j), mass(j + 1),
-                               gradation.masses[j] > 0 ? integer_of(certificate.min_per_class) : mpz_class(0),
-                               share(retained[j].lo), share(retained[j].hi), share(passing[j].lo),
-                               share(passing[j].hi), share(g[j]), share(weights[j])});
+    Class class_j{c * power(in_units(size[j], size_unit), certificate.a),
+                  c * power(in_units(size[j + 1], size_unit), certificate.a),
+                  gradation.masses[j] > 0 ? integer_of(certificate.min_per_class) : mpz_class(0),
+                  {}};
+    for (std::size_t i = 0; i < shares; ++i)
+      class_j.share[i] = in_units(of[j][i], unit);
+    problem.classes.push_back(std::move(class_j));
   }
   return problem;
 }
@@ -132,39 +114,34 @@ Problem derive(const Gradation &gradation, const Certificate &certificate) {
 /// The particles of the witness are a match, by definition.
 void verify_witness(const Problem &problem, const Gradation &gradation, const Certificate &certificate) {
   const std::size_t k = problem.classes.size();
-  const unsigned long a = certificate.law[0].value.get_num().get_ui();
-  const unsigned long b = certificate.law[0].value.get_den().get_ui();
   mpz_class unit = 1; // the masses times this are integers
   for (const ClassWitness &witness : certificate.classes)
     include(unit, witness.mass.get_den(), certificate);
-  demand_within(work_of(certificate, k) * bits(unit), limit::work_of_steps, certificate); // limit 6
+  demand_within(work_of(certificate, k) * bits(unit), 34, certificate); // limit 6
   std::vector<mpz_class> q(k), t(k);
   mpz_class N = 0, M = 0;
-  for (const ClassWitness &witness : certificate.classes) {
+  for (const auto &witness : certificate.classes) {
     const std::uint64_t j = witness.index;
     demand(1 <= j && j <= k, "witness: a class of the gradation", j);
-    const Class &c = problem.classes[j - 1];
-    const mpz_class mass = in_units(witness.mass, unit);
-    demand(c.f * witness.quantity * unit < mass * problem.mass_unit, "f q < t", j);
-    demand(mass * problem.mass_unit <= c.F * witness.quantity * unit, "t <= F q", j);
+    // That the size is in (x_j, x_{j+1}] says that f q < t <= F q.
     const mpq_class one = witness.mass / (witness.quantity * gradation.factors[j - 1]);
-    verify_size(gradation.openings, witness, {power(one.get_num(), b), power(one.get_den(), b)}, a);
+    verify_size(gradation.openings, witness, power(one, certificate.b), certificate.a);
     N += q[j - 1] = witness.quantity;
-    M += t[j - 1] = mass;
+    M += t[j - 1] = in_units(witness.mass, unit);
   }
-  mpz_class P = 0, excess = 0, weight = 0;
+  mpz_class passing = 0, excess = 0, solids_volume = 0;
   for (std::size_t j = 1; j <= k; ++j) {
     const Class &c = problem.classes[j - 1];
-    const mpz_class mass = t[j - 1] * problem.share_unit;
-    P += mass;
+    const mpz_class retained = t[j - 1] * problem.share_unit;
+    passing += retained;
     demand(q[j - 1] >= c.least, "q >= R", j);
-    demand(c.retained_lo * M <= mass && mass <= c.retained_hi * M, "retained", j);
-    demand(c.passing_lo * M <= P && P <= c.passing_hi * M, "passing", j);
-    excess += std::max<mpz_class>(0, mass - c.g * M);
-    weight += t[j - 1] * c.weight;
+    demand(c.share[r] * M <= retained && retained <= c.share[R] * M, "retained", j);
+    demand(c.share[p] * M <= passing && passing <= c.share[P] * M, "passing", j);
+    excess += std::max<mpz_class>(0, retained - c.share[g] * M);
+    solids_volume += t[j - 1] * c.share[weight];
   }
   demand(excess <= problem.half_total * M, "total");
-  demand(weight >= solids(certificate).enough * problem.share_unit * unit, "the volume of the solids");
+  demand(solids_volume >= solids(certificate).enough * problem.share_unit * unit, "the volume of the solids");
   demand(N == integer_of(certificate.particles), "sum of q = N");
   demand(N >= integer_of(certificate.at_least), "N >= M");
 }
@@ -173,45 +150,43 @@ void verify_witness(const Problem &problem, const Gradation &gradation, const Ce
 class Replay {
 public:
   Replay(const Problem &problem, const Certificate &certificate)
-      : problem_(problem), certificate_(certificate), most_(problem.classes.size(), -1) {
+      : problem_(problem), certificate_(certificate) {
     for (const Class &c : problem.classes)
-      least_.push_back(c.least);
+      in_force_.push_back({c.least, -1});
   }
 
   void run() {
     for (const TreeNode &node : certificate_.tree) {
       if (node.leaf.empty()) {
-        demand(1 <= node.j && node.j <= least_.size(), "split: a class of the gradation", node.j);
-        mpz_class &most = most_[node.j - 1];
-        path_.push_back({node.j - 1, node.v, most, false});
-        most = most < 0 ? mpz_class(node.v - 1) : std::min<mpz_class>(most, node.v - 1);
-      } else {
-        refute(node.leaf);
-        go_on();
+        demand(1 <= node.j && node.j <= in_force_.size(), "split: a class of the gradation", node.j);
+        Bounds &bounds = in_force_[node.j - 1];
+        path_.push_back({node, bounds, false});
+        if (bounds.most < 0 || bounds.most >= node.v)
+          bounds.most = node.v - 1;
+        continue;
+      }
+      refute(node.leaf);
+      // Up to the last split whose second subtree is to come, and into that.
+      for (; !path_.empty() && path_.back().second; path_.pop_back())
+        in_force_[path_.back().split.j - 1] = path_.back().before;
+      if (!path_.empty()) {
+        auto &[split, before, second] = path_.back();
+        second = true;
+        in_force_[split.j - 1] = {std::max(before.least, split.v), before.most};
       }
     }
   }
 
 private:
-  struct Split {
-    std::size_t j;
-    mpz_class v, before; ///< the bound that the branch has changed
+  /// least <= q_j <= most; most is -1 where there is no bound.
+  struct Bounds {
+    mpz_class least, most;
+  };
+  struct Branch {
+    const TreeNode &split;
+    Bounds before; ///< of the split's class
     bool second;
   };
-
-  /// Up to the last split whose second subtree is to come, and into that.
-  void go_on() {
-    for (; !path_.empty() && path_.back().second; path_.pop_back())
-      least_[path_.back().j] = path_.back().before;
-    if (path_.empty())
-      return;
-    Split &split = path_.back();
-    mpz_class &least = least_[split.j];
-    most_[split.j] = split.before;
-    split.before = least;
-    least = std::max(least, split.v);
-    split.second = true;
-  }
 
   /// A condition: sum of coefficient * variable >= constant. q, t, p and P_j are those of its class, or of
   /// every class where it has none; q is in mass units, M in share units.
@@ -221,30 +196,30 @@ private:
   };
 
   /// The condition of class j, or for j = 0 of all.
-  Condition condition(char letter, std::uint32_t j) const {
+  Condition condition(char letter, std::uint64_t j) const {
     const Class &c = problem_.classes[j == 0 ? 0 : j - 1];
-    const mpz_class &least = least_[j == 0 ? 0 : j - 1], &most = most_[j == 0 ? 0 : j - 1];
+    const Bounds &bounds = in_force_[j == 0 ? 0 : j - 1];
     const mpz_class &unit = problem_.mass_unit;
     switch (letter) {
     case 'f': // t_j - f_j q_j >= 0, strict where q_j >= 1
-      return {-c.f, 1, 0, 0, 0, 0, 0, least >= 1};
+      return {-c.f, 1, 0, 0, 0, 0, 0, bounds.least >= 1};
     case 'F': // F_j q_j - t_j >= 0
       return {c.F, -1};
     case 'q': // q_j >= the bound in force
-      return {unit, 0, 0, 0, 0, 0, least};
+      return {unit, 0, 0, 0, 0, 0, bounds.least};
     case 'Q': // -q_j >= minus the bound in force
-      demand(most >= 0, "leaf: Q where q is bounded", j);
-      return {-unit, 0, 0, 0, 0, 0, -most};
+      demand(bounds.most >= 0, "leaf: Q where q is bounded", j);
+      return {-unit, 0, 0, 0, 0, 0, -bounds.most};
     case 'r': // t_j - lo_j M >= 0
-      return {0, 1, 0, 0, -c.retained_lo};
+      return {0, 1, 0, 0, -c.share[r]};
     case 'R': // hi_j M - t_j >= 0
-      return {0, -1, 0, 0, c.retained_hi};
+      return {0, -1, 0, 0, c.share[R]};
     case 'p': // P_j - lo_j M >= 0
-      return {0, 0, 1, 0, -c.passing_lo};
+      return {0, 0, 1, 0, -c.share[p]};
     case 'P': // hi_j M - P_j >= 0
-      return {0, 0, -1, 0, c.passing_hi};
+      return {0, 0, -1, 0, c.share[P]};
     case 'e': // p_j - t_j + g_j M >= 0
-      return {0, -1, 0, 1, c.g};
+      return {0, -1, 0, 1, c.share[g]};
     case 'x': // p_j >= 0
       return {0, 0, 0, 1};
     case 'E': // (e / 2) M - sum p >= 0
@@ -263,37 +238,37 @@ private:
 
   /// The sum of the conditions is 0 >= positive, or 0 > 0 (Theorem 14).
   void refute(const std::vector<Multiple> &leaf) const {
-    const std::size_t k = least_.size();
-    std::vector<mpz_class> q(k + 1), t(k + 1), P(k + 1), p(k + 1); // of all classes in place 0
-    mpz_class M = 0, weight = 0, constant = 0;
-    bool strict = false;
+    const std::size_t k = problem_.classes.size();
+    std::vector<Condition> sums(k + 1); // of each class, and of all in place 0
+    Condition &all = sums[0];
     for (const auto &[m, letter, j] : leaf) {
       demand(j <= k, "leaf: a class of the gradation", j);
       const Condition c = condition(letter, j);
-      q[j] += m * c.q;
-      t[j] += m * c.t;
-      P[j] += m * c.P;
-      p[j] += m * c.p;
-      M += m * c.M;
-      weight += m * c.weight;
-      constant += m * c.constant;
-      strict = strict || c.strict;
+      sums[j].q += m * c.q;
+      sums[j].t += m * c.t;
+      sums[j].P += m * c.P;
+      sums[j].p += m * c.p;
+      all.M += m * c.M;
+      all.weight += m * c.weight;
+      all.constant += m * c.constant;
+      all.strict = all.strict || c.strict;
     }
-    mpz_class held = t[0]; // t_j is part of P_j, ..., P_k
+    mpz_class held = all.t; // t_j is part of P_j, ..., P_k
     for (std::size_t j = k; j > 0; --j) {
-      held += P[j];
+      const Condition &sum = sums[j];
+      held += sum.P;
       const mpz_class of_t =
-          (t[j] + held) * problem_.share_unit + M + weight * problem_.classes[j - 1].weight;
-      demand(q[j] + q[0] == 0 && of_t == 0 && p[j] + p[0] == 0, "leaf: the variables add up to 0", j);
+          (sum.t + held) * problem_.share_unit + all.M + all.weight * problem_.classes[j - 1].share[weight];
+      demand(sum.q + all.q == 0 && of_t == 0 && sum.p + all.p == 0, "leaf: the variables add up to 0", j);
     }
-    const mpq_class right = constant + weight * problem_.weight;
-    demand(right > 0 || (right == 0 && strict), "leaf: the constants are a contradiction");
+    const mpq_class right = all.constant + all.weight * problem_.w;
+    demand(right > 0 || (right == 0 && all.strict), "leaf: the constants are a contradiction");
   }
 
   const Problem &problem_;
   const Certificate &certificate_;
-  std::vector<mpz_class> least_, most_; ///< -1: none
-  std::vector<Split> path_;
+  std::vector<Bounds> in_force_;
+  std::vector<Branch> path_;
 };
 
 } // namespace

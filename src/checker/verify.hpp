@@ -6,6 +6,11 @@
 
 namespace mdm_check {
 
+/// A certificate that is well formed, and does not prove its claim.
+struct Refused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Verifies the claim of an exact match, by a chain (sections 2 and 3). Throws Refused at the first thing
 /// that fails, Malformed where it would take too long.
 void verify_exact(Gradation gradation, const Certificate &certificate);
@@ -15,23 +20,30 @@ void verify_tolerant(Gradation gradation, const Certificate &certificate);
 
 // What both have in common.
 
-using Rationals = std::vector<mpq_class>;
-
-/// A fraction without sign, not in lowest terms, so that no loop pays for a gcd.
-struct Ratio {
-  mpz_class numerator = 0, denominator = 1;
-};
-
 /// Refuses the certificate where a condition does not hold, in class j (from 1) if that is given.
 void demand(bool holds, const char *condition, std::uint64_t j = 0);
 
-/// Malformed where the work is more than a limit of section 2.
-void demand_within(std::uint64_t work, std::uint64_t most, const Certificate &certificate);
+/// Malformed where the work is more than a limit of section 2: 2^`most`.
+void demand_within(std::uint64_t work, unsigned most, const Certificate &certificate);
 
 /// Operations that n openings and the steps of a chain, or the nodes of a tree take, for limits 2 and 6.
 std::uint64_t work_of(const Certificate &certificate, std::uint64_t n);
 
-std::uint64_t bits(const mpq_class &value);
+/// A fraction that need not be in lowest terms, so that no loop pays for a gcd.
+struct Ratio {
+  mpz_class num, den;
+  Ratio(mpz_class n = 0, mpz_class d = 1) : num(std::move(n)), den(std::move(d)) {}
+  Ratio(const mpq_class &value) : num(value.get_num()), den(value.get_den()) {}
+
+  friend Ratio operator*(const Ratio &x, const Ratio &y) { return {x.num * y.num, x.den * y.den}; }
+  friend Ratio operator*(const Ratio &x, const mpz_class &n) { return {x.num * n, x.den}; }
+  friend Ratio operator/(const Ratio &x, const Ratio &y) { return {x.num * y.den, x.den * y.num}; }
+  friend int compare(const Ratio &x, const Ratio &y) { return cmp(x.num * y.den, y.num * x.den); }
+};
+inline Ratio power(const Ratio &x, unsigned long exponent) {
+  return {power(x.num, exponent), power(x.den, exponent)};
+}
+
 mpz_class common_denominator(const Rationals &values);
 /// value * unit, an integer.
 mpz_class in_units(const mpq_class &value, const mpz_class &unit);
