@@ -2,6 +2,8 @@
 
 #include "run.hpp"
 
+#include <sstream>
+
 using namespace cli_test;
 
 namespace {
@@ -14,7 +16,72 @@ Outcome export_model(const std::string &to, const std::string &out, const Argume
   return mdm(arguments);
 }
 
+/// Words of the command that a model gives behind `# Then: mdm `.
+Arguments verification(const std::string &model, const std::string &dump, const std::string &gradation,
+                       const std::string &sample) {
+  const std::string begin = "\n# Then: mdm ";
+  const std::size_t at = model.find(begin);
+  REQUIRE(at != std::string::npos);
+  std::istringstream words(model.substr(at + begin.size(), model.find('\n', at + 1) - at - begin.size()));
+  Arguments arguments;
+  for (std::string word; words >> word;)
+    arguments.push_back(word == "GRADATION" ? gradation : word == dump ? sample : word);
+  return arguments;
+}
+
 } // namespace
+
+TEST_CASE("the command that a model gives accepts its grains, however they were solved", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string factors = folder.write("f.csv", "size_mm,mass,factor\n0.1,3,1\n0.2,5,1.5\n0.4,0,1\n");
+  const std::string on_sieves =
+      folder.write("s.csv", "size_mm,mass\n0.038,0.438976\n0.076,1.331\n0.11,3.375\n0.15,0\n");
+  const std::string athabasca = example("athabasca-sand");
+  const std::string panned = folder.write("p.csv", "size_mm,mass\npan,1\n0.075,3\n0.15,9\n0.3,0\n");
+  const std::vector<std::pair<std::string, Arguments>> asked = {
+      {sand, {}},
+      {factors, {}},
+      {panned, {"--pan-size", "0.01", "--spread"}},
+      {on_sieves, {"--scale", "upper"}},
+      {athabasca, {"--tolerance", "retained:1%"}},
+      {athabasca, {"--tolerance", "passing:1%", "--spread", "--mass-error", "1e-6"}},
+      {athabasca, {"--tolerance", "total:3%", "--law", "power:2", "--size-factor", "5"}},
+      {athabasca, {"--tolerance", "laboratory", "--cut-below", "0.11", "--size-factor", "2"}},
+      {athabasca, {"--law", "power:2"}},
+      {athabasca, {"--law", "power:5/2", "--at-least", "2000"}},
+      {athabasca, {"--cut-below", "0.11", "--size-factor", "5"}}};
+  for (const auto &[gradation, options] : asked)
+    for (const std::string to : {"lammps", "yade"}) {
+      const std::string model = folder / (to == "yade" ? "a.py" : "a.in");
+      Arguments arguments{"export", gradation, "--to", to, "--model", "settle", "-o", model};
+      arguments.insert(arguments.end(), options.begin(), options.end());
+      const Outcome exported = mdm(arguments);
+      INFO(exported.err);
+      REQUIRE(exported.exit_code == 0);
+      const Outcome verdict =
+          to == "yade" ? mdm(verification(read_file(model), "a-settled.xyzr", gradation, folder / "a.xyzr"))
+                       : mdm(verification(read_file(model), "a-settled.dump", gradation, folder / "a.data"));
+      INFO(read_file(model).substr(0, 1000) << verdict.out << verdict.err);
+      CHECK(verdict.exit_code == 0);
+    }
+}
+
+TEST_CASE("the command that a model of an answer or a band gives is honest", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string answer = folder / "answer.json", model = folder / "a.in";
+  REQUIRE(mdm({"solve", example("athabasca-sand"), "--tolerance", "retained:1%", "--format", "json", "-o",
+               answer})
+              .exit_code == 0);
+  REQUIRE(mdm({"export", answer, "--to", "lammps", "--model", "settle", "-o", model}).exit_code == 0);
+  CHECK(mdm(verification(read_file(model), "a-settled.dump", example("athabasca-sand"), folder / "a.data"))
+            .exit_code == 0);
+  CHECK(read_file(model).find("as mdm solve had them: within retained:1%.)\n") != std::string::npos);
+  REQUIRE(mdm({"export", "--band", example("c33-fine-aggregate-limits"), "--to", "lammps", "--model",
+               "settle", "-o", model})
+              .exit_code == 0);
+  CHECK(read_file(model).find("mdm verify GRADATION") == std::string::npos);
+  CHECK(read_file(model).find("\n# mdm verify needs a gradation") != std::string::npos);
+}
 
 TEST_CASE("a model is one file for LIGGGHTS, and two for LAMMPS and YADE", "[cli]") {
   const TemporaryFolder folder;
