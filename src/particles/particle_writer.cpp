@@ -26,8 +26,13 @@ std::string title(const ParticleSet &set) {
 }
 
 std::string stated_error(const ParticleSet &set) {
-  // approximate() cuts off less than a hundredth.
-  return approximate(Rational(set.mass_error() * ratio(1011, 1000)), 3);
+  constexpr int least = 100; // of three digits
+  const Rational error = set.mass_error();
+  int places = 0;
+  if (error > 0)
+    while (error * power_of_ten(static_cast<unsigned>(places)) < least)
+      ++places;
+  return short_decimal(ceil(Rational(error * power_of_ten(static_cast<unsigned>(places)))), places);
 }
 
 std::string mass_statement(const ParticleSet &set) {

@@ -16,7 +16,7 @@ using TextSink = std::function<void(std::string_view)>;
 std::string title(const ParticleSet &set);
 /// How exact the masses are, in one line.
 std::string mass_statement(const ParticleSet &set);
-/// set.mass_error() to three digits, not rounded down.
+/// set.mass_error() rounded up to three digits.
 std::string stated_error(const ParticleSet &set);
 /// What stands above files that have comments: both lines, each behind `# `.
 std::string comment_lines(const ParticleSet &set);
