@@ -36,7 +36,16 @@ std::string stated_error(const ParticleSet &set) {
 }
 
 std::string mass_statement(const ParticleSet &set) {
-  return fmt::format("The mass of each class is that of the exact match within {} of it.", stated_error(set));
+  return fmt::format("The mass of each class is that of the exact match within {} of it.",
+                     stated_error(set)) +
+         law_statement(set);
+}
+
+std::string law_statement(const ParticleSet &set) {
+  if (set.law.is_sphere())
+    return "";
+  return fmt::format(" Masses are by --law: x^({}) of a size x, not x^3 as of the spheres that engines make.",
+                     set.law.exponent());
 }
 
 std::string comment_lines(const ParticleSet &set) {

@@ -109,7 +109,7 @@ std::string SettleScript::head(const char *engine, const char *command, const ch
                                const char *engine_options) const {
   return fmt::format(
       R"(# {name}: {n} grains settle in a box. Written by mdm export for {engine}; SI units.
-# The mass of each class is exact to {error} of itself, the count of each is exact, and checked as it comes in.
+# The mass of each class is exact to {error} of itself, the count of each is exact, and checked as it comes in.{law}
 # Run it in its folder: {command}   (fewer or more steps: {more_steps})
 {verification}#
 # Material: E = {young:.4g} Pa, nu = {nu}, restitution {e}, friction {mu}.{softness}
@@ -119,9 +119,10 @@ std::string SettleScript::head(const char *engine, const char *command, const ch
 )",
       fmt::arg("name", set.name.empty() ? "grains" : comment_word(set.name)),
       fmt::arg("n", to_string(particles)), fmt::arg("engine", engine), fmt::arg("error", stated_error(set)),
-      fmt::arg("command", command), fmt::arg("more_steps", more_steps),
-      fmt::arg("verification", verification(engine_options)), fmt::arg("young", young),
-      fmt::arg("nu", poisson), fmt::arg("e", physics.restitution), fmt::arg("mu", physics.friction),
+      fmt::arg("law", set.law.is_sphere() ? "" : "\n#" + law_statement(set)), fmt::arg("command", command),
+      fmt::arg("more_steps", more_steps), fmt::arg("verification", verification(engine_options)),
+      fmt::arg("young", young), fmt::arg("nu", poisson), fmt::arg("e", physics.restitution),
+      fmt::arg("mu", physics.friction),
       fmt::arg("softness", is_softer ? " E is softer than rock to save steps:\n# 10^4 times the weight of a "
                                        "column as high as the box, 5 MPa at least."
                                      : ""),

@@ -63,6 +63,8 @@ TEST_CASE("the command that a model gives accepts its grains, however they were 
                        : mdm(verification(read_file(model), "a-settled.dump", gradation, folder / "a.data"));
       INFO(read_file(model).substr(0, 1000) << verdict.out << verdict.err);
       CHECK(verdict.exit_code == 0);
+      CHECK((read_file(model).find("# Masses are by --law: x^(") != std::string::npos) ==
+            (std::find(options.begin(), options.end(), "--law") != options.end()));
     }
 }
 

@@ -33,7 +33,7 @@ std::string file_of(const std::string &format, const std::string &from, const Ar
 
 /// What verify says of a file in that unit.
 Json verified(const std::string &gradation, const std::string &file, const std::string &format,
-              const std::string &unit, const std::string &tolerance) {
+              const std::string &unit, const std::string &tolerance, const Arguments &more = {}) {
   const TemporaryFolder folder;
   Arguments arguments = {"verify",
                          folder.write("g.csv", gradation),
@@ -44,6 +44,7 @@ Json verified(const std::string &gradation, const std::string &file, const std::
                          "json"};
   if (format != "csv" && format != "mercurydpm") // their headings name it
     arguments.insert(arguments.end(), {"--size-unit", unit});
+  arguments.insert(arguments.end(), more.begin(), more.end());
   const Outcome outcome = mdm(arguments);
   INFO(format << outcome.out << outcome.err);
   CHECK(outcome.exit_code == 0);
@@ -104,6 +105,13 @@ TEST_CASE("export: matches within a tolerance, other laws and other solving opti
   }
   const Json flat = solve_json({"-", "--law", "power:2"}, 0, sand);
   CHECK(file_of("csv", sand, {"--law", "power:2"}) == file_of("csv", flat.dump(), {"--law", "power:2"}));
+  for (const std::string &format : readable) {
+    const std::string file = file_of(format, sand, {"--law", "power:2"});
+    CHECK(file.find("by --law: x^(2) of a size x") != std::string::npos);
+    CHECK(file_of(format, sand).find("--law") == std::string::npos);
+    CHECK(quantities(verified(sand, file, format, "m", "0.0000002", {"--law", "power:2"})) ==
+          quantities(flat));
+  }
   check_refused(export_to("csv", flat.dump()), "--law");
   check_refused(export_to("csv", answer.dump(), {"--at-least", "10"}), "--at-least: the answer");
   const Outcome limited = export_to("csv", sand, {"--max-steps", "0"});
