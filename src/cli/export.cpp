@@ -461,6 +461,9 @@ Run add_export(CLI::App &app) {
                        "sizes for all particles, as solve --spread gives them: exact masses of the classes");
   const std::size_t before = command.get_options().size();
   c->flags.add_to(command);
+  command.get_option("--digits")
+      ->description("taken as solve takes it, without effect here: sizes are decimals as exact as "
+                    "--mass-error says");
   c->solving = command.get_options();
   c->solving.erase(c->solving.begin(), c->solving.begin() + static_cast<std::ptrdiff_t>(before));
   c->solving.push_back(spread);

@@ -83,6 +83,13 @@ TEST_CASE("export: errors are as small as they are asked to be", "[cli]") {
   check_refused(export_to("csv", sand, {"--mass-error", "1e-30"}), "larger --mass-error");
 }
 
+TEST_CASE("export: --digits is taken, changes nothing, and the help says so", "[cli]") {
+  const std::string sand = read_file(example("athabasca-sand"));
+  CHECK(file_of("csv", sand, {"--digits", "3"}) == file_of("csv", sand));
+  check_refused(export_to("csv", sand, {"--digits", "0"}), "--digits");
+  CHECK(mdm({"export", "--help"}).out.find("without effect here") != std::string::npos);
+}
+
 TEST_CASE("export: sizes on sieves stay in their classes as doubles", "[cli]") {
   // Every size of this match is an upper sieve; as doubles some sieves are above themselves.
   const std::string on_sieves = "size_mm,mass\n0.038,0.438976\n0.076,1.331\n0.11,3.375\n0.15,0\n";
