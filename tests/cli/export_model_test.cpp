@@ -108,6 +108,8 @@ TEST_CASE("a model's box is the one that was asked for, in the unit of the grada
         std::string::npos);
   REQUIRE(export_model("yade", folder / "c.py", {"--box", "3x2.5x20"}).exit_code == 0);
   CHECK(read_file(folder / "c.py").find("enumerate((0.003, 0.0025, 0.02))") != std::string::npos);
+  // A little more than the grains themselves, 3.779 mm^3: LIGGGHTS says whether that will do.
+  CHECK(export_model("liggghts", folder / "d.in", {"--box", "1x1x3.78"}).exit_code == 0);
 }
 
 TEST_CASE("particles start in layers or mixed, the largest first in the file", "[cli]") {
@@ -158,6 +160,9 @@ TEST_CASE("what is no model is refused with a remedy, and leaves nothing", "[cli
   check_refused(export_model("lammps", out, {"--start", "shaken"}), "layers nor mixed");
   check_refused(mdm({"export", sand, "--to", "csv", "--start", "mixed", "-o", out}), "--start");
   check_refused(export_model("liggghts", out, {"--box", "0.6x1"}), "--box");
+  check_refused(export_model("liggghts", out, {"--box", "3x3x0.5"}), "the largest grain");
+  // The grains have 3.779 mm^3.
+  check_refused(export_model("liggghts", out, {"--box", "1x1x3.77"}), "leave its height out");
   check_refused(mdm({"export", sand, "--to", "liggghts", "--steps", "5", "-o", out}), "--model settle");
   CHECK(folder.entries() == 0);
 }
