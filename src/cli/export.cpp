@@ -319,6 +319,16 @@ std::optional<std::string> verify_options(const ExportCommand &c) {
   return c.specimen_id ? options + " --specimen-id ID" : options;
 }
 
+std::uint64_t steps_of(const std::string &text) {
+  const Integer steps = natural("--steps", text, 0);
+  if (steps > Settling::most_steps)
+    throw InputError(
+        fmt::format("--steps: {} are more than the {} that LAMMPS and LIGGGHTS make in a run: give "
+                    "fewer --steps",
+                    in_quotes(text), Settling::most_steps));
+  return static_cast<std::uint64_t>(steps);
+}
+
 void write_model(const ExportCommand &c, const Format &format, const ModelWriter &writer,
                  const Particles &found, const std::optional<Placement> &start, std::uint64_t seed) {
   SettleModel model = writer.model(*found.set, start, footprint(c, found));
@@ -327,7 +337,7 @@ void write_model(const ExportCommand &c, const Format &format, const ModelWriter
   model.verify_options = verify_options(c);
   model.question = found.question;
   if (c.steps)
-    model.steps = natural64("--steps", *c.steps); // settling() refuses too many
+    model.steps = steps_of(*c.steps);
   const Elasticity e = elasticity(c);
   if (c.young)
     model.young = e.young;
@@ -338,8 +348,8 @@ void write_model(const ExportCommand &c, const Format &format, const ModelWriter
   const Settling s = settling(model);
   tell(guide(format, *found.set, start, s.elasticity));
   tell(fmt::format(
-      "model: {} steps of {:.3g} s; its first lines say how to run it and to verify what it leaves\n",
-      s.steps, s.step));
+      "model: {} step{} of {:.3g} s; its first lines say how to run it and to verify what it leaves\n",
+      s.steps, s.steps == 1 ? "" : "s", s.step));
 }
 
 void write_file(const ExportCommand &c, const Format &format, const std::optional<ModelWriter> &model,

@@ -115,7 +115,7 @@ std::string SettleScript::head(const char *engine, const char *command, const ch
 # Material: E = {young:.4g} Pa, nu = {nu}, restitution {e}, friction {mu}.{softness}
 # Time step: a fifth of the Rayleigh time of the smallest grain,
 # pi R sqrt(rho/G) / (0.1631 nu + 0.8766) = {rayleigh:.4g} s with G = E / (2 (1 + nu)).
-# {steps} steps: {time:.3g} s; a fall from the top of the box takes {fall:.3g} s.
+# {steps} step{plural}: {time:.3g} s; a fall from the top of the box takes {fall:.3g} s.
 )",
       fmt::arg("name", set.name.empty() ? "grains" : comment_word(set.name)),
       fmt::arg("n", to_string(particles)), fmt::arg("engine", engine), fmt::arg("error", stated_error(set)),
@@ -127,6 +127,7 @@ std::string SettleScript::head(const char *engine, const char *command, const ch
                                        "column as high as the box, 5 MPa at least."
                                      : ""),
       fmt::arg("rayleigh", physics.rayleigh), fmt::arg("steps", physics.steps),
+      fmt::arg("plural", physics.steps == 1 ? "" : "s"),
       fmt::arg("time", static_cast<double>(physics.steps) * physics.step),
       fmt::arg("fall", std::sqrt(2 * box.z / physics.gravity)));
 }

@@ -136,6 +136,15 @@ TEST_CASE("particles start in layers or mixed, the largest first in the file", "
   CHECK(read_file(folder / "b.data") != read_file(folder / "d.data"));
 }
 
+TEST_CASE("a model of one step says so", "[cli]") {
+  const TemporaryFolder folder;
+  const Outcome outcome = export_model("liggghts", folder / "a.in", {"--steps", "1"});
+  CHECK(outcome.err.find("model: 1 step of ") != std::string::npos);
+  CHECK(read_file(folder / "a.in").find("\n# 1 step: ") != std::string::npos);
+  CHECK(export_model("liggghts", folder / "a.in", {"--steps", "2"}).err.find("model: 2 steps of ") !=
+        std::string::npos);
+}
+
 TEST_CASE("what is no model is refused with a remedy, and leaves nothing", "[cli]") {
   const TemporaryFolder folder;
   const std::string out = folder / "a.in";
@@ -149,7 +158,8 @@ TEST_CASE("what is no model is refused with a remedy, and leaves nothing", "[cli
   check_refused(export_model("liggghts", out, {"--steps", "-1"}), "--steps");
   for (const std::string to : {"liggghts", "lammps"}) {
     check_refused(export_model(to, out, {"--steps", "2147483648"}), "fewer --steps");
-    check_refused(export_model(to, out, {"--steps", "18446744073709551616"}), "fewer --steps");
+    check_refused(export_model(to, out, {"--steps", "99999999999999999999"}),
+                  "'99999999999999999999' are more than the 2147483647");
     check_refused(export_model(to, out, {"--young", "1e30"}), "softer --young"); // 10^17 steps
     check_refused(export_model(to, out, {"--box", "2x100001"}), "more than 100 m");
     check_refused(export_model(to, out, {"--box", "2x2x100001"}), "more than 100 m");
