@@ -128,6 +128,7 @@ struct Particles {
   int exit_code = Exit::done;
   SizeUnit unit = SizeUnit::mm; ///< of lengths in options
   std::optional<Solids> solids; ///< that were asked for
+  std::string question;         ///< of an answer, in words
 };
 
 Particles answer_particles(const ExportCommand &c, const std::string &content,
@@ -139,7 +140,7 @@ Particles answer_particles(const ExportCommand &c, const std::string &content,
                        " is solved already: leave it out, or export the gradation");
   const AnswerSample answer = read_answer(content, shown_name(c.flags.source(c.file)));
   return {particle_set(answer, c.flags.GradationFlags::question().law, options), Exit::done, answer.unit,
-          std::nullopt};
+          std::nullopt, answer.question};
 }
 
 /// \param content of FILE; open: there is the band alone
@@ -160,9 +161,9 @@ Particles solved_particles(const ExportCommand &c, const std::optional<std::stri
                    : m.status == Status::none  ? Exit::negative
                                                : Exit::limited;
   if (!m.has_answer())
-    return {std::nullopt, code, m.gradation.unit(), std::nullopt};
+    return {std::nullopt, code, m.gradation.unit(), std::nullopt, ""};
   return {c.spread ? spread_particle_set(m, seed_of(c), options) : particle_set(m, options), code,
-          m.gradation.unit(), question.solids};
+          m.gradation.unit(), question.solids, ""};
 }
 
 Particles particles(const ExportCommand &c, const ParticleSetOptions &options) {
@@ -302,13 +303,41 @@ Start start_of(const ExportCommand &c, const ParticleSet &set) {
   return *c.start == "mixed" ? Start::mixed : Start::layers;
 }
 
+/// What mdm verify needs to take the gradation as it was asked for; nothing where there is a band alone.
+std::optional<std::string> verify_options(const ExportCommand &c) {
+  if (!c.file)
+    return std::nullopt;
+  std::string options;
+  const auto add = [&options](const char *option, const GradationFlags::Text &value) {
+    if (value)
+      options += std::string(" ") + option + " " + *value;
+  };
+  add("--law", c.flags.law);
+  add("--size-factor", c.flags.size_factor);
+  add("--cut-below", c.flags.cut_below);
+  add("--pan-size", c.flags.pan_size);
+  return c.specimen_id ? options + " --specimen-id ID" : options;
+}
+
+std::uint64_t steps_of(const std::string &text) {
+  const Integer steps = natural("--steps", text, 0);
+  if (steps > Settling::most_steps)
+    throw InputError(
+        fmt::format("--steps: {} are more than the {} that LAMMPS and LIGGGHTS make in a run: give "
+                    "fewer --steps",
+                    in_quotes(text), Settling::most_steps));
+  return static_cast<std::uint64_t>(steps);
+}
+
 void write_model(const ExportCommand &c, const Format &format, const ModelWriter &writer,
                  const Particles &found, const std::optional<Placement> &start, std::uint64_t seed) {
   SettleModel model = writer.model(*found.set, start, footprint(c, found));
   check_side(c, Rational(std::max({model.box.x, model.box.y, model.box.z})));
   model.seed = seed;
+  model.verify_options = verify_options(c);
+  model.question = found.question;
   if (c.steps)
-    model.steps = natural64("--steps", *c.steps); // settling() refuses too many
+    model.steps = steps_of(*c.steps);
   const Elasticity e = elasticity(c);
   if (c.young)
     model.young = e.young;
@@ -319,8 +348,8 @@ void write_model(const ExportCommand &c, const Format &format, const ModelWriter
   const Settling s = settling(model);
   tell(guide(format, *found.set, start, s.elasticity));
   tell(fmt::format(
-      "model: {} steps of {:.3g} s; its first lines say how to run it and to verify what it leaves\n",
-      s.steps, s.step));
+      "model: {} step{} of {:.3g} s; its first lines say how to run it and to verify what it leaves\n",
+      s.steps, s.steps == 1 ? "" : "s", s.step));
 }
 
 void write_file(const ExportCommand &c, const Format &format, const std::optional<ModelWriter> &model,
@@ -442,6 +471,9 @@ Run add_export(CLI::App &app) {
                        "sizes for all particles, as solve --spread gives them: exact masses of the classes");
   const std::size_t before = command.get_options().size();
   c->flags.add_to(command);
+  command.get_option("--digits")
+      ->description("taken as solve takes it, without effect here: sizes are decimals as exact as "
+                    "--mass-error says");
   c->solving = command.get_options();
   c->solving.erase(c->solving.begin(), c->solving.begin() + static_cast<std::ptrdiff_t>(before));
   c->solving.push_back(spread);

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <numbers>
 
 namespace mdm::cli {
 
@@ -35,10 +36,20 @@ ModelBox insertion_box(const ParticleSet &set, const std::optional<Footprint> &f
   ModelBox box;
   box.x = floor ? floor->a.convert_to<double>() : settled_side(set);
   box.y = floor ? floor->b.convert_to<double>() : box.x;
-  if (std::min(box.x, box.y) <= largest)
-    throw InputError(fmt::format("--box: the largest grain, {} m, does not fit into it: give a wider one",
+  const bool has_height = floor && floor->c;
+  box.z = has_height ? floor->c->convert_to<double>() : 0;
+  if (std::min(box.x, box.y) <= largest || (has_height && box.z <= largest))
+    throw InputError(fmt::format("--box: the largest grain, {} m, does not fit into it: give a larger one",
                                  set.largest().diameter.text));
-  box.z = floor && floor->c ? floor->c->convert_to<double>() : insertion_height(set, box.x, box.y);
+  if (!has_height)
+    box.z = insertion_height(set, box.x, box.y);
+  // LIGGGHTS itself finds out, and says so, where there is a little more room than this.
+  const double grains = std::numbers::pi / 6 * set.cubes().convert_to<double>();
+  if (grains >= box.x * box.y * box.z)
+    throw InputError(
+        fmt::format("--box: the grains have a volume of {:.3g} m^3, the box one of {:.3g} m^3: leave "
+                    "its height out, or give a larger one",
+                    grains, box.x * box.y * box.z));
   return box;
 }
 

@@ -134,8 +134,8 @@ auto answers(const std::vector<Question> &questions, Answer answer, std::atomic<
 }
 
 int run_size_models(const StudyCommand &c) {
-  if (!c.files.empty() || c.what == "specimens")
-    throw InputError("--paper voivret needs no FILE: mdm study --paper voivret --out DIR");
+  if (!c.what.empty() || !c.files.empty())
+    throw InputError("--paper voivret is without WHAT and FILE: mdm study --paper voivret --out DIR");
   if (!c.out)
     throw InputError("--out is missing: name the folder for the files");
   static const Integer most_drawn = 50000;
@@ -213,14 +213,14 @@ Run add_study(CLI::App &app) {
       ->check(CLI::IsMember({"arnold", "voivret"}));
   command
       .add_option("--out", c->out,
-                  "write CSV files into the folder DIR, made if need be: table1.csv, figure1.csv, ..., or "
-                  "specimens.csv (else shown as text; voivret needs it)")
+                  "write CSV files into the folder DIR, made if need be: table1.csv, figure1.csv, ... "
+                  "(figures and voivret need it), or specimens.csv (without it shown as text)")
       ->type_name("DIR");
   command.add_option("--plots", c->plots, "draw the figures as well, as svg, png or pdf (needs gnuplot)")
       ->check(CLI::IsMember({"svg", "png", "pdf"}));
   command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
   command.footer("Example: mdm study figures suite.jsonl --out study --plots svg\n"
-                 "         mdm study --paper voivret --out study --plots svg");
+                 "         mdm study --paper voivret --out models --plots svg");
   return [c] {
     if (c->paper == "voivret")
       return run_size_models(*c);

@@ -118,13 +118,19 @@ struct Found {
   std::vector<std::string> objections, notes;
 };
 
+[[noreturn]] void refuse_long(const std::string &where, const char *what) {
+  throw InputError(where + ": " + what +
+                   " has more than 64 MiB, which is not read: of a spread so large (1.5 million particles) "
+                   "verify what mdm export --spread --to csv writes, with the options and --seed of solve");
+}
+
 /// All lines of a file of which the first were taken already.
 std::string whole_text(const std::vector<Lines::Line> &first, Lines &rest, const std::string &file) {
   std::string text;
   for (std::vector<Lines::Line> lines = first; !lines.empty(); lines = rest.next(lines_at_once))
     for (const Lines::Line &line : lines) {
       if (!line || text.size() + line->size() > Lines::longest_line)
-        throw InputError(file + ": an answer has at most 64 MiB: is it the right file?");
+        refuse_long(file, "the answer");
       text += *line + "\n";
     }
   return text;
@@ -173,8 +179,7 @@ Found read_sample(const VerifyCommand &c, const Gradation &g, const Question &qu
     for (const Lines::Line &line : chunk) {
       ++number;
       if (!line)
-        throw InputError(fmt::format("{}:{}: the line has more than 64 MiB: is it a file of particles?",
-                                     printable(shown_name(c.sample)), number));
+        refuse_long(fmt::format("{}:{}", printable(shown_name(c.sample)), number), "the line");
       reader.line(*line);
     }
   reader.end();

@@ -44,6 +44,8 @@ public:
     AnswerSample sample;
     if (answer_.contains("id"))
       sample.id = text(answer_, "id", "");
+    if (answer_.contains("question"))
+      sample.question = text(answer_, "question", "");
     sample.unit = unit();
     sample.particles = natural(answer_, "particles", "");
     const Json &scale = member(answer_, "scale", "");
@@ -58,6 +60,8 @@ public:
       add_class(sample, classes[j], j, achieved);
     if (sample.classes.empty())
       refuse("classes", "have no particles: give an answer that has some");
+    if (achieved != nullptr)
+      sample.share_error = share_error(classes, *achieved);
     return sample;
   }
 
@@ -106,6 +110,20 @@ private:
         !std::all_of(shares.begin(), shares.end(), [](const Json &share) { return share.is_string(); }))
       refuse("achieved", "is not a string for each class: give the JSON answer of mdm solve");
     return &shares;
+  }
+
+  Rational share_error(const Json &classes, const Json &achieved) const {
+    std::vector<Rational> masses, shares;
+    for (std::size_t j = 0; j < classes.size(); ++j) {
+      masses.push_back(decimal(classes[j], "mass", fmt::format("classes[{}].", j)));
+      const std::string &share = achieved[j].get_ref<const std::string &>();
+      shares.push_back(share == "0" ? Rational(0) : fraction(share, fmt::format("achieved[{}]", j)));
+    }
+    const Rational mass = sum(masses), all = sum(shares);
+    Rational most = 0;
+    for (std::size_t j = 0; j < masses.size(); ++j)
+      most = std::max(most, abs(Rational(shares[j] / all - masses[j] / mass)));
+    return most;
   }
 
   /// p/q > 0 or p > 0.

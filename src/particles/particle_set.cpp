@@ -77,11 +77,21 @@ std::vector<ClassMass> class_masses(const Match &m) {
   return classes;
 }
 
+Rational share_error(const Match &m) {
+  Rational most = 0;
+  if (!m.tolerant)
+    return most;
+  const std::vector<Rational> asked = shares(m.gradation), &achieved = m.tolerant->shares;
+  for (std::size_t j = 0; j < asked.size(); ++j)
+    most = std::max(most, abs(Rational(achieved[j] - asked[j])));
+  return most;
+}
+
 /// A set whose classes are filled by fill(class, what it has, x^a of a particle that had all of T).
 template <class Fill>
 ParticleSet match_set(const Match &m, const Writer &writer, LengthUnit unit, Fill fill) {
   const Gradation &g = m.gradation;
-  ParticleSet set{g.id(), unit, m.question.law, {}};
+  ParticleSet set{g.id(), unit, m.question.law, {}, share_error(m)};
   for (const ClassMass &mass : class_masses(m)) {
     const std::size_t j = mass.index;
     set.classes.push_back(writer.empty(j + 1, g.lower(j), g.upper(j), g.factor(j)));
@@ -174,7 +184,7 @@ ParticleSet particle_set(const AnswerSample &answer, const MassLaw &law, const P
         "and the same --seed");
   const Writer writer(length_unit(answer.unit), law, options);
   const Rational unit = in_mm(length_unit(answer.unit)) / in_mm(options.unit);
-  ParticleSet set{answer.id, options.unit, law, {}};
+  ParticleSet set{answer.id, options.unit, law, {}, answer.share_error};
   for (const AnswerSample::Class &c : answer.classes) {
     const Rational powered = answer.scale * power(Rational(c.mass / c.quantity), law.b);
     if (powered < power(c.size_lo, law.a) || powered > power(c.size_hi, law.a))

@@ -26,12 +26,26 @@ std::string title(const ParticleSet &set) {
 }
 
 std::string stated_error(const ParticleSet &set) {
-  // approximate() cuts off less than a hundredth.
-  return approximate(Rational(set.mass_error() * ratio(1011, 1000)), 3);
+  constexpr int least = 100; // of three digits
+  const Rational error = set.mass_error();
+  int places = 0;
+  if (error > 0)
+    while (error * power_of_ten(static_cast<unsigned>(places)) < least)
+      ++places;
+  return short_decimal(ceil(Rational(error * power_of_ten(static_cast<unsigned>(places)))), places);
 }
 
 std::string mass_statement(const ParticleSet &set) {
-  return fmt::format("The mass of each class is that of the exact match within {} of it.", stated_error(set));
+  return fmt::format("The mass of each class is that of the exact match within {} of it.",
+                     stated_error(set)) +
+         law_statement(set);
+}
+
+std::string law_statement(const ParticleSet &set) {
+  if (set.law.is_sphere())
+    return "";
+  return fmt::format(" Masses are by --law: x^({}) of a size x, not x^3 as of the spheres that engines make.",
+                     set.law.exponent());
 }
 
 std::string comment_lines(const ParticleSet &set) {

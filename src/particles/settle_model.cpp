@@ -31,12 +31,31 @@ Settling settling(const SettleModel &model) {
 }
 
 std::string share_tolerance(const ParticleSet &set) {
-  // Masses m_j (1 + e_j), |e_j| <= e, have shares within 2 e / (1 - e); 17 digits of a dump add a little.
-  const double e = set.mass_error().convert_to<double>() + 1e-15;
-  const double points = 100 * 2.001 * e;
-  const int places = -static_cast<int>(std::floor(std::log10(points)));
-  return short_decimal(Integer(std::ceil(points * std::pow(10, places))), places);
+  // Masses m_j (1 + e_j), |e_j| <= e, have shares within 2 e / (1 - e); 17 digits of a dump, and a snap, add
+  // a little.
+  const Rational e = set.mass_error() + ratio(1 + set.law.a, power_of_ten(15));
+  const Rational points = 100 * 2 * e / (1 - std::min(e, ratio(1, 2)));
+  unsigned places = 0;
+  while (points * power_of_ten(places) < 1)
+    ++places;
+  return short_decimal(ceil(Rational((100 * set.share_error + points) * power_of_ten(places))),
+                       static_cast<int>(places));
 }
+
+namespace {
+
+/// True if a size is so near to the upper sieve of its class that 17 digits of it may lie above.
+bool reaches_sieve(const ParticleSet &set) {
+  const Rational nearly = 1 - ratio(1, power_of_ten(15));
+  for (const ParticleClass &c : set.classes)
+    for (const ParticleSize &size : c.sizes)
+      if (std::max(exact_value(size.diameter.value), Rational(2 * exact_value(size.radius.value))) >
+          nearly * c.upper)
+        return true;
+  return false;
+}
+
+} // namespace
 
 std::string file_word(const std::string &name) {
   const bool plain = !name.empty() && name[0] != '-' && std::all_of(name.begin(), name.end(), [](char c) {
@@ -64,34 +83,51 @@ std::string class_name(const ParticleClass &c) {
 SettleScript::SettleScript(const SettleModel &m)
     : set(m.set), box(m.box), physics(settling(m)), young(physics.elasticity.young.convert_to<double>()),
       poisson(physics.elasticity.poisson.convert_to<double>()), dump(file_word(m.dump)), seed(m.seed),
-      is_softer(!m.young), particles(m.set.particles()) {
+      verify_options(m.verify_options), question(m.question), is_softer(!m.young),
+      particles(m.set.particles()) {
   if (set.unit != LengthUnit::m)
     throw InputError("a model is in SI units: leave out --unit");
 }
 
+std::string SettleScript::verification(const char *engine_options) const {
+  if (!verify_options)
+    return "# mdm verify needs a gradation, and here is a band alone: only the counts are checked, as they "
+           "come in.\n";
+  std::string text =
+      fmt::format("# Then: mdm verify GRADATION {}{}{}{} --tolerance {}\n", dump, engine_options,
+                  *verify_options, reaches_sieve(set) ? " --snap 1e-15" : "", share_tolerance(set));
+  if (!question.empty())
+    text +=
+        fmt::format("# (GRADATION, --pan-size, --cut-below and --size-factor as mdm solve had them: {}.)\n",
+                    comment_word(question));
+  if (set.share_error > 0)
+    text += "# The shares of the mass are off by that many percentage points, as was asked for.\n";
+  return text;
+}
+
 std::string SettleScript::head(const char *engine, const char *command, const char *more_steps,
-                               const char *verify_options) const {
+                               const char *engine_options) const {
   return fmt::format(
       R"(# {name}: {n} grains settle in a box. Written by mdm export for {engine}; SI units.
-# The mass of each class is exact to {error} of itself, the count of each is exact, and checked as it comes in.
+# The mass of each class is exact to {error} of itself, the count of each is exact, and checked as it comes in.{law}
 # Run it in its folder: {command}   (fewer or more steps: {more_steps})
-# Then: mdm verify GRADATION {dump}{verify_options} --tolerance {tolerance}
-#
+{verification}#
 # Material: E = {young:.4g} Pa, nu = {nu}, restitution {e}, friction {mu}.{softness}
 # Time step: a fifth of the Rayleigh time of the smallest grain,
 # pi R sqrt(rho/G) / (0.1631 nu + 0.8766) = {rayleigh:.4g} s with G = E / (2 (1 + nu)).
-# {steps} steps: {time:.3g} s; a fall from the top of the box takes {fall:.3g} s.
+# {steps} step{plural}: {time:.3g} s; a fall from the top of the box takes {fall:.3g} s.
 )",
       fmt::arg("name", set.name.empty() ? "grains" : comment_word(set.name)),
       fmt::arg("n", to_string(particles)), fmt::arg("engine", engine), fmt::arg("error", stated_error(set)),
-      fmt::arg("command", command), fmt::arg("more_steps", more_steps), fmt::arg("dump", dump),
-      fmt::arg("verify_options", verify_options), fmt::arg("tolerance", share_tolerance(set)),
+      fmt::arg("law", set.law.is_sphere() ? "" : "\n#" + law_statement(set)), fmt::arg("command", command),
+      fmt::arg("more_steps", more_steps), fmt::arg("verification", verification(engine_options)),
       fmt::arg("young", young), fmt::arg("nu", poisson), fmt::arg("e", physics.restitution),
       fmt::arg("mu", physics.friction),
       fmt::arg("softness", is_softer ? " E is softer than rock to save steps:\n# 10^4 times the weight of a "
                                        "column as high as the box, 5 MPa at least."
                                      : ""),
       fmt::arg("rayleigh", physics.rayleigh), fmt::arg("steps", physics.steps),
+      fmt::arg("plural", physics.steps == 1 ? "" : "s"),
       fmt::arg("time", static_cast<double>(physics.steps) * physics.step),
       fmt::arg("fall", std::sqrt(2 * box.z / physics.gravity)));
 }

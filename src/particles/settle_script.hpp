@@ -21,7 +21,10 @@ struct SettleScript {
 
   /// What it is, how to run it, and what it assumes; as comments.
   std::string head(const char *engine, const char *command, const char *more_steps,
-                   const char *verify_options) const;
+                   const char *engine_options) const;
+
+  /// How to verify what it leaves; as comments.
+  std::string verification(const char *engine_options) const;
 
   const ParticleSet &set;
   ModelBox box;
@@ -29,6 +32,8 @@ struct SettleScript {
   double young, poisson;
   std::string dump;
   std::uint64_t seed;
+  std::optional<std::string> verify_options;
+  std::string question;
   bool is_softer; ///< than rock
   Integer particles;
 };

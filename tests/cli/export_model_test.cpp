@@ -2,6 +2,8 @@
 
 #include "run.hpp"
 
+#include <sstream>
+
 using namespace cli_test;
 
 namespace {
@@ -14,7 +16,74 @@ Outcome export_model(const std::string &to, const std::string &out, const Argume
   return mdm(arguments);
 }
 
+/// Words of the command that a model gives behind `# Then: mdm `.
+Arguments verification(const std::string &model, const std::string &dump, const std::string &gradation,
+                       const std::string &sample) {
+  const std::string begin = "\n# Then: mdm ";
+  const std::size_t at = model.find(begin);
+  REQUIRE(at != std::string::npos);
+  std::istringstream words(model.substr(at + begin.size(), model.find('\n', at + 1) - at - begin.size()));
+  Arguments arguments;
+  for (std::string word; words >> word;)
+    arguments.push_back(word == "GRADATION" ? gradation : word == dump ? sample : word);
+  return arguments;
+}
+
 } // namespace
+
+TEST_CASE("the command that a model gives accepts its grains, however they were solved", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string factors = folder.write("f.csv", "size_mm,mass,factor\n0.1,3,1\n0.2,5,1.5\n0.4,0,1\n");
+  const std::string on_sieves =
+      folder.write("s.csv", "size_mm,mass\n0.038,0.438976\n0.076,1.331\n0.11,3.375\n0.15,0\n");
+  const std::string athabasca = example("athabasca-sand");
+  const std::string panned = folder.write("p.csv", "size_mm,mass\npan,1\n0.075,3\n0.15,9\n0.3,0\n");
+  const std::vector<std::pair<std::string, Arguments>> asked = {
+      {sand, {}},
+      {factors, {}},
+      {panned, {"--pan-size", "0.01", "--spread"}},
+      {on_sieves, {"--scale", "upper"}},
+      {athabasca, {"--tolerance", "retained:1%"}},
+      {athabasca, {"--tolerance", "passing:1%", "--spread", "--mass-error", "1e-6"}},
+      {athabasca, {"--tolerance", "total:3%", "--law", "power:2", "--size-factor", "5"}},
+      {athabasca, {"--tolerance", "laboratory", "--cut-below", "0.11", "--size-factor", "2"}},
+      {athabasca, {"--law", "power:2"}},
+      {athabasca, {"--law", "power:5/2", "--at-least", "2000"}},
+      {athabasca, {"--cut-below", "0.11", "--size-factor", "5"}}};
+  for (const auto &[gradation, options] : asked)
+    for (const std::string to : {"lammps", "yade"}) {
+      const std::string model = folder / (to == "yade" ? "a.py" : "a.in");
+      Arguments arguments{"export", gradation, "--to", to, "--model", "settle", "-o", model};
+      arguments.insert(arguments.end(), options.begin(), options.end());
+      const Outcome exported = mdm(arguments);
+      INFO(exported.err);
+      REQUIRE(exported.exit_code == 0);
+      const Outcome verdict =
+          to == "yade" ? mdm(verification(read_file(model), "a-settled.xyzr", gradation, folder / "a.xyzr"))
+                       : mdm(verification(read_file(model), "a-settled.dump", gradation, folder / "a.data"));
+      INFO(read_file(model).substr(0, 1000) << verdict.out << verdict.err);
+      CHECK(verdict.exit_code == 0);
+      CHECK((read_file(model).find("# Masses are by --law: x^(") != std::string::npos) ==
+            (std::find(options.begin(), options.end(), "--law") != options.end()));
+    }
+}
+
+TEST_CASE("the command that a model of an answer or a band gives is honest", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string answer = folder / "answer.json", model = folder / "a.in";
+  REQUIRE(mdm({"solve", example("athabasca-sand"), "--tolerance", "retained:1%", "--format", "json", "-o",
+               answer})
+              .exit_code == 0);
+  REQUIRE(mdm({"export", answer, "--to", "lammps", "--model", "settle", "-o", model}).exit_code == 0);
+  CHECK(mdm(verification(read_file(model), "a-settled.dump", example("athabasca-sand"), folder / "a.data"))
+            .exit_code == 0);
+  CHECK(read_file(model).find("as mdm solve had them: within retained:1%.)\n") != std::string::npos);
+  REQUIRE(mdm({"export", "--band", example("c33-fine-aggregate-limits"), "--to", "lammps", "--model",
+               "settle", "-o", model})
+              .exit_code == 0);
+  CHECK(read_file(model).find("mdm verify GRADATION") == std::string::npos);
+  CHECK(read_file(model).find("\n# mdm verify needs a gradation") != std::string::npos);
+}
 
 TEST_CASE("a model is one file for LIGGGHTS, and two for LAMMPS and YADE", "[cli]") {
   const TemporaryFolder folder;
@@ -39,6 +108,8 @@ TEST_CASE("a model's box is the one that was asked for, in the unit of the grada
         std::string::npos);
   REQUIRE(export_model("yade", folder / "c.py", {"--box", "3x2.5x20"}).exit_code == 0);
   CHECK(read_file(folder / "c.py").find("enumerate((0.003, 0.0025, 0.02))") != std::string::npos);
+  // A little more than the grains themselves, 3.779 mm^3: LIGGGHTS says whether that will do.
+  CHECK(export_model("liggghts", folder / "d.in", {"--box", "1x1x3.78"}).exit_code == 0);
 }
 
 TEST_CASE("particles start in layers or mixed, the largest first in the file", "[cli]") {
@@ -65,6 +136,15 @@ TEST_CASE("particles start in layers or mixed, the largest first in the file", "
   CHECK(read_file(folder / "b.data") != read_file(folder / "d.data"));
 }
 
+TEST_CASE("a model of one step says so", "[cli]") {
+  const TemporaryFolder folder;
+  const Outcome outcome = export_model("liggghts", folder / "a.in", {"--steps", "1"});
+  CHECK(outcome.err.find("model: 1 step of ") != std::string::npos);
+  CHECK(read_file(folder / "a.in").find("\n# 1 step: ") != std::string::npos);
+  CHECK(export_model("liggghts", folder / "a.in", {"--steps", "2"}).err.find("model: 2 steps of ") !=
+        std::string::npos);
+}
+
 TEST_CASE("what is no model is refused with a remedy, and leaves nothing", "[cli]") {
   const TemporaryFolder folder;
   const std::string out = folder / "a.in";
@@ -78,7 +158,8 @@ TEST_CASE("what is no model is refused with a remedy, and leaves nothing", "[cli
   check_refused(export_model("liggghts", out, {"--steps", "-1"}), "--steps");
   for (const std::string to : {"liggghts", "lammps"}) {
     check_refused(export_model(to, out, {"--steps", "2147483648"}), "fewer --steps");
-    check_refused(export_model(to, out, {"--steps", "18446744073709551616"}), "fewer --steps");
+    check_refused(export_model(to, out, {"--steps", "99999999999999999999"}),
+                  "'99999999999999999999' are more than the 2147483647");
     check_refused(export_model(to, out, {"--young", "1e30"}), "softer --young"); // 10^17 steps
     check_refused(export_model(to, out, {"--box", "2x100001"}), "more than 100 m");
     check_refused(export_model(to, out, {"--box", "2x2x100001"}), "more than 100 m");
@@ -89,6 +170,9 @@ TEST_CASE("what is no model is refused with a remedy, and leaves nothing", "[cli
   check_refused(export_model("lammps", out, {"--start", "shaken"}), "layers nor mixed");
   check_refused(mdm({"export", sand, "--to", "csv", "--start", "mixed", "-o", out}), "--start");
   check_refused(export_model("liggghts", out, {"--box", "0.6x1"}), "--box");
+  check_refused(export_model("liggghts", out, {"--box", "3x3x0.5"}), "the largest grain");
+  // The grains have 3.779 mm^3.
+  check_refused(export_model("liggghts", out, {"--box", "1x1x3.77"}), "leave its height out");
   check_refused(mdm({"export", sand, "--to", "liggghts", "--steps", "5", "-o", out}), "--model settle");
   CHECK(folder.entries() == 0);
 }

@@ -33,7 +33,7 @@ std::string file_of(const std::string &format, const std::string &from, const Ar
 
 /// What verify says of a file in that unit.
 Json verified(const std::string &gradation, const std::string &file, const std::string &format,
-              const std::string &unit, const std::string &tolerance) {
+              const std::string &unit, const std::string &tolerance, const Arguments &more = {}) {
   const TemporaryFolder folder;
   Arguments arguments = {"verify",
                          folder.write("g.csv", gradation),
@@ -44,6 +44,7 @@ Json verified(const std::string &gradation, const std::string &file, const std::
                          "json"};
   if (format != "csv" && format != "mercurydpm") // their headings name it
     arguments.insert(arguments.end(), {"--size-unit", unit});
+  arguments.insert(arguments.end(), more.begin(), more.end());
   const Outcome outcome = mdm(arguments);
   INFO(format << outcome.out << outcome.err);
   CHECK(outcome.exit_code == 0);
@@ -82,6 +83,13 @@ TEST_CASE("export: errors are as small as they are asked to be", "[cli]") {
   check_refused(export_to("csv", sand, {"--mass-error", "1e-30"}), "larger --mass-error");
 }
 
+TEST_CASE("export: --digits is taken, changes nothing, and the help says so", "[cli]") {
+  const std::string sand = read_file(example("athabasca-sand"));
+  CHECK(file_of("csv", sand, {"--digits", "3"}) == file_of("csv", sand));
+  check_refused(export_to("csv", sand, {"--digits", "0"}), "--digits");
+  CHECK(mdm({"export", "--help"}).out.find("without effect here") != std::string::npos);
+}
+
 TEST_CASE("export: sizes on sieves stay in their classes as doubles", "[cli]") {
   // Every size of this match is an upper sieve; as doubles some sieves are above themselves.
   const std::string on_sieves = "size_mm,mass\n0.038,0.438976\n0.076,1.331\n0.11,3.375\n0.15,0\n";
@@ -104,6 +112,13 @@ TEST_CASE("export: matches within a tolerance, other laws and other solving opti
   }
   const Json flat = solve_json({"-", "--law", "power:2"}, 0, sand);
   CHECK(file_of("csv", sand, {"--law", "power:2"}) == file_of("csv", flat.dump(), {"--law", "power:2"}));
+  for (const std::string &format : readable) {
+    const std::string file = file_of(format, sand, {"--law", "power:2"});
+    CHECK(file.find("by --law: x^(2) of a size x") != std::string::npos);
+    CHECK(file_of(format, sand).find("--law") == std::string::npos);
+    CHECK(quantities(verified(sand, file, format, "m", "0.0000002", {"--law", "power:2"})) ==
+          quantities(flat));
+  }
   check_refused(export_to("csv", flat.dump()), "--law");
   check_refused(export_to("csv", answer.dump(), {"--at-least", "10"}), "--at-least: the answer");
   const Outcome limited = export_to("csv", sand, {"--max-steps", "0"});

@@ -71,12 +71,19 @@ TEST_CASE("study refuses what is broken and leaves no folder behind", "[cli]") {
   check_refused(mdm({"study", "figures", "-"}, some_of_the_suite(1)), "--out is missing");
   check_refused(mdm({"study", "--out", folder / "study"}), "WHAT is missing");
   check_refused(mdm({"study", "--paper", "voivret"}), "--out is missing");
-  refused({"figures", "-", "--paper", "voivret"}, "", "needs no FILE");
-  refused({"specimens", "--paper", "voivret"}, "", "needs no FILE");
+  refused({"figures", "-", "--paper", "voivret"}, "", "without WHAT and FILE");
+  for (const char *what : {"figures", "specimens"})
+    refused({what, "--paper", "voivret"}, "", "without WHAT and FILE");
   refused({"--paper", "newton"}, "", "--paper");
   const std::string file = folder.write("file", "");
   check_refused(mdm({"study", "figures", "-", "--out", file}, some_of_the_suite(1)), "no folder can be made");
   CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("the examples of study's help write into folders of their own", "[cli]") {
+  const std::string help = mdm({"study", "--help"}).out;
+  CHECK(help.find("mdm study figures suite.jsonl --out study ") != std::string::npos);
+  CHECK(help.find("mdm study --paper voivret --out models ") != std::string::npos);
 }
 
 TEST_CASE("study draws its figures, or says that gnuplot is missing", "[cli]") {

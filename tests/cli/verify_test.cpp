@@ -309,3 +309,17 @@ TEST_CASE("verify: memory does not grow with the number of particles", "[cli]") 
   CHECK(most_kib(60) < most_kib(2) + 4 * 1024);
 }
 #endif
+
+TEST_CASE("verify names another way for an answer that is too long for it", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string long_text(std::size_t{65} << 20, ' ');
+  const std::string line = folder.write("line.json", "{" + long_text + "}\n");
+  const std::string lines = folder.write("lines.json", "{\n" + long_text.substr(long_text.size() / 2) + "\n" +
+                                                           long_text.substr(long_text.size() / 2) + "}\n");
+  for (const Arguments &from : {Arguments{}, Arguments{"--from", "answer"}})
+    for (const std::string &file : {line, lines}) {
+      Arguments arguments{"verify", example("athabasca-sand"), file};
+      arguments.insert(arguments.end(), from.begin(), from.end());
+      check_refused(mdm(arguments), "mdm export --spread --to csv");
+    }
+}

@@ -1,6 +1,7 @@
 #include "support.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
+#include <mdm/particles/particle_writer.hpp>
 #include <mdm/particles/settle_model.hpp>
 
 #include <cmath>
@@ -183,8 +184,20 @@ TEST_CASE("models: the error that they state is not below the one that there is"
     const std::vector<std::string> stated = found(lammps_model(model_of(set)), "is exact to ([0-9.e-]+) of");
     REQUIRE(stated.size() == 1);
     CHECK(parse_decimal(stated[0]) >= set.mass_error());
-    CHECK(parse_decimal(stated[0]) <= set.mass_error() * ratio(102, 100));
+    CHECK(parse_decimal(stated[0]) <= set.mass_error() * ratio(101, 100));
   }
+  ParticleSet set = set_of(sand);
+  const auto stated = [&set](const Rational &error) {
+    for (ParticleClass &c : set.classes)
+      c.mass_error = error;
+    return stated_error(set);
+  };
+  CHECK(stated(parse_decimal("9.998e-10")) == "1e-9");
+  CHECK(stated(parse_decimal("9.98e-10")) == "9.98e-10");
+  CHECK(stated(parse_decimal("9.980000001e-10")) == "9.99e-10");
+  CHECK(stated(parse_decimal("0.0123")) == "0.0123");
+  CHECK(stated(parse_decimal("0.5")) == "0.5");
+  CHECK(stated(0) == "0");
 }
 
 TEST_CASE("models: nothing of a name is taken for a command") {

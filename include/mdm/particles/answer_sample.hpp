@@ -22,12 +22,14 @@ struct AnswerSample {
     std::vector<std::pair<Rational, Rational>> sizes; ///< of a spread's particles, lo and hi; or none
   };
 
-  std::string id; ///< of the gradation; empty if there is none
+  std::string id;       ///< of the gradation; empty if there is none
+  std::string question; ///< in words; empty if there is none
   SizeUnit unit = SizeUnit::mm;
   std::vector<Class> classes; ///< those with particles
   Rational scale;             ///< s, to the power scale_power
   unsigned scale_power = 1;   ///< b of the law
   Integer particles;          ///< N as it is stated
+  Rational share_error = 0;   ///< greatest difference of an achieved share from that of the masses
   bool has_spread = false;    ///< particles have other sizes as well, which are not read
 };
 

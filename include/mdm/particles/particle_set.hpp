@@ -36,6 +36,8 @@ struct ParticleSet {
   LengthUnit unit = LengthUnit::m;
   MassLaw law;
   std::vector<ParticleClass> classes; ///< those with particles, ascending
+  /// Greatest difference of a class's share of the mass from that in the gradation: 0 for exact matches.
+  Rational share_error = 0;
 
   Integer particles() const;
   /// The greatest of the classes: the mass of each is off by no more than this part of itself.

@@ -14,9 +14,11 @@ using TextSink = std::function<void(std::string_view)>;
 
 /// The gradation's name, N, unit and density, in one line of printable text.
 std::string title(const ParticleSet &set);
-/// How exact the masses are, in one line.
+/// How exact the masses are, and law_statement(), in one line.
 std::string mass_statement(const ParticleSet &set);
-/// set.mass_error() to three digits, not rounded down.
+/// Which masses they are if not those of spheres, behind a space; else empty.
+std::string law_statement(const ParticleSet &set);
+/// set.mass_error() rounded up to three digits.
 std::string stated_error(const ParticleSet &set);
 /// What stands above files that have comments: both lines, each behind `# `.
 std::string comment_lines(const ParticleSet &set);

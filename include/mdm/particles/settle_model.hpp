@@ -24,6 +24,11 @@ struct SettleModel {
   std::optional<std::uint64_t> steps = {}; ///< instead of those of Settling
   std::optional<Rational> young = {};      ///< instead of that of Settling
   Rational poisson = ratio(1, 4);
+  /// What `mdm verify` needs to take the gradation as it was asked for, for example ` --law power:2`;
+  /// nothing: there is none, but a band.
+  std::optional<std::string> verify_options = "";
+  /// Of an answer: what it was asked, in words, which `verify_options` may lack.
+  std::string question = {};
 };
 
 /// The material and the time of a model, in SI units.
@@ -46,8 +51,8 @@ struct Settling {
 /// What the model uses. \throws InputError if it has more steps than most_steps
 Settling settling(const SettleModel &model);
 
-/// Percentage points by which no share can be off in a sample with these sizes, rounded up: what to give to
-/// `mdm verify --tolerance`.
+/// Percentage points by which no share can be off the gradation's in a sample with these sizes, rounded up:
+/// what to give to `mdm verify --tolerance`.
 std::string share_tolerance(const ParticleSet &set);
 
 /// Each is an input script that is run in its folder; it stops with a message where a count is wrong.
