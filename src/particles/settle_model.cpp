@@ -46,12 +46,13 @@ namespace {
 
 /// True if a size is so near to the upper sieve of its class that 17 digits of it may lie above.
 bool reaches_sieve(const ParticleSet &set) {
-  const Rational nearly = 1 - ratio(1, power_of_ten(15));
-  for (const ParticleClass &c : set.classes)
+  constexpr double nearly = 1 - 1e-15; // what is farther away than that, rounding leaves below
+  for (const ParticleClass &c : set.classes) {
+    const double most = nearly * c.upper.convert_to<double>();
     for (const ParticleSize &size : c.sizes)
-      if (std::max(exact_value(size.diameter.value), Rational(2 * exact_value(size.radius.value))) >
-          nearly * c.upper)
+      if (std::max(size.diameter.value, 2 * size.radius.value) > most)
         return true;
+  }
   return false;
 }
 

@@ -1,6 +1,6 @@
 // mdm export --model: the files that it writes and what it refuses. tests/engines runs them.
 
-#include "run.hpp"
+#include "answer.hpp"
 
 #include <sstream>
 
@@ -70,11 +70,11 @@ TEST_CASE("the command that a model gives accepts its grains, however they were 
 
 TEST_CASE("the command that a model of an answer or a band gives is honest", "[cli]") {
   const TemporaryFolder folder;
-  const std::string answer = folder / "answer.json", model = folder / "a.in";
-  REQUIRE(mdm({"solve", example("athabasca-sand"), "--tolerance", "retained:1%", "--format", "json", "-o",
-               answer})
-              .exit_code == 0);
-  REQUIRE(mdm({"export", answer, "--to", "lammps", "--model", "settle", "-o", model}).exit_code == 0);
+  const std::string model = folder / "a.in";
+  Json answer = solve_json({example("athabasca-sand"), "--tolerance", "retained:1%"});
+  answer["question"] = "within retained:1%";
+  const std::string file = folder.write("answer.json", answer.dump());
+  REQUIRE(mdm({"export", file, "--to", "lammps", "--model", "settle", "-o", model}).exit_code == 0);
   CHECK(mdm(verification(read_file(model), "a-settled.dump", example("athabasca-sand"), folder / "a.data"))
             .exit_code == 0);
   CHECK(read_file(model).find("as mdm solve had them: within retained:1%.)\n") != std::string::npos);
