@@ -159,18 +159,21 @@ void add_quality(const GenerateCommand &c, GeneratedSet &set) {
     throw InputError("--points: at least 2, or 0 to leave the quality out");
   if (set.points == 0 || c.format == "csv")
     return;
-  if (set.match && set.match->complete)
+  const auto is_judged = [&c](const Integer &sizes) {
+    return sizes <= (c.points ? most_judged_if_asked : most_judged);
+  };
+  const bool matched = set.match && set.match->complete;
+  const bool match_judged = matched && (!set.spread || is_judged(set.match->particles()));
+  const bool drawn_judged = set.counts.decided() && is_judged(set.counts.particles());
+  if (match_judged)
     set.match_quality =
         matched_quality(*set.match, *set.curve, set.wanted.dimension, set.points, set.match_particles());
-  if (!set.counts.decided())
-    return;
-  if (set.counts.particles() > (c.points ? most_judged_if_asked : most_judged)) {
+  if (drawn_judged)
+    set.drawn_quality = set_quality(
+        *set.curve, set.classes, set.wanted.dimension, set.points,
+        drawn_particles(set.classes, set.counts.numbers, set.wanted.dimension, set.digits, draws(c)));
+  if (match_judged != matched || drawn_judged != set.counts.decided())
     set.notes.push_back("the quality of a set of more than 10^6 particles is told with --points, up to 10^7");
-    return;
-  }
-  set.drawn_quality = set_quality(
-      *set.curve, set.classes, set.wanted.dimension, set.points,
-      drawn_particles(set.classes, set.counts.numbers, set.wanted.dimension, set.digits, draws(c)));
 }
 
 /// Adds the curve and its classes.
@@ -282,6 +285,15 @@ AccessibleQuestion accessible_question(const GenerateCommand &c) {
   return q;
 }
 
+void check_listed(const GeneratedSet &set, const Integer &particles) {
+  if (particles > most_sizes())
+    throw InputError("--sizes: " + to_string(particles) +
+                     " particles: at most 10^12 can be listed; leave out --sizes or ask for fewer classes");
+  if (set.spread && particles > most_spread_particles)
+    throw InputError("--spread: " + to_string(particles) +
+                     " particles: at most 10^9 can be spread; leave out --sizes or ask for fewer classes");
+}
+
 int run(const GenerateCommand &c) {
   if (c.accessible.needless())
     throw InputError("--a, --b, --plot and -j are of --accessible: add it or leave them out");
@@ -295,9 +307,8 @@ int run(const GenerateCommand &c) {
   Progress progress([&written] { return fmt::format("generating, {} MB written", written / 1000000); },
                     c.quiet);
   const GeneratedSet set = generated(c);
-  if (how && set.particles() && *set.particles() > most_sizes())
-    throw InputError("--sizes: " + to_string(*set.particles()) +
-                     " particles: at most 10^12 can be listed; leave out --sizes or ask for fewer classes");
+  if (how && set.particles())
+    check_listed(set, *set.particles());
   Output out(c.out);
   const Sink sink = [&](std::string_view text) {
     out.write(text);

@@ -91,6 +91,23 @@ TEST_CASE("a spread of the exact alternative has every class's volume exactly", 
   check_refused(mdm(with(spread, {"--format", "csv", "--quantiles"})), "--quantiles");
 }
 
+TEST_CASE("of a spread as of drawn sizes, the quality of large sets is told if asked for", "[generate]") {
+  const auto spread = [](const std::string &at_least, const Arguments &more) {
+    Arguments arguments = with(two, {"--method", "match", "--spread"});
+    *(std::find(arguments.begin(), arguments.end(), "--at-least") + 1) = at_least;
+    return with(arguments, more);
+  };
+  const Json many = json(spread("1000010", {}));
+  CHECK(many.at("notes")[0].get<std::string>().find("--points") != std::string::npos);
+  CHECK_FALSE(many.contains("quality"));
+  const Json few = json(spread("10", {}));
+  CHECK(few.at("notes").empty());
+  CHECK_FALSE(few.at("quality").at("match").is_null());
+  // Too many even if asked for; and none of them can be listed.
+  CHECK_FALSE(json(spread("1000000001", {"--points", "2"})).contains("quality"));
+  check_refused(mdm(spread("1000000001", {"--sizes", "--format", "csv"})), "10^9");
+}
+
 TEST_CASE("a match has no error, whatever its rounded volumes add up to", "[generate]") {
   const Json set =
       json({"generate", "--beta", "1,3", "--dmin", "0.1", "--ratio", "20", "--classes", "4", "--match-digits",
