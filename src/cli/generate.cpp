@@ -379,7 +379,7 @@ Run add_generate(CLI::App &app) {
   option("--points", c->points, "K",
          "sizes, equally spaced in log size, at which the set's curve is compared (C_r; 100 for up to "
          "10^6 particles, if given up to 10^7 in 1 GB); 0: no quality");
-  option("--table", c->table, "K", "h, V, F and f at K equally spaced sizes");
+  option("--table", c->table, "K", "h, V, F and f of the set, and h of the curve, at K equally spaced sizes");
   c->accessible.add_to(command);
   option("--digits", c->digits, "D", "significant digits of enclosures (15)");
   command.add_option("--format", c->format, "text, json or csv")

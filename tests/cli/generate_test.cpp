@@ -223,6 +223,24 @@ TEST_CASE("f, F, V and h of the set stand in one table", "[generate]") {
   CHECK(line.at("number_density") == Json({"0.888888888888888", "0.888888888888889"}));
 }
 
+TEST_CASE("h of the table is the integral of its V, and the curve's h stands beside it", "[generate]") {
+  // One class from 1 to 2 with h(d) = (d - 1)^2 as the curve, a straight line as the set's.
+  const Json table = json({"generate", "--beta", "2,1", "--dmin", "1", "--ratio", "2", "--classes", "1",
+                           "--at-least", "5", "--table", "5", "--points", "0"})
+                         .at("curve");
+  REQUIRE(table.size() == 5);
+  CHECK(table[1].at("passing") == Json({"0.25", "0.25"}));
+  CHECK(table[1].at("curve_passing") == Json({"0.0625", "0.0625"}));
+  // Irrational bounds: enclosures of the same.
+  const Json more = json({"generate", "--beta", "1,3", "--dmin", "0.1", "--ratio", "20", "--classes", "3",
+                          "--min-per-class", "1", "--at-least", "5", "--table", "5", "--points", "0"})
+                        .at("curve");
+  CHECK(more[1].at("passing")[0].get<std::string>().substr(0, 7) == "0.54649");
+  CHECK(more[1].at("curve_passing") == Json({"0.578125", "0.578125"}));
+  CHECK(more[0].at("passing") == Json({"0", "0"}));
+  CHECK(more[4].at("passing") == Json({"1", "1"}));
+}
+
 TEST_CASE("accessible shapes are those whose sets are, both ways", "[generate]") {
   const Arguments terms = {"--classes", "4", "--min-per-class", "5", "--at-least", "100", "--at-most", "300"};
   const Arguments grid = with(
