@@ -82,6 +82,10 @@ std::shared_ptr<const SieveCurve> sieve_curve(const GenerateCommand &c, std::vec
   const std::string name = *c.curve == "-" ? "stdin" : *c.curve;
   Gradation g = read_gradation(read_file(*c.curve, max_gradation_bytes), name, c.specimen_id);
   notes = g.notes();
+  if (g.has_factors()) {
+    g = by_volume(g);
+    notes.push_back("masses are divided by their factors: the curve and its shares are by volume");
+  }
   const std::string between = c.between.value_or("log");
   const Interpolation interpolation = between == "log"      ? Interpolation::log
                                       : between == "linear" ? Interpolation::linear

@@ -144,6 +144,27 @@ TEST_CASE("sets of measured curves have the sieves as classes", "[generate]") {
   CHECK(outcome.err.find("no volume, thus no particles, in class 2") != std::string::npos);
 }
 
+TEST_CASE("the factors of a file turn its masses into volumes", "[generate]") {
+  const Arguments curve = {"generate", "--curve", "-", "--method", "match", "--at-least", "100", "--format",
+                           "json"};
+  const std::string dense = "size_mm,mass,factor\n1,3,2\n2,1,2\n4,2,1\n8,0,1\n",
+                    plain = "size_mm,mass\n1,1.5\n2,0.5\n4,2\n8,0\n";
+  const Outcome outcome = mdm(curve, dense);
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  const Json set = Json::parse(outcome.out), same = Json::parse(mdm(curve, plain).out);
+  CHECK(set.at("classes")[0].at("volume_fraction") == Json({"0.375", "0.375"}));
+  for (const char *of : {"classes", "particles", "Cu", "Cc", "quality"})
+    CHECK(set.at(of) == same.at(of));
+  CHECK(set.at("notes")[0].get<std::string>().find("divided by their factors") != std::string::npos);
+  CHECK(same.at("notes").empty());
+  // solve knows the factors.
+  const Outcome solved =
+      mdm({"solve", "-", "--min-per-class", "10", "--at-least", "100", "--format", "json"}, dense);
+  REQUIRE(solved.exit_code == 0);
+  CHECK(Json::parse(solved.out).at("particles") == set.at("particles"));
+}
+
 TEST_CASE("a number of classes for a measured curve makes them geometric", "[generate]") {
   const std::string sieves = "size_mm,passing_percent\n1,0\n2,50\n8,100\n16,100\n";
   const Arguments curve = {"generate", "--curve", "-", "--classes", "2", "--format", "json"};
