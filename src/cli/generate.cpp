@@ -259,6 +259,15 @@ int exit_code(const GeneratedSet &set) {
   return accessible && set.particles() ? Exit::done : Exit::limited;
 }
 
+/// Parameters of shapes, as of --beta.
+std::vector<Rational> parameters(const std::string &option, const std::string &text) {
+  std::vector<Rational> all = number_list(option, text);
+  if (all.front() < BetaCurve::least_parameter() || all.back() > BetaCurve::largest_parameter())
+    throw InputError(option + ": " + in_quotes(text) +
+                     ": a and b must be from 0.001 to 1000: leave out those that are not");
+  return all;
+}
+
 AccessibleQuestion accessible_question(const GenerateCommand &c) {
   if (c.beta || c.curve || c.d_min || c.d_max || c.ratio || c.pan_size || c.between || c.specimen_id)
     throw InputError("--accessible: shapes are asked for with --a and --b, their sizes with --span "
@@ -273,8 +282,8 @@ AccessibleQuestion accessible_question(const GenerateCommand &c) {
   if (c.classing == "sieves")
     throw InputError("--classing: a beta curve has no sieves: use regular, geometric or isochoric");
   AccessibleQuestion q;
-  q.a = number_list("--a", c.accessible.a.value_or("0.5:10:0.5"));
-  q.b = number_list("--b", c.accessible.b.value_or("0.5:10:0.5"));
+  q.a = parameters("--a", c.accessible.a.value_or("0.5:10:0.5"));
+  q.b = parameters("--b", c.accessible.b.value_or("0.5:10:0.5"));
   q.spans = number_list("--span", *c.span);
   if (q.spans.back() >= 1)
     throw InputError("--span: " + to_decimal(q.spans.back()) + " is not below 1: then d_min would be 0");

@@ -295,6 +295,17 @@ TEST_CASE("accessible shapes are those whose sets are, both ways", "[generate]")
   CHECK(mdm(grid).out.find("3 |") != std::string::npos);
 }
 
+TEST_CASE("shapes that are not decided are counted, with the reason", "[generate]") {
+  // The exponents of the finest class's share are beyond what is matched.
+  const Arguments grid = {"generate",  "--accessible", "--span", "0.97", "--a", "300:1000:350",
+                          "--b",       "1",            "--classes", "10"};
+  const Outcome text = mdm(grid), csv = mdm(with(grid, {"--format", "csv", "--quiet"}));
+  CHECK(text.exit_code == 3);
+  CHECK(text.out.find("shapes are not decided (?), the first s = 0.97, a = ") != std::string::npos);
+  CHECK(csv.exit_code == 3);
+  CHECK(csv.err.find("shapes are not decided (?), the first s = 0.97, a = ") != std::string::npos);
+}
+
 TEST_CASE("the map of accessible shapes is drawn", "[generate]") {
   TemporaryFolder folder;
   const Outcome outcome = mdm({"generate", "--accessible", "--span", "0.3,0.5", "--a", "1,2", "--b", "1,2",
@@ -349,6 +360,8 @@ TEST_CASE("what no grid of shapes can be made of is refused", "[generate]") {
                                                       {"--span", "0.5", "--a", "0:1:1"},
                                                       {"--span", "0.5", "--a", "1:2:0.0001"},
                                                       {"--span", "0.5", "--a", "1,,2"},
+                                                      {"--span", "0.5", "--a", "1,2000"},
+                                                      {"--span", "0.5", "--b", "0.0001:1:0.5"},
                                                       {"--span", "0.5", "--b", ""},
                                                       {"--span", "0.5", "--classing", "sieves"},
                                                       {"--span", "0.5", "--method", "match"},
