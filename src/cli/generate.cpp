@@ -336,11 +336,14 @@ int run(const GenerateCommand &c) {
     out.write(generated_text(set));
   }
   out.commit();
+  const int code = exit_code(set);
   // CSV has no place for them.
+  if (c.format == "csv" && code != Exit::done)
+    tell(printable(set.id) + ": " + headline(set) + "\n");
   if (c.format == "csv" && !c.quiet)
     for (const std::string &note : set.notes)
       tell("note: " + note + "\n");
-  return exit_code(set);
+  return code;
 }
 
 } // namespace

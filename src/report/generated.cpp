@@ -171,6 +171,21 @@ std::string count_line(const GeneratedSet &set) {
   return text;
 }
 
+/// What is known of the match, in a line.
+std::string match_line(const Match &m) {
+  return m.complete ? "N = " + to_string(m.particles())
+                    : "stopped at a limit: N is at least " + to_string(m.lower_bound);
+}
+
+/// Whether N_max is kept, if there is one.
+std::optional<std::string> verdict_line(const GeneratedSet &set) {
+  if (!set.at_most)
+    return std::nullopt;
+  const std::optional<bool> accessible = set.accessible();
+  const std::string verdict = "accessible with N_max = " + to_string(*set.at_most);
+  return accessible ? (*accessible ? "" : "not ") + verdict : "it is open whether a set is " + verdict;
+}
+
 std::vector<std::string> quality_line(const std::string &name, const Integer &n, const SetQuality &q) {
   return {name, short_count(n), percent(q.worst_error), shown(q.c_r), shown(q.c_u), shown(q.c_c)};
 }
@@ -316,6 +331,11 @@ void generated_csv(const GeneratedSet &set, const std::optional<Draws> &draws, c
   sink(text);
 }
 
+std::string headline(const GeneratedSet &set) {
+  const std::optional<std::string> verdict = verdict_line(set);
+  return (verdict ? *verdict + ": " : "") + (set.match ? match_line(*set.match) : count_line(set));
+}
+
 std::string generated_text(const GeneratedSet &set) {
   std::string text =
       fmt::format("{}, from {} to {}\n  {}\n", printable(set.id), sized(set.curve->d_min(), set.unit),
@@ -324,14 +344,12 @@ std::string generated_text(const GeneratedSet &set) {
   if (set.match) {
     const Match &m = *set.match;
     text += fmt::format("\n  exact, bounds and volumes rounded to {} digits: ", set.match_digits);
-    text += m.complete ? "N = " + to_string(m.particles()) + ", every class's volume exactly as below\n" +
-                             match_table(set)
-                       : "N is at least " + to_string(m.lower_bound) + "\n";
+    text += match_line(m);
+    text += m.complete ? ", every class's volume exactly as below\n" + match_table(set) : "\n";
   }
   text += "\n" + quality_table(set);
-  if (const std::optional<bool> accessible = set.at_most ? set.accessible() : std::nullopt)
-    text +=
-        fmt::format("\n  {}accessible with N_max = {}\n", *accessible ? "" : "not ", to_string(*set.at_most));
+  if (const std::optional<std::string> verdict = verdict_line(set))
+    text += "\n  " + *verdict + "\n";
   if (set.table > 0) {
     std::vector<std::vector<std::string>> lines = {{"d", "h(d)", "V(d)", "F(d)", "f(d)", "h of the curve"}};
     for (const TableLine &line : table_lines(set))

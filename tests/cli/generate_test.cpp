@@ -130,6 +130,21 @@ TEST_CASE("a set that is not accessible is a negative verdict", "[generate]") {
   CHECK(json(with(two, {"--at-most", "303"}), 1).at("accessible") == false);
 }
 
+TEST_CASE("CSV leaves the verdict to standard error", "[generate]") {
+  const Outcome done = mdm(with(two, {"--format", "csv", "--at-most", "304"}));
+  CHECK(done.exit_code == 0);
+  CHECK(done.err.empty());
+  const Outcome many = mdm(with(two, {"--format", "csv", "--at-most", "303", "--quiet"}));
+  CHECK(many.exit_code == 1);
+  CHECK(many.err == "beta curve (1, 1), uniform by volume fraction: not accessible with N_max = 303: N = 304 "
+                    "(sum N' = 304)\n");
+  const Outcome open = mdm({"generate", "--curve", "-", "--classing", "isochoric", "--classes", "2",
+                            "--dimension", "2", "--at-least", "1", "--format", "csv"},
+                           "size_mm,passing_percent\n1,0\n2,100\n");
+  CHECK(open.exit_code == 3);
+  CHECK(open.err.find("N is not known") != std::string::npos);
+}
+
 TEST_CASE("sets of measured curves have the sieves as classes", "[generate]") {
   const Outcome outcome = mdm({"generate", "--curve", "-", "--format", "csv", "--dimension", "2",
                                "--min-per-class", "3", "--at-least", "1"},

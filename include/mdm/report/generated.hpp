@@ -54,6 +54,9 @@ void generated_json(const GeneratedSet &set, const std::optional<Draws> &draws, 
 /// and _hi.
 void generated_csv(const GeneratedSet &set, const std::optional<Draws> &draws, const Sink &sink);
 
+/// What is known of N in a line, and whether N_max is kept.
+std::string headline(const GeneratedSet &set);
+
 /// For people.
 std::string generated_text(const GeneratedSet &set);
 
