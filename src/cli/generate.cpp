@@ -29,10 +29,10 @@ const Integer &most_sizes() {
 
 struct GenerateCommand {
   std::optional<std::string> beta, d_min, d_max, span, ratio, curve, pan_size, between, specimen_id;
-  std::optional<std::string> classes, classing, at_most, seed, points;
+  std::optional<std::string> classes, classing, at_most, seed, points, table;
+  std::optional<std::string> digits, match_digits, time_limit;
   std::string min_per_class = "10", at_least = "2000", dimension = "3", method = "paper";
-  std::string digits = "15", match_digits = "6", time_limit = "60", format = "text", out = "-";
-  std::optional<std::string> table;
+  std::string format = "text", out = "-";
   AccessibleFlags accessible;
   bool quantiles = false, sizes = false, spread = false, quiet = false;
 };
@@ -124,6 +124,14 @@ Draws draws(const GenerateCommand &c) {
   return c.seed ? Draws::random(seed_of(c)) : Draws::quantiles();
 }
 
+unsigned match_digits(const GenerateCommand &c) {
+  return digits_of("--match-digits", c.match_digits.value_or("6"));
+}
+
+std::chrono::milliseconds time_limit(const GenerateCommand &c) {
+  return duration("--time-limit", c.time_limit.value_or("60"));
+}
+
 void check(const GenerateCommand &c) {
   if (c.beta.has_value() == c.curve.has_value())
     throw InputError("a curve is needed: --beta A,B or --curve FILE, one of them");
@@ -145,6 +153,10 @@ void check(const GenerateCommand &c) {
   if (c.sizes && c.method == "match" && !c.spread && (c.seed || c.quantiles))
     throw InputError(
         "--method match gives a class one size: leave out --seed and --quantiles, or add --spread");
+  if (c.method != "match" && (c.match_digits || c.time_limit))
+    throw InputError("--match-digits and --time-limit are of --method match: add it or leave them out");
+  if ((c.seed || c.quantiles) && c.format == "csv" && !c.sizes)
+    throw InputError("--seed and --quantiles: CSV has no drawn sizes without --sizes: add it or leave them out");
   if (c.points && c.format == "csv")
     throw InputError("--points: CSV has no place for the quality of the set; use --format text or json");
   if (c.sizes && c.table && c.format == "csv")
@@ -211,8 +223,8 @@ Representativity representativity(const GenerateCommand &c) {
 
 GeneratedSet generated(const GenerateCommand &c) {
   GeneratedSet set;
-  set.digits = digits_of("--digits", c.digits);
-  set.match_digits = digits_of("--match-digits", c.match_digits);
+  set.digits = digits_of("--digits", c.digits.value_or("15"));
+  set.match_digits = match_digits(c);
   set.wanted = representativity(c);
   if (c.at_most) {
     set.at_most = natural("--at-most", *c.at_most, 1);
@@ -235,8 +247,7 @@ GeneratedSet generated(const GenerateCommand &c) {
     SolveOptions options;
     options.digits = set.digits;
     options.at_most = set.at_most;
-    options.limits.deadline = std::chrono::steady_clock::now() +
-                              std::chrono::seconds(small_natural("--time-limit", c.time_limit, 1, 1000000));
+    options.limits.deadline = std::chrono::steady_clock::now() + time_limit(c);
     const Gradation rounded = rounded_gradation(set.classes, set.match_digits, set.id);
     set.match = c.spread ? roomy_set(rounded, set.wanted, options, set.match_digits)
                          : matched_set(rounded, set.wanted, options);
@@ -279,6 +290,8 @@ AccessibleQuestion accessible_question(const GenerateCommand &c) {
   if (c.sizes || c.seed || c.quantiles || c.spread || c.table || c.points)
     throw InputError("--accessible tells how many particles there would be and draws none: leave out "
                      "--sizes, --seed, --quantiles, --spread, --points and --table");
+  if (c.digits)
+    throw InputError("--digits: --accessible has certain digits of its own: leave it out");
   if (c.classing == "sieves")
     throw InputError("--classing: a beta curve has no sieves: use regular, geometric or isochoric");
   AccessibleQuestion q;
@@ -293,8 +306,8 @@ AccessibleQuestion accessible_question(const GenerateCommand &c) {
   q.at_most = natural("--at-most", c.at_most.value_or("10000"), 1);
   if (q.at_most < q.wanted.at_least)
     throw InputError("--at-most: fewer than --at-least: no set can have both");
-  q.match_digits = digits_of("--match-digits", c.match_digits);
-  q.time_limit = std::chrono::seconds(small_natural("--time-limit", c.time_limit, 1, 1000000));
+  q.match_digits = match_digits(c);
+  q.time_limit = time_limit(c);
   return q;
 }
 
@@ -382,9 +395,9 @@ Run add_generate(CLI::App &app) {
          "counts by rounding (paper), or the smallest set whose class volumes are exact (match)")
       ->check(CLI::IsMember({"paper", "match"}));
   option("--match-digits", c->match_digits, "D",
-         "significant digits of bounds and volumes for --method match (6)");
+         "significant digits of bounds and volumes for --method match or --accessible (6)");
   option("--time-limit", c->time_limit, "SECONDS",
-         "of --method match (60); then exit 3 with what is certain");
+         "of --method match, or of each match of --accessible (60); then exit 3 with what is certain");
   command.add_flag("--sizes", c->sizes, "the size of every particle (JSON and CSV)");
   option("--seed", c->seed, "K", "draw sizes at random, by the counter-based generator Philox 4x32-10");
   command.add_flag(

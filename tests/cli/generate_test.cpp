@@ -383,6 +383,7 @@ TEST_CASE("what no grid of shapes can be made of is refused", "[generate]") {
                                                       {"--span", "0.5", "--sizes", "--format", "csv"},
                                                       {"--span", "0.5", "--method", "match", "--spread"},
                                                       {"--span", "0.5", "--at-most", "10"},
+                                                      {"--span", "0.5", "--digits", "3"},
                                                       {"--span", "0.5", "--plot", "-"},
                                                       {"--span", "0.5", "--plot", "map.gif"}})
     check_refused(mdm(with({"generate", "--accessible"}, more)));
@@ -406,6 +407,10 @@ TEST_CASE("what no set can be made of is refused", "[generate]") {
                                                       {"--ratio", "2", "--seed", "1", "--quantiles"},
                                                       {"--ratio", "2", "--seed", "18446744073709551616"},
                                                       {"--ratio", "2", "--points", "1"},
+                                                      {"--ratio", "2", "--match-digits", "7"},
+                                                      {"--ratio", "2", "--time-limit", "7"},
+                                                      {"--ratio", "2", "--seed", "1", "--format", "csv"},
+                                                      {"--ratio", "2", "--quantiles", "--format", "csv"},
                                                       {"--ratio", "2", "--points", "9", "--format", "csv"},
                                                       {"--ratio", "2", "--table", "1"}})
     check_refused(mdm(with(beta, more)));
