@@ -102,7 +102,8 @@ std::shared_ptr<const SieveCurve> sieve_curve(const GenerateCommand &c, std::vec
 unsigned small_natural(const char *option, const std::string &text, unsigned least, unsigned most) {
   const Integer n = natural(option, text, least);
   if (n > most)
-    throw InputError(std::string(option) + ": at most " + std::to_string(most));
+    throw InputError(std::string(option) + ": " + in_quotes(text) + " is too large: write a number up to " +
+                     std::to_string(most));
   return static_cast<unsigned>(n);
 }
 
@@ -192,6 +193,10 @@ void add_quality(const GenerateCommand &c, GeneratedSet &set) {
     set.notes.push_back("the quality of a set of more than 10^6 particles is told with --points, up to 10^7");
 }
 
+std::string classes_in_words(unsigned n, const std::string &how) {
+  return fmt::format("{} {} {}", n, how, n == 1 ? "class" : "classes");
+}
+
 /// Adds the curve and its classes.
 void add_curve(const GenerateCommand &c, GeneratedSet &set) {
   const unsigned n = class_number(c);
@@ -200,7 +205,7 @@ void add_curve(const GenerateCommand &c, GeneratedSet &set) {
     const std::string how = c.classing.value_or("geometric");
     set.curve = curve;
     set.id = "beta curve (" + to_decimal(curve->a()) + ", " + to_decimal(curve->b()) + "), " + curve->shape();
-    set.terms = std::to_string(n) + " " + how + " classes";
+    set.terms = classes_in_words(n, how);
     set.classes = size_classes(*curve, classing(how), n);
     return;
   }
@@ -212,7 +217,7 @@ void add_curve(const GenerateCommand &c, GeneratedSet &set) {
   set.id = (*c.curve == "-" ? "stdin" : *c.curve) +
            (between == "stair" ? ", a stair"
                                : ", linear in " + std::string(between == "log" ? "log size" : "size"));
-  set.terms = how == "sieves" ? "classes between the sieves" : std::to_string(n) + " " + how + " classes";
+  set.terms = how == "sieves" ? "classes between the sieves" : classes_in_words(n, how);
   set.classes = how == "sieves" ? sieve_classes(*curve) : size_classes(*curve, classing(how), n);
 }
 

@@ -23,9 +23,10 @@ const char *classing_name(Classing classing) {
 }
 
 std::string terms(const AccessibleQuestion &q) {
-  return fmt::format("{} {} classes, at least {} particles in each and {} in all, at most {}, dimension {}",
-                     q.classes, classing_name(q.classing), to_string(q.wanted.min_per_class),
-                     to_string(q.wanted.at_least), to_string(q.at_most), q.wanted.dimension);
+  return fmt::format("{} {} {}, at least {} particles in each and {} in all, at most {}, dimension {}",
+                     q.classes, classing_name(q.classing), q.classes == 1 ? "class" : "classes",
+                     to_string(q.wanted.min_per_class), to_string(q.wanted.at_least), to_string(q.at_most),
+                     q.wanted.dimension);
 }
 
 bool is_decided(const AccessibleRow &row) {

@@ -423,6 +423,17 @@ TEST_CASE("what no set can be made of is refused", "[generate]") {
   CHECK(tiny.err.size() < 250);
 }
 
+TEST_CASE("numbers of generate are worded as they are, and time limits are decimals", "[generate]") {
+  const Arguments one = {"generate", "--beta", "1,1", "--dmin", "1", "--ratio", "2", "--classes", "1"};
+  CHECK(mdm(one).out.find("  1 geometric class, at least") != std::string::npos);
+  CHECK(mdm({"generate", "--accessible", "--span", "0.5", "--a", "1", "--b", "1", "--classes", "1"})
+            .out.find("  1 geometric class, at least") != std::string::npos);
+  check_refused(mdm({"generate", "--beta", "1,1", "--dmin", "1", "--ratio", "2", "--classes", "10001"}),
+                "write a number up to 10000");
+  CHECK(mdm(with(one, {"--method", "match", "--time-limit", "7.5"})).exit_code == 0);
+  check_refused(mdm(with(one, {"--method", "match", "--time-limit", "-1"})), "--time-limit");
+}
+
 TEST_CASE("the help names what its options take", "[generate]") {
   const Outcome help = mdm({"generate", "--help"});
   CHECK(help.exit_code == 0);
