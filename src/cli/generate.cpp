@@ -157,7 +157,8 @@ void check(const GenerateCommand &c) {
   if (c.method != "match" && (c.match_digits || c.time_limit))
     throw InputError("--match-digits and --time-limit are of --method match: add it or leave them out");
   if ((c.seed || c.quantiles) && c.format == "csv" && !c.sizes)
-    throw InputError("--seed and --quantiles: CSV has no drawn sizes without --sizes: add it or leave them out");
+    throw InputError(
+        "--seed and --quantiles: CSV has no drawn sizes without --sizes: add it or leave them out");
   if (c.points && c.format == "csv")
     throw InputError("--points: CSV has no place for the quality of the set; use --format text or json");
   if (c.sizes && c.table && c.format == "csv")

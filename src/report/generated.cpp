@@ -281,12 +281,12 @@ void generated_json(const GeneratedSet &set, const std::optional<Draws> &draws, 
   if (set.table > 0) {
     std::string lines;
     for (const TableLine &line : table_lines(set))
-      lines += fmt::format(
-          R"({}{{"size":{},"passing":{},"volume_density":{},"partition":{},"number_density":{},)"
-          R"("curve_passing":{}}})",
-          lines.empty() ? "" : ",", pair(Real(line.size), digits), pair(line.passing, digits),
-          pair(line.volume_density, digits), pair(line.partition, digits), pair(line.number_density, digits),
-          pair(line.curve, digits));
+      lines +=
+          fmt::format(R"({}{{"size":{},"passing":{},"volume_density":{},"partition":{},"number_density":{},)"
+                      R"("curve_passing":{}}})",
+                      lines.empty() ? "" : ",", pair(Real(line.size), digits), pair(line.passing, digits),
+                      pair(line.volume_density, digits), pair(line.partition, digits),
+                      pair(line.number_density, digits), pair(line.curve, digits));
     text += R"(,"curve":[)" + lines + "]";
   }
   text += R"(,"notes":[)";
@@ -312,10 +312,10 @@ void generated_csv(const GeneratedSet &set, const std::optional<Draws> &draws, c
     text = "size_lo,size_hi,passing_lo,passing_hi,volume_density_lo,volume_density_hi,partition_lo,"
            "partition_hi,number_density_lo,number_density_hi,curve_passing_lo,curve_passing_hi\n";
     for (const TableLine &line : table_lines(set))
-      text += fmt::format("{},{},{},{},{},{}\n", columns(Real(line.size), digits),
-                          columns(line.passing, digits), columns(line.volume_density, digits),
-                          columns(line.partition, digits), columns(line.number_density, digits),
-                          columns(line.curve, digits));
+      text +=
+          fmt::format("{},{},{},{},{},{}\n", columns(Real(line.size), digits), columns(line.passing, digits),
+                      columns(line.volume_density, digits), columns(line.partition, digits),
+                      columns(line.number_density, digits), columns(line.curve, digits));
   } else {
     text = "class,lower_lo,lower_hi,upper_lo,upper_hi,volume_fraction_lo,volume_fraction_hi,quantity,"
            "number_fraction_lo,number_fraction_hi\n";

@@ -210,11 +210,11 @@ std::vector<std::string> undecided(const Rows &rows) {
       ++reasons.try_emplace(row.why, Reason{&row, 0}).first->second.shapes;
   std::vector<std::string> lines;
   for (const auto &[why, reason] : reasons)
-    lines.push_back(fmt::format("{} not decided (?), the first s = {}, a = {}, b = {}: {}",
-                                reason.shapes == 1 ? "1 shape is"
-                                                   : std::to_string(reason.shapes) + " shapes are",
-                                to_decimal(reason.first->span), to_decimal(reason.first->shape.a),
-                                to_decimal(reason.first->shape.b), why));
+    lines.push_back(
+        fmt::format("{} not decided (?), the first s = {}, a = {}, b = {}: {}",
+                    reason.shapes == 1 ? "1 shape is" : std::to_string(reason.shapes) + " shapes are",
+                    to_decimal(reason.first->span), to_decimal(reason.first->shape.a),
+                    to_decimal(reason.first->shape.b), why));
   return lines;
 }
 

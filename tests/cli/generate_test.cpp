@@ -160,8 +160,8 @@ TEST_CASE("sets of measured curves have the sieves as classes", "[generate]") {
 }
 
 TEST_CASE("the factors of a file turn its masses into volumes", "[generate]") {
-  const Arguments curve = {"generate", "--curve", "-", "--method", "match", "--at-least", "100", "--format",
-                           "json"};
+  const Arguments curve = {"generate",   "--curve", "-",        "--method", "match",
+                           "--at-least", "100",     "--format", "json"};
   const std::string dense = "size_mm,mass,factor\n1,3,2\n2,1,2\n4,2,1\n8,0,1\n",
                     plain = "size_mm,mass\n1,1.5\n2,0.5\n4,2\n8,0\n";
   const Outcome outcome = mdm(curve, dense);
@@ -312,8 +312,8 @@ TEST_CASE("accessible shapes are those whose sets are, both ways", "[generate]")
 
 TEST_CASE("shapes that are not decided are counted, with the reason", "[generate]") {
   // The exponents of the finest class's share are beyond what is matched.
-  const Arguments grid = {"generate",  "--accessible", "--span", "0.97", "--a", "300:1000:350",
-                          "--b",       "1",            "--classes", "10"};
+  const Arguments grid = {"generate",     "--accessible", "--span", "0.97",      "--a",
+                          "300:1000:350", "--b",          "1",      "--classes", "10"};
   const Outcome text = mdm(grid), csv = mdm(with(grid, {"--format", "csv", "--quiet"}));
   CHECK(text.exit_code == 3);
   CHECK(text.out.find("shapes are not decided (?), the first s = 0.97, a = ") != std::string::npos);
