@@ -390,8 +390,9 @@ Run add_generate(CLI::App &app) {
   option("--classes", c->classes, "N", "number of size classes (10)");
   option(
       "--classing", c->classing, "TEXT",
-      "classes of equal widths (regular), equal ratios (geometric, the default), equal volumes (isochoric), "
-      "or between the sieves (sieves, the default of --curve without --classes)")
+      "classes of equal widths (regular), equal ratios (geometric, the default), equal volumes (isochoric; "
+      "with a or b near 0.001 some 0.2 s a class), or between the sieves (sieves, the default of --curve "
+      "without --classes)")
       ->check(CLI::IsMember({"regular", "geometric", "isochoric", "sieves"}));
   option("--min-per-class", c->min_per_class, "N", "particles in the scarcest class (10)");
   option("--at-least", c->at_least, "N", "particles in all (2000)");
