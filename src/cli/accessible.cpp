@@ -103,10 +103,12 @@ int run_accessible(const AccessibleQuestion &question, const AccessibleOutput &o
   if (plot)
     plot->commit();
   out.commit();
-  const bool decided = std::all_of(rows.begin(), rows.end(), [](const AccessibleRow &row) {
-    return row.paper_accessible && row.match_accessible;
-  });
-  return decided ? Exit::done : Exit::limited;
+  const std::vector<std::string> open = undecided(rows);
+  // CSV has no place for them.
+  if (output.format == "csv")
+    for (const std::string &line : open)
+      tell(line + "\n");
+  return open.empty() ? Exit::done : Exit::limited;
 }
 
 } // namespace mdm::cli

@@ -29,10 +29,10 @@ const Integer &most_sizes() {
 
 struct GenerateCommand {
   std::optional<std::string> beta, d_min, d_max, span, ratio, curve, pan_size, between, specimen_id;
-  std::optional<std::string> classes, classing, at_most, seed, points;
+  std::optional<std::string> classes, classing, at_most, seed, points, table;
+  std::optional<std::string> digits, match_digits, time_limit;
   std::string min_per_class = "10", at_least = "2000", dimension = "3", method = "paper";
-  std::string digits = "15", match_digits = "6", time_limit = "60", format = "text", out = "-";
-  std::optional<std::string> table;
+  std::string format = "text", out = "-";
   AccessibleFlags accessible;
   bool quantiles = false, sizes = false, spread = false, quiet = false;
 };
@@ -82,6 +82,10 @@ std::shared_ptr<const SieveCurve> sieve_curve(const GenerateCommand &c, std::vec
   const std::string name = *c.curve == "-" ? "stdin" : *c.curve;
   Gradation g = read_gradation(read_file(*c.curve, max_gradation_bytes), name, c.specimen_id);
   notes = g.notes();
+  if (g.has_factors()) {
+    g = by_volume(g);
+    notes.push_back("masses are divided by their factors: the curve and its shares are by volume");
+  }
   const std::string between = c.between.value_or("log");
   const Interpolation interpolation = between == "log"      ? Interpolation::log
                                       : between == "linear" ? Interpolation::linear
@@ -98,7 +102,8 @@ std::shared_ptr<const SieveCurve> sieve_curve(const GenerateCommand &c, std::vec
 unsigned small_natural(const char *option, const std::string &text, unsigned least, unsigned most) {
   const Integer n = natural(option, text, least);
   if (n > most)
-    throw InputError(std::string(option) + ": at most " + std::to_string(most));
+    throw InputError(std::string(option) + ": " + in_quotes(text) + " is too large: write a number up to " +
+                     std::to_string(most));
   return static_cast<unsigned>(n);
 }
 
@@ -118,6 +123,14 @@ std::uint64_t seed_of(const GenerateCommand &c) {
 
 Draws draws(const GenerateCommand &c) {
   return c.seed ? Draws::random(seed_of(c)) : Draws::quantiles();
+}
+
+unsigned match_digits(const GenerateCommand &c) {
+  return digits_of("--match-digits", c.match_digits.value_or("6"));
+}
+
+std::chrono::milliseconds time_limit(const GenerateCommand &c) {
+  return duration("--time-limit", c.time_limit.value_or("60"));
 }
 
 void check(const GenerateCommand &c) {
@@ -141,6 +154,11 @@ void check(const GenerateCommand &c) {
   if (c.sizes && c.method == "match" && !c.spread && (c.seed || c.quantiles))
     throw InputError(
         "--method match gives a class one size: leave out --seed and --quantiles, or add --spread");
+  if (c.method != "match" && (c.match_digits || c.time_limit))
+    throw InputError("--match-digits and --time-limit are of --method match: add it or leave them out");
+  if ((c.seed || c.quantiles) && c.format == "csv" && !c.sizes)
+    throw InputError(
+        "--seed and --quantiles: CSV has no drawn sizes without --sizes: add it or leave them out");
   if (c.points && c.format == "csv")
     throw InputError("--points: CSV has no place for the quality of the set; use --format text or json");
   if (c.sizes && c.table && c.format == "csv")
@@ -159,18 +177,25 @@ void add_quality(const GenerateCommand &c, GeneratedSet &set) {
     throw InputError("--points: at least 2, or 0 to leave the quality out");
   if (set.points == 0 || c.format == "csv")
     return;
-  if (set.match && set.match->complete)
+  const auto is_judged = [&c](const Integer &sizes) {
+    return sizes <= (c.points ? most_judged_if_asked : most_judged);
+  };
+  const bool matched = set.match && set.match->complete;
+  const bool match_judged = matched && (!set.spread || is_judged(set.match->particles()));
+  const bool drawn_judged = set.counts.decided() && is_judged(set.counts.particles());
+  if (match_judged)
     set.match_quality =
         matched_quality(*set.match, *set.curve, set.wanted.dimension, set.points, set.match_particles());
-  if (!set.counts.decided())
-    return;
-  if (set.counts.particles() > (c.points ? most_judged_if_asked : most_judged)) {
+  if (drawn_judged)
+    set.drawn_quality = set_quality(
+        *set.curve, set.classes, set.wanted.dimension, set.points,
+        drawn_particles(set.classes, set.counts.numbers, set.wanted.dimension, set.digits, draws(c)));
+  if (match_judged != matched || drawn_judged != set.counts.decided())
     set.notes.push_back("the quality of a set of more than 10^6 particles is told with --points, up to 10^7");
-    return;
-  }
-  set.drawn_quality = set_quality(
-      *set.curve, set.classes, set.wanted.dimension, set.points,
-      drawn_particles(set.classes, set.counts.numbers, set.wanted.dimension, set.digits, draws(c)));
+}
+
+std::string classes_in_words(unsigned n, const std::string &how) {
+  return fmt::format("{} {} {}", n, how, n == 1 ? "class" : "classes");
 }
 
 /// Adds the curve and its classes.
@@ -181,7 +206,7 @@ void add_curve(const GenerateCommand &c, GeneratedSet &set) {
     const std::string how = c.classing.value_or("geometric");
     set.curve = curve;
     set.id = "beta curve (" + to_decimal(curve->a()) + ", " + to_decimal(curve->b()) + "), " + curve->shape();
-    set.terms = std::to_string(n) + " " + how + " classes";
+    set.terms = classes_in_words(n, how);
     set.classes = size_classes(*curve, classing(how), n);
     return;
   }
@@ -193,7 +218,7 @@ void add_curve(const GenerateCommand &c, GeneratedSet &set) {
   set.id = (*c.curve == "-" ? "stdin" : *c.curve) +
            (between == "stair" ? ", a stair"
                                : ", linear in " + std::string(between == "log" ? "log size" : "size"));
-  set.terms = how == "sieves" ? "classes between the sieves" : std::to_string(n) + " " + how + " classes";
+  set.terms = how == "sieves" ? "classes between the sieves" : classes_in_words(n, how);
   set.classes = how == "sieves" ? sieve_classes(*curve) : size_classes(*curve, classing(how), n);
 }
 
@@ -204,8 +229,8 @@ Representativity representativity(const GenerateCommand &c) {
 
 GeneratedSet generated(const GenerateCommand &c) {
   GeneratedSet set;
-  set.digits = digits_of("--digits", c.digits);
-  set.match_digits = digits_of("--match-digits", c.match_digits);
+  set.digits = digits_of("--digits", c.digits.value_or("15"));
+  set.match_digits = match_digits(c);
   set.wanted = representativity(c);
   if (c.at_most) {
     set.at_most = natural("--at-most", *c.at_most, 1);
@@ -228,8 +253,7 @@ GeneratedSet generated(const GenerateCommand &c) {
     SolveOptions options;
     options.digits = set.digits;
     options.at_most = set.at_most;
-    options.limits.deadline = std::chrono::steady_clock::now() +
-                              std::chrono::seconds(small_natural("--time-limit", c.time_limit, 1, 1000000));
+    options.limits.deadline = std::chrono::steady_clock::now() + time_limit(c);
     const Gradation rounded = rounded_gradation(set.classes, set.match_digits, set.id);
     set.match = c.spread ? roomy_set(rounded, set.wanted, options, set.match_digits)
                          : matched_set(rounded, set.wanted, options);
@@ -252,6 +276,15 @@ int exit_code(const GeneratedSet &set) {
   return accessible && set.particles() ? Exit::done : Exit::limited;
 }
 
+/// Parameters of shapes, as of --beta.
+std::vector<Rational> parameters(const std::string &option, const std::string &text) {
+  std::vector<Rational> all = number_list(option, text);
+  if (all.front() < BetaCurve::least_parameter() || all.back() > BetaCurve::largest_parameter())
+    throw InputError(option + ": " + in_quotes(text) +
+                     ": a and b must be from 0.001 to 1000: leave out those that are not");
+  return all;
+}
+
 AccessibleQuestion accessible_question(const GenerateCommand &c) {
   if (c.beta || c.curve || c.d_min || c.d_max || c.ratio || c.pan_size || c.between || c.specimen_id)
     throw InputError("--accessible: shapes are asked for with --a and --b, their sizes with --span "
@@ -263,11 +296,13 @@ AccessibleQuestion accessible_question(const GenerateCommand &c) {
   if (c.sizes || c.seed || c.quantiles || c.spread || c.table || c.points)
     throw InputError("--accessible tells how many particles there would be and draws none: leave out "
                      "--sizes, --seed, --quantiles, --spread, --points and --table");
+  if (c.digits)
+    throw InputError("--digits: --accessible has certain digits of its own: leave it out");
   if (c.classing == "sieves")
     throw InputError("--classing: a beta curve has no sieves: use regular, geometric or isochoric");
   AccessibleQuestion q;
-  q.a = number_list("--a", c.accessible.a.value_or("0.5:10:0.5"));
-  q.b = number_list("--b", c.accessible.b.value_or("0.5:10:0.5"));
+  q.a = parameters("--a", c.accessible.a.value_or("0.5:10:0.5"));
+  q.b = parameters("--b", c.accessible.b.value_or("0.5:10:0.5"));
   q.spans = number_list("--span", *c.span);
   if (q.spans.back() >= 1)
     throw InputError("--span: " + to_decimal(q.spans.back()) + " is not below 1: then d_min would be 0");
@@ -277,9 +312,18 @@ AccessibleQuestion accessible_question(const GenerateCommand &c) {
   q.at_most = natural("--at-most", c.at_most.value_or("10000"), 1);
   if (q.at_most < q.wanted.at_least)
     throw InputError("--at-most: fewer than --at-least: no set can have both");
-  q.match_digits = digits_of("--match-digits", c.match_digits);
-  q.time_limit = std::chrono::seconds(small_natural("--time-limit", c.time_limit, 1, 1000000));
+  q.match_digits = match_digits(c);
+  q.time_limit = time_limit(c);
   return q;
+}
+
+void check_listed(const GeneratedSet &set, const Integer &particles) {
+  if (particles > most_sizes())
+    throw InputError("--sizes: " + to_string(particles) +
+                     " particles: at most 10^12 can be listed; leave out --sizes or ask for fewer classes");
+  if (set.spread && particles > most_spread_particles)
+    throw InputError("--spread: " + to_string(particles) +
+                     " particles: at most 10^9 can be spread; leave out --sizes or ask for fewer classes");
 }
 
 int run(const GenerateCommand &c) {
@@ -295,9 +339,8 @@ int run(const GenerateCommand &c) {
   Progress progress([&written] { return fmt::format("generating, {} MB written", written / 1000000); },
                     c.quiet);
   const GeneratedSet set = generated(c);
-  if (how && set.particles() && *set.particles() > most_sizes())
-    throw InputError("--sizes: " + to_string(*set.particles()) +
-                     " particles: at most 10^12 can be listed; leave out --sizes or ask for fewer classes");
+  if (how && set.particles())
+    check_listed(set, *set.particles());
   Output out(c.out);
   const Sink sink = [&](std::string_view text) {
     out.write(text);
@@ -312,11 +355,14 @@ int run(const GenerateCommand &c) {
     out.write(generated_text(set));
   }
   out.commit();
+  const int code = exit_code(set);
   // CSV has no place for them.
+  if (c.format == "csv" && code != Exit::done)
+    tell(printable(set.id) + ": " + headline(set) + "\n");
   if (c.format == "csv" && !c.quiet)
     for (const std::string &note : set.notes)
       tell("note: " + note + "\n");
-  return exit_code(set);
+  return code;
 }
 
 } // namespace
@@ -344,8 +390,9 @@ Run add_generate(CLI::App &app) {
   option("--classes", c->classes, "N", "number of size classes (10)");
   option(
       "--classing", c->classing, "TEXT",
-      "classes of equal widths (regular), equal ratios (geometric, the default), equal volumes (isochoric), "
-      "or between the sieves (sieves, the default of --curve without --classes)")
+      "classes of equal widths (regular), equal ratios (geometric, the default), equal volumes (isochoric; "
+      "with a or b near 0.001 some 0.2 s a class), or between the sieves (sieves, the default of --curve "
+      "without --classes)")
       ->check(CLI::IsMember({"regular", "geometric", "isochoric", "sieves"}));
   option("--min-per-class", c->min_per_class, "N", "particles in the scarcest class (10)");
   option("--at-least", c->at_least, "N", "particles in all (2000)");
@@ -355,9 +402,9 @@ Run add_generate(CLI::App &app) {
          "counts by rounding (paper), or the smallest set whose class volumes are exact (match)")
       ->check(CLI::IsMember({"paper", "match"}));
   option("--match-digits", c->match_digits, "D",
-         "significant digits of bounds and volumes for --method match (6)");
+         "significant digits of bounds and volumes for --method match or --accessible (6)");
   option("--time-limit", c->time_limit, "SECONDS",
-         "of --method match (60); then exit 3 with what is certain");
+         "of --method match, or of each match of --accessible (60); then exit 3 with what is certain");
   command.add_flag("--sizes", c->sizes, "the size of every particle (JSON and CSV)");
   option("--seed", c->seed, "K", "draw sizes at random, by the counter-based generator Philox 4x32-10");
   command.add_flag(
@@ -368,7 +415,7 @@ Run add_generate(CLI::App &app) {
   option("--points", c->points, "K",
          "sizes, equally spaced in log size, at which the set's curve is compared (C_r; 100 for up to "
          "10^6 particles, if given up to 10^7 in 1 GB); 0: no quality");
-  option("--table", c->table, "K", "h, V, F and f at K equally spaced sizes");
+  option("--table", c->table, "K", "h, V, F and f of the set, and h of the curve, at K equally spaced sizes");
   c->accessible.add_to(command);
   option("--digits", c->digits, "D", "significant digits of enclosures (15)");
   command.add_option("--format", c->format, "text, json or csv")

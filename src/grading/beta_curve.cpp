@@ -77,7 +77,7 @@ public:
   Bracket find() {
     const Rational enough = ratio(1, Integer(Integer(1) << bits_));
     while (x_.width() > enough)
-      if (!newton() && !halve())
+      if (!newton() && !halve_exponent() && !halve())
         break;
     return x_;
   }
@@ -85,17 +85,42 @@ public:
 private:
   Ball ball(const Rational &r) const { return Ball(r, work_); }
 
+  /// Makes m an end of the bracket; false if the precision does not tell on which side of m the inverse is.
+  bool split(const Rational &m) {
+    const Order order = compare(incomplete_beta(ball(m), a_, b_), ball(y_));
+    if (order != Order::less && order != Order::greater)
+      return false;
+    (order == Order::less ? x_.lo : x_.hi) = m;
+    return true;
+  }
+
   /// One bisection; false if the precision does not tell anywhere near the middle.
   bool halve() {
-    for (const int eighth : {4, 3, 5}) {
-      const Rational m = x_.lo + x_.width() * ratio(eighth, 8);
-      const Order order = compare(incomplete_beta(ball(m), a_, b_), ball(y_));
-      if (order == Order::less || order == Order::greater) {
-        (order == Order::less ? x_.lo : x_.hi) = m;
+    for (const int eighth : {4, 3, 5})
+      if (split(x_.lo + x_.width() * ratio(eighth, 8)))
         return true;
-      }
-    }
     return false;
+  }
+
+  /// One bisection of the exponent of the distance from 0 or 1, which may be thousands; false where that is
+  /// nearly known, or as for halve().
+  bool halve_exponent() {
+    const Rational middle = ratio(1, 2);
+    const bool low = x_.hi <= middle;
+    if (!low && x_.lo < middle)
+      return false;
+    const Rational nearest = low ? x_.lo : Rational(1 - x_.hi), farthest = low ? x_.hi : Rational(1 - x_.lo);
+    if (4 * nearest >= farthest)
+      return false;
+    const unsigned from = zeros(farthest);
+    const unsigned to = nearest == 0 ? std::min(3 * from + 2, bits_) : zeros(nearest);
+    const Rational distance = ratio(1, Integer(Integer(1) << (from + to + 1) / 2));
+    return nearest < distance && distance < farthest && split(low ? distance : Rational(1 - distance));
+  }
+
+  /// The n with 2^-(n + 1) < r <= 2^-n or so, for 0 < r <= 1.
+  static unsigned zeros(const Rational &r) {
+    return static_cast<unsigned>(bit_length(denominator(r)) - bit_length(numerator(r)));
   }
 
   /// One step of the interval Newton method, with the density x^(a-1) (1-x)^(b-1) / B(a, b) over the whole

@@ -61,7 +61,7 @@ QuickSizes::QuickSizes(const Interval &a, const Interval &b, unsigned dimension,
     const Rational fixed = scale * Rational(Integer(1) << fraction_bits_) * two_to_64();
     const Integer most = floor(Rational(b.lo * scale));
     decades_.push_back({to_wide(floor(Rational(a.lo * fixed))), to_wide(ceil(Rational(a.hi * fixed))),
-                        static_cast<std::uint64_t>(std::min(ceil(Rational(a.hi * scale)), end)),
+                        static_cast<std::uint64_t>(std::min(Integer(floor(Rational(a.hi * scale)) + 1), end)),
                         static_cast<std::uint64_t>(std::min(most, end)), places});
     if (places == 0 || most < end || decades_.size() == most_decades)
       break;

@@ -44,9 +44,11 @@ Enclosure ClassSizes::at(const Rational &y) const {
     }
     return e;
   };
+  const auto is_inside = [&](const Enclosure &e) {
+    return e.lower() > greatest_lower_ && e.upper() <= least_upper_;
+  };
   Enclosure e = enclose(digits_);
-  for (unsigned digits = digits_ + 8;
-       digits <= digits_ + more_digits && (e.lower() < greatest_lower_ || e.upper() > least_upper_);
+  for (unsigned digits = digits_ + 8; !is_inside(e) && (exact_ || digits <= digits_ + more_digits);
        digits += 8)
     e = enclose(digits);
   return e;

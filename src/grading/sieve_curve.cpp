@@ -12,6 +12,18 @@ Real log(const Real &y) {
 
 } // namespace
 
+Gradation by_volume(const Gradation &g) {
+  Gradation::Data data;
+  data.id = g.id();
+  data.unit = g.unit();
+  data.sizes = g.sizes();
+  data.notes = g.notes();
+  for (std::size_t j = 0; j < g.classes(); ++j)
+    data.masses.push_back(g.mass(j) / g.factor(j));
+  data.masses.emplace_back(0);
+  return Gradation(std::move(data));
+}
+
 SieveCurve::SieveCurve(GradingCurve curve, Interpolation interpolation)
     : curve_(std::move(curve)), interpolation_(interpolation) {
   if (curve_.sizes().front() == 0)

@@ -78,7 +78,8 @@ SizeDistribution distribution(const GeneratedSet &set) {
 /// One line of the table.
 struct TableLine {
   Rational size;
-  Real passing, volume_density, partition, number_density;
+  Real passing, volume_density, partition, number_density; ///< h, V, F and f of the set
+  Real curve;                                              ///< h of the curve that it is to have
 };
 
 std::vector<TableLine> table_lines(const GeneratedSet &set) {
@@ -86,8 +87,8 @@ std::vector<TableLine> table_lines(const GeneratedSet &set) {
   std::vector<TableLine> lines;
   for (unsigned i = 0; i < set.table; ++i) {
     const Rational d = table_size(set, i);
-    lines.push_back(
-        {d, set.curve->passing(Surd(d)), all.volume_density(d), all.partition(d), all.number_density(d)});
+    lines.push_back({d, all.grading(d), all.volume_density(d), all.partition(d), all.number_density(d),
+                     set.curve->passing(Surd(d))});
   }
   return lines;
 }
@@ -168,6 +169,21 @@ std::string count_line(const GeneratedSet &set) {
     text += ", " + to_string(Integer(set.wanted.at_least - c.particles())) +
             " fewer than N_min: the floors of Eq. 9 lose them";
   return text;
+}
+
+/// What is known of the match, in a line.
+std::string match_line(const Match &m) {
+  return m.complete ? "N = " + to_string(m.particles())
+                    : "stopped at a limit: N is at least " + to_string(m.lower_bound);
+}
+
+/// Whether N_max is kept, if there is one.
+std::optional<std::string> verdict_line(const GeneratedSet &set) {
+  if (!set.at_most)
+    return std::nullopt;
+  const std::optional<bool> accessible = set.accessible();
+  const std::string verdict = "accessible with N_max = " + to_string(*set.at_most);
+  return accessible ? (*accessible ? "" : "not ") + verdict : "it is open whether a set is " + verdict;
 }
 
 std::vector<std::string> quality_line(const std::string &name, const Integer &n, const SetQuality &q) {
@@ -265,10 +281,12 @@ void generated_json(const GeneratedSet &set, const std::optional<Draws> &draws, 
   if (set.table > 0) {
     std::string lines;
     for (const TableLine &line : table_lines(set))
-      lines += fmt::format(
-          R"({}{{"size":{},"passing":{},"volume_density":{},"partition":{},"number_density":{}}})",
-          lines.empty() ? "" : ",", pair(Real(line.size), digits), pair(line.passing, digits),
-          pair(line.volume_density, digits), pair(line.partition, digits), pair(line.number_density, digits));
+      lines +=
+          fmt::format(R"({}{{"size":{},"passing":{},"volume_density":{},"partition":{},"number_density":{},)"
+                      R"("curve_passing":{}}})",
+                      lines.empty() ? "" : ",", pair(Real(line.size), digits), pair(line.passing, digits),
+                      pair(line.volume_density, digits), pair(line.partition, digits),
+                      pair(line.number_density, digits), pair(line.curve, digits));
     text += R"(,"curve":[)" + lines + "]";
   }
   text += R"(,"notes":[)";
@@ -292,11 +310,12 @@ void generated_csv(const GeneratedSet &set, const std::optional<Draws> &draws, c
   std::string text;
   if (set.table > 0) {
     text = "size_lo,size_hi,passing_lo,passing_hi,volume_density_lo,volume_density_hi,partition_lo,"
-           "partition_hi,number_density_lo,number_density_hi\n";
+           "partition_hi,number_density_lo,number_density_hi,curve_passing_lo,curve_passing_hi\n";
     for (const TableLine &line : table_lines(set))
-      text += fmt::format("{},{},{},{},{}\n", columns(Real(line.size), digits), columns(line.passing, digits),
-                          columns(line.volume_density, digits), columns(line.partition, digits),
-                          columns(line.number_density, digits));
+      text +=
+          fmt::format("{},{},{},{},{},{}\n", columns(Real(line.size), digits), columns(line.passing, digits),
+                      columns(line.volume_density, digits), columns(line.partition, digits),
+                      columns(line.number_density, digits), columns(line.curve, digits));
   } else {
     text = "class,lower_lo,lower_hi,upper_lo,upper_hi,volume_fraction_lo,volume_fraction_hi,quantity,"
            "number_fraction_lo,number_fraction_hi\n";
@@ -312,6 +331,11 @@ void generated_csv(const GeneratedSet &set, const std::optional<Draws> &draws, c
   sink(text);
 }
 
+std::string headline(const GeneratedSet &set) {
+  const std::optional<std::string> verdict = verdict_line(set);
+  return (verdict ? *verdict + ": " : "") + (set.match ? match_line(*set.match) : count_line(set));
+}
+
 std::string generated_text(const GeneratedSet &set) {
   std::string text =
       fmt::format("{}, from {} to {}\n  {}\n", printable(set.id), sized(set.curve->d_min(), set.unit),
@@ -320,20 +344,18 @@ std::string generated_text(const GeneratedSet &set) {
   if (set.match) {
     const Match &m = *set.match;
     text += fmt::format("\n  exact, bounds and volumes rounded to {} digits: ", set.match_digits);
-    text += m.complete ? "N = " + to_string(m.particles()) + ", every class's volume exactly as below\n" +
-                             match_table(set)
-                       : "N is at least " + to_string(m.lower_bound) + "\n";
+    text += match_line(m);
+    text += m.complete ? ", every class's volume exactly as below\n" + match_table(set) : "\n";
   }
   text += "\n" + quality_table(set);
-  if (const std::optional<bool> accessible = set.at_most ? set.accessible() : std::nullopt)
-    text +=
-        fmt::format("\n  {}accessible with N_max = {}\n", *accessible ? "" : "not ", to_string(*set.at_most));
+  if (const std::optional<std::string> verdict = verdict_line(set))
+    text += "\n  " + *verdict + "\n";
   if (set.table > 0) {
-    std::vector<std::vector<std::string>> lines = {{"d", "h(d)", "V(d)", "F(d)", "f(d)"}};
+    std::vector<std::vector<std::string>> lines = {{"d", "h(d)", "V(d)", "F(d)", "f(d)", "h of the curve"}};
     for (const TableLine &line : table_lines(set))
       lines.push_back({rounded(Real(line.size), read_digits), rounded(line.passing, read_digits),
                        rounded(line.volume_density, read_digits), rounded(line.partition, read_digits),
-                       rounded(line.number_density, read_digits)});
+                       rounded(line.number_density, read_digits), rounded(line.curve, read_digits)});
     text += "\n" + text_table(lines, ">");
   }
   for (const std::string &note : set.notes)

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace mdm {
 namespace {
@@ -22,13 +23,18 @@ const char *classing_name(Classing classing) {
 }
 
 std::string terms(const AccessibleQuestion &q) {
-  return fmt::format("{} {} classes, at least {} particles in each and {} in all, at most {}, dimension {}",
-                     q.classes, classing_name(q.classing), to_string(q.wanted.min_per_class),
-                     to_string(q.wanted.at_least), to_string(q.at_most), q.wanted.dimension);
+  return fmt::format("{} {} {}, at least {} particles in each and {} in all, at most {}, dimension {}",
+                     q.classes, classing_name(q.classing), q.classes == 1 ? "class" : "classes",
+                     to_string(q.wanted.min_per_class), to_string(q.wanted.at_least), to_string(q.at_most),
+                     q.wanted.dimension);
+}
+
+bool is_decided(const AccessibleRow &row) {
+  return row.paper_accessible && row.match_accessible;
 }
 
 char letter(const AccessibleRow &row) {
-  if (!row.paper_accessible || !row.match_accessible)
+  if (!is_decided(row))
     return '?';
   if (*row.paper_accessible)
     return *row.match_accessible ? 'B' : 'P';
@@ -193,6 +199,25 @@ Panel reach_panel(const AccessibleQuestion &q, const Rows &rows) {
 
 } // namespace
 
+std::vector<std::string> undecided(const Rows &rows) {
+  struct Reason {
+    const AccessibleRow *first;
+    std::size_t shapes;
+  };
+  std::map<std::string, Reason> reasons;
+  for (const AccessibleRow &row : rows)
+    if (!is_decided(row))
+      ++reasons.try_emplace(row.why, Reason{&row, 0}).first->second.shapes;
+  std::vector<std::string> lines;
+  for (const auto &[why, reason] : reasons)
+    lines.push_back(
+        fmt::format("{} not decided (?), the first s = {}, a = {}, b = {}: {}",
+                    reason.shapes == 1 ? "1 shape is" : std::to_string(reason.shapes) + " shapes are",
+                    to_decimal(reason.first->span), to_decimal(reason.first->shape.a),
+                    to_decimal(reason.first->shape.b), why));
+  return lines;
+}
+
 std::string accessible_text(const AccessibleQuestion &q, const Rows &rows) {
   std::string text = "accessible shapes (a, b) of the beta curve\n  " + terms(q) + "\n";
   for (std::size_t i = 0; i < q.spans.size(); ++i) {
@@ -202,6 +227,8 @@ std::string accessible_text(const AccessibleQuestion &q, const Rows &rows) {
                         count(some, &AccessibleRow::match_accessible));
     text += letters(q, some);
   }
+  for (const std::string &line : undecided(rows))
+    text += "  note: " + line + "\n";
   return text;
 }
 

@@ -91,6 +91,23 @@ TEST_CASE("a spread of the exact alternative has every class's volume exactly", 
   check_refused(mdm(with(spread, {"--format", "csv", "--quantiles"})), "--quantiles");
 }
 
+TEST_CASE("of a spread as of drawn sizes, the quality of large sets is told if asked for", "[generate]") {
+  const auto spread = [](const std::string &at_least, const Arguments &more) {
+    Arguments arguments = with(two, {"--method", "match", "--spread"});
+    *(std::find(arguments.begin(), arguments.end(), "--at-least") + 1) = at_least;
+    return with(arguments, more);
+  };
+  const Json many = json(spread("1000010", {}));
+  CHECK(many.at("notes")[0].get<std::string>().find("--points") != std::string::npos);
+  CHECK_FALSE(many.contains("quality"));
+  const Json few = json(spread("10", {}));
+  CHECK(few.at("notes").empty());
+  CHECK_FALSE(few.at("quality").at("match").is_null());
+  // Too many even if asked for; and none of them can be listed.
+  CHECK_FALSE(json(spread("1000000001", {"--points", "2"})).contains("quality"));
+  check_refused(mdm(spread("1000000001", {"--sizes", "--format", "csv"})), "10^9");
+}
+
 TEST_CASE("a match has no error, whatever its rounded volumes add up to", "[generate]") {
   const Json set =
       json({"generate", "--beta", "1,3", "--dmin", "0.1", "--ratio", "20", "--classes", "4", "--match-digits",
@@ -113,6 +130,21 @@ TEST_CASE("a set that is not accessible is a negative verdict", "[generate]") {
   CHECK(json(with(two, {"--at-most", "303"}), 1).at("accessible") == false);
 }
 
+TEST_CASE("CSV leaves the verdict to standard error", "[generate]") {
+  const Outcome done = mdm(with(two, {"--format", "csv", "--at-most", "304"}));
+  CHECK(done.exit_code == 0);
+  CHECK(done.err.empty());
+  const Outcome many = mdm(with(two, {"--format", "csv", "--at-most", "303", "--quiet"}));
+  CHECK(many.exit_code == 1);
+  CHECK(many.err == "beta curve (1, 1), uniform by volume fraction: not accessible with N_max = 303: N = 304 "
+                    "(sum N' = 304)\n");
+  const Outcome open = mdm({"generate", "--curve", "-", "--classing", "isochoric", "--classes", "2",
+                            "--dimension", "2", "--at-least", "1", "--format", "csv"},
+                           "size_mm,passing_percent\n1,0\n2,100\n");
+  CHECK(open.exit_code == 3);
+  CHECK(open.err.find("N is not known") != std::string::npos);
+}
+
 TEST_CASE("sets of measured curves have the sieves as classes", "[generate]") {
   const Outcome outcome = mdm({"generate", "--curve", "-", "--format", "csv", "--dimension", "2",
                                "--min-per-class", "3", "--at-least", "1"},
@@ -125,6 +157,27 @@ TEST_CASE("sets of measured curves have the sieves as classes", "[generate]") {
         "1,1,1,2,2,0.5,0.5,48,0.941176470588235,0.941176470588236\n2,2,2,4,4,0,0,0,0,0\n"
         "3,4,4,8,8,0.5,0.5,3,0.0588235294117647,0.0588235294117648\n");
   CHECK(outcome.err.find("no volume, thus no particles, in class 2") != std::string::npos);
+}
+
+TEST_CASE("the factors of a file turn its masses into volumes", "[generate]") {
+  const Arguments curve = {"generate",   "--curve", "-",        "--method", "match",
+                           "--at-least", "100",     "--format", "json"};
+  const std::string dense = "size_mm,mass,factor\n1,3,2\n2,1,2\n4,2,1\n8,0,1\n",
+                    plain = "size_mm,mass\n1,1.5\n2,0.5\n4,2\n8,0\n";
+  const Outcome outcome = mdm(curve, dense);
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  const Json set = Json::parse(outcome.out), same = Json::parse(mdm(curve, plain).out);
+  CHECK(set.at("classes")[0].at("volume_fraction") == Json({"0.375", "0.375"}));
+  for (const char *of : {"classes", "particles", "Cu", "Cc", "quality"})
+    CHECK(set.at(of) == same.at(of));
+  CHECK(set.at("notes")[0].get<std::string>().find("divided by their factors") != std::string::npos);
+  CHECK(same.at("notes").empty());
+  // solve knows the factors.
+  const Outcome solved =
+      mdm({"solve", "-", "--min-per-class", "10", "--at-least", "100", "--format", "json"}, dense);
+  REQUIRE(solved.exit_code == 0);
+  CHECK(Json::parse(solved.out).at("particles") == set.at("particles"));
 }
 
 TEST_CASE("a number of classes for a measured curve makes them geometric", "[generate]") {
@@ -206,6 +259,24 @@ TEST_CASE("f, F, V and h of the set stand in one table", "[generate]") {
   CHECK(line.at("number_density") == Json({"0.888888888888888", "0.888888888888889"}));
 }
 
+TEST_CASE("h of the table is the integral of its V, and the curve's h stands beside it", "[generate]") {
+  // One class from 1 to 2 with h(d) = (d - 1)^2 as the curve, a straight line as the set's.
+  const Json table = json({"generate", "--beta", "2,1", "--dmin", "1", "--ratio", "2", "--classes", "1",
+                           "--at-least", "5", "--table", "5", "--points", "0"})
+                         .at("curve");
+  REQUIRE(table.size() == 5);
+  CHECK(table[1].at("passing") == Json({"0.25", "0.25"}));
+  CHECK(table[1].at("curve_passing") == Json({"0.0625", "0.0625"}));
+  // Irrational bounds: enclosures of the same.
+  const Json more = json({"generate", "--beta", "1,3", "--dmin", "0.1", "--ratio", "20", "--classes", "3",
+                          "--min-per-class", "1", "--at-least", "5", "--table", "5", "--points", "0"})
+                        .at("curve");
+  CHECK(more[1].at("passing")[0].get<std::string>().substr(0, 7) == "0.54649");
+  CHECK(more[1].at("curve_passing") == Json({"0.578125", "0.578125"}));
+  CHECK(more[0].at("passing") == Json({"0", "0"}));
+  CHECK(more[4].at("passing") == Json({"1", "1"}));
+}
+
 TEST_CASE("accessible shapes are those whose sets are, both ways", "[generate]") {
   const Arguments terms = {"--classes", "4", "--min-per-class", "5", "--at-least", "100", "--at-most", "300"};
   const Arguments grid = with(
@@ -237,6 +308,17 @@ TEST_CASE("accessible shapes are those whose sets are, both ways", "[generate]")
   CHECK(mdm(with(alone, {"--format", "csv"})).out == one.out);
   CHECK(std::count(one.out.begin(), one.out.end(), '\n') == 13);
   CHECK(mdm(grid).out.find("3 |") != std::string::npos);
+}
+
+TEST_CASE("shapes that are not decided are counted, with the reason", "[generate]") {
+  // The exponents of the finest class's share are beyond what is matched.
+  const Arguments grid = {"generate",     "--accessible", "--span", "0.97",      "--a",
+                          "300:1000:350", "--b",          "1",      "--classes", "10"};
+  const Outcome text = mdm(grid), csv = mdm(with(grid, {"--format", "csv", "--quiet"}));
+  CHECK(text.exit_code == 3);
+  CHECK(text.out.find("shapes are not decided (?), the first s = 0.97, a = ") != std::string::npos);
+  CHECK(csv.exit_code == 3);
+  CHECK(csv.err.find("shapes are not decided (?), the first s = 0.97, a = ") != std::string::npos);
 }
 
 TEST_CASE("the map of accessible shapes is drawn", "[generate]") {
@@ -293,12 +375,15 @@ TEST_CASE("what no grid of shapes can be made of is refused", "[generate]") {
                                                       {"--span", "0.5", "--a", "0:1:1"},
                                                       {"--span", "0.5", "--a", "1:2:0.0001"},
                                                       {"--span", "0.5", "--a", "1,,2"},
+                                                      {"--span", "0.5", "--a", "1,2000"},
+                                                      {"--span", "0.5", "--b", "0.0001:1:0.5"},
                                                       {"--span", "0.5", "--b", ""},
                                                       {"--span", "0.5", "--classing", "sieves"},
                                                       {"--span", "0.5", "--method", "match"},
                                                       {"--span", "0.5", "--sizes", "--format", "csv"},
                                                       {"--span", "0.5", "--method", "match", "--spread"},
                                                       {"--span", "0.5", "--at-most", "10"},
+                                                      {"--span", "0.5", "--digits", "3"},
                                                       {"--span", "0.5", "--plot", "-"},
                                                       {"--span", "0.5", "--plot", "map.gif"}})
     check_refused(mdm(with({"generate", "--accessible"}, more)));
@@ -322,6 +407,10 @@ TEST_CASE("what no set can be made of is refused", "[generate]") {
                                                       {"--ratio", "2", "--seed", "1", "--quantiles"},
                                                       {"--ratio", "2", "--seed", "18446744073709551616"},
                                                       {"--ratio", "2", "--points", "1"},
+                                                      {"--ratio", "2", "--match-digits", "7"},
+                                                      {"--ratio", "2", "--time-limit", "7"},
+                                                      {"--ratio", "2", "--seed", "1", "--format", "csv"},
+                                                      {"--ratio", "2", "--quantiles", "--format", "csv"},
                                                       {"--ratio", "2", "--points", "9", "--format", "csv"},
                                                       {"--ratio", "2", "--table", "1"}})
     check_refused(mdm(with(beta, more)));
@@ -332,6 +421,17 @@ TEST_CASE("what no set can be made of is refused", "[generate]") {
   const Outcome tiny = mdm({"generate", "--beta", "1e-400,1", "--dmin", "1", "--ratio", "2"});
   check_refused(tiny, "from 0.001 to 1000");
   CHECK(tiny.err.size() < 250);
+}
+
+TEST_CASE("numbers of generate are worded as they are, and time limits are decimals", "[generate]") {
+  const Arguments one = {"generate", "--beta", "1,1", "--dmin", "1", "--ratio", "2", "--classes", "1"};
+  CHECK(mdm(one).out.find("  1 geometric class, at least") != std::string::npos);
+  CHECK(mdm({"generate", "--accessible", "--span", "0.5", "--a", "1", "--b", "1", "--classes", "1"})
+            .out.find("  1 geometric class, at least") != std::string::npos);
+  check_refused(mdm({"generate", "--beta", "1,1", "--dmin", "1", "--ratio", "2", "--classes", "10001"}),
+                "write a number up to 10000");
+  CHECK(mdm(with(one, {"--method", "match", "--time-limit", "7.5"})).exit_code == 0);
+  check_refused(mdm(with(one, {"--method", "match", "--time-limit", "-1"})), "--time-limit");
 }
 
 TEST_CASE("the help names what its options take", "[generate]") {

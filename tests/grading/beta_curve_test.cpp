@@ -127,6 +127,22 @@ TEST_CASE("the inverse holds what it inverts") {
     }
 }
 
+TEST_CASE("inverses nearer to an end than 2^-500 are found, from either end") {
+  constexpr unsigned bits = 2000;
+  const Rational a = ratio(333, 1000), b = ratio(1, 1000);
+  for (const Rational &y : {ratio(1, 3), ratio(1, 2), ratio(2, 3)}) {
+    const Ball x = inverse_incomplete_beta(y, a, b, bits), rest = inverse_incomplete_beta(1 - y, b, a, bits);
+    CHECK(x.upper() - x.lower() <= ratio(1, Integer(1) << (bits - 1)));
+    CHECK(rest.upper() - rest.lower() <= ratio(1, Integer(1) << (bits - 1)));
+    CHECK(x.lower() <= 1 - rest.lower());
+    CHECK(1 - rest.upper() <= x.upper());
+    CHECK(rest.lower() < ratio(1, Integer(1) << 500));
+    CHECK(compare(incomplete_beta(Ball(rest.lower(), 2 * bits), b, a), Ball(1 - y, 2 * bits)) !=
+          Order::greater);
+    CHECK(compare(incomplete_beta(Ball(rest.upper(), 2 * bits), b, a), Ball(1 - y, 2 * bits)) != Order::less);
+  }
+}
+
 TEST_CASE("diameters and coefficients of the curve") {
   CHECK(curve(1, 1).diameter(ratio(1, 4)).fraction() == Rational(26));
   CHECK(curve(2, 1).diameter(ratio(1, 4)).fraction() == Rational(51));

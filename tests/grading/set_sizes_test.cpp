@@ -53,6 +53,28 @@ TEST_CASE("sizes lie inside their class, however near to its bounds") {
       }
 }
 
+TEST_CASE("few digits do not touch the open end of a class") {
+  // Bounds 1, 2, 3 and 4 are decimals of one digit.
+  const Draws draws = Draws::quantiles();
+  for (const SizeClass &c : size_classes(BetaCurve(2, 3, 1, 4), Classing::regular, 3))
+    for (const unsigned dimension : {2U, 3U})
+      for (const unsigned digits : {1U, 2U, 3U}) {
+        const ClassSizes sizes(c, dimension, digits);
+        for (std::uint64_t i = 0; i < 500; ++i) {
+          const Enclosure d = sizes.at(draws(0, i, 500));
+          CHECK(d.lower() > *c.lower.real.fraction());
+          CHECK(d.upper() <= *c.upper.real.fraction());
+          if (const std::optional<ShortSize> quick = sizes.quick(draws.bits(0, i, 500)))
+            CHECK(ratio(Integer(quick->lo), power_of_ten(quick->places)) > *c.lower.real.fraction());
+        }
+      }
+  // Nor where the class is too narrow for sixty digits.
+  const SizeClass narrow{Surd(Rational(1)), Surd(Rational(1 + ratio(1, power_of_ten(90)))), Rational(1)};
+  const Enclosure d = ClassSizes(narrow, 3, 3).at(ratio(1, 2));
+  CHECK(d.lower() > 1);
+  CHECK(d.upper() <= *narrow.upper.real.fraction());
+}
+
 TEST_CASE("irrational bounds give the enclosure of the size between them") {
   const SizeClass c = size_classes(BetaCurve(1, 1, 1, 2), Classing::geometric, 2)[0]; // 1 to sqrt 2
   // 2 sqrt 2 / (1 + sqrt 2) = 4 - 2 sqrt 2

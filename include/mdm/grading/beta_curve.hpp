@@ -11,8 +11,9 @@ namespace mdm {
 /// are I_{1/2}(a, a) = 1/2 and I_{1/4}(1/2, 1/2) = 1/3. Nothing where that would take too long.
 std::optional<Rational> exact_incomplete_beta(const Rational &x, const Rational &a, const Rational &b);
 
-/// Encloses the x with I_x(a, b) = y, 0 <= y <= 1, in an interval of some 2^-bits: bisection and interval
-/// Newton steps. Cost: some ten incomplete betas, more where the density is 0 or infinite nearby.
+/// Encloses the x with I_x(a, b) = y, 0 <= y <= 1, in an interval of some 2^-bits: bisection, near 0
+/// and 1 of the exponent, and interval Newton steps. Cost: some ten incomplete betas, some tens where the
+/// density is 0 or infinite nearby.
 Ball inverse_incomplete_beta(const Rational &y, const Rational &a, const Rational &b, unsigned bits);
 
 /// h(d) = I_{d_r}(a, b), d_r = (d - d_min) / (d_max - d_min) (Voivret, Delenne, Radjai, Eq. 12-16).

@@ -25,7 +25,7 @@ public:
   QuickSizes(const Interval &a, const Interval &b, unsigned dimension, unsigned digits);
 
   /// Decimals of `digits` significant digits around F^-1(y) for every y in [Y, Y + 1] / 2^64, within the
-  /// class; nothing where 64 bits do not tell.
+  /// class, open below; nothing where 64 bits do not tell.
   std::optional<ShortSize> at(std::uint64_t y) const;
 
 private:

@@ -17,7 +17,8 @@ public:
   ClassSizes(const SizeClass &c, unsigned dimension, unsigned digits);
 
   /// Decimals around F^-1(y), 0 < y < 1, one unit apart, or the size itself if it is such a decimal. They lie
-  /// inside the class: digits are raised where y is near 0 or 1. Cost: some 50 microseconds.
+  /// inside the class, open below and closed above: digits are raised where they do not tell the size from
+  /// its bounds. Cost: some 50 microseconds.
   Enclosure at(const Rational &y) const;
   /// The same for every y in [Y, Y + 1] / 2^64, where that is decided quickly.
   std::optional<ShortSize> quick(std::uint64_t y) const { return quick_.at(y); }

@@ -14,6 +14,10 @@ enum class Interpolation {
   stair   ///< constant: the mass retained on a sieve lies at the next larger one
 };
 
+/// The gradation with the volumes m_j / c_j as masses and no factors. Whether c is a density or a shape
+/// factor, a particle's share of them goes with x^D.
+Gradation by_volume(const Gradation &g);
+
 /// The curve through the points (x_i, P_i) of a gradation, sizes in mm.
 class SieveCurve : public ModelCurve {
 public:

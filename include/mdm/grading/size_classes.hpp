@@ -27,7 +27,8 @@ enum class Classing {
 /// The most classes.
 inline constexpr unsigned max_size_classes = 10000;
 
-/// N_c classes of a curve, ascending.
+/// N_c classes of a curve, ascending. Cost: some microseconds a class; isochoric ones of a beta curve some
+/// milliseconds, and some 0.2 s where a or b is near 0.001 and bounds agree in a thousand bits.
 /// \throws InputError if there are none or too many, or a stair has no such classes (isochoric)
 std::vector<SizeClass> size_classes(const ModelCurve &curve, Classing classing, unsigned n);
 

@@ -25,7 +25,7 @@ struct GeneratedSet {
   unsigned points = 0;                     ///< sizes at which C_r is taken
   std::optional<SetQuality> drawn_quality; ///< of the particles drawn by Eq. 6-10
   std::optional<SetQuality> match_quality; ///< of those of the match
-  unsigned table = 0;                      ///< sizes of a table of h
+  unsigned table = 0;                      ///< sizes of a table of h, V, F and f
   unsigned digits = 15;                    ///< significant digits of enclosures
   std::vector<std::string> notes;
 
@@ -42,16 +42,20 @@ struct GeneratedSet {
 /// One line of JSON, schema `mdm-generate-1`, without a newline at its end: id, unit, method, dimension,
 /// seed, classes [{lower, upper, volume_fraction: enclosures, "estimate":["lo","hi"] (N'), "quantity",
 /// number_fraction (P_i)}], particles, accessible, Cu, Cc, quality {points, drawn, match: {Cr, worst_error,
-/// Cu, Cc, classes [{share, largest}]}}, curve [{size, passing, volume_density, partition, number_density}]
-/// with a table (V, F and f of the set that is linear between the bounds of its classes), notes, versions,
-/// and with `draws` sizes, class by class: "p/q" where it is a fraction, else an enclosure. Memory does not
-/// grow with the number of sizes.
+/// Cu, Cc, classes [{share, largest}]}}, curve [{size, passing, volume_density, partition, number_density,
+/// curve_passing}] with a table (h, V, F and f of the set whose grading curve is linear between the bounds of
+/// its classes, and h of the curve itself), notes, versions, and with `draws` sizes, class by class: "p/q"
+/// where it is a fraction, else an enclosure. Memory does not grow with the number of sizes.
 void generated_json(const GeneratedSet &set, const std::optional<Draws> &draws, const Sink &sink);
 
 /// A row a class: class,lower_lo,lower_hi,upper_lo,upper_hi,volume_fraction_lo,volume_fraction_hi,quantity,
 /// number_fraction_lo,number_fraction_hi; with `draws` instead a row a particle: class,size_lo,size_hi; with
-/// a table instead size, passing, volume_density, partition and number_density, each with _lo and _hi.
+/// a table instead size, passing, volume_density, partition, number_density and curve_passing, each with _lo
+/// and _hi.
 void generated_csv(const GeneratedSet &set, const std::optional<Draws> &draws, const Sink &sink);
+
+/// What is known of N in a line, and whether N_max is kept.
+std::string headline(const GeneratedSet &set);
 
 /// For people.
 std::string generated_text(const GeneratedSet &set);

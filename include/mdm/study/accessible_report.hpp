@@ -7,7 +7,10 @@
 
 namespace mdm {
 
-/// A map of letters for each span, for people.
+/// How many shapes are not decided and why, a line a reason; empty if all are.
+std::vector<std::string> undecided(const std::vector<AccessibleRow> &rows);
+
+/// A map of letters for each span, and what is behind its question marks, for people.
 std::string accessible_text(const AccessibleQuestion &question, const std::vector<AccessibleRow> &rows);
 
 /// One line of JSON, schema `mdm-accessible-1`, without a newline at its end.
