@@ -172,6 +172,9 @@ Match solve_within_tolerance(Match match, const SolveOptions &options) {
   const Match exact = solve_exactly(match, options, options.limits);
   match.tolerant = tolerant_answer(match.gradation, match.question, quantities(exact), mass_scale(exact),
                                    limits_of(options), options.digits);
+  if (match.tolerant->found.too_large)
+    match.notes.push_back("a search over so many classes needs too much memory: the match is the exact one, "
+                          "and a smaller one within the tolerance was not looked for");
   const TolerantResult &found = match.tolerant->found;
   match.complete = found.complete;
   match.lower_bound = found.lower_bound;
