@@ -14,6 +14,14 @@ constexpr double level_error = 0x1p-48;
 /// Below this y + 2^52 is rounded to an integer, and y's distance from the nearest one is computed exactly.
 constexpr double largest_quotient = 0x1p50;
 
+const Integer &to_integer(const Integer &n) {
+  return n;
+}
+
+Integer to_integer(const Int128 &n) {
+  return n.to_integer();
+}
+
 /// The lower bound L on the scale and what every class needs above it.
 template <class Int>
 class Sweep {
@@ -93,8 +101,21 @@ private:
     if (limits_.max_steps && chain.size() >= *limits_.max_steps)
       return true;
     constexpr std::uint64_t between_looks = 1024;
-    return limits_.deadline && ++looks_ % between_looks == 0 &&
-           std::chrono::steady_clock::now() > *limits_.deadline;
+    if (++looks_ % between_looks != 0)
+      return false;
+    return (limits_.deadline && std::chrono::steady_clock::now() > *limits_.deadline) ||
+           (limits_.at_most && has_too_many());
+  }
+
+  /// Looked at when the steps have doubled: a sum over all classes is long beside a step.
+  bool has_too_many() const {
+    constexpr std::uint64_t many_steps = 1 << 16;
+    if (looks_ < many_steps || (looks_ & (looks_ - 1)) != 0)
+      return false;
+    Integer sum = 0;
+    for (const Class &c : problem_.classes)
+      sum += to_integer(count(c).n);
+    return sum > *limits_.at_most;
   }
 
   /// First step: the largest level of the floors.

@@ -48,7 +48,19 @@ Simplex::Simplex(std::size_t variables, std::optional<std::chrono::steady_clock:
     columns_[i] = i;
 }
 
+void Simplex::look() const {
+  if (deadline_ && std::chrono::steady_clock::now() > *deadline_)
+    throw Interrupted();
+}
+
+std::size_t Simplex::column_of(std::size_t variable) const {
+  if (variable < columns_.size() && columns_[variable] == variable) // as it was at first
+    return variable;
+  return static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), variable) - columns_.begin());
+}
+
 std::size_t Simplex::add_form(const std::vector<std::pair<std::size_t, Rational>> &terms) {
+  look();
   const std::size_t form = values_.size();
   std::vector<Rational> coefficients(columns_.size());
   values_.emplace_back();
@@ -61,8 +73,7 @@ std::size_t Simplex::add_form(const std::vector<std::pair<std::size_t, Rational>
       for (std::size_t c = 0; c < columns_.size(); ++c)
         coefficients[c] += coefficient * ratio(definition.of[c], definition.scale);
     } else {
-      const auto column = std::find(columns_.begin(), columns_.end(), variable);
-      coefficients[static_cast<std::size_t>(column - columns_.begin())] += coefficient;
+      coefficients[column_of(variable)] += coefficient;
     }
   }
   CommonDenominator cleared(coefficients);
@@ -85,9 +96,8 @@ void Simplex::set_upper(std::size_t variable, const Bound &bound) {
 void Simplex::settle(std::size_t variable) {
   if (row_of_[variable] || (!is_below(variable) && !is_above(variable)))
     return;
-  const auto column = std::find(columns_.begin(), columns_.end(), variable);
   const Bound &bound = is_below(variable) ? lower_[variable] : upper_[variable];
-  move(static_cast<std::size_t>(column - columns_.begin()), difference(*bound, values_[variable]));
+  move(column_of(variable), difference(*bound, values_[variable]));
 }
 
 bool Simplex::is_below(std::size_t variable) const {
@@ -109,15 +119,17 @@ bool Simplex::can_fall(std::size_t variable) const {
 /// Changes the value of a column's variable, and with it those of the basic variables.
 void Simplex::move(std::size_t column, const Infinitesimal &by) {
   add(values_[columns_[column]], by);
-  for (const Row &row : rows_)
-    if (row.of[column].sign() != 0)
-      add(values_[row.basic], product(by, ratio(row.of[column], row.scale)));
+  for (const Row &row : rows_) {
+    if (row.of[column].sign() == 0)
+      continue;
+    look();
+    add(values_[row.basic], product(by, ratio(row.of[column], row.scale)));
+  }
 }
 
 /// Exchanges a row's basic variable with a column's.
 void Simplex::pivot(std::size_t r, std::size_t c) {
-  if (deadline_ && std::chrono::steady_clock::now() > *deadline_)
-    throw Interrupted();
+  look();
   Row &row = rows_[r];
   const std::size_t entering = columns_[c];
   const std::size_t leaving = row.basic;
@@ -141,6 +153,7 @@ void Simplex::pivot(std::size_t r, std::size_t c) {
   for (Row &other : rows_) {
     if (&other == &row || other.of[c].sign() == 0)
       continue;
+    look();
     const Integer common = gcd(other.of[c], row.scale);
     const Integer factor = other.of[c] / common;
     const Integer scale = row.scale / common;
@@ -178,6 +191,7 @@ std::optional<std::size_t> Simplex::cheapest_entering(const Row &row, bool rise,
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     if (!can_move(row, c, rise))
       continue;
+    look();
     Integer other = cost_of(c);
     if (best) {
       const Integer a = other * abs(row.of[*best]), b = best_cost * abs(row.of[c]);
@@ -264,6 +278,7 @@ bool Simplex::step(std::size_t column, bool rise) {
     const int sign = row.of[column].sign();
     if (sign == 0)
       continue;
+    look();
     const Bound &bound = (sign > 0) == rise ? upper_[row.basic] : lower_[row.basic];
     if (!bound)
       continue;
@@ -290,6 +305,7 @@ std::vector<Rational> Simplex::concrete_values(std::size_t from, std::size_t to)
       eps = std::min(eps, Rational(room.value / (-2 * room.tiny)));
   };
   for (std::size_t x = 0; x < values_.size(); ++x) {
+    look();
     if (lower_[x])
       shrink(difference(values_[x], *lower_[x]));
     if (upper_[x])
@@ -302,10 +318,8 @@ std::vector<Rational> Simplex::concrete_values(std::size_t from, std::size_t to)
 }
 
 void Simplex::minimise(std::size_t variable) {
-  if (!row_of_[variable]) {
-    const auto column = std::find(columns_.begin(), columns_.end(), variable);
-    step(static_cast<std::size_t>(column - columns_.begin()), false);
-  }
+  if (!row_of_[variable])
+    step(column_of(variable), false);
   while (row_of_[variable]) {
     const Row &row = rows_[*row_of_[variable]];
     const std::optional<std::size_t> column = least_entering(row, false);

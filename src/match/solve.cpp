@@ -116,8 +116,8 @@ void place(Match &match, Start &start, const SolveOptions &options) {
   note_precision(match, match.window.above);
 }
 
-/// A question without a tolerance.
-Match solve_exactly(Match match, const SolveOptions &options) {
+/// The match without a tolerance; the limits may end it early.
+Match solve_exactly(Match match, const SolveOptions &options, const Limits &limits) {
   const Question &question = match.question;
   Start start(question, match.problem, std::min(options.digits + 30, most_pi_places));
   if (question.solids)
@@ -125,7 +125,7 @@ Match solve_exactly(Match match, const SolveOptions &options) {
 
   const Rational from =
       start.bounds() ? Rational(start.bounds()->lo / match.problem.scale_unit()) : Rational(0);
-  AtLeastMatch found = at_least_match(match.problem, question.at_least, from, options.limits);
+  AtLeastMatch found = at_least_match(match.problem, question.at_least, from, limits);
   match.lower_bound = std::max(total(found.least.q), question.at_least);
   // As few as were asked for is the least, whatever a sweep would still show (Theorem 7).
   match.complete = found.least.complete || (question.at_least > 1 && total(found.q) == question.at_least);
@@ -161,11 +161,21 @@ Rational mass_scale(const Match &match) {
   return ratio(s, power_of_ten(places));
 }
 
+/// What ends the way to an answer early: also that there are too many particles for certain.
+Limits limits_of(const SolveOptions &options) {
+  Limits limits = options.limits;
+  limits.at_most = options.at_most;
+  return limits;
+}
+
 /// A question with a tolerance; the exact match is a first answer.
 Match solve_within_tolerance(Match match, const SolveOptions &options) {
-  const Match exact = solve_exactly(match, options);
+  const Match exact = solve_exactly(match, options, options.limits);
   match.tolerant = tolerant_answer(match.gradation, match.question, quantities(exact), mass_scale(exact),
-                                   options.limits, options.digits);
+                                   limits_of(options), options.digits);
+  if (match.tolerant->found.too_large)
+    match.notes.push_back("a search over so many classes needs too much memory: the match is the exact one, "
+                          "and a smaller one within the tolerance was not looked for");
   const TolerantResult &found = match.tolerant->found;
   match.complete = found.complete;
   match.lower_bound = found.lower_bound;
@@ -204,7 +214,7 @@ Match solve(Gradation g, const Question &question, const SolveOptions &options) 
   match.digits = options.digits;
   match.notes = match.gradation.notes();
   return question.is_tolerant() ? solve_within_tolerance(std::move(match), options)
-                                : solve_exactly(std::move(match), options);
+                                : solve_exactly(std::move(match), options, limits_of(options));
 }
 
 } // namespace mdm

@@ -1,6 +1,11 @@
 #include <mdm/error.hpp>
+#include <mdm/match/simplex.hpp>
 #include <mdm/match/tolerant_answer.hpp>
+#include <mdm/number/common_denominator.hpp>
 #include <mdm/number/pi.hpp>
+
+#include <algorithm>
+#include <iterator>
 
 namespace mdm {
 namespace {
@@ -24,6 +29,39 @@ void complete(TolerantAnswer &answer, const Gradation &g, const MassLaw &law, un
   }
 }
 
+/// In units of masses.
+Rational weight_of(const TolerantProblem &problem, const TolerantMatch &match) {
+  std::vector<Rational> weights;
+  for (std::size_t j = 0; j < match.t.size(); ++j)
+    weights.push_back(match.t[j] * problem.per_mass(j));
+  return sum(weights);
+}
+
+bool fixes_shares(const Tolerance &tolerance) {
+  const auto fixed = [](const ShareBounds &b) { return b.lo == b.hi; };
+  const std::vector<ShareBounds> &retained = tolerance.retained, &passing = tolerance.passing;
+  return tolerance.total == Rational(0) ||
+         (!retained.empty() && std::all_of(retained.begin(), retained.end(), fixed)) ||
+         (!passing.empty() && std::all_of(passing.begin(), std::prev(passing.end()), fixed));
+}
+
+/// True if the best is the exact match, and no masses in the middle are to be looked for: there are no other
+/// shares, or a limit was reached.
+bool is_final(const TolerantAnswer &answer, const TolerantMatch &exact) {
+  const TolerantMatch &best = *answer.found.best;
+  return best.q == exact.q && best.t == exact.t &&
+         (!answer.found.complete || fixes_shares(answer.tolerance) ||
+          answer.problem.table_size() > largest_table);
+}
+
+/// Masses in the middle have some time to themselves.
+std::optional<std::chrono::steady_clock::time_point>
+later(const std::optional<std::chrono::steady_clock::time_point> &deadline) {
+  if (!deadline)
+    return deadline;
+  return std::max(*deadline, std::chrono::steady_clock::now() + std::chrono::milliseconds(500));
+}
+
 } // namespace
 
 TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, const std::vector<Integer> &q,
@@ -43,6 +81,10 @@ TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, con
     }
     TolerantAnswer answer{tolerance, TolerantProblem(g, question.law, tolerance, demands), {}, {}, {}, 0, 0,
                           {}};
+    const auto has_weight = [&](const TolerantMatch &match) {
+      return answer.problem.is_match(match.q, match.t) &&
+             (!question.solids || weight_of(answer.problem, match) >= weight * answer.problem.unit());
+    };
     TolerantMatch exact{q, {}};
     for (std::size_t j = 0; j < g.classes(); ++j)
       exact.t.push_back(s * g.mass(j) * answer.problem.unit());
@@ -51,10 +93,26 @@ TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, con
       answer.pi = enclose_pi(places);
     if (!answer.found.best)
       return answer;
-    if (std::optional<std::vector<Rational>> t =
-            central_masses(answer.problem, *answer.found.best, weight, excess)) {
-      answer.found.best->t = std::move(*t);
+    if (is_final(answer, exact) && has_weight(exact)) {
       complete(answer, g, question.law, digits);
+      return answer;
+    }
+    try {
+      if (std::optional<std::vector<Rational>> t =
+              central_masses(answer.problem, *answer.found.best, weight, excess, later(limits.deadline))) {
+        answer.found.best->t = std::move(*t);
+        complete(answer, g, question.law, digits);
+        return answer;
+      }
+    } catch (const Simplex::Interrupted &) {
+      if (!has_weight(*answer.found.best)) {
+        answer.found.complete = false;
+        answer.found.best.reset();
+        if (has_weight(exact))
+          answer.found.best = exact;
+      }
+      if (answer.found.best)
+        complete(answer, g, question.law, digits);
       return answer;
     }
     if (places == most_pi_places)

@@ -1,3 +1,4 @@
+#include <mdm/match/count_bounds.hpp>
 #include <mdm/match/simplex.hpp>
 #include <mdm/match/tolerant_match.hpp>
 #include <mdm/number/common_denominator.hpp>
@@ -26,20 +27,10 @@ bool is_integer(const Infinitesimal &x) {
 class Search {
 public:
   Search(const TolerantProblem &problem, const Limits &limits, const std::optional<TolerantMatch> &first)
-      : problem_(problem), limits_(limits), program_(problem.variables(), limits.deadline) {
-    for (const LinearRow &row : problem.rows())
-      add_row(row);
-    for (std::size_t j = 0; j < problem.classes(); ++j)
-      program_.set_lower(j, exactly(problem.least(j)));
-    for (std::size_t p = 2 * problem.classes(); p < problem.variables(); ++p)
-      program_.set_lower(p, exactly(0));
-    for (std::size_t j = 0; j < problem.classes(); ++j)
-      set_strictness(j);
-    for (std::size_t j = 0; j < problem.classes(); ++j)
-      bound_ += problem.least(j);
-    bound_ = std::max(bound_, at_least_);
+      : problem_(problem), limits_(limits), program_(problem.variables(), limits.deadline),
+        counts_(problem, limits), least_(std::max(problem.at_least(), total(counts_.q()))), bound_(least_) {
     if (first && problem.is_match(first->q, first->t))
-      improve(*first);
+      result_.best = first;
   }
 
   TolerantResult run() {
@@ -53,6 +44,12 @@ public:
 
 private:
   void search() {
+    if (result_.best && needs_no_search())
+      return;
+    result_.too_large = problem_.table_size() > largest_table;
+    if (result_.too_large || interrupted())
+      return stop();
+    set_up();
     for (bool open = true; open;) {
       if (interrupted())
         return stop();
@@ -62,10 +59,8 @@ private:
         bound_ = std::max(bound_, ceil_of(program_.value(count_)));
         if (!try_rounding()) // else the same node again, with a lower cutoff
           branch();
-        else if (total(result_.best->q) == at_least_) { // needs no search
-          result_.tree = {{0, 0, {{TolerantCondition::at_least, 0, 1}, {TolerantCondition::fewer, 0, 1}}}};
-          break;
-        }
+        else if (needs_no_search())
+          return;
       } else {
         add_leaf();
         open = backtrack();
@@ -76,14 +71,46 @@ private:
       result_.lower_bound = total(result_.best->q);
   }
 
+  /// True if the best has as few particles as every match has for certain.
+  bool needs_no_search() {
+    const Integer particles = total(result_.best->q);
+    if (particles > least_)
+      return false;
+    result_.complete = true;
+    result_.lower_bound = particles;
+    if (particles == problem_.at_least())
+      result_.tree = {{0, 0, {{TolerantCondition::at_least, 0, 1}, {TolerantCondition::fewer, 0, 1}}}};
+    else
+      result_.tree = counts_.tree();
+    return true;
+  }
+
+  void set_up() {
+    for (const LinearRow &row : problem_.rows())
+      add_row(row);
+    for (std::size_t j = 0; j < problem_.classes(); ++j)
+      program_.set_lower(j, exactly(problem_.least(j)));
+    for (std::size_t p = 2 * problem_.classes(); p < problem_.variables(); ++p)
+      program_.set_lower(p, exactly(0));
+    for (std::size_t j = 0; j < problem_.classes(); ++j)
+      set_strictness(j);
+    if (result_.best)
+      set_cutoff();
+  }
+
   /// What is certain: every match is the best, or in a subtree that is still open.
-  void stop() {
-    result_.lower_bound = bound_;
+  Integer certain() const {
+    Integer least = bound_;
     for (const Pending &p : pending_)
       if (!p.second)
-        result_.lower_bound = std::min(result_.lower_bound, p.bound);
+        least = std::min(least, p.bound);
     if (result_.best) // which may lie outside the subtrees that are open
-      result_.lower_bound = std::min(result_.lower_bound, total(result_.best->q));
+      least = std::min(least, total(result_.best->q));
+    return least;
+  }
+
+  void stop() {
+    result_.lower_bound = certain();
     result_.tree.clear();
   }
 
@@ -99,16 +126,14 @@ private:
 
   void add_row(const LinearRow &row) {
     const std::size_t form = program_.add_form(row.terms);
-    row_of_.push_back(&row);
+    row_of_.push_back({row.condition, row.j, 0});
     if (row.condition == TolerantCondition::above_lower)
       strict_.push_back(form);
     else
       program_.set_lower(form, row.condition == TolerantCondition::some_mass ? strictly_positive
                                                                              : exactly(row.constant));
-    if (row.condition == TolerantCondition::at_least) {
+    if (row.condition == TolerantCondition::at_least)
       count_ = form;
-      at_least_ = ceil(row.constant);
-    }
   }
 
   /// t_j > f_j q_j where q_j >= 1 in this branch.
@@ -124,7 +149,8 @@ private:
 
   bool interrupted() const {
     return (limits_.node_limit && result_.nodes >= *limits_.node_limit) ||
-           (limits_.deadline && std::chrono::steady_clock::now() > *limits_.deadline);
+           (limits_.deadline && std::chrono::steady_clock::now() > *limits_.deadline) ||
+           (limits_.at_most && certain() > *limits_.at_most);
   }
 
   /// The contradiction of the program's bounds as multiples of conditions, cleared of denominators.
@@ -151,7 +177,7 @@ private:
               0};
     if (term.variable < problem_.variables())
       return {TolerantCondition::excess_sign, term.variable - 2 * k, 0};
-    const LinearRow &row = *row_of_[term.variable - problem_.variables()];
+    const Multiple &row = row_of_[term.variable - problem_.variables()];
     return {term.is_upper ? TolerantCondition::fewer : row.condition, row.j, 0};
   }
 
@@ -198,7 +224,7 @@ private:
     std::vector<Integer> q;
     for (std::size_t j = 0; j < t.size(); ++j)
       q.push_back(std::max(problem_.least(j), ceil(Rational(t[j] / problem_.F(j)))));
-    Integer missing = at_least_ - total(q);
+    Integer missing = problem_.at_least() - total(q);
     for (std::size_t j = 0; j < t.size() && missing > 0; ++j) {
       if (t[j] == 0)
         continue;
@@ -214,9 +240,12 @@ private:
   }
 
   void improve(TolerantMatch match) {
-    program_.set_upper(count_, exactly(Rational(Integer(total(match.q) - 1))));
     result_.best = std::move(match);
+    set_cutoff();
   }
+
+  /// Fewer particles than the best has.
+  void set_cutoff() { program_.set_upper(count_, exactly(Rational(Integer(total(result_.best->q) - 1)))); }
 
   /// True if the masses of the program, or twice or more times as much, in as few particles as can be, are a
   /// match with fewer particles than the best. With enough of it, a mass above 0 can be had in a whole number
@@ -239,11 +268,12 @@ private:
   const TolerantProblem &problem_;
   Limits limits_;
   Simplex program_;
-  std::vector<const LinearRow *> row_of_; ///< of each form
-  std::vector<std::size_t> strict_;       ///< forms of above_lower
-  std::size_t count_ = 0;                 ///< form of at_least
-  Integer at_least_ = 1;                  ///< its constant
-  Integer bound_ = 0;                     ///< no match of this node has fewer particles
+  CountBounds counts_;
+  std::vector<Multiple> row_of_;    ///< condition of each form
+  std::vector<std::size_t> strict_; ///< forms of above_lower
+  std::size_t count_ = 0;           ///< form of at_least
+  Integer least_;                   ///< no match has fewer particles
+  Integer bound_;                   ///< no match of this node has
   std::vector<Pending> pending_;
   TolerantResult result_;
 };

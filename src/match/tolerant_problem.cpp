@@ -24,103 +24,146 @@ std::vector<Rational> masses_at_openings(const Gradation &g, const MassLaw &law)
   return masses;
 }
 
+/// The conditions of a problem with the tolerance on masses: share * M is linear, as M is the sum of all.
+class Rows {
+public:
+  explicit Rows(const TolerantProblem &problem) : problem_(problem), k_(problem.classes()) {}
+
+  std::vector<LinearRow> all() {
+    Terms counts, masses, weights;
+    for (std::size_t j = 0; j < k_; ++j) {
+      add(TolerantCondition::above_lower, j, {{j, Rational(-problem_.f(j))}, {k_ + j, 1}});
+      add(TolerantCondition::up_to_upper, j, {{j, Rational(problem_.F(j))}, {k_ + j, -1}});
+      counts.emplace_back(j, 1);
+      masses.emplace_back(k_ + j, 1);
+      weights.emplace_back(k_ + j, problem_.per_mass(j));
+    }
+    const Tolerance &tolerance = problem_.tolerance();
+    for (std::size_t j = 0; j < tolerance.retained.size(); ++j)
+      add_share(TolerantCondition::retained_lo, TolerantCondition::retained_hi, j, j, tolerance.retained[j]);
+    for (std::size_t j = 0; j < tolerance.passing.size(); ++j)
+      add_share(TolerantCondition::passing_lo, TolerantCondition::passing_hi, j, 0, tolerance.passing[j]);
+    if (tolerance.total)
+      add_total(*tolerance.total);
+    add(TolerantCondition::some_mass, 0, masses);
+    if (problem_.weight())
+      add(TolerantCondition::weight, 0, weights, *problem_.weight());
+    add(TolerantCondition::at_least, 0, counts, Rational(problem_.at_least()));
+    return std::move(rows_);
+  }
+
+private:
+  void add(TolerantCondition condition, std::size_t j, Terms terms, const Rational &constant = 0,
+           const Rational &width = 0) {
+    rows_.push_back({condition, j, std::move(terms), constant, width});
+  }
+
+  /// sign * (sum of t over [from, to) - share * M)
+  Terms deviation(int sign, std::size_t from, std::size_t to, const Rational &share) const {
+    Terms terms;
+    for (std::size_t i = 0; i < k_; ++i) {
+      const Rational c = sign * (Rational(i >= from && i < to ? 1 : 0) - share);
+      if (c != 0)
+        terms.emplace_back(k_ + i, c);
+    }
+    return terms;
+  }
+
+  /// Bounds on the masses of the classes from `from` to j.
+  void add_share(TolerantCondition lo, TolerantCondition hi, std::size_t j, std::size_t from,
+                 const ShareBounds &b) {
+    if (b.lo > 0)
+      add(lo, j, deviation(1, from, j + 1, b.lo), 0, Rational(b.hi - b.lo));
+    if (b.hi < 1)
+      add(hi, j, deviation(-1, from, j + 1, b.hi), 0, Rational(b.hi - b.lo));
+  }
+
+  void add_total(const Rational &most) {
+    Terms total;
+    for (std::size_t j = 0; j < k_; ++j) {
+      Terms terms = deviation(-1, j, j + 1, problem_.target()[j]);
+      terms.emplace_back(2 * k_ + j, 1);
+      add(TolerantCondition::excess, j, std::move(terms));
+      total.emplace_back(k_ + j, most / 2);
+    }
+    for (std::size_t j = 0; j < k_; ++j)
+      total.emplace_back(2 * k_ + j, -1);
+    add(TolerantCondition::excess_total, 0, std::move(total), 0, Rational(most / 2));
+  }
+
+  const TolerantProblem &problem_;
+  std::size_t k_;
+  std::vector<LinearRow> rows_;
+};
+
+bool is_within(const ShareBounds &b, const Rational &part, const Rational &all) {
+  return b.lo * all <= part && part <= b.hi * all;
+}
+
 } // namespace
 
 TolerantProblem::TolerantProblem(const Gradation &g, const MassLaw &law, const Tolerance &tolerance,
-                                 const TolerantDemands &demands) {
+                                 const TolerantDemands &demands)
+    : tolerance_(tolerance), target_(shares(g)), at_least_(std::max(demands.at_least, Integer(1))) {
   const std::size_t k = g.classes();
   variables_ = (tolerance.total ? 3 : 2) * k;
   const CommonDenominator openings(masses_at_openings(g, law));
   const CommonDenominator factors(g.has_factors() ? g.factors() : std::vector<Rational>(k, Rational(1)));
   unit_ = Rational(openings.denominator * factors.denominator);
-  Terms counts, masses, weights;
+  if (demands.weight)
+    weight_ = Rational(*demands.weight * unit_);
   for (std::size_t j = 0; j < k; ++j) {
     f_.push_back(openings.numerators[j] * factors.numerators[j]);
     F_.push_back(openings.numerators[j + 1] * factors.numerators[j]);
     least_.push_back(g.mass(j) > 0 ? demands.min_per_class : Integer(0));
-    add(TolerantCondition::above_lower, j, {{j, Rational(-f_[j])}, {k + j, 1}});
-    add(TolerantCondition::up_to_upper, j, {{j, Rational(F_[j])}, {k + j, -1}});
-    counts.emplace_back(j, 1);
-    masses.emplace_back(k + j, 1);
-    weights.emplace_back(k + j, ratio(factors.denominator, factors.numerators[j]));
+    per_mass_.push_back(ratio(factors.denominator, factors.numerators[j]));
   }
-  add_share_rows(tolerance, shares(g));
-  add(TolerantCondition::some_mass, 0, masses);
-  if (demands.weight)
-    add(TolerantCondition::weight, 0, weights, *demands.weight * unit_);
-  add(TolerantCondition::at_least, 0, counts, Rational(std::max(demands.at_least, Integer(1))));
 }
 
-void TolerantProblem::add(TolerantCondition condition, std::size_t j, Terms terms, const Rational &constant,
-                          const Rational &width) {
-  rows_.push_back({condition, j, std::move(terms), constant, width});
+std::vector<LinearRow> TolerantProblem::rows() const {
+  return Rows(*this).all();
 }
 
-/// What a tolerance says of masses: share * M is linear, as M is the sum of all.
-void TolerantProblem::add_share_rows(const Tolerance &tolerance, const std::vector<Rational> &target) {
+std::size_t TolerantProblem::table_size() const {
   const std::size_t k = classes();
-  // sign * (sum of t over [from, to) - share * M)
-  const auto deviation = [k](int sign, std::size_t from, std::size_t to, const Rational &share) {
-    Terms terms;
-    for (std::size_t i = 0; i < k; ++i) {
-      const Rational c = sign * (Rational(i >= from && i < to ? 1 : 0) - share);
-      if (c != 0)
-        terms.emplace_back(k + i, c);
-    }
-    return terms;
-  };
-  for (std::size_t j = 0; j < tolerance.retained.size(); ++j) {
-    const ShareBounds &b = tolerance.retained[j];
-    if (b.lo > 0)
-      add(TolerantCondition::retained_lo, j, deviation(1, j, j + 1, b.lo), 0, Rational(b.hi - b.lo));
-    if (b.hi < 1)
-      add(TolerantCondition::retained_hi, j, deviation(-1, j, j + 1, b.hi), 0, Rational(b.hi - b.lo));
+  const std::size_t rows =
+      2 * (k + tolerance_.retained.size() + tolerance_.passing.size()) + (tolerance_.total ? k + 1 : 0) + 3;
+  return rows * variables_;
+}
+
+bool TolerantProblem::has_shares(const std::vector<Rational> &t) const {
+  const Rational mass = sum(t);
+  if (mass <= 0)
+    return false;
+  for (std::size_t j = 0; j < tolerance_.retained.size(); ++j)
+    if (!is_within(tolerance_.retained[j], t[j], mass))
+      return false;
+  Rational passing = 0;
+  for (std::size_t j = 0; j < tolerance_.passing.size(); ++j) {
+    passing += t[j];
+    if (!is_within(tolerance_.passing[j], passing, mass))
+      return false;
   }
-  for (std::size_t j = 0; j < tolerance.passing.size(); ++j) {
-    const ShareBounds &b = tolerance.passing[j];
-    if (b.lo > 0)
-      add(TolerantCondition::passing_lo, j, deviation(1, 0, j + 1, b.lo), 0, Rational(b.hi - b.lo));
-    if (b.hi < 1)
-      add(TolerantCondition::passing_hi, j, deviation(-1, 0, j + 1, b.hi), 0, Rational(b.hi - b.lo));
-  }
-  if (!tolerance.total)
-    return;
-  Terms total;
-  for (std::size_t j = 0; j < k; ++j) {
-    Terms terms = deviation(-1, j, j + 1, target[j]);
-    terms.emplace_back(2 * k + j, 1);
-    add(TolerantCondition::excess, j, std::move(terms));
-    total.emplace_back(k + j, *tolerance.total / 2);
-  }
-  for (std::size_t j = 0; j < k; ++j)
-    total.emplace_back(2 * k + j, -1);
-  add(TolerantCondition::excess_total, 0, std::move(total), 0, Rational(*tolerance.total / 2));
+  if (!tolerance_.total)
+    return true;
+  std::vector<Rational> excesses;
+  for (std::size_t j = 0; j < classes(); ++j)
+    excesses.push_back(std::max(Rational(0), Rational(t[j] - target_[j] * mass)));
+  return sum(excesses) <= *tolerance_.total / 2 * mass;
 }
 
 bool TolerantProblem::is_match(const std::vector<Integer> &q, const std::vector<Rational> &t) const {
-  const std::size_t k = classes();
-  const bool has_total = variables_ == 3 * k;
-  std::vector<Rational> x(q.begin(), q.end());
-  x.insert(x.end(), t.begin(), t.end());
-  if (has_total) // the least excesses that their rows allow
-    x.resize(3 * k);
-  for (const LinearRow &row : rows_) {
-    Rational left = 0;
-    for (const auto &[variable, coefficient] : row.terms)
-      left += coefficient * x[variable];
-    if (row.condition == TolerantCondition::excess) {
-      x[2 * k + row.j] = left < 0 ? Rational(-left) : Rational(0);
-      continue;
-    }
-    const bool strict = row.condition == TolerantCondition::some_mass ||
-                        (row.condition == TolerantCondition::above_lower && q[row.j] >= 1);
-    if (left < row.constant || (strict && left == row.constant))
+  Integer particles = 0;
+  std::vector<Rational> weights;
+  for (std::size_t j = 0; j < classes(); ++j) {
+    const Rational above = f_[j] * Rational(q[j]);
+    if (q[j] < least_[j] || t[j] < above || (q[j] >= 1 && t[j] == above) || t[j] > F_[j] * Rational(q[j]))
       return false;
+    particles += q[j];
+    if (weight_)
+      weights.push_back(t[j] * per_mass_[j]);
   }
-  for (std::size_t j = 0; j < k; ++j)
-    if (q[j] < least_[j])
-      return false;
-  return true;
+  return particles >= at_least_ && (!weight_ || sum(weights) >= *weight_) && has_shares(t);
 }
 
 } // namespace mdm

@@ -106,7 +106,7 @@ public:
     }
     for (const TreeNode &node : answer_.found.tree)
       write(node, text);
-    if (!within_limits())
+    if (answer_.found.tree.empty() || !within_limits())
       refuse_long_numbers();
     return text + "end\n";
   }

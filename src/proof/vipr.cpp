@@ -200,6 +200,8 @@ std::string vipr(const Match &m) {
   if (m.problem.classes().size() > most_vipr_classes)
     throw InputError(
         "--vipr: more than 200 classes have mass, the export has a constraint for each pair: leave it out");
+  if (m.tolerant && m.tolerant->found.tree.empty())
+    throw InputError("--vipr: the proof has too many steps for an export: leave it out");
   return m.tolerant ? tolerant_vipr(m) : Writer(m).text();
 }
 

@@ -233,7 +233,5 @@ TEST_CASE("a program that cycles without care ends") {
 
 TEST_CASE("a deadline interrupts a program") {
   Simplex program(1, std::chrono::steady_clock::now() - std::chrono::seconds(1));
-  const std::size_t twice = program.add_form({{0, 2}});
-  program.set_lower(twice, at_least(1));
-  CHECK_THROWS_AS(program.find(0), Simplex::Interrupted);
+  CHECK_THROWS_AS(program.add_form({{0, 2}}), Simplex::Interrupted);
 }

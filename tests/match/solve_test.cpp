@@ -158,6 +158,17 @@ TEST_CASE("at-most decides the verdict") {
   CHECK(none.lower_bound == 4);
 }
 
+TEST_CASE("a sweep ends when there are more particles than may be for certain") {
+  // The whole sweep has some 10^20 steps.
+  const Rational tiny = ratio(1, power_of_ten(20));
+  const Gradation g = gradation({1, 1 + tiny, 1 + 2 * tiny, 1 + 4 * tiny, 2}, {1, ratio(13, 10), 3, 7, 0});
+  SolveOptions options;
+  options.at_most = 5;
+  const Match none = solve(g, {}, options);
+  CHECK(none.status == Status::none);
+  CHECK(none.lower_bound > 5);
+}
+
 TEST_CASE("a limit leaves a match and a bound") {
   std::mt19937_64 random(15);
   for (int i = 0; i < 200; ++i) {

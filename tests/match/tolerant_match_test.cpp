@@ -2,6 +2,7 @@
 #include "plain_gradation.hpp"
 #include "tolerant_brute_force.hpp"
 
+#include <mdm/match/count_bounds.hpp>
 #include <mdm/match/solve.hpp>
 #include <mdm/match/tolerant_match.hpp>
 
@@ -462,4 +463,107 @@ TEST_CASE("many particles can be asked for without an end of the search") {
   const Gradation g = gradation({1, 2, 3}, {2, 8, 0});
   for (const Integer &n : {Integer(4), Integer(11), Integer(1000), power_of_ten(18)})
     CHECK(least_particles({g, {}, tolerance_of(g, Kind::retained, 2), {1, n, {}}}) == n);
+}
+
+TEST_CASE("counts that every match reaches are proved, and are not above the least number") {
+  std::mt19937_64 random(46);
+  int reached = 0, more = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Twins twins = random_twins(random, 4);
+    const CountBounds bounds(twins.problem, {});
+    CHECK(TreeReader(twins, bounds.tree(), total(bounds.q())).holds());
+    const std::optional<int> least = tolerant_brute::least_particles(twins.brute, 7);
+    if (!least)
+      continue;
+    CHECK(total(bounds.q()) <= *least);
+    reached += total(bounds.q()) == *least ? 1 : 0;
+    more += total(bounds.q()) > 1 ? 1 : 0;
+  }
+  CHECK(reached > 30);
+  CHECK(more > 90);
+}
+
+TEST_CASE("counts that a volume demands are proved, whatever the densities") {
+  std::mt19937_64 random(47);
+  for (int i = 0; i < 300; ++i) {
+    const Gradation g = random_gradation(random, 4);
+    TolerantDemands demands;
+    demands.weight = static_cast<int>(1 + random() % 900);
+    const Kind kinds[] = {Kind::retained, Kind::passing, Kind::total};
+    const Twins twins(g, {}, tolerance_of(g, kinds[random() % 3], random_percent(random)), demands);
+    const CountBounds bounds(twins.problem, {});
+    CHECK(TreeReader(twins, bounds.tree(), total(bounds.q())).holds());
+  }
+}
+
+namespace {
+
+/// Classes of the same ratio, as narrow as a sieve analysis never has them.
+Gradation geometric(int classes) {
+  std::vector<Rational> sizes{1}, masses;
+  for (int j = 0; j < classes; ++j) {
+    sizes.push_back(ratio(floor(Rational(sizes.back() * 10400)), 10000));
+    masses.emplace_back(1 + j * 7 % 11);
+  }
+  masses.emplace_back(0);
+  return gradation(std::move(sizes), std::move(masses));
+}
+
+} // namespace
+
+TEST_CASE("a tolerance of nothing needs no search, however many classes there are") {
+  const Gradation g = geometric(100);
+  const Match exact = solve(g);
+  for (const Kind kind : {Kind::retained, Kind::passing, Kind::total}) {
+    Question question;
+    question.tolerances = {{kind, 0}};
+    const Match m = solve(g, question);
+    CHECK(m.status == Status::optimal);
+    CHECK(m.particles() == exact.particles());
+    CHECK(m.tolerant->found.nodes == 0);
+    const Twins twins(g, {}, m.tolerant->tolerance, {});
+    CHECK(refutes(twins, m.tolerant->found));
+  }
+}
+
+TEST_CASE("a deadline ends a search before its first node is done") {
+  Question question;
+  question.tolerances = {{Kind::passing, ratio(1, 2)}};
+  SolveOptions options;
+  const auto start = std::chrono::steady_clock::now();
+  options.limits.deadline = start + std::chrono::milliseconds(100);
+  const Match m = solve(geometric(150), question, options);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
+  CHECK(m.status == Status::feasible);
+  CHECK(m.lower_bound > 1);
+  CHECK(m.lower_bound <= m.particles());
+}
+
+TEST_CASE("where a search would not fit into memory the exact match is the answer") {
+  const Gradation g = geometric(1100);
+  Question question;
+  question.tolerances = {{Kind::retained, 1}};
+  const Match m = solve(g, question);
+  CHECK(m.status == Status::feasible);
+  CHECK(m.particles() == solve(g).particles());
+  CHECK(m.lower_bound < m.particles());
+  REQUIRE(m.notes.size() >= 1);
+  CHECK(m.notes.back().find("memory") != std::string::npos);
+}
+
+TEST_CASE("more particles than may be end a search") {
+  const Gradation g = gradation({4, 5, 6, 7, 8}, {1, 3, 2, 5, 0});
+  Question question;
+  question.tolerances = {{Kind::retained, 1}};
+  const Match least = solve(g, question);
+  REQUIRE(least.status == Status::optimal);
+  SolveOptions options;
+  options.at_most = least.particles() - 1;
+  const Match none = solve(g, question, options);
+  CHECK(none.status == Status::none);
+  CHECK(none.lower_bound > *options.at_most);
+  options.at_most = least.particles();
+  CHECK(solve(g, question, options).status == Status::optimal);
+  options.at_most = 1;
+  CHECK(solve(g, question, options).tolerant->found.nodes <= least.tolerant->found.nodes);
 }

@@ -16,6 +16,7 @@ struct Limits {
   std::optional<std::uint64_t> max_steps = std::nullopt; ///< of a sweep
   std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
   std::optional<std::uint64_t> node_limit = std::nullopt; ///< of a search tree
+  std::optional<Integer> at_most = std::nullopt;          ///< more particles than this need no exact number
 };
 
 /// The steps that prove minimality: positions in Problem::classes(). From L = 0, each step j replaces the

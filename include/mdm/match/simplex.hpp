@@ -30,7 +30,7 @@ struct Infinitesimal {
 class Simplex {
 public:
   /// Variables are numbered from 0: first the given ones, without bounds, then the forms.
-  /// find() and minimise() stop soon after the deadline.
+  /// Soon after the deadline, within the work on one row, all that takes long throws Interrupted.
   explicit Simplex(std::size_t variables, std::optional<std::chrono::steady_clock::time_point> deadline = {});
 
   /// Thrown at the deadline, after which the object is of no use.
@@ -76,6 +76,9 @@ private:
     std::vector<Integer> of;
   };
 
+  /// \throws Interrupted after the deadline
+  void look() const;
+  std::size_t column_of(std::size_t variable) const;
   bool is_below(std::size_t variable) const;
   bool is_above(std::size_t variable) const;
   bool can_rise(std::size_t variable) const;

@@ -57,8 +57,11 @@ public:
 
   std::size_t classes() const { return f_.size(); }
   std::size_t variables() const { return variables_; }
-  /// All conditions but least_count, most_count, excess_sign (bounds on single variables) and fewer.
-  const std::vector<LinearRow> &rows() const { return rows_; }
+  /// All conditions but least_count, most_count, excess_sign (bounds on single variables) and fewer. Cost:
+  /// rows times classes; a problem keeps no rows, as many classes have far too many.
+  std::vector<LinearRow> rows() const;
+  /// At least rows times variables.
+  std::size_t table_size() const;
   const Integer &f(std::size_t j) const { return f_[j]; }
   const Integer &F(std::size_t j) const { return F_[j]; }
   /// Least q_j.
@@ -66,18 +69,29 @@ public:
   /// A mass of 1 (c x^a of the gradation) in the units of t.
   const Rational &unit() const { return unit_; }
 
-  /// True if the particles q and masses t are a match: every condition holds, by exact arithmetic.
+  const Tolerance &tolerance() const { return tolerance_; }
+  /// g_j.
+  const std::vector<Rational> &target() const { return target_; }
+  /// 1 / c_j in the units of t, and the least sum of t_j / c_j that is demanded.
+  const Rational &per_mass(std::size_t j) const { return per_mass_[j]; }
+  const std::optional<Rational> &weight() const { return weight_; }
+  /// Particles that are asked for, at least 1.
+  const Integer &at_least() const { return at_least_; }
+
+  /// True if the particles q and masses t are a match: every condition holds, by exact arithmetic. Cost: a
+  /// pass over the classes.
   bool is_match(const std::vector<Integer> &q, const std::vector<Rational> &t) const;
 
 private:
-  void add(TolerantCondition condition, std::size_t j, std::vector<std::pair<std::size_t, Rational>> terms,
-           const Rational &constant = 0, const Rational &width = 0);
-  void add_share_rows(const Tolerance &tolerance, const std::vector<Rational> &target);
+  bool has_shares(const std::vector<Rational> &t) const;
 
+  Tolerance tolerance_;
+  std::vector<Rational> target_, per_mass_;
   std::vector<Integer> f_, F_, least_;
+  std::optional<Rational> weight_;
+  Integer at_least_;
   Rational unit_;
   std::size_t variables_ = 0;
-  std::vector<LinearRow> rows_;
 };
 
 } // namespace mdm
