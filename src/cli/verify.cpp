@@ -125,7 +125,7 @@ std::string whole_text(const std::vector<Lines::Line> &first, Lines &rest, const
     for (const Lines::Line &line : lines) {
       if (!line || text.size() + line->size() > Lines::longest_line)
         throw InputError(file + ": an answer has at most 64 MiB: is it the right file?");
-      text += *line + "\n";
+      text += (text.empty() ? "" : "\n") + *line;
     }
   return text;
 }
