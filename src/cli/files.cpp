@@ -11,9 +11,12 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -22,8 +25,9 @@ namespace {
 
 constexpr std::size_t chunk = std::size_t{1} << 16;
 
-[[noreturn]] void cannot(const char *what, const std::string &path, int error) {
-  throw InputError(fmt::format("{}: cannot be {}: {}", printable(path), what, std::strerror(error)));
+[[noreturn]] void cannot_read(const std::string &path, int error) {
+  throw InputError(fmt::format("{}: cannot be read: {}: give a file that can be",
+                               path.empty() ? "''" : printable(path), std::strerror(error)));
 }
 
 int open_for_reading(const std::string &path) {
@@ -31,7 +35,7 @@ int open_for_reading(const std::string &path) {
     return STDIN_FILENO;
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0)
-    cannot("read", path, errno);
+    cannot_read(path, errno);
   return descriptor;
 }
 
@@ -51,7 +55,7 @@ bool read_some(int descriptor, const std::string &path, std::string &text) {
   const int error = errno;
   text.resize(before + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
   if (n < 0)
-    cannot("read", path == "-" ? "standard input" : path, error);
+    cannot_read(path == "-" ? "standard input" : path, error);
   return n > 0;
 }
 
@@ -83,6 +87,38 @@ std::string real_path(const std::string &path) {
   std::string target(real);
   std::free(real);
   return target;
+}
+
+/// What a path's symbolic links lead to where there is no such file yet.
+std::string behind_links(std::filesystem::path path) {
+  constexpr int most = 40; // as the kernel
+  for (int i = 0; i < most; ++i) {
+    std::error_code no_link;
+    const std::filesystem::path target = std::filesystem::read_symlink(path, no_link);
+    if (no_link)
+      break;
+    path = path.parent_path() / target;
+  }
+  return path.string();
+}
+
+/// The descriptor that a path such as /dev/stdout stands for. To open it would begin anew at the start of a
+/// regular file.
+std::optional<int> descriptor_named(std::string_view path) {
+  if (path == "/dev/stdout")
+    return STDOUT_FILENO;
+  if (path == "/dev/stderr")
+    return STDERR_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!path.starts_with(folder))
+      continue;
+    const std::string_view digits = path.substr(folder.size());
+    int descriptor = -1;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), descriptor);
+    if (error == std::errc{} && end == digits.data() + digits.size() && descriptor >= 0)
+      return descriptor;
+  }
+  return std::nullopt;
 }
 
 } // namespace
@@ -127,9 +163,10 @@ std::string shown_name(const std::string &path) {
 std::string canonical_path(const std::string &path) {
   if (std::string file = real_path(path); !file.empty())
     return file;
-  const std::size_t slash = path.rfind('/');
-  const std::string folder = real_path(slash == std::string::npos ? "." : path.substr(0, slash + 1));
-  return folder.empty() ? path : folder + "/" + path.substr(slash == std::string::npos ? 0 : slash + 1);
+  const std::string name = behind_links(path);
+  const std::size_t slash = name.rfind('/');
+  const std::string folder = real_path(slash == std::string::npos ? "." : name.substr(0, slash + 1));
+  return folder.empty() ? name : folder + "/" + name.substr(slash == std::string::npos ? 0 : slash + 1);
 }
 
 void make_folder(const std::string &path) {
@@ -176,6 +213,12 @@ Output::Output(std::string path) : path_(std::move(path)) {
     descriptor_ = STDOUT_FILENO;
     return;
   }
+  if (const std::optional<int> descriptor = descriptor_named(path_)) {
+    descriptor_ = fcntl(*descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    if (descriptor_ < 0)
+      fail(errno);
+    return;
+  }
   target_ = canonical_path(path_);
   struct stat status {};
   const bool exists = stat(target_.c_str(), &status) == 0;
@@ -204,7 +247,11 @@ Output::~Output() {
 }
 
 void Output::fail(int error) const {
-  cannot("written", path_ == "-" ? "standard output" : path_, error);
+  throw InputError(fmt::format("{}: cannot be written: {}: write it elsewhere",
+                               path_ == "-"    ? "standard output"
+                               : path_.empty() ? "''"
+                                               : printable(path_),
+                               std::strerror(error)));
 }
 
 void Output::open_beside() {

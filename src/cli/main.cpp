@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "files.hpp"
 #include "number_pool.hpp"
+#include "usage_error.hpp"
 
 #include <mdm/error.hpp>
 #include <mdm/report/versions.hpp>
@@ -96,10 +97,7 @@ int run(int argc, char **argv) {
     return Exit::done;
   } catch (const CLI::ParseError &e) {
     const std::string of = &parsed() == &app ? "" : parsed().get_name() + " ";
-    // CLI11 looks for missing arguments before it looks at those that it does not know.
-    const std::vector<std::string> unknown = parsed().remaining();
-    const std::string what = unknown.empty() ? e.what() : CLI::ExtrasError(unknown).what();
-    return complain(fmt::format("mdm: {}; see mdm {}--help", mdm::printable(what), of));
+    return complain(fmt::format("mdm: {}; see mdm {}--help", usage_error(e, app), of));
   }
   for (const Command &c : commands)
     if (c.app->parsed())

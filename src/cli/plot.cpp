@@ -8,6 +8,9 @@
 #include <mdm/match/solve.hpp>
 #include <mdm/particles/answer_sample.hpp>
 #include <mdm/report/gradation_figure.hpp>
+#include <mdm/report/smallest_match.hpp>
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <memory>
@@ -54,10 +57,16 @@ std::vector<DrawnClass> drawn(const AnswerSample &answer, SizeUnit unit) {
   return classes;
 }
 
-/// The smallest match of the gradation as it is.
-std::vector<DrawnClass> solved(const Gradation &g, bool quiet) {
+/// The smallest match of the gradation as it is, or what was found of it.
+Match solved(const Gradation &g, bool quiet) {
   const Progress progress([] { return std::string("solving"); }, quiet);
-  const Match m = solve(g);
+  SolveOptions options;
+  options.limits.max_steps = most_steps_beside;
+  return solve(g, {}, options);
+}
+
+std::vector<DrawnClass> drawn(const Match &m) {
+  const Gradation &g = m.gradation;
   std::vector<DrawnClass> classes;
   for (std::size_t i = 0; i < m.q.size(); ++i) {
     const std::size_t j = m.problem.classes()[i].index;
@@ -74,6 +83,14 @@ bool are_of(const std::vector<DrawnClass> &classes, const Gradation &g) {
     return lower != g.sizes().end() && *lower == c.lower && lower + 1 != g.sizes().end() &&
            *(lower + 1) == c.upper;
   });
+}
+
+int limited(const PlotCommand &c, const Match &m) {
+  tell(fmt::format("{}: nothing was drawn: the smallest match was not found within {} steps, N in [{}, {}]; "
+                   "solve it with mdm solve --format json and give that ANSWER\n",
+                   printable(shown_name(c.file)), most_steps_beside, to_string(m.lower_bound),
+                   to_string(m.particles())));
+  return Exit::limited;
 }
 
 int run(const PlotCommand &c) {
@@ -96,7 +113,10 @@ int run(const PlotCommand &c) {
       notes.push_back(printable(*c.answer) + ": its classes are not all of " + printable(c.file) +
                       ": it was solved with a cut, a pan size or a size factor, or for another gradation");
   } else if (c.match) {
-    what.particles = solved(g, c.quiet);
+    const Match m = solved(g, c.quiet);
+    if (!m.complete)
+      return limited(c, m);
+    what.particles = drawn(m);
   }
   const std::string panels = c.what.value_or(what.particles.empty() ? "curve" : "both");
   what.curve = panels != "counts";
@@ -128,7 +148,8 @@ Run add_plot(CLI::App &app) {
       ->type_name("ID");
   c->picture.add_to(command);
   command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
-  command.footer("Example: mdm plot sand.csv --match -o sand.svg");
+  command.footer("Exit code 3: --match was not solved within some seconds; nothing is drawn.\n\n"
+                 "Example: mdm plot sand.csv --match -o sand.svg");
   return [c] { return run(*c); };
 }
 

@@ -6,7 +6,6 @@
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/fixed_size.hpp>
-#include <mdm/match/least_match.hpp>
 #include <mdm/match/spanned_integer.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/report/published.hpp>
@@ -161,16 +160,23 @@ int run(const PublishedCommand &c) {
   Progress progress([] { return std::string("running the algorithm"); }, c.quiet);
   const PublishedReport report = named(printable(file), "", [&](const std::string &) {
     const Gradation g = asked_gradation(read, question);
-    const Integer least = total(least_match(Problem(g, question.law, 1)).q);
-    return PublishedReport{
-        algorithm.kind, algorithm.settings, g, question.law, algorithm.run(g, question.law), least,
-        digits,         g.notes()};
+    return PublishedReport{algorithm.kind,
+                           algorithm.settings,
+                           g,
+                           question.law,
+                           algorithm.run(g, question.law),
+                           smallest_match(g, question.law),
+                           digits,
+                           g.notes()};
   });
   Output out(c.out);
   out.write(c.format == "json"  ? published_json(report) + "\n"
             : c.format == "csv" ? published_csv(report)
                                 : published_text(report));
   out.commit();
+  // CSV has no place for the least match.
+  if (c.format != "csv" && !report.least.is_known())
+    return Exit::limited;
   return succeeded(report) ? Exit::done : Exit::negative;
 }
 
@@ -223,7 +229,8 @@ Run add_published(CLI::App &app) {
       ->check(CLI::IsMember({"text", "json", "csv"}));
   command.add_option("-o", c->out, "write to OUT instead of standard output")->type_name("OUT");
   command.add_flag("--quiet", c->quiet, "no progress on standard error");
-  command.footer("Example: mdm published spanned-integer sand.csv --start 0.5 --increments 1");
+  command.footer("Exit code 3: the least match was not found within some seconds; the report has bounds.\n\n"
+                 "Example: mdm published spanned-integer sand.csv --start 0.5 --increments 1");
   return [c] { return run(*c); };
 }
 

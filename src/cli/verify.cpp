@@ -131,7 +131,7 @@ std::string whole_text(const std::vector<Lines::Line> &first, Lines &rest, const
     for (const Lines::Line &line : lines) {
       if (!line || text.size() + line->size() > Lines::longest_line)
         refuse_long(file, "the answer");
-      text += *line + "\n";
+      text += (text.empty() ? "" : "\n") + *line;
     }
   return text;
 }

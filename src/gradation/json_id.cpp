@@ -12,7 +12,8 @@ public:
 
   bool null() override { return true; }
   bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t n) override { return value(std::to_string(n)); }
+  /// A 0 with a sign is -0.
+  bool number_integer(number_integer_t n) override { return value(n == 0 ? "-0" : std::to_string(n)); }
   bool number_unsigned(number_unsigned_t n) override { return value(std::to_string(n)); }
   bool number_float(number_float_t, const string_t &text) override { return value(text); }
   bool string(string_t &text) override { return value(text); }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -17,7 +18,8 @@ namespace mdm {
 namespace {
 
 /// With long double in place of double the parser hands over the text of every number below 2^1024, also of
-/// those that round to 2^1024. No value of this type is used: numbers are read from their text.
+/// those that round to 2^1024. A value of this type says how large a number is; numbers are read from their
+/// text.
 using Json =
     nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
 
@@ -61,13 +63,15 @@ private:
   /// True directly below a key of the object.
   bool at_key() const { return depth_ == 1; }
   bool in_column() const { return depth_ == 2 && key_ < columns; }
-  /// `masses[3]` or `unit`.
+  /// `masses[3]`, `unit`, or `number` where the key is unknown.
   std::string place() const;
 
   bool no_value(std::string_view what);
   void enter();
   template <typename Whole>
   bool whole_number(Whole value);
+  void check_range(long double value, const std::string &text) const;
+  [[noreturn]] void refuse_large(const std::string &text) const;
   Rational decimal(std::string_view text) const;
   void add(Rational value);
   void check_order(const Rational &size);
@@ -98,7 +102,7 @@ void Handler::refuse_at(const char *end, const std::string &what) const {
 std::string Handler::place() const {
   if (in_column())
     return fmt::format("{}[{}]", key_names[key_], columns_[key_].size());
-  return std::string(key_names[key_]);
+  return key_ == other ? "number" : std::string(key_names[key_]);
 }
 
 /// Where a value stands that no key has.
@@ -117,33 +121,43 @@ bool Handler::whole_number(Whole value) {
   if (in_column())
     add(Rational(value));
   else if (at_key() && key_ == id)
-    id_ = std::to_string(value);
+    id_ = std::is_signed_v<Whole> && value == 0 ? "-0" : std::to_string(value); // a 0 with a sign
   else
     return no_value("a number");
   return true;
 }
 
-bool Handler::number_float(long double, const std::string &raw) {
-  if (skipping())
-    return true;
+bool Handler::number_float(long double value, const std::string &raw) {
   std::string text = raw;
   // nlohmann puts the locale's decimal point where the file has `.`.
   const std::size_t point = text.find_first_not_of("+-0123456789eE");
   if (point != std::string::npos)
     text[point] = '.';
+  check_range(value, text);
+  if (skipping())
+    return true;
   if (at_key() && key_ == id) {
     id_ = std::move(text);
     return true;
   }
   if (!in_column())
     return no_value("a number");
-  static const Rational limit(power(Integer(2), 1024));
-  const Rational value = decimal(text);
-  if (value >= limit)
-    refuse(
-        fmt::format("{} {} is too large for a JSON number: write it as a string", place(), in_quotes(text)));
-  add(value);
+  add(decimal(text));
   return true;
+}
+
+/// Refuses what a reader in double precision has no number for. The long double decides but within a factor
+/// of 2 of the limit.
+void Handler::check_range(long double value, const std::string &text) const {
+  constexpr long double near = 0x1p1023L;
+  static const Rational limit(power(Integer(2), 1024));
+  const long double size = std::fabs(value);
+  if (size >= near && (size >= 4 * near || abs(decimal(text)) >= limit))
+    refuse_large(text);
+}
+
+void Handler::refuse_large(const std::string &text) const {
+  refuse(fmt::format("{} {} is too large for a JSON number: write it as a string", place(), in_quotes(text)));
 }
 
 bool Handler::string(std::string &text) {
@@ -162,7 +176,7 @@ bool Handler::string(std::string &text) {
 
 void Handler::enter() {
   if (++depth_ > max_depth)
-    refuse(fmt::format("values are nested deeper than {}", max_depth));
+    refuse(fmt::format("values are nested deeper than {}: is it the right file?", max_depth));
 }
 
 bool Handler::start_object(std::size_t) {
@@ -199,14 +213,14 @@ bool Handler::key(std::string &name) {
     key_ = static_cast<Key>(known - key_names.begin());
     if (key_ != other) {
       if (found_[key_] != nullptr)
-        refuse(fmt::format("key {} is there twice", in_quotes(name)));
+        refuse(fmt::format("key {} is there twice: leave one", in_quotes(name)));
       found_[key_] = reached_;
       return true;
     }
     unknown_.add(name);
   }
   if (!seen_.back().insert(name).second)
-    refuse(fmt::format("key {} is there twice in one object", in_quotes(name)));
+    refuse(fmt::format("key {} is there twice in one object: leave one", in_quotes(name)));
   return true;
 }
 
@@ -220,7 +234,9 @@ Rational Handler::decimal(std::string_view text) const {
 
 void Handler::add(Rational value) {
   if (key_ == factors ? value.sign() <= 0 : value.sign() < 0)
-    refuse(fmt::format("{} {} is {}", place(), shown(value), key_ == factors ? "not above 0" : "negative"));
+    refuse(fmt::format("{} {} is {}", place(), shown(value),
+                       key_ == factors ? "not above 0: write a number above 0"
+                                       : "negative: write a number from 0 on"));
   if (columns_[key_].size() == max_gradation_rows)
     refuse(
         fmt::format("{} has more than {} entries: give fewer sieves", key_names[key_], max_gradation_rows));
@@ -236,7 +252,7 @@ void Handler::check_order(const Rational &size) {
     return;
   const int order = size.compare(x.back());
   if (order == 0)
-    refuse(fmt::format("{} {} repeats the size before it", place(), shown(size)));
+    refuse(fmt::format("{} {} repeats the size before it: give each size once", place(), shown(size)));
   if (x.size() == 1)
     descending_ = order < 0;
   else if ((order < 0) != descending_)
@@ -257,8 +273,7 @@ void Handler::set_unit(std::string_view text) {
 bool Handler::parse_error(std::size_t, const std::string &token, const nlohmann::detail::exception &error) {
   constexpr int number_overflow = 406; // nlohmann's number of that exception
   if (error.id == number_overflow)
-    refuse(fmt::format("{} {} is too large for a JSON number: write it as a string",
-                       skipping() ? "number" : place(), in_quotes(token)));
+    refuse_large(token);
   constexpr std::size_t shown_bytes = 20;
   const auto position = static_cast<std::size_t>(reached_ - content_.data());
   const std::string_view before = content_.substr(0, position);
@@ -274,13 +289,13 @@ void Handler::check_complete() const {
   const std::size_t n = columns_[sizes].size();
   for (const Key key : {sizes, masses})
     if (found_[key] == nullptr)
-      refuse(fmt::format("key \"{}\" is missing", key_names[key]));
+      refuse(fmt::format("key \"{}\" is missing: give sizes and masses", key_names[key]));
   if (n < 2)
     refuse_at(found_[sizes], fmt::format("sizes has {} entries: a gradation needs at least two", n));
   for (const Key key : {masses, factors, tolerances})
     if (found_[key] != nullptr && columns_[key].size() != n)
-      refuse_at(found_[key],
-                fmt::format("{} has {} entries, sizes has {}", key_names[key], columns_[key].size(), n));
+      refuse_at(found_[key], fmt::format("{} has {} entries, sizes has {}: give one a size", key_names[key],
+                                         columns_[key].size(), n));
 }
 
 void Handler::to_ascending_mm() {

@@ -21,7 +21,10 @@ public:
 
   bool null() override { return put(nullptr); }
   bool boolean(bool value) override { return put(value); }
-  bool number_integer(number_integer_t value) override { return put(std::to_string(value)); }
+  /// A 0 with a sign is -0.
+  bool number_integer(number_integer_t value) override {
+    return put(value == 0 ? "-0" : std::to_string(value));
+  }
   bool number_unsigned(number_unsigned_t value) override { return put(std::to_string(value)); }
   bool number_float(number_float_t, const string_t &text) override {
     // nlohmann puts the locale's decimal point where the text has `.`.

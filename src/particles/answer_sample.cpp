@@ -3,8 +3,8 @@
 #include "../gradation/text.hpp"
 
 #include <mdm/number/common_denominator.hpp>
-#include <mdm/number/decimal.hpp>
 #include <mdm/number/interval.hpp>
+#include <mdm/number/long_decimal.hpp>
 #include <mdm/particles/answer_sample.hpp>
 #include <mdm/particles/particle_format.hpp>
 
@@ -17,9 +17,6 @@ namespace mdm {
 namespace {
 
 using Json = nlohmann::json;
-
-/// Numbers of an answer beyond this many digits are refused: powers of them would take too long.
-constexpr std::size_t most_digits = 100000;
 
 class AnswerReader {
 public:
@@ -85,7 +82,7 @@ private:
   }
 
   static std::optional<Integer> digits(const std::string &text) {
-    if (text.empty() || text.size() > most_digits ||
+    if (text.empty() || text.size() > max_long_decimal_digits ||
         text.find_first_not_of("0123456789") != std::string::npos)
       return std::nullopt;
     Integer n;
@@ -142,7 +139,7 @@ private:
 
   Rational decimal(const std::string &number, const std::string &place) const {
     try {
-      return parse_decimal(number);
+      return parse_long_decimal(number);
     } catch (const InputError &error) {
       refuse(place, error.what());
     }

@@ -53,8 +53,18 @@ Integer particles(const PublishedReport &r) {
   return total(r.run.result().q);
 }
 
-Rational ratio_to_least(const PublishedReport &r) {
-  return ratio(particles(r), r.least);
+/// N of the least match; [lo, hi] where only bounds are known.
+std::string json_least(const PublishedReport &r) {
+  if (r.least.is_known())
+    return "\"" + to_string(r.least.lo) + "\"";
+  return fmt::format(R"(["{}","{}"])", to_string(r.least.lo), to_string(r.least.hi));
+}
+
+std::string json_ratio(const PublishedReport &r) {
+  const auto over = [&r](const Integer &least) { return to_string(ratio(particles(r), least)); };
+  if (r.least.is_known())
+    return "\"" + over(r.least.lo) + "\"";
+  return fmt::format(R"(["{}","{}"])", over(r.least.hi), over(r.least.lo));
 }
 
 std::string percent(const Rational &share) {
@@ -163,6 +173,9 @@ std::vector<std::string> all_notes(const PublishedReport &r) {
   std::vector<std::string> notes = r.notes;
   for (const std::size_t j : misplaced(r))
     notes.push_back(fmt::format("class {}: the size that Eq. 19 gives is not above the lower sieve", j + 1));
+  if (!r.least.is_known())
+    notes.push_back(fmt::format(
+        "The least match was not found within {} steps; mdm solve goes on for longer.", most_steps_beside));
   return notes;
 }
 
@@ -188,10 +201,10 @@ std::string published_json(const PublishedReport &r) {
   for (const std::string &note : all_notes(r))
     notes += (notes.empty() ? "" : ",") + json_string(note);
   return fmt::format(
-      R"({{"schema":"mdm-published-1","id":{},"algorithm":"{}","settings":{},"reached":{},"match":{},"particles":"{}","least":"{}","ratio":"{}","unit":"{}","classes":[{}],"iterations":[{}],"notes":[{}],"versions":{}}})",
+      R"({{"schema":"mdm-published-1","id":{},"algorithm":"{}","settings":{},"reached":{},"match":{},"particles":"{}","least":{},"ratio":{},"unit":"{}","classes":[{}],"iterations":[{}],"notes":[{}],"versions":{}}})",
       json_string(r.gradation.id()), algorithm_name(r.algorithm), json_string(r.settings), r.run.reached,
-      r.run.is_match(), to_string(particles(r)), to_string(r.least), to_string(ratio_to_least(r)),
-      name(r.gradation.unit()), classes, iterations, notes, versions_json());
+      r.run.is_match(), to_string(particles(r)), json_least(r), json_ratio(r), name(r.gradation.unit()),
+      classes, iterations, notes, versions_json());
 }
 
 std::string published_csv(const PublishedReport &r) {
@@ -206,7 +219,7 @@ std::string published_text(const PublishedReport &r) {
   std::string text = fmt::format(
       "{}: {} by the algorithm {} as published ({})\n  {}; the least exact match has {} ({} times)\n\n",
       printable(r.gradation.id()), counted(particles(r), "particle"), algorithm_name(r.algorithm), r.settings,
-      verdict(r), to_string(r.least), approximate(ratio_to_least(r), 4));
+      verdict(r), r.least.text(), r.least.ratio_text(particles(r)));
   text += class_table(r) + "\n" + iteration_table(r.run);
   for (const std::string &note : all_notes(r))
     text += "  note: " + note + "\n";

@@ -16,9 +16,6 @@
 namespace mdm {
 namespace {
 
-/// Steps after which the smallest match is left with bounds: some seconds.
-constexpr std::uint64_t most_steps = 10'000'000;
-
 std::string counted(const Integer &n) {
   return to_string(n) + (n == 1 ? " particle" : " particles");
 }
@@ -141,21 +138,6 @@ std::array<ConditionReport, 4> conditions(const Verification &v) {
           articulately(v.description), accurately(v)};
 }
 
-std::string smallest_text(const Verification &v) {
-  if (v.smallest.lo == v.smallest.hi)
-    return to_string(v.smallest.lo);
-  return "[" + to_string(v.smallest.lo) + ", " + to_string(v.smallest.hi) + "]";
-}
-
-/// N over the smallest N, cut to four digits.
-std::string ratio_text(const Verification &v) {
-  const Integer n = v.description.particles();
-  const auto over = [&n](const Integer &least) { return approximate(ratio(n, least), 4); };
-  if (v.smallest.lo == v.smallest.hi)
-    return over(v.smallest.lo);
-  return "[" + over(v.smallest.hi) + ", " + over(v.smallest.lo) + "]";
-}
-
 void add_table(Buffer &out, const Verification &v) {
   using Line = std::vector<std::string>;
   const Gradation &g = v.description.gradation();
@@ -170,14 +152,6 @@ void add_table(Buffer &out, const Verification &v) {
 }
 
 } // namespace
-
-SmallestMatch smallest_match(const Gradation &g, const MassLaw &law) {
-  Limits limits;
-  limits.max_steps = most_steps;
-  const Problem problem(g, law, 1);
-  const LeastMatch least = least_match(problem, limits);
-  return {total(least.q), least.complete ? total(least.q) : total(some_match(problem))};
-}
 
 Verification::Verification(Description d, Question asked, Rational within)
     : description(std::move(d)), error(description.error()), question(std::move(asked)),
@@ -219,8 +193,8 @@ std::string verification_text(const Verification &v) {
   if (!is_zero(v.error.maximum))
     add(out, "  largest error: {} % in {}; all together: {} %\n", percent(v.error.maximum, v.digits),
         class_name(v.error.worst), percent(v.error.total, v.digits));
-  add(out, "  particles: {}; the smallest exact match has {} (ratio {})\n", to_string(n), smallest_text(v),
-      ratio_text(v));
+  add(out, "  particles: {}; the smallest exact match has {} (ratio {})\n", to_string(n), v.smallest.text(),
+      v.smallest.ratio_text(n));
   if (v.description.snapped() > 0)
     add(out, "  taken as an opening near by: {}\n", counted(v.description.snapped()));
   add(out, "\n  conditions, the gradation\n");
@@ -259,7 +233,7 @@ std::string verification_json(const Verification &v) {
       json_string(g.id()), json_string(v.sample), verdicts.at(static_cast<std::size_t>(v.verdict())),
       to_string(Rational(100 * v.tolerance)));
   add(out, R"(,"particles":"{}","smallest":["{}","{}"],"ratio":"{}")", to_string(d.particles()),
-      to_string(v.smallest.lo), to_string(v.smallest.hi), ratio_text(v));
+      to_string(v.smallest.lo), to_string(v.smallest.hi), v.smallest.ratio_text(d.particles()));
   add(out, R"(,"outside":{{"below":"{}","above":"{}"}},"snapped":"{}","conditions":{{)",
       to_string(d.below().count), to_string(d.above().count), to_string(d.snapped()));
   const char *comma = "";

@@ -6,6 +6,7 @@
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/number/long_decimal.hpp>
 #include <mdm/particles/particle_format.hpp>
 #include <mdm/study/other_answer.hpp>
 
@@ -22,7 +23,7 @@ using Json = nlohmann::json;
 /// Also `15.0`, as programs write that compute in floating point.
 Integer quantity(std::string_view text) {
   try {
-    const Rational value = parse_decimal(text);
+    const Rational value = parse_long_decimal(text);
     if (denominator(value) == 1 && value >= 0)
       return numerator(value);
   } catch (const InputError &) { // said below
@@ -31,7 +32,7 @@ Integer quantity(std::string_view text) {
 }
 
 StatedSize stated_size(std::string_view lo, std::string_view hi) {
-  StatedSize size{parse_decimal(lo), parse_decimal(hi)};
+  StatedSize size{parse_long_decimal(lo), parse_long_decimal(hi)};
   if (size.lo > size.hi)
     throw InputError("size " + in_quotes(lo) + " to " + in_quotes(hi) + " is upside down");
   return size;

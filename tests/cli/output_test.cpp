@@ -50,6 +50,34 @@ TEST_CASE("a run that a signal ends leaves nothing beside -o", "[cli]") {
   }
 }
 
+TEST_CASE("-o makes what a symbolic link leads to", "[cli]") {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("answer.txt", folder / "second");
+  std::filesystem::create_symlink(folder / "second", folder / "first");
+  CHECK(mdm({"solve", athabasca, "-o", folder / "first"}).exit_code == 0);
+  CHECK(std::filesystem::is_symlink(folder / "first"));
+  CHECK(std::filesystem::is_symlink(folder / "second"));
+  CHECK(read_file(folder / "answer.txt").find("1485") != std::string::npos);
+  std::filesystem::create_symlink("loop", folder / "loop");
+  check_refused(mdm({"solve", athabasca, "-o", folder / "loop"}), "cannot be written");
+  std::filesystem::create_symlink("none/answer.txt", folder / "lost");
+  check_refused(mdm({"solve", athabasca, "-o", folder / "lost"}), "cannot be written");
+  check_refused(mdm({"solve", athabasca, "-o", ""}), "'': cannot be written");
+}
+
+TEST_CASE("-o /dev/stdout writes on where standard output stands", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string answer = mdm({"solve", athabasca}).out;
+  for (const char *path : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+    const std::string log = folder.write("log", "");
+    const std::string command = std::string("(echo header; '") + MDM_PROGRAM + "' solve '" + athabasca +
+                                "' -o " + path + "; echo footer) > '" + log + "'";
+    CHECK(std::system(command.c_str()) == 0);
+    CHECK(read_file(log) == "header\n" + answer + "footer\n");
+  }
+  check_refused(mdm({"solve", athabasca, "-o", "/dev/fd/99"}), "cannot be written");
+}
+
 TEST_CASE("-o follows a symbolic link", "[cli]") {
   const TemporaryFolder folder;
   const std::string path = folder.write("answer.txt", "old");

@@ -126,3 +126,20 @@ TEST_CASE("published refuses what it cannot do, with a remedy", "[cli]") {
   refused({"spanned-integer", athabasca, "--law", "power:5/2"}, "athabasca-sand.csv: the law x^(5/2)");
   refused({"spanned-integer", athabasca + ".not"}, "cannot be read");
 }
+
+TEST_CASE("where the least match takes too long there are bounds, and exit 3", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write(
+      "narrow.json",
+      R"({"sizes":["1","1.00000000000000000001","1.00000000000000000002","1.00000000000000000004","2"],)"
+      R"("masses":["1","1.3","3","7","0"]})");
+  const Json rounded = published({"rounded", file}, 3);
+  REQUIRE(rounded.at("least").size() == 2);
+  CHECK(rounded.at("least").at(0) != rounded.at("least").at(1));
+  CHECK(rounded.at("ratio").size() == 2);
+  CHECK(rounded.at("notes").size() == 1);
+  const Outcome plot = mdm({"plot", file, "--match", "-o", folder / "a.svg"});
+  CHECK(plot.exit_code == 3);
+  CHECK(plot.err.find("narrow.json: nothing was drawn") != std::string::npos);
+  CHECK(folder.entries() == 1);
+}

@@ -88,3 +88,19 @@ TEST_CASE("nothing is on standard error when it is no terminal", "[cli]") {
   CHECK(mdm({"solve", example("athabasca-sand"), "--quiet"}).out ==
         mdm({"solve", example("athabasca-sand")}).out);
 }
+
+TEST_CASE("words of the user are quoted, escaped and cut", "[cli]") {
+  const std::string word = "a\x1B\xFF\n" + std::string(300, 'x');
+  const std::string shown = "'a\\x1b\\xff\\x0a" + std::string(64, 'x') + "...'";
+  for (const Arguments &arguments :
+       {Arguments{"solve", "a", "--format", word}, Arguments{"published", word, "a"},
+        Arguments{"plot", "a", "--what", word}, Arguments{"tradeoff", "a", "--kind", word},
+        Arguments{"batch", "-j", word}, Arguments{"describe", "a", "--digits", word},
+        Arguments{"solve", "a", word}, Arguments{"solve", "a", "--quiet=" + word}})
+    check_refused(mdm(arguments), shown);
+  check_refused(mdm({"solve", "a", "--format", "json not in {text}"}),
+                "'json not in {text}' is not in {text,");
+  check_refused(mdm({"solve", "a", "b", "-z", "--c=d"}), "'b', '-z', '--c=d' were not expected");
+  check_refused(mdm({"--nosuch", "solve", "a"}), "'--nosuch'");
+  check_refused(mdm({"batch", "-j", "1.5"}), "-j: '1.5' is not a whole number from 1 to 1024");
+}

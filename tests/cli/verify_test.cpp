@@ -323,3 +323,20 @@ TEST_CASE("verify names another way for an answer that is too long for it", "[cl
       check_refused(mdm(arguments), "mdm export --spread --to csv");
     }
 }
+
+TEST_CASE("an answer with more than 1000 digits is read back", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string sand = example("athabasca-sand");
+  const std::string answer = folder / "a.json";
+  const std::string gradation = folder / "g.json";
+  REQUIRE(mdm({"solve", sand, "--digits", "1000", "--format", "json", "-o", answer}).exit_code == 0);
+  CHECK(mdm({"verify", sand, answer}).exit_code == 0);
+  REQUIRE(mdm({"convert", sand, "-o", gradation}).exit_code == 0);
+  CHECK(mdm({"crosscheck", gradation, answer, "--require-minimal"}).exit_code == 0);
+  CHECK(mdm({"export", answer, "--to", "diameters"}).exit_code == 0);
+  CHECK(mdm({"plot", sand, answer, "--script", folder / "script"}).exit_code == 0);
+}
+
+TEST_CASE("an answer of one line that ends too early names line 1", "[cli]") {
+  check_refused(verify(three, R"({"a":)"), "stdin:1: ");
+}

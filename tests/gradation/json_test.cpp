@@ -42,6 +42,8 @@ TEST_CASE("JSON: units, factors, tolerances and ids") {
   CHECK(text(g.tolerances()) == "0.5 0");
   CHECK(g.factor(0) == parse_decimal("2.5"));
   CHECK(read(R"({"id":1.50,"sizes":[1,2],"masses":[1,0]})").id() == "1.50");
+  CHECK(read(R"({"id":-0,"sizes":[1,2],"masses":[1,0]})").id() == "-0");
+  CHECK(read(R"({"id":0,"sizes":[1,2],"masses":[1,0]})").id() == "0");
   CHECK(read(R"({"id":"","sizes":[1,2],"masses":[1,0]})").id().empty());
   CHECK(read(R"({"sizes":[1,2],"masses":[1,0]})").id() == "sand");
   CHECK(read_json_gradation(with_masses("[1,0]"), "suite.jsonl:7", "7").id() == "7");
@@ -67,6 +69,12 @@ TEST_CASE("JSON: numbers have limits") {
                  "sand.csv:1: masses[0] '1e400' is too large for a JSON number: write it as a string"));
   CHECK(contains(refusal(with_masses("[1e999999, 0]")),
                  "sand.csv:1: masses[0] '1e999999' is too large for a JSON number"));
+  for (const std::string &number : {std::string("1e999"), "1" + std::string(1000, '0')}) {
+    const std::string too_large = " is too large for a JSON number: write it as a string";
+    CHECK(contains(refusal(with_masses("[" + number + ", 0]")), too_large));
+    CHECK(contains(refusal("{\"id\":" + number + "}"), too_large));
+    CHECK(contains(refusal("{\"x\":[[-" + number + "]]}"), too_large));
+  }
   CHECK(contains(refusal(with_masses("[1e-401, 0]")),
                  "sand.csv:1: masses[0] '1e-401' has an exponent beyond 400"));
   CHECK(contains(refusal(with_masses("[1." + std::string(1000, '0') + ", 0]")), "has more than 1000 digits"));
@@ -81,7 +89,7 @@ TEST_CASE("JSON: strings hold exactly one decimal") {
 
 TEST_CASE("JSON: unknown keys are skipped, whatever they hold, and noted") {
   const Gradation g =
-      read(R"({"a":null,"b":[1,{"sizes":1,"c":[[]]},"x"],"sizes":[1,2],"masses":[1,0],"d":true,"e":1e999})");
+      read(R"({"a":null,"b":[1,{"sizes":1,"c":[[]]},"x"],"sizes":[1,2],"masses":[1,0],"d":true,"e":1e300})");
   CHECK(g.notes() == std::vector<std::string>{"Unknown JSON keys were skipped: 'a', 'b', 'd', 'e'."});
 }
 
@@ -142,7 +150,8 @@ TEST_CASE("JSON: a gradation is complete") {
       line_refusal(with_masses("[1,2]")),
       "suite.jsonl:7: masses: the largest sieve, 2 mm, retains 2: add a larger sieve that retains 0"));
   CHECK(contains(refusal(with_masses("[0,0]")), "masses: no sieve retains anything"));
-  CHECK(line_refusal(with_masses("[-1,0]")) == "suite.jsonl:7: masses[0] -1 is negative");
+  CHECK(line_refusal(with_masses("[-1,0]")) ==
+        "suite.jsonl:7: masses[0] -1 is negative: write a number from 0 on");
   CHECK(contains(refusal(R"({"sizes":[1,2,1.5],"masses":[1,1,0]})"), "sizes[2] 1.5 breaks the order"));
   CHECK(contains(refusal(R"({"sizes":[1,1.0],"masses":[1,0]})"), "sizes[1] 1 repeats the size before it"));
   CHECK(contains(refusal(R"({"sizes":[-1,1],"masses":[1,0]})"), "sizes[0] -1 is negative"));

@@ -174,3 +174,16 @@ TEST_CASE("answers: broken ones") {
   for (std::size_t end = 1; end < two.size(); ++end)
     refusal_of(two.substr(0, end));
 }
+
+TEST_CASE("answers: sizes have as many digits as a narrow class takes, up to a limit") {
+  const auto with_size = [](std::size_t zeros) {
+    const std::string more(zeros, '0');
+    return replaced(two, "\"2.51\",\"2.52\"", "\"2.51" + more + "\",\"2.52" + more + "\"");
+  };
+  const AnswerSample read = read_answer(with_size(5000), "a.json");
+  CHECK(read.classes.at(1).size_lo == ratio(251, 100));
+  CHECK(is_exact_match(described(with_size(5000))));
+  CHECK(contains(refusal_of(with_size(100000)), "has more than 100000 digits: round it"));
+  CHECK(contains(refusal_of(replaced(two, "\"2.51\"", "\"" + std::string(2000, '1') + "x\"")),
+                 "is not a number"));
+}

@@ -3,6 +3,7 @@
 /// A run of a published algorithm as text, JSON and CSV, beside the least match.
 
 #include <mdm/match/published.hpp>
+#include <mdm/report/smallest_match.hpp>
 
 #include <string>
 
@@ -17,7 +18,7 @@ struct PublishedReport {
   Gradation gradation;
   MassLaw law;
   Published run;
-  Integer least;        ///< N of the least match
+  SmallestMatch least;  ///< N of the least match
   unsigned digits = 15; ///< significant digits of sizes
   std::vector<std::string> notes;
 };

@@ -4,6 +4,7 @@
 
 #include <mdm/gradation/description.hpp>
 #include <mdm/match/solve.hpp>
+#include <mdm/report/smallest_match.hpp>
 
 namespace mdm {
 
@@ -13,13 +14,6 @@ enum class Verdict {
   no_match, ///< the contrary
   undecided ///< an irrational share is closer to the tolerance than 4096 bits can tell
 };
-
-/// Bounds of the number of particles of the smallest exact match.
-struct SmallestMatch {
-  Integer lo, hi; ///< equal but where finding it would take more than some seconds
-};
-
-SmallestMatch smallest_match(const Gradation &g, const MassLaw &law);
 
 /// A sample beside its gradation.
 struct Verification {

@@ -1,0 +1,45 @@
+#include "usage_error.hpp"
+
+#include "../gradation/message.hpp"
+
+#include <mdm/error.hpp>
+
+#include <string_view>
+
+namespace mdm::cli {
+namespace {
+
+/// `text` with what stands between the first `before` and the last `after`, the user's, in quotes, and
+/// `words` in place of `after`. \pre both are there
+std::string quoted_between(const std::string &text, std::string_view before, std::string_view after,
+                           std::string_view words) {
+  const std::size_t option_end = text.find(before);
+  const std::size_t begin = option_end + before.size();
+  const std::size_t end = text.rfind(after);
+  return text.substr(0, option_end) + ": " + in_quotes(text.substr(begin, end - begin)) + std::string(words) +
+         text.substr(end + after.size());
+}
+
+} // namespace
+
+std::string usage_error(const CLI::ParseError &error, const CLI::App &app) {
+  // CLI11 looks for missing arguments before it looks at those that it does not know.
+  const std::vector<std::string> unknown = app.remaining(true);
+  if (!unknown.empty()) {
+    ShortList list;
+    for (const std::string &argument : unknown)
+      list.add(argument);
+    return list.text() + (list.size() == 1 ? " was" : " were") + " not expected";
+  }
+  const std::string text = error.what();
+  constexpr std::string_view unconverted = "Could not convert: ";
+  if (text.starts_with(unconverted))
+    return quoted_between(text.substr(unconverted.size()), " = ", "", " does not serve");
+  if (text.ends_with('}') && text.find(" not in {") != std::string::npos)
+    return quoted_between(text, ": ", " not in ", " is not in ");
+  if (text.find(": Value ") != std::string::npos && text.find(" not in range ") != std::string::npos)
+    return quoted_between(text, ": Value ", " not in range ", " is not a whole number from ");
+  return printable(text);
+}
+
+} // namespace mdm::cli
