@@ -120,8 +120,17 @@ private:
     most_excess_ = Rational(widest * *fewer_);
     given(fmt::format("a{}", j + 1), 'G', 0, {{j, 1}, {y(j), -1}});
     filled_[j] = given(fmt::format("b{}", j + 1), 'G', 0, {{j, -1}, {y(j), Rational(*fewer_)}});
-    given(fmt::format("s{}", j + 1), 'G', Rational(-most_excess_),
-          {{j, Rational(-problem_.f(j))}, {k_ + j, 1}, {d(), -1}, {y(j), Rational(-most_excess_)}});
+    Terms strict = mass_above(j);
+    strict.emplace_back(y(j), Rational(-most_excess_));
+    given(fmt::format("s{}", j + 1), 'G', Rational(-most_excess_), strict);
+  }
+
+  /// t_j - f_j q_j - d
+  Terms mass_above(std::size_t j) const {
+    Terms terms = {{k_ + j, 1}, {d(), -1}};
+    if (problem_.f(j) != 0)
+      terms.emplace(terms.begin(), j, Rational(-problem_.f(j)));
+    return terms;
   }
 
   /// Appends a derived constraint and returns its number.
@@ -160,8 +169,7 @@ private:
   std::size_t strict_bound(std::size_t j, std::size_t many) {
     const std::string part = to_string(ratio(1, *fewer_));
     const std::size_t full = derive("G 1 1 {} 1 {{ rnd 2 {} {} {} {} }}", y(j), many, part, filled_[j], part);
-    const Terms terms = {{j, Rational(-problem_.f(j))}, {k_ + j, 1}, {d(), -1}};
-    return derive("G 0 {} {{ lin 2 {} 1 {} {} }}", to_text(terms), filled_[j] + 1, full,
+    return derive("G 0 {} {{ lin 2 {} 1 {} {} }}", to_text(mass_above(j)), filled_[j] + 1, full,
                   to_string(most_excess_));
   }
 
