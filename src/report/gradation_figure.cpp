@@ -39,7 +39,10 @@ std::string count_text(const Integer &n) {
 std::string length_text(const Rational &r) {
   constexpr std::size_t longest = 9;
   const std::optional<std::string> exact = exact_decimal(r);
-  return exact && exact->size() <= longest ? *exact : approximate(r, 4);
+  if (exact && exact->size() <= longest)
+    return *exact;
+  const Integer whole = floor(r);
+  return whole >= 10000 ? count_text(whole) : approximate(r, 4);
 }
 
 class Drawing {

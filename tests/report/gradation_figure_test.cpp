@@ -212,3 +212,8 @@ TEST_CASE("figures of extreme gradations have axes of numbers", "[figure]") {
     CHECK(script.find("inf") == std::string::npos);
   }
 }
+
+TEST_CASE("sieves of any size have short labels") {
+  const Lines labels = sieves(read("size_mm,mass\n1e-400,1\n1,2\n1e400,0\n"));
+  CHECK(labels == Lines{"1e-400", "No. 18", "1.000e400"});
+}
