@@ -134,11 +134,8 @@ void check_options(const CrosscheckCommand &c) {
     throw InputError("-o -: standard output has the summary: use --format csv");
   if (c.journal == "-")
     throw InputError("--journal needs a file: name one");
-  std::vector<std::string> paths = {c.suite};
-  for (const std::optional<std::string> &path : {c.answers, c.journal, c.out})
-    if (path)
-      paths.push_back(*path);
-  check_distinct(paths);
+  for (const std::string &input : {c.suite, c.answers.value_or("-")})
+    check_distinct({input, c.journal.value_or("-"), c.out.value_or("-")});
 }
 
 /// Rows as they come, and what stands around them.

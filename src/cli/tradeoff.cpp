@@ -1,3 +1,4 @@
+#include "../gradation/text.hpp"
 #include "commands.hpp"
 #include "files.hpp"
 #include "option_values.hpp"
@@ -32,7 +33,7 @@ std::vector<AskedTolerance> tolerances(const TradeoffCommand &c) {
   std::vector<AskedTolerance> all;
   for (std::size_t from = 0; from <= c.tolerances.size();) {
     const std::size_t to = std::min(c.tolerances.find(',', from), c.tolerances.size());
-    std::string one = c.tolerances.substr(from, to - from);
+    std::string one(trimmed(std::string_view(c.tolerances).substr(from, to - from)));
     if (!one.ends_with('%'))
       one += '%';
     all.push_back(named("--tolerances", c.kind + ":" + one, parse_tolerance));

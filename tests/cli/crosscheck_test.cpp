@@ -245,6 +245,7 @@ TEST_CASE("wrong use of crosscheck is refused", "[cli]") {
   check_refused(crosscheck({folder / "", answers, "--format", "json"}), "cannot be read");
   check_refused(crosscheck({problems, answers, "--max-steps", "x"}), "--max-steps: 'x'");
   check_refused(crosscheck({problems, folder.write("bad.csv", "a,b\n")}), "no column id");
+  check_refused(crosscheck({folder / "bad.csv", folder / "bad.csv"}), "bad.csv:1: ");
   CHECK(folder.entries() == 3);
 }
 

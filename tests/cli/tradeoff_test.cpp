@@ -141,3 +141,10 @@ TEST_CASE("the trade-off is drawn beside its tables", "[cli]") {
     CHECK(svg.find(text) != std::string::npos);
   CHECK(folder.entries() == 1);
 }
+
+TEST_CASE("tolerances may stand with spaces", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("g.csv", "size_mm,mass\n1,2\n2,1\n3,0\n");
+  CHECK(mdm({"tradeoff", file, "--tolerances", " 0, 1% "}).out ==
+        mdm({"tradeoff", file, "--tolerances", "0,1"}).out);
+}
