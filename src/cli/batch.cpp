@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "files.hpp"
 #include "in_parallel.hpp"
+#include "option_values.hpp"
 #include "progress.hpp"
 #include "solve_flags.hpp"
 
@@ -68,7 +69,7 @@ public:
   Answer answer(const Lines::Line &line, std::uint64_t number) const {
     const std::string fallback = std::to_string(number);
     if (!line)
-      return error(fallback, where(number) + ": the line has more than 64 MiB");
+      return error(fallback, where(number) + ": the line has more than 64 MiB: write one gradation a line");
     if (line->find_first_not_of(" \t\r") == std::string::npos)
       return {};
     try {
@@ -94,16 +95,13 @@ private:
     SolveOptions options = options_;
     if (command_.flags.time_limit)
       options.limits = command_.flags.options().limits; // a deadline of its own for each line
-    Match m = [&] {
-      try {
-        return solve(std::move(g), question_, options);
-      } catch (const InputError &e) {
-        throw InputError(where(number) + ": " + e.what());
-      }
-    }();
+    const auto in_line = [&](const auto &action) {
+      return named(where(number), "", [&](const std::string &) { return action(); });
+    };
+    Match m = in_line([&] { return solve(std::move(g), question_, options); });
     if (command_.proofs && m.complete) {
       Output proof(*command_.proofs + "/" + proof_name(number, id));
-      proof.write(certificate(m));
+      proof.write(in_line([&] { return certificate(m); }));
       proof.commit();
     } else if (command_.proofs) {
       m.notes.push_back("no proof was written: the limit came before the end");

@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "files.hpp"
+#include "option_values.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
@@ -26,7 +27,8 @@ int run(const ConvertCommand &c) {
   const Gradation g = read_gradation(content, shown_name(c.file), c.specimen_id);
   const bool json = c.format ? *c.format == "json" : ends_with_json(c.out);
   Output out(c.out);
-  out.write(json ? gradation_json(g) : gradation_csv(g));
+  out.write(named(printable(shown_name(c.file)), "",
+                  [&](const std::string &) { return json ? gradation_json(g) : gradation_csv(g); }));
   out.commit();
   for (const std::string &note : g.notes())
     if (!c.quiet)

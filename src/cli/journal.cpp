@@ -40,7 +40,8 @@ Journal::~Journal() {
 }
 
 void Journal::fail(int error) const {
-  throw InputError(printable(path_) + ": cannot be written: " + std::strerror(error));
+  throw InputError(printable(path_) + ": cannot be written: " + std::strerror(error) +
+                   ": name a file that can be");
 }
 
 void Journal::read() {

@@ -47,7 +47,7 @@ Rational positive(const std::string &option, const std::string &text) {
 Rational not_negative(const std::string &option, const std::string &text) {
   const Rational r = decimal(option, text);
   if (r < 0)
-    throw InputError(option + ": " + in_quotes(text) + " is negative");
+    throw InputError(option + ": " + in_quotes(text) + " is negative: write a number from 0 on");
   return r;
 }
 
@@ -61,7 +61,7 @@ std::chrono::milliseconds duration(const std::string &option, const std::string 
 unsigned digits_of(const std::string &option, const std::string &text) {
   const Integer n = natural(option, text, 1);
   if (n > most_digits)
-    throw InputError(option + ": at most 1000");
+    throw InputError(option + ": " + in_quotes(text) + " is above 1000: write a number up to that");
   return static_cast<unsigned>(n);
 }
 

@@ -119,13 +119,11 @@ int run(const SolveCommand &c) {
 
   Progress progress([] { return std::string("solving"); }, c.quiet);
   const SolveOptions options = c.flags.options();
-  Match m = [&] {
-    try {
-      return solve(asked.gradation, question, options);
-    } catch (const InputError &e) {
-      throw InputError(printable(shown_name(c.flags.source(c.file))) + ": " + e.what());
-    }
-  }();
+  const auto in_file = [&](const auto &action) {
+    return named(printable(shown_name(c.flags.source(c.file))), "",
+                 [&](const std::string &) { return action(); });
+  };
+  Match m = in_file([&] { return solve(asked.gradation, question, options); });
   std::optional<Spectrum> reachable;
   if (c.spectrum)
     reachable = spectrum(m.problem, options.limits);
@@ -135,14 +133,14 @@ int run(const SolveCommand &c) {
 
   std::vector<SideFile> files;
   if (c.proof && m.complete) {
-    files.push_back({std::make_unique<Output>(*c.proof), certificate(m)});
+    files.push_back({std::make_unique<Output>(*c.proof), in_file([&] { return certificate(m); })});
     if (std::optional<SideFile> csv = readable_gradation(c, asked, m.notes))
       files.push_back(std::move(*csv));
   } else if ((c.proof || c.vipr) && !m.complete) {
     m.notes.push_back("no proof was written: the limit came before the end");
   }
   if (c.vipr && m.complete)
-    files.push_back({std::make_unique<Output>(*c.vipr), vipr(m)});
+    files.push_back({std::make_unique<Output>(*c.vipr), in_file([&] { return vipr(m); })});
   for (const SideFile &file : files)
     file.output->write(file.text);
   report(c, m, reachable ? &*reachable : nullptr, particles ? &*particles : nullptr, out);

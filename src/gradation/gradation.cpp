@@ -83,7 +83,8 @@ void Gradation::check_invariant() const {
 Gradation Gradation::with_pan_size(const Rational &size) const {
   if (lower(0) != 0)
     throw InputError(
-        fmt::format("there is no pan to give a size to: the finest sieve has {}", opening(lower(0), unit())));
+        fmt::format("there is no pan to give a size to, the finest sieve has {}: leave the pan's size out",
+                    opening(lower(0), unit())));
   if (size <= 0 || size >= upper(0))
     throw InputError(fmt::format("pan size {} must lie between 0 and the finest sieve, {}", shown(size),
                                  opening(upper(0), unit())));
@@ -98,11 +99,13 @@ Gradation Gradation::cut_below(const Rational &size) const {
     throw InputError(fmt::format("there is no sieve of {} to cut at: the sieves are {}",
                                  opening(size, unit()), openings(data_.sizes)));
   if (std::next(found) == data_.sizes.end())
-    throw InputError(fmt::format("cutting at the largest sieve, {}, leaves nothing", opening(size, unit())));
+    throw InputError(fmt::format("cutting at the largest sieve, {}, leaves nothing: cut at a finer one",
+                                 opening(size, unit())));
   const std::ptrdiff_t count = found - data_.sizes.begin();
   if (std::all_of(data_.masses.begin() + count, data_.masses.end(),
                   [](const Rational &m) { return m.sign() == 0; }))
-    throw InputError(fmt::format("cutting at {} leaves no mass", opening(size, unit())));
+    throw InputError(
+        fmt::format("cutting at {} leaves no mass: cut at a finer sieve", opening(size, unit())));
   Data data = data_;
   drop_front(data.sizes, count);
   drop_front(data.masses, count);

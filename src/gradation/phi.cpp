@@ -81,7 +81,7 @@ Integer nearest(const Rational &phi, const Rational &scale) {
 
 Rational phi_size(const Rational &phi) {
   if (phi > max_phi || phi < -max_phi)
-    throw InputError(fmt::format("phi {} is beyond {}", shown(phi), max_phi));
+    throw InputError(fmt::format("phi {} is beyond {}: give the size in mm", shown(phi), max_phi));
   if (denominator(phi) == 1) {
     const int whole = numerator(phi).convert_to<int>();
     const Integer two_to = power(Integer(2), static_cast<unsigned>(std::abs(whole)));

@@ -46,7 +46,8 @@ std::string file_decimal(const Rational &r) {
   const std::optional<std::string> scientific = plain ? with_exponent(*plain) : std::nullopt;
   if (!scientific)
     throw InputError(
-        "a number of this gradation has no decimal of at most 1000 digits: it cannot be written to a file");
+        "a number of this gradation has no decimal of at most 1000 digits, and cannot be written to a file: "
+        "round what it comes from");
   return *scientific;
 }
 

@@ -168,3 +168,21 @@ TEST_CASE("messages quote input escaped and cut", "[cli]") {
   CHECK(message("\xC3\xA9").find("\xC3\xA9") != std::string::npos);
   CHECK(message(std::string(500, 'x')).size() < 500);
 }
+
+TEST_CASE("messages name the file and say what to do", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string sand = folder.write("sand.csv", "size_mm,mass\n1,2\n2,1\n3,0\n");
+  const auto refused = [&](Arguments arguments, const std::string &part) {
+    arguments.insert(arguments.begin(), "solve");
+    check_refused(mdm(arguments), part);
+  };
+  refused({sand, "--time-limit", "-1"}, "--time-limit: '-1' is negative: write a number from 0 on");
+  refused({sand, "--cut-below", "3"}, sand + ": cutting at the largest sieve, 3 mm, leaves nothing: cut at");
+  refused({sand, "--pan-size", "0.5"}, "the finest sieve has 1 mm: leave the pan's size out");
+  refused({folder / "none.csv"}, "cannot be read: No such file or directory: give a file that can be");
+  refused({sand, "-o", folder / "none/a"},
+          "cannot be written: No such file or directory: write it elsewhere");
+  const std::string inches =
+      folder.write("inches.csv", "size_in,mass\n0." + std::string(999, '7') + ",1\n2,0\n");
+  check_refused(mdm({"convert", inches}), inches + ": a number of this gradation has no decimal of at most");
+}

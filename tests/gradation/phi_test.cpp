@@ -76,6 +76,6 @@ TEST_CASE("phi: agrees with a second computation") {
 }
 
 TEST_CASE("phi: beyond 1000 is refused") {
-  CHECK(message_of([] { phi("1000.5"); }) == "phi 1000.5 is beyond 1000");
-  CHECK(message_of([] { phi("-1e400"); }) == "phi -1.00000000000e400 is beyond 1000");
+  CHECK(message_of([] { phi("1000.5"); }) == "phi 1000.5 is beyond 1000: give the size in mm");
+  CHECK(message_of([] { phi("-1e400"); }) == "phi -1.00000000000e400 is beyond 1000: give the size in mm");
 }
