@@ -41,8 +41,8 @@ std::string length_text(const Rational &r) {
   const std::optional<std::string> exact = exact_decimal(r);
   if (exact && exact->size() <= longest)
     return *exact;
-  const std::string text = approximate(r, 4); // an integer in full where it has more digits
-  return text.find('.') == std::string::npos ? count_text(floor(r)) : text;
+  const Integer whole = floor(r);
+  return whole >= 10000 ? count_text(whole) : approximate(r, 4);
 }
 
 class Drawing {
