@@ -8,7 +8,7 @@ namespace mdm {
 
 /// floor(10^places (n/d)^(1/3)) for n, d > 0, with 10^places or more below the root; nothing where doubles do
 /// not decide it: the root times 10^places is above 2^96, or within about 2^-95 of itself of an integer
-/// (Lemma 17).
+/// (Lemma 18).
 std::optional<Integer> quick_cube_root(const Integer &n, const Integer &d, unsigned places);
 
 /// False if n/d, for n, d > 0, is certainly not the cube of a fraction; true of 1 in 3,000 others.
