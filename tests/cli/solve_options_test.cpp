@@ -188,7 +188,7 @@ TEST_CASE("a limit gives what is certain", "[cli]") {
     CHECK(answer.at("upper_bound") == answer.at("particles"));
     CHECK_FALSE(std::filesystem::exists(folder / "proof"));
   }
-  const Json open = solve_json({gradation, "--max-steps", "0", "--at-most", to_string(n)}, 3);
+  const Json open = solve_json({gradation, "--max-steps", "0", "--at-most", n.str()}, 3);
   CHECK(open.at("status") == "unknown");
   CHECK(open.at("particles").is_null());
   CHECK(Integer(open.at("upper_bound").get<std::string>()) > n);
