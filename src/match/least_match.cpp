@@ -1,17 +1,16 @@
 #include <mdm/match/least_match.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mdm {
 namespace {
 
-/// Relative error bound of the doubles below: a level is off by at most 8u, a quotient by at most 14u (lower
-/// 5u, count 2u, per_upper 5u, an operation u each) plus terms in u^2; 2^-49 = 16u. A difference of two
-/// levels is decided if it is more than 2^-48 of them.
-constexpr double quotient_error = 0x1p-49;
-constexpr double level_error = 0x1p-48;
+/// Relative margin for the doubles below: 32u. A level is off by at most 8u, a quotient by at most 14u (lower
+/// 5u, count 2u, per_upper 5u, an operation u each) plus terms in u^2, with 1/2 added by u more.
+constexpr double margin = 0x1p-48;
 
-/// Below this y + 2^52 is rounded to an integer, and y's distance from the nearest one is computed exactly.
+/// Below this adding 2^52 rounds to an integer.
 constexpr double largest_quotient = 0x1p50;
 
 const Integer &to_integer(const Integer &n) {
@@ -70,11 +69,11 @@ private:
   Count count(const Class &c) const {
     const double y = level_.approx * c.per_upper;
     if (y < largest_quotient) {
-      const double nearest = (y + 0x1p52) - 0x1p52; // the integer, rounded without a call
-      if (std::abs(y - nearest) > y * quotient_error) {
-        const double n = nearest + static_cast<double>(nearest < y); // floor(y) + 1, without a branch
+      // floor(y) + 1 is the integer nearest to y + 1/2, and has neither a call nor a branch.
+      const double middle = y + 0.5;
+      const double n = (middle + 0x1p52) - 0x1p52;
+      if (std::abs(middle - n) < 0.5 - middle * margin)
         return at_least_floor(c, {Int(static_cast<std::int64_t>(n)), n});
-      }
     }
     const Int n = exact_count_below(c) + Int(1);
     return at_least_floor(c, {n, to_double(n)});
@@ -86,9 +85,9 @@ private:
 
   /// True if n^b f / mass > L; `approx` is its double.
   bool rises(const Class &c, const Int &n, double approx) const {
-    if (approx < level_.approx * (1 - level_error))
+    if (approx < level_.approx * (1 - margin))
       return false;
-    return approx > level_.approx * (1 + level_error) || exactly_above(c, n);
+    return approx > level_.approx * (1 + margin) || exactly_above(c, n);
   }
 
   bool exactly_above(const Class &c, const Int &n) const {
@@ -97,20 +96,24 @@ private:
                                 : above * level_.of->mass > product(*level_.of, level_.n) * c.mass;
   }
 
-  bool interrupted(const Chain &chain) {
-    if (limits_.max_steps && chain.size() >= *limits_.max_steps)
+  bool interrupted(const Chain &chain) { return chain.size() >= next_look_ && look(chain.size()); }
+
+  /// True if a limit is reached; else sets the next look.
+  [[gnu::noinline]] bool look(std::uint64_t steps) {
+    if (limits_.max_steps && steps >= *limits_.max_steps)
       return true;
     constexpr std::uint64_t between_looks = 1024;
-    if (++looks_ % between_looks != 0)
-      return false;
+    next_look_ = steps + between_looks;
+    if (limits_.max_steps)
+      next_look_ = std::min(next_look_, *limits_.max_steps);
     return (limits_.deadline && std::chrono::steady_clock::now() > *limits_.deadline) ||
-           (limits_.at_most && has_too_many());
+           (limits_.at_most && has_too_many(steps));
   }
 
   /// Looked at when the steps have doubled: a sum over all classes is long beside a step.
-  bool has_too_many() const {
+  bool has_too_many(std::uint64_t steps) const {
     constexpr std::uint64_t many_steps = 1 << 16;
-    if (looks_ < many_steps || (looks_ & (looks_ - 1)) != 0)
+    if (steps < many_steps || (steps & (steps - 1)) != 0)
       return false;
     Integer sum = 0;
     for (const Class &c : problem_.classes)
@@ -170,7 +173,7 @@ private:
   const Limits &limits_;
   Level level_;
   std::vector<std::uint32_t> movable_;
-  std::uint64_t looks_ = 0;
+  std::uint64_t next_look_ = 0; ///< steps
 };
 
 LeastMatch in_integers(const Swept<Int128> &swept) {
