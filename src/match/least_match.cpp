@@ -176,12 +176,12 @@ private:
   std::uint64_t next_look_ = 0; ///< steps
 };
 
-LeastMatch in_integers(const Swept<Int128> &swept) {
+LeastMatch in_integers(Swept<Int128> swept) {
   LeastMatch match;
   match.q.reserve(swept.q.size());
   for (const Int128 &n : swept.q)
     match.q.push_back(n.to_integer());
-  match.chain = swept.chain;
+  match.chain = std::move(swept.chain);
   match.complete = swept.complete;
   return match;
 }
