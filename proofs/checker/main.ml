@@ -1,10 +1,12 @@
-(* mdm-check-verified: mdm-check once more, around the checker that Coq has proved correct. *)
+(* mdm-check-verified: mdm-check once more. What it says of two files is the function of their names and bytes that is
+   extracted from Coq (proofs/coq, Judge.v); here files are read and lines are printed. *)
 
 let help =
   Printf.sprintf
     {|%s GRADATION CERTIFICATE [GRADATION CERTIFICATE]...
+%s --print GRADATION [CERTIFICATE]
 
-Checks the proof that a number of particles is the least that matches a gradation exactly or
+Checks the proof that a number of particles is the smallest that matches a gradation exactly or
 within a tolerance, by the program that is extracted from its proof of correctness in Coq.
 GRADATION is the gradation file (CSV or JSON) and CERTIFICATE what mdm solve --proof wrote;
 one of them may be - for standard input. Of several pairs each has its verdict, in a line.
@@ -16,14 +18,27 @@ Example:
 Exits with 0 (accepted), 1 (refused: the certificate does not prove its claim) or
 2 (malformed: a file cannot be read, or the command is wrong); the worst of several pairs.
 
+  --print     the gradation as it is read, as CSV in its only form, before the verdict
   -h, --help  this text
   --version   the versions of this program and of OCaml
 |}
-    Program.name Program.name
+    Program.name Program.name Program.name
 
 exception Failure_of of string * string
 
 let fail who what = raise (Failure_of (who, what))
+
+(** The characters of a text as a list, and back. *)
+let characters text =
+  let rec before place found = if place < 0 then found else before (place - 1) (text.[place] :: found) in
+  before (String.length text - 1) []
+
+let text_of characters =
+  let out = Buffer.create 1000 in
+  List.iter (Buffer.add_char out) characters;
+  Buffer.contents out
+
+let printable text = text_of (Mdm_checker.printable (characters text))
 
 (** Reads a file in pieces, so that a device without end ends at the limit. *)
 let read_input path most_megabytes =
@@ -39,33 +54,58 @@ let read_input path most_megabytes =
   (try
      let channel = if path = "-" then stdin else open_in_bin path in
      Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () -> pieces channel)
-   with Sys_error what ->
-     let said = path ^ ": " in
-     let reason = if Text.starts_with said what then Text.behind what (String.length said) else what in
-     fail name ("cannot be read: " ^ reason ^ ": give a file that is there"));
+   with Sys_error what -> fail name ("cannot be read (" ^ what ^ "): give a file that is there"));
   (name, Buffer.contents text)
 
-(** The exit code. *)
-let check gradation certificate =
-  let gradation = read_input gradation 64 in
+let file (name, text) = { Mdm_checker.name = characters name; bytes = characters text }
+let read_gradation path = read_input path 64
+let say line = print_endline (text_of line)
+let complain line = prerr_endline (text_of line)
+
+(** What the extracted functions can do with the memory that is there. *)
+let within_memory who work =
+  try work ()
+  with Stack_overflow | Out_of_memory ->
+    fail who "more than this program can hold: raise its limits (ulimit -s), or use mdm-check"
+
+(** The exit code; [before] is printed before the line of a verdict. *)
+let check ?(before = []) gradation certificate =
+  let verdict line = print_string (text_of before); say line in
   let certificate = read_input certificate 256 in
-  match Verdict.judge gradation certificate with
-  | Accepted line -> print_endline line; 0
-  | Refused line -> print_endline line; 1
-  | Malformed line -> prerr_endline line; 2
-  | exception (Stack_overflow | Out_of_memory) ->
-      fail (fst certificate) "more than this program can hold: raise its limits (ulimit -s), or use mdm-check"
+  within_memory (fst certificate) (fun () ->
+      match Mdm_checker.judge (file gradation) (file certificate) with
+      | Proved line -> verdict line; 0
+      | Unproved (line, reason) -> verdict line; complain reason; 1
+      | Unreadable message -> complain message; 2)
+
+let print gradation certificate =
+  within_memory (fst gradation) (fun () ->
+      match (Mdm_checker.print_gradation (file gradation), certificate) with
+      | Ok csv, Some certificate -> check ~before:csv gradation certificate
+      | Ok csv, None -> print_string (text_of csv); 0
+      | (Refused message | Malformed message), _ -> complain message; 2)
+
+(** The code of a work, 2 where a file cannot be read. *)
+let code_of work =
+  try work ()
+  with Failure_of (who, what) ->
+    prerr_endline (printable who ^ ": " ^ what);
+    2
 
 let rec check_all worst = function
   | gradation :: certificate :: rest ->
-      let code =
-        try check gradation certificate
-        with Failure_of (who, what) ->
-          prerr_endline (Text.printable who ^ ": " ^ what);
-          2
-      in
-      check_all (max worst code) rest
+      check_all (max worst (code_of (fun () -> check (read_gradation gradation) certificate))) rest
   | _ -> worst
+
+let see_help = ": see " ^ Program.name ^ " --help"
+
+let demand_arguments arguments is_right =
+  let is_option argument = String.length argument > 1 && argument.[0] = '-' in
+  Option.iter
+    (fun argument -> fail Program.name ("no option '" ^ argument ^ "'" ^ see_help))
+    (List.find_opt is_option arguments);
+  if (not is_right) || List.length (List.filter (String.equal "-") arguments) > 1 then
+    fail Program.name ("give one gradation and one certificate, or several pairs" ^ see_help)
 
 let run arguments =
   match arguments with
@@ -73,33 +113,25 @@ let run arguments =
   | [ "--version" ] ->
       Printf.printf "%s %s (OCaml %s)\n" Program.name Program.version Sys.ocaml_version;
       0
+  | "--print" :: files ->
+      demand_arguments files (List.length files = 1 || List.length files = 2);
+      print (read_gradation (List.hd files)) (List.nth_opt files 1)
   | _ ->
-      let is_option argument = String.length argument > 1 && argument.[0] = '-' in
-      let see_help = ": see " ^ Program.name ^ " --help" in
-      Option.iter
-        (fun argument -> fail Program.name ("no option " ^ Text.quoted argument ^ see_help))
-        (List.find_opt is_option arguments);
-      let from_input = List.filter (String.equal "-") arguments in
-      if arguments = [] || List.length arguments mod 2 = 1 || List.length from_input > 1 then
-        fail Program.name ("give one gradation and one certificate, or several pairs" ^ see_help);
+      demand_arguments arguments (arguments <> [] && List.length arguments mod 2 = 0);
       check_all 0 arguments
 
 let () =
   let code =
     try
-      (* The extracted functions copy a word as often as it has characters: in large pieces of memory, quickly. *)
-      Gc.set { (Gc.get ()) with allocation_policy = 2; major_heap_increment = 1 lsl 22; space_overhead = 200 };
+      (* The extracted functions make many small lists: in large pieces of memory, quickly. *)
+      Gc.set { (Gc.get ()) with allocation_policy = 2; major_heap_increment = 1 lsl 22 };
       set_binary_mode_in stdin true;
       Sys.set_signal Sys.sigpipe Sys.Signal_ignore;
-      let code = run (List.tl (Array.to_list Sys.argv)) in
+      let code = code_of (fun () -> run (List.tl (Array.to_list Sys.argv))) in
       flush stdout;
       code
-    with
-    | Failure_of (who, what) ->
-        prerr_endline (Text.printable who ^ ": " ^ what);
-        2
-    | Sys_error what ->
-        prerr_endline ("standard output: cannot be written: " ^ what ^ ": send it elsewhere");
-        2
+    with Sys_error what ->
+      prerr_endline ("standard output: cannot be written: " ^ what ^ ": send it elsewhere");
+      2
   in
   exit code

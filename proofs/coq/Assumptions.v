@@ -1,7 +1,7 @@
 (* What the theorems rest on. The integer ones: nothing ("Closed under the global context"). The others: the axioms of
    the standard library's real numbers. *)
 
-From Mdm Require Import ChainSound Reduction TreeSound Laws Pi Theorems.
+From Mdm Require Import ChainSound Reduction TreeSound Laws Pi Theorems JudgeTheorem CsvFields GradationRead EnvelopeRead PrintRead DocumentRead Examples.
 
 Print Assumptions chain_sound.
 Print Assumptions chain_least.
@@ -14,5 +14,12 @@ Print Assumptions tree_sound.
 Print Assumptions check_pi_sound.
 Print Assumptions power_law_exists.
 Print Assumptions exact_match.
+Print Assumptions ten_is_least.
 Print Assumptions match_within_tolerance.
-Print Assumptions mdm_check_accepted.
+Print Assumptions certificate_true.
+Print Assumptions document_read.
+Print Assumptions accepted_line_true.
+Print Assumptions fields_read_exactly.
+Print Assumptions gradation_read.
+Print Assumptions envelope_read.
+Print Assumptions print_read.

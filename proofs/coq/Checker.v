@@ -1,4 +1,4 @@
-(* The whole check: a gradation and the text of a certificate, to a verdict. *)
+(* The whole check of a certificate against a gradation. *)
 
 From Coq Require Import ZArith QArith List String.
 From Mdm Require Import Numbers Gradation Certificate Question Exact Tolerant.
@@ -20,36 +20,3 @@ Definition check (G : gradation) (text : lines) : result certificate :=
   let* cert := read_certificate text in
   check_certificate G cert ;;
   Ok cert.
-
-(* ---- For the driver ------------------------------------------------------------------------------ *)
-
-Inductive verdict := Accepted | Not_proved (what : string) | Not_readable (what : string).
-
-(* A row as words: opening, mass, factor and tolerance, each an integer or p/q in lowest terms. *)
-Definition read_row (l : line) : option row :=
-  match all_words rational l [] with
-  | Some [x; m; c; e] => Some (Row x m c e)
-  | _ => None
-  end.
-
-Fixpoint read_rows (ls : lines) (done : list row) : option (list row) :=
-  match ls with
-  | [] => Some (rev' done)
-  | l :: ls =>
-    match read_row l with
-    | Some r => read_rows ls (r :: done)
-    | None => None
-    end
-  end.
-
-(* The gradation's rows, ascending; whether its file has tolerances; the certificate's text. *)
-Definition mdm_check (gradation_rows : lines) (has_tolerances : bool) (text : lines) : verdict :=
-  match read_rows gradation_rows [] with
-  | Some rows =>
-    match check (Gradation rows has_tolerances) text with
-    | Ok _ => Accepted
-    | Refused what => Not_proved what
-    | Malformed what => Not_readable what
-    end
-  | None => Not_readable "a number of the gradation"
-  end.

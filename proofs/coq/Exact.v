@@ -1,4 +1,7 @@
-(* A certificate of an exact match: the problem in integers, and its check (certificate-format.md, 2 and 3). *)
+(* A certificate of an exact match: the problem in integers, and its check (certificate-format.md, 2 and 3).
+
+   b is the degree of the masses' powers here: that of the law x^(a/b) times the root d of the gradation. For x^(a/b) is
+   Y^(a/(b d)) for the opening's power Y = x^d. *)
 
 From Coq Require Import ZArith QArith List Bool String FMapPositive.
 From Mdm Require Import Numbers Gradation Certificate Question Chain.
@@ -35,44 +38,49 @@ Fixpoint include_all (divisors : list Z) (common : Z) : result Z :=
   | d :: divisors => let* common := include common d in include_all divisors common
   end.
 
-(* For solids, where b = 1: the factors of the classes with mass, and W = sum of m_j / c_j in integers over a
+(* For solids, where the law is x^3: the factors of the classes with mass, and W = sum of m_j / c_j in integers over a
    common multiple of the factors. *)
 Definition with_mass (js : list class) : list class := filter (fun j => negb (equal (mass j) 0)) js.
 Definition integer_factor (u : units) (j : class) : Z := in_units (c j) (of_factors u).
 Definition solids_of_unit_scale (u : units) (js : list class) (common : Z) : Z :=
   sum (map (fun j => in_units (mass j) (of_masses u) * (common / integer_factor u j)) js).
 
-(* The scale at which the sum of x^3 is the given one, in the integers' unit of scales. *)
-Definition scale_of_volume (u : units) (W common : Z) (volume : Q) : ratio :=
-  let s := fraction (Qnum volume * (of_openings u ^ 3 * common)) (Zpos (Qden volume) * W) in
-  (Qnum s, Zpos (Qden s)).
+(* The scale at which the sum of x^3 is the given one, to the power b, in the integers' unit of scales; limit 3, for k
+   classes. *)
+Definition scale_of_volume (u : units) (b k W common : Z) (volume : Q) : result ratio :=
+  let s := fraction (Qnum volume * common) (Zpos (Qden volume) * W) in
+  demand_form (k * (b * bits_of s) <=? work_of_scales) too_long ;;
+  Ok (Qnum s ^ b * of_openings u ^ 3, Zpos (Qden s) ^ b).
 
 (* What the question demands of scales: the witness's is at least [enough]; every match has one of at least
    [start], and one above [excluded]. 0 where nothing is demanded. *)
 Record scales := Scales { enough : ratio; start : ratio; excluded : ratio }.
 
-Definition scales_of (u : units) (js : list class) (s : solids) : result scales :=
+Definition scales_of (u : units) (b : Z) (js : list class) (s : solids) : result scales :=
   match s with
   | Anything => Ok (Scales (0, 1) (0, 1) (0, 1))
   | _ =>
+    let k := size js in
     let js := with_mass js in
     let* common := include_all (map (integer_factor u) js) 1 in
     let W := solids_of_unit_scale u js common in
-    let enough := scale_of_volume u W common (volume_enough s) in
+    let* enough := scale_of_volume u b k W common (volume_enough s) in
     match s with
-    | Volume _ _ _ => Ok (Scales enough (0, 1) (scale_of_volume u W common (volume_below s)))
+    | Volume _ _ _ =>
+      let* below := scale_of_volume u b k W common (volume_below s) in Ok (Scales enough (0, 1) below)
     | _ => Ok (Scales enough enough (0, 1))
     end
   end.
 
-(* The least count q with q B >= S (b = 1). *)
-Definition from_start (S : ratio) (j : bounds) : Z := let (n, d) := S in (n * m j - 1) / (d * F j) + 1.
+(* The least count q with q^b B >= S, for S > 0. *)
+Definition from_start (b : Z) (S : ratio) (j : bounds) : Z :=
+  let (n, d) := S in Numbers.root b ((n * m j - 1) / (d * F j)) + 1.
 
 (* The floors: what every match has in class j. *)
 Definition with_floor (b R : Z) (s : scales) (z : ratio) (j : bounds) : bounds :=
   let set floor := Bounds (f j) (F j) (m j) floor in
   let floor := Z.max 1 R in
-  let floor := if fst (start s) =? 0 then floor else Z.max floor (from_start (start s) j) in
+  let floor := if fst (start s) =? 0 then floor else Z.max floor (from_start b (start s) j) in
   let floor := Z.max (above b (excluded s) (set floor)) (above b z (set floor)) in
   set floor.
 
@@ -96,14 +104,14 @@ Fixpoint all_fit (b R : Z) (S : ratio) (js : list bounds) (qs : list Z) : bool :
   | _, _ => false
   end.
 
-(* The sizes: class j holds q particles of the size T^(1/a), T = S m^b / (q c)^b. *)
-Fixpoint check_sizes (u : units) (a b : Z) (S : ratio) (js : list class) (ws : list witness_line) : result unit :=
+(* The sizes: class j holds q particles of the size T^(1/(a d)), T = S m^b / (q c)^b. *)
+Fixpoint check_sizes (u : units) (a b d : Z) (S : ratio) (js : list class) (ws : list witness_line) : result unit :=
   match js, ws with
   | j :: js, w :: ws =>
-    let (n, d) := S in
+    let (n, e) := S in
     let T := (n * in_units (mass j) (of_masses u) ^ b,
-              count w ^ b * d * (integer_factor u j ^ b * of_openings u ^ a)) in
-    check_size a j w T ;; check_sizes u a b S js ws
+              count w ^ b * e * (integer_factor u j ^ b * of_openings u ^ a)) in
+    check_size a d j w T ;; check_sizes u a b d S js ws
   | _, _ => Ok tt
   end.
 
@@ -111,12 +119,13 @@ Definition check_exact (cert : certificate) (G : gradation) (scale : Q) (z : opt
   : result unit :=
   let q := asked cert in
   let a := Certificate.a q in
-  let b := Certificate.b q in
+  let d := root G in
+  let b := Certificate.b q * d in
   let u := units_of (rows G) in
   let js := classes (rows G) in
   let S := in_scale_units u a b scale in
   let z' := match z with Some z => in_scale_units u a b z | None => (0, 1) end in
-  let* ss := scales_of u js (solids_of q) in
+  let* ss := scales_of u b js (solids_of q) in
   demand_form ((size (rows G) - 1) * longest_scale [S; enough ss; z'; excluded ss] <=? work_of_scales) too_long ;;
   let bs := map (fun j => with_floor b (min_per_class q) ss z' (in_integers u a b j)) js in
   check_pi (solids_of q) ;;
@@ -126,7 +135,7 @@ Definition check_exact (cert : certificate) (G : gradation) (scale : Q) (z : opt
     demand (all_fit b (min_per_class q) S bs qs) "q >= R, q^b A < S <= q^b B" ;;
     demand (sum qs =? N) "sum of q = N" ;;
     demand (at_least q <=? N) "N >= M" ;;
-    check_sizes u a b S (with_mass js) (witness cert) ;;
+    check_sizes u a b d S (with_mass js) (witness cert) ;;
     match chain with
     | Some chain => check_chain b N bs chain
     | None => demand (claims_least q (Some N)) "N = M without a chain"

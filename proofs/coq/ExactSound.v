@@ -1,8 +1,8 @@
 (* An accepted certificate of an exact match proves its claim: samples to integers and back (Theorems 1, 5-7). *)
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
-From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain ChainSound Exact Spec Reduction
-  RealFacts.
+From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain ChainSound Exact Spec Openings
+  Reduction RealFacts.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -60,12 +60,14 @@ Qed.
 
 (* ---- Classes in integers ------------------------------------------------------------------------- *)
 
+(* b is the degree of the law times the root. *)
 Section Units.
+Context {d : positive}.
 Variables (na nb : nat).
 
 Hypothesis b_positive : (1 <= nb)%nat.
 Variable law : R -> R.
-Hypothesis power : power_law na nb law.
+Hypothesis power : opening_law d na nb law.
 Variable u : units.
 Hypothesis x_unit : (0 < of_openings u)%Z.
 Hypothesis m_unit : (0 < of_masses u)%Z.
@@ -90,14 +92,21 @@ Qed.
 Lemma per_scale_positive : 0 < per_scale.
 Proof. destruct unit_powers. unfold per_scale. apply Rdiv_lt_0_compat; assumption. Qed.
 
+Lemma law_of_lower j :
+  0 <= Q2R (lower j) -> 0 <= law (lower_size d j) /\ law (lower_size d j) ^ nb = Q2R (lower j) ^ na.
+Proof. apply power. Qed.
+Lemma law_of_upper j :
+  0 <= Q2R (upper j) -> 0 <= law (upper_size d j) /\ law (upper_size d j) ^ nb = Q2R (upper j) ^ na.
+Proof. apply power. Qed.
+
 Lemma integer_powers j : integral j -> proper j ->
-  IZR (f (in_integers u a b j)) = (Q2R (c j) * law (Q2R (lower j))) ^ nb * (IZR (of_factors u) ^ nb * IZR (of_openings u) ^ na) /\
-  IZR (F (in_integers u a b j)) = (Q2R (c j) * law (Q2R (upper j))) ^ nb * (IZR (of_factors u) ^ nb * IZR (of_openings u) ^ na) /\
+  IZR (f (in_integers u a b j)) = (Q2R (c j) * law (lower_size d j)) ^ nb * (IZR (of_factors u) ^ nb * IZR (of_openings u) ^ na) /\
+  IZR (F (in_integers u a b j)) = (Q2R (c j) * law (upper_size d j)) ^ nb * (IZR (of_factors u) ^ nb * IZR (of_openings u) ^ na) /\
   IZR (m (in_integers u a b j)) = Q2R (mass j) ^ nb * IZR (of_masses u) ^ nb.
 Proof.
-  intros (Dl & Du & Dm & Dc) ((L & U) & C & M). destruct power as (_ & P). simpl.
+  intros (Dl & Du & Dm & Dc) ((L & U) & C & M). simpl.
   rewrite !mult_IZR, <- !pow_IZR, !in_units_real by assumption. rewrite !Rpow_mult_distr.
-  destruct (P (Q2R (lower j)) L) as (_ & ->). destruct (P (Q2R (upper j)) ltac:(lra)) as (_ & ->).
+  destruct (law_of_lower j L) as (_ & ->). destruct (law_of_upper j ltac:(lra)) as (_ & ->).
   repeat split; ring.
 Qed.
 
@@ -105,9 +114,9 @@ Lemma in_integers_sound j floor :
   integral j -> proper j -> (1 <= floor)%Z -> sound (set_floor (in_integers u a b j) floor).
 Proof.
   intros I P H. destruct (integer_powers j I P) as (Ef & EF & Em). destruct unit_powers as (U1 & U2).
-  destruct P as ((L & U) & C & M). destruct power as (Law & Pw).
-  destruct (Pw (Q2R (lower j)) L) as (Fl & _). destruct (Pw (Q2R (upper j)) ltac:(lra)) as (Fu & _).
-  assert (law (Q2R (lower j)) < law (Q2R (upper j))) as Lt by (apply Law; lra).
+  destruct (proper_sizes (d := d) j P) as (Sl & Su). destruct P as ((L & U) & C & M). destruct power as (Law & _).
+  destruct (law_of_lower j L) as (Fl & _). destruct (law_of_upper j ltac:(lra)) as (Fu & _).
+  assert (law (lower_size d j) < law (upper_size d j)) as Lt by (apply Law; lra).
   unfold sound. simpl r. repeat split.
   - apply le_IZR. change (m (set_floor (in_integers u a b j) floor)) with (m (in_integers u a b j)). rewrite Em.
     apply Rmult_le_pos; [apply pow_le; exact M | lra].
@@ -124,14 +133,14 @@ Qed.
 (* The class inequalities of Theorem 1 (c). *)
 Lemma class_iff j s q :
   integral j -> proper j -> 0 < s -> (1 <= q)%Z ->
-  (IZR q * (Q2R (c j) * law (Q2R (lower j))) < s * Q2R (mass j) <-> 
+  (IZR q * (Q2R (c j) * law (lower_size d j)) < s * Q2R (mass j) <-> 
    IZR (q ^ b * f (in_integers u a b j)) < s ^ nb * per_scale * IZR (m (in_integers u a b j))) /\
-  (s * Q2R (mass j) <= IZR q * (Q2R (c j) * law (Q2R (upper j))) <-> 
+  (s * Q2R (mass j) <= IZR q * (Q2R (c j) * law (upper_size d j)) <-> 
    s ^ nb * per_scale * IZR (m (in_integers u a b j)) <= IZR (q ^ b * F (in_integers u a b j))).
 Proof.
   intros I P Sp Q. destruct (integer_powers j I P) as (Ef & EF & Em). destruct unit_powers as (U1 & U2).
-  destruct P as ((L & U) & C & M). destruct power as (_ & Pw).
-  destruct (Pw (Q2R (lower j)) L) as (Fl & _). destruct (Pw (Q2R (upper j)) ltac:(lra)) as (Fu & _).
+  destruct P as ((L & U) & C & M).
+  destruct (law_of_lower j L) as (Fl & _). destruct (law_of_upper j ltac:(lra)) as (Fu & _).
   assert (1 <= IZR q) as Q1 by (apply (IZR_le 1); exact Q).
   rewrite !mult_IZR, Ef, EF, Em, <- pow_IZR. unfold per_scale.
   set (E := IZR (of_factors u) ^ nb * IZR (of_openings u) ^ na) in *. set (mu := IZR (of_masses u) ^ nb) in *.
@@ -158,7 +167,7 @@ Proof.
 Qed.
 
 Lemma realizes_holds j s q floor :
-  integral j -> proper j -> 0 < s -> realizes law j q (s * Q2R (mass j)) -> (0 < Q2R (mass j) -> (floor <= q)%Z) ->
+  integral j -> proper j -> 0 < s -> realizes d law j q (s * Q2R (mass j)) -> (0 < Q2R (mass j) -> (floor <= q)%Z) ->
   holds_real b (s ^ nb * per_scale) (set_floor (in_integers u a b j) floor) q.
 Proof.
   intros I P Sp H Fl. pose proof (mass_zero j I P) as Z.
@@ -170,8 +179,8 @@ Proof.
   - right. destruct (class_iff j s q I P Sp Q) as (A1 & A2).
     assert (0 < Q2R (mass j)) as M.
     { destruct P as ((L & U) & C & [M|M]); [exact M|]. rewrite <- M, Rmult_0_r in B.
-      destruct power as (_ & Pw). destruct (Pw (Q2R (lower j)) L) as (F0 & _). apply (IZR_le 1) in Q.
-      assert (0 <= IZR q * (Q2R (c j) * law (Q2R (lower j)))) by (apply Rmult_le_pos; [|apply Rmult_le_pos]; lra). lra. }
+      destruct (law_of_lower j L) as (F0 & _). apply (IZR_le 1) in Q.
+      assert (0 <= IZR q * (Q2R (c j) * law (lower_size d j))) by (apply Rmult_le_pos; [|apply Rmult_le_pos]; lra). lra. }
     assert (m (in_integers u a b j) <> 0)%Z by (intro E; apply Z in E; lra).
     split; [lia|]. split; [apply Fl; exact M|]. split; [apply A1, B | apply A2, B].
 Qed.
@@ -179,7 +188,7 @@ Qed.
 Lemma holds_realizes j s q floor :
   integral j -> proper j -> 0 < s -> (1 <= floor)%Z ->
   holds_real b (s ^ nb * per_scale) (set_floor (in_integers u a b j) floor) q ->
-  realizes law j q (s * Q2R (mass j)).
+  realizes d law j q (s * Q2R (mass j)).
 Proof.
   intros I P Sp Fl H. pose proof (mass_zero j I P) as Z. unfold holds_real in H. cbn [set_floor m r f F] in H.
   destruct H as [(E & ->)|(M & Q & Lo & Hi)].

@@ -2,8 +2,8 @@
    with N is (Theorems 1, 2, 5, 6, 7). *)
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
-From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain ChainSound Exact Spec Reduction
-  RealFacts Sizes ExactSound Solids.
+From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain ChainSound Exact Spec Openings
+  Reduction RealFacts Sizes ExactSound Solids.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -25,24 +25,26 @@ Proof.
   destruct scale as (n, d). intros [H|(M & R & H)] Fl; [left; exact H | right]. simpl in *. auto.
 Qed.
 
-Lemma from_start_least start scale j q :
-  bound start -> (0 < snd scale)%Z -> (fst start * snd scale <= fst scale * snd start)%Z ->
-  sound j -> (0 < m j)%Z -> holds 1 scale j q -> (0 < fst start)%Z -> (from_start start j <= q)%Z.
+Lemma from_start_least b start scale j q :
+  (1 <= b)%Z -> bound start -> (0 < snd scale)%Z -> (fst start * snd scale <= fst scale * snd start)%Z ->
+  sound j -> (0 < m j)%Z -> holds b scale j q -> (0 < fst start)%Z -> (from_start b start j <= q)%Z.
 Proof.
-  destruct start as (n0, d0), scale as (n, d). unfold bound, from_start, holds. cbn [fst snd].
-  intros (N & D0) D L (_ & R & Fp) M [(E & _)|(_ & Q & _ & Hi)] P; [lia|]. rewrite Z.pow_1_r in Hi.
-  assert (n0 * m j <= q * F j * d0)%Z as K.
-  { apply (Z.mul_le_mono_pos_r _ _ d); [exact D|].
-    assert (n0 * d * m j <= n * d0 * m j)%Z by (apply Z.mul_le_mono_nonneg_r; lia).
-    assert (n * m j * d0 <= q * F j * d * d0)%Z by (apply Z.mul_le_mono_nonneg_r; lia). lia. }
-  assert ((n0 * m j - 1) / (d0 * F j) < q)%Z; [|lia]. apply Z.div_lt_upper_bound; nia.
+  destruct start as (n0, d0), scale as (n, e). unfold bound, from_start, holds. cbn [fst snd].
+  intros B (N & D0) D L (_ & R & Fp) M [(E & _)|(_ & Q & _ & Hi)] P; [lia|].
+  assert (n0 * m j <= q ^ b * F j * d0)%Z as K.
+  { apply (Z.mul_le_mono_pos_r _ _ e); [exact D|].
+    assert (n0 * e * m j <= n * d0 * m j)%Z by (apply Z.mul_le_mono_nonneg_r; lia).
+    assert (n * m j * d0 <= q ^ b * F j * e * d0)%Z by (apply Z.mul_le_mono_nonneg_r; lia). lia. }
+  assert (0 <= (n0 * m j - 1) / (d0 * F j))%Z as Y by (apply Z.div_pos; nia).
+  assert ((n0 * m j - 1) / (d0 * F j) < q ^ b)%Z as G by (apply Z.div_lt_upper_bound; nia).
+  apply root_lt in G; lia.
 Qed.
 
 Lemma with_floor_sound b R ss z j :
   (forall floor, (1 <= floor)%Z -> sound (set_floor j floor)) -> sound (with_floor b R ss z j).
 Proof.
   intro W. unfold with_floor.
-  set (fl := if (fst (start ss) =? 0)%Z then Z.max 1 R else Z.max (Z.max 1 R) (from_start (start ss) j)).
+  set (fl := if (fst (start ss) =? 0)%Z then Z.max 1 R else Z.max (Z.max 1 R) (from_start b (start ss) j)).
   apply (W (Z.max (above b (excluded ss) (set_floor j fl)) (above b z (set_floor j fl)))).
   pose proof (above_floor b (excluded ss) (set_floor j fl)) as A. cbn [set_floor r] in A.
   assert (1 <= fl)%Z by (unfold fl; destruct (fst (start ss) =? 0)%Z; lia). lia.
@@ -52,21 +54,19 @@ Qed.
 Lemma with_floor_holds b R ss z scale j q :
   (1 <= b)%Z -> (forall floor, (1 <= floor)%Z -> sound (set_floor j floor)) ->
   bound (start ss) -> bound (excluded ss) -> bound z -> (0 < snd scale)%Z ->
-  (fst (start ss) = 0%Z \/ b = 1%Z) ->
   (fst (start ss) * snd scale <= fst scale * snd (start ss))%Z -> under (excluded ss) scale -> under z scale ->
   holds b scale (set_floor j (Z.max 1 R)) q -> holds b scale (with_floor b R ss z j) q.
 Proof.
-  intros B W Bs Be Bz D B1 Us Ue Uz H. unfold with_floor.
-  set (fl := if (fst (start ss) =? 0)%Z then Z.max 1 R else Z.max (Z.max 1 R) (from_start (start ss) j)).
+  intros B W Bs Be Bz D Us Ue Uz H. unfold with_floor.
+  set (fl := if (fst (start ss) =? 0)%Z then Z.max 1 R else Z.max (Z.max 1 R) (from_start b (start ss) j)).
   assert (1 <= fl)%Z as Fl by (unfold fl; destruct (fst (start ss) =? 0)%Z; lia).
   assert ((0 < m j)%Z -> (Z.max 1 R <= q)%Z) as Q0.
   { intro M. destruct scale. destruct H as [(E & _)|(_ & Q & _)]; cbn [set_floor m r] in *; lia. }
   assert (holds b scale (set_floor j fl) q) as Hf.
   { apply (holds_floor b scale j (Z.max 1 R)); [exact H|]. intro M. unfold fl.
     destruct (Z.eqb_spec (fst (start ss)) 0) as [E|E]; [apply Q0, M|].
-    destruct B1 as [B1|B1]; [contradiction|]. rewrite B1 in *.
-    pose proof (from_start_least (start ss) scale (set_floor j (Z.max 1 R)) q Bs D Us (W (Z.max 1 R) ltac:(lia)) M H) as K.
-    destruct Bs as (N & _). change (from_start (start ss) (set_floor j (Z.max 1 R))) with (from_start (start ss) j) in K.
+    pose proof (from_start_least b (start ss) scale (set_floor j (Z.max 1 R)) q B Bs D Us (W (Z.max 1 R) ltac:(lia)) M H) as K.
+    destruct Bs as (N & _). change (from_start b (start ss) (set_floor j (Z.max 1 R))) with (from_start b (start ss) j) in K.
     specialize (Q0 M). lia. }
   apply (holds_floor b scale j fl); [exact Hf|]. intro M. apply Z.max_lub.
   - exact (raise b (excluded ss) scale j fl q B Fl (W fl Fl) Be D Ue Hf M).
@@ -105,13 +105,17 @@ Definition proper_question (q : question) : Prop :=
   (solids_of q = Anything \/ a q = 3%Z /\ b q = 1%Z).
 
 Section Claim.
-Variables (cert : certificate) (G : gradation) (scale : Q) (z : option Q) (chain : option (list Z)).
+Variables (cert : certificate) (G : gradation) (d : positive) (scale : Q) (z : option Q) (chain : option (list Z)).
 Notation q := (asked cert).
 Notation rs := (rows G).
 Notation js := (classes rs).
 Notation u := (units_of rs).
 Notation na := (Z.to_nat (a q)).
-Notation nb := (Z.to_nat (b q)).
+(* The degree of masses: that of the law times the root. *)
+Notation bd := (b q * root G)%Z.
+Notation nb := (Z.to_nat (b q) * Pos.to_nat d)%nat.
+
+Hypothesis root_proper : root G = Zpos d.
 
 Hypothesis exact : tolerances_of q = None.
 Hypothesis rows_proper : proper_rows rs.
@@ -122,16 +126,21 @@ Hypothesis z_positive : forall y, z = Some y -> 0 < Q2R y.
 Hypothesis checked : check_exact cert G scale z chain = Ok tt.
 
 Variable law : R -> R.
-Hypothesis power : power_law na nb law.
+Hypothesis power : power_law na (Z.to_nat (b q)) law.
+
+Lemma openings_law : opening_law d na nb law.
+Proof. apply law_at_openings, power. Qed.
 
 Lemma na_positive : (1 <= na)%nat.
 Proof. destruct question_proper as (A & _). lia. Qed.
 Lemma nb_positive : (1 <= nb)%nat.
-Proof. destruct question_proper as (_ & B & _). lia. Qed.
+Proof. destruct question_proper as (_ & B & _). pose proof (Pos2Nat.is_pos d). nia. Qed.
 Lemma na_z : Z.of_nat na = a q.
 Proof. destruct question_proper as (A & _). lia. Qed.
-Lemma nb_z : Z.of_nat nb = b q.
-Proof. destruct question_proper as (_ & B & _). lia. Qed.
+Lemma nb_z : Z.of_nat nb = bd.
+Proof. destruct question_proper as (_ & B & _). rewrite root_proper. lia. Qed.
+Lemma bd_positive : (1 <= bd)%Z.
+Proof. rewrite <- nb_z. pose proof nb_positive. lia. Qed.
 Lemma units_positive : (0 < of_openings u)%Z /\ (0 < of_masses u)%Z /\ (0 < of_factors u)%Z.
 Proof. repeat split; apply common_denominator_spec. Qed.
 Lemma classes_integral : Forall (integral u) js.
@@ -142,22 +151,22 @@ Qed.
 Lemma classes_proper : Forall proper js.
 Proof. apply proper_classes, rows_proper. Qed.
 
-Lemma in_integers_z j : in_integers u (a q) (b q) j = in_integers u (Z.of_nat na) (Z.of_nat nb) j.
+Lemma in_integers_z j : in_integers u (a q) bd j = in_integers u (Z.of_nat na) (Z.of_nat nb) j.
 Proof. rewrite na_z, nb_z. reflexivity. Qed.
 
-Lemma base_sound j : In j js -> forall floor, (1 <= floor)%Z -> sound (set_floor (in_integers u (a q) (b q) j) floor).
+Lemma base_sound j : In j js -> forall floor, (1 <= floor)%Z -> sound (set_floor (in_integers u (a q) bd j) floor).
 Proof.
   intros J floor Fl. destruct units_positive as (Ux & Um & Uc).
   pose proof classes_integral as I. pose proof classes_proper as P. rewrite Forall_forall in I, P. rewrite in_integers_z.
-  apply (in_integers_sound na nb nb_positive law power); auto.
+  apply (in_integers_sound na nb nb_positive law openings_law); auto.
 Qed.
 
 (* What the check was about, by names. *)
-Definition z_scale : ratio := match z with Some y => in_scale_units u (a q) (b q) y | None => (0, 1)%Z end.
+Definition z_scale : ratio := match z with Some y => in_scale_units u (a q) bd y | None => (0, 1)%Z end.
 
 Lemma scale_units_real y :
-  IZR (fst (in_scale_units u (a q) (b q) y)) / IZR (snd (in_scale_units u (a q) (b q) y)) = Q2R y * per_scale na nb u /\
-  (0 < snd (in_scale_units u (a q) (b q) y))%Z.
+  IZR (fst (in_scale_units u (a q) bd y)) / IZR (snd (in_scale_units u (a q) bd y)) = Q2R y * per_scale na nb u /\
+  (0 < snd (in_scale_units u (a q) bd y))%Z.
 Proof.
   destruct units_positive as (Ux & Um & Uc). unfold in_scale_units. cbn [fst snd]. rewrite <- na_z, <- nb_z.
   pose proof (IZR_lt _ _ Ux) as Rx. pose proof (IZR_lt _ _ Um) as Rm. pose proof (den_positive y) as D. split.
@@ -169,7 +178,7 @@ Lemma z_bound : bound z_scale /\ (z <> None -> 0 < fst z_scale)%Z.
 Proof.
   unfold z_scale. destruct z as [y|] eqn:E; [|split; [split; simpl; lia | congruence]].
   destruct (scale_units_real y) as (R & D). destruct units_positive as (Ux & Um & Uc).
-  assert (0 < fst (in_scale_units u (a q) (b q) y))%Z as P.
+  assert (0 < fst (in_scale_units u (a q) bd y))%Z as P.
   { apply lt_IZR. apply IZR_lt in D. pose proof (z_positive y eq_refl) as Y.
     pose proof (Rmult_lt_0_compat _ _ Y (per_scale_positive na nb u Ux Um Uc)) as K. rewrite <- R in K.
     apply (Rmult_lt_compat_r _ _ _ D) in K. unfold Rdiv in K. rewrite Rmult_assoc, Rinv_l in K by lra. lra. }
@@ -177,25 +186,25 @@ Proof.
 Qed.
 
 Record accepted (N : Z) (qs : list Z) (ss : scales) : Prop := {
-  acc_scales : scales_of u js (solids_of q) = Ok ss;
-  acc_volume : (fst (enough ss) * snd (in_scale_units u (a q) (b q) scale) <=
-                fst (in_scale_units u (a q) (b q) scale) * snd (enough ss))%Z;
-  acc_fit : all_fit (b q) (min_per_class q) (in_scale_units u (a q) (b q) scale)
-              (map (fun j => with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)) js) qs = true;
-  acc_counts : counts 1 (map (fun j => with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)) js)
+  acc_scales : scales_of u bd js (solids_of q) = Ok ss;
+  acc_volume : (fst (enough ss) * snd (in_scale_units u (a q) bd scale) <=
+                fst (in_scale_units u (a q) bd scale) * snd (enough ss))%Z;
+  acc_fit : all_fit bd (min_per_class q) (in_scale_units u (a q) bd scale)
+              (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js) qs = true;
+  acc_counts : counts 1 (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js)
                  (witness cert) = Some qs;
-  acc_sizes : check_sizes u (a q) (b q) (in_scale_units u (a q) (b q) scale) (with_mass js) (witness cert) = Ok tt;
+  acc_sizes : check_sizes u (a q) bd (root G) (in_scale_units u (a q) bd scale) (with_mass js) (witness cert) = Ok tt;
   acc_sum : sum qs = N;
   acc_at_least : (at_least q <= N)%Z;
   acc_chain : match chain with
               | Some chain =>
-                check_chain (b q) N (map (fun j => with_floor (b q) (min_per_class q) ss z_scale
-                                                     (in_integers u (a q) (b q) j)) js) chain = Ok tt
+                check_chain bd N (map (fun j => with_floor bd (min_per_class q) ss z_scale
+                                                     (in_integers u (a q) bd j)) js) chain = Ok tt
               | None => N = at_least q
               end;
   acc_above : z <> None ->
-              check_above (b q) (at_least q) z_scale
-                (map (fun j => with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)) js) = Ok tt }.
+              check_above bd (at_least q) z_scale
+                (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js) = Ok tt }.
 
 Lemma check_accepted : exists N qs ss, particles cert = Some N /\ accepted N qs ss.
 Proof.
@@ -213,36 +222,44 @@ Proof.
   - intro Nz. destruct z; [exact H | congruence].
 Qed.
 
+Lemma scales_at_nb N qs ss : accepted N qs ss -> scales_of u (Z.of_nat nb) js (solids_of q) = Ok ss.
+Proof. intro Acc. rewrite nb_z. apply Acc. Qed.
+
+(* What the question allows, with the root by its name. *)
+Lemma allowed_exactly S :
+  allowed law q G S <-> describes_accurately d law rs S /\ has_enough d q rs S.
+Proof. unfold allowed, root_of. rewrite exact, root_proper. tauto. Qed.
+
 (* A match in the paper's words gives a solution in integers with the floors. *)
 Lemma sample_solution N qs ss S :
-  accepted N qs ss -> allowed law q rs S ->
+  accepted N qs ss -> allowed law q G S ->
   (at_least q <= Z.of_nat (length S))%Z /\
-  exists sc, solution (b q) (map (fun j => with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)) js)
-               (map (fun j => number j S) js) sc.
+  exists sc, solution bd (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js)
+               (map (fun j => number d j S) js) sc.
 Proof.
-  intros Acc (Acc' & R & V & M). rewrite exact in Acc'. destruct Acc' as (s & Sp & D & H).
+  intros Acc Al. apply allowed_exactly in Al as ((s & Sp & D & H) & R & V & M).
   split; [exact M|].
   destruct units_positive as (Ux & Um & Uc). pose proof classes_integral as I. pose proof classes_proper as P.
-  destruct question_proper as (Qa & Qb & QR & Qs & Ql).
-  assert (Forall2 (holds_real (b q) (s ^ nb * per_scale na nb u))
-            (map (fun j => set_floor (in_integers u (a q) (b q) j) (Z.max 1 (min_per_class q))) js)
-            (map (fun j => number j S) js)) as HR.
+  destruct question_proper as (Qa & _ & QR & Qs & Ql). pose proof bd_positive as Qb.
+  assert (Forall2 (holds_real bd (s ^ nb * per_scale na nb u))
+            (map (fun j => set_floor (in_integers u (a q) bd j) (Z.max 1 (min_per_class q))) js)
+            (map (fun j => number d j S) js)) as HR.
   { apply Forall2_map_left. rewrite Forall_forall in I, P.
-    assert (forall j, In j js -> holds_real (b q) (s ^ nb * per_scale na nb u)
-              (set_floor (in_integers u (a q) (b q) j) (Z.max 1 (min_per_class q))) (number j S)) as K.
+    assert (forall j, In j js -> holds_real bd (s ^ nb * per_scale na nb u)
+              (set_floor (in_integers u (a q) bd j) (Z.max 1 (min_per_class q))) (number d j S)) as K.
     { intros j J. rewrite in_integers_z. rewrite <- nb_z at 1.
-      apply (realizes_holds na nb nb_positive law power u Ux Um Uc j s); auto.
+      apply (realizes_holds na nb nb_positive law openings_law u Ux Um Uc j s); auto.
       - rewrite <- (H j J). apply sample_realizes; [apply power | auto].
-      - intro Mp. pose proof (sample_realizes law (proj1 power) j S (P j J)) as Rz. rewrite (H j J) in Rz.
+      - intro Mp. pose proof (sample_realizes (d := d) law (proj1 power) j S (P j J)) as Rz. rewrite (H j J) in Rz.
         pose proof (Rmult_lt_0_compat _ _ Sp Mp) as K. destruct Rz as [(_ & E)|(Q1 & _)]; [lra|].
-        assert (min_per_class q <= number j S)%Z by (apply R; [exact J|]; apply Rlt_Qlt; rewrite Q2R_0; exact Mp). lia. }
+        assert (min_per_class q <= number d j S)%Z by (apply R; [exact J|]; apply Rlt_Qlt; rewrite Q2R_0; exact Mp). lia. }
     clear -K. induction js as [|j l IH]; simpl; constructor; [apply K; left; reflexivity|].
     apply IH. intros; apply K; right; assumption. }
   assert (0 < s ^ nb * per_scale na nb u) as Sc.
   { apply Rmult_lt_0_compat; [apply pow_lt, Sp | apply per_scale_positive; assumption]. }
   destruct (rational_scale _ _ _ _ Sc HR) as (sc & (N1 & D1 & Hq) & U).
-  destruct (scales_ok u Ux Um Uc na nb js (solids_of q) ss I P some_mass Qs ltac:(destruct Ql as [|(A3 & B1)]; [tauto | right; split; lia])
-              (acc_scales _ _ _ Acc)) as (Bs & Be & _ & B1 & S0 & Sol).
+  destruct (scales_ok u Ux Um Uc na nb js (solids_of q) ss nb_positive I P some_mass Qs ltac:(destruct Ql as [|(A3 & _)]; [tauto | right; lia])
+              (scales_at_nb _ _ _ Acc)) as (Bs & Be & _ & Sol).
   assert (has_cubes (solids_of q) (s * unit_cubes js)) as HC.
   { destruct (solids_of q) eqn:Es; [exact Logic.I|..].
     all: destruct Ql as [Ql|(A3 & B3)]; [discriminate|].
@@ -268,7 +285,7 @@ Proof.
     2: { unfold z_scale. rewrite Ez. apply under_zero, N1. }
     rewrite <- Ez in *. assert (z <> None) as Nz by congruence.
     pose proof (acc_above _ _ _ Acc Nz) as Ab. rewrite <- map_map, check_above_floor in Ab.
-    refine (above_sound (b q) Qb (at_least q) z_scale _ (map (fun j => number j S) js) sc _ (Zp Nz) (proj2 Bz) Ab _ _).
+    refine (above_sound bd Qb (at_least q) z_scale _ (map (fun j => number d j S) js) sc _ (Zp Nz) (proj2 Bz) Ab _ _).
     - apply Forall_forall. intros j J. rewrite map_map in J. apply in_map_iff in J as (i & <- & J). apply base_sound; [exact J | lia].
     - split; [exact N1|]. split; [exact D1|]. rewrite map_map. apply Forall2_unmap_left in Hq. apply Forall2_map_left.
       eapply Forall2_impl_in; [|exact Hq]. intros j n J Hj. apply (holds_floor _ _ _ _ _ _ Hj).
@@ -277,21 +294,41 @@ Proof.
   exists sc. split; [exact N1|]. split; [exact D1|]. apply Forall2_map_left. apply Forall2_unmap_left in Hq.
   eapply Forall2_impl_in; [|exact Hq]. intros j n J Hj. apply with_floor_holds; trivial.
   - apply base_sound, J.
-  - destruct B1 as [Any|B1]; [left; apply S0, Any | right; lia].
   - apply Under; assumption.
 Qed.
 
 (* None with fewer. *)
-Theorem exact_lower_bound N S : particles cert = Some N -> allowed law q rs S -> (N <= Z.of_nat (length S))%Z.
+Theorem exact_lower_bound N S : particles cert = Some N -> allowed law q G S -> (N <= Z.of_nat (length S))%Z.
 Proof.
   intros E A. destruct check_accepted as (N' & qs & ss & E' & Acc). rewrite E in E'. injection E' as <-.
   destruct (sample_solution N qs ss S Acc A) as (M & sc & Sol).
   pose proof (acc_chain _ _ _ Acc) as C. destruct chain as [js'|]; [|lia].
-  assert (Z.of_nat (length S) = sum (map (fun j => number j S) js)) as ->.
-  { destruct A as (A & _). rewrite exact in A. destruct A as (s & _ & D & _). apply describes_number; assumption. }
-  refine (proj2 (chain_sound (b q) _ N _ js' _ C) _ (ex_intro _ sc Sol)).
-  - destruct question_proper as (_ & B & _). exact B.
+  assert (Z.of_nat (length S) = sum (map (fun j => number d j S) js)) as ->.
+  { apply allowed_exactly in A as ((s & _ & D & _) & _). apply describes_number; assumption. }
+  refine (proj2 (chain_sound bd _ N _ js' _ C) _ (ex_intro _ sc Sol)).
+  - exact bd_positive.
   - apply Forall_forall. intros j J. apply in_map_iff in J as (i & <- & J). apply with_floor_sound, base_sound, J.
+Qed.
+
+Lemma number_of_allowed S : allowed law q G S -> Z.of_nat (length S) = sum (map (fun j => number d j S) js).
+Proof. intro A. apply allowed_exactly in A as ((s & _ & D & _) & _). apply describes_number; assumption. Qed.
+
+(* One with N has the least count in every class (Theorem 5 (b)), unless N is no more than what was asked for. *)
+Theorem exact_least_counts N S T :
+  particles cert = Some N -> (at_least q < N)%Z -> allowed law q G S -> Z.of_nat (length S) = N -> allowed law q G T ->
+  Forall2 Z.le (map (fun j => number d j S) js) (map (fun j => number d j T) js).
+Proof.
+  intros E L A LS B. destruct check_accepted as (N' & qs & ss & E' & Acc). rewrite E in E'. injection E' as <-.
+  destruct (sample_solution N qs ss S Acc A) as (_ & scS & SolS). destruct (sample_solution N qs ss T Acc B) as (_ & scT & SolT).
+  pose proof (acc_chain _ _ _ Acc) as C. rewrite (number_of_allowed S A) in LS. destruct chain as [js'|]; [|lia].
+  destruct (chain_least bd bd_positive N
+    (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js) js') as (ms & Sum & _ & Least);
+    [|exact C|].
+  { apply Forall_forall. intros j J. apply in_map_iff in J as (i & <- & J). apply with_floor_sound, base_sound, J. }
+  rewrite (sum_eq ms (map (fun j => number d j S) js)).
+  - apply Least. exists scT. exact SolT.
+  - apply Least. exists scS. exact SolS.
+  - congruence.
 Qed.
 
 Lemma all_fit_spec bb RR sc bs : forall qs, all_fit bb RR sc bs qs = true -> Forall2 (fun j n => fits bb RR sc j n = true) bs qs.
@@ -311,21 +348,21 @@ Qed.
 Lemma quotient_power x y n : (x / y) ^ n = x ^ n / y ^ n.
 Proof. unfold Rdiv. rewrite Rpow_mult_distr, pow_inv. reflexivity. Qed.
 
-Lemma size_fraction s m n c mu cu xu d :
-  n <> 0 -> c <> 0 -> mu <> 0 -> cu <> 0 -> xu <> 0 -> d <> 0 ->
-  s * m / (n * c) = s * (cu * xu / mu) * d * (m * mu) / (n * d * (c * cu * xu)).
+Lemma size_fraction s m n c mu cu xu e :
+  n <> 0 -> c <> 0 -> mu <> 0 -> cu <> 0 -> xu <> 0 -> e <> 0 ->
+  s * m / (n * c) = s * (cu * xu / mu) * e * (m * mu) / (n * e * (c * cu * xu)).
 Proof. intros. field. repeat split; assumption. Qed.
 
 (* The witness's sizes are those of a match at the witness's scale with the witness's counts. *)
-Lemma sizes_true S s : 0 < s -> s ^ nb = Q2R scale -> describes rs S -> one_size_a_class js S ->
-  (forall j, In j js -> held law j S = s * Q2R (mass j)) ->
+Lemma sizes_true S s : 0 < s -> s ^ nb = Q2R scale -> describes d rs S -> one_size_a_class d js S ->
+  (forall j, In j js -> held d law j S = s * Q2R (mass j)) ->
   forall post pre ws qs (ss : scales),
   js = pre ++ post ->
   counts (Z.of_nat (length pre) + 1)
-    (map (fun j => with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)) post) ws = Some qs ->
-  Forall2 (fun j n => number j S = n) post qs ->
-  check_sizes u (a q) (b q) (in_scale_units u (a q) (b q) scale) (with_mass post) ws = Ok tt ->
-  Forall (line_true js S) ws.
+    (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) post) ws = Some qs ->
+  Forall2 (fun j n => number d j S = n) post qs ->
+  check_sizes u (a q) bd (root G) (in_scale_units u (a q) bd scale) (with_mass post) ws = Ok tt ->
+  Forall (line_true d js S) ws.
 Proof.
   intros Sp Es D O H. destruct units_positive as (Ux & Um & Uc).
   pose proof classes_integral as I. pose proof classes_proper as P. rewrite Forall_forall in I, P.
@@ -333,53 +370,53 @@ Proof.
   { destruct ws; [constructor | discriminate]. }
   assert (In j js) as J by (rewrite E; apply in_or_app; right; left; reflexivity).
   assert (forall ws' qs', counts (Z.of_nat (length pre) + 1 + 1)
-    (map (fun j => with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)) post) ws' = Some qs' ->
-    Forall2 (fun j n => number j S = n) post qs' ->
-    check_sizes u (a q) (b q) (in_scale_units u (a q) (b q) scale) (with_mass post) ws' = Ok tt ->
-    Forall (line_true js S) ws') as Rest.
+    (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) post) ws' = Some qs' ->
+    Forall2 (fun j n => number d j S = n) post qs' ->
+    check_sizes u (a q) bd (root G) (in_scale_units u (a q) bd scale) (with_mass post) ws' = Ok tt ->
+    Forall (line_true d js S) ws') as Rest.
   { intros ws' qs' C' Q' Z'. apply (IH (pre ++ [j]) ws' qs' ss); trivial.
     - rewrite <- app_assoc. exact E.
     - rewrite app_length. simpl length. replace (Z.of_nat (length pre + 1) + 1)%Z with (Z.of_nat (length pre) + 1 + 1)%Z by lia.
       exact C'. }
-  pose proof (mass_zero na nb nb_positive law power u Ux Um Uc j (I j J) (P j J)) as Mz.
+  pose proof (mass_zero na nb nb_positive law openings_law u Ux Um Uc j (I j J) (P j J)) as Mz.
   rewrite <- in_integers_z in Mz.
   cbn [map counts] in C.
-  change (m (with_floor (b q) (min_per_class q) ss z_scale (in_integers u (a q) (b q) j)))
-    with (m (in_integers u (a q) (b q) j)) in C.
+  change (m (with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)))
+    with (m (in_integers u (a q) bd j)) in C.
   cbn [with_mass filter] in Z. fold (with_mass post) in Z.
-  destruct (Z.eqb_spec (m (in_integers u (a q) (b q) j)) 0) as [M0|M0].
+  destruct (Z.eqb_spec (m (in_integers u (a q) bd j)) 0) as [M0|M0].
   - assert (equal (mass j) 0 = true) as E0 by (apply equal_real; rewrite Q2R_0; apply Mz, M0).
     rewrite E0 in Z. cbn [negb] in Z.
-    assert (option_map (cons 0%Z) (counts (Z.of_nat (length pre) + 1 + 1) (map (fun j => with_floor (b q) (min_per_class q)
-              ss z_scale (in_integers u (a q) (b q) j)) post) ws) = Some qs) as C0 by (destruct ws; exact C).
-    destruct (counts (Z.of_nat (length pre) + 1 + 1) (map (fun j => with_floor (b q) (min_per_class q) ss z_scale
-                (in_integers u (a q) (b q) j)) post) ws) as [qs'|] eqn:C'; [|discriminate]. injection C0 as <-.
+    assert (option_map (cons 0%Z) (counts (Z.of_nat (length pre) + 1 + 1) (map (fun j => with_floor bd (min_per_class q)
+              ss z_scale (in_integers u (a q) bd j)) post) ws) = Some qs) as C0 by (destruct ws; exact C).
+    destruct (counts (Z.of_nat (length pre) + 1 + 1) (map (fun j => with_floor bd (min_per_class q) ss z_scale
+                (in_integers u (a q) bd j)) post) ws) as [qs'|] eqn:C'; [|discriminate]. injection C0 as <-.
     inversion Q; subst. exact (Rest ws qs' C' ltac:(assumption) Z).
   - destruct (equal (mass j) 0) eqn:E0; [exfalso; apply M0, Mz; apply equal_real in E0; rewrite E0; apply Q2R_0|].
     destruct ws as [|w ws]; [discriminate|]. destruct (Z.eqb_spec (index w) (Z.of_nat (length pre) + 1)) as [Iw|]; [|discriminate].
-    destruct (counts (Z.of_nat (length pre) + 1 + 1) (map (fun j => with_floor (b q) (min_per_class q) ss z_scale
-                (in_integers u (a q) (b q) j)) post) ws) as [qs'|] eqn:C'; [|discriminate].
+    destruct (counts (Z.of_nat (length pre) + 1 + 1) (map (fun j => with_floor bd (min_per_class q) ss z_scale
+                (in_integers u (a q) bd j)) post) ws) as [qs'|] eqn:C'; [|discriminate].
     injection C as <-. inversion Q as [|? ? ? ? Qj Q']; subst. cbn [negb] in Z. cbn [check_sizes] in Z.
-    destruct (in_scale_units u (a q) (b q) scale) as (n, d) eqn:Esc. passed Z. destruct x.
+    destruct (in_scale_units u (a q) bd scale) as (n, e) eqn:Esc. passed Z. destruct x.
     constructor; [|exact (Rest ws qs' C' Q' Z)].
     exists j. split; [|split; [exact Qj|]].
     + rewrite Iw, E. replace (Z.to_nat (Z.of_nat (length pre) + 1 - 1)) with (length pre) by lia.
       rewrite nth_error_app2, Nat.sub_diag by lia. reflexivity.
-    + intros x X Jx. destruct (size_of_class na nb law rs S j x power rows_proper D O J X Jx) as (Sz & N1).
+    + intros x X Jx. destruct (size_of_class na (Z.to_nat (b q)) law rs S j x power rows_proper D O J X Jx) as (Sz & N1).
       pose proof (scale_units_real scale) as (Rs & Ds). rewrite Esc in Rs, Ds. cbn [fst snd] in Rs, Ds.
       destruct (P j J) as ((L & U) & Cj & Mj). destruct (I j J) as (_ & _ & Dm & Dc).
       rewrite <- na_z in Z0. rewrite Qj in Sz, N1. apply (IZR_le 1) in N1 as N1r.
       pose proof (IZR_lt _ _ Ux) as Rx. pose proof (IZR_lt _ _ Um) as Rm. pose proof (IZR_lt _ _ Uc) as Rc. pose proof (IZR_lt _ _ Ds) as Rd.
       assert (0 < integer_factor u j)%Z as Fp.
       { apply lt_IZR. unfold integer_factor. rewrite in_units_real by exact Dc. apply Rmult_lt_0_compat; assumption. }
-      destruct question_proper as (Qa & Qb & _).
-      refine (check_size_sound na j w _ _ x na_positive L _ _ _ Z0).
+      destruct question_proper as (Qa & _). pose proof bd_positive as Qb.
+      refine (check_size_sound na (root G) j w _ _ x na_positive root_proper _ _ _ Z0).
       * apply Z.mul_pos_pos; [apply Z.mul_pos_pos; [apply Z.pow_pos_nonneg; lia | exact Ds]|].
         apply Z.mul_pos_pos; apply Z.pow_pos_nonneg; lia.
-      * unfold in_class in Jx. lra.
-      * rewrite Sz, (H j J), !mult_IZR. rewrite <- nb_z, <- na_z, <- !pow_IZR, !Nat2Z.id.
+      * pose proof (proper_sizes (d := d) j (P j J)). unfold in_class in Jx. lra.
+      * rewrite pow_mult, Sz, <- pow_mult, (H j J), !mult_IZR. rewrite <- nb_z, <- na_z, <- !pow_IZR, !Nat2Z.id.
         unfold integer_factor. rewrite !in_units_real by assumption. rewrite !Rpow_mult_distr.
-        replace (IZR n) with (Q2R scale * per_scale na nb u * IZR d) by (rewrite <- Rs; field; lra).
+        replace (IZR n) with (Q2R scale * per_scale na nb u * IZR e) by (rewrite <- Rs; field; lra).
         rewrite <- Es. unfold per_scale. rewrite quotient_power, !Rpow_mult_distr.
         apply size_fraction; try apply Rgt_not_eq; try apply pow_lt; lra.
 Qed.
@@ -387,52 +424,53 @@ Qed.
 (* One with N, with one size a class, in the witness's bounds. *)
 Theorem exact_attained N :
   particles cert = Some N ->
-  exists S, allowed law q rs S /\ Z.of_nat (length S) = N /\ one_size_a_class js S /\
-    Forall (line_true js S) (witness cert).
+  exists S, allowed law q G S /\ Z.of_nat (length S) = N /\ one_size_a_class d js S /\
+    Forall (line_true d js S) (witness cert).
 Proof.
   intro E. destruct check_accepted as (N' & qs & ss & E' & Acc). rewrite E in E'. injection E' as <-.
   destruct units_positive as (Ux & Um & Uc). pose proof classes_integral as I. pose proof classes_proper as P.
-  destruct question_proper as (Qa & Qb & QR & Qs & Ql).
-  set (sc := in_scale_units u (a q) (b q) scale).
+  destruct question_proper as (Qa & _ & QR & Qs & Ql). pose proof bd_positive as Qb.
+  set (sc := in_scale_units u (a q) bd scale).
   destruct (scale_units_real scale) as (Rs & Ds). fold sc in Rs, Ds.
   pose proof (per_scale_positive na nb u Ux Um Uc) as K.
   destruct (real_root (Q2R scale) nb scale_positive nb_positive) as (s & Sp & Es).
   pose proof (all_fit_spec _ _ _ _ _ (acc_fit _ _ _ Acc)) as Ft. apply Forall2_unmap_left in Ft. fold sc in Ft.
-  assert (Forall2 (fun j n => realizes law j n (s * Q2R (mass j)) /\ (0 < Q2R (mass j) -> (min_per_class q <= n)%Z)) js qs) as Rz.
+  assert (Forall2 (fun j n => realizes d law j n (s * Q2R (mass j)) /\ (0 < Q2R (mass j) -> (min_per_class q <= n)%Z)) js qs) as Rz.
   { eapply Forall2_impl_in; [|exact Ft]. intros j n J Hj. cbv beta in Hj.
     rewrite Forall_forall in I, P.
-    assert (0 <= m (in_integers u (a q) (b q) j))%Z as Mn by (destruct (base_sound j J 1) as (Mn & _); [lia | exact Mn]).
+    assert (0 <= m (in_integers u (a q) bd j))%Z as Mn by (destruct (base_sound j J 1) as (Mn & _); [lia | exact Mn]).
     apply fits_holds in Hj; [|exact Mn].
-    change (holds (b q) sc (set_floor (in_integers u (a q) (b q) j) (Z.max 1 (min_per_class q))) n) in Hj.
+    change (holds bd sc (set_floor (in_integers u (a q) bd j) (Z.max 1 (min_per_class q))) n) in Hj.
     split.
     - destruct sc as (sn, sd). apply real_scale in Hj; [|exact Ds]. cbn [fst snd] in Rs. rewrite Rs, <- Es in Hj.
       rewrite in_integers_z in Hj. rewrite <- nb_z in Hj at 1.
-      apply (holds_realizes na nb nb_positive law power u Ux Um Uc j s n (Z.max 1 (min_per_class q))); auto. lia.
+      apply (holds_realizes na nb nb_positive law openings_law u Ux Um Uc j s n (Z.max 1 (min_per_class q))); auto. lia.
     - intro Mp. destruct sc as (sn, sd). destruct Hj as [(E0 & _)|(_ & Qj & _)]; [|simpl in Qj; lia].
-      change (m (in_integers u (a q) (b q) j) = 0%Z) in E0. rewrite in_integers_z in E0.
-      apply (mass_zero na nb nb_positive law power u Ux Um Uc j (I j J) (P j J)) in E0. lra. }
-  destruct (classes_ascend rs (proj1 rows_proper)) as (As & T).
-  destruct (counts_sample law (proj1 power) js _ (map (fun '(j, n) => (n, s * Q2R (mass j))) (combine js qs)) As P) as (S & B & O & C).
+      change (m (in_integers u (a q) bd j) = 0%Z) in E0. rewrite in_integers_z in E0.
+      apply (mass_zero na nb nb_positive law openings_law u Ux Um Uc j (I j J) (P j J)) in E0. lra. }
+  destruct (classes_ascend (d := d) rs rows_proper) as (As & T).
+  destruct (counts_sample (d := d) law (proj1 power) js _ (map (fun '(j, n) => (n, s * Q2R (mass j))) (combine js qs)) As P) as (S & B & O & C).
   { clear -Rz. induction Rz as [|j n l qs (H & _) _ IH]; constructor; [exact H | exact IH]. }
-  assert (Forall2 (fun j n => number j S = n /\ held law j S = s * Q2R (mass j)) js qs) as C'.
+  assert (Forall2 (fun j n => number d j S = n /\ held d law j S = s * Q2R (mass j)) js qs) as C'.
   { clear -C Rz. induction Rz as [|j n l qs _ _ IH]; [constructor|]. simpl in C. inversion C; subst. constructor; auto. }
-  clear C. assert (describes rs S) as D.
+  clear C. assert (describes d rs S) as D.
   { split; [apply rows_proper|]. intros x X. rewrite <- T. apply B, X. }
-  assert (forall j, In j js -> held law j S = s * Q2R (mass j)) as H.
+  assert (forall j, In j js -> held d law j S = s * Q2R (mass j)) as H.
   { intros j J. clear -C' J. induction C' as [|i n l qs (_ & E) _ IH]; [destruct J|]; destruct J as [->|J]; auto. }
   assert (Z.of_nat (length S) = N) as L.
   { rewrite (describes_number rs S rows_proper D), <- (acc_sum _ _ _ Acc). f_equal.
     clear -C'. induction C' as [|j n l qs (E & _) _ IH]; simpl; [reflexivity | rewrite E, IH; reflexivity]. }
-  assert (Forall (line_true js S) (witness cert)) as Lines.
+  assert (Forall (line_true d js S) (witness cert)) as Lines.
   { refine (sizes_true S s Sp Es D O H js [] (witness cert) qs ss eq_refl (acc_counts _ _ _ Acc) _ (acc_sizes _ _ _ Acc)).
     clear -C'. induction C' as [|j n l qs (E & _) _ IH]; constructor; assumption. }
-  exists S. split; [|split; [exact L | split; [exact O | exact Lines]]]. split; [rewrite exact; exists s; split; [exact Sp | split; assumption]|].
+  exists S. split; [|split; [exact L | split; [exact O | exact Lines]]]. apply allowed_exactly.
+  split; [exists s; split; [exact Sp | split; assumption]|].
   split; [|split].
   - intros j J Mp. apply Qlt_Rlt in Mp. rewrite Q2R_0 in Mp.
     clear -C' Rz J Mp. induction C' as [|i n l qs (E & _) _ IH]; [destruct J|]. inversion Rz as [|? ? ? ? (_ & Rn) Rz']; subst.
     destruct J as [<-|J]; [apply Rn, Mp | apply IH; assumption].
-  - destruct (scales_ok u Ux Um Uc na nb js (solids_of q) ss I P some_mass Qs ltac:(destruct Ql as [|(A3 & B1)]; [tauto | right; split; lia])
-                (acc_scales _ _ _ Acc)) as (_ & _ & Be & _ & _ & Sol).
+  - destruct (scales_ok u Ux Um Uc na nb js (solids_of q) ss nb_positive I P some_mass Qs ltac:(destruct Ql as [|(A3 & _)]; [tauto | right; lia])
+                (scales_at_nb _ _ _ Acc)) as (_ & _ & Be & Sol).
     assert (has_cubes (solids_of q) (s * unit_cubes js)) as HC.
     { apply (proj2 (Sol s Sp)). rewrite Es, <- Rs. pose proof (acc_volume _ _ _ Acc) as V. fold sc in V.
       apply IZR_le in V. rewrite !mult_IZR in V. destruct Be as (_ & Ed). apply IZR_lt in Ed, Ds.

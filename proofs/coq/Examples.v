@@ -1,6 +1,6 @@
 (* The definitions at work, evaluated by Coq's kernel: what is accepted, what is not, and what it means. *)
 
-From Coq Require Import ZArith QArith Reals List String Ascii.
+From Coq Require Import ZArith QArith Reals Qreals Rpower List String Ascii.
 From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Checker Spec RealFacts Laws Theorems.
 Import ListNotations.
 Open Scope string_scope.
@@ -27,11 +27,11 @@ Definition four : lines := text_of
 Definition three : lines := text_of
   ["mdm-certificate 1"; "law 3"; "particles 3"; "scale 8"; "class 1 2 2 2"; "class 2 1 2 2"; "chain 2"; "end"].
 
-Example four_is_accepted : match check (Gradation sand false) four with Ok _ => True | _ => False end.
+Example four_is_accepted : match check (Gradation sand 1 false) four with Ok _ => True | _ => False end.
 Proof. vm_compute. exact I. Qed.
 
 Example three_is_refused :
-  match check (Gradation sand false) three with Refused what => what = "q >= R, q^b A < S <= q^b B" | _ => False end.
+  match check (Gradation sand 1 false) three with Refused what => what = "q >= R, q^b A < S <= q^b B" | _ => False end.
 Proof. vm_compute. reflexivity. Qed.
 
 (* At the scale 8 the first class holds two particles, and the second one, but for the strict bound. *)
@@ -41,20 +41,72 @@ Proof. cbv zeta. repeat split; vm_compute; congruence. Qed.
 
 (* What the acceptance means: no sample with fewer than four spheres is described accurately, and one with four is. *)
 Theorem four_is_least :
-  (exists S, describes_accurately sphere sand S /\ List.length S = 4%nat) /\
-  forall S, describes_accurately sphere sand S -> (4 <= List.length S)%nat.
+  (exists S, describes_accurately 1 sphere sand S /\ List.length S = 4%nat) /\
+  forall S, describes_accurately 1 sphere sand S -> (4 <= List.length S)%nat.
 Proof.
   destruct (read_certificate four) as [cert| |] eqn:R; [|vm_compute in R; discriminate..].
   vm_compute in R. injection R as R.
-  assert (check_certificate (Gradation sand false) cert = Ok tt) as C by (rewrite <- R; vm_compute; reflexivity).
-  destruct (exact_match _ cert sphere C) as (G' & N & E & EN & ((S & A & L) & Least) & _);
-    [rewrite <- R; reflexivity | rewrite <- R; exact sphere_law|].
-  rewrite <- R in E, EN. vm_compute in E. injection E as <-. injection EN as <-. split.
+  assert (check_certificate (Gradation sand 1 false) cert = Ok tt) as C by (rewrite <- R; vm_compute; reflexivity).
+  destruct (certificate_true _ cert sphere C) as (G' & E & Claim); [rewrite <- R; exact sphere_law|].
+  rewrite <- R in E. vm_compute in E. injection E as <-.
+  assert (particles cert = Some 4%Z) as EN by (rewrite <- R; reflexivity). unfold claim_true in Claim. rewrite EN in Claim.
+  destruct Claim as (((S & A & L) & Least) & _). split.
   - exists S. split; [|apply Nat2Z.inj; rewrite L; reflexivity]. destruct A as (A & _). rewrite <- R in A. exact A.
   - intros T D. apply Nat2Z.inj_le. apply Least. split; [rewrite <- R; exact D|]. rewrite <- R. repeat split.
     + intros j _ _. apply Nat2Z.is_nonneg.
     + apply Nat2Z.is_nonneg.
 Qed.
+
+(* ---- Half-phi ------------------------------------------------------------------------------------ *)
+
+(* phi 0, -0.5, -1, -1.5, -2: openings 1, sqrt 2, 2, sqrt 8 and 4 by their squares. *)
+Definition half_phi : gradation :=
+  Gradation [Row 1 1 1 0; Row 2 0 1 0; Row 4 0 1 0; Row 8 1 1 0; Row 16 0 1 0] 2 false.
+
+Example openings_are_square_roots : size_of 2 8 = sqrt 8.
+Proof.
+  unfold size_of, nth_root. replace (Q2R 8) with 8%R by (unfold Q2R; simpl; field).
+  destruct (Rlt_dec 0 8) as [P|N]; [apply Rpower_sqrt, P | exfalso; apply N, IZR_lt; reflexivity].
+Qed.
+
+(* A sphere above sqrt 8 weighs more than 8 spheres of size sqrt 2 = sqrt 8 / 2: at least 9 are in the first class. *)
+Definition ten : lines := text_of
+  ["mdm-certificate 1"; "law 3"; "particles 10"; "scale 600"; "class 1 9 1.39618951393 1.396189513931";
+   "class 4 1 2.90419122184 2.904191221841"; "chain 4"; "end"].
+Definition nine : lines := text_of
+  ["mdm-certificate 1"; "law 3"; "particles 9"; "scale 512"; "class 1 8 1.414213562373 1.414213562374";
+   "class 4 1 2.828427124746 2.828427124747"; "chain 4"; "end"].
+
+Example ten_is_accepted : match check half_phi ten with Ok _ => True | _ => False end.
+Proof. vm_compute. exact I. Qed.
+
+Example nine_is_refused : match check half_phi nine with Refused _ => True | _ => False end.
+Proof. vm_compute. exact I. Qed.
+
+(* No sample of 9 spheres or fewer is described accurately, whatever their real sizes. *)
+Theorem ten_is_least : forall S, describes_accurately 2 sphere (rows half_phi) S -> (10 <= List.length S)%nat.
+Proof.
+  destruct (read_certificate ten) as [cert| |] eqn:R; [|vm_compute in R; discriminate..].
+  vm_compute in R. injection R as R.
+  assert (check_certificate half_phi cert = Ok tt) as C by (rewrite <- R; vm_compute; reflexivity).
+  destruct (certificate_true _ cert sphere C) as (G' & E & Claim); [rewrite <- R; exact sphere_law|].
+  rewrite <- R in E. vm_compute in E. injection E as <-.
+  assert (particles cert = Some 10%Z) as EN by (rewrite <- R; reflexivity). unfold claim_true in Claim. rewrite EN in Claim.
+  destruct Claim as ((_ & Least) & _). intros T D. apply Nat2Z.inj_le. apply Least.
+  split; [rewrite <- R; exact D|]. rewrite <- R. repeat split.
+  - intros j _ _. apply Nat2Z.is_nonneg.
+  - apply Nat2Z.is_nonneg.
+Qed.
+
+(* An opening that is no decimal is named by its first 15 digits, rounded; one that is, by itself alone. *)
+Example cut_below_the_root_of_2 :
+  apply_cut_below 2 (Some (14142135623731 # 10000000000000)) (rows half_phi) = Ok (tl (rows half_phi)) /\
+  apply_cut_below 2 (Some (14142135623730 # 10000000000000)) (rows half_phi) =
+    Refused "cut-below: S is an opening below x_n" /\
+  apply_cut_below 2 (Some 2%Q) (rows half_phi) = Ok (tl (tl (rows half_phi))) /\
+  apply_cut_below 2 (Some (20000000000001 # 10000000000000)) (rows half_phi) =
+    Refused "cut-below: S is an opening below x_n".
+Proof. vm_compute. repeat split. Qed.
 
 (* ---- Within a tolerance -------------------------------------------------------------------------- *)
 
@@ -62,22 +114,35 @@ Definition two_and_eight : list row := [Row 1 2 1 0; Row 2 8 1 0; Row 3 0 1 0].
 
 (* The total of 10 % with f(x) = x: three particles. Only the open bound of the first class, f1 where q_1 >= 1, makes
    the last leaf a contradiction. *)
-Definition by_hand (last_leaf : string) : lines := text_of
-  ["mdm-certificate 1"; "law 1"; "total 10"; "particles 3"; "class 1 1 3/2 1.5 1.5"; "class 2 2 5 2.5 2.5";
+Definition by_hand_with (law size_1 size_2 last_leaf : string) : lines := text_of
+  ["mdm-certificate 1"; "law " ++ law; "total 10"; "particles 3"; "class 1 1 3/2 " ++ size_1; "class 2 2 5 " ++ size_2;
    "split 2 1"; "leaf 4 e1 4 E 4 x2 4 F2 12 Q2 3 m"; "split 1 1"; "leaf 20 e2 20 E 20 x1 20 F1 40 Q1 3 m"; last_leaf; "end"].
+Definition by_hand : string -> lines := by_hand_with "1" "1.5 1.5" "2.5 2.5".
 
 Example tree_is_accepted :
-  match check (Gradation two_and_eight false) (by_hand "leaf 4 e1 4 E 4 x2 3 f1 1 F2 3 N 6 q1") with
+  match check (Gradation two_and_eight 1 false) (by_hand "leaf 4 e1 4 E 4 x2 3 f1 1 F2 3 N 6 q1") with
   | Ok _ => True | _ => False
   end.
 Proof. vm_compute. exact I. Qed.
 
 (* One multiplier too many, and nothing cancels. *)
 Example changed_tree_is_refused :
-  match check (Gradation two_and_eight false) (by_hand "leaf 4 e1 4 E 4 x2 3 f1 1 F2 3 N 7 q1") with
+  match check (Gradation two_and_eight 1 false) (by_hand "leaf 4 e1 4 E 4 x2 3 f1 1 F2 3 N 7 q1") with
   | Refused what => what = "leaf: a contradiction" | _ => False
   end.
 Proof. vm_compute. reflexivity. Qed.
+
+(* The same tree for sizes that are the square roots: x^2 is rational there, x is not. *)
+Example rational_masses :
+  match check (Gradation two_and_eight 2 false)
+    (by_hand_with "2" "1.22474487139 1.2247448714" "1.581138830084 1.581138830085"
+       "leaf 4 e1 4 E 4 x2 3 f1 1 F2 3 N 6 q1") with
+  | Ok _ => True | _ => False
+  end /\
+  match check (Gradation two_and_eight 2 false) (by_hand "leaf 4 e1 4 E 4 x2 3 f1 1 F2 3 N 6 q1") with
+  | Refused what => what = "a rational mass at each opening" | _ => False
+  end.
+Proof. vm_compute. split; exact I || reflexivity. Qed.
 
 (* (0, 2], (2, 5], (5, 9] with the masses 2, 1, 1, shares within 25 percentage points: 3. Were f3 strict where class 3 may
    be empty, a sample of 3 would be excluded; were it closed everywhere, 2 would do. *)
@@ -88,7 +153,7 @@ Definition occupied : lines := text_of
    "leaf 1 F1 1 F3 9 N 2 R2 1 f2 7 q1 11 q2"; "end"].
 
 Example strict_where_occupied :
-  match check (Gradation [Row 0 2 1 0; Row 2 1 1 0; Row 5 1 1 0; Row 9 0 1 0] false) occupied with
+  match check (Gradation [Row 0 2 1 0; Row 2 1 1 0; Row 5 1 1 0; Row 9 0 1 0] 1 false) occupied with
   | Ok _ => True | _ => False
   end.
 Proof. vm_compute. exact I. Qed.

@@ -3,8 +3,8 @@
    Trusted beyond Coq: that these functions of zarith are the ones that are named here, for the arguments that
    occur (exponents and counts of bits are small, divisors are positive). *)
 
-From Coq Require Import ZArith QArith Extraction ExtrOcamlBasic ExtrOcamlZBigInt ExtrOcamlNativeString.
-From Mdm Require Import Checker.
+From Coq Require Import ZArith QArith Extraction ExtrOcamlBasic ExtrOcamlZBigInt ExtrOcamlString.
+From Mdm Require Import Text Judge.
 
 Extract Constant Z.pow => "(fun x n -> if Z.sign n < 0 then Z.zero else Z.pow x (Z.to_int n))".
 Extract Constant Z.log2 => "(fun x -> if Z.sign x <= 0 then Z.zero else Z.of_int (Z.numbits x - 1))".
@@ -15,5 +15,6 @@ Extract Constant Z.ggcd =>
     if Z.sign g = 0 then (Z.zero, (Z.zero, Z.zero)) else (g, (Z.divexact x g, Z.divexact y g)))".
 Extract Constant Z.leb => "Z.leq".
 Extract Constant Z.ltb => "Z.lt".
+Extract Constant code => "(fun ch -> Big_int_Z.big_int_of_int (Char.code ch))".
 
-Extraction "mdm_checker.ml" mdm_check.
+Extraction "mdm_checker.ml" judge print_gradation printable.

@@ -1,7 +1,7 @@
 (* The checker as OCaml with Coq's own binary integers: mdm_checker.ml, in the current folder. Slower than
-   Extract.v, but no arithmetic is trusted. *)
+   Extract.v, but no arithmetic is trusted, and it needs no library. *)
 
-From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNativeString.
-From Mdm Require Import Checker.
+From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlString.
+From Mdm Require Import Text Judge.
 
-Extraction "mdm_checker.ml" mdm_check.
+Extraction "mdm_checker.ml" judge print_gradation printable.

@@ -1,7 +1,7 @@
 (* The mass laws exist: spheres, and x^(a/b) for all a, b >= 1. *)
 
 From Coq Require Import ZArith Reals Rpower Ranalysis Lia Lra.
-From Mdm Require Import Spec RealFacts.
+From Mdm Require Import Spec Openings.
 Open Scope R_scope.
 
 Lemma pow_law n : (1 <= n)%nat -> power_law n 1 (fun x => x ^ n).

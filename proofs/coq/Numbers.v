@@ -37,6 +37,9 @@ Definition longest {A} (length : A -> Z) (l : list A) (n : Z) : Z :=
   fold_left (fun n x => Z.max n (length x)) l n.
 Definition size {A} (l : list A) : Z := fold_left (fun n _ => n + 1) l 0.
 
+(* n / d, rounded up. *)
+Definition quotient_up (n d : Z) : Z := (n + d - 1) / d.
+
 (* The digits of a root, from the i-th binary digit down: the greatest r' = r + a sum of smaller powers of 2
    with r'^b <= n. *)
 Fixpoint root_digits (b n r : Z) (i : nat) : Z :=
@@ -59,6 +62,7 @@ Definition subtract (x y : Q) : Q := Qred (x - y).
 Definition times (x y : Q) : Q := Qred (x * y).
 Definition over (x y : Q) : Q := Qred (x / y).
 Definition of_integer (n : Z) : Q := Qmake n 1.
+Definition power (x : Q) (n : Z) : Q := Qmake (Qnum x ^ n) (Z.to_pos (Zpos (Qden x) ^ n)).
 
 Definition less (x y : Q) : bool := Qnum x * Zpos (Qden y) <? Qnum y * Zpos (Qden x).
 Definition at_most (x y : Q) : bool := Qnum x * Zpos (Qden y) <=? Qnum y * Zpos (Qden x).

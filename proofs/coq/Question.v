@@ -23,9 +23,10 @@ Definition sensible (cert : certificate) : bool :=
   match tolerances_of q with
   | Some t =>
     match passing_all t with Some e => at_most 0 e | None => true end && forallb (at_most 0) (passing_each t) &&
-    forallb (fun '(_, _, h) => at_most 0 h) (band t)
+    forallb (fun '(x, _, h) => at_most 0 x && at_most 0 h) (band t)
   | None => true
   end &&
+  match size_factor q with Some K => positive K | None => true end &&
   match particles cert with Some n => 1 <=? n | None => true end &&
   match proof_of cert with
   | Exact scale z _ => (match tolerances_of q with None => positive scale | Some _ => true end) &&
@@ -33,65 +34,100 @@ Definition sensible (cert : certificate) : bool :=
   | Tolerant _ => true
   end.
 
+(* What is said of numbers beyond the limits of section 2; the bits of limit 1. *)
+Definition too_long : string := "numbers as long as these, or so many, take too long".
+Definition power_bits : Z := 2 ^ 20.
+
 (* ---- pan-size, cut-below, size-factor ------------------------------------------------------------ *)
 
 Definition with_opening (x : Q) (r : row) : row := Row x (retained r) (factor r) (tolerance r).
 
-Definition apply_pan_size (P : option Q) (rs : list row) : result (list row) :=
+(* A length that the question gives, as openings are given. *)
+Definition to_power (d : Z) (x : Q) : result Q :=
+  demand_form (d * bits_of x <=? power_bits) too_long ;; Ok (power x d).
+
+Definition apply_pan_size (d : Z) (P : option Q) (rs : list row) : result (list row) :=
   match P, rs with
   | None, _ => Ok rs
   | Some P, r :: ((next :: _) as rest) =>
-    demand (equal (opening r) 0 && less P (opening next)) "pan-size: x_1 = 0, P < x_2" ;;
-    Ok (with_opening P r :: rest)
+    let* Y := to_power d P in
+    demand (equal (opening r) 0 && less Y (opening next)) "pan-size: x_1 = 0, P < x_2" ;;
+    Ok (with_opening Y r :: rest)
   | Some _, _ => Refused "pan-size: x_1 = 0, P < x_2"
   end.
 
-Fixpoint from_opening (x : Q) (rs : list row) : list row :=
+(* 10^e. *)
+Definition power_of_ten (e : Z) : Q := if 0 <=? e then of_integer (10 ^ e) else over (of_integer 1) (of_integer (10 ^ (- e))).
+
+(* e with 10^e <= x < 10^(e+1), for x > 0. The bits of x tell it up to one. *)
+Definition decimal_exponent (x : Q) : Z :=
+  let e := (Z.log2 (Qnum x) - Z.log2 (Zpos (Qden x))) * 30103 / 100000 in
+  if less x (power_of_ten e) then e - 1 else if less x (power_of_ten (e + 1)) then e else e + 1.
+
+(* Whether Y, in lowest terms, is x^d for a fraction x. *)
+Definition is_power (d : Z) (Y : Q) : bool :=
+  (Numbers.root d (Qnum Y) ^ d =? Qnum Y) && (Numbers.root d (Zpos (Qden Y)) ^ d =? Zpos (Qden Y)).
+
+(* A number S names the opening S; and, if S has at most 15 significant digits, also an irrational opening that is off by
+   less than half a unit of the 15th. The powers between which the latter is. *)
+Definition named_between (d : Z) (s : Q) : Q * Q :=
+  let unit := power_of_ten (decimal_exponent s - 14) in
+  let half := if Zpos (Qden (over s unit)) =? 1 then over unit (of_integer 2) else 0%Q in
+  (power (subtract s half) d, power (add s half) d).
+
+(* With [exact] = S^d. The root is looked for last, as it takes longest. *)
+Definition is_named (d : Z) (exact low high Y : Q) : bool :=
+  if equal Y exact then true
+  else if less low Y then if less Y high then negb (is_power d Y) else false else false.
+
+(* The rows from the opening that is named. *)
+Fixpoint from_opening (named : Q -> bool) (rs : list row) : list row :=
   match rs with
-  | r :: rest => if less (opening r) x then from_opening x rest else rs
+  | r :: rest => if named (opening r) then rs else from_opening named rest
   | [] => []
   end.
 
-Definition apply_cut_below (cut : option Q) (rs : list row) : result (list row) :=
+Definition apply_cut_below (d : Z) (cut : option Q) (rs : list row) : result (list row) :=
   match cut with
   | None => Ok rs
-  | Some x =>
-    match from_opening x rs with
-    | (r :: _ :: _) as left =>
-      demand (equal (opening r) x) "cut-below: S is an opening below x_n" ;;
+  | Some s =>
+    let* exact := to_power d s in
+    let (low, high) := named_between d s in
+    match from_opening (is_named d exact low high) rs with
+    | (_ :: _ :: _) as left =>
       demand (existsb (fun r => less 0 (retained r)) left) "cut-below: mass is left" ;; Ok left
     | _ => Refused "cut-below: S is an opening below x_n"
     end
   end.
 
-Definition apply_size_factor (K : option Q) (rs : list row) : list row :=
+Definition apply_size_factor (d : Z) (K : option Q) (rs : list row) : result (list row) :=
   match K with
-  | Some K => map (fun r => with_opening (times (opening r) K) r) rs
-  | None => rs
+  | Some K => let* factor := to_power d K in Ok (map (fun r => with_opening (times (opening r) factor) r) rs)
+  | None => Ok rs
   end.
 
 (* ---- Limits 1 and 2 ------------------------------------------------------------------------------ *)
 
-Definition too_long : string := "numbers as long as these, or so many, take too long".
-Definition power_bits : Z := 2 ^ 20.
 Definition work_of_steps : Z := 2 ^ 34.
-Definition work_of_scales : Z := 2 ^ 32.
+Definition work_of_scales : Z := 2 ^ 28.
 
-(* What n openings and the steps of a chain, or the nodes of a tree, take. *)
+(* What n openings, a band's lines, and the steps of a chain, or the nodes and multipliers of a tree, take. *)
 Definition work_of (cert : certificate) (n : Z) : Z :=
   let steps :=
     match proof_of cert with
     | Exact _ _ (Some chain) => size chain
     | Exact _ _ None => 0
     | Tolerant tree =>
-      fold_left (fun steps v => steps + match v with Split _ _ => 1 | Leaf ms => n + size ms end) tree 0
+      fold_left (fun steps v => steps + match v with Split _ _ => 1 | Leaf ms => 1 + size ms end) tree 0
     end in
-  64 * n + steps.
+  let bands := match tolerances_of (asked cert) with Some t => size (band t) | None => 0 end in
+  64 * (n + bands) + steps.
 
 Definition option_list {A} (x : option A) : list A := match x with Some x => [x] | None => [] end.
 
-Definition longest_of_rows (rs : list row) : Z :=
-  longest (fun r => Z.max (Z.max (bits_of (opening r)) (bits_of (retained r)))
+(* An opening counts as long as its d-th root would be. *)
+Definition longest_of_rows (d : Z) (rs : list row) : Z :=
+  longest (fun r => Z.max (Z.max (quotient_up (bits_of (opening r)) d) (bits_of (retained r)))
                           (Z.max (bits_of (factor r)) (bits_of (tolerance r)))) rs 0.
 
 Definition longest_of_tolerances (t : tolerances) : Z :=
@@ -117,20 +153,21 @@ Definition longest_count (cert : certificate) : Z :=
     end in
   Z.max (Z.max of_question of_tolerances) (Z.max of_witness of_tree).
 
-Definition demand_small (cert : certificate) (rs : list row) : result unit :=
-  let long := longest_of_rows rs in
+Definition demand_small (cert : certificate) (d : Z) (rs : list row) : result unit :=
+  let long := longest_of_rows d rs in
   let count := longest_count cert in
-  let e := Z.max (a (asked cert)) (b (asked cert)) in
+  let e := Z.max (a (asked cert)) (b (asked cert)) * d in
   demand_form ((e * Z.max long count <=? power_bits) &&
                (work_of cert (size rs) * e * (long + count) <=? work_of_steps)) too_long.
 
 Definition apply_question (cert : certificate) (G : gradation) : result gradation :=
   let q := asked cert in
-  let* rs := apply_pan_size (pan_size q) (rows G) in
-  let* rs := apply_cut_below (cut_below q) rs in
-  let rs := apply_size_factor (size_factor q) rs in
-  demand_small cert rs ;;
-  Ok (Gradation rs (has_tolerances G)).
+  let d := root G in
+  let* rs := apply_pan_size d (pan_size q) (rows G) in
+  let* rs := apply_cut_below d (cut_below q) rs in
+  let* rs := apply_size_factor d (size_factor q) rs in
+  demand_small cert d rs ;;
+  Ok (Gradation rs d (has_tolerances G)).
 
 (* ---- Solids -------------------------------------------------------------------------------------- *)
 
@@ -172,15 +209,15 @@ Definition check_pi (s : solids) : result unit :=
 
 (* ---- Sizes --------------------------------------------------------------------------------------- *)
 
-(* The size of class j, which is (numerator / denominator)^(1/a), is in [lo, hi], and [lo, hi] in the class. *)
-Definition check_size (a : Z) (j : class) (w : witness_line) (T : ratio) : result unit :=
+(* The size of class j, which is (numerator / denominator)^(1/(a d)), is in [lo, hi], and [lo, hi] in the class. *)
+Definition check_size (a d : Z) (j : class) (w : witness_line) (T : ratio) : result unit :=
   let (numerator, denominator) := T in
   let lo := size_lo w in
   let hi := size_hi w in
-  let left x := Qnum x ^ a * denominator in
-  let right x := numerator * Zpos (Qden x) ^ a in
-  demand (less (lower j) lo && at_most lo hi) "x_j < lo <= hi" ;;
-  demand (at_most hi (upper j)) "hi <= x_{j+1}" ;;
+  let left x := Qnum x ^ (a * d) * denominator in
+  let right x := numerator * Zpos (Qden x) ^ (a * d) in
+  demand (less 0 lo && less (lower j) (power lo d) && at_most lo hi) "x_j < lo <= hi" ;;
+  demand (at_most (power hi d) (upper j)) "hi <= x_{j+1}" ;;
   demand (at_most (times (of_integer (10 ^ 9)) (subtract hi lo)) lo) "10^9 (hi - lo) <= lo" ;;
-  if equal lo hi then demand (left lo =? right lo) "lo^a = T"
-  else demand (left lo <=? right lo) "lo^a <= T" ;; demand (right hi <? left hi) "T < hi^a".
+  if equal lo hi then demand (left lo =? right lo) "lo^(a d) = T"
+  else demand (left lo <=? right lo) "lo^(a d) <= T" ;; demand (right hi <? left hi) "T < hi^(a d)".

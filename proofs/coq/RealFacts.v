@@ -1,39 +1,9 @@
 (* Fractions and powers as real numbers. *)
 
 From Coq Require Import ZArith QArith Reals Qreals Rpower List Bool Lia Lra.
-From Mdm Require Import Numbers NumbersFacts Gradation Exact Spec Reduction.
+From Mdm Require Import Numbers NumbersFacts Gradation Exact Spec Openings Reduction.
 Import ListNotations.
 Open Scope R_scope.
-
-(* ---- Powers -------------------------------------------------------------------------------------- *)
-
-Lemma pow_lt_compat x y n : 0 <= x < y -> (1 <= n)%nat -> x ^ n < y ^ n.
-Proof.
-  intros (X & L) N. destruct n as [|n]; [lia|]. clear N. induction n as [|n IH]; [simpl; lra|].
-  change (x * x ^ S n < y * y ^ S n).
-  assert (0 <= x ^ S n) by (apply pow_le; exact X).
-  apply Rle_lt_trans with (y * x ^ S n); [apply Rmult_le_compat_r; lra|].
-  apply Rmult_lt_compat_l; lra.
-Qed.
-
-Lemma pow_lt_iff x y n : 0 <= x -> 0 <= y -> (1 <= n)%nat -> x < y <-> x ^ n < y ^ n.
-Proof.
-  intros X Y N. split; [intro; apply pow_lt_compat; [lra | exact N]|].
-  intro H. destruct (Rlt_le_dec x y) as [|L]; [assumption|]. pose proof (pow_incr y x n ltac:(lra)). lra.
-Qed.
-
-Lemma pow_le_iff x y n : 0 <= x -> 0 <= y -> (1 <= n)%nat -> x <= y <-> x ^ n <= y ^ n.
-Proof.
-  intros X Y N. split; [intro; apply pow_incr; lra|].
-  intro H. destruct (Rle_lt_dec x y) as [|L]; [assumption|]. pose proof (pow_lt_compat y x n ltac:(lra) N). lra.
-Qed.
-
-Lemma real_root y n : 0 < y -> (1 <= n)%nat -> exists s, 0 < s /\ s ^ n = y.
-Proof.
-  intros Y N. exists (Rpower y (/ INR n)). assert (0 < Rpower y (/ INR n)) as P by apply exp_pos.
-  split; [exact P|]. rewrite <- Rpower_pow by exact P. rewrite Rpower_mult, Rinv_l, Rpower_1; [reflexivity | exact Y|].
-  apply not_0_INR. lia.
-Qed.
 
 (* ---- Fractions ----------------------------------------------------------------------------------- *)
 
@@ -56,6 +26,15 @@ Lemma Q2R_over x y : Q2R y <> 0 -> Q2R (over x y) = Q2R x / Q2R y.
 Proof.
   intro H. unfold over. rewrite Q2R_red. apply Q2R_div. intro E. apply H. rewrite (Qeq_eqR _ _ E). apply Q2R_0.
 Qed.
+
+Lemma Q2R_power x n : Q2R (power x (Z.of_nat n)) = Q2R x ^ n.
+Proof.
+  unfold Q2R, power; simpl Qnum; simpl Qden. rewrite Z2Pos.id by (apply Z.pow_pos_nonneg; lia).
+  rewrite <- !pow_IZR, Rpow_mult_distr, pow_inv. reflexivity.
+Qed.
+
+Lemma Q2R_power_pos x d : Q2R (power x (Zpos d)) = Q2R x ^ Pos.to_nat d.
+Proof. rewrite <- positive_nat_Z. apply Q2R_power. Qed.
 
 Lemma den_positive x : 0 < IZR (Zpos (Qden x)).
 Proof. apply IZR_lt. reflexivity. Qed.
@@ -128,6 +107,12 @@ Qed.
 
 (* ---- Gradation files ----------------------------------------------------------------------------- *)
 
+Lemma well_formed_root G : well_formed G = true -> root G = Zpos (root_of G).
+Proof.
+  unfold well_formed. rewrite !andb_true_iff, !Z.leb_le. intros ((((((A & _) & _) & _) & _) & _) & _).
+  unfold root_of. rewrite Z2Pos.id by lia. reflexivity.
+Qed.
+
 Lemma well_formed_proper G : well_formed G = true -> proper_rows (rows G) /\ exists j, In j (classes (rows G)) /\ 0 < Q2R (mass j).
 Proof.
   unfold well_formed. rewrite !andb_true_iff. intros ((((N & A) & P) & C) & M).
@@ -136,7 +121,7 @@ Proof.
     destruct P as (((_ & P1) & P2) & _). apply at_most_spec in P1. apply less_spec in P2. auto. }
   apply equal_spec in C. split.
   - split; [exact A|]. split; [|split; [exact C | exact F]].
-    destruct (rows G) as [|r rs]; unfold least_opening; simpl; [rewrite Q2R_0; lra|].
+    destruct (rows G) as [|r rs]; simpl; [rewrite Q2R_0; lra|].
     simpl in P. rewrite !andb_true_iff in P. destruct P as ((((P & _) & _) & _) & _).
     apply at_most_real in P. rewrite Q2R_0 in P. exact P.
   - apply existsb_exists in M as (r & I & M). apply less_spec in M. revert C I. unfold last_row.

@@ -2,25 +2,28 @@
    mass, matters; one size per class loses nothing. *)
 
 From Coq Require Import ZArith QArith Reals Qreals Ranalysis5 List Bool Lia Lra.
-From Mdm Require Import Numbers NumbersFacts Gradation Spec.
+From Mdm Require Import Numbers NumbersFacts Gradation Spec Openings.
 Import ListNotations.
 Open Scope R_scope.
+
+Section Root.
+Context {d : positive}.
 
 (* ---- Classes of a gradation ---------------------------------------------------------------------- *)
 
 Definition proper (j : class) : Prop :=
   0 <= Q2R (lower j) < Q2R (upper j) /\ 0 < Q2R (c j) /\ 0 <= Q2R (mass j).
 
-Lemma Q2R_0 : Q2R 0 = 0.
-Proof. unfold Q2R; simpl. field. Qed.
+Lemma proper_sizes j : proper j -> 0 <= lower_size d j < upper_size d j.
+Proof. intros (B & _). apply size_lt, B. Qed.
 
 (* Ascending openings, from x1 up. *)
 Fixpoint ascend_from (x1 : R) (js : list class) : Prop :=
   match js with
   | [] => True
-  | j :: js => Q2R (lower j) = x1 /\ x1 < Q2R (upper j) /\ ascend_from (Q2R (upper j)) js
+  | j :: js => lower_size d j = x1 /\ x1 < upper_size d j /\ ascend_from (upper_size d j) js
   end.
-Definition top (x1 : R) (js : list class) : R := fold_left (fun _ j => Q2R (upper j)) js x1.
+Definition top (x1 : R) (js : list class) : R := fold_left (fun _ j => upper_size d j) js x1.
 
 Lemma top_le js : forall x1, ascend_from x1 js -> x1 <= top x1 js.
 Proof.
@@ -28,21 +31,27 @@ Proof.
   pose proof (IH _ A). unfold top in *. lra.
 Qed.
 
+(* What the rows of a gradation file are, after the question too. *)
+Definition proper_rows (rs : list row) : Prop :=
+  ascending rs = true /\ 0 <= Q2R (opening (hd (Row 0 0 1 0) rs)) /\ complete rs /\
+  Forall (fun r => (0 <= retained r)%Q /\ (0 < factor r)%Q) rs.
+
 Lemma classes_ascend rs :
-  ascending rs = true -> ascend_from (least_opening rs) (classes rs) /\ top (least_opening rs) (classes rs) = largest_opening rs.
+  proper_rows rs ->
+  ascend_from (least_opening d rs) (classes rs) /\ top (least_opening d rs) (classes rs) = largest_opening d rs.
 Proof.
-  destruct rs as [|x rs]; [simpl; split; reflexivity|]. revert x.
-  induction rs as [|y rs IH]; intros x A; [simpl; split; reflexivity|].
+  intros (A & P & _). destruct rs as [|x rs]; [simpl; split; reflexivity|]. revert x A P.
+  induction rs as [|y rs IH]; intros x A P; [simpl; split; reflexivity|].
   change (ascending (x :: y :: rs)) with (less (opening x) (opening y) && ascending (y :: rs))%bool in A.
-  apply andb_prop in A as (L & A). apply less_spec, Qlt_Rlt in L.
-  destruct (IH y A) as (B & T). clear IH.
+  apply andb_prop in A as (L & A). apply less_spec, Qlt_Rlt in L. simpl in P.
+  destruct (IH y A) as (B & T); [simpl; lra|]. clear IH.
   change (classes (x :: y :: rs)) with (Class (opening x) (opening y) (retained x) (factor x) :: classes (y :: rs)).
-  change (least_opening (y :: rs)) with (Q2R (opening y)) in *.
-  change (least_opening (x :: y :: rs)) with (Q2R (opening x)) in *.
-  split; [split; [reflexivity | split; [exact L | exact B]]|]. exact T.
+  change (least_opening d (y :: rs)) with (size_of d (opening y)) in *.
+  change (least_opening d (x :: y :: rs)) with (size_of d (opening x)) in *.
+  split; [split; [reflexivity | split; [apply (size_lt (opening x) (opening y)); lra | exact B]]|]. exact T.
 Qed.
 
-Lemma above_lower js : forall x1 j x, ascend_from x1 js -> In j js -> in_class j x -> x1 < x.
+Lemma above_lower js : forall x1 j x, ascend_from x1 js -> In j js -> in_class d j x -> x1 < x.
 Proof.
   induction js as [|i js IH]; intros x1 j x A I H; [destruct I|]. destruct A as (E & L & A).
   destruct I as [<-|I]; [unfold in_class in H; lra|]. pose proof (IH _ _ _ A I H). lra.
@@ -53,47 +62,47 @@ Qed.
 Lemma total_app xs ys : total (xs ++ ys) = total xs + total ys.
 Proof. induction xs as [|x xs IH]; simpl; [ring | rewrite IH; ring]. Qed.
 
-Lemma inside_app j S T : inside j (S ++ T) = inside j S ++ inside j T.
+Lemma inside_app j S T : inside d j (S ++ T) = inside d j S ++ inside d j T.
 Proof. apply filter_app. Qed.
 
-Lemma inside_in j S x : In x (inside j S) <-> In x S /\ in_class j x.
+Lemma inside_in j S x : In x (inside d j S) <-> In x S /\ in_class d j x.
 Proof.
-  unfold inside. rewrite filter_In. destruct (in_class_dec j x); split; intros (I & H); split; trivial; [discriminate | contradiction].
+  unfold inside. rewrite filter_In. destruct (in_class_dec d j x); split; intros (I & H); split; trivial; [discriminate | contradiction].
 Qed.
 
-Lemma inside_all j S : (forall x, In x S -> in_class j x) -> inside j S = S.
+Lemma inside_all j S : (forall x, In x S -> in_class d j x) -> inside d j S = S.
 Proof.
   unfold inside. induction S as [|x S IH]; intro H; simpl; [reflexivity|].
-  destruct (in_class_dec j x) as [_|N]; [rewrite IH; auto; intros; apply H; right; assumption|].
+  destruct (in_class_dec d j x) as [_|N]; [rewrite IH; auto; intros; apply H; right; assumption|].
   contradiction N. apply H. left; reflexivity.
 Qed.
 
-Lemma inside_none j S : (forall x, In x S -> ~ in_class j x) -> inside j S = [].
+Lemma inside_none j S : (forall x, In x S -> ~ in_class d j x) -> inside d j S = [].
 Proof.
   unfold inside. induction S as [|x S IH]; intro H; simpl; [reflexivity|].
-  destruct (in_class_dec j x) as [Y|_]; [exfalso; eapply H; [left; reflexivity | exact Y]|].
+  destruct (in_class_dec d j x) as [Y|_]; [exfalso; eapply H; [left; reflexivity | exact Y]|].
   apply IH. intros; apply H; right; assumption.
 Qed.
 
 (* Every particle between the ends of the classes is in one of them, and in one only. *)
 Lemma number_total js : forall x1 S,
   ascend_from x1 js -> (forall x, In x S -> x1 < x <= top x1 js) ->
-  Z.of_nat (length S) = sum (map (fun j => number j S) js).
+  Z.of_nat (length S) = sum (map (fun j => number d j S) js).
 Proof.
   intros x1 S A. induction S as [|x S IH]; intro H.
   { simpl. clear A H. induction js; simpl; [reflexivity|]. unfold number at 1. simpl. exact IHjs. }
-  assert (sum (map (fun j => number j (x :: S)) js) = sum (map (fun j => number j S) js) + 1)%Z as E.
+  assert (sum (map (fun j => number d j (x :: S)) js) = sum (map (fun j => number d j S) js) + 1)%Z as E.
   2: { rewrite E, <- IH by (intros; apply H; right; assumption). simpl length. lia. }
   specialize (H x (or_introl eq_refl)). clear IH. revert x1 A H.
   induction js as [|j js IH]; intros x1 A H; simpl in *; [unfold top in H; simpl in H; lra|].
-  destruct A as (E & L & A). unfold number at 1. simpl. destruct (in_class_dec j x) as [Y|N].
-  - assert (sum (map (fun j => number j (x :: S)) js) = sum (map (fun j => number j S) js)) as E'.
+  destruct A as (E & L & A). unfold number at 1. simpl. destruct (in_class_dec d j x) as [Y|N].
+  - assert (sum (map (fun j => number d j (x :: S)) js) = sum (map (fun j => number d j S) js)) as E'.
     { f_equal. apply map_ext_in. intros i I. unfold number, inside. simpl.
-      destruct (in_class_dec i x) as [Yi|]; [|reflexivity].
+      destruct (in_class_dec d i x) as [Yi|]; [|reflexivity].
       pose proof (above_lower _ _ _ _ A I Yi). unfold in_class in Y. lra. }
     rewrite E'. simpl length. unfold number, inside. lia.
-  - assert (Q2R (upper j) < x) as U by (unfold in_class in N; destruct (Rle_dec x (Q2R (upper j))); [exfalso; apply N; lra | lra]).
-    rewrite (IH (Q2R (upper j)) A); [unfold number, inside; lia|]. split; [exact U|]. apply H.
+  - assert (upper_size d j < x) as U by (unfold in_class in N; destruct (Rle_dec x (upper_size d j)); [exfalso; apply N; lra | lra]).
+    rewrite (IH (upper_size d j) A); [unfold number, inside; lia|]. split; [exact U|]. apply H.
 Qed.
 
 (* ---- Theorem 1 (a) ------------------------------------------------------------------------------- *)
@@ -113,7 +122,7 @@ Proof. intro H. pose proof (law_at_0 f law). pose proof (law_le 0 x). lra. Qed.
 (* A class holds nothing, or what q particles of sizes in the class can have together. *)
 Definition realizes (j : class) (q : Z) (t : R) : Prop :=
   (q = 0%Z /\ t = 0) \/
-  ((1 <= q)%Z /\ IZR q * (Q2R (c j) * f (Q2R (lower j))) < t <= IZR q * (Q2R (c j) * f (Q2R (upper j)))).
+  ((1 <= q)%Z /\ IZR q * (Q2R (c j) * f (lower_size d j)) < t <= IZR q * (Q2R (c j) * f (upper_size d j))).
 
 Lemma total_between lo hi xs :
   0 <= lo -> (forall x, In x xs -> lo < x <= hi) -> xs <> [] ->
@@ -129,27 +138,27 @@ Proof.
   change (total (map f (x :: y :: xs))) with (f x + total (map f (y :: xs))). lra.
 Qed.
 
-Theorem sample_realizes j S : proper j -> realizes j (number j S) (held f j S).
+Theorem sample_realizes j S : proper j -> realizes j (number d j S) (held d f j S).
 Proof.
-  intros ((L & U) & C & _). unfold number, held. destruct (inside j S) as [|x xs] eqn:E.
+  intro P. destruct (proper_sizes j P) as (L & U). destruct P as (_ & C & _). unfold number, held. destruct (inside d j S) as [|x xs] eqn:E.
   { left. simpl. split; [reflexivity | ring]. }
-  right. rewrite <- E in *. assert (inside j S <> []) as N by congruence.
-  pose proof (total_between (Q2R (lower j)) (Q2R (upper j)) (inside j S) L) as T.
-  assert (forall y, In y (inside j S) -> Q2R (lower j) < y <= Q2R (upper j)) as I.
+  right. rewrite <- E in *. assert (inside d j S <> []) as N by congruence.
+  pose proof (total_between (lower_size d j) (upper_size d j) (inside d j S) L) as T.
+  assert (forall y, In y (inside d j S) -> lower_size d j < y <= upper_size d j) as I.
   { intros y Y. apply inside_in in Y. apply Y. }
   specialize (T I N). rewrite INR_IZR_INZ in T. split.
-  - destruct (inside j S); [congruence | simpl length; lia].
-  - destruct T as (A & B). clear - A B C. generalize dependent (IZR (Z.of_nat (length (inside j S)))). intros q A B.
+  - destruct (inside d j S); [congruence | simpl length; lia].
+  - destruct T as (A & B). clear - A B C. generalize dependent (IZR (Z.of_nat (length (inside d j S)))). intros q A B.
     apply (Rmult_lt_compat_l (Q2R (c j))) in A; [|exact C].
     apply (Rmult_le_compat_l (Q2R (c j))) in B; [|lra]. lra.
 Qed.
 
 (* The intermediate value argument: the mass of one particle can be anything in (c f(lower), c f(upper)]. *)
 Lemma some_size j y :
-  proper j -> Q2R (c j) * f (Q2R (lower j)) < y <= Q2R (c j) * f (Q2R (upper j)) ->
-  exists x, in_class j x /\ Q2R (c j) * f x = y.
+  proper j -> Q2R (c j) * f (lower_size d j) < y <= Q2R (c j) * f (upper_size d j) ->
+  exists x, in_class d j x /\ Q2R (c j) * f x = y.
 Proof.
-  intros ((L & U) & C & _) (A & B). set (lo := Q2R (lower j)) in *. set (hi := Q2R (upper j)) in *.
+  intros P (A & B). destruct (proper_sizes j P) as (L & U). destruct P as (_ & C & _). set (lo := lower_size d j) in *. set (hi := upper_size d j) in *.
   set (cj := Q2R (c j)) in *.
   destruct B as [B| ->]; [|exists hi; unfold in_class; fold lo hi; split; [lra | reflexivity]].
   destruct (IVT_interv (fun x => cj * f x - y) lo hi) as (x & (X1 & X2) & X); try lra.
@@ -168,7 +177,7 @@ Qed.
 (* q particles of one size with the mass t together. *)
 Lemma some_particles j q t :
   proper j -> realizes j q t ->
-  exists x, (forall y, In y (repeat x (Z.to_nat q)) -> in_class j y) /\
+  exists x, (forall y, In y (repeat x (Z.to_nat q)) -> in_class d j y) /\
     (0 <= q)%Z /\ Q2R (c j) * total (map f (repeat x (Z.to_nat q))) = t.
 Proof.
   intros P [(-> & ->)|(Q & B)].
@@ -186,12 +195,12 @@ Qed.
 (* ---- Samples of given counts and masses ---------------------------------------------------------- *)
 
 Definition one_size_a_class (js : list class) (S : sample) : Prop :=
-  forall j x y, In j js -> In x S -> In y S -> in_class j x -> in_class j y -> x = y.
+  forall j x y, In j js -> In x S -> In y S -> in_class d j x -> in_class d j y -> x = y.
 
 Theorem counts_sample js : forall x1 qts,
   ascend_from x1 js -> Forall proper js -> Forall2 (fun j qt => realizes j (fst qt) (snd qt)) js qts ->
   exists S, (forall x, In x S -> x1 < x <= top x1 js) /\ one_size_a_class js S /\
-    Forall2 (fun j qt => number j S = fst qt /\ held f j S = snd qt) js qts.
+    Forall2 (fun j qt => number d j S = fst qt /\ held d f j S = snd qt) js qts.
 Proof.
   induction js as [|j js IH]; intros x1 qts A P H; inversion H as [|? (q & t) ? qts' Hj Hjs]; subst; simpl in *.
   { exists []. split; [intros x []|]. split; [intros ? ? ? []|constructor]. }
@@ -199,9 +208,9 @@ Proof.
   destruct (IH _ _ A Pjs Hjs) as (S & B & O & C). clear IH.
   destruct (some_particles j q t Pj Hj) as (x & X & Q & T).
   set (new := repeat x (Z.to_nat q)) in *.
-  assert (forall y, In y S -> ~ in_class j y) as NS.
+  assert (forall y, In y S -> ~ in_class d j y) as NS.
   { intros y Y (_ & Z). specialize (B y Y). lra. }
-  assert (forall i y, In i js -> In y new -> ~ in_class i y) as NN.
+  assert (forall i y, In i js -> In y new -> ~ in_class d i y) as NN.
   { intros i y I Y Z. pose proof (above_lower _ _ _ _ A I Z). destruct (X y Y) as (_ & W). lra. }
   exists (new ++ S). split; [|split].
   - unfold top in *; simpl. intros y Y. apply in_app_or in Y as [Y|Y].
@@ -215,7 +224,7 @@ Proof.
   - constructor; simpl.
     + unfold number, held. rewrite inside_app, (inside_none j S NS), app_nil_r, (inside_all j new X).
       unfold new. rewrite repeat_length. split; [lia | exact T].
-    + clear -C NN. assert (forall i, In i js -> inside i (new ++ S) = inside i S) as K.
+    + clear -C NN. assert (forall i, In i js -> inside d i (new ++ S) = inside d i S) as K.
       { intros i I. rewrite inside_app, (inside_none i new); [reflexivity|]. intros; eapply NN; eassumption. }
       unfold number, held in *. clear NN. induction C as [|i qt js qts D _ IH]; constructor.
       * rewrite K by (left; reflexivity). exact D.
@@ -226,14 +235,9 @@ End Law.
 
 (* ---- Gradations ---------------------------------------------------------------------------------- *)
 
-(* What the rows of a gradation file are, after the question too. *)
-Definition proper_rows (rs : list row) : Prop :=
-  ascending rs = true /\ 0 <= least_opening rs /\ complete rs /\
-  Forall (fun r => (0 <= retained r)%Q /\ (0 < factor r)%Q) rs.
-
 Lemma proper_classes rs : proper_rows rs -> Forall proper (classes rs).
 Proof.
-  intros (A & L & _ & P). destruct rs as [|x rs]; [constructor|]. unfold least_opening in L. simpl in L.
+  intros (A & L & _ & P). destruct rs as [|x rs]; [constructor|]. simpl in L.
   revert x A L P. induction rs as [|y rs IH]; intros x A L P; [constructor|].
   change (ascending (x :: y :: rs)) with (less (opening x) (opening y) && ascending (y :: rs))%bool in A.
   apply andb_prop in A as (Lt & A). apply less_spec, Qlt_Rlt in Lt.
@@ -251,12 +255,11 @@ Qed.
    one with one size a class. *)
 Theorem realizable f rs qts :
   mass_law f -> proper_rows rs ->
-  (exists S, describes rs S /\
-     Forall2 (fun j qt => number j S = fst qt /\ held f j S = snd qt) (classes rs) qts) <->
+  (exists S, describes d rs S /\
+     Forall2 (fun j qt => number d j S = fst qt /\ held d f j S = snd qt) (classes rs) qts) <->
   Forall2 (fun j qt => realizes f j (fst qt) (snd qt)) (classes rs) qts.
 Proof.
-  intros Law P. pose proof (proper_classes rs P) as Pj. destruct P as (A & L & C & _).
-  destruct (classes_ascend rs A) as (As & T). split.
+  intros Law P. pose proof (proper_classes rs P) as Pj. destruct (classes_ascend rs P) as (As & T). destruct P as (_ & _ & C & _). split.
   - intros (S & D & H). clear -H Pj Law. induction H as [|j qt js qts (Q & W) _ IH]; constructor.
     + rewrite <- Q, <- W. apply sample_realizes; [exact Law|]. inversion Pj; assumption.
     + apply IH. inversion Pj; assumption.
@@ -265,20 +268,20 @@ Proof.
 Qed.
 
 Lemma describes_number rs S :
-  proper_rows rs -> describes rs S -> Z.of_nat (length S) = sum (map (fun j => number j S) (classes rs)).
+  proper_rows rs -> describes d rs S -> Z.of_nat (length S) = sum (map (fun j => number d j S) (classes rs)).
 Proof.
-  intros (A & _) (_ & D). destruct (classes_ascend rs A) as (As & T).
+  intros P (_ & D). destruct (classes_ascend rs P) as (As & T).
   apply (number_total _ _ S As). intros x X. rewrite T. apply D, X.
 Qed.
 
 (* Theorem 1 (b). *)
 Theorem match_counts f rs n :
   mass_law f -> proper_rows rs ->
-  (exists S, describes_accurately f rs S /\ Z.of_nat (length S) = n) <->
+  (exists S, describes_accurately d f rs S /\ Z.of_nat (length S) = n) <->
   (exists s qs, 0 < s /\ Forall2 (fun j q => realizes f j q (s * Q2R (mass j))) (classes rs) qs /\ sum qs = n).
 Proof.
   intros Law P. split.
-  - intros (S & (s & Sp & D & H) & N). exists s, (map (fun j => number j S) (classes rs)).
+  - intros (S & (s & Sp & D & H) & N). exists s, (map (fun j => number d j S) (classes rs)).
     split; [exact Sp|]. split; [|rewrite <- N; symmetry; apply describes_number; assumption].
     pose proof (proper_classes rs P) as Pj. clear -H Pj Law.
     induction (classes rs) as [|j js IH]; constructor; inversion Pj; subst.
@@ -296,3 +299,10 @@ Proof.
       induction H as [|j q js qs _ _ IH]; simpl in *; [reflexivity|].
       inversion K as [|? ? ? ? (E & _) K']; subst. simpl in *. rewrite E, IH by exact K'. reflexivity.
 Qed.
+
+End Root.
+
+Arguments ascend_from : clear implicits.
+Arguments top : clear implicits.
+Arguments realizes : clear implicits.
+Arguments one_size_a_class : clear implicits.

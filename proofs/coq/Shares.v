@@ -1,7 +1,7 @@
 (* The tolerance's lines and the bounds on shares that the checker derives from them say the same. *)
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
-From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Exact Tolerant Spec Reduction RealFacts.
+From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Exact Tolerant Spec Openings Reduction RealFacts.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -45,6 +45,9 @@ Proof. unfold within_interval, any_share. cbn [lo hi]. rewrite Q2R_0, Q2R_intege
 Lemma only_if_some {A} yes (x : A) y : only_if yes x = Some y <-> yes = true /\ x = y.
 Proof. destruct yes; simpl; split; [intros [= ->]; auto | intros (_ & ->); reflexivity | discriminate | intros (? & _); discriminate]. Qed.
 
+Section Root.
+Context {d : positive}.
+
 (* ---- Sums up to a class -------------------------------------------------------------------------- *)
 
 Fixpoint prefix_of (w p : class -> R) (P : R) (js : list class) : Prop :=
@@ -54,7 +57,7 @@ Fixpoint prefix_of (w p : class -> R) (P : R) (js : list class) : Prop :=
   end.
 
 Definition up_to (w : class -> R) (y : R) (js : list class) : R :=
-  total (map (fun j => if Rle_dec (Q2R (upper j)) y then w j else 0) js).
+  total (map (fun j => if Rle_dec (upper_size d j) y then w j else 0) js).
 
 Lemma prefix_ext w p p' js : forall P P', P = P' -> (forall j, In j js -> p j = p' j) -> prefix_of w p P js -> prefix_of w p' P' js.
 Proof.
@@ -63,26 +66,26 @@ Proof.
   apply (IH (p j)); [reflexivity | intros; apply X; right; assumption | exact T].
 Qed.
 
-Lemma above_uppers js : forall x1 j, ascend_from x1 js -> In j js -> x1 < Q2R (upper j).
+Lemma above_uppers js : forall x1 j, ascend_from d x1 js -> In j js -> x1 < upper_size d j.
 Proof.
   induction js as [|i js IH]; intros x1 j A I; [destruct I|]. destruct A as (E & L & A).
   destruct I as [<-|I]; [exact L|]. pose proof (IH _ _ A I). lra.
 Qed.
 
-Lemma up_to_none w y js : forall x1, ascend_from x1 js -> y <= x1 -> up_to w y js = 0.
+Lemma up_to_none w y js : forall x1, ascend_from d x1 js -> y <= x1 -> up_to w y js = 0.
 Proof.
   unfold up_to. induction js as [|j js IH]; intros x1 A L; simpl; [reflexivity|]. destruct A as (E & Lt & A).
-  destruct (Rle_dec (Q2R (upper j)) y); [lra|]. rewrite (IH _ A) by lra. ring.
+  destruct (Rle_dec (upper_size d j) y); [lra|]. rewrite (IH _ A) by lra. ring.
 Qed.
 
-Lemma up_to_prefix w js : forall x1 P, ascend_from x1 js -> prefix_of w (fun j => P + up_to w (Q2R (upper j)) js) P js.
+Lemma up_to_prefix w js : forall x1 P, ascend_from d x1 js -> prefix_of w (fun j => P + up_to w (upper_size d j) js) P js.
 Proof.
   induction js as [|j js IH]; intros x1 P A; [exact I|]. destruct A as (E & L & A). simpl.
-  assert (forall y, up_to w y (j :: js) = (if Rle_dec (Q2R (upper j)) y then w j else 0) + up_to w y js) as U by reflexivity.
-  rewrite U. destruct (Rle_dec (Q2R (upper j)) (Q2R (upper j))) as [_|N]; [|lra].
+  assert (forall y, up_to w y (j :: js) = (if Rle_dec (upper_size d j) y then w j else 0) + up_to w y js) as U by reflexivity.
+  rewrite U. destruct (Rle_dec (upper_size d j) (upper_size d j)) as [_|N]; [|lra].
   rewrite (up_to_none w _ js _ A) by lra. split; [ring|].
   refine (prefix_ext w _ _ js _ _ _ _ (IH _ (P + w j) A)); [ring|].
-  intros i I. rewrite U. pose proof (above_uppers _ _ _ A I). destruct (Rle_dec (Q2R (upper j)) (Q2R (upper i))); [ring | lra].
+  intros i I. rewrite U. pose proof (above_uppers _ _ _ A I). destruct (Rle_dec (upper_size d j) (upper_size d i)); [ring | lra].
 Qed.
 
 Lemma prefix_scale k w p js : forall P, prefix_of w p P js -> prefix_of (fun j => w j * k) (fun j => p j * k) (P * k) js.
@@ -90,10 +93,10 @@ Proof.
   induction js as [|j js IH]; intros P H; [exact I|]. destruct H as (H & T). simpl. split; [rewrite H; ring | apply IH, T].
 Qed.
 
-Lemma up_to_all w y js : (forall j, In j js -> Q2R (upper j) <= y) -> up_to w y js = total (map w js).
+Lemma up_to_all w y js : (forall j, In j js -> upper_size d j <= y) -> up_to w y js = total (map w js).
 Proof.
   unfold up_to. induction js as [|j js IH]; intro H; simpl; [reflexivity|].
-  destruct (Rle_dec (Q2R (upper j)) y) as [_|N]; [|contradiction N; apply H; left; reflexivity].
+  destruct (Rle_dec (upper_size d j) y) as [_|N]; [|contradiction N; apply H; left; reflexivity].
   rewrite IH; [reflexivity | intros; apply H; right; assumption].
 Qed.
 
@@ -114,8 +117,12 @@ Lemma up_to_between w y js : (forall j, In j js -> 0 <= w j) -> 0 <= up_to w y j
 Proof.
   unfold up_to. induction js as [|j js IH]; intro H; simpl; [lra|].
   pose proof (H j (or_introl eq_refl)). specialize (IH ltac:(intros; apply H; right; assumption)).
-  destruct (Rle_dec (Q2R (upper j)) y); lra.
+  destruct (Rle_dec (upper_size d j) y); lra.
 Qed.
+
+End Root.
+
+Arguments up_to : clear implicits.
 
 (* ---- Lines without the band ---------------------------------------------------------------------- *)
 

@@ -1,32 +1,35 @@
 (* The volume of the solids as a bound on scales (Theorem 6). *)
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
-From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain ChainSound Exact Spec Reduction
-  RealFacts ExactSound.
+From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain ChainSound Exact Spec Openings
+  Reduction RealFacts ExactSound.
 Import ListNotations.
 Open Scope R_scope.
+
+Section Root.
+Context {d : positive}.
 
 (* ---- Sums over a sample, class by class ---------------------------------------------------------- *)
 
 Lemma total_parts g js : forall x1 S,
-  ascend_from x1 js -> (forall x, In x S -> x1 < x <= top x1 js) ->
-  total (map g S) = total (map (fun j => total (map g (inside j S))) js).
+  ascend_from d x1 js -> (forall x, In x S -> x1 < x <= top d x1 js) ->
+  total (map g S) = total (map (fun j => total (map g (inside d j S))) js).
 Proof.
   intros x1 S A. induction S as [|x S IH]; intro H.
   { simpl. clear A H. induction js; simpl; [reflexivity|]. rewrite <- IHjs. ring. }
-  assert (total (map (fun j => total (map g (inside j (x :: S)))) js) =
-          g x + total (map (fun j => total (map g (inside j S))) js)) as E.
+  assert (total (map (fun j => total (map g (inside d j (x :: S)))) js) =
+          g x + total (map (fun j => total (map g (inside d j S))) js)) as E.
   2: { rewrite E, <- IH by (intros; apply H; right; assumption). reflexivity. }
   specialize (H x (or_introl eq_refl)). clear IH. revert x1 A H.
   induction js as [|j js IH]; intros x1 A H; simpl in *; [unfold top in H; simpl in H; lra|].
-  destruct A as (E & L & A). destruct (in_class_dec j x) as [Y|N].
-  - assert (map (fun j => total (map g (inside j (x :: S)))) js = map (fun j => total (map g (inside j S))) js) as E'.
-    { apply map_ext_in. intros i I. unfold inside. simpl. destruct (in_class_dec i x) as [Yi|]; [|reflexivity].
+  destruct A as (E & L & A). destruct (in_class_dec d j x) as [Y|N].
+  - assert (map (fun j => total (map g (inside d j (x :: S)))) js = map (fun j => total (map g (inside d j S))) js) as E'.
+    { apply map_ext_in. intros i I. unfold inside. simpl. destruct (in_class_dec d i x) as [Yi|]; [|reflexivity].
       pose proof (above_lower _ _ _ _ A I Yi). unfold in_class in Y. lra. }
     unfold inside in E' |- *. simpl in E' |- *. rewrite E'. simpl. ring.
-  - assert (Q2R (upper j) < x) as U
-      by (unfold in_class in N; destruct (Rle_dec x (Q2R (upper j))); [exfalso; apply N; lra | lra]).
-    specialize (IH (Q2R (upper j)) A). unfold inside in IH |- *. simpl in IH |- *. rewrite IH; [ring|].
+  - assert (upper_size d j < x) as U
+      by (unfold in_class in N; destruct (Rle_dec x (upper_size d j)); [exfalso; apply N; lra | lra]).
+    specialize (IH (upper_size d j) A). unfold inside in IH |- *. simpl in IH |- *. rewrite IH; [ring|].
     split; [exact U|]. apply H.
 Qed.
 
@@ -38,14 +41,14 @@ Proof. induction xs as [|x xs IH]; simpl; [ring | rewrite IH; ring]. Qed.
 
 (* The sum of x^3, by the masses of the classes. *)
 Lemma cubes_by_class law rs S :
-  power_law 3 1 law -> proper_rows rs -> describes rs S ->
-  total (map sphere S) = total (map (fun j => held law j S / Q2R (c j)) (classes rs)).
+  power_law 3 1 law -> proper_rows rs -> describes d rs S ->
+  total (map sphere S) = total (map (fun j => held d law j S / Q2R (c j)) (classes rs)).
 Proof.
-  intros (_ & P) W (_ & D). pose proof (proper_classes rs W) as Pj. destruct W as (A & L & _ & _).
-  destruct (classes_ascend rs A) as (As & T).
+  intros (_ & P) W (_ & D). pose proof (proper_classes rs W) as Pj. 
+  destruct (classes_ascend (d := d) rs W) as (As & T).
   rewrite (total_parts sphere _ _ S As) by (intros x X; rewrite T; apply D, X).
-  apply total_ext. intros j J. rewrite Forall_forall in Pj. destruct (Pj j J) as ((Lj & Uj) & C & _).
-  unfold held. replace (Q2R (c j) * total (map law (inside j S)) / Q2R (c j)) with (total (map law (inside j S)))
+  apply total_ext. intros j J. rewrite Forall_forall in Pj. destruct (proper_sizes (d := d) j (Pj j J)) as (Lj & Uj). destruct (Pj j J) as (_ & C & _).
+  unfold held. replace (Q2R (c j) * total (map law (inside d j S)) / Q2R (c j)) with (total (map law (inside d j S)))
     by (field; lra).
   apply total_ext. intros x X. apply inside_in in X as (_ & X1 & X2).
   destruct (P x ltac:(lra)) as (_ & E). rewrite pow_1 in E. rewrite E. reflexivity.
@@ -55,12 +58,14 @@ Qed.
 Definition unit_cubes (js : list class) : R := total (map (fun j => Q2R (mass j) / Q2R (c j)) js).
 
 Lemma volume_of_match law rs S s :
-  power_law 3 1 law -> proper_rows rs -> describes_accurately_at s law rs S ->
+  power_law 3 1 law -> proper_rows rs -> describes_accurately_at d s law rs S ->
   solid_volume S = PI / 6 * (s * unit_cubes (classes rs)).
 Proof.
   intros P W (D & H). unfold solid_volume, unit_cubes. rewrite (cubes_by_class law rs S P W D).
   rewrite <- (total_scal s). f_equal. apply total_ext. intros j J. rewrite (H j J). unfold Rdiv. ring.
 Qed.
+
+End Root.
 
 (* ---- The demanded volume ------------------------------------------------------------------------- *)
 
@@ -178,37 +183,44 @@ Proof.
   - specialize (IH J). specialize (N i Pi). lra.
 Qed.
 
-Lemma scale_of_volume_real js common volume :
+Lemma scale_of_volume_real nb k js common volume s :
   Forall (integral u) js -> Forall proper js -> (0 < common)%Z ->
   (forall j, In j js -> (integer_factor u j | common)%Z) -> 0 < unit_cubes js -> 0 <= Q2R volume ->
-  let s := scale_of_volume u (solids_of_unit_scale u js common) common volume in
-  bound s /\ IZR (fst s) / IZR (snd s) = Q2R volume / unit_cubes js * per_scale 3 1 u.
+  scale_of_volume u (Z.of_nat nb) k (solids_of_unit_scale u js common) common volume = Ok s ->
+  bound s /\ IZR (fst s) / IZR (snd s) = (Q2R volume / unit_cubes js) ^ nb * per_scale 3 nb u.
 Proof.
-  intros I P C D W V. unfold scale_of_volume. cbn zeta.
+  intros I P C D W V H. unfold scale_of_volume in H. cbv zeta in H. passed H.
+  assert (forall x y : ratio, Ok x = Ok y -> y = x) as Inj by congruence. apply Inj in H. subst s. clear Inj.
   pose proof (unit_scale_real js common I P C D) as E. set (Wi := solids_of_unit_scale u js common) in *.
   pose proof (IZR_lt _ _ x_unit) as X. pose proof (IZR_lt _ _ m_unit) as M. pose proof (IZR_lt _ _ c_unit) as Cu.
   pose proof (IZR_lt _ _ C) as Cc.
   assert (0 < IZR Wi) as Wp.
   { rewrite E. apply Rmult_lt_0_compat; [|exact W]. apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; assumption. }
   assert (0 < Wi)%Z as Wz by (apply lt_IZR; exact Wp).
-  assert (Q2R (fraction (Qnum volume * (of_openings u ^ 3 * common)) (Zpos (Qden volume) * Wi)) =
-          Q2R volume / unit_cubes js * per_scale 3 1 u) as K.
-  { rewrite Q2R_fraction by lia. rewrite !mult_IZR, Q2R_num, E.
-    change 3%Z with (Z.of_nat 3). rewrite <- pow_IZR. unfold per_scale. pose proof (den_positive volume).
-    rewrite !pow_1. field. repeat split; lra. }
-  set (s := fraction _ _) in *. cbn [fst snd]. split.
-  - split; cbn [fst snd]; [|reflexivity]. apply le_IZR. rewrite Q2R_num, K. apply Rmult_le_pos; [|left; apply den_positive].
-    apply Rmult_le_pos; [apply Rmult_le_pos; [exact V | left; apply Rinv_0_lt_compat, W]|].
-    left. apply (per_scale_positive 3 1 u); assumption.
-  - rewrite <- K. unfold Q2R, Rdiv. reflexivity.
+  set (s := fraction (Qnum volume * common) (Zpos (Qden volume) * Wi)) in *.
+  assert (Q2R s = Q2R volume / unit_cubes js * (IZR (of_factors u) / IZR (of_masses u))) as Es.
+  { unfold s. rewrite Q2R_fraction by lia. rewrite !mult_IZR, Q2R_num, E. pose proof (den_positive volume). field. lra. }
+  pose proof (den_positive s) as Ds. cbn [fst snd]. split.
+  - split; cbn [fst snd]; [|apply Z.pow_pos_nonneg; lia].
+    assert (0 <= Qnum s)%Z as Sn.
+    { apply le_IZR. rewrite Q2R_num, Es. apply Rmult_le_pos; [|lra].
+      apply Rmult_le_pos; [apply Rmult_le_pos; [exact V | left; apply Rinv_0_lt_compat, W]|].
+      left. apply Rdiv_lt_0_compat; assumption. }
+    apply Z.mul_nonneg_nonneg; apply Z.pow_nonneg; lia.
+  - rewrite mult_IZR. change 3%Z with (Z.of_nat 3). rewrite <- !pow_IZR.
+    replace (IZR (Qnum s)) with (Q2R s * IZR (Zpos (Qden s))) by (symmetry; apply Q2R_num).
+    rewrite Rpow_mult_distr, Es, Rpow_mult_distr. unfold per_scale. pose proof (pow_lt _ nb Ds). pose proof (pow_lt _ nb M).
+    replace ((IZR (of_factors u) / IZR (of_masses u)) ^ nb) with (IZR (of_factors u) ^ nb / IZR (of_masses u) ^ nb)
+      by (unfold Rdiv; rewrite Rpow_mult_distr, pow_inv; reflexivity).
+    field. repeat split; lra.
 Qed.
 
-(* What [scales_of] demands of a scale S = s * per_scale. *)
+(* What [scales_of] demands of a scale S = s^b * per_scale. *)
 Theorem scales_ok na nb js sol ss :
+  (1 <= nb)%nat ->
   Forall (integral u) js -> Forall proper js -> (exists j, In j js /\ 0 < Q2R (mass j)) ->
-  proper_solids sol -> (sol = Anything \/ na = 3%nat /\ nb = 1%nat) -> scales_of u js sol = Ok ss ->
-  bound (start ss) /\ bound (excluded ss) /\ bound (enough ss) /\ (sol = Anything \/ nb = 1%nat) /\
-  (sol = Anything -> fst (start ss) = 0%Z) /\
+  proper_solids sol -> (sol = Anything \/ na = 3%nat) -> scales_of u (Z.of_nat nb) js sol = Ok ss ->
+  bound (start ss) /\ bound (excluded ss) /\ bound (enough ss) /\
   forall s, 0 < s ->
     (has_cubes sol (s * unit_cubes js) ->
        IZR (fst (start ss)) / IZR (snd (start ss)) <= s ^ nb * per_scale na nb u /\
@@ -216,7 +228,7 @@ Theorem scales_ok na nb js sol ss :
     (IZR (fst (enough ss)) / IZR (snd (enough ss)) <= s ^ nb * per_scale na nb u ->
        has_cubes sol (s * unit_cubes js)).
 Proof.
-  intros I P Mp Ps Law H.
+  intros B I P Mp Ps Law H.
   assert (forall s, 0 < s -> 0 < s ^ nb * per_scale na nb u) as Pos.
   { intros s Sp. apply Rmult_lt_0_compat; [apply pow_lt, Sp | apply per_scale_positive; assumption]. }
   assert (bound (0, 1)%Z) as B0 by (split; simpl; lia).
@@ -224,7 +236,7 @@ Proof.
   destruct sol as [|d h e|v p r] eqn:Es; rewrite <- Es in *.
   { rewrite Es in *. injection H as <-. cbn [start excluded enough fst snd]. rewrite Z0.
     repeat (split; [tauto|]). intros s Sp. specialize (Pos s Sp). repeat split; simpl; trivial; lra. }
-  all: destruct Law as [Law|(-> & ->)]; [congruence|].
+  all: destruct Law as [Law| ->]; [congruence|].
   all: rewrite Es in H; cbn [scales_of] in H; rewrite <- Es in H; passed H.
   all: rename x into common; apply include_all_ok in H0 as (Cp & _ & Cd);
     [|lia|intros w Iw; apply in_map_iff in Iw as (j & <- & J); unfold with_mass in J; apply filter_In in J as (J & _);
@@ -237,30 +249,37 @@ Proof.
     by (intros j J; apply Cd, in_map, J).
   all: pose proof (unit_cubes_positive js P Mp) as W; rewrite <- unit_cubes_with_mass in W.
   all: destruct (volume_enough_nonneg sol Ps) as (Ve & Vb).
-  all: destruct (scale_of_volume_real (with_mass js) common (volume_enough sol) Iw Pw Cp Dw W Ve) as (Be & Re).
-  all: destruct (scale_of_volume_real (with_mass js) common (volume_below sol) Iw Pw Cp Dw W Vb) as (Bb & Rb).
-  all: injection H as <-; cbn [start excluded enough].
+  all: pose proof (fun v s => scale_of_volume_real nb (size js) (with_mass js) common v s Iw Pw Cp Dw W) as Real.
   all: rewrite unit_cubes_with_mass in *.
-  all: pose proof (per_scale_positive 3 1 u x_unit m_unit c_unit) as K.
-  all: assert (forall v s, v / unit_cubes js * per_scale 3 1 u <= s ^ 1 * per_scale 3 1 u <-> v <= s * unit_cubes js) as Le
-    by (intros v' s; rewrite pow_1; split; intro Hl;
-        [apply Rmult_le_reg_r in Hl; [|exact K]; apply (Rmult_le_compat_r (unit_cubes js)) in Hl; [|lra];
-         replace (v' / unit_cubes js * unit_cubes js) with v' in Hl by (field; lra); exact Hl
-        |apply Rmult_le_compat_r; [lra|]; apply (Rmult_le_reg_r (unit_cubes js)); [exact W|];
-         replace (v' / unit_cubes js * unit_cubes js) with v' by (field; lra); exact Hl]).
-  - split; [exact Be|]. split; [exact B0|]. split; [exact Be|]. split; [right; reflexivity|]. split; [congruence|].
+  all: pose proof (per_scale_positive 3 nb u x_unit m_unit c_unit) as K.
+  all: assert (forall v s, 0 <= v -> 0 < s ->
+         ((v / unit_cubes js) ^ nb * per_scale 3 nb u <= s ^ nb * per_scale 3 nb u <-> v <= s * unit_cubes js)) as Le.
+  1, 3: intros v' s Vn Sp;
+    assert (0 <= v' / unit_cubes js) as Vw by (apply Rmult_le_pos; [exact Vn | left; apply Rinv_0_lt_compat, W]);
+    transitivity ((v' / unit_cubes js) ^ nb <= s ^ nb);
+    [split; intro Hl; [apply Rmult_le_reg_r in Hl; [exact Hl | exact K] | apply Rmult_le_compat_r; [lra | exact Hl]]|];
+    rewrite <- pow_le_iff by (trivial; lra); split; intro Hl;
+    [apply (Rmult_le_compat_r (unit_cubes js)) in Hl; [|lra];
+     replace (v' / unit_cubes js * unit_cubes js) with v' in Hl by (field; lra); exact Hl
+    |apply (Rmult_le_reg_r (unit_cubes js)); [exact W|];
+     replace (v' / unit_cubes js * unit_cubes js) with v' by (field; lra); exact Hl].
+  all: passed H.
+  - injection H as <-; cbn [start excluded enough]. apply Real in H0 as (Be & Re); [|exact Ve].
+    split; [exact Be|]. split; [exact B0|]. split; [exact Be|].
     intros s Sp. rewrite Re. cbn [fst snd]. rewrite Z0. split; [intro Hs; split; [|apply Pos, Sp] | intro Hs].
-    + apply Le. pose proof (below_needed sol _ Ps Hs) as N. rewrite Es in N |- *. exact N.
-    + apply enough_suffices; [exact Ps|]. apply Le, Hs.
-  - split; [exact B0|]. split; [exact Bb|]. split; [exact Be|]. split; [right; reflexivity|]. split; [congruence|].
+    + apply Le; trivial. pose proof (below_needed sol _ Ps Hs) as N. rewrite Es in N |- *. exact N.
+    + apply enough_suffices; [exact Ps|]. apply Le; trivial.
+  - passed H. injection H as <-; cbn [start excluded enough].
+    apply Real in H0 as (Be & Re); [|exact Ve]. apply Real in H1 as (Bb & Rb); [|exact Vb].
+    split; [exact B0|]. split; [exact Bb|]. split; [exact Be|].
     intros s Sp. rewrite Re, Rb. cbn [fst snd]. rewrite Z0. split; [intro Hs; split; [left; apply Pos, Sp|] | intro Hs].
     + pose proof (below_needed sol _ Ps Hs) as N. rewrite Es in N. rewrite <- Es in N.
-      apply Rnot_le_lt. intro C. assert (s * unit_cubes js <= Q2R (volume_below sol)); [|lra].
-      rewrite pow_1 in C. apply Rmult_le_reg_r in C; [|exact K].
-      apply (Rmult_le_compat_r (unit_cubes js)) in C; [|lra].
-      replace (Q2R (volume_below sol) / unit_cubes js * unit_cubes js) with (Q2R (volume_below sol)) in C by (field; lra).
-      exact C.
-    + apply enough_suffices; [exact Ps|]. apply Le, Hs.
+      apply Rmult_lt_compat_r; [exact K|]. apply pow_lt_compat; [|exact B]. split.
+      * apply Rmult_le_pos; [exact Vb | left; apply Rinv_0_lt_compat, W].
+      * apply (Rmult_lt_reg_r (unit_cubes js)); [exact W|].
+        replace (Q2R (volume_below sol) / unit_cubes js * unit_cubes js) with (Q2R (volume_below sol)) by (field; lra).
+        exact N.
+    + apply enough_suffices; [exact Ps|]. apply Le; trivial.
 Qed.
 
 End Units.

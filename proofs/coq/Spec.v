@@ -1,9 +1,12 @@
 (* What the checker's verdict is about, in the paper's words: gradation, sample, Conditions 1-4 (Eq. 9-12).
 
    Sizes are real numbers; the gradation's numbers are rational. To be read before anything else: all that is
-   proved is proved about these definitions. *)
+   proved is proved about these definitions.
 
-From Coq Require Import ZArith QArith Reals Qreals List.
+   The files of phi with fractions have openings that are irrational, such as 2^0.5 mm. A gradation gives them exactly,
+   by their power x_j^d = 2 with one whole d for all of its openings, its root. d is 1 for every other gradation. *)
+
+From Coq Require Import ZArith QArith Reals Qreals Rpower List.
 From Mdm Require Import Gradation Certificate.
 Import ListNotations.
 Open Scope R_scope.
@@ -26,14 +29,28 @@ Definition sphere (x : R) : R := x ^ 3.
 Definition power_law (a b : nat) (f : R -> R) : Prop :=
   mass_law f /\ forall x, 0 <= x -> 0 <= f x /\ f x ^ b = x ^ a.
 
+(* ---- Openings ------------------------------------------------------------------------------------ *)
+
+(* The d-th root, for y >= 0: nth_root_power in Openings.v. *)
+Definition nth_root (d : positive) (y : R) : R := if Rlt_dec 0 y then Rpower y (/ IZR (Zpos d)) else 0.
+
+Section Root.
+Variable d : positive.
+
+(* The opening that is given by its power y. *)
+Definition size_of (y : Q) : R := nth_root d (Q2R y).
+
+Definition lower_size (j : class) : R := size_of (lower j).
+Definition upper_size (j : class) : R := size_of (upper j).
+
 (* ---- Classes ------------------------------------------------------------------------------------- *)
 
 (* Open below, closed above: a particle passes an opening of its own size. *)
-Definition in_class (j : class) (x : R) : Prop := Q2R (lower j) < x <= Q2R (upper j).
+Definition in_class (j : class) (x : R) : Prop := lower_size j < x <= upper_size j.
 
 Definition in_class_dec (j : class) (x : R) : {in_class j x} + {~ in_class j x}.
 Proof.
-  unfold in_class. destruct (Rlt_dec (Q2R (lower j)) x), (Rle_dec x (Q2R (upper j))); [left | right..]; tauto.
+  unfold in_class. destruct (Rlt_dec (lower_size j) x), (Rle_dec x (upper_size j)); [left | right..]; tauto.
 Defined.
 
 Definition total (xs : list R) : R := fold_right Rplus 0 xs.
@@ -46,8 +63,8 @@ Definition held (f : R -> R) (j : class) (S : sample) : R := Q2R (c j) * total (
 
 (* ---- Conditions 1 to 4 --------------------------------------------------------------------------- *)
 
-Definition least_opening (rs : list row) : R := Q2R (opening (hd (Row 0 0 1 0) rs)).
-Definition largest_opening (rs : list row) : R := Q2R (opening (last_row rs)).
+Definition least_opening (rs : list row) : R := size_of (opening (hd (Row 0 0 1 0) rs)).
+Definition largest_opening (rs : list row) : R := size_of (opening (last_row rs)).
 
 (* Cond1 (Eq. 9): nothing is retained on the largest opening. *)
 Definition complete (rs : list row) : Prop := (retained (last_row rs) == 0)%Q.
@@ -60,7 +77,7 @@ Definition describes (rs : list row) (S : sample) : Prop :=
    has < and <= the other way round than Eq. 12.) *)
 Definition describes_articulately (rs : list row) (S : sample) : Prop :=
   describes rs S /\
-  forall x y, In x S -> In y S -> x < y -> exists r, In r rs /\ x <= Q2R (opening r) < y.
+  forall x y, In x S -> In y S -> x < y -> exists r, In r rs /\ x <= size_of (opening r) < y.
 
 (* Cond4 (Eq. 12), for the gradation with all masses times s. *)
 Definition describes_accurately_at (s : R) (f : R -> R) (rs : list row) (S : sample) : Prop :=
@@ -93,7 +110,7 @@ Definition has_enough (q : question) (rs : list row) (S : sample) : Prop :=
 Definition mass_of_all (f : R -> R) (rs : list row) (S : sample) : R :=
   total (map (fun j => held f j S) (classes rs)).
 Definition mass_passing (f : R -> R) (rs : list row) (y : R) (S : sample) : R :=
-  total (map (fun j => if Rle_dec (Q2R (upper j)) y then held f j S else 0) (classes rs)).
+  total (map (fun j => if Rle_dec (upper_size j) y then held f j S else 0) (classes rs)).
 
 (* The shares of the sample and of the gradation. *)
 Definition share_retained (f : R -> R) (rs : list row) (j : class) (S : sample) : R :=
@@ -103,7 +120,7 @@ Definition share_passing (f : R -> R) (rs : list row) (y : R) (S : sample) : R :
 Definition gradation_mass (rs : list row) : R := total (map (fun j => Q2R (mass j)) (classes rs)).
 Definition target_retained (rs : list row) (j : class) : R := Q2R (mass j) / gradation_mass rs.
 Definition target_passing (rs : list row) (y : R) : R :=
-  total (map (fun j => if Rle_dec (Q2R (upper j)) y then Q2R (mass j) else 0) (classes rs)) / gradation_mass rs.
+  total (map (fun j => if Rle_dec (upper_size j) y then Q2R (mass j) else 0) (classes rs)) / gradation_mass rs.
 
 Definition near (e : Q) (x y : R) : Prop := Rabs (x - y) <= Q2R e / 100.
 
@@ -113,7 +130,7 @@ Variables (f : R -> R) (K : option Q) (tol : tolerances) (rs : list row) (S : sa
 Definition meets_retained (j : class) (e : Q) : Prop :=
   near e (share_retained f rs j S) (target_retained rs j).
 Definition meets_passing (j : class) (e : Q) : Prop :=
-  near e (share_passing f rs (Q2R (upper j)) S) (target_passing rs (Q2R (upper j))).
+  near e (share_passing f rs (upper_size j) S) (target_passing rs (upper_size j)).
 
 (* An opening X of the band, in the unit that the question gives the gradation. *)
 Definition scaled (x : Q) : R := match K with Some k => Q2R k * Q2R x | None => Q2R x end.
@@ -137,16 +154,19 @@ Definition meets_tolerances : Prop :=
 Definition describes_within : Prop := describes rs S /\ S <> [] /\ meets_tolerances.
 
 End Tolerance.
+End Root.
 
 (* ---- The least number ---------------------------------------------------------------------------- *)
 
-(* Samples that the question allows. *)
-Definition allowed (f : R -> R) (q : question) (rs : list row) (S : sample) : Prop :=
-  match tolerances_of q with
-  | None => describes_accurately f rs S
-  | Some tol => describes_within f (size_factor q) tol rs S
-  end /\ has_enough q rs S.
+Definition root_of (G : gradation) : positive := Z.to_pos (root G).
 
-Definition least_number (f : R -> R) (q : question) (rs : list row) (n : Z) : Prop :=
-  (exists S, allowed f q rs S /\ Z.of_nat (length S) = n) /\
-  forall S, allowed f q rs S -> (n <= Z.of_nat (length S))%Z.
+(* Samples that the question allows. *)
+Definition allowed (f : R -> R) (q : question) (G : gradation) (S : sample) : Prop :=
+  match tolerances_of q with
+  | None => describes_accurately (root_of G) f (rows G) S
+  | Some tol => describes_within (root_of G) f (size_factor q) tol (rows G) S
+  end /\ has_enough (root_of G) q (rows G) S.
+
+Definition least_number (f : R -> R) (q : question) (G : gradation) (n : Z) : Prop :=
+  (exists S, allowed f q G S /\ Z.of_nat (length S) = n) /\
+  forall S, allowed f q G S -> (n <= Z.of_nat (length S))%Z.

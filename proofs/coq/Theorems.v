@@ -1,8 +1,8 @@
 (* The main theorems, in the paper's words: what it means that the checker accepts. *)
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
-From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain Exact Tolerant Checker Spec Reduction
-  RealFacts Pi Sizes ExactSound Solids ExactTheorem TolerantTheorem.
+From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain Exact Tolerant Checker Spec Openings
+  Reduction RealFacts Pi Sizes ExactSound Solids ExactTheorem TolerantTheorem.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -27,7 +27,7 @@ Qed.
 Lemma sensible_question cert :
   sensible cert = true -> check_pi (solids_of (asked cert)) = Ok tt -> proper_question (asked cert).
 Proof.
-  unfold sensible. cbv zeta. rewrite !andb_true_iff, !Z.leb_le. intros (((((((A & B) & R) & _) & S) & _) & _) & _) Pi.
+  unfold sensible. cbv zeta. rewrite !andb_true_iff, !Z.leb_le. intros ((((((((A & B) & R) & _) & S) & _) & _) & _) & _) Pi.
   split; [exact A|]. split; [exact B|]. split; [exact R|].
   destruct (solids_of (asked cert)) as [|d h e|v p r].
   - split; [exact I | left; reflexivity].
@@ -37,20 +37,49 @@ Proof.
     apply less_real in V, P, Rr. rewrite Q2R_0 in *. apply check_pi_sound in Pi. split; [simpl; tauto | right; auto].
 Qed.
 
-(* No sample with fewer than N particles is described accurately by the gradation, and one with N is: with the
-   question's law x^(a/b), factors, floors, solids and least number of particles. *)
+(* ---- What an accepted certificate claims --------------------------------------------------------- *)
+
+(* S has the witness's number of particles; one size a class (Cond3); and in each class that the witness names the number
+   and the size that its line says. *)
+Definition is_witness (f : R -> R) (cert : certificate) (G : gradation) (N : Z) (S : sample) : Prop :=
+  allowed f (asked cert) G S /\ Z.of_nat (length S) = N /\ describes_articulately (root_of G) (rows G) S /\
+  Forall (line_true (root_of G) (classes (rows G)) S) (witness cert).
+
+(* No sample that the question allows has fewer particles than S in any class; and one with as many particles has as
+   many in every class. *)
+Definition least_in_every_class (f : R -> R) (q : question) (G : gradation) (S : sample) : Prop :=
+  forall T, allowed f q G T ->
+    (forall j, In j (classes (rows G)) -> (number (root_of G) j S <= number (root_of G) j T)%Z) /\
+    (length T = length S ->
+     forall j, In j (classes (rows G)) -> number (root_of G) j T = number (root_of G) j S).
+
+(* With the question's law, factors, floors, solids, tolerance and least number of particles. Where an exact question
+   asks for at least N particles and N are enough, several samples of N may differ in their counts. *)
+Definition claim_true (f : R -> R) (cert : certificate) (G : gradation) : Prop :=
+  let q := asked cert in
+  match particles cert with
+  | Some N =>
+    least_number f q G N /\
+    (exists S, is_witness f cert G N S) /\
+    (tolerances_of q = None -> (at_least q < N)%Z ->
+     forall S, allowed f q G S -> Z.of_nat (length S) = N -> least_in_every_class f q G S)
+  | None => forall S, ~ allowed f q G S
+  end.
+
+Lemma counts_le (g h : class -> Z) l : Forall2 Z.le (map g l) (map h l) -> forall j, In j l -> (g j <= h j)%Z.
+Proof.
+  induction l as [|i l IH]; intros F j J; [destruct J|]. simpl in F. inversion F; subst.
+  destruct J as [<-|J]; [assumption | apply IH; assumption].
+Qed.
+
 Theorem exact_match G cert f :
   check_certificate G cert = Ok tt -> tolerances_of (asked cert) = None ->
   power_law (Z.to_nat (a (asked cert))) (Z.to_nat (b (asked cert))) f ->
-  exists G' N, asked_gradation G cert = Ok G' /\ particles cert = Some N /\
-    least_number f (asked cert) (rows G') N /\
-    (* One with one size a class (Cond3), in the classes, numbers and sizes of the witness's lines. *)
-    exists S, allowed f (asked cert) (rows G') S /\ Z.of_nat (length S) = N /\
-      describes_articulately (rows G') S /\ Forall (line_true (classes (rows G')) S) (witness cert).
+  exists G', asked_gradation G cert = Ok G' /\ particles cert <> None /\ claim_true f cert G'.
 Proof.
   intros H T P. apply check_certificate_ok in H as (G' & E & W & S & H). rewrite T in H.
   destruct (proof_of cert) as [scale z chain|nodes] eqn:Ep; [|destruct H].
-  destruct (well_formed_proper G' W) as (Wp & M).
+  destruct (well_formed_proper G' W) as (Wp & M). pose proof (well_formed_root G' W) as Rd.
   assert (check_pi (solids_of (asked cert)) = Ok tt) as Pi.
   { pose proof H as K. unfold check_exact in K. passed K. passed K. passed K. destruct x0. exact K2. }
   pose proof (sensible_question cert S Pi) as Q.
@@ -60,12 +89,16 @@ Proof.
     rewrite Q2R_0 in Zz. exact Zz. }
   assert (exists N, particles cert = Some N) as (N & EN).
   { destruct (check_accepted cert G' scale z chain Zp H) as (N & _ & _ & EN & _). eauto. }
-  destruct (exact_attained cert G' scale z chain T Wp M Q Sp Zp H f P N EN) as (s & A & L & O & Lines).
-  assert (describes (rows G') s) as D.
-  { destruct A as (A & _). rewrite T in A. destruct A as (sc & _ & D & _). exact D. }
-  exists G', N. split; [exact E|]. split; [exact EN|]. split; [split; [eauto|]|].
-  - intros t A'. exact (exact_lower_bound cert G' scale z chain T Wp M Q Zp H f P N t EN A').
+  destruct (exact_attained cert G' (root_of G') scale z chain Rd T Wp M Q Sp Zp H f P N EN) as (s & A & L & O & Lines).
+  assert (describes (root_of G') (rows G') s) as D.
+  { apply (allowed_exactly cert G' (root_of G') Rd T) in A as ((sc & _ & D & _) & _). exact D. }
+  exists G'. split; [exact E|]. split; [congruence|]. unfold claim_true. rewrite EN. split; [split; [eauto|]|split].
+  - intros t A'. exact (exact_lower_bound cert G' (root_of G') scale z chain Rd T Wp M Q Zp H f P N t EN A').
   - exists s. split; [exact A|]. split; [exact L|]. split; [exact (one_size_articulate _ _ Wp D O) | exact Lines].
+  - intros _ Lt s' A' L' t B.
+    pose proof (fun S' T' => exact_least_counts cert G' (root_of G') scale z chain Rd T Wp M Q Zp H f P N S' T' EN Lt) as K.
+    split; [exact (counts_le _ _ _ (K s' t A' L' B))|]. intros Lt' j J.
+    apply Z.le_antisymm; [apply (counts_le _ _ _ (K t s' B ltac:(congruence) A') j J) | apply (counts_le _ _ _ (K s' t A' L' B) j J)].
 Qed.
 
 Lemma check_tolerant_ok cert G tol nodes :
@@ -82,15 +115,19 @@ Lemma sensible_tolerances cert tol :
   (forall N, particles cert = Some N -> (1 <= N)%Z) /\
   Forall (fun e => 0 <= Q2R e) (passing_each tol) /\
   (forall e, passing_all tol = Some e -> 0 <= Q2R e) /\
-  (forall X l h, In (X, l, h) (band tol) -> 0 <= Q2R h).
+  (forall X l h, In (X, l, h) (band tol) -> 0 <= Q2R X /\ 0 <= Q2R h) /\
+  (forall K, size_factor (asked cert) = Some K -> 0 <= Q2R K).
 Proof.
   unfold sensible. cbv zeta. intros S T. rewrite T, !andb_true_iff in S.
-  destruct S as (((_ & ((Pa & Pe) & Bd)) & N) & _). repeat split.
+  destruct S as ((((_ & ((Pa & Pe) & Bd)) & Kp) & N) & _).
+  split; [|split; [|split; [|split]]].
   - intros n E. rewrite E in N. apply Z.leb_le, N.
   - apply Forall_forall. intros e I. rewrite forallb_forall in Pe. specialize (Pe e I). apply at_most_real in Pe.
     rewrite Q2R_0 in Pe. exact Pe.
   - intros e E. rewrite E in Pa. apply at_most_real in Pa. rewrite Q2R_0 in Pa. exact Pa.
-  - intros X l h I. rewrite forallb_forall in Bd. specialize (Bd _ I). apply at_most_real in Bd. rewrite Q2R_0 in Bd. exact Bd.
+  - intros X l h I. rewrite forallb_forall in Bd. specialize (Bd _ I). apply andb_prop in Bd as (B1 & B2).
+    apply at_most_real in B1, B2. rewrite Q2R_0 in B1, B2. auto.
+  - intros K E. rewrite E in Kp. apply less_real in Kp. rewrite Q2R_0 in Kp. lra.
 Qed.
 
 Lemma well_formed_tolerances G : well_formed G = true -> Forall (fun r => 0 <= Q2R (tolerance r)) (rows G).
@@ -100,56 +137,35 @@ Proof.
   apply at_most_real in P. rewrite Q2R_0 in P. exact P.
 Qed.
 
-(* No sample with fewer than N particles is within the tolerance, and one with N is. Or, where none is claimed, no
-   sample of any number is. *)
 Theorem match_within_tolerance G cert f :
   check_certificate G cert = Ok tt -> tolerances_of (asked cert) <> None ->
   power_law (Z.to_nat (a (asked cert))) (Z.to_nat (b (asked cert))) f ->
-  exists G', asked_gradation G cert = Ok G' /\
-    match particles cert with
-    | Some N =>
-      least_number f (asked cert) (rows G') N /\
-      exists S, allowed f (asked cert) (rows G') S /\ Z.of_nat (length S) = N /\
-        describes_articulately (rows G') S /\ Forall (line_true (classes (rows G')) S) (witness cert)
-    | None => forall S, ~ allowed f (asked cert) (rows G') S
-    end.
+  exists G', asked_gradation G cert = Ok G' /\ claim_true f cert G'.
 Proof.
   intros H T P. apply check_certificate_ok in H as (G' & E & W & S & H).
   destruct (tolerances_of (asked cert)) as [tol|] eqn:Et; [|congruence].
   destruct (proof_of cert) as [scale z chain|nodes] eqn:Ep; [destruct H|].
-  destruct (well_formed_proper G' W) as (Wp & M).
+  destruct (well_formed_proper G' W) as (Wp & M). pose proof (well_formed_root G' W) as Rd.
   apply check_tolerant_ok in H as (pr & D & Pi & Wi & C).
   pose proof (sensible_question cert S Pi) as (Qa & Qb & _ & Qs & Ql).
-  destruct (sensible_tolerances cert tol S Et) as (Np & Te & Tp & Tb).
-  exists G'. split; [exact E|]. destruct (particles cert) as [N|] eqn:EN.
-  - destruct (tolerant_attained cert G' tol Et Wp M Qa Qb Qs Ql f P pr D (well_formed_tolerances G' W) Te Tp Tb N
+  destruct (sensible_tolerances cert tol S Et) as (Np & Te & Tp & Tb & Kn).
+  assert (forall X l h, In (X, l, h) (band tol) -> 0 <= Q2R X) as Bx by (intros X l h I; apply (Tb X l h I)).
+  assert (forall X l h, In (X, l, h) (band tol) -> 0 <= Q2R h) as Bh by (intros X l h I; apply (Tb X l h I)).
+  exists G'. split; [exact E|]. unfold claim_true. destruct (particles cert) as [N|] eqn:EN.
+  - destruct (tolerant_attained cert G' (root_of G') tol Et Rd Kn Bx Wp M Qa Qb Qs Ql f P pr D (well_formed_tolerances G' W) Te Tp Bh N
                 (Np N eq_refl) (Wi N eq_refl)) as (s & A & L & Ds & O & Lines).
-    split; [split; [eauto|]|].
-    + intros t A'. exact (tolerant_lower_bound cert G' tol nodes Et Wp M Qa Qb Qs Ql f P pr D C N t EN A').
+    split; [split; [eauto|]|split; [|congruence]].
+    + intros t A'. exact (tolerant_lower_bound cert G' (root_of G') tol nodes Et Rd Kn Bx Wp M Qa Qb Qs Ql f P pr D C N t EN A').
     + exists s. split; [exact A|]. split; [exact L|]. split; [exact (one_size_articulate _ _ Wp Ds O) | exact Lines].
-  - intros s. exact (tolerant_none cert G' tol nodes Et Wp M Qa Qb Qs Ql f P pr D C s EN).
+  - intros s. exact (tolerant_none cert G' (root_of G') tol nodes Et Rd Kn Bx Wp M Qa Qb Qs Ql f P pr D C s EN).
 Qed.
 
-(* The driver's function: the rows and the text as words. *)
-Theorem mdm_check_accepted words has text f :
-  mdm_check words has text = Accepted ->
-  exists rows0 cert G',
-    read_rows words [] = Some rows0 /\ read_certificate text = Ok cert /\
-    asked_gradation (Gradation rows0 has) cert = Ok G' /\
-    (power_law (Z.to_nat (a (asked cert))) (Z.to_nat (b (asked cert))) f ->
-     match particles cert with
-     | Some N => least_number f (asked cert) (rows G') N
-     | None => forall S, ~ allowed f (asked cert) (rows G') S
-     end).
+Theorem certificate_true G cert f :
+  check_certificate G cert = Ok tt ->
+  power_law (Z.to_nat (a (asked cert))) (Z.to_nat (b (asked cert))) f ->
+  exists G', asked_gradation G cert = Ok G' /\ claim_true f cert G'.
 Proof.
-  unfold mdm_check. destruct (read_rows words []) as [rows0|]; [|discriminate].
-  destruct (check (Gradation rows0 has) text) as [cert0| |] eqn:C; [|discriminate|discriminate]. intros _.
-  unfold check in C. passed C. rename x into cert. passed C. destruct x. injection C as _.
-  pose proof (check_certificate_ok _ _ C1) as (G' & E & _).
-  exists rows0, cert, G'. repeat split; trivial. intro P.
-  destruct (tolerances_of (asked cert)) as [tol|] eqn:Et.
-  - destruct (match_within_tolerance _ cert f C1) as (G2 & E2 & L); [congruence | exact P|].
-    rewrite E in E2. injection E2 as <-. destruct (particles cert); [exact (proj1 L) | exact L].
-  - destruct (exact_match _ cert f C1 Et P) as (G2 & N & E2 & EN & L & _).
-    rewrite E in E2. injection E2 as <-. rewrite EN. exact L.
+  intros C P. destruct (tolerances_of (asked cert)) as [tol|] eqn:Et.
+  - apply (match_within_tolerance G); congruence.
+  - destruct (exact_match G cert f C Et P) as (G' & E & _ & L). eauto.
 Qed.

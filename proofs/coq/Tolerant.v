@@ -49,7 +49,7 @@ Definition narrow_passing (s : share) (l h : Q) : share :=
 Definition narrow_by (s : share) (lines : list (Q * Q * Q)) : share :=
   fold_left (fun s '(_, l, h) => narrow_passing s (percent l) (percent h)) lines s.
 
-(* The band's lines whose sieve is coarser than the lower opening of class j, in the gradation's unit. All passes a
+(* The band's lines whose sieve is coarser than the lower opening of class j, as the gradation's openings are given. All passes a
    sieve from the largest opening on. *)
 Fixpoint apply_band (js : list class) (ss : list share) (lines : list (Q * Q * Q)) : result (list share) :=
   match js, ss with
@@ -77,10 +77,13 @@ Fixpoint above_finest (x1 : Q) (lines : list (Q * Q * Q)) : result (list (Q * Q 
   | [] => Ok []
   end.
 
-Definition in_unit (K : option Q) (lines : list (Q * Q * Q)) : list (Q * Q * Q) :=
-  match K with
-  | Some K => map (fun '(x, l, h) => (times x K, l, h)) lines
-  | None => lines
+Fixpoint in_unit (d : Z) (K : option Q) (lines : list (Q * Q * Q)) : result (list (Q * Q * Q)) :=
+  match lines with
+  | [] => Ok []
+  | (x, l, h) :: lines =>
+    let* Y := to_power d (match K with Some K => times x K | None => x end) in
+    let* lines := in_unit d K lines in
+    Ok ((Y, l, h) :: lines)
   end.
 
 Definition shares_of (q : question) (tol : tolerances) (G : gradation) : result (list share) :=
@@ -91,16 +94,16 @@ Definition shares_of (q : question) (tol : tolerances) (G : gradation) : result 
   let all := fold_left add (map retained rs) 0%Q in
   let ss := shares tol all 0 rs (passing_each tol) in
   let x1 := match rs with r :: _ => opening r | [] => 0%Q end in
-  let* lines := above_finest x1 (in_unit (size_factor q) (band tol)) in
+  let* lines := in_unit (root G) (size_factor q) (band tol) in
+  let* lines := above_finest x1 lines in
   apply_band (classes rs) ss lines.
 
 (* ---- The problem --------------------------------------------------------------------------------- *)
 
-(* x^(1/b), if it is rational: x^(a/b) is rational iff it is. *)
+(* x^(1/b), if it is rational. With a/b in lowest terms x^(a/b) is rational iff it is. *)
 Definition rational_root (b : Z) (x : Q) : result Q :=
-  let n := root b (Qnum x) in
-  let d := root b (Zpos (Qden x)) in
-  demand ((n ^ b =? Qnum x) && (d ^ b =? Zpos (Qden x))) "a rational mass at each opening" ;; Ok (fraction n d).
+  demand (is_power b x) "a rational mass at each opening" ;;
+  Ok (fraction (Numbers.root b (Qnum x)) (Numbers.root b (Zpos (Qden x)))).
 
 Fixpoint rational_roots (b : Z) (rs : list row) : result (list Q) :=
   match rs with
@@ -146,19 +149,22 @@ Definition derive (cert : certificate) (G : gradation) (tol : tolerances) : resu
   let e := half (total tol) in
   let ws := map (inverse_factor (solids_of q)) js in
   let* unit := include_all (flat_map (fun '(w, s) => denominators w s) (combine ws ss)) (Zpos (Qden e)) in
-  let* roots := rational_roots (b q) rs in
+  (* x^(a/b) is Y^(a/(b d)): a'/b' in lowest terms. *)
+  let n := Z.gcd (a q) (b q * root G) in
+  let a' := a q / n in
+  let* roots := rational_roots (b q * root G / n) rs in
   let size_unit := common_denominator roots in
   let factor_unit := common_denominator (map factor rs) in
   let w := volume_below (solids_of q) in
   demand_form (work_of cert (size rs - 1) * (bits unit + bits_of w) <=? work_of_steps) too_long ;;
-  Ok (Problem (limits_of (min_per_class q) (a q) size_unit factor_unit unit (solids_of q) js ss roots)
-        (size_unit ^ a q * factor_unit) unit (in_units e unit) (Z.max 1 (at_least q)) w (particles cert)).
+  Ok (Problem (limits_of (min_per_class q) a' size_unit factor_unit unit (solids_of q) js ss roots)
+        (size_unit ^ a' * factor_unit) unit (in_units e unit) (Z.max 1 (at_least q)) w (particles cert)).
 
 (* ---- The witness --------------------------------------------------------------------------------- *)
 
 (* Class by class: counts and masses (in a unit in which all are integers), 0 where there is no line; the
    particles of a line are in their class. *)
-Fixpoint contents (a b unit : Z) (pr : problem) (j : Z) (js : list class) (cs : list limits) (ws : list witness_line)
+Fixpoint contents (a b d unit : Z) (pr : problem) (j : Z) (js : list class) (cs : list limits) (ws : list witness_line)
   : result (list (Z * Z)) :=
   match js, cs, ws with
   | [], _, [] => Ok []
@@ -169,10 +175,10 @@ Fixpoint contents (a b unit : Z) (pr : problem) (j : Z) (js : list class) (cs : 
       demand (f c_j * q * unit <? t * mass_unit pr) "f q < t" ;;
       demand (t * mass_unit pr <=? F c_j * q * unit) "t <= F q" ;;
       let one := over (together w) (times (of_integer q) (c x)) in
-      check_size a x w (Qnum one ^ b, Zpos (Qden one) ^ b) ;;
-      let* later := contents a b unit pr (j + 1) js cs ws' in Ok ((q, t) :: later)
-    else let* later := contents a b unit pr (j + 1) js cs ws in Ok ((0, 0) :: later)
-  | x :: js, c_j :: cs, [] => let* later := contents a b unit pr (j + 1) js cs [] in Ok ((0, 0) :: later)
+      check_size a d x w (Qnum one ^ (b * d), Zpos (Qden one) ^ (b * d)) ;;
+      let* later := contents a b d unit pr (j + 1) js cs ws' in Ok ((q, t) :: later)
+    else let* later := contents a b d unit pr (j + 1) js cs ws in Ok ((0, 0) :: later)
+  | x :: js, c_j :: cs, [] => let* later := contents a b d unit pr (j + 1) js cs [] in Ok ((0, 0) :: later)
   | _, _, _ => Refused "witness: a class of the gradation"
   end.
 
@@ -198,7 +204,7 @@ Definition check_witness (cert : certificate) (G : gradation) (pr : problem) (N 
   let cs := classes_of pr in
   let* unit := include_all (map (fun w => Zpos (Qden (together w))) (witness cert)) 1 in
   demand_form (work_of cert (size (rows G) - 1) * bits unit <=? work_of_steps) too_long ;;
-  let* qts := contents (a q) (b q) unit pr 1%Z (classes (rows G)) cs (witness cert) in
+  let* qts := contents (a q) (b q) (root G) unit pr 1%Z (classes (rows G)) cs (witness cert) in
   let M := sum (map snd qts) in
   demand (within (share_unit pr) M 0 cs qts) "q >= R, or a tolerance" ;;
   demand (excess (share_unit pr) M cs qts <=? half_total pr * M) "total" ;;

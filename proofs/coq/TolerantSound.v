@@ -1,33 +1,35 @@
 (* From samples to the problem of Tree.v and back (Theorem 12). *)
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
-From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Exact Tree Tolerant Spec Reduction RealFacts
+From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Exact Tree Tolerant Spec Openings Reduction RealFacts
   Solids TreeSound Shares.
 Import ListNotations.
 Open Scope R_scope.
 
 Local Arguments Z.mul : simpl never.
 
+(* x^(a/b) is Y^(na/nb) for the power Y = x^d of an opening. *)
 Section Units.
+Context {d : positive}.
 Variables (na nb : nat).
 Hypothesis b_positive : (1 <= nb)%nat.
 Variable law : R -> R.
-Hypothesis power : power_law na nb law.
+Hypothesis power : opening_law d na nb law.
 
 (* ---- Roots of openings --------------------------------------------------------------------------- *)
 
 Lemma rational_root_real x y :
   0 <= Q2R x -> rational_root (Z.of_nat nb) x = Ok y -> 0 <= Q2R y /\ Q2R y ^ nb = Q2R x.
 Proof.
-  intros X H. unfold rational_root in H. cbv zeta in H. passed H. injection H as <-.
+  intros X H. unfold rational_root in H. passed H. injection H as <-.
   apply andb_prop in H0 as (N & D). apply Z.eqb_eq in N, D.
-  set (n := root (Z.of_nat nb) (Qnum x)) in *. set (d := root (Z.of_nat nb) (Zpos (Qden x))) in *.
+  set (n := Numbers.root (Z.of_nat nb) (Qnum x)) in *. set (e := Numbers.root (Z.of_nat nb) (Zpos (Qden x))) in *.
   pose proof (den_positive x) as Dx.
   assert (0 <= Qnum x)%Z as Nx.
   { apply le_IZR. rewrite Q2R_num. apply Rmult_le_pos; lra. }
-  assert (0 <= n)%Z as N0 by (apply root_spec; lia). assert (0 <= d)%Z as D0 by (apply root_spec; lia).
-  assert (0 < d)%Z as Dp.
-  { destruct (Z.eq_dec d 0) as [E|]; [|lia]. rewrite E, Z.pow_0_l in D by lia. discriminate. }
+  assert (0 <= n)%Z as N0 by (apply root_spec; lia). assert (0 <= e)%Z as D0 by (apply root_spec; lia).
+  assert (0 < e)%Z as Dp.
+  { destruct (Z.eq_dec e 0) as [E|]; [|lia]. rewrite E, Z.pow_0_l in D by lia. discriminate. }
   rewrite Q2R_fraction by exact Dp. pose proof (IZR_lt _ _ Dp) as Dr. pose proof (IZR_le _ _ N0) as Nr. split.
   - apply Rmult_le_pos; [exact Nr | left; apply Rinv_0_lt_compat, Dr].
   - unfold Rdiv. rewrite Rpow_mult_distr, pow_inv, !pow_IZR, N, D. unfold Q2R. reflexivity.
@@ -41,11 +43,11 @@ Proof.
   passed H. passed H. injection H as <-. inversion P; subst. constructor; [apply rational_root_real; assumption | auto].
 Qed.
 
-Lemma law_of_root x y : 0 <= Q2R x -> Q2R x ^ nb = y -> law y = Q2R x ^ na.
+Lemma law_of_root x y : 0 <= Q2R x -> Q2R x ^ nb = Q2R y -> law (size_of d y) = Q2R x ^ na.
 Proof.
-  intros X E. assert (0 <= y) as Y by (rewrite <- E; apply pow_le, X).
+  intros X E. assert (0 <= Q2R y) as Y by (rewrite <- E; apply pow_le, X).
   destruct power as (_ & P). destruct (P y Y) as (L & Lp).
-  assert (law y ^ nb = (Q2R x ^ na) ^ nb) as K.
+  assert (law (size_of d y) ^ nb = (Q2R x ^ na) ^ nb) as K.
   { rewrite Lp, <- E, <- !pow_mult. f_equal. lia. }
   assert (0 <= Q2R x ^ na) as Z by (apply pow_le, X).
   apply Rle_antisym; apply (pow_le_iff _ _ nb); trivial; lra.
@@ -54,8 +56,8 @@ Qed.
 (* ---- Classes in integers ------------------------------------------------------------------------- *)
 
 Record represents (least : Z) (sol : solids) (mu su : R) (j : class) (s : share) (l : limits) : Prop := {
-  rep_f : IZR (f l) = Q2R (c j) * law (Q2R (lower j)) * mu;
-  rep_F : IZR (F l) = Q2R (c j) * law (Q2R (upper j)) * mu;
+  rep_f : IZR (f l) = Q2R (c j) * law (lower_size d j) * mu;
+  rep_F : IZR (F l) = Q2R (c j) * law (upper_size d j) * mu;
   rep_floor : floor l = if equal (mass j) 0 then 0%Z else least;
   rep_retained_lo : IZR (retained_lo l) = Q2R (lo (retained_in s)) * su;
   rep_retained_hi : IZR (retained_hi l) = Q2R (hi (retained_in s)) * su;
@@ -70,7 +72,7 @@ Lemma limits_represent least size_unit factor_unit unit sol : forall rs ss roots
   (forall x, In x roots -> (Zpos (Qden x) | size_unit)%Z) ->
   (forall r, In r rs -> (Zpos (Qden (factor r)) | factor_unit)%Z) ->
   (forall j s, In (j, s) (combine (classes rs) ss) ->
-     forall d, In d (denominators (inverse_factor sol j) s) -> (d | unit)%Z) ->
+     forall e, In e (denominators (inverse_factor sol j) s) -> (e | unit)%Z) ->
   Forall2 (fun js l => represents least sol (IZR (size_unit ^ Z.of_nat na * factor_unit)) (IZR unit) (fst js) (snd js) l)
     (combine (classes rs) ss) (limits_of least (Z.of_nat na) size_unit factor_unit unit sol (classes rs) ss roots).
 Proof.
@@ -82,7 +84,7 @@ Proof.
   destruct ss as [|s ss]; [discriminate|].
   cbn [limits_of combine]. constructor.
   - cbn [fst snd].
-    assert (forall d, In d (denominators (inverse_factor sol j) s) -> (d | unit)%Z) as D by (apply (Du j s); left; reflexivity).
+    assert (forall e, In e (denominators (inverse_factor sol j) s) -> (e | unit)%Z) as D by (apply (Du j s); left; reflexivity).
     assert (forall z, In z [g_j s; inverse_factor sol j; lo (retained_in s); hi (retained_in s); lo (passing_in s); hi (passing_in s)] ->
               IZR (in_units z unit) = Q2R z * IZR unit) as U.
     { intros z Z. apply in_units_real, D. unfold denominators. apply in_map_iff. exists z. auto. }
@@ -92,8 +94,10 @@ Proof.
       by (intros z Z; apply in_units_real, Dx, Z).
     constructor; cbn [Tree.f Tree.F Tree.floor Tree.retained_lo Tree.retained_hi Tree.passing_lo Tree.passing_hi Tree.g
                       Tree.per_factor lower upper mass c j]; try (apply U; simpl; tauto); trivial.
-    + rewrite !mult_IZR, <- !pow_IZR, Uc, (Ux x), (law_of_root x _ Rx0 Rx), Rpow_mult_distr by (simpl; tauto). ring.
-    + rewrite !mult_IZR, <- !pow_IZR, Uc, (Ux y), (law_of_root y _ Ry0 Ry), Rpow_mult_distr by (simpl; tauto). ring.
+    + change (lower_size d _) with (size_of d (opening r)).
+      rewrite !mult_IZR, <- !pow_IZR, Uc, (Ux x), (law_of_root x (opening r) Rx0 Rx), Rpow_mult_distr by (simpl; tauto). ring.
+    + change (upper_size d _) with (size_of d (opening next)).
+      rewrite !mult_IZR, <- !pow_IZR, Uc, (Ux y), (law_of_root y (opening next) Ry0 Ry), Rpow_mult_distr by (simpl; tauto). ring.
   - apply IH; trivial.
     + injection Le as Le. exact Le.
     + intros z Z. apply Dx. right; exact Z.
@@ -103,28 +107,32 @@ Qed.
 
 End Units.
 
+Arguments represents : clear implicits.
+
 (* ---- The sample's shares ------------------------------------------------------------------------- *)
 
 Section Sample.
+Context {d : positive}.
 Variables (law : R -> R) (rs : list row) (S : sample).
 Hypothesis law_ok : mass_law law.
 Hypothesis rows_proper : proper_rows rs.
 Hypothesis some_mass : exists j, In j (classes rs) /\ 0 < Q2R (mass j).
-Hypothesis mass_positive : 0 < mass_of_all law rs S.
+Hypothesis mass_positive : 0 < mass_of_all d law rs S.
 Notation js := (classes rs).
-Notation M := (mass_of_all law rs S).
-Notation x := (fun j => share_retained law rs j S).
-Notation y := (fun j => share_passing law rs (Q2R (upper j)) S).
+Notation M := (mass_of_all d law rs S).
+Notation x := (fun j => share_retained d law rs j S).
+Notation y := (fun j => share_passing d law rs (upper_size d j) S).
 Notation gx := (fun j => target_retained rs j).
-Notation gy := (fun j => target_passing rs (Q2R (upper j))).
-Notation pass := (fun X => share_passing law rs X S).
+Notation gy := (fun j => target_passing d rs (upper_size d j)).
+Notation pass := (fun X => share_passing d law rs X S).
 
-Lemma held_nonneg j : In j js -> 0 <= held law j S.
+Lemma held_nonneg j : In j js -> 0 <= held d law j S.
 Proof.
   intro J. pose proof (proper_classes rs rows_proper) as P. rewrite Forall_forall in P. pose proof (P j J) as Pj.
-  destruct (sample_realizes law law_ok j S Pj) as [(_ & ->)|(Q & B)]; [lra|].
-  destruct Pj as ((L & U) & C & _). apply (IZR_le 1) in Q. pose proof (law_nonneg law law_ok _ L).
-  assert (0 <= IZR (number j S) * (Q2R (c j) * law (Q2R (lower j)))) by (apply Rmult_le_pos; [|apply Rmult_le_pos]; lra). lra.
+  destruct (sample_realizes (d := d) law law_ok j S Pj) as [(_ & ->)|(Q & B)]; [lra|].
+  destruct (proper_sizes (d := d) j Pj) as (L & _). destruct Pj as (_ & C & _). apply (IZR_le 1) in Q.
+  pose proof (law_nonneg law law_ok _ L).
+  assert (0 <= IZR (number d j S) * (Q2R (c j) * law (lower_size d j))) by (apply Rmult_le_pos; [|apply Rmult_le_pos]; lra). lra.
 Qed.
 
 Lemma mass_nonneg j : In j js -> 0 <= Q2R (mass j).
@@ -136,13 +144,13 @@ Proof.
   pose proof (total_member (fun j => Q2R (mass j)) js j (fun i I => mass_nonneg i I) J). simpl in H. lra.
 Qed.
 
-Lemma js_ascend : ascend_from (least_opening rs) js.
+Lemma js_ascend : ascend_from d (least_opening d rs) js.
 Proof. apply classes_ascend, rows_proper. Qed.
 
 Lemma shares_prefix : prefix_of x y 0 js /\ prefix_of gx gy 0 js.
 Proof.
   split.
-  - pose proof (up_to_prefix (fun j => held law j S) js _ 0 js_ascend) as P. apply (prefix_scale (/ M)) in P.
+  - pose proof (up_to_prefix (fun j => held d law j S) js _ 0 js_ascend) as P. apply (prefix_scale (/ M)) in P.
     refine (prefix_ext _ _ _ _ _ _ _ _ P); [ring|]. intros j _. rewrite Rplus_0_l. reflexivity.
   - pose proof (up_to_prefix (fun j => Q2R (mass j)) js _ 0 js_ascend) as P. apply (prefix_scale (/ gradation_mass rs)) in P.
     refine (prefix_ext _ _ _ _ _ _ _ _ P); [ring|]. intros j _. rewrite Rplus_0_l. reflexivity.
@@ -158,11 +166,11 @@ Qed.
 Lemma shares_unit j : In j js -> 0 <= x j <= 1 /\ 0 <= y j <= 1.
 Proof.
   intro J. split; apply ratio_unit; trivial.
-  - split; [apply held_nonneg, J|]. apply (total_member (fun j => held law j S) js j); [apply held_nonneg | exact J].
-  - apply (up_to_between (fun j => held law j S) (Q2R (upper j)) js held_nonneg).
+  - split; [apply held_nonneg, J|]. apply (total_member (fun j => held d law j S) js j); [apply held_nonneg | exact J].
+  - apply (up_to_between (fun j => held d law j S) (upper_size d j) js held_nonneg).
 Qed.
 
-Lemma uppers_le l : forall x1 j i, ascend_from x1 l -> In i l -> last l j = j -> In j l -> Q2R (upper i) <= Q2R (upper j).
+Lemma uppers_le l : forall x1 j i, ascend_from d x1 l -> In i l -> last l j = j -> In j l -> upper_size d i <= upper_size d j.
 Proof.
   induction l as [|k l IH]; intros x1 j i A I L J; [destruct I|]. destruct A as (E & Lt & A).
   destruct l as [|k2 l].
@@ -174,23 +182,23 @@ Proof.
   destruct I as [<-|I]; [pose proof (above_uppers _ _ _ A J2); lra | exact (IH _ _ _ A I L J2)].
 Qed.
 
-Lemma pass_all X j : In j js -> last js j = j -> Q2R (upper j) <= X -> pass X = 1.
+Lemma pass_all X j : In j js -> last js j = j -> upper_size d j <= X -> pass X = 1.
 Proof.
   intros J L H. unfold share_passing, mass_passing.
-  change (up_to (fun j => held law j S) X js / M = 1). rewrite up_to_all.
+  change (up_to d (fun j => held d law j S) X js / M = 1). rewrite up_to_all.
   - unfold mass_of_all in *. field. lra.
   - intros i I. pose proof (uppers_le js _ j i js_ascend I L J). lra.
 Qed.
 
-Lemma pass_nothing X : X <= least_opening rs -> pass X = 0.
+Lemma pass_nothing X : X <= least_opening d rs -> pass X = 0.
 Proof.
-  intro H. unfold share_passing, mass_passing. change (up_to (fun j => held law j S) X js / M = 0).
+  intro H. unfold share_passing, mass_passing. change (up_to d (fun j => held d law j S) X js / M = 0).
   rewrite (up_to_none _ X js _ js_ascend H). field. lra.
 Qed.
 
 Lemma target_all j : In j js -> last js j = j -> gy j = 1.
 Proof.
-  intros J L. unfold target_passing. change (up_to (fun j => Q2R (mass j)) (Q2R (upper j)) js / gradation_mass rs = 1).
+  intros J L. unfold target_passing. change (up_to d (fun j => Q2R (mass j)) (upper_size d j) js / gradation_mass rs = 1).
   pose proof gradation_mass_positive as G. rewrite up_to_all.
   - unfold gradation_mass in *. field. lra.
   - intros i I. exact (uppers_le js _ j i js_ascend I L J).
@@ -227,14 +235,23 @@ Proof.
     passed H. passed H. injection H as <-. cbn [length]. f_equal. eapply IH; [|exact H1]. simpl in *. congruence.
 Qed.
 
-
-Lemma last_in (l : list class) d : l <> [] -> In (last l d) l /\ forall d', last l d' = last l d.
+Lemma last_in (l : list class) none : l <> [] -> In (last l none) l /\ forall other, last l other = last l none.
 Proof.
   induction l as [|i l IH]; [congruence|]. intros _. destruct l as [|i2 l]; [simpl; auto|].
   destruct (IH ltac:(congruence)) as (A & B). split; [right; exact A | exact B].
 Qed.
 
+Lemma in_unit_ok K lines : forall result, in_unit (Zpos d) K lines = Ok result ->
+  result = map (fun '(X, l, h) => (power (match K with Some K => times X K | None => X end) (Zpos d), l, h)) lines.
+Proof.
+  induction lines as [|((X, l), h) lines IH]; intros result H; cbn [in_unit] in H; [injection H as <-; reflexivity|].
+  passed H. passed H. injection H as <-. unfold to_power in H0. passed H0. injection H0 as <-.
+  cbn [map]. f_equal. apply IH, H1.
+Qed.
+
 Theorem shares_of_fit q tol G ss :
+  root G = Zpos d -> (forall K, size_factor q = Some K -> 0 <= Q2R K) ->
+  (forall X l h, In (X, l, h) (band tol) -> 0 <= Q2R X) ->
   rows G = rs -> shares_of q tol G = Ok ss ->
   length ss = length js /\
   (Forall2 (fits_share x y gx) js ss ->
@@ -245,7 +262,8 @@ Theorem shares_of_fit q tol G ss :
    (forall X l h, In (X, l, h) (band tol) -> Q2R l / 100 <= pass (scaled (size_factor q) X) <= Q2R h / 100) ->
      Forall2 (fits_share x y gx) js ss).
 Proof.
-  intros Er H. unfold shares_of in H. rewrite Er in H. cbv zeta in H. passed H. passed H. passed H. rename x into lines.
+  intros Rd Kn Xn Er H. unfold shares_of in H. rewrite Er, Rd in H. cbv zeta in H. passed H. passed H.
+  passed H. rename x into given. passed H. rename x into lines. apply in_unit_ok in H2.
   set (all := fold_left add (map retained rs) 0%Q) in *.
   set (raw := shares tol all 0 rs (passing_each tol)) in *.
   destruct some_mass as (j0 & J0 & _). assert (js <> []) as Ne by (intro E; rewrite E in J0; destruct J0).
@@ -258,22 +276,30 @@ Proof.
     - intros j _. unfold all. rewrite sum_of_rows. reflexivity.
     - rewrite Q2R_0. exact Pg.
     - apply shares_unit. }
-  assert (Forall2 (fits_share x y gx) js ss <-> Forall2 (fits_share x y gx) js raw /\ band_holds pass lines) as B.
-  { apply (apply_band_fit x y gx gy pass js raw lines ss (eq_sym Lr) Ne H); [intros; reflexivity|].
+  (* What passes the opening with the power X. *)
+  set (pass_power := fun X => pass (nth_root d X)).
+  assert (Forall2 (fits_share x y gx) js ss <-> Forall2 (fits_share x y gx) js raw /\ band_holds pass_power lines) as B.
+  { apply (apply_band_fit x y gx gy pass_power js raw lines ss (eq_sym Lr) Ne H); [intros; reflexivity|].
     intros X HX. destruct (last_in js (Class 0 0 0 0) Ne) as (Li & Ld). cbv beta.
-    rewrite (pass_all X _ Li (Ld _) HX). symmetry. apply (pass_all _ _ Li (Ld _)). lra. }
-  assert (band_holds pass (in_unit (size_factor q) (band tol)) <->
+    unfold pass_power. rewrite (pass_all (nth_root d X) _ Li (Ld _)) by (apply nth_root_le, HX).
+    symmetry. apply (pass_all _ _ Li (Ld _)). lra. }
+  assert (forall X l h, In (X, l, h) (band tol) ->
+            pass_power (Q2R (power (match size_factor q with Some K => times X K | None => X end) (Zpos d))) =
+            pass (scaled (size_factor q) X)) as Same.
+  { intros X l h I. unfold pass_power. f_equal. rewrite Q2R_power_pos. specialize (Xn X l h I). unfold scaled.
+    destruct (size_factor q) as [K|]; [|apply nth_root_unique, Xn]. specialize (Kn K eq_refl).
+    rewrite Q2R_times, nth_root_unique; [ring | apply Rmult_le_pos; assumption]. }
+  assert (band_holds pass_power given <->
           forall X l h, In (X, l, h) (band tol) -> Q2R l / 100 <= pass (scaled (size_factor q) X) <= Q2R h / 100) as C.
-  { unfold band_holds, in_unit, scaled. destruct (size_factor q) as [K|]; [|tauto]. split.
-    - intros Hb X l h I. specialize (Hb (times X K) l h). rewrite Q2R_times, Rmult_comm in Hb. apply Hb.
-      apply in_map_iff. exists (X, l, h). auto.
-    - intros Hb X l h I. apply in_map_iff in I as (((X0, l0), h0) & [= <- <- <-] & I). rewrite Q2R_times, Rmult_comm. apply Hb, I. }
-  assert (forall X, X <= Q2R (match rs with r :: _ => opening r | [] => 0%Q end) -> pass X = 0) as Z.
-  { intros X HX. apply pass_nothing. unfold least_opening. destruct rs; exact HX. }
-  destruct (above_finest_holds pass _ _ _ H2 Z) as (D & E).
+  { subst given. unfold band_holds. split.
+    - intros Hb X l h I. rewrite <- (Same X l h I). apply Hb, in_map_iff. exists (X, l, h). auto.
+    - intros Hb X l h I. apply in_map_iff in I as (((X0, l0), h0) & [= <- <- <-] & I). rewrite (Same X0 l0 h0 I). apply Hb, I. }
+  assert (forall X, X <= Q2R (match rs with r :: _ => opening r | [] => 0%Q end) -> pass_power X = 0) as Z.
+  { intros X HX. apply pass_nothing. unfold least_opening. destruct rs; apply nth_root_le, HX. }
+  destruct (above_finest_holds pass_power _ _ _ H3 Z) as (D & E).
   split; [intro F; apply A, B, F|]. split.
-  - intros Hh F. apply C. apply E; [|apply B, F]. intros X l h I. unfold in_unit in I.
-    destruct (size_factor q) as [K|]; [|eapply Hh, I]. apply in_map_iff in I as (((X0, l0), h0) & [= <- <- <-] & I). eapply Hh, I.
+  - intros Hh F. apply C. apply E; [|apply B, F]. intros X l h I. subst given.
+    apply in_map_iff in I as (((X0, l0), h0) & [= <- <- <-] & I). eapply Hh, I.
   - intros F Hb. apply B. split; [apply A, F | apply D, C, Hb].
 Qed.
 

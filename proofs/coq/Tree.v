@@ -147,6 +147,14 @@ Fixpoint cancels (pr : problem) (x : combination) (j : positive) (cs : list limi
     end
   end.
 
+(* Where nothing is said of all classes alike and of the sums, only the classes that are named can keep a variable: a leaf
+   that contradicts itself in a few classes takes as long as it is, whatever the number of classes. *)
+Definition says_nothing (x : of_one) : bool :=
+  (on_q x =? 0) && (on_t x =? 0) && (on_P x =? 0) && (on_p x =? 0).
+Definition cancels_where_named (x : combination) : bool :=
+  says_nothing (alike x) && (on_M (sums x) =? 0) && (on_volume (sums x) =? 0) &&
+  forallb (fun '(_, one) => says_nothing one) (PositiveMap.elements (single x)).
+
 (* 0 >= positive, or 0 > 0. *)
 Definition contradiction (pr : problem) (x : of_sum) : bool :=
   let d := Zpos (Qden (volume pr)) in
@@ -156,6 +164,7 @@ Definition contradiction (pr : problem) (x : of_sum) : bool :=
 Definition refutes (pr : problem) (t : table) (e : force) (ks : list multiple) : bool :=
   match add_up pr t e ks empty with
   | Some x =>
+    if cancels_where_named x then contradiction pr (sums x) else
     match cancels pr x 1 (classes_of pr) with
     | Some _ => contradiction pr (sums x)
     | None => false

@@ -318,15 +318,38 @@ Proof.
   - apply (Rmult_eq_reg_r su); [|lra]. field_simplify; [|lra]. lra.
 Qed.
 
-Lemma contradiction_value x held :
-  cancels pr x 1 (classes_of pr) = Some held -> contradiction pr (sums x) = true -> ~ fine x.
+Lemma cancels_everywhere x held : cancels pr x 1 (classes_of pr) = Some held ->
+  value_from (single x) (alike x) 1 ss = - IZR (on_M (sums x)) * M / su - IZR (on_volume (sums x)) * V.
 Proof.
-  intros Ca Co (F1 & F2). unfold value in *.
-  rewrite (cancels_value x _ _ _ (sat_classes _ solves) _ _ _ (sat_passing _ solves) Ca) in *.
-  unfold value_sum in *. fold (all_mass ss) in *. fold (all_volume ss) in *.
-  assert (IZR held * 0 - IZR (on_M (sums x)) * M / su - IZR (on_volume (sums x)) * V +
+  intro Ca. rewrite (cancels_value x _ _ _ (sat_classes _ solves) _ _ _ (sat_passing _ solves) Ca).
+  fold (all_mass ss). fold (all_volume ss). field. lra.
+Qed.
+
+Lemma says_nothing_value x s : says_nothing x = true -> value_one x s = 0.
+Proof.
+  unfold says_nothing. rewrite !andb_true_iff, !Z.eqb_eq. intros (((E1 & E2) & E3) & E4).
+  unfold value_one. rewrite E1, E2, E3, E4. field. lra.
+Qed.
+
+Lemma cancels_named x : cancels_where_named x = true ->
+  value_from (single x) (alike x) 1 ss = - IZR (on_M (sums x)) * M / su - IZR (on_volume (sums x)) * V.
+Proof.
+  unfold cancels_where_named. rewrite !andb_true_iff, !Z.eqb_eq, forallb_forall. intros (((Al & Em) & Ev) & Si).
+  rewrite Em, Ev. assert (forall l j, value_from (single x) (alike x) j l = 0) as ->; [|field; lra].
+  induction l as [|s l IH]; intro j; cbn [value_from]; [reflexivity|].
+  rewrite (says_nothing_value _ s Al), IH. unfold of_class_j. destruct (PositiveMap.find j (single x)) as [one|] eqn:E.
+  - rewrite says_nothing_value; [ring|]. apply PositiveMap.elements_correct in E. exact (Si _ E).
+  - rewrite says_nothing_value by reflexivity. ring.
+Qed.
+
+Lemma contradiction_value x :
+  value_from (single x) (alike x) 1 ss = - IZR (on_M (sums x)) * M / su - IZR (on_volume (sums x)) * V ->
+  contradiction pr (sums x) = true -> ~ fine x.
+Proof.
+  intros Ca Co (F1 & F2). unfold value in *. rewrite Ca in *. unfold value_sum in *.
+  assert (- IZR (on_M (sums x)) * M / su - IZR (on_volume (sums x)) * V +
           (IZR (on_M (sums x)) * M / su + IZR (on_volume (sums x)) * (V - Q2R (volume pr)) - IZR (constant (sums x))) =
-          - (IZR (constant (sums x)) + IZR (on_volume (sums x)) * Q2R (volume pr))) as E by ring.
+          - (IZR (constant (sums x)) + IZR (on_volume (sums x)) * Q2R (volume pr))) as E by (field; lra).
   rewrite E in *. clear E. unfold contradiction in Co.
   pose proof (IZR_lt 0 (Zpos (Qden (volume pr))) ltac:(reflexivity)) as D.
   assert (IZR (constant (sums x) * Zpos (Qden (volume pr)) + on_volume (sums x) * Qnum (volume pr)) =
@@ -343,8 +366,10 @@ Qed.
 Lemma leaf_sound e ks : refutes pr t e ks = true -> ~ forced e.
 Proof.
   unfold refutes. destruct (add_up pr t e ks empty) as [x|] eqn:A; [|discriminate].
-  destruct (cancels pr x 1 (classes_of pr)) as [held|] eqn:Ca; [|discriminate]. intros Co Fo.
-  apply (contradiction_value x held Ca Co). eapply add_up_fine; [exact Fo | apply empty_fine | exact A].
+  intros Co Fo. assert (fine x) as Fx by (eapply add_up_fine; [exact Fo | apply empty_fine | exact A]). revert Fx.
+  destruct (cancels_where_named x) eqn:N; [exact (contradiction_value x (cancels_named x N) Co)|].
+  destruct (cancels pr x 1 (classes_of pr)) as [held|] eqn:Ca; [|discriminate].
+  exact (contradiction_value x (cancels_everywhere x held Ca) Co).
 Qed.
 
 (* ---- The tree ------------------------------------------------------------------------------------ *)

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace mdm_check {
+namespace mdm::checker {
 namespace {
 
 // Limit 5.
@@ -24,7 +24,7 @@ public:
   std::uint64_t longest_count() const { return longest_count_; }
 
   void check(bool holds, const char *what) const { demand_form(holds, line_, what); }
-  /// Of the line that was read last.
+  /// The number of the line that was read last.
   void check_before(bool holds, const char *what) const { demand_form(holds, before_, what); }
   const char *here() const { return line_.data(); }
   bool more() const { return !line_.empty(); }
@@ -178,7 +178,8 @@ bool read_tolerance(Lines &lines, Certificate &c) {
   lines.read_if_there("passing", "f", c.passing_file);
   lines.read_if_there("passing-each", "P", c.passing_each, true);
   lines.read_if_there("total", "P", c.total);
-  for (std::size_t i = 0; lines.begins_with("band"); i += 3) {
+  lines.read_if_there("band", "f", c.band_file);
+  for (std::size_t i = 0; c.band_file.empty() && lines.begins_with("band"); i += 3) {
     lines.read("band", "ZZZ", c.band);
     lines.check_before(i == 0 || c.band[i - 3].value < c.band[i].value,
                        "sieves of a band that do not ascend: sort them");
@@ -256,4 +257,4 @@ Certificate read_certificate(std::string_view text) {
   return c;
 }
 
-} // namespace mdm_check
+} // namespace mdm::checker

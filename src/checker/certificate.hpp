@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace mdm_check {
+namespace mdm::checker {
 
 /// A number of a certificate, and its text there.
 struct Number {
@@ -43,6 +43,7 @@ struct Certificate {
   Numbers law, pan_size, cut_below, size_factor, min_per_class, cylinder, box, solids_volume, pi, at_least;
   Numbers retained, retained_file, passing, passing_file, passing_each, total; ///< `file` is a number 0
   Numbers band;                                                                ///< three a line
+  Numbers band_file;                                                           ///< a number 0, as above
   Numbers particles;                                                           ///< none: there is no match
   Numbers scale, above;
   std::vector<ClassWitness> classes;
@@ -55,4 +56,4 @@ struct Certificate {
 /// Reads a certificate (section 1).
 Certificate read_certificate(std::string_view text);
 
-} // namespace mdm_check
+} // namespace mdm::checker

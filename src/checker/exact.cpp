@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
-namespace mdm_check {
+namespace mdm::checker {
 namespace {
 
-/// Class j, which has mass. By Theorem 1 q particles can hold the mass s m_j iff q^b A < s^b <= q^b B.
+/// Class j, which has mass. By Theorem 1 q particles can hold the mass s m_j iff q^n A < s^n <= q^n B, where
+/// n is the degree b d.
 struct Class {
   std::uint64_t j;
   mpq_class mass; ///< m_j / c_j
@@ -13,9 +14,10 @@ struct Class {
   mpz_class floor; ///< r_j: no match has fewer particles in the class
 };
 
-/// What section 2 derives, with openings, masses and factors as integers, each column in its own unit. Scales
-/// are to the power b.
+/// The problem of section 2, with openings, masses and factors as integers, each column in its own unit.
+/// Scales are to the power of the degree.
 struct Problem {
+  unsigned long degree; ///< b d
   std::vector<Class> classes;
   mpz_class opening_unit; ///< to the power a
   Ratio S, z, S0, Z;      ///< the witness's scale; those of `above` and the solids, or 0
@@ -37,10 +39,10 @@ mpz_class root(const mpz_class &value, unsigned long degree) {
   return result;
 }
 
-/// The least count q >= r_j with q^b B_j > L.
-mpz_class count(const Class &c, const Ratio &L, unsigned long b) {
+/// The least count q >= r_j with q^n B_j > L.
+mpz_class count(const Class &c, const Ratio &L, unsigned long degree) {
   const Ratio quotient = L / c.B;
-  const mpz_class least = root(quotient.num / quotient.den, b) + 1;
+  const mpz_class least = root(quotient.num / quotient.den, degree) + 1;
   return std::max(c.floor, least);
 }
 
@@ -56,23 +58,28 @@ void apply_solids(Problem &problem, const Gradation &integers, const Certificate
     include(common, integers.factors[c.j - 1].get_num(), certificate);
     W += c.mass;
   }
-  const mpq_class per_volume = problem.opening_unit / W;
-  problem.S0 = mpq_class(demanded.enough * per_volume);
+  const auto scale_of = [&](const mpq_class &volume) {
+    const mpq_class scale = volume / W;
+    demand_within(bits(scale) * problem.degree * (integers.openings.size() - 1), 28, certificate); // limit 3
+    return Ratio(raised(scale, problem.degree)) * problem.opening_unit;
+  };
+  problem.S0 = scale_of(demanded.enough);
   if (!certificate.pi.empty())
-    problem.Z = mpq_class(demanded.below * per_volume);
+    problem.Z = scale_of(demanded.below);
 }
 
 Problem derive(Gradation gradation, const Certificate &certificate) {
-  const unsigned long a = certificate.a, b = certificate.b;
+  const unsigned long a = certificate.a, degree = certificate.b * gradation.root;
   const mpz_class least = std::max<mpz_class>(1, integer_of(certificate.min_per_class));
   Problem problem;
+  problem.degree = degree;
   problem.opening_unit = power(make_integers(gradation.openings), a);
-  const Ratio unit(problem.opening_unit * power(make_integers(gradation.factors), b),
-                   power(make_integers(gradation.masses), b));
+  const Ratio unit(problem.opening_unit * power(make_integers(gradation.factors), degree),
+                   power(make_integers(gradation.masses), degree));
   for (std::size_t j = 0; j < gradation.masses.size(); ++j)
     if (gradation.masses[j] > 0) {
       const mpq_class mass = gradation.masses[j] / gradation.factors[j];
-      const Ratio of_mass = power(mass, b);
+      const Ratio of_mass = raised(mass, degree);
       problem.classes.push_back({j + 1, mass, power(gradation.openings[j], a) / of_mass,
                                  power(gradation.openings[j + 1], a) / of_mass, least});
     }
@@ -83,13 +90,13 @@ Problem derive(Gradation gradation, const Certificate &certificate) {
   std::uint64_t longest = 0;
   for (const Ratio *scale : {&problem.S, &problem.z, &problem.S0, &problem.Z})
     longest = std::max({longest, bits(scale->num), bits(scale->den)});
-  demand_within((gradation.openings.size() - 1) * longest, 32, certificate); // limit 3
+  demand_within(longest * (gradation.openings.size() - 1), 28, certificate); // limit 3
   for (Class &c : problem.classes) {
     if (!certificate.cylinder.empty()) {
       const Ratio quotient = problem.S0 / c.B;
-      c.floor = std::max<mpz_class>(c.floor, (quotient.num - 1) / quotient.den + 1);
+      c.floor = std::max<mpz_class>(c.floor, root((quotient.num - 1) / quotient.den, degree) + 1);
     }
-    c.floor = std::max(count(c, problem.Z, b), count(c, problem.z, b));
+    c.floor = std::max(count(c, problem.Z, degree), count(c, problem.z, degree));
   }
   return problem;
 }
@@ -103,10 +110,10 @@ void verify_witness(const Problem &problem, const Gradation &gradation, const Ce
     const ClassWitness &witness = certificate.classes[i];
     demand(witness.index == c.j, "witness: one line a class with mass", c.j);
     demand(witness.quantity >= integer_of(certificate.min_per_class), "q >= R", c.j);
-    // That the size is in (x_j, x_{j+1}] says that q^b A < S <= q^b B.
+    // That the size is in (x_j, x_{j+1}] says that q^n A < S <= q^n B.
     const Ratio one = Ratio(c.mass) / witness.quantity;
-    const Ratio T = power(one, certificate.b) * problem.S / problem.opening_unit;
-    verify_size(gradation.openings, witness, T, certificate.a);
+    const Ratio T = power(one, problem.degree) * problem.S / problem.opening_unit;
+    verify_size(gradation, witness, T, certificate.a * gradation.root);
     sum += witness.quantity;
   }
   demand(sum == integer_of(certificate.particles), "sum of q = N");
@@ -117,34 +124,34 @@ void verify_witness(const Problem &problem, const Gradation &gradation, const Ce
 /// ends the replay: it is a lower bound, so that no continuation can be accepted.
 void verify_chain(const Problem &problem, const Certificate &certificate) {
   const mpz_class N = integer_of(certificate.particles);
-  const unsigned long b = certificate.b;
+  const unsigned long degree = problem.degree;
   std::vector<const Class *> class_of(problem.classes.back().j + 1);
   for (const Class &c : problem.classes)
     class_of[c.j] = &c;
   Ratio L;
   for (const std::uint32_t j : *certificate.chain) {
     demand(j < class_of.size() && class_of[j] != nullptr, "chain: every step is a class with mass", j);
-    const mpz_class q = count(*class_of[j], L, b);
+    const mpz_class q = count(*class_of[j], L, degree);
     demand(q <= N, "chain: count(j, L) <= N", j);
-    L = class_of[j]->A * power(q, b);
+    L = class_of[j]->A * power(q, degree);
   }
   mpz_class sum = 0;
   for (const Class &c : problem.classes) {
-    const mpz_class q = count(c, L, b);
-    demand(compare(c.A * power(q, b), L) <= 0, "chain: count(j, L)^b A <= L", c.j);
+    const mpz_class q = count(c, L, degree);
+    demand(compare(c.A * power(q, degree), L) <= 0, "chain: count(j, L)^n A <= L", c.j);
     sum += q;
   }
   demand(sum == N, "chain: sum of count(j, L) = N");
 }
 
-/// M particles do not fit at any scale up to z (Theorem 7): the most that are possible, h_j with h_j^b A_j <
+/// M particles do not fit at any scale up to z (Theorem 7): the most that are possible, h_j with h_j^n A_j <
 /// z, are fewer.
 void verify_above(const Problem &problem, const Certificate &certificate) {
   mpz_class sum = 0;
   for (const Class &c : problem.classes) {
     demand(c.A.num > 0, "above: A > 0", c.j);
     const Ratio quotient = problem.z / c.A;
-    sum += root((quotient.num - 1) / quotient.den, certificate.b);
+    sum += root((quotient.num - 1) / quotient.den, problem.degree);
   }
   demand(sum < integer_of(certificate.at_least), "above: sum of h < M");
 }
@@ -162,4 +169,4 @@ void verify_exact(Gradation gradation, const Certificate &certificate) {
     verify_above(problem, certificate);
 }
 
-} // namespace mdm_check
+} // namespace mdm::checker

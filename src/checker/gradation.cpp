@@ -9,16 +9,17 @@
 #include <map>
 #include <set>
 
-namespace mdm_check {
+namespace mdm::checker {
 namespace {
 
 constexpr std::size_t most_rows = std::size_t{1} << 20U; // limit 5
 
-/// A row of a CSV file or an element of the arrays of a JSON file. The value is what the second column says;
-/// the place in the file is for messages.
+/// A row of a CSV file or an element of the arrays of a JSON file. The value is what the second column says,
+/// `most` the third of a band; the place in the file is for messages.
 struct Row {
-  mpq_class size = 0, value = 0, factor = 1, tolerance = 0;
+  mpq_class size = 0, value = 0, most = 0, factor = 1, tolerance = 0;
   std::string_view place;
+  bool is_pan = false;
 };
 
 /// Turns the percentages or fractions P_j passing, ascending by size, into masses. Where they descend a mass
@@ -31,18 +32,18 @@ void passing_to_masses(std::vector<Row> &rows, const mpq_class &full, bool has_f
   if (finest.value > 0) {
     demand_form(finest.size > 0 && !has_factors, finest.place,
                 "something passes the finest sieve: add a row of the pan where nothing does");
-    rows.insert(rows.begin(), {0, 0, 1, 0, finest.place});
+    rows.insert(rows.begin(), {0, 0, 0, 1, 0, finest.place, true});
   }
   for (std::size_t j = 0; j + 1 < rows.size(); ++j)
     rows[j].value = rows[j + 1].value - rows[j].value;
   rows.back().value = 0;
 }
 
-/// What both formats demand of their rows, ascending by size, whose values are masses.
+/// The demands of both formats on their rows, ascending by size, whose values are masses.
 Gradation complete(std::vector<Row> rows, bool has_tolerances) {
   Gradation gradation;
   bool some = false;
-  for (auto &[size, mass, factor, tolerance, place] : rows) {
+  for (auto &[size, mass, most, factor, tolerance, place, is_pan] : rows) {
     demand_form(gradation.openings.empty() ? size >= 0 : size > gradation.openings.back(), place,
                 "a size that is negative, there twice or out of order: give each sieve once, sorted");
     demand_form(mass >= 0, place,
@@ -109,45 +110,11 @@ std::string normal_name(std::string_view field) {
   return out;
 }
 
-/// v within 2^-1001 and 2^1001, rounded to 15 significant digits.
-mpq_class rounded_to_15_digits(const mpq_class &v) {
-  constexpr long places = 330;
-  const mpz_class scaled(v * ten_to(places));
-  const unsigned long tail = scaled.get_str().size() - 15;
-  const mpz_class rounded = (scaled + 5 * power(10, tail - 1)) / power(10, tail);
-  return rounded * ten_to(static_cast<long>(tail) - places);
-}
-
-/// 2^-phi (mm): exact for an integer, else the nearest decimal of 15 significant digits.
-mpq_class phi_opening(const mpq_class &phi, std::string_view place) {
-  demand_form(abs(phi) <= 1000, place, "a phi beyond 1000: no grain has this size");
-  mpz_class whole;
-  mpz_fdiv_q(whole.get_mpz_t(), phi.get_num_mpz_t(), phi.get_den_mpz_t());
-  const mpz_class magnitude = power(2, mpz_class(abs(whole)).get_ui());
-  const mpq_class size = whole < 0 ? mpq_class(magnitude) : mpq_class(1, magnitude);
-  if (phi == whole)
-    return size;
-  // 2^-phi = 2^g * size / 2 with 0 < g < 1, and 2^g = exp(g ln 2) in units of 2^-bits from the series
-  // ln 2 = sum 2 / ((2n+1) 3^(2n+1)) and exp y = sum y^n / n!, 0 < y < 0.7. Fewer than 2 * bits truncations,
-  // each of them worth less than 8 units in the end: the value lies in [sum, sum + 16 * bits]. It is
-  // irrational, so that the two ends round alike when there are enough bits.
-  const mpq_class g = 1 + whole - phi;
-  for (unsigned long bits = 128;; bits *= 2) {
-    mpz_class ln2 = 0, sum = 0;
-    mpz_class term = power(2, bits + 1) / 3;
-    for (unsigned long n = 1; term > 0; n += 2, term /= 9)
-      ln2 += term / n;
-    const mpz_class y = ln2 * g.get_num() / g.get_den();
-    term = power(2, bits);
-    for (unsigned long n = 1; term > 0; ++n) {
-      sum += term;
-      term = (term * y >> bits) / n;
-    }
-    const mpq_class unit = size / power(2, bits + 1);
-    const mpq_class rounded = rounded_to_15_digits(sum * unit);
-    if (rounded == rounded_to_15_digits((sum + 16 * bits) * unit))
-      return rounded;
-  }
+/// 2^-phi (mm) to the power root, of which phi is a multiple of the inverse.
+mpq_class phi_opening(const mpq_class &phi, unsigned long root) {
+  const mpz_class exponent(phi * root);
+  const mpz_class magnitude = power(2, mpz_class(abs(exponent)).get_ui());
+  return exponent < 0 ? mpq_class(magnitude) : mpq_class(1, magnitude);
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -195,16 +162,30 @@ public:
         line.remove_suffix(1);
       read_line(line);
     }
-    demand_form(rows_.size() >= 2, all, "fewer than two rows below a header: give at least two sieves");
+    const bool is_band = !header_.empty() && header_[1] == "passing_min_percent";
+    demand_form(rows_.size() >= (is_band ? 1 : 2), all,
+                "fewer than two rows below a header (one of a band): give the sieves");
+    if (header_[0] == "size_phi")
+      make_openings(is_band);
     std::stable_sort(rows_.begin(), rows_.end(), [](const Row &x, const Row &y) { return x.size < y.size; });
+    const std::vector<Limit> limits = is_band ? make_middle() : std::vector<Limit>();
     const std::string &kind = header_[1];
     const mpq_class full = kind == "passing_fraction" ? 1 : 100;
     if (kind == "cumulative_retained_percent")
       for (Row &row : rows_)
         row.value = full - row.value;
+    const std::size_t written = rows_.size();
     if (kind.starts_with("passing_") || kind.starts_with("cumulative_"))
       passing_to_masses(rows_, full, has_column("factor"));
-    return complete(std::move(rows_), has_column("tolerance_percent"));
+    const bool implied_pan = rows_.size() > written;
+    Gradation gradation = complete(std::move(rows_), has_column("tolerance_percent"));
+    gradation.root = root_.get_ui();
+    gradation.limits = limits;
+    gradation.sizes = header_[0];
+    gradation.values = kind;
+    gradation.has_factors = has_column("factor");
+    gradation.implied_pan = implied_pan;
+    return gradation;
   }
 
 private:
@@ -229,13 +210,56 @@ private:
       read_row(fields, line);
   }
 
+  /// Turns phi into openings to the power root.
+  void make_openings(bool is_band) {
+    mpz_class longest = 0;
+    for (const Row &row : rows_) {
+      demand_form(!is_band || root_ == 1, row.place, "a band needs whole phi: give its openings in mm");
+      longest = std::max<mpz_class>(longest, mpz_class(abs(row.size) * root_));
+    }
+    demand_form(longest * rows_.size() <= power(2, 28), rows_.front().place,
+                "phi of so many digits take too much memory: mdm convert writes the openings in mm");
+    for (Row &row : rows_)
+      row.size = row.is_pan ? mpq_class(0) : phi_opening(row.size, root_.get_ui());
+  }
+
+  /// The limits of a band. What passes becomes their middle: each limit is first narrowed by those of the
+  /// other sieves, because a curve does not fall; where they contradict each other, the lower ones count.
+  std::vector<Limit> make_middle() {
+    std::vector<Limit> limits;
+    for (const auto &[size, least, most, factor, tolerance, place, is_pan] : rows_) {
+      demand_form(0 <= least && least <= 100 && 0 <= most && most <= 100, place,
+                  "a limit of what passes is not from 0 to 100 percent: correct it");
+      demand_form(size != 0 || least == 0, place, "nothing passes the pan: write 0");
+      limits.push_back({size, least, most});
+    }
+    demand_form(rows_.back().most == 100, rows_.back().place,
+                "not all may pass the largest sieve: add one that lets 100 percent pass");
+    bool contradict = false;
+    for (std::size_t j = 1; j < rows_.size(); ++j)
+      rows_[j].value = std::max(rows_[j].value, rows_[j - 1].value);
+    for (std::size_t j = rows_.size(); j-- > 0;) {
+      if (j + 1 < rows_.size())
+        rows_[j].most = std::min(rows_[j].most, rows_[j + 1].most);
+      contradict = contradict || rows_[j].value > rows_[j].most;
+    }
+    for (Row &row : rows_)
+      row.value = contradict ? row.value : mpq_class((row.value + row.most) / 2);
+    rows_.back().value = 100;
+    if (rows_.front().size == 0)
+      rows_.front().value = 0;
+    return limits;
+  }
+
   void read_header(const Fields &fields, std::string_view line) {
     static const Fields names[] = {{"size_mm", "size_um", "size_m", "size_in", "size_phi", "sieve"},
                                    {"mass", "retained_g", "retained_percent", "retained_fraction",
                                     "cumulative_retained_percent", "passing_percent", "passing_fraction"},
                                    {"tolerance_percent", "factor"}};
+    static const Fields band = {"passing_min_percent", "passing_max_percent"};
     demand_form(fields.size() >= 2, line, "a single column: begin with a header such as size_mm,mass");
-    for (std::size_t i = 0; i < fields.size(); ++i) {
+    const bool is_band = std::equal(fields.begin() + 1, fields.end(), band.begin(), band.end());
+    for (std::size_t i = 0; i < (is_band ? 1 : fields.size()); ++i) {
       const Fields &allowed = names[std::min<std::size_t>(i, 2)];
       demand_form(std::count(allowed.begin(), allowed.end(), fields[i]) == 1 &&
                       std::count(fields.begin(), fields.end(), fields[i]) == 1,
@@ -251,21 +275,33 @@ private:
     demand_form(fields.size() == header_.size(), line,
                 "more or fewer fields than the header has: complete the row or quote the delimiter");
     demand_form(rows_.size() < most_rows, line, "more than 1048576 rows: give fewer sieves");
-    Row row{size(fields[0], line), number(fields[1], line), 1, 0, line};
+    Row row;
+    row.place = line;
+    row.is_pan = lower_case(fields[0]) == "pan";
+    row.size = row.is_pan ? mpq_class(0) : size(fields[0], line);
+    row.value = number(fields[1], line);
     for (std::size_t i = 2; i < fields.size(); ++i)
-      (header_[i] == "factor" ? row.factor : row.tolerance) = number(fields[i], line);
+      (header_[i] == "factor"              ? row.factor
+       : header_[i] == "tolerance_percent" ? row.tolerance
+                                           : row.most) = number(fields[i], line);
     rows_.push_back(std::move(row));
   }
 
+  /// The opening in the file's unit (mm for inches and names of sieves), or phi.
   mpq_class size(const std::string &field, std::string_view line) {
     const std::string &kind = header_[0];
-    if (lower_case(field) == "pan")
-      return 0;
     if (kind == "sieve")
       return sieve_opening(normal_name(field), line);
     const mpq_class value = number(field, line);
-    if (kind == "size_phi")
-      return phi_opening(value, line);
+    if (kind == "size_phi") {
+      demand_form(abs(value) <= 1000, line, "a phi beyond 1000: no grain has this size");
+      root_ = lcm(root_, value.get_den());
+      demand_form(
+          root_ <= 1000, line,
+          "makes the openings roots of a degree above 1000: mdm convert writes them in mm, rounded to "
+          "15 digits",
+          field);
+    }
     return kind == "size_in" ? mpq_class(value * mpq_class(127, 5)) : value;
   }
 
@@ -282,7 +318,7 @@ private:
     return read_decimal(sieves.substr(begin, end - begin), line);
   }
 
-  /// Where the delimiter is a semicolon, a number may be written with a decimal comma.
+  /// With the delimiter `;` a number may be written with a decimal comma.
   mpq_class number(std::string field, std::string_view line) {
     for (char &c : field)
       if (delimiter_ == ';' && (c == ',' || c == '.')) {
@@ -296,6 +332,7 @@ private:
 
   Fields header_;
   std::vector<Row> rows_;
+  mpz_class root_ = 1; ///< the common denominator of all phi so far
   char delimiter_ = ',';
   char point_ = '\0'; ///< of the numbers so far
 };
@@ -312,7 +349,7 @@ public:
                                                              {"tolerances_percent", &Row::tolerance}};
     std::vector<Row> rows;
     std::map<std::string, std::size_t> lengths = {{"sizes", 0}, {"masses", 0}};
-    mpq_class unit = 1;
+    std::string unit = "mm";
     object([&](const std::string &key) {
       if (columns.count(key) > 0) {
         std::size_t &length = lengths[key];
@@ -325,14 +362,16 @@ public:
           row.place = key == "sizes" ? rest_ : row.place;
         });
       } else if (key == "unit") {
-        const std::string name = string();
-        demand_form(name == "mm" || name == "um" || name == "m" || name == "in", rest_,
-                    "is an unknown unit: write mm, um, m or in", name);
-        unit = name == "in" ? mpq_class(127, 5) : mpq_class(1);
-      } else if (key == "id" && peek() != '"') {
-        number();
+        unit = string();
+        demand_form(unit == "mm" || unit == "um" || unit == "m" || unit == "in", rest_,
+                    "is an unknown unit: write mm, um, m or in", unit);
       } else {
-        skip_value();
+        demand_form(key == "id", rest_,
+                    "is no key here: write id, unit, sizes, masses, factors or tolerances_percent", key);
+        if (peek() == '"')
+          string();
+        else
+          decimal();
       }
     });
     demand_form(peek() == '\0', rest_, "follows the JSON object: give one object", rest_);
@@ -341,9 +380,13 @@ public:
                   "has not one number for each of at least two sizes: give them", key);
     if (rows.front().size > rows.back().size)
       std::reverse(rows.begin(), rows.end());
-    for (Row &row : rows)
-      row.size *= unit;
-    return complete(std::move(rows), lengths.count("tolerances_percent") > 0);
+    if (unit == "in")
+      for (Row &row : rows)
+        row.size *= mpq_class(127, 5);
+    Gradation gradation = complete(std::move(rows), lengths.count("tolerances_percent") > 0);
+    gradation.sizes = "size_" + unit;
+    gradation.has_factors = lengths.count("factors") > 0;
+    return gradation;
   }
 
 private:
@@ -364,7 +407,6 @@ private:
 
   /// Calls element() at each element of an array, or of what else has commas between two brackets.
   void sequence(char open, char close, const std::function<void()> &element) {
-    demand_form(++depth_ <= 64, rest_, "JSON nested more than 64 deep: flatten it");
     demand(open);
     if (!take(close)) {
       do
@@ -372,7 +414,6 @@ private:
       while (take(','));
       demand(close);
     }
-    --depth_;
   }
   /// Calls member(key) at each value of an object.
   void object(const std::function<void(const std::string &)> &member) {
@@ -383,20 +424,6 @@ private:
       demand(':');
       member(*key);
     });
-  }
-  void skip_value() {
-    const char c = peek();
-    if (c == '{')
-      return object([this](const std::string &) { skip_value(); });
-    if (c == '[')
-      return sequence('[', ']', [this] { skip_value(); });
-    for (const std::string_view word : {"true", "false", "null"})
-      if (rest_.starts_with(word))
-        return rest_.remove_prefix(word.size());
-    if (c == '"')
-      string();
-    else
-      number();
   }
 
   /// The next character of a string, whatever it is; 0 at the end.
@@ -415,7 +442,7 @@ private:
     }
     return out;
   }
-  /// What an escape stands for, in UTF-8.
+  /// The character of an escape, in UTF-8.
   std::string escaped() {
     constexpr std::string_view letters = "\"\\/bfnrt", meanings = "\"\\/\b\f\n\r\t";
     const char c = next();
@@ -430,8 +457,8 @@ private:
     }
     demand_form(code < 0xD800 || code >= 0xE000, rest_, "half a surrogate pair: write the character itself");
     const std::uint32_t following = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
-    std::string out{
-        static_cast<char>((following == 0 ? 0 : 0xF00U >> following & 0xFFU) | code >> (6 * following))};
+    std::string out{static_cast<char>((following == 0 ? 0 : 0xF00U >> (following + 1) & 0xFFU) |
+                                      code >> (6 * following))};
     for (std::uint32_t i = following; i-- > 0;)
       out += static_cast<char>(0x80U | (code >> (6 * i) & 0x3FU));
     return out;
@@ -468,10 +495,13 @@ private:
   }
 
   std::string_view rest_;
-  int depth_ = 0;
 };
 
 } // namespace
+
+std::string Gradation::unit() const {
+  return sizes == "size_um" ? "um" : sizes == "size_m" ? "m" : "mm";
+}
 
 Gradation read_gradation(std::string_view text) {
   demand_text(text);
@@ -481,4 +511,4 @@ Gradation read_gradation(std::string_view text) {
   return begin != std::string_view::npos && text[begin] == '{' ? Json(text).read() : Csv().read(text);
 }
 
-} // namespace mdm_check
+} // namespace mdm::checker

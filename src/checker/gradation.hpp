@@ -2,20 +2,35 @@
 
 #include <gmpxx.h>
 
+#include <string>
 #include <string_view>
 #include <vector>
 
-namespace mdm_check {
+namespace mdm::checker {
 
 using Rationals = std::vector<mpq_class>;
 
-/// Openings x_1 < ... < x_n, masses m_1..m_n >= 0 with m_n = 0 and not all 0, factors c_1..c_n > 0, and
-/// tolerances in percent >= 0 (none at all where the file has none).
+/// A row of a band's file: from `least` to `most` percent pass the opening.
+struct Limit {
+  mpq_class opening, least, most;
+};
+
+/// Openings x_1 < ... < x_n, each to the power root, masses m_1..m_n >= 0 with m_n = 0 and not all 0, factors
+/// c_1..c_n > 0, and tolerances in percent >= 0 (none at all where the file has none).
 struct Gradation {
   Rationals openings, masses, factors, tolerances;
+  unsigned long root = 1; ///< d of section 4
+  std::vector<Limit>
+      limits; ///< of a band's file, whose openings, to the power 1, and masses are its middle's
+  // The file's own way to say it.
+  std::string sizes = "size_mm", values = "mass"; ///< the names of its columns, or what JSON has for them
+  bool has_factors = false, implied_pan = false;
+
+  /// mm, um or m: that of the openings.
+  std::string unit() const;
 };
 
 /// Reads a gradation file, CSV or JSON (section 4).
 Gradation read_gradation(std::string_view text);
 
-} // namespace mdm_check
+} // namespace mdm::checker

@@ -1,6 +1,10 @@
-#include "check.hpp"
 #include "text.hpp"
 
+#include <mdm/checker.hpp>
+
+#include <gmp.h>
+
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -12,22 +16,26 @@
 
 namespace {
 
-using namespace mdm_check;
+using namespace mdm::checker;
 
 constexpr const char *help = R"(mdm-check GRADATION CERTIFICATE
+mdm-check --print GRADATION [CERTIFICATE]
 
-Checks the proof that a number of particles is the least that matches a gradation exactly or
-within a tolerance.
-GRADATION is the gradation file (CSV or JSON) and CERTIFICATE what mdm solve --proof wrote;
-one of them may be - for standard input.
+Checks the proof that a number of particles is the smallest that matches a gradation exactly
+or within a tolerance.
+GRADATION is the gradation file (CSV or JSON; or that of a band) and CERTIFICATE what
+mdm solve --proof wrote; one of them may be - for standard input.
 
-Example:
+Examples:
   mdm solve sand.csv --proof sand.proof
   mdm-check sand.csv sand.proof
+  mdm-check --print sand.csv
 
 Exits with 0 (accepted), 1 (refused: the certificate does not prove its claim) or
-2 (malformed: a file cannot be read, or the command is wrong).
+2 (malformed: a file cannot be read, or the command is wrong). The verdict is on standard
+output, the reason of another one than accepted on standard error.
 
+  --print     the gradation as it is read, as CSV on standard output, before the verdict
   -h, --help  this text
   --version   the versions of this program and of GMP
 )";
@@ -71,23 +79,42 @@ int print(const std::string &text) {
   return 0;
 }
 
-int run(const std::vector<std::string> &arguments) {
+/// Writes a verdict behind a text, unless a file is malformed.
+int report(const Verdict &verdict, const std::string &before = {}) {
+  if (verdict.code == Verdict::malformed)
+    throw std::runtime_error(verdict.reason);
+  print(before + verdict.line + "\n");
+  if (!verdict.reason.empty())
+    std::fprintf(stderr, "%s\n", verdict.reason.c_str());
+  return verdict.code;
+}
+
+int run(std::vector<std::string> arguments) {
   if (arguments.size() == 1 && (arguments[0] == "-h" || arguments[0] == "--help"))
     return print(help);
   if (arguments.size() == 1 && arguments[0] == "--version")
     return print(std::string("mdm-check " MDM_CHECK_VERSION " (GMP ") + gmp_version + ")\n");
+  const bool printing = !arguments.empty() && arguments[0] == "--print";
+  if (printing)
+    arguments.erase(arguments.begin());
   for (const std::string &argument : arguments)
     if (argument.size() > 1 && argument[0] == '-')
       fail("mdm-check", "no option " + quoted(argument) + ": see mdm-check --help");
-  if (arguments.size() != 2 || (arguments[0] == "-" && arguments[1] == "-"))
+  const bool printing_alone = printing && arguments.size() == 1;
+  if ((arguments.size() != 2 && !printing_alone) || std::count(arguments.begin(), arguments.end(), "-") > 1)
     fail("mdm-check", "give one gradation and one certificate: see mdm-check --help");
   const Input gradation = read_input(arguments[0], std::size_t{64} << 20U);
+  if (printing_alone)
+    return report(print(gradation));
   const Input certificate = read_input(arguments[1], std::size_t{256} << 20U);
-  const Verdict verdict = check(gradation, certificate);
-  if (verdict.code == Verdict::malformed)
-    throw std::runtime_error(verdict.line);
-  print(verdict.line + "\n");
-  return verdict.code;
+  std::string csv;
+  if (printing) {
+    const Verdict printed = print(gradation);
+    if (printed.code == Verdict::malformed)
+      return report(printed);
+    csv = printed.line + "\n";
+  }
+  return report(check(gradation, certificate), csv);
 }
 
 } // namespace

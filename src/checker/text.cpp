@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdint>
 
-namespace mdm_check {
+namespace mdm::checker {
 namespace {
 
 /// The character that a text begins with.
@@ -15,8 +14,8 @@ struct Character {
   bool is_control() const { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
   /// Invisible characters, line separators and marks of the direction of writing could make a message lie.
   bool misleads() const {
-    return (code >= 0x200B && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) ||
-           (code >= 0x2060 && code <= 0x2069) || code == 0xFEFF;
+    return code == 0xAD || code == 0x61C || (code >= 0x200B && code <= 0x200F) ||
+           (code >= 0x2028 && code <= 0x202E) || (code >= 0x2060 && code <= 0x2069) || code == 0xFEFF;
   }
 };
 
@@ -48,6 +47,8 @@ void demand_text(std::string_view text) {
     const bool space = c.code == '\t' || c.code == '\r' || c.code == '\n';
     demand_form(c.bytes > 0, text, "not valid UTF-8: save the file as UTF-8 text");
     demand_form(space || !c.is_control(), text, "a control character: give a text file without them");
+    demand_form(c.code != '\r' || text.substr(1).starts_with('\n'), text,
+                "a carriage return without a line feed: end lines with LF or CRLF");
     text.remove_prefix(c.bytes);
   }
 }
@@ -75,6 +76,19 @@ std::string quoted(std::string_view text) {
   return "'" + printable(text, 80) + "'";
 }
 
+std::string quoted_name(std::string_view name) {
+  std::string out = "\"";
+  while (!name.empty()) {
+    const std::size_t plain = std::min(name.find_first_of("\"\\"), name.size());
+    out += printable(name.substr(0, plain));
+    name.remove_prefix(plain);
+    if (!name.empty())
+      out += std::string{'\\', name[0]};
+    name.remove_prefix(name.empty() ? 0 : 1);
+  }
+  return out + "\"";
+}
+
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
@@ -85,8 +99,15 @@ mpz_class power(const mpz_class &base, unsigned long exponent) {
   return result;
 }
 
-std::size_t bits(const mpq_class &value) {
+std::uint64_t bits(const mpq_class &value) {
   return std::max(mpz_sizeinbase(value.get_num_mpz_t(), 2), mpz_sizeinbase(value.get_den_mpz_t(), 2));
+}
+
+mpq_class raised(const mpq_class &base, unsigned long exponent) {
+  mpq_class result; // in lowest terms, as the base is
+  result.get_num() = power(base.get_num(), exponent);
+  result.get_den() = power(base.get_den(), exponent);
+  return result;
 }
 
 mpq_class ten_to(long exponent) {
@@ -135,4 +156,19 @@ mpq_class read_decimal(std::string_view text, std::string_view place, std::size_
   return (d.sign == "-" ? mpz_class(-value) : value) * ten_to(exponent);
 }
 
-} // namespace mdm_check
+std::string plain_decimal(const mpq_class &value) {
+  mpz_class rest;
+  const mpz_class five = 5;
+  const std::size_t twos = mpz_scan1(value.get_den_mpz_t(), 0);
+  const std::size_t fives = mpz_remove(rest.get_mpz_t(), value.get_den_mpz_t(), five.get_mpz_t());
+  const std::size_t places = std::max(twos, fives);
+  const mpz_class scaled(abs(value) * ten_to(static_cast<long>(places)));
+  std::string digits = scaled.get_str();
+  if (digits.size() <= places)
+    digits.insert(0, places + 1 - digits.size(), '0');
+  if (places > 0)
+    digits.insert(digits.size() - places, ".");
+  return (value < 0 ? "-" : "") + digits;
+}
+
+} // namespace mdm::checker

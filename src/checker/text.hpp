@@ -3,12 +3,13 @@
 #include <gmpxx.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 // Sections that comments name are those of proofs/certificate-format.md, theorems those of proofs/README.md.
-namespace mdm_check {
+namespace mdm::checker {
 
 /// A file that is not what it should be, and the place in its text where that shows.
 struct Malformed : std::runtime_error {
@@ -20,7 +21,7 @@ struct Malformed : std::runtime_error {
 /// given.
 void demand_form(bool holds, std::string_view place, const char *what, std::string_view culprit = {});
 
-/// Demands valid UTF-8 without control characters other than tab, CR and LF.
+/// Demands valid UTF-8 without control characters other than tab, LF and CR before LF.
 void demand_text(std::string_view text);
 
 /// The text as valid UTF-8 without control characters, cut; whatever else it holds is escaped as \xNN.
@@ -28,6 +29,9 @@ std::string printable(std::string_view text, std::size_t most_characters = std::
 
 /// The text printable, cut to 80 characters, in single quotes.
 std::string quoted(std::string_view text);
+
+/// A file's name printable, in double quotes, which a backslash precedes in it, as it does a backslash.
+std::string quoted_name(std::string_view name);
 
 /// The parts of `[+-]? D* [. D*] [(e|E) [+-]? D*]`, of which each may be empty, and the rest of the text.
 struct Decimal {
@@ -38,10 +42,14 @@ Decimal split_decimal(std::string_view text);
 /// The exact value of a decimal of section 4. The place is for messages.
 mpq_class read_decimal(std::string_view text, std::string_view place, std::size_t most_digits = 1000);
 
+/// A decimal fraction in its only form without an exponent: 75, 0.75, -1.5.
+std::string plain_decimal(const mpq_class &value);
+
 /// The bits of the longer of numerator and denominator.
-std::size_t bits(const mpq_class &value);
+std::uint64_t bits(const mpq_class &value);
 bool is_digit(char c);
 mpz_class power(const mpz_class &base, unsigned long exponent);
+mpq_class raised(const mpq_class &base, unsigned long exponent);
 mpq_class ten_to(long exponent);
 
-} // namespace mdm_check
+} // namespace mdm::checker

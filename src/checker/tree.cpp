@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <map>
+#include <numeric>
+#include <utility>
 
-namespace mdm_check {
+namespace mdm::checker {
 namespace {
 
 /// The shares of section 6 that belong to a class: the bounds on t_j / M and on P_j / M, g_j, and 1 / c_j.
@@ -23,17 +27,36 @@ struct Problem {
   mpq_class w;          ///< least sum of t / c of every match
 };
 
+/// The law of openings to the power d, a/(b d), in lowest terms.
+struct Law {
+  unsigned long a, b;
+  Law(const Gradation &gradation, const Certificate &c) : a(c.a), b(c.b * gradation.root) {
+    const unsigned long common = std::gcd(a, b);
+    a /= common;
+    b /= common;
+  }
+};
+
 /// x^(a/b) = (root_b x)^a is rational iff the root is: a and b have no common factor.
 Rationals roots(const Rationals &openings, unsigned long b) {
   Rationals result;
   for (const mpq_class &x : openings) {
-    mpz_class numerator, denominator;
-    const bool exact = mpz_root(numerator.get_mpz_t(), x.get_num_mpz_t(), b) != 0;
-    demand(mpz_root(denominator.get_mpz_t(), x.get_den_mpz_t(), b) != 0 && exact,
-           "a rational mass at each opening", result.size() + 1);
-    result.emplace_back(numerator, denominator);
+    const std::optional<mpq_class> root = rational_root(x, b);
+    demand(root.has_value(), "a rational mass at each opening", result.size() + 1);
+    result.push_back(*root);
   }
   return result;
+}
+
+/// The limits of a band, from the certificate or the gradation's file, with the size as the openings are.
+std::vector<Limit> limits_of(const Gradation &gradation, const Certificate &c) {
+  std::vector<Limit> limits = gradation.limits;
+  for (std::size_t i = 0; i < c.band.size(); i += 3)
+    limits.push_back({c.band[i].value, c.band[i + 1].value, c.band[i + 2].value});
+  const mpq_class factor = c.size_factor.empty() ? mpq_class(1) : c.size_factor[0].value;
+  for (Limit &limit : limits)
+    limit.opening = to_power(limit.opening * factor, gradation.root, c);
+  return limits;
 }
 
 /// The shares of each class, the bounds narrowed by what the lines of the tolerance demand.
@@ -71,14 +94,12 @@ std::vector<std::array<mpq_class, shares>> derive_shares(const Gradation &gradat
     if (!c.passing_each.empty() && j + 1 < k)
       narrow_around(p, G, c.passing_each[j].value);
   }
-  for (std::size_t i = 0; i < c.band.size(); i += 3) {
-    const mpq_class size = c.band[i].value * (c.size_factor.empty() ? mpq_class(1) : c.size_factor[0].value);
-    const mpq_class least = c.band[i + 1].value / 100, most = c.band[i + 2].value / 100;
+  for (const auto &[size, least, most] : limits_of(gradation, c)) {
     const auto passes = static_cast<std::size_t>(std::lower_bound(x.begin(), x.end(), size) - x.begin());
     demand(size > x[0] || least == 0, "band: nothing passes the finest opening");
     demand(size <= x[0] || passes > k || x[passes] == size, "band: every sieve is an opening");
     if (size > x[0])
-      narrow(std::min(passes, k) - 1, p, least, most);
+      narrow(std::min(passes, k) - 1, p, least / 100, most / 100);
   }
   return of;
 }
@@ -92,16 +113,18 @@ Problem derive(const Gradation &gradation, const Certificate &certificate) {
   for (const auto &class_j : of)
     for (const mpq_class &share : class_j)
       include(unit, share.get_den(), certificate);
-  const Rationals size = roots(gradation.openings, certificate.b);
+  const Law law(gradation, certificate);
+  const Rationals size = roots(gradation.openings, law.b);
   const mpz_class size_unit = common_denominator(size), factor_unit = common_denominator(gradation.factors);
   const mpq_class w = solids(certificate).below;
-  demand_within(work_of(certificate, of.size()) * (bits(unit) + bits(w)), 34, certificate); // limit 6
+  demand_within(work_of(gradation, certificate, of.size()) * (bits(unit) + bits(w)), 34,
+                certificate); // limit 6
 
-  Problem problem{{}, power(size_unit, certificate.a) * factor_unit, unit, in_units(half_total, unit), w};
+  Problem problem{{}, power(size_unit, law.a) * factor_unit, unit, in_units(half_total, unit), w};
   for (std::size_t j = 0; j < of.size(); ++j) {
     const mpz_class c = in_units(gradation.factors[j], factor_unit);
-    Class class_j{c * power(in_units(size[j], size_unit), certificate.a),
-                  c * power(in_units(size[j + 1], size_unit), certificate.a),
+    Class class_j{c * power(in_units(size[j], size_unit), law.a),
+                  c * power(in_units(size[j + 1], size_unit), law.a),
                   gradation.masses[j] > 0 ? integer_of(certificate.min_per_class) : mpz_class(0),
                   {}};
     for (std::size_t i = 0; i < shares; ++i)
@@ -117,7 +140,7 @@ void verify_witness(const Problem &problem, const Gradation &gradation, const Ce
   mpz_class unit = 1; // the masses times this are integers
   for (const ClassWitness &witness : certificate.classes)
     include(unit, witness.mass.get_den(), certificate);
-  demand_within(work_of(certificate, k) * bits(unit), 34, certificate); // limit 6
+  demand_within(work_of(gradation, certificate, k) * bits(unit), 34, certificate); // limit 6
   std::vector<mpz_class> q(k), t(k);
   mpz_class N = 0, M = 0;
   for (const auto &witness : certificate.classes) {
@@ -125,7 +148,7 @@ void verify_witness(const Problem &problem, const Gradation &gradation, const Ce
     demand(1 <= j && j <= k, "witness: a class of the gradation", j);
     // That the size is in (x_j, x_{j+1}] says that f q < t <= F q.
     const mpq_class one = witness.mass / (witness.quantity * gradation.factors[j - 1]);
-    verify_size(gradation.openings, witness, power(one, certificate.b), certificate.a);
+    verify_size(gradation, witness, raised(one, certificate.b), certificate.a);
     N += q[j - 1] = witness.quantity;
     M += t[j - 1] = in_units(witness.mass, unit);
   }
@@ -150,30 +173,27 @@ void verify_witness(const Problem &problem, const Gradation &gradation, const Ce
 class Replay {
 public:
   Replay(const Problem &problem, const Certificate &certificate)
-      : problem_(problem), certificate_(certificate) {
-    for (const Class &c : problem.classes)
+      : problem_(problem), certificate_(certificate), alike_from_(problem.classes.size()) {
+    for (std::size_t i = 0; i < problem.classes.size(); ++i) {
+      const Class &c = problem.classes[i];
       in_force_.push_back({c.least, -1});
+      const bool alike = i > 0 && c.share[weight] == problem.classes[i - 1].share[weight];
+      alike_from_[i] = alike ? alike_from_[i - 1] : i + 1;
+    }
   }
 
   void run() {
     for (const TreeNode &node : certificate_.tree) {
       if (node.leaf.empty()) {
-        demand(1 <= node.j && node.j <= in_force_.size(), "split: a class of the gradation", node.j);
-        Bounds &bounds = in_force_[node.j - 1];
-        path_.push_back({node, bounds, false});
-        if (bounds.most < 0 || bounds.most >= node.v)
-          bounds.most = node.v - 1;
+        enter(node);
         continue;
       }
       refute(node.leaf);
       // Up to the last split whose second subtree is to come, and into that.
       for (; !path_.empty() && path_.back().second; path_.pop_back())
-        in_force_[path_.back().split.j - 1] = path_.back().before;
-      if (!path_.empty()) {
-        auto &[split, before, second] = path_.back();
-        second = true;
-        in_force_[split.j - 1] = {std::max(before.least, split.v), before.most};
-      }
+        restore(path_.back(), in_force_[path_.back().split.j - 1].least);
+      if (!path_.empty())
+        enter_second(path_.back());
     }
   }
 
@@ -184,9 +204,29 @@ private:
   };
   struct Branch {
     const TreeNode &split;
-    Bounds before; ///< of the split's class
     bool second;
+    std::optional<mpz_class> before; ///< the bound in force before, if the split narrows it
   };
+
+  void enter(const TreeNode &split) {
+    demand(1 <= split.j && split.j <= in_force_.size(), "split: a class of the gradation", split.j);
+    mpz_class &most = in_force_[split.j - 1].most;
+    path_.push_back({split, false, std::nullopt});
+    if (most < 0 || most >= split.v)
+      path_.back().before = std::exchange(most, split.v - 1);
+  }
+  void enter_second(Branch &branch) {
+    Bounds &bounds = in_force_[branch.split.j - 1];
+    restore(branch, bounds.most);
+    branch.second = true;
+    if (bounds.least < branch.split.v)
+      branch.before = std::exchange(bounds.least, branch.split.v);
+  }
+  static void restore(Branch &branch, mpz_class &bound) {
+    if (branch.before)
+      bound = std::move(*branch.before);
+    branch.before.reset();
+  }
 
   /// A condition: sum of coefficient * variable >= constant. q, t, p and P_j are those of its class, or of
   /// every class where it has none; q is in mass units, M in share units.
@@ -236,30 +276,42 @@ private:
     }
   }
 
-  /// The sum of the conditions is 0 >= positive, or 0 > 0 (Theorem 14).
+  /// The sum of the conditions is 0 >= positive, or 0 > 0 (Theorem 14). The work follows the leaf's length:
+  /// the classes that it does not name are looked at together.
   void refute(const std::vector<Multiple> &leaf) const {
-    const std::size_t k = problem_.classes.size();
-    std::vector<Condition> sums(k + 1); // of each class, and of all in place 0
+    const std::uint64_t k = problem_.classes.size();
+    std::map<std::uint64_t, Condition, std::greater<>> sums; // of each class, and of all in place 0
     Condition &all = sums[0];
     for (const auto &[m, letter, j] : leaf) {
       demand(j <= k, "leaf: a class of the gradation", j);
       const Condition c = condition(letter, j);
-      sums[j].q += m * c.q;
-      sums[j].t += m * c.t;
-      sums[j].P += m * c.P;
-      sums[j].p += m * c.p;
+      Condition &sum = sums[j];
+      sum.q += m * c.q;
+      sum.t += m * c.t;
+      sum.P += m * c.P;
+      sum.p += m * c.p;
       all.M += m * c.M;
       all.weight += m * c.weight;
       all.constant += m * c.constant;
       all.strict = all.strict || c.strict;
     }
-    mpz_class held = all.t; // t_j is part of P_j, ..., P_k
-    for (std::size_t j = k; j > 0; --j) {
-      const Condition &sum = sums[j];
-      held += sum.P;
+    // What all conditions but those of the class itself and of w have at t_j, in share units: t_j is part of
+    // M and of P_j, ..., P_k.
+    mpz_class held = all.t * problem_.share_unit + all.M;
+    const auto cancels = [&](const mpz_class &q, const mpz_class &t, const mpz_class &p, std::uint64_t j) {
       const mpz_class of_t =
-          (sum.t + held) * problem_.share_unit + all.M + all.weight * problem_.classes[j - 1].share[weight];
-      demand(sum.q + all.q == 0 && of_t == 0 && sum.p + all.p == 0, "leaf: the variables add up to 0", j);
+          t * problem_.share_unit + held + all.weight * problem_.classes[j - 1].share[weight];
+      return q + all.q == 0 && of_t == 0 && p + all.p == 0;
+    };
+    std::uint64_t last = k; // of the classes that are left
+    for (const auto &[j, sum] : sums) {
+      const bool alike = last == j || all.weight == 0 || alike_from_[last - 1] <= j + 1;
+      demand(alike && (last == j || cancels(0, 0, 0, last)), "leaf: the variables add up to 0", last);
+      if (j == 0)
+        break;
+      held += sum.P * problem_.share_unit;
+      demand(cancels(sum.q, sum.t, sum.p, j), "leaf: the variables add up to 0", j);
+      last = j - 1;
     }
     const mpq_class right = all.constant + all.weight * problem_.w;
     demand(right > 0 || (right == 0 && all.strict), "leaf: the constants are a contradiction");
@@ -267,6 +319,7 @@ private:
 
   const Problem &problem_;
   const Certificate &certificate_;
+  std::vector<std::uint64_t> alike_from_; ///< at j - 1: from this class to j the weights are the same
   std::vector<Bounds> in_force_;
   std::vector<Branch> path_;
 };
@@ -282,4 +335,4 @@ void verify_tolerant(Gradation gradation, const Certificate &certificate) {
   Replay(problem, certificate).run();
 }
 
-} // namespace mdm_check
+} // namespace mdm::checker

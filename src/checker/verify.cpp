@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace mdm_check {
+namespace mdm::checker {
 
 void demand(bool holds, const char *condition, std::uint64_t j) {
   if (!holds)
@@ -15,11 +15,17 @@ void demand_within(std::uint64_t work, unsigned most, const Certificate &certifi
       "numbers as long as these, or so many, take too long: use a simpler law, fewer digits or steps");
 }
 
-std::uint64_t work_of(const Certificate &certificate, std::uint64_t n) {
-  std::uint64_t steps = 64 * n + (certificate.chain ? certificate.chain->size() : 0);
+std::uint64_t work_of(const Gradation &gradation, const Certificate &certificate, std::uint64_t n) {
+  const std::uint64_t bands = certificate.band.size() / 3 + gradation.limits.size();
+  std::uint64_t steps = 64 * (n + bands) + (certificate.chain ? certificate.chain->size() : 0);
   for (const TreeNode &node : certificate.tree)
-    steps += node.leaf.empty() ? 1 : n + node.leaf.size();
+    steps += 1 + node.leaf.size();
   return steps;
+}
+
+mpq_class to_power(const mpq_class &length, unsigned long d, const Certificate &certificate) {
+  demand_within(bits(length) * d, 20, certificate);
+  return raised(length, d);
 }
 
 mpz_class common_denominator(const Rationals &values) {
@@ -44,16 +50,54 @@ mpz_class integer_of(const Numbers &line) {
   return line.empty() ? mpz_class(0) : line[0].value.get_num();
 }
 
+std::optional<mpq_class> rational_root(const mpq_class &value, unsigned long degree) {
+  mpz_class numerator, denominator;
+  const bool exact = mpz_root(numerator.get_mpz_t(), value.get_num_mpz_t(), degree) != 0 &&
+                     mpz_root(denominator.get_mpz_t(), value.get_den_mpz_t(), degree) != 0;
+  return exact ? std::optional<mpq_class>(mpq_class(numerator, denominator)) : std::nullopt;
+}
+
+namespace {
+
+/// The unit of the 15th significant digit of a decimal.
+mpq_class unit_of_15_digits(const Number &number) {
+  const Decimal d = split_decimal(number.text);
+  const auto digits_before = [](std::string_view digits, const char *set) {
+    return static_cast<long>(std::min(digits.find_first_not_of(set), digits.size()));
+  };
+  return ten_to((d.whole == "0" ? -digits_before(d.fraction, "0") : digits_before(d.whole, "0123456789")) -
+                15);
+}
+
+/// The opening that S is, or that S is the nearest decimal to, where S has at most 15 digits and the opening
+/// is irrational.
+Rationals::iterator find_opening(Gradation &gradation, const Certificate &certificate) {
+  const Number &S = certificate.cut_below[0];
+  const unsigned long d = gradation.root;
+  const mpq_class unit = unit_of_15_digits(S), exact = to_power(S.value, d, certificate);
+  const bool may_be_near = d > 1 && mpq_class(S.value / unit).get_den() == 1;
+  const mpq_class below = may_be_near ? raised(S.value - unit / 2, d) : exact;
+  const mpq_class above = may_be_near ? raised(S.value + unit / 2, d) : exact;
+  return std::find_if(gradation.openings.begin(), gradation.openings.end(), [&](const mpq_class &Y) {
+    return Y == exact || (below < Y && Y < above && !rational_root(Y, d));
+  });
+}
+
+} // namespace
+
 void apply_question(Gradation &gradation, const Certificate &certificate) {
+  demand(gradation.limits.empty() == certificate.band_file.empty(),
+         "band file: there with the file of a band, and only there");
   Rationals &x = gradation.openings;
+  const unsigned long d = gradation.root;
   const auto columns = {&gradation.masses, &gradation.factors, &gradation.tolerances, &gradation.openings};
   if (!certificate.pan_size.empty()) {
-    const mpq_class &size = certificate.pan_size[0].value;
+    const mpq_class size = to_power(certificate.pan_size[0].value, d, certificate);
     demand(x[0] == 0 && size < x[1], "pan-size: x_1 = 0, P < x_2");
     x[0] = size;
   }
   if (!certificate.cut_below.empty()) {
-    const auto cut = std::find(x.begin(), x.end() - 1, certificate.cut_below[0].value);
+    const auto cut = std::min(find_opening(gradation, certificate), x.end() - 1);
     demand(cut != x.end() - 1, "cut-below: S is an opening below x_n");
     const auto dropped = cut - x.begin();
     for (Rationals *column : columns)
@@ -61,17 +105,26 @@ void apply_question(Gradation &gradation, const Certificate &certificate) {
     demand(*std::max_element(gradation.masses.begin(), gradation.masses.end()) > 0,
            "cut-below: mass is left");
   }
-  if (!certificate.size_factor.empty())
-    for (mpq_class &opening : x)
-      opening *= certificate.size_factor[0].value;
+  const std::uint64_t e = std::max(certificate.a, certificate.b) * std::uint64_t{d};
+  std::uint64_t count = certificate.longest_count, longest = 0;
+  for (const auto &[opening, least, most] : gradation.limits)
+    count = std::max({count, bits(opening), bits(least), bits(most)});
   // The limits 1 and 2 bound time and memory before the first power is computed.
-  std::uint64_t longest = 0;
-  for (const Rationals *column : columns)
+  const auto include_length = [&](std::uint64_t length) {
+    longest = std::max(longest, length);
+    demand_within(e * std::max(longest, count), 20, certificate);
+  };
+  const mpq_class factor = certificate.size_factor.empty()
+                               ? mpq_class(1)
+                               : to_power(certificate.size_factor[0].value, d, certificate);
+  for (mpq_class &opening : x) {
+    opening *= factor;
+    include_length((bits(opening) + d - 1) / d);
+  }
+  for (const Rationals *column : {&gradation.masses, &gradation.factors, &gradation.tolerances})
     for (const mpq_class &value : *column)
-      longest = std::max(longest, bits(value));
-  const std::uint64_t e = std::max(certificate.a, certificate.b), count = certificate.longest_count;
-  demand_within(e * std::max(longest, count), 20, certificate);
-  demand_within(work_of(certificate, x.size()) * e * (longest + count), 34, certificate);
+      include_length(bits(value));
+  demand_within(work_of(gradation, certificate, x.size()) * e * (longest + count), 34, certificate);
 }
 
 Solids solids(const Certificate &certificate) {
@@ -108,14 +161,15 @@ void verify_pi(const Certificate &certificate) {
   demand(certificate.pi[1].value * unit >= pi + error, "pi < r");
 }
 
-void verify_size(const Rationals &openings, const ClassWitness &witness, const Ratio &T, unsigned long a) {
+void verify_size(const Gradation &gradation, const ClassWitness &witness, const Ratio &T,
+                 unsigned long degree) {
   const std::uint64_t j = witness.index;
   const mpq_class &lo = witness.lo, &hi = witness.hi;
-  demand(openings[j - 1] < lo, "x_j < lo", j);
-  demand(hi <= openings[j], "hi <= x_{j+1}", j);
+  demand(gradation.openings[j - 1] < raised(lo, gradation.root), "x_j < lo", j);
+  demand(raised(hi, gradation.root) <= gradation.openings[j], "hi <= x_{j+1}", j);
   demand(1'000'000'000 * (hi - lo) <= lo, "10^9 (hi - lo) <= lo", j);
-  demand(compare(power(lo, a), T) <= 0, "lo^a <= T", j);
-  demand(compare(T, power(hi, a)) < (lo == hi ? 1 : 0), lo == hi ? "T = hi^a" : "T < hi^a", j);
+  demand(compare(raised(lo, degree), T) <= 0, "lo^a <= T", j);
+  demand(compare(T, raised(hi, degree)) < (lo == hi ? 1 : 0), lo == hi ? "T = hi^a" : "T < hi^a", j);
 }
 
-} // namespace mdm_check
+} // namespace mdm::checker

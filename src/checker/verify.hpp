@@ -4,7 +4,7 @@
 #include "gradation.hpp"
 #include "text.hpp"
 
-namespace mdm_check {
+namespace mdm::checker {
 
 /// A certificate that is well formed, and does not prove its claim.
 struct Refused : std::runtime_error {
@@ -18,7 +18,7 @@ void verify_exact(Gradation gradation, const Certificate &certificate);
 /// The same for a match within a tolerance, by a tree (section 6).
 void verify_tolerant(Gradation gradation, const Certificate &certificate);
 
-// What both have in common.
+// Functions that both share.
 
 /// Refuses the certificate where a condition does not hold, in class j (from 1) if that is given.
 void demand(bool holds, const char *condition, std::uint64_t j = 0);
@@ -26,8 +26,11 @@ void demand(bool holds, const char *condition, std::uint64_t j = 0);
 /// Malformed where the work is more than a limit of section 2: 2^`most`.
 void demand_within(std::uint64_t work, unsigned most, const Certificate &certificate);
 
-/// Operations that n openings and the steps of a chain, or the nodes of a tree take, for limits 2 and 6.
-std::uint64_t work_of(const Certificate &certificate, std::uint64_t n);
+/// Operations that n openings, the limits of a band and the steps of a chain, or the nodes and multiples of a
+/// tree take, for limits 2 and 6.
+std::uint64_t work_of(const Gradation &gradation, const Certificate &certificate, std::uint64_t n);
+/// A length of the question to the power d of the openings; limit 1.
+mpq_class to_power(const mpq_class &length, unsigned long d, const Certificate &certificate);
 
 /// A fraction that need not be in lowest terms, so that no loop pays for a gcd.
 struct Ratio {
@@ -52,6 +55,9 @@ void include(mpz_class &common, const mpz_class &divisor, const Certificate &cer
 /// The number of the line; 0 where it is absent.
 mpz_class integer_of(const Numbers &line);
 
+/// The root of a degree where it is rational.
+std::optional<mpq_class> rational_root(const mpq_class &value, unsigned long degree);
+
 /// Applies pan-size, cut-below and size-factor, in this order, and demands the limits 1 and 2.
 void apply_question(Gradation &gradation, const Certificate &certificate);
 
@@ -65,7 +71,8 @@ Solids solids(const Certificate &certificate);
 /// p < pi < r.
 void verify_pi(const Certificate &certificate);
 
-/// The size of class j, (x_j, x_{j+1}] between the openings, is T to the power 1/a and in [lo, hi].
-void verify_size(const Rationals &openings, const ClassWitness &witness, const Ratio &T, unsigned long a);
+/// The size of class j, (x_j, x_{j+1}] between the openings, is the root of T of a degree and in [lo, hi].
+void verify_size(const Gradation &gradation, const ClassWitness &witness, const Ratio &T,
+                 unsigned long degree);
 
-} // namespace mdm_check
+} // namespace mdm::checker

@@ -1,13 +1,14 @@
-#include "accessible.hpp"
+#include "cli/accessible.hpp"
 
-#include "commands.hpp"
-#include "files.hpp"
-#include "in_parallel.hpp"
-#include "option_values.hpp"
-#include "picture.hpp"
-#include "progress.hpp"
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/in_parallel.hpp"
+#include "cli/option_values.hpp"
+#include "cli/picture.hpp"
+#include "cli/progress.hpp"
+#include "papers/accessible_report.hpp"
 
-#include <mdm/study/accessible_report.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/format.h>
 
@@ -47,7 +48,7 @@ std::vector<Rational> steps(const std::string &option, const std::vector<std::st
 void AccessibleFlags::add_to(CLI::App &command) {
   command.add_flag("--accessible", on,
                    "instead of one set: which shapes a, b take at most --at-most (10000) particles, by Eq. "
-                   "6-9 and by the least match, at the --span (one or several, as the shapes)");
+                   "6-9 and by the smallest match, at the --span (one or several, as the shapes)");
   command.add_option("--a", a, "shapes of --accessible: numbers 1,2,5 or FROM:TO:STEP (0.5:10:0.5)")
       ->type_name("LIST");
   command.add_option("--b", b, "the same for b (0.5:10:0.5)")->type_name("LIST");
@@ -72,40 +73,41 @@ std::vector<Rational> number_list(const std::string &option, const std::string &
   return numbers;
 }
 
-int run_accessible(const AccessibleQuestion &question, const AccessibleOutput &output) {
-  if (output.plot == "-")
+int run_accessible(const AccessibleQuestion &question, const OutputFlags &output,
+                   const AccessibleFlags &flags) {
+  if (flags.plot == "-")
     throw InputError("--plot needs a file: standard output has the answer");
-  const std::optional<Picture> picture = output.plot ? picture_at(*output.plot) : std::nullopt;
-  if (output.plot && !picture)
-    throw InputError("--plot: " + printable(*output.plot) + ": let OUT end in .svg, .png or .pdf");
-  check_distinct({output.out, output.plot.value_or("-")});
+  const std::optional<Picture> picture = flags.plot ? picture_at(*flags.plot) : std::nullopt;
+  if (flags.plot && !picture)
+    throw InputError("--plot: " + printable(*flags.plot) + ": let OUT end in .svg, .png or .pdf");
+  check_distinct({output.path(), flags.plot.value_or("-")});
   std::vector<AccessibleRow> rows = grid(question);
   if (rows.size() > most_shapes)
     throw InputError("--accessible: more than 100000 shapes: take larger steps or fewer spans");
-  Output out(output.out);
+  Output out(output.path());
   std::atomic<std::size_t> done = 0;
   {
     const Progress progress([&] { return fmt::format("{} of {} shapes", done.load(), rows.size()); },
                             output.quiet);
-    in_parallel(rows.size(), output.threads, [&](std::size_t i) {
+    in_parallel(rows.size(), flags.threads, [&](std::size_t i) {
       fill(rows[i], question);
       ++done;
     });
   }
   std::unique_ptr<Output> plot;
   if (picture) {
-    plot = std::make_unique<Output>(*output.plot);
+    plot = std::make_unique<Output>(*flags.plot);
     plot->write(run_gnuplot(gnuplot_script(accessible_map(question, rows), *picture)));
   }
-  out.write(output.format == "json"  ? accessible_json(question, rows) + "\n"
-            : output.format == "csv" ? accessible_csv(rows)
-                                     : accessible_text(question, rows));
+  out.write(output.report([&] { return accessible_text(question, rows); },
+                          [&] { return accessible_json(question, rows); },
+                          [&] { return accessible_csv(rows); }));
   if (plot)
     plot->commit();
   out.commit();
   const std::vector<std::string> open = undecided(rows);
   // CSV has no place for them.
-  if (output.format == "csv")
+  if (output.is_csv())
     for (const std::string &line : open)
       tell(line + "\n");
   return open.empty() ? Exit::done : Exit::limited;

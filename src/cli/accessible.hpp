@@ -2,7 +2,8 @@
 /// \file
 /// `mdm generate --accessible`.
 
-#include <mdm/study/accessible_shapes.hpp>
+#include "cli/output_flags.hpp"
+#include "papers/accessible_shapes.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -23,15 +24,8 @@ struct AccessibleFlags {
 /// \throws InputError that names the option
 std::vector<Rational> number_list(const std::string &option, const std::string &text);
 
-/// Where and how the answer is written.
-struct AccessibleOutput {
-  std::string format, out;
-  std::optional<std::string> plot;
-  unsigned threads;
-  bool quiet;
-};
-
 /// Works out and reports the grid; returns the exit code: 3 if something was not decided.
-int run_accessible(const AccessibleQuestion &question, const AccessibleOutput &output);
+int run_accessible(const AccessibleQuestion &question, const OutputFlags &output,
+                   const AccessibleFlags &flags);
 
 } // namespace mdm::cli

@@ -1,21 +1,23 @@
-#include "commands.hpp"
-#include "files.hpp"
-#include "in_parallel.hpp"
-#include "option_values.hpp"
-#include "progress.hpp"
-#include "solve_flags.hpp"
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/in_parallel.hpp"
+#include "cli/option_values.hpp"
+#include "cli/output_flags.hpp"
+#include "cli/progress.hpp"
+#include "cli/solve_flags.hpp"
+#include "text/json_writer.hpp"
 
-#include <mdm/error.hpp>
+#include <mdm/answer/answer.hpp>
 #include <mdm/gradation/read_gradation.hpp>
-#include <mdm/json_text.hpp>
 #include <mdm/proof/certificate.hpp>
-#include <mdm/report/answer.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <new>
 
 namespace mdm::cli {
 namespace {
@@ -24,9 +26,8 @@ struct BatchCommand {
   std::string file = "-";
   SolveFlags flags;
   std::optional<std::string> proofs;
-  std::string out = "-";
   unsigned threads = 1;
-  bool quiet = false;
+  OutputFlags output;
 };
 
 /// The answer to one line, with the exit code that it would have alone.
@@ -64,52 +65,51 @@ std::string proof_name(std::uint64_t number, const std::string &id) {
 class Batch {
 public:
   explicit Batch(const BatchCommand &command)
-      : command_(command), question_(command.flags.question()), options_(command.flags.options()) {}
+      : command_(command), question_(command.flags.question()), options_(solve_options()) {}
 
-  Answer answer(const Lines::Line &line, std::uint64_t number) const {
+  Answer answer(const FileLines::Line &line, std::uint64_t number) const {
     const std::string fallback = std::to_string(number);
     if (!line)
-      return error(fallback, where(number) + ": the line has more than 64 MiB: write one gradation a line");
+      return error(fallback,
+                   where(number) + ": " + FileLines::too_long("the line") + ": write one gradation a line");
     if (line->find_first_not_of(" \t\r") == std::string::npos)
       return {};
     try {
       return solved(read_json_gradation(*line, where(number), fallback), number);
     } catch (const InputError &e) {
       return error(json_gradation_id(*line).value_or(fallback), e.what());
+    } catch (const std::bad_alloc &) { // the other lines are none the worse for it
+      return error(fallback, where(number) + ": out of memory: give it more, or a --max-steps");
     }
   }
 
 private:
-  std::string where(std::uint64_t number) const {
-    return shown_name(command_.file) + ":" + std::to_string(number);
-  }
+  /// The proof of each line is kept where it is to be written.
+  SolveOptions solve_options() const { return command_.flags.options(command_.proofs.has_value()); }
+
+  std::string where(std::uint64_t number) const { return line_name(command_.file, number); }
 
   static Answer error(const std::string &id, const std::string &message) {
-    return {fmt::format(R"({{"id":{},"status":"error","error":{}}})", json_string(id), json_string(message)) +
-                "\n",
-            Exit::bad_input};
+    JsonWriter json;
+    json.begin_object().key("id").string(id).key("status").plain("error").key("error").string(message);
+    json.end_object();
+    return {json.take() + "\n", Exit::bad_input};
   }
 
   Answer solved(Gradation g, std::uint64_t number) const {
     const std::string id = g.id();
     SolveOptions options = options_;
     if (command_.flags.time_limit)
-      options.limits = command_.flags.options().limits; // a deadline of its own for each line
-    const auto in_line = [&](const auto &action) {
-      return named(where(number), "", [&](const std::string &) { return action(); });
-    };
-    Match m = in_line([&] { return solve(std::move(g), question_, options); });
+      options.limits = solve_options().limits; // a deadline of its own for each line
+    Match m = in_file(where(number), [&] { return solve(std::move(g), question_, options); });
     if (command_.proofs && m.complete) {
       Output proof(*command_.proofs + "/" + proof_name(number, id));
-      proof.write(in_line([&] { return certificate(m); }));
+      proof.write(in_file(where(number), [&] { return certificate(m); }));
       proof.commit();
     } else if (command_.proofs) {
       m.notes.push_back("no proof was written: the limit came before the end");
     }
-    const int exit = m.status == Status::optimal ? Exit::done
-                     : m.status == Status::none  ? Exit::negative
-                                                 : Exit::limited;
-    return {answer_json(m) + "\n", exit};
+    return {answer_json(m) + "\n", exit_code(m.status)};
   }
 
   const BatchCommand &command_;
@@ -118,29 +118,30 @@ private:
 };
 
 /// Answers to lines first, first + 1, ..., by several threads, in order.
-std::vector<Answer> answers(const Batch &batch, const std::vector<Lines::Line> &lines, std::uint64_t first,
-                            unsigned threads) {
+std::vector<Answer> answers(const Batch &batch, const std::vector<FileLines::Line> &lines,
+                            std::uint64_t first, unsigned threads) {
   std::vector<Answer> result(lines.size());
   in_parallel(lines.size(), threads, [&](std::size_t i) { result[i] = batch.answer(lines[i], first + i); });
   return result;
 }
 
 int run(const BatchCommand &c) {
-  check_distinct({c.file, c.out});
+  check_distinct({c.file, c.output.path()});
   if (c.flags.band)
-    check_distinct({*c.flags.band, c.out});
+    check_distinct({*c.flags.band, c.output.path()});
   if (c.file == "-" && c.flags.band == "-")
     throw InputError("--band: standard input has the gradations: give the band by name");
   if (c.proofs)
     make_folder(*c.proofs);
   const Batch batch(c);
-  Lines lines(c.file);
-  Output out(c.out);
+  FileLines lines(c.file);
+  Output out(c.output.path());
   std::atomic<std::uint64_t> count = 0;
-  Progress progress([&count] { return fmt::format("{} gradations", count.load()); }, c.quiet);
+  Progress progress([&count] { return fmt::format("{} gradations", count.load()); }, c.output.quiet);
   int worst = Exit::done;
   constexpr std::size_t at_once = 512;
-  for (std::vector<Lines::Line> chunk = lines.next(at_once); !chunk.empty(); chunk = lines.next(at_once)) {
+  for (std::vector<FileLines::Line> chunk = lines.next(at_once); !chunk.empty();
+       chunk = lines.next(at_once)) {
     std::string text;
     for (const Answer &answer : answers(batch, chunk, count + 1, c.threads)) {
       text += answer.text;
@@ -165,8 +166,8 @@ Run add_batch(CLI::App &app) {
   command.add_option("-j", c->threads, "threads")->type_name("THREADS")->check(CLI::Range(1, 1024));
   command.add_option("--proofs", c->proofs, "write a certificate for each line into the folder DIR")
       ->type_name("DIR");
-  command.add_option("-o", c->out, "write to OUT instead of standard output")->type_name("OUT");
-  command.add_flag("--quiet", c->quiet, "no progress on standard error");
+  c->output.add_out(command);
+  c->output.add_quiet(command, "no progress on standard error");
   command.footer("Example: mdm batch suite.jsonl -j 4 -o answers.jsonl");
   return [c] { return run(*c); };
 }

@@ -1,6 +1,8 @@
-#include "child_process.hpp"
+#include "cli/child_process.hpp"
 
-#include <mdm/error.hpp>
+#include "cli/ending_signals.hpp"
+
+#include <mdm/text/error.hpp>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -84,25 +86,11 @@ std::array<std::atomic<pid_t>, 2048> running;
 std::atomic<bool> dying = false;
 static_assert(std::atomic<pid_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
-constexpr std::array<int, 3> ending_signals = {SIGINT, SIGTERM, SIGHUP};
-std::array<struct sigaction, ending_signals.size()> actions_before{};
-
-/// Then does what was to be done before: to end this program.
-void kill_children(int signal) {
+void kill_children() {
   dying = true;
   for (const std::atomic<pid_t> &group : running)
     if (const pid_t g = group; g != 0)
       kill(-g, SIGKILL);
-  for (std::size_t i = 0; i < ending_signals.size(); ++i) {
-    if (ending_signals[i] != signal)
-      continue;
-    if (actions_before[i].sa_handler != SIG_DFL) {
-      actions_before[i].sa_handler(signal);
-    } else {
-      std::signal(signal, SIG_DFL);
-      raise(signal);
-    }
-  }
 }
 
 /// Between fork and exec: only what is safe there.
@@ -236,13 +224,7 @@ ChildEnd run_child(const std::string &command, std::string_view input, milliseco
 }
 
 void kill_children_on_signals() {
-  struct sigaction action {};
-  action.sa_handler = kill_children;
-  for (std::size_t i = 0; i < ending_signals.size(); ++i) {
-    sigaction(ending_signals[i], nullptr, &actions_before[i]);
-    if (actions_before[i].sa_handler != SIG_IGN) // nohup
-      sigaction(ending_signals[i], &action, nullptr);
-  }
+  before_ending_signals(kill_children);
 }
 
 } // namespace mdm::cli

@@ -8,7 +8,7 @@
 
 namespace mdm::cli {
 
-/// How a program ended, and what it said.
+/// The end of a program and its output.
 struct ChildEnd {
   enum class How { exited, signalled, timed_out, too_much_output };
   How how = How::exited;

@@ -1,9 +1,10 @@
-#include "commands.hpp"
-#include "files.hpp"
-#include "option_values.hpp"
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/output_flags.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
+#include <mdm/text/error.hpp>
 
 #include <memory>
 
@@ -13,8 +14,7 @@ namespace {
 struct ConvertCommand {
   std::string file;
   std::optional<std::string> specimen_id, format;
-  std::string out = "-";
-  bool quiet = false;
+  OutputFlags output;
 };
 
 bool ends_with_json(const std::string &path) {
@@ -22,17 +22,14 @@ bool ends_with_json(const std::string &path) {
 }
 
 int run(const ConvertCommand &c) {
-  check_distinct({c.file, c.out});
+  check_distinct({c.file, c.output.path()});
   const std::string content = read_file(c.file, max_gradation_bytes);
-  const Gradation g = read_gradation(content, shown_name(c.file), c.specimen_id);
-  const bool json = c.format ? *c.format == "json" : ends_with_json(c.out);
-  Output out(c.out);
-  out.write(named(printable(shown_name(c.file)), "",
-                  [&](const std::string &) { return json ? gradation_json(g) : gradation_csv(g); }));
+  const Gradation g = read_gradation(content, shown_name(c.file), c.specimen_id, PhiReading::rounded);
+  const bool json = c.format ? *c.format == "json" : ends_with_json(c.output.path());
+  Output out(c.output.path());
+  out.write(in_file(c.file, [&] { return json ? gradation_json(g) : gradation_csv(g); }));
   out.commit();
-  for (const std::string &note : g.notes())
-    if (!c.quiet)
-      tell("note: " + note + "\n");
+  c.output.tell_notes(g.notes());
   return Exit::done;
 }
 
@@ -42,12 +39,11 @@ Run add_convert(CLI::App &app) {
   const auto c = std::make_shared<ConvertCommand>();
   CLI::App &command = *app.add_subcommand("convert", "Any gradation file as canonical CSV or JSON");
   command.add_option("FILE", c->file, "gradation: CSV, JSON or AGS4; - for standard input")->required();
-  command.add_option("-o", c->out, "write to OUT instead of standard output")->type_name("OUT");
+  c->output.add_out(command);
   command.add_option("--format", c->format, "csv or json; json if OUT ends so, else csv")
       ->check(CLI::IsMember({"csv", "json"}));
-  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
-      ->type_name("ID");
-  command.add_flag("--quiet", c->quiet, "no notes on standard error");
+  add_specimen_id(command, c->specimen_id);
+  c->output.add_quiet(command, "no notes on standard error");
   command.footer("Example: mdm convert report.ags --specimen-id BH1 -o sand.csv");
   return [c] { return run(*c); };
 }

@@ -1,17 +1,18 @@
-#include "commands.hpp"
-#include "files.hpp"
-#include "in_parallel.hpp"
-#include "option_values.hpp"
-#include "progress.hpp"
-#include "solver.hpp"
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/in_parallel.hpp"
+#include "cli/option_values.hpp"
+#include "cli/output_flags.hpp"
+#include "cli/progress.hpp"
+#include "cli/solver.hpp"
+#include "crosscheck/answer_index.hpp"
+#include "crosscheck/crosscheck_report.hpp"
+#include "text/json_writer.hpp"
+#include "text/versions.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/gradation/read_gradation.hpp>
-#include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
-#include <mdm/report/versions.hpp>
-#include <mdm/study/answer_index.hpp>
-#include <mdm/study/crosscheck_report.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -28,14 +29,13 @@ namespace {
 
 struct CrosscheckCommand {
   std::string suite;
-  std::optional<std::string> answers, solver, by, journal, out;
+  std::optional<std::string> answers, solver, by, journal;
   std::string size_tolerance = "1e-9";
   std::optional<std::string> time_limit, max_steps;
-  std::string format = "text";
+  OutputFlags output;
   unsigned threads = 1;
   bool reasons = false;
   bool require_minimal = false;
-  bool quiet = false;
 };
 
 using Rows = std::vector<CrosscheckRow>;
@@ -49,21 +49,20 @@ struct Entry {
 /// All of a suite, so that nothing is run or written where a line is bad.
 std::vector<Entry> read_suite(const std::string &path) {
   std::vector<Entry> suite;
-  Lines lines(path);
+  FileLines lines(path);
   std::uint64_t number = 0;
-  for (std::vector<Lines::Line> next = lines.next(1); !next.empty(); next = lines.next(1)) {
-    const Lines::Line &line = next.front();
+  for (std::vector<FileLines::Line> next = lines.next(1); !next.empty(); next = lines.next(1)) {
+    const FileLines::Line &line = next.front();
     const std::string fallback_id = std::to_string(++number);
-    const std::string where = shown_name(path) + ":" + fallback_id;
+    const std::string where = line_name(path, number);
     if (!line)
-      throw InputError(printable(where) + ": the line has more than 64 MiB: write one gradation a line");
+      throw file_error(where, FileLines::too_long("the line") + ": write one gradation a line");
     if (line->find_first_not_of(" \t\r") != std::string::npos)
       suite.push_back({number, read_json_gradation(*line, where, fallback_id)});
   }
   if (suite.empty())
-    throw InputError(fmt::format("{}:{}: there are no gradations up to here, the end: write one a line, as "
-                                 "JSON",
-                                 printable(shown_name(path)), std::max<std::uint64_t>(number, 1)));
+    throw file_error(line_name(path, std::max<std::uint64_t>(number, 1)),
+                     "there are no gradations up to here, the end: write one a line, as JSON");
   return suite;
 }
 
@@ -130,12 +129,12 @@ void check_options(const CrosscheckCommand &c) {
     throw InputError("--by is for a file of ANSWERS: a solver answers once");
   if (c.answers == "-" && c.suite == "-")
     throw InputError("standard input cannot be both SUITE and ANSWERS: name a file for one of them");
-  if (c.format == "text" && c.out == "-")
+  if (c.output.format == "text" && c.output.out == "-")
     throw InputError("-o -: standard output has the summary: use --format csv");
   if (c.journal == "-")
     throw InputError("--journal needs a file: name one");
   for (const std::string &input : {c.suite, c.answers.value_or("-")})
-    check_distinct({input, c.journal.value_or("-"), c.out.value_or("-")});
+    check_distinct({input, c.journal.value_or("-"), c.output.path()});
 }
 
 /// Rows as they come, and what stands around them.
@@ -144,32 +143,35 @@ public:
   Report(const CrosscheckCommand &command, Rational size_tolerance)
       : command_(command),
         size_tolerance_(std::move(size_tolerance)), columns_{command.by.value_or(""), command.reasons} {
-    if (command.format != "text" || command.out)
-      rows_to_.emplace(command.out.value_or("-"));
+    if (command.output.format != "text" || command.output.out)
+      rows_to_.emplace(command.output.path());
+    if (json())
+      begin_json();
   }
 
   void add(const Rows &rows) {
     for (const CrosscheckRow &row : rows) {
-      if (rows_to_)
-        rows_to_->write(before_row() + (json() ? crosscheck_json(row, command_.by.has_value())
-                                               : crosscheck_csv(row, columns_)));
+      if (json())
+        write_row(json_.new_line(), row, command_.by.has_value());
+      else if (rows_to_)
+        rows_to_->write(csv_header() + crosscheck_csv(row, columns_));
       summary_.add(row);
     }
+    if (json() && !rows.empty())
+      json_.hand_on();
   }
 
   void end(std::uint64_t gradations, const std::vector<std::string> &notes) {
-    if (rows_to_ && summary_.settings().empty())
-      rows_to_->write(head());
     if (json())
-      rows_to_->write(tail(notes));
-    if (command_.format == "text") {
+      end_json(notes);
+    else if (rows_to_)
+      rows_to_->write(csv_header());
+    if (command_.output.format == "text") {
       Output out("-");
       out.write(text(gradations, notes));
       out.commit();
-    } else if (command_.format == "csv" && !command_.quiet) {
-      for (const std::string &note : notes)
-        tell("note: " + note + "\n");
     }
+    command_.output.tell_notes_beside_csv(notes);
     if (rows_to_)
       rows_to_->commit();
   }
@@ -185,32 +187,34 @@ public:
   }
 
 private:
-  bool json() const { return command_.format == "json"; }
+  bool json() const { return command_.output.is_json(); }
 
-  static std::string or_null(const std::optional<std::string> &text) {
-    return text ? json_string(*text) : "null";
+  /// Before the first row; nothing is written before it, as it may fail.
+  std::string csv_header() const {
+    return summary_.settings().empty() ? crosscheck_csv_header(columns_) : "";
   }
 
-  /// Nothing is written before the first row, as the first may fail.
-  std::string before_row() const {
-    const bool first = summary_.settings().empty();
-    return (first ? head() : json() ? "," : "") + (json() ? "\n" : "");
+  void begin_json() {
+    const auto write_option = [this](const char *key, const std::optional<std::string> &value) {
+      if (value)
+        json_.key(key).string(*value);
+      else
+        json_.key(key).null();
+    };
+    json_.begin_object().key("schema").plain("mdm-crosscheck-1");
+    write_option("suite", command_.suite);
+    write_option("answers", command_.answers);
+    write_option("solver", command_.solver);
+    write_option("by", command_.by);
+    json_.key("size_tolerance").plain(to_string(size_tolerance_)).key("rows").begin_array();
   }
 
-  std::string head() const {
-    if (!json())
-      return crosscheck_csv_header(columns_);
-    return fmt::format(R"({{"schema":"mdm-crosscheck-1","suite":{},"answers":{},"solver":{},"by":{},)"
-                       R"("size_tolerance":"{}","rows":[)",
-                       json_string(command_.suite), or_null(command_.answers), or_null(command_.solver),
-                       or_null(command_.by), to_string(size_tolerance_));
-  }
-
-  std::string tail(const std::vector<std::string> &notes) const {
-    std::string text = R"(],"summary":)" + summary_.json(command_.by.has_value()) + R"(,"notes":[)";
-    for (std::size_t i = 0; i < notes.size(); ++i)
-      text += (i == 0 ? "" : ",") + json_string(notes[i]);
-    return text + R"(],"versions":)" + versions_json() + "}\n";
+  void end_json(const std::vector<std::string> &notes) {
+    json_.end_array().key("summary");
+    summary_.write(json_, command_.by.has_value());
+    json_.key("notes").strings(notes).key("versions").raw(versions_json()).end_object();
+    json_.hand_on();
+    rows_to_->write("\n");
   }
 
   std::string text(std::uint64_t gradations, const std::vector<std::string> &notes) const {
@@ -226,6 +230,8 @@ private:
   Rational size_tolerance_;
   CrosscheckColumns columns_;
   std::optional<Output> rows_to_;
+  const Sink sink_ = [this](std::string_view text) { rows_to_->write(text); };
+  JsonWriter json_{sink_};
   CrosscheckSummary summary_;
 };
 
@@ -236,18 +242,16 @@ void report_suite(const CrosscheckCommand &c, const std::vector<Entry> &suite, J
     limits.max_steps = natural64("--max-steps", *c.max_steps);
   Crosschecking crosschecking(suite, std::move(judge), limits);
   Progress progress([&] { return fmt::format("{} of {} gradations", crosschecking.done(), suite.size()); },
-                    c.quiet);
+                    c.output.quiet);
   crosschecking.run(c.threads, [&report](const Rows &rows) { report.add(rows); });
 }
 
 AnswerIndex read_index(const CrosscheckCommand &c) {
   constexpr std::size_t most = std::size_t{1} << 30;
   std::vector<OtherAnswer> answers = read_answers(read_file(*c.answers, most), shown_name(*c.answers));
-  try {
-    return AnswerIndex(std::move(answers), c.by);
-  } catch (const InputError &e) {
-    throw InputError(printable(shown_name(*c.answers)) + ": --by: " + e.what());
-  }
+  return in_file(*c.answers, [&] {
+    return named("--by", "", [&](const std::string &) { return AnswerIndex(std::move(answers), c.by); });
+  });
 }
 
 int run(const CrosscheckCommand &c) {
@@ -287,13 +291,13 @@ Verdicts: minimal, larger; not-a-match (--reasons says why); undecided (stopped 
 garbage, crashed (a signal or an exit code other than 0), timeout.
 
 ANSWERS is CSV with a header: id, quantities (separated by spaces; one a class with mass, or one a class),
-optionally sizes_mm, sizes_um, sizes_m or sizes_in, and any other columns, for --by; or JSON Lines: answers
+optionally sizes_mm, sizes_um, sizes_m or sizes_in (- where there are no particles), and any other columns, for --by; or JSON Lines: answers
 of mdm batch, or {"id": "a", "quantities": ["15", "2"], "sizes": ["0.07", "0.14"], "unit": "mm"}, sizes and
 unit (mm) optional. Ids need not be unique: each gradation of an id is held against each answer of that id.
 
 The solver gets one gradation as JSON on its standard input, writes one such object (the id may be left out)
 to its standard output and exits with 0. A journal keeps failures too, also a timeout: to ask again, name a
-new one.
+new one. It knows what was asked: an answer to a gradation that was corrected since is not used.
 
 Exit code: 0 if every answer is a match (with --require-minimal: minimal), 1 if not, 2 if a line of SUITE is
 bad (before anything is run), 3 if something is undecided.
@@ -333,15 +337,12 @@ Run add_crosscheck(CLI::App &app) {
   command.add_flag("--require-minimal", c->require_minimal, "exit 1 also if a match is larger than needed");
   command
       .add_option("--max-steps", c->max_steps,
-                  "stop the search for a least match after so many steps (undecided, exit 3)")
+                  "stop the search for a smallest match after so many steps (67108864; undecided, exit 3)")
       ->type_name("N");
-  command.add_option("--format", c->format, "text (the summary), csv (the rows) or json (both)")
-      ->check(CLI::IsMember({"text", "json", "csv"}));
-  command
-      .add_option("-o", c->out,
-                  "write csv or json to OUT instead of standard output; with text, the rows as CSV")
-      ->type_name("OUT");
-  command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
+  c->output.add_format(command, "text (the summary), csv (the rows) or json (both)");
+  c->output.add_out(command, "write csv or json")
+      ->description("write csv or json to OUT instead of standard output; with text, the rows as CSV");
+  c->output.add_quiet(command, "no progress and no notes on standard error");
   command.footer(footer);
   return [c] { return run(*c); };
 }

@@ -1,10 +1,12 @@
-#include "commands.hpp"
-#include "files.hpp"
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/option_values.hpp"
+#include "cli/output_flags.hpp"
+#include "report/description.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/number/decimal.hpp>
-#include <mdm/report/description.hpp>
+#include <mdm/text/error.hpp>
 
 #include <memory>
 
@@ -16,17 +18,11 @@ struct DescribeCommand {
   std::optional<std::string> liquid_limit, plastic_limit, pan_size, specimen_id;
   std::optional<unsigned> digits;
   bool extrapolate = false;
-  std::string format = "text";
-  std::string out = "-";
-  bool quiet = false;
+  OutputFlags output;
 };
 
 Rational number(const char *option, const std::string &text) {
-  try {
-    return parse_decimal(text);
-  } catch (const InputError &e) {
-    throw InputError(std::string(option) + ": " + e.what());
-  }
+  return named(option, text, [](const std::string &t) { return parse_decimal(t); });
 }
 
 DescribeOptions options(const DescribeCommand &c) {
@@ -43,38 +39,28 @@ DescribeOptions options(const DescribeCommand &c) {
 }
 
 Gradation gradation(const DescribeCommand &c) {
-  const std::string name = shown_name(c.file);
-  Gradation g = read_gradation(read_file(c.file, max_gradation_bytes), name, c.specimen_id);
+  Gradation g = read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.specimen_id);
   if (!c.pan_size)
     return g;
   const Rational size = number("--pan-size", *c.pan_size);
-  try {
-    return g.with_pan_size(size);
-  } catch (const InputError &e) {
-    throw InputError(printable(name) + ": " + e.what());
-  }
+  return in_file(c.file, [&] { return g.with_pan_size(size); });
 }
 
 std::string report(const DescribeCommand &c, const SoilDescription &d) {
   constexpr unsigned exchanged = 15, read = 4;
-  if (c.format == "json")
-    return description_json(d, c.digits.value_or(exchanged)) + "\n";
-  if (c.format == "csv")
-    return description_csv(d, c.digits.value_or(exchanged));
-  return description_text(d, c.digits.value_or(read));
+  return c.output.report([&] { return description_text(d, c.digits.value_or(read)); },
+                         [&] { return description_json(d, c.digits.value_or(exchanged)); },
+                         [&] { return description_csv(d, c.digits.value_or(exchanged)); });
 }
 
 int run(const DescribeCommand &c) {
-  check_distinct({c.file, c.out});
+  check_distinct({c.file, c.output.path()});
   const DescribeOptions o = options(c);
   const SoilDescription d = describe(gradation(c), o);
-  Output out(c.out);
+  Output out(c.output.path());
   out.write(report(c, d));
   out.commit();
-  // CSV has no place for them.
-  if (c.format == "csv" && !c.quiet)
-    for (const std::string &note : d.notes)
-      tell("note: " + note + "\n");
+  c.output.tell_notes_beside_csv(d.notes);
   return d.limited() ? Exit::limited : Exit::done;
 }
 
@@ -96,12 +82,10 @@ Run add_describe(CLI::App &app) {
   command.add_option("--digits", c->digits, "significant digits (15; in the text form 4)")
       ->type_name("D")
       ->check(CLI::Range(1, 1000));
-  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
-      ->type_name("ID");
-  command.add_option("--format", c->format, "text, json or csv")
-      ->check(CLI::IsMember({"text", "json", "csv"}));
-  command.add_option("-o", c->out, "write to OUT instead of standard output")->type_name("OUT");
-  command.add_flag("--quiet", c->quiet, "no notes on standard error");
+  add_specimen_id(command, c->specimen_id);
+  c->output.add_format(command);
+  c->output.add_out(command);
+  c->output.add_quiet(command, "no notes on standard error");
   command.footer(
       "Exit code 3: the group hangs on an interpolated share or an index that 1,200 digits do not tell\n"
       "from its limit; the report says which.\n\n"

@@ -1,17 +1,21 @@
-#include "commands.hpp"
-#include "export_model.hpp"
-#include "files.hpp"
-#include "option_values.hpp"
-#include "progress.hpp"
-#include "solve_flags.hpp"
+#include "answer/answer_particles.hpp"
+#include "cli/commands.hpp"
+#include "cli/export_model.hpp"
+#include "cli/export_packing.hpp"
+#include "cli/files.hpp"
+#include "cli/option_values.hpp"
+#include "cli/output_flags.hpp"
+#include "cli/progress.hpp"
+#include "cli/solve_flags.hpp"
+#include "particles/cost.hpp"
+#include "text/json_member.hpp"
 
-#include <mdm/error.hpp>
+#include <mdm/answer/answer.hpp>
+#include <mdm/answer/answer_sample.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/number/decimal.hpp>
-#include <mdm/particles/answer_sample.hpp>
-#include <mdm/particles/cost.hpp>
 #include <mdm/particles/particle_writer.hpp>
-#include <mdm/report/answer.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -25,8 +29,8 @@ namespace {
 /// A format that export writes: sizes alone, or particles in their places.
 struct Format {
   const char *name;
-  void (*write)(const ParticleSet &, const TextSink &);
-  void (*write_placed)(const Placement &, const TextSink &);
+  void (*write)(const ParticleSet &, const Sink &);
+  void (*write_placed)(const Placement &, const Sink &);
   unsigned bytes; ///< of the engine's memory for a particle; 0: not known
 };
 
@@ -39,7 +43,7 @@ constexpr std::array<Format, 7> formats = {{{"liggghts", write_liggghts, nullptr
                                             {"csv", write_size_csv, nullptr, 0},
                                             {"diameters", write_diameters, nullptr, 0}}};
 
-/// More particles than this are to be wanted.
+/// Above this number, --yes-huge is required.
 constexpr std::uint64_t huge = 10000000;
 /// Boxes and sizes beyond these, in m, are mostly wrong units.
 const Rational &largest_box() {
@@ -57,11 +61,10 @@ struct ExportCommand {
   std::vector<CLI::Option *> solving; ///< options that only a gradation has a use for
   GradationFlags::Text unit, density, mass_error, box, seed, young, poisson, specimen_id, model, steps, start;
   std::string to;
-  std::string out = "-";
+  OutputFlags output;
   bool spread = false;
   bool yes_huge = false;
   bool yes_units = false;
-  bool quiet = false;
 };
 
 std::string format_names() {
@@ -108,21 +111,7 @@ std::uint64_t seed_of(const ExportCommand &c) {
   return seed64("--seed", c.seed.value_or("1"));
 }
 
-/// True for the JSON answer of mdm solve; a gradation in JSON has no key schema.
-bool is_answer(std::string_view content) {
-  constexpr std::string_view key = "\"schema\"", space = " \t\r\n";
-  const std::size_t first = content.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (first == std::string_view::npos || content[first] != '{')
-    return false;
-  for (std::size_t at = content.find(key); at != std::string_view::npos; at = content.find(key, at + 1)) {
-    const std::size_t next = content.find_first_not_of(space, at + key.size());
-    if (next != std::string_view::npos && content[next] == ':')
-      return true;
-  }
-  return false;
-}
-
-/// What is exported, and how the command ends.
+/// The particles to export, and the exit code.
 struct Particles {
   std::optional<ParticleSet> set; ///< nothing: there is no match
   int exit_code = Exit::done;
@@ -135,11 +124,11 @@ Particles answer_particles(const ExportCommand &c, const std::string &content,
                            const ParticleSetOptions &options) {
   for (const CLI::Option *option : c.solving)
     if (option->count() > 0 && option->get_name() != "--law")
-      throw InputError(option->get_name() + ": the answer in " +
-                       printable(shown_name(c.flags.source(c.file))) +
+      throw InputError(option->get_name() + ": the answer in " + printable(shown_name(*c.file)) +
                        " is solved already: leave it out, or export the gradation");
-  const AnswerSample answer = read_answer(content, shown_name(c.flags.source(c.file)));
-  return {particle_set(answer, c.flags.GradationFlags::question().law, options), Exit::done, answer.unit,
+  const AnswerSample answer = read_answer(content, shown_name(*c.file));
+  const MassLaw law = c.flags.GradationFlags::question().law;
+  return {in_file(*c.file, [&] { return particle_set(answer, law, options); }), Exit::done, answer.unit,
           std::nullopt, answer.question};
 }
 
@@ -147,37 +136,31 @@ Particles answer_particles(const ExportCommand &c, const std::string &content,
 Particles solved_particles(const ExportCommand &c, const std::optional<std::string> &content,
                            const ParticleSetOptions &options) {
   const Question question = c.flags.question();
-  Progress progress([] { return std::string("solving"); }, c.quiet);
-  const Match m = solve(content ? read_gradation(*content, shown_name(c.flags.source(c.file)), c.specimen_id)
-                                : middle_of(*question.band),
-                        question, c.flags.options());
-  if (!c.quiet)
-    for (const std::string &note :
-         m.gradation.notes()) // solve's own are of doubles that may leave their class
-      tell("note: " + note + "\n");
+  Progress progress([] { return std::string("solving"); }, c.output.quiet);
+  const std::string &source = c.flags.source(c.file);
+  const Gradation g = content ? read_gradation(*content, shown_name(source), c.specimen_id)
+                              : in_file(source, [&] { return middle_of(*question.band); });
+  const SolveOptions solve_options = c.flags.options();
+  const Match m = in_file(source, [&] { return solve(g, question, solve_options); });
+  c.output.tell_notes(m.gradation.notes()); // solve's own are of doubles that may leave their class
   if (m.status != Status::optimal)
     tell(printable(m.gradation.id()) + ": " + headline(m) + "\n");
-  const int code = m.status == Status::optimal ? Exit::done
-                   : m.status == Status::none  ? Exit::negative
-                                               : Exit::limited;
+  const int code = exit_code(m.status);
   if (!m.has_answer())
     return {std::nullopt, code, m.gradation.unit(), std::nullopt, ""};
-  return {c.spread ? spread_particle_set(m, seed_of(c), options) : particle_set(m, options), code,
-          m.gradation.unit(), question.solids, ""};
+  const std::uint64_t seed = seed_of(c);
+  return {
+      in_file(source,
+              [&] { return c.spread ? spread_particle_set(m, seed, options) : particle_set(m, options); }),
+      code, m.gradation.unit(), question.solids, ""};
 }
 
 Particles particles(const ExportCommand &c, const ParticleSetOptions &options) {
   std::optional<std::string> content;
   if (c.file)
     content = read_file(*c.file, max_gradation_bytes);
-  try {
-    return content && is_answer(*content) ? answer_particles(c, *content, options)
+  return content && json_schema(*content) ? answer_particles(c, *content, options)
                                           : solved_particles(c, content, options);
-  } catch (const InputError &e) {
-    const std::string name = printable(shown_name(c.flags.source(c.file)));
-    const std::string what = e.what();
-    throw InputError(what.starts_with(name + ":") || what.starts_with("--") ? what : name + ": " + what);
-  }
 }
 
 /// Reads `AxB` or `AxBxC`.
@@ -193,7 +176,7 @@ Footprint parse_box(const std::string &text) {
   return {lengths[0], lengths[1], lengths.size() == 3 ? std::optional(lengths[2]) : std::nullopt};
 }
 
-/// What the start stands on: --box, or else the specimen.
+/// The ground of the start: --box, or else the specimen.
 std::optional<Footprint> footprint(const ExportCommand &c, const Particles &found) {
   std::optional<Footprint> floor;
   if (c.box)
@@ -231,7 +214,7 @@ void check_side(const ExportCommand &c, const Rational &side) {
                                  approximate(side, 3)));
 }
 
-/// What a user may not have meant.
+/// Warnings about what a user may not have meant.
 void check_wanted(const ExportCommand &c, const Format &format, const ParticleSet &set,
                   const std::optional<Placement> &start) {
   if (!c.yes_huge && set.particles() > huge && format.write != write_size_csv)
@@ -273,7 +256,7 @@ std::string certain_digits(const std::pair<Rational, Rational> &bounds) {
   return approximate(bounds.first, digits);
 }
 
-/// What the simulation will cost, and where the particles start.
+/// The cost of the simulation, and the start of the particles.
 std::string guide(const Format &format, const ParticleSet &set, const std::optional<Placement> &start,
                   const Elasticity &e) {
   std::string text = fmt::format(
@@ -292,7 +275,7 @@ std::string guide(const Format &format, const ParticleSet &set, const std::optio
   return text;
 }
 
-/// More particles than this are mixed by request alone: it takes seconds and memory.
+/// Above this number, particles are mixed by request alone: it takes seconds and memory.
 constexpr std::uint64_t most_mixed = 1000000;
 
 Start start_of(const ExportCommand &c, const ParticleSet &set) {
@@ -303,7 +286,8 @@ Start start_of(const ExportCommand &c, const ParticleSet &set) {
   return *c.start == "mixed" ? Start::mixed : Start::layers;
 }
 
-/// What mdm verify needs to take the gradation as it was asked for; nothing where there is a band alone.
+/// The options with which mdm verify takes the gradation as it was asked for; nothing where there is a band
+/// alone.
 std::optional<std::string> verify_options(const ExportCommand &c) {
   if (!c.file)
     return std::nullopt;
@@ -343,13 +327,31 @@ void write_model(const ExportCommand &c, const Format &format, const ModelWriter
     model.young = e.young;
   model.poisson = e.poisson;
   writer.write(model, start);
-  if (c.quiet)
+  if (c.output.quiet)
     return;
   const Settling s = settling(model);
   tell(guide(format, *found.set, start, s.elasticity));
   tell(fmt::format(
       "model: {} step{} of {:.3g} s; its first lines say how to run it and to verify what it leaves\n",
       s.steps, s.steps == 1 ? "" : "s", s.step));
+}
+
+/// Says where the box of the file is smaller than it was asked for: its lengths are whole units of the
+/// start's places. The square in a cylinder is rounded by itself.
+void tell_rounding(const ExportCommand &c, const Particles &found, const Placement &start) {
+  const std::optional<Footprint> asked = footprint(c, found);
+  const bool is_exact = c.box || (found.solids && std::holds_alternative<Box>(*found.solids));
+  if (!asked || !is_exact || c.output.quiet)
+    return;
+  const auto tell_side = [&](const Rational &side, std::int64_t units) {
+    if (side * power_of_ten(start.places()) != Rational(units))
+      tell(fmt::format("note: the box's side of {} {} was rounded down to {}\n", approximate(side, 17),
+                       name(found.set->unit), start.text(units)));
+  };
+  tell_side(asked->a, start.box()[0]);
+  tell_side(asked->b, start.box()[1]);
+  if (asked->c)
+    tell_side(*asked->c, start.box()[2]);
 }
 
 void write_file(const ExportCommand &c, const Format &format, const std::optional<ModelWriter> &model,
@@ -361,13 +363,15 @@ void write_file(const ExportCommand &c, const Format &format, const std::optiona
   if (format.write_placed != nullptr)
     start.emplace(*found.set, footprint(c, found), seed, start_of(c, *found.set));
   check_wanted(c, format, *found.set, start);
+  if (start)
+    tell_rounding(c, found, *start);
   if (model)
     return write_model(c, format, *model, found, start, seed);
-  Output out(c.out);
-  if (!c.quiet)
+  Output out(c.output.path());
+  if (!c.output.quiet)
     tell(guide(format, *found.set, start, e));
-  Progress progress([] { return std::string("writing"); }, c.quiet);
-  const TextSink sink = [&out](std::string_view text) { out.write(text); };
+  Progress progress([] { return std::string("writing"); }, c.output.quiet);
+  const Sink sink = [&out](std::string_view text) { out.write(text); };
   if (start)
     format.write_placed(*start, sink);
   else
@@ -390,14 +394,31 @@ void check_options(const ExportCommand &c, const Format &format) {
                      " has sizes without places: leave it out");
 }
 
+/// Refuses options that only particles of a gradation have a use for.
+void check_packing_options(const ExportCommand &c) {
+  if (c.box || c.seed || c.steps || c.start || c.model || c.young || c.poisson || c.mass_error || c.spread ||
+      c.specimen_id || std::any_of(c.solving.begin(), c.solving.end(), [](const CLI::Option *option) {
+        return option->count() > 0;
+      }))
+    throw InputError(
+        "a packing has its places and sizes: leave out options but --to, --unit, --density and -o");
+}
+
 int run(const ExportCommand &c) {
+  if (c.file && *c.file != "-" && is_packing_file(*c.file)) {
+    check_packing_options(c);
+    check_distinct({*c.file, c.output.path()});
+    const ParticleSetOptions options = set_options(c);
+    export_packing(*c.file, c.to, options.unit, options.density, c.output.path());
+    return Exit::done;
+  }
   const Format &format = format_of(c);
   check_options(c, format);
   const ParticleSetOptions options = set_options(c);
-  std::vector<std::string> paths = {c.flags.source(c.file), c.out};
+  std::vector<std::string> paths = {c.flags.source(c.file), c.output.path()};
   std::optional<ModelWriter> model;
   if (c.model) {
-    model.emplace(*c.model, c.to, c.out);
+    model.emplace(*c.model, c.to, c.output.path());
     if (!model->particles().empty())
       paths.push_back(model->particles());
   }
@@ -418,11 +439,15 @@ int run(const ExportCommand &c) {
 Run add_export(CLI::App &app) {
   const auto c = std::make_shared<ExportCommand>();
   CLI::App &command = *app.add_subcommand("export", "Particle files for DEM codes, with exact counts");
-  command.add_option(
-      "FILE", c->file,
-      "JSON answer of mdm solve, or a gradation to solve (CSV, JSON or AGS4); - for standard input; "
-      "needed unless there is a --band");
-  command.add_option("--to", c->to, "format: " + format_names())->type_name("FORMAT")->required();
+  command.add_option("FILE", c->file,
+                     "JSON answer of mdm solve, a gradation to solve (CSV, JSON or AGS4), or a packing of "
+                     "discs by mdm pack; - for "
+                     "standard input; needed unless there is a --band");
+  command
+      .add_option("--to", c->to,
+                  "format: " + format_names() + "; of a packing lammps, liggghts, yade, lmgc90, vtk or csv")
+      ->type_name("FORMAT")
+      ->required();
   command.add_option("--unit", c->unit, "unit of lengths in the file: m (default), mm, um or in")
       ->type_name("UNIT");
   command
@@ -477,11 +502,9 @@ Run add_export(CLI::App &app) {
   c->solving = command.get_options();
   c->solving.erase(c->solving.begin(), c->solving.begin() + static_cast<std::ptrdiff_t>(before));
   c->solving.push_back(spread);
-  c->solving.push_back(
-      command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
-          ->type_name("ID"));
-  command.add_option("-o", c->out, "write the file to OUT instead of standard output")->type_name("OUT");
-  command.add_flag("--quiet", c->quiet, "no progress, costs and notes on standard error");
+  c->solving.push_back(add_specimen_id(command, c->specimen_id));
+  c->output.add_out(command, "write the file");
+  c->output.add_quiet(command, "no progress, costs and notes on standard error");
   command.footer(
       "Example: mdm export sand.csv --to lammps --box 50x50 -o sand.data\n"
       "LIGGGHTS, LAMMPS, YADE, VTK, csv and diameters carry exact counts; MercuryDPM draws at random.");

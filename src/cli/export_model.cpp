@@ -1,14 +1,16 @@
-#include "export_model.hpp"
+#include "cli/export_model.hpp"
 
-#include "files.hpp"
+#include "cli/files.hpp"
+#include "text/lines.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/particles/particle_writer.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdlib>
 #include <filesystem>
 #include <numbers>
@@ -18,8 +20,8 @@ namespace mdm::cli {
 struct ModelEngine {
   const char *name;
   std::string (*script)(const SettleModel &);
-  /// What the script reads; null if it inserts by itself.
-  void (*write_particles)(const Placement &, const TextSink &);
+  /// The file that the script reads; null if it inserts by itself.
+  void (*write_particles)(const Placement &, const Sink &);
   const char *particles_ending;
   const char *dump_ending;
 };
@@ -87,6 +89,7 @@ SettleModel ModelWriter::model(const ParticleSet &set, const std::optional<Place
 }
 
 void ModelWriter::write(const SettleModel &model, const std::optional<Placement> &start) const {
+  assert(start || particles_.empty());
   Output script(out_);
   script.write(engine_->script(model));
   if (start) {

@@ -2,7 +2,7 @@
 /// \file
 /// The models that mdm export writes, and the files around them.
 
-#include <mdm/particles/settle_model.hpp>
+#include "particles/settle_model.hpp"
 
 #include <string>
 
@@ -18,7 +18,7 @@ public:
   /// \throws InputError if one of them does not go with a model
   ModelWriter(const std::string &model, const std::string &to, std::string out);
 
-  /// Where the particles go; empty if the engine inserts them itself.
+  /// The file of the particles; empty if the engine inserts them itself.
   const std::string &particles() const { return particles_; }
 
   /// The model in the box of the start; without one in a box on the floor that insertion has room in.

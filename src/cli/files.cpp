@@ -1,6 +1,8 @@
-#include "files.hpp"
+#include "cli/files.hpp"
 
-#include <mdm/error.hpp>
+#include "cli/ending_signals.hpp"
+
+#include <mdm/text/error.hpp>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,7 +14,6 @@
 #include <atomic>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -26,8 +27,7 @@ namespace {
 constexpr std::size_t chunk = std::size_t{1} << 16;
 
 [[noreturn]] void cannot_read(const std::string &path, int error) {
-  throw InputError(fmt::format("{}: cannot be read: {}: give a file that can be",
-                               path.empty() ? "''" : printable(path), std::strerror(error)));
+  refuse_file(path, "cannot be read", error, "give a file that can be");
 }
 
 int open_for_reading(const std::string &path) {
@@ -89,7 +89,7 @@ std::string real_path(const std::string &path) {
   return target;
 }
 
-/// What a path's symbolic links lead to where there is no such file yet.
+/// The end of a path's symbolic links where there is no such file yet.
 std::string behind_links(std::filesystem::path path) {
   constexpr int most = 40; // as the kernel
   for (int i = 0; i < most; ++i) {
@@ -146,8 +146,7 @@ std::string read_file(const std::string &path, std::size_t most) {
   try {
     while (read_some(descriptor, path, text))
       if (text.size() > most)
-        throw InputError(
-            fmt::format("{}: more than {} MiB: is it the right file?", printable(path), most >> 20));
+        throw file_error(path, fmt::format("more than {} MiB: is it the right file?", most >> 20));
   } catch (...) {
     close_reading(descriptor);
     throw;
@@ -158,6 +157,18 @@ std::string read_file(const std::string &path, std::size_t most) {
 
 std::string shown_name(const std::string &path) {
   return path == "-" ? "stdin" : path;
+}
+
+std::string line_name(const std::string &path, std::uint64_t line) {
+  return shown_name(path) + ":" + std::to_string(line);
+}
+
+InputError file_error(const std::string &path, const std::string &what) {
+  return InputError((path.empty() ? "''" : printable(shown_name(path))) + ": " + what);
+}
+
+void refuse_file(const std::string &path, const std::string &what, int error, const std::string &remedy) {
+  throw file_error(path, what + ": " + std::strerror(error) + ": " + remedy);
 }
 
 std::string canonical_path(const std::string &path) {
@@ -175,8 +186,7 @@ void make_folder(const std::string &path) {
     return;
   const int error = errno;
   if (stat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
-    throw InputError(
-        fmt::format("{}: no folder can be made there: {}", printable(path), std::strerror(error)));
+    refuse_file(path, "no folder can be made there", error, "name another");
 }
 
 void check_distinct(const std::vector<std::string> &paths) {
@@ -187,25 +197,18 @@ void check_distinct(const std::vector<std::string> &paths) {
     if (path == "-" || (exists && !S_ISREG(status.st_mode)))
       continue;
     if (!seen.insert(canonical_path(path)).second)
-      throw InputError(printable(path) + ": would be overwritten: give input and outputs different names");
+      throw file_error(path, "would be overwritten: give input and outputs different names");
   }
 }
 
+void remove_unfinished() {
+  for (const std::atomic<const char *> &path : unfinished)
+    if (const char *const name = path.load())
+      unlink(name);
+}
+
 void remove_unfinished_at_signals() {
-  struct sigaction action {};
-  action.sa_handler = [](int signal) {
-    for (const std::atomic<const char *> &path : unfinished)
-      if (const char *const name = path.load())
-        unlink(name);
-    std::signal(signal, SIG_DFL);
-    raise(signal);
-  };
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction before {};
-    sigaction(signal, nullptr, &before);
-    if (before.sa_handler != SIG_IGN) // nohup
-      sigaction(signal, &action, nullptr);
-  }
+  before_ending_signals(remove_unfinished);
 }
 
 Output::Output(std::string path) : path_(std::move(path)) {
@@ -247,11 +250,7 @@ Output::~Output() {
 }
 
 void Output::fail(int error) const {
-  throw InputError(fmt::format("{}: cannot be written: {}: write it elsewhere",
-                               path_ == "-"    ? "standard output"
-                               : path_.empty() ? "''"
-                                               : printable(path_),
-                               std::strerror(error)));
+  refuse_file(path_ == "-" ? "standard output" : path_, "cannot be written", error, "write it elsewhere");
 }
 
 void Output::open_beside() {
@@ -289,13 +288,17 @@ void Output::commit() {
   temporary_.clear();
 }
 
-Lines::Lines(const std::string &path) : path_(path), descriptor_(open_for_reading(path)) {}
+FileLines::FileLines(const std::string &path) : path_(path), descriptor_(open_for_reading(path)) {}
 
-Lines::~Lines() {
+std::string FileLines::too_long(const std::string &what) {
+  return fmt::format("{} has more than {} MiB", what, longest_line >> 20);
+}
+
+FileLines::~FileLines() {
   close_reading(descriptor_);
 }
 
-void Lines::fill() {
+void FileLines::fill() {
   buffer_.erase(0, taken_);
   searched_ -= taken_;
   taken_ = 0;
@@ -307,7 +310,7 @@ void Lines::fill() {
   at_end_ = !read_some(descriptor_, path_, buffer_);
 }
 
-bool Lines::take_line(std::vector<Line> &lines) {
+bool FileLines::take_line(std::vector<Line> &lines) {
   std::size_t end = buffer_.find('\n', searched_);
   if (end == std::string::npos) {
     if (!at_end_ || (taken_ == buffer_.size() && !skipping_)) {
@@ -325,7 +328,7 @@ bool Lines::take_line(std::vector<Line> &lines) {
   return true;
 }
 
-std::vector<Lines::Line> Lines::next(std::size_t most) {
+std::vector<FileLines::Line> FileLines::next(std::size_t most) {
   std::vector<Line> lines;
   for (;;) {
     while (lines.size() < most && take_line(lines)) {

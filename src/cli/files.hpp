@@ -2,6 +2,9 @@
 /// \file
 /// Input and output of the commands: bounded reads, checked writes, no file left half written.
 
+#include <mdm/text/error.hpp>
+
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +25,24 @@ std::string read_file(const std::string &path, std::size_t most);
 
 /// A path as messages name it: `stdin` for `-`.
 std::string shown_name(const std::string &path);
+/// A line of a file as messages name it: `stdin:3`.
+std::string line_name(const std::string &path, std::uint64_t line);
+
+/// The error `path: what`.
+InputError file_error(const std::string &path, const std::string &what);
+/// Throws the error `path: what: <the system's words>: remedy`. \param error errno
+[[noreturn]] void refuse_file(const std::string &path, const std::string &what, int error,
+                              const std::string &remedy);
+
+/// Calls action() and names the file, or the line of it, in what it throws.
+template <class Action>
+auto in_file(const std::string &path, Action action) {
+  try {
+    return action();
+  } catch (const InputError &e) {
+    throw file_error(path, e.what());
+  }
+}
 
 /// The absolute path without symbolic links of a file or of a file that is to be.
 std::string canonical_path(const std::string &path);
@@ -34,11 +55,18 @@ void check_distinct(const std::vector<std::string> &paths);
 /// \throws InputError if that cannot be
 void make_folder(const std::string &path);
 
-/// Ends of the run by signals (SIGINT, SIGTERM, SIGHUP) first remove what Outputs have written beside their
-/// targets. Call once, before the first Output.
+/// Removes what Outputs have written beside their targets, before the run ends on the spot.
+void remove_unfinished();
+
+/// Ends of the run by signals (SIGINT, SIGTERM, SIGHUP, SIGABRT) first call remove_unfinished(). Call once,
+/// before the first Output.
 void remove_unfinished_at_signals();
 
-/// Where a result goes. A regular file or a new path is written beside and takes its name in commit();
+/// The message of a run that memory ends.
+inline constexpr const char *out_of_memory_message =
+    "mdm: out of memory: give it more, or ask for fewer particles, steps or digits";
+
+/// The place of a result. A regular file or a new path is written beside and takes its name in commit();
 /// without commit nothing is left of it. Standard output (path `-`), devices and pipes are written in place.
 class Output {
 public:
@@ -64,16 +92,18 @@ private:
 };
 
 /// Lines of a file or of standard input, as they come in and in bounded memory.
-class Lines {
+class FileLines {
 public:
-  explicit Lines(const std::string &path);
-  ~Lines();
-  Lines(const Lines &) = delete;
-  Lines &operator=(const Lines &) = delete;
+  explicit FileLines(const std::string &path);
+  ~FileLines();
+  FileLines(const FileLines &) = delete;
+  FileLines &operator=(const FileLines &) = delete;
 
   /// A line without its end; nothing of a line that was longer than `longest_line`.
   using Line = std::optional<std::string>;
   static constexpr std::size_t longest_line = std::size_t{64} << 20;
+  /// The mistake of `what` that is longer, such as `the line`.
+  static std::string too_long(const std::string &what);
 
   /// The lines that are there, at least one and at most `most`; waits only for the first. Empty at the end of
   /// the input.

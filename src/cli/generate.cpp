@@ -1,13 +1,15 @@
-#include "accessible.hpp"
-#include "commands.hpp"
-#include "files.hpp"
-#include "option_values.hpp"
-#include "progress.hpp"
+#include "answer/generated.hpp"
+#include "cli/accessible.hpp"
+#include "cli/beta_options.hpp"
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/option_values.hpp"
+#include "cli/output_flags.hpp"
+#include "cli/progress.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
-#include <mdm/grading/beta_curve.hpp>
 #include <mdm/number/decimal.hpp>
-#include <mdm/report/generated.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -21,66 +23,26 @@ namespace {
 constexpr unsigned most_table = 100000;
 constexpr unsigned most_points = 1000;
 
-/// What is longer no file holds.
+/// The most sizes of a file: none holds more.
 const Integer &most_sizes() {
   static const Integer most = power_of_ten(12);
   return most;
 }
 
-struct GenerateCommand {
-  std::optional<std::string> beta, d_min, d_max, span, ratio, curve, pan_size, between, specimen_id;
+struct GenerateCommand : BetaOptions {
+  std::optional<std::string> curve, pan_size, between, specimen_id;
   std::optional<std::string> classes, classing, at_most, seed, points, table;
   std::optional<std::string> digits, match_digits, time_limit;
   std::string min_per_class = "10", at_least = "2000", dimension = "3", method = "paper";
-  std::string format = "text", out = "-";
+  OutputFlags output;
   AccessibleFlags accessible;
-  bool quantiles = false, sizes = false, spread = false, quiet = false;
+  bool quantiles = false, sizes = false, spread = false;
 };
-
-/// The ends of the curve from two of the four options (Eq. 17).
-std::pair<Rational, Rational> ends(const GenerateCommand &c) {
-  const int given = c.d_min.has_value() + c.d_max.has_value() + c.span.has_value() + c.ratio.has_value();
-  if (given != 2 || (!c.d_min && !c.d_max))
-    throw InputError(
-        "--beta: two sizes are needed: --dmin and --dmax, or one of them with --span or --ratio");
-  if (c.d_min && c.d_max)
-    return {positive("--dmin", *c.d_min), positive("--dmax", *c.d_max)};
-  Rational r;
-  if (c.span) {
-    const Rational s = positive("--span", *c.span);
-    if (s >= 1)
-      throw InputError("--span: " + in_quotes(*c.span) + " is not below 1: then d_min would be 0");
-    r = (1 + s) / (1 - s);
-  } else {
-    r = positive("--ratio", *c.ratio);
-    if (r <= 1)
-      throw InputError("--ratio: " + in_quotes(*c.ratio) + " is not above 1: d_max / d_min is needed");
-  }
-  if (c.d_min) {
-    const Rational low = positive("--dmin", *c.d_min);
-    return {low, low * r};
-  }
-  const Rational high = positive("--dmax", *c.d_max);
-  return {high / r, high};
-}
-
-std::shared_ptr<const BetaCurve> beta_curve(const GenerateCommand &c) {
-  const std::size_t comma = c.beta->find(',');
-  if (comma == std::string::npos)
-    throw InputError("--beta: " + in_quotes(*c.beta) + " is not A,B: write for example 1,3");
-  const Rational a = positive("--beta", c.beta->substr(0, comma)),
-                 b = positive("--beta", c.beta->substr(comma + 1));
-  const auto [low, high] = ends(c);
-  return named("--beta", *c.beta, [&, l = low, h = high](const std::string &) {
-    return std::make_shared<const BetaCurve>(a, b, l, h);
-  });
-}
 
 std::shared_ptr<const SieveCurve> sieve_curve(const GenerateCommand &c, std::vector<std::string> &notes) {
   if (c.d_min || c.d_max || c.span || c.ratio)
     throw InputError("--curve: the file has the sizes: leave out --dmin, --dmax, --span and --ratio");
-  const std::string name = *c.curve == "-" ? "stdin" : *c.curve;
-  Gradation g = read_gradation(read_file(*c.curve, max_gradation_bytes), name, c.specimen_id);
+  Gradation g = read_gradation(read_file(*c.curve, max_gradation_bytes), shown_name(*c.curve), c.specimen_id);
   notes = g.notes();
   if (g.has_factors()) {
     g = by_volume(g);
@@ -90,13 +52,11 @@ std::shared_ptr<const SieveCurve> sieve_curve(const GenerateCommand &c, std::vec
   const Interpolation interpolation = between == "log"      ? Interpolation::log
                                       : between == "linear" ? Interpolation::linear
                                                             : Interpolation::stair;
-  try {
+  return in_file(*c.curve, [&] {
     if (c.pan_size)
       g = g.with_pan_size(positive("--pan-size", *c.pan_size));
     return std::make_shared<const SieveCurve>(GradingCurve(g), interpolation);
-  } catch (const InputError &e) {
-    throw InputError(printable(name) + ": " + e.what());
-  }
+  });
 }
 
 unsigned small_natural(const char *option, const std::string &text, unsigned least, unsigned most) {
@@ -145,7 +105,7 @@ void check(const GenerateCommand &c) {
   if (c.classes && c.classing == "sieves")
     throw InputError("--classes: between the sieves there are as many as the file has: leave it out, or use "
                      "--classing regular, geometric or isochoric");
-  if (c.sizes && c.format == "text")
+  if (c.sizes && c.output.format == "text")
     throw InputError("--sizes: text has no place for them: use --format json or csv");
   if (c.spread && c.method != "match")
     throw InputError("--spread: it is of --method match; --method paper draws sizes anyhow, with --seed K");
@@ -156,12 +116,12 @@ void check(const GenerateCommand &c) {
         "--method match gives a class one size: leave out --seed and --quantiles, or add --spread");
   if (c.method != "match" && (c.match_digits || c.time_limit))
     throw InputError("--match-digits and --time-limit are of --method match: add it or leave them out");
-  if ((c.seed || c.quantiles) && c.format == "csv" && !c.sizes)
+  if ((c.seed || c.quantiles) && c.output.is_csv() && !c.sizes)
     throw InputError(
         "--seed and --quantiles: CSV has no drawn sizes without --sizes: add it or leave them out");
-  if (c.points && c.format == "csv")
+  if (c.points && c.output.is_csv())
     throw InputError("--points: CSV has no place for the quality of the set; use --format text or json");
-  if (c.sizes && c.table && c.format == "csv")
+  if (c.sizes && c.table && c.output.is_csv())
     throw InputError("--sizes and --table: CSV has place for one of them; use --format json");
 }
 
@@ -175,13 +135,13 @@ void add_quality(const GenerateCommand &c, GeneratedSet &set) {
   set.points = c.points ? small_natural("--points", *c.points, 0, most_points) : usual_points;
   if (set.points == 1)
     throw InputError("--points: at least 2, or 0 to leave the quality out");
-  if (set.points == 0 || c.format == "csv")
+  if (set.points == 0 || c.output.is_csv())
     return;
   const auto is_judged = [&c](const Integer &sizes) {
     return sizes <= (c.points ? most_judged_if_asked : most_judged);
   };
   const bool matched = set.match && set.match->complete;
-  const bool match_judged = matched && (!set.spread || is_judged(set.match->particles()));
+  const bool match_judged = matched && (!set.spread || is_judged(*set.match->particles()));
   const bool drawn_judged = set.counts.decided() && is_judged(set.counts.particles());
   if (match_judged)
     set.match_quality =
@@ -215,7 +175,7 @@ void add_curve(const GenerateCommand &c, GeneratedSet &set) {
   set.curve = curve;
   set.unit = "mm";
   const std::string between = c.between.value_or("log");
-  set.id = (*c.curve == "-" ? "stdin" : *c.curve) +
+  set.id = shown_name(*c.curve) +
            (between == "stair" ? ", a stair"
                                : ", linear in " + std::string(between == "log" ? "log size" : "size"));
   set.terms = how == "sieves" ? "classes between the sieves" : classes_in_words(n, how);
@@ -330,26 +290,25 @@ int run(const GenerateCommand &c) {
   if (c.accessible.needless())
     throw InputError("--a, --b, --plot and -j are of --accessible: add it or leave them out");
   if (c.accessible.on)
-    return run_accessible(accessible_question(c),
-                          {c.format, c.out, c.accessible.plot, c.accessible.threads, c.quiet});
+    return run_accessible(accessible_question(c), c.output, c.accessible);
   check(c);
-  check_distinct({c.curve.value_or("-"), c.out});
+  check_distinct({c.curve.value_or("-"), c.output.path()});
   const std::optional<Draws> how = c.sizes ? std::optional(draws(c)) : std::nullopt;
   std::atomic<std::uint64_t> written = 0;
   Progress progress([&written] { return fmt::format("generating, {} MB written", written / 1000000); },
-                    c.quiet);
+                    c.output.quiet);
   const GeneratedSet set = generated(c);
   if (how && set.particles())
     check_listed(set, *set.particles());
-  Output out(c.out);
+  Output out(c.output.path());
   const Sink sink = [&](std::string_view text) {
     out.write(text);
     written += text.size();
   };
-  if (c.format == "json") {
+  if (c.output.is_json()) {
     generated_json(set, how, sink);
     out.write("\n");
-  } else if (c.format == "csv") {
+  } else if (c.output.is_csv()) {
     generated_csv(set, how, sink);
   } else {
     out.write(generated_text(set));
@@ -357,11 +316,9 @@ int run(const GenerateCommand &c) {
   out.commit();
   const int code = exit_code(set);
   // CSV has no place for them.
-  if (c.format == "csv" && code != Exit::done)
+  if (c.output.is_csv() && code != Exit::done)
     tell(printable(set.id) + ": " + headline(set) + "\n");
-  if (c.format == "csv" && !c.quiet)
-    for (const std::string &note : set.notes)
-      tell("note: " + note + "\n");
+  c.output.tell_notes_beside_csv(set.notes);
   return code;
 }
 
@@ -386,7 +343,7 @@ Run add_generate(CLI::App &app) {
          "default) or in size (linear), or constant (stair)")
       ->check(CLI::IsMember({"log", "linear", "stair"}));
   option("--pan-size", c->pan_size, "SIZE", "take the pan of a file as a sieve of this size");
-  option("--specimen-id", c->specimen_id, "ID", "the specimen of an AGS4 file with several");
+  add_specimen_id(command, c->specimen_id);
   option("--classes", c->classes, "N", "number of size classes (10)");
   option(
       "--classing", c->classing, "TEXT",
@@ -418,10 +375,9 @@ Run add_generate(CLI::App &app) {
   option("--table", c->table, "K", "h, V, F and f of the set, and h of the curve, at K equally spaced sizes");
   c->accessible.add_to(command);
   option("--digits", c->digits, "D", "significant digits of enclosures (15)");
-  command.add_option("--format", c->format, "text, json or csv")
-      ->check(CLI::IsMember({"text", "json", "csv"}));
-  option("-o", c->out, "OUT", "write to OUT instead of standard output");
-  command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
+  c->output.add_format(command);
+  c->output.add_out(command);
+  c->output.add_quiet(command, "no progress and no notes on standard error");
   command.footer("Example: mdm generate --beta 1,3 --dmin 0.1 --ratio 20 --sizes --seed 1 --format csv");
   return [c] { return run(*c); };
 }

@@ -1,8 +1,10 @@
-#include "journal.hpp"
+#include "cli/journal.hpp"
 
-#include "files.hpp"
+#include "cli/files.hpp"
+#include "crosscheck/journal_line.hpp"
+#include "text/lines.hpp"
 
-#include <mdm/error.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -11,7 +13,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <limits>
 
 namespace mdm::cli {
@@ -25,9 +26,9 @@ Journal::Journal(std::string path, std::string solver) : path_(std::move(path)),
     if (fstat(descriptor_, &status) != 0)
       fail(errno);
     if (!S_ISREG(status.st_mode))
-      throw InputError(printable(path_) + ": a journal is a regular file: name one, or a new one");
+      throw file_error(path_, "a journal is a regular file: name one, or a new one");
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
-      throw InputError(printable(path_) + ": another run writes this journal: wait for it, or name another");
+      throw file_error(path_, "another run writes this journal: wait for it, or name another");
     read();
   } catch (...) {
     close(descriptor_);
@@ -40,50 +41,53 @@ Journal::~Journal() {
 }
 
 void Journal::fail(int error) const {
-  throw InputError(printable(path_) + ": cannot be written: " + std::strerror(error) +
-                   ": name a file that can be");
+  refuse_file(path_, "cannot be written", error, "name a file that can be");
 }
 
 void Journal::read() {
   const std::string content = read_file(path_, std::numeric_limits<std::size_t>::max());
   const std::size_t whole = content.rfind('\n') + 1; // 0 where there is none
-  std::string_view rest = std::string_view(content).substr(0, whole);
-  for (std::size_t number = 1; !rest.empty(); ++number) {
-    const std::size_t end = rest.find('\n');
-    take(rest.substr(0, end), number);
-    rest.remove_prefix(end + 1);
-  }
+  for (Lines lines(std::string_view(content).substr(0, whole)); lines.next();)
+    take(lines.text(), lines.number());
   if (whole < content.size() && content[whole] != '{')
-    throw InputError(fmt::format("{}: is no journal of mdm crosscheck: name a new file", printable(path_)));
+    throw file_error(path_, "is no journal of mdm crosscheck: name a new file");
   if (whole < content.size() && ftruncate(descriptor_, static_cast<off_t>(whole)) != 0)
     fail(errno);
 }
 
 void Journal::take(std::string_view text, std::size_t number) {
   OtherAnswer answer = json_answer(text);
-  const auto solver = answer.labels.find("solver");
-  const auto line = answer.labels.find("line");
+  const auto solver = answer.labels.find(journal_label::solver);
+  const auto line = answer.labels.find(journal_label::line);
   const std::optional<Integer> at = line == answer.labels.end() ? std::nullopt : parse_natural(line->second);
   if (!at || *at > std::numeric_limits<std::uint64_t>::max() || solver == answer.labels.end())
-    throw InputError(fmt::format("{}:{}: is no line of a journal of mdm crosscheck: name a new file",
-                                 printable(path_), number));
+    throw file_error(line_name(path_, number), "is no line of a journal of mdm crosscheck: name a new file");
+  const auto gradation = answer.labels.find(journal_label::gradation);
+  if (gradation == answer.labels.end())
+    throw file_error(line_name(path_, number),
+                     "does not say which gradation was asked, as journals of version 1 do not: name a new "
+                     "file (this one is still good as ANSWERS)");
   if (solver->second == solver_)
-    answers_[static_cast<std::uint64_t>(*at)] = std::move(answer);
+    answers_[static_cast<std::uint64_t>(*at)] = {gradation->second, std::move(answer)};
 }
 
-const OtherAnswer *Journal::find(std::uint64_t line, const std::string &id) const {
+const OtherAnswer *Journal::find(std::uint64_t line, const Gradation &g) const {
   const auto found = answers_.find(line);
   if (found == answers_.end())
     return nullptr;
-  if (found->second.id != id)
-    throw InputError(fmt::format("{}: has an answer for {} where the suite's line {} has {}: the suite is "
-                                 "another one; name a new file",
-                                 printable(path_), in_quotes(found->second.id), line, in_quotes(id)));
-  return &found->second;
+  const auto &[gradation, answer] = found->second;
+  if (answer.id != g.id())
+    throw file_error(path_, fmt::format("has an answer for {} where the suite's line {} has {}: the suite is "
+                                        "another one; name a new file",
+                                        in_quotes(answer.id), line, in_quotes(g.id())));
+  return gradation == digest(g) ? &answer : nullptr;
 }
 
-void Journal::add(std::uint64_t line, const OtherAnswer &answer) {
-  const std::string text = answer_line(answer, {{"solver", solver_}, {"line", std::to_string(line)}}) + "\n";
+void Journal::add(std::uint64_t line, const Gradation &g, const OtherAnswer &answer) {
+  const std::string text = answer_line(answer, {{journal_label::solver, solver_},
+                                                {journal_label::line, std::to_string(line)},
+                                                {journal_label::gradation, digest(g)}}) +
+                           "\n";
   const std::lock_guard lock(mutex_);
   for (std::string_view rest = text; !rest.empty();) {
     const ssize_t n = write(descriptor_, rest.data(), rest.size());

@@ -1,17 +1,20 @@
 #pragma once
 /// \file
-/// What a solver answered so far, kept for a run that is interrupted.
+/// A solver's answers so far, kept for a run that is interrupted.
 
-#include <mdm/study/other_answer.hpp>
+#include "crosscheck/other_answer.hpp"
+
+#include <mdm/gradation/gradation.hpp>
 
 #include <cstdint>
 #include <mutex>
 
 namespace mdm::cli {
 
-/// A file of JSON Lines, each an answer that json_answer reads with the keys `solver` and `line` (of the
-/// suite) before it. Each answer is written as a whole when it comes; a last line without its end, of a run
-/// that was killed while writing, is dropped. Lines of other solvers stay and are not used.
+/// A file of JSON Lines, each an answer that json_answer reads with the keys `solver`, `line` (of the suite)
+/// and `gradation` (a digest of what the solver was asked) before it. Each answer is written as a whole when
+/// it comes; a last line without its end, of a run that was killed while writing, is dropped. Lines of other
+/// solvers stay and are not used.
 class Journal {
 public:
   /// Opens or makes the file. \throws InputError if that fails, it is no such file, or another run has it
@@ -21,13 +24,19 @@ public:
   Journal(const Journal &) = delete;
   Journal &operator=(const Journal &) = delete;
 
-  /// The answer of this solver to the gradation in that line of the suite, or null.
+  /// The last answer of this solver to the gradation g in that line of the suite; null where there is none,
+  /// or it is to a gradation that was corrected since.
   /// \throws InputError if the answer there is to one with another id
-  const OtherAnswer *find(std::uint64_t line, const std::string &id) const;
+  const OtherAnswer *find(std::uint64_t line, const Gradation &g) const;
   /// Adds an answer; several threads may. \throws InputError if it cannot be written
-  void add(std::uint64_t line, const OtherAnswer &answer);
+  void add(std::uint64_t line, const Gradation &g, const OtherAnswer &answer);
 
 private:
+  struct Kept {
+    std::string gradation; ///< digest
+    OtherAnswer answer;
+  };
+
   [[noreturn]] void fail(int error) const;
   void read();
   void take(std::string_view text, std::size_t number);
@@ -35,8 +44,8 @@ private:
   std::string path_;
   std::string solver_;
   int descriptor_ = -1;
-  std::map<std::uint64_t, OtherAnswer> answers_; ///< of this solver, by line of the suite
-  std::mutex mutex_;                             ///< of the file
+  std::map<std::uint64_t, Kept> answers_; ///< of this solver, by line of the suite
+  std::mutex mutex_;                      ///< of the file
 };
 
 } // namespace mdm::cli

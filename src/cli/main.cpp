@@ -1,10 +1,10 @@
-#include "commands.hpp"
-#include "files.hpp"
-#include "number_pool.hpp"
-#include "usage_error.hpp"
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/number_pool.hpp"
+#include "cli/usage_error.hpp"
+#include "text/versions.hpp"
 
-#include <mdm/error.hpp>
-#include <mdm/report/versions.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -52,7 +52,7 @@ std::vector<Command> add_commands(CLI::App &app) {
   std::vector<Command> commands;
   for (Run (*const add)(CLI::App &) :
        {add_solve, add_batch, add_convert, add_describe, add_verify, add_crosscheck, add_published,
-        add_generate, add_study, add_tradeoff, add_plot, add_export}) {
+        add_generate, add_pack, add_study, add_tradeoff, add_plot, add_export}) {
     Run run = add(app);
     commands.push_back({app.get_subcommands({}).back(), std::move(run)});
   }
@@ -119,7 +119,7 @@ int main(int argc, char **argv) {
   } catch (const mdm::InputError &e) {
     return complain(e.what());
   } catch (const std::bad_alloc &) {
-    return complain("mdm: out of memory");
+    return complain(out_of_memory_message);
   } catch (const std::exception &e) {
     return complain(fmt::format("mdm: internal error, please report it: {}", e.what()));
   }

@@ -1,4 +1,6 @@
-#include "number_pool.hpp"
+#include "cli/number_pool.hpp"
+
+#include "cli/files.hpp"
 
 #include <gmp.h>
 
@@ -26,7 +28,7 @@ struct Block {
 /// Free blocks, a list for each size.
 using Lists = std::array<Block *, longest / step + 1>;
 
-/// What threads that ended have left.
+/// The blocks that ended threads have left.
 std::mutex orphans_mutex;
 Lists orphans{};
 
@@ -53,9 +55,10 @@ struct AtThreadEnd {
   }
 };
 
-/// As GMP does: there is no way back from here.
+/// As GMP does: there is no way back from here, through C code that knows no exceptions.
 [[noreturn]] void out_of_memory() {
-  std::fputs("mdm: out of memory\n", stderr);
+  remove_unfinished();
+  std::fprintf(stderr, "%s\n", out_of_memory_message);
   std::_Exit(2);
 }
 

@@ -1,6 +1,7 @@
-#include "option_values.hpp"
+#include "cli/option_values.hpp"
 
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 #include <limits>
 

@@ -2,8 +2,8 @@
 /// \file
 /// Values of options, read exactly. All throw an InputError that names the option.
 
-#include <mdm/error.hpp>
 #include <mdm/number/rational.hpp>
+#include <mdm/text/error.hpp>
 
 #include <chrono>
 #include <string>

@@ -1,9 +1,9 @@
-#include "picture.hpp"
+#include "cli/picture.hpp"
 
-#include "child_process.hpp"
-#include "files.hpp"
+#include "cli/child_process.hpp"
+#include "cli/files.hpp"
 
-#include <mdm/error.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// Where a command's figure goes, and the program that draws it.
+/// The place of a command's figure, and the program that draws it.
 
-#include <mdm/report/gnuplot_script.hpp>
+#include "plot/gnuplot_script.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -1,14 +1,15 @@
-#include "commands.hpp"
-#include "files.hpp"
-#include "picture.hpp"
-#include "progress.hpp"
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/output_flags.hpp"
+#include "cli/picture.hpp"
+#include "cli/progress.hpp"
+#include "match/smallest_match.hpp"
+#include "plot/gradation_figure.hpp"
 
-#include <mdm/error.hpp>
+#include <mdm/answer/answer_sample.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
-#include <mdm/particles/answer_sample.hpp>
-#include <mdm/report/gradation_figure.hpp>
-#include <mdm/report/smallest_match.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -24,7 +25,7 @@ struct PlotCommand {
   std::string bands = "uscs";
   bool match = false;
   bool coarse_left = false;
-  bool quiet = false;
+  OutputFlags output;
   PictureFlags picture;
 };
 
@@ -52,8 +53,8 @@ std::vector<DrawnClass> drawn(const AnswerSample &answer, SizeUnit unit) {
   const Rational factor = in_mm(answer.unit) / in_mm(unit);
   std::vector<DrawnClass> classes;
   for (const AnswerSample::Class &c : answer.classes)
-    classes.push_back(
-        {c.lower * factor, c.upper * factor, c.mass, c.quantity, (c.size_lo + c.size_hi) / 2 * factor});
+    classes.push_back({drawn_size(c.lower) * factor, drawn_size(c.upper) * factor, c.mass, c.quantity,
+                       (c.size_lo + c.size_hi) / 2 * factor});
   return classes;
 }
 
@@ -62,26 +63,27 @@ Match solved(const Gradation &g, bool quiet) {
   const Progress progress([] { return std::string("solving"); }, quiet);
   SolveOptions options;
   options.limits.max_steps = most_steps_beside;
+  options.limits.keep_proof = false;
   return solve(g, {}, options);
 }
 
 std::vector<DrawnClass> drawn(const Match &m) {
-  const Gradation &g = m.gradation;
   std::vector<DrawnClass> classes;
-  for (std::size_t i = 0; i < m.q.size(); ++i) {
-    const std::size_t j = m.problem.classes()[i].index;
-    classes.push_back(
-        {g.lower(j), g.upper(j), g.mass(j), m.q[i], (m.sizes[i].lower() + m.sizes[i].upper()) / 2});
-  }
+  for (const MatchClass &c : m.classes())
+    if (c.size)
+      classes.push_back({drawn_size(c.lower), drawn_size(c.upper), c.mass, c.quantity,
+                         (c.size->lower() + c.size->upper()) / 2});
   return classes;
 }
 
 /// True if each class of the particles is one of the gradation: not so after a cut, a pan size or a factor.
 bool are_of(const std::vector<DrawnClass> &classes, const Gradation &g) {
-  return std::all_of(classes.begin(), classes.end(), [&g](const DrawnClass &c) {
-    const auto lower = std::lower_bound(g.sizes().begin(), g.sizes().end(), c.lower);
-    return lower != g.sizes().end() && *lower == c.lower && lower + 1 != g.sizes().end() &&
-           *(lower + 1) == c.upper;
+  std::vector<Rational> sizes;
+  for (std::size_t j = 0; j <= g.classes(); ++j)
+    sizes.push_back(drawn_size(g.opening(j)));
+  return std::all_of(classes.begin(), classes.end(), [&sizes](const DrawnClass &c) {
+    const auto lower = std::lower_bound(sizes.begin(), sizes.end(), c.lower);
+    return lower != sizes.end() && *lower == c.lower && lower + 1 != sizes.end() && *(lower + 1) == c.upper;
   });
 }
 
@@ -89,7 +91,7 @@ int limited(const PlotCommand &c, const Match &m) {
   tell(fmt::format("{}: nothing was drawn: the smallest match was not found within {} steps, N in [{}, {}]; "
                    "solve it with mdm solve --format json and give that ANSWER\n",
                    printable(shown_name(c.file)), most_steps_beside, to_string(m.lower_bound),
-                   to_string(m.particles())));
+                   to_string(*m.particles())));
   return Exit::limited;
 }
 
@@ -113,7 +115,7 @@ int run(const PlotCommand &c) {
       notes.push_back(printable(*c.answer) + ": its classes are not all of " + printable(c.file) +
                       ": it was solved with a cut, a pan size or a size factor, or for another gradation");
   } else if (c.match) {
-    const Match m = solved(g, c.quiet);
+    const Match m = solved(g, c.output.quiet);
     if (!m.complete)
       return limited(c, m);
     what.particles = drawn(m);
@@ -121,10 +123,8 @@ int run(const PlotCommand &c) {
   const std::string panels = c.what.value_or(what.particles.empty() ? "curve" : "both");
   what.curve = panels != "counts";
   what.counts = panels != "curve";
-  draw(gradation_figure(g, what), c.picture, c.quiet);
-  for (const std::string &note : notes)
-    if (!c.quiet)
-      tell("note: " + note + "\n");
+  draw(gradation_figure(g, what), c.picture, c.output.quiet);
+  c.output.tell_notes(notes);
   return Exit::done;
 }
 
@@ -144,10 +144,9 @@ Run add_plot(CLI::App &app) {
   command.add_option("--bands", c->bands, "size bands: uscs, iso (14688) or none (uscs)")
       ->check(CLI::IsMember({"uscs", "iso", "none"}));
   command.add_flag("--coarse-left", c->coarse_left, "coarse sizes on the left, as in the United States");
-  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
-      ->type_name("ID");
+  add_specimen_id(command, c->specimen_id);
   c->picture.add_to(command);
-  command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
+  c->output.add_quiet(command, "no progress and no notes on standard error");
   command.footer("Exit code 3: --match was not solved within some seconds; nothing is drawn.\n\n"
                  "Example: mdm plot sand.csv --match -o sand.svg");
   return [c] { return run(*c); };

@@ -1,6 +1,6 @@
-#include "progress.hpp"
+#include "cli/progress.hpp"
 
-#include "files.hpp"
+#include "cli/files.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,14 +1,17 @@
-#include "commands.hpp"
-#include "files.hpp"
-#include "option_values.hpp"
-#include "progress.hpp"
-#include "solve_flags.hpp"
+#include "report/published.hpp"
+
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/option_values.hpp"
+#include "cli/output_flags.hpp"
+#include "cli/progress.hpp"
+#include "cli/solve_flags.hpp"
+#include "match/fixed_size.hpp"
+#include "match/spanned_integer.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
-#include <mdm/match/fixed_size.hpp>
-#include <mdm/match/spanned_integer.hpp>
 #include <mdm/number/decimal.hpp>
-#include <mdm/report/published.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -20,7 +23,7 @@
 namespace mdm::cli {
 namespace {
 
-/// More iterations than that are of no use, and each is reported.
+/// The most iterations: more are of no use, and each is reported.
 constexpr std::uint64_t most_iterations = 100'000;
 constexpr std::uint64_t most_increments = 1'000'000'000;
 
@@ -31,9 +34,7 @@ struct PublishedCommand {
   GradationFlags flags;
   Text sizes, size_at, rounding, tolerance, max_iterations, start, increments, digits;
   Text specimen_id;
-  std::string format = "text";
-  std::string out = "-";
-  bool quiet = false;
+  OutputFlags output;
 };
 
 /// Refuses the option where the algorithm does not know it.
@@ -108,7 +109,7 @@ const NamedRounding &rounding_named(const std::string &name) {
                        [&name](const NamedRounding &r) { return r.name == name; });
 }
 
-/// What the user chose to run.
+/// The algorithm that the user chose.
 struct Algorithm {
   PublishedAlgorithm kind;
   std::string settings; ///< in words
@@ -151,14 +152,14 @@ Algorithm spanned_integer_of(const PublishedCommand &c) {
 
 int run(const PublishedCommand &c) {
   check_options(c);
-  check_distinct({c.file, c.out});
+  check_distinct({c.file, c.output.path()});
   const Algorithm algorithm = c.algorithm == "spanned-integer" ? spanned_integer_of(c) : fixed_size_of(c);
   const Question question = c.flags.question();
   const unsigned digits = c.digits ? digits_of("--digits", *c.digits) : 15;
-  const std::string file = shown_name(c.file);
-  const Gradation read = read_gradation(read_file(c.file, max_gradation_bytes), file, c.specimen_id);
-  Progress progress([] { return std::string("running the algorithm"); }, c.quiet);
-  const PublishedReport report = named(printable(file), "", [&](const std::string &) {
+  const Gradation read =
+      read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.specimen_id);
+  Progress progress([] { return std::string("running the algorithm"); }, c.output.quiet);
+  const PublishedReport report = in_file(c.file, [&] {
     const Gradation g = asked_gradation(read, question);
     return PublishedReport{algorithm.kind,
                            algorithm.settings,
@@ -169,13 +170,12 @@ int run(const PublishedCommand &c) {
                            digits,
                            g.notes()};
   });
-  Output out(c.out);
-  out.write(c.format == "json"  ? published_json(report) + "\n"
-            : c.format == "csv" ? published_csv(report)
-                                : published_text(report));
+  Output out(c.output.path());
+  out.write(c.output.report([&] { return published_text(report); }, [&] { return published_json(report); },
+                            [&] { return published_csv(report); }));
   out.commit();
   // CSV has no place for the least match.
-  if (c.format != "csv" && !report.least.is_known())
+  if (!c.output.is_csv() && !report.least.is_point())
     return Exit::limited;
   return succeeded(report) ? Exit::done : Exit::negative;
 }
@@ -185,7 +185,7 @@ int run(const PublishedCommand &c) {
 Run add_published(CLI::App &app) {
   const auto c = std::make_shared<PublishedCommand>();
   CLI::App &command = *app.add_subcommand(
-      "published", "The algorithms of Arnold's paper as published, beside the least match");
+      "published", "The algorithms of Arnold's paper as published, beside the smallest match");
   command.add_option("ALGORITHM", c->algorithm, "rounded (Eq. 18), fixed-size (FS) or spanned-integer (SI)")
       ->required()
       ->check(CLI::IsMember({"rounded", "fixed-size", "spanned-integer"}));
@@ -223,14 +223,13 @@ Run add_published(CLI::App &app) {
                   "fixed-size, spanned-integer: give up after so many (999), exit 1")
       ->type_name("N");
   command.add_option("--digits", c->digits, "significant digits of sizes (15)")->type_name("D");
-  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
-      ->type_name("ID");
-  command.add_option("--format", c->format, "text, json, or csv (the iterations)")
-      ->check(CLI::IsMember({"text", "json", "csv"}));
-  command.add_option("-o", c->out, "write to OUT instead of standard output")->type_name("OUT");
-  command.add_flag("--quiet", c->quiet, "no progress on standard error");
-  command.footer("Exit code 3: the least match was not found within some seconds; the report has bounds.\n\n"
-                 "Example: mdm published spanned-integer sand.csv --start 0.5 --increments 1");
+  add_specimen_id(command, c->specimen_id);
+  c->output.add_format(command, "text, json, or csv (the iterations)");
+  c->output.add_out(command);
+  c->output.add_quiet(command, "no progress on standard error");
+  command.footer(
+      "Exit code 3: the smallest match was not found within some seconds; the report has bounds.\n\n"
+      "Example: mdm published spanned-integer sand.csv --start 0.5 --increments 1");
   return [c] { return run(*c); };
 }
 

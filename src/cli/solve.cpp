@@ -1,16 +1,20 @@
-#include "commands.hpp"
-#include "files.hpp"
-#include "option_values.hpp"
-#include "progress.hpp"
-#include "solve_flags.hpp"
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/option_values.hpp"
+#include "cli/output_flags.hpp"
+#include "cli/progress.hpp"
+#include "cli/solve_flags.hpp"
 
-#include <mdm/error.hpp>
+#include <mdm/answer/answer.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/proof/certificate.hpp>
+#include <mdm/proof/coq_file.hpp>
 #include <mdm/proof/vipr.hpp>
-#include <mdm/report/answer.hpp>
+#include <mdm/text/error.hpp>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 namespace mdm::cli {
@@ -19,11 +23,9 @@ namespace {
 struct SolveCommand {
   std::optional<std::string> file;
   SolveFlags flags;
-  std::optional<std::string> proof, vipr, out, specimen_id;
-  std::string format = "text";
-  std::optional<std::string> seed;
-  bool spectrum = false, spread = false;
-  bool quiet = false;
+  std::optional<std::string> proof, vipr, coq, specimen_id, seed;
+  OutputFlags output;
+  bool spectrum = false, spread = false, verbose = false;
 };
 
 /// A side result of solve: a file that is to be written with the rest or not at all.
@@ -32,7 +34,7 @@ struct SideFile {
   std::string text;
 };
 
-/// What is asked about, and why the checker could not read it in the user's file.
+/// The gradation of the proof, and why the checker could not read it in the user's file.
 struct Target {
   Gradation gradation;
   std::string unreadable; ///< empty: it could
@@ -40,9 +42,7 @@ struct Target {
 
 Target target(const SolveCommand &c, const Question &question) {
   if (!c.file)
-    return {named(printable(shown_name(c.flags.source(c.file))), "",
-                  [&](const std::string &) { return middle_of(*question.band); }),
-            "mdm-check reads a gradation beside a band"};
+    return {in_file(c.flags.source(c.file), [&] { return middle_of(*question.band); }), ""};
   const std::string content = read_file(*c.file, max_gradation_bytes);
   return {read_gradation(content, shown_name(c.flags.source(c.file)), c.specimen_id),
           is_ags4(content) ? "mdm-check does not read AGS4" : ""};
@@ -54,7 +54,8 @@ std::optional<SideFile> readable_gradation(const SolveCommand &c, const Target &
   if (!c.proof || of.unreadable.empty())
     return std::nullopt;
   const std::string path = *c.proof + ".csv";
-  check_distinct({c.flags.source(c.file), *c.proof, path, c.vipr.value_or("-"), c.out.value_or("-")});
+  check_distinct(
+      {c.flags.source(c.file), *c.proof, path, c.vipr.value_or("-"), c.coq.value_or("-"), c.output.path()});
   notes.push_back(of.unreadable + ": the gradation is in " + path + " as CSV; check with: mdm-check " + path +
                   " " + *c.proof);
   return SideFile{std::make_unique<Output>(path), gradation_csv(of.gradation)};
@@ -63,40 +64,58 @@ std::optional<SideFile> readable_gradation(const SolveCommand &c, const Target &
 void report(const SolveCommand &c, const Match &m, const Spectrum *spectrum, const Spread *spread,
             Output &out) {
   const Sink sink = [&out](std::string_view text) { out.write(text); };
-  if (c.format == "text")
-    out.write(answer_text(m, spectrum, spread));
-  else if (c.format == "csv" && spread != nullptr)
+  if (spread != nullptr && c.output.is_csv()) {
     spread_csv(m, *spread, sink);
-  else if (c.format == "csv")
-    out.write(answer_csv(m));
-  else if (spread != nullptr)
+  } else if (spread != nullptr && c.output.is_json()) {
     spread_json(m, spectrum, *spread, sink);
-  else
-    out.write(answer_json(m, spectrum));
-  if (c.format == "json")
     out.write("\n");
+  } else {
+    out.write(c.output.report([&] { return answer_text(m, spectrum, spread, c.verbose); },
+                              [&] { return answer_json(m, spectrum); }, [&] { return answer_csv(m); }));
+  }
 }
 
-int exit_code(const Match &m, const std::optional<Spectrum> &spectrum) {
-  if (m.status == Status::none)
-    return Exit::negative;
-  if (m.status != Status::optimal || (spectrum && !spectrum->complete))
-    return Exit::limited;
-  return Exit::done;
+/// The exit code of the match, unless it is done and the spectrum beside it is not.
+Exit exit_code(const Match &m, const std::optional<Spectrum> &spectrum) {
+  const Exit code = cli::exit_code(m.status);
+  return code == Exit::done && spectrum && !spectrum->complete ? Exit::limited : code;
+}
+
+/// True for a name that Coq takes a module from.
+bool is_coq_file(const std::string &path) {
+  const std::filesystem::path name = std::filesystem::path(path).filename();
+  const std::string module = name.stem().string();
+  const auto is_letter = [](char ch) {
+    return (ch >= 'a' && ch <= 'z') || (ch >= 'A' && ch <= 'Z') || ch == '_';
+  };
+  return name.extension() == ".v" && is_letter(module.front()) &&
+         std::all_of(module.begin(), module.end(),
+                     [&](char ch) { return is_letter(ch) || (ch >= '0' && ch <= '9'); });
+}
+
+/// The theorem names the gradation as the checkers' verdicts do.
+std::string theorem(const SolveCommand &c, const Target &asked, const Match &m) {
+  const std::string file = std::filesystem::path(*c.coq).filename().string();
+  const std::string source = c.flags.source(c.file);
+  return coq_file(asked.gradation, m, source == "-" ? "standard input" : printable(source),
+                  "coqc -Q " MDM_COQ_FOLDER " Mdm " + file);
 }
 
 void check_files(const SolveCommand &c) {
   c.flags.check_source(c.file, c.specimen_id, "solve");
   if (c.spectrum && c.flags.is_tolerant())
     throw InputError("--spectrum: it is of exact matches: leave it out, or --tolerance and --band");
-  if (c.spectrum && c.format == "csv")
+  if (c.spectrum && c.output.is_csv())
     throw InputError("--spectrum: CSV has no place for it: use --format text or json");
   if (c.seed && !c.spread)
     throw InputError("--seed: it is of a spread: add --spread, or leave it out");
   if (c.proof == "-" || c.vipr == "-")
     throw InputError("--proof and --vipr need a file: standard output has the answer");
+  if (c.coq && !is_coq_file(*c.coq))
+    throw InputError("--coq: Coq takes file names of letters, digits and _ that end in .v: give for example "
+                     "sand.v");
   std::vector<std::string> paths = {c.flags.source(c.file)};
-  for (const std::optional<std::string> &path : {c.proof, c.vipr, c.out})
+  for (const std::optional<std::string> &path : {c.proof, c.vipr, c.coq, c.output.out})
     if (path)
       paths.push_back(*path);
   check_distinct(paths);
@@ -112,44 +131,47 @@ std::uint64_t seed_of(const SolveCommand &c) {
 
 int run(const SolveCommand &c) {
   check_files(c);
-  const Question question = c.flags.question();
+  Question question = c.flags.question();
+  question.band_alone = !c.file;
   const std::uint64_t seed = seed_of(c);
   const Target asked = target(c, question);
-  Output out(c.out.value_or("-"));
+  Output out(c.output.path());
 
-  Progress progress([] { return std::string("solving"); }, c.quiet);
-  const SolveOptions options = c.flags.options();
-  const auto in_file = [&](const auto &action) {
-    return named(printable(shown_name(c.flags.source(c.file))), "",
-                 [&](const std::string &) { return action(); });
-  };
-  Match m = in_file([&] { return solve(asked.gradation, question, options); });
+  Progress progress([] { return std::string("solving"); }, c.output.quiet);
+  const SolveOptions options = c.flags.options(c.proof || c.vipr || c.coq);
+  const std::string &source = c.flags.source(c.file);
+  Match m = in_file(source, [&] {
+    if (c.proof || c.coq)
+      check_certifiable(asked_gradation(asked.gradation, question), question);
+    return solve(asked.gradation, question, options);
+  });
   std::optional<Spectrum> reachable;
   if (c.spectrum)
-    reachable = spectrum(m.problem, options.limits);
+    reachable = spectrum(m, options.limits);
   std::optional<Spread> particles;
   if (c.spread && m.has_answer())
     particles = spread(m, seed);
 
   std::vector<SideFile> files;
   if (c.proof && m.complete) {
-    files.push_back({std::make_unique<Output>(*c.proof), in_file([&] { return certificate(m); })});
+    files.push_back({std::make_unique<Output>(*c.proof), in_file(source, [&] { return certificate(m); })});
     if (std::optional<SideFile> csv = readable_gradation(c, asked, m.notes))
       files.push_back(std::move(*csv));
-  } else if ((c.proof || c.vipr) && !m.complete) {
+  } else if ((c.proof || c.vipr || c.coq) && !m.complete) {
     m.notes.push_back("no proof was written: the limit came before the end");
   }
   if (c.vipr && m.complete)
-    files.push_back({std::make_unique<Output>(*c.vipr), in_file([&] { return vipr(m); })});
+    files.push_back({std::make_unique<Output>(*c.vipr), in_file(source, [&] { return vipr(m); })});
+  if (c.coq && m.complete)
+    files.push_back(
+        {std::make_unique<Output>(*c.coq), in_file(source, [&] { return theorem(c, asked, m); })});
   for (const SideFile &file : files)
     file.output->write(file.text);
   report(c, m, reachable ? &*reachable : nullptr, particles ? &*particles : nullptr, out);
   // CSV has no place for a verdict.
-  if (c.format == "csv" && m.status != Status::optimal)
+  if (c.output.is_csv() && m.status != Status::optimal)
     tell(printable(m.gradation.id()) + ": " + headline(m) + "\n");
-  if (c.format == "csv" && !c.quiet)
-    for (const std::string &note : m.notes)
-      tell("note: " + note + "\n");
+  c.output.tell_notes_beside_csv(m.notes);
   for (const SideFile &file : files)
     file.output->commit();
   out.commit();
@@ -167,17 +189,18 @@ Run add_solve(CLI::App &app) {
   command.add_option("--proof", c->proof, "write the certificate for mdm-check")->type_name("OUT");
   command.add_option("--vipr", c->vipr, "write the proof in the VIPR format (at most 200 classes)")
       ->type_name("OUT");
+  command.add_option("--coq", c->coq, "write the theorem that Coq checks with its kernel alone")
+      ->type_name("OUT");
   command.add_flag("--spectrum", c->spectrum, "all numbers of particles that have an exact match");
   command.add_flag("--spread", c->spread,
                    "sizes for all particles, uniform by volume in their class as far as its exact mass lets "
                    "them (CSV: a row a particle)");
   command.add_option("--seed", c->seed, "of a spread's sizes (1)")->type_name("K");
-  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
-      ->type_name("ID");
-  command.add_option("--format", c->format, "text, json or csv")
-      ->check(CLI::IsMember({"text", "json", "csv"}));
-  command.add_option("-o", c->out, "write the answer to OUT instead of standard output")->type_name("OUT");
-  command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
+  add_specimen_id(command, c->specimen_id);
+  command.add_flag("--verbose", c->verbose, "in text also the scale: its window and the one that was chosen");
+  c->output.add_format(command);
+  c->output.add_out(command, "write the answer");
+  c->output.add_quiet(command, "no progress and no notes on standard error");
   command.footer("Example: mdm solve sand.csv --min-per-class 10 --proof sand.proof");
   return [c] { return run(*c); };
 }

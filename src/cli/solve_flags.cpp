@@ -1,9 +1,10 @@
-#include "solve_flags.hpp"
+#include "cli/solve_flags.hpp"
 
-#include "files.hpp"
-#include "option_values.hpp"
+#include "cli/files.hpp"
+#include "cli/option_values.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
+#include <mdm/text/error.hpp>
 
 namespace mdm::cli {
 namespace {
@@ -73,7 +74,9 @@ void SolveFlags::add_to(CLI::App &command) {
   command.add_option("--digits", digits, "significant digits of sizes (15)")->type_name("D");
   command.add_option("--scale", scale, "robust (sizes far from the sieves) or upper (largest sizes)")
       ->type_name("WHICH");
-  command.add_option("--max-steps", max_steps, "stop after so many steps, with what is certain (exit 3)")
+  command
+      .add_option("--max-steps", max_steps,
+                  "stop after so many steps (67108864), with what is certain (exit 3)")
       ->type_name("N");
   command
       .add_option("--node-limit", node_limit,
@@ -121,8 +124,9 @@ void SolveFlags::check_source(const Text &file, const Text &specimen_id, const s
     throw InputError("--band: standard input is the gradation already: give one of them by name");
 }
 
-SolveOptions SolveFlags::options() const {
+SolveOptions SolveFlags::options(bool keep_proof) const {
   SolveOptions o;
+  o.limits.keep_proof = keep_proof;
   if (at_most)
     o.at_most = natural("--at-most", *at_most, 0);
   if (digits)

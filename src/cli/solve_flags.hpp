@@ -35,14 +35,14 @@ struct SolveFlags : GradationFlags {
   void add_to(CLI::App &command);
 
   bool is_tolerant() const { return !tolerances.empty() || band; }
-  /// Where the gradation comes from: FILE, or else the band alone.
+  /// The source of the gradation: FILE, or else the band alone.
   const std::string &source(const Text &file) const { return file ? *file : *band; }
   /// \throws InputError if there is neither, or if they do not go together
   void check_source(const Text &file, const Text &specimen_id, const std::string &command) const;
   /// \throws InputError naming the option where its value does not serve
   Question question() const;
   /// The deadline counts from this call.
-  SolveOptions options() const;
+  SolveOptions options(bool keep_proof = false) const;
 };
 
 } // namespace mdm::cli

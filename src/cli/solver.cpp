@@ -1,10 +1,10 @@
-#include "solver.hpp"
+#include "cli/solver.hpp"
 
-#include "child_process.hpp"
+#include "cli/child_process.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_output = std::size_t{64} << 20;
 
-/// What the program said last on its standard error.
+/// The last words of the program on its standard error.
 std::string said(const ChildEnd &end) {
   return end.last_error.empty() ? "" : ": " + in_quotes(end.last_error);
 }
@@ -29,12 +29,12 @@ Solver::Solver(std::string command, std::chrono::milliseconds time_limit,
 }
 
 OtherAnswer Solver::answer(const Gradation &g, std::uint64_t line) {
-  if (const OtherAnswer *const kept = journal_ ? journal_->find(line, g.id()) : nullptr)
+  if (const OtherAnswer *const kept = journal_ ? journal_->find(line, g) : nullptr)
     return *kept;
   OtherAnswer answer = ask(g);
   answer.id = g.id();
   if (journal_)
-    journal_->add(line, answer);
+    journal_->add(line, g, answer);
   return answer;
 }
 
@@ -48,7 +48,7 @@ OtherAnswer Solver::ask(const Gradation &g) const {
     return failed(AnswerVerdict::timeout,
                   fmt::format("no end within {} s", decimal_string(time_limit_.count(), 3)));
   case ChildEnd::How::too_much_output:
-    return failed(AnswerVerdict::garbage, "more than 64 MiB of output");
+    return failed(AnswerVerdict::garbage, fmt::format("more than {} MiB of output", most_output >> 20));
   case ChildEnd::How::signalled:
     return failed(AnswerVerdict::crashed, fmt::format("signal {}{}", end.code, said(end)));
   case ChildEnd::How::exited:

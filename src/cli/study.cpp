@@ -1,16 +1,17 @@
-#include "commands.hpp"
-#include "files.hpp"
-#include "in_parallel.hpp"
-#include "picture.hpp"
-#include "progress.hpp"
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/in_parallel.hpp"
+#include "cli/output_flags.hpp"
+#include "cli/picture.hpp"
+#include "cli/progress.hpp"
+#include "papers/paper_figures.hpp"
+#include "papers/paper_tables.hpp"
+#include "papers/size_model_figures.hpp"
+#include "papers/size_model_tables.hpp"
+#include "papers/specimens.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/gradation/read_gradation.hpp>
-#include <mdm/study/paper_figures.hpp>
-#include <mdm/study/paper_tables.hpp>
-#include <mdm/study/size_model_figures.hpp>
-#include <mdm/study/size_model_tables.hpp>
-#include <mdm/study/specimens.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -25,7 +26,7 @@ struct StudyCommand {
   std::string what, paper = "arnold";
   std::vector<std::string> files;
   std::optional<std::string> out, plots;
-  bool quiet = false;
+  OutputFlags output;
 };
 
 /// A file of the study, complete in memory before any is written.
@@ -33,7 +34,7 @@ struct StudyFile {
   std::string name, text;
 };
 
-/// What is known of every gradation of the suite.
+/// The numbers of every gradation of the suite.
 struct Survey {
   std::vector<SurveyRow> rows;
   std::vector<Convergence> runs; ///< of the subset
@@ -42,31 +43,28 @@ struct Survey {
 Survey survey_of(const StudyCommand &c) {
   const std::string &file = c.files.front();
   std::atomic<std::uint64_t> count = 0;
-  const Progress progress([&count] { return fmt::format("{} gradations", count.load()); }, c.quiet);
+  const Progress progress([&count] { return fmt::format("{} gradations", count.load()); }, c.output.quiet);
   Survey survey;
-  Lines lines(file);
+  FileLines lines(file);
   constexpr std::size_t at_once = 512;
   std::uint64_t number = 0;
-  for (std::vector<Lines::Line> chunk = lines.next(at_once); !chunk.empty(); chunk = lines.next(at_once))
-    for (const Lines::Line &line : chunk) {
-      const std::string where = shown_name(file) + ":" + std::to_string(++number);
+  for (std::vector<FileLines::Line> chunk = lines.next(at_once); !chunk.empty(); chunk = lines.next(at_once))
+    for (const FileLines::Line &line : chunk) {
+      const std::string where = line_name(file, ++number);
       if (!line)
-        throw InputError(printable(where) + ": the line has more than 64 MiB: is it the right file?");
+        throw file_error(where, FileLines::too_long("the line") + ": is it the right file?");
       if (line->find_first_not_of(" \t\r") == std::string::npos)
         continue;
       const Gradation g = read_json_gradation(*line, where, std::to_string(number));
-      try {
+      in_file(where, [&] {
         if (survey.rows.size() % subset_step == 0)
           survey.runs.push_back(convergence(g));
         survey.rows.push_back(mdm::survey(g));
-      } catch (const InputError &e) {
-        throw InputError(printable(where) + ": " + e.what());
-      }
+      });
       ++count;
     }
   if (survey.rows.empty())
-    throw InputError(printable(shown_name(file)) +
-                     ": there is no gradation: give JSON Lines, one gradation a line");
+    throw file_error(file, "there is no gradation: give JSON Lines, one gradation a line");
   return survey;
 }
 
@@ -112,7 +110,7 @@ int run_figures(const StudyCommand &c) {
     std::vector<StudyFile> drawn =
         pictures({paper_figure1(survey.rows), paper_figure2(survey.runs), paper_figure3(survey.rows),
                   paper_figure4(survey.rows), paper_figure5(survey.rows)},
-                 1, *c.plots, c.quiet);
+                 1, *c.plots, c.output.quiet);
     std::move(drawn.begin(), drawn.end(), std::back_inserter(files));
   }
   write_all(*c.out, files);
@@ -140,7 +138,8 @@ int run_size_models(const StudyCommand &c) {
     throw InputError("--out is missing: name the folder for the files");
   static const Integer most_drawn = 50000;
   std::atomic<std::uint64_t> count = 0;
-  const Progress progress([&count] { return fmt::format("{} curves and sets", count.load()); }, c.quiet);
+  const Progress progress([&count] { return fmt::format("{} curves and sets", count.load()); },
+                          c.output.quiet);
   const auto sets = [&](const std::vector<SetQuestion> &questions) {
     return answers(
         questions, [](const SetQuestion &q) { return set_row(q, most_drawn); }, count);
@@ -158,12 +157,13 @@ int run_size_models(const StudyCommand &c) {
       {"figure6.csv", table_csv(class_sizes)},  {"figure7.csv", table_csv(totals)},
       {"figure8.csv", table_csv(maps)},         {"figure8-spans.csv", table_csv(spans)}};
   if (c.plots) {
-    files.push_back(std::move(pictures({distribution_figure(densities)}, 1, *c.plots, c.quiet).front()));
+    files.push_back(
+        std::move(pictures({distribution_figure(densities)}, 1, *c.plots, c.output.quiet).front()));
     std::vector<StudyFile> drawn =
         pictures({passing_figure(curves), coefficient_figure(coefficients),
                   set_figure(classes, Criterion::classes), set_figure(class_sizes, Criterion::min_per_class),
                   set_figure(totals, Criterion::at_least), accessible_figure(maps, spans)},
-                 3, *c.plots, c.quiet);
+                 3, *c.plots, c.output.quiet);
     std::move(drawn.begin(), drawn.end(), std::back_inserter(files));
   }
   write_all(*c.out, files);
@@ -179,10 +179,10 @@ int run_specimens(const StudyCommand &c) {
   const std::string &file = c.files[0];
   const Gradation g = read_gradation(read_file(file, max_gradation_bytes), shown_name(file));
   if (g.unit() != SizeUnit::mm)
-    throw InputError(printable(shown_name(file)) + ": the specimens are in mm: give the gradation in mm");
+    throw file_error(file, "the specimens are in mm: give the gradation in mm");
   const std::vector<Specimen> specimens =
       read_specimens(read_file(c.files[1], max_gradation_bytes), shown_name(c.files[1]));
-  const Progress progress([] { return std::string("solving"); }, c.quiet);
+  const Progress progress([] { return std::string("solving"); }, c.output.quiet);
   if (!c.out) {
     Output out("-");
     out.write(specimens_text(g, specimens));
@@ -218,7 +218,7 @@ Run add_study(CLI::App &app) {
       ->type_name("DIR");
   command.add_option("--plots", c->plots, "draw the figures as well, as svg, png or pdf (needs gnuplot)")
       ->check(CLI::IsMember({"svg", "png", "pdf"}));
-  command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
+  c->output.add_quiet(command, "no progress and no notes on standard error");
   command.footer("Example: mdm study figures suite.jsonl --out study --plots svg\n"
                  "         mdm study --paper voivret --out models --plots svg");
   return [c] {

@@ -1,13 +1,16 @@
-#include "../gradation/text.hpp"
-#include "commands.hpp"
-#include "files.hpp"
-#include "option_values.hpp"
-#include "picture.hpp"
-#include "progress.hpp"
-#include "solve_flags.hpp"
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/option_values.hpp"
+#include "cli/output_flags.hpp"
+#include "cli/picture.hpp"
+#include "cli/progress.hpp"
+#include "cli/solve_flags.hpp"
+#include "plot/tradeoff_figure.hpp"
+#include "report/tradeoff_report.hpp"
+#include "text/lines.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
-#include <mdm/study/tradeoff_report.hpp>
+#include <mdm/text/error.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -23,9 +26,7 @@ struct TradeoffCommand {
   std::string tolerances = "0,0.1,0.2,0.5,1,2,5";
   Text min_per_class, max_steps, node_limit, time_limit;
   Text specimen_id, plot;
-  std::string format = "text";
-  std::string out = "-";
-  bool quiet = false;
+  OutputFlags output;
 };
 
 /// `0,0.5,1` with or without percent signs.
@@ -65,11 +66,8 @@ Question question(const TradeoffCommand &c) {
 }
 
 std::string report(const TradeoffCommand &c, const Tradeoff &t) {
-  if (c.format == "json")
-    return tradeoff_json(t) + "\n";
-  if (c.format == "csv")
-    return tradeoff_csv(t);
-  return tradeoff_text(t);
+  return c.output.report([&] { return tradeoff_text(t); }, [&] { return tradeoff_json(t); },
+                         [&] { return tradeoff_csv(t); });
 }
 
 bool is_complete(const std::vector<TradeoffRow> &rows) {
@@ -79,29 +77,27 @@ bool is_complete(const std::vector<TradeoffRow> &rows) {
 int run(const TradeoffCommand &c) {
   if (c.plot == "-")
     throw InputError("--plot needs a file: standard output has the tables");
-  check_distinct({c.file, c.out, c.plot.value_or("-")});
+  check_distinct({c.file, c.output.path(), c.plot.value_or("-")});
   const std::optional<Picture> picture = c.plot ? picture_at(*c.plot) : std::nullopt;
   if (c.plot && !picture)
     throw InputError("--plot: " + printable(*c.plot) + ": let OUT end in .svg, .png or .pdf");
   const TradeoffOptions o = options(c);
   const Question q = question(c);
-  const std::string file = shown_name(c.file);
-  const Gradation g = read_gradation(read_file(c.file, max_gradation_bytes), file, c.specimen_id);
-  Output out(c.out);
-  Progress progress([] { return std::string("solving"); }, c.quiet);
-  const Tradeoff t = named(printable(file), "", [&](const std::string &) { return tradeoff(g, q, o); });
+  const Gradation g =
+      read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.specimen_id);
+  Output out(c.output.path());
+  Progress progress([] { return std::string("solving"); }, c.output.quiet);
+  const Tradeoff t = in_file(c.file, [&] { return tradeoff(g, q, o); });
   std::unique_ptr<Output> plot;
   if (picture) {
     plot = std::make_unique<Output>(*c.plot);
     const Figure figure = tradeoff_figure(t);
     plot->write(run_gnuplot(gnuplot_script(figure, *picture)));
-    if (!c.quiet)
+    if (!c.output.quiet)
       tell_escapes(figure);
   }
   out.write(report(c, t));
-  if (c.format == "csv" && !c.quiet)
-    for (const std::string &note : t.gradation.notes())
-      tell("note: " + note + "\n");
+  c.output.tell_notes_beside_csv(t.gradation.notes());
   if (plot)
     plot->commit();
   out.commit();
@@ -127,7 +123,8 @@ Run add_tradeoff(CLI::App &app) {
   command.add_option("--min-per-class", c->min_per_class, "at least R particles in every class with mass")
       ->type_name("R");
   c->flags.add_to(command);
-  command.add_option("--max-steps", c->max_steps, "stop an exact match after so many steps (exit 3)")
+  command
+      .add_option("--max-steps", c->max_steps, "stop an exact match after so many steps (67108864; exit 3)")
       ->type_name("N");
   command
       .add_option("--node-limit", c->node_limit,
@@ -137,12 +134,10 @@ Run add_tradeoff(CLI::App &app) {
       ->type_name("S");
   command.add_option("--plot", c->plot, "draw both into OUT.svg, .png or .pdf (needs gnuplot)")
       ->type_name("OUT");
-  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
-      ->type_name("ID");
-  command.add_option("--format", c->format, "text, json or csv")
-      ->check(CLI::IsMember({"text", "json", "csv"}));
-  command.add_option("-o", c->out, "write the tables to OUT instead of standard output")->type_name("OUT");
-  command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
+  add_specimen_id(command, c->specimen_id);
+  c->output.add_format(command);
+  c->output.add_out(command, "write the tables");
+  c->output.add_quiet(command, "no progress and no notes on standard error");
   command.footer("Example: mdm tradeoff sand.csv --kind passing --tolerances 0,0.5,1,2 --plot sand.svg");
   return [c] { return run(*c); };
 }

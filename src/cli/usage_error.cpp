@@ -1,9 +1,10 @@
-#include "usage_error.hpp"
+#include "cli/usage_error.hpp"
 
-#include "../gradation/message.hpp"
+#include "text/short_list.hpp"
 
-#include <mdm/error.hpp>
+#include <mdm/text/error.hpp>
 
+#include <cassert>
 #include <string_view>
 
 namespace mdm::cli {
@@ -16,6 +17,7 @@ std::string quoted_between(const std::string &text, std::string_view before, std
   const std::size_t option_end = text.find(before);
   const std::size_t begin = option_end + before.size();
   const std::size_t end = text.rfind(after);
+  assert(option_end != std::string::npos && end != std::string::npos);
   return text.substr(0, option_end) + ": " + in_quotes(text.substr(begin, end - begin)) + std::string(words) +
          text.substr(end + after.size());
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What is wrong with a command line.
+/// The mistake in a command line.
 
 #include <CLI/CLI.hpp>
 

@@ -1,14 +1,17 @@
-#include "commands.hpp"
-#include "files.hpp"
-#include "option_values.hpp"
-#include "progress.hpp"
-#include "solve_flags.hpp"
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/option_values.hpp"
+#include "cli/output_flags.hpp"
+#include "cli/progress.hpp"
+#include "cli/solve_flags.hpp"
+#include "cli/verify_packing.hpp"
+#include "report/verification.hpp"
 
+#include <mdm/answer/answer_sample.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/number/decimal.hpp>
-#include <mdm/particles/answer_sample.hpp>
 #include <mdm/particles/particle_reader.hpp>
-#include <mdm/report/verification.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -24,22 +27,10 @@ struct VerifyCommand {
   GradationFlags::Text from, size_unit, timestep, snap, tolerance, digits, specimen_id;
   bool radius = false;
   bool diameter = false;
-  std::string format = "text";
-  std::string out = "-";
-  bool quiet = false;
+  OutputFlags output;
 };
 
 constexpr std::size_t lines_at_once = 4096;
-
-/// Calls action() and names the file in what it throws.
-template <class Action>
-auto in_file(const std::string &path, Action action) {
-  try {
-    return action();
-  } catch (const InputError &e) {
-    throw InputError(printable(shown_name(path)) + ": " + e.what());
-  }
-}
 
 /// `1%` or `1`: percentage points, as a part of 1.
 Rational tolerance_of(const VerifyCommand &c) {
@@ -79,7 +70,7 @@ public:
   explicit Tally(Description empty) : empty_(std::move(empty)), description_(empty_) {}
 
   void restart() override { description_ = empty_; }
-  void add(const Rational &diameter, const Integer &quantity) override {
+  void add(const RootSize &diameter, const Integer &quantity) override {
     description_.add(diameter, quantity);
     ++added_;
   }
@@ -92,10 +83,10 @@ private:
   std::atomic<std::uint64_t> added_ = 0;
 };
 
-/// Of particles that are all outside, or all in the pan: a unit in which they would not be.
+/// A unit in which particles that are all outside, or all in the pan, would not be.
 std::optional<std::string> unit_note(const Description &d, LengthUnit unit) {
   const Gradation &g = d.gradation();
-  const std::size_t finest = g.lower(0) == 0 ? 1 : 0; // a class or an opening
+  const std::size_t finest = g.has_pan() ? 1 : 0; // a class or an opening
   for (std::size_t j = finest; j < g.classes(); ++j)
     if (d.of_class(j).count > 0)
       return std::nullopt;
@@ -103,8 +94,9 @@ std::optional<std::string> unit_note(const Description &d, LengthUnit unit) {
                                          : d.below().first ? d.below().first
                                                            : d.of_class(0).first;
   for (const LengthUnit other : {LengthUnit::mm, LengthUnit::um, LengthUnit::m, LengthUnit::in}) {
-    const Rational x = first->power * in_mm(other) / in_mm(unit);
-    if (other != unit && x > g.lower(finest) && x <= g.upper(g.classes() - 1))
+    const Rational factor = in_mm(other) / in_mm(unit);
+    const RootSize x{first->power * power(factor, first->degree), first->degree};
+    if (other != unit && compare(x, g.opening(finest)) > 0 && compare(x, g.opening(g.classes())) <= 0)
       return fmt::format("The sizes were read in {}, and no particle lies in a class (the pan's aside); with "
                          "--size-unit {} the first would.",
                          name(unit), name(other));
@@ -112,24 +104,25 @@ std::optional<std::string> unit_note(const Description &d, LengthUnit unit) {
   return std::nullopt;
 }
 
-/// What was read of a sample.
+/// The particles that were read of a sample.
 struct Found {
   Description description;
   std::vector<std::string> objections, notes;
 };
 
 [[noreturn]] void refuse_long(const std::string &where, const char *what) {
-  throw InputError(where + ": " + what +
-                   " has more than 64 MiB, which is not read: of a spread so large (1.5 million particles) "
-                   "verify what mdm export --spread --to csv writes, with the options and --seed of solve");
+  throw file_error(
+      where, FileLines::too_long(what) +
+                 ", which is not read: of a spread so large (1.5 million particles) "
+                 "verify what mdm export --spread --to csv writes, with the options and --seed of solve");
 }
 
 /// All lines of a file of which the first were taken already.
-std::string whole_text(const std::vector<Lines::Line> &first, Lines &rest, const std::string &file) {
+std::string whole_text(const std::vector<FileLines::Line> &first, FileLines &rest, const std::string &file) {
   std::string text;
-  for (std::vector<Lines::Line> lines = first; !lines.empty(); lines = rest.next(lines_at_once))
-    for (const Lines::Line &line : lines) {
-      if (!line || text.size() + line->size() > Lines::longest_line)
+  for (std::vector<FileLines::Line> lines = first; !lines.empty(); lines = rest.next(lines_at_once))
+    for (const FileLines::Line &line : lines) {
+      if (!line || text.size() + line->size() > FileLines::longest_line)
         refuse_long(file, "the answer");
       text += (text.empty() ? "" : "\n") + *line;
     }
@@ -151,8 +144,8 @@ Found read_answer_sample(const VerifyCommand &c, const std::string &content, Gra
 }
 
 /// True if a file that begins with these lines is a JSON object.
-bool begins_json(const std::vector<Lines::Line> &lines) {
-  for (const Lines::Line &line : lines) {
+bool begins_json(const std::vector<FileLines::Line> &lines) {
+  for (const FileLines::Line &line : lines) {
     if (!line)
       return false;
     const std::size_t first = line->find_first_not_of(" \t\r\xEF\xBB\xBF");
@@ -165,21 +158,20 @@ bool begins_json(const std::vector<Lines::Line> &lines) {
 Found read_sample(const VerifyCommand &c, const Gradation &g, const Question &question,
                   const Rational &snap) {
   const ParticleOptions options = particle_options(c, g.unit());
-  Tally tally(Description(g, {question.law, snap, 1}));
-  Lines lines(c.sample);
-  std::vector<Lines::Line> chunk = lines.next(lines_at_once);
+  Tally tally(Description(g, {question.law, snap, 1, 1}));
+  FileLines lines(c.sample);
+  std::vector<FileLines::Line> chunk = lines.next(lines_at_once);
   if (options.format ? options.format == ParticleFormat::answer : begins_json(chunk))
-    return read_answer_sample(c, whole_text(chunk, lines, printable(shown_name(c.sample))), g, question,
-                              snap);
+    return read_answer_sample(c, whole_text(chunk, lines, c.sample), g, question, snap);
 
-  Progress progress([&tally] { return fmt::format("{} sizes read", tally.added()); }, c.quiet);
+  Progress progress([&tally] { return fmt::format("{} sizes read", tally.added()); }, c.output.quiet);
   ParticleReader reader(shown_name(c.sample), tally, options);
   std::uint64_t number = 0;
   for (; !chunk.empty(); chunk = lines.next(lines_at_once))
-    for (const Lines::Line &line : chunk) {
+    for (const FileLines::Line &line : chunk) {
       ++number;
       if (!line)
-        refuse_long(fmt::format("{}:{}", printable(shown_name(c.sample)), number), "the line");
+        refuse_long(line_name(c.sample, number), "the line");
       reader.line(*line);
     }
   reader.end();
@@ -223,14 +215,19 @@ int exit_code(Verdict verdict) {
 int run(const VerifyCommand &c) {
   if (c.gradation == "-" && c.sample == "-")
     throw InputError("GRADATION and SAMPLE cannot both be standard input: give one of them as a file");
-  check_distinct({c.gradation, c.out});
-  check_distinct({c.sample, c.out});
+  check_distinct({c.gradation, c.output.path()});
+  check_distinct({c.sample, c.output.path()});
+  if (c.gradation != "-" && is_file_of_disc_sizes(c.gradation)) {
+    if (c.output.format != "text")
+      throw InputError("--format: packings are judged in text; mdm pack --format writes their reports");
+    return verify_packing(c.gradation, c.sample, c.output.path());
+  }
   const Question question = c.flags.question();
   const Rational tolerance = tolerance_of(c);
   const Rational snap = c.snap ? not_negative("--snap", *c.snap) : Rational(0);
   const unsigned digits = c.digits ? digits_of("--digits", *c.digits) : 6;
   const Target target = read_target(c, question);
-  Output out(c.out);
+  Output out(c.output.path());
 
   Found found = read_sample(c, target.gradation, question, snap);
   Verification v(std::move(found.description), question, tolerance);
@@ -241,16 +238,12 @@ int run(const VerifyCommand &c) {
   v.notes = target.gradation.notes();
   v.notes.insert(v.notes.end(), found.notes.begin(), found.notes.end());
 
-  if (c.format == "json")
-    out.write(verification_json(v) + "\n");
-  else
-    out.write(c.format == "csv" ? verification_csv(v) : verification_text(v));
+  out.write(c.output.report([&] { return verification_text(v); }, [&] { return verification_json(v); },
+                            [&] { return verification_csv(v); }));
   // CSV has no place for a verdict.
-  if (c.format == "csv" && v.verdict() != Verdict::match)
+  if (c.output.is_csv() && v.verdict() != Verdict::match)
     tell(printable(v.sample) + ": " + headline(v) + "\n");
-  if (c.format == "csv" && !c.quiet)
-    for (const std::string &note : v.notes)
-      tell("note: " + note + "\n");
+  c.output.tell_notes_beside_csv(v.notes);
   out.commit();
   return exit_code(v.verdict());
 }
@@ -260,7 +253,11 @@ int run(const VerifyCommand &c) {
 Run add_verify(CLI::App &app) {
   const auto c = std::make_shared<VerifyCommand>();
   CLI::App &command = *app.add_subcommand("verify", "Whether a sample of particles matches a gradation");
-  command.add_option("GRADATION", c->gradation, "gradation: CSV, JSON or AGS4; - for standard input")
+  command
+      .add_option("GRADATION", c->gradation,
+                  "gradation: CSV, JSON or AGS4; - for standard input; or sizes of discs that mdm generate "
+                  "--sizes wrote, "
+                  "of which SAMPLE is a packing that mdm pack wrote")
       ->required();
   command.add_option("SAMPLE", c->sample, "particles, in one of the formats of --from; - for standard input")
       ->required();
@@ -292,13 +289,11 @@ Run add_verify(CLI::App &app) {
                   "double: 1e-12")
       ->type_name("EPS");
   c->flags.add_to(command);
-  command.add_option("--specimen-id", c->specimen_id, "the specimen of an AGS4 file with several")
-      ->type_name("ID");
+  add_specimen_id(command, c->specimen_id);
   command.add_option("--digits", c->digits, "significant digits of percents (6)")->type_name("D");
-  command.add_option("--format", c->format, "text, json or csv")
-      ->check(CLI::IsMember({"text", "json", "csv"}));
-  command.add_option("-o", c->out, "write the report to OUT instead of standard output")->type_name("OUT");
-  command.add_flag("--quiet", c->quiet, "no progress and no notes on standard error");
+  c->output.add_format(command);
+  c->output.add_out(command, "write the report");
+  c->output.add_quiet(command, "no progress and no notes on standard error");
   command.footer(
       "Example: mdm verify sand.csv packing.txt --from xyzr --size-unit m --tolerance 1%\n"
       "Errors are target minus found (Arnold, Eq. 13), of shares of the mass; error_as_given, in JSON, of "

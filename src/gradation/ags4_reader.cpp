@@ -1,10 +1,12 @@
-#include "ags4_reader.hpp"
+#include "gradation/ags4_reader.hpp"
 
-#include "table.hpp"
-#include "text.hpp"
+#include "gradation/table.hpp"
+#include "text/lines.hpp"
+#include "text/short_list.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 

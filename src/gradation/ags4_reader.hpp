@@ -2,7 +2,7 @@
 /// \file
 /// Gradations in AGS4, the ground investigation data format of the UK and New Zealand (group GRAT).
 
-#include "message.hpp"
+#include "text/source.hpp"
 
 #include <mdm/gradation/gradation.hpp>
 

@@ -1,9 +1,12 @@
-#include "csv_reader.hpp"
+#include "gradation/csv_reader.hpp"
 
-#include "csv_rows.hpp"
-#include "table.hpp"
+#include "gradation/csv_rows.hpp"
+#include "gradation/phi.hpp"
+#include "gradation/shown.hpp"
+#include "gradation/table.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -14,6 +17,9 @@ namespace {
 
 constexpr std::string_view tolerance_column = "tolerance_percent";
 constexpr std::string_view factor_column = "factor";
+
+/// The most bits of all openings of a file of phi: it bounds the memory.
+constexpr std::uint64_t max_phi_bits = std::uint64_t{1} << 31;
 
 /// The column of that name, or nothing.
 const MassColumn *find_mass_column(std::string_view name) {
@@ -31,8 +37,8 @@ std::string mass_column_names() {
 
 class CsvReader {
 public:
-  CsvReader(std::string_view content, const Source &source, const std::string &id)
-      : rows_(content, source), source_(source) {
+  CsvReader(std::string_view content, const Source &source, const std::string &id, PhiReading phi)
+      : rows_(content, source), source_(source), phi_reading_(phi) {
     table_.id = id;
   }
 
@@ -41,6 +47,8 @@ public:
     read_header();
     while (rows_.next())
       read_row();
+    if (!phi_.empty())
+      set_phi_sizes();
     table_.unit = rows_.unit();
     table_.notes = rows_.notes();
     return to_gradation(std::move(table_), source_);
@@ -79,7 +87,7 @@ private:
     if (table_.lines.size() == max_gradation_rows)
       rows_.refuse(fmt::format("there are more than {} rows: give fewer sieves", max_gradation_rows));
     table_.lines.push_back(rows_.line());
-    table_.sizes.push_back(rows_.size());
+    read_size();
     table_.values.push_back(rows_.number(table_.column->name, 1));
     if (table_.column->form != MassForm::retained)
       table_.roundings.push_back(rows_.last_digit(1) * 50 / table_.column->full);
@@ -89,8 +97,41 @@ private:
       table_.factors.push_back(rows_.number(factor_column, factor_));
   }
 
+  void read_size() {
+    if (!rows_.is_phi() || phi_reading_ == PhiReading::rounded) {
+      table_.sizes.push_back(rows_.size());
+      return;
+    }
+    phi_.push_back(rows_.phi());
+    if (!phi_.back())
+      return;
+    const Integer root = lcm(Integer(table_.root), Integer(denominator(*phi_.back())));
+    if (root > max_root)
+      rows_.refuse(
+          fmt::format("size_phi {}: the openings 2^-phi mm are exact only up to roots of degree {}, and "
+                      "here that is {}: {}",
+                      in_quotes(rows_.fields()[0]), max_root, shown(Rational(root)), convert_remedy));
+    table_.root = static_cast<unsigned>(root);
+  }
+
+  /// The sizes, to the power of the root, which only the last row settles.
+  void set_phi_sizes() {
+    Rational bits = 0;
+    for (const std::optional<Rational> &phi : phi_)
+      bits += phi ? Rational(abs(*phi) * table_.root) : Rational(0);
+    if (bits > max_phi_bits)
+      source_.refuse(table_.header_line,
+                     fmt::format("the openings 2^-phi mm take {} bits as roots of fractions, "
+                                 "more than {}: {}",
+                                 shown(bits), max_phi_bits, convert_remedy));
+    for (const std::optional<Rational> &phi : phi_)
+      table_.sizes.push_back(phi ? phi_power(*phi, table_.root) : Rational(0));
+  }
+
   CsvRows rows_;
   const Source &source_;
+  PhiReading phi_reading_;
+  std::vector<std::optional<Rational>> phi_; ///< of exact phi sizes; nothing for the pan
   Table table_;
   std::size_t tolerance_ = 0; ///< index of the column, 0 if there is none
   std::size_t factor_ = 0;    ///< index of the column, 0 if there is none
@@ -98,8 +139,8 @@ private:
 
 } // namespace
 
-Gradation read_csv(std::string_view content, const Source &source, const std::string &id) {
-  return CsvReader(content, source, id).read();
+Gradation read_csv(std::string_view content, const Source &source, const std::string &id, PhiReading phi) {
+  return CsvReader(content, source, id, phi).read();
 }
 
 } // namespace mdm

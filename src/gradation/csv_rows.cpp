@@ -1,13 +1,17 @@
-#include "csv_rows.hpp"
+#include "gradation/csv_rows.hpp"
 
-#include <mdm/gradation/phi.hpp>
-#include <mdm/gradation/sieve_name.hpp>
+#include "gradation/phi.hpp"
+#include "gradation/sieve_name.hpp"
+#include "text/lines.hpp"
+
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace mdm {
 namespace {
@@ -26,7 +30,7 @@ std::string size_column_names() {
   return text;
 }
 
-/// What else may be wrong with a header whose first column is unknown.
+/// Further mistakes that a header with an unknown first column may have.
 std::string header_hint(std::string_view first, std::string_view example) {
   if (first.find('\t') != std::string_view::npos)
     return " (put commas, not tabs, between the fields)";
@@ -43,7 +47,7 @@ std::string counted(std::size_t fields) {
   return std::to_string(fields) + (fields == 1 ? " field" : " fields");
 }
 
-/// Of the names of sieves, only metric openings are numbers, and only their units end so.
+/// Among the names of sieves only metric openings are numbers, and only their units end so.
 bool is_metric(std::string_view sieve) {
   return lower(sieve.back()) == 'm';
 }
@@ -112,6 +116,19 @@ bool CsvRows::is_sieve_row(std::string_view line) {
 
 Rational CsvRows::size() {
   return named(size_column_->name, &CsvRows::parse_size, 0);
+}
+
+std::optional<Rational> CsvRows::phi() {
+  assert(is_phi());
+  if (is_pan(fields_[0]))
+    return std::nullopt;
+  return named(size_column_->name, &CsvRows::parse_phi, 0);
+}
+
+Rational CsvRows::parse_phi(std::string_view field) {
+  const Rational phi = decimal(field);
+  check_phi(phi);
+  return phi;
 }
 
 Rational CsvRows::number(std::string_view column, std::size_t field) {

@@ -2,8 +2,9 @@
 /// \file
 /// The rows of a CSV file whose first column holds sizes.
 
-#include "message.hpp"
-#include "text.hpp"
+#include "text/lines.hpp"
+#include "text/short_list.hpp"
+#include "text/source.hpp"
 
 #include <mdm/gradation/size_unit.hpp>
 
@@ -19,7 +20,7 @@ struct SizeColumn {
 /// The column of that name, or null.
 const SizeColumn *find_size_column(std::string_view name);
 
-/// What is wrong with the name of a first column that is no size column; `example` is a header.
+/// The mistake in the name of a first column that is no size column; `example` is a header.
 std::string unknown_size_column(std::string_view name, std::string_view example);
 
 /// True for `#200`, `# 3-1/2`: the field of a sieve where a line could be a comment.
@@ -43,15 +44,19 @@ public:
   std::size_t line() const { return lines_.number(); }
   [[noreturn]] void refuse(const std::string &what) const { source_.refuse(lines_.number(), what); }
 
-  /// The size in the row's first field, in unit().
+  /// The size in the row's first field, in unit(); phi that is no whole number is rounded, which notes()
+  /// says.
   Rational size();
+  bool is_phi() const { return size_column_->kind == SizeKind::phi; }
+  /// The phi in the row's first field, |phi| <= 1000; nothing for the pan. \pre is_phi()
+  std::optional<Rational> phi();
   /// The number in another field; the name of its column is for the message.
   Rational number(std::string_view column, std::size_t field);
   /// One unit of the last digit of a number.
   Rational last_digit(std::size_t field);
 
   SizeUnit unit() const;
-  /// What was assumed about sizes.
+  /// The assumptions made about sizes.
   std::vector<std::string> notes() const;
 
 private:
@@ -59,6 +64,7 @@ private:
   bool is_sieve_row(std::string_view line);
   Rational named(std::string_view column, Rational (CsvRows::*parse)(std::string_view), std::size_t field);
   Rational parse_size(std::string_view field);
+  Rational parse_phi(std::string_view field);
   Rational decimal(std::string_view field);
   char decimal_sign(std::string_view number);
 

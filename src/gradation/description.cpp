@@ -1,20 +1,28 @@
-#include "message.hpp"
+#include "gradation/shown.hpp"
 
 #include <mdm/gradation/description.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cassert>
+#include <numeric>
 
 namespace mdm {
 namespace {
 
 /// Binary places of an irrational mass.
 constexpr unsigned root_bits = 4096;
+/// Units of masses that are told apart; each costs a root of every mass that is irrational.
+constexpr std::size_t most_units = 8;
 
-/// Sign of x - y for the x > 0 with x^degree = power.
-int compare(const Rational &power, unsigned degree, const Rational &y) {
-  return degree == 1 ? power.compare(y) : power.compare(mdm::power(y, degree));
+/// x / y.
+RootSize quotient(const RootSize &x, const RootSize &y) {
+  if (y.power == 1)
+    return x;
+  const unsigned degree = std::lcm(x.degree, y.degree);
+  return {power(x.power, degree / x.degree) / power(y.power, degree / y.degree), degree};
 }
 
 Rational sum_of(const std::vector<Rational> &numbers) {
@@ -26,25 +34,22 @@ Rational sum_of(const std::vector<Rational> &numbers) {
 
 } // namespace
 
-bool RootSize::is(const Rational &other, unsigned of_degree) const {
-  if (degree == of_degree)
-    return power == other;
-  return mdm::power(power, of_degree) == mdm::power(other, degree);
-}
-
 Description::Description(Gradation g, DescriptionOptions options)
     : g_(std::move(g)), options_(std::move(options)), classes_(g_.classes()) {
   if (options_.snap < 0)
     throw InputError("a negative snap has no meaning: leave it out, or give one above 0");
   const Rational hair = ratio(1, power_of_ten(12));
-  for (const Rational &x : g_.sizes()) {
-    lowest_.push_back(x * (1 - options_.snap));
-    highest_.push_back(x * (1 + options_.snap));
-    hair_beyond_.push_back(x * (1 + hair));
+  const unsigned d = g_.root();
+  const Rational below = options_.snap < 1 ? power(Rational(1 - options_.snap), d) : Rational(0);
+  const Rational above = power(Rational(1 + options_.snap), d), beyond = power(Rational(1 + hair), d);
+  for (const Rational &x : g_.powers()) {
+    lowest_.push_back({x * below, d});
+    highest_.push_back({x * above, d});
+    hair_beyond_.push_back({x * beyond, d});
     const std::size_t j = highest_.size() - 1;
-    if (j > 0 && highest_[j - 1] >= lowest_[j])
+    if (j > 0 && compare(highest_[j - 1], lowest_[j]) >= 0)
       throw InputError(fmt::format("a snap of {} makes one of the openings {} and {}: give a smaller one",
-                                   shown(options_.snap), shown(g_.sizes()[j - 1]), shown(x)));
+                                   shown(options_.snap), shown(g_.opening(j - 1)), shown(g_.opening(j))));
   }
 }
 
@@ -64,59 +69,110 @@ void Description::note(Outside &side, const RootSize &size, const Integer &quant
     side.first = size;
 }
 
-void Description::place(const Rational &power, unsigned degree, const Integer &quantity) {
-  const auto found =
-      std::partition_point(highest_.begin(), highest_.end(), [&power, degree](const Rational &highest) {
-        return compare(power, degree, highest) > 0;
-      });
+void Description::add(const RootSize &size, const Integer &quantity) {
+  assert(size.power > 0 && quantity >= 1);
+  const auto found = std::partition_point(highest_.begin(), highest_.end(), [&size](const RootSize &highest) {
+    return compare(size, highest) > 0;
+  });
   const auto i = static_cast<std::size_t>(found - highest_.begin());
-  if (i > 0 && compare(power, degree, hair_beyond_[i - 1]) <= 0)
+  if (i > 0 && compare(size, hair_beyond_[i - 1]) <= 0)
     hair_above_ += quantity;
   if (found == highest_.end()) {
-    note(above_, {power, degree}, quantity);
+    note(above_, size, quantity);
     return;
   }
-  const Rational &opening = g_.sizes()[i];
-  const bool snaps =
-      options_.snap > 0 && compare(power, degree, lowest_[i]) >= 0 && compare(power, degree, opening) != 0;
+  const RootSize opening = g_.opening(i);
+  const bool snaps = options_.snap > 0 && compare(size, lowest_[i]) >= 0 && compare(size, opening) != 0;
   if (snaps)
     snapped_ += quantity;
   if (i == 0)
-    note(below_, {power, degree}, quantity);
+    note(below_, size, quantity);
   else
-    classes_[i - 1].add(snaps ? opening : power, snaps ? 1 : degree, quantity, options_);
+    weigh(classes_[i - 1], snaps ? opening : size, quantity);
 }
 
-void Description::Tally::add(const Rational &power, unsigned degree, const Integer &quantity,
-                             const DescriptionOptions &options) {
-  seen.count += quantity;
-  if (!seen.first)
-    seen.first = RootSize{power, degree};
-  else if (!seen.second && !seen.first->is(power, degree))
-    seen.second = RootSize{power, degree};
+void Description::weigh(Tally &tally, const RootSize &size, const Integer &quantity) {
+  tally.seen.count += quantity;
+  if (!tally.seen.first)
+    tally.seen.first = size;
+  else if (!tally.seen.second && compare(*tally.seen.first, size) != 0)
+    tally.seen.second = size;
 
-  const auto [a, b] = options.law;
-  const unsigned exponent = degree == 1 ? a : 1;
-  if (b == 1 && options.mass_unit == 1) {
-    mass.add(mdm::power(Integer(numerator(power)), exponent) * quantity,
-             mdm::power(Integer(denominator(power)), exponent));
+  // x^D = power and common = gcd(a, D): f(x)^(b D / common) = power^(a / common).
+  const auto [a, b] = options_.law;
+  const unsigned common = std::gcd(a, size.degree);
+  const unsigned exponent = a / common;
+  const unsigned degree = b * (size.degree / common);
+  if (degree == 1 && options_.mass_unit == 1) {
+    tally.multiples[0].add(power(Integer(numerator(size.power)), exponent) * quantity,
+                           power(Integer(denominator(size.power)), exponent));
     return;
   }
-  const Rational powered = mdm::power(power, exponent) / options.mass_unit; // (f(x) / u)^b
-  if (const std::optional<Rational> exact = exact_root(powered, b)) {
-    mass.add(numerator(*exact) * quantity, denominator(*exact));
+  const RootSize weight =
+      quotient({power(size.power, exponent), degree}, {options_.mass_unit, options_.unit_power});
+  for (std::size_t i = 0; i < units_.size(); ++i) {
+    const RootSize multiple = quotient(weight, units_[i]);
+    if (const std::optional<Rational> exact = exact_root(multiple.power, multiple.degree)) {
+      tally.multiples.resize(std::max(tally.multiples.size(), i + 1));
+      tally.multiples[i].add(numerator(*exact) * quantity, denominator(*exact));
+      return;
+    }
+  }
+  if (units_.size() < most_units) {
+    units_.push_back(weight);
+    tally.multiples.resize(units_.size());
+    tally.multiples.back().add(quantity, 1);
     return;
   }
-  roots += floor_root(floor_div(numerator(powered) << (root_bits * b), denominator(powered)), b) * quantity;
-  rooted_count += quantity;
+  const Integer scaled =
+      floor_div(numerator(weight.power) << (root_bits * weight.degree), denominator(weight.power));
+  tally.roots += floor_root(scaled, weight.degree) * quantity;
+  tally.rooted_count += quantity;
 }
 
-Interval Description::Tally::total() const {
-  const Rational fraction = mass.value();
-  if (rooted_count == 0)
-    return fraction;
+Interval Description::mass(const Tally &tally) const {
+  Interval sum;
+  for (std::size_t i = 0; i < tally.multiples.size(); ++i)
+    sum = sum + root(units_[i].power, units_[i].degree, root_bits) * tally.multiples[i].value();
+  if (tally.rooted_count == 0)
+    return sum;
   const Integer unit = Integer(1) << root_bits;
-  return {fraction + ratio(roots, unit), fraction + ratio(roots + rooted_count, unit)};
+  return sum + Interval(ratio(tally.roots, unit), ratio(tally.roots + tally.rooted_count, unit));
+}
+
+/// The classes' shares of the mass where they are rational and that is known. Roots of which no two are
+/// commensurable are linearly independent over the rationals (Besicovitch 1940, Mordell 1953): a share is
+/// rational iff it is the same of every unit.
+std::vector<std::optional<Rational>> Description::exact_shares() const {
+  std::vector<std::optional<Rational>> shares(classes_.size());
+  const auto has_particles = [](const Tally &t) { return t.seen.count > 0; };
+  if (std::count_if(classes_.begin(), classes_.end(), has_particles) <= 1) {
+    std::transform(classes_.begin(), classes_.end(), shares.begin(),
+                   [&](const Tally &t) { return Rational(has_particles(t) ? 1 : 0); });
+    return shares;
+  }
+  if (std::any_of(classes_.begin(), classes_.end(), [](const Tally &t) { return t.rooted_count > 0; }))
+    return shares;
+  std::vector<std::vector<Rational>> masses; // of each class, in each unit
+  std::vector<Rational> sums(units_.size());
+  for (std::size_t j = 0; j < classes_.size(); ++j) {
+    std::vector<Rational> &mass = masses.emplace_back(units_.size());
+    for (std::size_t i = 0; i < classes_[j].multiples.size(); ++i) {
+      mass[i] = classes_[j].multiples[i].value() * g_.factor(j);
+      sums[i] += mass[i];
+    }
+  }
+  const auto some = static_cast<std::size_t>(
+      std::find_if(sums.begin(), sums.end(), [](const Rational &sum) { return sum != 0; }) - sums.begin());
+  for (std::size_t j = 0; j < masses.size(); ++j) {
+    const Rational share = masses[j][some] / sums[some];
+    bool same = true;
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      same = same && masses[j][i] == share * sums[i];
+    if (same)
+      shares[j] = share;
+  }
+  return shares;
 }
 
 Integer Description::particles() const {
@@ -135,19 +191,20 @@ std::optional<std::size_t> Description::inarticulate_class() const {
 }
 
 MatchError Description::error() const {
-  const Interval unit = root(options_.mass_unit, law().b, root_bits);
+  const Interval unit = root(options_.mass_unit, options_.unit_power, root_bits);
   const Rational target_sum = sum_of(g_.masses());
   std::vector<Interval> masses;
   Interval mass_sum;
   for (std::size_t j = 0; j < classes_.size(); ++j) {
-    masses.push_back(classes_[j].total() * g_.factor(j));
+    masses.push_back(mass(classes_[j]) * g_.factor(j));
     mass_sum = mass_sum + masses.back();
   }
+  const std::vector<std::optional<Rational>> exact = exact_shares();
   MatchError e;
   for (std::size_t j = 0; j < classes_.size(); ++j) {
     e.as_given.push_back(Interval(g_.mass(j)) - masses[j] * unit);
-    e.shares.push_back(mass_sum.hi == 0
-                           ? Interval()
+    e.shares.push_back(exact[j]
+                           ? Interval(*exact[j])
                            : Interval(masses[j].lo / mass_sum.hi,
                                       mass_sum.lo == 0 ? Rational(1) : Rational(masses[j].hi / mass_sum.lo)));
     e.targets.push_back(g_.mass(j) / target_sum);

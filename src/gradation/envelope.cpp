@@ -1,7 +1,11 @@
-#include "csv_rows.hpp"
+#include "gradation/csv_rows.hpp"
+#include "gradation/phi.hpp"
+#include "gradation/shown.hpp"
+#include "text/lines.hpp"
 
 #include <mdm/gradation/envelope.hpp>
 #include <mdm/gradation/read_gradation.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -18,8 +22,19 @@ struct Row {
   std::size_t line;
 };
 
+/// \throws InputError if the size is irrational
+Rational read_size(CsvRows &rows) {
+  const std::optional<Rational> phi = rows.is_phi() ? rows.phi() : std::nullopt;
+  if (phi && denominator(*phi) != 1)
+    rows.refuse(
+        fmt::format("size_phi {} is no whole number, and a band needs sizes that are decimals: give them in "
+                    "mm, here {} rounded to 15 digits (of a gradation {})",
+                    in_quotes(rows.fields()[0]), shown(phi_size(*phi)), convert_remedy));
+  return rows.size();
+}
+
 Row read_row(CsvRows &rows) {
-  Row row{rows.size(), rows.number(min_column, 1), rows.number(max_column, 2), rows.line()};
+  Row row{read_size(rows), rows.number(min_column, 1), rows.number(max_column, 2), rows.line()};
   if (row.size < 0)
     rows.refuse(fmt::format("size {} is negative: give the opening of the sieve", shown(row.size)));
   if (row.least < 0)
@@ -63,7 +78,7 @@ std::optional<std::string> contradiction(const Envelope &e) {
 Envelope read_envelope(std::string_view content, const std::string &file) {
   const Source source(file);
   const std::string_view text = without_byte_order_mark(content);
-  source.check_text(text);
+  source.check_text(text, max_gradation_bytes);
   CsvRows csv(text, source);
   csv.read_header("size_mm,passing_min_percent,passing_max_percent");
   if (csv.fields().size() != 3 || csv.fields()[1] != min_column || csv.fields()[2] != max_column)

@@ -1,6 +1,8 @@
-#include "message.hpp"
+#include "gradation/shown.hpp"
 
 #include <mdm/gradation/gradation.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -9,9 +11,14 @@
 namespace mdm {
 namespace {
 
-/// An opening with its unit.
-std::string opening(const Rational &size, SizeUnit unit) {
+/// A size with its unit.
+std::string with_unit(const Rational &size, SizeUnit unit) {
   return fmt::format("{} {}", shown(size), name(unit));
+}
+
+/// An opening, given to the power of the root, with its unit.
+std::string named(const Gradation::Data &data, const Rational &size) {
+  return fmt::format("{} {}", shown(RootSize{size, data.root}), name(data.unit));
 }
 
 void check_lengths(const Gradation::Data &data) {
@@ -26,10 +33,10 @@ void check_lengths(const Gradation::Data &data) {
 
 void check_sizes(const Gradation::Data &data) {
   if (data.sizes.front().sign() < 0)
-    throw InputError(fmt::format("size {} is negative", opening(data.sizes.front(), data.unit)));
+    throw InputError(fmt::format("size {} is negative", named(data, data.sizes.front())));
   const auto repeated = std::adjacent_find(data.sizes.begin(), data.sizes.end(), std::greater_equal<>());
   if (repeated != data.sizes.end())
-    throw InputError(fmt::format("size {} does not ascend", opening(*std::next(repeated), data.unit)));
+    throw InputError(fmt::format("size {} does not ascend", named(data, *std::next(repeated))));
 }
 
 void check_masses(const Gradation::Data &data) {
@@ -39,7 +46,7 @@ void check_masses(const Gradation::Data &data) {
     throw InputError(fmt::format("mass {} is negative", shown(*negative)));
   if (data.masses.back().sign() != 0)
     throw InputError(fmt::format("the largest sieve, {}, retains {}: add a larger sieve that retains 0",
-                                 opening(data.sizes.back(), data.unit), shown(data.masses.back())));
+                                 named(data, data.sizes.back()), shown(data.masses.back())));
   if (std::all_of(data.masses.begin(), data.masses.end(), [](const Rational &m) { return m.sign() == 0; }))
     throw InputError("no sieve retains anything: give at least one mass above 0");
 }
@@ -59,12 +66,12 @@ void drop_front(std::vector<Rational> &column, std::ptrdiff_t count) {
 }
 
 /// The first openings, for a message.
-std::string openings(const std::vector<Rational> &sizes) {
+std::string openings(const Gradation::Data &data) {
   constexpr std::size_t most = 30;
   std::string text;
-  for (std::size_t j = 0; j < sizes.size() && j < most; ++j)
-    text += (j == 0 ? "" : ", ") + shown(sizes[j]);
-  return sizes.size() > most ? text + ", ..." : text;
+  for (std::size_t j = 0; j < data.sizes.size() && j < most; ++j)
+    text += (j == 0 ? "" : ", ") + shown(RootSize{data.sizes[j], data.root});
+  return data.sizes.size() > most ? text + ", ..." : text;
 }
 
 } // namespace
@@ -73,6 +80,9 @@ Gradation::Gradation(Data data) : data_(std::move(data)) {
   check_invariant();
 }
 
+Gradation::Gradation(std::vector<Rational> sizes, std::vector<Rational> masses, SizeUnit unit, std::string id)
+    : Gradation(Data{std::move(id), unit, std::move(sizes), std::move(masses), {}, {}, {}, {}}) {}
+
 void Gradation::check_invariant() const {
   check_lengths(data_);
   check_sizes(data_);
@@ -80,32 +90,53 @@ void Gradation::check_invariant() const {
   check_columns(data_);
 }
 
+void Gradation::refuse_roots() const {
+  const auto irrational = std::find_if(data_.sizes.begin(), data_.sizes.end(), [this](const Rational &size) {
+    return !RootSize{size, data_.root}.fraction();
+  });
+  throw InputError(fmt::format(
+      "openings of phi that is no whole number are irrational{}, and here only fractions will do: {}",
+      irrational == data_.sizes.end() ? "" : " (about " + named(data_, *irrational) + ")", convert_remedy));
+}
+
+std::string Gradation::opening_text(std::size_t j) const {
+  return root() == 1 ? to_decimal(data_.sizes[j]) : opening(j).text();
+}
+
 Gradation Gradation::with_pan_size(const Rational &size) const {
-  if (lower(0) != 0)
+  if (!has_pan())
     throw InputError(
         fmt::format("there is no pan to give a size to, the finest sieve has {}: leave the pan's size out",
-                    opening(lower(0), unit())));
-  if (size <= 0 || size >= upper(0))
+                    named(data_, data_.sizes[0])));
+  const Rational powered = power(size, root());
+  if (size <= 0 || powered >= data_.sizes[1])
     throw InputError(fmt::format("pan size {} must lie between 0 and the finest sieve, {}", shown(size),
-                                 opening(upper(0), unit())));
+                                 named(data_, data_.sizes[1])));
   Data data = data_;
-  data.sizes.front() = size;
+  data.sizes.front() = powered;
   return Gradation(std::move(data));
 }
 
 Gradation Gradation::cut_below(const Rational &size) const {
-  const auto found = std::lower_bound(data_.sizes.begin(), data_.sizes.end(), size);
-  if (found == data_.sizes.end() || *found != size)
+  const auto found = std::find_if(data_.sizes.begin(), data_.sizes.end(), [&](const Rational &power) {
+    return RootSize{power, root()}.is_named_by(size);
+  });
+  if (found == data_.sizes.end())
     throw InputError(fmt::format("there is no sieve of {} to cut at: the sieves are {}",
-                                 opening(size, unit()), openings(data_.sizes)));
+                                 with_unit(size, unit()), openings(data_)));
   if (std::next(found) == data_.sizes.end())
     throw InputError(fmt::format("cutting at the largest sieve, {}, leaves nothing: cut at a finer one",
-                                 opening(size, unit())));
+                                 with_unit(size, unit())));
   const std::ptrdiff_t count = found - data_.sizes.begin();
   if (std::all_of(data_.masses.begin() + count, data_.masses.end(),
                   [](const Rational &m) { return m.sign() == 0; }))
     throw InputError(
-        fmt::format("cutting at {} leaves no mass: cut at a finer sieve", opening(size, unit())));
+        fmt::format("cutting at {} leaves no mass: cut at a finer sieve", with_unit(size, unit())));
+  return from_class(static_cast<std::size_t>(count));
+}
+
+Gradation Gradation::from_class(std::size_t j) const {
+  const auto count = static_cast<std::ptrdiff_t>(j);
   Data data = data_;
   drop_front(data.sizes, count);
   drop_front(data.masses, count);
@@ -118,9 +149,10 @@ Gradation Gradation::cut_below(const Rational &size) const {
 Gradation Gradation::scaled(const Rational &factor) const {
   if (factor <= 0)
     throw InputError(fmt::format("size factor {} must be above 0", shown(factor)));
+  const Rational powered = power(factor, root());
   Data data = data_;
   for (Rational &size : data.sizes)
-    size *= factor;
+    size *= powered;
   return Gradation(std::move(data));
 }
 

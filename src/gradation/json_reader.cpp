@@ -1,18 +1,20 @@
-#include "json_reader.hpp"
+#include "gradation/json_reader.hpp"
 
-#include "json_cursor.hpp"
+#include "gradation/shown.hpp"
+#include "text/json_cursor.hpp"
+#include "text/nearest_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace mdm {
 namespace {
@@ -24,11 +26,10 @@ using Json =
     nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
 
 /// The keys of a gradation; the first four hold columns.
-enum Key : std::size_t { sizes, masses, factors, tolerances, unit, id, other };
+enum Key : std::size_t { sizes, masses, factors, tolerances, unit, id, keys };
 constexpr std::size_t columns = 4;
-constexpr std::array<std::string_view, other> key_names = {"sizes", "masses", "factors", "tolerances_percent",
-                                                           "unit",  "id"};
-constexpr std::size_t max_depth = 64;
+constexpr std::array<std::string_view, keys> key_names = {"sizes", "masses", "factors", "tolerances_percent",
+                                                          "unit",  "id"};
 
 /// Takes the parser's events. The names of the functions are nlohmann's.
 class Handler {
@@ -59,18 +60,18 @@ private:
   /// \param end one past the byte that the message is about
   [[noreturn]] void refuse_at(const char *end, const std::string &what) const;
 
-  bool skipping() const { return depth_ > 0 && key_ == other; }
   /// True directly below a key of the object.
   bool at_key() const { return depth_ == 1; }
   bool in_column() const { return depth_ == 2 && key_ < columns; }
-  /// `masses[3]`, `unit`, or `number` where the key is unknown.
+  /// `masses[3]` or `unit`.
   std::string place() const;
 
+  [[noreturn]] void refuse_key(const std::string &name) const;
   bool no_value(std::string_view what);
-  void enter();
   template <typename Whole>
   bool whole_number(Whole value);
   void check_range(long double value, const std::string &text) const;
+  void check_id(const std::string &number) const;
   [[noreturn]] void refuse_large(const std::string &text) const;
   Rational decimal(std::string_view text) const;
   void add(Rational value);
@@ -83,15 +84,13 @@ private:
   const Source &source_;
   const char *reached_ = content_.data();
   std::size_t depth_ = 0;
-  Key key_ = other;
-  std::array<const char *, other> found_{}; ///< where each key was read, null if it was not
+  Key key_ = id;
+  std::array<const char *, keys> found_{}; ///< where each key was read, null if it was not
   std::array<std::vector<Rational>, columns> columns_;
   std::string id_;
   SizeUnit unit_ = SizeUnit::mm;
   bool inches_ = false;
-  bool descending_ = false;                 ///< as the first two sizes do
-  std::vector<std::set<std::string>> seen_; ///< keys of each open object, apart from those in found_
-  ShortList unknown_;
+  bool descending_ = false; ///< as the first two sizes do
 };
 
 void Handler::refuse_at(const char *end, const std::string &what) const {
@@ -102,13 +101,11 @@ void Handler::refuse_at(const char *end, const std::string &what) const {
 std::string Handler::place() const {
   if (in_column())
     return fmt::format("{}[{}]", key_names[key_], columns_[key_].size());
-  return key_ == other ? "number" : std::string(key_names[key_]);
+  return std::string(key_names[key_]);
 }
 
-/// Where a value stands that no key has.
+/// Refuses a value that no key has.
 bool Handler::no_value(std::string_view what) {
-  if (skipping())
-    return true;
   const char *wanted = in_column()      ? "write a decimal"
                        : key_ < columns ? "write an array of decimals"
                        : key_ == unit   ? "write \"mm\", \"um\", \"m\" or \"in\""
@@ -134,9 +131,8 @@ bool Handler::number_float(long double value, const std::string &raw) {
   if (point != std::string::npos)
     text[point] = '.';
   check_range(value, text);
-  if (skipping())
-    return true;
   if (at_key() && key_ == id) {
+    check_id(text);
     id_ = std::move(text);
     return true;
   }
@@ -160,9 +156,17 @@ void Handler::refuse_large(const std::string &text) const {
   refuse(fmt::format("{} {} is too large for a JSON number: write it as a string", place(), in_quotes(text)));
 }
 
+/// The limits of numbers are those of an id that is one, too.
+void Handler::check_id(const std::string &number) const {
+  try {
+    parse_decimal(number);
+  } catch (const InputError &) {
+    refuse(
+        fmt::format("id {} is beyond the limits of a JSON number: write it as a string", in_quotes(number)));
+  }
+}
+
 bool Handler::string(std::string &text) {
-  if (skipping())
-    return true;
   if (in_column())
     add(decimal(text));
   else if (at_key() && key_ == id)
@@ -174,21 +178,14 @@ bool Handler::string(std::string &text) {
   return true;
 }
 
-void Handler::enter() {
-  if (++depth_ > max_depth)
-    refuse(fmt::format("values are nested deeper than {}: is it the right file?", max_depth));
-}
-
 bool Handler::start_object(std::size_t) {
   if (depth_ > 0)
     no_value("an object");
-  enter();
-  seen_.emplace_back();
+  ++depth_;
   return true;
 }
 
 bool Handler::end_object() {
-  seen_.pop_back();
   --depth_;
   return true;
 }
@@ -196,9 +193,8 @@ bool Handler::end_object() {
 bool Handler::start_array(std::size_t) {
   if (!(at_key() && key_ < columns))
     no_value("an array");
-  else
-    columns_[key_].reserve(16);
-  enter();
+  columns_[key_].reserve(16);
+  ++depth_;
   return true;
 }
 
@@ -208,20 +204,23 @@ bool Handler::end_array() {
 }
 
 bool Handler::key(std::string &name) {
-  if (at_key()) {
-    const auto known = std::find(key_names.begin(), key_names.end(), name);
-    key_ = static_cast<Key>(known - key_names.begin());
-    if (key_ != other) {
-      if (found_[key_] != nullptr)
-        refuse(fmt::format("key {} is there twice: leave one", in_quotes(name)));
-      found_[key_] = reached_;
-      return true;
-    }
-    unknown_.add(name);
-  }
-  if (!seen_.back().insert(name).second)
-    refuse(fmt::format("key {} is there twice in one object: leave one", in_quotes(name)));
+  const auto known = std::find(key_names.begin(), key_names.end(), name);
+  if (known == key_names.end())
+    refuse_key(name);
+  key_ = static_cast<Key>(known - key_names.begin());
+  if (found_[key_] != nullptr)
+    refuse(fmt::format("key {} is there twice: leave one", in_quotes(name)));
+  found_[key_] = reached_;
   return true;
+}
+
+/// A key that means nothing to the reader may mean something to its writer.
+void Handler::refuse_key(const std::string &name) const {
+  const std::string_view meant = nearest_name(name, key_names);
+  if (!meant.empty())
+    refuse(fmt::format("key {} is unknown: is it \"{}\"?", in_quotes(name), meant));
+  refuse(fmt::format("key {} is unknown: leave it out; there are \"{}\"", in_quotes(name),
+                     fmt::join(key_names, "\", \"")));
 }
 
 Rational Handler::decimal(std::string_view text) const {
@@ -319,8 +318,6 @@ Gradation Handler::gradation(const std::string &fallback_id) {
   data.tolerances = std::move(columns_[tolerances]);
   if (inches_)
     data.notes.emplace_back("Sizes in inches were converted to mm.");
-  if (!unknown_.empty())
-    data.notes.push_back(fmt::format("Unknown JSON keys were skipped: {}.", unknown_.text()));
   try {
     return Gradation(std::move(data));
   } catch (const InputError &error) { // the last mass, or no mass at all

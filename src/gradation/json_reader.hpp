@@ -2,7 +2,7 @@
 /// \file
 /// Gradations as JSON.
 
-#include "message.hpp"
+#include "text/source.hpp"
 
 #include <mdm/gradation/gradation.hpp>
 

@@ -1,6 +1,6 @@
-#include <mdm/error.hpp>
 #include <mdm/gradation/mass_law.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 

@@ -1,6 +1,8 @@
-#include "message.hpp"
+#include "gradation/phi.hpp"
 
-#include <mdm/gradation/phi.hpp>
+#include "gradation/shown.hpp"
+
+#include <mdm/text/error.hpp>
 
 #if __has_include(<flint/arb.h>)
 #include <flint/arb.h>
@@ -10,6 +12,7 @@
 
 #include <fmt/core.h>
 
+#include <cassert>
 #include <cstdlib>
 
 namespace mdm {
@@ -79,14 +82,23 @@ Integer nearest(const Rational &phi, const Rational &scale) {
 
 } // namespace
 
-Rational phi_size(const Rational &phi) {
+void check_phi(const Rational &phi) {
   if (phi > max_phi || phi < -max_phi)
     throw InputError(fmt::format("phi {} is beyond {}: give the size in mm", shown(phi), max_phi));
-  if (denominator(phi) == 1) {
-    const int whole = numerator(phi).convert_to<int>();
-    const Integer two_to = power(Integer(2), static_cast<unsigned>(std::abs(whole)));
-    return whole > 0 ? ratio(1, two_to) : Rational(two_to);
-  }
+}
+
+Rational phi_power(const Rational &phi, unsigned root) {
+  assert(abs(phi) <= max_phi && denominator(Rational(phi * root)) == 1);
+  const Rational exponent = phi * root;
+  const auto bits = static_cast<unsigned>(abs(Integer(numerator(exponent))));
+  const Integer two_to = Integer(1) << bits;
+  return exponent > 0 ? ratio(1, two_to) : Rational(two_to);
+}
+
+Rational phi_size(const Rational &phi) {
+  check_phi(phi);
+  if (denominator(phi) == 1)
+    return phi_power(phi, 1);
   // 30103 / 100000 is log10(2) + 4.4e-9, so this starts below the exponent e of 10^e <= 2^-phi < 10^(e+1), at
   // most two too low. The first whose mantissa is at most 10^15 is e, or, where 2^-phi rounds down to 10^e,
   // one less: the value is the same.

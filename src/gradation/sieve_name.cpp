@@ -1,8 +1,9 @@
-#include "text.hpp"
+#include "gradation/sieve_name.hpp"
 
-#include <mdm/error.hpp>
-#include <mdm/gradation/sieve_name.hpp>
+#include "text/lines.hpp"
+
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 #include <algorithm>
 #include <array>

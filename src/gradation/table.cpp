@@ -1,4 +1,6 @@
-#include "table.hpp"
+#include "gradation/table.hpp"
+
+#include "gradation/shown.hpp"
 
 #include <fmt/core.h>
 
@@ -22,7 +24,7 @@ public:
       passing_to_masses();
     return Gradation({std::move(t_.id), t_.unit, std::move(t_.sizes), std::move(t_.values),
                       std::move(t_.factors), std::move(t_.tolerances), std::move(t_.roundings),
-                      std::move(t_.notes)});
+                      std::move(t_.notes), t_.root});
   }
 
 private:
@@ -36,7 +38,7 @@ private:
   }
 
   std::string size(std::size_t row) const {
-    return fmt::format("{} {}", shown(t_.sizes[row]), name(t_.unit));
+    return fmt::format("{} {}", shown(RootSize{t_.sizes[row], t_.root}), name(t_.unit));
   }
 
   void check_rows() const {
@@ -107,7 +109,7 @@ private:
                                      t_.column->words, shown(sum), t_.column->full));
   }
 
-  /// What passes the sieve of a row.
+  /// The mass that passes the sieve of a row.
   Rational passing(std::size_t row) const {
     return t_.column->form == MassForm::passing ? t_.values[row] : Rational(t_.column->full - t_.values[row]);
   }

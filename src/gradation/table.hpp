@@ -2,7 +2,7 @@
 /// \file
 /// The rows of a gradation as a laboratory writes them.
 
-#include "message.hpp"
+#include "text/source.hpp"
 
 #include <mdm/gradation/gradation.hpp>
 
@@ -10,7 +10,7 @@
 
 namespace mdm {
 
-/// What the values of a column are: mass on the sieve, or a part of the whole that passes it or does not.
+/// The meaning of a column's values: mass on the sieve, or a part of the whole that passes it or does not.
 enum class MassForm { retained, passing, cumulative_retained };
 
 struct MassColumn {
@@ -35,8 +35,9 @@ struct Table {
   const MassColumn *column = nullptr;
   std::string id;
   SizeUnit unit = SizeUnit::mm;
+  unsigned root = 1;
   std::size_t header_line = 1;
-  std::vector<Rational> sizes;
+  std::vector<Rational> sizes; ///< to the power `root`
   std::vector<Rational> values;
   std::vector<Rational> factors;
   std::vector<Rational> tolerances;

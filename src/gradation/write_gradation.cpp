@@ -1,7 +1,8 @@
-#include <mdm/error.hpp>
+#include "text/json_writer.hpp"
+
 #include <mdm/gradation/write_gradation.hpp>
-#include <mdm/json_text.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/format.h>
 
@@ -51,12 +52,11 @@ std::string file_decimal(const Rational &r) {
   return *scientific;
 }
 
-/// `, "key": ["1", "2"]`.
-void append_array(fmt::memory_buffer &out, std::string_view key, const std::vector<Rational> &column) {
-  fmt::format_to(std::back_inserter(out), ", \"{}\": [", key);
-  for (std::size_t j = 0; j < column.size(); ++j)
-    fmt::format_to(std::back_inserter(out), "{}\"{}\"", j == 0 ? "" : ", ", file_decimal(column[j]));
-  out.push_back(']');
+void write_column(JsonWriter &json, std::string_view key, const std::vector<Rational> &column) {
+  json.key(key).begin_array();
+  for (const Rational &value : column)
+    json.plain(file_decimal(value));
+  json.end_array();
 }
 
 /// The factors of all rows, also the last, which no class uses.
@@ -87,18 +87,16 @@ std::string gradation_csv(const Gradation &g) {
 }
 
 std::string gradation_json(const Gradation &g) {
-  fmt::memory_buffer out;
-  fmt::format_to(std::back_inserter(out), "{{\"id\": {}, \"unit\": \"{}\"", json_string(g.id()),
-                 name(g.unit()));
-  append_array(out, "sizes", g.sizes());
-  append_array(out, "masses", g.masses());
+  JsonWriter json(JsonWriter::Spacing::open);
+  json.begin_object().key("id").string(g.id()).key("unit").plain(name(g.unit()));
+  write_column(json, "sizes", g.sizes());
+  write_column(json, "masses", g.masses());
   if (g.has_factors())
-    append_array(out, "factors", factors(g));
+    write_column(json, "factors", factors(g));
   if (!g.tolerances().empty())
-    append_array(out, "tolerances_percent", g.tolerances());
-  constexpr std::string_view closing = "}\n";
-  out.append(closing.data(), closing.data() + closing.size());
-  return fmt::to_string(out);
+    write_column(json, "tolerances_percent", g.tolerances());
+  json.end_object();
+  return json.take() + "\n";
 }
 
 } // namespace mdm

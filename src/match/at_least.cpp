@@ -1,40 +1,41 @@
-#include <mdm/match/at_least.hpp>
+#include "match/at_least.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <queue>
 
 namespace mdm {
 namespace {
 
-/// q^b f / m.
-Rational lower_end(const ProblemClass &c, const Integer &q, unsigned b) {
-  return ratio(power(q, b) * c.f, c.mass);
+/// q^p f / m, p the scale power.
+Rational lower_end(const ProblemClass &c, const Integer &q, unsigned p) {
+  return ratio(power(q, p) * c.f, c.mass);
 }
 
-/// floor(2^bits / a_j) for each class, where a_j^b = f_j / m_j.
+/// floor(2^bits / a_j) for each class, where a_j^p = f_j / m_j.
 std::vector<Integer> inverse_lower_ends(const Problem &problem, unsigned bits) {
-  const unsigned b = problem.law().b;
+  const unsigned p = problem.scale_power();
   std::vector<Integer> inverse;
   for (const ProblemClass &c : problem.classes())
-    inverse.push_back(floor_root(floor_div(c.mass << (bits * b), c.f), b));
+    inverse.push_back(floor_root(floor_div(c.mass << (bits * p), c.f), p));
   return inverse;
 }
 
 /// Counts floor(w / a_j) with a sum in [n - 2k, n]: w = n 2^bits / (R + k) <= n / sum(1 / a_j), where
 /// R = sum floor(2^bits / a_j) >= n, so that the sum falls short by at most k n / R + k.
 std::vector<Integer> counts_near(const Problem &problem, const Integer &n) {
-  const unsigned b = problem.law().b;
+  const unsigned p = problem.scale_power();
   unsigned bits = static_cast<unsigned>(bit_length(n));
   Integer sum = total(inverse_lower_ends(problem, bits));
   while (sum < n) {
     bits *= 2;
     sum = total(inverse_lower_ends(problem, bits));
   }
-  const Integer w_numerator = power(Integer(n << bits), b);
-  const Integer w_denominator = power(Integer(sum + problem.classes().size()), b);
+  const Integer w_numerator = power(Integer(n << bits), p);
+  const Integer w_denominator = power(Integer(sum + problem.classes().size()), p);
   std::vector<Integer> counts;
   for (const ProblemClass &c : problem.classes())
-    counts.push_back(floor_root(floor_div(w_numerator * c.mass, w_denominator * c.f), b));
+    counts.push_back(floor_root(floor_div(w_numerator * c.mass, w_denominator * c.f), p));
   return counts;
 }
 
@@ -66,46 +67,57 @@ std::vector<std::optional<Integer>> largest_counts(const Problem &problem, const
     const Integer n = numerator(scale) * c.mass;
     const Integer d = denominator(scale) * c.f;
     const Integer below = open ? floor_div(n, d) : Integer(ceil_div(n, d) - 1);
-    counts.emplace_back(floor_root(std::max(below, Integer(0)), problem.law().b));
+    counts.emplace_back(floor_root(std::max(below, Integer(0)), problem.scale_power()));
   }
   return counts;
 }
 
 Rational crowded_scale(const Problem &problem, const Integer &n) {
+  assert(n >= 1);
   const std::vector<ProblemClass> &classes = problem.classes();
-  const unsigned b = problem.law().b;
+  const unsigned p = problem.scale_power();
   if (std::any_of(classes.begin(), classes.end(), [](const ProblemClass &c) { return c.f == 0; }))
     return 0;
   std::vector<Integer> counts = counts_near(problem, n);
   Rational scale = 0;
   for (std::size_t j = 0; j < counts.size(); ++j)
-    scale = std::max(scale, lower_end(classes[j], counts[j], b));
+    scale = std::max(scale, lower_end(classes[j], counts[j], p));
   // From here the next smallest multiples, one by one: at most 2k.
   using Next = std::pair<Rational, std::size_t>;
   std::priority_queue<Next, std::vector<Next>, std::greater<>> next;
   for (std::size_t j = 0; j < counts.size(); ++j)
-    next.emplace(lower_end(classes[j], Integer(counts[j] + 1), b), j);
+    next.emplace(lower_end(classes[j], Integer(counts[j] + 1), p), j);
   for (Integer missing = n - total(counts); missing > 0; --missing) {
     const std::size_t j = next.top().second;
     scale = std::max(scale, next.top().first);
     next.pop();
     ++counts[j];
-    next.emplace(lower_end(classes[j], Integer(counts[j] + 1), b), j);
+    next.emplace(lower_end(classes[j], Integer(counts[j] + 1), p), j);
   }
   return scale;
 }
 
 AtLeastMatch at_least_match(const Problem &problem, const Integer &n, const Rational &start,
-                            const Limits &limits) {
-  LeastMatch least = least_match(problem, limits);
+                            const Limits &limits, const Watch &of_call) {
+  const Watch watch = of_call.telling([&](Progress &known) {
+    known.lower_bound = std::max(known.lower_bound, n);
+    if (const Integer particles = total(some_match(problem)); particles >= n)
+      known.particles = particles;
+  });
+  LeastMatch least = least_match(problem, limits, watch);
   if (least.complete && total(least.q) >= n)
     return {least.q, 0, std::move(least)};
   Rational z = crowded_scale(problem, n);
   const Problem higher = problem.from_scale(z, true);
   if (least.complete && z > 0)
-    least = least_match(higher, limits);
+    least = least_match(higher, limits, watch);
   std::vector<Integer> q = filled(higher, least.complete ? least.q : some_match(higher), z, start, n);
   return {std::move(q), std::move(z), std::move(least)};
+}
+
+AtLeastMatch at_least_match(const Problem &problem, const Integer &n, const Rational &start,
+                            const Limits &limits) {
+  return at_least_match(problem, n, start, limits, Watch(limits.deadline));
 }
 
 } // namespace mdm

@@ -1,5 +1,5 @@
-#include <mdm/match/simplex.hpp>
-#include <mdm/match/tolerant_match.hpp>
+#include "match/simplex.hpp"
+#include "match/tolerant_match.hpp"
 
 namespace mdm {
 namespace {
@@ -25,16 +25,16 @@ Rational width_of(const LinearRow &row, const TolerantProblem &problem, const To
 
 } // namespace
 
-std::optional<std::vector<Rational>>
-central_masses(const TolerantProblem &problem, const TolerantMatch &match,
-               const std::optional<Rational> &weight, const Rational &excess,
-               std::optional<std::chrono::steady_clock::time_point> deadline) {
+std::optional<std::vector<Rational>> central_masses(const TolerantProblem &problem,
+                                                    const TolerantMatch &match,
+                                                    const std::optional<Rational> &weight,
+                                                    const Rational &excess, const Watch &watch) {
   const std::size_t k = problem.classes();
   const std::size_t distance = problem.variables(); // 1 - the least distance
   Rational mass = 0;
   for (const Rational &t : match.t)
     mass += t;
-  Simplex program(problem.variables() + 1, deadline);
+  Simplex program(problem.variables() + 1, watch);
   program.set_lower(distance, Infinitesimal{});
   for (std::size_t j = 0; j < k; ++j) {
     program.set_lower(j, Infinitesimal{Rational(match.q[j]), 0});

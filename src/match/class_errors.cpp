@@ -1,5 +1,6 @@
-#include <mdm/match/class_errors.hpp>
-#include <mdm/match/problem.hpp>
+#include "match/class_errors.hpp"
+
+#include "match/problem.hpp"
 
 namespace mdm {
 

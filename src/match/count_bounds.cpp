@@ -1,16 +1,12 @@
-#include <mdm/match/count_bounds.hpp>
-#include <mdm/number/common_denominator.hpp>
+#include "match/count_bounds.hpp"
+
+#include "match/problem.hpp"
+#include "number/common_denominator.hpp"
 
 #include <algorithm>
 #include <map>
 
 namespace mdm {
-namespace {
-
-/// Nodes and multiples of a tree that a certificate can have.
-constexpr std::size_t longest_tree = std::size_t{1} << 22;
-
-} // namespace
 
 /// A sum of conditions, written as such and as what they are summed up for.
 class CountBounds::Leaf {
@@ -117,7 +113,8 @@ private:
   std::map<std::pair<TolerantCondition, std::size_t>, Rational> sum_;
 };
 
-CountBounds::CountBounds(const TolerantProblem &problem, const Limits &limits) : problem_(problem) {
+CountBounds::CountBounds(const TolerantProblem &problem, const Limits &limits, const Watch &watch)
+    : problem_(problem), keeps_steps_(limits.keep_proof) {
   for (std::size_t j = 0; j < problem.classes(); ++j) {
     q_.push_back(problem.least(j));
     lower_.push_back(lower(j));
@@ -126,7 +123,8 @@ CountBounds::CountBounds(const TolerantProblem &problem, const Limits &limits) :
   if (contradict()) // no share curve, which the search finds at once
     return;
   start();
-  sweep(limits);
+  sweep(limits,
+        watch.telling([this](Progress &known) { known.lower_bound = std::max(Integer(1), total(q_)); }));
 }
 
 CountBounds::ShareBound CountBounds::lower(std::size_t j) const {
@@ -201,7 +199,7 @@ Integer CountBounds::count(std::size_t j) const {
 }
 
 void CountBounds::raise(std::size_t j, const Integer &n, Reason reason) {
-  if (2 * steps_.size() < longest_tree)
+  if (keeps_steps_ && 2 * steps_.size() < longest_tree)
     steps_.push_back({j, n, reason, source_});
   else
     too_long_ = true;
@@ -220,7 +218,7 @@ bool CountBounds::sets_level(std::size_t j) {
   return true;
 }
 
-void CountBounds::sweep(const Limits &limits) {
+void CountBounds::sweep(const Limits &limits, const Watch &watch) {
   std::vector<std::size_t> movable;
   for (std::size_t j = 0; j < q_.size(); ++j) {
     sets_level(j);
@@ -228,10 +226,7 @@ void CountBounds::sweep(const Limits &limits) {
       movable.push_back(j);
   }
   std::uint64_t raises = 0;
-  const auto interrupted = [&] {
-    return (limits.max_steps && raises >= *limits.max_steps) ||
-           (limits.deadline && std::chrono::steady_clock::now() > *limits.deadline);
-  };
+  const auto interrupted = [&] { return raises >= limits.steps() || watch.ends(); };
   for (bool moved = level_ > 0; moved;) {
     moved = false;
     std::size_t kept = 0;

@@ -1,5 +1,6 @@
-#include <mdm/match/fixed_size.hpp>
-#include <mdm/number/common_denominator.hpp>
+#include "match/fixed_size.hpp"
+
+#include "number/common_denominator.hpp"
 
 namespace mdm {
 

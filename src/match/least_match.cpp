@@ -1,7 +1,8 @@
-#include <mdm/match/least_match.hpp>
+#include "match/least_match.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mdm {
 namespace {
@@ -25,11 +26,16 @@ Integer to_integer(const Int128 &n) {
 template <class Int>
 class Sweep {
 public:
-  Sweep(const SweepProblem<Int> &problem, const Limits &limits) : problem_(problem), limits_(limits) {}
+  Sweep(const SweepProblem<Int> &problem, const Limits &limits, const Watch &watch)
+      : problem_(problem), limits_(limits), watch_(watch.telling([this](Progress &known) {
+          known.steps = steps_;
+          known.lower_bound = counts();
+        })) {}
 
   Swept<Int> run() {
     Swept<Int> result;
     result.complete = start(result.chain) && rounds(result.chain);
+    result.steps = steps_;
     result.q.reserve(problem_.classes.size());
     for (const Class &c : problem_.classes)
       result.q.push_back(count(c).n);
@@ -96,33 +102,41 @@ private:
                                 : above * level_.of->mass > product(*level_.of, level_.n) * c.mass;
   }
 
-  bool interrupted(const Chain &chain) { return chain.size() >= next_look_ && look(chain.size()); }
+  bool interrupted() { return steps_ >= next_look_ && look(); }
 
   /// True if a limit is reached; else sets the next look.
-  [[gnu::noinline]] bool look(std::uint64_t steps) {
-    if (limits_.max_steps && steps >= *limits_.max_steps)
+  [[gnu::noinline]] bool look() {
+    if (steps_ >= limits_.steps())
       return true;
     constexpr std::uint64_t between_looks = 1024;
-    next_look_ = steps + between_looks;
-    if (limits_.max_steps)
-      next_look_ = std::min(next_look_, *limits_.max_steps);
-    return (limits_.deadline && std::chrono::steady_clock::now() > *limits_.deadline) ||
-           (limits_.at_most && has_too_many(steps));
+    next_look_ = std::min(steps_ + between_looks, limits_.steps());
+    return watch_.ends() || (limits_.at_most && has_too_many());
+  }
+
+  void take_step(Steps &chain, std::uint32_t j) {
+    ++steps_;
+    if (limits_.keep_proof)
+      chain.push_back(j);
   }
 
   /// Looked at when the steps have doubled: a sum over all classes is long beside a step.
-  bool has_too_many(std::uint64_t steps) const {
+  bool has_too_many() const {
     constexpr std::uint64_t many_steps = 1 << 16;
-    if (steps < many_steps || (steps & (steps - 1)) != 0)
+    if (steps_ < many_steps || (steps_ & (steps_ - 1)) != 0)
       return false;
+    return counts() > *limits_.at_most;
+  }
+
+  /// The particles that all classes need above L: no match has fewer.
+  Integer counts() const {
     Integer sum = 0;
     for (const Class &c : problem_.classes)
       sum += to_integer(count(c).n);
-    return sum > *limits_.at_most;
+    return sum;
   }
 
   /// First step: the largest level of the floors.
-  bool start(Chain &chain) {
+  bool start(Steps &chain) {
     std::uint32_t highest = 0;
     for (std::uint32_t j = 0; j < problem_.classes.size(); ++j) {
       const Class &c = problem_.classes[j];
@@ -136,16 +150,16 @@ private:
     }
     if (level_.of == nullptr)
       return true;
-    if (interrupted(chain)) {
-      level_ = Level{};
+    const Level first = std::exchange(level_, Level{});
+    if (interrupted())
       return false;
-    }
-    chain.push_back(highest);
+    level_ = first;
+    take_step(chain, highest);
     return true;
   }
 
   /// Rounds over the movable classes until none raises L. False if interrupted.
-  bool rounds(Chain &chain) {
+  bool rounds(Steps &chain) {
     for (bool moved = true; moved;) {
       moved = false;
       std::size_t kept = 0;
@@ -155,10 +169,10 @@ private:
         const Count n = count(c);
         const double approx = n.approx * c.lower;
         if (rises(c, n.n, approx)) {
-          if (interrupted(chain))
+          if (interrupted())
             return false;
           level_ = Level{n.n, &c, approx};
-          chain.push_back(j);
+          take_step(chain, j);
           moved = true;
         }
         if (n.n < c.settled)
@@ -171,8 +185,10 @@ private:
 
   const SweepProblem<Int> &problem_;
   const Limits &limits_;
+  const Watch watch_;
   Level level_;
   std::vector<std::uint32_t> movable_;
+  std::uint64_t steps_ = 0;
   std::uint64_t next_look_ = 0; ///< steps
 };
 
@@ -182,6 +198,7 @@ LeastMatch in_integers(Swept<Int128> swept) {
   for (const Int128 &n : swept.q)
     match.q.push_back(n.to_integer());
   match.chain = std::move(swept.chain);
+  match.steps = swept.steps;
   match.complete = swept.complete;
   return match;
 }
@@ -189,25 +206,29 @@ LeastMatch in_integers(Swept<Int128> swept) {
 } // namespace
 
 template <class Int>
-Swept<Int> sweep(const SweepProblem<Int> &problem, const Limits &limits) {
-  return Sweep<Int>(problem, limits).run();
+Swept<Int> sweep(const SweepProblem<Int> &problem, const Limits &limits, const Watch &watch) {
+  return Sweep<Int>(problem, limits, watch).run();
 }
 
-template Swept<Int128> sweep(const SweepProblem<Int128> &, const Limits &);
-template Swept<Integer> sweep(const SweepProblem<Integer> &, const Limits &);
+template Swept<Int128> sweep(const SweepProblem<Int128> &, const Limits &, const Watch &);
+template Swept<Integer> sweep(const SweepProblem<Integer> &, const Limits &, const Watch &);
+
+LeastMatch least_match(const Problem &problem, const Limits &limits, const Watch &watch) {
+  try {
+    return in_integers(sweep(SweepProblem<Int128>(problem), limits, watch));
+  } catch (const Int128Overflow &) {
+    return sweep(SweepProblem<Integer>(problem), limits, watch);
+  }
+}
 
 LeastMatch least_match(const Problem &problem, const Limits &limits) {
-  try {
-    return in_integers(sweep(SweepProblem<Int128>(problem), limits));
-  } catch (const Int128Overflow &) {
-    return sweep(SweepProblem<Integer>(problem), limits);
-  }
+  return least_match(problem, limits, Watch(limits.deadline));
 }
 
 std::vector<Integer> some_match(const Problem &problem) {
   std::vector<Integer> settled;
   for (const ProblemClass &c : problem.classes())
-    settled.push_back(std::max(c.floor, settled_count(c, problem.law().b)));
+    settled.push_back(std::max(c.floor, settled_count(c, problem.scale_power())));
   const Problem above = problem.from_scale(problem.lowest_scale(settled), true);
   std::vector<Integer> q;
   for (const ProblemClass &c : above.classes())

@@ -1,10 +1,12 @@
-#include <mdm/match/mass_draw.hpp>
+#include "match/mass_draw.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace mdm {
 MassDraw::MassDraw(Integer least, Integer most, const MassLaw &law)
     : least_(std::move(least)), most_(std::move(most)), law_(law) {
+  assert(least_ > 0 && least_ <= most_);
   if (most_ > least_) // V is about 1 + (most - least) / most
     places_ += static_cast<unsigned>(bit_length(most_) - bit_length(Integer(most_ - least_)));
   if (law_.a == law_.b) {

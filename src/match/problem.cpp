@@ -1,46 +1,52 @@
-#include <mdm/error.hpp>
-#include <mdm/match/problem.hpp>
-#include <mdm/number/common_denominator.hpp>
+#include "match/problem.hpp"
+
+#include "number/common_denominator.hpp"
+
+#include <mdm/text/error.hpp>
 
 #include <algorithm>
+#include <cassert>
 
 namespace mdm {
 namespace {
-
-/// Powers beyond this many bits are refused: the checker has the same limit (certificate-format.md, section
-/// 2).
-constexpr std::size_t max_power_bits = std::size_t{1} << 20;
 
 std::size_t bits_of(mpz_srcptr n) {
   return mpz_sizeinbase(n, 2);
 }
 
-/// At least the bits, quickly.
+/// No fewer than the bits, quickly.
 std::size_t bits_of_words(mpz_srcptr n) {
   return 64 * mpz_size(n);
 }
 
-/// The most bits of a number of the problem.
+/// The most bits of a number of the problem; of an opening the d-th part of those of its d-th power.
 template <class Bits>
 std::size_t longest(const Gradation &g, const Integer &min_per_class, Bits bits) {
   std::size_t most = bits(min_per_class.backend().data());
-  const auto add = [&](const std::vector<Rational> &column, std::size_t count) {
-    for (std::size_t j = 0; j < count; ++j)
-      most = std::max(
-          {most, bits(mpq_numref(column[j].backend().data())), bits(mpq_denref(column[j].backend().data()))});
+  const auto add = [&](const std::vector<Rational> &column, std::size_t count, unsigned root) {
+    for (std::size_t j = 0; j < count; ++j) {
+      const std::size_t longer = std::max(bits(mpq_numref(column[j].backend().data())),
+                                          bits(mpq_denref(column[j].backend().data())));
+      most = std::max(most, root == 1 ? longer : (longer + root - 1) / root);
+    }
   };
-  add(g.sizes(), g.classes() + 1);
-  add(g.masses(), g.classes());
-  add(g.factors(), g.has_factors() ? g.classes() : 0);
+  add(g.powers(), g.classes() + 1, g.root());
+  add(g.masses(), g.classes(), 1);
+  add(g.factors(), g.has_factors() ? g.classes() : 0, 1);
   return most;
 }
 
 void check_powers(const Gradation &g, const MassLaw &law, const Integer &min_per_class) {
-  const std::size_t degree = std::max(law.a, law.b);
-  if (longest(g, min_per_class, bits_of_words) * degree > max_power_bits &&
-      longest(g, min_per_class, bits_of) * degree > max_power_bits)
-    throw InputError("the exponent " + law.exponent() +
-                     " is too large for numbers this long: round one of them");
+  const std::size_t degree = std::size_t{std::max(law.a, law.b)} * g.root();
+  if (longest(g, min_per_class, bits_of_words) * degree <= max_power_bits ||
+      longest(g, min_per_class, bits_of) * degree <= max_power_bits)
+    return;
+  if (g.root() > 1)
+    throw InputError(
+        "the openings 2^-phi mm are roots of degree " + std::to_string(g.root()) +
+        " of fractions, whose powers are too long with numbers this long: " + std::string(convert_remedy));
+  throw InputError("the exponent " + law.exponent() +
+                   " is too large for numbers this long: round one of them");
 }
 
 /// sum m_j / c_j.
@@ -53,16 +59,16 @@ Rational weight_of(const Gradation &g, const CommonDenominator &masses) {
   return sum(weights);
 }
 
-/// The extreme of q^b end / mass over the classes, `end` being f or F: the least, or the greatest. Compared
+/// The extreme of q^p end / mass over the classes, `end` being f or F: the least, or the greatest. Compared
 /// as fractions, reduced only at the end.
-Rational extreme_scale(const std::vector<ProblemClass> &classes, const std::vector<Integer> &q, unsigned b,
+Rational extreme_scale(const std::vector<ProblemClass> &classes, const std::vector<Integer> &q, unsigned p,
                        Integer ProblemClass::*end, bool greatest) {
   Integer best, other, left, right;
   const auto multiply = [](Integer &product, const Integer &x, const Integer &y) {
     mpz_mul(product.backend().data(), x.backend().data(), y.backend().data());
   };
   const auto end_of = [&](std::size_t j, Integer &product) {
-    multiply(product, b == 1 ? q[j] : power(q[j], b), classes[j].*end);
+    multiply(product, p == 1 ? q[j] : power(q[j], p), classes[j].*end);
   };
   end_of(0, best);
   const Integer *best_mass = &classes[0].mass;
@@ -80,28 +86,40 @@ Rational extreme_scale(const std::vector<ProblemClass> &classes, const std::vect
 
 } // namespace
 
-Problem::Problem(const Gradation &g, const MassLaw &law, const Integer &min_per_class) : law_(law) {
+Problem::Problem(const Gradation &g, const MassLaw &law, const Integer &min_per_class)
+    : law_(law), root_(g.root()) {
   check_powers(g, law, min_per_class);
-  CommonDenominator sizes(g.sizes());
+  CommonDenominator sizes(g.powers());
+  const unsigned p = scale_power();
   const CommonDenominator masses(g.masses());
   for (Integer &x : sizes.numerators)
     x = power(x, law.a);
-  scale_unit_ = ratio(power(masses.denominator, law.b), power(sizes.denominator, law.a));
+  scale_unit_ = ratio(power(masses.denominator, p), power(sizes.denominator, law.a));
   weight_ = weight_of(g, masses);
   classes_.reserve(g.classes());
   for (std::size_t j = 0; j < g.classes(); ++j)
     if (g.mass(j) != 0)
-      classes_.push_back({j, sizes.numerators[j], sizes.numerators[j + 1], power(masses.numerators[j], law.b),
+      classes_.push_back({j, sizes.numerators[j], sizes.numerators[j + 1], power(masses.numerators[j], p),
                           std::max(min_per_class, Integer(1))});
-  if (!g.has_factors())
-    return;
-  const CommonDenominator factors(g.factors());
+  if (g.has_factors())
+    multiply(g.factors());
+  assert(holds_invariant());
+}
+
+void Problem::multiply(const std::vector<Rational> &by) {
+  const CommonDenominator factors(by);
   for (ProblemClass &c : classes_) {
-    const Integer factor = power(factors.numerators[c.index], law.b);
+    const Integer factor = power(factors.numerators[c.index], scale_power());
     c.f *= factor;
     c.F *= factor;
   }
-  scale_unit_ /= Rational(power(factors.denominator, law.b));
+  scale_unit_ /= Rational(power(factors.denominator, scale_power()));
+}
+
+bool Problem::holds_invariant() const {
+  return !classes_.empty() && std::all_of(classes_.begin(), classes_.end(), [](const ProblemClass &c) {
+    return c.f >= 0 && c.f < c.F && c.mass > 0 && c.floor >= 1;
+  });
 }
 
 Problem Problem::from_scale(const Rational &start, bool open) const {
@@ -109,11 +127,11 @@ Problem Problem::from_scale(const Rational &start, bool open) const {
   const Integer d = denominator(start);
   Problem higher = *this;
   for (ProblemClass &c : higher.classes_) {
-    // Least q with q^b F / m >= start (or > start). Over the integers q^b >= y means q^b >= ceil(y), and q^b
-    // > y means q^b >= floor(y) + 1; the least q with q^b >= y is floor_root(y - 1) + 1.
+    // Least q with q^p F / m >= start (or > start). Over the integers q^p >= y means q^p >= ceil(y), and q^p
+    // > y means q^p >= floor(y) + 1; the least q with q^p >= y is floor_root(y - 1) + 1.
     const Integer below = open ? floor_div(n * c.mass, d * c.F) : Integer(ceil_div(n * c.mass, d * c.F) - 1);
     if (below >= 0)
-      c.floor = std::max(c.floor, Integer(floor_root(below, law_.b) + 1));
+      c.floor = std::max(c.floor, Integer(floor_root(below, scale_power()) + 1));
   }
   return higher;
 }
@@ -125,11 +143,11 @@ Problem Problem::with_floor(std::size_t j, const Integer &least) const {
 }
 
 Rational Problem::lowest_scale(const std::vector<Integer> &q) const {
-  return extreme_scale(classes_, q, law_.b, &ProblemClass::f, true);
+  return extreme_scale(classes_, q, scale_power(), &ProblemClass::f, true);
 }
 
 Rational Problem::highest_scale(const std::vector<Integer> &q) const {
-  return extreme_scale(classes_, q, law_.b, &ProblemClass::F, false);
+  return extreme_scale(classes_, q, scale_power(), &ProblemClass::F, false);
 }
 
 Integer total(const std::vector<Integer> &q) {

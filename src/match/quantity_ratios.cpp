@@ -1,5 +1,6 @@
-#include <mdm/error.hpp>
-#include <mdm/match/quantity_ratios.hpp>
+#include "match/quantity_ratios.hpp"
+
+#include <mdm/text/error.hpp>
 
 namespace mdm {
 

@@ -1,4 +1,4 @@
-#include <mdm/match/scale.hpp>
+#include "match/scale.hpp"
 
 #include <algorithm>
 
@@ -34,7 +34,7 @@ Rational choose_scale(const Window &w, ScaleChoice choice, unsigned digits) {
   if (choice == ScaleChoice::robust || !w.start_is_feasible())
     return robust_scale(w);
   const Rational &start = w.start->hi;
-  if (w.start->exact())
+  if (w.start->is_point())
     return start;
   const Rational room =
       std::min(Rational((w.up_to - start) / 2), Rational(start / Rational(power_of_ten(digits))));

@@ -1,5 +1,6 @@
-#include <mdm/match/simplex.hpp>
-#include <mdm/number/common_denominator.hpp>
+#include "match/simplex.hpp"
+
+#include "number/common_denominator.hpp"
 
 #include <algorithm>
 
@@ -41,15 +42,15 @@ void reduce(Integer &scale, std::vector<Integer> &numbers) {
 
 } // namespace
 
-Simplex::Simplex(std::size_t variables, std::optional<std::chrono::steady_clock::time_point> deadline)
-    : deadline_(deadline), columns_(variables), row_of_(variables), lower_(variables), upper_(variables),
+Simplex::Simplex(std::size_t variables, Watch watch)
+    : watch_(std::move(watch)), columns_(variables), row_of_(variables), lower_(variables), upper_(variables),
       values_(variables) {
   for (std::size_t i = 0; i < variables; ++i)
     columns_[i] = i;
 }
 
 void Simplex::look() const {
-  if (deadline_ && std::chrono::steady_clock::now() > *deadline_)
+  if (watch_.ends())
     throw Interrupted();
 }
 

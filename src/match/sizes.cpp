@@ -1,7 +1,9 @@
-#include <mdm/error.hpp>
-#include <mdm/match/sizes.hpp>
+#include "match/sizes.hpp"
+
+#include <mdm/text/error.hpp>
 
 #include <algorithm>
+#include <cassert>
 
 namespace mdm {
 
@@ -15,22 +17,26 @@ int compare(const Integer &y, const Integer &unit, const Rational &r) {
   return mpz_cmp(left.backend().data(), right.backend().data());
 }
 
-/// lower < x.lo and x.hi <= upper.
-bool inside(const Enclosure &x, const Rational &lower, const Rational &upper) {
-  const Integer unit = power_of_ten(x.places);
-  return compare(x.lo, unit, lower) > 0 && compare(x.hi, unit, upper) <= 0;
+/// Class j's lower < x.lo and x.hi <= upper, to the power of the root.
+bool inside(const Enclosure &x, const Gradation &g, std::size_t j) {
+  const Rational &lower = g.powers()[j], &upper = g.powers()[j + 1];
+  const Integer unit = power_of_ten(x.places * g.root());
+  if (g.root() == 1)
+    return compare(x.lo, unit, lower) > 0 && compare(x.hi, unit, upper) <= 0;
+  return compare(power(x.lo, g.root()), unit, lower) > 0 && compare(power(x.hi, g.root()), unit, upper) <= 0;
 }
 
 } // namespace
 
-Enclosure enclose_size(const Gradation &g, std::size_t j, const MassLaw &law, const Integer &n,
-                       const Integer &d, unsigned digits) {
-  Enclosure x = enclose_root(n, d, law.a, digits);
-  for (unsigned more = 2 * digits; !inside(x, g.lower(j), g.upper(j)); more *= 2) {
-    if (x.lo != x.hi && exact_root(ratio(n, d), law.a) == g.upper(j))
+Enclosure enclose_size(const Gradation &g, std::size_t j, unsigned degree, const Integer &n, const Integer &d,
+                       unsigned digits) {
+  Enclosure x = enclose_root(n, d, degree, digits);
+  for (unsigned more = 2 * digits; !inside(x, g, j); more *= 2) {
+    if (x.lo != x.hi && RootSize{ratio(n, d), degree}.is(g.powers()[j + 1], g.root()))
       throw InputError("class " + std::to_string(j + 1) + ": the size is the opening " +
-                       to_string(g.upper(j)) + " itself, which is no decimal: choose another scale");
-    x = enclose_root(n, d, law.a, more);
+                       g.opening(j + 1).text() + " itself, which is no decimal: choose another scale" +
+                       (g.root() > 1 ? ", or convert the file: " + std::string(convert_remedy) : ""));
+    x = enclose_root(n, d, degree, more);
   }
   return x;
 }
@@ -38,7 +44,10 @@ Enclosure enclose_size(const Gradation &g, std::size_t j, const MassLaw &law, co
 std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem,
                                      const std::vector<Integer> &q, const Rational &scale,
                                      const Rational &margin, unsigned digits) {
-  const MassLaw &law = problem.law();
+  assert(problem.lowest_scale(q) * problem.scale_unit() < scale &&
+         scale <= problem.highest_scale(q) * problem.scale_unit());
+  const unsigned p = problem.scale_power();
+  const unsigned degree = problem.law().a * problem.root();
   // An enclosure is at most 10^(1-digits) of its size wide: ten times that from the sieves it is inside.
   const bool clear = digits > 1 && margin * power_of_ten(digits) >= 100;
   std::vector<Enclosure> sizes;
@@ -48,19 +57,19 @@ std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem,
   for (std::size_t j = 0; j < q.size(); ++j) {
     const std::size_t index = problem.classes()[j].index;
     const Rational &mass = g.has_factors() ? quotient = g.mass(index) / g.factors()[index] : g.mass(index);
-    // x^a = n / d = S (m / (c q))^b
-    mpz_pow_ui(n.backend().data(), mpq_numref(mass.backend().data()), law.b);
+    // x^degree = n / d = S (m / (c q))^p
+    mpz_pow_ui(n.backend().data(), mpq_numref(mass.backend().data()), p);
     mpz_mul(n.backend().data(), n.backend().data(), mpq_numref(scale.backend().data()));
     mpz_mul(d.backend().data(), mpq_denref(mass.backend().data()), q[j].backend().data());
-    mpz_pow_ui(d.backend().data(), d.backend().data(), law.b);
+    mpz_pow_ui(d.backend().data(), d.backend().data(), p);
     mpz_mul(d.backend().data(), d.backend().data(), mpq_denref(scale.backend().data()));
-    sizes.push_back(clear ? enclose_root(n, d, law.a, digits) : enclose_size(g, index, law, n, d, digits));
+    sizes.push_back(clear ? enclose_root(n, d, degree, digits)
+                          : enclose_size(g, index, degree, n, d, digits));
   }
   return sizes;
 }
 
-Rational size_margin(const MassLaw &law, const Rational &above, const Rational &up_to,
-                     const Rational &scale) {
+Rational size_margin(unsigned degree, const Rational &above, const Rational &up_to, const Rational &scale) {
   // closest = n / d >= 1 is the lesser of up_to / scale and scale / above.
   Integer n = numerator(up_to) * denominator(scale);
   Integer d = denominator(up_to) * numerator(scale);
@@ -74,12 +83,12 @@ Rational size_margin(const MassLaw &law, const Rational &above, const Rational &
   }
   if (n == d)
     return 0;
-  // (n/d)^(1/a) - 1 is about (n - d) / (a d): so many zeros, then three digits and some more. 3 bits are less
-  // than a digit.
-  const std::size_t large = bit_length(d) + bit_length(law.a);
+  // (n/d)^(1/degree) - 1 is about (n - d) / (degree d): so many zeros, then three digits and some more. 3
+  // bits are less than a digit.
+  const std::size_t large = bit_length(d) + bit_length(degree);
   const std::size_t small = bit_length(Integer(n - d));
   for (unsigned digits = 6 + static_cast<unsigned>(large > small ? (large - small) / 3 : 0);; digits *= 2) {
-    const Enclosure root = enclose_root(n, d, law.a, digits);
+    const Enclosure root = enclose_root(n, d, degree, digits);
     const Integer excess = root.lo - power_of_ten(root.places);
     if (excess < 1000 && root.lo != root.hi)
       continue;

@@ -1,7 +1,8 @@
-#include <mdm/error.hpp>
+#include "number/pi.hpp"
+
 #include <mdm/match/solids.hpp>
 #include <mdm/number/decimal.hpp>
-#include <mdm/number/pi.hpp>
+#include <mdm/text/error.hpp>
 
 #include <vector>
 
@@ -45,7 +46,7 @@ Solids parse_specimen(std::string_view shape, std::string_view void_ratio) {
                    " is neither cylinder:DxH nor box:AxBxC, such as cylinder:50x24.4");
 }
 
-StartScale start_scale(const Solids &solids, const Rational &weight, unsigned pi_places) {
+Interval start_scale(const Solids &solids, const Rational &weight, unsigned pi_places) {
   if (const Cylinder *c = std::get_if<Cylinder>(&solids)) {
     const Rational s = 3 * c->diameter * c->diameter * c->height / (2 * (1 + c->void_ratio) * weight);
     return {s, s};

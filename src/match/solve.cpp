@@ -1,7 +1,13 @@
-#include <mdm/error.hpp>
+#include "match/at_least.hpp"
+#include "match/exact_sample.hpp"
+#include "match/scale.hpp"
+#include "match/tolerant_answer.hpp"
+#include "match/watch.hpp"
+#include "number/pi.hpp"
+
 #include <mdm/match/solve.hpp>
 #include <mdm/number/decimal.hpp>
-#include <mdm/number/pi.hpp>
+#include <mdm/text/error.hpp>
 
 #include <algorithm>
 
@@ -15,13 +21,14 @@ public:
     if (!question.solids)
       return;
     solids_ = question.solids;
+    power_ = problem.scale_power();
     weight_ = problem.weight();
     refresh();
   }
 
   /// True if pi's bounds can be made closer; they are.
   bool refine() {
-    if (!bounds_ || bounds_->exact())
+    if (!bounds_ || bounds_->is_point())
       return false;
     if (places_ == most_pi_places)
       throw InputError(
@@ -31,18 +38,18 @@ public:
     return true;
   }
 
-  const std::optional<StartScale> &bounds() const { return bounds_; }
+  const std::optional<Interval> &bounds() const { return bounds_; }
   unsigned places() const { return places_; }
 
   /// True if s_0's place relative to `scale` is known.
   bool decides(const Rational &scale) const {
-    return !bounds_ || bounds_->exact() || scale <= bounds_->lo || scale >= bounds_->hi;
+    return !bounds_ || bounds_->is_point() || scale <= bounds_->lo || scale >= bounds_->hi;
   }
 
   /// The problem with the floors of s >= s_0, or nothing while they are undecided.
   std::optional<Problem> floors(const Problem &problem) const {
     const Rational lo = bounds_->lo / problem.scale_unit();
-    if (bounds_->exact())
+    if (bounds_->is_point())
       return problem.from_scale(lo, false);
     Problem low = problem.from_scale(lo, true);
     const Problem high = problem.from_scale(Rational(bounds_->hi / problem.scale_unit()), true);
@@ -53,12 +60,13 @@ public:
   }
 
 private:
-  void refresh() { bounds_ = start_scale(*solids_, weight_, places_); }
+  void refresh() { bounds_ = power(start_scale(*solids_, weight_, places_), power_); }
 
   std::optional<Solids> solids_;
   Rational weight_;
+  unsigned power_ = 1; ///< of the problem's scales
   unsigned places_;
-  std::optional<StartScale> bounds_;
+  std::optional<Interval> bounds_;
 };
 
 /// The problem with the start's floors, the start made precise enough for them.
@@ -80,141 +88,189 @@ Window window_of(const Problem &problem, const std::vector<Integer> &q, Start &s
   return window;
 }
 
-void note_precision(Match &match, const Rational &above) {
+void note_precision(Match &match) {
   static const Rational double_step = ratio(1, Integer(Integer(1) << 50));
-  if (match.margin >= double_step)
+  const MatchScale &scale = *match.sample->scale;
+  if (scale.margin >= double_step)
     return;
-  const MassLaw &law = match.question.law;
-  // The best margin, at the geometric middle, is (up_to / above)^(1/2a) - 1 >= y iff up_to / above >= (1 +
-  // y)^(2a).
-  const bool hopeless = above > 0 && match.window.up_to < above * power(Rational(1 + double_step), 2 * law.a);
+  const unsigned e = match.question.law.a * match.gradation.root();
+  // The best margin, at the geometric middle, is (up_to / above)^(1/2e) - 1 >= y iff up_to / above >= (1 +
+  // y)^(2e).
+  const Rational &above = scale.window.above;
+  const bool hopeless = above > 0 && scale.window.up_to < above * power(Rational(1 + double_step), 2 * e);
   match.notes.push_back(hopeless ? "no scale keeps all sizes 2^-50 (relative) away from the sieves: numbers "
                                    "in double precision cannot hold this match"
                                  : "at this scale a size is within 2^-50 (relative) of a sieve: in double "
                                    "precision it may fall out of its class");
 }
 
-void note_digits(Match &match, unsigned digits) {
-  const Integer one_digit_more = power_of_ten(digits);
-  for (std::size_t j = 0; j < match.sizes.size(); ++j) {
-    const Enclosure &x = match.sizes[j];
-    if (x.lo != x.hi && x.lo >= one_digit_more && x.places > 0)
-      match.notes.push_back("class " + std::to_string(match.problem.classes()[j].index + 1) +
-                            ": the size is printed with " + std::to_string(to_string(x.lo).size()) +
-                            " digits, to lie inside its class");
+void note_digits(Match &match) {
+  const Integer one_digit_more = power_of_ten(match.digits);
+  for (std::size_t j = 0; j < match.sample->sizes.size(); ++j) {
+    const std::optional<Enclosure> &x = match.sample->sizes[j];
+    if (x && x->lo != x->hi && x->lo >= one_digit_more && x->places > 0)
+      match.notes.push_back("class " + std::to_string(j + 1) + ": the size is printed with " +
+                            std::to_string(to_string(x->lo).size()) + " digits, to lie inside its class");
   }
 }
 
-/// Window, scale and sizes of match.q.
-void place(Match &match, Start &start, const SolveOptions &options) {
-  match.window = window_of(match.problem, match.q, start);
-  match.scale = choose_scale(match.window, options.scale, options.digits);
-  match.margin = size_margin(match.question.law, match.window.above, match.window.up_to, match.scale);
-  match.sizes =
-      enclose_sizes(match.gradation, match.problem, match.q, match.scale, match.margin, options.digits);
-  note_digits(match, options.digits);
-  note_precision(match, match.window.above);
+/// At the upper end of the window some size is an opening, which no enclosure reaches where it is irrational.
+void check_no_irrational_size(const Gradation &g, const Problem &problem, const std::vector<Integer> &q,
+                              const Rational &scale) {
+  if (g.root() == 1)
+    return;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const ProblemClass &c = problem.classes()[i];
+    const Rational up_to = ratio(power(q[i], problem.scale_power()) * c.F, c.mass);
+    if (up_to * problem.scale_unit() == scale && !g.opening(c.index + 1).fraction())
+      throw InputError("at the upper end of the scales the particles of class " +
+                       std::to_string(c.index + 1) +
+                       " have the size of the opening above, which is irrational: choose another --scale, or "
+                       "convert the file: " +
+                       std::string(convert_remedy));
+  }
+}
+
+/// The sample with the quantities q, at the scale that the options choose.
+MatchSample placed(const Gradation &g, const Problem &problem, std::vector<Integer> q, Start &start,
+                   const SolveOptions &options) {
+  Window window = window_of(problem, q, start);
+  const Rational scale = choose_scale(window, options.scale, options.digits);
+  if (scale == window.up_to)
+    check_no_irrational_size(g, problem, q, scale);
+  return exact_sample(g, problem, std::move(q), std::move(window), scale, options.digits);
+}
+
+/// The chain of a sweep in terms of the gradation.
+Chain chain_of(AtLeastMatch found, const Problem &problem) {
+  Chain chain{std::nullopt, std::move(found.least.chain)};
+  if (found.above > 0)
+    chain.above = found.above * problem.scale_unit();
+  for (std::uint32_t &step : chain.steps)
+    step = static_cast<std::uint32_t>(problem.classes()[step].index);
+  return chain;
+}
+
+/// The status, where the search came to its end or not, and whether the sample has more particles than
+/// may be.
+void set_status(Match &match, const std::optional<Integer> &at_most) {
+  if (at_most && match.lower_bound > *at_most)
+    match.status = Status::none;
+  else if (!match.sample)
+    match.status = match.complete ? Status::none : Status::unknown;
+  else if (at_most && *match.particles() > *at_most)
+    match.status = Status::unknown;
+  else
+    match.status = match.complete ? Status::optimal : Status::feasible;
 }
 
 /// The match without a tolerance; the limits may end it early.
-Match solve_exactly(Match match, const SolveOptions &options, const Limits &limits) {
+Match solve_exactly(Match match, const SolveOptions &options, const Limits &limits, const Watch &watch) {
   const Question &question = match.question;
-  Start start(question, match.problem, std::min(options.digits + 30, most_pi_places));
+  Problem problem(match.gradation, question.law, question.min_per_class);
+  Start start(question, problem, std::min(options.digits + 30, most_pi_places));
   if (question.solids)
-    match.problem = problem_from_start(match.problem, start);
+    problem = problem_from_start(problem, start);
 
-  const Rational from =
-      start.bounds() ? Rational(start.bounds()->lo / match.problem.scale_unit()) : Rational(0);
-  AtLeastMatch found = at_least_match(match.problem, question.at_least, from, limits);
+  const Rational from = start.bounds() ? Rational(start.bounds()->lo / problem.scale_unit()) : Rational(0);
+  AtLeastMatch found = at_least_match(problem, question.at_least, from, limits, watch);
   match.lower_bound = std::max(total(found.least.q), question.at_least);
   // As few as were asked for is the least, whatever a sweep would still show (Theorem 7).
-  match.complete = found.least.complete || (question.at_least > 1 && total(found.q) == question.at_least);
-  match.status = match.complete ? Status::optimal : Status::feasible;
-  match.q = std::move(found.q);
-  match.chain = std::move(found.least.chain);
-  match.above = found.above * match.problem.scale_unit();
-  if (options.at_most && match.lower_bound > *options.at_most)
-    match.status = Status::none;
-  else if (options.at_most && match.particles() > *options.at_most)
-    match.status = Status::unknown;
-  place(match, start, options);
-  if (start.bounds() && !start.bounds()->exact())
-    match.pi = enclose_pi(start.places());
+  const bool as_few_as_asked = question.at_least > 1 && total(found.q) == question.at_least;
+  match.complete = found.least.complete || as_few_as_asked;
+  if (!limits.max_steps && !match.complete && found.least.steps >= most_steps)
+    match.notes.push_back("the search for the smallest match ended after " + std::to_string(most_steps) +
+                          " steps, as its classes are so narrow: --max-steps allows more");
+  match.sample = placed(match.gradation, problem, std::move(found.q), start, options);
+  set_status(match, options.at_most);
+  note_digits(match);
+  note_precision(match);
+  if (match.complete && limits.keep_proof)
+    match.proof.evidence = as_few_as_asked ? Chain{} : chain_of(std::move(found), problem);
+  if (start.bounds() && !start.bounds()->is_point())
+    match.proof.pi = enclose_pi(start.places());
   return match;
 }
 
-/// Quantities of all classes, those without mass included.
-std::vector<Integer> quantities(const Match &match) {
-  std::vector<Integer> q(match.gradation.classes());
-  for (std::size_t j = 0; j < match.q.size(); ++j)
-    q[match.problem.classes()[j].index] = match.q[j];
-  return q;
-}
-
-/// A scale of masses s, near the match's where s^b is chosen and s irrational.
+/// A scale of masses s, near the match's where s^p is chosen and s irrational.
 Rational mass_scale(const Match &match) {
-  const unsigned b = match.question.law.b;
-  if (b == 1)
-    return match.scale;
+  const unsigned p = match.scale_power();
+  const Rational &scale = match.sample->scale->chosen;
+  if (p == 1)
+    return scale;
   const unsigned places = match.digits + 30;
-  const Integer s = floor_root(floor(Rational(match.scale * power_of_ten(b * places))), b);
+  const Integer s = floor_root(floor(Rational(scale * power_of_ten(p * places))), p);
   return ratio(s, power_of_ten(places));
 }
 
-/// What ends the way to an answer early: also that there are too many particles for certain.
+/// A reason to end the way to an answer early, certainty of too many particles included.
 Limits limits_of(const SolveOptions &options) {
   Limits limits = options.limits;
   limits.at_most = options.at_most;
   return limits;
 }
 
-/// A question with a tolerance; the exact match is a first answer.
-Match solve_within_tolerance(Match match, const SolveOptions &options) {
-  const Match exact = solve_exactly(match, options, options.limits);
-  match.tolerant = tolerant_answer(match.gradation, match.question, quantities(exact), mass_scale(exact),
-                                   limits_of(options), options.digits);
-  if (match.tolerant->found.too_large)
+/// A small share of the limits, for what is only a first answer.
+Limits share_of(Limits limits) {
+  constexpr std::uint64_t first_steps = std::uint64_t{1} << 20; // some 10 ms
+  limits.max_steps = std::min(limits.steps(), first_steps);
+  limits.keep_proof = false;
+  if (const auto now = std::chrono::steady_clock::now(); limits.deadline && *limits.deadline > now)
+    limits.deadline = now + (*limits.deadline - now) / 8;
+  return limits;
+}
+
+TolerantAnswer answer_beside(const Match &match, const Match &exact, const SolveOptions &options,
+                             const Watch &watch) {
+  return tolerant_answer(match.gradation, match.question, exact.sample->quantities, mass_scale(exact),
+                         limits_of(options), options.digits, watch);
+}
+
+/// The best that was found within a tolerance.
+MatchSample sample_of(TolerantAnswer &answer, unsigned scale_power) {
+  return {std::move(answer.found.best->q), std::move(answer.sizes), std::move(answer.shares),
+          power(answer.mass, scale_power), std::nullopt};
+}
+
+/// A question with a tolerance; the exact match is a first answer, and the only one where no search is made.
+Match solve_within_tolerance(Match match, const SolveOptions &options, const Watch &watch) {
+  // Knowledge of exact matches is none of all matches.
+  const Watch of_exact = watch.telling([&match](Progress &known) {
+    known.lower_bound = match.question.at_least;
+    known.particles.reset();
+  });
+  const Limits share = share_of(options.limits);
+  const Match exact = solve_exactly(match, options, share, of_exact.until(share.deadline));
+  TolerantAnswer answer = answer_beside(match, exact, options, watch);
+  if (answer.found.too_large && !exact.complete)
+    answer = answer_beside(match, solve_exactly(match, options, options.limits, of_exact), options, watch);
+  if (answer.found.too_large)
     match.notes.push_back("a search over so many classes needs too much memory: the match is the exact one, "
                           "and a smaller one within the tolerance was not looked for");
-  const TolerantResult &found = match.tolerant->found;
-  match.complete = found.complete;
-  match.lower_bound = found.lower_bound;
-  match.pi = match.tolerant->pi;
-  match.scale = 1;
-  if (!found.best)
-    match.status = found.complete ? Status::none : Status::unknown;
-  else if (options.at_most && match.lower_bound > *options.at_most)
-    match.status = Status::none;
-  else if (options.at_most && match.particles() > *options.at_most)
-    match.status = Status::unknown;
-  else
-    match.status = found.complete ? Status::optimal : Status::feasible;
+  match.complete = answer.found.complete;
+  match.lower_bound = answer.found.lower_bound;
+  match.proof.pi = answer.pi;
+  if (match.complete && !answer.found.tree.empty())
+    match.proof.evidence = std::move(answer.found.tree);
+  if (answer.found.best)
+    match.sample = sample_of(answer, match.scale_power());
+  match.tolerance = std::move(answer.tolerance);
+  set_status(match, options.at_most);
   return match;
 }
 
 } // namespace
 
-Enclosure Match::solids_volume() const {
-  thread_local Enclosure cached = enclose_pi(40);
-  if (digits + 10 > cached.places)
-    cached = enclose_pi(digits + 10);
-  const Rational &weight = tolerant ? tolerant->weight : problem.weight();
-  const Integer n = numerator(scale) * numerator(weight);
-  const Integer d = denominator(scale) * denominator(weight) * 6 * power_of_ten(cached.places);
-  return enclose_interval(n * cached.lo, n * cached.hi, d, digits);
-}
-
 Match solve(Gradation g, const Question &question, const SolveOptions &options) {
   if (question.solids && !question.law.is_sphere())
     throw InputError("a specimen or volume of solids needs spheres: leave out --law " +
                      question.law.exponent());
-  Gradation asked = asked_gradation(std::move(g), question);
-  Problem problem(asked, question.law, question.min_per_class);
-  Match match(question, std::move(asked), std::move(problem));
+  Match match(question, asked_gradation(std::move(g), question));
   match.digits = options.digits;
   match.notes = match.gradation.notes();
-  return question.is_tolerant() ? solve_within_tolerance(std::move(match), options)
-                                : solve_exactly(std::move(match), options, limits_of(options));
+  const Watch watch(options.limits.deadline, options.progress);
+  return question.is_tolerant() ? solve_within_tolerance(std::move(match), options, watch)
+                                : solve_exactly(std::move(match), options, limits_of(options), watch);
 }
 
 } // namespace mdm

@@ -1,6 +1,7 @@
-#include <mdm/match/problem.hpp>
-#include <mdm/match/spanned_integer.hpp>
-#include <mdm/number/common_denominator.hpp>
+#include "match/spanned_integer.hpp"
+
+#include "match/problem.hpp"
+#include "number/common_denominator.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,6 @@
-#include <mdm/match/at_least.hpp>
-#include <mdm/match/spectrum.hpp>
+#include "match/at_least.hpp"
+#include "match/problem_of.hpp"
+#include "match/problem_spectrum.hpp"
 
 #include <algorithm>
 
@@ -8,11 +9,11 @@ namespace {
 
 /// floor(2^bits / a_j) - floor(2^bits / b_j) - 1, at most 2^bits (1/a_j - 1/b_j), summed over the classes.
 Integer spread_below(const Problem &problem, unsigned bits) {
-  const unsigned b = problem.law().b;
+  const unsigned p = problem.scale_power();
   Integer sum = 0;
   for (const ProblemClass &c : problem.classes()) {
-    const Integer mass = c.mass << (bits * b);
-    sum += floor_root(floor_div(mass, c.f), b) - floor_root(floor_div(mass, c.F), b) - 1;
+    const Integer mass = c.mass << (bits * p);
+    sum += floor_root(floor_div(mass, c.f), p) - floor_root(floor_div(mass, c.F), p) - 1;
   }
   return sum;
 }
@@ -20,19 +21,19 @@ Integer spread_below(const Problem &problem, unsigned bits) {
 /// A scale from which on the reachable numbers have no gap as long as every class stays feasible (Theorem 8):
 /// no floor binds, and s sum(1/a_j - 1/b_j) >= 3k - 1.
 Rational gapless_scale(const Problem &problem) {
-  const unsigned b = problem.law().b;
+  const unsigned p = problem.scale_power();
   unsigned bits = 64;
   while (spread_below(problem, bits) <= 0)
     bits *= 2;
   const Integer wanted = Integer(3 * problem.classes().size() - 1) << bits;
-  Rational scale = power(ratio(wanted, spread_below(problem, bits)), b);
+  Rational scale = power(ratio(wanted, spread_below(problem, bits)), p);
   for (const ProblemClass &c : problem.classes())
-    scale = std::max(scale, ratio(power(Integer(c.floor - 1), b) * c.F, c.mass));
+    scale = std::max(scale, ratio(power(Integer(c.floor - 1), p) * c.F, c.mass));
   return scale;
 }
 
 /// The highest scale up to which every class stays feasible above the lower ends q; nothing if there is none:
-/// a settled class is feasible at every higher scale, another one up to q^b F / mass.
+/// a settled class is feasible at every higher scale, another one up to q^p F / mass.
 std::optional<Rational> feasible_up_to(const Problem &problem, const std::vector<Integer> &settled,
                                        const std::vector<Integer> &q) {
   std::optional<Rational> end;
@@ -40,7 +41,7 @@ std::optional<Rational> feasible_up_to(const Problem &problem, const std::vector
     if (q[j] >= settled[j])
       continue;
     const ProblemClass &c = problem.classes()[j];
-    const Rational last = ratio(power(q[j], problem.law().b) * c.F, c.mass);
+    const Rational last = ratio(power(q[j], problem.scale_power()) * c.F, c.mass);
     end = end ? std::min(*end, last) : last;
   }
   return end;
@@ -64,9 +65,15 @@ void append(std::vector<std::pair<Integer, Integer>> &intervals, const Integer &
 
 } // namespace
 
+Spectrum spectrum(const Match &m, const Limits &limits) {
+  return spectrum(problem_of(m), limits);
+}
+
 Spectrum spectrum(const Problem &problem, const Limits &limits) {
   Spectrum result;
-  const Limits sweep_limits{std::nullopt, limits.deadline};
+  Limits sweep_limits;
+  sweep_limits.deadline = limits.deadline;
+  sweep_limits.keep_proof = false;
   LeastMatch least = least_match(problem, sweep_limits);
   if (!least.complete)
     return result;
@@ -79,7 +86,7 @@ Spectrum spectrum(const Problem &problem, const Limits &limits) {
   const Rational gapless = gapless_scale(problem);
   std::vector<Integer> settled;
   for (const ProblemClass &c : problem.classes())
-    settled.push_back(settled_count(c, problem.law().b));
+    settled.push_back(settled_count(c, problem.scale_power()));
   for (std::uint64_t step = 1;; ++step) {
     // From the lower ends q at their lowest scale up to the most particles at `end` everything is reached:
     // while q stays the lower ends, or, where gaps are excluded, while every class is feasible.

@@ -1,24 +1,54 @@
-#include <mdm/error.hpp>
+#include "match/mass_draw.hpp"
+#include "match/problem_of.hpp"
+#include "match/sizes.hpp"
+#include "number/philox.hpp"
+
 #include <mdm/match/spread.hpp>
+#include <mdm/text/error.hpp>
+
+#include <cassert>
 
 namespace mdm {
 
+/// Random numbers, and the masses that they draw.
+class ClassSpread::Draws {
+public:
+  Draws(std::uint64_t seed, std::size_t stream, MassDraw mass)
+      : random_(seed), stream_(stream), mass_(std::move(mass)) {}
+
+  Integer operator()(std::uint64_t i) const { return mass_(random_(stream_, i)); }
+
+private:
+  Philox random_;
+  std::size_t stream_;
+  MassDraw mass_;
+};
+
 ClassSpread::ClassSpread(const Gradation &g, std::size_t index, const MassLaw &law, std::uint64_t q,
                          const Rational &powered_mass, std::uint64_t seed)
-    : gradation_(&g), index_(index), law_(law), q_(q), philox_(seed), grid_(fine_grid(powered_mass)),
-      draw_(g.lower(index) == 0 ? floor_div(grid_.parts, 2 * Integer(q)) : grid_.least, grid_.most, law),
-      unit_(powered_mass / Rational(power(grid_.parts, law.b)) / power(g.factor(index), law.b)) {
+    : gradation_(&g), index_(index), law_(law), power_(law.b * g.root()), q_(q),
+      grid_(fine_grid(powered_mass)),
+      draws_(std::make_shared<const Draws>(
+          seed, index,
+          MassDraw(g.powers()[index] == 0 ? floor_div(grid_.parts, 2 * Integer(q)) : grid_.least, grid_.most,
+                   law))),
+      unit_(powered_mass / Rational(power(grid_.parts, power_)) / power(g.factor(index), power_)) {
+  assert(q * grid_.least <= grid_.parts && grid_.parts <= q * grid_.most);
   set_pull();
 }
 
-/// Parts that a particle can have: (n / parts)^b T^b in (f^b, F^b].
+/// Parts that a particle can have: (n / parts)^p T^p in (f^p, F^p], and below F^p where no size can be said
+/// to be the upper opening, as it is irrational.
 ClassSpread::Grid ClassSpread::grid(const Rational &powered_mass, const Integer &parts) const {
   const Rational one =
-      power(gradation_->factor(index_), law_.b) * Rational(power(parts, law_.b)) / powered_mass;
-  const auto up_to = [&](const Rational &size) {
-    return floor_root(floor(Rational(one * law_.powered(size))), law_.b);
+      power(gradation_->factor(index_), power_) * Rational(power(parts, power_)) / powered_mass;
+  const auto up_to = [&](std::size_t opening) {
+    const Rational most = one * law_.powered(gradation_->powers()[opening]);
+    const Integer n = floor_root(floor(most), power_);
+    const bool is_irrational = gradation_->root() > 1 && !gradation_->opening(opening).fraction();
+    return is_irrational && opening > index_ && power(n, power_) == most ? Integer(n - 1) : n;
   };
-  return {parts, up_to(gradation_->lower(index_)) + 1, up_to(gradation_->upper(index_))};
+  return {parts, up_to(index_) + 1, up_to(index_ + 1)};
 }
 
 ClassSpread::Grid ClassSpread::fine_grid(const Rational &powered_mass) const {
@@ -27,6 +57,10 @@ ClassSpread::Grid ClassSpread::fine_grid(const Rational &powered_mass) const {
     if (g.most - g.least >= Integer(1) << 64)
       return g;
   }
+}
+
+Integer ClassSpread::draw(std::uint64_t i) const {
+  return (*draws_)(i);
 }
 
 void ClassSpread::set_pull() {
@@ -52,32 +86,22 @@ Integer ClassSpread::Masses::next() {
 }
 
 Enclosure ClassSpread::size(const Integer &n, unsigned digits) const {
-  return enclose_size(*gradation_, index_, law_, numerator(unit_) * power(n, law_.b), denominator(unit_),
-                      digits);
+  return enclose_size(*gradation_, index_, law_.a * gradation_->root(), numerator(unit_) * power(n, power_),
+                      denominator(unit_), digits);
 }
 
 Spread spread(const Match &m, std::uint64_t seed) {
-  if (m.particles() > most_spread_particles)
-    throw InputError("a spread of " + to_string(m.particles()) + " particles: at most " +
+  assert(m.has_answer());
+  if (*m.particles() > most_spread_particles)
+    throw InputError("a spread of " + to_string(*m.particles()) + " particles: at most " +
                      std::to_string(most_spread_particles) +
                      " can be listed; ask for fewer, or for no spread");
   Spread result{seed, {}};
-  const auto add = [&](std::size_t index, const Integer &q, const Rational &powered_mass) {
-    if (q > 0)
-      result.classes.emplace_back(m.gradation, index, m.question.law, static_cast<std::uint64_t>(q),
-                                  powered_mass, seed);
-  };
-  const unsigned b = m.question.law.b;
-  if (m.tolerant) {
-    const TolerantMatch &best = *m.tolerant->found.best;
-    for (std::size_t j = 0; j < best.q.size(); ++j)
-      add(j, best.q[j], power(Rational(best.t[j] / m.tolerant->problem.unit()), b));
-    return result;
-  }
-  for (std::size_t i = 0; i < m.q.size(); ++i) {
-    const std::size_t index = m.problem.classes()[i].index;
-    add(index, m.q[i], m.scale * power(m.gradation.mass(index), b));
-  }
+  const std::vector<Rational> masses = powered_masses(m);
+  for (std::size_t j = 0; j < masses.size(); ++j)
+    if (const Integer &q = m.sample->quantities[j]; q > 0)
+      result.classes.emplace_back(m.gradation, j, m.question.law, static_cast<std::uint64_t>(q), masses[j],
+                                  seed);
   return result;
 }
 

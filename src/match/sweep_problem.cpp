@@ -1,4 +1,4 @@
-#include <mdm/match/sweep_problem.hpp>
+#include "match/sweep_problem.hpp"
 
 #include <cmath>
 #include <limits>
@@ -43,7 +43,7 @@ double to_double(const Integer &n) {
 }
 
 template <class Int>
-SweepProblem<Int>::SweepProblem(const Problem &problem) : b(problem.law().b) {
+SweepProblem<Int>::SweepProblem(const Problem &problem) : b(problem.scale_power()) {
   classes.reserve(problem.classes().size());
   for (const ProblemClass &given : problem.classes()) {
     SweepClass<Int> c{Int(given.f), Int(given.F), Int(given.mass), Int(given.floor), 1, 0, 0, 0};

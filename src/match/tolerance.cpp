@@ -1,7 +1,8 @@
-#include <mdm/error.hpp>
+#include "number/common_denominator.hpp"
+
 #include <mdm/match/tolerance.hpp>
-#include <mdm/number/common_denominator.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -72,18 +73,20 @@ void narrow_to_envelope(Tolerance &tolerance, const Gradation &g, const Envelope
     const Rational x = envelope.sizes[i] * scale;
     const std::string sieve =
         fmt::format("the band's sieve {} {}", to_decimal(envelope.sizes[i]), name(envelope.unit));
-    if (x <= g.lower(0)) {
+    const Rational powered = power(x, g.root());
+    const std::vector<Rational> &openings = g.powers();
+    if (powered <= openings.front()) {
       if (envelope.passing_min[i] > 0)
         throw InputError(sieve +
                          " lets something pass, where the gradation has no finer class: add a row 'pan'");
       continue;
     }
-    const auto found = std::lower_bound(g.sizes().begin(), g.sizes().end(), x);
-    if (found != g.sizes().end() && *found != x)
+    const auto found = std::lower_bound(openings.begin(), openings.end(), powered);
+    if (found != openings.end() && *found != powered)
       throw InputError(sieve + " is no sieve of the gradation: add a row for it, or leave it out of "
                                "the band");
     const std::size_t j =
-        found == g.sizes().end() ? g.classes() - 1 : static_cast<std::size_t>(found - g.sizes().begin()) - 1;
+        found == openings.end() ? g.classes() - 1 : static_cast<std::size_t>(found - openings.begin()) - 1;
     narrow(tolerance.passing[j],
            {Rational(envelope.passing_min[i] / 100), Rational(envelope.passing_max[i] / 100)});
   }

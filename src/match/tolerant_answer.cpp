@@ -1,8 +1,11 @@
-#include <mdm/error.hpp>
-#include <mdm/match/simplex.hpp>
-#include <mdm/match/tolerant_answer.hpp>
-#include <mdm/number/common_denominator.hpp>
-#include <mdm/number/pi.hpp>
+#include "match/tolerant_answer.hpp"
+
+#include "match/problem.hpp"
+#include "match/simplex.hpp"
+#include "number/common_denominator.hpp"
+#include "number/pi.hpp"
+
+#include <mdm/text/error.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -18,14 +21,13 @@ void complete(TolerantAnswer &answer, const Gradation &g, const MassLaw &law, un
     mass += t;
   answer.mass = mass / answer.problem.unit();
   for (std::size_t j = 0; j < g.classes(); ++j) {
-    answer.weight += best.t[j] / (g.factor(j) * answer.problem.unit());
     answer.shares.push_back(best.t[j] / mass);
     answer.sizes.emplace_back();
     if (best.q[j] == 0)
       continue;
     const Rational one = best.t[j] / (Rational(best.q[j]) * g.factor(j) * answer.problem.unit());
     answer.sizes.back() =
-        enclose_size(g, j, law, power(numerator(one), law.b), power(denominator(one), law.b), digits);
+        enclose_size(g, j, law.a, power(numerator(one), law.b), power(denominator(one), law.b), digits);
   }
 }
 
@@ -38,7 +40,7 @@ Rational weight_of(const TolerantProblem &problem, const TolerantMatch &match) {
 }
 
 bool fixes_shares(const Tolerance &tolerance) {
-  const auto fixed = [](const ShareBounds &b) { return b.lo == b.hi; };
+  const auto fixed = [](const ShareBounds &b) { return b.is_point(); };
   const std::vector<ShareBounds> &retained = tolerance.retained, &passing = tolerance.passing;
   return tolerance.total == Rational(0) ||
          (!retained.empty() && std::all_of(retained.begin(), retained.end(), fixed)) ||
@@ -55,17 +57,24 @@ bool is_final(const TolerantAnswer &answer, const TolerantMatch &exact) {
 }
 
 /// Masses in the middle have some time to themselves.
-std::optional<std::chrono::steady_clock::time_point>
-later(const std::optional<std::chrono::steady_clock::time_point> &deadline) {
-  if (!deadline)
-    return deadline;
-  return std::max(*deadline, std::chrono::steady_clock::now() + std::chrono::milliseconds(500));
+Watch later(const Watch &watch, const Watch::Deadline &deadline) {
+  const Watch::Time soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(500);
+  if (watch.is_stopped())
+    return Watch(soon);
+  return deadline ? watch.until(std::max(*deadline, soon)) : watch;
+}
+
+/// The result of a search.
+void tell(Progress &known, const TolerantResult &found) {
+  known.steps = found.nodes;
+  known.lower_bound = found.lower_bound;
+  known.particles = total(found.best->q);
 }
 
 } // namespace
 
 TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, const std::vector<Integer> &q,
-                               const Rational &s, const Limits &limits, unsigned digits) {
+                               const Rational &s, const Limits &limits, unsigned digits, const Watch &watch) {
   const Tolerance tolerance = tolerance_of(g, question.tolerances, question.band, question.size_factor);
   const Rational excess = 1 / Rational(power_of_ten(digits));
   // A volume demands an irrational weight between two bounds: fewer particles are refuted at the lower, the
@@ -75,12 +84,11 @@ TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, con
     TolerantDemands demands{question.min_per_class, question.at_least, std::nullopt};
     Rational weight = 0;
     if (question.solids) {
-      const StartScale bounds = start_scale(*question.solids, 1, places);
+      const Interval bounds = start_scale(*question.solids, 1, places);
       demands.weight = bounds.lo;
       weight = bounds.hi;
     }
-    TolerantAnswer answer{tolerance, TolerantProblem(g, question.law, tolerance, demands), {}, {}, {}, 0, 0,
-                          {}};
+    TolerantAnswer answer{tolerance, TolerantProblem(g, question.law, tolerance, demands), {}, {}, {}, 0, {}};
     const auto has_weight = [&](const TolerantMatch &match) {
       return answer.problem.is_match(match.q, match.t) &&
              (!question.solids || weight_of(answer.problem, match) >= weight * answer.problem.unit());
@@ -88,7 +96,7 @@ TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, con
     TolerantMatch exact{q, {}};
     for (std::size_t j = 0; j < g.classes(); ++j)
       exact.t.push_back(s * g.mass(j) * answer.problem.unit());
-    answer.found = tolerant_match(answer.problem, limits, exact);
+    answer.found = tolerant_match(answer.problem, limits, exact, watch);
     if (question.solids && *demands.weight != weight)
       answer.pi = enclose_pi(places);
     if (!answer.found.best)
@@ -98,8 +106,10 @@ TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, con
       return answer;
     }
     try {
+      const Watch watched =
+          later(watch, limits.deadline).telling([&](Progress &known) { tell(known, answer.found); });
       if (std::optional<std::vector<Rational>> t =
-              central_masses(answer.problem, *answer.found.best, weight, excess, later(limits.deadline))) {
+              central_masses(answer.problem, *answer.found.best, weight, excess, watched)) {
         answer.found.best->t = std::move(*t);
         complete(answer, g, question.law, digits);
         return answer;

@@ -1,7 +1,9 @@
-#include <mdm/match/count_bounds.hpp>
-#include <mdm/match/simplex.hpp>
-#include <mdm/match/tolerant_match.hpp>
-#include <mdm/number/common_denominator.hpp>
+#include "match/tolerant_match.hpp"
+
+#include "match/count_bounds.hpp"
+#include "match/problem.hpp"
+#include "match/simplex.hpp"
+#include "number/common_denominator.hpp"
 
 #include <algorithm>
 
@@ -26,9 +28,11 @@ bool is_integer(const Infinitesimal &x) {
 
 class Search {
 public:
-  Search(const TolerantProblem &problem, const Limits &limits, const std::optional<TolerantMatch> &first)
-      : problem_(problem), limits_(limits), program_(problem.variables(), limits.deadline),
-        counts_(problem, limits), least_(std::max(problem.at_least(), total(counts_.q()))), bound_(least_) {
+  Search(const TolerantProblem &problem, const Limits &limits, const std::optional<TolerantMatch> &first,
+         const Watch &watch)
+      : problem_(problem), limits_(limits), watch_(watch.telling([this](Progress &known) { tell(known); })),
+        program_(problem.variables(), watch_), counts_(problem, limits, watch),
+        least_(std::max(problem.at_least(), total(counts_.q()))), bound_(least_) {
     if (first && problem.is_match(first->q, first->t))
       result_.best = first;
   }
@@ -80,7 +84,7 @@ private:
     result_.lower_bound = particles;
     if (particles == problem_.at_least())
       result_.tree = {{0, 0, {{TolerantCondition::at_least, 0, 1}, {TolerantCondition::fewer, 0, 1}}}};
-    else
+    else if (limits_.keep_proof)
       result_.tree = counts_.tree();
     return true;
   }
@@ -98,7 +102,7 @@ private:
       set_cutoff();
   }
 
-  /// What is certain: every match is the best, or in a subtree that is still open.
+  /// A certain bound: every match is the best, or in a subtree that is still open.
   Integer certain() const {
     Integer least = bound_;
     for (const Pending &p : pending_)
@@ -112,6 +116,13 @@ private:
   void stop() {
     result_.lower_bound = certain();
     result_.tree.clear();
+  }
+
+  void tell(Progress &known) const {
+    known.steps = result_.nodes;
+    known.lower_bound = certain();
+    if (result_.best)
+      known.particles = total(result_.best->q);
   }
 
   /// A split whose second subtree is still to come.
@@ -148,8 +159,7 @@ private:
   }
 
   bool interrupted() const {
-    return (limits_.node_limit && result_.nodes >= *limits_.node_limit) ||
-           (limits_.deadline && std::chrono::steady_clock::now() > *limits_.deadline) ||
+    return (limits_.node_limit && result_.nodes >= *limits_.node_limit) || watch_.ends() ||
            (limits_.at_most && certain() > *limits_.at_most);
   }
 
@@ -167,7 +177,16 @@ private:
       common = gcd(common, n);
     for (std::size_t i = 0; i < node.leaf.size(); ++i)
       node.leaf[i].multiplier = cleared.numerators[i] / common;
-    result_.tree.push_back(std::move(node));
+    keep(std::move(node));
+  }
+
+  /// A tree that no certificate can hold is given up.
+  void keep(TreeNode node) {
+    tree_size_ += 1 + node.leaf.size();
+    if (limits_.keep_proof && tree_size_ <= longest_tree)
+      result_.tree.push_back(std::move(node));
+    else
+      Tree().swap(result_.tree);
   }
 
   Multiple condition_of(const Simplex::Term &term) const {
@@ -213,7 +232,7 @@ private:
   }
 
   void split(std::size_t j, const Integer &v) {
-    result_.tree.push_back({j, v, {}});
+    keep({j, v, {}});
     pending_.push_back({j, v, program_.upper(j), program_.lower(j), bound_});
     program_.set_upper(j, exactly(Rational(Integer(v - 1))));
   }
@@ -266,7 +285,8 @@ private:
   }
 
   const TolerantProblem &problem_;
-  Limits limits_;
+  const Limits limits_;
+  const Watch watch_;
   Simplex program_;
   CountBounds counts_;
   std::vector<Multiple> row_of_;    ///< condition of each form
@@ -275,14 +295,20 @@ private:
   Integer least_;                   ///< no match has fewer particles
   Integer bound_;                   ///< no match of this node has
   std::vector<Pending> pending_;
+  std::size_t tree_size_ = 0; ///< nodes and multiples
   TolerantResult result_;
 };
 
 } // namespace
 
 TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limits,
+                              const std::optional<TolerantMatch> &first, const Watch &watch) {
+  return Search(problem, limits, first, watch).run();
+}
+
+TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limits,
                               const std::optional<TolerantMatch> &first) {
-  return Search(problem, limits, first).run();
+  return tolerant_match(problem, limits, first, Watch(limits.deadline));
 }
 
 } // namespace mdm

@@ -1,6 +1,8 @@
-#include <mdm/error.hpp>
-#include <mdm/match/tolerant_problem.hpp>
-#include <mdm/number/common_denominator.hpp>
+#include "match/tolerant_problem.hpp"
+
+#include "number/common_denominator.hpp"
+
+#include <mdm/text/error.hpp>
 
 #include <algorithm>
 
@@ -12,8 +14,13 @@ using Terms = std::vector<std::pair<std::size_t, Rational>>;
 /// f at every opening; rational there, or refused.
 std::vector<Rational> masses_at_openings(const Gradation &g, const MassLaw &law) {
   std::vector<Rational> masses;
-  for (const Rational &x : g.sizes()) {
-    const std::optional<Rational> mass = exact_root(law.powered(x), law.b);
+  for (const Rational &x : g.powers()) {
+    const std::optional<Rational> mass = exact_root(law.powered(x), law.b * g.root());
+    if (!mass && g.root() > 1)
+      throw InputError(
+          "a tolerance needs exact masses, and openings of phi that is no whole number make them "
+          "irrational with the law x^(" +
+          law.exponent() + "): " + std::string(convert_remedy));
     if (!mass)
       throw InputError(
           "the law x^(" + law.exponent() +

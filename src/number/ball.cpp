@@ -9,6 +9,7 @@
 #endif
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace mdm {
@@ -182,11 +183,13 @@ bool Ball::is_finite() const {
 }
 
 Rational Ball::lower() const {
+  assert(is_finite());
   const Interval i(value_->ball);
   return i.scaled(i.lo);
 }
 
 Rational Ball::upper() const {
+  assert(is_finite());
   const Interval i(value_->ball);
   return i.scaled(i.hi);
 }

@@ -1,4 +1,4 @@
-#include <mdm/number/common_denominator.hpp>
+#include "number/common_denominator.hpp"
 
 #include <numeric>
 

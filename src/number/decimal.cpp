@@ -1,9 +1,11 @@
-#include "short_digits.hpp"
+#include "number/short_digits.hpp"
+#include "text/lines.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 #include <bit>
+#include <cassert>
 
 namespace mdm {
 namespace {
@@ -190,7 +192,9 @@ std::optional<std::string> exact_decimal(const Rational &r) {
 }
 
 std::string to_decimal(const Rational &r) {
-  return exact_decimal(r).value();
+  const std::optional<std::string> text = exact_decimal(r);
+  assert(text);
+  return text.value();
 }
 
 std::string approximate(const Rational &r, unsigned digits) {

@@ -1,7 +1,9 @@
-#include "quick_cube_root.hpp"
+#include "number/quick_cube_root.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/enclosure.hpp>
+
+#include <cassert>
 
 namespace mdm {
 namespace {
@@ -77,10 +79,11 @@ std::string Enclosure::upper_text() const {
   return decimal_string(hi, places);
 }
 std::string Enclosure::text() const {
-  return lo == hi ? lower_text() : "[" + fixed_decimal(lo, places) + ", " + fixed_decimal(hi, places) + "]";
+  return is_point() ? lower_text() : "[" + fixed_decimal(lo, places) + ", " + fixed_decimal(hi, places) + "]";
 }
 
 Enclosure enclose_root(const Integer &n, const Integer &d, unsigned degree, unsigned digits) {
+  assert(n > 0 && d > 0 && degree >= 1 && digits >= 1);
   const bool is_power = degree != 3 || may_be_cube(n, d);
   if (is_power)
     if (std::optional<Enclosure> exact = decimal_root(n, d, degree))
@@ -96,6 +99,7 @@ Enclosure enclose_root(const Integer &n, const Integer &d, unsigned degree, unsi
 }
 
 Enclosure enclose_interval(const Integer &lo, const Integer &hi, const Integer &d, unsigned digits) {
+  assert(lo > 0 && lo <= hi && d > 0 && digits >= 1);
   unsigned places = places_for(lo, d, 1, digits);
   const Integer unit = power_of_ten(places);
   Integer below = floor_div(lo * unit, d);

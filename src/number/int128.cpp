@@ -1,4 +1,4 @@
-#include <mdm/number/int128.hpp>
+#include "number/int128.hpp"
 
 namespace mdm {
 

@@ -1,4 +1,4 @@
-#include "short_digits.hpp"
+#include "number/short_digits.hpp"
 
 #include <mdm/number/decimal.hpp>
 

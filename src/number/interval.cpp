@@ -1,6 +1,7 @@
 #include <mdm/number/interval.hpp>
 
 #include <algorithm>
+#include <cassert>
 
 namespace mdm {
 
@@ -13,7 +14,13 @@ Interval operator-(const Interval &y, const Interval &z) {
 }
 
 Interval operator*(const Interval &y, const Interval &z) {
+  assert(y.lo >= 0 && z.lo >= 0);
   return {y.lo * z.lo, y.hi * z.hi};
+}
+
+Interval power(const Interval &y, unsigned exponent) {
+  assert(y.lo >= 0);
+  return {power(y.lo, exponent), power(y.hi, exponent)};
 }
 
 Interval absolute(const Interval &y) {
@@ -29,6 +36,7 @@ Interval greater(const Interval &y, const Interval &z) {
 }
 
 Interval root(const Rational &r, unsigned degree, unsigned bits) {
+  assert(r >= 0 && degree >= 1);
   if (const std::optional<Rational> exact = exact_root(r, degree))
     return *exact;
   const Integer scaled = floor_div(numerator(r) << (bits * degree), denominator(r));

@@ -1,6 +1,7 @@
-#include <mdm/error.hpp>
+#include "number/long_decimal.hpp"
+
 #include <mdm/number/decimal.hpp>
-#include <mdm/number/long_decimal.hpp>
+#include <mdm/text/error.hpp>
 
 #include <algorithm>
 

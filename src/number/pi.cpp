@@ -1,4 +1,4 @@
-#include <mdm/number/pi.hpp>
+#include "number/pi.hpp"
 
 #if __has_include(<flint/arb.h>)
 #include <flint/arb.h>

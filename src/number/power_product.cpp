@@ -1,5 +1,6 @@
 #include <mdm/number/power_product.hpp>
 
+#include <cassert>
 #include <vector>
 
 namespace mdm {
@@ -34,7 +35,7 @@ std::vector<Integer> coprime_base(std::vector<Integer> numbers) {
   return base;
 }
 
-/// How often the integer p > 1 divides n.
+/// The number of times that the integer p > 1 divides n.
 Integer multiplicity(Integer n, const Integer &p) {
   return mpz_remove(n.backend().data(), n.backend().data(), p.backend().data());
 }
@@ -74,6 +75,7 @@ std::optional<Rational> exact_power(const Integer &p, const Rational &exponent) 
 } // namespace
 
 PowerProduct::PowerProduct(const Rational &base, const Rational &exponent) {
+  assert(base > 0);
   multiply(base, exponent);
 }
 

@@ -1,4 +1,4 @@
-#include "quick_cube_root.hpp"
+#include "number/quick_cube_root.hpp"
 
 #include <algorithm>
 #include <array>

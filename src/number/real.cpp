@@ -3,6 +3,7 @@
 #include <mdm/number/real.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 #include <utility>
 
@@ -162,10 +163,12 @@ Real operator*(const Real &a, const Real &b) {
 }
 
 Real operator/(const Real &a, const Real &b) {
+  assert(!b.fraction() || *b.fraction() != 0);
   return combined(a, b, std::divides<>());
 }
 
 Real pow(const Real &y, const Rational &exponent) {
+  assert(!y.fraction() || *y.fraction() > 0);
   constexpr int short_exponent = 8;
   if (y.fraction() && denominator(exponent) == 1 && exponent >= 0 && exponent <= short_exponent)
     return Real(power(*y.fraction(), static_cast<unsigned>(numerator(exponent))));
@@ -187,7 +190,7 @@ IntegerBounds floor_of(const Real &y, const std::function<bool(const Integer &k)
       if (is_exactly(result.hi))
         result.lo = result.hi;
     }
-    return result.known();
+    return result.is_point();
   });
   return result;
 }

@@ -1,4 +1,6 @@
-#include <mdm/number/surd.hpp>
+#include "number/surd.hpp"
+
+#include <cassert>
 
 namespace mdm {
 namespace {
@@ -60,6 +62,7 @@ Surd operator*(const Surd &a, const Surd &b) {
 }
 
 Surd inverse(const Surd &a) {
+  assert(a.c_.size() == 1 && a.c_.begin()->second != 0);
   const auto &[k, c] = *a.c_.begin();
   Surd result;
   result.degree_ = a.degree_;

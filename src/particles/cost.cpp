@@ -1,6 +1,10 @@
+#include "particles/cost.hpp"
+
+#include "number/pi.hpp"
+
 #include <mdm/number/enclosure.hpp>
-#include <mdm/number/pi.hpp>
-#include <mdm/particles/cost.hpp>
+
+#include <cassert>
 
 namespace mdm {
 
@@ -9,6 +13,7 @@ Rational in_metres(const ParticleSet &set, const Rational &length) {
 }
 
 Rational rayleigh_time(const ParticleSet &set, const Elasticity &elasticity) {
+  assert(elasticity.young > 0 && elasticity.poisson > -1 && elasticity.poisson <= ratio(1, 2));
   constexpr unsigned digits = 15;
   const Rational metre = in_metres(set, 1);
   std::optional<Rational> least; // R^2 rho

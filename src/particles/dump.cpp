@@ -1,4 +1,5 @@
-#include "line_reader.hpp"
+#include "particles/line_reader.hpp"
+#include "text/lines.hpp"
 
 #include <fmt/core.h>
 

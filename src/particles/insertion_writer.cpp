@@ -1,4 +1,4 @@
-#include "liggghts_insertion.hpp"
+#include "particles/liggghts_insertion.hpp"
 
 #include <mdm/number/decimal.hpp>
 
@@ -78,7 +78,7 @@ void add_liggghts_insertion(const ParticleSet &set, std::uint64_t seed, TextBuff
   });
 }
 
-void write_liggghts(const ParticleSet &set, const TextSink &out) {
+void write_liggghts(const ParticleSet &set, const Sink &out) {
   TextBuffer text(out);
   text.add("# {}\n# {}\n", script_words(title(set)), mass_statement(set));
   text.add(R"(#
@@ -92,7 +92,7 @@ void write_liggghts(const ParticleSet &set, const TextSink &out) {
   text.finish();
 }
 
-void write_mercurydpm(const ParticleSet &set, const TextSink &out) {
+void write_mercurydpm(const ParticleSet &set, const Sink &out) {
   const Integer all = set.particles();
   TextBuffer text(out);
   text.add(

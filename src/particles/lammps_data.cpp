@@ -1,4 +1,7 @@
-#include "line_reader.hpp"
+#include "particles/line_reader.hpp"
+#include "text/lines.hpp"
+
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 

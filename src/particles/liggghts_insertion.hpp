@@ -1,7 +1,9 @@
 #pragma once
-// What LIGGGHTS' models and files for inclusion have in common.
+// Lines that LIGGGHTS' models and files for inclusion share.
 
-#include "text_buffer.hpp"
+#include "text/long_text.hpp"
+
+#include <mdm/particles/particle_writer.hpp>
 
 #include <cstdint>
 

@@ -1,4 +1,8 @@
-#include "line_reader.hpp"
+#include "particles/line_reader.hpp"
+
+#include "text/lines.hpp"
+
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -24,16 +28,16 @@ void ParticleSource::set_defaults(SizeMeaning meaning, LengthUnit unit) {
 
 void ParticleSource::particle(std::string_view text, const Integer &quantity, char point, ReadSize read) {
   const char *const what = meaning_ == SizeMeaning::radius ? "radius" : "diameter";
-  Rational size;
+  RootSize size;
   try {
     size = read(text, point);
   } catch (const InputError &error) {
     refuse(fmt::format("{} {}", what, error.what()));
   }
-  if (size <= 0)
+  if (size.power <= 0)
     refuse(fmt::format("{} {} is not above 0: a particle has a size", what, in_quotes(text)));
   if (factor_ != 1)
-    size *= factor_;
+    size.power *= power(factor_, size.degree);
   sink_.add(size, quantity);
   any_ = true;
 }

@@ -1,16 +1,15 @@
 #pragma once
 /// \file
-/// What the readers of particle files share.
+/// The parts that all readers of particle files share.
 
-#include "../gradation/message.hpp"
-#include "../gradation/text.hpp"
+#include "text/lines.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/particles/particle_reader.hpp>
 
 namespace mdm {
 
-/// Where a reader is in its file, and where its particles go.
+/// A reader's place in its file, and the receiver of its particles.
 class ParticleSource {
 public:
   ParticleSource(std::string file, ParticleSink &sink, const ParticleOptions &options);
@@ -23,17 +22,18 @@ public:
   /// Throws the InputError `file:line: what`.
   [[noreturn]] void refuse(const std::string &what) const;
 
-  /// What sizes are and their unit, where the user did not say.
+  /// The meaning of sizes and their unit, where the user did not say.
   void set_defaults(SizeMeaning meaning, LengthUnit unit);
   SizeMeaning meaning() const { return meaning_; }
   LengthUnit unit() const { return unit_; }
 
-  /// What reads a size; `point` is the decimal sign.
-  using ReadSize = Rational (*)(std::string_view text, char point);
+  /// A function that reads a size; `point` is the decimal sign.
+  using ReadSize = RootSize (*)(std::string_view text, char point);
+  static RootSize read_decimal(std::string_view text, char point) { return {parse_decimal(text, point)}; }
   /// A particle whose size is written as `text`.
   void particle(std::string_view text, const Integer &quantity = 1, char point = '.',
-                ReadSize read = parse_decimal);
-  /// What came so far does not count: another timestep begins.
+                ReadSize read = read_decimal);
+  /// Forgets all particles so far: another timestep begins.
   void restart();
 
   /// \throws InputError if there was no particle

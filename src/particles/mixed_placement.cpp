@@ -1,13 +1,14 @@
 // Places of a mixed start.
 
-#include "shuffle.hpp"
+#include "particles/shuffle.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/particles/placement.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -86,6 +87,7 @@ private:
 } // namespace
 
 double insertion_height(const ParticleSet &set, double x, double y) {
+  assert(std::min(x, y) > set.largest().diameter.value);
   constexpr double most_part = 0.8;
   std::vector<std::pair<double, double>> placed; // largest size and quantity of the classes that are there
   double height = 0;
@@ -114,7 +116,7 @@ void Placement::choose_mixed_box(const std::optional<Footprint> &floor) {
     box_[2] = units(*floor->c);
     return;
   }
-  // What radii are rounded up by is less than a hundredth of the smallest size.
+  // Radii are rounded up by less than a hundredth of the smallest size.
   constexpr double rounding = 1.03;
   const auto side = [&](std::size_t axis) { return static_cast<double>(box_[axis]) / scale; };
   box_[2] = units(Rational(rounding * insertion_height(*set_, side(0), side(1))));

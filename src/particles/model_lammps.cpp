@@ -1,4 +1,4 @@
-#include "settle_script.hpp"
+#include "particles/settle_script.hpp"
 
 #include <fmt/core.h>
 

@@ -1,5 +1,5 @@
-#include "liggghts_insertion.hpp"
-#include "settle_script.hpp"
+#include "particles/liggghts_insertion.hpp"
+#include "particles/settle_script.hpp"
 
 #include <fmt/core.h>
 
@@ -58,7 +58,7 @@ thermo_modify lost error norm no
                       fmt::arg("e", s.physics.restitution), fmt::arg("mu", s.physics.friction),
                       fmt::arg("dt", s.physics.step));
 
-  const TextSink sink = [&text](std::string_view more) { text += more; };
+  const Sink sink = [&text](std::string_view more) { text += more; };
   TextBuffer insertion(sink);
   add_liggghts_insertion(s.set, s.seed - 1, insertion);
   insertion.finish();

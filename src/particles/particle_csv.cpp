@@ -1,13 +1,28 @@
-#include "../gradation/csv_rows.hpp"
-#include "line_reader.hpp"
+#include "gradation/csv_rows.hpp"
+#include "gradation/phi.hpp"
+#include "gradation/sieve_name.hpp"
+#include "particles/line_reader.hpp"
+#include "text/lines.hpp"
 
-#include <mdm/gradation/phi.hpp>
-#include <mdm/gradation/sieve_name.hpp>
+#include <mdm/gradation/gradation.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
 namespace mdm {
 namespace {
+
+/// 2^-phi mm, exactly.
+RootSize read_phi(std::string_view text, char point) {
+  const Rational phi = parse_decimal(text, point);
+  check_phi(phi);
+  const Integer root = denominator(phi);
+  if (root > max_root)
+    throw InputError(fmt::format("phi {} is no fraction with a denominator up to {}: give the size in mm",
+                                 in_quotes(text), max_root));
+  const auto degree = static_cast<unsigned>(root);
+  return {phi_power(phi, degree), degree};
+}
 
 class ParticleCsvReader : public LineReader {
 public:
@@ -70,11 +85,11 @@ private:
   ParticleSource::ReadSize reader() const {
     switch (kind_) {
     case SizeKind::phi:
-      return [](std::string_view text, char point) { return phi_size(parse_decimal(text, point)); };
+      return read_phi;
     case SizeKind::sieve:
-      return sieve_opening;
+      return [](std::string_view text, char point) { return RootSize{sieve_opening(text, point)}; };
     default:
-      return parse_decimal;
+      return ParticleSource::read_decimal;
     }
   }
 
@@ -82,13 +97,6 @@ private:
   bool is_sieve_row(std::string_view row) {
     return has_header_ && kind_ == SizeKind::sieve && split_fields(row, delimiter_, fields_) &&
            fields_.size() == 2 && is_sieve_number(fields_[0]);
-  }
-
-  void note_rounding(char point) {
-    if (kind_ != SizeKind::phi || noted_ || denominator(parse_decimal(fields_[0], point)) == 1)
-      return;
-    source_.note("Sizes of phi that is no integer were rounded to 15 significant digits in mm.");
-    noted_ = true;
   }
 
   void read_row(std::string_view row) {
@@ -106,13 +114,11 @@ private:
     const bool comma = delimiter_ == ';' && fields_[0].find(',') != std::string::npos;
     const char point = comma ? ',' : '.';
     source_.particle(fields_[0], *quantity, point, reader());
-    note_rounding(point);
   }
 
   ParticleSource &source_;
   bool has_header_ = false;
   SizeKind kind_ = SizeKind::mm;
-  bool noted_ = false;
   char delimiter_ = ',';
   std::vector<std::string> fields_;
 };

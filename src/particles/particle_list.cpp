@@ -1,4 +1,6 @@
-#include "line_reader.hpp"
+#include "particles/line_reader.hpp"
+
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 

@@ -1,4 +1,5 @@
-#include "line_reader.hpp"
+#include "particles/line_reader.hpp"
+#include "text/lines.hpp"
 
 #include <fmt/core.h>
 
@@ -75,9 +76,11 @@ std::optional<ParticleFormat> format_of(std::string_view line, const ParticleSou
     return ParticleFormat::csv;
   std::vector<std::string_view> words;
   split_words(text, words);
+  std::vector<std::string_view> before_comment;
+  split_words(text.substr(0, text.find('#')), before_comment);
   if (words.front() == "fix" || words.front() == "variable")
     return ParticleFormat::liggghts_insertion;
-  if (words.size() == 2 && words[1] == "atoms" && !is_first)
+  if (before_comment.size() == 2 && before_comment[1] == "atoms" && !is_first)
     return ParticleFormat::lammps_data;
   const bool numbers = std::all_of(words.begin(), words.end(), is_number);
   if (numbers && words.size() == 1)
@@ -109,11 +112,13 @@ void ParticleReader::begin(ParticleFormat format) {
 
 void ParticleReader::line(std::string_view text) {
   source_->next_line();
-  constexpr std::string_view mark = "\uFEFF";
-  if (source_->line() == 1 && text.starts_with(mark))
-    text.remove_prefix(mark.size());
+  if (source_->line() == 1)
+    text = without_byte_order_mark(text);
   if (text.ends_with('\r'))
     text.remove_suffix(1);
+  if (text.find('\r') != std::string_view::npos)
+    source_->refuse(
+        "a carriage return (CR) is there that no line feed (LF) follows: end lines with LF or CR LF");
   if (reader_) {
     reader_->line(text);
     return;

@@ -1,12 +1,15 @@
-#include "../gradation/message.hpp"
+#include "gradation/shown.hpp"
+#include "match/problem_of.hpp"
 
 #include <mdm/match/spread.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/particles/particle_set.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace mdm {
 namespace {
@@ -14,22 +17,24 @@ namespace {
 /// Writes sizes of one gradation.
 class Writer {
 public:
-  Writer(LengthUnit from, const MassLaw &law, const ParticleSetOptions &options)
-      : options_(options), law_(law), unit_(in_mm(from) / in_mm(options.unit)),
+  /// \param root  of the gradation
+  Writer(LengthUnit from, const MassLaw &law, unsigned root, const ParticleSetOptions &options)
+      : options_(options), degree_(law.a * root), unit_(in_mm(from) / in_mm(options.unit)),
         density_(options.density * power(Rational(in_mm(options.unit) / 1000), 3)) {}
 
-  /// A class without particles.
-  ParticleClass empty(std::size_t number, const Rational &lower, const Rational &upper,
+  /// A class without particles. An irrational opening becomes a fraction next to it, on the side of the
+  /// class: what lies between the fractions lies in the class.
+  ParticleClass empty(std::size_t number, const RootSize &lower, const RootSize &upper,
                       const Rational &factor) const {
-    return {number, lower * unit_, upper * unit_, density_ * factor, {}, 0};
+    return {number, bounds(lower).hi * unit_, bounds(upper).lo * unit_, density_ * factor, {}, 0};
   }
 
-  /// \param powered  x^a in the unit of the gradation
+  /// \param powered  x^(a root) in the unit of the gradation
   void add(ParticleClass &c, const Rational &powered, const Integer &quantity) const {
-    const SizeToWrite diameter{powered * power(unit_, law_.a), law_.a, c.lower, c.upper,
+    const SizeToWrite diameter{powered * power(unit_, degree_), degree_, c.lower, c.upper,
                                options_.most_mass_error};
-    const SizeToWrite radius{diameter.powered / power(Rational(2), law_.a), law_.a, c.lower / 2, c.upper / 2,
-                             options_.most_mass_error};
+    const SizeToWrite radius{diameter.powered / power(Rational(2), degree_), degree_, c.lower / 2,
+                             c.upper / 2, options_.most_mass_error};
     c.sizes.push_back({number(c, diameter), number(c, radius), quantity});
   }
 
@@ -47,55 +52,34 @@ private:
   }
 
   const ParticleSetOptions &options_;
-  MassLaw law_;
+  unsigned degree_; ///< a root
   Rational unit_;
   Rational density_;
 };
 
-/// The particles of one class of a match, of which all together have the mass T.
-struct ClassMass {
-  std::size_t index;
-  Integer quantity;
-  Rational powered; ///< T^b
-};
-
-/// The classes that have particles, ascending.
-std::vector<ClassMass> class_masses(const Match &m) {
-  const unsigned b = m.question.law.b;
-  std::vector<ClassMass> classes;
-  if (m.tolerant) {
-    const TolerantMatch &best = *m.tolerant->found.best;
-    for (std::size_t j = 0; j < best.q.size(); ++j)
-      if (best.q[j] > 0)
-        classes.push_back({j, best.q[j], power(Rational(best.t[j] / m.tolerant->problem.unit()), b)});
-    return classes;
-  }
-  for (std::size_t i = 0; i < m.q.size(); ++i) {
-    const std::size_t j = m.problem.classes()[i].index;
-    classes.push_back({j, m.q[i], m.scale * power(m.gradation.mass(j), b)});
-  }
-  return classes;
-}
-
 Rational share_error(const Match &m) {
   Rational most = 0;
-  if (!m.tolerant)
+  if (!m.sample->shares)
     return most;
-  const std::vector<Rational> asked = shares(m.gradation), &achieved = m.tolerant->shares;
+  const std::vector<Rational> asked = shares(m.gradation);
   for (std::size_t j = 0; j < asked.size(); ++j)
-    most = std::max(most, abs(Rational(achieved[j] - asked[j])));
+    most = std::max(most, abs(Rational((*m.sample->shares)[j] - asked[j])));
   return most;
 }
 
-/// A set whose classes are filled by fill(class, what it has, x^a of a particle that had all of T).
+/// A set whose classes are filled by fill(class, its quantity, x^(a root) of a particle that had all of its
+/// mass).
 template <class Fill>
 ParticleSet match_set(const Match &m, const Writer &writer, LengthUnit unit, Fill fill) {
   const Gradation &g = m.gradation;
   ParticleSet set{g.id(), unit, m.question.law, {}, share_error(m)};
-  for (const ClassMass &mass : class_masses(m)) {
-    const std::size_t j = mass.index;
-    set.classes.push_back(writer.empty(j + 1, g.lower(j), g.upper(j), g.factor(j)));
-    fill(set.classes.back(), mass, Rational(mass.powered / power(g.factor(j), m.question.law.b)));
+  const std::vector<Rational> masses = powered_masses(m);
+  for (std::size_t j = 0; j < masses.size(); ++j) {
+    const Integer &q = m.sample->quantities[j];
+    if (q == 0)
+      continue;
+    set.classes.push_back(writer.empty(j + 1, g.opening(j), g.opening(j + 1), g.factor(j)));
+    fill(set.classes.back(), q, Rational(masses[j] / power(g.factor(j), m.scale_power())));
   }
   return set;
 }
@@ -142,70 +126,45 @@ Rational ParticleSet::cubes_of_radii() const {
 }
 
 ParticleSet particle_set(const Match &m, const ParticleSetOptions &options) {
-  const MassLaw &law = m.question.law;
-  const Writer writer(length_unit(m.gradation.unit()), law, options);
-  return match_set(m, writer, options.unit,
-                   [&](ParticleClass &c, const ClassMass &mass, const Rational &powered) {
-                     writer.add(c, Rational(powered / power(Rational(mass.quantity), law.b)), mass.quantity);
-                   });
+  assert(m.has_answer());
+  const Writer writer(length_unit(m.gradation.unit()), m.question.law, m.gradation.root(), options);
+  const unsigned p = m.scale_power();
+  return match_set(m, writer, options.unit, [&](ParticleClass &c, const Integer &q, const Rational &powered) {
+    writer.add(c, Rational(powered / power(Rational(q), p)), q);
+  });
 }
 
 ParticleSet spread_particle_set(const Match &m, std::uint64_t seed, const ParticleSetOptions &options) {
-  if (m.particles() > most_sizes)
+  assert(m.has_answer());
+  if (*m.particles() > most_sizes)
     throw InputError(
         fmt::format("{} particles are more than the {} that can have a size each: leave --spread "
                     "out, or ask for fewer",
-                    to_string(m.particles()), most_sizes));
-  const MassLaw &law = m.question.law;
-  const Writer writer(length_unit(m.gradation.unit()), law, options);
+                    to_string(*m.particles()), most_sizes));
+  const Writer writer(length_unit(m.gradation.unit()), m.question.law, m.gradation.root(), options);
+  const unsigned p = m.scale_power();
   const Spread spread = mdm::spread(m, seed);
   auto of_class = spread.classes.begin();
-  return match_set(m, writer, options.unit,
-                   [&](ParticleClass &c, const ClassMass &, const Rational &powered) {
-                     std::vector<Integer> parts(of_class->quantity());
-                     ClassSpread::Masses masses = of_class->masses();
-                     std::generate(parts.begin(), parts.end(), [&masses] { return masses.next(); });
-                     std::sort(parts.begin(), parts.end());
-                     const Rational one = powered / power(Rational(of_class->parts()), law.b);
-                     c.sizes.reserve(parts.size());
-                     for (const Integer &n : parts)
-                       writer.add(c, Rational(one * power(n, law.b)), 1);
-                     ++of_class;
-                   });
+  return match_set(m, writer, options.unit, [&](ParticleClass &c, const Integer &, const Rational &powered) {
+    std::vector<Integer> parts(of_class->quantity());
+    ClassSpread::Masses masses = of_class->masses();
+    std::generate(parts.begin(), parts.end(), [&masses] { return masses.next(); });
+    std::sort(parts.begin(), parts.end());
+    const Rational one = powered / power(Rational(of_class->parts()), p);
+    c.sizes.reserve(parts.size());
+    for (const Integer &n : parts)
+      writer.add(c, Rational(one * power(n, p)), 1);
+    ++of_class;
+  });
 }
 
-ParticleSet particle_set(const AnswerSample &answer, const MassLaw &law, const ParticleSetOptions &options) {
-  if (answer.scale_power != law.b)
-    throw InputError(fmt::format("the answer was made with a law x^(a/{}), not x^({}): say which with --law",
-                                 answer.scale_power, law.exponent()));
-  if (answer.has_spread)
-    throw InputError(
-        "the answer has a spread of sizes, which are rounded: export the gradation with --spread "
-        "and the same --seed");
-  const Writer writer(length_unit(answer.unit), law, options);
-  const Rational unit = in_mm(length_unit(answer.unit)) / in_mm(options.unit);
-  ParticleSet set{answer.id, options.unit, law, {}, answer.share_error};
-  for (const AnswerSample::Class &c : answer.classes) {
-    const Rational powered = answer.scale * power(Rational(c.mass / c.quantity), law.b);
-    if (powered < power(c.size_lo, law.a) || powered > power(c.size_hi, law.a))
-      throw InputError(fmt::format("scale, mass and quantity do not give the size in class {} of the answer "
-                                   "with the law x^({}): say which with --law, or export the gradation "
-                                   "itself if it has factors",
-                                   c.number, law.exponent()));
-    if (c.lower < 0 || (!set.classes.empty() && c.lower * unit < set.classes.back().upper))
-      throw InputError(
-          fmt::format("class {} of the answer does not begin at or above the end of those before "
-                      "it: solve again",
-                      c.number));
-    if (powered <= power(c.lower, law.a) || powered > power(c.upper, law.a))
-      throw InputError(
-          fmt::format("the size in class {} of the answer is not in the class: solve again", c.number));
+ParticleSet particle_set(const SizedSample &sample, const MassLaw &law, const ParticleSetOptions &options) {
+  const Writer writer(length_unit(sample.unit), law, sample.root, options);
+  ParticleSet set{sample.name, options.unit, law, {}, sample.share_error};
+  for (const SizedSample::Class &c : sample.classes) {
     set.classes.push_back(writer.empty(c.number, c.lower, c.upper, 1));
-    writer.add(set.classes.back(), powered, c.quantity);
+    writer.add(set.classes.back(), c.powered, c.quantity);
   }
-  if (set.particles() != answer.particles)
-    throw InputError(fmt::format("the answer says that it has {} particles, its classes have {}: solve again",
-                                 to_string(answer.particles), to_string(set.particles())));
   return set;
 }
 

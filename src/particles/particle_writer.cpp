@@ -1,7 +1,8 @@
-#include "text_buffer.hpp"
+#include "text/long_text.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/particles/particle_writer.hpp>
+#include <mdm/text/error.hpp>
 
 namespace mdm {
 namespace {
@@ -20,7 +21,8 @@ std::string densities(const ParticleSet &set) {
 } // namespace
 
 std::string title(const ParticleSet &set) {
-  return fmt::format("{}: {} particles in {} classes, by exactmdm; lengths in {}, density {}",
+  // The first words keep a name from looking like the head of another format.
+  return fmt::format("Particles of {}: {} in {} classes, by exactmdm; lengths in {}, density {}",
                      set.name.empty() ? "a gradation" : printable(set.name), to_string(set.particles()),
                      set.classes.size(), name(set.unit), densities(set));
 }
@@ -51,7 +53,7 @@ std::string comment_lines(const ParticleSet &set) {
   return "# " + title(set) + "\n# " + mass_statement(set) + "\n";
 }
 
-void write_size_csv(const ParticleSet &set, const TextSink &out) {
+void write_size_csv(const ParticleSet &set, const Sink &out) {
   TextBuffer text(out);
   text.add("{}size_{},quantity\n", comment_lines(set), name(set.unit));
   for (const ParticleClass &c : set.classes)
@@ -60,7 +62,7 @@ void write_size_csv(const ParticleSet &set, const TextSink &out) {
   text.finish();
 }
 
-void write_diameters(const ParticleSet &set, const TextSink &out) {
+void write_diameters(const ParticleSet &set, const Sink &out) {
   TextBuffer text(out);
   text.add("{}", comment_lines(set));
   for (auto c = set.classes.rbegin(); c != set.classes.rend(); ++c)

@@ -1,4 +1,6 @@
-#include "text_buffer.hpp"
+#include "text/long_text.hpp"
+
+#include <mdm/particles/particle_writer.hpp>
 
 #include <fmt/compile.h>
 
@@ -18,7 +20,7 @@ std::string box_line(const Placement &start) {
 
 } // namespace
 
-void write_lammps_data(const Placement &start, const TextSink &out) {
+void write_lammps_data(const Placement &start, const Sink &out) {
   const ParticleSet &set = start.set();
   TextBuffer text(out);
   text.add("{}\n# {}\n# {}\n\n{} atoms\n1 atom types\n\n", title(set), mass_statement(set), box_line(start),
@@ -37,7 +39,7 @@ void write_lammps_data(const Placement &start, const TextSink &out) {
   text.finish();
 }
 
-void write_xyzr(const Placement &start, const TextSink &out) {
+void write_xyzr(const Placement &start, const Sink &out) {
   TextBuffer text(out);
   // Without an empty line: YADE's reader takes the first word of every line.
   text.add(
@@ -51,7 +53,7 @@ void write_xyzr(const Placement &start, const TextSink &out) {
   text.finish();
 }
 
-void write_vtk(const Placement &start, const TextSink &out) {
+void write_vtk(const Placement &start, const Sink &out) {
   const ParticleSet &set = start.set();
   const std::string n = to_string(set.particles());
   // Cut in front, so that the statement stays whole; not inside a character.

@@ -1,10 +1,9 @@
-#include "../gradation/message.hpp"
-#include "shuffle.hpp"
+#include "number/pi.hpp"
+#include "particles/shuffle.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/number/decimal.hpp>
-#include <mdm/number/pi.hpp>
 #include <mdm/particles/placement.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -15,7 +14,7 @@ namespace {
 
 /// The smallest size has so many units or more, and less than ten times as many unless a unit is 1.
 constexpr int units_of_smallest = 1000;
-/// What rounding to doubles may take at each side of a particle, and more.
+/// More than rounding to doubles can take at each side of a particle.
 constexpr std::int64_t slack = 2;
 /// Lengths in units are below it, so that doubles are within half a unit of them.
 constexpr std::int64_t most_units = std::int64_t{1} << 52;

@@ -1,6 +1,7 @@
-#include "settle_script.hpp"
+#include "particles/settle_script.hpp"
 
 #include <mdm/particles/particle_writer.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 

@@ -1,8 +1,9 @@
 #pragma once
-// What the models of all engines have in common.
+// Lines that the models of all engines share.
 
-#include <mdm/error.hpp>
-#include <mdm/particles/settle_model.hpp>
+#include "particles/settle_model.hpp"
+
+#include <mdm/text/error.hpp>
 
 namespace mdm {
 
@@ -19,11 +20,11 @@ std::string class_name(const ParticleClass &c);
 struct SettleScript {
   explicit SettleScript(const SettleModel &m);
 
-  /// What it is, how to run it, and what it assumes; as comments.
+  /// The model's purpose, the command that runs it, and its assumptions; as comments.
   std::string head(const char *engine, const char *command, const char *more_steps,
                    const char *engine_options) const;
 
-  /// How to verify what it leaves; as comments.
+  /// The command that verifies the model's result; as comments.
   std::string verification(const char *engine_options) const;
 
   const ParticleSet &set;

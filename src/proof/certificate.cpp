@@ -1,13 +1,16 @@
-#include "certificate_parts.hpp"
+#include "match/problem_of.hpp"
+#include "match/sizes.hpp"
+#include "number/common_denominator.hpp"
+#include "proof/certificate_parts.hpp"
 
-#include <mdm/error.hpp>
-#include <mdm/number/common_denominator.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/proof/certificate.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 
 namespace mdm {
@@ -23,34 +26,56 @@ std::size_t longest_part(const std::vector<Rational> &numbers) {
   return bits;
 }
 
+std::size_t longest_opening(const Gradation &g) {
+  return (longest_part(g.powers()) + g.root() - 1) / g.root();
+}
+
+std::uint64_t highest_power(const MassLaw &law, unsigned root) {
+  return std::uint64_t{std::max(law.a, law.b)} * root;
+}
+
+std::uint64_t highest_power(const Match &m) {
+  return highest_power(m.question.law, m.gradation.root());
+}
+
 bool is_precise(const Match &m, const Enclosure &size) {
   return (size.hi - size.lo) * power_of_ten(least_digits - 1) <= size.lo &&
-         bit_length(size.hi) * std::max(m.question.law.a, m.question.law.b) <= max_power_bits;
+         bit_length(size.hi) * highest_power(m) <= max_power_bits;
 }
 
 namespace {
 
+/// A class with particles, as the certificate has it.
+struct CertifiedClass {
+  std::size_t number;
+  const Integer &quantity;
+  Enclosure size;
+};
+
 /// The format's limits on the work of a checker (certificate-format.md, section 2, Limits); they are
 /// estimated from above.
-bool within_limits(const Match &m, const std::vector<Enclosure> &sizes) {
+bool within_limits(const Match &m, const Chain &chain, const std::vector<CertifiedClass> &classes) {
   const Gradation &g = m.gradation;
-  const std::uint64_t e = std::max(m.question.law.a, m.question.law.b);
+  const std::uint64_t e = highest_power(m);
   const std::uint64_t in_gradation =
-      std::max({longest_part(g.sizes()), longest_part(g.masses()), longest_part(g.factors())});
-  std::size_t count = std::max(bit_length(m.question.at_least), bit_length(m.particles()));
-  for (const Enclosure &x : sizes)
-    count = std::max({count, bit_length(x.hi), bit_length(power_of_ten(x.places))});
-  std::size_t scale = longest_part(Rational(m.scale / m.problem.scale_unit()));
-  scale = std::max(scale, longest_part(Rational(m.above / m.problem.scale_unit())));
-  if (m.window.start)
-    scale = std::max(scale, longest_part(Rational(m.window.start->lo / m.problem.scale_unit())));
+      std::max({longest_opening(g), longest_part(g.masses()), longest_part(g.factors())});
+  std::size_t count = std::max(bit_length(m.question.at_least), bit_length(*m.particles()));
+  for (const CertifiedClass &c : classes)
+    count = std::max({count, bit_length(c.size.hi), bit_length(power_of_ten(c.size.places))});
+  const Rational unit = problem_of(m).scale_unit();
+  const auto length = [&unit](const Rational &scale) { return longest_part(Rational(scale / unit)); };
+  std::size_t scale = length(m.sample->scale->chosen);
+  if (chain.above)
+    scale = std::max(scale, length(*chain.above));
+  if (const std::optional<Interval> &start = m.sample->scale->window.start)
+    scale = std::max(scale, length(start->lo));
   Integer factors = 1;
   if (m.question.solids)
     for (const Integer &c : CommonDenominator(g.factors()).numerators)
       factors = bit_length(factors) > max_power_bits ? factors : lcm(factors, c);
   return e * in_gradation <= max_power_bits && e * count <= max_power_bits &&
-         (64 * g.sizes().size() + m.chain.size()) * e * (in_gradation + count) <= max_work &&
-         g.classes() * scale <= std::uint64_t{1} << 32 && bit_length(factors) <= max_power_bits;
+         (64 * g.powers().size() + chain.steps.size()) * e * (in_gradation + count) <= max_work &&
+         g.classes() * scale <= std::uint64_t{1} << 28 && bit_length(factors) <= max_power_bits;
 }
 
 std::string solids_line(const Solids &solids) {
@@ -78,8 +103,8 @@ std::string question_lines(const Match &m) {
     text += fmt::format("min-per-class {}\n", to_string(q.min_per_class));
   if (q.solids)
     text += solids_line(*q.solids);
-  if (m.pi)
-    text += fmt::format("pi {} {}\n", m.pi->lower_text(), m.pi->upper_text());
+  if (const std::optional<Enclosure> &pi = m.proof.pi)
+    text += fmt::format("pi {} {}\n", pi->lower_text(), pi->upper_text());
   if (q.at_least > 1)
     text += fmt::format("at-least {}\n", to_string(q.at_least));
   return text;
@@ -88,27 +113,41 @@ std::string question_lines(const Match &m) {
 namespace {
 
 /// The match's sizes if they are precise and short enough for the format, else such ones.
-std::vector<Enclosure> certified_sizes(const Match &m) {
-  const bool usable =
-      std::all_of(m.sizes.begin(), m.sizes.end(), [&m](const Enclosure &x) { return is_precise(m, x); });
-  return usable ? m.sizes : enclose_sizes(m.gradation, m.problem, m.q, m.scale, m.margin, least_digits);
+std::vector<CertifiedClass> certified_classes(const Match &m) {
+  const MatchSample &sample = *m.sample;
+  std::vector<CertifiedClass> classes;
+  for (std::size_t j = 0; j < sample.sizes.size(); ++j)
+    if (sample.sizes[j])
+      classes.push_back({j + 1, sample.quantities[j], *sample.sizes[j]});
+  if (std::all_of(classes.begin(), classes.end(),
+                  [&m](const CertifiedClass &c) { return is_precise(m, c.size); }))
+    return classes;
+  std::vector<Integer> q;
+  for (const CertifiedClass &c : classes)
+    q.push_back(c.quantity);
+  const std::vector<Enclosure> sizes =
+      enclose_sizes(m.gradation, problem_of(m), q, sample.scale->chosen, sample.scale->margin, least_digits);
+  for (std::size_t i = 0; i < classes.size(); ++i)
+    classes[i].size = sizes[i];
+  return classes;
 }
 
-std::string witness_lines(const Match &m, const std::vector<Enclosure> &sizes) {
-  std::string text = fmt::format("particles {}\nscale {}\n", to_string(m.particles()), to_string(m.scale));
-  for (std::size_t j = 0; j < m.q.size(); ++j)
-    fmt::format_to(std::back_inserter(text), "class {} {} {} {}\n", m.problem.classes()[j].index + 1,
-                   to_string(m.q[j]), sizes[j].lower_text(), sizes[j].upper_text());
+std::string witness_lines(const Match &m, const std::vector<CertifiedClass> &classes) {
+  std::string text =
+      fmt::format("particles {}\nscale {}\n", to_string(*m.particles()), to_string(m.sample->scale->chosen));
+  for (const CertifiedClass &c : classes)
+    fmt::format_to(std::back_inserter(text), "class {} {} {} {}\n", c.number, to_string(c.quantity),
+                   c.size.lower_text(), c.size.upper_text());
   return text;
 }
 
-std::string chain_lines(const Match &m) {
+std::string chain_lines(const Match &m, const Chain &chain) {
   // With exactly as many particles as were asked for, the witness proves all.
-  if (m.question.at_least > 1 && m.particles() == m.question.at_least)
+  if (m.question.at_least > 1 && *m.particles() == m.question.at_least)
     return {};
-  std::string text = m.above > 0 ? fmt::format("above {}\nchain", to_string(m.above)) : "chain";
-  for (const std::uint32_t j : m.chain)
-    fmt::format_to(std::back_inserter(text), " {}", m.problem.classes()[j].index + 1);
+  std::string text = chain.above ? fmt::format("above {}\nchain", to_string(*chain.above)) : "chain";
+  for (const std::uint32_t j : chain.steps)
+    fmt::format_to(std::back_inserter(text), " {}", j + 1);
   return text + "\n";
 }
 
@@ -116,16 +155,93 @@ std::string chain_lines(const Match &m) {
 
 void refuse_long_numbers() {
   throw InputError("the numbers are too long for a certificate that can be checked in reasonable time: round "
-                   "them, or leave out --proof");
+                   "them, or ask for no proof");
+}
+
+namespace {
+
+[[noreturn]] void refuse_long_number(const std::string &digits) {
+  throw InputError(
+      fmt::format("a number of the certificate would have {} digits, and its format allows {}: take "
+                  "a law with smaller numbers or fewer digits, or ask for no proof",
+                  digits, max_digits));
+}
+
+/// At most the logarithm of r > 0 to base 2, by 2 at most.
+std::int64_t least_log2(const Rational &r) {
+  return static_cast<std::int64_t>(bit_length(numerator(r))) - 1 -
+         static_cast<std::int64_t>(bit_length(denominator(r)));
+}
+
+/// At most the logarithm to base 2 of the scale to the power b d of every exact match, nothing where the
+/// question says too little. A class with q particles has S > q^bd A_j (Theorem 1): every class with q = R,
+/// and some class with q = M / k, where k classes have mass.
+std::optional<std::int64_t> least_log2_of_scale(const Gradation &g, const Question &question) {
+  const std::int64_t a = question.law.a, power = std::int64_t{question.law.b} * g.root();
+  std::optional<std::int64_t> largest, smallest; // of the A_j
+  bool has_zero = false;
+  Integer classes = 0;
+  for (std::size_t j = 0; j < g.classes(); ++j) {
+    if (g.mass(j) == 0)
+      continue;
+    ++classes;
+    if (g.powers()[j] == 0) {
+      has_zero = true;
+      continue;
+    }
+    const std::int64_t A =
+        a * least_log2(g.powers()[j]) + power * least_log2(Rational(g.factor(j) / g.mass(j)));
+    largest = std::max(largest.value_or(A), A);
+    smallest = std::min(smallest.value_or(A), A);
+  }
+  const auto at_count = [&](const Integer &q, const std::int64_t A) {
+    return power * (static_cast<std::int64_t>(bit_length(q)) - 1) + A;
+  };
+  std::optional<std::int64_t> least;
+  if (largest)
+    least = at_count(std::max(Integer(1), question.min_per_class), *largest);
+  if (const Integer share = floor_div(question.at_least, classes); smallest && !has_zero && share > 0)
+    least = std::max(*least, at_count(share, *smallest));
+  return least;
+}
+
+} // namespace
+
+std::string with_short_numbers(std::string text) {
+  std::size_t digits = 0, longest = 0;
+  for (const char c : text) {
+    if (c >= '0' && c <= '9')
+      longest = std::max(longest, ++digits);
+    else if (c != '.')
+      digits = 0;
+  }
+  if (longest > max_digits)
+    refuse_long_number(std::to_string(longest));
+  return text;
+}
+
+void check_certifiable(const Gradation &asked, const Question &question) {
+  const std::uint64_t e = highest_power(question.law, asked.root());
+  const std::uint64_t bits =
+      e * std::max({longest_opening(asked), longest_part(asked.masses()), longest_part(asked.factors())});
+  const std::uint64_t count = bit_length(std::max(question.at_least, question.min_per_class));
+  if (bits > max_power_bits || e * count > max_power_bits || 64 * asked.powers().size() * bits > max_work)
+    refuse_long_numbers();
+  constexpr std::int64_t too_long = 332193; // 2^332193 > 10^max_digits
+  if (!question.is_tolerant() && least_log2_of_scale(asked, question).value_or(0) >= too_long)
+    refuse_long_number(fmt::format("more than {}", max_digits));
 }
 
 std::string certificate(const Match &m) {
-  if (m.tolerant)
-    return tree_certificate(m);
-  const std::vector<Enclosure> sizes = certified_sizes(m);
-  if (!within_limits(m, sizes))
+  assert(m.complete);
+  if (m.tolerance)
+    return with_short_numbers(tree_certificate(m));
+  const Chain &chain = std::get<Chain>(m.evidence().value());
+  const std::vector<CertifiedClass> classes = certified_classes(m);
+  if (!within_limits(m, chain, classes))
     refuse_long_numbers();
-  return "mdm-certificate 1\n" + question_lines(m) + witness_lines(m, sizes) + chain_lines(m) + "end\n";
+  return with_short_numbers("mdm-certificate 1\n" + question_lines(m) + witness_lines(m, classes) +
+                            chain_lines(m, chain) + "end\n");
 }
 
 } // namespace mdm

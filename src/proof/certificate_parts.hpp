@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// What the certificates of exact matches and of matches within a tolerance have in common.
+/// Lines that the certificates of exact matches and of matches within a tolerance share.
 
-#include <mdm/match/solve.hpp>
+#include <mdm/match/match.hpp>
 
 #include <string>
 #include <vector>
@@ -11,18 +11,29 @@ namespace mdm {
 
 /// The format asks for ten significant digits of a size.
 inline constexpr unsigned least_digits = 10;
-/// Limits of the format (certificate-format.md, section 2): bits of powers, and of all steps together.
-inline constexpr std::size_t max_power_bits = std::size_t{1} << 20;
+/// A limit of the format beside max_power_bits (certificate-format.md, section 2): bits of all steps
+/// together.
 inline constexpr std::uint64_t max_work = std::uint64_t{1} << 34;
+/// Digits of a number.
+inline constexpr std::size_t max_digits = 100000;
 
 /// Bits of the longest numerator or denominator.
 std::size_t longest_part(const Rational &r);
 std::size_t longest_part(const std::vector<Rational> &numbers);
 
+/// The same of the openings, each counted with the d-th part of the bits of its d-th power.
+std::size_t longest_opening(const Gradation &g);
+/// The exponent that numbers are raised to at most: max(a, b) d.
+std::uint64_t highest_power(const MassLaw &law, unsigned root);
+std::uint64_t highest_power(const Match &m);
+
 /// True if a size is precise enough for the format and not too long.
 bool is_precise(const Match &m, const Enclosure &size);
 
 [[noreturn]] void refuse_long_numbers();
+/// The text of a certificate.
+/// \throws InputError if it has a number of more digits than the format allows
+std::string with_short_numbers(std::string text);
 
 /// The lines from `law` to `at-least`.
 std::string question_lines(const Match &m);

@@ -1,7 +1,10 @@
-#include "tolerant_vipr.hpp"
+#include "proof/tolerant_vipr.hpp"
+
+#include "match/problem_of.hpp"
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <iterator>
 #include <map>
 
@@ -12,10 +15,10 @@ namespace {
 class Writer {
 public:
   explicit Writer(const Match &m)
-      : problem_(m.tolerant->problem), tree_(m.tolerant->found.tree), k_(problem_.classes()),
+      : problem_(tolerant_problem_of(m)), tree_(std::get<Tree>(m.evidence().value())), k_(problem_.classes()),
         variables_(problem_.variables()), least_(k_), least_value_(k_), most_(k_), strict_(k_), filled_(k_) {
-    if (m.tolerant->found.best)
-      fewer_ = total(m.tolerant->found.best->q) - 1;
+    if (m.sample)
+      fewer_ = *m.particles() - 1;
     for (std::size_t j = 0; j < k_; ++j)
       least_value_[j] = problem_.least(j);
   }
@@ -204,7 +207,7 @@ private:
                                                                          : row_.at({m.condition, m.j});
   }
 
-  const TolerantProblem &problem_;
+  const TolerantProblem problem_;
   const Tree &tree_;
   std::size_t k_, variables_;
   std::optional<Integer> fewer_; ///< N - 1
@@ -222,6 +225,7 @@ private:
 } // namespace
 
 std::string tolerant_vipr(const Match &m) {
+  assert(m.complete && m.tolerance);
   return Writer(m).text();
 }
 

@@ -1,6 +1,8 @@
-#include "certificate_parts.hpp"
+#include "match/problem_of.hpp"
+#include "match/sizes.hpp"
+#include "number/common_denominator.hpp"
+#include "proof/certificate_parts.hpp"
 
-#include <mdm/number/common_denominator.hpp>
 #include <mdm/number/decimal.hpp>
 
 #include <fmt/format.h>
@@ -14,9 +16,6 @@ namespace {
 using Kind = AskedTolerance::Kind;
 using Text = std::back_insert_iterator<std::string>;
 
-/// Limit of the format on the nodes and multiples of a tree.
-constexpr std::size_t max_tree = std::size_t{1} << 22;
-
 /// The least percent that was asked for in this way; nothing if it was not.
 std::optional<Rational> asked(const Question &q, Kind kind) {
   std::optional<Rational> least;
@@ -26,7 +25,7 @@ std::optional<Rational> asked(const Question &q, Kind kind) {
   return least;
 }
 
-/// What `laboratory` and `rounding` come to: the least tolerance of each sieve, in percent.
+/// The tolerances of `laboratory` and `rounding`: the least of each sieve, in percent.
 std::vector<Rational> passing_each(const Match &m) {
   std::vector<Rational> least(m.gradation.classes() - 1, Rational(100));
   for (const Kind kind : {Kind::laboratory, Kind::rounding})
@@ -40,13 +39,13 @@ std::vector<Rational> passing_each(const Match &m) {
 
 /// The match's size of class j, precise enough for the format.
 Enclosure certified_size(const Match &m, std::size_t j, const Rational &mass) {
-  const TolerantAnswer &answer = *m.tolerant;
-  if (is_precise(m, *answer.sizes[j]))
-    return *answer.sizes[j];
+  const Enclosure &size = *m.sample->sizes[j];
+  if (is_precise(m, size))
+    return size;
   const MassLaw &law = m.question.law;
   const Rational power_b =
-      power(Rational(mass / (Rational(answer.found.best->q[j]) * m.gradation.factor(j))), law.b);
-  return enclose_size(m.gradation, j, law, numerator(power_b), denominator(power_b), least_digits);
+      power(Rational(mass / (Rational(m.sample->quantities[j]) * m.gradation.factor(j))), law.b);
+  return enclose_size(m.gradation, j, law.a, numerator(power_b), denominator(power_b), least_digits);
 }
 
 /// The letter of a condition.
@@ -93,20 +92,23 @@ bool is_of_counts(char letter) {
 /// Writes witness and tree, and sums up what the checker's work depends on.
 class Writer {
 public:
-  explicit Writer(const Match &m) : m_(m), answer_(*m.tolerant), unit_(numerator(answer_.problem.unit())) {}
+  explicit Writer(const Match &m)
+      : m_(m), problem_(tolerant_problem_of(m)), unit_(numerator(problem_.unit())) {}
 
   std::string text() {
     std::string text = "mdm-certificate 1\n" + question_lines(m_);
     write_tolerance(text);
-    if (answer_.found.best) {
-      text += fmt::format("particles {}\n", to_string(m_.particles()));
+    if (m_.sample) {
+      text += fmt::format("particles {}\n", to_string(*m_.particles()));
       write_witness(text);
     } else {
       text += "particles none\n";
     }
-    for (const TreeNode &node : answer_.found.tree)
+    if (!m_.evidence())
+      refuse_long_numbers();
+    for (const TreeNode &node : std::get<Tree>(*m_.evidence()))
       write(node, text);
-    if (answer_.found.tree.empty() || !within_limits())
+    if (!within_limits())
       refuse_long_numbers();
     return text + "end\n";
   }
@@ -138,6 +140,11 @@ private:
       text += fmt::format("total {}\n", decimal(*least));
     if (!q.band)
       return;
+    bands_ = q.band->sizes.size();
+    if (q.band_alone) {
+      text += "band file\n";
+      return;
+    }
     const Rational unit = in_mm(q.band->unit) / in_mm(m_.gradation.unit());
     for (std::size_t i = 0; i < q.band->sizes.size(); ++i)
       text += fmt::format("band {} {} {}\n", decimal(Rational(q.band->sizes[i] * unit)),
@@ -150,16 +157,17 @@ private:
   }
 
   void write_witness(std::string &text) {
-    const TolerantMatch &best = *answer_.found.best;
+    const std::vector<Integer> &q = m_.sample->quantities;
+    const std::vector<Rational> all = class_masses(m_);
     std::vector<Rational> masses;
-    for (std::size_t j = 0; j < best.q.size(); ++j) {
-      if (best.q[j] == 0)
+    for (std::size_t j = 0; j < q.size(); ++j) {
+      if (q[j] == 0)
         continue;
-      masses.emplace_back(best.t[j] / answer_.problem.unit());
+      masses.push_back(all[j]);
       const Enclosure size = certified_size(m_, j, masses.back());
-      fmt::format_to(Text(text), "class {} {} {} {} {}\n", j + 1, to_string(best.q[j]),
-                     to_string(masses.back()), size.lower_text(), size.upper_text());
-      see(best.q[j]);
+      fmt::format_to(Text(text), "class {} {} {} {} {}\n", j + 1, to_string(q[j]), to_string(masses.back()),
+                     size.lower_text(), size.upper_text());
+      see(q[j]);
       see(size.hi);
       see(power_of_ten(size.places));
     }
@@ -192,7 +200,6 @@ private:
     }
     text += "\n";
     size_ += node.leaf.size();
-    ++leaves_;
   }
 
   void see(const Integer &n) { count_ = std::max<std::size_t>(count_, bit_length(n)); }
@@ -200,7 +207,7 @@ private:
   /// Bits of the unit in which all bounds on shares are integers, and the weights where there are any.
   std::size_t share_bits() const {
     std::vector<Rational> shares_of_all = shares(m_.gradation);
-    const Tolerance &tolerance = answer_.tolerance;
+    const Tolerance &tolerance = *m_.tolerance;
     for (const std::vector<ShareBounds> *bounds : {&tolerance.retained, &tolerance.passing})
       for (const ShareBounds &b : *bounds) {
         shares_of_all.push_back(b.lo);
@@ -216,22 +223,22 @@ private:
   /// The format's limits on the work of a checker, estimated from above.
   bool within_limits() const {
     const Gradation &g = m_.gradation;
-    const std::uint64_t e = std::max(m_.question.law.a, m_.question.law.b);
-    const std::uint64_t in_gradation = std::max({longest_part(g.sizes()), longest_part(g.masses()),
+    const std::uint64_t e = highest_power(m_);
+    const std::uint64_t in_gradation = std::max({longest_opening(g), longest_part(g.masses()),
                                                  longest_part(g.factors()), longest_part(g.tolerances())});
     std::uint64_t masses = bit_length(unit_);
     for (std::size_t j = 0; j < g.classes(); ++j)
-      masses = std::max<std::uint64_t>(masses, bit_length(answer_.problem.F(j)));
+      masses = std::max<std::uint64_t>(masses, bit_length(problem_.F(j)));
     const std::uint64_t all = 2 * e * (in_gradation + count_) + 2 * masses + share_bits() + witness_unit_;
     return e * in_gradation <= max_power_bits && e * count_ <= max_power_bits &&
-           share_bits() <= max_power_bits && witness_unit_ <= max_power_bits && size_ <= max_tree &&
-           (64 * g.sizes().size() + leaves_ * g.classes() + size_) * all <= max_work;
+           share_bits() <= max_power_bits && witness_unit_ <= max_power_bits && size_ <= longest_tree &&
+           (64 * (g.powers().size() + bands_) + size_) * all <= max_work;
   }
 
   const Match &m_;
-  const TolerantAnswer &answer_;
+  const TolerantProblem problem_;
   Integer unit_; ///< a mass of 1 in the problem's units
-  std::size_t count_ = 1, witness_unit_ = 1, size_ = 0, leaves_ = 0;
+  std::size_t count_ = 1, witness_unit_ = 1, size_ = 0, bands_ = 0;
 };
 
 } // namespace

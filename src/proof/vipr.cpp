@@ -1,33 +1,51 @@
-#include "tolerant_vipr.hpp"
+#include "match/at_least.hpp"
+#include "match/problem_of.hpp"
+#include "number/common_denominator.hpp"
+#include "proof/tolerant_vipr.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/proof/vipr.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cassert>
 #include <iterator>
 
 namespace mdm {
 namespace {
+
+[[noreturn]] void refuse_length() {
+  throw InputError("--vipr: the proof has too many steps for an export: leave it out");
+}
 
 /// A class in integers, to the power 1: q f < s mass <= q F.
 struct LinearClass {
   Integer f, F, mass, floor;
 };
 
-Integer root_of(const Integer &n, const MassLaw &law) {
-  const Integer root = floor_root(n, law.b);
-  if (power(root, law.b) != n)
-    throw InputError("--vipr: the mass law x^(" + law.exponent() +
-                     ") is irrational at a sieve, VIPR has rational numbers only");
-  return root;
+/// (n / unit)^(1/p).
+Rational root_of(const Integer &n, const Integer &unit, const Problem &problem) {
+  if (const std::optional<Rational> root = exact_root(ratio(n, unit), problem.scale_power()))
+    return *root;
+  throw InputError("--vipr: the mass law x^(" + problem.law().exponent() +
+                   ") is irrational at a sieve, VIPR has rational numbers only" +
+                   (problem.root() > 1 ? ": " + std::string(convert_remedy) : ""));
 }
 
+/// The masses at the openings in units of the first upper one: only their ratios count, and need be rational.
 std::vector<LinearClass> linear_classes(const Problem &problem) {
-  const MassLaw &law = problem.law();
-  std::vector<LinearClass> classes;
+  std::vector<Rational> ends;
   for (const ProblemClass &c : problem.classes())
-    classes.push_back({root_of(c.f, law), root_of(c.F, law), root_of(c.mass, law), c.floor});
+    for (const Integer *end : {&c.f, &c.F})
+      ends.push_back(root_of(*end, problem.classes().front().F, problem));
+  const std::vector<Integer> cleared = CommonDenominator(ends).numerators;
+  std::vector<LinearClass> classes;
+  for (std::size_t j = 0; j < problem.classes().size(); ++j) {
+    const ProblemClass &c = problem.classes()[j];
+    classes.push_back(
+        {cleared[2 * j], cleared[2 * j + 1], floor_root(c.mass, problem.scale_power()), c.floor});
+  }
   return classes;
 }
 
@@ -47,14 +65,15 @@ Pair pair_of(const LinearClass &i, const LinearClass &j) {
 /// Writes the file section by section; derived constraints are numbered behind those of the problem.
 class Writer {
 public:
-  explicit Writer(const Match &m) : m_(m), classes_(linear_classes(m.problem)) {}
+  explicit Writer(const Match &m)
+      : m_(m), problem_(problem_of(m)), particles_(*m.particles()), classes_(linear_classes(problem_)) {}
 
   std::string text() {
     derive();
     const std::size_t k = classes_.size();
-    out("% mdm: the least number of particles that match exactly\nVER 1.0\nVAR {}\n", k);
+    out("% mdm: the smallest number of particles that match exactly\nVER 1.0\nVAR {}\n", k);
     for (std::size_t j = 0; j < k; ++j)
-      out("{}q{}", separator(j), m_.problem.classes()[j].index + 1);
+      out("{}q{}", separator(j), problem_.classes()[j].index + 1);
     out("\nINT {}\n", k);
     for (std::size_t j = 0; j < k; ++j)
       out("{}{}", separator(j), j);
@@ -62,10 +81,10 @@ public:
     for (std::size_t j = 0; j < k; ++j)
       out(" {} 1", j);
     constraints();
-    const std::string n = to_string(m_.particles());
+    const std::string n = to_string(particles_);
     out("RTP range {} {}\nSOL 1\nmatch {}", n, n, k);
     for (std::size_t j = 0; j < k; ++j)
-      out(" {} {}", j, to_string(m_.q[j]));
+      out(" {} {}", j, to_string(m_.sample->quantities[problem_.classes()[j].index]));
     out("\nDER {}\n", derived_);
     return fmt::to_string(file_) + fmt::to_string(derivation_);
   }
@@ -144,7 +163,7 @@ private:
   }
 
   /// Follows the chain from the bounds given, then states that the sum is at least N.
-  std::size_t follow(std::vector<Bound> bounds, const Chain &chain) {
+  std::size_t follow(std::vector<Bound> bounds, const Steps &chain) {
     for (std::size_t step = 1; step < chain.size(); ++step)
       raise(bounds, chain[step - 1], chain[step]);
     for (std::size_t j = 0; !chain.empty() && j < bounds.size(); ++j)
@@ -152,30 +171,42 @@ private:
     std::string terms;
     for (const Bound &b : bounds)
       terms += fmt::format(" {} 1", b.constraint);
-    return derive("G {} OBJ {{ lin {}{} }}", to_string(m_.particles()), bounds.size(), terms);
+    return derive("G {} OBJ {{ lin {}{} }}", to_string(particles_), bounds.size(), terms);
   }
 
   void derive() {
-    if (asks_for_number() && m_.particles() == m_.question.at_least)
-      derive("G {} OBJ {{ lin 1 {} 1 }}", to_string(m_.particles()), number_index());
-    else if (m_.above > 0)
-      split();
+    const Chain &chain = std::get<Chain>(m_.evidence().value());
+    if (asks_for_number() && particles_ == m_.question.at_least)
+      derive("G {} OBJ {{ lin 1 {} 1 }}", to_string(particles_), number_index());
+    else if (chain.above)
+      split(*chain.above);
     else
-      follow(floors(), m_.chain);
+      follow(floors(), places_of(chain));
+  }
+
+  /// The steps of the chain as places in the problem.
+  Steps places_of(const Chain &chain) const {
+    std::vector<std::uint32_t> place(m_.gradation.classes());
+    for (std::uint32_t i = 0; i < classes_.size(); ++i)
+      place[problem_.classes()[i].index] = i;
+    Steps steps;
+    for (const std::uint32_t j : chain.steps)
+      steps.push_back(place[j]);
+    return steps;
   }
 
   /// At least M particles, N > M (Theorem 7): either all q_j <= h_j, the most at the scale z, which is too
   /// few in sum, or some q_j >= h_j + 1, which puts the scale above z.
-  void split() {
+  void split(const Rational &above) {
     const std::vector<std::optional<Integer>> most =
-        largest_counts(m_.problem, Rational(m_.above / m_.problem.scale_unit()), false);
+        largest_counts(problem_, Rational(above / problem_.scale_unit()), false);
     std::vector<std::size_t> few;
     std::string terms = fmt::format(" {} 1", number_index());
     for (std::size_t j = 0; j < most.size(); ++j) {
       few.push_back(derive("L {} 1 {} 1 {{ asm }}", to_string(*most[j]), j));
       terms += fmt::format(" {} -1", few[j]);
     }
-    const std::string n = to_string(m_.particles());
+    const std::string n = to_string(particles_);
     std::size_t proved = derive("G {} OBJ {{ lin {}{} }}", n, most.size() + 1, terms);
     for (std::size_t j = 0; j < most.size(); ++j) {
       const Integer more = *most[j] + 1;
@@ -183,12 +214,17 @@ private:
       const std::size_t many = derive("G {} 1 {} 1 {{ asm }}", to_string(more), j);
       if (more > bounds[j].value)
         bounds[j] = {more, many};
-      const std::size_t branch = follow(std::move(bounds), least_match(m_.problem.with_floor(j, more)).chain);
+      const LeastMatch least = least_match(problem_.with_floor(j, more));
+      if (!least.complete)
+        refuse_length();
+      const std::size_t branch = follow(std::move(bounds), least.chain);
       proved = derive("G {} OBJ {{ uns {} {} {} {} }}", n, branch, many, proved, few[j]);
     }
   }
 
   const Match &m_;
+  const Problem problem_;
+  const Integer particles_;
   std::vector<LinearClass> classes_;
   fmt::memory_buffer file_, derivation_;
   std::size_t derived_ = 0;
@@ -197,12 +233,15 @@ private:
 } // namespace
 
 std::string vipr(const Match &m) {
-  if (m.problem.classes().size() > most_vipr_classes)
+  assert(m.complete);
+  const auto has_mass = [](const Rational &mass) { return mass != 0; };
+  const std::vector<Rational> &masses = m.gradation.masses();
+  if (static_cast<std::size_t>(std::count_if(masses.begin(), masses.end(), has_mass)) > most_vipr_classes)
     throw InputError(
         "--vipr: more than 200 classes have mass, the export has a constraint for each pair: leave it out");
-  if (m.tolerant && m.tolerant->found.tree.empty())
-    throw InputError("--vipr: the proof has too many steps for an export: leave it out");
-  return m.tolerant ? tolerant_vipr(m) : Writer(m).text();
+  if (m.tolerance && !m.evidence())
+    refuse_length();
+  return m.tolerance ? tolerant_vipr(m) : Writer(m).text();
 }
 
 } // namespace mdm

@@ -1,11 +1,12 @@
-#include "text_buffer.hpp"
+#include "report/description.hpp"
 
-#include <mdm/error.hpp>
-#include <mdm/json_text.hpp>
+#include "answer/json_values.hpp"
+#include "text/text_buffer.hpp"
+#include "text/text_table.hpp"
+#include "text/versions.hpp"
+
 #include <mdm/number/decimal.hpp>
-#include <mdm/report/description.hpp>
-#include <mdm/report/text_table.hpp>
-#include <mdm/report/versions.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/format.h>
 
@@ -37,7 +38,7 @@ std::vector<Item> items(const SoilDescription &d) {
           {"D50", "D50", "mm", real(d.d50)},    {"D60", "D60", "mm", real(d.d60)},
           {"Cu", "C_u", "", real(d.c_u)},       {"Cc", "C_c", "", real(d.c_c)},
           {"IGS", "I_GS", "", real(d.i_gs)},    {"IC", "I_C", "", real(d.i_c)},
-          {"phi1", "phi_1", "", Real(d.phi_1)}, {"zeta1", "zeta_1", "", Real(d.zeta_1)}};
+          {"phi1", "phi_1", "", Real(d.phi_1)}, {"zeta1", "zeta_1", "", d.zeta_1.real()}};
 }
 
 std::optional<Real> percent(const Fraction &f) {
@@ -49,22 +50,30 @@ const char *name(Fines fines) {
   return names.at(static_cast<std::size_t>(fines));
 }
 
-std::string json_enclosure(const std::optional<Real> &value, unsigned digits) {
-  if (!value)
-    return "null";
-  return json_enclosure(enclose(*value, digits));
+void write_value(JsonWriter &json, const std::optional<Real> &value, unsigned digits) {
+  write(json, value ? std::optional(enclose(*value, digits)) : std::nullopt);
 }
 
-void add_json_fractions(Buffer &out, const char *key, const std::vector<Fraction> &fractions,
-                        unsigned digits) {
-  add(out, R"(,"{}":[)", key);
-  for (std::size_t i = 0; i < fractions.size(); ++i) {
-    const Fraction &f = fractions[i];
-    add(out, R"({}{{"name":"{}","above":"{}","up_to":{},"percent":{}}})", i == 0 ? "" : ",", f.name,
-        to_decimal(f.above), f.up_to ? "\"" + to_decimal(*f.up_to) + "\"" : "null",
-        json_enclosure(percent(f), digits));
+/// A decimal, or an enclosure where the opening is none.
+void write_opening(JsonWriter &json, const RootSize &opening, unsigned digits) {
+  if (opening.degree == 1 || opening.fraction())
+    json.plain(opening.text());
+  else
+    write(json, enclose_root(numerator(opening.power), denominator(opening.power), opening.degree, digits));
+}
+
+void write_fractions(JsonWriter &json, const std::vector<Fraction> &fractions, unsigned digits) {
+  json.begin_array();
+  for (const Fraction &f : fractions) {
+    json.begin_object().key("name").plain(f.name).key("above").plain(to_decimal(f.above)).key("up_to");
+    if (f.up_to)
+      json.plain(to_decimal(*f.up_to));
+    else
+      json.null();
+    write_value(json.key("percent"), percent(f), digits);
+    json.end_object();
   }
-  out.push_back(']');
+  json.end_array();
 }
 
 void add_csv_row(Buffer &out, const std::string &item, const char *unit, const std::optional<Real> &value,
@@ -118,30 +127,33 @@ std::string headline(const SoilDescription &d) {
 } // namespace
 
 std::string description_json(const SoilDescription &d, unsigned digits) {
-  Buffer out;
-  add(out, R"({{"schema":"mdm-describe-1","id":{},"unit":"mm","passing":[)", json_string(d.id));
-  for (std::size_t i = 0; i < d.curve.sizes().size(); ++i)
-    add(out, R"({}{{"size":"{}","percent":{}}})", i == 0 ? "" : ",", to_decimal(d.curve.sizes()[i]),
-        json_enclosure(Real(d.curve.shares()[i] * 100), digits));
-  out.push_back(']');
+  JsonWriter json;
+  json.begin_object().key("schema").plain("mdm-describe-1").key("id").string(d.id).key("unit").plain("mm");
+  json.key("passing").begin_array();
+  for (std::size_t i = 0; i < d.curve.shares().size(); ++i) {
+    write_opening(json.begin_object().key("size"), d.curve.opening(i), digits);
+    write_value(json.key("percent"), Real(d.curve.shares()[i] * 100), digits);
+    json.end_object();
+  }
+  json.end_array();
   for (const Item &item : items(d))
-    add(out, R"(,"{}":{})", item.key, json_enclosure(item.value, digits));
+    write_value(json.key(item.key), item.value, digits);
+  json.key("uscs");
   if (d.group)
-    add(out, R"(,"uscs":{{"symbol":"{}","name":"{}","fines":"{}"}})", d.group->symbol, d.group->name,
-        name(d.fines));
+    json.begin_object()
+        .key("symbol")
+        .plain(d.group->symbol)
+        .key("name")
+        .plain(d.group->name)
+        .key("fines")
+        .plain(name(d.fines))
+        .end_object();
   else
-    add(out, R"(,"uscs":null)");
-  add_json_fractions(out, "uscs_fractions", d.uscs, digits);
-  add_json_fractions(out, "iso_14688_fractions", d.iso_14688, digits);
-  add(out, R"(,"notes":[)");
-  for (std::size_t i = 0; i < d.notes.size(); ++i)
-    add(out, "{}{}", i == 0 ? "" : ",", json_string(d.notes[i]));
-  add(out, R"(],"versions":{{)");
-  for (std::size_t i = 0; i < versions().size(); ++i)
-    add(out, "{}{}:{}", i == 0 ? "" : ",", json_string(versions()[i].first),
-        json_string(versions()[i].second));
-  add(out, "}}}}");
-  return fmt::to_string(out);
+    json.null();
+  write_fractions(json.key("uscs_fractions"), d.uscs, digits);
+  write_fractions(json.key("iso_14688_fractions"), d.iso_14688, digits);
+  json.key("notes").strings(d.notes).key("versions").raw(versions_json()).end_object();
+  return json.take();
 }
 
 std::string description_csv(const SoilDescription &d, unsigned digits) {

@@ -1,13 +1,14 @@
-#include "text_buffer.hpp"
+#include "report/published.hpp"
 
-#include <mdm/error.hpp>
-#include <mdm/json_text.hpp>
-#include <mdm/match/problem.hpp>
+#include "answer/json_values.hpp"
+#include "match/problem.hpp"
+#include "text/text_buffer.hpp"
+#include "text/text_table.hpp"
+#include "text/versions.hpp"
+
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/enclosure.hpp>
-#include <mdm/report/published.hpp>
-#include <mdm/report/text_table.hpp>
-#include <mdm/report/versions.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -54,17 +55,19 @@ Integer particles(const PublishedReport &r) {
 }
 
 /// N of the least match; [lo, hi] where only bounds are known.
-std::string json_least(const PublishedReport &r) {
-  if (r.least.is_known())
-    return "\"" + to_string(r.least.lo) + "\"";
-  return fmt::format(R"(["{}","{}"])", to_string(r.least.lo), to_string(r.least.hi));
+void write_least(JsonWriter &json, const PublishedReport &r) {
+  if (r.least.is_point())
+    write(json, r.least.lo);
+  else
+    json.bounds(to_string(r.least.lo), to_string(r.least.hi));
 }
 
-std::string json_ratio(const PublishedReport &r) {
+void write_ratio(JsonWriter &json, const PublishedReport &r) {
   const auto over = [&r](const Integer &least) { return to_string(ratio(particles(r), least)); };
-  if (r.least.is_known())
-    return "\"" + over(r.least.lo) + "\"";
-  return fmt::format(R"(["{}","{}"])", over(r.least.hi), over(r.least.lo));
+  if (r.least.is_point())
+    json.plain(over(r.least.lo));
+  else
+    json.bounds(over(r.least.hi), over(r.least.lo));
 }
 
 std::string percent(const Rational &share) {
@@ -75,17 +78,12 @@ std::string counted(const Integer &n, const std::string &one) {
   return to_string(n) + " " + one + (n == 1 ? "" : "s");
 }
 
-/// Joined by commas, each in quotes.
 template <class Number>
-std::string json_numbers(const std::vector<Number> &numbers) {
-  std::string text;
+void write_numbers(JsonWriter &json, const std::vector<Number> &numbers) {
+  json.begin_array();
   for (const Number &n : numbers)
-    text += (text.empty() ? "\"" : ",\"") + to_string(n) + "\"";
-  return text;
-}
-
-std::string json_optional(const std::optional<Rational> &r) {
-  return r ? "\"" + to_string(*r) + "\"" : "null";
+    write(json, n);
+  json.end_array();
 }
 
 std::optional<Rational> times(const Rational &phi, const std::optional<Rational> &zeta) {
@@ -94,17 +92,23 @@ std::optional<Rational> times(const Rational &phi, const std::optional<Rational>
   return zeta ? std::optional(Rational(phi * *zeta)) : std::nullopt;
 }
 
-std::string json_class(const PublishedReport &r, std::size_t j) {
+/// [lo, hi]; hi is null where it is infinite.
+void write_range(JsonWriter &json, const Rational &lo, const std::optional<Rational> &hi) {
+  write(write(json.begin_array(), lo), hi).end_array();
+}
+
+void write_class(JsonWriter &json, const PublishedReport &r, std::size_t j) {
   const Gradation &g = r.gradation;
   const Published &run = r.run;
-  const std::optional<Enclosure> size = size_of(r, j);
-  return fmt::format(
-      R"({{"lower":"{}","upper":"{}","mass":"{}","phi":"{}","zeta":["{}",{}],"kappa":["{}",{}],"quantity":"{}","size":{},"error":"{}"}})",
-      to_decimal(g.lower(j)), to_decimal(g.upper(j)), to_decimal(g.mass(j)), to_string(run.phi[j]),
-      to_string(run.least_zeta[j]), json_optional(run.most_zeta[j]),
-      to_string(Rational(run.phi[j] * run.least_zeta[j])), json_optional(times(run.phi[j], run.most_zeta[j])),
-      to_string(run.result().q[j]), size ? json_enclosure(*size) : "null",
-      to_string(run.result().error.of_class[j]));
+  json.begin_object().key("lower").plain(to_decimal(g.lower(j))).key("upper").plain(to_decimal(g.upper(j)));
+  write(json.key("mass").plain(to_decimal(g.mass(j))).key("phi"), run.phi[j]);
+  write_range(json.key("zeta"), run.least_zeta[j], run.most_zeta[j]);
+  write_range(json.key("kappa"), Rational(run.phi[j] * run.least_zeta[j]),
+              times(run.phi[j], run.most_zeta[j]));
+  write(json.key("quantity"), run.result().q[j]);
+  write(json.key("size"), size_of(r, j));
+  write(json.key("error"), run.result().error.of_class[j]);
+  json.end_object();
 }
 
 /// Counted from 1; `none` where no class has an error.
@@ -112,19 +116,26 @@ std::string worst_class(const PublishedTry &t, const char *none) {
   return t.error.maximum == 0 ? none : std::to_string(t.error.worst + 1);
 }
 
-std::string json_iteration(const PublishedTry &t) {
-  return fmt::format(
-      R"({{"multiple":"{}","sizes_tried":"{}","particles":"{}","quantities":[{}],"errors":[{}],"total_error":"{}","maximum_error":"{}","worst_class":{}}})",
-      t.multiple, t.sizes, to_string(total(t.q)), json_numbers(t.q), json_numbers(t.error.of_class),
-      to_string(t.error.total), to_string(t.error.maximum),
-      t.error.maximum == 0 ? "null" : fmt::format("\"{}\"", t.error.worst + 1));
+void write_iteration(JsonWriter &json, const PublishedTry &t) {
+  json.begin_object().key("multiple").number(t.multiple).key("sizes_tried").number(t.sizes);
+  write(json.key("particles"), total(t.q));
+  write_numbers(json.key("quantities"), t.q);
+  write_numbers(json.key("errors"), t.error.of_class);
+  write(json.key("total_error"), t.error.total);
+  write(json.key("maximum_error"), t.error.maximum);
+  json.key("worst_class");
+  if (t.error.maximum == 0)
+    json.null();
+  else
+    json.number(t.error.worst + 1);
+  json.end_object();
 }
 
 std::string class_table(const PublishedReport &r) {
   const Gradation &g = r.gradation;
   const bool one_size = r.algorithm != PublishedAlgorithm::spanned_integer;
   const std::string unit(name(g.unit()));
-  std::vector<std::vector<std::string>> lines = {{"class", "sizes (" + unit + "]", "mass",
+  std::vector<std::vector<std::string>> lines = {{"class", "sizes, " + unit + " (above, up to]", "mass",
                                                   one_size ? "K" : "K from .. to", "quantity",
                                                   "target - found", "size of a particle (" + unit + ")"}};
   for (std::size_t j = 0; j < g.classes(); ++j) {
@@ -140,7 +151,7 @@ std::string class_table(const PublishedReport &r) {
   return text_table(lines, ">>>>>><");
 }
 
-/// Of a long run the first and the last iterations.
+/// The first and the last iterations of a long run.
 std::string iteration_table(const Published &run) {
   constexpr std::size_t at_each_end = 10;
   std::vector<std::vector<std::string>> lines = {
@@ -173,9 +184,10 @@ std::vector<std::string> all_notes(const PublishedReport &r) {
   std::vector<std::string> notes = r.notes;
   for (const std::size_t j : misplaced(r))
     notes.push_back(fmt::format("class {}: the size that Eq. 19 gives is not above the lower sieve", j + 1));
-  if (!r.least.is_known())
-    notes.push_back(fmt::format(
-        "The least match was not found within {} steps; mdm solve goes on for longer.", most_steps_beside));
+  if (!r.least.is_point())
+    notes.push_back(
+        fmt::format("The smallest match was not found within {} steps; mdm solve goes on for longer.",
+                    most_steps_beside));
   return notes;
 }
 
@@ -193,18 +205,21 @@ bool succeeded(const PublishedReport &r) {
 }
 
 std::string published_json(const PublishedReport &r) {
-  std::string classes, iterations, notes;
+  JsonWriter json;
+  json.begin_object().key("schema").plain("mdm-published-1").key("id").string(r.gradation.id());
+  json.key("algorithm").plain(algorithm_name(r.algorithm)).key("settings").string(r.settings);
+  json.key("reached").boolean(r.run.reached).key("match").boolean(r.run.is_match());
+  write(json.key("particles"), particles(r));
+  write_least(json.key("least"), r);
+  write_ratio(json.key("ratio"), r);
+  json.key("unit").plain(name(r.gradation.unit())).key("classes").begin_array();
   for (std::size_t j = 0; j < r.gradation.classes(); ++j)
-    classes += (j == 0 ? "" : ",") + json_class(r, j);
+    write_class(json, r, j);
+  json.end_array().key("iterations").begin_array();
   for (const PublishedTry &t : r.run.tries)
-    iterations += (iterations.empty() ? "" : ",") + json_iteration(t);
-  for (const std::string &note : all_notes(r))
-    notes += (notes.empty() ? "" : ",") + json_string(note);
-  return fmt::format(
-      R"({{"schema":"mdm-published-1","id":{},"algorithm":"{}","settings":{},"reached":{},"match":{},"particles":"{}","least":{},"ratio":{},"unit":"{}","classes":[{}],"iterations":[{}],"notes":[{}],"versions":{}}})",
-      json_string(r.gradation.id()), algorithm_name(r.algorithm), json_string(r.settings), r.run.reached,
-      r.run.is_match(), to_string(particles(r)), json_least(r), json_ratio(r), name(r.gradation.unit()),
-      classes, iterations, notes, versions_json());
+    write_iteration(json, t);
+  json.end_array().key("notes").strings(all_notes(r)).key("versions").raw(versions_json()).end_object();
+  return json.take();
 }
 
 std::string published_csv(const PublishedReport &r) {
@@ -217,7 +232,7 @@ std::string published_csv(const PublishedReport &r) {
 
 std::string published_text(const PublishedReport &r) {
   std::string text = fmt::format(
-      "{}: {} by the algorithm {} as published ({})\n  {}; the least exact match has {} ({} times)\n\n",
+      "{}: {} by the algorithm {} as published ({})\n  {}; the smallest exact match has {} ({} times)\n\n",
       printable(r.gradation.id()), counted(particles(r), "particle"), algorithm_name(r.algorithm), r.settings,
       verdict(r), r.least.text(), r.least.ratio_text(particles(r)));
   text += class_table(r) + "\n" + iteration_table(r.run);

@@ -1,11 +1,13 @@
-#include "text_buffer.hpp"
+#include "report/verification.hpp"
 
-#include <mdm/error.hpp>
-#include <mdm/json_text.hpp>
+#include "answer/json_values.hpp"
+#include "gradation/shown.hpp"
+#include "text/text_buffer.hpp"
+#include "text/text_table.hpp"
+#include "text/versions.hpp"
+
 #include <mdm/number/decimal.hpp>
-#include <mdm/report/text_table.hpp>
-#include <mdm/report/verification.hpp>
-#include <mdm/report/versions.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/format.h>
 
@@ -23,7 +25,7 @@ std::string counted(const Integer &n) {
 /// The digits of 100 y that are certain, at most so many.
 std::string percent(const Interval &y, unsigned digits) {
   const std::string lo = approximate(Rational(100 * y.lo), digits);
-  if (y.exact())
+  if (y.is_point())
     return lo;
   const std::string hi = approximate(Rational(100 * y.hi), digits);
   return lo == hi ? lo : "[" + lo + ", " + hi + "]";
@@ -33,15 +35,16 @@ std::string percent(const Interval &y, unsigned digits) {
 constexpr unsigned enclosure_digits = 30;
 
 /// Outer decimals of y that differ from it by no more than 10^-enclosure_digits.
-std::string json_number(const Interval &y) {
-  if (y.exact())
-    return "\"" + to_string(y.lo) + "\"";
+void write_number(JsonWriter &json, const Interval &y) {
+  if (y.is_point()) {
+    write(json, y.lo);
+    return;
+  }
   const Rational unit(power_of_ten(enclosure_digits));
   const auto outer = [](const Integer &n) {
     return n < 0 ? "-" + decimal_string(Integer(-n), enclosure_digits) : decimal_string(n, enclosure_digits);
   };
-  return fmt::format(R"(["{}","{}"])", outer(floor(Rational(y.lo * unit))),
-                     outer(ceil(Rational(y.hi * unit))));
+  json.bounds(outer(floor(Rational(y.lo * unit))), outer(ceil(Rational(y.hi * unit))));
 }
 
 /// A size as a message shows it.
@@ -74,10 +77,6 @@ struct ConditionReport {
   std::string reason;
 };
 
-std::string json_truth(const std::optional<bool> &truth) {
-  return !truth ? "null" : *truth ? "true" : "false";
-}
-
 std::string class_name(std::size_t j) {
   return "class " + std::to_string(j + 1);
 }
@@ -88,13 +87,12 @@ ConditionReport describes(const Description &d) {
   if (d.below().count > 0)
     reason =
         fmt::format("{} not larger than the finest opening, {} {}, the first of {}", counted(d.below().count),
-                    to_decimal(g.lower(0)), name(g.unit()), shown(*d.below().first, g.unit()));
+                    g.opening_text(0), name(g.unit()), shown(*d.below().first, g.unit()));
   if (d.above().count > 0)
-    reason +=
-        fmt::format("{}{} larger than the largest opening, {} {}, the first of {}",
-                    reason.empty() ? "" : "; ", counted(d.above().count),
-                    to_decimal(g.upper(g.classes() - 1)), name(g.unit()), shown(*d.above().first, g.unit()));
-  return {"describes", "describes the sample (no particle outside)", d.describes(), reason};
+    reason += fmt::format("{}{} larger than the largest opening, {} {}, the first of {}",
+                          reason.empty() ? "" : "; ", counted(d.above().count), g.opening_text(g.classes()),
+                          name(g.unit()), shown(*d.above().first, g.unit()));
+  return {"describes", "nothing outside (describes)", d.describes(), reason};
 }
 
 ConditionReport articulately(const Description &d) {
@@ -106,13 +104,13 @@ ConditionReport articulately(const Description &d) {
     reason = fmt::format("{} has several sizes, such as {} and {}", class_name(*j),
                          shown(*c.first, d.gradation().unit()), shown(*c.second, d.gradation().unit()));
   }
-  return {"articulately", "articulately (one size a class)", d.articulately(), reason};
+  return {"articulately", "one size per class (articulately)", d.articulately(), reason};
 }
 
 /// Cond4 for one scale of the masses.
 ConditionReport accurately(const Verification &v) {
   const MatchError &e = v.error;
-  ConditionReport c{"accurately", "accurately (the shares are equal)", all_zero(e.normalised), ""};
+  ConditionReport c{"accurately", "shares exact (accurately)", all_zero(e.normalised), ""};
   if (!v.description.describes()) {
     c.holds = false;
     c.reason = "particles lie outside all classes";
@@ -134,18 +132,17 @@ std::optional<bool> accurately_as_given(const Verification &v) {
 }
 
 std::array<ConditionReport, 4> conditions(const Verification &v) {
-  return {ConditionReport{"complete", "complete", true, ""}, describes(v.description),
-          articulately(v.description), accurately(v)};
+  return {ConditionReport{"complete", "nothing on the largest sieve (complete)", true, ""},
+          describes(v.description), articulately(v.description), accurately(v)};
 }
 
 void add_table(Buffer &out, const Verification &v) {
   using Line = std::vector<std::string>;
   const Gradation &g = v.description.gradation();
-  std::vector<Line> lines = {Line{"class", fmt::format("sizes ({}]", name(g.unit())), "particles", "target %",
-                                  "found %", "target - found"}};
+  std::vector<Line> lines = {Line{"class", fmt::format("sizes, {} (above, up to]", name(g.unit())),
+                                  "particles", "target %", "found %", "target - found"}};
   for (std::size_t j = 0; j < g.classes(); ++j)
-    lines.push_back({std::to_string(j + 1),
-                     "(" + to_decimal(g.lower(j)) + ", " + to_decimal(g.upper(j)) + "]",
+    lines.push_back({std::to_string(j + 1), "(" + g.opening_text(j) + ", " + g.opening_text(j + 1) + "]",
                      to_string(v.description.of_class(j).count), percent(v.error.targets[j], v.digits),
                      percent(v.error.shares[j], v.digits), percent(v.error.normalised[j], v.digits)});
   add(out, "{}", text_table(lines, "><>"));
@@ -218,52 +215,57 @@ std::string verification_csv(const Verification &v) {
   const Gradation &g = v.description.gradation();
   add(out, "lower_{0},upper_{0},quantity,target_percent,found_percent,error_percent\n", name(g.unit()));
   for (std::size_t j = 0; j < g.classes(); ++j)
-    add(out, "{},{},{},{},{},{}\n", to_decimal(g.lower(j)), to_decimal(g.upper(j)),
+    add(out, "{},{},{},{},{},{}\n", g.opening_text(j), g.opening_text(j + 1),
         to_string(v.description.of_class(j).count), percent(v.error.targets[j], v.digits),
         percent(v.error.shares[j], v.digits), percent(v.error.normalised[j], v.digits));
   return fmt::to_string(out);
 }
 
 std::string verification_json(const Verification &v) {
-  Buffer out;
+  JsonWriter json;
   const Description &d = v.description;
   const Gradation &g = d.gradation();
   static constexpr std::array<const char *, 3> verdicts = {"match", "no match", "undecided"};
-  add(out, R"({{"schema":"mdm-verify-1","id":{},"sample":{},"verdict":"{}","tolerance_percent":"{}")",
-      json_string(g.id()), json_string(v.sample), verdicts.at(static_cast<std::size_t>(v.verdict())),
-      to_string(Rational(100 * v.tolerance)));
-  add(out, R"(,"particles":"{}","smallest":["{}","{}"],"ratio":"{}")", to_string(d.particles()),
-      to_string(v.smallest.lo), to_string(v.smallest.hi), v.smallest.ratio_text(d.particles()));
-  add(out, R"(,"outside":{{"below":"{}","above":"{}"}},"snapped":"{}","conditions":{{)",
-      to_string(d.below().count), to_string(d.above().count), to_string(d.snapped()));
-  const char *comma = "";
+  json.begin_object().key("schema").plain("mdm-verify-1").key("id").string(g.id());
+  json.key("sample").string(v.sample);
+  json.key("verdict").plain(verdicts.at(static_cast<std::size_t>(v.verdict())));
+  write(json.key("tolerance_percent"), Rational(100 * v.tolerance));
+  write(json.key("particles"), d.particles());
+  json.key("smallest").bounds(to_string(v.smallest.lo), to_string(v.smallest.hi));
+  json.key("ratio").plain(v.smallest.ratio_text(d.particles()));
+  write(json.key("outside").begin_object().key("below"), d.below().count);
+  write(json.key("above"), d.above().count).end_object();
+  write(json.key("snapped"), d.snapped());
+  json.key("conditions").begin_object();
   for (const ConditionReport &c : conditions(v)) {
-    add(out, R"({}"{}":{{"holds":{},"reason":{}}})", comma, c.key, json_truth(c.holds),
-        c.reason.empty() ? "null" : json_string(c.reason));
-    comma = ",";
+    write_truth(json.key(c.key).begin_object().key("holds"), c.holds);
+    write_text(json.key("reason"), c.reason).end_object();
   }
-  add(out, R"(,"accurately_as_given":{{"holds":{}}}}},"unit":"{}","classes":[)",
-      json_truth(accurately_as_given(v)), name(g.unit()));
-  for (std::size_t j = 0; j < g.classes(); ++j)
-    add(out,
-        R"({}{{"lower":"{}","upper":"{}","quantity":"{}","target":"{}","found":{},"error":{},)"
-        R"("error_percent":"{}","error_as_given":{}}})",
-        j == 0 ? "" : ",", to_decimal(g.lower(j)), to_decimal(g.upper(j)), to_string(d.of_class(j).count),
-        to_string(v.error.targets[j]), json_number(v.error.shares[j]), json_number(v.error.normalised[j]),
-        percent(v.error.normalised[j], v.digits), json_number(v.error.as_given[j]));
-  add(out,
-      R"(],"worst_class":{},"maximum_error":{},"maximum_error_percent":"{}","total_error":{},)"
-      R"("total_error_percent":"{}","objections":[)",
-      is_zero(v.error.maximum) ? "null" : fmt::format("\"{}\"", v.error.worst + 1),
-      json_number(v.error.maximum), percent(v.error.maximum, v.digits), json_number(v.error.total),
-      percent(v.error.total, v.digits));
-  for (std::size_t i = 0; i < v.objections.size(); ++i)
-    add(out, "{}{}", i == 0 ? "" : ",", json_string(v.objections[i]));
-  add(out, R"(],"notes":[)");
-  for (std::size_t i = 0; i < v.notes.size(); ++i)
-    add(out, "{}{}", i == 0 ? "" : ",", json_string(v.notes[i]));
-  add(out, R"(],"versions":{}}})", versions_json());
-  return fmt::to_string(out);
+  write_truth(json.key("accurately_as_given").begin_object().key("holds"), accurately_as_given(v));
+  json.end_object().end_object();
+  json.key("unit").plain(name(g.unit())).key("classes").begin_array();
+  for (std::size_t j = 0; j < g.classes(); ++j) {
+    json.begin_object().key("lower").plain(g.opening_text(j)).key("upper").plain(g.opening_text(j + 1));
+    write(json.key("quantity"), d.of_class(j).count);
+    write(json.key("target"), v.error.targets[j]);
+    write_number(json.key("found"), v.error.shares[j]);
+    write_number(json.key("error"), v.error.normalised[j]);
+    json.key("error_percent").plain(percent(v.error.normalised[j], v.digits));
+    write_number(json.key("error_as_given"), v.error.as_given[j]);
+    json.end_object();
+  }
+  json.end_array().key("worst_class");
+  if (is_zero(v.error.maximum))
+    json.null();
+  else
+    json.number(v.error.worst + 1);
+  write_number(json.key("maximum_error"), v.error.maximum);
+  json.key("maximum_error_percent").plain(percent(v.error.maximum, v.digits));
+  write_number(json.key("total_error"), v.error.total);
+  json.key("total_error_percent").plain(percent(v.error.total, v.digits));
+  json.key("objections").strings(v.objections).key("notes").strings(v.notes);
+  json.key("versions").raw(versions_json()).end_object();
+  return json.take();
 }
 
 } // namespace mdm

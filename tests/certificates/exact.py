@@ -23,12 +23,13 @@ def floor_root(value, degree):
     return root(value.numerator // value.denominator, degree)
 
 
-def enclose(T, a, lower, upper, places):
-    """Decimals around the root of T to the degree a, ten digits and more, in the class (lower, upper]."""
+def enclose(T, a, lower, upper, places, d=1):
+    """Decimals around the root of T to the degree a, ten digits and more, in the class (lower, upper] of openings to
+    the power d."""
     while True:
         n = floor_root(T * 10**(places * a), a)
         lo = type(T)(n, 10**places)
         hi = lo if lo**a == T else type(T)(n + 1, 10**places)
-        if lower < lo and hi <= upper and 10**9 * (hi - lo) <= lo:
+        if lower < lo**d and hi**d <= upper and 10**9 * (hi - lo) <= lo:
             return decimal(lo), decimal(hi)
         places += 1

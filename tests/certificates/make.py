@@ -4,9 +4,12 @@
 Each test is a gradation (.csv or .json) and a certificate (.proof); the folder says the verdict.
 """
 import heapq
+import math
 import pathlib
 import shutil
+from decimal import Decimal, localcontext
 from fractions import Fraction as F
+from itertools import count
 
 from exact import decimal, enclose, floor_root, root
 from trees import Tree
@@ -15,12 +18,32 @@ HERE = pathlib.Path(__file__).parent
 PI = ("3.14159265358979323846", "3.14159265358979323847")
 
 
+def names(text, power, d):
+    """Whether a decimal is the opening with this power, or it rounded to the 15 digits of the decimal."""
+    with localcontext() as context:
+        context.prec = 60
+        opening = Decimal(power.numerator) / Decimal(power.denominator)
+        near = (opening.ln() / d).exp() if opening else opening
+        context.prec = 15
+        return F(text)**d == power or F(text) == F(+near)
+
+
+def half(*phis):
+    """Openings 2^-phi to the power d, and d."""
+    phis = [F(v) if v != "pan" else v for v in phis]
+    d = math.lcm(*(v.denominator for v in phis if v != "pan"))
+    return [F(0) if v == "pan" else F(2)**int(-v * d) for v in phis], d
+
+
 class Case:
     """A gradation x, m, c (decimals in texts) and a question: its least match and the certificate."""
 
     def __init__(self, x, m, c=None, law=(3, 1), pan=None, cut=None, factor=None, least=None, cylinder=None, box=None,
-                 volume=None, at_least=None, scale="middle", places=12, extra=0):
-        self.a, self.b = a, b = law
+                 volume=None, at_least=None, scale="middle", places=12, extra=0, degree=1):
+        """Where the degree is d, x holds openings to the power d: the same gradation of them under the law a/(b d)."""
+        self.d = d = degree
+        self.law = law
+        self.a, self.b = a, b = law[0], law[1] * d
         self.options = [f"{word} {value}" for word, value in
                         (("pan-size", pan), ("cut-below", cut), ("size-factor", factor), ("min-per-class", least),
                          ("cylinder", cylinder), ("box", box), ("solids-volume", volume)) if value]
@@ -29,10 +52,11 @@ class Case:
         x, m = [F(v) for v in x], [F(v) for v in m]
         c = [F(v) for v in c] if c else [F(1)] * len(x)
         if pan:
-            x[0] = F(pan)
+            x[0] = F(pan)**d
         if cut:
-            x, m, c = (column[x.index(F(cut)):] for column in (x, m, c))
-        x = [v * F(factor or 1) for v in x]
+            at = next(i for i, v in enumerate(x) if names(cut, v, d))
+            x, m, c = (column[at:] for column in (x, m, c))
+        x = [v * F(factor or 1)**d for v in x]
         self.x, self.m, self.c = x, m, c
         self.used = [j for j in range(len(x) - 1) if m[j] > 0]
         self.A = {j: c[j]**b * x[j]**a / m[j]**b for j in self.used}
@@ -42,13 +66,14 @@ class Case:
         self.S0 = F(0)
         if cylinder:
             D, H, e = map(F, cylinder.split())
-            self.S0 = 3 * D * D * H / (2 * (1 + e) * W)
-            self.r = {j: max(self.r[j], -(-self.S0 // self.B[j])) for j in self.used}
+            self.S0 = (3 * D * D * H / (2 * (1 + e) * W))**d
+            self.r = {j: next(q for q in count(max(1, floor_root(self.S0 / self.B[j], d)), 1)
+                              if q >= self.r[j] and q**d * self.B[j] >= self.S0) for j in self.used}
         if box or volume:
             sides = [F(v) for v in (box or volume + " 1 1 0").split()]
             V = sides[0] * sides[1] * sides[2] / (1 + sides[3])
-            self.S0 = 6 * V / (F(PI[0]) * W)
-            self.above(6 * V / (F(PI[1]) * W))
+            self.S0 = (6 * V / (F(PI[0]) * W))**d
+            self.above((6 * V / (F(PI[1]) * W))**d)
         self.M, self.z = at_least, F(0)
         self.solve()
         if at_least and sum(self.q.values()) < at_least:
@@ -58,8 +83,8 @@ class Case:
                 self.solve()
         self.N = max(sum(self.q.values()), at_least or 0)
         self.choose(scale, extra)
-        self.sizes = {j: enclose(self.S * self.m[j]**b / (self.q[j] * self.c[j])**b, a, self.x[j], self.x[j + 1], places)
-                      for j in self.used}
+        self.sizes = {j: enclose(self.S * self.m[j]**b / (self.q[j] * self.c[j])**b, a * d, self.x[j], self.x[j + 1],
+                                 places, d) for j in self.used}
 
     def above(self, z):
         """Raises the floors to what a scale above z needs."""
@@ -92,6 +117,8 @@ class Case:
     def choose(self, scale, extra):
         low = max(self.L, self.z)
         self.S = self.U if scale == "upper" or (low + self.U) / 2 < self.S0 else (low + self.U) / 2
+        if self.d > 1 and self.S == self.U:  # which a size attains, and no decimal
+            self.S = (self.S0 + self.U) / 2
         if scale == "start":
             self.S = self.S0
         missing = self.N - sum(self.q.values()) + extra
@@ -103,7 +130,7 @@ class Case:
         assert missing == 0
 
     def proof(self):
-        lines = ["mdm-certificate 1", f"law {F(self.a, self.b)}", *self.options]
+        lines = ["mdm-certificate 1", f"law {F(*self.law)}", *self.options]
         if self.M:
             lines.append(f"at-least {self.M}")
         lines += [f"particles {self.N}", f"scale {self.S}"]
@@ -200,20 +227,53 @@ accept("cumulative_from_nothing", "size_mm,cumulative_retained_percent\n1,100\n2
        Case(["1", "2", "4"], ["40", "60", "0"]))
 accept("inches", "size_in,mass\n0.375,1\n0.5,2\n1,0\n", Case(["9.525", "12.7", "25.4"], ["1", "2", "0"]))
 accept("phi", "size_phi,mass\n1,1\n0,2\n-1.0,3\n-2,0\n", Case(["0.5", "1", "2", "4"], ["1", "2", "3", "0"]))
-accept("phi_rounded", "size_phi,mass\n0.5,1\n0.25,1\n-0.5,0\n",
-       Case(["0.707106781186548", "0.840896415253715", "1.41421356237310"], ["1", "1", "0"]))
-accept("phi_rounded_far_out", "size_phi,mass\n99.5,1\n1e-400,1\n-99.5,0\n",
-       Case([decimal(F("1.11563480063302e-30")), "1", "896367560302855000000000000000"], ["1", "1", "0"]))
+def phi(name, phis, m, extra_columns=(), header="size_phi,mass", **question):
+    """Openings that are no rational numbers: half-phi and finer."""
+    x, d = half(*phis)
+    accept("half_phi_" + name, rows(header, phis, m, *extra_columns), Case(x, m, degree=d, **question))
+
+
+PHIS, PHI_M = "2.5 2 1.5 1 0.5 0 -0.5 -1".split(), "1 3 0 2 7 5 4 0".split()
+TIED_PHIS, TIED_M = "-2 -1.5 -1 -0.5 0".split(), "0 1 0 0 1".split()
+case = Case(*(lambda x: (x[0], TIED_M[::-1]))(half(*TIED_PHIS[::-1])), degree=2)
+assert case.N == 10
+accept("half_phi_that_ties", rows("size_phi,mass", TIED_PHIS, TIED_M), case)
+phi("sphere", PHIS, PHI_M)
+phi("quarters", "1 0.75 0.5 0.25 -0.5".split(), "3 0 2 5 0".split())
+phi("tenths", "1.1 1 0.9 0.2 -0.5".split(), "3 1 2 5 0".split())
+phi("law_2", PHIS, PHI_M, law=(2, 1))
+phi("law_5_2", PHIS, PHI_M, law=(5, 2))
+phi("pan", ["pan", *PHIS], ["2", *PHI_M])
+phi("pan_size", ["pan", *PHIS], ["2", *PHI_M], pan="0.1")
+phi("size_factor", PHIS, PHI_M, factor="2.5")
+phi("cut_at_a_rational_opening", PHIS, PHI_M, cut="0.25")
+phi("cut_at_15_digits", PHIS, PHI_M, cut="0.353553390593274")
+phi("cut_at_3_of_15_digits", ["9.5", "8", "7"], ["1", "2", "0"], cut="0.00138106793200498")
+phi("cut_leaves_whole_phi", ["1.5", "1", "0", "-1"], ["4", "1", "2", "0"], cut="0.5")
+phi("min_per_class", PHIS, PHI_M, least=4)
+phi("cylinder", PHIS, PHI_M, cylinder="6 7 0.6")
+phi("box", PHIS, PHI_M, box="8 7 6.5 0.6", places=18)
+phi("solids_volume", PHIS, PHI_M, volume="300", places=18)
+phi("at_least", ["0.5", "0.375", "0.25"], ["5", "1", "0"], at_least=50)
+phi("at_least_power_3_2", ["0.5", "0.375", "0.25"], ["5", "1", "0"], law=(3, 2), at_least=40)
+phi("factors", PHIS, PHI_M, extra_columns=(["2", "1", "1", "3", "0.5", "1", "1", "1"],), header="size_phi,mass,factor",
+    c=["2", "1", "1", "3", "0.5", "1", "1", "1"])
+phi("everything", ["pan", *PHIS], ["2", *PHI_M], pan="0.15", cut="0.15", factor="1.5", least=2, cylinder="6 7 0.5",
+    at_least=1600)
+phi("pan_factor_cylinder", ["pan", "1.5", "1", "0.5"], ["2", "1", "3", "0"], pan="0.25", factor="1.5", cylinder="1 2 0.7")
+phi("pan_cut_volume", ["pan", "1.5", "1", "0.5", "0"], ["2", "1", "3", "1", "0"], pan="0.15", cut="0.353553390593274",
+    volume="0.5")
 accept("sieve_names", "sieve,mass\npan,1\nNo. 200,2\n# a comment, no row\n#100,3\n# 50,4\nno 30,5\n1.18 MM,6\n"
        "2360 \u00b5m,1\n4750\u03bcm,1\n3/8\",1\n 0.530 in.,1\n5/8 Inch,2\n1 1/2 inches,1\n0.05 m,0\n",
        Case("0 0.075 0.15 0.3 0.6 1.18 2.36 4.75 9.5 13.2 16 37.5 50".split(), "1 2 3 4 5 6 1 1 1 1 2 1 0".split()))
 accept("sieve_names_tyler", 'sieve;mass\n"tyler 200 mesh";1\nTyler 100;2\n"1,18 mm";3\n"3/8""";0\n',
        Case(["0.075", "0.15", "1.18", "9.5"], ["1", "2", "3", "0"]))
-accept("json", '{"id": 7, "sizes": ["1", 2, 3.0e0], "masses": [2, "1", "0"], "note": {"a": [true, null, 1e999]}}',
+accept("json_id_of_another_format", '{"id": "ITEM:", "sizes": [1, 2, 3], "masses": [2, 1, 0]}', Case(TRIPLE_X, TRIPLE_M))
+accept("json", '{"id": 7, "sizes": ["1", 2, 3.0e0], "masses": [2, "1", "0"]}',
        Case(TRIPLE_X, TRIPLE_M))
 accept("json_descending_inches",
        ' {"unit": "in", "masses": [0, 1, 2], "sizes": [3, 2, 1], "factors": ["1", "3", "2"],\n'
-       '"tolerances_percent": [0, 0, 1], "\\u0061\\ud83d\\ude00": "\\n"}\n',
+       '"tolerances_percent": [0, 0, 1], "\\u0069d": "a\\ud83d\\ude00\\n"}\n',
        Case(["25.4", "50.8", "76.2"], ["2", "1", "0"], c=["2", "3", "1"]))
 
 
@@ -265,6 +325,39 @@ tree("none_of_a_band", None, OPEN_X, OPEN_M, "band 2 50 60", "band 5 20 40", **L
 tree("none_of_retained_and_passing", None, OPEN_X, OPEN_M, "retained 1", "band 5 0 70")
 tree("none_of_an_empty_class", None, ["1", "2", "4"], ["1", "1", "0"], "band 2 0 0", least="2", **LINEAR)
 
+x, d = half("1.5", "1", "0.5")
+for name, N, options, *tolerance in (("retained", 4, {}, "retained 5"), ("total", 5, {"at_least": "5"}, "total 20"),
+                                     ("band", None, {"most": 4}, "passing 5", "band 0.25 0 0", "band 0.5 41 45")):
+    case = Tree(x, ["3", "1", "0"], tolerance, law=(2, 1), degree=d, **options)
+    assert N == case.N, (name, case.N)
+    accept("tree_half_phi_" + name, rows("size_phi,mass", ["1.5", "1", "0.5"], ["3", "1", "0"]), case)
+
+
+def band(name, N, limits, x, m, *tolerance, header="size_mm,passing_min_percent,passing_max_percent", unit=F(1), written=None,
+         **question):
+    """A band's file alone; x and m are its middle by hand."""
+    lines = [f"band {decimal(F(X) * unit)} {low} {high}" for X, low, high in sorted(limits, key=lambda row: F(row[0]))]
+    case = Tree(x, m, [*tolerance, *lines], band_file=True, **question)
+    print(name, case.N)
+    sizes = written or [row[0] for row in limits]
+    accept("band_" + name, header + "\n" + "".join(f"{size},{low},{high}\n" for size, (_, low, high) in zip(sizes, limits)),
+           case)
+
+
+LIMITS = [("1", "0", "0"), ("2", "20.5", "21"), ("3", "90", "100")]
+band("alone", 3, LIMITS, ["1", "2", "3"], ["20.75", "79.25", "0"], **LINEAR)
+band("alone_in_inches", 2, [("2", "20", "30"), ("1", "0", "0"), ("3", "100", "100")], ["25.4", "50.8", "76.2"],
+     ["25", "75", "0"], unit=F("25.4"), header="size_in,passing_min_percent,passing_max_percent", **LINEAR)
+band("with_an_implied_pan", 3, [("2", "10", "20"), ("5", "50", "60"), ("9", "90", "100")], ["0", "2", "5", "9"],
+     ["15", "40", "45", "0"], **LINEAR)
+band("of_one_sieve", 1, [("2", "0", "100")], ["0", "2"], ["100", "0"], **LINEAR)
+band("and_its_middle", 3, [("0", "0", "50"), ("2", "10", "20"), ("5", "5", "60"), ("9", "90", "100")],
+     ["0", "2", "5", "9"], ["15", "20", "65", "0"], "retained 10", **LINEAR)
+band("that_contradicts_itself", None, [("1", "0", "0"), ("2", "50", "60"), ("5", "20", "40"), ("9", "0", "100")],
+     ["1", "2", "5", "9"], ["50", "0", "50", "0"], most=4, **LINEAR)
+band("in_phi", 2, [("1", "0", "0"), ("2", "20", "30"), ("4", "100", "100")], ["1", "2", "4"], ["25", "75", "0"],
+     written=["0", "-1", "-2"], header="size_phi,passing_min_percent,passing_max_percent", **LINEAR)
+
 
 def edit(name, base, *changes, into=rejected, gradation=None):
     """A certificate with lines replaced: pairs of the beginning of a line and the new line (None drops it)."""
@@ -309,9 +402,9 @@ edit("fewer_than_min_per_class", "sphere_two_classes", ("law", "law 3\nmin-per-c
 case = Case(NARROW_X, NARROW_M)
 claim("exchanged_quantities", NARROW, case, q={0: case.q[1], 1: case.q[0], 2: case.q[2]})
 case = triple()
-claim("another_law", TRIPLE, case, a=2)
+claim("another_law", TRIPLE, case, law=(2, 1))
 case = Case(ATHABASCA_X, ATHABASCA_M, law=(5, 2))
-claim("law_5_2_claimed_as_5", ATHABASCA, case, b=1)
+claim("law_5_2_claimed_as_5", ATHABASCA, case, law=(5, 1))
 edit("another_gradation", "sphere_two_classes", gradation="size_mm,mass\n1,2\n2,1.5\n3,0\n")
 edit("another_unit", "sphere_two_classes", gradation="size_in,mass\n1,2\n2,1\n3,0\n")
 
@@ -402,6 +495,27 @@ edit("cut_leaves_no_mass", "sphere_two_classes", ("law", "law 3\ncut-below 2"), 
 edit("cut_left_out", "cut_below", ("cut-below", None))
 edit("size_factor_left_out", "size_factor", ("size-factor", None))
 
+# Half-phi. Rounded openings claim 9 where 10 is the least.
+rejected["half_phi_rounded"] = (accepted["half_phi_that_ties"][0],
+                                Case(["1", "1.4142135623731", "2", "2.8284271247462", "4"], TIED_M[::-1]).proof())
+rejected["half_phi_cut_one_unit_off"] = (accepted["half_phi_cut_at_15_digits"][0],
+                                         accepted["half_phi_cut_at_15_digits"][1].replace("593274", "593275"))
+rejected["half_phi_cut_at_14_digits"] = (accepted["half_phi_cut_at_15_digits"][0],
+                                         accepted["half_phi_cut_at_15_digits"][1].replace("593274", "59327"))
+rejected["half_phi_cut_at_16_digits"] = (accepted["half_phi_cut_at_15_digits"][0],
+                                         accepted["half_phi_cut_at_15_digits"][1].replace("593274", "5932738"))
+edit("half_phi_scale_is_no_power", "half_phi_sphere", ("scale", "scale 7/2"))
+edit("half_phi_of_another_root", "half_phi_cut_leaves_whole_phi", gradation="size_phi,mass\n1,1\n0,2\n-1,0\n")
+edit("half_phi_larger_cylinder", "half_phi_cylinder", ("cylinder", "cylinder 6.1 7 0.6"))
+edit("tree_half_phi_irrational_masses", "tree_half_phi_retained", ("law", "law 3"))
+edit("tree_half_phi_band_at_a_rounded_opening", "tree_half_phi_retained",
+     ("retained", "retained 5\nband 0.353553390593274 0 0"))
+
+# Bands alone.
+edit("band_lines_beside_its_file", "band_alone", ("band file", "band 1 0 0\nband 2 20.5 21\nband 3 90 100"))
+edit("band_file_beside_a_gradation", "tree_band", ("band 1", "band file"), ("band 2", None))
+edit("band_of_an_exact_match", "sphere_two_classes", gradation=accepted["band_alone"][0])
+edit("band_of_another_file", "band_alone", gradation=accepted["band_alone"][0].replace("20.5", "20.9"))
 
 # Trees. A leaf or a line of the witness is exchanged for a wrong one.
 def leaf_edit(name, base, old, new, into=rejected):
@@ -545,6 +659,8 @@ garble("empty_line", ("end", "\nend"))
 garble("line_after_the_end", ("end", "end\nend"))
 garble("number_of_100001_digits", ("particles", "particles 1" + "0" * 100000))
 garble("powers_out_of_hand", ("law", "law 1000"), ("class 2", f"class 2 1 2.{'1' * 500} 2.{'1' * 500}"))
+garble("band_file_and_lines", ("band file", "band file\nband 2 0 100"), base="band_alone")
+garble("band_file_twice", ("band file", "band file\nband file"), base="band_alone")
 for name, old, new in (
         ("leaf_without_conditions", "leaf 4 e1 4 E 4 x2 4 F2 12 Q2 3 m", "leaf"),
         ("leaf_breaks_off", "12 Q2 3 m", "12 Q2 3"),
@@ -612,19 +728,50 @@ for name, text in {
         "sieve_unknown": "sieve,mass\nNo. 9,2\nNo. 8,1\nNo. 4,0\n",
         "sieve_without_unit": "sieve,mass\n1,2\n2,1\n3,0\n",
         "sieve_negative": "sieve,mass\n-1 mm,2\n2 mm,1\n3 mm,0\n",
-        "phi_beyond_1000": "size_phi,mass\n1000.5,2\n2,1\n-3,0\n", "phi_sizes_round_alike":
-        "size_phi,mass\n1e-300,2\n0,1\n-3,0\n",
+        "phi_beyond_1000": "size_phi,mass\n1000.5,2\n2,1\n-3,0\n",
+        "phi_of_a_root_beyond_1000": "size_phi,mass\n1.0001,2\n0,1\n-3,0\n",
+        "phi_of_a_common_root_beyond_1000": "size_phi,mass\n1.0625,2\n0.008,1\n-3,0\n",
+        "phi_of_many_digits": "size_phi,mass\n1e-300,2\n0,1\n-3,0\n",
+        "phi_that_need_too_much_memory": "size_phi,mass\n" + "".join(f"{i / 1000:.3f},1\n" for i in range(999000, 999300)) +
+        "0,0\n",
         "comma_and_point": "size_mm;mass\n1,0;2\n2.0;1\n3;0\n", "comma_with_comma": "size_mm,mass\n1,0,2\n2,0,1\n3,0,0\n",
         "open_quote": "size_mm,mass\n\"1,2\n2,1\n3,0\n", "text_behind_a_quote": "size_mm,mass\n\"1\"x,2\n2,1\n3,0\n",
         "lone_carriage_return": "size_mm,mass\n1,2\r2,1\n3,0\n", "control_character": "size_mm,mass\n1,2\n2,1\n3,0\n\x01\n",
+        "carriage_return_in_a_comment": "# lab 7\r1,40\nsize_mm,mass\n1,2\n2,1\n3,0\n",
+        "carriage_return_at_the_end": "size_mm,mass\n1,2\n2,1\n3,0\r",
+        "carriage_return_twice": "size_mm,mass\r\r\n1,2\r\n2,1\r\n3,0\r\n",
+        "carriage_return_in_quotes": "size_mm,mass\n\"1\r\",2\n2,1\n3,0\n",
+        "carriage_return_on_an_empty_line": "size_mm,mass\n1,2\n \r \n2,1\n3,0\n",
+        "pan_in_quotes_with_a_blank": "size_mm,mass\n\"pan \",2\n2,1\n3,0\n",
+        "number_in_quotes_with_a_blank": "size_mm,mass\n\" 1\",2\n2,1\n3,0\n",
+        "header_in_quotes_with_a_blank": "\"size_mm \",mass\n1,2\n2,1\n3,0\n",
         "ags4": '"GROUP","GRAT"\n"HEADING","GRAT_SIZE"\n',
 }.items():
     unparsable["csv_" + name] = (text, base_proof)
 for name, text in {
+        "without_rows": "", "that_lets_less_than_all_pass": "1,0,0\n2,0,99\n", "below_0": "1,-1,0\n2,0,100\n",
+        "above_100": "1,0,101\n2,0,100\n", "of_the_pan": "0,1,2\n2,0,100\n", "with_a_size_twice": "1,0,0\n1.0,0,5\n2,0,100\n",
+        "of_the_pan_alone": "pan,0,100\n", "of_a_negative_size": "-1,0,0\n2,0,100\n"}.items():
+    unparsable["band_" + name] = ("size_mm,passing_min_percent,passing_max_percent\n" + text, accepted["band_alone"][1])
+for name, header in (("with_a_tolerance", "size_mm,passing_min_percent,passing_max_percent,tolerance_percent"),
+                     ("of_exchanged_columns", "size_mm,passing_max_percent,passing_min_percent"),
+                     ("of_masses", "size_mm,passing_min_percent,mass")):
+    fields = ",0" * (header.count(",") - 2)
+    unparsable["band_" + name] = (f"{header}\n1,0,0{fields}\n2,0,100{fields}\n", accepted["band_alone"][1])
+unparsable["band_of_half_phi"] = ("size_phi,passing_min_percent,passing_max_percent\n0.5,0,0\n-1,0,100\n",
+                                  accepted["band_in_phi"][1])
+for name, text in {
         "array": '[1, 2]', "broken_off": '{"sizes": [1, 2, 3], "masses": [2, 1, 0]', "no_masses": '{"sizes": [1, 2, 3]}',
         "followed": '{"sizes": [1, 2, 3], "masses": [2, 1, 0]} 1', "key_twice":
         '{"sizes": [1, 2, 3], "masses": [2, 1, 0], "s\\u0069zes": [1, 2, 3]}',
-        "key_twice_inside": '{"sizes": [1, 2, 3], "masses": [2, 1, 0], "x": [{"y": 1, "y": 1}]}',
+        "key_factor": '{"sizes": [1, 2, 3], "masses": [2, 1, 0], "factor": [1, 2, 3]}',
+        "key_units": '{"sizes": [1, 2, 3], "masses": [2, 1, 0], "units": "in"}',
+        "key_unknown": '{"sizes": [1, 2, 3], "masses": [2, 1, 0], "note": null}',
+        "key_of_another_case": '{"Sizes": [1, 2, 3], "sizes": [1, 2, 3], "masses": [2, 1, 0]}',
+        "id_1e309": '{"id": 1e309, "sizes": [1, 2, 3], "masses": [2, 1, 0]}',
+        "id_of_1001_digits": '{"id": 1.' + "0" * 1000 + ', "sizes": [1, 2, 3], "masses": [2, 1, 0]}',
+        "id_null": '{"id": null, "sizes": [1, 2, 3], "masses": [2, 1, 0]}',
+        "lone_carriage_return": '{"sizes": [1, 2, 3],\r"masses": [2, 1, 0]}',
         "lengths_differ": '{"sizes": [1, 2, 3], "masses": [2, 0]}', "unit_unknown":
         '{"unit": "ft", "sizes": [1, 2, 3], "masses": [2, 1, 0]}', "unit_number":
         '{"unit": 1, "sizes": [1, 2, 3], "masses": [2, 1, 0]}', "id_array":
@@ -632,9 +779,8 @@ for name, text in {
         "number_1e309": '{"sizes": [1, 2, 1e309], "masses": [2, 1, 0]}', "number_1e401":
         '{"sizes": [1, 2, 3], "masses": [2, 1e401, 0]}', "leading_zero": '{"sizes": [01, 2, 3], "masses": [2, 1, 0]}',
         "string_with_a_space": '{"sizes": ["1 ", 2, 3], "masses": [2, 1, 0]}', "comma_at_the_end":
-        '{"sizes": [1, 2, 3,], "masses": [2, 1, 0]}', "nested_65_deep":
-        '{"sizes": [1, 2, 3], "masses": [2, 1, 0], "x": ' + "[" * 64 + "]" * 64 + "}", "half_a_surrogate_pair":
-        '{"sizes": [1, 2, 3], "masses": [2, 1, 0], "\\ud800": 1}', "factor_zero":
+        '{"sizes": [1, 2, 3,], "masses": [2, 1, 0]}', "half_a_surrogate_pair":
+        '{"id": "\\ud800", "sizes": [1, 2, 3], "masses": [2, 1, 0]}', "factor_zero":
         '{"sizes": [1, 2, 3], "masses": [2, 1, 0], "factors": [1, 0, 1]}',
 }.items():
     unparsable["json_" + name] = (text, base_proof)

@@ -46,8 +46,12 @@ class Tree:
     tolerance: lines of the certificate; file: the column tolerance_percent; most: where to give up, for `none`."""
 
     def __init__(self, x, m, tolerance, c=None, file=None, law=(3, 1), pan=None, cut=None, factor=None, least=None,
-                 cylinder=None, volume=None, at_least=None, most=12, places=12):
-        self.a, self.b = law
+                 cylinder=None, volume=None, at_least=None, most=12, places=12, degree=1, band_file=False):
+        """Where the degree is d, x holds openings to the power d: the same gradation of them under the law a/(b d).
+        With band_file the lines `band` of the tolerance are those of the gradation's file."""
+        self.law, self.d, self.band_file = law, degree, band_file
+        exponent = F(law[0], law[1] * degree)
+        self.a, self.b = exponent.numerator, exponent.denominator
         self.tolerance = tolerance
         self.options = [f"{word} {value}" for word, value in
                         (("pan-size", pan), ("cut-below", cut), ("size-factor", factor), ("min-per-class", least),
@@ -62,7 +66,7 @@ class Tree:
         self.x = [v * F(factor or 1) for v in x]
         self.k, self.c, self.m = len(x) - 1, c, m
         # Openings are b-th powers: their roots are found by trying.
-        roots = [next(r for d in range(1, 100) for n in range(int(v * d) + 2) if (r := F(n, d))**self.b == v)
+        roots = [next(r for u in range(1, 100) for n in range(int(v * u) + 2) if (r := F(n, u))**self.b == v)
                  if self.b > 1 else v for v in self.x]
         self.f = [c[j] * roots[j]**self.a for j in range(self.k)]
         self.F = [c[j] * roots[j + 1]**self.a for j in range(self.k)]
@@ -81,7 +85,8 @@ class Tree:
         self.nodes = []
         self.grow(self.least, [None] * self.k)
         if self.N:
-            self.sizes = [enclose((self.t[j] / (self.q[j] * c[j]))**self.b, self.a, self.x[j], self.x[j + 1], places)
+            self.sizes = [enclose((self.t[j] / (self.q[j] * c[j]))**self.b, self.a * degree, self.x[j],
+                                  self.x[j + 1], places, degree)
                           if self.q[j] else None for j in range(self.k)]
 
     def counts(self, n):
@@ -108,7 +113,7 @@ class Tree:
             if word == "total":
                 self.e = F(values[0]) / 100
             elif word == "band":
-                X, lo, hi = F(values[0]) * factor, F(values[1]) / 100, F(values[2]) / 100
+                X, lo, hi = (F(values[0]) * factor)**self.d, F(values[1]) / 100, F(values[2]) / 100
                 if X > self.x[0]:
                     narrow(self.passing[self.x.index(X) - 1 if X in self.x else self.k - 1], lo, hi)
             else:
@@ -190,7 +195,9 @@ class Tree:
                     continue
                 if name == "w":
                     constant = self.enough
-                over = part if name[0] == "f" and strict else F(0)
+                # An upper opening that is irrational is the size of no decimal.
+                inside = name[0] == "F" and self.d > 1 and q[int(name[1:]) - 1] > 0
+                over = part if (name[0] == "f" and strict) or inside else F(0)
                 right.append(constant - sum(u * v for u, v in zip(coefficients, q)) + over)
                 for i, column in enumerate(columns):
                     column.append(coefficients[self.k + i])
@@ -202,7 +209,9 @@ class Tree:
         return None
 
     def proof(self):
-        lines = ["mdm-certificate 1", f"law {F(self.a, self.b)}", *self.options, *self.tolerance]
+        lines = ["mdm-certificate 1", f"law {F(*self.law)}", *self.options,
+                 *(line for line in self.tolerance if not (self.band_file and line.startswith("band"))),
+                 *(["band file"] if self.band_file else [])]
         lines.append(f"particles {self.N or 'none'}")
         if self.N:
             lines += [f"class {j + 1} {self.q[j]} {self.t[j]} {self.sizes[j][0]} {self.sizes[j][1]}"

@@ -4,6 +4,7 @@
 #include "program.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 using namespace mdm_check_test;
 
@@ -64,8 +65,11 @@ TEST_CASE("gradations that are none", "[checker]") {
   check_gradation("sieve,mass\nNo. 201,2\nNo. 100,1\nNo. 4,0\n", 2);
   check_gradation("size_mm;mass\n1,5;2\n2.5;1\n3;0\n", 3);
   check_gradation("{\"sizes\": [1, 2, 3], \"masses\": [2, 1e400, 0]}", 1);
-  check_gradation("{\"sizes\": [1, 2, 3],\n\"x\": " + std::string(1'000'000, '['), 2);
-  check_gradation("{\"sizes\": [1, 2, 3],\n\"x\": " + std::string(100, '{'), 2);
+  check_gradation("{\"sizes\": [1, 2, 3],\n\"masses\": " + std::string(1'000'000, '['), 2);
+  check_gradation("{\"sizes\": [1, 2, 3],\n\"units\": \"in\"}", 2);
+  check_gradation("# lab 7\r1,40\nsize_mm,mass\n1,2\n2,1\n3,0\n", 1);
+  check_gradation("size_mm,mass\n1,2\n2,1\n\"pan \",1\n3,0\n", 4);
+  check_gradation("size_phi,mass\n0.001,1\n0.0001,1\n0,0\n", 3);
 }
 
 TEST_CASE("binary files and text that is not UTF-8", "[checker]") {
@@ -124,12 +128,15 @@ TEST_CASE("commands that are wrong", "[checker]") {
   check_exit_2(run({"-", "-"}), "mdm-check: ");
   check_exit_2(run({"--verbose", proof}), "mdm-check: ");
   check_exit_2(run({"", ""}), ": ");
+  check_exit_2(run({"--print"}), "mdm-check: ");
+  check_exit_2(run({"--print", proof, proof, proof}), "mdm-check: ");
+  check_exit_2(run({proof, "--print"}), "mdm-check: ");
 }
 
 TEST_CASE("help and version", "[checker]") {
   const Outcome help = run({"--help"});
   CHECK(help.exit_code == 0);
-  CHECK(help.out.find("Example:") != std::string::npos);
+  CHECK(help.out.find("Examples:") != std::string::npos);
   const Outcome version = run({"--version"});
   CHECK(version.exit_code == 0);
   CHECK(version.out.find("GMP") != std::string::npos);
@@ -204,4 +211,44 @@ TEST_CASE("trees without measure end soon", "[checker]") {
   for (int i = 1; i <= 300'000; ++i)
     conditions += " 1 f" + std::to_string(i);
   CHECK(exit_code("leaf" + conditions + "\n") == 1);
+}
+
+TEST_CASE("many short leaves of many classes end soon", "[checker]") {
+  constexpr int classes = 20'000;
+  std::string gradation = "size_mm,mass\n", tree;
+  for (int j = 1; j <= classes; ++j) {
+    const std::string name = std::to_string(j);
+    gradation += name + ",1\n";
+    if (j < classes)
+      tree += "split " + name + " 1\nleaf 1 q" + name + " 1 Q" + name + "\n";
+  }
+  const TemporaryFolder folder;
+  const std::string g = write_file(folder.path() / "g.csv", gradation + "20001,0\n").string();
+  const std::string proof = write_file(folder.path() / "c.proof",
+                                       "mdm-certificate 1\nlaw 1\nmin-per-class 1\nretained 100\nparticles "
+                                       "none\n" +
+                                           tree + "leaf 1 m\nend\n")
+                                .string();
+  const auto begin = std::chrono::steady_clock::now();
+  CHECK(run({g, proof}).exit_code == 1); // only the last leaf is wrong
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
+}
+
+TEST_CASE("half-phi of a large root ends soon", "[checker]") {
+  const TemporaryFolder folder;
+  const auto exit_code = [&](const std::string &gradation, const std::string &line) {
+    return run({write_file(folder.path() / "g.csv", gradation).string(),
+                write_file(folder.path() / "c.proof",
+                           "mdm-certificate 1\nlaw 3\n" + line +
+                               "\nparticles 1\nscale 1\nclass 1 1 0.9 0.9\nchain 1\nend\n")
+                    .string()})
+        .exit_code;
+  };
+  const std::string nines(100'000, '9'), two = "size_phi,mass\n0.001,1\n0,0\n";
+  CHECK(exit_code(two, "cylinder " + nines + " " + nines + " " + nines) == 2);
+  CHECK(exit_code(two, "size-factor " + nines) == 2);
+  std::string many = "size_phi,mass\n";
+  for (int i = 0; i < 20'000; ++i)
+    many += std::to_string(900'000 + i) + "e-3,1\n";
+  CHECK(exit_code(many + "0,0\n", "size-factor 2") == 2);
 }

@@ -24,6 +24,15 @@ inline Rational to_power(const Rational &x, unsigned long exponent) {
   return result;
 }
 
+/// The root of that degree, if it is a fraction.
+inline std::optional<Rational> rational_root(const Rational &x, unsigned long degree) {
+  mpz_class numerator, denominator;
+  if (mpz_root(numerator.get_mpz_t(), x.get_num_mpz_t(), degree) == 0 ||
+      mpz_root(denominator.get_mpz_t(), x.get_den_mpz_t(), degree) == 0)
+    return std::nullopt;
+  return Rational(numerator, denominator);
+}
+
 inline bool is_integer_text(const std::string &text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos &&
          (text == "0" || text[0] != '0');
@@ -51,17 +60,79 @@ inline std::optional<Rational> value_of(const std::string &text) {
   return decimal;
 }
 
+/// Openings to the power `root`, and masses.
 struct Table {
   std::vector<Rational> x, m;
+  unsigned long root = 1;
 };
 
-/// A gradation `size_mm,mass`, ascending; none if it is wrong.
+/// A number of decimal digits with or without a sign and a point.
+inline std::optional<Rational> signed_value_of(const std::string &text) {
+  const bool has_sign = text.starts_with('-') || text.starts_with('+');
+  const std::size_t point = std::min(text.find('.'), text.size());
+  const std::string fraction = text.substr(std::min(point + 1, text.size()));
+  const std::string digits = text.substr(has_sign, point - has_sign) + fraction;
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos)
+    return std::nullopt;
+  Rational value(digits + "/1" + std::string(fraction.size(), '0'), 10);
+  value.canonicalize();
+  return text[0] == '-' ? Rational(-value) : value;
+}
+
+/// The openings 2^-phi to the least power at which all are fractions; a pan has no phi.
+inline void read_phis(const std::vector<std::optional<Rational>> &phis, Table &table) {
+  mpz_class root = 1;
+  for (const std::optional<Rational> &phi : phis)
+    root = phi ? mpz_class(lcm(root, phi->get_den())) : root;
+  table.root = root.get_ui();
+  for (const std::optional<Rational> &phi : phis) {
+    const mpz_class exponent = phi ? mpz_class(*phi * root) : mpz_class(0);
+    const Rational half(1, 2);
+    table.x.push_back(!phi            ? Rational(0)
+                      : exponent >= 0 ? to_power(half, exponent.get_ui())
+                                      : to_power(2, mpz_class(-exponent).get_ui()));
+  }
+}
+
+/// A gradation `size_phi,mass` in any order; none if it is wrong.
+inline std::optional<Table> read_phi_table(std::istringstream &lines) {
+  std::vector<std::pair<std::optional<Rational>, Rational>> rows;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string size = line.substr(0, line.find(','));
+    const std::optional<Rational> phi = signed_value_of(size);
+    const std::optional<Rational> m = value_of(line.substr(line.find(',') + 1));
+    if ((!phi && size != "pan") || (phi && abs(*phi) > 1000) || !m)
+      return std::nullopt;
+    rows.emplace_back(phi, *m);
+  }
+  const auto is_finer = [](const auto &a, const auto &b) {
+    return b.first && (!a.first || *a.first > *b.first);
+  };
+  std::sort(rows.begin(), rows.end(), is_finer);
+  std::vector<std::optional<Rational>> phis;
+  Table table;
+  for (const auto &[phi, m] : rows) {
+    if (!phis.empty() && phis.back() == phi)
+      return std::nullopt;
+    phis.push_back(phi);
+    table.m.push_back(m);
+  }
+  read_phis(phis, table);
+  const bool some = std::any_of(table.m.begin(), table.m.end(), [](const Rational &m) { return m > 0; });
+  return rows.size() >= 2 && some && table.m.back() == 0 && table.root <= 1000 ? std::optional<Table>(table)
+                                                                               : std::nullopt;
+}
+
+/// A gradation `size_mm,mass` or `size_phi,mass`, ascending by size; none if it is wrong.
 inline std::optional<Table> read_table(const std::string &text) {
   std::istringstream lines(text);
   std::string line;
   std::map<Rational, Rational> rows;
   std::size_t count = 0;
-  for (std::getline(lines, line); std::getline(lines, line); ++count) {
+  std::getline(lines, line);
+  if (line == "size_phi,mass")
+    return read_phi_table(lines);
+  for (; std::getline(lines, line); ++count) {
     const std::optional<Rational> x = value_of(line.substr(0, line.find(',')));
     const std::optional<Rational> m = value_of(line.substr(line.find(',') + 1));
     if (!x || !m)

@@ -2,8 +2,9 @@
 // condition out in all variables, in fractions, and adds them up as they stand.
 
 #include "catch.hpp"
-#include "check.hpp"
 #include "mutants.hpp"
+
+#include <mdm/checker.hpp>
 
 using namespace mdm_check_test;
 
@@ -130,12 +131,13 @@ private:
         }
     }
     for (const Row &band : band_) {
-      if (band[0] <= x[0] && band[1] != 0)
+      const Rational size = to_power(band[0], table_.root);
+      if (size <= x[0] && band[1] != 0)
         return false;
-      if (band[0] <= x[0])
+      if (size <= x[0])
         continue;
-      const auto found = std::find(x.begin(), x.end(), band[0]);
-      if (found == x.end() && band[0] < x.back())
+      const auto found = std::find(x.begin(), x.end(), size);
+      if (found == x.end() && size < x.back())
         return false;
       narrow(passing_[found == x.end() ? k_ - 1 : static_cast<std::size_t>(found - x.begin()) - 1],
              band[1] / 100, band[2] / 100);
@@ -149,10 +151,16 @@ private:
     for (std::size_t j = 0; j < k_; ++j)
       least_.push_back(has("min-per-class") && table_.m[j] > 0 ? question_["min-per-class"][0] : Rational(0));
     most_.assign(k_, -1);
+    for (const Rational &opening : x) {
+      const std::optional<Rational> mass = rational_root(to_power(opening, a_), table_.root);
+      if (!mass)
+        return false;
+      masses_.push_back(*mass);
+    }
     return true;
   }
 
-  Rational mass(std::size_t opening) const { return to_power(table_.x[opening], a_); }
+  const Rational &mass(std::size_t opening) const { return masses_[opening]; }
 
   bool read_witness() {
     if (lines_.size() > next_ && joined(lines_[next_], " ") == "particles none") {
@@ -175,8 +183,9 @@ private:
       t[j] = (*line)[2];
       const Rational &lo = (*line)[3], &hi = (*line)[4], T = t[j] / q[j];
       const bool inside = lo == hi ? to_power(lo, a_) == T : to_power(lo, a_) <= T && T < to_power(hi, a_);
-      if (!inside || lo > hi || table_.x[j] >= lo || hi > table_.x[j + 1] || 1'000'000'000 * (hi - lo) > lo ||
-          T <= mass(j) || T > mass(j + 1))
+      const bool in_class = table_.x[j] < to_power(lo, table_.root) &&
+                            to_power(hi, table_.root) <= table_.x[j + 1] && mass(j) < T && T <= mass(j + 1);
+      if (!inside || lo > hi || !in_class || 1'000'000'000 * (hi - lo) > lo)
         return false;
       count += q[j];
       M += t[j];
@@ -290,7 +299,7 @@ private:
   std::map<std::string, Row> question_;
   std::vector<Row> band_;
   std::vector<Bounds> retained_, passing_;
-  Row g_, least_, most_;
+  Row g_, least_, most_, masses_; ///< masses of particles at the openings
   Rational total_ = 2, weight_ = 0;
   std::optional<Rational> N_;
 };
@@ -308,10 +317,10 @@ std::size_t judge_all(const std::string &gradation, const std::set<std::string> 
   std::size_t passed = 0, wrong = 0;
   for (const std::string &certificate : certificates) {
     const bool proves = TreeJudge(table, certificate).proves();
-    const mdm_check::Verdict verdict = mdm_check::check({"g", gradation}, {"c", certificate});
-    const bool accepted = verdict.code == mdm_check::Verdict::accepted;
+    const mdm::checker::Verdict verdict = mdm::checker::check({"g", gradation}, {"c", certificate});
+    const bool accepted = verdict.code == mdm::checker::Verdict::accepted;
     if (accepted != proves && ++wrong <= 3)
-      FAIL_CHECK(verdict.line << "\nbut the judge says " << proves << "\n" << certificate);
+      FAIL_CHECK(verdict.line << verdict.reason << "\nbut the judge says " << proves << "\n" << certificate);
     if (!accepted)
       continue;
     ++passed;
@@ -343,7 +352,10 @@ const char *const names[] = {"by_hand",
                              "at_least",
                              "cylinder",
                              "none_of_a_band",
-                             "none_of_an_empty_class"};
+                             "none_of_an_empty_class",
+                             "half_phi_retained",
+                             "half_phi_total",
+                             "half_phi_band"};
 
 } // namespace
 

@@ -181,7 +181,8 @@ TEST_CASE("a pipe has its answer before the next line is sent", "[cli]") {
   }
 }
 
-TEST_CASE("--proofs has a certificate for each line, accepted with the line as gradation file", "[cli]") {
+TEST_CASE("option --proofs has a certificate for each line, accepted with the line as gradation file",
+          "[cli]") {
   const TemporaryFolder folder;
   const std::string input = suite(40);
   CHECK(mdm({"batch", "--proofs", folder / "proofs"}, input).exit_code == 0);

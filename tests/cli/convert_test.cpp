@@ -72,7 +72,7 @@ TEST_CASE("every column of sizes and masses survives conversion", "[cli]") {
        {"size_um,retained_g\n75,1.5\n150,2.25\n300,0\n",
         "size_m,retained_fraction\n0.001,0.25\n0.002,0.75\n0.004,0\n",
         "size_in,retained_percent\n0.375,40\n0.75,60\n1,0\n", "size_phi,mass\n2,3\n1,2\n0,1\n-1,0\n",
-        "size_phi,mass\n2.5,3\n1.25,2\n0,0\n", "sieve,passing_percent\n3/8\",100\n#4,80\nNo. 200,10\npan,0\n",
+        "sieve,passing_percent\n3/8\",100\n#4,80\nNo. 200,10\npan,0\n",
         "sieve,passing_percent\nTyler 65 mesh,20\nTyler 28,100\n",
         "size_mm,cumulative_retained_percent\n1,100\n2,60\n3,0\n", "size_mm,passing_fraction\n1,0.125\n2,1\n",
         "\xEF\xBB\xBFsize_mm;mass\r\n1,5;2,25\r\n2,5;0\r\n", "size_mm,mass,factor\n1,2,2.65\n2,1,1\n3,0,1\n",

@@ -235,7 +235,7 @@ TEST_CASE("export: an answer in another order, or with options of gradations, is
 
 TEST_CASE("export: a gradation is one, whatever its id", "[cli]") {
   const std::string text = R"({"id":"schema","sizes":["1","2"],"masses":["3","0"]})";
-  CHECK(file_of("csv", text).find("# schema: 1 particles") == 0);
+  CHECK(file_of("csv", text).find("# Particles of schema: 1 in ") == 0);
 }
 
 TEST_CASE("export: a band alone gives the particles of its answer", "[cli]") {

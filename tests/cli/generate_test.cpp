@@ -327,7 +327,7 @@ TEST_CASE("the map of accessible shapes is drawn", "[generate]") {
                                "--plot", folder / "map.svg"});
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
-  CHECK(read_file(folder / "map.svg").find("least match") != std::string::npos);
+  CHECK(read_file(folder / "map.svg").find("smallest match") != std::string::npos);
 }
 
 TEST_CASE("extreme shapes and counts end soon, with an answer or a refusal", "[generate]") {

@@ -12,7 +12,7 @@ const std::string athabasca = example("athabasca-sand");
 
 } // namespace
 
-TEST_CASE("-o writes what standard output would have", "[cli]") {
+TEST_CASE("option -o writes what standard output would have", "[cli]") {
   const TemporaryFolder folder;
   const Outcome outcome = mdm({"solve", athabasca, "-o", folder / "answer.txt"});
   CHECK(outcome.exit_code == 0);
@@ -23,7 +23,7 @@ TEST_CASE("-o writes what standard output would have", "[cli]") {
   CHECK(mdm({"solve", athabasca, "-o", "-"}).out == read_file(folder / "answer.txt"));
 }
 
-TEST_CASE("-o replaces a file and keeps its mode", "[cli]") {
+TEST_CASE("option -o replaces a file and keeps its mode", "[cli]") {
   const TemporaryFolder folder;
   const std::string path = folder.write("answer.txt", "old");
   REQUIRE(chmod(path.c_str(), 0640) == 0);
@@ -50,7 +50,7 @@ TEST_CASE("a run that a signal ends leaves nothing beside -o", "[cli]") {
   }
 }
 
-TEST_CASE("-o makes what a symbolic link leads to", "[cli]") {
+TEST_CASE("option -o makes what a symbolic link leads to", "[cli]") {
   const TemporaryFolder folder;
   std::filesystem::create_symlink("answer.txt", folder / "second");
   std::filesystem::create_symlink(folder / "second", folder / "first");
@@ -65,7 +65,7 @@ TEST_CASE("-o makes what a symbolic link leads to", "[cli]") {
   check_refused(mdm({"solve", athabasca, "-o", ""}), "'': cannot be written");
 }
 
-TEST_CASE("-o /dev/stdout writes on where standard output stands", "[cli]") {
+TEST_CASE("option -o /dev/stdout writes on where standard output stands", "[cli]") {
   const TemporaryFolder folder;
   const std::string answer = mdm({"solve", athabasca}).out;
   for (const char *path : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
@@ -78,7 +78,7 @@ TEST_CASE("-o /dev/stdout writes on where standard output stands", "[cli]") {
   check_refused(mdm({"solve", athabasca, "-o", "/dev/fd/99"}), "cannot be written");
 }
 
-TEST_CASE("-o follows a symbolic link", "[cli]") {
+TEST_CASE("option -o follows a symbolic link", "[cli]") {
   const TemporaryFolder folder;
   const std::string path = folder.write("answer.txt", "old");
   std::filesystem::create_symlink(path, folder / "link");
@@ -184,7 +184,8 @@ TEST_CASE("a proof does not replace the gradation that it proves", "[cli]") {
   CHECK(read_file(sand) == text);
 }
 
-TEST_CASE("--vipr writes the proof, exact or within a tolerance, and --node-limit leaves none", "[cli]") {
+TEST_CASE("option --vipr writes the proof, exact or within a tolerance, and --node-limit leaves none",
+          "[cli]") {
   const TemporaryFolder folder;
   for (const Arguments &how : {Arguments{}, Arguments{"--tolerance", "retained:1%"}}) {
     Arguments arguments = {"solve", athabasca, "--vipr", folder / "vipr"};

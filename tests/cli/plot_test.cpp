@@ -1,6 +1,7 @@
 // mdm plot. Pictures are drawn where there is gnuplot; scripts need none.
 
 #include "run.hpp"
+#include "tools.hpp"
 
 #include <cstdlib>
 
@@ -10,12 +11,8 @@ namespace {
 
 const std::string sand = example("athabasca-sand");
 
-/// True if gnuplot is there; else says that the rest of the test is skipped.
 bool can_draw() {
-  if (std::system("command -v gnuplot >/dev/null") == 0)
-    return true;
-  WARN("skipped: gnuplot, which draws, is not installed (Debian: gnuplot-nox)");
-  return false;
+  return mdm_test::has_tool("gnuplot", "gnuplot-nox");
 }
 
 /// A PATH for the programs that are started, as long as it lives.

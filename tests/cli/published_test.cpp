@@ -91,7 +91,7 @@ TEST_CASE("the iterations are CSV, and text is for people", "[cli]") {
   CHECK(csv.out.rfind("multiple,sizes_tried,particles,total_error,maximum_error,worst_class\n1,1,", 0) == 0);
   const Outcome text = mdm({"published", "spanned-integer", athabasca});
   CHECK(text.exit_code == 0);
-  CHECK(text.out.find("an exact match; the least exact match has 1485") != std::string::npos);
+  CHECK(text.out.find("an exact match; the smallest exact match has 1485") != std::string::npos);
 }
 
 TEST_CASE("an interior sieve with nothing retained is no obstacle", "[cli]") {

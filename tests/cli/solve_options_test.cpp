@@ -48,14 +48,14 @@ TEST_CASE("every class with mass holds --min-per-class particles", "[cli]") {
   CHECK(proved({"--min-per-class", "0"}).at("particles") == "1485");
 }
 
-TEST_CASE("--at-least is met, mostly exactly", "[cli]") {
+TEST_CASE("option --at-least is met, mostly exactly", "[cli]") {
   CHECK(proved({"--at-least", "1485"}).at("particles") == "1485");
   const Json answer = proved({"--at-least", "100000"});
   check_match(answer);
   CHECK(answer.at("particles") == "100000");
 }
 
-TEST_CASE("--at-least skips the numbers that have no match", "[cli]") {
+TEST_CASE("option --at-least skips the numbers that have no match", "[cli]") {
 
   const TemporaryFolder folder;
   const std::string gradation = folder.write("g.csv", "size_mm,mass\n10,1\n11,1000\n12,0\n");
@@ -70,7 +70,7 @@ TEST_CASE("--at-least skips the numbers that have no match", "[cli]") {
   CHECK(proved({"--at-least", gap.str()}, gradation).at("particles") == after);
 }
 
-TEST_CASE("--at-most below the least match is a negative verdict with a report", "[cli]") {
+TEST_CASE("option --at-most below the least match is a negative verdict with a report", "[cli]") {
   const Json answer = solve_json({athabasca, "--at-most", "1484"}, 1);
   CHECK(answer.at("status") == "none");
   CHECK(answer.at("particles").is_null());
@@ -126,26 +126,26 @@ TEST_CASE("a law of irrational masses is decided exactly at ties", "[cli]") {
   CHECK(answer.at("status") == "optimal");
 }
 
-TEST_CASE("--size-factor scales the sizes and leaves the quantities", "[cli]") {
+TEST_CASE("option --size-factor scales the sizes and leaves the quantities", "[cli]") {
   const Json answer = proved({"--size-factor", "0.5"});
   check_match(answer);
   CHECK(quantities(answer) == "819 90 280 268 25 2 1");
   CHECK(answer.at("classes").at(6).at("upper") == "1.2");
 }
 
-TEST_CASE("--cut-below leaves out the finer classes", "[cli]") {
+TEST_CASE("option --cut-below leaves out the finer classes", "[cli]") {
   const Json answer = proved({"--cut-below", "0.11"});
   check_match(answer);
   CHECK(quantities(answer) == "280 268 25 2 1");
 }
 
-TEST_CASE("--pan-size gives the pan a size", "[cli]") {
+TEST_CASE("option --pan-size gives the pan a size", "[cli]") {
   const Json answer = proved({"--pan-size", "0.04"}, example("cen-standard-sand"));
   check_match(answer);
   CHECK(answer.at("classes").at(0).at("lower") == "0.04");
 }
 
-TEST_CASE("--digits sets the significant digits, more where a class needs them", "[cli]") {
+TEST_CASE("option --digits sets the significant digits, more where a class needs them", "[cli]") {
   const Json many = proved({"--digits", "50"});
   check_match(many);
   CHECK(many.at("classes").at(0).at("size").at(0).get<std::string>().size() >= 52);
@@ -154,7 +154,7 @@ TEST_CASE("--digits sets the significant digits, more where a class needs them",
   CHECK_FALSE(few.at("notes").empty());
 }
 
-TEST_CASE("--scale upper takes the largest sizes", "[cli]") {
+TEST_CASE("option --scale upper takes the largest sizes", "[cli]") {
   const Json answer = proved({"--scale", "upper"});
   check_match(answer);
   CHECK(answer.at("scale").at("chosen") == answer.at("scale").at("up_to"));
@@ -200,7 +200,7 @@ TEST_CASE("a limit gives what is certain", "[cli]") {
   CHECK(solve_json({gradation, "--time-limit", "1000"}).at("status") == "optimal");
 }
 
-TEST_CASE("--time-limit ends a long spectrum", "[cli]") {
+TEST_CASE("option --time-limit ends a long spectrum", "[cli]") {
   const auto start = std::chrono::steady_clock::now();
   const Json answer = solve_json({"-", "--spectrum", "--time-limit", "1"}, 3, narrow_classes());
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(30));

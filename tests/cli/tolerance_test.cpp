@@ -266,7 +266,7 @@ TEST_CASE("tolerances that make no sense are refused with what to write", "[cli]
     check_refused(mdm({"solve", "-", "--tolerance", tolerance}, halves), "--tolerance: ");
 }
 
-TEST_CASE("--at-most below the smallest match within a tolerance is a negative verdict", "[cli]") {
+TEST_CASE("option --at-most below the smallest match within a tolerance is a negative verdict", "[cli]") {
   const Json none = solve_json({"-", "--tolerance", "retained:1%", "--at-most", "1"}, 1, halves);
   CHECK(none.at("status") == "none");
   CHECK(none.at("lower_bound") == "2");

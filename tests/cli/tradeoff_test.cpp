@@ -1,8 +1,7 @@
 // mdm tradeoff as a whole program.
 
 #include "answer.hpp"
-
-#include <cstdlib>
+#include "tools.hpp"
 
 using namespace cli_test;
 
@@ -128,10 +127,8 @@ TEST_CASE("the trade-off refuses what makes no sense, and leaves no file", "[cli
 }
 
 TEST_CASE("the trade-off is drawn beside its tables", "[cli]") {
-  if (std::system("command -v gnuplot >/dev/null") != 0) {
-    WARN("skipped: gnuplot, which draws, is not installed (Debian: gnuplot-nox)");
+  if (!mdm_test::has_tool("gnuplot", "gnuplot-nox"))
     return;
-  }
   const TemporaryFolder folder;
   const Outcome outcome = tradeoff({sand, "--tolerances", "0,1,5", "--plot", folder / "t.svg"});
   CHECK(outcome.exit_code == 0);

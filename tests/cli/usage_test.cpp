@@ -73,7 +73,7 @@ TEST_CASE("an unknown option is named also where arguments are missing", "[cli]"
   check_refused(mdm({"verify", "a"}), "SAMPLE is required");
 }
 
-TEST_CASE("- is standard input", "[cli]") {
+TEST_CASE("a dash is standard input", "[cli]") {
   const std::string text = read_file(example("hostun-rf-sand"));
   const Outcome outcome = mdm({"solve", "-"}, text);
   CHECK(outcome.exit_code == 0);

@@ -208,13 +208,17 @@ TEST_CASE("verify: options change the gradation as they do for solve", "[cli]") 
                 "g.csv: the exponent 1000 is too large");
 }
 
-TEST_CASE("verify: an irrational law is decided, but for a tie", "[cli]") {
+TEST_CASE("verify: edge 13: an irrational law is decided exactly", "[cli]") {
   // sqrt 2 and sqrt 8 = 2 sqrt 2.
   const std::string g = "size_mm,mass\n1,1\n2,2\n9,0\n";
-  const Json tie = verify_json(g, sample("2,1\n8,1\n"), 3, {"--law", "power:1/2"});
-  CHECK(tie.at("maximum_error").is_array());
-  CHECK(tie.at("conditions").at("accurately").at("holds").is_null());
-  CHECK(reason(tie, "accurately") == "4096 bits do not tell");
+  const Json tie = verify_json(g, sample("2,1\n8,1\n"), 0, {"--law", "power:1/2"});
+  CHECK(tie.at("maximum_error") == "0");
+  CHECK(holds(tie, "accurately"));
+  // 1 + sqrt 2 + sqrt 3 beside twice as much.
+  const std::string more = "size_mm,mass\n0,1\n3,2\n12,0\n";
+  CHECK(exit_of(more, sample("1,1\n2,1\n3,1\n4,1\n8,1\n12,1\n"), {"--law", "power:1/2"}) == 0);
+  CHECK(exit_of(more, sample("1,2\n2,1\n3,1\n4,1\n8,1\n12,1\n"), {"--law", "power:1/2"}) == 1);
+  CHECK(exit_of("size_mm,mass\n1,1\n9,0\n", sample("2,1\n3,1\n5,1\n8,1\n"), {"--law", "power:1/2"}) == 0);
   CHECK(exit_of(g, sample("2,1\n8,1\n"), {"--law", "power:1/2", "--tolerance", "1e-100"}) == 0);
   CHECK(exit_of(g, sample("2,1\n8.0000000000000000000000001,1\n"), {"--law", "power:1/2"}) == 1);
   CHECK(exit_of(g, sample("1.5625,4\n6.25,4\n"), {"--law", "power:1/2"}) == 0); // rational: 1.25 and 2.5

@@ -2,6 +2,7 @@
 // sands for a bounded number of steps, and mdm verify reads back what they have.
 
 #include "cli/answer.hpp"
+#include "tools.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -23,12 +24,8 @@ const Engine liggghts{"liggghts", "liggghts", "liggghts", "liggghts -in ", "sand
 const Engine lammps{"lammps", "lammps", "lmp", "lmp -in ", "sand.in", "sand-settled.dump"};
 const Engine yade{"yade", "yade", "yade", "yade -n -x ", "sand.py", "sand-settled.xyzr"};
 
-/// True if the engine is there; else says that the test is skipped.
 bool is_there(const Engine &engine) {
-  if (std::system(("command -v " + engine.program + " >/dev/null").c_str()) == 0)
-    return true;
-  WARN("skipped: " << engine.program << " is not installed (Debian: " << engine.package << ")");
-  return false;
+  return mdm_test::has_tool(engine.program, engine.package);
 }
 
 /// A folder with a gradation and its model.

@@ -3,7 +3,7 @@
 
 #include "gradation_property.hpp"
 
-#include <mdm/particles/answer_sample.hpp>
+#include <mdm/answer/answer_sample.hpp>
 #include <mdm/particles/particle_reader.hpp>
 
 namespace {
@@ -24,8 +24,8 @@ public:
     description_ = Description(gradation());
     count_ = 0;
   }
-  void add(const Rational &diameter, const Integer &quantity) override {
-    fuzz::demand(diameter > 0 && quantity > 0);
+  void add(const RootSize &diameter, const Integer &quantity) override {
+    fuzz::demand(diameter.power > 0 && quantity > 0);
     description_.add(diameter, quantity);
     count_ += quantity;
   }

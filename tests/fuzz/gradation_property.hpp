@@ -2,9 +2,9 @@
 /// \file
 /// What must hold for every text that a reader of gradations is given.
 
-#include <mdm/error.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
+#include <mdm/text/error.hpp>
 
 #include <cstdlib>
 #include <string>

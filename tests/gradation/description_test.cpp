@@ -31,7 +31,7 @@ std::vector<int> counts(const Description &d) {
 }
 
 Rational exactly(const Interval &y) {
-  CHECK(y.exact());
+  CHECK(y.is_point());
   return y.lo;
 }
 
@@ -207,22 +207,22 @@ TEST_CASE("Description: irrational laws are enclosed to 4096 bits") {
 TEST_CASE("Description: sizes that are roots are judged by their powers") {
   // x^3 = 8 is on the opening 2; masses in units of u with u^1 = 4.
   Description d(three_classes(), {{}, 0, 4});
-  d.add_powered(8, 1);
-  d.add_powered(9, 2);
-  d.add_powered(27, 1);
-  d.add_powered(1, 1);
+  d.add(RootSize{8, 3}, 1);
+  d.add(RootSize{9, 3}, 2);
+  d.add(RootSize{27, 3}, 1);
+  d.add(RootSize{1, 3}, 1);
   CHECK(counts(d) == std::vector<int>{1, 3, 0});
   CHECK(d.below().count == 1);
   CHECK(d.of_class(1).first->is(9, 3));
   CHECK(d.inarticulate_class() == 1);
   CHECK(exactly(d.error().as_given[0]) == 0);
   // Law x^(1/2), both classes hold multiples of the unit sqrt 2: exact shares.
-  Description roots(gradation({1, 4, 9}, {1, 1, 0}), {{1, 2}, 0, 2});
-  roots.add_powered(2, 2);
-  roots.add_powered(8, 1);
+  Description roots(gradation({1, 4, 9}, {1, 1, 0}), {{1, 2}, 0, 2, 2});
+  roots.add(RootSize{2, 1}, 2);
+  roots.add(RootSize{8, 1}, 1);
   const MatchError e = roots.error();
   CHECK(exactly(e.normalised[0]) == 0);
-  CHECK_FALSE(e.as_given[0].exact());
+  CHECK_FALSE(e.as_given[0].is_point());
 }
 
 TEST_CASE("Description: agrees with sums class by class on random samples") {

@@ -1,9 +1,9 @@
 // Specification envelopes, and the names of sieves that figures show.
 
+#include "gradation/sieve_name.hpp"
 #include "support.hpp"
 
 #include <mdm/gradation/envelope.hpp>
-#include <mdm/gradation/sieve_name.hpp>
 #include <mdm/number/decimal.hpp>
 
 using namespace mdm;
@@ -20,8 +20,9 @@ std::string refusal_of(const std::string &content) {
 } // namespace
 
 TEST_CASE("an envelope ascends by size whatever the order of its rows") {
-  const Envelope e = read_envelope(std::string("# C33\n") + header + "2.36,80,100\n0.6,25.5,60\n1.18,50,85\n",
-                                   "specs/c33.csv");
+  std::string content = "# C33\n";
+  content.append(header).append("2.36,80,100\n0.6,25.5,60\n1.18,50,85\n");
+  const Envelope e = read_envelope(content, "specs/c33.csv");
   CHECK(e.id == "c33");
   CHECK(e.unit == SizeUnit::mm);
   CHECK(e.sizes == std::vector<Rational>{ratio(3, 5), ratio(59, 50), ratio(59, 25)});
@@ -76,4 +77,14 @@ TEST_CASE("openings have their ASTM names, and only they") {
   CHECK(astm_sieve_name(0) == std::nullopt);
   for (const char *name : {"No. 635", "No. 3-1/2", "1/4 in", "5 in", "0.530 in"})
     CHECK(astm_sieve_name(sieve_opening(name)) == name);
+}
+
+TEST_CASE("an envelope with phi that is no whole number is refused") {
+  CHECK(read_envelope("size_phi,passing_min_percent,passing_max_percent\n-1,100,100\n", "x").sizes ==
+        std::vector<Rational>{2});
+  const std::string message =
+      refusal_of("size_phi,passing_min_percent,passing_max_percent\n-1,100,100\n-0.5,10,20\n");
+  CHECK(contains(message, "band.csv:3: size_phi '-0.5' is no whole number"));
+  CHECK(contains(message, "1.4142135623731"));
+  CHECK(contains(message, "mdm convert"));
 }

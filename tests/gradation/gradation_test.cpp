@@ -76,3 +76,32 @@ TEST_CASE("Gradation: sizes scale") {
   CHECK(text(Gradation(data()).scaled(ratio(5, 2)).sizes()) == "0 2.5 5 10");
   CHECK(contains(message_of([] { Gradation(data()).scaled(0); }), "size factor 0 must be above 0"));
 }
+
+TEST_CASE("a gradation is made from sizes and masses in one call") {
+  const Gradation g({1, ratio(3, 2), 4}, {2, 1, 0}, SizeUnit::um, "sand");
+  CHECK(g.sizes() == std::vector<Rational>{1, ratio(3, 2), 4});
+  CHECK(g.masses() == std::vector<Rational>{2, 1, 0});
+  CHECK(g.unit() == SizeUnit::um);
+  CHECK(g.id() == "sand");
+  CHECK_THROWS_AS(Gradation({1, 2}, {1, 1}), InputError);
+  CHECK_THROWS_AS(Gradation({1, 2}, {1}), InputError);
+}
+
+TEST_CASE("a gradation is made from decimals in one call, exactly") {
+  const Gradation g = gradation_of({"0.075", "0.15", "3e-1"}, {"3.6", "9", "0"});
+  CHECK(g.sizes() == std::vector<Rational>{ratio(75, 1000), ratio(15, 100), ratio(3, 10)});
+  CHECK(g.mass(0) == ratio(36, 10));
+  CHECK_THROWS_WITH(gradation_of({"0.1", "a"}, {"1", "0"}), Catch::StartsWith("size 2: "));
+  CHECK_THROWS_WITH(gradation_of({"0.1", "1"}, {"", "0"}), Catch::StartsWith("mass 1: "));
+}
+
+TEST_CASE("a gradation is read from a path in one call, and what is wrong names the file") {
+  const std::string folder = MDM_SOURCE_DIR "/examples/gradations/";
+  const Gradation g = read_gradation_file(folder + "athabasca-sand.csv");
+  CHECK(g.id() == "athabasca-sand");
+  CHECK(g.classes() == 7);
+  CHECK_THROWS_WITH(read_gradation_file(folder + "none.csv"),
+                    Catch::StartsWith(folder + "none.csv: cannot be read: "));
+  CHECK_THROWS_WITH(read_gradation_file(folder), Catch::StartsWith(folder + ": cannot be read: "));
+  CHECK_THROWS_WITH(read_gradation_file(MDM_SOURCE_DIR "/README.md"), Catch::Contains("/README.md:"));
+}

@@ -1,6 +1,5 @@
+#include "gradation/phi.hpp"
 #include "support.hpp"
-
-#include <mdm/gradation/phi.hpp>
 
 #include <mpfr.h>
 

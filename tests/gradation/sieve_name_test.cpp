@@ -1,6 +1,5 @@
+#include "gradation/sieve_name.hpp"
 #include "support.hpp"
-
-#include <mdm/gradation/sieve_name.hpp>
 
 using namespace mdm;
 using namespace mdm::test;

@@ -4,10 +4,10 @@
 
 #include "../catch.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 namespace mdm::test {
 
@@ -55,8 +55,9 @@ inline bool equal(const Gradation &a, const Gradation &b) {
       column.push_back(g.factor(j));
     return column;
   };
-  return a.unit() == b.unit() && a.sizes() == b.sizes() && a.masses() == b.masses() &&
-         a.tolerances() == b.tolerances() && a.has_factors() == b.has_factors() && factors(a) == factors(b);
+  return a.unit() == b.unit() && a.root() == b.root() && a.powers() == b.powers() &&
+         a.masses() == b.masses() && a.tolerances() == b.tolerances() && a.has_factors() == b.has_factors() &&
+         factors(a) == factors(b);
 }
 
 } // namespace mdm::test

@@ -1,17 +1,15 @@
 // The least number of particles that match the gradation of a file.
 
-#include <mdm/gradation/read_gradation.hpp>
-#include <mdm/match/solve.hpp>
+#include <mdm/mdm.hpp>
 
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 int main(int argc, char **argv) {
   if (argc != 2)
     return 2;
-  std::ifstream file(argv[1]);
-  const std::string content{std::istreambuf_iterator<char>(file), {}};
-  const mdm::Match match = mdm::solve(mdm::read_gradation(content, argv[1]));
-  std::cout << match.particles() << '\n';
+  const mdm::Match match = mdm::solve(mdm::read_gradation_file(argv[1]));
+  mdm::Integer particles = 0;
+  for (const mdm::MatchClass &c : match.classes())
+    particles += c.quantity;
+  std::cout << (particles == match.particles() ? mdm::to_string(particles) : "?") << '\n';
 }

@@ -2,8 +2,9 @@
 /// \file
 /// Matches by enumeration, in plain fractions: the definitions, nothing of the algorithms under test.
 
+#include "match/problem.hpp"
+
 #include <mdm/gradation/gradation.hpp>
-#include <mdm/match/problem.hpp>
 
 #include <algorithm>
 #include <random>

@@ -1,8 +1,7 @@
 #include "brute_force.hpp"
 #include "catch.hpp"
+#include "match/least_match.hpp"
 #include "plain_gradation.hpp"
-
-#include <mdm/match/least_match.hpp>
 
 #include <limits>
 
@@ -74,7 +73,7 @@ TEST_CASE("the least match is that of enumeration") {
       CHECK(p.highest_scale(found.q) * p.scale_unit() > brute::some_scale(b));
     }
   }
-  CHECK(decided > 2500);
+  CHECK(decided >= 2900);
 }
 
 TEST_CASE("masses at the edges of machine words are decided exactly") {
@@ -152,7 +151,7 @@ TEST_CASE("an interrupted sweep leaves true bounds") {
       CHECK(total(part.q) <= n);
     }
   }
-  CHECK(interrupted > 100);
+  CHECK(interrupted >= 400);
 }
 
 TEST_CASE("a passed deadline stops a long sweep") {

@@ -1,11 +1,11 @@
 #include "brute_force.hpp"
 #include "catch.hpp"
+#include "match/fixed_size.hpp"
+#include "match/least_match.hpp"
+#include "match/spanned_integer.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/gradation/read_gradation.hpp>
-#include <mdm/match/fixed_size.hpp>
-#include <mdm/match/least_match.hpp>
-#include <mdm/match/spanned_integer.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fstream>
 #include <map>

@@ -2,9 +2,9 @@
 #include "catch.hpp"
 #include "plain_gradation.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/match/solve.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 using namespace mdm;
 
@@ -12,13 +12,27 @@ namespace {
 
 /// Every statement of a match of spheres, from the definitions.
 void check_match(const Match &m) {
-  CHECK(m.window.above < m.scale);
-  CHECK(m.scale <= m.window.up_to);
-  REQUIRE(m.sizes.size() == m.q.size());
-  for (std::size_t i = 0; i < m.q.size(); ++i) {
-    const std::size_t j = m.problem.classes()[i].index;
-    const Rational cube = m.scale * m.gradation.mass(j) / (m.gradation.factor(j) * Rational(m.q[i]));
-    const Enclosure &x = m.sizes[i];
+  const MatchScale &scale = *m.sample->scale;
+  CHECK(scale.window.above < scale.chosen);
+  CHECK(scale.chosen <= scale.window.up_to);
+  const std::vector<MatchClass> classes = m.classes();
+  REQUIRE(classes.size() == m.gradation.classes());
+  Rational all = 0, volume = 0;
+  for (const Rational &mass : m.gradation.masses())
+    all += mass;
+  for (std::size_t j = 0; j < classes.size(); ++j) {
+    const MatchClass &c = classes[j];
+    CHECK(c.lower.is(m.gradation.lower(j), 1));
+    CHECK(c.upper.is(m.gradation.upper(j), 1));
+    CHECK(c.mass == m.gradation.mass(j));
+    CHECK(c.share == c.mass / all);
+    CHECK((c.mass > 0) == (c.quantity > 0));
+    REQUIRE((c.quantity > 0) == c.size.has_value());
+    if (!c.size)
+      continue;
+    const Rational cube = scale.chosen * c.mass / (m.gradation.factor(j) * Rational(c.quantity));
+    const Enclosure &x = *c.size;
+    volume += cube * Rational(c.quantity);
     CHECK(m.gradation.lower(j) < x.lower());
     CHECK(x.upper() <= m.gradation.upper(j));
     if (x.lo == x.hi) {
@@ -28,9 +42,12 @@ void check_match(const Match &m) {
       CHECK(cube < power(x.upper(), 3));
     }
     // The margin is certain: sizes are at least that far from both sieves.
-    CHECK(x.upper() >= m.gradation.lower(j) * (1 + m.margin));
-    CHECK(x.lower() * (1 + m.margin) <= m.gradation.upper(j));
+    CHECK(x.upper() >= m.gradation.lower(j) * (1 + scale.margin));
+    CHECK(x.lower() * (1 + scale.margin) <= m.gradation.upper(j));
   }
+  const Rational pi_below = ratio(314159265, 100000000), pi_above = ratio(314159266, 100000000);
+  CHECK(m.solids_volume()->upper() > volume * pi_below / 6);
+  CHECK(m.solids_volume()->lower() < volume * pi_above / 6);
 }
 
 } // namespace
@@ -52,13 +69,14 @@ TEST_CASE("the robust scale is near the geometric middle") {
   std::mt19937_64 random(14);
   for (int i = 0; i < 500; ++i) {
     const Match m = solve(brute::random_gradation(random));
-    const Rational &lo = m.window.above, &hi = m.window.up_to;
+    const MatchScale &scale = *m.sample->scale;
+    const Rational &lo = scale.window.above, &hi = scale.window.up_to;
     if (lo == 0) {
-      CHECK(m.scale == hi / 2);
+      CHECK(scale.chosen == hi / 2);
       continue;
     }
-    CHECK(m.scale * m.scale >= lo * hi);
-    const Rational less = m.scale - (hi - lo) / 100;
+    CHECK(scale.chosen * scale.chosen >= lo * hi);
+    const Rational less = scale.chosen - (hi - lo) / 100;
     CHECK((less <= 0 || less * less <= lo * hi));
   }
 }
@@ -69,11 +87,12 @@ TEST_CASE("a cylinder's volume is met exactly where it can be") {
   const Gradation g = gradation({1, 2, 3}, {2, 1, 0});
   const Match m = solve(g, q);
   check_match(m);
-  REQUIRE(m.window.start.has_value());
-  const Rational s0 = m.window.start->lo;
+  const MatchScale &scale = *m.sample->scale;
+  REQUIRE(scale.window.start.has_value());
+  const Rational s0 = scale.window.start->lo;
   CHECK(s0 == ratio(3 * 2500, 1) * parse_decimal("24.4") / (2 * parse_decimal("1.683") * 3));
-  CHECK(m.scale == (m.window.above < s0 ? s0 : m.scale));
-  CHECK(m.scale >= s0);
+  CHECK(scale.chosen == (scale.window.above < s0 ? s0 : scale.chosen));
+  CHECK(scale.chosen >= s0);
 }
 
 TEST_CASE("a start at the very end of the window leaves a single scale") {
@@ -83,10 +102,10 @@ TEST_CASE("a start at the very end of the window leaves a single scale") {
   q.solids = Cylinder{2, 4, 0};
   const Match m = solve(gradation({1, 2}, {1, 0}), q);
   CHECK(m.particles() == 3);
-  CHECK(m.scale == 24);
-  CHECK(m.window.up_to == 24);
-  CHECK(m.sizes[0].text() == "2");
-  CHECK(m.margin == 0);
+  CHECK(m.sample->scale->chosen == 24);
+  CHECK(m.sample->scale->window.up_to == 24);
+  CHECK(m.sample->sizes[0]->text() == "2");
+  CHECK(m.sample->scale->margin == 0);
   CHECK(m.notes.size() == 1);
 }
 
@@ -96,10 +115,10 @@ TEST_CASE("a volume with pi is reached, and closely") {
     q.solids = SolidsVolume{parse_decimal(volume)};
     const Match m = solve(gradation({1, 2, 3}, {2, 1, 0}), q);
     check_match(m);
-    REQUIRE(m.pi.has_value());
-    const Enclosure v = m.solids_volume();
+    REQUIRE(m.proof.pi.has_value());
+    const Enclosure v = m.solids_volume().value();
     CHECK(v.upper() >= parse_decimal(volume));
-    if (m.window.start_is_feasible())
+    if (m.sample->scale->window.start_is_feasible())
       CHECK(v.lower() <= parse_decimal(volume));
   }
 }
@@ -116,7 +135,7 @@ TEST_CASE("a volume whose lower scale bound is the window's end is met") {
   const Match m = solve(Gradation(data), q);
   check_match(m);
   CHECK(m.particles() == 1);
-  CHECK(m.scale < 28);
+  CHECK(m.sample->scale->chosen < 28);
 }
 
 TEST_CASE("a size that is an opening and no decimal is refused") {
@@ -143,7 +162,7 @@ TEST_CASE("a size next to its sieve gets the digits that keep it inside its clas
   const Match m = solve(gradation({1, 1 + tiny}, {1, 0}));
   CHECK(m.particles() == 1);
   check_match(m);
-  CHECK(to_string(m.sizes[0].lo).size() > 30);
+  CHECK(to_string(m.sample->sizes[0]->lo).size() > 30);
   CHECK(m.notes.size() == 2); // digits, and doubles that cannot hold it
 }
 
@@ -175,7 +194,7 @@ TEST_CASE("a limit leaves a match and a bound") {
     const Gradation g = brute::random_gradation(random);
     Question q;
     q.at_least = static_cast<int>(1 + random() % 30);
-    const Integer n = solve(g, q).particles();
+    const Integer n = solve(g, q).particles().value();
     SolveOptions options;
     options.limits.max_steps = random() % 3;
     const Match m = solve(g, q, options);

@@ -2,12 +2,14 @@
 
 #include "brute_force.hpp"
 #include "catch.hpp"
+#include "match/mass_draw.hpp"
 #include "plain_gradation.hpp"
+#include "sets/uniform_by_volume.hpp"
 
-#include <mdm/error.hpp>
-#include <mdm/grading/uniform_by_volume.hpp>
+#include <mdm/match/solve.hpp>
 #include <mdm/match/spread.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 #include <cmath>
 
@@ -25,8 +27,8 @@ std::vector<Integer> all_parts(const ClassSpread &c) {
 
 /// T^b of class j, from the definitions.
 Rational powered_mass(const Match &m, std::size_t j) {
-  return m.tolerant ? power(Rational(m.tolerant->shares[j] * m.tolerant->mass), m.question.law.b)
-                    : m.scale * power(m.gradation.mass(j), m.question.law.b);
+  return m.tolerance ? m.sample->mass * power(m.classes()[j].share, m.question.law.b)
+                     : m.sample->scale->chosen * power(m.gradation.mass(j), m.question.law.b);
 }
 
 /// Every statement of a spread: the sum, the class and, for an integer exponent, the sizes.

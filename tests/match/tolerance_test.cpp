@@ -2,9 +2,9 @@
 
 #include "catch.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/tolerance.hpp>
+#include <mdm/text/error.hpp>
 
 using namespace mdm;
 

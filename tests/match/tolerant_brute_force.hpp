@@ -3,7 +3,7 @@
 /// Smallest matches within a tolerance by enumeration, each vector of counts judged by the closed forms of
 /// one variable, the sample's mass M: nothing of linear programs.
 
-#include <mdm/match/tolerant_problem.hpp>
+#include "match/tolerant_problem.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -1,7 +1,7 @@
 #include "catch.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 #include <random>
 

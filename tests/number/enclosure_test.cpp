@@ -1,8 +1,8 @@
 #include "catch.hpp"
+#include "number/pi.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/enclosure.hpp>
-#include <mdm/number/pi.hpp>
 
 #include <mpfr.h>
 

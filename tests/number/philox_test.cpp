@@ -1,8 +1,7 @@
 // Philox gives the numbers of its authors' test vectors (Random123, kat_vectors).
 
 #include "catch.hpp"
-
-#include <mdm/number/philox.hpp>
+#include "number/philox.hpp"
 
 using mdm::Philox;
 

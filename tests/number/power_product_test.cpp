@@ -60,7 +60,7 @@ TEST_CASE("the exact value lies in the enclosure", "[power_product]") {
       CHECK(exact_root(square, 2) == irrational);
     }
   }
-  CHECK(fractions > 100);
+  CHECK(fractions >= 420);
   CHECK(fractions < 900);
 }
 

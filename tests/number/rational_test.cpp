@@ -1,6 +1,6 @@
 #include "catch.hpp"
+#include "number/int128.hpp"
 
-#include <mdm/number/int128.hpp>
 #include <mdm/number/rational.hpp>
 
 #include <random>

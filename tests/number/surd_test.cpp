@@ -1,8 +1,7 @@
 // Arithmetic with one root is exact and tells fractions.
 
 #include "catch.hpp"
-
-#include <mdm/number/surd.hpp>
+#include "number/surd.hpp"
 
 using namespace mdm;
 
@@ -48,5 +47,5 @@ TEST_CASE("floors of reals are decided by refining, or with what is known exactl
   CHECK(floor_of(two).lo == 1);
   CHECK(floor_of(two).hi == 2);
   CHECK(floor_of(two, [](const Integer &k) { return k == 2; }).lo == 2);
-  CHECK(floor_of(Real(ratio(7, 2))).known());
+  CHECK(floor_of(Real(ratio(7, 2))).is_point());
 }

@@ -1,8 +1,10 @@
+#include "answer/answer_particles.hpp"
 #include "support.hpp"
 
+#include <mdm/answer/answer.hpp>
 #include <mdm/gradation/read_gradation.hpp>
+#include <mdm/match/solve.hpp>
 #include <mdm/particles/particle_set.hpp>
-#include <mdm/report/answer.hpp>
 
 #include <cmath>
 #include <cstdlib>
@@ -121,14 +123,15 @@ TEST_CASE("particle sets: counts, classes and masses are those of the match") {
     CHECK(set.particles() == m.particles());
     CHECK(set.mass_error() <= options.most_mass_error);
     CHECK(set.mass_error() > 0);
-    REQUIRE(set.classes.size() == m.q.size());
+    const std::vector<Integer> &q = m.sample->quantities;
+    REQUIRE(set.classes.size() == q.size());
     const Rational one_mm = Rational(1) / in_mm(unit);
     for (std::size_t j = 0; j < set.classes.size(); ++j) {
       const ParticleClass &c = set.classes[j];
       REQUIRE(c.sizes.size() == 1);
-      CHECK(c.quantity() == m.q[j]);
+      CHECK(c.quantity() == q[j]);
       CHECK(c.lower == m.gradation.lower(j) * one_mm);
-      const Rational volume = m.scale * m.gradation.mass(j) / m.q[j] * cube(one_mm);
+      const Rational volume = m.sample->scale->chosen * m.gradation.mass(j) / q[j] * cube(one_mm);
       check_number(c.sizes[0].diameter, volume, c.lower, c.upper, set.mass_error());
       check_number(c.sizes[0].radius, volume / 8, c.lower / 2, c.upper / 2, set.mass_error());
       CHECK(c.density * cube(Rational(1000) / in_mm(unit)) == 2650);
@@ -181,10 +184,10 @@ TEST_CASE("particle sets: what an answer says wrongly is refused") {
   other.particles += 1;
   CHECK_THROWS_AS(particle_set(other, {}), InputError);
   other = answer;
-  other.classes[0].lower = other.classes[0].size_hi;
+  other.classes[0].lower.power = other.classes[0].size_hi;
   CHECK_THROWS_AS(particle_set(other, {}), InputError);
   other = answer;
-  other.classes[0].lower = -1;
+  other.classes[0].lower.power = -1;
   CHECK_THROWS_AS(particle_set(other, {}), InputError);
   other = answer;
   std::swap(other.classes[0], other.classes[1]);

@@ -1,6 +1,7 @@
 #include "support.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
+#include <mdm/match/solve.hpp>
 #include <mdm/particles/particle_writer.hpp>
 
 #include <cmath>

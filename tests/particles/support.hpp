@@ -4,9 +4,9 @@
 
 #include "catch.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/particles/particle_reader.hpp>
+#include <mdm/text/error.hpp>
 
 namespace mdm::test {
 
@@ -16,8 +16,8 @@ public:
   std::string text;
 
   void restart() override { text.clear(); }
-  void add(const Rational &diameter, const Integer &quantity) override {
-    text += (text.empty() ? "" : " ") + to_decimal(diameter);
+  void add(const RootSize &diameter, const Integer &quantity) override {
+    text += (text.empty() ? "" : " ") + diameter.text();
     if (quantity != 1)
       text += "*" + to_string(quantity);
   }

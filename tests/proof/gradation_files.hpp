@@ -19,7 +19,7 @@ inline const std::vector<std::string> seeds = {
     "size_mm,passing_percent,tolerance_percent\n2,100,1\n1,40,0.5\n0.5,10,2\n",
     R"({"sizes": [3, 2, 1], "masses": [0, 1, 2], "tolerances_percent": [1, "2", 3.5]})",
     R"({"id": "g1", "unit": "mm", "sizes": ["0.075", 0.15, "3e-1"], "masses": [1, 2.50, "0"]})",
-    R"({"sizes": [3, 2, 1], "masses": [0, 1, 2], "factors": [1, "2", 3.5], "x": {"y": [null, true, "\u00e9"]}})",
+    R"({"sizes": [3, 2, 1], "masses": [0, 1, 2], "factors": [1, "2", 3.5], "\u0069d": "\u00e9 \ud83d\ude00"})",
 };
 
 /// A few random changes, mostly with characters that mean something.

@@ -2,14 +2,16 @@
 /// \file
 /// Judges pairs of files with the checker, in this process, and with a program that is extracted from Coq.
 
-#include "check.hpp"
 #include "checker/mutants.hpp"
 
+#include <mdm/checker.hpp>
+
 #include <cstdlib>
+#include <limits>
 
 namespace verified_test {
 
-using mdm_check::Verdict;
+using mdm::checker::Verdict;
 
 /// A gradation file and a certificate.
 struct Pair {
@@ -28,7 +30,8 @@ struct Agreement {
   std::vector<std::string> differences; ///< both verdicts and the pair
 };
 
-/// The program judges many pairs in one run, a line each. Where both accept the lines must be the same too.
+/// The program judges many pairs in one run, a line each and for a refusal another one with its reason. Where
+/// both accept or refuse the lines must be the same too.
 inline Agreement compare(const std::string &program, const std::vector<Pair> &pairs) {
   constexpr std::size_t pairs_a_run = 2000;
   Agreement agreement;
@@ -53,12 +56,14 @@ inline Agreement compare(const std::string &program, const std::vector<Pair> &pa
     std::istringstream verdicts(mdm_check_test::read_file(path("verdicts")));
     for (std::size_t i = begin; i < end; ++i) {
       const Pair &pair = pairs[i];
-      const Verdict verdict = mdm_check::check({file_of(pair.gradation), pair.gradation},
-                                               {file_of(pair.certificate), pair.certificate});
+      const Verdict verdict = mdm::checker::check({file_of(pair.gradation), pair.gradation},
+                                                  {file_of(pair.certificate), pair.certificate});
       std::string line;
       std::getline(verdicts, line);
       const Verdict::Code code = line.empty() ? Verdict::malformed : code_of(line);
-      if (line.empty() || code != verdict.code || (code == Verdict::accepted && line != verdict.line))
+      if (code == Verdict::refused)
+        verdicts.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+      if (line.empty() || code != verdict.code || (code != Verdict::malformed && line != verdict.line))
         agreement.differences.push_back(verdict.line + "\nbut " + line + "\n" + pair.gradation +
                                         pair.certificate);
       else

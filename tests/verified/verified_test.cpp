@@ -6,10 +6,11 @@
 #include "proof/gradation_files.hpp"
 #include "verified/comparison.hpp"
 
-#include <mdm/error.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
+#include <mdm/match/solve.hpp>
 #include <mdm/proof/certificate.hpp>
+#include <mdm/text/error.hpp>
 
 using namespace verified_test;
 using mdm::ratio;
@@ -150,7 +151,7 @@ TEST_CASE("both checkers read the same gradation from files of all kinds, change
   mdm::SolveOptions options;
   options.limits.max_steps = 1000;
   options.digits = 40;
-  for (std::size_t i = 0; i < 20000; ++i) {
+  for (std::size_t i = 0; i < 30000; ++i) {
     const std::string &seed = gradation_files::seeds[i % gradation_files::seeds.size()];
     const std::string text =
         i < gradation_files::seeds.size() ? seed : gradation_files::mutated(seed, random);
@@ -187,6 +188,22 @@ TEST_CASE("both checkers have the same limits") {
                                     std::string(static_cast<std::size_t>(digits - 1), '4') +
                                     "\nparticles 4\nscale 10\nclass 1 3 1.5 1.5\nchain 2\nend\n"});
   demand_agreement(compare(MDM_VERIFIED, pairs), 0, 15, 15);
+}
+
+TEST_CASE(
+    "both checkers have the same limits for lengths to the power of half-phi, and for the file of a band") {
+  std::vector<Pair> pairs;
+  // 4 times the bits of a number of 78,914 digits is about 2^20.
+  for (const std::size_t digits : {1000U, 78'900U, 78'930U})
+    for (const char *line : {"pan-size", "cut-below", "size-factor"})
+      pairs.push_back({"size_phi,mass\npan,1\n0,2\n-0.25,1\n-1,0\n",
+                       "mdm-certificate 1\nlaw 3\n" + std::string(line) + " " + std::string(digits, '9') +
+                           "\nparticles 4\nscale 10\nclass 1 3 1.5 1.5\nchain 2\nend\n"});
+  for (std::size_t zeros = 310; zeros < 320; ++zeros)
+    pairs.push_back({"size_mm,passing_min_percent,passing_max_percent\n1,0,100\n2,0,1." +
+                         std::string(zeros, '0') + "1\n3,0,100\n",
+                     "mdm-certificate 1\nlaw 1000\nband file\nparticles none\nleaf 1 m\nend\n"});
+  demand_agreement(compare(MDM_VERIFIED, pairs), 0, 8, 8);
 }
 
 TEST_CASE("the program judges pairs, and says how it wants to be called") {

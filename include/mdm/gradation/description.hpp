@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How a gradation G describes a sample S.
+/// A gradation G as the description of a sample S: the paper's conditions and its Error.
 
 #include <mdm/gradation/gradation.hpp>
 #include <mdm/gradation/mass_law.hpp>
@@ -12,18 +12,9 @@
 
 namespace mdm {
 
-/// The size x > 0 with x^degree = power. Sizes of exact matches are roots, seldom fractions.
-struct RootSize {
-  Rational power;
-  unsigned degree = 1;
-
-  /// True if x^of_degree = other.
-  bool is(const Rational &other, unsigned of_degree) const;
-};
-
-/// How far a description is from Cond4: the Error of Arnold, Eq. 13, class by class, target minus found. t_j
-/// is the mass of the particles in class j, M the sum of all t_j. Numbers are exact where the law is rational
-/// at the sizes.
+/// The distance of a description from Cond4: the Error of Arnold, Eq. 13, class by class, target minus found.
+/// t_j is the mass of the particles in class j, M the sum of all t_j. Numbers are exact where the law is
+/// rational at the sizes; shares also where they are rational and few masses are incommensurable.
 struct MatchError {
   std::vector<Interval> as_given;   ///< m_j - t_j
   std::vector<Rational> targets;    ///< m_j / sum m
@@ -34,17 +25,18 @@ struct MatchError {
   Interval total;                   ///< sum of |normalised|
 };
 
-/// What a description depends on beside G and S.
+/// The options of a description, beside G and S.
 struct DescriptionOptions {
   MassLaw law;
   /// Sizes within snap * x_j of an opening x_j are taken as that opening: for sizes computed in double.
   Rational snap = 0;
-  /// u^b for the unit u in which masses are summed (b as in the law). Roots with a common irrational factor u
-  /// are so summed exactly.
+  /// u^unit_power for the unit u in which masses are summed. Roots with a common irrational factor u are so
+  /// summed exactly.
   Rational mass_unit = 1;
+  unsigned unit_power = 1;
 };
 
-/// What is known of the particles of a sample that were added one by one, class by class. Memory does not
+/// The particles of a sample, added one by one and counted class by class. Memory does not
 /// depend on their number (as long as sizes are decimals of bounded length). Class j has x_j < x <= x_{j+1}:
 /// a particle passes an opening of its own size. Since G is complete, Cond1 (Eq. 9) holds.
 class Description {
@@ -69,9 +61,8 @@ public:
   /// Adds particles of one size. Cost: a binary search, a power and an exact sum; a root of 4096 bits where
   /// the law is irrational at the size.
   /// \pre size > 0, quantity >= 1
-  void add(const Rational &size, const Integer &quantity = 1) { place(size, 1, quantity); }
-  /// Adds particles of the size x with x^a = power, a as in the law.
-  void add_powered(const Rational &power, const Integer &quantity) { place(power, law().a, quantity); }
+  void add(const Rational &size, const Integer &quantity = 1) { add(RootSize{size, 1}, quantity); }
+  void add(const RootSize &size, const Integer &quantity);
   void add(const Sample &sample);
 
   const Gradation &gradation() const { return g_; }
@@ -94,30 +85,30 @@ public:
   /// two signs exchanged, against Eq. 12.)
   bool articulately() const { return describes() && !inarticulate_class(); }
 
-  /// What Cond4 (Eq. 12) lacks. Cond4 holds iff Cond2 does and all `as_given` are 0; for one scale of the
-  /// masses, iff Cond2 does and all `normalised` are 0. Cost: some fractions a class.
+  /// The errors that Cond4 (Eq. 12) forbids. Cond4 holds iff Cond2 does and all `as_given` are 0; for one
+  /// scale of the masses, iff Cond2 does and all `normalised` are 0. Cost: some fractions a class.
   MatchError error() const;
 
 private:
   struct Tally {
     Class seen;
-    FractionSum mass;         ///< of the particles whose mass is a fraction
-    Integer roots = 0;        ///< sum of the others' masses, each rounded down to a multiple of 2^-root_bits
-    Integer rooted_count = 0; ///< number of these others
-
-    void add(const Rational &power, unsigned degree, const Integer &quantity,
-             const DescriptionOptions &options);
-    Interval total() const;
+    std::vector<FractionSum> multiples = std::vector<FractionSum>(1); ///< of units_, their sum is the mass
+    Integer roots = 0;        ///< sum of the masses left, each rounded down to a multiple of 2^-root_bits
+    Integer rooted_count = 0; ///< number of these
   };
 
+  void weigh(Tally &tally, const RootSize &size, const Integer &quantity);
+  Interval mass(const Tally &tally) const;
+  std::vector<std::optional<Rational>> exact_shares() const;
+
   static void note(Outside &side, const RootSize &size, const Integer &quantity);
-  void place(const Rational &power, unsigned degree, const Integer &quantity);
 
   Gradation g_;
   DescriptionOptions options_;
-  std::vector<Rational> lowest_, highest_; ///< sizes that are taken as each opening
-  std::vector<Rational> hair_beyond_;      ///< each opening and 1e-12 of it
+  std::vector<RootSize> lowest_, highest_; ///< sizes that are taken as each opening
+  std::vector<RootSize> hair_beyond_;      ///< each opening and 1e-12 of it
   std::vector<Tally> classes_;
+  std::vector<RootSize> units_ = {{1, 1}}; ///< of masses; none is a rational multiple of another
   Outside below_, above_;
   Integer snapped_ = 0;
   Integer hair_above_ = 0;

@@ -2,37 +2,67 @@
 /// \file
 /// The grain size distribution G = (X_G, M_G).
 
+#include <mdm/gradation/root_size.hpp>
 #include <mdm/gradation/size_unit.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mdm {
 
+/// The largest root of a gradation.
+inline constexpr unsigned max_root = 1000;
+
+/// The remedy where openings must be fractions: convert the file.
+inline constexpr std::string_view convert_remedy =
+    "mdm convert writes the openings in mm, rounded to 15 digits";
+
 /// G of Arnold, Eq. 5-8, complete (Cond1, Eq. 9): openings x_1 < ... < x_n and the masses m_1, ..., m_n
 /// retained on them, n >= 2, x_1 >= 0 (0 is the pan), m_j >= 0, m_n = 0, not all masses 0. Class j = 1, ...,
-/// n - 1 holds the particles with x_j < x <= x_{j+1}: open below, closed above (Eq. 12).
+/// n - 1 holds the particles with x_j < x <= x_{j+1}: open below, closed above (Eq. 12). Openings are
+/// fractions in all files but those of phi that is no whole number, where their d-th powers are; d is the
+/// root.
 class Gradation {
 public:
-  /// What a gradation is made of; vectors of n entries, ascending by size.
+  /// The parts of a gradation; vectors of n entries, ascending by size.
   struct Data {
     std::string id;               ///< name for reports, any text
     SizeUnit unit = SizeUnit::mm; ///< unit of the sizes
-    std::vector<Rational> sizes;  ///< X_G
+    std::vector<Rational> sizes;  ///< X_G, to the power `root`
     std::vector<Rational> masses; ///< M_G, in any unit: only their ratios count
     std::vector<Rational>
         factors; ///< density or shape factor c_j > 0 of class j (the last is not used), or empty: all 1
     std::vector<Rational> tolerances; ///< percentage points >= 0 as a file gave them, or empty
     std::vector<Rational> roundings;  ///< half a unit of the last digit of what passes, percent, or empty
     std::vector<std::string> notes;   ///< what the reader assumed, for the report
+    unsigned root = 1;                ///< d, from 1 to max_root
   };
 
   /// \throws InputError naming the size where an invariant of the class does not hold
   explicit Gradation(Data data);
+  /// Of fractions; Rational(0.075) is what the double holds, a little less than parse_decimal("0.075").
+  /// \throws InputError as above
+  Gradation(std::vector<Rational> sizes, std::vector<Rational> masses, SizeUnit unit = SizeUnit::mm,
+            std::string id = "");
 
   const std::string &id() const { return data_.id; }
   SizeUnit unit() const { return data_.unit; }
-  const std::vector<Rational> &sizes() const { return data_.sizes; }
+  /// d: openings are the d-th roots of fractions.
+  unsigned root() const { return data_.root; }
+  /// x_j^d of all openings.
+  const std::vector<Rational> &powers() const { return data_.sizes; }
+  /// X_G.
+  /// \throws InputError if d > 1: such openings are irrational, and where only fractions will do they are
+  /// refused, not rounded
+  const std::vector<Rational> &sizes() const {
+    require_fractions();
+    return data_.sizes;
+  }
+  RootSize opening(std::size_t j) const { return {data_.sizes[j], data_.root}; }
+  /// An opening as a decimal: exactly, or the nearest of 15 significant digits.
+  std::string opening_text(std::size_t j) const;
+  bool has_pan() const { return data_.sizes.front().sign() == 0; }
   const std::vector<Rational> &masses() const { return data_.masses; }
   const std::vector<Rational> &tolerances() const { return data_.tolerances; }
   const std::vector<Rational> &roundings() const { return data_.roundings; }
@@ -44,8 +74,9 @@ public:
   /// k = n - 1.
   std::size_t classes() const { return data_.sizes.size() - 1; }
   /// Bounds (lower, upper] and mass of class j, counted from 0.
-  const Rational &lower(std::size_t j) const { return data_.sizes[j]; }
-  const Rational &upper(std::size_t j) const { return data_.sizes[j + 1]; }
+  /// \throws InputError as sizes()
+  const Rational &lower(std::size_t j) const { return sizes()[j]; }
+  const Rational &upper(std::size_t j) const { return sizes()[j + 1]; }
   const Rational &mass(std::size_t j) const { return data_.masses[j]; }
   /// c_j of class j, or for j = k what the largest size's row says.
   Rational factor(std::size_t j) const { return has_factors() ? data_.factors[j] : Rational(1); }
@@ -53,9 +84,12 @@ public:
   /// The same gradation with its pan (x_1 = 0) taken as `size`.
   /// \throws InputError if there is no pan or `size` is not in (0, x_2)
   Gradation with_pan_size(const Rational &size) const;
-  /// The same gradation without the classes below the opening `size`; their mass is lost.
+  /// The same gradation without the classes below the opening that `size` names (RootSize::is_named_by);
+  /// their mass is lost.
   /// \throws InputError if `size` is no opening below the largest, or no mass is left
   Gradation cut_below(const Rational &size) const;
+  /// The same gradation without the classes below j, of which one from j on has mass.
+  Gradation from_class(std::size_t j) const;
   /// The same gradation with every size multiplied by `factor` > 0.
   Gradation scaled(const Rational &factor) const;
 
@@ -63,6 +97,12 @@ public:
   void check_invariant() const;
 
 private:
+  void require_fractions() const {
+    if (data_.root != 1)
+      refuse_roots();
+  }
+  [[noreturn]] void refuse_roots() const;
+
   Data data_;
 };
 

@@ -14,6 +14,12 @@ inline constexpr std::size_t max_gradation_bytes = std::size_t{64} << 20;
 /// The most sizes that a gradation file may have; it bounds the memory.
 inline constexpr std::size_t max_gradation_rows = std::size_t{1} << 20;
 
+/// The two ways to read openings of fractional phi, which are irrational in mm.
+enum class PhiReading {
+  exact,  ///< as roots of fractions
+  rounded ///< to 15 significant digits, with a note; only where the user says so
+};
+
 /// Reads a gradation from the content of a file. The format (CSV, JSON or AGS4) is told by the content; the
 /// grammar is in proofs/certificate-format.md, section 4. `file` names it in messages and, without
 /// directories and ending, as id; the id of AGS4 is the specimen's. `specimen`, for AGS4 only, is the one to
@@ -21,7 +27,20 @@ inline constexpr std::size_t max_gradation_rows = std::size_t{1} << 20;
 /// its LOCA_ID where that is enough.
 /// \throws InputError `file:line: what is wrong and what to do`
 Gradation read_gradation(std::string_view content, const std::string &file,
-                         const std::optional<std::string> &specimen = std::nullopt);
+                         const std::optional<std::string> &specimen = std::nullopt,
+                         PhiReading phi = PhiReading::exact);
+
+/// The same of the file with that path.
+/// \throws InputError naming the file, also where it cannot be read
+Gradation read_gradation_file(const std::string &path,
+                              const std::optional<std::string> &specimen = std::nullopt,
+                              PhiReading phi = PhiReading::exact);
+
+/// A gradation of decimals, exactly, as a file has them: gradation_of({"0.075", "0.15", "0.3"}, {"3.6", "9",
+/// "0"}).
+/// \throws InputError naming the size or mass that is no decimal, or as Gradation
+Gradation gradation_of(const std::vector<std::string> &sizes, const std::vector<std::string> &masses,
+                       SizeUnit unit = SizeUnit::mm, const std::string &id = "");
 
 /// True if the content is AGS4: a format that the proof checker does not read.
 bool is_ags4(std::string_view content);

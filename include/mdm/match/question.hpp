@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What is asked about a gradation.
+/// The question about a gradation.
 
 #include <mdm/gradation/gradation.hpp>
 #include <mdm/gradation/mass_law.hpp>
@@ -22,6 +22,7 @@ struct Question {
   Integer at_least = 1;                   ///< least number of particles, >= 1
   std::vector<AskedTolerance> tolerances; ///< all of them hold
   std::optional<Envelope> band;           ///< bounds on what passes
+  bool band_alone = false;                ///< no gradation was given: it is the band's middle
 
   /// True if the shares need not be those of the gradation exactly.
   bool is_tolerant() const { return !tolerances.empty() || band; }

@@ -2,7 +2,7 @@
 /// \file
 /// The volume of solids that a sample must have at least.
 
-#include <mdm/number/rational.hpp>
+#include <mdm/number/interval.hpp>
 
 #include <variant>
 
@@ -20,24 +20,19 @@ struct Box {
 struct SolidsVolume {
   Rational volume;
 };
+/// The demand that sets the least volume of solids.
 using Solids = std::variant<Cylinder, Box, SolidsVolume>;
 
 /// Reads `cylinder:DxH` or `box:AxBxC` with its void ratio.
 /// \throws InputError if it is anything else, a length is not positive, or the void ratio is negative
 Solids parse_specimen(std::string_view shape, std::string_view void_ratio);
 
-/// lo <= s_0 <= hi for the least scale s_0 at which spheres have the volume: s_0 = 6 V / (pi W) with
-/// W = sum m_j / c_j. For a cylinder pi cancels and lo = hi = s_0; otherwise s_0 is irrational and lo < s_0 <
-/// hi.
-struct StartScale {
-  Rational lo, hi;
-  bool exact() const { return lo == hi; }
-};
-
 /// Digits of pi after the point at which what is still undecided is given up: the limit of certificates.
 constexpr unsigned most_pi_places = 1000;
 
+/// The least scale s_0 at which spheres have the volume: s_0 = 6 V / (pi W) with W = sum m_j / c_j. For a
+/// cylinder pi cancels and s_0 is known; otherwise it is irrational, strictly between the bounds.
 /// \param pi_places  digits of pi after the point
-StartScale start_scale(const Solids &solids, const Rational &weight, unsigned pi_places);
+Interval start_scale(const Solids &solids, const Rational &weight, unsigned pi_places);
 
 } // namespace mdm

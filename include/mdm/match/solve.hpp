@@ -2,66 +2,39 @@
 /// \file
 /// From a gradation and a question to the smallest match.
 
-#include <mdm/match/at_least.hpp>
-#include <mdm/match/scale.hpp>
-#include <mdm/match/sizes.hpp>
-#include <mdm/match/tolerant_answer.hpp>
+#include <mdm/match/limits.hpp>
+#include <mdm/match/match.hpp>
 
-#include <string>
+#include <functional>
 
 namespace mdm {
 
-/// How to solve and what to show; nothing here changes what is proved.
+/// The choice of a scale in its window.
+enum class ScaleChoice {
+  automatic, ///< the asked volume where the window has it, else robust
+  robust,    ///< near the geometric middle: sizes far from the sieves on both sides
+  upper      ///< the window's upper end
+};
+
+/// The knowledge while a search goes on.
+struct Progress {
+  std::uint64_t steps = 0;          ///< of the sweep, or nodes of the tree, so far
+  Integer lower_bound = 1;          ///< no match that the question allows has fewer particles
+  std::optional<Integer> particles; ///< of the smallest match so far
+};
+
+/// Takes note of the progress; false: the search is to stop, as at a limit.
+using ProgressCall = std::function<bool(const Progress &)>;
+
+/// The way to solve and to show; nothing here changes what is proved.
 struct SolveOptions {
   Limits limits;
   std::optional<Integer> at_most; ///< more particles than this are no match
   ScaleChoice scale = ScaleChoice::automatic;
   unsigned digits = 15; ///< significant digits of sizes
-};
-
-enum class Status {
-  optimal,  ///< the match is the smallest
-  feasible, ///< a limit came first: the match is one, the smallest has at least `lower_bound` particles
-  none,   ///< every match has more than `at_most` particles, at least `lower_bound`; or there is none at all
-  unknown ///< a limit came first: the match has more than `at_most` particles, a smaller one was not excluded
-};
-
-/// The smallest set of particles that matches a gradation, or what is known of it.
-struct Match {
-  Match(Question asked, Gradation g, Problem p)
-      : question(std::move(asked)), gradation(std::move(g)), problem(std::move(p)) {}
-
-  Question question;
-  Gradation gradation; ///< with the question's pan, cut and size factor
-  Problem problem;     ///< with all floors
-  Status status = Status::unknown;
-  Integer lower_bound; ///< no match that the question allows has fewer particles
-
-  /// A match, one entry for each class of the problem; the smallest if `complete`.
-  std::vector<Integer> q;
-  bool complete = false;
-  Window window;
-  Rational scale;               ///< chosen, to the power b
-  std::vector<Enclosure> sizes; ///< of each class's particles at that scale
-  Rational margin;              ///< least distance of a size to its sieves, relative
-
-  /// Instead of q, window, scale, sizes and margin where the question has a tolerance.
-  std::optional<TolerantAnswer> tolerant;
-
-  /// The evidence of minimality, if `complete`: see certificate.hpp.
-  Chain chain;
-  Rational above;              ///< z of a question with at_least; 0: nothing
-  std::optional<Enclosure> pi; ///< bounds that the start scale was decided with
-
-  unsigned digits = 15; ///< significant digits that were asked for
-  std::vector<std::string> notes;
-
-  Integer particles() const { return tolerant ? total(tolerant->found.best->q) : total(q); }
-  /// True if the match answers the question: it is within `at_most`.
-  bool has_answer() const { return status == Status::optimal || status == Status::feasible; }
-  /// Volume of the particles at the chosen scale, (pi/6) s sum m_j / c_j (for a tolerance (pi/6) sum t_j /
-  /// c_j); for spheres only.
-  Enclosure solids_volume() const;
+  /// Called ten times a second at most, and not at all by a search that ends sooner; by the thread that
+  /// solves. After it has returned false it is not called again.
+  ProgressCall progress;
 };
 
 /// Solves. Cost: the least match, one root a class, and nothing that depends on the size of N but its digits.

@@ -2,7 +2,8 @@
 /// \file
 /// All numbers of particles that have an exact match.
 
-#include <mdm/match/least_match.hpp>
+#include <mdm/match/limits.hpp>
+#include <mdm/match/match.hpp>
 
 #include <utility>
 #include <vector>
@@ -17,9 +18,10 @@ struct Spectrum {
   bool complete = false;
 };
 
-/// Walks up the feasible scales (Theorem 8): vector of lower ends by vector at first, then, where gaps come
-/// only from scales that are not feasible, from one feasible stretch to the next, until every class is
-/// feasible for good. Cost: a least match a step; `limits.max_steps` counts these.
-Spectrum spectrum(const Problem &problem, const Limits &limits = {});
+/// All numbers of particles, from the least on, with which the gradation of a match without a tolerance can
+/// be matched as its question demands: its law, floors and volume. Cost: a least match a step;
+/// `limits.max_steps` counts these.
+/// \pre m.sample, and no tolerance was asked for
+Spectrum spectrum(const Match &m, const Limits &limits = {});
 
 } // namespace mdm

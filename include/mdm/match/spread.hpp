@@ -2,9 +2,9 @@
 /// \file
 /// A solved match with particles of many sizes.
 
-#include <mdm/match/mass_draw.hpp>
-#include <mdm/match/solve.hpp>
-#include <mdm/number/philox.hpp>
+#include <mdm/match/match.hpp>
+
+#include <memory>
 
 namespace mdm {
 
@@ -12,15 +12,15 @@ namespace mdm {
 /// together (proofs/README.md, Theorem 16).
 ///
 /// Masses are counted in parts, 1 / parts() of the mass of the class: particle i has n_i of them, an integer,
-/// and the n_i sum to parts(). They are drawn uniform by volume (MassDraw) in the class, or, where it begins
+/// and the n_i sum to parts(). They are drawn uniform by volume in the class, or, where it begins
 /// at size 0, from half the mean mass on: there almost all would be dust. Then all are pulled towards one end
 /// of the class, those farther away more, so that the sum is right. Particle i of class j takes number i of
 /// stream j of Philox with the key `seed`.
 class ClassSpread {
 public:
-  /// q >= 1 particles of the mass T in class `index` of g, which must outlive this; T^b = `powered_mass`.
-  /// Cost: q draws, which masses() repeats; memory does not grow with q.
-  /// \pre q f < T <= q F
+  /// q >= 1 particles of the mass T in class `index` of g, which must outlive this; T^p = `powered_mass`, p =
+  /// b times the root of g. Cost: q draws, which masses() repeats; memory does not grow with q.
+  /// \pre q f < T <= q F, and T < q F where the upper opening is irrational
   ClassSpread(const Gradation &g, std::size_t index, const MassLaw &law, std::uint64_t q,
               const Rational &powered_mass, std::uint64_t seed);
 
@@ -36,7 +36,7 @@ public:
   class Masses {
   public:
     explicit Masses(const ClassSpread &c) : class_(&c) {}
-    /// Of the next particle; to be called quantity() times.
+    /// The parts of the next particle; to be called quantity() times.
     Integer next();
 
   private:
@@ -55,19 +55,20 @@ private:
   };
   Grid grid(const Rational &powered_mass, const Integer &parts) const;
   Grid fine_grid(const Rational &powered_mass) const;
-  Integer draw(std::uint64_t i) const { return draw_(philox_(index_, i)); }
+  Integer draw(std::uint64_t i) const;
   void set_pull();
 
   const Gradation *gradation_;
   std::size_t index_;
   MassLaw law_;
+  unsigned power_; ///< p
   std::uint64_t q_;
-  Philox philox_;
   Grid grid_;
-  MassDraw draw_;
-  Rational unit_;     ///< x^a of a particle with one part
-  bool down_ = true;  ///< pulled towards the lower end, else the upper one
-  Integer num_, den_; ///< a distance from that end becomes num / den <= 1 of it
+  class Draws;
+  std::shared_ptr<const Draws> draws_; ///< of the parts, before the pull
+  Rational unit_;                      ///< x^(a d) of a particle with one part
+  bool down_ = true;                   ///< pulled towards the lower end, else the upper one
+  Integer num_, den_;                  ///< a distance from that end becomes num / den <= 1 of it
 };
 
 /// The most particles that are spread.
@@ -80,7 +81,7 @@ struct Spread {
 };
 
 /// Spreads the particles of a match, which must outlive the result.
-/// \pre m.has_answer()
+/// \pre m.sample
 /// \throws InputError if they are more than most_spread_particles
 Spread spread(const Match &m, std::uint64_t seed);
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How far the shares of a sample may be from those of a gradation.
+/// The distance that a sample's shares may have from those of a gradation.
 
 #include <mdm/gradation/envelope.hpp>
 #include <mdm/gradation/gradation.hpp>
@@ -12,7 +12,7 @@
 
 namespace mdm {
 
-/// What a user asks for; percentages are percentage points of the sample's own mass.
+/// A tolerance as a user asks for it; percentages are percentage points of the sample's own mass.
 struct AskedTolerance {
   enum class Kind {
     retained,      ///< the share of each class within `percent` (maximum norm)
@@ -41,9 +41,11 @@ std::string to_string(const AskedTolerance &asked);
 struct ShareBounds {
   Rational lo = 0;
   Rational hi = 1;
+
+  bool is_point() const { return lo == hi; }
 };
 
-/// What the shares t_j / M of a sample with mass t_j in class j and M = t_1 + ... + t_k must satisfy. Of each
+/// The bounds on the shares t_j / M of a sample with mass t_j in class j and M = t_1 + ... + t_k. Of each
 /// kind there is none (empty) or one entry a class.
 struct Tolerance {
   std::vector<ShareBounds> retained; ///< of t_j / M
@@ -71,7 +73,7 @@ Gradation middle_of(const Envelope &envelope);
 /// g_j = m_j / sum m.
 std::vector<Rational> shares(const Gradation &g);
 
-/// What passes the upper sieve of each class, from the classes' shares.
+/// The share that passes the upper sieve of each class, from the classes' shares.
 std::vector<Rational> accumulated(std::vector<Rational> shares);
 
 } // namespace mdm

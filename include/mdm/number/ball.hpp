@@ -8,7 +8,7 @@
 
 namespace mdm {
 
-/// What is certain about two numbers.
+/// The certain order of two numbers.
 enum class Order { less, equal, greater, undecided };
 
 /// A real number y, known to lie in a ball: an interval that Arb computes with. Whatever is done with balls,
@@ -54,8 +54,12 @@ private:
   unsigned bits_;
 };
 
+/// Encloses I_x(a, b), the integral of t^(a-1) (1-t)^(b-1) from 0 to x over that from 0 to 1, for 0 <= x
+/// <= 1.
 Ball incomplete_beta(const Ball &x, const Rational &a, const Rational &b);
+/// Encloses B(a, b), the integral from 0 to 1, with a precision of `bits`.
 Ball beta_function(const Rational &a, const Rational &b, unsigned bits);
+/// A ball that holds both.
 Ball hull(const Ball &a, const Ball &b);
 
 } // namespace mdm

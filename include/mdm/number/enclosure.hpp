@@ -13,6 +13,7 @@ struct Enclosure {
   Integer hi;
   unsigned places = 0;
 
+  bool is_point() const { return lo == hi; }
   /// The bounds as fractions.
   Rational lower() const;
   Rational upper() const;

@@ -4,6 +4,8 @@
 
 #include <mdm/number/rational.hpp>
 
+#include <cassert>
+
 namespace mdm {
 
 /// A real number y with lo <= y <= hi; lo = hi where y is known to be that fraction.
@@ -14,9 +16,10 @@ struct Interval {
   Interval() = default;
   Interval(const Rational &exact) : lo(exact), hi(exact) {}
   /// \pre lo <= hi
-  Interval(Rational lower, Rational upper) : lo(std::move(lower)), hi(std::move(upper)) {}
+  Interval(Rational lower, Rational upper) : lo(std::move(lower)), hi(std::move(upper)) { assert(lo <= hi); }
 
-  bool exact() const { return lo == hi; }
+  /// True if y is known to be a fraction, lo.
+  bool is_point() const { return lo == hi; }
 };
 
 /// Encloses y + z.
@@ -25,6 +28,8 @@ Interval operator+(const Interval &y, const Interval &z);
 Interval operator-(const Interval &y, const Interval &z);
 /// Encloses y * z, for y, z >= 0.
 Interval operator*(const Interval &y, const Interval &z);
+/// Encloses y^exponent, for y >= 0.
+Interval power(const Interval &y, unsigned exponent);
 /// Encloses |y|.
 Interval absolute(const Interval &y);
 /// Encloses the greater of y and z.

@@ -28,7 +28,7 @@ std::optional<Rational> exact_root(const Rational &r, unsigned degree);
 /// The fraction of least denominator (and then of least numerator) in [lo, hi], for 0 < lo <= hi.
 /// Cost: a continued fraction, linear in the digits of the result.
 Rational simplest_between(const Rational &lo, const Rational &hi);
-/// That in [lo/unit, hi/unit].
+/// The simplest fraction in [lo/unit, hi/unit].
 Rational simplest_between(const Integer &lo, const Integer &hi, const Integer &unit);
 
 /// `p/q` in lowest terms, or `p` for an integer.

@@ -52,11 +52,11 @@ private:
 /// Decided by refining; undecided if most_bits do not separate the two and their exact values are not known.
 Order compare(const Real &a, const Real &b);
 
-/// What is certain of an integer: lo = hi where it is known.
+/// Certain bounds of an integer: lo = hi where it is known.
 struct IntegerBounds {
   Integer lo, hi;
 
-  bool known() const { return lo == hi; }
+  bool is_point() const { return lo == hi; }
 };
 
 /// The largest integer <= y, decided by refining. `is_exactly(k)` answers true only if y = k; it is asked

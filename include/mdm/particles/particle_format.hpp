@@ -32,7 +32,7 @@ std::optional<ParticleFormat> parse_particle_format(std::string_view name);
 /// All names, separated by commas.
 std::string particle_format_names();
 
-/// What a number that is a particle's size says.
+/// The meaning of a particle's size.
 enum class SizeMeaning { radius, diameter };
 
 /// Units of particle files.
@@ -44,7 +44,7 @@ std::string_view name(LengthUnit unit);
 std::optional<LengthUnit> parse_length_unit(std::string_view name);
 /// The same unit; no gradation is kept in inches.
 LengthUnit length_unit(SizeUnit unit);
-/// How many mm it is.
+/// Its length in mm.
 Rational in_mm(LengthUnit unit);
 
 } // namespace mdm

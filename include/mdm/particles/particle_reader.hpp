@@ -2,6 +2,7 @@
 /// \file
 /// Particle files, line by line.
 
+#include <mdm/gradation/root_size.hpp>
 #include <mdm/particles/particle_format.hpp>
 
 #include <memory>
@@ -16,13 +17,13 @@ public:
   /// Forget what came so far: another timestep begins.
   virtual void restart() = 0;
   /// Particles of one diameter > 0, in the unit that was asked for.
-  virtual void add(const Rational &diameter, const Integer &quantity) = 0;
+  virtual void add(const RootSize &diameter, const Integer &quantity) = 0;
 };
 
-/// How a particle file is to be read. What is left open is told by the content or is usual in the format.
+/// The way a particle file is read. Open choices follow the content, or the custom of the format.
 struct ParticleOptions {
   std::optional<ParticleFormat> format;
-  /// What sizes are. Open: what their column says, radii in xyzr, else diameters.
+  /// The meaning of sizes. Open: as their column says, radii in xyzr, else diameters.
   std::optional<SizeMeaning> meaning;
   /// Unit of the file. Open: what a CSV header says, m in files of LAMMPS, LIGGGHTS and VTK, else `target`.
   std::optional<LengthUnit> unit;
@@ -55,7 +56,7 @@ public:
   std::optional<ParticleFormat> format() const { return format_; }
   /// The unit of the file; after the end.
   LengthUnit unit() const;
-  /// What was assumed, for the report; after the end.
+  /// The assumptions made, for the report; after the end.
   std::vector<std::string> notes() const;
 
 private:

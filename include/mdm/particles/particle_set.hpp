@@ -2,8 +2,7 @@
 /// \file
 /// The particles of a match as they are written into files.
 
-#include <mdm/match/solve.hpp>
-#include <mdm/particles/answer_sample.hpp>
+#include <mdm/match/match.hpp>
 #include <mdm/particles/particle_format.hpp>
 #include <mdm/particles/written_number.hpp>
 
@@ -23,7 +22,7 @@ struct ParticleSize {
 /// and as doubles.
 struct ParticleClass {
   std::size_t number = 0;          ///< of the gradation, from 1
-  Rational lower, upper;           ///< in the unit of the set
+  Rational lower, upper;           ///< in the unit of the set; irrational ones a hair inside the class
   Rational density;                ///< in kg per cube of the unit of the set
   std::vector<ParticleSize> sizes; ///< ascending but for their rounding, one or more
   Rational mass_error; ///< greatest relative error of the mass of any of them, as decimal or double
@@ -31,6 +30,7 @@ struct ParticleClass {
   Integer quantity() const;
 };
 
+/// The particles of a match as they are written to files.
 struct ParticleSet {
   std::string name; ///< of the gradation
   LengthUnit unit = LengthUnit::m;
@@ -50,7 +50,7 @@ struct ParticleSet {
   Rational cubes_of_radii() const;
 };
 
-/// How particles are to be written.
+/// The way particles are written.
 struct ParticleSetOptions {
   LengthUnit unit = LengthUnit::m;
   Rational density = 2650;                         ///< kg/m^3; the factor of a class multiplies it
@@ -58,7 +58,7 @@ struct ParticleSetOptions {
 };
 
 /// The particles of a match.
-/// \pre m.has_answer()
+/// \pre m.sample
 /// \throws InputError if a class has no double close enough to its size
 ParticleSet particle_set(const Match &m, const ParticleSetOptions &options = {});
 
@@ -67,10 +67,25 @@ ParticleSet particle_set(const Match &m, const ParticleSetOptions &options = {})
 /// \throws InputError as above, or if there are more than most_sizes
 ParticleSet spread_particle_set(const Match &m, std::uint64_t seed, const ParticleSetOptions &options = {});
 
-/// The particles of an answer; sizes are f^-1(scale * mass / quantity), exactly.
-/// \throws InputError if that is not what the answer says, with this law and without factors, if it has a spread,
-/// or as above
-ParticleSet particle_set(const AnswerSample &answer, const MassLaw &law,
+/// Particles of one size a class.
+struct SizedSample {
+  /// A class with particles.
+  struct Class {
+    std::size_t number; ///< of the gradation, from 1
+    RootSize lower, upper;
+    Rational powered; ///< x^(a root) of the size x, which is in the class
+    Integer quantity; ///< 1 or more
+  };
+
+  std::string name;
+  SizeUnit unit = SizeUnit::mm;
+  unsigned root = 1;          ///< of the gradation
+  std::vector<Class> classes; ///< ascending
+  Rational share_error = 0;   ///< as in ParticleSet
+};
+
+/// The particles of a sample. \throws InputError as above
+ParticleSet particle_set(const SizedSample &sample, const MassLaw &law,
                          const ParticleSetOptions &options = {});
 
 } // namespace mdm

@@ -3,48 +3,43 @@
 /// Particle files, written.
 
 #include <mdm/particles/placement.hpp>
-
-#include <functional>
-#include <string_view>
+#include <mdm/text/sink.hpp>
 
 namespace mdm {
 
-/// Takes a file piece by piece.
-using TextSink = std::function<void(std::string_view)>;
-
 /// The gradation's name, N, unit and density, in one line of printable text.
 std::string title(const ParticleSet &set);
-/// How exact the masses are, and law_statement(), in one line.
+/// The exactness of the masses, and law_statement(), in one line.
 std::string mass_statement(const ParticleSet &set);
-/// Which masses they are if not those of spheres, behind a space; else empty.
+/// The mass law if it is not that of spheres, behind a space; else empty.
 std::string law_statement(const ParticleSet &set);
 /// set.mass_error() rounded up to three digits.
 std::string stated_error(const ParticleSet &set);
-/// What stands above files that have comments: both lines, each behind `# `.
+/// The head of files that have comments: both lines, each behind `# `.
 std::string comment_lines(const ParticleSet &set);
 
 /// `size_<unit>,quantity` below comments: a diameter and its quantity a row, ascending.
-void write_size_csv(const ParticleSet &set, const TextSink &out);
+void write_size_csv(const ParticleSet &set, const Sink &out);
 
 /// One diameter a line below comments, descending.
-void write_diameters(const ParticleSet &set, const TextSink &out);
+void write_diameters(const ParticleSet &set, const Sink &out);
 
 /// Commands of LIGGGHTS that insert the particles into the region `mdm_region`, class by class, the largest
 /// first, to exact counts, and stop with a message where a count is not reached.
 /// \throws InputError if there are more particles than LIGGGHTS counts
-void write_liggghts(const ParticleSet &set, const TextSink &out);
+void write_liggghts(const ParticleSet &set, const Sink &out);
 
 /// Cumulative number distribution for MercuryDPM's setPSDFromCSV: `radius,cumulative` a row, radii twice. It
 /// cannot carry counts: MercuryDPM draws at random.
-void write_mercurydpm(const ParticleSet &set, const TextSink &out);
+void write_mercurydpm(const ParticleSet &set, const Sink &out);
 
 /// Data file of LAMMPS and LIGGGHTS, atom_style sphere, one type.
-void write_lammps_data(const Placement &start, const TextSink &out);
+void write_lammps_data(const Placement &start, const Sink &out);
 
 /// `x y z r` a line below comments, for YADE's ymport.text.
-void write_xyzr(const Placement &start, const TextSink &out);
+void write_xyzr(const Placement &start, const Sink &out);
 
 /// Legacy VTK 3.0 in ASCII, POLYDATA with VERTICES, radius, and the number of the class.
-void write_vtk(const Placement &start, const TextSink &out);
+void write_vtk(const Placement &start, const Sink &out);
 
 } // namespace mdm

@@ -15,7 +15,7 @@ inline constexpr std::uint64_t most_simulated = 2147483647;
 /// \throws InputError if the set has more
 void check_simulated(const ParticleSet &set);
 
-/// What a start is to stand on; lengths in the unit of the set.
+/// The ground that particles start on; lengths in the unit of the set.
 struct Footprint {
   Rational a, b;             ///< the sides
   std::optional<Rational> c; ///< height that must do; open: as high as the start needs
@@ -33,7 +33,7 @@ double insertion_height(const ParticleSet &set, double x, double y);
 /// lie side by side.
 double settled_side(const ParticleSet &set);
 
-/// How particles start.
+/// The arrangement in which particles start.
 enum class Start {
   layers, ///< a slab for each class
   mixed   ///< at random places of the whole box, inserted the largest first

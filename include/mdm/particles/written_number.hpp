@@ -14,7 +14,7 @@ struct WrittenNumber {
   std::string text;
   double value = 0; ///< what a program reads
 
-  /// What `text` says, exactly.
+  /// The number in `text`, exactly.
   Rational decimal() const;
 };
 

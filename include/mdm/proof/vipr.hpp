@@ -2,7 +2,7 @@
 /// \file
 /// The proof of a match for VIPR checkers.
 
-#include <mdm/match/solve.hpp>
+#include <mdm/match/match.hpp>
 
 namespace mdm {
 
@@ -13,8 +13,9 @@ inline constexpr std::size_t most_vipr_classes = 200;
 /// (Cheung, Gleixner, Steffy, "Verifying integer programming results", 2017; proofs/README.md, Theorem 10).
 /// Within a tolerance: the problem of fewer particles than the match has, and the proof that it has no
 /// solution, in slack form (Theorem 15).
-/// \pre m.complete
-/// \throws InputError if m has too many classes, or a mass law that is irrational at an opening
+/// \pre m.complete, and m was solved with Limits::keep_proof
+/// \throws InputError if m has too many classes, or if the mass law makes ratios of masses at openings
+/// irrational
 std::string vipr(const Match &m);
 
 } // namespace mdm

@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// The checker of certificates as a library of its own, mdm::checker: it shares no code with the solver, and
+/// needs nothing but GMP. Its formats and verdicts are those of proofs/certificate-format.md.
+
+#include <string>
+
+/// The checker of the proofs of matches, with readers of its own.
+namespace mdm::checker {
+
+/// The text of a file to be judged, and the name under which messages speak of it. Nothing is opened.
+struct Input {
+  std::string name, text;
+};
+
+/// The verdict on a certificate, as mdm-check gives it.
+struct Verdict {
+  /// The exit codes of mdm-check.
+  enum Code { accepted = 0, refused = 1, malformed = 2 } code;
+  std::string line;   ///< what was proved, with the whole question (section 7); empty if a file is malformed
+  std::string reason; ///< `name: ...` or `name:line: ...`; empty if the certificate is accepted
+};
+
+/// Judges a certificate against a gradation: CSV or JSON, or that of a band. Several threads may call it.
+/// Throws std::bad_alloc alone; GMP, where it finds no memory, ends the program (mp_set_memory_functions).
+Verdict check(const Input &gradation, const Input &certificate);
+
+/// The gradation as it is read, in the lines of canonical CSV (section 8) without the last line end; or
+/// malformed.
+Verdict print(const Input &gradation);
+
+} // namespace mdm::checker

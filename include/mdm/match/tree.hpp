@@ -1,0 +1,54 @@
+#pragma once
+/// \file
+/// The evidence that no smaller set matches within a tolerance.
+
+#include <mdm/number/integer.hpp>
+
+#include <vector>
+
+namespace mdm {
+
+/// The conditions that a match within a tolerance meets (proofs/README.md, Theorem 12), on the particles q_j,
+/// the masses t_j and, for a total tolerance, the excesses p_j; M = t_1 + ... +
+/// t_k.
+enum class TolerantCondition {
+  above_lower,  ///< t_j - f_j q_j >= 0, strict where q_j >= 1
+  up_to_upper,  ///< F_j q_j - t_j >= 0
+  least_count,  ///< q_j >= what min_per_class or a branch demands
+  most_count,   ///< q_j <= what a branch allows
+  retained_lo,  ///< t_j - lo_j M >= 0
+  retained_hi,  ///< hi_j M - t_j >= 0
+  passing_lo,   ///< t_1 + ... + t_j - lo_j M >= 0
+  passing_hi,   ///< hi_j M - t_1 - ... - t_j >= 0
+  excess,       ///< p_j - t_j + g_j M >= 0
+  excess_sign,  ///< p_j >= 0
+  excess_total, ///< (total / 2) M - p_1 - ... - p_k >= 0
+  some_mass,    ///< M > 0
+  weight,       ///< sum t_j / c_j >= what a volume demands
+  at_least,     ///< q_1 + ... + q_k >= what is asked for, at least 1
+  fewer         ///< q_1 + ... + q_k <= N - 1, what is to be refuted
+};
+
+/// A multiple of a condition in a refutation.
+struct Multiple {
+  TolerantCondition condition;
+  std::size_t j = 0;  ///< class of the gradation, from 0; 0 where the condition has none
+  Integer multiplier; ///< > 0
+};
+
+/// A node of a search tree: a split of q_j, first into q_j < v and then q_j >= v; or a leaf, where the
+/// multiples of conditions add up to a contradiction.
+struct TreeNode {
+  std::size_t j = 0;
+  Integer v;
+  std::vector<Multiple> leaf; ///< empty: a split
+};
+
+/// Refutes fewer particles than the match has, or any number where there is none. Nodes are in preorder: a
+/// split is followed by its first subtree, then its second.
+using Tree = std::vector<TreeNode>;
+
+/// Nodes and multiples of a tree that a certificate can have. A longer one is not kept.
+constexpr std::size_t longest_tree = std::size_t{1} << 22;
+
+} // namespace mdm

@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// Whether a packing is one of a set of discs.
+
+#include <mdm/packing/contacts.hpp>
+#include <mdm/packing/disc_sizes.hpp>
+
+namespace mdm {
+
+/// What is against a packing, in words: nothing if its radii are half the sizes, rounded up to its lattice,
+/// each as often; no two discs overlap; all are in the box; and each touches its supports, between which its
+/// centre is. Decided in integers.
+std::vector<std::string> packing_objections(const Packing &packing, const PackingContacts &contacts,
+                                            const DiscSizes &sizes);
+
+} // namespace mdm

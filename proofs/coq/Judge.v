@@ -1,0 +1,43 @@
+(* From the names and bytes of both files to the verdict that is printed. *)
+
+From Coq Require Import ZArith QArith List Bool String Ascii.
+From Mdm Require Import Numbers Gradation Certificate Text Rows GradationFile Document VerdictLine Checker.
+Import ListNotations.
+Open Scope string_scope.
+
+Record file := File { name : string; bytes : string }.
+
+(* Accepted and refused with the line of the verdict, refused with the reason besides; malformed with what is wrong. *)
+Inductive judgement := Proved (line : string) | Unproved (line reason : string) | Unreadable (message : string).
+
+(* The checks of a certificate, of a gradation that is read. *)
+Definition check_document (R : reading) (w : string) : result document :=
+  let here := match limits R with Some ls => ls | None => [(of_integer 1, 0%Q, of_integer 100)] end in
+  let* D := read_document here (words_of w) in
+  demand (Bool.eqb (band_of_file D) (match limits R with Some _ => true | None => false end))
+    "band file: an envelope as the gradation file" ;;
+  check_certificate (gradation_of R) (certificate_of D) ;; Ok D.
+
+Definition judge (gradation certificate : file) : judgement :=
+  match read_gradation (bytes gradation) with
+  | Refused what | Malformed what => Unreadable (printable (name gradation) ++ ":" ++ what)
+  | Ok R =>
+    match check_document R (bytes certificate) with
+    | Ok D => Proved (accepted_line (statement_of (name gradation) R D))
+    | Refused what =>
+      Unproved (refused_line (name gradation)) (printable (name certificate) ++ ": " ++ what ++ " fails")
+    | Malformed what =>
+      Unreadable (printable (name certificate) ++ ": " ++ what ++ ": let mdm solve --proof write it again")
+    end
+  end.
+
+(* The gradation as it is read, in canonical CSV. *)
+Definition print_gradation (gradation : file) : result string :=
+  match read_gradation (bytes gradation) with
+  | Refused what | Malformed what => Malformed (printable (name gradation) ++ ":" ++ what)
+  | Ok R =>
+    let ls := gradation_lines R in
+    demand_form (forallb (fun l => match Csv.fields_of "," l with Some fs => forallb is_short fs | None => false end) ls)
+      (printable (name gradation) ++ ": a number of more than 1000 digits: choose another unit") ;;
+    Ok (text_of_lines ls)
+  end.

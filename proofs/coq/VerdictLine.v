@@ -1,0 +1,139 @@
+(* The line that a verdict prints: it names the whole question, so that its reader sees what was proved. *)
+
+From Coq Require Import ZArith QArith List Bool String Ascii.
+From Mdm Require Import Numbers Gradation Certificate Text Decimals Rows Document.
+Import ListNotations.
+Open Scope string_scope.
+Open Scope Z_scope.
+
+(* ---- What a line says -------------------------------------------------------------------------------- *)
+
+(* A part of what is between its brackets. *)
+Inductive part :=
+| RetainedWithin (e : Q)
+| RetainedAsInFile
+| PassingWithin (e : Q)
+| PassingAsInFile
+| PassingEach (es : list Q)
+| TotalWithin (e : Q)
+| BandAt (x least most : Q)
+| BandOfFile
+| Law (a b : Z)
+| SizesIn (unit : size_unit)
+| FactorsOfFile
+| PanImplied
+| SumsTo (share : share_unit) (total : Q)
+| MiddleOfLimits
+| AtLeastInEachClass (r : Z)
+| CylinderFilled (diameter height void_ratio : Q)
+| BoxFilled (x y z void_ratio : Q)
+| VolumeOfSolids (v : Q)
+| OpeningsTimes (k : Q)
+| LeftOutBelow (x : Q)
+| PanCountedAs (x : Q).
+
+(* What an accepted certificate's line says. No number: there is no match of any number. *)
+Record statement := Statement {
+  file_name : string; unit_of : size_unit; number : option Z; or_more : Z; is_exact : bool; parts : list part }.
+
+(* ---- The question as parts -------------------------------------------------------------------------- *)
+
+Definition if_some {A} (x : option A) (p : A -> part) : list part := match x with Some x => [p x] | None => [] end.
+Definition if_true (holds : bool) (p : part) : list part := if holds then [p] else [].
+
+Definition tolerance_parts (t : tolerances) (band_of_file : bool) : list part :=
+  if_some (retained_each t) RetainedWithin ++
+  if_true (retained_file t) RetainedAsInFile ++
+  if_some (passing_all t) PassingWithin ++
+  if_true (passing_file t) PassingAsInFile ++
+  match passing_each t with [] => [] | es => [PassingEach es] end ++
+  if_some (total t) TotalWithin ++
+  if band_of_file then [BandOfFile] else rev' (map_onto (fun '(x, least, most) => BandAt x least most) (band t) []).
+
+Definition solid_parts (s : solids) (box : option (Q * Q * Q * Q)) : list part :=
+  match s, box with
+  | Anything, _ => []
+  | Cylinder d h e, _ => [CylinderFilled d h e]
+  | Volume _ _ _, Some (x, y, z, e) => [BoxFilled x y z e]
+  | Volume v _ _, None => [VolumeOfSolids v]
+  end.
+
+Definition parts_of (R : reading) (D : document) : list part :=
+  let q := asked (certificate_of D) in
+  match tolerances_of q with Some t => tolerance_parts t (band_of_file D) | None => [] end ++
+  [Law (a q) (b q); SizesIn (sizes_in R)] ++
+  if_true (has_factors R) FactorsOfFile ++
+  if_true (implied_pan R) PanImplied ++
+  if_some (sum_to R) (fun '(share, total) => SumsTo share total) ++
+  if_some (limits R) (fun _ => MiddleOfLimits) ++
+  if_true (1 <=? min_per_class q) (AtLeastInEachClass (min_per_class q)) ++
+  solid_parts (solids_of q) (box_of D) ++
+  if_some (size_factor q) OpeningsTimes ++
+  if_some (cut_below q) LeftOutBelow ++
+  if_some (pan_size q) PanCountedAs.
+
+Definition statement_of (name : string) (R : reading) (D : document) : statement :=
+  let q := asked (certificate_of D) in
+  Statement name (sizes_in R) (particles (certificate_of D)) (at_least q)
+    match tolerances_of q with Some _ => false | None => true end (parts_of R D).
+
+(* ---- As a text -------------------------------------------------------------------------------------- *)
+
+Definition unit_name (unit : size_unit) : string :=
+  match unit with Micrometres => "um" | Metres => "m" | _ => "mm" end.
+
+Definition sizes_phrase (unit : size_unit) : string :=
+  match unit with
+  | Millimetres => "sizes in mm"
+  | Micrometres => "sizes in um"
+  | Metres => "sizes in m"
+  | Inches => "sizes in mm, from inches"
+  | SieveNames => "sizes in mm, from sieve names"
+  | Phi => "sizes in phi"
+  end.
+
+Definition of_total : string := "% of the total mass".
+
+Definition phrase (unit : size_unit) (p : part) : string :=
+  let u := " " ++ unit_name unit in
+  let d := show_decimal in
+  match p with
+  | RetainedWithin e => "retained within " ++ d e ++ of_total
+  | RetainedAsInFile => "retained within the file's tolerances"
+  | PassingWithin e => "passing within " ++ d e ++ of_total
+  | PassingAsInFile => "passing within the file's tolerances"
+  | PassingEach es => "passing within " ++ joined "%, " (map d es) ++ of_total ++ " from the finest sieve up"
+  | TotalWithin e => "total deviation within " ++ d e ++ of_total
+  | BandAt x least most => d least ++ " to " ++ d most ++ of_total ++ " passing " ++ d x ++ u
+  | BandOfFile => "passing within the file's limits"
+  | Law a b =>
+    "mass law x^" ++ if b =? 1 then show_integer a else "(" ++ show_integer a ++ "/" ++ show_integer b ++ ")"
+  | SizesIn unit => sizes_phrase unit
+  | FactorsOfFile => "factors from the file"
+  | PanImplied => "a pan implied below the finest sieve"
+  | SumsTo Percents total => "percents sum to " ++ d total
+  | SumsTo Fractions total => "fractions sum to " ++ d total
+  | MiddleOfLimits => "masses from the middle of the file's limits"
+  | AtLeastInEachClass r => "at least " ++ show_integer r ++ " particles in each class with mass"
+  | CylinderFilled diameter height e =>
+    "solids of a cylinder of diameter " ++ d diameter ++ u ++ " and height " ++ d height ++ u ++ " at void ratio " ++ d e
+  | BoxFilled x y z e =>
+    "solids of a box of " ++ d x ++ " x " ++ d y ++ " x " ++ d z ++ u ++ " at void ratio " ++ d e
+  | VolumeOfSolids v => "solids of at least " ++ d v ++ u ++ "^3"
+  | OpeningsTimes k => "openings multiplied by " ++ d k
+  | LeftOutBelow x => "classes below " ++ d x ++ u ++ " left out"
+  | PanCountedAs x => "the pan counted as " ++ d x ++ u
+  end.
+
+Definition accepted_line (s : statement) : string :=
+  let or_more := if 0 <? or_more s then ", " ++ show_integer (or_more s) ++ " or more," else "" in
+  "accepted: " ++
+  match number s with
+  | Some n => "N = " ++ show_integer n ++ " is the smallest number of particles" ++ or_more ++ " that matches "
+  | None => "no number of particles" ++ or_more ++ " matches "
+  end ++
+  in_quotes (file_name s) ++ (if is_exact s then " exactly (" else " within a tolerance (") ++
+  joined "; " (map_all (phrase (unit_of s)) (parts s)) ++ ")".
+
+Definition refused_line (name : string) : string :=
+  "refused: the certificate does not prove its claim about " ++ in_quotes name.

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "certificate.hpp"
+#include "gradation.hpp"
+
+#include <string>
+
+namespace mdm::checker {
+
+/// The line of an accepted certificate (section 7). It repeats the whole question: its reader sees what was
+/// proved.
+std::string accepted_line(const Gradation &gradation, const Certificate &certificate,
+                          const std::string &file);
+
+/// The line of a certificate that is refused.
+std::string refused_line(const std::string &file);
+
+} // namespace mdm::checker

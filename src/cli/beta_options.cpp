@@ -1,0 +1,51 @@
+#include "cli/beta_options.hpp"
+
+#include "cli/option_values.hpp"
+
+#include <mdm/text/error.hpp>
+
+namespace mdm::cli {
+namespace {
+
+/// The ends of the curve from two of the four options (Eq. 17).
+std::pair<Rational, Rational> ends(const BetaOptions &c) {
+  const int given = c.d_min.has_value() + c.d_max.has_value() + c.span.has_value() + c.ratio.has_value();
+  if (given != 2 || (!c.d_min && !c.d_max))
+    throw InputError(
+        "--beta: two sizes are needed: --dmin and --dmax, or one of them with --span or --ratio");
+  if (c.d_min && c.d_max)
+    return {positive("--dmin", *c.d_min), positive("--dmax", *c.d_max)};
+  Rational r;
+  if (c.span) {
+    const Rational s = positive("--span", *c.span);
+    if (s >= 1)
+      throw InputError("--span: " + in_quotes(*c.span) + " is not below 1: then d_min would be 0");
+    r = (1 + s) / (1 - s);
+  } else {
+    r = positive("--ratio", *c.ratio);
+    if (r <= 1)
+      throw InputError("--ratio: " + in_quotes(*c.ratio) + " is not above 1: d_max / d_min is needed");
+  }
+  if (c.d_min) {
+    const Rational low = positive("--dmin", *c.d_min);
+    return {low, low * r};
+  }
+  const Rational high = positive("--dmax", *c.d_max);
+  return {high / r, high};
+}
+
+} // namespace
+
+std::shared_ptr<const BetaCurve> beta_curve(const BetaOptions &c) {
+  const std::size_t comma = c.beta->find(',');
+  if (comma == std::string::npos)
+    throw InputError("--beta: " + in_quotes(*c.beta) + " is not A,B: write for example 1,3");
+  const Rational a = positive("--beta", c.beta->substr(0, comma)),
+                 b = positive("--beta", c.beta->substr(comma + 1));
+  const auto [low, high] = ends(c);
+  return named("--beta", *c.beta, [&, l = low, h = high](const std::string &) {
+    return std::make_shared<const BetaCurve>(a, b, l, h);
+  });
+}
+
+} // namespace mdm::cli

@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// The options of a beta curve, which generate and pack share.
+
+#include "sets/beta_curve.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace mdm::cli {
+
+/// --beta and the sizes of its curve, as they were given.
+struct BetaOptions {
+  std::optional<std::string> beta, d_min, d_max, span, ratio;
+};
+
+/// The curve. \throws InputError naming the option
+std::shared_ptr<const BetaCurve> beta_curve(const BetaOptions &c);
+
+} // namespace mdm::cli

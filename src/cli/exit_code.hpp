@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// The exit codes.
+
+#include <mdm/match/match.hpp>
+
+namespace mdm::cli {
+
+/// Exit codes, the same for every command.
+enum Exit : int {
+  done = 0,      ///< done, accepted, matched
+  negative = 1,  ///< a negative verdict, with its report
+  bad_input = 2, ///< bad input or usage, or a file that cannot be read or written
+  limited = 3    ///< a limit was reached; what is certain was reported
+};
+
+/// The exit code of an answer: `limited` where a limit came first, whether there is a match or not.
+Exit exit_code(Status status);
+
+} // namespace mdm::cli

@@ -1,0 +1,55 @@
+#include "cli/export_packing.hpp"
+
+#include "cli/files.hpp"
+
+#include <mdm/packing/packing_reader.hpp>
+#include <mdm/particles/packing_export.hpp>
+#include <mdm/text/error.hpp>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+namespace mdm::cli {
+namespace {
+
+/// A line of a packing has some sixty characters.
+constexpr std::size_t most_bytes = std::size_t{1} << 30;
+
+struct Format {
+  const char *name;
+  void (*write)(const Packing &, LengthUnit, const Rational &, const Sink &);
+};
+
+constexpr std::array<Format, 6> formats = {{{"lammps", write_packing_lammps},
+                                            {"liggghts", write_packing_liggghts},
+                                            {"yade", write_packing_yade},
+                                            {"lmgc90", write_packing_lmgc90},
+                                            {"vtk", write_packing_vtk},
+                                            {"csv", write_packing_csv}}};
+
+} // namespace
+
+bool is_packing_file(const std::string &path) {
+  constexpr std::size_t looked_at = 64;
+  std::string begin(looked_at, ' ');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), looked_at);
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  return is_packing(begin);
+}
+
+void export_packing(const std::string &packing, const std::string &format, LengthUnit unit,
+                    const Rational &density, const std::string &out) {
+  const auto found =
+      std::find_if(formats.begin(), formats.end(), [&format](const Format &f) { return format == f.name; });
+  if (found == formats.end())
+    throw InputError("--to: " + in_quotes(format) +
+                     " takes no packings of discs: use lammps, liggghts, yade, lmgc90, vtk or csv");
+  const Packing p = read_packing(read_file(packing, most_bytes), shown_name(packing));
+  Output file(out);
+  found->write(p, unit, density, [&file](std::string_view text) { file.write(text); });
+  file.commit();
+}
+
+} // namespace mdm::cli

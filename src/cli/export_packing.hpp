@@ -1,0 +1,19 @@
+#pragma once
+/// \file
+/// Packings written for engines by mdm export.
+
+#include <mdm/particles/particle_format.hpp>
+
+#include <string>
+
+namespace mdm::cli {
+
+/// True for a regular file that mdm pack wrote.
+bool is_packing_file(const std::string &path);
+
+/// Writes the packing in a format: lammps, liggghts, yade, lmgc90, vtk or csv.
+/// \throws InputError naming the option or the file
+void export_packing(const std::string &packing, const std::string &format, LengthUnit unit,
+                    const Rational &density, const std::string &out);
+
+} // namespace mdm::cli

@@ -1,0 +1,35 @@
+#include "cli/output_flags.hpp"
+
+#include "cli/files.hpp"
+
+namespace mdm::cli {
+
+void OutputFlags::add_format(CLI::App &command, const std::string &help) {
+  command.add_option("--format", format, help)->check(CLI::IsMember({"text", "json", "csv"}));
+}
+
+CLI::Option *OutputFlags::add_out(CLI::App &command, const std::string &help) {
+  return command.add_option("-o", out, help + " to OUT instead of standard output")->type_name("OUT");
+}
+
+void OutputFlags::add_quiet(CLI::App &command, const std::string &help) {
+  command.add_flag("--quiet", quiet, help);
+}
+
+void OutputFlags::tell_notes(const std::vector<std::string> &notes) const {
+  if (!quiet)
+    for (const std::string &note : notes)
+      tell("note: " + note + "\n");
+}
+
+void OutputFlags::tell_notes_beside_csv(const std::vector<std::string> &notes) const {
+  if (is_csv())
+    tell_notes(notes);
+}
+
+CLI::Option *add_specimen_id(CLI::App &command, std::optional<std::string> &id) {
+  return command.add_option("--specimen-id", id, "the specimen of an AGS4 file with several")
+      ->type_name("ID");
+}
+
+} // namespace mdm::cli

@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// The options that commands have in common, and what they do with them.
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mdm::cli {
+
+/// How, where and how loudly a command answers: --format, -o and --quiet. The help names what is written.
+struct OutputFlags {
+  std::string format = "text";
+  std::optional<std::string> out;
+  bool quiet = false;
+
+  void add_format(CLI::App &command, const std::string &help = "text, json or csv");
+  /// \param help completed by "to OUT instead of standard output"
+  CLI::Option *add_out(CLI::App &command, const std::string &help = "write");
+  void add_quiet(CLI::App &command, const std::string &help);
+
+  bool is_json() const { return format == "json"; }
+  bool is_csv() const { return format == "csv"; }
+  /// `-` for standard output.
+  std::string path() const { return out.value_or("-"); }
+  /// The report in the form that was asked for; the functions make it.
+  template <class Text, class Json, class Csv>
+  std::string report(Text text, Json json, Csv csv) const {
+    return is_json() ? json() + "\n" : is_csv() ? csv() : text();
+  }
+  /// Shows notes on standard error, unless --quiet.
+  void tell_notes(const std::vector<std::string> &notes) const;
+  /// The same of a CSV report, which has no place for them.
+  void tell_notes_beside_csv(const std::vector<std::string> &notes) const;
+};
+
+/// --specimen-id.
+CLI::Option *add_specimen_id(CLI::App &command, std::optional<std::string> &id);
+
+} // namespace mdm::cli

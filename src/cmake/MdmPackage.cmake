@@ -1,0 +1,31 @@
+# `cpack -G DEB` in the build folder makes Debian packages: exactmdm with the programs, and libexactmdm-dev with the
+# library. Needs dpkg-shlibdeps (Debian: dpkg-dev), which finds out what the programs depend on.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME exactmdm)
+set(CPACK_PACKAGE_VENDOR "The exactmdm authors")
+set(CPACK_PACKAGE_CONTACT "The exactmdm authors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_COMPONENTS_ALL programs development)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+
+set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION
+  "mdm solves sieve analyses for the smallest set of particles that matches,\nmdm-check checks its proofs.")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME exactmdm)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS gnuplot-nox)
+
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The libraries behind mdm and mdm-check with their headers, for find_package(mdm).")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libexactmdm-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+# FLINT 3 contains Arb.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libboost-dev, libflint-arb-dev | libflint-dev (>= 3), libflint-dev, \
+libfmt-dev, libgmp-dev, libmpfr-dev")
+
+include(CPack)

@@ -1,0 +1,199 @@
+#include "crosscheck/crosscheck.hpp"
+
+#include "gradation/shown.hpp"
+
+#include <mdm/gradation/description.hpp>
+#include <mdm/number/decimal.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace mdm {
+namespace {
+
+std::string counted(const Integer &n) {
+  return to_string(n) + (n == 1 ? " particle" : " particles");
+}
+
+/// The sizes in the unit of g.
+std::vector<std::optional<StatedSize>> in_unit_of(const Gradation &g, const OtherAnswer &answer) {
+  const Rational mm =
+      g.unit() == SizeUnit::um ? ratio(1, 1000) : Rational(g.unit() == SizeUnit::m ? 1000 : 1);
+  const Rational factor = answer.unit_mm / mm;
+  std::vector<std::optional<StatedSize>> sizes = answer.sizes;
+  for (std::optional<StatedSize> &x : sizes)
+    if (x)
+      *x = {x->lo * factor, x->hi * factor};
+  return sizes;
+}
+
+} // namespace
+
+/// An answer's particles, one entry for each class with mass.
+struct Crosscheck::Particles {
+  std::vector<Integer> q;
+  std::vector<std::optional<StatedSize>> sizes;
+};
+
+Crosscheck::Crosscheck(Gradation g, Limits limits) : g_(std::move(g)) {
+  limits.keep_proof = false;
+  least_ = least_match(Problem(g_, MassLaw{}, 1), limits);
+  for (std::size_t j = 0; j < g_.classes(); ++j)
+    if (g_.mass(j) != 0)
+      with_mass_.push_back(j);
+}
+
+/// `class 2 (0.3, 0.6]`.
+std::string Crosscheck::in_words(std::size_t j) const {
+  return fmt::format("class {} ({}, {}]", j + 1, shown(g_.lower(j)), shown(g_.upper(j)));
+}
+
+/// `class 2 (0.3, 0.6] with 5 particles`.
+std::string Crosscheck::in_words(const Particles &particles, std::size_t i) const {
+  return in_words(with_mass_[i]) + " with " + counted(particles.q[i]);
+}
+
+/// Takes the entries of the classes with mass. Returns what is wrong with their number or with a zero, or
+/// nothing.
+std::string Crosscheck::take(const OtherAnswer &answer, Particles &particles) const {
+  const std::size_t n = answer.quantities.size();
+  const bool all = n == g_.classes();
+  if (!all && n != with_mass_.size()) {
+    const std::string of_all = fmt::format("one for each of the {} classes", g_.classes());
+    return fmt::format("there are {} quantities: {}", n,
+                       with_mass_.size() == g_.classes()
+                           ? of_all + " is right"
+                           : fmt::format("{} with mass, or {}, is right", with_mass_.size(), of_all));
+  }
+  if (!answer.sizes.empty() && answer.sizes.size() != n)
+    return fmt::format("there are {} sizes for {} quantities: write - for the size of a 0",
+                       answer.sizes.size(), n);
+  const std::vector<std::optional<StatedSize>> sizes = in_unit_of(g_, answer);
+  for (std::size_t entry = 0; entry < n; ++entry) {
+    const std::size_t j = all ? entry : with_mass_[entry];
+    const Integer &q = answer.quantities[entry];
+    if (g_.mass(j) == 0) {
+      if (q != 0)
+        return in_words(j) + " has no mass but " + counted(q);
+      continue;
+    }
+    if (q == 0)
+      return in_words(j) + " has mass but no particles";
+    particles.q.push_back(q);
+    particles.sizes.push_back(sizes.empty() ? std::nullopt : sizes[entry]);
+  }
+  return {};
+}
+
+/// The scale at which the particles of a class have the size: q c x^3 / m.
+Rational Crosscheck::scale_at(const Particles &particles, std::size_t i, const Rational &size) const {
+  const std::size_t j = with_mass_[i];
+  return Rational(particles.q[i]) * g_.factor(j) * power(size, 3) / g_.mass(j);
+}
+
+std::string Crosscheck::mismatch_of_sizes(const Particles &particles, const Rational &size_tolerance) const {
+  /// An end of the scales that a class allows.
+  struct End {
+    Rational scale;
+    bool closed = true;
+    std::size_t of = 0;
+  };
+  std::optional<End> from, to;
+  const auto raise = [&from](End end) {
+    if (!from || end.scale > from->scale || (end.scale == from->scale && from->closed && !end.closed))
+      from = std::move(end);
+  };
+  const auto lower = [&to](End end) {
+    if (!to || end.scale < to->scale)
+      to = std::move(end);
+  };
+  for (std::size_t i = 0; i < with_mass_.size(); ++i) {
+    const Rational &bottom = g_.lower(with_mass_[i]);
+    const Rational &top = g_.upper(with_mass_[i]);
+    raise({scale_at(particles, i, bottom), false, i});
+    lower({scale_at(particles, i, top), true, i});
+    if (!particles.sizes[i])
+      continue;
+    const StatedSize &stated = *particles.sizes[i];
+    const StatedSize wide{stated.lo * (1 - size_tolerance), stated.hi * (1 + size_tolerance)};
+    if (wide.hi <= bottom || wide.lo > top)
+      return fmt::format("the size {} is outside its {}", shown(wide.hi <= bottom ? stated.hi : stated.lo),
+                         in_words(with_mass_[i]));
+    raise({scale_at(particles, i, wide.lo), true, i});
+    lower({scale_at(particles, i, wide.hi), true, i});
+  }
+  if (from->scale < to->scale || (from->scale == to->scale && from->closed))
+    return {};
+  return fmt::format("the sizes do not fit the quantities: {} has its mass at scales {} {}, {} only up to {}",
+                     in_words(particles, from->of), from->closed ? "from" : "above", shown(from->scale),
+                     in_words(particles, to->of), shown(to->scale));
+}
+
+std::string Crosscheck::mismatch(const OtherAnswer &answer, const Rational &size_tolerance) const {
+  Particles particles;
+  if (std::string wrong = take(answer, particles); !wrong.empty())
+    return wrong;
+  std::vector<Rational> above, up_to;
+  for (std::size_t i = 0; i < with_mass_.size(); ++i) {
+    above.push_back(scale_at(particles, i, g_.lower(with_mass_[i])));
+    up_to.push_back(scale_at(particles, i, g_.upper(with_mass_[i])));
+  }
+  const auto highest = std::max_element(above.begin(), above.end());
+  const auto least = std::min_element(up_to.begin(), up_to.end());
+  if (*highest >= *least)
+    return fmt::format("{} can hold its mass at scales up to {}, {} only above {}",
+                       in_words(particles, static_cast<std::size_t>(least - up_to.begin())), shown(*least),
+                       in_words(particles, static_cast<std::size_t>(highest - above.begin())),
+                       shown(*highest));
+  return mismatch_of_sizes(particles, size_tolerance);
+}
+
+std::optional<Rational> Crosscheck::max_error(const OtherAnswer &answer) const {
+  if (answer.sizes.size() != answer.quantities.size())
+    return std::nullopt;
+  const std::vector<std::optional<StatedSize>> sizes = in_unit_of(g_, answer);
+  Description sample(g_);
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (answer.quantities[i] == 0)
+      continue;
+    if (!sizes[i] || sizes[i]->hi <= 0)
+      return std::nullopt;
+    sample.add(sizes[i]->hi, answer.quantities[i]);
+  }
+  return sample.error().maximum.hi; // spheres: exact
+}
+
+CrosscheckRow Crosscheck::judge(const OtherAnswer &answer, const Rational &size_tolerance) const {
+  assert(size_tolerance >= 0 && size_tolerance < 1);
+  CrosscheckRow row;
+  row.id = g_.id();
+  const Integer known = total(least_.q);
+  if (least_.complete)
+    row.minimum = known;
+  if (answer.failure) {
+    row.verdict = *answer.failure;
+    row.reason = answer.reason;
+    return row;
+  }
+  row.particles = total(answer.quantities);
+  row.max_error = max_error(answer);
+  row.reason = mismatch(answer, size_tolerance);
+  if (!row.reason.empty()) {
+    row.verdict = AnswerVerdict::not_a_match;
+  } else if (*row.particles == known) {
+    row.verdict = AnswerVerdict::minimal;
+    row.minimum = known;
+    row.ratio = 1;
+  } else if (row.minimum) {
+    row.verdict = AnswerVerdict::larger;
+    row.ratio = ratio(*row.particles, known);
+  } else {
+    row.verdict = AnswerVerdict::undecided;
+    row.reason = "stopped at a limit: the smallest number is " + to_string(known) + " or more";
+  }
+  return row;
+}
+
+} // namespace mdm

@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// Numbers and sizes as messages show them.
+
+#include <mdm/gradation/root_size.hpp>
+
+#include <string>
+
+namespace mdm {
+
+/// r as a message shows it: exact if it is short, else its first digits.
+std::string shown(const Rational &r);
+/// The same of a size that may be irrational: then its first 15 digits, rounded.
+std::string shown(const RootSize &x);
+
+} // namespace mdm

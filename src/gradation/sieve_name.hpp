@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// Names of sieves.
+
+#include <mdm/number/rational.hpp>
+
+#include <optional>
+
+namespace mdm {
+
+/// Opening in mm of a sieve name: ASTM E11 (`#200`, `3/8 in`, `3/8"`), Tyler with its prefix
+/// (`Tyler 65 mesh`), or a metric opening (`1.18 mm`, `75 um`); 0 for `pan`. `point` is the decimal sign.
+/// Tables and rules: proofs/certificate-format.md, sections 4 and 5.
+/// \throws InputError for a name that is none of these
+Rational sieve_opening(std::string_view name, char point = '.');
+
+/// The ASTM E11 name of the sieve with an opening of `opening` mm, such as `3/8 in`, if there is one.
+std::optional<std::string> astm_sieve_name(const Rational &opening);
+
+} // namespace mdm

@@ -1,0 +1,54 @@
+#pragma once
+/// \file
+/// The smallest match within a tolerance: branch and bound with exact bounds.
+
+#include "match/tolerant_problem.hpp"
+#include "match/watch.hpp"
+
+#include <mdm/match/limits.hpp>
+
+namespace mdm {
+
+/// Particles and class masses that are a match, masses in the problem's units.
+struct TolerantMatch {
+  std::vector<Integer> q;
+  std::vector<Rational> t;
+};
+
+/// A table of more numbers, some 1 GB and growing with their length, is not searched: retained:1% of more
+/// than 1023 classes.
+constexpr std::size_t largest_table = std::size_t{1} << 23;
+
+/// The result of a search.
+struct TolerantResult {
+  std::optional<TolerantMatch> best; ///< smallest that was found
+  Integer lower_bound = 1;           ///< no match has fewer particles
+  bool complete = false;             ///< the best is the smallest; or there is none at all
+  bool too_large = false;            ///< there was no search: its table would not fit into memory
+  Tree tree; ///< refutes fewer particles than the best has, any number where there is none; empty if it was
+             ///< not to be kept, or is longer than longest_tree
+  std::uint64_t nodes = 0; ///< that were looked at
+};
+
+/// The least number of particles, by branch and bound over linear programs that are decided exactly. Nodes
+/// are split at the coarsest class whose count is no integer. There is no search where CountBounds show the
+/// first match to be the smallest, as for a tolerance of 0; nor where the program's table has more than
+/// largest_table numbers. Cost: depends on the tree; 20 to 60 nodes and some 30 ms for 13 classes.
+/// \param first  a match to improve upon, if it is one: what there is when a limit ends the search early
+TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limits,
+                              const std::optional<TolerantMatch> &first, const Watch &watch);
+/// With the deadline of the limits as its watch.
+TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limits = {},
+                              const std::optional<TolerantMatch> &first = std::nullopt);
+
+/// Masses of the classes that make q a match, as far from all bounds on sizes and shares as can be: the least
+/// distance, relative to the width between two bounds, is greatest. The weight, where one is demanded, is
+/// `weight` or more by at most a part `excess` of it, if that can be. Nothing if q is no match at that
+/// weight.
+/// \throws Simplex::Interrupted soon after the watch's end
+std::optional<std::vector<Rational>> central_masses(const TolerantProblem &problem,
+                                                    const TolerantMatch &match,
+                                                    const std::optional<Rational> &weight,
+                                                    const Rational &excess, const Watch &watch = {});
+
+} // namespace mdm

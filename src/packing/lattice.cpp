@@ -1,0 +1,92 @@
+#include "packing/lattice.hpp"
+
+#include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
+
+#include <algorithm>
+
+namespace mdm::packing {
+namespace {
+
+const Integer &most_units() {
+  static const Integer most = Integer(1) << 52;
+  return most;
+}
+
+Rational value(const DiscSize &size) {
+  return ratio(Integer(size.digits), power_of_ten(size.places));
+}
+
+bool is_smaller(const DiscSize &a, const DiscSize &b) {
+  __extension__ typedef unsigned __int128 Wide;
+  Wide m = a.digits, n = b.digits;
+  // Sizes have up to 18 digits; powers of ten beyond decide by themselves.
+  constexpr unsigned most = 19;
+  const unsigned up_a = b.places > a.places ? b.places - a.places : 0;
+  const unsigned up_b = a.places > b.places ? a.places - b.places : 0;
+  if (up_a > most || up_b > most)
+    return up_a < up_b;
+  for (unsigned i = 0; i < up_a; ++i)
+    m *= 10;
+  for (unsigned i = 0; i < up_b; ++i)
+    n *= 10;
+  return m < n;
+}
+
+/// Sum of d^2.
+Rational sum_of_squares(const std::vector<DiscSize> &sizes) {
+  unsigned places = 0;
+  for (const DiscSize &d : sizes)
+    places = std::max(places, d.places);
+  Integer sum = 0;
+  for (const DiscSize &d : sizes) {
+    const Integer n = Integer(d.digits) * power_of_ten(places - d.places);
+    sum += n * n;
+  }
+  return ratio(sum, power_of_ten(2 * places));
+}
+
+/// floor(y 10^places).
+Integer in_units(const Rational &y, unsigned places) {
+  return floor(Rational(y * Rational(power_of_ten(places))));
+}
+
+} // namespace
+
+Lattice lattice(const DiscSizes &sizes, const std::optional<Rational> &width) {
+  if (sizes.sizes.empty())
+    throw InputError("no disc to pack: give at least one size");
+  const auto [least, greatest] = std::minmax_element(sizes.sizes.begin(), sizes.sizes.end(), is_smaller);
+  const Rational largest = value(*greatest), smallest = value(*least);
+  const Rational squares = sum_of_squares(sizes.sizes);
+  // W^2 for a square; its root is taken on the lattice.
+  const Rational square = squares * ratio(15, 16);
+  const Rational least_width = 3 * largest;
+  if (width ? *width < least_width : square < least_width * least_width)
+    throw InputError(width ? "--width: the box is narrower than 3 of the largest discs: make it " +
+                                 approximate(least_width, 6) + " wide or more"
+                           : "the discs are too few: a square box would be narrower than 3 of the largest: "
+                             "take more discs, or give a width of " +
+                                 approximate(least_width, 6) + " or more");
+  constexpr unsigned digits = 18;
+  const Rational wide =
+      width ? *width : ratio(floor_root(in_units(square, 2 * digits), 2) + 1, power_of_ten(digits));
+  // Discs that rest on each other fill more than 0.6 of a box; pi / 4 is below 4/5.
+  const Rational high = squares * ratio(4, 5) / (wide * ratio(3, 5)) + 4 * largest;
+  const Rational most = std::max(wide, high);
+  unsigned places = 0;
+  while (in_units(most, places + 1) < most_units() && places < 40)
+    ++places;
+  if (in_units(most, places) >= most_units() || in_units(smallest, places) < Integer(1) << 24)
+    throw InputError(
+        "the sizes are too far apart for the lattice: the box may be some 10^8 smallest discs wide "
+        "and high");
+  Lattice l{};
+  l.places = places;
+  l.width =
+      static_cast<std::int64_t>(width ? in_units(wide, places) : floor_root(in_units(square, 2 * places), 2));
+  l.highest = in_units(high, places).convert_to<double>();
+  return l;
+}
+
+} // namespace mdm::packing

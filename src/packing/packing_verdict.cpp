@@ -1,0 +1,111 @@
+#include <mdm/packing/packing_verdict.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+__extension__ typedef __int128 Wide;
+
+/// From a disc's centre to what carries it.
+struct Direction {
+  std::int64_t x, y;
+  std::int64_t touch; ///< the distance at which both touch
+};
+
+class Judge {
+public:
+  Judge(const Packing &packing, std::int64_t tolerance) : p_(packing), tolerance_(tolerance) {}
+
+  /// What is wrong with disc i; empty if nothing.
+  std::string objection(std::size_t i) const {
+    const PackedDisc &d = p_.discs[i];
+    const bool inside = p_.periodic ? d.x < p_.width : d.x >= d.r && d.x + d.r <= p_.width;
+    if (!inside || d.y < d.r)
+      return "is not inside the box";
+    if (p_.rule == DepositRule::apollonian)
+      return "";
+    const Direction left = direction(d, d.left), right = direction(d, d.right);
+    if (!touches(left) || !touches(right))
+      return "does not touch what carries it";
+    if (left.x > 0 || right.x < 0 || Wide{left.x} * right.y < Wide{left.y} * right.x)
+      return "is not above and between what carries it";
+    return "";
+  }
+
+private:
+  bool touches(const Direction &to) const {
+    const Wide far = to.touch + tolerance_;
+    return to.touch > 0 && Wide{to.x} * to.x + Wide{to.y} * to.y <= far * far;
+  }
+
+  /// A touch of 0 where nothing carries it.
+  Direction direction(const PackedDisc &d, std::int32_t support) const {
+    switch (support) {
+    case on_floor:
+      return {0, -d.y, d.r};
+    case on_left_wall:
+      return {-d.x, 0, d.r};
+    case on_right_wall:
+      return {p_.width - d.x, 0, d.r};
+    case unsupported:
+      return {0, 0, 0};
+    default:
+      break;
+    }
+    const PackedDisc &other = p_.discs[static_cast<std::size_t>(support)];
+    std::int64_t dx = other.x - d.x;
+    if (p_.periodic && 2 * dx > p_.width)
+      dx -= p_.width;
+    else if (p_.periodic && 2 * dx < -p_.width)
+      dx += p_.width;
+    return {dx, other.y - d.y, d.r + other.r};
+  }
+
+  const Packing &p_;
+  std::int64_t tolerance_;
+};
+
+std::vector<std::int64_t> sorted_radii(const Packing &p) {
+  std::vector<std::int64_t> radii;
+  for (const PackedDisc &d : p.discs)
+    radii.push_back(d.r);
+  std::sort(radii.begin(), radii.end());
+  return radii;
+}
+
+std::vector<std::int64_t> sorted_radii(const DiscSizes &sizes, unsigned places) {
+  std::vector<std::int64_t> radii;
+  for (const DiscSize &size : sizes.sizes)
+    radii.push_back(DiscSizes::radius(size, places));
+  std::sort(radii.begin(), radii.end());
+  return radii;
+}
+
+} // namespace
+
+std::vector<std::string> packing_objections(const Packing &p, const PackingContacts &contacts,
+                                            const DiscSizes &sizes) {
+  std::vector<std::string> all;
+  if (p.discs.size() != sizes.sizes.size())
+    all.push_back(fmt::format("it has {} discs, the set {}", p.discs.size(), sizes.sizes.size()));
+  else if (sorted_radii(p) != sorted_radii(sizes, p.places))
+    all.emplace_back("its radii are not half the sizes of the set, rounded up to its lattice");
+  if (contacts.first_overlap)
+    all.push_back(fmt::format("{} pairs of discs overlap, first {} and {}", contacts.overlaps,
+                              contacts.first_overlap->first, contacts.first_overlap->second));
+  const Judge judge(p, contacts.tolerance);
+  std::size_t wrong = 0;
+  std::string first;
+  for (std::size_t i = 0; i < p.discs.size(); ++i)
+    if (const std::string objection = judge.objection(i); !objection.empty() && wrong++ == 0)
+      first = fmt::format("disc {} {}", i, objection);
+  if (wrong > 0)
+    all.push_back(wrong == 1 ? first
+                             : fmt::format("{}, and {} more discs have such faults", first, wrong - 1));
+  return all;
+}
+
+} // namespace mdm

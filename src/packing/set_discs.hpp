@@ -1,0 +1,14 @@
+#pragma once
+/// \file
+/// The discs of a representative set.
+
+#include "sets/set_quality.hpp"
+
+#include <mdm/packing/disc_sizes.hpp>
+
+namespace mdm {
+
+/// The particles of all classes. \throws InputError if there are more than most_discs
+DiscSizes set_discs(const ParticlesOf &particles, std::size_t classes, const std::string &unit);
+
+} // namespace mdm

@@ -1,0 +1,127 @@
+#include "report/tradeoff_report.hpp"
+
+#include "answer/json_values.hpp"
+#include "text/text_table.hpp"
+#include "text/versions.hpp"
+
+#include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+namespace mdm {
+namespace {
+
+/// `retained`, `passing` or `total`.
+std::string kind_name(const Tradeoff &t) {
+  const std::string asked = to_string(AskedTolerance{t.kind, 0});
+  return asked.substr(0, asked.find(':'));
+}
+
+const char *status_name(const TradeoffRow &row) {
+  return row.is_optimal() ? "optimal" : "feasible";
+}
+
+/// Exact if it is a short decimal, else its first digits.
+std::string short_number(const Rational &r, unsigned digits) {
+  const std::optional<std::string> exact = exact_decimal(r);
+  return exact && exact->size() <= digits + 2 ? *exact : approximate(r, digits);
+}
+
+std::string particles_text(const TradeoffRow &row) {
+  return row.is_optimal() ? to_string(row.particles)
+                          : fmt::format("[{}, {}]", to_string(row.lower_bound), to_string(row.particles));
+}
+
+/// The exact match's N over this one, if both are known.
+std::string saving_text(const Tradeoff &t, const TradeoffRow &row) {
+  return row.is_optimal() && t.exact().is_optimal()
+             ? short_number(ratio(t.exact().particles, row.particles), 3)
+             : "-";
+}
+
+void add_counts(TextTable &table, const Tradeoff &t, const TradeoffRow &row) {
+  table.add(particles_text(row));
+  table.add(saving_text(t, row));
+}
+
+std::string by_tolerance_text(const Tradeoff &t) {
+  TextTable table;
+  table.add_column(kind_name(t) + " within (%)", '>');
+  table.add_column("particles", '>');
+  table.add_column("times fewer", '>');
+  for (const TradeoffRow &row : t.by_tolerance) {
+    table.add_line();
+    table.add(to_decimal(row.tolerance));
+    add_counts(table, t, row);
+  }
+  return table.text();
+}
+
+std::string by_sieve_text(const Tradeoff &t) {
+  TextTable table;
+  table.add_column(fmt::format("smallest sieve kept ({})", name(t.gradation.unit())), '>');
+  table.add_column("mass lost (%)", '>');
+  table.add_column("particles", '>');
+  table.add_column("times fewer", '>');
+  for (const TradeoffRow &row : t.by_sieve) {
+    table.add_line();
+    table.add(row.smallest.power == 0 ? "pan" : row.smallest.text());
+    table.add(short_number(Rational(100 * row.lost), 6));
+    add_counts(table, t, row);
+  }
+  return table.text();
+}
+
+void write_rows(JsonWriter &json, const std::vector<TradeoffRow> &rows) {
+  json.begin_array();
+  for (const TradeoffRow &row : rows) {
+    json.begin_object().key("tolerance").plain(to_decimal(row.tolerance));
+    json.key("smallest").plain(row.smallest.text());
+    write(json.key("lost"), row.lost).key("status").plain(status_name(row));
+    write(json.key("particles"), row.particles);
+    write(json.key("lower_bound"), row.lower_bound).end_object();
+  }
+  json.end_array();
+}
+
+std::string csv_row(const Tradeoff &t, const TradeoffRow &row) {
+  return fmt::format("{},{},{},{},{},{},{}\n", kind_name(t), to_decimal(row.tolerance), row.smallest.text(),
+                     short_number(Rational(100 * row.lost), 15), to_string(row.particles),
+                     to_string(row.lower_bound), status_name(row));
+}
+
+} // namespace
+
+std::string tradeoff_text(const Tradeoff &t) {
+  const std::string words = in_words(t.question);
+  std::string text =
+      fmt::format("{}: the smallest match within a tolerance, and without the finest classes{}\n\n",
+                  printable(t.gradation.id()), words.empty() ? "" : " (" + words + ")");
+  text += by_tolerance_text(t) + "\n" + by_sieve_text(t);
+  for (const std::string &note : t.gradation.notes())
+    text += "  note: " + note + "\n";
+  return text;
+}
+
+std::string tradeoff_json(const Tradeoff &t) {
+  JsonWriter json;
+  json.begin_object().key("schema").plain("mdm-tradeoff-1").key("id").string(t.gradation.id());
+  json.key("question").string(in_words(t.question)).key("unit").plain(name(t.gradation.unit()));
+  write_rows(json.key("kind").plain(kind_name(t)).key("by_tolerance"), t.by_tolerance);
+  write_rows(json.key("by_sieve"), t.by_sieve);
+  json.key("notes").strings(t.gradation.notes()).key("versions").raw(versions_json()).end_object();
+  return json.take();
+}
+
+std::string tradeoff_csv(const Tradeoff &t) {
+  std::string text =
+      fmt::format("kind,tolerance_percent,smallest_{},lost_percent,particles,lower_bound,status\n",
+                  name(t.gradation.unit()));
+  for (const std::vector<TradeoffRow> *rows : {&t.by_tolerance, &t.by_sieve})
+    for (const TradeoffRow &row : *rows)
+      text += csv_row(t, row);
+  return text;
+}
+
+} // namespace mdm

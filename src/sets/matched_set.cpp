@@ -1,0 +1,145 @@
+#include "sets/matched_set.hpp"
+
+#include "match/exact_sample.hpp"
+#include "number/common_denominator.hpp"
+
+#include <mdm/match/solve.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+Rational decimal(const Real &y, unsigned digits) {
+  try {
+    return parse_decimal(rounded(y, digits));
+  } catch (const InputError &) {
+    throw InputError(
+        "a bound or volume of a class has no decimal of up to 1000 digits and exponent 400 to be "
+        "matched: give fewer --match-digits, or use fewer or isochoric classes");
+  }
+}
+
+Question question_of(const Representativity &wanted) {
+  Question question;
+  question.law = MassLaw{wanted.dimension, 1};
+  question.min_per_class = wanted.min_per_class;
+  question.at_least = wanted.at_least;
+  return question;
+}
+
+/// The sizes between which the mean particle of a class with lower bound l > 0 and upper bound u is to be,
+/// rounded down: that of the mean volume, l u for discs and 2 l^2 u^2 / (l + u) for spheres, and that halfway
+/// in volume from l to it.
+std::pair<Rational, Rational> room(const Rational &l, const Rational &u, unsigned dimension,
+                                   unsigned digits) {
+  const Rational mean = dimension == 2 ? Rational(l * u) : Rational(2 * l * l * u * u / (l + u));
+  const Rational half = (power(l, dimension) + mean) / 2;
+  for (;; digits *= 2) {
+    const auto size = [&](const Rational &volume) {
+      return enclose_root(numerator(volume), denominator(volume), dimension, digits).lower();
+    };
+    if (l < size(half) && size(half) < size(mean))
+      return {size(half), size(mean)};
+  }
+}
+
+/// Every class that does not begin at 0 cut at both: the mass is between them.
+Gradation cut_to_room(const Gradation &g, unsigned dimension, unsigned digits) {
+  Gradation::Data data;
+  data.id = g.id();
+  const auto add = [&](const Rational &size, const Rational &mass) {
+    data.sizes.push_back(size);
+    data.masses.push_back(mass);
+  };
+  for (std::size_t j = 0; j < g.classes(); ++j) {
+    if (g.mass(j) == 0 || g.lower(j) == 0) {
+      add(g.lower(j), g.mass(j));
+      continue;
+    }
+    const auto [from, to] = room(g.lower(j), g.upper(j), dimension, digits);
+    add(g.lower(j), 0);
+    add(from, g.mass(j));
+    add(to, 0);
+  }
+  add(g.sizes().back(), 0);
+  return Gradation(std::move(data));
+}
+
+} // namespace
+
+Gradation rounded_gradation(const std::vector<SizeClass> &classes, unsigned digits, const std::string &id) {
+  Gradation::Data data;
+  data.id = id;
+  data.sizes.push_back(decimal(classes.front().lower.real, digits));
+  for (const SizeClass &c : classes) {
+    data.sizes.push_back(decimal(c.upper.real, digits));
+    if (*(data.sizes.end() - 2) >= data.sizes.back())
+      throw InputError("bounds of classes become the same with " + std::to_string(digits) +
+                       " digits: give more with --match-digits");
+    data.masses.push_back(c.is_empty() ? Rational(0) : decimal(c.volume_fraction, digits));
+  }
+  data.masses.emplace_back(0);
+  return Gradation(std::move(data));
+}
+
+Match matched_set(const Gradation &rounded, const Representativity &wanted, const SolveOptions &options) {
+  return solve(rounded, question_of(wanted), options);
+}
+
+Match roomy_set(const Gradation &rounded, const Representativity &wanted, const SolveOptions &options,
+                unsigned size_digits) {
+  const Match cut = solve(cut_to_room(rounded, wanted.dimension, size_digits), question_of(wanted), options);
+  Match m(cut.question, rounded);
+  m.status = cut.status;
+  m.complete = cut.complete;
+  m.lower_bound = cut.lower_bound;
+  m.digits = options.digits;
+  const Problem problem(rounded, m.question.law, m.question.min_per_class);
+  std::vector<Integer> q;
+  for (const Integer &n : cut.sample->quantities)
+    if (n > 0)
+      q.push_back(n);
+  const Rational &unit = problem.scale_unit();
+  Window window{problem.lowest_scale(q) * unit, problem.highest_scale(q) * unit, std::nullopt};
+  m.sample = exact_sample(rounded, problem, std::move(q), std::move(window), cut.sample->scale->chosen,
+                          options.digits);
+  return m;
+}
+
+ParticlesOf matched_particles(const Match &m) {
+  return [&m](std::size_t j, const TakeSize &take) {
+    if (const std::optional<Enclosure> &size = m.sample->sizes[j])
+      take(*size, m.sample->quantities[j]);
+  };
+}
+
+ParticlesOf spread_particles(const Match &m, std::uint64_t seed) {
+  const auto all = std::make_shared<const Spread>(spread(m, seed));
+  return [all, digits = m.digits](std::size_t j, const TakeSize &take) {
+    const auto at = std::find_if(all->classes.begin(), all->classes.end(),
+                                 [j](const ClassSpread &c) { return c.index() == j; });
+    if (at == all->classes.end())
+      return;
+    ClassSpread::Masses masses = at->masses();
+    for (std::uint64_t i = 0; i < at->quantity(); ++i)
+      take(at->size(masses.next(), digits), 1);
+  };
+}
+
+SetQuality matched_quality(const Match &m, const ModelCurve &curve, unsigned dimension, unsigned points,
+                           const ParticlesOf &particles) {
+  const Gradation &g = m.gradation;
+  const Rational all = sum(g.masses());
+  std::vector<SizeClass> classes;
+  std::vector<Rational> shares;
+  for (std::size_t j = 0; j < g.classes(); ++j) {
+    shares.push_back(g.mass(j) / all);
+    classes.push_back({Surd(g.lower(j)), Surd(g.upper(j)), shares.back()});
+  }
+  return set_quality(curve, classes, dimension, points, particles, shares);
+}
+
+} // namespace mdm

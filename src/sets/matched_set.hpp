@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// The smallest representative set whose class masses are exact.
+
+#include "sets/class_counts.hpp"
+#include "sets/set_quality.hpp"
+
+#include <mdm/match/solve.hpp>
+#include <mdm/match/spread.hpp>
+
+namespace mdm {
+
+/// Classes as a gradation: bounds and volume fractions rounded to decimals of `digits` significant digits, id
+/// `id`. From there on these decimals are what is matched.
+/// \throws InputError if two bounds become the same decimal, or a decimal would be beyond what is read
+Gradation rounded_gradation(const std::vector<SizeClass> &classes, unsigned digits, const std::string &id);
+
+/// The least match of such a gradation with N_pc particles in each class with volume and N_min in all, by the
+/// law x^D.
+/// \throws InputError as solve
+Match matched_set(const Gradation &rounded, const Representativity &wanted, const SolveOptions &options);
+
+/// The same set with room for a spread: the smallest in which, besides, the mean volume of every class's
+/// particles is at most that of sizes uniform by volume, mu, and more than (V(lower bound) + mu) / 2. Drawn
+/// sizes then need little correction (Theorem 16): it halves distances at most. The set is the least match of
+/// classes cut at these two sizes, rounded down to `size_digits` digits, and `complete` speaks of it;
+/// question, window and sizes are those of the classes as they are.
+/// \throws InputError as solve
+Match roomy_set(const Gradation &rounded, const Representativity &wanted, const SolveOptions &options,
+                unsigned size_digits);
+
+/// The particles of a complete match without a tolerance; it must outlive them.
+ParticlesOf matched_particles(const Match &m);
+
+/// Those of a spread of it (spread.hpp), of a size each.
+/// \throws InputError as spread
+ParticlesOf spread_particles(const Match &m, std::uint64_t seed);
+
+/// The quality of such a match: its shares are exactly those of its gradation, which are the f_v that it is
+/// compared with.
+SetQuality matched_quality(const Match &m, const ModelCurve &curve, unsigned dimension, unsigned points,
+                           const ParticlesOf &particles);
+
+} // namespace mdm

@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// Text that reports are made in.
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+#include <utility>
+
+namespace mdm {
+
+using Buffer = fmt::memory_buffer;
+
+template <class... Args>
+void add(Buffer &out, fmt::format_string<Args...> format, Args &&...args) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
+}
+
+} // namespace mdm

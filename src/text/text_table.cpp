@@ -1,0 +1,44 @@
+#include "text/text_table.hpp"
+
+#include <mdm/text/error.hpp>
+
+#include <algorithm>
+
+namespace mdm {
+
+std::string text_table(const std::vector<std::vector<std::string>> &lines, std::string_view alignment) {
+  std::vector<std::size_t> width;
+  for (const std::vector<std::string> &line : lines) {
+    width.resize(std::max(width.size(), line.size()));
+    for (std::size_t i = 0; i < line.size(); ++i)
+      width[i] = std::max(width[i], line[i].size());
+  }
+  std::string text;
+  for (const std::vector<std::string> &line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const std::string padding(width[i] - line[i].size(), ' ');
+      const bool left = alignment[std::min(i, alignment.size() - 1)] == '<';
+      text.append("  ").append(left ? line[i] + padding : padding + line[i]);
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += '\n';
+  }
+  return text;
+}
+
+void TextTable::add_column(const std::string &title, char align) {
+  lines_.front().push_back(title);
+  alignment_ += align;
+}
+
+std::string csv_field(std::string_view text) {
+  const std::string field = printable(text);
+  if (field.find_first_of(",\"") == std::string::npos)
+    return field;
+  std::string quoted = "\"";
+  for (const char c : field)
+    quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+} // namespace mdm

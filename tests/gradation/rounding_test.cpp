@@ -1,0 +1,88 @@
+// The places where the program could round a number of the user's: nowhere but in the files listed here.
+
+#include "support.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+
+namespace {
+
+/// A way to give another number than the one that was read, and the files that may use it.
+struct Rounding {
+  std::string name;
+  std::set<std::string> files;
+  std::string why;
+};
+
+const std::vector<Rounding> roundings = {
+    {"PhiReading::rounded", {"cli/convert.cpp", "gradation/csv_reader.cpp"}, "mdm convert alone asks for it"},
+    {"phi_size(",
+     {"gradation/phi.hpp", "gradation/phi.cpp", "gradation/csv_rows.cpp", "gradation/envelope.cpp"},
+     "whole phi, what mdm convert writes, and the remedy in a message"},
+    {"nearest_decimal(",
+     {"gradation/root_size.hpp", "gradation/root_size.cpp", "gradation/shown.cpp"},
+     "the printed form of irrational openings, and messages"},
+    {"drawn_size(",
+     {"gradation/root_size.hpp", "gradation/root_size.cpp", "cli/plot.cpp", "plot/gradation_figure.cpp",
+      "plot/tradeoff_figure.cpp"},
+     "pictures"},
+    {"parse_decimal(rounded(", {"sets/matched_set.cpp"}, "generate --match-digits, the user's own word"},
+    {"convert_to<double>",
+     {"cli/export_model.cpp", "packing/apollonian.cpp", "packing/apollonian_walk.hpp", "packing/lattice.cpp",
+      "particles/mixed_placement.cpp", "particles/settle_model.cpp", "plot/gradation_figure.cpp",
+      "plot/drawing.hpp", "plot/tradeoff_figure.cpp"},
+     "lengths of boxes, forces and pictures; bounds of packings, with an exact test behind them"},
+    {"mpq_get_d(",
+     {"particles/written_number.cpp"},
+     "decimals and doubles in particle files, judged exactly"},
+    {"mpz_get_d(", {"match/sweep_problem.cpp"}, "bounds of the sweep, with an exact fallback"},
+    {"to_double(",
+     {"match/sweep_problem.hpp", "match/sweep_problem.cpp", "match/least_match.cpp", "number/int128.hpp",
+      "papers/accessible_report.cpp", "plot/drawing.hpp", "papers/paper_figures.cpp",
+      "papers/size_model_figures.cpp"},
+     "bounds of the sweep, with an exact fallback, and pictures"},
+    {"strtod(", {"cli/export_model.cpp"}, "a place that was written as a double"},
+    {"stod(", {}, ""},
+    {"atof(", {}, ""}};
+
+/// True if the code of a line, its comment aside, has the name, and not within a longer one.
+bool uses(const std::string &line, const std::string &name) {
+  const std::string code = line.substr(0, line.find("//"));
+  for (std::size_t at = code.find(name); at != std::string::npos; at = code.find(name, at + 1))
+    if (at == 0 || (std::isalnum(static_cast<unsigned char>(code[at - 1])) == 0 && code[at - 1] != '_'))
+      return true;
+  return false;
+}
+
+/// The sources of the solver with the path behind src/ or include/mdm/; the checker shares nothing with them.
+std::map<std::string, std::filesystem::path> sources() {
+  std::map<std::string, std::filesystem::path> all;
+  for (const std::string folder : {"/src", "/include/mdm"}) {
+    const std::filesystem::path root = std::string(MDM_SOURCE_DIR) + folder;
+    for (const auto &entry : std::filesystem::recursive_directory_iterator(root)) {
+      const std::string path = std::filesystem::relative(entry.path(), root).string();
+      if ((path.ends_with(".cpp") || path.ends_with(".hpp")) && !path.starts_with("checker/"))
+        all.emplace(path, entry.path());
+    }
+  }
+  return all;
+}
+
+} // namespace
+
+TEST_CASE("only the listed files could round a number of the user's") {
+  std::map<std::string, std::set<std::string>> found;
+  for (const auto &[path, file] : sources()) {
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);)
+      for (const Rounding &rounding : roundings)
+        if (uses(line, rounding.name))
+          found[rounding.name].insert(path);
+  }
+  for (const Rounding &rounding : roundings) {
+    INFO(rounding.name << ": " << rounding.why);
+    CHECK(found[rounding.name] == rounding.files);
+  }
+}
