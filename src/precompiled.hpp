@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// Headers of other libraries that most files need: parsed once a target. Every file includes what it uses
-/// all the same; the build of the fuzz targets, which has no precompiled headers, sees to that.
+/// all the same: a build with -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON shows where one does not.
 
 #include <boost/multiprecision/gmp.hpp>
 #include <fmt/format.h>

@@ -91,7 +91,7 @@ Enclosure ClassSpread::size(const Integer &n, unsigned digits) const {
 }
 
 Spread spread(const Match &m, std::uint64_t seed) {
-  assert(m.has_answer());
+  assert(m.sample);
   if (*m.particles() > most_spread_particles)
     throw InputError("a spread of " + to_string(*m.particles()) + " particles: at most " +
                      std::to_string(most_spread_particles) +

@@ -126,7 +126,7 @@ Rational ParticleSet::cubes_of_radii() const {
 }
 
 ParticleSet particle_set(const Match &m, const ParticleSetOptions &options) {
-  assert(m.has_answer());
+  assert(m.sample);
   const Writer writer(length_unit(m.gradation.unit()), m.question.law, m.gradation.root(), options);
   const unsigned p = m.scale_power();
   return match_set(m, writer, options.unit, [&](ParticleClass &c, const Integer &q, const Rational &powered) {
@@ -135,7 +135,7 @@ ParticleSet particle_set(const Match &m, const ParticleSetOptions &options) {
 }
 
 ParticleSet spread_particle_set(const Match &m, std::uint64_t seed, const ParticleSetOptions &options) {
-  assert(m.has_answer());
+  assert(m.sample);
   if (*m.particles() > most_sizes)
     throw InputError(
         fmt::format("{} particles are more than the {} that can have a size each: leave --spread "
