@@ -2,14 +2,13 @@
 /// \file
 /// The one reader of answers in JSON.
 
+#include "answer/answer_schema.hpp"
+
 #include <mdm/answer/answer_sample.hpp>
 
 #include <nlohmann/json.hpp>
 
 namespace mdm {
-
-/// The schema of the answers of mdm solve and mdm batch.
-inline constexpr std::string_view answer_schema = "mdm-answer-1";
 
 /// Quantities and sizes as an answer states them, not compared with its masses and scale.
 struct StatedParticles {

@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/in_parallel.hpp"
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
@@ -168,7 +169,9 @@ Run add_batch(CLI::App &app) {
       ->type_name("DIR");
   c->output.add_out(command);
   c->output.add_quiet(command, "no progress on standard error");
-  command.footer("Example: mdm batch suite.jsonl -j 4 -o answers.jsonl");
+  command.footer(footer("", {"mdm batch suite.jsonl -j 4 -o answers.jsonl",
+                             "mdm batch suite.jsonl -o answers.jsonl --proofs proofs",
+                             "mdm batch --tolerance retained:1% < suite.jsonl > answers.jsonl"}));
   return [c] { return run(*c); };
 }
 

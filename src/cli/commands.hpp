@@ -27,5 +27,7 @@ Run add_published(CLI::App &app);
 Run add_generate(CLI::App &app);
 Run add_study(CLI::App &app);
 Run add_tradeoff(CLI::App &app);
+/// \param app with all other commands
+Run add_completion(CLI::App &app);
 
 } // namespace mdm::cli

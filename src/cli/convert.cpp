@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/output_flags.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -44,7 +45,9 @@ Run add_convert(CLI::App &app) {
       ->check(CLI::IsMember({"csv", "json"}));
   add_specimen_id(command, c->specimen_id);
   c->output.add_quiet(command, "no notes on standard error");
-  command.footer("Example: mdm convert report.ags --specimen-id BH1 -o sand.csv");
+  command.footer(footer("", {"mdm convert report.ags --specimen-id BH1 -o sand.csv",
+                             "mdm convert half-phi.csv --format csv | mdm solve - --tolerance 1%",
+                             "mdm convert sand.csv -o sand.json"}));
   return [c] { return run(*c); };
 }
 

@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/in_parallel.hpp"
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
@@ -282,28 +283,33 @@ int run(const CrosscheckCommand &c) {
   return report.exit_code();
 }
 
-constexpr const char *footer =
-    R"(A match is a vector of quantities that some sizes make an exact match, and whose sizes, where the answer
-has them, are right for one such match within --size-tolerance. Its ratio is N over the least N; quartiles
-are the ratios at the places n/4, n/2, 3n/4 (rounded down, counted from 0) of n in ascending order.
-max_error: the largest error of a class's share in percent, of the sizes as they stand in the answer.
-Verdicts: minimal, larger; not-a-match (--reasons says why); undecided (stopped at --max-steps); no-answer,
-garbage, crashed (a signal or an exit code other than 0), timeout.
-
-ANSWERS is CSV with a header: id, quantities (separated by spaces; one a class with mass, or one a class),
-optionally sizes_mm, sizes_um, sizes_m or sizes_in (- where there are no particles), and any other columns, for --by; or JSON Lines: answers
-of mdm batch, or {"id": "a", "quantities": ["15", "2"], "sizes": ["0.07", "0.14"], "unit": "mm"}, sizes and
-unit (mm) optional. Ids need not be unique: each gradation of an id is held against each answer of that id.
-
-The solver gets one gradation as JSON on its standard input, writes one such object (the id may be left out)
-to its standard output and exits with 0. A journal keeps failures too, also a timeout: to ask again, name a
-new one. It knows what was asked: an answer to a gradation that was corrected since is not used.
-
-Exit code: 0 if every answer is a match (with --require-minimal: minimal), 1 if not, 2 if a line of SUITE is
-bad (before anything is run), 3 if something is undecided.
-
-Example: mdm crosscheck tests/data/suite-2750.jsonl tests/data/suite-2750-float-answers.csv --by x_n_factor
-Example: mdm crosscheck suite.jsonl --solver './solver --json' --time-limit 10 -j 2 --journal run.jsonl -o rows.csv)";
+/// The end of the help.
+std::string about() {
+  return paragraph("A match is a vector of quantities that some sizes make an exact match, and whose sizes, "
+                   "where the answer has them, are right for one such match within --size-tolerance. Its "
+                   "ratio is N over the smallest N; quartiles are the ratios at the places n/4, n/2, 3n/4 "
+                   "(rounded down, counted from 0) of n in ascending order. max_error: the largest error of "
+                   "a class's share in percent, of the sizes as they stand in the answer. Verdicts: minimal, "
+                   "larger; not-a-match (--reasons says why); undecided (stopped at --max-steps); "
+                   "no-answer, garbage, crashed (a signal or an exit code other than 0), timeout.") +
+         "\n" +
+         paragraph(
+             "ANSWERS is CSV with a header: id, quantities (separated by spaces; one a class with mass, "
+             "or one a class), optionally sizes_mm, sizes_um, sizes_m or sizes_in (- where there are no "
+             "particles), and any other columns, for --by; or JSON Lines: answers of mdm batch, or "
+             "{\"id\": \"a\", \"quantities\": [\"15\", \"2\"], \"sizes\": [\"0.07\", \"0.14\"], \"unit\": "
+             "\"mm\"}, sizes and unit (mm) optional. Ids need not be unique: each gradation of an id is "
+             "held against each answer of that id.") +
+         "\n" +
+         paragraph("The solver gets one gradation as JSON on its standard input, writes one such object (the "
+                   "id may be left out) to its standard output and exits with 0. A journal keeps failures "
+                   "too, also a timeout: to ask again, name a new one. It knows what was asked: an answer to "
+                   "a gradation that was corrected since is not used.") +
+         "\n" +
+         paragraph(
+             "Exit code: 0 if every answer is a match (with --require-minimal: minimal), 1 if not, 2 if "
+             "a line of SUITE is bad (before anything is run), 3 if something is undecided.");
+}
 
 } // namespace
 
@@ -343,7 +349,10 @@ Run add_crosscheck(CLI::App &app) {
   c->output.add_out(command, "write csv or json")
       ->description("write csv or json to OUT instead of standard output; with text, the rows as CSV");
   c->output.add_quiet(command, "no progress and no notes on standard error");
-  command.footer(footer);
+  command.footer(
+      footer(about(), {"mdm crosscheck suite.jsonl answers.csv --by x_n_factor",
+                       "mdm crosscheck suite.jsonl --solver ./my-solver -j 2 -o rows.csv",
+                       "mdm crosscheck suite.jsonl --solver './my-solver --json' --journal run.jsonl"}));
   return [c] { return run(*c); };
 }
 

@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "report/description.hpp"
@@ -86,10 +87,11 @@ Run add_describe(CLI::App &app) {
   c->output.add_format(command);
   c->output.add_out(command);
   c->output.add_quiet(command, "no notes on standard error");
-  command.footer(
-      "Exit code 3: the group hangs on an interpolated share or an index that 1,200 digits do not tell\n"
-      "from its limit; the report says which.\n\n"
-      "Example: mdm describe sand.csv --liquid-limit 30 --plastic-limit 22");
+  command.footer(footer(
+      paragraph("Exit code 3: the group hangs on an interpolated share or an index that 1,200 digits do not "
+                "tell from its limit; the report says which."),
+      {"mdm describe sand.csv", "mdm describe sand.csv --liquid-limit 30 --plastic-limit 22",
+       "mdm describe report.ags --specimen-id BH1 --format json -o bh1.json"}));
   return [c] { return run(*c); };
 }
 

@@ -250,6 +250,8 @@ Output::~Output() {
 }
 
 void Output::fail(int error) const {
+  if (path_ == "-" && error == EPIPE)
+    throw ClosedPipe("standard output is closed");
   refuse_file(path_ == "-" ? "standard output" : path_, "cannot be written", error, "write it elsewhere");
 }
 

@@ -66,6 +66,11 @@ void remove_unfinished_at_signals();
 inline constexpr const char *out_of_memory_message =
     "mdm: out of memory: give it more, or ask for fewer particles, steps or digits";
 
+/// What a write throws where the reader of standard output has gone.
+struct ClosedPipe : InputError {
+  using InputError::InputError;
+};
+
 /// The place of a result. A regular file or a new path is written beside and takes its name in commit();
 /// without commit nothing is left of it. Standard output (path `-`), devices and pipes are written in place.
 class Output {
@@ -76,7 +81,7 @@ public:
   Output(const Output &) = delete;
   Output &operator=(const Output &) = delete;
 
-  /// \throws InputError if not all of it can be written
+  /// \throws ClosedPipe, or another InputError if not all of it can be written
   void write(std::string_view text);
   /// Makes what was written final. \throws InputError if that fails
   void commit();

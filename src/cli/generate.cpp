@@ -3,6 +3,7 @@
 #include "cli/beta_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
@@ -378,7 +379,9 @@ Run add_generate(CLI::App &app) {
   c->output.add_format(command);
   c->output.add_out(command);
   c->output.add_quiet(command, "no progress and no notes on standard error");
-  command.footer("Example: mdm generate --beta 1,3 --dmin 0.1 --ratio 20 --sizes --seed 1 --format csv");
+  command.footer(footer("", {"mdm generate --beta 1,3 --dmin 0.1 --ratio 20 --sizes --seed 1 --format csv",
+                             "mdm generate --curve sand.csv --method match --spread --sizes --format json",
+                             "mdm generate --accessible --span 0.42,0.97 --plot shapes.svg"}));
   return [c] { return run(*c); };
 }
 

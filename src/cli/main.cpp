@@ -1,7 +1,9 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/number_pool.hpp"
 #include "cli/usage_error.hpp"
+#include "text/nearest_name.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/text/error.hpp>
@@ -37,12 +39,6 @@ void print(const std::string &text) {
   out.commit();
 }
 
-/// CLI11's help, without the empty line before it and with the end of the last line.
-std::string help_text(const CLI::App &app, const CLI::App &of) {
-  const std::string text = &of == &app ? of.help() : of.help(app.get_name());
-  return text.substr(text.find_first_not_of('\n')) + "\n";
-}
-
 int complain(const std::string &message) {
   tell(message + "\n");
   return Exit::bad_input;
@@ -52,15 +48,16 @@ std::vector<Command> add_commands(CLI::App &app) {
   std::vector<Command> commands;
   for (Run (*const add)(CLI::App &) :
        {add_solve, add_batch, add_convert, add_describe, add_verify, add_crosscheck, add_published,
-        add_generate, add_pack, add_study, add_tradeoff, add_plot, add_export}) {
+        add_generate, add_pack, add_study, add_tradeoff, add_plot, add_export, add_completion}) {
     Run run = add(app);
     commands.push_back({app.get_subcommands({}).back(), std::move(run)});
   }
   std::vector<CLI::App *> all = app.get_subcommands({});
   all.push_back(&app);
   for (CLI::App *const a : all) {
-    a->set_help_flag("-h,--help", "show this help");
-    a->set_version_flag("--version", version_text(), "show the versions of the program and its libraries");
+    a->set_help_flag("-h,--help", "show this help")->group("Help");
+    a->set_version_flag("-V,--version", version_text(), "show the versions of the program and its libraries")
+        ->group("Help");
   }
   return commands;
 }
@@ -72,23 +69,46 @@ std::string names(const std::vector<Command> &commands) {
   return text;
 }
 
-int run(int argc, char **argv) {
+std::string no_command(const std::string &word, const std::vector<Command> &commands) {
+  std::vector<std::string> all;
+  for (const Command &c : commands)
+    all.push_back(c.app->get_name());
+  const std::vector<std::string_view> views(all.begin(), all.end());
+  const std::string_view meant = mdm::nearest_name(word, views);
+  return "mdm: " + mdm::in_quotes(word) + " is no command" +
+         (meant.empty() ? "" : "; did you mean " + std::string(meant) + "?") + "; there are " +
+         names(commands);
+}
+
+/// The arguments with `help COMMAND` as `COMMAND --help`.
+std::vector<std::string> arguments(int argc, char **argv) {
+  std::vector<std::string> all(argv + 1, argv + argc);
+  if (!all.empty() && all.front() == "help") {
+    all.erase(all.begin());
+    all.emplace_back("--help");
+  }
+  return all;
+}
+
+int run(std::vector<std::string> words) {
   CLI::App app("The smallest set of particles that matches a grain size distribution, exactly.", "mdm");
-  app.footer("Example: mdm solve sand.csv --proof sand.proof && mdm-check sand.csv sand.proof");
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.footer(footer("", {"mdm solve sand.csv --proof sand.proof && mdm-check sand.csv sand.proof"}));
   const std::vector<Command> commands = add_commands(app);
   app.require_subcommand(0, 1);
-  if (argc < 2)
+  if (words.empty())
     return complain("mdm: a command is missing; there are " + names(commands) + "; see mdm --help");
-  const std::string first = argv[1];
+  const std::string first = words.front();
   const auto is_first = [&first](const Command &c) { return c.app->get_name() == first; };
   if (first.rfind('-', 0) != 0 && std::none_of(commands.begin(), commands.end(), is_first))
-    return complain("mdm: " + mdm::in_quotes(first) + " is no command; there are " + names(commands));
+    return complain(no_command(first, commands));
   const auto parsed = [&]() -> const CLI::App & {
     const std::vector<CLI::App *> sub = app.get_subcommands();
     return sub.empty() ? app : *sub.front();
   };
   try {
-    app.parse(argc, argv);
+    std::reverse(words.begin(), words.end()); // as CLI11 takes them
+    app.parse(std::move(words));
   } catch (const CLI::CallForHelp &) {
     print(help_text(app, parsed()));
     return Exit::done;
@@ -115,7 +135,9 @@ int main(int argc, char **argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    return run(argc, argv);
+    return run(arguments(argc, argv));
+  } catch (const ClosedPipe &) {
+    return Exit::bad_input; // the reader has what it wanted
   } catch (const mdm::InputError &e) {
     return complain(e.what());
   } catch (const std::bad_alloc &) {

@@ -1,6 +1,8 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/option_values.hpp"
+#include "cli/output_flags.hpp"
 #include "cli/pack_apollonian.hpp"
 #include "cli/pack_sizes.hpp"
 #include "cli/progress.hpp"
@@ -21,8 +23,9 @@ struct PackCommand {
   PackSizes sizes;
   ApollonianFlags apollonian;
   std::optional<std::string> width;
-  std::string floor = "centred", rule = "lowest", order = "shuffled", seed = "1", format = "text", out;
-  bool periodic = false, walls = false, positions = false, quiet = false;
+  std::string floor = "centred", rule = "lowest", order = "shuffled", seed = "1";
+  bool periodic = false, walls = false, positions = false;
+  OutputFlags output;
 };
 
 DepositOptions deposit_options(const PackCommand &c) {
@@ -43,7 +46,8 @@ Packing packed(const PackCommand &c) {
   DepositOptions options = deposit_options(c);
   std::atomic<std::size_t> lying = 0;
   options.progress = [&lying](std::size_t n) { lying = n; };
-  const Progress progress([&lying] { return fmt::format("packing, {} discs lie", lying.load()); }, c.quiet);
+  const Progress progress([&lying] { return fmt::format("packing, {} discs lie", lying.load()); },
+                          c.output.quiet);
   return deposit(c.sizes.read(options.seed), options);
 }
 
@@ -51,11 +55,11 @@ void report(const PackCommand &c, const Packing &packing) {
   const PackingTexture texture = packing_texture(packing);
   Output out("-");
   const Sink sink = [&out](std::string_view text) { out.write(text); };
-  if (c.format == "json") {
+  if (c.output.is_json()) {
     packing_json(packing, texture, c.positions, sink);
     sink("\n");
   } else {
-    sink(c.format == "csv" ? packing_csv(packing, texture) : packing_text(packing, texture));
+    sink(c.output.is_csv() ? packing_csv(packing, texture) : packing_text(packing, texture));
   }
   out.commit();
 }
@@ -64,20 +68,20 @@ int run(const PackCommand &c) {
   if (c.apollonian.gasket) {
     if (c.sizes.is_given() || c.width || c.positions)
       throw InputError("--apollonian has its own sizes and places: leave out those of a deposit");
-    return run_apollonian(c.apollonian, c.format, c.out, c.quiet);
+    return run_apollonian(c.apollonian, c.output);
   }
   if (c.apollonian.smallest || c.apollonian.count_only)
     throw InputError("--smallest and --count-only are of --apollonian: add it or leave them out");
-  if (c.positions && c.format != "json")
+  if (c.positions && !c.output.is_json())
     throw InputError("--positions: they are in the file of -o; in the report only with --format json");
-  check_distinct({c.sizes.source(), c.out.empty() ? "-" : c.out});
+  check_distinct({c.sizes.source(), c.output.path()});
   const Packing packing = packed(c);
-  if (!c.out.empty()) {
-    Output out(c.out);
+  if (c.output.out) {
+    Output out(*c.output.out);
     write_packing(packing, [&out](std::string_view text) { out.write(text); });
     out.commit();
   }
-  if (c.out != "-")
+  if (c.output.out != "-")
     report(c, packing);
   return Exit::done;
 }
@@ -109,15 +113,15 @@ Run add_pack(CLI::App &app) {
   option("--order", c->order, "TEXT", "of the discs: shuffled by --seed (the default), or as given")
       ->check(CLI::IsMember({"shuffled", "given"}));
   option("--seed", c->seed, "K", "of drawn sizes, of the order and of random columns (1)");
-  option("--format", c->format, "TEXT", "of the report: text, json or csv")
-      ->check(CLI::IsMember({"text", "json", "csv"}));
+  c->output.add_format(command, "of the report: text, json or csv");
   command.add_flag("--positions", c->positions, "with --format json: centre and radius of every disc");
-  option("-o", c->out, "OUT",
+  option("-o", c->output.out, "OUT",
          "write the packing to OUT: a header, then x y r left right of each disc; - for standard "
          "output, without the report");
-  command.add_flag("--quiet", c->quiet, "no progress on standard error");
-  command.footer("Example: mdm pack --beta 1,1 --span 0.97 --at-least 25000 --seed 1 -o start.packing\n"
-                 "Example: mdm pack --apollonian -1,2,2,3 --smallest 1/1000");
+  c->output.add_quiet(command, "no progress on standard error");
+  command.footer(footer("", {"mdm pack --beta 1,1 --span 0.97 --at-least 25000 --seed 1 -o start.packing",
+                             "mdm pack sand.csv --spread --seed 1 --walls --rule drop",
+                             "mdm pack --apollonian -1,2,2,3 --smallest 1/1000"}));
   return [c] { return run(*c); };
 }
 

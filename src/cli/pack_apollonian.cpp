@@ -75,36 +75,38 @@ void ApollonianFlags::add_to(CLI::App &command) {
   command.add_flag("--count-only", count_only, "of an Apollonian packing: the number of circles alone");
 }
 
-int run_apollonian(const ApollonianFlags &flags, const std::string &format, const std::string &out,
-                   bool quiet) {
+int run_apollonian(const ApollonianFlags &flags, const OutputFlags &output) {
   if (!flags.smallest)
     throw InputError("--apollonian: circles without end: give the radius of the smallest by --smallest");
+  if (flags.count_only && output.out)
+    throw InputError("--count-only writes no packing: leave it out, or -o");
   const ApollonianGasket g = gasket(*flags.gasket);
   const Rational smallest = radius(*flags.smallest);
   const Rational most = 1 / smallest;
   std::atomic<std::uint64_t> counted = 0;
-  const Progress progress([&counted] { return fmt::format("counting, {} circles", counted.load()); }, quiet);
+  const Progress progress([&counted] { return fmt::format("counting, {} circles", counted.load()); },
+                          output.quiet);
   const auto count = [&] { return g.census(most, [&counted](std::uint64_t n) { counted = n; }); };
   if (flags.count_only) {
     print(std::to_string(count().circles) + "\n");
     return Exit::done;
   }
-  if (!out.empty()) {
+  if (output.out) {
     const Packing packing = g.packing(most);
-    Output file(out);
+    Output file(*output.out);
     write_packing(packing, [&file](std::string_view text) { file.write(text); });
     file.commit();
-    if (out == "-")
+    if (output.out == "-")
       return Exit::done;
   }
-  if (format == "csv") {
+  if (output.is_csv()) {
     Output csv("-");
     apollonian_csv(*flags.gasket, g, most, [&csv](std::string_view text) { csv.write(text); });
     csv.commit();
     return Exit::done;
   }
   const ApollonianReport report{*flags.gasket, smallest, g, count()};
-  print(format == "json" ? apollonian_json(report) + "\n" : apollonian_text(report));
+  print(output.is_json() ? apollonian_json(report) + "\n" : apollonian_text(report));
   return Exit::done;
 }
 

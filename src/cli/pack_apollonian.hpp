@@ -2,6 +2,8 @@
 /// \file
 /// The Apollonian packings of mdm pack.
 
+#include "cli/output_flags.hpp"
+
 #include <CLI/CLI.hpp>
 
 #include <optional>
@@ -17,8 +19,7 @@ struct ApollonianFlags {
   void add_to(CLI::App &command);
 };
 
-/// Counts, writes or describes a gasket. \param out empty: no packing file
-int run_apollonian(const ApollonianFlags &flags, const std::string &format, const std::string &out,
-                   bool quiet);
+/// Counts, writes or describes a gasket. \param output its `-o` is for the packing, beside the report
+int run_apollonian(const ApollonianFlags &flags, const OutputFlags &output);
 
 } // namespace mdm::cli

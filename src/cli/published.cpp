@@ -2,6 +2,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
@@ -227,9 +228,10 @@ Run add_published(CLI::App &app) {
   c->output.add_format(command, "text, json, or csv (the iterations)");
   c->output.add_out(command);
   c->output.add_quiet(command, "no progress on standard error");
-  command.footer(
-      "Exit code 3: the smallest match was not found within some seconds; the report has bounds.\n\n"
-      "Example: mdm published spanned-integer sand.csv --start 0.5 --increments 1");
+  command.footer(footer(
+      paragraph("Exit code 3: the smallest match was not found within some seconds; the report has bounds."),
+      {"mdm published rounded sand.csv", "mdm published fixed-size sand.csv --format csv",
+       "mdm published spanned-integer sand.csv --start 0.5 --increments 1"}));
   return [c] { return run(*c); };
 }
 

@@ -1,8 +1,10 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
+#include "cli/search_progress.hpp"
 #include "cli/solve_flags.hpp"
 
 #include <mdm/answer/answer.hpp>
@@ -15,6 +17,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 namespace mdm::cli {
@@ -26,6 +29,8 @@ struct SolveCommand {
   std::optional<std::string> proof, vipr, coq, specimen_id, seed;
   OutputFlags output;
   bool spectrum = false, spread = false, verbose = false;
+
+  bool asks_proof() const { return proof || vipr || coq; }
 };
 
 /// A side result of solve: a file that is to be written with the rest or not at all.
@@ -49,9 +54,10 @@ Target target(const SolveCommand &c, const Question &question) {
 }
 
 /// The gradation file that the checker reads beside the proof, where it cannot read the user's own.
+/// \pre c.proof
 std::optional<SideFile> readable_gradation(const SolveCommand &c, const Target &of,
                                            std::vector<std::string> &notes) {
-  if (!c.proof || of.unreadable.empty())
+  if (of.unreadable.empty())
     return std::nullopt;
   const std::string path = *c.proof + ".csv";
   check_distinct(
@@ -129,6 +135,36 @@ std::uint64_t seed_of(const SolveCommand &c) {
   return seed64("--seed", c.seed.value_or("1"));
 }
 
+/// The match, or what is known of it when Ctrl-C is pressed.
+Match searched(const Gradation &g, const Question &question, SolveOptions options, bool quiet) {
+  SearchProgress progress(quiet);
+  options.progress = progress.call();
+  Match m = solve(g, question, options);
+  if (!m.complete && Interrupt::was_pressed())
+    m.notes.push_back("the search was interrupted");
+  return m;
+}
+
+/// The proofs that were asked for. A note says where the gradation is written for mdm-check.
+/// \pre m.complete
+std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Match &m) {
+  const std::string &source = c.flags.source(c.file);
+  std::vector<SideFile> files;
+  const auto add = [&](const std::string &path, const std::function<std::string()> &text) {
+    files.push_back({std::make_unique<Output>(path), in_file(source, text)});
+  };
+  if (c.proof) {
+    add(*c.proof, [&] { return certificate(m); });
+    if (std::optional<SideFile> csv = readable_gradation(c, asked, m.notes))
+      files.push_back(std::move(*csv));
+  }
+  if (c.vipr)
+    add(*c.vipr, [&] { return vipr(m); });
+  if (c.coq)
+    add(*c.coq, [&] { return theorem(c, asked, m); });
+  return files;
+}
+
 int run(const SolveCommand &c) {
   check_files(c);
   Question question = c.flags.question();
@@ -137,14 +173,14 @@ int run(const SolveCommand &c) {
   const Target asked = target(c, question);
   Output out(c.output.path());
 
-  Progress progress([] { return std::string("solving"); }, c.output.quiet);
-  const SolveOptions options = c.flags.options(c.proof || c.vipr || c.coq);
   const std::string &source = c.flags.source(c.file);
+  const SolveOptions options = c.flags.options(c.asks_proof());
   Match m = in_file(source, [&] {
     if (c.proof || c.coq)
       check_certifiable(asked_gradation(asked.gradation, question), question);
-    return solve(asked.gradation, question, options);
+    return searched(asked.gradation, question, options, c.output.quiet);
   });
+  const Progress progress([] { return std::string("writing"); }, c.output.quiet);
   std::optional<Spectrum> reachable;
   if (c.spectrum)
     reachable = spectrum(m, options.limits);
@@ -153,18 +189,10 @@ int run(const SolveCommand &c) {
     particles = spread(m, seed);
 
   std::vector<SideFile> files;
-  if (c.proof && m.complete) {
-    files.push_back({std::make_unique<Output>(*c.proof), in_file(source, [&] { return certificate(m); })});
-    if (std::optional<SideFile> csv = readable_gradation(c, asked, m.notes))
-      files.push_back(std::move(*csv));
-  } else if ((c.proof || c.vipr || c.coq) && !m.complete) {
+  if (m.complete)
+    files = side_files(c, asked, m);
+  else if (c.asks_proof())
     m.notes.push_back("no proof was written: the limit came before the end");
-  }
-  if (c.vipr && m.complete)
-    files.push_back({std::make_unique<Output>(*c.vipr), in_file(source, [&] { return vipr(m); })});
-  if (c.coq && m.complete)
-    files.push_back(
-        {std::make_unique<Output>(*c.coq), in_file(source, [&] { return theorem(c, asked, m); })});
   for (const SideFile &file : files)
     file.output->write(file.text);
   report(c, m, reachable ? &*reachable : nullptr, particles ? &*particles : nullptr, out);
@@ -201,7 +229,10 @@ Run add_solve(CLI::App &app) {
   c->output.add_format(command);
   c->output.add_out(command, "write the answer");
   c->output.add_quiet(command, "no progress and no notes on standard error");
-  command.footer("Example: mdm solve sand.csv --min-per-class 10 --proof sand.proof");
+  command.footer(
+      footer("", {"mdm solve sand.csv --min-per-class 10 --proof sand.proof",
+                  "mdm solve sand.csv --tolerance retained:1%",
+                  "mdm solve sand.csv --specimen cylinder:50x100 --void-ratio 0.6 --format json"}));
   return [c] { return run(*c); };
 }
 

@@ -1,6 +1,7 @@
 #include "cli/solve_flags.hpp"
 
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/option_values.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -20,6 +21,7 @@ ScaleChoice scale_of(const std::string &text) {
 } // namespace
 
 void GradationFlags::add_to(CLI::App &command) {
+  const OptionGroup group(command, "The gradation");
   command.add_option("--law", law, "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5")
       ->type_name("LAW");
   command.add_option("--size-factor", size_factor, "multiply every size of the gradation by K")
@@ -46,6 +48,16 @@ Question GradationFlags::question() const {
 }
 
 void SolveFlags::add_to(CLI::App &command) {
+  add_question(command);
+  GradationFlags::add_to(command);
+  add_limits(command);
+  command.add_option("--digits", digits, "significant digits of sizes (15)")->type_name("D");
+  command.add_option("--scale", scale, "robust (sizes far from the sieves) or upper (largest sizes)")
+      ->type_name("WHICH");
+}
+
+void SolveFlags::add_question(CLI::App &command) {
+  const OptionGroup group(command, "The question");
   command
       .add_option(
           "--tolerance", tolerances,
@@ -70,10 +82,10 @@ void SolveFlags::add_to(CLI::App &command) {
       ->type_name("SHAPE");
   command.add_option("--void-ratio", void_ratio, "void ratio e of the specimen")->type_name("E");
   command.add_option("--solids-volume", solids_volume, "at least this volume of solids")->type_name("V");
-  GradationFlags::add_to(command);
-  command.add_option("--digits", digits, "significant digits of sizes (15)")->type_name("D");
-  command.add_option("--scale", scale, "robust (sizes far from the sieves) or upper (largest sizes)")
-      ->type_name("WHICH");
+}
+
+void SolveFlags::add_limits(CLI::App &command) {
+  const OptionGroup group(command, "Limits");
   command
       .add_option("--max-steps", max_steps,
                   "stop after so many steps (67108864), with what is certain (exit 3)")

@@ -43,6 +43,10 @@ struct SolveFlags : GradationFlags {
   Question question() const;
   /// The deadline counts from this call.
   SolveOptions options(bool keep_proof = false) const;
+
+private:
+  void add_question(CLI::App &command);
+  void add_limits(CLI::App &command);
 };
 
 } // namespace mdm::cli

@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/picture.hpp"
@@ -138,7 +139,9 @@ Run add_tradeoff(CLI::App &app) {
   c->output.add_format(command);
   c->output.add_out(command, "write the tables");
   c->output.add_quiet(command, "no progress and no notes on standard error");
-  command.footer("Example: mdm tradeoff sand.csv --kind passing --tolerances 0,0.5,1,2 --plot sand.svg");
+  command.footer(footer("", {"mdm tradeoff sand.csv",
+                             "mdm tradeoff sand.csv --kind passing --tolerances 0,0.5,1,2 --plot sand.svg",
+                             "mdm tradeoff sand.csv --min-per-class 10 --format csv -o sand-tradeoff.csv"}));
   return [c] { return run(*c); };
 }
 

@@ -1,5 +1,6 @@
 #include "cli/usage_error.hpp"
 
+#include "text/nearest_name.hpp"
 #include "text/short_list.hpp"
 
 #include <mdm/text/error.hpp>
@@ -22,6 +23,20 @@ std::string quoted_between(const std::string &text, std::string_view before, std
          text.substr(end + after.size());
 }
 
+/// The option of the command that was given, or else of the program, that `word` may have been meant to be.
+std::string did_you_mean(const std::string &word, const CLI::App &app) {
+  if (!word.starts_with("--"))
+    return "";
+  const std::vector<CLI::App *> commands = app.get_subcommands();
+  std::vector<std::string> names;
+  for (const CLI::Option *option : (commands.empty() ? app : *commands.front()).get_options())
+    for (const std::string &name : option->get_lnames())
+      names.push_back("--" + name);
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const std::string_view meant = nearest_name(word.substr(0, word.find('=')), views);
+  return meant.empty() ? "" : "; did you mean " + std::string(meant) + "?";
+}
+
 } // namespace
 
 std::string usage_error(const CLI::ParseError &error, const CLI::App &app) {
@@ -31,7 +46,8 @@ std::string usage_error(const CLI::ParseError &error, const CLI::App &app) {
     ShortList list;
     for (const std::string &argument : unknown)
       list.add(argument);
-    return list.text() + (list.size() == 1 ? " was" : " were") + " not expected";
+    return list.text() + (list.size() == 1 ? " was" : " were") + " not expected" +
+           did_you_mean(unknown.front(), app);
   }
   const std::string text = error.what();
   constexpr std::string_view unconverted = "Could not convert: ";

@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
@@ -294,11 +295,15 @@ Run add_verify(CLI::App &app) {
   c->output.add_format(command);
   c->output.add_out(command, "write the report");
   c->output.add_quiet(command, "no progress and no notes on standard error");
-  command.footer(
-      "Example: mdm verify sand.csv packing.txt --from xyzr --size-unit m --tolerance 1%\n"
-      "Errors are target minus found (Arnold, Eq. 13), of shares of the mass; error_as_given, in JSON, of "
-      "masses.\nExit 0 if no particle lies outside all classes and every share is within the tolerance; 1 if "
-      "not; 3 if an irrational law leaves it open.");
+  command.footer(footer(
+      paragraph("Errors are target minus found (Arnold, Eq. 13), of shares of the mass; error_as_given, "
+                "in JSON, of masses.") +
+          "\n" +
+          paragraph("Exit 0 if no particle lies outside all classes and every share is within the "
+                    "tolerance; 1 if not; 3 if an irrational law leaves it open."),
+      {"mdm verify sand.csv packing.txt --from xyzr --size-unit m --tolerance 1%",
+       "mdm verify sand.csv sand-settled.dump --tolerance 1e-6",
+       "mdm verify sand.csv sizes.csv --format json -o report.json"}));
   return [c] { return run(*c); };
 }
 

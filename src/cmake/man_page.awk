@@ -1,7 +1,7 @@
 # awk -v page=mdm-solve -v version=0.1.0 -f man_page.awk: the text of a --help as a page in roff, for man.
 #
 # The help has a sentence and `Usage: ...`, or the usage alone in its first line; headings that end with a colon over
-# entries that are indented by two spaces; and paragraphs, in which `Example:` begins a command.
+# entries that are indented by two spaces; paragraphs, and commands below `Example:` or `Examples:`.
 
 { line[++lines] = $0 }
 
@@ -74,7 +74,7 @@ END {
     if (line[i] == "") {
       paragraph = described
       ++i
-    } else if (line[i] == "Example:") {
+    } else if (line[i] ~ /^Examples?:$/) {
       for (++i; line[i] ~ /^ /; ++i)
         put_command(line[i])
     } else if (is_heading(i)) {

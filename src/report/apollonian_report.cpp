@@ -1,6 +1,7 @@
 #include "report/apollonian_report.hpp"
 
 #include "answer/json_values.hpp"
+#include "text/long_text.hpp"
 #include "text/text_table.hpp"
 #include "text/versions.hpp"
 
@@ -14,8 +15,6 @@ namespace {
 constexpr unsigned digits = 12;
 /// For people.
 constexpr unsigned few_digits = 5;
-/// What is streamed is handed on in parts of some such length.
-constexpr std::size_t part = std::size_t{1} << 16;
 
 /// Decimals around the covered share.
 Enclosure covered(const ApollonianReport &r) {
@@ -81,19 +80,14 @@ std::string apollonian_json(const ApollonianReport &r) {
 void apollonian_csv(const std::string &name, const ApollonianGasket &gasket, const Rational &most,
                     const Sink &sink) {
   const bool surd = name == "equal";
-  std::string text = fmt::format(
-      "# Apollonian packing {}: curvature k = p{}, centre ({}), the outer circle's is 0\n"
-      "p,q,x,y\n",
-      name, surd ? " + q sqrt 3" : "",
-      surd ? std::string("x / k, y / (k sqrt 3)") : fmt::format("x / ({0} k), y / ({0} k)", gasket.scale()));
-  gasket.each(most, [&](const ApollonianCircle &c) {
-    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", c.p, c.q, c.x, c.y);
-    if (text.size() > part) {
-      sink(text);
-      text.clear();
-    }
-  });
-  sink(text);
+  TextBuffer text(sink);
+  text.add("# Apollonian packing {}: curvature k = p{}, centre ({}), the outer circle's is 0\n"
+           "p,q,x,y\n",
+           name, surd ? " + q sqrt 3" : "",
+           surd ? std::string("x / k, y / (k sqrt 3)")
+                : fmt::format("x / ({0} k), y / ({0} k)", gasket.scale()));
+  gasket.each(most, [&](const ApollonianCircle &c) { text.add("{},{},{},{}\n", c.p, c.q, c.x, c.y); });
+  text.finish();
 }
 
 } // namespace mdm

@@ -31,6 +31,19 @@ std::string percent(const Interval &y, unsigned digits) {
   return lo == hi ? lo : "[" + lo + ", " + hi + "]";
 }
 
+/// The share of class j in the sample in percent; as a difference from the target, `44.86 - 3e-8`, where as
+/// many digits would not tell them apart or only look different for being cut.
+std::string found_percent(const MatchError &e, std::size_t j, unsigned digits) {
+  const Interval &difference = e.normalised[j]; // target - found
+  const Rational least = std::min(abs(difference.lo), abs(difference.hi));
+  const bool is_sure = difference.lo > 0 || difference.hi < 0;
+  if (!is_sure || least * Rational(power_of_ten(digits - 1)) >= e.shares[j].lo)
+    return percent(e.shares[j], digits);
+  constexpr unsigned few_digits = 2;
+  return percent(e.targets[j], digits) + (difference.lo > 0 ? " - " : " + ") +
+         approximate(Rational(100 * least), few_digits);
+}
+
 /// Enough digits for a reader who computes on with an enclosure.
 constexpr unsigned enclosure_digits = 30;
 
@@ -120,7 +133,7 @@ ConditionReport accurately(const Verification &v) {
     const auto wrong = std::find_if(e.normalised.begin(), e.normalised.end(),
                                     [](const Interval &error) { return error.lo > 0 || error.hi < 0; });
     const auto j = static_cast<std::size_t>(wrong - e.normalised.begin());
-    c.reason = fmt::format("{} has {} % of the mass, not {} %", class_name(j), percent(e.shares[j], v.digits),
+    c.reason = fmt::format("{} has {} % of the mass, not {} %", class_name(j), found_percent(e, j, v.digits),
                            percent(e.targets[j], v.digits));
   }
   return c;
@@ -144,7 +157,7 @@ void add_table(Buffer &out, const Verification &v) {
   for (std::size_t j = 0; j < g.classes(); ++j)
     lines.push_back({std::to_string(j + 1), "(" + g.opening_text(j) + ", " + g.opening_text(j + 1) + "]",
                      to_string(v.description.of_class(j).count), percent(v.error.targets[j], v.digits),
-                     percent(v.error.shares[j], v.digits), percent(v.error.normalised[j], v.digits)});
+                     found_percent(v.error, j, v.digits), percent(v.error.normalised[j], v.digits)});
   add(out, "{}", text_table(lines, "><>"));
 }
 

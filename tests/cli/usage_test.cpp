@@ -6,8 +6,18 @@ using namespace cli_test;
 
 namespace {
 
-constexpr const char *commands[] = {"solve",      "batch",     "convert", "describe", "verify",
-                                    "crosscheck", "published", "study",   "plot"};
+constexpr const char *commands[] = {"solve",      "batch",     "convert",  "describe", "verify",
+                                    "crosscheck", "published", "generate", "pack",     "study",
+                                    "tradeoff",   "plot",      "export",   "completion"};
+
+/// The length of the longest line.
+std::size_t columns(const std::string &text) {
+  std::size_t most = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    most = std::max(most, line.size());
+  return most;
+}
 
 } // namespace
 
@@ -19,7 +29,8 @@ TEST_CASE("help has an example and exits with 0", "[cli]") {
     const Outcome outcome = mdm(arguments);
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.err.empty());
-    CHECK(outcome.out.find("Example: mdm ") != std::string::npos);
+    CHECK(outcome.out.find("\n  mdm ") != std::string::npos);
+    CHECK(columns(outcome.out) <= 100);
     CHECK(outcome.out.back() == '\n');
     CHECK(outcome.out.front() != '\n');
   }
@@ -30,8 +41,14 @@ TEST_CASE("help has an example and exits with 0", "[cli]") {
       CHECK(mdm({command, "--help"}).out.find(option) != std::string::npos);
 }
 
+TEST_CASE("the help of a command is also that of the command help", "[cli]") {
+  CHECK(mdm({"help"}).out == mdm({"--help"}).out);
+  CHECK(mdm({"help", "solve"}).out == mdm({"solve", "--help"}).out);
+  check_refused(mdm({"help", "sovle"}), "did you mean solve?");
+}
+
 TEST_CASE("the version names the program and its libraries", "[cli]") {
-  std::vector<Arguments> all = {{"--version"}};
+  std::vector<Arguments> all = {{"--version"}, {"-V"}, {"solve", "-V"}};
   for (const char *command : commands)
     all.push_back({command, "--version"});
   for (const Arguments &arguments : all) {
@@ -52,6 +69,16 @@ TEST_CASE("an unknown command names the commands that there are", "[cli]") {
       CHECK(outcome.err.find(command) != std::string::npos);
   }
   check_refused(mdm({"\x1B[31m\xFF\n" + std::string(1000, 'x')}));
+}
+
+TEST_CASE("a mistyped command or option names the nearest one", "[cli]") {
+  check_refused(mdm({"slove", "a"}), "'slove' is no command; did you mean solve?");
+  check_refused(mdm({"VERIFY"}), "did you mean verify?");
+  check_refused(mdm({"solve", "a", "--tolerence", "1%"}), "did you mean --tolerance?");
+  check_refused(mdm({"solve", "a", "--tolerence=1%"}), "did you mean --tolerance?");
+  check_refused(mdm({"--versoin"}), "did you mean --version?");
+  for (const Arguments &arguments : {Arguments{"xyzzy"}, Arguments{"solve", "a", "--xyzzy"}})
+    CHECK(mdm(arguments).err.find("did you mean") == std::string::npos);
 }
 
 TEST_CASE("command lines that are wrong point to the help", "[cli]") {

@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// What the forms of an answer share: the texts of its classes.
+
+#include <mdm/match/match.hpp>
+#include <mdm/match/spread.hpp>
+
+#include <string>
+#include <vector>
+
+namespace mdm {
+
+/// One class of the gradation as all forms show it.
+struct AnswerRow {
+  std::string lower, upper, mass;
+  std::string quantity;            ///< empty: no answer
+  const Enclosure *size = nullptr; ///< nothing for an empty class
+
+  std::string sizes() const { return "(" + lower + ", " + upper + "]"; }
+};
+
+/// A row for each class; its sizes are those of `m`, which must outlive it.
+std::vector<AnswerRow> answer_rows(const Match &m);
+
+/// The margin, which has three digits; with an exponent if it is tiny.
+std::string margin_text(const MatchScale &scale);
+
+/// Calls take(size) for every particle of a class.
+template <class Take>
+void for_each_size(const ClassSpread &c, unsigned digits, Take take) {
+  ClassSpread::Masses masses = c.masses();
+  for (std::uint64_t i = 0; i < c.quantity(); ++i)
+    take(c.size(masses.next(), digits));
+}
+
+} // namespace mdm

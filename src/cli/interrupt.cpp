@@ -1,0 +1,38 @@
+#include "cli/interrupt.hpp"
+
+#include <atomic>
+#include <csignal>
+
+namespace mdm::cli {
+namespace {
+
+std::atomic<bool> pressed = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+struct sigaction before {};
+
+void note(int signal) {
+  pressed = true;
+  sigaction(signal, &before, nullptr);
+}
+
+} // namespace
+
+Interrupt::Interrupt() {
+  pressed = false;
+  sigaction(SIGINT, nullptr, &before);
+  if (before.sa_handler == SIG_IGN)
+    return;
+  struct sigaction action {};
+  action.sa_handler = note;
+  sigaction(SIGINT, &action, nullptr);
+}
+
+Interrupt::~Interrupt() {
+  sigaction(SIGINT, &before, nullptr);
+}
+
+bool Interrupt::was_pressed() {
+  return pressed;
+}
+
+} // namespace mdm::cli
