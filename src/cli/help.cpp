@@ -47,6 +47,13 @@ std::string HelpFormatter::make_option(const CLI::Option *option, bool is_positi
   return entry(make_option_name(option, is_positional) + make_option_opts(option), make_option_desc(option));
 }
 
+std::string HelpFormatter::make_help(const CLI::App *app, std::string name, CLI::AppFormatMode mode) const {
+  std::string text = Formatter::make_help(app, std::move(name), mode);
+  for (std::size_t i = text.find("\n\n\n"); i != std::string::npos; i = text.find("\n\n\n", i))
+    text.erase(i, 1);
+  return text;
+}
+
 std::string HelpFormatter::make_subcommand(const CLI::App *sub) const {
   return entry(sub->get_name(), sub->get_description());
 }

@@ -214,6 +214,7 @@ Run add_solve(CLI::App &app) {
   command.add_option("FILE", c->file,
                      "gradation: CSV, JSON or AGS4; - for standard input; needed unless there is a --band");
   c->flags.add_to(command);
+  const OptionGroup group(command, "The answer");
   command.add_option("--proof", c->proof, "write the certificate for mdm-check")->type_name("OUT");
   command.add_option("--vipr", c->vipr, "write the proof in the VIPR format (at most 200 classes)")
       ->type_name("OUT");

@@ -51,6 +51,7 @@ void SolveFlags::add_to(CLI::App &command) {
   add_question(command);
   GradationFlags::add_to(command);
   add_limits(command);
+  const OptionGroup group(command, "The answer");
   command.add_option("--digits", digits, "significant digits of sizes (15)")->type_name("D");
   command.add_option("--scale", scale, "robust (sizes far from the sieves) or upper (largest sizes)")
       ->type_name("WHICH");

@@ -6,8 +6,8 @@ using namespace cli_test;
 
 namespace {
 
-constexpr const char *commands[] = {"solve",      "batch",     "convert",  "describe", "verify",
-                                    "crosscheck", "published", "generate", "pack",     "study",
+constexpr const char *commands[] = {"solve",      "batch",     "convert",  "describe",  "verify",
+                                    "crosscheck", "published", "generate", "pack",      "study",
                                     "tradeoff",   "plot",      "export",   "completion"};
 
 /// The length of the longest line.

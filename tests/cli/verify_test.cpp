@@ -139,6 +139,10 @@ TEST_CASE("verify: a hand-made match, and it with one particle less or a size ov
   CHECK(less.at("worst_class") == "1");
   CHECK(reason(less, "accurately") == "class 1 has 5.88235 % of the mass, not 11.1111 %");
 
+  const std::string barely = "size_mm,mass\n1,8.000000001\n2,0\n3,64\n4,0\n";
+  CHECK(reason(verify_json(barely, sample("2,1\n4,1\n"), 1), "accurately") ==
+        "class 1 has 11.1111 - 1.2e-9 % of the mass, not 11.1111 %");
+
   const Json moved = verify_json(three, sample("2.000000001,1\n4,1\n"), 1);
   CHECK(moved.at("classes").at(1).at("quantity") == "1");
   CHECK(moved.at("worst_class") == "2");
