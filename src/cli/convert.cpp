@@ -46,7 +46,7 @@ Run add_convert(CLI::App &app) {
   add_specimen_id(command, c->specimen_id);
   c->output.add_quiet(command, "no notes on standard error");
   command.footer(footer("", {"mdm convert report.ags --specimen-id BH1 -o sand.csv",
-                             "mdm convert half-phi.csv --format csv | mdm solve - --tolerance 1%",
+                             "mdm convert half-phi.csv --format csv | mdm solve - --tolerance retained:1%",
                              "mdm convert sand.csv -o sand.json"}));
   return [c] { return run(*c); };
 }

@@ -130,7 +130,7 @@ void check_options(const CrosscheckCommand &c) {
     throw InputError("--by is for a file of ANSWERS: a solver answers once");
   if (c.answers == "-" && c.suite == "-")
     throw InputError("standard input cannot be both SUITE and ANSWERS: name a file for one of them");
-  if (c.output.format == "text" && c.output.out == "-")
+  if (c.output.is_text() && c.output.out == "-")
     throw InputError("-o -: standard output has the summary: use --format csv");
   if (c.journal == "-")
     throw InputError("--journal needs a file: name one");
@@ -144,7 +144,7 @@ public:
   Report(const CrosscheckCommand &command, Rational size_tolerance)
       : command_(command),
         size_tolerance_(std::move(size_tolerance)), columns_{command.by.value_or(""), command.reasons} {
-    if (command.output.format != "text" || command.output.out)
+    if (!command.output.is_text() || command.output.out)
       rows_to_.emplace(command.output.path());
     if (json())
       begin_json();
@@ -167,7 +167,7 @@ public:
       end_json(notes);
     else if (rows_to_)
       rows_to_->write(csv_header());
-    if (command_.output.format == "text") {
+    if (command_.output.is_text()) {
       Output out("-");
       out.write(text(gradations, notes));
       out.commit();
@@ -346,6 +346,7 @@ Run add_crosscheck(CLI::App &app) {
                   "stop the search for a smallest match after so many steps (67108864; undecided, exit 3)")
       ->type_name("N");
   c->output.add_format(command, "text (the summary), csv (the rows) or json (both)");
+  c->output.out_has_report = false; // with text, it has the rows
   c->output.add_out(command, "write csv or json")
       ->description("write csv or json to OUT instead of standard output; with text, the rows as CSV");
   c->output.add_quiet(command, "no progress and no notes on standard error");

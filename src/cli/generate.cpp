@@ -106,7 +106,7 @@ void check(const GenerateCommand &c) {
   if (c.classes && c.classing == "sieves")
     throw InputError("--classes: between the sieves there are as many as the file has: leave it out, or use "
                      "--classing regular, geometric or isochoric");
-  if (c.sizes && c.output.format == "text")
+  if (c.sizes && c.output.is_text())
     throw InputError("--sizes: text has no place for them: use --format json or csv");
   if (c.spread && c.method != "match")
     throw InputError("--spread: it is of --method match; --method paper draws sizes anyhow, with --seed K");

@@ -44,7 +44,11 @@ std::string HelpFormatter::make_description(const CLI::App *app) const {
 }
 
 std::string HelpFormatter::make_option(const CLI::Option *option, bool is_positional) const {
-  return entry(make_option_name(option, is_positional) + make_option_opts(option), make_option_desc(option));
+  std::string name = make_option_name(option, is_positional) + make_option_opts(option);
+  constexpr std::string_view dots = " ..."; // of options that may be repeated; a value each
+  if (!option->get_allow_extra_args() && name.ends_with(dots))
+    name.resize(name.size() - dots.size());
+  return entry(name, make_option_desc(option));
 }
 
 std::string HelpFormatter::make_help(const CLI::App *app, std::string name, CLI::AppFormatMode mode) const {

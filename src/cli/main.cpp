@@ -76,7 +76,7 @@ std::string no_command(const std::string &word, const std::vector<Command> &comm
   const std::vector<std::string_view> views(all.begin(), all.end());
   const std::string_view meant = mdm::nearest_name(word, views);
   return "mdm: " + mdm::in_quotes(word) + " is no command" +
-         (meant.empty() ? "" : "; did you mean " + std::string(meant) + "?") + "; there are " +
+         (meant.empty() ? "" : " (did you mean " + std::string(meant) + "?)") + "; there are " +
          names(commands);
 }
 

@@ -2,10 +2,12 @@
 
 #include "cli/files.hpp"
 
+#include <filesystem>
+
 namespace mdm::cli {
 
 void OutputFlags::add_format(CLI::App &command, const std::string &help) {
-  command.add_option("--format", format, help)->check(CLI::IsMember({"text", "json", "csv"}));
+  command.add_option("--format", asked_format, help)->check(CLI::IsMember({"text", "json", "csv"}));
 }
 
 CLI::Option *OutputFlags::add_out(CLI::App &command, const std::string &help) {
@@ -14,6 +16,13 @@ CLI::Option *OutputFlags::add_out(CLI::App &command, const std::string &help) {
 
 void OutputFlags::add_quiet(CLI::App &command, const std::string &help) {
   command.add_flag("--quiet", quiet, help);
+}
+
+std::string OutputFlags::format() const {
+  if (asked_format)
+    return *asked_format;
+  const std::string ending = out_has_report ? std::filesystem::path(path()).extension().string() : "";
+  return ending == ".json" ? "json" : ending == ".csv" ? "csv" : "text";
 }
 
 void OutputFlags::tell_notes(const std::vector<std::string> &notes) const {

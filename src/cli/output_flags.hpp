@@ -12,17 +12,21 @@ namespace mdm::cli {
 
 /// How, where and how loudly a command answers: --format, -o and --quiet. The help names what is written.
 struct OutputFlags {
-  std::string format = "text";
+  std::optional<std::string> asked_format;
+  bool out_has_report = true; ///< the ending of -o tells the format where --format does not
   std::optional<std::string> out;
   bool quiet = false;
 
-  void add_format(CLI::App &command, const std::string &help = "text, json or csv");
+  void add_format(CLI::App &command, const std::string &help = "text, json or csv; else as OUT ends, else text");
   /// \param help completed by "to OUT instead of standard output"
   CLI::Option *add_out(CLI::App &command, const std::string &help = "write");
   void add_quiet(CLI::App &command, const std::string &help);
 
-  bool is_json() const { return format == "json"; }
-  bool is_csv() const { return format == "csv"; }
+  /// text, json or csv.
+  std::string format() const;
+  bool is_text() const { return format() == "text"; }
+  bool is_json() const { return format() == "json"; }
+  bool is_csv() const { return format() == "csv"; }
   /// `-` for standard output.
   std::string path() const { return out.value_or("-"); }
   /// The report in the form that was asked for; the functions make it.

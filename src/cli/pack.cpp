@@ -113,6 +113,7 @@ Run add_pack(CLI::App &app) {
   option("--order", c->order, "TEXT", "of the discs: shuffled by --seed (the default), or as given")
       ->check(CLI::IsMember({"shuffled", "given"}));
   option("--seed", c->seed, "K", "of drawn sizes, of the order and of random columns (1)");
+  c->output.out_has_report = false;
   c->output.add_format(command, "of the report: text, json or csv");
   command.add_flag("--positions", c->positions, "with --format json: centre and radius of every disc");
   option("-o", c->output.out, "OUT",

@@ -145,6 +145,14 @@ Match searched(const Gradation &g, const Question &question, SolveOptions option
   return m;
 }
 
+std::string no_proof(const SolveCommand &c) {
+  std::string note = "no proof was written: the limit came before the end";
+  for (const std::optional<std::string> &path : {c.proof, c.vipr, c.coq})
+    if (path && std::filesystem::exists(*path))
+      note += "; " + printable(*path) + " is that of an earlier run";
+  return note;
+}
+
 /// The proofs that were asked for. A note says where the gradation is written for mdm-check.
 /// \pre m.complete
 std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Match &m) {
@@ -192,7 +200,7 @@ int run(const SolveCommand &c) {
   if (m.complete)
     files = side_files(c, asked, m);
   else if (c.asks_proof())
-    m.notes.push_back("no proof was written: the limit came before the end");
+    m.notes.push_back(no_proof(c));
   for (const SideFile &file : files)
     file.output->write(file.text);
   report(c, m, reachable ? &*reachable : nullptr, particles ? &*particles : nullptr, out);

@@ -11,6 +11,8 @@
 namespace mdm::cli {
 namespace {
 
+/// The exit code of /bin/sh for a command that is not there.
+constexpr int not_found = 127;
 constexpr std::size_t most_output = std::size_t{64} << 20;
 
 /// The last words of the program on its standard error.
@@ -55,7 +57,9 @@ OtherAnswer Solver::ask(const Gradation &g) const {
     break;
   }
   if (end.code != 0)
-    return failed(AnswerVerdict::crashed, fmt::format("exit code {}{}", end.code, said(end)));
+    return failed(AnswerVerdict::crashed,
+                  fmt::format("exit code {}{}{}", end.code,
+                              end.code == not_found ? ": /bin/sh did not find it" : "", said(end)));
   if (end.output.find_first_not_of(" \t\r\n") == std::string::npos)
     return failed(AnswerVerdict::no_answer, "no output" + said(end));
   OtherAnswer answer = json_answer(end.output);

@@ -4,7 +4,7 @@
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/picture.hpp"
-#include "cli/progress.hpp"
+#include "cli/search_progress.hpp"
 #include "cli/solve_flags.hpp"
 #include "plot/tradeoff_figure.hpp"
 #include "report/tradeoff_report.hpp"
@@ -75,6 +75,13 @@ bool is_complete(const std::vector<TradeoffRow> &rows) {
   return std::all_of(rows.begin(), rows.end(), [](const TradeoffRow &row) { return row.is_optimal(); });
 }
 
+/// Both curves, or what is certain of them when Ctrl-C is pressed.
+Tradeoff searched(const TradeoffCommand &c, const Gradation &g, const Question &q, TradeoffOptions o) {
+  SearchProgress progress(c.output.quiet);
+  o.progress = progress.call();
+  return in_file(c.file, [&] { return tradeoff(g, q, o); });
+}
+
 int run(const TradeoffCommand &c) {
   if (c.plot == "-")
     throw InputError("--plot needs a file: standard output has the tables");
@@ -87,8 +94,7 @@ int run(const TradeoffCommand &c) {
   const Gradation g =
       read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.specimen_id);
   Output out(c.output.path());
-  Progress progress([] { return std::string("solving"); }, c.output.quiet);
-  const Tradeoff t = in_file(c.file, [&] { return tradeoff(g, q, o); });
+  const Tradeoff t = searched(c, g, q, o);
   std::unique_ptr<Output> plot;
   if (picture) {
     plot = std::make_unique<Output>(*c.plot);

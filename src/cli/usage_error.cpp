@@ -34,7 +34,7 @@ std::string did_you_mean(const std::string &word, const CLI::App &app) {
       names.push_back("--" + name);
   const std::vector<std::string_view> views(names.begin(), names.end());
   const std::string_view meant = nearest_name(word.substr(0, word.find('=')), views);
-  return meant.empty() ? "" : "; did you mean " + std::string(meant) + "?";
+  return meant.empty() ? "" : " (did you mean " + std::string(meant) + "?)";
 }
 
 } // namespace

@@ -219,7 +219,7 @@ int run(const VerifyCommand &c) {
   check_distinct({c.gradation, c.output.path()});
   check_distinct({c.sample, c.output.path()});
   if (c.gradation != "-" && is_file_of_disc_sizes(c.gradation)) {
-    if (c.output.format != "text")
+    if (!c.output.is_text())
       throw InputError("--format: packings are judged in text; mdm pack --format writes their reports");
     return verify_packing(c.gradation, c.sample, c.output.path());
   }

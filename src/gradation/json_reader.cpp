@@ -216,6 +216,9 @@ bool Handler::key(std::string &name) {
 
 /// A key that means nothing to the reader may mean something to its writer.
 void Handler::refuse_key(const std::string &name) const {
+  if (name == "schema")
+    refuse(
+        "this is no gradation but what a command of mdm wrote: give the gradation that it was asked about");
   const std::string_view meant = nearest_name(name, key_names);
   if (!meant.empty())
     refuse(fmt::format("key {} is unknown: is it \"{}\"?", in_quotes(name), meant));

@@ -2,6 +2,7 @@
 
 #include "match/problem.hpp"
 #include "match/tolerant_match.hpp"
+#include "match/watch.hpp"
 #include "number/common_denominator.hpp"
 
 #include <algorithm>
@@ -9,17 +10,28 @@
 namespace mdm {
 namespace {
 
-Limits limits_of_row(const TradeoffOptions &options) {
-  Limits limits = options.limits;
-  limits.keep_proof = false;
-  if (options.time_limit)
-    limits.deadline = std::chrono::steady_clock::now() + *options.time_limit;
-  return limits;
-}
+/// The limits of each row and the one watch of all.
+class Rows {
+public:
+  explicit Rows(const TradeoffOptions &options)
+      : limits_(options.limits), time_limit_(options.time_limit), watch_(std::nullopt, options.progress) {
+    limits_.keep_proof = false;
+  }
+
+  const Limits &limits() const { return limits_; }
+  /// Of a row that begins now.
+  Watch watch() const {
+    return time_limit_ ? watch_.until(std::chrono::steady_clock::now() + *time_limit_) : watch_;
+  }
+
+private:
+  Limits limits_;
+  std::optional<std::chrono::milliseconds> time_limit_;
+  Watch watch_;
+};
 
 /// The smallest sieves that can be kept; a sieve that retains nothing keeps what the next larger one does.
-std::vector<TradeoffRow> exact_rows(const Gradation &g, const Question &question,
-                                    const TradeoffOptions &options) {
+std::vector<TradeoffRow> exact_rows(const Gradation &g, const Question &question, const Rows &of) {
   const Rational all = sum(g.masses());
   std::vector<TradeoffRow> rows;
   Rational lost = 0;
@@ -27,7 +39,7 @@ std::vector<TradeoffRow> exact_rows(const Gradation &g, const Question &question
     if (g.mass(j) == 0)
       continue;
     const Problem problem(g.from_class(j), question.law, question.min_per_class);
-    const LeastMatch found = least_match(problem, limits_of_row(options));
+    const LeastMatch found = least_match(problem, of.limits(), of.watch());
     const Integer bound = total(found.q);
     rows.push_back(
         {0, g.opening(j), Rational(lost / all), found.complete ? bound : total(some_match(problem)), bound});
@@ -37,14 +49,14 @@ std::vector<TradeoffRow> exact_rows(const Gradation &g, const Question &question
 }
 
 TradeoffRow tolerant_row(const Gradation &g, const Question &question, const AskedTolerance &asked,
-                         const TradeoffOptions &options, const TradeoffRow &exact) {
+                         const Rows &of, const TradeoffRow &exact) {
   TradeoffRow row = exact;
   row.tolerance = asked.percent;
   if (asked.percent == 0)
     return row;
   const TolerantProblem problem(g, question.law, tolerance_of(g, {asked}, std::nullopt, 1),
                                 {question.min_per_class, 1, std::nullopt});
-  const TolerantResult found = tolerant_match(problem, limits_of_row(options));
+  const TolerantResult found = tolerant_match(problem, of.limits(), std::nullopt, of.watch());
   row.lower_bound = found.lower_bound;
   if (found.best)
     row.particles = std::min(row.particles, total(found.best->q));
@@ -63,14 +75,15 @@ void share_bounds(std::vector<TradeoffRow> &rows) {
 
 Tradeoff tradeoff(Gradation g, const Question &question, const TradeoffOptions &options) {
   Tradeoff result{question, asked_gradation(std::move(g), question), options.kind, {}, {}};
-  result.by_sieve = exact_rows(result.gradation, question, options);
+  const Rows of(options);
+  result.by_sieve = exact_rows(result.gradation, question, of);
   share_bounds(result.by_sieve);
   std::vector<Rational> tolerances = options.tolerances;
   std::sort(tolerances.begin(), tolerances.end());
   tolerances.erase(std::unique(tolerances.begin(), tolerances.end()), tolerances.end());
   for (const Rational &percent : tolerances)
     result.by_tolerance.push_back(
-        tolerant_row(result.gradation, question, {options.kind, percent}, options, result.exact()));
+        tolerant_row(result.gradation, question, {options.kind, percent}, of, result.exact()));
   share_bounds(result.by_tolerance);
   return result;
 }

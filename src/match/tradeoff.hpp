@@ -5,6 +5,7 @@
 #include "match/least_match.hpp"
 
 #include <mdm/match/question.hpp>
+#include <mdm/match/solve.hpp>
 
 #include <chrono>
 
@@ -27,6 +28,8 @@ struct TradeoffOptions {
   std::vector<Rational> tolerances;                           ///< percentage points
   Limits limits;                                              ///< of each row, but its deadline
   std::optional<std::chrono::milliseconds> time_limit;        ///< of each row
+  /// As SolveOptions::progress, of the row that is worked on; false ends all rows as a limit does.
+  ProgressCall progress;
 };
 
 /// Both curves. Along each, neither `particles` nor `lower_bound` rises: what matches within a tolerance does

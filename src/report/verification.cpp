@@ -133,8 +133,9 @@ ConditionReport accurately(const Verification &v) {
     const auto wrong = std::find_if(e.normalised.begin(), e.normalised.end(),
                                     [](const Interval &error) { return error.lo > 0 || error.hi < 0; });
     const auto j = static_cast<std::size_t>(wrong - e.normalised.begin());
-    c.reason = fmt::format("{} has {} % of the mass, not {} %", class_name(j), found_percent(e, j, v.digits),
-                           percent(e.targets[j], v.digits));
+    c.reason = fmt::format("{} has {} % of the mass, not {} %{}", class_name(j),
+                           found_percent(e, j, v.digits), percent(e.targets[j], v.digits),
+                           v.verdict() == Verdict::match ? "; every share is within the tolerance" : "");
   }
   return c;
 }

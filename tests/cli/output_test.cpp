@@ -37,6 +37,17 @@ TEST_CASE("option -o writes what standard output would have", "[cli]") {
   CHECK(mdm({"solve", athabasca, "-o", "-"}).out == read_file(folder / "answer.txt"));
 }
 
+TEST_CASE("the ending of -o tells the format where --format does not", "[cli]") {
+  const TemporaryFolder folder;
+  for (const std::string format : {"json", "csv"}) {
+    const std::string path = folder / ("answer." + format);
+    CHECK(mdm({"solve", athabasca, "-o", path}).exit_code == 0);
+    CHECK(read_file(path) == mdm({"solve", athabasca, "--format", format}).out);
+    CHECK(mdm({"solve", athabasca, "--format", "text", "-o", path}).exit_code == 0);
+    CHECK(read_file(path) == mdm({"solve", athabasca}).out);
+  }
+}
+
 TEST_CASE("option -o replaces a file and keeps its mode", "[cli]") {
   const TemporaryFolder folder;
   const std::string path = folder.write("answer.txt", "old");
@@ -165,6 +176,17 @@ TEST_CASE("Ctrl-C ends a search with what is certain", "[cli]") {
     CHECK(outcome.out.find("the search was interrupted") != std::string::npos);
     CHECK(outcome.out.find(format == "text" ? "stopped at a limit" : "\"lower_bound\"") != std::string::npos);
   }
+}
+
+TEST_CASE("Ctrl-C ends a trade-off with the rows so far and brackets around the others", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("many.csv", lognormal_csv());
+  Process search(MDM_PROGRAM, {"tradeoff", file, "--kind", "passing", "--tolerances", "0,0.3"});
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  search.signal(SIGINT);
+  const Outcome outcome = search.end();
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.out.find('[') != std::string::npos);
 }
 
 TEST_CASE("a folder, and a path in a folder that is not there, cannot be written", "[cli]") {

@@ -72,7 +72,7 @@ TEST_CASE("an unknown command names the commands that there are", "[cli]") {
 }
 
 TEST_CASE("a mistyped command or option names the nearest one", "[cli]") {
-  check_refused(mdm({"slove", "a"}), "'slove' is no command; did you mean solve?");
+  check_refused(mdm({"slove", "a"}), "'slove' is no command (did you mean solve?)");
   check_refused(mdm({"VERIFY"}), "did you mean verify?");
   check_refused(mdm({"solve", "a", "--tolerence", "1%"}), "did you mean --tolerance?");
   check_refused(mdm({"solve", "a", "--tolerence=1%"}), "did you mean --tolerance?");
