@@ -19,7 +19,9 @@ struct ModelBox {
 struct SettleModel {
   const ParticleSet &set; ///< in m
   ModelBox box;
-  std::string particles;                   ///< what LAMMPS (a data file) and YADE (`x y z r` a line) read
+  /// What LAMMPS (a data file) and YADE (`x y z r` a line) read, and LIGGGHTS where it does not insert by
+  /// itself
+  std::string particles;
   std::string dump;                        ///< what the model writes at its end, for `mdm verify`
   std::uint64_t seed = 1;                  ///< of the insertion of LIGGGHTS
   std::optional<std::uint64_t> steps = {}; ///< instead of those of Settling
