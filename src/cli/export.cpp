@@ -361,6 +361,7 @@ void write_model(const ExportCommand &c, const Format &format, const ModelWriter
   model.seed = seed;
   model.verify_options = verify_options(c);
   model.question = found.question;
+  model.deposited = c.start == "deposit";
   if (c.steps)
     model.steps = steps_of(*c.steps);
   const Elasticity e = elasticity(c);

@@ -102,10 +102,10 @@ run 1
 
 std::string liggghts_model(const SettleModel &model) {
   const SettleScript s(model);
-  const bool is_read = !model.particles.empty();
   const std::string head = s.head("LIGGGHTS", "liggghts -in THIS_FILE", "-var steps 1000", "");
-  const std::string begin = is_read ? setting(s, "read_data " + file_word(model.particles)) + counts(s)
-                                    : setting(s, empty_box(s.box)) + insertion(s);
+  const std::string begin = model.deposited
+                                ? setting(s, "read_data " + file_word(model.particles)) + counts(s)
+                                : setting(s, empty_box(s.box)) + insertion(s);
   return head + begin +
          fmt::format(R"(
 # There was no gravity yet: what moves was put into another.

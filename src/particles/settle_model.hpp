@@ -19,9 +19,7 @@ struct ModelBox {
 struct SettleModel {
   const ParticleSet &set; ///< in m
   ModelBox box;
-  /// What LAMMPS (a data file) and YADE (`x y z r` a line) read, and LIGGGHTS where it does not insert by
-  /// itself
-  std::string particles;
+  std::string particles;                   ///< what LAMMPS (a data file) and YADE (`x y z r` a line) read
   std::string dump;                        ///< what the model writes at its end, for `mdm verify`
   std::uint64_t seed = 1;                  ///< of the insertion of LIGGGHTS
   std::optional<std::uint64_t> steps = {}; ///< instead of those of Settling
@@ -32,6 +30,8 @@ struct SettleModel {
   std::optional<std::string> verify_options = "";
   /// An answer's question in words, which `verify_options` may lack.
   std::string question = {};
+  /// The particles are a deposit: LIGGGHTS, too, reads them, as LAMMPS does, and inserts none.
+  bool deposited = false;
 };
 
 /// The material and the time of a model, in SI units.
