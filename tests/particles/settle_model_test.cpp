@@ -129,6 +129,19 @@ TEST_CASE("LIGGGHTS model: largest first, exact running totals, and a check of e
   CHECK(contains(text, "gravity 9.81"));
 }
 
+TEST_CASE("LIGGGHTS model: a deposit is read, and the count of each class is checked") {
+  const ParticleSet set = set_of(sand);
+  SettleModel model = model_of(set);
+  model.deposited = true;
+  const std::string text = liggghts_model(model);
+  CHECK(contains(text, "\nread_data sand.data\n"));
+  CHECK(!contains(text, "insert/pack"));
+  CHECK(found(text, "\nif \"\\$n != ([0-9]+)\" then") ==
+        std::vector<std::string>{"1", "2", "25", "268", "280", "90", "819"});
+  for (const ParticleClass &c : set.classes)
+    CHECK(contains(text, "c_d >= " + c.sizes[0].diameter.text + " "));
+}
+
 TEST_CASE("LIGGGHTS model: seeds are distinct primes above 10000") {
   const ParticleSet set = set_of(sand);
   std::set<std::string> all;
