@@ -520,8 +520,10 @@ Run add_export(CLI::App &app) {
           "yade, and beside it the file of particles that it reads")
       ->type_name("MODEL");
   command
-      .add_option("--steps", c->steps,
-                  "time steps of the model; without it three times as long as a fall from the top of the box")
+      .add_option(
+          "--steps", c->steps,
+          "time steps of the model; without it three times as long as a fall from the top of the box, of a "
+          "deposit as long")
       ->type_name("N");
   command
       .add_option(

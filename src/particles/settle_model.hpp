@@ -45,7 +45,7 @@ struct Settling {
   Elasticity elasticity;
   double rayleigh = 0; ///< of the set, s
   double step = 0;     ///< s
-  /// Three times as many as for a fall from the top of the box.
+  /// Three times as many as for a fall from the top of the box; of a deposit, as many.
   std::uint64_t steps = 0;
   /// LAMMPS and LIGGGHTS refuse longer runs.
   static constexpr std::uint32_t most_steps = 2147483647;
