@@ -41,6 +41,7 @@
 #include <mdm/packing/packing_reader.hpp>
 #include <mdm/packing/packing_verdict.hpp>
 #include <mdm/packing/packing_writer.hpp>
+#include <mdm/packing/sphere_deposit.hpp>
 #include <mdm/packing/texture.hpp>
 #include <mdm/particles/packing_export.hpp>
 #include <mdm/particles/particle_format.hpp>

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <memory>
 
 namespace mdm::cli {
@@ -59,7 +60,8 @@ struct ExportCommand {
   GradationFlags::Text file; ///< open: the band alone
   SolveFlags flags;
   std::vector<CLI::Option *> solving; ///< options that only a gradation has a use for
-  GradationFlags::Text unit, density, mass_error, box, seed, young, poisson, specimen_id, model, steps, start;
+  GradationFlags::Text unit, density, mass_error, box, seed, young, poisson, specimen_id, model, steps, start,
+      sides;
   std::string to;
   OutputFlags output;
   bool spread = false;
@@ -176,17 +178,42 @@ Footprint parse_box(const std::string &text) {
   return {lengths[0], lengths[1], lengths.size() == 3 ? std::optional(lengths[2]) : std::nullopt};
 }
 
+/// True if the specimen is a cylinder and no --box takes its place.
+bool is_cylinder(const ExportCommand &c, const Particles &found) {
+  return !c.box && found.solids && std::holds_alternative<Cylinder>(*found.solids);
+}
+
+/// The sides of a deposit: as asked for, or those of the specimen; models have walls.
+Sides sides_of(const ExportCommand &c, const Particles &found) {
+  if (c.sides)
+    return *c.sides == "cylinder" ? Sides::cylinder : *c.sides == "periodic" ? Sides::periodic : Sides::walls;
+  const bool is_deposit = c.start && *c.start == "deposit" && !c.model;
+  return is_deposit && is_cylinder(c, found) ? Sides::cylinder : Sides::walls;
+}
+
 /// The ground of the start: --box, or else the specimen.
 std::optional<Footprint> footprint(const ExportCommand &c, const Particles &found) {
+  const Sides sides = sides_of(c, found);
   std::optional<Footprint> floor;
   if (c.box)
     floor = parse_box(*c.box);
   else if (found.solids && std::holds_alternative<Box>(*found.solids))
     floor = {std::get<Box>(*found.solids).a, std::get<Box>(*found.solids).b, std::nullopt};
-  else if (found.solids && std::holds_alternative<Cylinder>(*found.solids))
+  else if (is_cylinder(c, found) && sides == Sides::cylinder)
+    floor = {std::get<Cylinder>(*found.solids).diameter, std::get<Cylinder>(*found.solids).diameter,
+             std::nullopt};
+  else if (is_cylinder(c, found))
     floor = inscribed_square(std::get<Cylinder>(*found.solids).diameter);
+  if (!floor && sides != Sides::walls) {
+    floor = deposit_square(*found.set);
+    floor->sides = sides;
+    return floor;
+  }
   if (!floor)
     return floor;
+  if (sides == Sides::cylinder && floor->a != floor->b)
+    throw InputError("--sides cylinder: its box is as long as wide: give --box its diameter twice");
+  floor->sides = sides;
   const Rational unit = in_mm(length_unit(found.unit)) / in_mm(found.set->unit);
   floor->a *= unit;
   floor->b *= unit;
@@ -269,9 +296,12 @@ std::string guide(const Format &format, const ParticleSet &set, const std::optio
   if (format.write == write_mercurydpm)
     text += "MercuryDPM draws sizes at random from the shares: its counts are not exact\n";
   if (start)
-    text += fmt::format("box: {} x {} x {} {}, void ratio {}; no two particles overlap\n",
-                        start->text(start->box()[0]), start->text(start->box()[1]),
-                        start->text(start->box()[2]), name(set.unit), certain_digits(start->void_ratio()));
+    text +=
+        fmt::format("{}: {} x {} x {} {}{}, void ratio {}; no two particles overlap\n",
+                    start->sides() == Sides::cylinder ? "cylinder in a box" : "box",
+                    start->text(start->box()[0]), start->text(start->box()[1]), start->text(start->box()[2]),
+                    name(set.unit), start->sides() == Sides::periodic ? ", repeated in x and y" : "",
+                    certain_digits(start->void_ratio()));
   return text;
 }
 
@@ -281,9 +311,20 @@ constexpr std::uint64_t most_mixed = 1000000;
 Start start_of(const ExportCommand &c, const ParticleSet &set) {
   if (!c.start)
     return c.model && set.particles() <= most_mixed ? Start::mixed : Start::layers;
+  if (*c.start == "deposit")
+    return Start::deposit;
   if (*c.start != "layers" && *c.start != "mixed")
-    throw InputError("--start: " + in_quotes(*c.start) + " is neither layers nor mixed");
+    throw InputError("--start: " + in_quotes(*c.start) + " is neither layers nor mixed nor deposit");
   return *c.start == "mixed" ? Start::mixed : Start::layers;
+}
+
+/// The start of the particles; that of a deposit takes its time.
+Placement placed(const ExportCommand &c, const Particles &found, std::uint64_t seed) {
+  std::atomic<std::size_t> lying{0};
+  const Progress progress([&lying] { return fmt::format("placing, {} particles lie", lying.load()); },
+                          c.output.quiet || c.start != "deposit");
+  return {*found.set, footprint(c, found), seed, start_of(c, *found.set),
+          [&lying](std::size_t n) { lying = n; }};
 }
 
 /// The options with which mdm verify takes the gradation as it was asked for; nothing where there is a band
@@ -320,6 +361,7 @@ void write_model(const ExportCommand &c, const Format &format, const ModelWriter
   model.seed = seed;
   model.verify_options = verify_options(c);
   model.question = found.question;
+  model.deposited = c.start == "deposit";
   if (c.steps)
     model.steps = steps_of(*c.steps);
   const Elasticity e = elasticity(c);
@@ -360,8 +402,8 @@ void write_file(const ExportCommand &c, const Format &format, const std::optiona
   const Elasticity e = elasticity(c);
   std::optional<Placement> start;
   check_wanted(c, format, *found.set, start); // before a long search for places
-  if (format.write_placed != nullptr)
-    start.emplace(*found.set, footprint(c, found), seed, start_of(c, *found.set));
+  if (format.write_placed != nullptr || c.start)
+    start.emplace(placed(c, found, seed));
   check_wanted(c, format, *found.set, start);
   if (start)
     tell_rounding(c, found, *start);
@@ -386,8 +428,14 @@ void check_options(const ExportCommand &c, const Format &format) {
     throw InputError("--steps is for a model: give --model settle too");
   if (c.model && c.unit && c.unit != "m")
     throw InputError("--unit: models are in SI units: leave it out");
-  if (format.write_placed == nullptr && c.start)
-    throw InputError(std::string("--start: ") + format.name + " has no places here: leave it out");
+  const bool is_deposit = c.start && *c.start == "deposit";
+  if (format.write_placed == nullptr && c.start && !(c.model && is_deposit))
+    throw InputError(std::string("--start: ") + format.name + " has no places here: leave it out" +
+                     (c.model ? ", or give --start deposit" : ""));
+  if (c.sides && (!is_deposit || c.model))
+    throw InputError("--sides: it is for --start deposit without a --model, which has walls: leave it out");
+  if (c.sides && *c.sides != "walls" && *c.sides != "cylinder" && *c.sides != "periodic")
+    throw InputError("--sides: " + in_quotes(*c.sides) + " is neither walls nor cylinder nor periodic");
   const bool has_no_places = format.write_placed == nullptr && !c.model;
   if (has_no_places && (c.box || (c.seed && !c.spread)))
     throw InputError(std::string(c.box ? "--box" : "--seed") + ": " + format.name +
@@ -396,10 +444,10 @@ void check_options(const ExportCommand &c, const Format &format) {
 
 /// Refuses options that only particles of a gradation have a use for.
 void check_packing_options(const ExportCommand &c) {
-  if (c.box || c.seed || c.steps || c.start || c.model || c.young || c.poisson || c.mass_error || c.spread ||
-      c.specimen_id || std::any_of(c.solving.begin(), c.solving.end(), [](const CLI::Option *option) {
-        return option->count() > 0;
-      }))
+  if (c.box || c.seed || c.steps || c.start || c.sides || c.model || c.young || c.poisson || c.mass_error ||
+      c.spread || c.specimen_id ||
+      std::any_of(c.solving.begin(), c.solving.end(),
+                  [](const CLI::Option *option) { return option->count() > 0; }))
     throw InputError(
         "a packing has its places and sizes: leave out options but --to, --unit, --density and -o");
 }
@@ -418,7 +466,7 @@ int run(const ExportCommand &c) {
   std::vector<std::string> paths = {c.flags.source(c.file), c.output.path()};
   std::optional<ModelWriter> model;
   if (c.model) {
-    model.emplace(*c.model, c.to, c.output.path());
+    model.emplace(*c.model, c.to, c.output.path(), c.start == "deposit");
     if (!model->particles().empty())
       paths.push_back(model->particles());
   }
@@ -472,15 +520,23 @@ Run add_export(CLI::App &app) {
           "yade, and beside it the file of particles that it reads")
       ->type_name("MODEL");
   command
-      .add_option("--steps", c->steps,
-                  "time steps of the model; without it three times as long as a fall from the top of the box")
+      .add_option(
+          "--steps", c->steps,
+          "time steps of the model; without it three times as long as a fall from the top of the box, of a "
+          "deposit as long")
       ->type_name("N");
   command
       .add_option(
           "--start", c->start,
-          "layers, a slab for each class; or mixed, at random places of a higher box (lammps, yade, vtk; "
-          "layers, but mixed for a model of up to 1000000 particles)")
+          "layers, a slab for each class; mixed, at random places of a higher box; or deposit, a dense "
+          "one, dropped and rolled to rest (lammps, yade, vtk, models; layers, but mixed for a model of up "
+          "to 1000000 particles)")
       ->type_name("START");
+  command
+      .add_option("--sides", c->sides,
+                  "of the box of --start deposit: walls; cylinder, the default for such a specimen, in a "
+                  "--box as long as wide; or periodic, repeated in x and y")
+      ->type_name("SIDES");
   command.add_option("--seed", c->seed, "of the places of the start, and of a spread's sizes (1)")
       ->type_name("K");
   command

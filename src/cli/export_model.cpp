@@ -20,7 +20,7 @@ namespace mdm::cli {
 struct ModelEngine {
   const char *name;
   std::string (*script)(const SettleModel &);
-  /// The file that the script reads; null if it inserts by itself.
+  bool inserts; ///< by itself, where there is no start
   void (*write_particles)(const Placement &, const Sink &);
   const char *particles_ending;
   const char *dump_ending;
@@ -29,9 +29,9 @@ struct ModelEngine {
 namespace {
 
 constexpr std::array<ModelEngine, 3> engines = {
-    {{"liggghts", liggghts_model, nullptr, "", ".dump"},
-     {"lammps", lammps_model, write_lammps_data, ".data", ".dump"},
-     {"yade", yade_model, write_xyzr, ".xyzr", ".xyzr"}}};
+    {{"liggghts", liggghts_model, true, write_lammps_data, ".data", ".dump"},
+     {"lammps", lammps_model, false, write_lammps_data, ".data", ".dump"},
+     {"yade", yade_model, false, write_xyzr, ".xyzr", ".xyzr"}}};
 
 ModelBox insertion_box(const ParticleSet &set, const std::optional<Footprint> &floor) {
   const double largest = set.largest().diameter.value;
@@ -57,7 +57,7 @@ ModelBox insertion_box(const ParticleSet &set, const std::optional<Footprint> &f
 
 } // namespace
 
-ModelWriter::ModelWriter(const std::string &model, const std::string &to, std::string out)
+ModelWriter::ModelWriter(const std::string &model, const std::string &to, std::string out, bool has_start)
     : engine_(std::find_if(engines.begin(), engines.end(),
                            [&to](const ModelEngine &engine) { return to == engine.name; })),
       out_(std::move(out)) {
@@ -74,7 +74,7 @@ ModelWriter::ModelWriter(const std::string &model, const std::string &to, std::s
       type != std::filesystem::file_type::not_found && type != std::filesystem::file_type::regular)
     throw InputError("-o: " + printable(out_) +
                      " is no regular file, beside which a model's other files could lie: give another name");
-  if (engine_->write_particles != nullptr)
+  if (has_start || !engine_->inserts)
     particles_ = std::filesystem::path(out_).replace_extension(engine_->particles_ending).string();
 }
 

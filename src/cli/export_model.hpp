@@ -15,8 +15,9 @@ struct ModelEngine;
 class ModelWriter {
 public:
   /// \param model, to, out the values of --model, --to and -o
+  /// \param has_start there is one for every engine
   /// \throws InputError if one of them does not go with a model
-  ModelWriter(const std::string &model, const std::string &to, std::string out);
+  ModelWriter(const std::string &model, const std::string &to, std::string out, bool has_start);
 
   /// The file of the particles; empty if the engine inserts them itself.
   const std::string &particles() const { return particles_; }

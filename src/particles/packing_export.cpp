@@ -37,8 +37,21 @@ public:
     const Integer n = times_ * (units < 0 ? -units : units);
     return (units < 0 ? "-" : "") + decimal_string(n, packing_.places + places_);
   }
-  /// The unit's name; `any` where the packing has none.
-  std::string_view unit() const { return packing_.unit.empty() ? "any" : name(unit_); }
+  /// `2650`, in kg per cube of the file's unit; in that of the packing where it has none.
+  std::string density(const Rational &in_si) const {
+    if (packing_.unit.empty())
+      return short_decimal(in_si);
+    constexpr int mm_of_m = 1000;
+    return short_decimal(in_si * power(Rational(in_mm(unit_) / mm_of_m), 3));
+  }
+  /// What all files say above the discs.
+  std::string title() const {
+    const std::string lengths = packing_.unit.empty() ? "without a unit" : "in " + std::string(name(unit_));
+    return fmt::format("{} discs that do not overlap, lengths {}, {}", packing_.discs.size(), lengths,
+                       packing_.rule == DepositRule::apollonian ? "inside a circle"
+                       : packing_.periodic                      ? "sides periodic"
+                                                                : "sides walls");
+  }
 
   template <class... Arguments>
   void add(fmt::format_string<Arguments...> format, Arguments &&...arguments) {
@@ -65,21 +78,15 @@ std::int64_t height(const Packing &p) {
   return top;
 }
 
-/// What all files say above the discs.
-std::string title(const Packing &p, std::string_view unit) {
-  return fmt::format("{} discs that do not overlap, lengths in {}, sides {}", p.discs.size(), unit,
-                     p.periodic ? "periodic" : "walls");
-}
-
 /// \param half the box in z
 void write_data(const Packing &p, LengthUnit unit, const Rational &density, std::int64_t half,
                 const std::string &how, const Sink &out) {
   File file(p, unit, out);
-  const std::string rho = short_decimal(density);
+  const std::string rho = file.density(density);
   file.add(
       "{}; {}\n\n{} atoms\n1 atom types\n\n0 {} xlo xhi\n0 {} ylo yhi\n{} {} zlo zhi\n\nAtoms # sphere\n\n",
-      title(p, file.unit()), how, p.discs.size(), file.length(p.width), file.length(height(p)),
-      file.length(-half), file.length(half));
+      file.title(), how, p.discs.size(), file.length(p.width), file.length(height(p)), file.length(-half),
+      file.length(half));
   std::size_t id = 0;
   for (const PackedDisc &d : p.discs)
     file.add("{} 1 {} {} {} {} 0\n", ++id, file.length(2 * d.r), rho, file.length(d.x), file.length(d.y));
@@ -102,17 +109,18 @@ void write_packing_liggghts(const Packing &p, LengthUnit unit, const Rational &d
 void write_packing_yade(const Packing &p, LengthUnit unit, const Rational &density, const Sink &out) {
   File file(p, unit, out);
   file.add("# {}\n# density {} kg/m^3; for b in O.bodies: b.state.blockedDOFs = 'zXY'\n# x y z r\n",
-           title(p, file.unit()), short_decimal(density));
+           file.title(), short_decimal(density));
   for (const PackedDisc &d : p.discs)
     file.add("{} {} 0 {}\n", file.length(d.x), file.length(d.y), file.length(d.r));
 }
 
 void write_packing_lmgc90(const Packing &p, LengthUnit unit, const Rational &density, const Sink &out) {
   File file(p, unit, out);
-  file.add("# {}\n# density {}; r, x, y = numpy.loadtxt(FILE, unpack=True); pre.rigidDisk(r[i], [x[i], "
-           "y[i]], ...)\n"
-           "# radius x y\n",
-           title(p, file.unit()), short_decimal(density));
+  file.add(
+      "# {}\n# density {} kg/m^3; r, x, y = numpy.loadtxt(FILE, unpack=True); pre.rigidDisk(r[i], [x[i], "
+      "y[i]], ...)\n"
+      "# radius x y\n",
+      file.title(), short_decimal(density));
   for (const PackedDisc &d : p.discs)
     file.add("{} {} {}\n", file.length(d.r), file.length(d.x), file.length(d.y));
 }
@@ -120,8 +128,7 @@ void write_packing_lmgc90(const Packing &p, LengthUnit unit, const Rational &den
 void write_packing_vtk(const Packing &p, LengthUnit unit, const Rational &, const Sink &out) {
   File file(p, unit, out);
   const std::size_t n = p.discs.size();
-  file.add("# vtk DataFile Version 3.0\n{}\nASCII\nDATASET POLYDATA\nPOINTS {} double\n",
-           title(p, file.unit()), n);
+  file.add("# vtk DataFile Version 3.0\n{}\nASCII\nDATASET POLYDATA\nPOINTS {} double\n", file.title(), n);
   for (const PackedDisc &d : p.discs)
     file.add("{} {} 0\n", file.length(d.x), file.length(d.y));
   file.add("VERTICES {} {}\n", n, 2 * n);

@@ -14,8 +14,13 @@ constexpr std::size_t longest_title = 255;
 
 std::string box_line(const Placement &start) {
   const auto &[a, b, height] = start.box();
-  return fmt::format("Box: {} x {} x {}, from the origin; no two particles overlap.", start.text(a),
-                     start.text(b), start.text(height));
+  if (start.sides() == Sides::cylinder)
+    return fmt::format("Cylinder: diameter {}, height {}, in the box of that width from the origin; no two "
+                       "particles overlap.",
+                       start.text(a), start.text(height));
+  return fmt::format("Box: {} x {} x {}, from the origin{}; no two particles overlap.", start.text(a),
+                     start.text(b), start.text(height),
+                     start.sides() == Sides::periodic ? ", repeated in x and y" : "");
 }
 
 } // namespace

@@ -18,20 +18,10 @@ constexpr int units_of_smallest = 1000;
 constexpr std::int64_t slack = 2;
 /// Lengths in units are below it, so that doubles are within half a unit of them.
 constexpr std::int64_t most_units = std::int64_t{1} << 52;
-/// Powers of ten up to this one are doubles: n / 10^places is then the double nearest to the decimal.
-constexpr unsigned most_places = 22;
 /// A cell is by this wider than its particle where there is room: its place in it is no regular one.
 const Rational &looseness() {
   static const Rational tenth = ratio(11, 10);
   return tenth;
-}
-
-/// The largest double that stands for a radius of the class.
-double largest_radius(const ParticleClass &c) {
-  double largest = 0;
-  for (const ParticleSize &size : c.sizes)
-    largest = std::max({largest, size.radius.value, size.diameter.value / 2});
-  return largest;
 }
 
 std::string length_text(const ParticleSet &set, const Rational &length) {
@@ -60,10 +50,14 @@ Footprint inscribed_square(const Rational &diameter) {
 }
 
 Placement::Placement(const ParticleSet &set, const std::optional<Footprint> &floor, std::uint64_t seed,
-                     Start start)
+                     Start start, const StartProgress &progress)
     : set_(&set), seed_(seed) {
   check_simulated(set);
   choose_unit();
+  if (start == Start::deposit) {
+    deposit(floor, progress);
+    return;
+  }
   choose_floor(floor);
   if (start == Start::mixed) {
     choose_mixed_box(floor);
@@ -72,14 +66,20 @@ Placement::Placement(const ParticleSet &set, const std::optional<Footprint> &flo
   }
   for (std::size_t i = set.classes.size(); i > 0; --i)
     add_slab(i - 1);
-  if (!floor || !floor->c)
+  if (floor)
+    set_height(*floor);
+}
+
+/// Raises the box to the height that was asked for.
+void Placement::set_height(const Footprint &floor) {
+  if (!floor.c)
     return;
-  const std::int64_t height = units(*floor->c);
+  const std::int64_t height = units(*floor.c);
   if (height < box_[2])
     throw InputError(fmt::format("a start without overlaps on {} x {} is {} high, more than {}: leave the "
                                  "height of --box out, or make the box wider",
-                                 length_text(set, floor->a), length_text(set, floor->b), text(box_[2]),
-                                 length_text(set, *floor->c)));
+                                 length_text(*set_, floor.a), length_text(*set_, floor.b), text(box_[2]),
+                                 length_text(*set_, *floor.c)));
   box_[2] = height;
 }
 
@@ -102,8 +102,15 @@ std::int64_t Placement::units(const Rational &length) const {
   return n.convert_to<std::int64_t>();
 }
 
+std::int64_t Placement::radius(const ParticleSize &size) const {
+  return units(exact_value(std::max(size.radius.value, size.diameter.value / 2))) + 1 + slack;
+}
+
 std::int64_t Placement::radius(const ParticleClass &c) const {
-  return units(exact_value(largest_radius(c))) + 1 + slack;
+  std::int64_t largest = 0;
+  for (const ParticleSize &size : c.sizes)
+    largest = std::max(largest, radius(size));
+  return largest;
 }
 
 void Placement::choose_floor(const std::optional<Footprint> &floor) {
@@ -189,6 +196,9 @@ std::pair<Rational, Rational> Placement::void_ratio() const {
   const Rational box =
       Rational(Integer(box_[0]) * box_[1] * box_[2]) / power(Rational(power_of_ten(places_)), 3);
   const auto [least, most] = std::minmax({set_->cubes(), set_->cubes_of_radii()});
+  // Of a cylinder pi cancels: (pi / 4) by (pi / 6).
+  if (sides_ == Sides::cylinder)
+    return {ratio(3, 2) * box / most - 1, ratio(3, 2) * box / least - 1};
   return {6 * box / (most * pi.upper()) - 1, 6 * box / (least * pi.lower()) - 1};
 }
 

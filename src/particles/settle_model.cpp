@@ -20,8 +20,9 @@ Settling settling(const SettleModel &model) {
   s.elasticity.poisson = model.poisson;
   s.rayleigh = rayleigh_time(model.set, s.elasticity).convert_to<double>();
   s.step = s.part_of_rayleigh * s.rayleigh;
+  const double falls = model.deposited ? 1 : 3;
   const double steps = model.steps ? static_cast<double>(*model.steps)
-                                   : std::ceil(3 * std::sqrt(2 * model.box.z / s.gravity) / s.step);
+                                   : std::ceil(falls * std::sqrt(2 * model.box.z / s.gravity) / s.step);
   if (steps > Settling::most_steps)
     throw InputError(
         fmt::format("{:.3g} steps are more than the {} that LAMMPS and LIGGGHTS make in a run: give "

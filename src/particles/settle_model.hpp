@@ -30,6 +30,8 @@ struct SettleModel {
   std::optional<std::string> verify_options = "";
   /// An answer's question in words, which `verify_options` may lack.
   std::string question = {};
+  /// The particles are a deposit: LIGGGHTS, too, reads them, as LAMMPS does, and inserts none.
+  bool deposited = false;
 };
 
 /// The material and the time of a model, in SI units.
@@ -43,7 +45,7 @@ struct Settling {
   Elasticity elasticity;
   double rayleigh = 0; ///< of the set, s
   double step = 0;     ///< s
-  /// Three times as many as for a fall from the top of the box.
+  /// Three times as many as for a fall from the top of the box; of a deposit, as many.
   std::uint64_t steps = 0;
   /// LAMMPS and LIGGGHTS refuse longer runs.
   static constexpr std::uint32_t most_steps = 2147483647;

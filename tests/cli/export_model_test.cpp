@@ -136,6 +136,45 @@ TEST_CASE("particles start in layers or mixed, the largest first in the file", "
   CHECK(read_file(folder / "b.data") != read_file(folder / "d.data"));
 }
 
+TEST_CASE("a deposited start is lower than others, and LIGGGHTS reads it too", "[cli]") {
+  const TemporaryFolder folder;
+  const auto height = [&folder](const std::string &file) {
+    const std::string text = read_file(folder / file);
+    return std::stod(text.substr(text.rfind('\n', text.find(" zlo")) + 3));
+  };
+  REQUIRE(export_model("lammps", folder / "a.in").exit_code == 0);
+  REQUIRE(export_model("lammps", folder / "b.in", {"--start", "deposit"}).exit_code == 0);
+  REQUIRE(export_model("liggghts", folder / "c.in", {"--start", "deposit"}).exit_code == 0);
+  REQUIRE(export_model("yade", folder / "d.py", {"--start", "deposit"}).exit_code == 0);
+  CHECK(height("b.data") < height("a.data") / 2);
+  CHECK(read_file(folder / "b.data") == read_file(folder / "c.data"));
+  CHECK(read_file(folder / "c.in").find("\nread_data c.data\n") != std::string::npos);
+  CHECK(read_file(folder / "c.in").find("insert/pack") == std::string::npos);
+  CHECK(read_file(folder / "d.xyzr").find("no two particles overlap") != std::string::npos);
+}
+
+TEST_CASE("a deposit has walls, a cylinder or periodic sides", "[cli]") {
+  const TemporaryFolder folder;
+  const auto exported = [&folder](const Arguments &more) {
+    Arguments arguments{"export", sand, "--to", "lammps", "--start", "deposit", "-o", folder / "a.data"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return mdm(arguments);
+  };
+  const auto data = [&folder] { return read_file(folder / "a.data"); };
+  REQUIRE(exported({"--box", "3x2.5"}).exit_code == 0);
+  CHECK(data().find("\n# Box: 0.003 x 0.0025 x ") != std::string::npos);
+  REQUIRE(exported({"--sides", "cylinder", "--box", "3x3"}).exit_code == 0);
+  CHECK(data().find("\n# Cylinder: diameter 0.003, height ") != std::string::npos);
+  REQUIRE(exported({"--specimen", "cylinder:4x8", "--void-ratio", "0.7"}).exit_code == 0);
+  CHECK(data().find("\n# Cylinder: diameter 0.004, height ") != std::string::npos);
+  REQUIRE(exported({"--sides", "periodic"}).exit_code == 0);
+  CHECK(data().find(", from the origin, repeated in x and y;") != std::string::npos);
+  check_refused(exported({"--sides", "cylinder", "--box", "3x2.5"}), "its diameter twice");
+  check_refused(exported({"--sides", "round"}), "neither walls nor cylinder nor periodic");
+  check_refused(mdm({"export", sand, "--to", "lammps", "--sides", "periodic", "-o", folder / "b"}),
+                "--start deposit");
+}
+
 TEST_CASE("a model of one step says so", "[cli]") {
   const TemporaryFolder folder;
   const Outcome outcome = export_model("liggghts", folder / "a.in", {"--steps", "1"});
@@ -167,7 +206,9 @@ TEST_CASE("what is no model is refused with a remedy, and leaves nothing", "[cli
   }
   CHECK(!std::filesystem::exists("/dev/null.data"));
   check_refused(export_model("liggghts", out, {"--start", "mixed"}), "--start");
-  check_refused(export_model("lammps", out, {"--start", "shaken"}), "layers nor mixed");
+  check_refused(export_model("lammps", out, {"--start", "shaken"}), "layers nor mixed nor deposit");
+  check_refused(export_model("lammps", out, {"--start", "deposit", "--sides", "periodic"}), "--sides");
+  check_refused(export_model("lammps", out, {"--start", "deposit", "--box", "1x1"}), "narrower than 3");
   check_refused(mdm({"export", sand, "--to", "csv", "--start", "mixed", "-o", out}), "--start");
   check_refused(export_model("liggghts", out, {"--box", "0.6x1"}), "--box");
   check_refused(export_model("liggghts", out, {"--box", "3x3x0.5"}), "the largest grain");

@@ -85,6 +85,30 @@ TEST_CASE("export writes packings in every format for them, and mdm verify reads
   CHECK(mdm({"export", packing, "--to", "vtk", "--box", "1x1"}).exit_code == 2);
 }
 
+TEST_CASE("exported packings hold the discs exactly, as another program reads them") {
+  const TemporaryFolder folder;
+  const std::string packing = folder / "a.packing";
+  const std::string sand = folder.write("sand.csv", "size_mm,mass\n1,2\n2,0\n");
+  const auto check = [&](const Arguments &pack, const Arguments &unit, const std::string &factor) {
+    REQUIRE(mdm(with(with({"pack"}, pack), {"-o", packing})).exit_code == 0);
+    Arguments files{MDM_SOURCE_DIR "/tests/packing/check_exports.py", packing, factor};
+    for (const std::string format : {"lmgc90", "vtk", "csv"}) {
+      const std::string file = folder / format;
+      REQUIRE(mdm(with({"export", packing, "--to", format, "-o", file}, unit)).exit_code == 0);
+      CHECK_FALSE(has(read_file(file), "lengths in any"));
+      files.push_back(file);
+    }
+    const Outcome verdict = Process("/usr/bin/python3", files).end();
+    INFO(verdict.err);
+    CHECK(verdict.out == "ok\n");
+  };
+  check({"--beta", "1,1", "--span", "0.5", "--at-least", "200"}, {}, "1");
+  check({"--beta", "1,1", "--span", "0.5", "--at-least", "200", "--walls"}, {"--unit", "mm"}, "1");
+  check({sand, "--spread", "--at-least", "100"}, {}, "1/1000");
+  check({sand, "--spread", "--at-least", "100"}, {"--unit", "um"}, "1000");
+  check({"--apollonian", "-1,2,2,3", "--smallest", "1/50"}, {}, "1");
+}
+
 TEST_CASE("pack reports in text, JSON and CSV") {
   const Outcome text = mdm(small);
   CHECK(text.exit_code == 0);

@@ -166,6 +166,25 @@ TEST_CASE("all engines settle a silt given in micrometres", "[engines]") {
     check_settles(engine, silt);
 }
 
+TEST_CASE("all engines settle a deposit", "[engines]") {
+  for (const Engine &engine : {liggghts, lammps, yade})
+    if (is_there(engine))
+      Model(engine, c778(), {"--start", "deposit", "--steps", "300"}).check_settles();
+}
+
+TEST_CASE("LIGGGHTS stops where a grain of a deposit is missing", "[engines]") {
+  if (!is_there(liggghts))
+    return;
+  const Model model(liggghts, c778(), {"--start", "deposit"});
+  const std::string data = read_file(model.path("sand.data"));
+  model.replace("sand.data", data.substr(data.rfind('\n', data.size() - 2)), "\n");
+  model.replace("sand.data", "141 atoms", "140 atoms");
+  const Outcome outcome = model.run();
+  CHECK(outcome.exit_code != 0);
+  CHECK(outcome.out.find("STOP: class 1 ") != std::string::npos);
+  CHECK_FALSE(model.has_dump());
+}
+
 TEST_CASE("LIGGGHTS inserts without overlaps", "[engines]") {
   if (!is_there(liggghts))
     return;

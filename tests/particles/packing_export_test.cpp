@@ -52,6 +52,7 @@ TEST_CASE("packings are written for LAMMPS in the plane z = 0, exactly in the un
   CHECK(text.find("enforce2d") < text.find('\n'));
   const std::string slab = written(write_packing_liggghts, two_discs("mm"), LengthUnit::mm);
   CHECK(slab.find("-1.05 1.05 zlo zhi\n") != std::string::npos);
+  CHECK(words(slab, "2 1") == std::vector<std::string>{"2", "1", "2.1", "2.65e-6", "3.05", "1.05", "0"});
 }
 
 TEST_CASE("packings are written for YADE with the way to keep them in their plane") {
@@ -63,6 +64,20 @@ TEST_CASE("packings are written for YADE with the way to keep them in their plan
 TEST_CASE("a table for LMGC90 has radius, x and y as numpy reads them") {
   const std::string text = written(write_packing_lmgc90, two_discs("in"), LengthUnit::mm);
   CHECK(words(text, "26.67") == std::vector<std::string>{"26.67", "77.47", "26.67"});
+}
+
+TEST_CASE("the head of a file says what its lengths are, and what is around the discs") {
+  const auto head = [](const Packing &p) {
+    const std::string text = written(write_packing_lammps, p, LengthUnit::mm);
+    return text.substr(0, text.find(';'));
+  };
+  Packing p = two_discs("");
+  CHECK(head(p) == "2 discs that do not overlap, lengths without a unit, sides periodic");
+  p.unit = "um";
+  p.periodic = false;
+  CHECK(head(p) == "2 discs that do not overlap, lengths in mm, sides walls");
+  p.rule = DepositRule::apollonian;
+  CHECK(head(p) == "2 discs that do not overlap, lengths in mm, inside a circle");
 }
 
 TEST_CASE("packings without a unit keep their numbers") {

@@ -138,7 +138,9 @@ TEST_CASE("placement: no two particles overlap and all are inside the box") {
         std::optional<Footprint>({ratio(86, 100000), ratio(9, 1000), std::nullopt}),
         std::optional<Footprint>({ratio(1, 100), ratio(1, 300), std::nullopt})}) {
     for (const std::uint64_t seed : {1U, 2U})
-      for (const Start kind : {Start::layers, Start::mixed}) {
+      for (const Start kind : {Start::layers, Start::mixed, Start::deposit}) {
+        if (kind == Start::deposit && floor && floor->a < ratio(1, 1000))
+          continue; // narrower than three of the largest
         const Placement start(set, floor, seed, kind);
         const std::vector<Ball> balls = read_balls(written(write_xyzr, start));
         CHECK(balls.size() == 1485);
@@ -210,6 +212,72 @@ TEST_CASE("placement: a mixed start is chosen by its seed") {
   CHECK(text(1) != text(2));
 }
 
+TEST_CASE("placement: a deposit is dense where layers are loose") {
+  const ParticleSet set = set_of(narrow, 20000);
+  const Placement layers(set, std::nullopt, 1), deposit(set, std::nullopt, 1, Start::deposit);
+  CHECK(layers.void_ratio().first > ratio(3, 2) * deposit.void_ratio().second);
+  CHECK(deposit.void_ratio().second < 1);
+  CHECK(deposit.void_ratio().first > ratio(1, 2));
+  const std::vector<Ball> balls = read_balls(written(write_xyzr, deposit));
+  CHECK(Integer(balls.size()) == set.particles());
+  CHECK(by_cells(balls) == 0);
+  CHECK(outside(balls, deposit) == 0);
+}
+
+TEST_CASE("placement: a deposit of 30000 particles of sizes sixty times apart") {
+  const ParticleSet set = set_of(sand, 30000);
+  const Placement start(set, std::nullopt, 3, Start::deposit);
+  const std::vector<Ball> balls = read_balls(written(write_xyzr, start));
+  CHECK(Integer(balls.size()) == set.particles());
+  CHECK(by_cells(balls) == 0);
+  CHECK(outside(balls, start) == 0);
+}
+
+TEST_CASE("placement: a deposit in a cylinder is inside of it, and its void ratio is that of the cylinder") {
+  const ParticleSet set = set_of(narrow, 500);
+  const Rational diameter = ratio(2, 100);
+  const Placement start(set, Footprint{diameter, diameter, std::nullopt, Sides::cylinder}, 1, Start::deposit);
+  const std::vector<Ball> balls = read_balls(written(write_xyzr, start));
+  CHECK(all_pairs(balls) == 0);
+  const Rational radius = Rational(std::strtod(start.text(start.box()[0]).c_str(), nullptr)) / 2;
+  double solids = 0;
+  for (const Ball &b : balls) {
+    const Rational x = Rational(b.x[0]) - radius, y = Rational(b.x[1]) - radius,
+                   room = radius - Rational(b.r);
+    CHECK(x * x + y * y <= room * room);
+    solids += 4.0 / 3 * b.r * b.r * b.r;
+  }
+  const double height = std::strtod(start.text(start.box()[2]).c_str(), nullptr);
+  CHECK(height * 0.01 * 0.01 / solids - 1 ==
+        Approx(start.void_ratio().first.convert_to<double>()).epsilon(1e-7));
+}
+
+TEST_CASE("placement: a periodic deposit does not overlap with its images") {
+  const ParticleSet set = set_of(narrow, 500);
+  const Placement start(set, Footprint{ratio(15, 1000), ratio(2, 100), std::nullopt, Sides::periodic}, 1,
+                        Start::deposit);
+  std::vector<Ball> balls = read_balls(written(write_xyzr, start));
+  const std::size_t n = balls.size();
+  const double a = std::strtod(start.text(start.box()[0]).c_str(), nullptr),
+               b = std::strtod(start.text(start.box()[1]).c_str(), nullptr);
+  for (const auto &[x, y] : {std::pair(a, 0.0), {0.0, b}, {a, b}, {a, -b}})
+    for (std::size_t i = 0; i < n; ++i)
+      balls.push_back({{balls[i].x[0] + x, balls[i].x[1] + y, balls[i].x[2]}, balls[i].r});
+  CHECK(by_cells(balls) == 0);
+  CHECK(std::any_of(balls.begin(), balls.begin() + static_cast<std::ptrdiff_t>(n),
+                    [](const Ball &ball) { return ball.x[0] < ball.r; }));
+}
+
+TEST_CASE("placement: what cannot be deposited is refused before the work") {
+  const ParticleSet set = set_of(sand);
+  CHECK(
+      contains(refusal_of(set, Footprint{ratio(1, 1000), 1, std::nullopt}, Start::deposit), "--box of 0.00"));
+  CHECK(contains(refusal_of(set_of(narrow, Integer(20000000)), std::nullopt, Start::deposit), "10000000"));
+  CHECK(contains(refusal_of(set, Footprint{10000000, 1, std::nullopt}, Start::deposit), "--start layers"));
+  CHECK(contains(refusal_of(set, Footprint{ratio(4, 1000), ratio(4, 1000), ratio(1, 1000)}, Start::deposit),
+                 "leave the height of --box out"));
+}
+
 TEST_CASE("placement: the seed and nothing else chooses the places") {
   const ParticleSet set = set_of(narrow);
   const auto text = [&set](std::uint64_t seed) {
@@ -217,6 +285,11 @@ TEST_CASE("placement: the seed and nothing else chooses the places") {
   };
   CHECK(text(1) == text(1));
   CHECK(text(1) != text(2));
+  const auto deposited = [&set](std::uint64_t seed) {
+    return written(write_lammps_data, Placement(set, std::nullopt, seed, Start::deposit));
+  };
+  CHECK(deposited(1) == deposited(1));
+  CHECK(deposited(1) != deposited(2));
 }
 
 TEST_CASE("placement: the largest class is at the bottom") {

@@ -60,6 +60,10 @@ TEST_CASE("settling: the time step from the smallest grain, computed by hand") {
   CHECK(s.step == Approx(s.rayleigh / 5));
   // A fall from 1 cm takes 0.0451524 s.
   CHECK(static_cast<double>(s.steps) == Approx(3 * 0.0451524 / s.step).epsilon(2e-4));
+  // A deposit falls no more.
+  model.deposited = true;
+  CHECK(static_cast<double>(settling(model).steps) == Approx(0.0451524 / s.step).epsilon(2e-4));
+  model.deposited = false;
   // Below 1 m of sand 10^4 times its weight is more than 5 MPa.
   model.box.z = 1;
   CHECK(settling(model).elasticity.young == 259965000);
@@ -127,6 +131,19 @@ TEST_CASE("LIGGGHTS model: largest first, exact running totals, and a check of e
   checks.pop_back();
   CHECK(checks == totals);
   CHECK(contains(text, "gravity 9.81"));
+}
+
+TEST_CASE("LIGGGHTS model: a deposit is read, and the count of each class is checked") {
+  const ParticleSet set = set_of(sand);
+  SettleModel model = model_of(set);
+  model.deposited = true;
+  const std::string text = liggghts_model(model);
+  CHECK(contains(text, "\nread_data sand.data\n"));
+  CHECK(!contains(text, "insert/pack"));
+  CHECK(found(text, "\nif \"\\$n != ([0-9]+)\" then") ==
+        std::vector<std::string>{"1", "2", "25", "268", "280", "90", "819"});
+  for (const ParticleClass &c : set.classes)
+    CHECK(contains(text, "c_d >= " + c.sizes[0].diameter.text + " "));
 }
 
 TEST_CASE("LIGGGHTS model: seeds are distinct primes above 10000") {

@@ -9,8 +9,8 @@
 namespace mdm {
 
 /// Data file of LAMMPS, atom_style sphere, z = 0, in a box that is flat: for `dimension 2` and `fix
-/// enforce2d`. Lengths of all files are in the unit, exact decimals; in that of the packing where it has
-/// none.
+/// enforce2d`. Lengths of all files are in the unit, exact decimals; those of a packing that has no unit are
+/// as they are. Densities are in kg per cube of that unit, of which LAMMPS makes masses as of spheres.
 void write_packing_lammps(const Packing &packing, LengthUnit unit, const Rational &density, const Sink &out);
 
 /// The same for LIGGGHTS, which has no second dimension: a slab as thick as the largest disc.

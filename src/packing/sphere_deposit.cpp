@@ -1,0 +1,136 @@
+#include "packing/shuffled.hpp"
+#include "packing/sphere_roll.hpp"
+
+#include <mdm/text/error.hpp>
+
+#include <cassert>
+
+namespace mdm {
+namespace {
+
+using packing::SphereGrid;
+using packing::SphereRest;
+using packing::Vector3;
+
+/// What spheres are larger by while they roll, in units: rounding to the lattice takes less, mostly.
+constexpr double gap = 4;
+
+std::vector<double> as_doubles(const std::vector<std::int64_t> &radii) {
+  return {radii.begin(), radii.end()};
+}
+
+std::int64_t whole(double units) {
+  return static_cast<std::int64_t>(units);
+}
+
+/// x moved into the first period of that width.
+double wrapped(double x, double width) {
+  while (x < 0)
+    x += width;
+  while (x >= width)
+    x -= width;
+  return x;
+}
+
+class SphereDeposit {
+public:
+  SphereDeposit(const std::vector<std::int64_t> &radii, const SphereSpace &space, std::uint64_t seed)
+      : space_(space), random_(seed), sides_(packing::side_planes(space)), grid_(as_doubles(radii), space) {}
+
+  DepositedSphere lay(std::int32_t id) {
+    const double r = grid_.radius(id), q = r + gap;
+    const auto [x, y] = column(id, q);
+    const SphereRest rest = packing::SphereRoll(grid_, sides_, q).from(x, y);
+    Vector3 at{std::round(rest.at.x), std::round(rest.at.y), std::max(std::round(rest.at.z), r)};
+    at = inside(at, r);
+    for (double rise = 1; overlaps(at, r); rise *= 2)
+      at.z += rise;
+    if (at.z + r >= static_cast<double>(most_sphere_units))
+      throw InputError("the deposit becomes too high for its lattice: give it a wider box");
+    grid_.add(id, at);
+    return {{whole(at.x), whole(at.y), whole(at.z)}, rest.supports};
+  }
+
+private:
+  /// A random place where the sphere is inside the sides.
+  std::pair<double, double> column(std::int32_t id, double q) const {
+    const double from = space_.sides == Sides::periodic ? 0 : std::ceil(q);
+    const auto place = [&](std::uint64_t stream, int axis, std::int64_t width) {
+      const auto room = static_cast<std::uint64_t>(width - 2 * whole(from)) + 1;
+      const auto bits =
+          random_(stream, 2 * static_cast<std::uint64_t>(id) + static_cast<std::uint64_t>(axis));
+      return from + static_cast<double>(packing::below(room, bits));
+    };
+    for (std::uint64_t stream = packing::column_stream;; ++stream) {
+      const double x = place(stream, 0, space_.a), y = place(stream, 1, space_.b);
+      // A place that is outside of the round wall: another one is taken.
+      if (std::all_of(sides_.begin(), sides_.end(), [&](const packing::SidePlane &side) {
+            return side.gap({x, y, 0}, q) >= 0;
+          }))
+        return {x, y};
+    }
+  }
+
+  /// The place in the first period; or moved by units to where the sphere is inside the sides, exactly.
+  Vector3 inside(Vector3 at, double r) const {
+    const auto a = static_cast<double>(space_.a), b = static_cast<double>(space_.b);
+    if (space_.sides == Sides::periodic)
+      return {wrapped(at.x, a), wrapped(at.y, b), at.z};
+    at.x = std::clamp(at.x, r, a - r);
+    at.y = std::clamp(at.y, r, b - r);
+    while (space_.sides == Sides::cylinder && is_out_of_cylinder(at, r)) {
+      at.x += 2 * at.x < a ? 1 : -1;
+      at.y += 2 * at.y < a ? 1 : -1;
+    }
+    return at;
+  }
+
+  /// Exactly; doubled coordinates keep half of an odd diameter whole.
+  bool is_out_of_cylinder(const Vector3 &at, double r) const {
+    __extension__ typedef __int128 Wide;
+    const Wide x = 2 * whole(at.x) - space_.a, y = 2 * whole(at.y) - space_.a;
+    const Wide room = space_.a - 2 * whole(r);
+    return x * x + y * y > room * room;
+  }
+
+  /// Exactly.
+  bool overlaps(const Vector3 &at, double r) const {
+    __extension__ typedef __int128 Wide;
+    constexpr double deep = 1e15; // no shell is hollow: it may lie in another
+    bool any = false;
+    grid_.each_near(at, r, 0, deep, [&](std::int32_t id, const Vector3 &other) {
+      const Vector3 d = other - at;
+      const Wide x = whole(d.x), y = whole(d.y), z = whole(d.z), sum = whole(r + grid_.radius(id));
+      any = any || x * x + y * y + z * z < sum * sum;
+    });
+    return any;
+  }
+
+  const SphereSpace &space_;
+  Philox random_;
+  std::vector<packing::SidePlane> sides_;
+  SphereGrid grid_;
+};
+
+} // namespace
+
+std::vector<DepositedSphere> deposit_spheres(const std::vector<std::int64_t> &radii, const SphereSpace &space,
+                                             std::uint64_t seed,
+                                             const std::function<void(std::size_t)> &progress) {
+  assert(radii.size() <= most_deposited);
+  assert(space.a < most_sphere_units && space.b < most_sphere_units);
+  assert(space.sides != Sides::cylinder || space.a == space.b);
+  std::vector<DepositedSphere> spheres;
+  if (radii.empty())
+    return spheres;
+  spheres.reserve(radii.size());
+  SphereDeposit deposit(radii, space, seed);
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    spheres.push_back(deposit.lay(static_cast<std::int32_t>(i)));
+    if (progress)
+      progress(i + 1);
+  }
+  return spheres;
+}
+
+} // namespace mdm

@@ -1,0 +1,106 @@
+// Places of a deposited start.
+
+#include "packing/shuffled.hpp"
+
+#include <mdm/number/decimal.hpp>
+#include <mdm/particles/placement.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+/// The smallest size has so many units or more, where there is room for them: gaps are some units.
+constexpr std::uint64_t fine_units = 1000000000;
+
+std::string length_text(const ParticleSet &set, const Rational &length) {
+  return approximate(length, 6) + " " + std::string(name(set.unit));
+}
+
+/// A height that no deposit reaches: even the loosest fills more than 0.3 of its space, and pi / 6 / 0.3 is
+/// below 7/4; of the square around it a cylinder has more than 3/4.
+Rational highest(const ParticleSet &set, const Footprint &ground) {
+  const Rational round = ground.sides == Sides::cylinder ? ratio(4, 3) : Rational(1);
+  return round * ratio(7, 4) * std::max(set.cubes(), set.cubes_of_radii()) / (ground.a * ground.b) +
+         4 * set.largest().diameter.decimal();
+}
+
+Rational least_side(const ParticleSet &set) {
+  return (least_widths + ratio(1, 1000)) * set.largest().diameter.decimal();
+}
+
+} // namespace
+
+Footprint deposit_square(const ParticleSet &set) {
+  const Rational side = std::max(Rational(settled_side(set)), least_side(set));
+  return {side, side, std::nullopt};
+}
+
+Footprint Placement::deposit_ground(const std::optional<Footprint> &floor) const {
+  if (set_->particles() > most_deposited)
+    throw InputError(fmt::format("--start deposit: {} particles are more than the {} that it lays: take "
+                                 "--start layers, or --cut-below",
+                                 to_string(set_->particles()), most_deposited));
+  if (!floor)
+    return deposit_square(*set_);
+  const Rational least = least_side(*set_);
+  if (std::min(floor->a, floor->b) < least)
+    throw InputError(fmt::format(
+        "--start deposit: the footprint, {} x {}, is narrower than {} of the largest "
+        "particle: give a --box of {} or more, or take --start mixed",
+        length_text(*set_, floor->a), length_text(*set_, floor->b), least_widths, length_text(*set_, least)));
+  return *floor;
+}
+
+void Placement::choose_deposit_unit(const Footprint &ground) {
+  const Rational smallest = set_->smallest().diameter.decimal();
+  const Rational longest = std::max({ground.a, ground.b, ground.c.value_or(0), highest(*set_, ground)});
+  // What choose_unit() found is coarse; finer units as far as there is room.
+  while (places_ < most_places && smallest * power_of_ten(places_) < fine_units &&
+         longest * power_of_ten(places_ + 1) < most_sphere_units)
+    ++places_;
+  if (longest * power_of_ten(places_) >= most_sphere_units ||
+      smallest * power_of_ten(places_) < 3 * least_radius_units)
+    throw InputError(
+        fmt::format("--start deposit: a length of {} is too far from the smallest size, {}: leave "
+                    "fine classes out with --cut-below, or take --start layers",
+                    length_text(*set_, longest), length_text(*set_, smallest)));
+}
+
+void Placement::list_in_order(std::vector<std::int64_t> &radii) {
+  for (std::size_t i = set_->classes.size(); i > 0; --i) {
+    const std::vector<ParticleSize> &sizes = set_->classes[i - 1].sizes;
+    for (auto size = sizes.rbegin(); size != sizes.rend(); ++size) {
+      const auto n = size->quantity.convert_to<std::uint64_t>();
+      spheres_.insert(spheres_.end(), n, Sphere{i - 1, &*size, {}});
+      radii.insert(radii.end(), n, radius(*size));
+    }
+  }
+}
+
+void Placement::deposit(const std::optional<Footprint> &floor, const StartProgress &progress) {
+  const Footprint ground = deposit_ground(floor);
+  choose_deposit_unit(ground);
+  sides_ = ground.sides;
+  box_ = {units(ground.a), units(ground.b), 0};
+  std::vector<std::int64_t> radii, shuffled_radii;
+  list_in_order(radii);
+  std::vector<std::uint32_t> order(radii.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order[i] = static_cast<std::uint32_t>(i);
+  packing::shuffle(order, seed_);
+  for (const std::uint32_t i : order)
+    shuffled_radii.push_back(radii[i]);
+  const std::vector<DepositedSphere> lying =
+      deposit_spheres(shuffled_radii, {box_[0], box_[1], sides_}, seed_, progress);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    spheres_[order[i]].at = lying[i].at;
+    box_[2] = std::max(box_[2], lying[i].at[2] + shuffled_radii[i]);
+  }
+  set_height(ground);
+}
+
+} // namespace mdm
