@@ -52,7 +52,7 @@ void report(const PackCommand &c, const Packing &packing) {
   Output out("-");
   const Sink sink = [&out](std::string_view text) { out.write(text); };
   if (c.format == "json") {
-    packing_json(packing, texture, c.positions, sink);
+    packing_json(packing, texture, {c.positions}, sink);
     sink("\n");
   } else {
     sink(c.format == "csv" ? packing_csv(packing, texture) : packing_text(packing, texture));
