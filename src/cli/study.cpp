@@ -153,8 +153,8 @@ Run add_study(CLI::App &app) {
     if (c->paper == "voivret")
       return run_voivret(*c);
     if (c->size_models.is_given())
-      throw InputError(
-          "--at-least, --at-most, --seeds, --spans and -j are of --paper voivret: add it or leave them out");
+      throw InputError("--only, --at-least, --at-most, --seeds, --spans and -j are of --paper voivret: add "
+                       "it or leave them out");
     if (c->what.empty())
       throw InputError("WHAT is missing: figures or specimens, or --paper voivret; see mdm study --help");
     return c->what == "figures" ? run_figures(*c) : run_specimens(*c);

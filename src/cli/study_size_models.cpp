@@ -102,6 +102,9 @@ void SizeModelFlags::add_to(CLI::App &command) {
   const auto option = [&command](const char *name, auto &value, const char *type, const char *help) {
     return command.add_option(name, value, help)->type_name(type);
   };
+  option("--only", only, "TEXT",
+         "voivret: models, the figures of size distributions alone (1, 3 to 8), or packings (2, 9 to 11)")
+      ->check(CLI::IsMember({"models", "packings"}));
   option("--at-least", at_least, "N", "voivret: discs of a deposit of Figure 9 (25000)");
   option("--at-most", at_most, "N", "voivret: points that take more discs are left out (100000)");
   option("--seeds", seeds, "K", "voivret: deposits of a point, with the seeds 1 to K (4)");
@@ -117,11 +120,15 @@ int run_size_models(const SizeModelFlags &flags, const std::string &folder,
   std::optional<StudyPictures> pictures;
   if (plots)
     pictures.emplace(*plots, quiet);
+  std::vector<StudyFile> files;
   // First what takes longest, and what may be refused.
-  const PackingStudy study = packing_study(options, folder);
-  Answers answers(options.threads, quiet);
-  std::vector<StudyFile> files = model_files(answers, pictures), more = packing_files(study, pictures);
-  std::move(more.begin(), more.end(), std::back_inserter(files));
+  if (flags.only != "models")
+    files = packing_files(packing_study(options, folder), pictures);
+  if (flags.only != "packings") {
+    Answers answers(options.threads, quiet);
+    std::vector<StudyFile> more = model_files(answers, pictures);
+    std::move(more.begin(), more.end(), std::back_inserter(files));
+  }
   write_all(folder, files);
   return Exit::done;
 }

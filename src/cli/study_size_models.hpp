@@ -11,11 +11,11 @@ namespace mdm::cli {
 
 /// The options of the study.
 struct SizeModelFlags {
-  std::optional<std::string> at_least, at_most, seeds, spans;
+  std::optional<std::string> only, at_least, at_most, seeds, spans;
   std::optional<unsigned> threads;
 
   void add_to(CLI::App &command);
-  bool is_given() const { return at_least || at_most || seeds || spans || threads; }
+  bool is_given() const { return only || at_least || at_most || seeds || spans || threads; }
 };
 
 /// Writes the tables into the folder, and the figures as `plots` where that is given; the exit code.

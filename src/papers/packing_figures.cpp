@@ -10,8 +10,8 @@ constexpr double snapshot_width = 470; // pt
 
 /// A line of each shape, told apart by its marks too.
 std::vector<Series> fraction_lines(const PackingStudy &study, Classing classing) {
-  static constexpr std::array<Mark, 6> marks = {Mark::disc,    Mark::square, Mark::triangle,
-                                                Mark::diamond, Mark::ring,   Mark::none};
+  static constexpr std::array<Mark, 5> marks = {Mark::disc, Mark::square, Mark::triangle, Mark::diamond,
+                                                Mark::ring};
   std::vector<Series> lines = shape_lines(
       study.points, [](const PackingPoint &p) { return p.shape; },
       [classing](const PackingPoint &p) { return p.classing == classing && !p.deposits.empty(); },
@@ -21,7 +21,7 @@ std::vector<Series> fraction_lines(const PackingStudy &study, Classing classing)
   for (std::size_t i = 0; i < lines.size(); ++i) {
     lines[i].mark = marks.at(i % marks.size());
     lines[i].mark_size = 0.8;
-    lines[i].stroke = lines[i].mark == Mark::none ? Stroke::dashed : Stroke::solid;
+    lines[i].stroke = i < marks.size() ? Stroke::solid : Stroke::dashed;
   }
   return lines;
 }
@@ -95,7 +95,7 @@ Figure gasket_figure(const Packing &gasket, const Rational &most) {
   Figure figure = packing_figure(gasket, PackingColour::size);
   figure.title = "Apollonian packing around three circles of radius 1, " +
                  std::to_string(gasket.discs.size()) + " circles";
-  figure.notes.push_back("to radius 1/" + to_decimal(most) + ", by their diameter");
+  figure.notes.push_back("down to radius 1/" + to_decimal(most) + ", by their diameter");
   return figure;
 }
 
@@ -108,15 +108,19 @@ Figure fraction_figure(const PackingStudy &study) {
   Range range;
   for (const Panel &p : figure.panels)
     range.cover(range_of(p.series, &Point::y));
-  for (Panel &p : figure.panels)
+  for (Panel &p : figure.panels) {
+    constexpr double hundredths = 100;
     p.y = plain_axis("packing fraction", range);
+    p.y.low = std::max(p.y.low, std::floor(range.low * hundredths) / hundredths);
+    p.y.high = std::min(p.y.high, std::ceil(range.high * hundredths) / hundredths);
+  }
   std::size_t seeds = 0;
   for (const PackingPoint &p : study.points)
     seeds = std::max(seeds, p.deposits.size());
   figure.notes = {fmt::format("mean of {} deposit{}", seeds, seeds == 1 ? "" : "s"),
                   "in boxes of several widths,", "bars from the smallest to the largest;",
-                  to_string(study.terms.at_least) + " discs or more,",
-                  "no point beyond " + to_string(study.terms.at_most)};
+                  "N_min = " + to_string(study.terms.at_least) +
+                      ", N_max = " + to_string(study.terms.at_most)};
   return figure;
 }
 
