@@ -5,6 +5,7 @@
 #include "cli/files.hpp"
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
+#include "cli/packing_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/solve_flags.hpp"
 #include "particles/cost.hpp"
@@ -453,7 +454,7 @@ void check_packing_options(const ExportCommand &c) {
 }
 
 int run(const ExportCommand &c) {
-  if (c.file && *c.file != "-" && is_packing_file(*c.file)) {
+  if (c.file && is_packing_file(*c.file)) {
     check_packing_options(c);
     check_distinct({*c.file, c.output.path()});
     const ParticleSetOptions options = set_options(c);

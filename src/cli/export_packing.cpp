@@ -1,20 +1,16 @@
 #include "cli/export_packing.hpp"
 
 #include "cli/files.hpp"
+#include "cli/packing_file.hpp"
 
-#include <mdm/packing/packing_reader.hpp>
 #include <mdm/particles/packing_export.hpp>
 #include <mdm/text/error.hpp>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 
 namespace mdm::cli {
 namespace {
-
-/// A line of a packing has some sixty characters.
-constexpr std::size_t most_bytes = std::size_t{1} << 30;
 
 struct Format {
   const char *name;
@@ -30,15 +26,6 @@ constexpr std::array<Format, 6> formats = {{{"lammps", write_packing_lammps},
 
 } // namespace
 
-bool is_packing_file(const std::string &path) {
-  constexpr std::size_t looked_at = 64;
-  std::string begin(looked_at, ' ');
-  std::ifstream file(path, std::ios::binary);
-  file.read(begin.data(), looked_at);
-  begin.resize(static_cast<std::size_t>(file.gcount()));
-  return is_packing(begin);
-}
-
 void export_packing(const std::string &packing, const std::string &format, LengthUnit unit,
                     const Rational &density, const std::string &out) {
   const auto found =
@@ -46,7 +33,7 @@ void export_packing(const std::string &packing, const std::string &format, Lengt
   if (found == formats.end())
     throw InputError("--to: " + in_quotes(format) +
                      " takes no packings of discs: use lammps, liggghts, yade, lmgc90, vtk or csv");
-  const Packing p = read_packing(read_file(packing, most_bytes), shown_name(packing));
+  const Packing p = read_packing_file(packing);
   Output file(out);
   found->write(p, unit, density, [&file](std::string_view text) { file.write(text); });
   file.commit();

@@ -8,9 +8,6 @@
 
 namespace mdm::cli {
 
-/// True for a regular file that mdm pack wrote.
-bool is_packing_file(const std::string &path);
-
 /// Writes the packing in a format: lammps, liggghts, yade, lmgc90, vtk or csv.
 /// \throws InputError naming the option or the file
 void export_packing(const std::string &packing, const std::string &format, LengthUnit unit,

@@ -2,12 +2,12 @@
 /// \file
 /// A solver's answers so far, kept for a run that is interrupted.
 
+#include "cli/journal_file.hpp"
 #include "crosscheck/other_answer.hpp"
 
 #include <mdm/gradation/gradation.hpp>
 
 #include <cstdint>
-#include <mutex>
 
 namespace mdm::cli {
 
@@ -20,9 +20,6 @@ public:
   /// Opens or makes the file. \throws InputError if that fails, it is no such file, or another run has it
   /// open
   Journal(std::string path, std::string solver);
-  ~Journal();
-  Journal(const Journal &) = delete;
-  Journal &operator=(const Journal &) = delete;
 
   /// The last answer of this solver to the gradation g in that line of the suite; null where there is none,
   /// or it is to a gradation that was corrected since.
@@ -37,15 +34,11 @@ private:
     OtherAnswer answer;
   };
 
-  [[noreturn]] void fail(int error) const;
-  void read();
   void take(std::string_view text, std::size_t number);
 
-  std::string path_;
+  JournalFile file_;
   std::string solver_;
-  int descriptor_ = -1;
   std::map<std::uint64_t, Kept> answers_; ///< of this solver, by line of the suite
-  std::mutex mutex_;                      ///< of the file
 };
 
 } // namespace mdm::cli

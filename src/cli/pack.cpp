@@ -56,7 +56,7 @@ void report(const PackCommand &c, const Packing &packing) {
   Output out("-");
   const Sink sink = [&out](std::string_view text) { out.write(text); };
   if (c.output.is_json()) {
-    packing_json(packing, texture, c.positions, sink);
+    packing_json(packing, texture, {c.positions}, sink);
     sink("\n");
   } else {
     sink(c.output.is_csv() ? packing_csv(packing, texture) : packing_text(packing, texture));

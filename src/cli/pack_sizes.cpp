@@ -2,6 +2,7 @@
 
 #include "cli/files.hpp"
 #include "cli/option_values.hpp"
+#include "cli/packing_file.hpp"
 #include "packing/set_discs.hpp"
 #include "sets/matched_set.hpp"
 #include "sets/set_sizes.hpp"
@@ -11,8 +12,6 @@
 namespace mdm::cli {
 namespace {
 
-/// A line of sizes has some forty characters.
-constexpr std::size_t most_bytes = std::size_t{1} << 30;
 /// As mdm generate has them.
 constexpr unsigned size_digits = 15;
 
@@ -96,7 +95,7 @@ DiscSizes PackSizes::of_curve(std::uint64_t seed) const {
 }
 
 DiscSizes PackSizes::of_file(const std::string &path, std::uint64_t seed) const {
-  const std::string content = read_file(path, most_bytes), name = shown_name(path);
+  const std::string content = read_file(path, most_packing_bytes), name = shown_name(path);
   if (spread)
     return of_gradation(content, name, seed);
   if (!has_disc_sizes(content))

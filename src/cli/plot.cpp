@@ -1,14 +1,17 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
 #include "cli/output_flags.hpp"
+#include "cli/packing_file.hpp"
 #include "cli/picture.hpp"
 #include "cli/progress.hpp"
 #include "match/smallest_match.hpp"
 #include "plot/gradation_figure.hpp"
+#include "plot/packing_figure.hpp"
 
 #include <mdm/answer/answer_sample.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
+#include <mdm/packing/packing_reader.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
@@ -21,8 +24,7 @@ namespace {
 
 struct PlotCommand {
   std::string file;
-  std::optional<std::string> answer, band, what, specimen_id;
-  std::string bands = "uscs";
+  std::optional<std::string> answer, band, bands, what, specimen_id, colour;
   bool match = false;
   bool coarse_left = false;
   OutputFlags output;
@@ -95,13 +97,34 @@ int limited(const PlotCommand &c, const Match &m) {
   return Exit::limited;
 }
 
+int run_packing(const PlotCommand &c, const Packing &packing) {
+  if (c.answer || c.match || c.what || c.band || c.bands || c.coarse_left || c.specimen_id)
+    throw InputError(printable(shown_name(c.file)) +
+                     " is a packing: of the options for what is drawn --colour alone is for it: leave out "
+                     "the others");
+  if (packing.discs.empty())
+    throw file_error(c.file, "a packing of no disc: there is nothing to draw");
+  const std::string colour = c.colour.value_or("size");
+  draw(packing_figure(packing, colour == "size"       ? PackingColour::size
+                               : colour == "contacts" ? PackingColour::contacts
+                                                      : PackingColour::cells),
+       c.picture, c.output.quiet);
+  return Exit::done;
+}
+
 int run(const PlotCommand &c) {
   check(c);
-  const Gradation g =
-      read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.specimen_id);
+  if (is_packing_file(c.file))
+    return run_packing(c, read_packing_file(c.file));
+  const std::string content = read_file(c.file, max_gradation_bytes);
+  if (is_packing(content))
+    return run_packing(c, read_packing(content, shown_name(c.file)));
+  if (c.colour)
+    throw InputError("--colour is for packings: give a FILE that mdm pack -o wrote");
+  const Gradation g = read_gradation(content, shown_name(c.file), c.specimen_id);
   std::vector<std::string> notes = g.notes();
   GradationFigure what;
-  if (c.bands != "uscs")
+  if (c.bands && c.bands != "uscs")
     what.bands = c.bands == "iso" ? Bands::iso_14688 : Bands::none;
   what.coarse_left = c.coarse_left;
   if (c.band) {
@@ -132,9 +155,12 @@ int run(const PlotCommand &c) {
 
 Run add_plot(CLI::App &app) {
   const auto c = std::make_shared<PlotCommand>();
-  CLI::App &command = *app.add_subcommand(
-      "plot", "A gradation as the field draws it, and the particles that match it (gnuplot draws)");
-  command.add_option("FILE", c->file, "gradation: CSV, JSON or AGS4; - for standard input")->required();
+  CLI::App &command = *app.add_subcommand("plot", "A gradation as the field draws it with the particles that "
+                                                  "match it, or a packing of discs (gnuplot draws)");
+  command
+      .add_option("FILE", c->file,
+                  "gradation: CSV, JSON or AGS4; or a packing that mdm pack -o wrote; - for standard input")
+      ->required();
   command.add_option("ANSWER", c->answer, "particles to show: the JSON answer of mdm solve");
   command.add_flag("--match", c->match, "show the smallest match: solve now");
   command.add_option("--what", c->what, "curve, counts or both; both where there are particles, else curve")
@@ -145,10 +171,18 @@ Run add_plot(CLI::App &app) {
       ->check(CLI::IsMember({"uscs", "iso", "none"}));
   command.add_flag("--coarse-left", c->coarse_left, "coarse sizes on the left, as in the United States");
   add_specimen_id(command, c->specimen_id);
+  command
+      .add_option(
+          "--colour", c->colour,
+          "of a packing, whose discs are drawn at scale: by their size (the default), by the number of "
+          "others that they touch (contacts), or of the cells of the contact graph by their corners "
+          "(cells)")
+      ->check(CLI::IsMember({"size", "contacts", "cells"}));
   c->picture.add_to(command);
   c->output.add_quiet(command, "no progress and no notes on standard error");
   command.footer("Exit code 3: --match was not solved within some seconds; nothing is drawn.\n\n"
-                 "Example: mdm plot sand.csv --match -o sand.svg");
+                 "Example: mdm plot sand.csv --match -o sand.svg\n"
+                 "         mdm plot start.packing --colour contacts -o start.png");
   return [c] { return run(*c); };
 }
 

@@ -1,13 +1,11 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
-#include "cli/in_parallel.hpp"
 #include "cli/output_flags.hpp"
-#include "cli/picture.hpp"
 #include "cli/progress.hpp"
+#include "cli/study_files.hpp"
+#include "cli/study_size_models.hpp"
 #include "papers/paper_figures.hpp"
 #include "papers/paper_tables.hpp"
-#include "papers/size_model_figures.hpp"
-#include "papers/size_model_tables.hpp"
 #include "papers/specimens.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -17,7 +15,6 @@
 
 #include <atomic>
 #include <memory>
-#include <thread>
 
 namespace mdm::cli {
 namespace {
@@ -26,12 +23,8 @@ struct StudyCommand {
   std::string what, paper = "arnold";
   std::vector<std::string> files;
   std::optional<std::string> out, plots;
+  SizeModelFlags size_models;
   OutputFlags output;
-};
-
-/// A file of the study, complete in memory before any is written.
-struct StudyFile {
-  std::string name, text;
 };
 
 /// The numbers of every gradation of the suite.
@@ -74,31 +67,6 @@ std::vector<StudyFile> tables(const Survey &s) {
           {"figure4.csv", figure4_csv(s.rows)}, {"figure5.csv", figure5_csv(s.rows)}};
 }
 
-/// Drawn as figure<number>, counted from `first`.
-std::vector<StudyFile> pictures(const std::vector<Figure> &figures, std::size_t first,
-                                const std::string &format, bool quiet) {
-  const Picture picture = format == "png" ? Picture::png : format == "pdf" ? Picture::pdf : Picture::svg;
-  std::vector<StudyFile> files;
-  for (const Figure &figure : figures) {
-    files.push_back({fmt::format("figure{}.{}", files.size() + first, format),
-                     run_gnuplot(gnuplot_script(figure, picture))});
-    if (!quiet)
-      tell_escapes(figure);
-  }
-  return files;
-}
-
-void write_all(const std::string &folder, const std::vector<StudyFile> &files) {
-  make_folder(folder);
-  std::vector<std::unique_ptr<Output>> outputs;
-  for (const StudyFile &file : files) {
-    outputs.push_back(std::make_unique<Output>(folder + "/" + file.name));
-    outputs.back()->write(file.text);
-  }
-  for (const std::unique_ptr<Output> &output : outputs)
-    output->commit();
-}
-
 int run_figures(const StudyCommand &c) {
   if (c.files.size() != 1)
     throw InputError("study figures takes one file, the suite: mdm study figures SUITE --out DIR");
@@ -107,67 +75,23 @@ int run_figures(const StudyCommand &c) {
   const Survey survey = survey_of(c);
   std::vector<StudyFile> files = tables(survey);
   if (c.plots) {
-    std::vector<StudyFile> drawn =
-        pictures({paper_figure1(survey.rows), paper_figure2(survey.runs), paper_figure3(survey.rows),
-                  paper_figure4(survey.rows), paper_figure5(survey.rows)},
-                 1, *c.plots, c.output.quiet);
-    std::move(drawn.begin(), drawn.end(), std::back_inserter(files));
+    const StudyPictures pictures(*c.plots, c.output.quiet);
+    files.push_back(pictures.drawn("figure1", paper_figure1(survey.rows)));
+    files.push_back(pictures.drawn("figure2", paper_figure2(survey.runs)));
+    files.push_back(pictures.drawn("figure3", paper_figure3(survey.rows)));
+    files.push_back(pictures.drawn("figure4", paper_figure4(survey.rows)));
+    files.push_back(pictures.drawn("figure5", paper_figure5(survey.rows)));
   }
   write_all(*c.out, files);
   return Exit::done;
 }
 
-/// Answers in the order of the questions, found by several threads.
-template <class Question, class Answer>
-auto answers(const std::vector<Question> &questions, Answer answer, std::atomic<std::uint64_t> &count) {
-  std::vector<std::optional<decltype(answer(questions.front()))>> found(questions.size());
-  in_parallel(questions.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
-    found[i] = answer(questions[i]);
-    ++count;
-  });
-  std::vector<decltype(answer(questions.front()))> all;
-  for (auto &one : found)
-    all.push_back(std::move(*one));
-  return all;
-}
-
-int run_size_models(const StudyCommand &c) {
+int run_voivret(const StudyCommand &c) {
   if (!c.what.empty() || !c.files.empty())
     throw InputError("--paper voivret is without WHAT and FILE: mdm study --paper voivret --out DIR");
   if (!c.out)
     throw InputError("--out is missing: name the folder for the files");
-  static const Integer most_drawn = 50000;
-  std::atomic<std::uint64_t> count = 0;
-  const Progress progress([&count] { return fmt::format("{} curves and sets", count.load()); },
-                          c.output.quiet);
-  const auto sets = [&](const std::vector<SetQuestion> &questions) {
-    return answers(
-        questions, [](const SetQuestion &q) { return set_row(q, most_drawn); }, count);
-  };
-  const std::vector<DistributionRow> densities = figure1_rows();
-  const std::vector<PassingRow> curves = figure3_rows();
-  const std::vector<CoefficientRow> coefficients = figure4_rows();
-  const std::vector<SetRow> classes = sets(figure5_questions()), class_sizes = sets(figure6_questions()),
-                            totals = sets(figure7_questions());
-  const std::vector<ShapeRow> maps = answers(figure8_maps(), shape_row, count),
-                              spans = answers(figure8_spans(), shape_row, count);
-  std::vector<StudyFile> files = {
-      {"figure1.csv", table_csv(densities)},    {"figure3.csv", table_csv(curves)},
-      {"figure4.csv", table_csv(coefficients)}, {"figure5.csv", table_csv(classes)},
-      {"figure6.csv", table_csv(class_sizes)},  {"figure7.csv", table_csv(totals)},
-      {"figure8.csv", table_csv(maps)},         {"figure8-spans.csv", table_csv(spans)}};
-  if (c.plots) {
-    files.push_back(
-        std::move(pictures({distribution_figure(densities)}, 1, *c.plots, c.output.quiet).front()));
-    std::vector<StudyFile> drawn =
-        pictures({passing_figure(curves), coefficient_figure(coefficients),
-                  set_figure(classes, Criterion::classes), set_figure(class_sizes, Criterion::min_per_class),
-                  set_figure(totals, Criterion::at_least), accessible_figure(maps, spans)},
-                 3, *c.plots, c.output.quiet);
-    std::move(drawn.begin(), drawn.end(), std::back_inserter(files));
-  }
-  write_all(*c.out, files);
-  return Exit::done;
+  return run_size_models(c.size_models, *c.out, c.plots, c.output.quiet);
 }
 
 int run_specimens(const StudyCommand &c) {
@@ -209,7 +133,7 @@ Run add_study(CLI::App &app) {
       .add_option(
           "--paper", c->paper,
           "arnold: Table 1 and Figures 1 to 5 of a suite (the default); voivret: the figures on models "
-          "of size distributions, without WHAT and FILE")
+          "of size distributions and packings, without WHAT and FILE; some minutes")
       ->check(CLI::IsMember({"arnold", "voivret"}));
   command
       .add_option("--out", c->out,
@@ -218,12 +142,19 @@ Run add_study(CLI::App &app) {
       ->type_name("DIR");
   command.add_option("--plots", c->plots, "draw the figures as well, as svg, png or pdf (needs gnuplot)")
       ->check(CLI::IsMember({"svg", "png", "pdf"}));
+  c->size_models.add_to(command);
   c->output.add_quiet(command, "no progress and no notes on standard error");
-  command.footer("Example: mdm study figures suite.jsonl --out study --plots svg\n"
-                 "         mdm study --paper voivret --out models --plots svg");
+  command.footer(
+      "Example: mdm study figures suite.jsonl --out study --plots svg\n"
+      "         mdm study --paper voivret --out models --plots svg\n\n"
+      "The deposits of Figure 9 are kept in DIR/figure9.journal.jsonl as they are done: a study that was "
+      "interrupted goes on from there when it is started again with the same command.");
   return [c] {
     if (c->paper == "voivret")
-      return run_size_models(*c);
+      return run_voivret(*c);
+    if (c->size_models.is_given())
+      throw InputError("--only, --at-least, --at-most, --seeds, --spans and -j are of --paper voivret: add "
+                       "it or leave them out");
     if (c->what.empty())
       throw InputError("WHAT is missing: figures or specimens, or --paper voivret; see mdm study --help");
     return c->what == "figures" ? run_figures(*c) : run_specimens(*c);

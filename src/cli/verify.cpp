@@ -3,6 +3,7 @@
 #include "cli/help.hpp"
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
+#include "cli/packing_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/solve_flags.hpp"
 #include "cli/verify_packing.hpp"
@@ -218,11 +219,8 @@ int run(const VerifyCommand &c) {
     throw InputError("GRADATION and SAMPLE cannot both be standard input: give one of them as a file");
   check_distinct({c.gradation, c.output.path()});
   check_distinct({c.sample, c.output.path()});
-  if (c.gradation != "-" && is_file_of_disc_sizes(c.gradation)) {
-    if (!c.output.is_text())
-      throw InputError("--format: packings are judged in text; mdm pack --format writes their reports");
-    return verify_packing(c.gradation, c.sample, c.output.path());
-  }
+  if (is_disc_sizes_file(c.gradation))
+    return verify_packing(c.gradation, c.sample, c.output);
   const Question question = c.flags.question();
   const Rational tolerance = tolerance_of(c);
   const Rational snap = c.snap ? not_negative("--snap", *c.snap) : Rational(0);

@@ -51,7 +51,19 @@ Integer in_units(const Rational &y, unsigned places) {
   return floor(Rational(y * Rational(power_of_ten(places))));
 }
 
+/// The square of a box's width that is about as wide as its deposit is high.
+Rational squared_width(const DiscSizes &sizes) {
+  return sum_of_squares(sizes.sizes) * ratio(15, 16);
+}
+
+/// As fine as a width is known where there is no lattice yet.
+constexpr unsigned width_digits = 18;
+
 } // namespace
+
+Rational square_width(const DiscSizes &sizes) {
+  return ratio(floor_root(in_units(squared_width(sizes), 2 * width_digits), 2) + 1, power_of_ten(width_digits));
+}
 
 Lattice lattice(const DiscSizes &sizes, const std::optional<Rational> &width) {
   if (sizes.sizes.empty())
@@ -59,8 +71,8 @@ Lattice lattice(const DiscSizes &sizes, const std::optional<Rational> &width) {
   const auto [least, greatest] = std::minmax_element(sizes.sizes.begin(), sizes.sizes.end(), is_smaller);
   const Rational largest = value(*greatest), smallest = value(*least);
   const Rational squares = sum_of_squares(sizes.sizes);
-  // W^2 for a square; its root is taken on the lattice.
-  const Rational square = squares * ratio(15, 16);
+  // Its root is taken on the lattice.
+  const Rational square = squared_width(sizes);
   const Rational least_width = 3 * largest;
   if (width ? *width < least_width : square < least_width * least_width)
     throw InputError(width ? "--width: the box is narrower than 3 of the largest discs: make it " +
@@ -68,9 +80,7 @@ Lattice lattice(const DiscSizes &sizes, const std::optional<Rational> &width) {
                            : "the discs are too few: a square box would be narrower than 3 of the largest: "
                              "take more discs, or give a width of " +
                                  approximate(least_width, 6) + " or more");
-  constexpr unsigned digits = 18;
-  const Rational wide =
-      width ? *width : ratio(floor_root(in_units(square, 2 * digits), 2) + 1, power_of_ten(digits));
+  const Rational wide = width ? *width : square_width(sizes);
   // Discs that rest on each other fill more than 0.6 of a box; pi / 4 is below 4/5.
   const Rational high = squares * ratio(4, 5) / (wide * ratio(3, 5)) + 4 * largest;
   const Rational most = std::max(wide, high);

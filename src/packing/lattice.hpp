@@ -16,8 +16,11 @@ struct Lattice {
   double highest; ///< no deposit is higher
 };
 
+/// The square root of 15/4 sum r^2, rounded up: a deposit of packing fraction 0.84 is as high.
+Rational square_width(const DiscSizes &sizes);
+
 /// The finest lattice on which box and deposit have lengths below 2^52 units.
-/// \param width open: the square root of 15/4 sum r^2, so that a deposit of packing fraction 0.84 is a square
+/// \param width open: square_width()
 /// \throws InputError if the box is narrower than three of the largest discs, or the smallest has fewer than
 /// 2^24 units
 Lattice lattice(const DiscSizes &sizes, const std::optional<Rational> &width);

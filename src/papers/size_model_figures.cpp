@@ -1,6 +1,6 @@
 #include "papers/size_model_figures.hpp"
 
-#include "plot/drawing.hpp"
+#include "papers/shape_lines.hpp"
 
 #include <mdm/number/decimal.hpp>
 
@@ -13,56 +13,9 @@ namespace mdm {
 namespace {
 
 constexpr double panel_width = 430;
-constexpr std::array<const char *, 7> colors = {"#1f4e79", "#c55a11", "#3a7d44", "#7b3f98",
-                                                "#b8860b", "#c0392b", "#555555"};
-
-std::string title(const Shape &shape) {
-  return fmt::format("a = {}, b = {}", to_decimal(shape.a), to_decimal(shape.b));
-}
-
-bool same(const Shape &x, const Shape &y) {
-  return x.a == y.a && x.b == y.b;
-}
 
 double log10_of(const Integer &n) {
   return mdm::log10_of(Rational(n));
-}
-
-/// Lines of the rows' shapes, each its colour, in the order in which they come. \param belongs whether a row
-/// is a point of them \param point of a row
-template <class Row, class Shaped, class Belongs, class PointOf>
-std::vector<Series> shape_lines(const std::vector<Row> &rows, Shaped shape, Belongs belongs, PointOf point) {
-  std::vector<Series> lines;
-  std::vector<Shape> shapes;
-  for (const Row &row : rows) {
-    const auto at =
-        std::find_if(shapes.begin(), shapes.end(), [&](const Shape &s) { return same(s, shape(row)); });
-    const auto i = static_cast<std::size_t>(at - shapes.begin());
-    if (at == shapes.end()) {
-      shapes.push_back(shape(row));
-      lines.emplace_back();
-      lines.back().title = title(shape(row));
-      lines.back().color = colors.at(i % colors.size());
-    }
-    if (belongs(row))
-      lines[i].points.push_back(point(row));
-  }
-  return lines;
-}
-
-Range range_of(const std::vector<Series> &lines, double Point::*coordinate) {
-  Range range;
-  for (const Series &line : lines)
-    for (const Point &p : line.points)
-      range.cover(p.*coordinate);
-  return range;
-}
-
-Panel lines_panel(std::vector<Series> lines) {
-  Panel panel;
-  panel.grid = true;
-  panel.series = std::move(lines);
-  return panel;
 }
 
 const Shape &shape_of(const SetRow &row) {
@@ -156,12 +109,12 @@ Figure distribution_figure(const std::vector<DistributionRow> &rows) {
       series.points.push_back({to_double(r.size), to_double(r.*value)});
     return series;
   };
-  Panel densities = lines_panel({line("by number: f, F", colors[0], &DistributionRow::number_density),
-                                 line("by volume: V, h", colors[1], &DistributionRow::volume_density)});
+  Panel densities = lines_panel({line("by number: f, F", shape_colors[0], &DistributionRow::number_density),
+                                 line("by volume: V, h", shape_colors[1], &DistributionRow::volume_density)});
   densities.title = "f(d) and V(d)";
   densities.y = plain_axis("density (1/mm)", range_of(densities.series, &Point::y));
-  Panel cumulative = lines_panel({line("by number: f, F", colors[0], &DistributionRow::partition),
-                                  line("by volume: V, h", colors[1], &DistributionRow::grading)});
+  Panel cumulative = lines_panel({line("by number: f, F", shape_colors[0], &DistributionRow::partition),
+                                  line("by volume: V, h", shape_colors[1], &DistributionRow::grading)});
   cumulative.title = "F(d) and h(d)";
   cumulative.y = linear_axis("cumulative fraction", 0, 1);
   densities.x = cumulative.x = linear_axis("size d (mm)", 0, 0.01);
@@ -287,7 +240,7 @@ Figure accessible_figure(const std::vector<ShapeRow> &maps, const std::vector<Sh
     greatest.points.push_back({to_double(span), range.high});
   }
   greatest.title = "largest C_u";
-  greatest.color = colors[1];
+  greatest.color = shape_colors[1];
   least.title = "smallest C_u";
   Panel over = lines_panel({std::move(greatest), std::move(least)});
   for (Series &line : over.series)

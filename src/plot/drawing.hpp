@@ -31,6 +31,11 @@ struct Range {
     low = std::min(low, at);
     high = std::max(high, at);
   }
+  /// All of another.
+  void cover(const Range &other) {
+    low = std::min(low, other.low);
+    high = std::max(high, other.high);
+  }
   bool empty() const { return low > high; }
 };
 

@@ -47,7 +47,8 @@ enum class Mark { none, disc, ring, square, triangle, diamond };
 struct Point {
   double x = 0;
   double y = 0;
-  double value = 0; ///< what the figure's colour scale shows
+  double value = 0;  ///< what the figure's colour scale shows
+  double radius = 0; ///< of a disc, in the measure of x
 };
 
 /// Points, joined by a line, marked, or both.
@@ -60,7 +61,9 @@ struct Series {
   Mark mark = Mark::none;
   double mark_size = 0.5;
   bool by_value = false; ///< marks take their colour from Point::value
-  bool filled = false;   ///< the inside of the closed line, and nothing else
+  bool filled = false;   ///< the inside of the closed line, and nothing else but its edge
+  std::string edge;      ///< colour of the edge of what is filled; empty: none
+  bool discs = false;    ///< discs at scale around the points: their circles, or filled
 };
 
 /// A filled rectangle; `framed` with a line around it.

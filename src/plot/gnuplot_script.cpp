@@ -84,7 +84,7 @@ public:
     add("\n");
     for (std::size_t i = 0; i < f_.panels.size(); ++i)
       for (std::size_t j = 0; j < f_.panels[i].series.size(); ++j)
-        add_data(block(i, j), f_.panels[i].series[j]);
+        add_data(block(i, j), f_.panels[i], f_.panels[i].series[j]);
     add("set multiplot\nset border 31 linewidth 1\nset tics front\n");
     add("set palette defined (0 '#440154', 1 '#472c7a', 2 '#3b518b', 3 '#2c718e', 4 '#21908d', 5 '#27ad81', "
         "6 '#5cc863', 7 '#aadc32', 8 '#fde725')\n");
@@ -157,10 +157,12 @@ private:
     return fmt::format("screen {:.6f},screen {:.6f}", x / width_, y / height_);
   }
 
-  void add_data(const std::string &name, const Series &s) {
+  void add_data(const std::string &name, const Panel &panel, const Series &s) {
     add("{} << EOD\n", name);
     for (const Point &p : s.points) {
-      if (!std::isfinite(p.x) || !std::isfinite(p.y))
+      if (s.discs)
+        add_disc(p, f_.panel_width / panel.x.span());
+      else if (!std::isfinite(p.x) || !std::isfinite(p.y))
         add("\n");
       else if (s.by_value)
         add("{:.12g} {:.12g} {:.12g}\n", p.x, p.y, p.value);
@@ -168,6 +170,20 @@ private:
         add("{:.12g} {:.12g}\n", p.x, p.y);
     }
     add("EOD\n");
+  }
+
+  /// A polygon of a disc's corners, that is nowhere farther from it than can be seen. gnuplot's own circles
+  /// have so many corners that a packing would fill a hundred megabytes.
+  void add_disc(const Point &p, double pt_per_x) {
+    constexpr double seen = 0.05; // pt
+    constexpr double pi = 3.141592653589793;
+    const double r = std::max(p.radius * pt_per_x, 2 * seen);
+    const double corners = std::max(8.0, std::ceil(pi / std::acos(1 - seen / r)));
+    for (double i = 0; i <= corners; ++i) {
+      const double angle = 2 * pi * (i < corners ? i : 0) / corners;
+      add("{:.7g} {:.7g}\n", p.x + p.radius * std::cos(angle), p.y + p.radius * std::sin(angle));
+    }
+    add("\n");
   }
 
   void add_label(double x, double y, std::string_view text, Align align, const char *more = "") {
@@ -368,10 +384,19 @@ private:
         add(", \\\n  {} using 1:2{} with {} notitle", block(i, j), p.series[j].by_value ? ":3" : "",
             look(p.series[j], p.series[j].by_value, p.series[j].mark_size));
     for (std::size_t j = 0; i == 0 && j < legend_.size(); ++j)
-      add(", \\\n  keyentry with {} title {}",
-          look(*legend_[j], false, std::min(legend_[j]->mark_size, legend_mark)),
+      add(", \\\n  keyentry with {} title {}", legend_look(*legend_[j]),
           gnuplot_string(legend_title(*legend_[j])));
     add("\n");
+  }
+
+  static std::string legend_look(const Series &s) {
+    if (!s.discs)
+      return look(s, false, std::min(s.mark_size, legend_mark));
+    Series mark;
+    mark.color = s.color;
+    mark.stroke = Stroke::none;
+    mark.mark = s.filled ? Mark::disc : Mark::ring;
+    return look(mark, false, legend_mark);
   }
 
   static std::string look(const Series &s, bool by_value, double mark_size) {
@@ -379,8 +404,9 @@ private:
     static constexpr std::array<int, 6> marks = {0, 7, 6, 5, 9, 13};
     const std::string color = by_value ? "linecolor palette" : "linecolor rgb " + gnuplot_string(s.color);
     if (s.filled)
-      return fmt::format("filledcurves closed fillcolor rgb {} fillstyle solid noborder",
-                         gnuplot_string(s.color));
+      return fmt::format("filledcurves closed fillcolor rgb {} linewidth {} fillstyle solid {}",
+                         gnuplot_string(s.color), s.width,
+                         s.edge.empty() ? "noborder" : "border linecolor rgb " + gnuplot_string(s.edge));
     const std::string line =
         fmt::format("linewidth {} dashtype {}", s.width, dashes.at(static_cast<std::size_t>(s.stroke)));
     const std::string mark =

@@ -6,6 +6,7 @@
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/packing/packing_writer.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/format.h>
 
@@ -102,6 +103,12 @@ void write_positions(JsonWriter &json, const Packing &p) {
   json.end_array();
 }
 
+void write_judgement(JsonWriter &json, const PackingJudgement &j) {
+  json.begin_object().key("sizes").string(j.sizes).key("packing").string(j.packing);
+  json.key("verdict").plain(j.is_accepted() ? "accepted" : "refused");
+  json.key("objections").strings(j.objections).end_object();
+}
+
 std::string coordination_table(const PackingTexture &t) {
   TextTable table;
   table.add_column("contacts", '>');
@@ -122,6 +129,14 @@ std::string mean_text(const Coordination &c) {
 }
 
 } // namespace
+
+std::string packing_judgement_text(const PackingJudgement &j) {
+  const std::string name = printable(j.packing);
+  std::string text = j.is_accepted() ? name + ": accepted: a packing of the set's discs\n" : "";
+  for (const std::string &objection : j.objections)
+    text += name + ": refused: " + objection + "\n";
+  return text;
+}
 
 std::string packing_text(const Packing &p, const PackingTexture &t) {
   const PackingContacts &c = t.contacts;
@@ -161,9 +176,12 @@ std::string packing_text(const Packing &p, const PackingTexture &t) {
   return text;
 }
 
-void packing_json(const Packing &p, const PackingTexture &t, bool positions, const Sink &sink) {
+void packing_json(const Packing &p, const PackingTexture &t, const PackingJsonParts &parts,
+                  const Sink &sink) {
   JsonWriter json(sink);
   json.begin_object().key("schema").plain("mdm-packing-1");
+  if (parts.judgement != nullptr)
+    write_judgement(json.key("judgement"), *parts.judgement);
   write_text(json.key("unit"), p.unit).key("discs").number(p.discs.size());
   json.key("width").plain(p.text(p.width)).key("sides").plain(p.periodic ? "periodic" : "walls");
   json.key("rule").plain(name(p.rule)).key("floor").plain(name(p.floor)).key("seed").number(p.seed);
@@ -177,7 +195,7 @@ void packing_json(const Packing &p, const PackingTexture &t, bool positions, con
   json.key("quadrangles").number(t.cells.quadrangles).key("pentagons").number(t.cells.pentagons);
   json.key("larger").number(t.cells.larger).end_object();
   write_bands(json.key("bands"), p, t.bands);
-  if (positions)
+  if (parts.positions)
     write_positions(json.key("positions"), p);
   json.key("versions").raw(versions_json()).end_object().hand_on();
 }

@@ -50,6 +50,21 @@ TEST_CASE("pack of a curve is the packing of the set that generate draws with th
   CHECK(refused.exit_code == 1);
   CHECK(has(refused.out, "refused: its radii"));
   CHECK(mdm({"verify", sizes, sizes}).exit_code == 2);
+
+  const auto judgement = [&](const std::string &packing, int exit_code) {
+    const Outcome outcome = mdm({"verify", sizes, packing, "--format", "json"});
+    CHECK(outcome.exit_code == exit_code);
+    return nlohmann::json::parse(outcome.out)["judgement"];
+  };
+  CHECK(judgement(one, 0)["verdict"] == "accepted");
+  CHECK(judgement(one, 0)["objections"].empty());
+  CHECK(judgement(other, 1)["verdict"] == "refused");
+  CHECK(judgement(other, 1)["objections"].size() == 1);
+  CHECK(judgement(other, 1)["packing"] == other);
+  const Outcome csv = mdm({"verify", sizes, other, "--format", "csv"});
+  CHECK(csv.exit_code == 1);
+  CHECK(has(csv.out, "discs,packing_fraction_lo"));
+  CHECK(has(csv.err, "refused: its radii"));
 }
 
 TEST_CASE("verify refuses a packing whose discs were moved") {

@@ -184,3 +184,45 @@ TEST_CASE("what makes no picture is refused", "[cli]") {
   check_refused(mdm({"plot", copy, "-o", copy}), "overwritten");
   CHECK(folder.entries() == 1);
 }
+
+TEST_CASE("a packing is drawn by the size of its discs, their contacts or its cells", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string packing = folder / "a.packing";
+  CHECK(mdm({"pack", "--beta", "1,1", "--span", "0.5", "--at-least", "200", "-o", packing}).exit_code == 0);
+  const auto script = [&](const Arguments &more) {
+    Arguments arguments = {"plot", packing, "--script", "-"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = mdm(arguments);
+    CHECK(outcome.exit_code == 0);
+    return outcome.out;
+  };
+  CHECK(contains(script({}), "discs by their diameter"));
+  CHECK(script({}) == script({"--colour", "size"}));
+  CHECK(contains(script({"--colour", "contacts"}), "touches 4 others: "));
+  CHECK(contains(script({"--colour", "cells"}), "quadrangles: "));
+  CHECK(mdm({"plot", "-", "--script", "-"}, read_file(packing)).out == script({}));
+  const std::string gasket = folder / "gasket.packing";
+  CHECK(mdm({"pack", "--apollonian", "equal", "--smallest", "1/20", "-o", gasket}).exit_code == 0);
+  CHECK(contains(mdm({"plot", gasket, "--script", "-"}).out, "circles by their diameter"));
+  if (!can_draw())
+    return;
+  CHECK(contains(drawn(folder, "a.svg", {packing, "--colour", "cells"}), "triangles: "));
+  CHECK(drawn(folder, "a.png", {gasket}).substr(0, 8) == "\x89PNG\r\n\x1a\n");
+}
+
+TEST_CASE("what is of gradations is refused for packings, and the other way round", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string packing = folder / "a.packing", svg = folder / "a.svg";
+  CHECK(mdm({"pack", "--beta", "1,1", "--span", "0.5", "--at-least", "200", "-o", packing}).exit_code == 0);
+  for (const Arguments &more :
+       {Arguments{"--match"}, {"--bands", "none"}, {"--coarse-left"}, {"--what", "curve"}}) {
+    Arguments arguments = {"plot", packing, "-o", svg};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    check_refused(mdm(arguments), "--colour alone");
+  }
+  check_refused(mdm({"plot", sand, "--colour", "size", "-o", svg}), "mdm pack");
+  check_refused(mdm({"plot", packing, "--colour", "age", "-o", svg}), "--colour");
+  check_refused(mdm({"plot", folder.write("b.packing", "mdm-packing 1\nunit ell\n"), "-o", svg}),
+                "b.packing:2");
+  CHECK(folder.entries() == 2);
+}

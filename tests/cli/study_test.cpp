@@ -75,6 +75,14 @@ TEST_CASE("study refuses what is broken and leaves no folder behind", "[cli]") {
   for (const char *what : {"figures", "specimens"})
     refused({what, "--paper", "voivret"}, "", "without WHAT and FILE");
   refused({"--paper", "newton"}, "", "--paper");
+  refused({"figures", "-", "--seeds", "2"}, "", "--paper voivret");
+  refused({"--paper", "voivret", "--seeds", "0"}, "", "--seeds");
+  refused({"--paper", "voivret", "--spans", "0.5,1"}, "", "--spans");
+  refused({"--paper", "voivret", "--spans", "x"}, "", "--spans");
+  refused({"--paper", "voivret", "--at-least", "none"}, "", "--at-least");
+  refused({"--paper", "voivret", "--at-most", "1e9"}, "", "--at-most");
+  refused({"--paper", "voivret", "--at-most", "100000000"}, "", "10^7");
+  refused({"--paper", "voivret", "--only", "9"}, "", "--only");
   const std::string file = folder.write("file", "");
   check_refused(mdm({"study", "figures", "-", "--out", file}, some_of_the_suite(1)), "no folder can be made");
   CHECK(folder.entries() == 1);
@@ -100,11 +108,11 @@ TEST_CASE("study draws its figures, or says that gnuplot is missing", "[cli]") {
     CHECK(read_file(folder / name).find("</svg>") != std::string::npos);
 }
 
-TEST_CASE("study --paper voivret writes the numbers of its figures", "[cli]") {
+TEST_CASE("study --paper voivret writes the numbers of its figures on size distributions", "[cli]") {
   if (MDM_KEEPS_FREED_MEMORY) // all of them: a minute there
     return;
   const TemporaryFolder folder;
-  const Outcome outcome = mdm({"study", "--paper", "voivret", "--out", folder / "study"});
+  const Outcome outcome = mdm({"study", "--paper", "voivret", "--only", "models", "--out", folder / "study"});
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.out.empty());
@@ -115,4 +123,63 @@ TEST_CASE("study --paper voivret writes the numbers of its figures", "[cli]") {
   const std::string sets = read_file(folder / "study/figure7.csv");
   CHECK(sets.find("\n1,3,geometric,10,10,2000,33927,33927,0.01") != std::string::npos);
   CHECK(sets.find("\n1,3,regular,10,10,2000,7258942,7258942,\n") != std::string::npos);
+}
+
+namespace {
+
+/// Few deposits, of 200 discs and more.
+Outcome packings(const std::string &out, const Arguments &more = {}) {
+  Arguments arguments = {"study",   "--paper", "voivret", "--only", "packings",
+                         "--spans", "0.1,0.2", "--seeds", "2",      "--at-most",
+                         "400",     "-j",      "2",       "--out",  out};
+  if (more.empty())
+    arguments.insert(arguments.end(), {"--at-least", "200"});
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return mdm(arguments);
+}
+
+} // namespace
+
+TEST_CASE("a study of packings writes its tables and keeps its deposits", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string out = folder / "study", journal = out + "/figure9.journal.jsonl";
+  const Outcome outcome = packings(out);
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.empty());
+  CHECK(lines_of(out + "/figure9.csv") == 1 + 2 * 6 * 2);
+  CHECK(lines_of(out + "/statements.csv") == 1 + 13);
+  CHECK(lines_of(out + "/figure2.csv") == 1 + 1864);
+  CHECK(lines_of(out + "/figure10.csv") > 4990);
+  const std::string points = read_file(out + "/figure9.csv"), kept = read_file(journal);
+  CHECK(points.find("\n2,4,regular,0.2,") != std::string::npos);
+  CHECK(points.find(",left out: more than 400 discs\n") != std::string::npos);
+  // Terms, the deposits of Figure 9, and those that are dropped.
+  CHECK(lines_of(journal) == 1 + (lines_of(out + "/figure9-deposits.csv") - 1) + 2 * 2);
+
+  // A run that was killed while it wrote its last line goes on; what it has kept is not made again.
+  const std::size_t last = kept.rfind('\n', kept.size() - 2) + 1;
+  std::string some = kept.substr(0, last + 40);
+  const std::size_t fraction = some.find("\"packing_fraction\":[\"0.") + 23;
+  some.replace(fraction, 1, "1");
+  folder.write("study/figure9.journal.jsonl", some);
+  CHECK(packings(out).exit_code == 0);
+  CHECK(lines_of(journal) == std::count(kept.begin(), kept.end(), '\n'));
+  const bool is_used = read_file(out + "/figure9.csv") != points;
+  CHECK(is_used);
+}
+
+TEST_CASE("a journal of another study, or none at all, is refused with what to do", "[cli]") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "study");
+  const auto refused = [&](const std::string &journal, const std::string &part) {
+    folder.write("study/figure9.journal.jsonl", journal);
+    check_refused(packings(folder / "study"), "figure9.journal.jsonl");
+    check_refused(packings(folder / "study"), part);
+    CHECK(read_file(folder / "study/figure9.journal.jsonl") == journal);
+  };
+  refused("{\"terms\":\"mdm 0.0.1, N_c = 10, N_pc = 10, N_min = 200\"}\n", "name another --out");
+  refused("{\"deposit\":\"a\"}\n", "figure9.journal.jsonl:1: is no line of a journal");
+  refused("a,b\n1,2\n", "is no line of a journal");
+  refused("a,b", "is no line of a journal");
 }

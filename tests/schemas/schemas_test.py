@@ -73,6 +73,8 @@ COMMANDS = {
         ["pack", "--beta", "1,1", "--span", "0.5", "--at-least", "200", "--walls", "--rule", "drop", "--positions"],
         ["pack", "discs.csv", "--width", "10"],
         ["pack", SAND, "--spread", "--at-least", "300"],
+        ["verify", "discs.csv", "discs.packing"],
+        ["verify", "discs.csv", "gasket.packing"],
     ],
     "mdm-apollonian-1": [
         ["pack", "--apollonian", "equal", "--smallest", "1/50"],
@@ -115,7 +117,7 @@ OPTIONAL = {
     "mdm-answer-1": {"upper_bound", "spectrum", "seed", "question", "start", "scale_power", "sizes", "size_power",
                      "lower_power", "upper_power"},
     "mdm-generate-1": {"quality", "curve", "sizes"},
-    "mdm-packing-1": {"positions"},
+    "mdm-packing-1": {"positions", "judgement"},
     "mdm-crosscheck-1": {"setting"},
     "mdm-gradation": {"id", "unit", "factors", "tolerances_percent"},
 }
@@ -246,6 +248,10 @@ def main():
     pathlib.Path("lines.jsonl").write_text("\n".join(GOOD_LINES + BAD_LINES + some) + "\n", encoding="utf-8")
     answer = subprocess.run([MDM, "solve", SAND, "--format", "json"], capture_output=True, text=True, check=True)
     pathlib.Path("answer.json").write_text(answer.stdout, encoding="utf-8")
+
+    for options in (["discs.csv", "--width", "10", "-o", "discs.packing"],
+                    ["--apollonian", "equal", "--smallest", "1/9", "-o", "gasket.packing"]):
+        subprocess.run([MDM, "pack", *options], capture_output=True, check=True)
 
     documents, forms = 0, set()
     for name, commands in COMMANDS.items():

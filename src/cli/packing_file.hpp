@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Files of packings and of the sizes of their discs.
+
+#include <mdm/packing/disc_sizes.hpp>
+#include <mdm/packing/packing.hpp>
+
+#include <string>
+
+namespace mdm::cli {
+
+/// A line has some sixty characters, and there are up to most_discs of them.
+inline constexpr std::size_t most_packing_bytes = std::size_t{1} << 30;
+
+/// True for a file that begins as packings do; standard input is not looked at.
+bool is_packing_file(const std::string &path);
+/// The same for files of sizes of discs.
+bool is_disc_sizes_file(const std::string &path);
+
+/// \throws InputError as read_file() and mdm::read_packing()
+Packing read_packing_file(const std::string &path);
+/// \throws InputError as read_file() and mdm::read_disc_sizes()
+DiscSizes read_disc_sizes_file(const std::string &path);
+
+} // namespace mdm::cli

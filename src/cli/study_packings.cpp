@@ -1,0 +1,152 @@
+#include "cli/study_packings.hpp"
+
+#include "cli/files.hpp"
+#include "cli/in_parallel.hpp"
+#include "cli/journal_file.hpp"
+#include "cli/progress.hpp"
+#include "papers/deposit_line.hpp"
+#include "papers/packing_figures.hpp"
+#include "papers/packing_tables.hpp"
+
+#include <fmt/core.h>
+
+#include <atomic>
+#include <map>
+
+namespace mdm::cli {
+namespace {
+
+/// Discs of a picture.
+const Integer &snapshot_discs() {
+  static const Integer n = 5000;
+  return n;
+}
+
+/// The deposits that were made so far: a line that says their terms, then a line a deposit.
+class DepositJournal {
+public:
+  DepositJournal(const std::string &folder, const PackingTerms &terms)
+      : file_(folder + "/figure9.journal.jsonl"), terms_(terms.text()) {
+    file_.read([this](std::string_view line, std::size_t number) { take(line, number); }, no_deposit_line);
+    if (!has_terms_)
+      file_.add(terms_line(terms_));
+  }
+
+  /// Null for one that was not made yet.
+  const DepositFacts *find(const std::string &key) const {
+    const auto found = deposits_.find(key);
+    return found == deposits_.end() ? nullptr : &found->second;
+  }
+
+  void add(const KeptDeposit &deposit) { file_.add(deposit_line(deposit)); }
+
+private:
+  void take(std::string_view line, std::size_t number) {
+    const std::string where = line_name(file_.path(), number);
+    if (!has_terms_) {
+      check_terms(line, where);
+      has_terms_ = true;
+      return;
+    }
+    KeptDeposit deposit = in_file(where, [line] { return read_deposit_line(line); });
+    deposits_[deposit.key] = std::move(deposit.facts);
+  }
+
+  void check_terms(std::string_view line, const std::string &where) const {
+    const std::string terms = in_file(where, [line] { return read_terms_line(line); });
+    if (terms != terms_)
+      throw file_error(where, "has the deposits of a study with " + in_quotes(terms) + ", not " +
+                                  in_quotes(terms_) +
+                                  ": ask for the same, remove the file, or name another --out");
+  }
+
+  JournalFile file_;
+  std::string terms_;
+  bool has_terms_ = false;
+  std::map<std::string, DepositFacts> deposits_;
+};
+
+/// A deposit that is asked for, and its place among the answers.
+struct Wanted {
+  DepositQuestion question;
+  DepositFacts *facts;
+};
+
+/// The deposits of points that do not take too many discs. \pre the points stay where they are
+std::vector<Wanted> wanted(std::vector<PackingPoint> &points, DepositRule rule,
+                           const PackingStudyOptions &options) {
+  std::vector<Wanted> all;
+  for (PackingPoint &p : points) {
+    if (!p.discs || *p.discs > options.terms.at_most)
+      continue;
+    p.deposits.resize(options.seeds);
+    for (std::uint64_t i = 0; i < options.seeds; ++i)
+      all.push_back({{p.shape, p.classing, p.span, rule, i + 1}, &p.deposits[i]});
+  }
+  return all;
+}
+
+std::vector<PackingPoint> dropped_points(const PackingStudy &study) {
+  std::vector<PackingPoint> points;
+  for (const PackingPoint &p : study.points)
+    if (p.shape.a == 1 && p.shape.b == 1 && p.classing == Classing::geometric)
+      points.push_back(p);
+  return points;
+}
+
+Snapshot snapshot(const Rational &span) {
+  PackingTerms terms;
+  terms.at_least = snapshot_discs();
+  return {span, deposited({{1, 1}, Classing::geometric, span, DepositRule::lowest, 1}, terms)};
+}
+
+} // namespace
+
+PackingStudy packing_study(const PackingStudyOptions &options, const std::string &folder) {
+  make_folder(folder);
+  DepositJournal journal(folder, options.terms);
+  PackingStudy study{options.terms, figure9_points(options.spans, options.terms), {}, {}};
+  study.dropped = dropped_points(study);
+  std::vector<Wanted> all = wanted(study.points, DepositRule::lowest, options);
+  for (const Wanted &w : wanted(study.dropped, DepositRule::drop, options))
+    all.push_back(w);
+  std::atomic<std::size_t> done = 0;
+  const Progress progress([&] { return fmt::format("{} of {} deposits", done.load(), all.size()); },
+                          options.quiet);
+  in_parallel(all.size(), options.threads, [&](std::size_t i) {
+    const std::string key = all[i].question.key();
+    if (const DepositFacts *known = journal.find(key)) {
+      *all[i].facts = *known;
+    } else {
+      *all[i].facts = deposit_facts(all[i].question, options.terms);
+      journal.add({key, *all[i].facts});
+    }
+    ++done;
+  });
+  study.equal = equal_disc_facts(options.terms);
+  return study;
+}
+
+std::vector<StudyFile> packing_files(const PackingStudy &study,
+                                     const std::optional<StudyPictures> &pictures) {
+  const ApollonianGasket gasket = ApollonianGasket::equal();
+  const Rational most = 300;
+  const Snapshot narrow = snapshot(ratio(2, 100));
+  const std::vector<Snapshot> wide = {snapshot(ratio(42, 100)), snapshot(ratio(97, 100))};
+  std::vector<StudyFile> files = {{"figure2.csv", gasket_table(gasket, most)},
+                                  {"figure9.csv", figure9_table(study)},
+                                  {"figure9-deposits.csv", deposits_table(study.points)},
+                                  {"figure10.csv", discs_table({narrow})},
+                                  {"figure10-cells.csv", cells_table(narrow.packing)},
+                                  {"figure11.csv", discs_table(wide)},
+                                  {"statements.csv", statements_table(packing_statements(study))}};
+  if (pictures) {
+    files.push_back(pictures->drawn("figure2", gasket_figure(gasket.packing(most), most)));
+    files.push_back(pictures->drawn("figure9", fraction_figure(study)));
+    files.push_back(pictures->drawn("figure10", regions_figure(narrow)));
+    files.push_back(pictures->drawn("figure11", snapshots_figure(wide)));
+  }
+  return files;
+}
+
+} // namespace mdm::cli
