@@ -3,6 +3,7 @@
 #include "cli/export_model.hpp"
 #include "cli/export_packing.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/packing_file.hpp"
@@ -562,9 +563,13 @@ Run add_export(CLI::App &app) {
   c->solving.push_back(add_specimen_id(command, c->specimen_id));
   c->output.add_out(command, "write the file");
   c->output.add_quiet(command, "no progress, costs and notes on standard error");
-  command.footer(
-      "Example: mdm export sand.csv --to lammps --box 50x50 -o sand.data\n"
-      "LIGGGHTS, LAMMPS, YADE, VTK, csv and diameters carry exact counts; MercuryDPM draws at random.");
+  command.footer(footer(
+      paragraph(
+          "LIGGGHTS, LAMMPS, YADE, VTK, csv and diameters carry exact counts; MercuryDPM draws at random. "
+          "Give mdm verify the same --size-factor, --cut-below and --pan-size."),
+      {"mdm export sand.csv --to lammps --box 50x50 -o sand.data",
+       "mdm export sand.csv --cut-below 0.1 --to liggghts --model settle --start deposit -o sand.in",
+       "mdm export start.packing --to yade -o start.txt"}));
   return [c] { return run(*c); };
 }
 

@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/packing_file.hpp"
 #include "cli/picture.hpp"
@@ -180,9 +181,10 @@ Run add_plot(CLI::App &app) {
       ->check(CLI::IsMember({"size", "contacts", "cells"}));
   c->picture.add_to(command);
   c->output.add_quiet(command, "no progress and no notes on standard error");
-  command.footer("Exit code 3: --match was not solved within some seconds; nothing is drawn.\n\n"
-                 "Example: mdm plot sand.csv --match -o sand.svg\n"
-                 "         mdm plot start.packing --colour contacts -o start.png");
+  command.footer(
+      footer(paragraph("Exit code 3: --match was not solved within some seconds; nothing is drawn."),
+             {"mdm plot sand.csv --match -o sand.svg", "mdm plot sand.csv --band limits.csv -o sand.pdf",
+              "mdm plot start.packing --colour contacts -o start.png"}));
   return [c] { return run(*c); };
 }
 

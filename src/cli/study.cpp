@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
 #include "cli/study_files.hpp"
@@ -144,11 +145,12 @@ Run add_study(CLI::App &app) {
       ->check(CLI::IsMember({"svg", "png", "pdf"}));
   c->size_models.add_to(command);
   c->output.add_quiet(command, "no progress and no notes on standard error");
-  command.footer(
-      "Example: mdm study figures suite.jsonl --out study --plots svg\n"
-      "         mdm study --paper voivret --out models --plots svg\n\n"
-      "The deposits of Figure 9 are kept in DIR/figure9.journal.jsonl as they are done: a study that was "
-      "interrupted goes on from there when it is started again with the same command.");
+  command.footer(footer(
+      paragraph(
+          "The deposits of Figure 9 are kept in DIR/figure9.journal.jsonl as they are done: a study that "
+          "was interrupted goes on from there when it is started again with the same command."),
+      {"mdm study figures suite.jsonl --out study --plots svg", "mdm study specimens sand.csv specimens.csv",
+       "mdm study --paper voivret --out models --plots svg"}));
   return [c] {
     if (c->paper == "voivret")
       return run_voivret(*c);
