@@ -72,6 +72,7 @@ std::unique_ptr<LineReader> read_dump(ParticleSource &source);
 std::unique_ptr<LineReader> read_liggghts_insertion(ParticleSource &source);
 std::unique_ptr<LineReader> read_mercurydpm(ParticleSource &source);
 std::unique_ptr<LineReader> read_vtk(ParticleSource &source);
+std::unique_ptr<LineReader> read_extxyz(ParticleSource &source);
 
 /// Moves the first word of `rest`, separated by spaces and tabs, out of it; empty at the end.
 std::string_view take_word(std::string_view &rest);

@@ -6,9 +6,10 @@
 namespace mdm {
 namespace {
 
-constexpr std::array<std::string_view, 10> format_names = {
-    "csv",           "answer", "xyzr",      "lammps-data",        "lammps-dump",
-    "liggghts-dump", "vtk",    "diameters", "liggghts-insertion", "mercurydpm"};
+constexpr std::array<std::string_view, 11> format_names = {"csv",         "answer",      "xyzr",
+                                                           "lammps-data", "lammps-dump", "liggghts-dump",
+                                                           "vtk",         "diameters",   "liggghts-insertion",
+                                                           "mercurydpm",  "extxyz"};
 constexpr std::array<std::string_view, 4> unit_names = {"mm", "um", "m", "in"};
 
 /// The enumerator at the place of the name.

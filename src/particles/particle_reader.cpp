@@ -32,6 +32,8 @@ std::unique_ptr<LineReader> line_reader(ParticleFormat format, ParticleSource &s
     return read_liggghts_insertion(source);
   case ParticleFormat::mercurydpm:
     return read_mercurydpm(source);
+  case ParticleFormat::extxyz:
+    return read_extxyz(source);
   case ParticleFormat::answer:
     break;
   }
@@ -58,10 +60,21 @@ bool is_csv_header(std::string_view line) {
          std::any_of(names.begin(), names.end(), is_known);
 }
 
-/// The format that a line at the beginning of a file tells; nothing where the next must be looked at.
-std::optional<ParticleFormat> format_of(std::string_view line, const ParticleSource &source) {
-  const std::string_view text = trimmed(line);
-  const bool is_first = source.line() == 1;
+/// True for a line that begins extended XYZ, or a list of diameters.
+bool is_count(std::string_view line) {
+  return parse_count(trimmed(line)).has_value();
+}
+
+/// The format that the last of the lines at the beginning of a file tells; nothing where the next must be
+/// looked at.
+std::optional<ParticleFormat> format_of(const std::vector<std::string> &lines, const ParticleSource &source) {
+  const std::string_view text = trimmed(lines.back());
+  const bool is_first = lines.size() == 1;
+  if (is_first && is_count(text))
+    return std::nullopt;
+  if (lines.size() == 2 && is_count(lines.front()))
+    return text.find("Properties=") == std::string_view::npos ? ParticleFormat::diameters
+                                                              : ParticleFormat::extxyz;
   if (is_first && text.starts_with("# vtk DataFile"))
     return ParticleFormat::vtk;
   if (text.empty() || text.front() == '#')
@@ -108,6 +121,11 @@ void ParticleReader::begin(ParticleFormat format) {
   if (source_->options().timestep && !is_dump)
     source_->refuse(fmt::format("--timestep is for dumps, and this is {}: leave it out", name(format)));
   reader_ = line_reader(format, *source_);
+  for (std::size_t i = 0; i < pending_.size(); ++i) {
+    source_->set_line(i + 1);
+    reader_->line(pending_[i]);
+  }
+  pending_.clear();
 }
 
 void ParticleReader::line(std::string_view text) {
@@ -124,20 +142,17 @@ void ParticleReader::line(std::string_view text) {
     return;
   }
   pending_.emplace_back(text);
-  const std::optional<ParticleFormat> found = format_of(text, *source_);
+  const std::optional<ParticleFormat> found = format_of(pending_, *source_);
   if (!found && (pending_.size() == most_pending || text.size() > longest_pending))
     source_->refuse("the format is not clear by now: say it with --from, one of " + particle_format_names());
-  if (!found)
-    return;
-  begin(*found);
-  for (std::size_t i = 0; i < pending_.size(); ++i) {
-    source_->set_line(i + 1);
-    reader_->line(pending_[i]);
-  }
-  pending_.clear();
+  if (found)
+    begin(*found);
 }
 
 void ParticleReader::end() {
+  // A number alone is a diameter: extended XYZ has a second line.
+  if (!reader_ && pending_.size() == 1 && is_count(pending_.front()))
+    begin(ParticleFormat::diameters);
   if (!reader_)
     source_->refuse("there are no particles up to here, the end: give a file that has some");
   reader_->end();

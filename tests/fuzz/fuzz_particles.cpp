@@ -79,7 +79,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
   for (const ParticleFormat format :
        {ParticleFormat::csv, ParticleFormat::xyzr, ParticleFormat::lammps_data, ParticleFormat::lammps_dump,
         ParticleFormat::vtk, ParticleFormat::diameters, ParticleFormat::liggghts_insertion,
-        ParticleFormat::mercurydpm}) {
+        ParticleFormat::mercurydpm, ParticleFormat::extxyz}) {
     options.format = format;
     check([&content, &options] { read_particles(content, options); });
   }

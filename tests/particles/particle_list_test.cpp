@@ -57,7 +57,7 @@ TEST_CASE("particle files: an unknown format names those there are") {
   options.timestep = 3;
   CHECK(contains(refusal("1\n", options), "--timestep is for dumps, and this is diameters"));
   for (const char *name :
-       {"csv", "answer", "xyzr", "lammps-data", "lammps-dump", "liggghts-dump", "vtk", "diameters"})
+       {"csv", "answer", "xyzr", "lammps-data", "lammps-dump", "liggghts-dump", "vtk", "diameters", "extxyz"})
     CHECK(mdm::name(parse_particle_format(name).value()) == name);
   CHECK_FALSE(parse_particle_format("xyz"));
 }

@@ -21,11 +21,12 @@ enum class ParticleFormat {
   diameters,     ///< one diameter a line, # comments
   liggghts_insertion, ///< script of LIGGGHTS with an insertion of one template after the other, to running
                       ///< totals
-  mercurydpm          ///< cumulative number distribution below the heading that mdm export writes
+  mercurydpm,         ///< cumulative number distribution below the heading that mdm export writes
+  extxyz              ///< extended XYZ with a radius among the `Properties=` of its second line: ASE, OVITO
 };
 
 /// `csv`, `answer`, `xyzr`, `lammps-data`, `lammps-dump`, `liggghts-dump`, `vtk`, `diameters`,
-/// `liggghts-insertion` or `mercurydpm`.
+/// `liggghts-insertion`, `mercurydpm` or `extxyz`.
 std::string_view name(ParticleFormat format);
 /// The format of that name, or nothing.
 std::optional<ParticleFormat> parse_particle_format(std::string_view name);

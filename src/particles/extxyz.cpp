@@ -1,0 +1,156 @@
+#include "particles/line_reader.hpp"
+
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+/// Moves the first word or `key=value` of a comment out of it. Blanks within double quotes, where a backslash
+/// guards the next character, do not end it.
+std::string_view take_item(std::string_view &rest) {
+  rest = trimmed(rest);
+  bool is_quoted = false;
+  std::size_t end = 0;
+  for (; end < rest.size() && (is_quoted || !is_blank(rest[end])); ++end)
+    if (rest[end] == '"')
+      is_quoted = !is_quoted;
+    else if (rest[end] == '\\' && end + 1 < rest.size())
+      ++end;
+  const std::string_view item = rest.substr(0, end);
+  rest.remove_prefix(end);
+  return item;
+}
+
+/// The value of Properties in a comment, without quotes around it.
+std::optional<std::string_view> properties_of(std::string_view comment) {
+  constexpr std::string_view key = "Properties=";
+  for (std::string_view item = take_item(comment); !item.empty(); item = take_item(comment)) {
+    if (!item.starts_with(key))
+      continue;
+    item.remove_prefix(key.size());
+    const bool has_quotes = item.size() >= 2 && item.front() == '"' && item.back() == '"';
+    return has_quotes ? item.substr(1, item.size() - 2) : item;
+  }
+  return std::nullopt;
+}
+
+/// Moves what is above the next colon out of `rest`, and the colon.
+std::string_view take_part(std::string_view &rest) {
+  const std::string_view part = rest.substr(0, rest.find(':'));
+  rest.remove_prefix(std::min(part.size() + 1, rest.size()));
+  return part;
+}
+
+/// Extended XYZ: the number of particles, a comment with `Properties=name:type:columns:...`, and a line a
+/// particle with these columns. The sizes are the column radius; the format has no unit.
+class ExtxyzReader : public LineReader {
+public:
+  explicit ExtxyzReader(ParticleSource &source) : source_(source) {
+    source.set_defaults(SizeMeaning::radius, length_unit(source.options().target));
+  }
+
+  void line(std::string_view text) override {
+    if (source_.line() == 1)
+      read_count(trimmed(text));
+    else if (source_.line() == 2)
+      read_comment(text);
+    else
+      read_row(text);
+  }
+
+  void end() override {
+    if (source_.line() < 2)
+      source_.refuse("the file ends above the comment with Properties=: is it cut off?");
+    if (read_ != particles_)
+      source_.refuse(
+          fmt::format("the file ends after {} of {} particles: is it cut off?", read_, particles_));
+    source_.check_some();
+  }
+
+private:
+  struct Property {
+    std::string_view name, type;
+    std::uint64_t columns;
+  };
+
+  void read_count(std::string_view text) {
+    const std::optional<std::uint64_t> count = parse_count(text);
+    if (!count)
+      source_.refuse(fmt::format("{} is no number of particles: write a whole number", in_quotes(text)));
+    particles_ = *count;
+  }
+
+  void read_comment(std::string_view text) {
+    const std::optional<std::string_view> properties = properties_of(text);
+    if (!properties)
+      source_.refuse("there is no Properties= in the comment: write for example "
+                     "Properties=species:S:1:pos:R:3:radius:R:1");
+    for (std::string_view rest = *properties; !rest.empty();)
+      add(take_property(rest));
+    if (!radius_)
+      source_.refuse(
+          fmt::format("there is no radius among the Properties {}: add radius:R:1", in_quotes(*properties)));
+  }
+
+  Property take_property(std::string_view &rest) const {
+    const std::string_view name = take_part(rest);
+    const std::string_view type = take_part(rest);
+    const std::optional<std::uint64_t> columns = parse_count(take_part(rest));
+    const bool is_type = type == "S" || type == "I" || type == "R" || type == "L";
+    if (name.empty() || !is_type || !columns || *columns == 0)
+      source_.refuse(fmt::format("property {} is not name:type:columns with type S, I, R or L: write for "
+                                 "example pos:R:3",
+                                 in_quotes(name)));
+    return {name, type, *columns};
+  }
+
+  /// Gives the property the next columns.
+  void add(const Property &property) {
+    if (property.name == "radius") {
+      if (radius_)
+        source_.refuse("property 'radius' is there twice: leave one");
+      if (property.columns != 1 || (property.type != "R" && property.type != "I"))
+        source_.refuse("property 'radius' is not one number a particle: write radius:R:1");
+      radius_ = width_;
+    }
+    width_ += property.columns;
+    if (width_ > max_fields)
+      source_.refuse(fmt::format("the Properties have more than {} columns, which is not read: write fewer",
+                                 max_fields));
+  }
+
+  void read_row(std::string_view text) {
+    split_words(text, words_);
+    if (words_.empty())
+      return;
+    if (read_ == particles_)
+      source_.refuse(fmt::format("there are more particles than the {} of the first line: write one frame "
+                                 "alone, or put the number right",
+                                 particles_));
+    if (words_.size() != width_)
+      source_.refuse(fmt::format("the line has {} values, the Properties have {} columns: is the file "
+                                 "damaged?",
+                                 words_.size(), width_));
+    source_.particle(words_[*radius_]);
+    ++read_;
+  }
+
+  ParticleSource &source_;
+  std::vector<std::string_view> words_;
+  std::uint64_t particles_ = 0; ///< that the first line gives
+  std::uint64_t read_ = 0;
+  std::uint64_t width_ = 0;             ///< columns of a line
+  std::optional<std::uint64_t> radius_; ///< its column, from 0
+};
+
+} // namespace
+
+std::unique_ptr<LineReader> read_extxyz(ParticleSource &source) {
+  return std::make_unique<ExtxyzReader>(source);
+}
+
+} // namespace mdm
