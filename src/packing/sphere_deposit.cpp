@@ -14,6 +14,9 @@ using packing::Vector3;
 
 /// What spheres are larger by while they roll, in units: rounding to the lattice takes less, mostly.
 constexpr double gap = 4;
+/// A sphere that needs more than so many units, or has not come to rest, is dropped again.
+constexpr double slight_rise = 63;
+constexpr int most_drops = 8;
 
 std::vector<double> as_doubles(const std::vector<std::int64_t> &radii) {
   return {radii.begin(), radii.end()};
@@ -39,12 +42,20 @@ public:
 
   DepositedSphere lay(std::int32_t id) {
     const double r = grid_.radius(id), q = r + gap;
-    const auto [x, y] = column(id, q);
-    const SphereRest rest = packing::SphereRoll(grid_, sides_, q).from(x, y);
-    Vector3 at{std::round(rest.at.x), std::round(rest.at.y), std::max(std::round(rest.at.z), r)};
-    at = inside(at, r);
-    for (double rise = 1; overlaps(at, r); rise *= 2)
-      at.z += rise;
+    std::uint64_t stream = packing::column_stream;
+    Vector3 at;
+    SphereRest rest;
+    for (int drops = 0; drops < most_drops; ++drops) {
+      const auto [x, y] = column(id, q, stream);
+      rest = packing::SphereRoll(grid_, sides_, q).from(x, y);
+      at = on_lattice(rest.at, r);
+      if (const double rise = rise_to_free(at, r); rise <= slight_rise && rest.is_found()) {
+        at.z += rise;
+        break;
+      }
+    }
+    // Nearly always nothing; else to where there is room above.
+    at.z += rise_to_free(at, r);
     if (at.z + r >= static_cast<double>(most_sphere_units))
       throw InputError("the deposit becomes too high for its lattice: give it a wider box");
     grid_.add(id, at);
@@ -52,23 +63,39 @@ public:
   }
 
 private:
-  /// A random place where the sphere is inside the sides.
-  std::pair<double, double> column(std::int32_t id, double q) const {
+  /// A random place where the sphere is inside the sides. Random numbers are taken from one stream after the
+  /// other.
+  std::pair<double, double> column(std::int32_t id, double q, std::uint64_t &stream) const {
     const double from = space_.sides == Sides::periodic ? 0 : std::ceil(q);
-    const auto place = [&](std::uint64_t stream, int axis, std::int64_t width) {
+    const auto place = [&](int axis, std::int64_t width) {
       const auto room = static_cast<std::uint64_t>(width - 2 * whole(from)) + 1;
       const auto bits =
           random_(stream, 2 * static_cast<std::uint64_t>(id) + static_cast<std::uint64_t>(axis));
       return from + static_cast<double>(packing::below(room, bits));
     };
-    for (std::uint64_t stream = packing::column_stream;; ++stream) {
-      const double x = place(stream, 0, space_.a), y = place(stream, 1, space_.b);
+    for (;; ++stream) {
+      const double x = place(0, space_.a), y = place(1, space_.b);
       // A place that is outside of the round wall: another one is taken.
       if (std::all_of(sides_.begin(), sides_.end(), [&](const packing::SidePlane &side) {
             return side.gap({x, y, 0}, q) >= 0;
-          }))
+          })) {
+        ++stream;
         return {x, y};
+      }
     }
+  }
+
+  /// The place on the lattice, inside the space.
+  Vector3 on_lattice(const Vector3 &at, double r) const {
+    return inside({std::round(at.x), std::round(at.y), std::max(std::round(at.z), r)}, r);
+  }
+
+  /// How far it is up to where the sphere overlaps with no other, less than twice as far.
+  double rise_to_free(const Vector3 &at, double r) const {
+    double rise = 0;
+    for (double step = 1; overlaps({at.x, at.y, at.z + rise}, r); step *= 2)
+      rise += step;
+    return rise;
   }
 
   /// The place in the first period; or moved by units to where the sphere is inside the sides, exactly.

@@ -181,8 +181,10 @@ void SphereRoll::end_where_met(const Descent &d, const Circle &c, End &end) cons
 void SphereRoll::move_on(const Descent &d, const Circle &c, const End &end) {
   const Vector3 before = at_;
   at_ = c.at(end.turn.cosine, end.turn.sine);
-  if (end.how == End::left && d.carried.size() == 1)
+  if (end.how == End::left && d.carried.size() == 1) {
+    contacts_ = {contacts_[end.left_by]};
     return fall();
+  }
   const double moved = length(at_ - before);
   std::vector<Contact> kept;
   // Where it has not moved, all that it touches may turn the way.

@@ -12,6 +12,8 @@ namespace mdm::packing {
 struct SphereRest {
   Vector3 at; ///< outside the first period, maybe
   std::array<std::int32_t, 3> supports{no_sphere_support, no_sphere_support, no_sphere_support};
+
+  bool is_found() const { return supports.front() != no_sphere_support; }
 };
 
 /// The way of one sphere: it falls, and slides down the steepest way on one or two that it touches, until

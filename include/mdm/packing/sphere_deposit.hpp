@@ -29,7 +29,7 @@ enum SphereSupport : std::int32_t { sphere_on_floor = -1, sphere_on_side = -2, n
 struct DepositedSphere {
   std::array<std::int64_t, 3> at; ///< the centre, in units
   /// Earlier spheres, by their numbers, or SphereSupports. On the floor alone, the others are
-  /// no_sphere_support; so are all where rolling was cut off.
+  /// no_sphere_support; so are all where it has not come to rest.
   std::array<std::int32_t, 3> supports;
 };
 
@@ -47,9 +47,10 @@ inline constexpr std::int64_t least_radius_units = std::int64_t{1} << 16;
 /// triangle, or on the floor; sides count as spheres. It touches its supports but for some units.
 ///
 /// No two spheres overlap and all are inside the space: decided for each in integers. A sphere that does not
-/// pass, because places are rounded, is raised by units until it does. A sphere that has not come to rest
-/// after many turns stays where it is. Places are computed in doubles by + - * / and square roots alone: they
-/// are the same on every machine.
+/// pass, because places are rounded, is raised by units until it does. One that would have to be raised by
+/// more than 63, or has not come to rest after many turns, is dropped again; after eight drops it stays, or
+/// is raised. Places are computed in doubles by + - * / and square roots alone: they are the same on every
+/// machine.
 ///
 /// Cost: some 10 us a sphere, more where sizes are far apart.
 /// \param radii in units, each from least_radius_units to a sixth of the narrower side
