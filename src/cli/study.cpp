@@ -147,7 +147,7 @@ Run add_study(CLI::App &app) {
   command.footer(
       "Example: mdm study figures suite.jsonl --out study --plots svg\n"
       "         mdm study --paper voivret --out models --plots svg\n\n"
-      "The deposits of Figure 9 are kept in DIR/figure9.journal.jsonl as they are done: a study that was "
+      "The deposits of Figure 9 are kept in DIR/figure9.journal.jsonl as they are done: a study that was\n"
       "interrupted goes on from there when it is started again with the same command.");
   return [c] {
     if (c->paper == "voivret")
