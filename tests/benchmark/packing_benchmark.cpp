@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace {
@@ -39,21 +40,44 @@ void deposited(benchmark::State &state, DepositSearch search) {
 void blocks(benchmark::State &state) {
   deposited(state, DepositSearch::blocks);
 }
-BENCHMARK(blocks)->Unit(benchmark::kSecond)->Iterations(1)->Arg(25000)->Arg(100000)->Arg(1000000);
+BENCHMARK(blocks)
+    ->Unit(benchmark::kSecond)
+    ->Iterations(1)
+    ->Arg(25000)
+    ->Arg(50000)
+    ->Arg(100000)
+    ->Arg(200000)
+    ->Arg(400000)
+    ->Arg(1000000);
 
 void full_walk(benchmark::State &state) {
   deposited(state, DepositSearch::full_walk);
 }
-BENCHMARK(full_walk)->Unit(benchmark::kSecond)->Iterations(1)->Arg(25000)->Arg(100000);
+BENCHMARK(full_walk)->Unit(benchmark::kSecond)->Iterations(1)->Arg(25000)->Arg(50000)->Arg(100000);
 
-/// The circles of the gasket of three equal ones in plain doubles.
-std::uint64_t in_doubles(double most) {
+/// What ApollonianGasket::census finds of a gasket.
+struct Census {
+  std::uint64_t circles = 0;
+  double inverse_squares = 0;
+  std::array<std::uint64_t, 64> octaves{};
+
+  void add(double k, double most) {
+    ++circles;
+    inverse_squares += 1 / (k * k);
+    ++octaves.at(static_cast<std::size_t>(std::ilogb(most / k)));
+  }
+};
+
+/// The gasket of three equal circles in plain doubles, without proof.
+Census in_doubles(double most) {
   struct Open {
     std::array<double, 4> k;
     int last;
   };
   std::vector<Open> open{{{3 - 2 * 1.7320508075688772, 1, 1, 1}, -1}};
-  std::uint64_t n = 3;
+  Census census;
+  for (int i = 0; i < 3; ++i)
+    census.add(1, most);
   while (!open.empty()) {
     const Open at = open.back();
     open.pop_back();
@@ -62,17 +86,17 @@ std::uint64_t in_doubles(double most) {
       const double k = 2 * sum - 3 * at.k.at(static_cast<std::size_t>(i));
       if (i == at.last || k > most)
         continue;
-      ++n;
+      census.add(k, most);
       open.push_back({at.k, i});
       open.back().k.at(static_cast<std::size_t>(i)) = k;
     }
   }
-  return n;
+  return census;
 }
 
 void gasket_in_doubles(benchmark::State &state) {
   for (auto _ : state)
-    state.counters["circles"] = static_cast<double>(in_doubles(static_cast<double>(state.range(0))));
+    state.counters["circles"] = static_cast<double>(in_doubles(static_cast<double>(state.range(0))).circles);
 }
 BENCHMARK(gasket_in_doubles)->Unit(benchmark::kSecond)->Arg(100000);
 

@@ -4,6 +4,7 @@
 #include <mdm/packing/contacts.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 using namespace mdm;
@@ -46,6 +47,21 @@ TEST_CASE("circles of gaskets are as many, and cover as much, as was counted by 
   check_covered(coins, 100, 9, "842499756");
   check_covered(coins, 1000, 144, "966699939");
   check_covered(coins, 10000, 2939, "993324049");
+  check_covered(equal, 100000, 3707710, "999849788");
+  check_covered(small, 100000, 1359170, "999744577");
+  check_covered(coins, 100000, 59337, "998649846");
+}
+
+TEST_CASE("over a decade of curvatures circles grow by the gasket's dimension") {
+  // 1.305686728049877... (Vytnova, Wormell 2024, prove 128 digits).
+  const double dimension = 1.305686728;
+  const auto slope = [](const ApollonianGasket &gasket) {
+    return std::log10(static_cast<double>(gasket.census(100000).circles) /
+                      static_cast<double>(gasket.census(10000).circles));
+  };
+  CHECK(std::fabs(slope(ApollonianGasket::equal()) - dimension) < 0.001);
+  CHECK(std::fabs(slope(ApollonianGasket::integral({-1, 2, 2, 3})) - dimension) < 0.001);
+  CHECK(std::fabs(slope(ApollonianGasket::integral({-11, 21, 24, 28})) - dimension) < 0.001);
 }
 
 TEST_CASE("curvatures of the gasket of -1, 2, 2, 3 are those of OEIS A042944") {

@@ -231,7 +231,7 @@ def check_schema(name, schema):
 def main():
     schemas = {path.name.removesuffix(".schema.json"): json.loads(path.read_text(encoding="utf-8"))
                for path in FOLDER.glob("*.schema.json")}
-    written = {name for path in (SOURCE / "src").rglob("*.cpp")
+    written = {name for path in (SOURCE / "src").rglob("*.[ch]pp")
                for name in re.findall(r'mdm-[a-z]+-[0-9]+', path.read_text(encoding="utf-8"))}
     check(written | {"mdm-gradation"} == set(schemas), f"schemas {sorted(schemas)}, but src names {sorted(written)}")
     check(set(COMMANDS) == set(schemas), "every schema has commands in this test")
