@@ -398,6 +398,17 @@ void tell_rounding(const ExportCommand &c, const Particles &found, const Placeme
     tell_side(*asked->c, start.box()[2]);
 }
 
+/// The command that judges the file; empty where there is none to judge, or no exact counts in it.
+std::string how_to_verify(const ExportCommand &c, const Format &format, const ParticleSet &set) {
+  const std::optional<std::string> options = verify_options(c);
+  if (!options || c.file == "-" || c.output.path() == "-" || format.write == write_mercurydpm)
+    return "";
+  const std::string unit =
+      format.write == write_size_csv ? "" : " --size-unit " + std::string(name(set.unit));
+  return fmt::format("check it by: mdm verify {} {}{}{} --tolerance {}\n", printable(*c.file),
+                     printable(c.output.path()), *options, unit, share_tolerance(set));
+}
+
 void write_file(const ExportCommand &c, const Format &format, const std::optional<ModelWriter> &model,
                 const Particles &found) {
   const std::uint64_t seed = seed_of(c);
@@ -413,7 +424,7 @@ void write_file(const ExportCommand &c, const Format &format, const std::optiona
     return write_model(c, format, *model, found, start, seed);
   Output out(c.output.path());
   if (!c.output.quiet)
-    tell(guide(format, *found.set, start, e));
+    tell(guide(format, *found.set, start, e) + how_to_verify(c, format, *found.set));
   Progress progress([] { return std::string("writing"); }, c.output.quiet);
   const Sink sink = [&out](std::string_view text) { out.write(text); };
   if (start)

@@ -40,7 +40,8 @@ void PackSizes::add_to(CLI::App &command) {
   option("--classing", classing, "TEXT",
          "classes of equal widths (regular), ratios (geometric, the default) or volumes (isochoric)");
   option("--min-per-class", min_per_class, "N", "discs in the scarcest class (10; of a gradation 1)");
-  option("--at-least", at_least, "N", "discs in all (2000; of a gradation 1)");
+  option("--at-least", at_least, "N",
+         "discs in all, of which the floors of Eq. 9 may lose some (2000; of a gradation 1)");
 }
 
 bool PackSizes::is_given() const {

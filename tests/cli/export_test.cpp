@@ -275,3 +275,22 @@ TEST_CASE("export: a spread has the sizes that solve gives", "[cli]") {
   check_refused(export_to("csv", answer.dump(), {"--spread"}), "--spread: the answer");
   check_refused(export_to("csv", sand, {"--spread", "--at-least", "10000001"}), "leave --spread out");
 }
+
+TEST_CASE("export says how its file is verified, and that accepts it", "[cli]") {
+  const TemporaryFolder folder;
+  for (const std::string format : {"liggghts", "lammps", "yade", "vtk", "csv", "diameters"}) {
+    const Outcome made = mdm({"export", example("hostun-rf-sand"), "--size-factor", "2", "--to", format, "-o",
+                              folder / ("grains." + format)});
+    REQUIRE(made.exit_code == 0);
+    const std::string begin = "check it by: mdm ";
+    const std::size_t at = made.err.find(begin);
+    REQUIRE(at != std::string::npos);
+    std::istringstream words(made.err.substr(at + begin.size()));
+    const Outcome judged =
+        mdm(Arguments(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()));
+    INFO(made.err << judged.out << judged.err);
+    CHECK(judged.exit_code == 0);
+  }
+  CHECK(mdm({"export", example("hostun-rf-sand"), "--to", "mercurydpm", "-o", folder / "grains"})
+            .err.find("check it") == std::string::npos);
+}
