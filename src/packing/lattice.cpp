@@ -62,7 +62,8 @@ constexpr unsigned width_digits = 18;
 } // namespace
 
 Rational square_width(const DiscSizes &sizes) {
-  return ratio(floor_root(in_units(squared_width(sizes), 2 * width_digits), 2) + 1, power_of_ten(width_digits));
+  return ratio(floor_root(in_units(squared_width(sizes), 2 * width_digits), 2) + 1,
+               power_of_ten(width_digits));
 }
 
 Lattice lattice(const DiscSizes &sizes, const std::optional<Rational> &width) {

@@ -41,7 +41,7 @@ public:
       top_ = std::max(top_, length(d.y + d.r));
     if (is_gasket())
       top_ = width_;
-    top_ = std::min(top_, view.most_high * width_);
+    top_ = std::max(std::min(top_, view.most_high * width_), view.least_high * width_);
   }
 
   Panel panel() {
@@ -244,6 +244,8 @@ Figure packing_figure(const Packing &packing, PackingColour colour) {
   constexpr double usual = 560, highest = 900; // pt
   PackingView view;
   view.colour = colour;
+  // The legend has room beside it.
+  view.least_high = 0.5;
   Figure figure;
   figure.panels.push_back(packing_panel(packing, view));
   const Panel &panel = figure.panels.front();

@@ -6,6 +6,8 @@
 
 #include <mdm/packing/packing.hpp>
 
+#include <limits>
+
 namespace mdm {
 
 /// The meaning of the colours.
@@ -19,8 +21,9 @@ enum class PackingColour {
 /// in on the other, and all are cut there. Of an Apollonian packing all of the outer circle is shown.
 struct PackingView {
   PackingColour colour = PackingColour::size;
-  bool counts = true;    ///< titles of the legend say how many there are
-  double most_high = 10; ///< of the box, in its widths; what is above is cut
+  bool counts = true;                                         ///< titles of the legend say how many there are
+  double most_high = std::numeric_limits<double>::infinity(); ///< in widths of the box: what is above is cut
+  double least_high = 0; ///< in widths of the box: above what is lower is room
 };
 
 /// The panel of a packing. \pre there is a disc

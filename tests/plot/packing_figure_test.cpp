@@ -57,7 +57,8 @@ TEST_CASE("discs are drawn at their places, both axes at one scale", "[figure]")
   const Panel &panel = figure.panels.at(0);
   CHECK(panel.x.low == 0);
   CHECK(panel.x.high == Approx(1));
-  CHECK(panel.y.high == Approx(0.3));
+  CHECK(panel.y.high == Approx(0.5)); // room for the legend
+  CHECK(packing_panel(p, {}).y.high == Approx(0.3));
   CHECK(figure.panel_height / panel.y.span() == Approx(figure.panel_width / panel.x.span()));
   REQUIRE(panel.series.size() == 2);
   CHECK(panel.series[0].points.at(0).x == Approx(0.2));
