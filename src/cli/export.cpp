@@ -185,7 +185,7 @@ bool is_cylinder(const ExportCommand &c, const Particles &found) {
   return !c.box && found.solids && std::holds_alternative<Cylinder>(*found.solids);
 }
 
-/// The sides of a deposit: as asked for, or those of the specimen; models have walls.
+/// The sides of a deposit: as asked for, or those of the specimen; models have walls unless asked for others.
 Sides sides_of(const ExportCommand &c, const Particles &found) {
   if (c.sides)
     return *c.sides == "cylinder" ? Sides::cylinder : *c.sides == "periodic" ? Sides::periodic : Sides::walls;
@@ -364,6 +364,7 @@ void write_model(const ExportCommand &c, const Format &format, const ModelWriter
   model.verify_options = verify_options(c);
   model.question = found.question;
   model.deposited = c.start == "deposit";
+  model.sides = sides_of(c, found);
   if (c.steps)
     model.steps = steps_of(*c.steps);
   const Elasticity e = elasticity(c);
@@ -445,8 +446,10 @@ void check_options(const ExportCommand &c, const Format &format) {
   if (format.write_placed == nullptr && c.start && !(c.model && is_deposit))
     throw InputError(std::string("--start: ") + format.name + " has no places here: leave it out" +
                      (c.model ? ", or give --start deposit" : ""));
-  if (c.sides && (!is_deposit || c.model))
-    throw InputError("--sides: it is for --start deposit without a --model, which has walls: leave it out");
+  if (c.sides && !is_deposit)
+    throw InputError("--sides: other starts have walls: give --start deposit, or leave it out");
+  if (c.sides && *c.sides != "walls" && c.model && c.to == "yade")
+    throw InputError("--sides: models of YADE have walls: leave it out, or take lammps or liggghts");
   if (c.sides && *c.sides != "walls" && *c.sides != "cylinder" && *c.sides != "periodic")
     throw InputError("--sides: " + in_quotes(*c.sides) + " is neither walls nor cylinder nor periodic");
   const bool has_no_places = format.write_placed == nullptr && !c.model;
@@ -546,9 +549,10 @@ Run add_export(CLI::App &app) {
           "to 1000000 particles)")
       ->type_name("START");
   command
-      .add_option("--sides", c->sides,
-                  "of the box of --start deposit: walls; cylinder, the default for such a specimen, in a "
-                  "--box as long as wide; or periodic, repeated in x and y")
+      .add_option(
+          "--sides", c->sides,
+          "of the box of --start deposit: walls; cylinder, in a --box as long as wide, the default for such "
+          "a specimen without a model; or periodic, repeated in x and y (models: lammps, liggghts)")
       ->type_name("SIDES");
   command.add_option("--seed", c->seed, "of the places of the start, and of a spread's sizes (1)")
       ->type_name("K");

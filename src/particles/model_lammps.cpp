@@ -3,6 +3,25 @@
 #include <fmt/core.h>
 
 namespace mdm {
+namespace {
+
+/// The walls at the sides.
+const char *sides(Sides sides) {
+  if (sides == Sides::periodic)
+    return "# The box is that of the data file, repeated in x and y.\n";
+  if (sides == Sides::cylinder)
+    return R"(# The round wall touches the sides of the box in the data file.
+variable half equal (xhi-xlo)/2
+region inside cylinder z $(v_half:%.17g) $(v_half:%.17g) $(v_half:%.17g) INF INF side in units box
+fix side all wall/gran/region granular ${contact} region inside
+)";
+  return R"(# The walls are the sides of the box in the data file.
+fix x all wall/gran granular ${contact} xplane $(xlo:%.17g) $(xhi:%.17g)
+fix y all wall/gran granular ${contact} yplane $(ylo:%.17g) $(yhi:%.17g)
+)";
+}
+
+} // namespace
 
 std::string lammps_model(const SettleModel &model) {
   const SettleScript s(model);
@@ -13,7 +32,7 @@ variable steps index {steps}
 
 units si
 atom_style sphere
-boundary f f f
+boundary {boundary}
 newton off
 comm_modify vel yes
 read_data {particles}
@@ -25,10 +44,7 @@ neighbor {skin:.4g} bin
 neigh_modify delay 0 every 1 check yes
 timestep {dt:.6g}
 
-# The walls are the sides of the box in the data file.
-fix x all wall/gran granular ${{contact}} xplane $(xlo:%.17g) $(xhi:%.17g)
-fix y all wall/gran granular ${{contact}} yplane $(ylo:%.17g) $(yhi:%.17g)
-fix z all wall/gran granular ${{contact}} zplane $(zlo:%.17g) $(zhi:%.17g)
+{sides}fix z all wall/gran granular ${{contact}} zplane $(zlo:%.17g) $(zhi:%.17g)
 fix motion all nve/sphere
 fix gravity all gravity {gravity} vector 0 0 -1
 
@@ -41,7 +57,8 @@ thermo 10000
 # Each class, largest first: its sizes, as they are in the data file, and its count.
 run 0
 )",
-                  fmt::arg("steps", s.physics.steps), fmt::arg("particles", file_word(model.particles)),
+                  fmt::arg("steps", s.physics.steps), fmt::arg("boundary", s.boundary()),
+                  fmt::arg("sides", sides(s.sides)), fmt::arg("particles", file_word(model.particles)),
                   fmt::arg("young", s.young), fmt::arg("e", s.physics.restitution), fmt::arg("nu", s.poisson),
                   fmt::arg("mu", s.physics.friction), fmt::arg("skin", s.set.smallest().radius.value),
                   fmt::arg("dt", s.physics.step), fmt::arg("gravity", s.physics.gravity));

@@ -6,6 +6,18 @@
 namespace mdm {
 namespace {
 
+/// The walls at the sides.
+std::string sides(const SettleScript &s) {
+  const std::string wall = "all wall/gran model hertz tangential history primitive type 1";
+  if (s.sides == Sides::periodic)
+    return "";
+  if (s.sides == Sides::cylinder)
+    return fmt::format("fix side {} zcylinder {} {} {}\n", wall, s.box.x / 2, s.box.x / 2, s.box.x / 2);
+  return fmt::format("fix west {0} xplane 0\nfix east {0} xplane {1}\n"
+                     "fix south {0} yplane 0\nfix north {0} yplane {2}\n",
+                     wall, s.box.x, s.box.y);
+}
+
 /// Units, the box, which is empty or read with its grains, material and walls.
 std::string setting(const SettleScript &s, const std::string &box) {
   return fmt::format(R"(
@@ -13,7 +25,7 @@ variable steps index {steps}
 
 atom_style granular
 atom_modify map array
-boundary f f f
+boundary {boundary}
 newton off
 communicate single vel yes
 units si
@@ -33,11 +45,7 @@ pair_style gran model hertz tangential history
 pair_coeff * *
 timestep {dt:.6g}
 
-fix west all wall/gran model hertz tangential history primitive type 1 xplane 0
-fix east all wall/gran model hertz tangential history primitive type 1 xplane {x}
-fix south all wall/gran model hertz tangential history primitive type 1 yplane 0
-fix north all wall/gran model hertz tangential history primitive type 1 yplane {y}
-fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0
+{sides}fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0
 fix lid all wall/gran model hertz tangential history primitive type 1 zplane {z}
 fix motion all nve/sphere
 
@@ -45,8 +53,8 @@ thermo_style custom step atoms ke
 thermo 10000
 thermo_modify lost error norm no
 )",
-                     fmt::arg("steps", s.physics.steps), fmt::arg("box", box), fmt::arg("x", s.box.x),
-                     fmt::arg("y", s.box.y), fmt::arg("z", s.box.z),
+                     fmt::arg("steps", s.physics.steps), fmt::arg("box", box),
+                     fmt::arg("boundary", s.boundary()), fmt::arg("sides", sides(s)), fmt::arg("z", s.box.z),
                      fmt::arg("skin", s.set.smallest().diameter.value / 2), fmt::arg("young", s.young),
                      fmt::arg("nu", s.poisson), fmt::arg("e", s.physics.restitution),
                      fmt::arg("mu", s.physics.friction), fmt::arg("dt", s.physics.step));

@@ -86,7 +86,7 @@ std::string class_name(const ParticleClass &c) {
 SettleScript::SettleScript(const SettleModel &m)
     : set(m.set), box(m.box), physics(settling(m)), young(physics.elasticity.young.convert_to<double>()),
       poisson(physics.elasticity.poisson.convert_to<double>()), dump(file_word(m.dump)), seed(m.seed),
-      verify_options(m.verify_options), question(m.question), is_softer(!m.young),
+      verify_options(m.verify_options), question(m.question), is_softer(!m.young), sides(m.sides),
       particles(m.set.particles()) {
   if (set.unit != LengthUnit::m)
     throw InputError("a model is in SI units: leave out --unit");

@@ -32,6 +32,8 @@ struct SettleModel {
   std::string question = {};
   /// The particles are a deposit: LIGGGHTS, too, reads them, as LAMMPS does, and inserts none.
   bool deposited = false;
+  /// Of the box, for LIGGGHTS and LAMMPS; models of YADE have walls.
+  Sides sides = Sides::walls;
 };
 
 /// The material and the time of a model, in SI units.

@@ -24,6 +24,9 @@ struct SettleScript {
   std::string head(const char *engine, const char *command, const char *more_steps,
                    const char *engine_options) const;
 
+  /// `p p f` or `f f f`: the sides of the box in the words of LAMMPS.
+  const char *boundary() const { return sides == Sides::periodic ? "p p f" : "f f f"; }
+
   /// The command that verifies the model's result; as comments.
   std::string verification(const char *engine_options) const;
 
@@ -36,6 +39,7 @@ struct SettleScript {
   std::optional<std::string> verify_options;
   std::string question;
   bool is_softer; ///< than rock
+  Sides sides;
   Integer particles;
 };
 

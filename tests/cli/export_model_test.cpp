@@ -207,7 +207,9 @@ TEST_CASE("what is no model is refused with a remedy, and leaves nothing", "[cli
   CHECK(!std::filesystem::exists("/dev/null.data"));
   check_refused(export_model("liggghts", out, {"--start", "mixed"}), "--start");
   check_refused(export_model("lammps", out, {"--start", "shaken"}), "layers nor mixed nor deposit");
-  check_refused(export_model("lammps", out, {"--start", "deposit", "--sides", "periodic"}), "--sides");
+  check_refused(export_model("lammps", out, {"--sides", "periodic"}), "--start deposit");
+  check_refused(export_model("yade", folder / "a.py", {"--start", "deposit", "--sides", "periodic"}),
+                "models of YADE have walls");
   check_refused(export_model("lammps", out, {"--start", "deposit", "--box", "1x1"}), "narrower than 3");
   check_refused(mdm({"export", sand, "--to", "csv", "--start", "mixed", "-o", out}), "--start");
   check_refused(export_model("liggghts", out, {"--box", "0.6x1"}), "--box");

@@ -61,7 +61,7 @@ public:
 
   /// Runs the engine and holds what it leaves against the answer of mdm solve, with the very command that the
   /// model says.
-  void check_settles() const {
+  void check_settles(const Arguments &question = {}) const {
     const Outcome outcome = run();
     INFO(outcome.out.substr(0, 20000) << outcome.err.substr(0, 2000));
     REQUIRE(outcome.exit_code == 0);
@@ -72,7 +72,9 @@ public:
     CHECK(found.at("verdict") == "match");
     CHECK(found.at("outside").at("below") == "0");
     CHECK(found.at("outside").at("above") == "0");
-    const Json asked = solve_json({gradation_});
+    Arguments asking{gradation_};
+    asking.insert(asking.end(), question.begin(), question.end());
+    const Json asked = solve_json(asking);
     CHECK(found.at("particles") == asked.at("particles"));
     CHECK(quantities(found) == quantities(asked));
   }
@@ -170,6 +172,21 @@ TEST_CASE("all engines settle a deposit", "[engines]") {
   for (const Engine &engine : {liggghts, lammps, yade})
     if (is_there(engine))
       Model(engine, c778(), {"--start", "deposit", "--steps", "300"}).check_settles();
+}
+
+TEST_CASE("LIGGGHTS and LAMMPS settle a deposit in a cylinder and in a periodic box", "[engines]") {
+  for (const Engine &engine : {liggghts, lammps})
+    for (const std::string sides : {"cylinder", "periodic"}) {
+      if (!is_there(engine))
+        continue;
+      const Model model(
+          engine, c778(),
+          {"--start", "deposit", "--sides", sides, "--box", "2x2", "--at-least", "300", "--steps", "2000"});
+      model.check_settles({"--at-least", "300"});
+      if (sides == "cylinder")
+        for (const Grain &g : grains(read_file(model.dump())))
+          CHECK(std::hypot(g.x - 0.001, g.y - 0.001) + g.r < 0.00101);
+    }
 }
 
 TEST_CASE("LIGGGHTS stops where a grain of a deposit is missing", "[engines]") {
