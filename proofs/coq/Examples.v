@@ -49,7 +49,7 @@ Proof.
   assert (check_certificate (Gradation sand 1 false) cert = Ok tt) as C by (rewrite <- R; vm_compute; reflexivity).
   destruct (certificate_true _ cert sphere C) as (G' & E & Claim); [rewrite <- R; exact sphere_law|].
   rewrite <- R in E. vm_compute in E. injection E as <-.
-  assert (particles cert = Some 4%Z) as EN by (rewrite <- R; reflexivity). unfold claim_true in Claim. rewrite EN in Claim.
+  assert (claimed cert = Smallest 4%Z) as EN by (rewrite <- R; reflexivity). unfold claim_true in Claim. rewrite EN in Claim.
   destruct Claim as (((S & A & L) & Least) & _). split.
   - exists S. split; [|apply Nat2Z.inj; rewrite L; reflexivity]. destruct A as (A & _). rewrite <- R in A. exact A.
   - intros T D. apply Nat2Z.inj_le. apply Least. split; [rewrite <- R; exact D|]. rewrite <- R. repeat split.
@@ -91,7 +91,7 @@ Proof.
   assert (check_certificate half_phi cert = Ok tt) as C by (rewrite <- R; vm_compute; reflexivity).
   destruct (certificate_true _ cert sphere C) as (G' & E & Claim); [rewrite <- R; exact sphere_law|].
   rewrite <- R in E. vm_compute in E. injection E as <-.
-  assert (particles cert = Some 10%Z) as EN by (rewrite <- R; reflexivity). unfold claim_true in Claim. rewrite EN in Claim.
+  assert (claimed cert = Smallest 10%Z) as EN by (rewrite <- R; reflexivity). unfold claim_true in Claim. rewrite EN in Claim.
   destruct Claim as ((_ & Least) & _). intros T D. apply Nat2Z.inj_le. apply Least.
   split; [rewrite <- R; exact D|]. rewrite <- R. repeat split.
   - intros j _ _. apply Nat2Z.is_nonneg.
