@@ -446,16 +446,13 @@ const char *const names[] = {"by_hand",
                              "half_phi_retained",
                              "half_phi_total",
                              "half_phi_band",
-                             "sum_is_strict_where_occupied",
-                             "sums_and_single_classes",
+                             "sums_by_hand",
                              "sums_of_an_empty_class",
-                             "sums_at_least",
                              "sums_half_phi",
                              "sums_none",
-                             "bounds",
-                             "bounds_one_apart",
+                             "bounds_by_hand",
                              "bounds_at_least",
-                             "bound_alone"};
+                             "bound_alone_by_hand"};
 
 } // namespace
 
