@@ -7,7 +7,8 @@ let help =
 %s --print GRADATION [CERTIFICATE]
 
 Checks the proof that a number of particles is the smallest that matches a gradation exactly or
-within a tolerance, by the program that is extracted from its proof of correctness in Coq.
+within a tolerance, or the proof of bounds on the smallest, by the program that is extracted from
+its proof of correctness in Coq.
 GRADATION is the gradation file (CSV or JSON) and CERTIFICATE what mdm solve --proof wrote;
 one of them may be - for standard input. Of several pairs each has its verdict, in a line.
 

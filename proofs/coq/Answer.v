@@ -11,7 +11,7 @@ Definition judged (G : gradation) (cert : certificate) : result unit * result gr
 
 (* Exactly or within a tolerance, as the question says. *)
 Theorem smallest G asked_G q N ws proof f :
-  judged G (Certificate q (Some N) ws proof) = (Ok tt, Ok asked_G) ->
+  judged G (Certificate q (Smallest N) ws proof) = (Ok tt, Ok asked_G) ->
   power_law (Z.to_nat (a q)) (Z.to_nat (b q)) f ->
   least_number f q asked_G N /\
   exists S, allowed f q asked_G S /\ Z.of_nat (length S) = N /\
@@ -26,12 +26,12 @@ Proof.
 Qed.
 
 Theorem no_match G asked_G q ws proof f :
-  judged G (Certificate q None ws proof) = (Ok tt, Ok asked_G) ->
+  judged G (Certificate q NoMatch ws proof) = (Ok tt, Ok asked_G) ->
   power_law (Z.to_nat (a q)) (Z.to_nat (b q)) f ->
   forall S, ~ allowed f q asked_G S.
 Proof.
   intros J P. injection J as C E. destruct (tolerances_of q) eqn:T.
   - destruct (match_within_tolerance _ _ f C) as (G' & E' & M); [simpl; congruence | exact P|].
     rewrite E in E'. injection E' as <-. exact M.
-  - destruct (exact_match _ _ f C T P) as (G' & _ & NE & _). simpl in NE. congruence.
+  - destruct (exact_match _ _ f C T P) as (G' & _ & (N & NE) & _). discriminate NE.
 Qed.

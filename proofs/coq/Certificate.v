@@ -45,22 +45,43 @@ Record question := Question {
 Record witness_line := Witness {
   index : Z; count : Z; together : Q; size_lo : Q; size_hi : Q }.
 
-(* A condition of section 6: a letter and its class, 0 where it has none. *)
-Record multiple := Multiple { times_m : Z; letter : ascii; of_class : Z }.
+(* A condition of section 6: a letter and its classes from [of_class] to [up_to]; these are the same for one class, and 0
+   where it has none. *)
+Record multiple := Multiple { times_m : Z; letter : ascii; of_class : Z; up_to : Z }.
 
-Inductive node := Split (j v : Z) | Leaf (conditions : list multiple).
+(* A split of the particles of the classes i to j; i = j for one class. *)
+Inductive node := Split (i j v : Z) | Leaf (conditions : list multiple).
 
 (* A proof by a chain, with the witness's scale (to the power b); or by a tree, in preorder. *)
 Inductive proof :=
 | Exact (scale : Q) (above : option Q) (chain : option (list Z))
 | Tolerant (tree : list node).
 
-(* [particles] is none for the claim that there is no match of any number. *)
+(* The smallest match has N particles; none has fewer than B, and one has N; none has fewer than B; there is none of any
+   number. *)
+Inductive claim := Smallest (N : Z) | Between (B N : Z) | NoneBelow (B : Z) | NoMatch.
+
+(* How many particles the witness has; the number below which no match is claimed to be. *)
+Definition found (c : claim) : option Z :=
+  match c with Smallest N | Between _ N => Some N | NoneBelow _ | NoMatch => None end.
+Definition bound_of (c : claim) : option Z :=
+  match c with Smallest B | Between B _ | NoneBelow B => Some B | NoMatch => None end.
+
 Record certificate := Certificate {
   asked : question;
-  particles : option Z;
+  claimed : claim;
   witness : list witness_line;
   proof_of : proof }.
+
+(* What only version 2 has: bounds, and sums of consecutive classes. *)
+Definition of_sum_of_classes (n : node) : bool :=
+  match n with
+  | Split i j _ => negb (i =? j)
+  | Leaf ms => existsb (fun m => negb (of_class m =? up_to m)) ms
+  end.
+Definition is_second (c : claim) (p : proof) : bool :=
+  match c with Between _ _ | NoneBelow _ => true | Smallest _ | NoMatch => false end ||
+  match p with Tolerant nodes => existsb of_sum_of_classes nodes | Exact _ _ _ => false end.
 
 (* ---- Numbers ------------------------------------------------------------------------------------- *)
 
@@ -106,16 +127,18 @@ Definition decimal (w : string) : option Q :=
       (fraction value (10 ^ (all - n)))
   end.
 
-(* An integer or p/q with q >= 2 in lowest terms. *)
-Fixpoint at_slash (w : string) : string * option string :=
+(* What is before the first [mark] of a word, and what behind it. *)
+Fixpoint at_mark (mark : ascii) (w : string) : string * option string :=
   match w with
   | EmptyString => (w, None)
   | String ch rest =>
-    if Ascii.eqb ch "/" then (EmptyString, Some rest)
-    else let (before, after) := at_slash rest in (String ch before, after)
+    if Ascii.eqb ch mark then (EmptyString, Some rest)
+    else let (before, after) := at_mark mark rest in (String ch before, after)
   end.
+
+(* An integer or p/q with q >= 2 in lowest terms. *)
 Definition rational (w : string) : option Q :=
-  match at_slash w with
+  match at_mark "/" w with
   | (_, None) => option_map of_integer (whole most_digits w)
   | (n, Some d) =>
     match whole most_digits n, whole most_digits d with
@@ -138,6 +161,17 @@ Definition number (k : kind) (w : string) : option Q :=
   end.
 
 Definition class_index (w : string) : option Z := whole 18 w.
+
+(* One class, or i-j with i < j. *)
+Definition class_range (w : string) : option (Z * Z) :=
+  match at_mark "-" w with
+  | (_, None) => option_map (fun j => (j, j)) (class_index w)
+  | (i, Some j) =>
+    match class_index i, class_index j with
+    | Some i, Some j => check (i <? j) (i, j)
+    | _, _ => None
+    end
+  end.
 
 (* ---- Lines --------------------------------------------------------------------------------------- *)
 
@@ -261,31 +295,36 @@ Fixpoint one_of (ch : ascii) (letters : string) : bool :=
   | String l letters => Ascii.eqb ch l || one_of ch letters
   end.
 
-(* A condition, with a class or without one. *)
-Definition condition_of (w : string) : option (ascii * Z) :=
+(* A condition, with a class, several, or none. *)
+Definition condition_of (w : string) : option (ascii * Z * Z) :=
   match w with
   | EmptyString => None
-  | String ch EmptyString => check (one_of ch "EmwnN") (ch, 0%Z)
-  | String ch j =>
-    match class_index j with
-    | Some j => check (one_of ch "fFqQrRpPex" && (0 <? j)%Z) (ch, j)
+  | String ch EmptyString => check (one_of ch "EmwnN") (ch, 0, 0)%Z
+  | String ch classes =>
+    match class_range classes with
+    | Some (i, j) => check (one_of ch (if (i =? j)%Z then "fFqQrRpPex" else "sSd") && (0 <? i)%Z) (ch, i, j)
     | None => None
     end
   end.
 
-(* A different number for each condition. *)
+(* A different number for each condition: an index has at most 18 digits. *)
 Definition key (m : multiple) : positive :=
-  Z.to_pos (256 * of_class m + Z.of_N (N_of_ascii (letter m)) + 1).
+  let classes := if of_class m =? up_to m then 2 * of_class m else 2 * (of_class m * 2 ^ 60 + up_to m) + 1 in
+  Z.to_pos (256 * classes + Z.of_N (N_of_ascii (letter m)) + 1).
+
+(* What a multiplier counts in the limits 2 and 5: the sum d has a term for each of its classes. *)
+Definition terms_of (m : multiple) : Z := if Ascii.eqb (letter m) "d" then up_to m - of_class m + 1 else 1.
+Definition terms (ms : list multiple) : Z := fold_left (fun n m => n + terms_of m) ms 0.
 
 Fixpoint leaf (l : line) (seen : PositiveMap.t unit) (n : Z) (done : list multiple)
   : option (list multiple * Z) :=
   match l with
   | m :: w :: l =>
     match number (Integer 1) m, condition_of w with
-    | Some m, Some (ch, j) =>
-      let m := Multiple (Qnum m) ch j in
+    | Some m, Some (ch, i, j) =>
+      let m := Multiple (Qnum m) ch i j in
       if PositiveMap.mem (key m) seen then None
-      else leaf l (PositiveMap.add (key m) tt seen) (n + 1) (m :: done)
+      else leaf l (PositiveMap.add (key m) tt seen) (n + terms_of m) (m :: done)
     | _, _ => None
     end
   | [] => match done with [] => None | _ => Some (rev' done, n) end
@@ -301,9 +340,9 @@ Fixpoint tree (ls : lines) (to_come n : Z) (done : list node) : result (list nod
   | (w :: l) :: rest =>
     if String.eqb w "split" then
       match l with
-      | [j; v] =>
-        match class_index j, number (Integer 1) v with
-        | Some j, Some v => tree rest (to_come + 1) (n + 1) (Split j (Qnum v) :: done)
+      | [classes; v] =>
+        match class_range classes, number (Integer 1) v with
+        | Some (i, j), Some v => tree rest (to_come + 1) (n + 1) (Split i j (Qnum v) :: done)
         | _, _ => Malformed "a number of a line split"
         end
       | _ => Malformed "a line split"
@@ -369,8 +408,11 @@ Definition read_tolerances : reader (option tolerances) := fun ls =>
     Ok (Some (Tolerances (first retained) retained_file (first passing) passing_file each (first total) band), ls)
   end.
 
-Definition read_question : reader question := fun ls =>
+Definition read_version : reader Z := fun ls =>
   let* (version, ls) := required "mdm-certificate" [Integer 1] ls in
+  demand_form (integer version <=? 2) "an unknown version" ;; Ok (integer version, ls).
+
+Definition read_question : reader question := fun ls =>
   let* (law, ls) := required "law" [Rational] ls in
   let* (pan_size, ls) := optional "pan-size" [Positive] ls in
   let* (cut_below, ls) := optional "cut-below" [Positive] ls in
@@ -383,7 +425,6 @@ Definition read_question : reader question := fun ls =>
   let* (at_least, ls) := optional "at-least" [Integer 2] ls in
   let* (tolerances, ls) := read_tolerances ls in
   let law := match law with x :: _ => x | [] => 0%Q end in
-  demand_form (integer version =? 1) "an unknown version" ;;
   demand_form ((Qnum law <=? 1000) && (Zpos (Qden law) <=? 1000)) "a law with numbers above 1000" ;;
   demand_form (match size_factor with x :: _ => negb (equal x (of_integer 1)) | [] => true end)
     "a size-factor of 1" ;;
@@ -393,37 +434,63 @@ Definition read_question : reader question := fun ls =>
   Ok (Question (Qnum law) (Zpos (Qden law)) (first pan_size) (first cut_below) (first size_factor)
         (integer per_class) solids (integer at_least) tolerances, ls).
 
-Definition read_particles (tolerant : bool) : reader (option Z) := fun ls =>
+(* B..N with 1 <= B < N, or B.. with B >= 2. *)
+Definition range_of_particles (w : string) : option claim :=
+  match at_mark "." w with
+  | (least, Some (String dot most)) =>
+    if negb (Ascii.eqb dot ".") then None else
+    match most with
+    | EmptyString => option_map (fun B => NoneBelow (Qnum B)) (number (Integer 2) least)
+    | _ =>
+      match number (Integer 1) least, number (Integer 1) most with
+      | Some B, Some N => check (less B N) (Between (Qnum B) (Qnum N))
+      | _, _ => None
+      end
+    end
+  | _ => None
+  end.
+
+Definition read_particles (tolerant : bool) : reader claim := fun ls =>
   let* (none, ls) := if tolerant then words "particles" "none" ls else Ok (false, ls) in
-  if none then Ok (None, ls) else
-  let* (n, ls) := required "particles" [Integer 1] ls in Ok (Some (integer n), ls).
+  if none then Ok (NoMatch, ls) else
+  match (if tolerant then ls else []) with
+  | [name; w] :: rest =>
+    match String.eqb name "particles", range_of_particles w with
+    | true, Some c => Ok (c, rest)
+    | _, _ => let* (n, ls) := required "particles" [Integer 1] ls in Ok (Smallest (integer n), ls)
+    end
+  | _ => let* (n, ls) := required "particles" [Integer 1] ls in Ok (Smallest (integer n), ls)
+  end.
 
 Definition read_classes (with_mass : bool) : reader (list witness_line) := fun ls =>
   let* (ws, ls) := witness_lines with_mass ls [] in
   demand_form (size ws <=? most_rows) "more classes than a gradation can have" ;; Ok (ws, ls).
 
 (* Whether nothing smaller is asked for than what is demanded of every sample. *)
-Definition claims_least (asked : question) (particles : option Z) : bool :=
-  match particles with Some n => n =? at_least asked | None => false end.
+Definition claims_least (asked : question) (c : claim) : bool :=
+  match c with Smallest n => n =? at_least asked | _ => false end.
 
-Definition read_proof (asked : question) (particles : option Z) (scale : list Q) : reader proof := fun ls =>
+Definition read_proof (asked : question) (c : claim) (scale : list Q) : reader proof := fun ls =>
   match tolerances_of asked with
   | Some _ => let* (nodes, ls) := tree ls 1 0 [] in Ok (Tolerant nodes, ls)
   | None =>
     let scale := match scale with x :: _ => x | [] => 0%Q end in
-    if claims_least asked particles then Ok (Exact scale None None, ls) else
+    if claims_least asked c then Ok (Exact scale None None, ls) else
     let* (above, ls) := if at_least asked =? 0 then Ok ([], ls) else optional "above" [Rational] ls in
     let* (js, ls) := chain_line ls in
     Ok (Exact scale (first above) (Some js), ls)
   end.
 
 Definition read_certificate (ls : lines) : result certificate :=
+  let* (version, ls) := read_version ls in
   let* (asked, ls) := read_question ls in
   let tolerant := match tolerances_of asked with Some _ => true | None => false end in
-  let* (particles, ls) := read_particles tolerant ls in
+  demand_form (tolerant || (version =? 1)) "version 2 without a tolerance" ;;
+  let* (claimed, ls) := read_particles tolerant ls in
   let* (scale, ls) := if tolerant then Ok ([], ls) else required "scale" [Rational] ls in
-  let* (classes, ls) := match particles with Some _ => read_classes tolerant ls | None => Ok ([], ls) end in
-  let* (proof, ls) := read_proof asked particles scale ls in
+  let* (classes, ls) := match found claimed with Some _ => read_classes tolerant ls | None => Ok ([], ls) end in
+  let* (proof, ls) := read_proof asked claimed scale ls in
   let ended := is_line ["end"] ls && is_line [""] (tl ls) && match tl (tl ls) with [] => true | _ => false end in
   demand_form ended "the line end is missing, or something follows it" ;;
-  Ok (Certificate asked particles classes proof).
+  demand_form ((version =? 2) || negb (is_second claimed proof)) "what only version 2 has" ;;
+  Ok (Certificate asked claimed classes proof).

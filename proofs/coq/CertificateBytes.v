@@ -95,15 +95,33 @@ Proof.
   - rewrite text_length_append. cbn [append text_length]. unfold most_word, most_digits in *. lia.
 Qed.
 
+Lemma range_word_word i j : plain_range i j -> every in_word (range_word i j) = true /\ text_length (range_word i j) <= 37.
+Proof.
+  intros ((Pi & Li) & (Pj & Lj) & _). unfold range_word. destruct (i =? j).
+  - split; [apply integer_characters, Pi | lia].
+  - rewrite !every_append, !text_length_append, !integer_characters by assumption. split; [reflexivity|]. cbn [text_length]. lia.
+Qed.
+
+Lemma claim_word_word c : plain_claim c -> word (claim_word c).
+Proof.
+  destruct c as [N|B N|B|]; cbn [claim_word]; [intros (P & _); apply integer_word, P| | |reflexivity].
+  - intros ((Pb & Lb) & (Pn & Ln) & _). apply short_word; rewrite ?every_append, ?text_length_append.
+    + rewrite !integer_characters by assumption. reflexivity.
+    + cbn [text_length]. unfold most_word, most_digits in *. lia.
+  - intros ((Pb & Lb) & _). apply short_word; rewrite ?every_append, ?text_length_append.
+    + rewrite !integer_characters by assumption. reflexivity.
+    + cbn [text_length]. unfold most_word, most_digits in *. lia.
+Qed.
+
 Lemma condition_word_word m : plain_multiple m -> word (condition_word m).
 Proof.
   intros (_ & P). unfold condition_word.
   assert (in_word (letter m) = true) as L.
-  { destruct (of_class m =? 0); [|destruct P as (_ & P)]; revert P; destruct (letter m) as [[] [] [] [] [] [] [] []];
+  { destruct (of_class m =? 0); [destruct P as (P & _)|destruct P as (_ & P); destruct (of_class m =? up_to m)]; revert P; destruct (letter m) as [[] [] [] [] [] [] [] []];
       try reflexivity; discriminate. }
   destruct (of_class m =? 0).
   - apply short_word; [simpl; rewrite L; reflexivity | cbn [text_length]; unfold most_word, most_digits; lia].
-  - destruct P as ((P & B) & _). apply short_word; [simpl; rewrite L; exact (integer_characters _ P)|].
+  - destruct P as (P & _). apply range_word_word in P as (E & B). apply short_word; [simpl; rewrite L; exact E|].
     cbn [text_length]. unfold most_word, most_digits in *. lia.
 Qed.
 
@@ -146,7 +164,7 @@ Proof.
         constructor; [words | constructor].
       + destruct H as (Pv & _). split; [constructor|]. split; [constructor|]. split; (constructor; [words | constructor]). }
   repeat split; trivial.
-  - constructor; [words|]. constructor; [|constructor]. split; [discriminate|]. unfold law_words.
+  - constructor; [|constructor]. split; [discriminate|]. unfold law_words.
     constructor; [reflexivity|]. constructor; [|constructor]. apply rational_word. split; [cbn [Qnum]; lia|]. split.
     + apply Qcanon.Qred_identity. cbn [Qnum Qden]. rewrite Z2Pos.id by lia. exact G.
     + cbn [Qnum Qden]. rewrite Z2Pos.id by lia. split; apply small_integer; lia.
@@ -167,9 +185,11 @@ Qed.
 
 Lemma document_lines_ok cert box of_file : plain_certificate cert box -> Forall line_ok (document_lines (Document cert box of_file)).
 Proof.
-  intros (Q & N & W & _ & _ & P). unfold document_lines. cbn [certificate_of]. rewrite !Forall_app. repeat split.
+  intros (Q & (N & _) & W & _ & _ & P). unfold document_lines. cbn [certificate_of]. rewrite !Forall_app. repeat split.
+  - constructor; [|constructor]. unfold version_line. destruct (is_second _ _); words.
   - apply question_lines_ok, Q.
-  - constructor; [|constructor]. destruct (particles cert) as [n|]; [destruct N as (Pn & _)|]; words.
+  - constructor; [|constructor]. split; [discriminate|]. constructor; [reflexivity|]. constructor; [|constructor].
+    exact (claim_word_word _ N).
   - unfold plain_proof in P. destruct (tolerances_of (asked cert)), (proof_of cert); try contradiction; [constructor|].
     destruct P as (Ps & _). constructor; [words | constructor].
   - apply Forall_map, Forall_forall. intros w I.
@@ -177,10 +197,11 @@ Proof.
     unfold class_line. destruct (is_tolerant cert); [destruct Pt as (Pt & _)|]; words.
   - unfold plain_proof in P.
     destruct (tolerances_of (asked cert)), (proof_of cert) as [scale z js|nodes]; try contradiction; cbn [proof_lines].
-    + destruct P as (P & _). apply Forall_map, Forall_forall. intros x I. specialize (P x I). destruct x as [j v|ms].
-      * destruct P as (Pj & Pv & _). words.
+    + destruct P as (P & _). apply Forall_map, Forall_forall. intros x I. specialize (P x I). destruct x as [i j v|ms].
+      * destruct P as (Pj & Pv & _). apply range_word_word in Pj as (E & B). split; [discriminate|].
+        repeat constructor; [|apply integer_word, Pv]. apply short_word; [exact E|]. unfold most_word, most_digits. lia.
       * destruct P as (_ & P & _). split; [discriminate|]. constructor; [reflexivity | exact (leaf_words_ok ms P)].
-    + destruct P as (_ & _ & P). destruct (claims_least (asked cert) (particles cert)).
+    + destruct P as (_ & _ & P). destruct (claims_least (asked cert) (claimed cert)).
       * destruct P as (-> & ->). constructor.
       * destruct P as ((js' & -> & Pj) & Pz). rewrite Forall_app. split.
         -- apply if_some_ok. intros y E. destruct (Pz y E) as (_ & Py & _). words.

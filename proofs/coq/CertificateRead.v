@@ -16,26 +16,33 @@ Definition plain_rational (x : Q) : Prop :=
   0 <= Qnum x /\ Qred x = x /\ text_length (show_integer (Qnum x)) <= most_digits /\
   text_length (show_integer (Zpos (Qden x))) <= most_digits.
 
-Lemma at_slash_numeral w n length : numeral w n length -> forall rest,
-  at_slash (w ++ rest) = let (before, after) := at_slash rest in (w ++ before, after).
+Lemma at_mark_numeral mark w n length : digit mark = None -> numeral w n length -> forall rest,
+  at_mark mark (w ++ rest) = let (before, after) := at_mark mark rest in (w ++ before, after).
 Proof.
-  induction 1 as [|ch d w n length E D N IH]; intro rest.
-  - change ("" ++ rest) with rest. destruct (at_slash rest). reflexivity.
-  - change (String ch w ++ rest) with (String ch (w ++ rest)). cbn [at_slash].
-    destruct (Ascii.eqb_spec ch "/") as [->|S]; [discriminate E|]. rewrite IH.
-    destruct (at_slash rest). reflexivity.
+  intro K. induction 1 as [|ch d w n length E D N IH]; intro rest.
+  - change ("" ++ rest) with rest. destruct (at_mark mark rest). reflexivity.
+  - change (String ch w ++ rest) with (String ch (w ++ rest)). cbn [at_mark].
+    destruct (Ascii.eqb_spec ch mark) as [->|S]; [congruence|]. rewrite IH.
+    destruct (at_mark mark rest). reflexivity.
+Qed.
+
+Lemma at_mark_integer mark n : digit mark = None -> 0 <= n ->
+  at_mark mark (show_integer n) = (show_integer n, None) /\
+  forall rest, at_mark mark (show_integer n ++ String mark rest) = (show_integer n, Some rest).
+Proof.
+  intros K P. destruct (show_integer_numeral n P) as (l & _ & N & _). split.
+  - pose proof (at_mark_numeral mark _ _ _ K N "") as A. cbn [at_mark] in A. rewrite append_empty in A. exact A.
+  - intro rest. rewrite (at_mark_numeral mark _ _ _ K N). cbn [at_mark]. rewrite Ascii.eqb_refl, append_empty. reflexivity.
 Qed.
 
 Lemma rational_read x : plain_rational x -> rational (show_rational x) = Some x.
 Proof.
   intros (P & R & Bn & Bd). destruct x as (n, d). cbn [Qnum Qden] in *. unfold show_rational, rational. cbn [Qnum Qden].
-  destruct (show_integer_numeral n P) as (l & _ & N & _).
+  destruct (at_mark_integer "/" n eq_refl P) as (Whole & Parts).
   destruct (Z.eqb_spec (Zpos d) 1) as [D|D].
-  - pose proof (at_slash_numeral _ _ _ N "") as A. rewrite append_empty in A. rewrite A. cbn [at_slash].
-    rewrite whole_read by assumption. injection D as ->. reflexivity.
+  - rewrite Whole, whole_read by assumption. injection D as ->. reflexivity.
   - change ("/" ++ show_integer (Zpos d)) with (String "/" (show_integer (Zpos d))).
-    rewrite (at_slash_numeral _ _ _ N). cbn [at_slash]. change (Ascii.eqb "/" "/") with true. cbv iota.
-    rewrite append_empty, !whole_read by (assumption || lia). unfold check.
+    rewrite Parts, !whole_read by (assumption || lia). unfold check.
     assert (Z.gcd n (Zpos d) = 1) as G.
     { pose proof (Qred_iff (n # d)) as I. cbn [Qnum Qden] in I. apply I, R. }
     rewrite (proj2 (Z.leb_le 2 (Zpos d))), G by lia. reflexivity.
@@ -68,6 +75,18 @@ Qed.
 
 Lemma class_index_read j : plain_index j -> class_index (show_integer j) = Some j.
 Proof. intros (P & B). apply whole_read; assumption. Qed.
+
+(* One class, or consecutive ones. *)
+Definition plain_range (i j : Z) : Prop := plain_index i /\ plain_index j /\ i <= j.
+
+Lemma class_range_read i j : plain_range i j -> class_range (range_word i j) = Some (i, j).
+Proof.
+  intros (I & J & L). unfold class_range, range_word. destruct (at_mark_integer "-" i eq_refl (proj1 I)) as (Whole & Parts).
+  destruct (Z.eqb_spec i j) as [->|N].
+  - rewrite Whole, class_index_read by exact J. reflexivity.
+  - change (show_integer i ++ "-" ++ show_integer j) with (show_integer i ++ String "-" (show_integer j)).
+    rewrite Parts, !class_index_read by assumption. unfold check. rewrite (proj2 (Z.ltb_lt _ _)) by lia. reflexivity.
+Qed.
 
 (* ---- Lines ------------------------------------------------------------------------------------------- *)
 
@@ -368,7 +387,6 @@ Proof.
       repeat (eapply named_headed; [solve [eauto with headed_lines] | assumption |]). cbn. assumption.
     - cbn. assumption. }
   simpl app at 1.
-  rewrite (required_read "mdm-certificate" [Integer 1] ["1"] [of_integer 1]) by reflexivity. cbn [bind].
   assert (numbers [Rational] (law_words (a q) (b q)) = Some [Qmake (a q) (Z.to_pos (b q))]) as Law.
   { unfold law_words. cbn [numbers]. rewrite number_rational; [reflexivity | | cbn [Qnum]; lia].
     split; [cbn [Qnum]; lia|]. split.
@@ -398,7 +416,7 @@ Proof.
   rewrite RT. cbn [bind]. rewrite !integer_read by (apply Pm || apply Pl).
   cbn [integer of_integer Qnum Qden]. rewrite !first_to_list.
   rewrite (proj2 (Z.leb_le (a q) 1000)), Z2Pos.id, (proj2 (Z.leb_le (b q) 1000)) by lia.
-  change (1 =? 1) with true. cbn [andb demand_form bind].
+  cbn [andb demand_form bind].
   assert ((match to_list (size_factor q) with x :: _ => negb (equal x (of_integer 1)) | [] => true end) = true) as ->.
   { destruct (size_factor q) as [x|]; [|reflexivity]. cbn. destruct (Pf x eq_refl) as (_ & ->). reflexivity. }
   assert ((match tolerances_of q with None => negb (min_per_class q =? 1) | Some _ => true end) = true) as ->.
@@ -447,17 +465,25 @@ Qed.
 
 Definition plain_multiple (m : multiple) : Prop :=
   (plain_integer (times_m m) /\ 1 <= times_m m) /\
-  if of_class m =? 0 then one_of (letter m) "EmwnN" = true
-  else plain_index (of_class m) /\ one_of (letter m) "fFqQrRpPex" = true.
+  if of_class m =? 0 then one_of (letter m) "EmwnN" = true /\ up_to m = 0
+  else plain_range (of_class m) (up_to m) /\
+       one_of (letter m) (if of_class m =? up_to m then "fFqQrRpPex" else "sSd") = true.
 
-Lemma condition_read m : plain_multiple m -> condition_of (condition_word m) = Some (letter m, of_class m).
+Lemma condition_read m : plain_multiple m -> condition_of (condition_word m) = Some (letter m, of_class m, up_to m).
 Proof.
   intros (_ & P). unfold condition_word, condition_of. destruct (Z.eqb_spec (of_class m) 0) as [E|E].
-  - rewrite P, E. reflexivity.
-  - destruct P as (J & O). destruct J as (N & B). pose proof (class_index_read (of_class m) (conj N B)) as R.
+  - destruct P as (P & U). rewrite P, E, U. reflexivity.
+  - destruct P as (J & O). pose proof (class_range_read _ _ J) as R. destruct J as ((N & B) & _).
     destruct (show_integer_numeral (of_class m) N) as (l & L & W & _).
-    destruct (show_integer (of_class m)) as [|ch w] eqn:S; [inversion W; lia|].
+    destruct (range_word (of_class m) (up_to m)) as [|ch w] eqn:S.
+    { exfalso. unfold range_word in S. destruct (show_integer (of_class m)) as [|c u]; [inversion W; lia|].
+      destruct (of_class m =? up_to m); discriminate S. }
     rewrite R, O. unfold check. rewrite (proj2 (Z.ltb_lt _ _)) by lia. reflexivity.
+Qed.
+
+Lemma terms_more ms : forall n, fold_left (fun n m => n + terms_of m) ms n = n + terms ms.
+Proof.
+  unfold terms. induction ms as [|m ms IH]; intro n; cbn [fold_left]; [lia|]. rewrite IH, (IH (0 + terms_of m)). lia.
 Qed.
 
 Definition leaf_words (ms : list multiple) : line := flat_map (fun m => [show_integer (times_m m); condition_word m]) ms.
@@ -471,17 +497,17 @@ Qed.
 Lemma leaf_read ms : forall seen n done,
   (forall m, In m ms -> plain_multiple m) -> NoDup (map key ms) ->
   (forall m, In m ms -> PositiveMap.mem (key m) seen = false) -> (ms <> [] \/ done <> []) ->
-  leaf (leaf_words ms) seen n done = Some (rev done ++ ms, n + Z.of_nat (List.length ms)).
+  leaf (leaf_words ms) seen n done = Some (rev done ++ ms, n + terms ms).
 Proof.
   induction ms as [|m ms IH]; intros seen n done P D S Some_.
   - cbn [leaf_words flat_map leaf List.length]. destruct done as [|x done]; [destruct Some_; contradiction|].
-    rewrite rev'_rev, app_nil_r. do 2 f_equal. lia.
+    rewrite rev'_rev, app_nil_r. unfold terms. cbn [fold_left]. do 2 f_equal. lia.
   - cbn [leaf_words flat_map app leaf]. destruct (P m (or_introl eq_refl)) as ((Pm & Lm) & Pc).
     rewrite (number_integer 1 _ Pm Lm), (condition_read m (conj (conj Pm Lm) Pc)). cbn [of_integer Qnum].
-    replace (Multiple (times_m m) (letter m) (of_class m)) with m by (destruct m; reflexivity).
+    replace (Multiple (times_m m) (letter m) (of_class m) (up_to m)) with m by (destruct m; reflexivity).
     rewrite (S m (or_introl eq_refl)). cbn [map] in D. inversion D as [|k ks Out D']; subst.
     fold (leaf_words ms). rewrite IH; trivial.
-    + cbn [rev List.length]. rewrite <- app_assoc. do 2 f_equal. lia.
+    + unfold terms at 2. cbn [rev fold_left]. rewrite terms_more, <- app_assoc. do 2 f_equal. lia.
     + intros x I. apply P. right. exact I.
     + intros x I. apply mem_add; [|apply S; right; exact I]. intro E. apply Out. rewrite <- E. apply in_map, I.
     + right. discriminate.
@@ -489,17 +515,17 @@ Qed.
 
 Definition plain_node (n : node) : Prop :=
   match n with
-  | Split j v => plain_index j /\ plain_integer v /\ 1 <= v
+  | Split i j v => plain_range i j /\ plain_integer v /\ 1 <= v
   | Leaf ms => ms <> [] /\ (forall m, In m ms -> plain_multiple m) /\ NoDup (map key ms)
   end.
 
-(* As many subtrees as are to come, within the most nodes and multipliers; n is how many there are before. *)
+(* As many subtrees as are to come, within the most nodes and multipliers; n is what there is before. *)
 Fixpoint whole_trees (nodes : list node) (to_come n : Z) : Prop :=
   n <= most_nodes /\
   match nodes with
   | [] => to_come = 0
-  | Split _ _ :: nodes => to_come <> 0 /\ whole_trees nodes (to_come + 1) (n + 1)
-  | Leaf ms :: nodes => to_come <> 0 /\ whole_trees nodes (to_come - 1) (n + 1 + Z.of_nat (List.length ms))
+  | Split _ _ _ :: nodes => to_come <> 0 /\ whole_trees nodes (to_come + 1) (n + 1)
+  | Leaf ms :: nodes => to_come <> 0 /\ whole_trees nodes (to_come - 1) (n + 1 + terms ms)
   end.
 
 Lemma tree_read nodes rest : forall to_come n done,
@@ -510,24 +536,24 @@ Proof.
   - destruct T as (L & ->). cbn [map app]. rewrite app_nil_r.
     destruct rest; cbn [tree]; rewrite (proj2 (Z.ltb_ge _ _) L), rev'_rev; reflexivity.
   - pose proof (P x (or_introl eq_refl)) as Px. cbn [map app tree].
-    destruct x as [j v|ms]; destruct T as (L & C & T); rewrite (proj2 (Z.ltb_ge _ _) L), (proj2 (Z.eqb_neq _ _) C);
+    destruct x as [i j v|ms]; destruct T as (L & C & T); rewrite (proj2 (Z.ltb_ge _ _) L), (proj2 (Z.eqb_neq _ _) C);
       cbn [node_line].
     + change (String.eqb "split" "split") with true. cbv iota. destruct Px as (Pj & Pv & Lv).
-      rewrite class_index_read, number_integer by assumption. cbn [of_integer Qnum].
+      rewrite class_range_read, number_integer by assumption. cbn [of_integer Qnum].
       rewrite IH; [|intros; apply P; right; assumption | exact T]. cbn [rev]. rewrite <- app_assoc. reflexivity.
     + change (String.eqb "leaf" "split") with false. change (String.eqb "leaf" "leaf") with true. cbv iota.
       destruct Px as (N & Pm & D). fold (leaf_words ms).
       rewrite leaf_read; trivial; [|intros; rewrite PositiveMap.mem_find, PositiveMap.gempty; reflexivity | left; exact N].
       cbn [rev app]. rewrite IH; [|intros; apply P; right; assumption|].
       * cbn [rev]. rewrite <- app_assoc. reflexivity.
-      * replace (n + 1 + (0 + Z.of_nat (List.length ms))) with (n + 1 + Z.of_nat (List.length ms)) by lia. exact T.
+      * replace (n + 1 + (0 + terms ms)) with (n + 1 + terms ms) by lia. exact T.
 Qed.
 
 Definition plain_proof (cert : certificate) : Prop :=
   match tolerances_of (asked cert), proof_of cert with
   | None, Exact scale above chain =>
     plain_rational scale /\ 0 < Qnum scale /\
-    if claims_least (asked cert) (particles cert) then above = None /\ chain = None
+    if claims_least (asked cert) (claimed cert) then above = None /\ chain = None
     else
       (exists js, chain = Some js /\ forall j, In j js -> plain_index j) /\
       forall z, above = Some z -> at_least (asked cert) <> 0 /\ plain_rational z /\ 0 < Qnum z
@@ -539,14 +565,14 @@ Definition the_end : lines := [["end"]; [""]].
 
 Lemma proof_read cert :
   plain_proof cert ->
-  read_proof (asked cert) (particles cert) (match proof_of cert with Exact scale _ _ => [scale] | Tolerant _ => [] end)
+  read_proof (asked cert) (claimed cert) (match proof_of cert with Exact scale _ _ => [scale] | Tolerant _ => [] end)
     (proof_lines (proof_of cert) ++ the_end) = Ok (proof_of cert, the_end).
 Proof.
   unfold plain_proof, read_proof.
   destruct (tolerances_of (asked cert)) as [t|], (proof_of cert) as [scale above chain|nodes];
     try contradiction; cbn [proof_lines].
   - intros (P & T). rewrite tree_read by assumption. reflexivity.
-  - intros (Ps & Ls & H). destruct (claims_least (asked cert) (particles cert)).
+  - intros (Ps & Ls & H). destruct (claims_least (asked cert) (claimed cert)).
     + destruct H as (-> & ->). reflexivity.
     + destruct H as ((js & -> & Pj) & Pz). cbn [if_some].
       assert (forall ls, (if at_least (asked cert) =? 0 then Ok ([], if_some above (fun z => ["above"; show_rational z]) ++ ("chain" :: ls) :: the_end)
@@ -568,34 +594,93 @@ Proof. intros -> E. exact E. Qed.
 
 (* ---- The whole certificate ---------------------------------------------------------------------------- *)
 
+Definition plain_claim (c : claim) : Prop :=
+  match c with
+  | Smallest N => plain_integer N /\ 1 <= N
+  | Between B N => plain_integer B /\ plain_integer N /\ 1 <= B < N
+  | NoneBelow B => plain_integer B /\ 2 <= B
+  | NoMatch => True
+  end.
+
+(* What is claimed of a match within a tolerance alone, and without a witness. *)
 Definition plain_certificate (cert : certificate) (box : option (Q * Q * Q * Q)) : Prop :=
   plain_question (asked cert) box /\
-  match particles cert with
-  | Some n => plain_integer n /\ 1 <= n
-  | None => is_tolerant cert = true /\ witness cert = []
-  end /\
+  (plain_claim (claimed cert) /\ (is_second (claimed cert) (proof_of cert) = true -> is_tolerant cert = true) /\
+   (found (claimed cert) = None -> is_tolerant cert = true /\ witness cert = [])) /\
   (forall w, In w (witness cert) -> plain_witness (is_tolerant cert) w) /\ classes_ascend (witness cert) None /\
   size (witness cert) <= most_rows /\ plain_proof cert.
+
+Lemma not_none_numeral n : 0 <= n -> forall rest, (show_integer n ++ rest)%string <> "none".
+Proof.
+  intros P rest E. destruct (show_integer_numeral n P) as (l & L & N & _).
+  destruct (show_integer n) as [|ch w]; inversion N as [|ch' d w' m l' Ed]; subst; [lia|].
+  injection E as -> _. discriminate Ed.
+Qed.
+
+Lemma range_of_particles_read B rest : plain_integer B ->
+  range_of_particles (show_integer B ++ ".." ++ rest)%string =
+  match rest with
+  | EmptyString => option_map (fun B => NoneBelow (Qnum B)) (number (Integer 2) (show_integer B))
+  | _ =>
+    match number (Integer 1) (show_integer B), number (Integer 1) rest with
+    | Some B, Some N => check (less B N) (Between (Qnum B) (Qnum N))
+    | _, _ => None
+    end
+  end.
+Proof.
+  intros (P & _). unfold range_of_particles. destruct (at_mark_integer "." B eq_refl P) as (_ & Parts).
+  change (".." ++ rest)%string with (String "." (String "." rest)). rewrite Parts. reflexivity.
+Qed.
+
+Lemma particles_read tolerant c rest :
+  plain_claim c -> (match c with Smallest _ => True | _ => tolerant = true end) ->
+  read_particles tolerant (particles_line c :: rest) = Ok (c, rest).
+Proof.
+  intros P T. unfold read_particles, particles_line, words. destruct c as [N|B N|B|]; cbn [claim_word].
+  - destruct P as (Pn & Ln).
+    assert (required "particles" [Integer 1] (["particles"; show_integer N] :: rest) = Ok ([of_integer N], rest)) as R.
+    { apply required_read. cbn [numbers]. rewrite number_integer by assumption. reflexivity. }
+    destruct tolerant.
+    + rewrite is_line_other
+        by (intros [= E]; apply (not_none_numeral N (proj1 Pn) ""); rewrite append_empty; exact E).
+      cbn [bind]. change (String.eqb "particles" "particles") with true.
+      assert (range_of_particles (show_integer N) = None) as ->.
+      { unfold range_of_particles. rewrite (proj1 (at_mark_integer "." N eq_refl (proj1 Pn))). reflexivity. }
+      exact (bind_eq _ _ _ _ R eq_refl).
+    + exact (bind_eq _ _ _ _ R eq_refl).
+  - subst tolerant. destruct P as (Pb & Pn & L).
+    rewrite is_line_other by (intros [= E]; exact (not_none_numeral B (proj1 Pb) _ E)). cbn [bind].
+    change (String.eqb "particles" "particles") with true. rewrite range_of_particles_read by exact Pb.
+    destruct (show_integer_numeral N (proj1 Pn)) as (l & Ll & W & _).
+    pose proof (number_integer 1 N Pn ltac:(lia)) as E.
+    destruct (show_integer N) as [|ch w]; [inversion W; lia|].
+    rewrite E, (number_integer 1 B Pb) by lia. unfold check, less. cbn [of_integer Qnum Qden].
+    rewrite (proj2 (Z.ltb_lt _ _)) by lia. reflexivity.
+  - subst tolerant. destruct P as (Pb & L).
+    rewrite is_line_other by (intros [= E]; exact (not_none_numeral B (proj1 Pb) _ E)). cbn [bind].
+    change (String.eqb "particles" "particles") with true. rewrite <- (append_empty ".."), range_of_particles_read by exact Pb.
+    rewrite number_integer by assumption. reflexivity.
+  - subst tolerant. rewrite is_line_same. reflexivity.
+Qed.
 
 Theorem certificate_read cert box :
   plain_certificate cert box -> read_certificate (document_lines (Document cert box false)) = Ok cert.
 Proof.
-  intros (Q & N & W & Wa & Ws & P). unfold read_certificate, document_lines. cbn [certificate_of].
+  intros (Q & (Pc & Second & None_) & W & Wa & Ws & P). unfold read_certificate, document_lines. cbn [certificate_of].
+  set (second := is_second (claimed cert) (proof_of cert)) in *.
+  set (rest := (question_lines _ ++ _)%list).
+  assert (read_version ([version_line cert] ++ rest) = Ok (if second then 2 else 1, rest)) as RV.
+  { unfold read_version, version_line. fold second. destruct second; reflexivity. }
+  refine (bind_eq _ _ _ _ RV _). cbv beta iota. unfold rest. clear RV rest.
   rewrite (question_read (asked cert) box false _ cert Q eq_refl); [|unfold particles_line; simpl; eauto|reflexivity].
   cbn [bind]. fold (is_tolerant cert). fold the_end.
+  assert (is_tolerant cert || ((if second then 2 else 1) =? 1) = true) as ->.
+  { destruct second; [rewrite Second by reflexivity; reflexivity | apply orb_true_r]. }
+  cbn [demand_form bind].
   pose proof (proof_read cert P) as PR.
-  assert (forall rest, read_particles (is_tolerant cert) (([particles_line (particles cert)] ++ rest) : lines) = Ok (particles cert, rest)) as RP.
-  { intro rest. unfold read_particles, particles_line, words. destruct (particles cert) as [n|].
-    - destruct N as (Pn & Ln).
-      assert (show_integer n <> "none") as No.
-      { intro E. pose proof (number_integer 1 n Pn Ln) as H. rewrite E in H. discriminate H. }
-      cbn [app]. rewrite is_line_other by (intros [= H]; exact (No H)).
-      assert (required "particles" [Integer 1] (["particles"; show_integer n] :: rest) = Ok ([of_integer n], rest)) as Rq.
-      { apply required_read. cbn [numbers]. rewrite number_integer by assumption. reflexivity. }
-      assert (forall r, r = Ok ([of_integer n], rest) -> (let* (m, ls) := r in Ok (Some (integer m), ls)) = Ok (Some n, rest)) as B
-        by (intros r ->; reflexivity).
-      destruct (is_tolerant cert); exact (B _ Rq).
-    - destruct N as (-> & _). cbn [app]. rewrite is_line_same. reflexivity. }
+  assert (forall rest, read_particles (is_tolerant cert) (([particles_line (claimed cert)] ++ rest) : lines) = Ok (claimed cert, rest)) as RP.
+  { intro rest. apply particles_read; [exact Pc|]. destruct (claimed cert) eqn:E; trivial; [|apply None_; reflexivity..].
+    apply Second. subst second. reflexivity. }
   refine (bind_eq _ _ _ _ (RP _) _). cbv beta iota.
   assert ((if is_tolerant cert then Ok ([], scale_lines (proof_of cert) ++ map (class_line (is_tolerant cert)) (witness cert) ++ proof_lines (proof_of cert) ++ the_end)
            else required "scale" [Rational] (scale_lines (proof_of cert) ++ map (class_line (is_tolerant cert)) (witness cert) ++ proof_lines (proof_of cert) ++ the_end))
@@ -608,15 +693,16 @@ Proof.
       rewrite number_rational by assumption. reflexivity. }
   refine (bind_eq _ _ _ _ RS _). cbv beta iota.
   assert (named "class" (proof_lines (proof_of cert) ++ the_end) = false) as NC.
-  { destruct (proof_of cert) as [scale z js|[|[j v|ms] nodes]]; try reflexivity. destruct z, js; reflexivity. }
-  assert (match particles cert with
+  { destruct (proof_of cert) as [scale z js|[|[i j v|ms] nodes]]; try reflexivity. destruct z, js; reflexivity. }
+  assert (match found (claimed cert) with
           | Some _ => read_classes (is_tolerant cert) (map (class_line (is_tolerant cert)) (witness cert) ++ proof_lines (proof_of cert) ++ the_end)
           | None => Ok ([], map (class_line (is_tolerant cert)) (witness cert) ++ proof_lines (proof_of cert) ++ the_end)
           end = Ok (witness cert, proof_lines (proof_of cert) ++ the_end)) as RW.
-  { destruct (particles cert).
+  { destruct (found (claimed cert)).
     - unfold read_classes. rewrite witness_lines_read by assumption. cbn [bind rev app].
       rewrite (proj2 (Z.leb_le _ _) Ws). reflexivity.
-    - destruct N as (_ & ->). reflexivity. }
+    - destruct None_ as (_ & ->); reflexivity. }
   refine (bind_eq _ _ _ _ RW _). cbv beta iota. refine (bind_eq _ _ _ _ PR _). cbv beta iota. unfold the_end. cbn [tl].
-  rewrite !is_line_same. destruct cert. reflexivity.
+  rewrite !is_line_same. cbn [andb demand_form bind].
+  fold second. destruct second; destruct cert; reflexivity.
 Qed.

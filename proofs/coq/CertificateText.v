@@ -32,9 +32,13 @@ Definition tolerance_lines (t : tolerances) (band_of_file : bool) : lines :=
    if_some (total t) (fun e => ["total"; show_decimal e]) ++
    if band_of_file then [["band"; "file"]] else map band_line (band t))%list.
 
+(* Version 2 where it has what version 1 has not. *)
+Definition version_line (cert : certificate) : line :=
+  ["mdm-certificate"; if is_second (claimed cert) (proof_of cert) then "2" else "1"].
+
 Definition question_lines (D : document) : lines :=
   let q := asked (certificate_of D) in
-  ([["mdm-certificate"; "1"]; "law" :: law_words (a q) (b q)] ++
+  (["law" :: law_words (a q) (b q)] ++
    if_some (pan_size q) (fun x => ["pan-size"; show_decimal x]) ++
    if_some (cut_below q) (fun x => ["cut-below"; show_decimal x]) ++
    if_some (size_factor q) (fun x => ["size-factor"; show_decimal x]) ++
@@ -44,19 +48,28 @@ Definition question_lines (D : document) : lines :=
    if_true (1 <=? at_least q) ["at-least"; show_integer (at_least q)] ++
    match tolerances_of q with Some t => tolerance_lines t (band_of_file D) | None => [] end)%list.
 
-Definition particles_line (particles : option Z) : line :=
-  ["particles"; match particles with Some n => show_integer n | None => "none" end].
+Definition claim_word (c : claim) : string :=
+  match c with
+  | Smallest N => show_integer N
+  | Between B N => show_integer B ++ ".." ++ show_integer N
+  | NoneBelow B => show_integer B ++ ".."
+  | NoMatch => "none"
+  end.
+Definition particles_line (c : claim) : line := ["particles"; claim_word c].
 
 Definition class_line (tolerant : bool) (w : witness_line) : line :=
   (["class"; show_integer (index w); show_integer (count w)] ++
    (if tolerant then [show_rational (together w)] else []) ++ [show_decimal (size_lo w); show_decimal (size_hi w)])%list.
 
+Definition range_word (i j : Z) : string :=
+  if i =? j then show_integer i else show_integer i ++ "-" ++ show_integer j.
+
 Definition condition_word (m : multiple) : string :=
-  String (letter m) (if of_class m =? 0 then "" else show_integer (of_class m)).
+  String (letter m) (if of_class m =? 0 then "" else range_word (of_class m) (up_to m)).
 
 Definition node_line (n : node) : line :=
   match n with
-  | Split j v => ["split"; show_integer j; show_integer v]
+  | Split i j v => ["split"; range_word i j; show_integer v]
   | Leaf ms => "leaf" :: flat_map (fun m => [show_integer (times_m m); condition_word m]) ms
   end.
 
@@ -76,7 +89,7 @@ Definition is_tolerant (cert : certificate) : bool :=
 
 Definition document_lines (D : document) : lines :=
   let cert := certificate_of D in
-  (question_lines D ++ [particles_line (particles cert)] ++ scale_lines (proof_of cert) ++
+  ([version_line cert] ++ question_lines D ++ [particles_line (claimed cert)] ++ scale_lines (proof_of cert) ++
    map (class_line (is_tolerant cert)) (witness cert) ++ proof_lines (proof_of cert) ++ [["end"]; [""]])%list.
 
 Definition document_text (D : document) : string :=

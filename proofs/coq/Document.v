@@ -42,7 +42,7 @@ Fixpoint with_limits (limits : list (Q * Q * Q)) (ls done : lines) : lines :=
 (* ---- The whole -------------------------------------------------------------------------------------- *)
 
 (* No number is longer; longer words would take the readers of numbers long. *)
-Definition most_word : Z := 2 * most_digits + 1.
+Definition most_word : Z := 2 * most_digits + 2.
 Definition is_word (w : string) : bool := string_length w 0 <=? most_word.
 
 Definition box_of_lines (ls : lines) : result (option (Q * Q * Q * Q)) :=

@@ -33,8 +33,9 @@ Ltac lines_without :=
 
 (* ---- The parts of a certificate's lines ---------------------------------------------------------------------- *)
 
-Definition before_box (q : question) : lines :=
-  [["mdm-certificate"; "1"]; "law" :: law_words (a q) (b q)] ++
+Definition before_box (cert : certificate) : lines :=
+  let q := asked cert in
+  [version_line cert] ++ ["law" :: law_words (a q) (b q)] ++
   if_some (pan_size q) (fun x => ["pan-size"; show_decimal x]) ++
   if_some (cut_below q) (fun x => ["cut-below"; show_decimal x]) ++
   if_some (size_factor q) (fun x => ["size-factor"; show_decimal x]) ++
@@ -62,19 +63,19 @@ Definition band_lines (q : question) (of_file : bool) : lines :=
   end.
 
 Definition after_band (cert : certificate) : lines :=
-  [particles_line (particles cert)] ++ scale_lines (proof_of cert) ++
+  [particles_line (claimed cert)] ++ scale_lines (proof_of cert) ++
   map (class_line (is_tolerant cert)) (witness cert) ++ proof_lines (proof_of cert) ++ [["end"]; [""]].
 
 Lemma parts cert box of_file :
   document_lines (Document cert box of_file) =
-  before_box (asked cert) ++ box_lines box ++ before_band (asked cert) box ++ band_lines (asked cert) of_file ++ after_band cert.
+  before_box cert ++ box_lines box ++ before_band (asked cert) box ++ band_lines (asked cert) of_file ++ after_band cert.
 Proof.
   unfold document_lines, question_lines, before_box, before_band, band_lines, after_band, tolerance_lines.
   cbn [certificate_of box_of band_of_file]. destruct (tolerances_of (asked cert)); rewrite <- !app_assoc; reflexivity.
 Qed.
 
-Lemma before_box_without q name : name = "box" \/ name = "band" -> without name (before_box q).
-Proof. unfold before_box. intros [-> | ->]; destruct (solids_of q); lines_without. Qed.
+Lemma before_box_without cert name : name = "box" \/ name = "band" -> without name (before_box cert).
+Proof. unfold before_box. intros [-> | ->]; destruct (solids_of (asked cert)); lines_without. Qed.
 
 Lemma box_without_band box : without "band" (box_lines box).
 Proof. destruct box as [(((x, y), z), e)|]; lines_without. Qed.
@@ -181,7 +182,7 @@ Proof.
   { apply forallb_forall. intros l I. apply forallb_forall. intros w J. rewrite Forall_forall in Ok_.
     destruct (Ok_ l I) as (_ & W). rewrite Forall_forall in W. specialize (W w J). apply andb_prop in W as (_ & W). exact W. }
   cbn [demand_form bind].
-  set (before := before_box (asked cert) ++ box_lines box ++ before_band (asked cert) box).
+  set (before := before_box cert ++ box_lines box ++ before_band (asked cert) box).
   assert (without "band" before) as Wb.
   { apply without_app; [|apply without_app]; [apply before_box_without | apply box_without_band | apply before_band_without]; auto. }
   assert (without "band" (after_band cert)) as Wa by (apply after_band_without; auto).

@@ -206,11 +206,11 @@ Record accepted (N : Z) (qs : list Z) (ss : scales) : Prop := {
               check_above bd (at_least q) z_scale
                 (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js) = Ok tt }.
 
-Lemma check_accepted : exists N qs ss, particles cert = Some N /\ accepted N qs ss.
+Lemma check_accepted : exists N qs ss, claimed cert = Smallest N /\ accepted N qs ss.
 Proof.
   pose proof checked as H. unfold check_exact in H. fold z_scale in H.
   passed H. rename x into ss. passed H. passed H. destruct x.
-  destruct (particles cert) as [N|]; [|discriminate].
+  destruct (claimed cert) as [N| | |]; try discriminate.
   destruct (counts 1 _ (witness cert)) as [qs|] eqn:C; [|discriminate].
   do 6 passed H.
   exists N, qs, ss. split; [reflexivity|]. constructor; trivial.
@@ -298,7 +298,7 @@ Proof.
 Qed.
 
 (* None with fewer. *)
-Theorem exact_lower_bound N S : particles cert = Some N -> allowed law q G S -> (N <= Z.of_nat (length S))%Z.
+Theorem exact_lower_bound N S : claimed cert = Smallest N -> allowed law q G S -> (N <= Z.of_nat (length S))%Z.
 Proof.
   intros E A. destruct check_accepted as (N' & qs & ss & E' & Acc). rewrite E in E'. injection E' as <-.
   destruct (sample_solution N qs ss S Acc A) as (M & sc & Sol).
@@ -315,7 +315,7 @@ Proof. intro A. apply allowed_exactly in A as ((s & _ & D & _) & _). apply descr
 
 (* One with N has the least count in every class (Theorem 5 (b)), unless N is no more than what was asked for. *)
 Theorem exact_least_counts N S T :
-  particles cert = Some N -> (at_least q < N)%Z -> allowed law q G S -> Z.of_nat (length S) = N -> allowed law q G T ->
+  claimed cert = Smallest N -> (at_least q < N)%Z -> allowed law q G S -> Z.of_nat (length S) = N -> allowed law q G T ->
   Forall2 Z.le (map (fun j => number d j S) js) (map (fun j => number d j T) js).
 Proof.
   intros E L A LS B. destruct check_accepted as (N' & qs & ss & E' & Acc). rewrite E in E'. injection E' as <-.
@@ -423,7 +423,7 @@ Qed.
 
 (* One with N, with one size a class, in the witness's bounds. *)
 Theorem exact_attained N :
-  particles cert = Some N ->
+  claimed cert = Smallest N ->
   exists S, allowed law q G S /\ Z.of_nat (length S) = N /\ one_size_a_class d js S /\
     Forall (line_true d js S) (witness cert).
 Proof.

@@ -49,7 +49,7 @@ Proof.
   assert (check_certificate (Gradation sand 1 false) cert = Ok tt) as C by (rewrite <- R; vm_compute; reflexivity).
   destruct (certificate_true _ cert sphere C) as (G' & E & Claim); [rewrite <- R; exact sphere_law|].
   rewrite <- R in E. vm_compute in E. injection E as <-.
-  assert (particles cert = Some 4%Z) as EN by (rewrite <- R; reflexivity). unfold claim_true in Claim. rewrite EN in Claim.
+  assert (claimed cert = Smallest 4%Z) as EN by (rewrite <- R; reflexivity). unfold claim_true in Claim. rewrite EN in Claim.
   destruct Claim as (((S & A & L) & Least) & _). split.
   - exists S. split; [|apply Nat2Z.inj; rewrite L; reflexivity]. destruct A as (A & _). rewrite <- R in A. exact A.
   - intros T D. apply Nat2Z.inj_le. apply Least. split; [rewrite <- R; exact D|]. rewrite <- R. repeat split.
@@ -91,7 +91,7 @@ Proof.
   assert (check_certificate half_phi cert = Ok tt) as C by (rewrite <- R; vm_compute; reflexivity).
   destruct (certificate_true _ cert sphere C) as (G' & E & Claim); [rewrite <- R; exact sphere_law|].
   rewrite <- R in E. vm_compute in E. injection E as <-.
-  assert (particles cert = Some 10%Z) as EN by (rewrite <- R; reflexivity). unfold claim_true in Claim. rewrite EN in Claim.
+  assert (claimed cert = Smallest 10%Z) as EN by (rewrite <- R; reflexivity). unfold claim_true in Claim. rewrite EN in Claim.
   destruct Claim as ((_ & Least) & _). intros T D. apply Nat2Z.inj_le. apply Least.
   split; [rewrite <- R; exact D|]. rewrite <- R. repeat split.
   - intros j _ _. apply Nat2Z.is_nonneg.
@@ -157,3 +157,21 @@ Example strict_where_occupied :
   | Ok _ => True | _ => False
   end.
 Proof. vm_compute. exact I. Qed.
+
+(* (0, 2], (2, 4], (4, 8], from 75 to 85 % of the mass in the first class: 5. One particle or more in the other two
+   classes have a mass above the lower bounds; with closed bounds of these classes 4 would do. *)
+Definition wide_with (claim last_leaf : string) : lines := text_of
+  ["mdm-certificate 2"; "law 1"; "band 2 75 85"; "particles " ++ claim; "class 1 4 8 2 2";
+   "class 2 1 8/3 2.666666666666 2.666666666667"; "split 2-3 1"; "leaf 20 P1 3 m 20 F2 20 F3 160 S2-3 80 q2"; last_leaf;
+   "end"].
+Definition open_sum : string := "leaf 16 p1 4 F1 12 d2-3 8 N 32 s2-3 24 q3".
+Definition closed_bounds : string := "leaf 16 p1 4 F1 12 f2 12 f3 8 N 32 s2-3 24 q3".
+Definition claim_of_wide (claim last_leaf : string) : result Certificate.claim :=
+  let* cert := check (Gradation [Row 0 1 1 0; Row 2 1 1 0; Row 4 1 1 0; Row 8 0 1 0] 1 false) (wide_with claim last_leaf) in
+  Ok (claimed cert).
+
+Example strict_sum :
+  claim_of_wide "5" open_sum = Ok (Smallest 5) /\
+  claim_of_wide "5" closed_bounds = Refused "leaf: a contradiction" /\
+  claim_of_wide "4..5" closed_bounds = Ok (Between 4 5).
+Proof. vm_compute. repeat split. Qed.

@@ -46,9 +46,13 @@ Definition limits_or_none (R : reading) : list (Q * Q * Q) := match limits R wit
 (* The claim of the line. G is the gradation of the file R with the pan, the openings and the classes as the line says. *)
 Definition is_true (f : R -> R) (R : reading) (G : gradation) (K : option Q) (s : statement) : Prop :=
   let such S := matches f G K (limits_or_none R) S s in
-  match VerdictLine.number s with
-  | Some n => (exists S, such S /\ Z.of_nat (length S) = n) /\ forall S, such S -> (n <= Z.of_nat (length S))%Z
-  | None => forall S, ~ such S
+  let none_below n := forall S, such S -> (n <= Z.of_nat (length S))%Z in
+  let one_of n := exists S, such S /\ Z.of_nat (length S) = n in
+  match claim_of s with
+  | Smallest N => one_of N /\ none_below N
+  | Between B N => one_of N /\ none_below B
+  | NoneBelow B => none_below B
+  | NoMatch => forall S, ~ such S
   end.
 
 (* ---- The parts are the question ---------------------------------------------------------------------- *)
@@ -240,10 +244,13 @@ Proof.
   split; [exact ER|]. split; [exact Read|]. split; [exact EL|]. intros f Law.
   destruct (certificate_true _ _ f C Law) as (G & E & T). exists G. split; [exact E|]. split; [|exact T].
   pose proof (fun S => matches_allowed f (name gradation) R D G S A) as M. unfold claim_true in T.
-  unfold is_true. cbn [statement_of VerdictLine.number].
-  destruct (particles (certificate_of D)) as [n|].
+  unfold is_true. cbn [statement_of claim_of]. destruct (claimed (certificate_of D)) as [N|least N|least|].
   - destruct T as (((S & SA & SN) & Least) & _). split.
     + exists S. split; [apply M, SA | exact SN].
     + intros S' H. apply Least, M, H.
+  - destruct T as (Least & S & SA & SN & _). split.
+    + exists S. split; [apply M, SA | exact SN].
+    + intros S' H. apply Least, M, H.
+  - intros S H. apply T, M, H.
   - intros S H. apply (T S), M, H.
 Qed.

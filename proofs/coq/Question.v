@@ -27,7 +27,7 @@ Definition sensible (cert : certificate) : bool :=
   | None => true
   end &&
   match size_factor q with Some K => positive K | None => true end &&
-  match particles cert with Some n => 1 <=? n | None => true end &&
+  match found (claimed cert) with Some n => 1 <=? n | None => true end &&
   match proof_of cert with
   | Exact scale z _ => (match tolerances_of q with None => positive scale | Some _ => true end) &&
                        match z with Some z => positive z | None => true end
@@ -118,7 +118,7 @@ Definition work_of (cert : certificate) (n : Z) : Z :=
     | Exact _ _ (Some chain) => size chain
     | Exact _ _ None => 0
     | Tolerant tree =>
-      fold_left (fun steps v => steps + match v with Split _ _ => 1 | Leaf ms => 1 + size ms end) tree 0
+      fold_left (fun steps v => steps + match v with Split _ _ _ => 1 | Leaf ms => 1 + terms ms end) tree 0
     end in
   let bands := match tolerances_of (asked cert) with Some t => size (band t) | None => 0 end in
   64 * (n + bands) + steps.
@@ -138,7 +138,7 @@ Definition longest_of_tolerances (t : tolerances) : Z :=
 
 Definition longest_count (cert : certificate) : Z :=
   let q := asked cert in
-  let of_question := longest bits ([min_per_class q; at_least q] ++ option_list (particles cert)) 0 in
+  let of_question := longest bits ([min_per_class q; at_least q] ++ option_list (found (claimed cert)) ++ option_list (bound_of (claimed cert))) 0 in
   let of_tolerances :=
     match tolerances_of q with Some t => longest_of_tolerances t | None => 0 end in
   let of_witness :=
@@ -147,7 +147,7 @@ Definition longest_count (cert : certificate) : Z :=
   let of_tree :=
     match proof_of cert with
     | Tolerant tree =>
-      longest (fun v => match v with Split _ v => bits v | Leaf ms => longest (fun m => bits (times_m m)) ms 0 end)
+      longest (fun v => match v with Split _ _ v => bits v | Leaf ms => longest (fun m => bits (times_m m)) ms 0 end)
         tree 0
     | Exact _ _ _ => 0
     end in

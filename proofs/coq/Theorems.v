@@ -57,13 +57,15 @@ Definition least_in_every_class (f : R -> R) (q : question) (G : gradation) (S :
    asks for at least N particles and N are enough, several samples of N may differ in their counts. *)
 Definition claim_true (f : R -> R) (cert : certificate) (G : gradation) : Prop :=
   let q := asked cert in
-  match particles cert with
-  | Some N =>
+  match claimed cert with
+  | Smallest N =>
     least_number f q G N /\
     (exists S, is_witness f cert G N S) /\
     (tolerances_of q = None -> (at_least q < N)%Z ->
      forall S, allowed f q G S -> Z.of_nat (length S) = N -> least_in_every_class f q G S)
-  | None => forall S, ~ allowed f q G S
+  | Between B N => (forall S, allowed f q G S -> (B <= Z.of_nat (length S))%Z) /\ exists S, is_witness f cert G N S
+  | NoneBelow B => forall S, allowed f q G S -> (B <= Z.of_nat (length S))%Z
+  | NoMatch => forall S, ~ allowed f q G S
   end.
 
 Lemma counts_le (g h : class -> Z) l : Forall2 Z.le (map g l) (map h l) -> forall j, In j l -> (g j <= h j)%Z.
@@ -75,7 +77,7 @@ Qed.
 Theorem exact_match G cert f :
   check_certificate G cert = Ok tt -> tolerances_of (asked cert) = None ->
   power_law (Z.to_nat (a (asked cert))) (Z.to_nat (b (asked cert))) f ->
-  exists G', asked_gradation G cert = Ok G' /\ particles cert <> None /\ claim_true f cert G'.
+  exists G', asked_gradation G cert = Ok G' /\ (exists N, claimed cert = Smallest N) /\ claim_true f cert G'.
 Proof.
   intros H T P. apply check_certificate_ok in H as (G' & E & W & S & H). rewrite T in H.
   destruct (proof_of cert) as [scale z chain|nodes] eqn:Ep; [|destruct H].
@@ -87,12 +89,12 @@ Proof.
   { unfold sensible in S. cbv zeta in S. rewrite Ep, T, !andb_true_iff in S. destruct S as (_ & Sc & Zz).
     apply less_real in Sc. rewrite Q2R_0 in Sc. split; [exact Sc|]. intros y ->. apply less_real in Zz.
     rewrite Q2R_0 in Zz. exact Zz. }
-  assert (exists N, particles cert = Some N) as (N & EN).
+  assert (exists N, claimed cert = Smallest N) as (N & EN).
   { destruct (check_accepted cert G' scale z chain Zp H) as (N & _ & _ & EN & _). eauto. }
   destruct (exact_attained cert G' (root_of G') scale z chain Rd T Wp M Q Sp Zp H f P N EN) as (s & A & L & O & Lines).
   assert (describes (root_of G') (rows G') s) as D.
   { apply (allowed_exactly cert G' (root_of G') Rd T) in A as ((sc & _ & D & _) & _). exact D. }
-  exists G'. split; [exact E|]. split; [congruence|]. unfold claim_true. rewrite EN. split; [split; [eauto|]|split].
+  exists G'. split; [exact E|]. split; [eauto|]. unfold claim_true. rewrite EN. split; [split; [eauto|]|split].
   - intros t A'. exact (exact_lower_bound cert G' (root_of G') scale z chain Rd T Wp M Q Zp H f P N t EN A').
   - exists s. split; [exact A|]. split; [exact L|]. split; [exact (one_size_articulate _ _ Wp D O) | exact Lines].
   - intros _ Lt s' A' L' t B.
@@ -104,7 +106,7 @@ Qed.
 Lemma check_tolerant_ok cert G tol nodes :
   check_tolerant cert G tol nodes = Ok tt ->
   exists pr, derive cert G tol = Ok pr /\ check_pi (solids_of (asked cert)) = Ok tt /\
-    (forall N, particles cert = Some N -> check_witness cert G pr N = Ok tt) /\ Tree.check_tree pr nodes = Ok tt.
+    (forall N, found (claimed cert) = Some N -> check_witness cert G pr N = Ok tt) /\ Tree.check_tree pr nodes = Ok tt.
 Proof.
   intro H. unfold check_tolerant in H. passed H. rename x into pr. passed H. destruct x. passed H. destruct x.
   exists pr. repeat split; trivial. intros N E. rewrite E in H2. exact H2.
@@ -112,7 +114,7 @@ Qed.
 
 Lemma sensible_tolerances cert tol :
   sensible cert = true -> tolerances_of (asked cert) = Some tol ->
-  (forall N, particles cert = Some N -> (1 <= N)%Z) /\
+  (forall N, found (claimed cert) = Some N -> (1 <= N)%Z) /\
   Forall (fun e => 0 <= Q2R e) (passing_each tol) /\
   (forall e, passing_all tol = Some e -> 0 <= Q2R e) /\
   (forall X l h, In (X, l, h) (band tol) -> 0 <= Q2R X /\ 0 <= Q2R h) /\
@@ -151,12 +153,19 @@ Proof.
   destruct (sensible_tolerances cert tol S Et) as (Np & Te & Tp & Tb & Kn).
   assert (forall X l h, In (X, l, h) (band tol) -> 0 <= Q2R X) as Bx by (intros X l h I; apply (Tb X l h I)).
   assert (forall X l h, In (X, l, h) (band tol) -> 0 <= Q2R h) as Bh by (intros X l h I; apply (Tb X l h I)).
-  exists G'. split; [exact E|]. unfold claim_true. destruct (particles cert) as [N|] eqn:EN.
-  - destruct (tolerant_attained cert G' (root_of G') tol Et Rd Kn Bx Wp M Qa Qb Qs Ql f P pr D (well_formed_tolerances G' W) Te Tp Bh N
-                (Np N eq_refl) (Wi N eq_refl)) as (s & A & L & Ds & O & Lines).
-    split; [split; [eauto|]|split; [|congruence]].
-    + intros t A'. exact (tolerant_lower_bound cert G' (root_of G') tol nodes Et Rd Kn Bx Wp M Qa Qb Qs Ql f P pr D C N t EN A').
-    + exists s. split; [exact A|]. split; [exact L|]. split; [exact (one_size_articulate _ _ Wp Ds O) | exact Lines].
+  exists G'. split; [exact E|].
+  assert (forall B, bound_of (claimed cert) = Some B -> forall s, allowed f (asked cert) G' s -> (B <= Z.of_nat (length s))%Z) as Lower
+    by (intros B EB s A; exact (tolerant_lower_bound cert G' (root_of G') tol nodes Et Rd Kn Bx Wp M Qa Qb Qs Ql f P pr D C B s EB A)).
+  assert (forall N, found (claimed cert) = Some N -> exists s, is_witness f cert G' N s) as Attained.
+  { intros N EN.
+    destruct (tolerant_attained cert G' (root_of G') tol Et Rd Kn Bx Wp M Qa Qb Qs Ql f P pr D (well_formed_tolerances G' W) Te Tp Bh N
+                (Np N EN) (Wi N EN)) as (s & A & L & Ds & O & Lines).
+    exists s. split; [exact A|]. split; [exact L|]. split; [exact (one_size_articulate _ _ Wp Ds O) | exact Lines]. }
+  unfold claim_true. destruct (claimed cert) as [N|B N|B|] eqn:EN.
+  - destruct (Attained N eq_refl) as (s & A). split; [split; [exists s; split; apply A | exact (Lower N eq_refl)]|].
+    split; [exists s; exact A | congruence].
+  - split; [exact (Lower B eq_refl) | exact (Attained N eq_refl)].
+  - exact (Lower B eq_refl).
   - intros s. exact (tolerant_none cert G' (root_of G') tol nodes Et Rd Kn Bx Wp M Qa Qb Qs Ql f P pr D C s EN).
 Qed.
 

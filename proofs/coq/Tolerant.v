@@ -158,7 +158,7 @@ Definition derive (cert : certificate) (G : gradation) (tol : tolerances) : resu
   let w := volume_below (solids_of q) in
   demand_form (work_of cert (size rs - 1) * (bits unit + bits_of w) <=? work_of_steps) too_long ;;
   Ok (Problem (limits_of (min_per_class q) a' size_unit factor_unit unit (solids_of q) js ss roots)
-        (size_unit ^ a' * factor_unit) unit (in_units e unit) (Z.max 1 (at_least q)) w (particles cert)).
+        (size_unit ^ a' * factor_unit) unit (in_units e unit) (Z.max 1 (at_least q)) w (bound_of (claimed cert))).
 
 (* ---- The witness --------------------------------------------------------------------------------- *)
 
@@ -216,7 +216,7 @@ Definition check_witness (cert : certificate) (G : gradation) (pr : problem) (N 
 Definition check_tolerant (cert : certificate) (G : gradation) (tol : tolerances) (nodes : list node) : result unit :=
   let* pr := derive cert G tol in
   check_pi (solids_of (asked cert)) ;;
-  match particles cert with
+  match found (claimed cert) with
   | Some N => check_witness cert G pr N
   | None => Ok tt
   end ;;

@@ -1,5 +1,5 @@
-(* An accepted certificate of a match within a tolerance: no sample with fewer than N particles is within it, and one
-   with N is; or there is none of any number (Theorems 12 and 14). *)
+(* An accepted certificate of a match within a tolerance: no sample with fewer particles than the bound is within it, and
+   one with the witness's number is; or there is none of any number (Theorems 12 and 14). *)
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
 From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Exact Tree Tolerant Spec Openings Reduction RealFacts
@@ -128,7 +128,7 @@ Record derivation (ss : list share) : Prop := {
   der_half : IZR (half_total pr) = Q2R (half (Certificate.total tol)) * su;
   der_count : least_count pr = Z.max 1 (at_least q);
   der_volume : volume pr = volume_below (solids_of q);
-  der_claim : claim pr = particles cert }.
+  der_bound : bound pr = bound_of (claimed cert) }.
 
 Lemma derive_ok : exists ss, derivation ss.
 Proof.
@@ -147,7 +147,7 @@ Proof.
   assert (length ss = length js) as Le.
   { unfold shares_of in H0. cbv zeta in H0. do 4 passed H0.
     eapply apply_band_length; [|exact H0]. apply shares_length. }
-  constructor; rewrite <- ?H; cbn [classes_of mass_unit share_unit half_total least_count volume claim]; trivial.
+  constructor; rewrite <- ?H; cbn [classes_of mass_unit share_unit half_total least_count volume bound]; trivial.
   - rewrite <- Ea. apply (limits_represent _ _ B' law Law); trivial.
     + intros r I. apply Fd, in_map, I.
     + intros j s I e D. apply Ud. eapply den_divides; eassumption.
@@ -168,8 +168,15 @@ Notation y := (fun j => share_passing d law rs (upper_size d j) S).
 Notation gx := (fun j => target_retained rs j).
 Notation pass := (fun X => share_passing d law rs X S).
 
+(* The sums up to a class: the number of particles, and how much more their masses are than those at the lower bounds. *)
+Definition number_up_to (j : class) : Z :=
+  sum (map (fun i => if Rle_dec (upper_size d i) (upper_size d j) then number d i S else 0%Z) js).
+Definition above_least (i : class) : R := held d law i S - Q2R (c i) * law (lower_size d i) * IZR (number d i S).
+Definition above_least_up_to (j : class) : R := up_to d above_least (upper_size d j) js.
+
 Definition state_of (j : class) : state :=
-  State (number d j S) (held d law j S) (Rmax 0 (held d law j S - gx j * M)) (mass_passing d law rs (upper_size d j) S).
+  State (number d j S) (held d law j S) (Rmax 0 (held d law j S - gx j * M)) (mass_passing d law rs (upper_size d j) S)
+    (number_up_to j) (above_least_up_to j).
 
 Hypothesis mass_positive : 0 < M.
 
@@ -276,11 +283,33 @@ Proof.
   unfold Rmax. destruct (Rle_dec _ _); lra.
 Qed.
 
-Lemma passing_states : forall l P,
-  prefix_of (fun j => held d law j S) (fun j => mass_passing d law rs (upper_size d j) S) P l ->
-  passing_from P (map state_of l).
+Lemma number_up_to_real j : IZR (number_up_to j) = up_to d (fun i => IZR (number d i S)) (upper_size d j) js.
 Proof.
-  induction l as [|j l IH]; intros P H; [exact I|]. destruct H as (H & T). split; [exact H | apply IH, T].
+  unfold number_up_to, up_to, sum. generalize js as l. induction l as [|i l IH]; [reflexivity|].
+  cbn [map fold_right total]. rewrite plus_IZR, IH. destruct (Rle_dec _ _); reflexivity.
+Qed.
+
+Lemma sums_of_states : forall l ss0 ls P N D,
+  length ss0 = length l ->
+  Forall2 (fun js l => represents d law (min_per_class q) (solids_of q) mu su (fst js) (snd js) l) (combine l ss0) ls ->
+  prefix_of (fun j => held d law j S) (fun j => mass_passing d law rs (upper_size d j) S) P l ->
+  prefix_of (fun j => IZR (number d j S)) (fun j => IZR (number_up_to j)) (IZR N) l ->
+  prefix_of above_least above_least_up_to D l ->
+  sums_from pr P N D ls (map state_of l).
+Proof.
+  pose proof (der_mass _ der) as Mu.
+  induction l as [|j l IH]; intros [|s ss0] ls P N D Le R Hp Hn Hd; try discriminate; cbn [combine] in R;
+    inversion R as [|? lj ? ls1 Rj R']; subst; [exact I|].
+  destruct Hp as (Hp & Tp), Hn as (Hn & Tn), Hd as (Hd & Td). cbn [map sums_from state_of q_of t_of P_of N_of D_of].
+  split; [exact Hp|]. split; [apply eq_IZR; rewrite plus_IZR; exact Hn|]. split.
+  - rewrite Hd. unfold above_least. cbn [fst] in Rj. rewrite (rep_f _ _ _ _ _ _ _ _ Rj). field. lra.
+  - apply (IH ss0); trivial. injection Le as Le. exact Le.
+Qed.
+
+Lemma prefixes w : prefix_of w (fun j => up_to d w (upper_size d j) js) 0 js.
+Proof.
+  pose proof (up_to_prefix w js _ 0 (js_ascend (d := d) rs rows_proper)) as P.
+  refine (prefix_ext _ _ _ _ _ _ eq_refl _ P). intros j _. rewrite Rplus_0_l. reflexivity.
 Qed.
 
 End Sample.
@@ -302,9 +331,9 @@ Proof.
   cbv beta in T. unfold mass_of_all. lra.
 Qed.
 
-(* A sample that the question allows, of at most N - 1 particles where N is claimed, satisfies the conditions. *)
+(* A sample that the question allows, of fewer particles than the bound where there is one, satisfies the conditions. *)
 Lemma allowed_satisfies S :
-  allowed law q G S -> (forall N, particles cert = Some N -> (Z.of_nat (length S) <= N - 1)%Z) ->
+  allowed law q G S -> (forall B, bound_of (claimed cert) = Some B -> (Z.of_nat (length S) <= B - 1)%Z) ->
   exists states, satisfies pr states.
 Proof.
   intros Al Claim. apply allowed_within in Al as ((D & Ne & (T1 & T2 & T3 & T4 & T5 & T6 & T7)) & Fl & V & Le).
@@ -323,9 +352,10 @@ Proof.
   pose proof (describes_number rs S rows_proper D) as EN.
   constructor; rewrite ?EM, ?EQ, <- ?EN.
   - eapply meets_all; [exact der | exact Mp | intros; assumption | exact F | apply der | exact Fl].
-  - apply passing_states.
-    pose proof (up_to_prefix (fun j => held d law j S) js _ 0 (js_ascend (d := d) rs rows_proper)) as P.
-    refine (prefix_ext _ _ _ _ _ _ eq_refl _ P). intros j _. rewrite Rplus_0_l. reflexivity.
+  - apply (sums_of_states S ss der js ss); [exact Ls | apply der | | | apply prefixes].
+    + exact (prefixes (fun j => held d law j S)).
+    + refine (prefix_ext _ _ _ _ _ _ eq_refl _ (prefixes (fun j => IZR (number d j S)))).
+      intros j _. symmetry. apply number_up_to_real.
   - exact Mp.
   - rewrite (der_half _ der). replace (map p_of (map (state_of S) js)) with
       (map (fun j => Rmax 0 (held d law j S - target_retained rs j * mass_of_all d law rs S)) js) by (rewrite map_map; reflexivity).
@@ -343,24 +373,24 @@ Proof.
     + rewrite (no_volumes S Es), Es. simpl. rewrite Q2R_0. lra.
     + rewrite (cubes_of_sample S D Es). exact (below_at_most _ _ solids_proper V Es).
   - rewrite (der_count _ der). apply Z.max_lub; [|exact Le]. destruct S; [congruence | simpl length; lia].
-  - intros N E. rewrite (der_claim _ der) in E. exact (Claim N E).
+  - intros B E. rewrite (der_bound _ der) in E. exact (Claim B E).
 Qed.
 
 Hypothesis checked : check_tree pr nodes = Ok tt.
 
 (* None with fewer particles is within the tolerance. *)
-Theorem tolerant_lower_bound N S : particles cert = Some N -> allowed law q G S -> (N <= Z.of_nat (length S))%Z.
+Theorem tolerant_lower_bound B S : bound_of (claimed cert) = Some B -> allowed law q G S -> (B <= Z.of_nat (length S))%Z.
 Proof.
-  intros E A. destruct (Z_le_gt_dec N (Z.of_nat (length S))) as [|L]; [assumption|exfalso].
-  destruct (allowed_satisfies S A) as (st & St); [intros N' E'; rewrite E in E'; injection E' as <-; lia|].
+  intros E A. destruct (Z_le_gt_dec B (Z.of_nat (length S))) as [|L]; [assumption|exfalso].
+  destruct (allowed_satisfies S A) as (st & St); [intros B' E'; rewrite E in E'; injection E' as <-; lia|].
   destruct derive_ok as (ss & der).
   exact (tree_sound pr (der_mass _ der) (der_share _ der) nodes checked st St).
 Qed.
 
 (* None of any number is. *)
-Theorem tolerant_none S : particles cert = None -> ~ allowed law q G S.
+Theorem tolerant_none S : claimed cert = NoMatch -> ~ allowed law q G S.
 Proof.
-  intros E A. destruct (allowed_satisfies S A) as (st & St); [congruence|].
+  intros E A. destruct (allowed_satisfies S A) as (st & St); [rewrite E; discriminate|].
   destruct derive_ok as (ss & der).
   exact (tree_sound pr (der_mass _ der) (der_share _ der) nodes checked st St).
 Qed.

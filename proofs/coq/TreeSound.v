@@ -1,4 +1,4 @@
-(* Theorem 14: an accepted tree proves that nothing with fewer than N particles satisfies the conditions.
+(* Theorem 14: an accepted tree proves that nothing with fewer particles than the bound satisfies the conditions.
 
    Masses are real numbers. The lower bound of a class is strict where it holds a particle, and only there. *)
 
@@ -9,8 +9,9 @@ Open Scope R_scope.
 
 (* ---- What a tree is about ------------------------------------------------------------------------ *)
 
-(* A class of a sample: count, mass, excess p of a total, and what passes its upper opening. *)
-Record state := State { q_of : Z; t_of : R; p_of : R; P_of : R }.
+(* A class of a sample: count, mass, excess p of a total, and what passes its upper opening; the sums up to this class of
+   the counts and of t - f q. *)
+Record state := State { q_of : Z; t_of : R; p_of : R; P_of : R; N_of : Z; D_of : R }.
 
 Section Tree.
 Variable pr : problem.
@@ -28,30 +29,34 @@ Record meets (M : R) (x : limits) (s : state) : Prop := {
   meets_passing : IZR (passing_lo x) * M <= P_of s * su <= IZR (passing_hi x) * M;
   meets_excess : t_of s * su - IZR (g x) * M <= p_of s * su /\ 0 <= p_of s }.
 
-Fixpoint passing_from (P : R) (ss : list state) : Prop :=
-  match ss with
-  | [] => True
-  | s :: ss => P_of s = P + t_of s /\ passing_from (P_of s) ss
+(* The sums up to each class, from those below the first one on. *)
+Fixpoint sums_from (P : R) (N : Z) (D : R) (cs : list limits) (ss : list state) : Prop :=
+  match cs, ss with
+  | x :: cs, s :: ss =>
+    P_of s = P + t_of s /\ N_of s = (N + q_of s)%Z /\ D_of s = D + (t_of s - IZR (f x) * IZR (q_of s) / mu) /\
+    sums_from (P_of s) (N_of s) (D_of s) cs ss
+  | _, _ => True
   end.
 
 Definition all_mass (ss : list state) : R := Spec.total (map t_of ss).
 Definition all_volume (ss : list state) : R :=
   Spec.total (map (fun '(x, s) => t_of s * IZR (per_factor x) / su) (combine (classes_of pr) ss)).
 
-(* A solution of the problem within the tolerance; with at most N - 1 particles where N is claimed. *)
+(* A solution of the problem within the tolerance; with fewer particles than the bound, where there is one. *)
 Record satisfies (ss : list state) : Prop := {
   sat_classes : Forall2 (meets (all_mass ss)) (classes_of pr) ss;
-  sat_passing : passing_from 0 ss;
+  sat_sums : sums_from 0 0 0 (classes_of pr) ss;
   sat_mass : 0 < all_mass ss;
   sat_total : Spec.total (map p_of ss) * su <= IZR (half_total pr) * all_mass ss;
   sat_volume : Q2R (volume pr) <= all_volume ss;
   sat_least : (least_count pr <= sum (map q_of ss))%Z;
-  sat_claim : forall N, claim pr = Some N -> (sum (map q_of ss) <= N - 1)%Z }.
+  sat_bound : forall B, bound pr = Some B -> (sum (map q_of ss) <= B - 1)%Z }.
 
 (* ---- Linear forms -------------------------------------------------------------------------------- *)
 
 Definition value_one (x : of_one) (s : state) : R :=
-  IZR (on_q x) * IZR (q_of s) / mu + IZR (on_t x) * t_of s + IZR (on_P x) * P_of s + IZR (on_p x) * p_of s.
+  IZR (on_q x) * IZR (q_of s) / mu + IZR (on_t x) * t_of s + IZR (on_P x) * P_of s + IZR (on_p x) * p_of s +
+  IZR (on_N x) * IZR (N_of s) / mu + IZR (on_D x) * D_of s.
 
 Section Point.
 Variable ss : list state.
@@ -105,13 +110,31 @@ Qed.
 
 Lemma value_one_class i k x single al : forall l j s,
   state_at i j l = Some s ->
-  value_from (PositiveMap.add i (add_one k (of_class_j single i) x) single) al j l =
+  value_from (add_at i k x single) al j l =
   value_from single al j l + IZR k * value_one x s.
 Proof.
+  unfold add_at.
   induction l as [|s0 l IH]; intros j s H; simpl in *; [discriminate|]. rewrite of_class_j_add, (Pos.eqb_sym j i).
   destruct (Pos.eqb_spec i j) as [->|N].
   - injection H as <-. rewrite value_add_one, value_other by lia. ring.
   - rewrite (IH _ _ H). ring.
+Qed.
+
+(* What is before the first class. *)
+Definition start : state := State 0 0 0 0 0 0.
+Definition state_before (i : positive) : option state :=
+  if (i =? 1)%positive then Some start else state_at (Pos.pred i) 1 ss.
+
+Lemma value_between i j k x single al s0 s :
+  on_q x = 0%Z -> on_t x = 0%Z -> on_P x = 0%Z -> on_p x = 0%Z ->
+  state_before i = Some s0 -> state_at j 1 ss = Some s ->
+  value_from (add_between i j k x single) al 1 ss =
+  value_from single al 1 ss + IZR k * (value_one x s - value_one x s0).
+Proof.
+  intros Oq Ot OP Op B At. unfold add_between, state_before in *. destruct (i =? 1)%positive.
+  - injection B as <-. rewrite (value_one_class _ _ _ _ _ _ _ _ At).
+    assert (value_one x start = 0) as ->; [|ring]. unfold value_one, start. cbn. field. lra.
+  - rewrite (value_one_class _ _ _ _ _ _ _ _ B), (value_one_class _ _ _ _ _ _ _ _ At), opp_IZR. ring.
 Qed.
 
 Lemma value_all_classes k x single al : forall l j,
@@ -124,16 +147,93 @@ Qed.
 
 (* The bounds in force are true of the counts. *)
 Definition forced (e : force) : Prop :=
-  forall j s, state_at j 1 ss = Some s ->
-    (forall v, PositiveMap.find j (at_least_v e) = Some v -> (v <= q_of s)%Z) /\
-    (forall v, PositiveMap.find j (at_most_v e) = Some v -> (q_of s <= v)%Z).
+  forall i j s0 s, state_before i = Some s0 -> state_at j 1 ss = Some s ->
+    (forall v, of_range i j (at_least_v e) = Some v -> (v <= N_of s - N_of s0)%Z) /\
+    (forall v, of_range i j (at_most_v e) = Some v -> (N_of s - N_of s0 <= v)%Z).
+
+(* Sums of consecutive classes: none is negative, and t > f q where there are particles. *)
+Lemma sums_rise cs l : Forall2 (meets M) cs l -> forall i P N D j s,
+  sums_from P N D cs l -> state_at j i l = Some s -> (N <= N_of s)%Z /\ D <= D_of s /\ ((N < N_of s)%Z -> D < D_of s).
+Proof.
+  induction 1 as [|x s0 cs l Me _ IH]; intros i P N D j s H At; [discriminate|].
+  destruct H as (_ & EN & ED & H). cbn [state_at] in At. destruct (meets_count _ _ _ Me) as (_ & Q).
+  destruct (meets_lower _ _ _ Me) as (L & Ls).
+  assert (D_of s0 = D + (t_of s0 * mu - IZR (f x) * IZR (q_of s0)) / mu) as ED' by (rewrite ED; field; lra).
+  assert (forall v, 0 <= v -> 0 <= v / mu) as Le.
+  { intros v V. apply Rmult_le_pos; [exact V | left; apply Rinv_0_lt_compat; assumption]. }
+  pose proof (Le (t_of s0 * mu - IZR (f x) * IZR (q_of s0)) ltac:(lra)) as D0.
+  assert ((1 <= q_of s0)%Z -> D < D_of s0) as Ds.
+  { intro Q1. specialize (Ls Q1). rewrite ED'.
+    pose proof (Rdiv_lt_0_compat (t_of s0 * mu - IZR (f x) * IZR (q_of s0)) mu ltac:(lra) ltac:(lra)). lra. }
+  destruct (j =? i)%positive.
+  - injection At as <-. split; [lia|]. split; [lra|]. intro Lt. apply Ds. lia.
+  - destruct (IH _ _ _ _ _ _ H At) as (A & B & C). split; [lia|]. split; [lra|]. intro Lt.
+    destruct (Z.eq_dec (q_of s0) 0) as [E|E]; [specialize (C ltac:(lia)); lra | specialize (Ds ltac:(lia)); lra].
+Qed.
+
+Lemma sums_rise_between cs l : Forall2 (meets M) cs l -> forall first P N D i j s0 s,
+  sums_from P N D cs l -> (i < j)%positive -> state_at i first l = Some s0 -> state_at j first l = Some s ->
+  (N_of s0 <= N_of s)%Z /\ D_of s0 <= D_of s /\ ((N_of s0 < N_of s)%Z -> D_of s0 < D_of s).
+Proof.
+  induction 1 as [|x s1 cs l _ Fo IH]; intros first P N D i j s0 s H L A0 At; [discriminate|].
+  destruct H as (_ & _ & _ & H). cbn [state_at] in A0, At.
+  destruct (Pos.eqb_spec i first) as [->|Ni].
+  - injection A0 as <-. destruct (Pos.eqb_spec j first) as [->|Nj]; [lia|].
+    exact (sums_rise cs l Fo _ _ _ _ _ _ H At).
+  - destruct (Pos.eqb_spec j first) as [->|Nj]; [apply state_at_le in A0; lia|].
+    exact (IH _ _ _ _ _ _ _ _ H L A0 At).
+Qed.
+
+(* Of the classes i to j of the sample. *)
+Lemma sums_between i j s : (i <= j)%positive -> state_at j 1 ss = Some s ->
+  exists s0, state_before i = Some s0 /\
+    (i = j -> N_of s = (N_of s0 + q_of s)%Z) /\ (N_of s0 <= N_of s)%Z /\ D_of s0 <= D_of s /\ ((1 <= N_of s - N_of s0)%Z -> D_of s0 < D_of s).
+Proof.
+  destruct solves as [Me Su _ _ _ _ _].
+  assert (forall cs l first P N D j s, Forall2 (meets M) cs l -> sums_from P N D cs l -> state_at j first l = Some s ->
+    j = first \/ exists s0, state_at (Pos.pred j) first l = Some s0 /\ N_of s = (N_of s0 + q_of s)%Z) as Before.
+  { clear. induction cs as [|x cs IH]; intros l first P N D j s F H At; inversion F as [|? s1 ? l' _ F']; subst; [discriminate|].
+    cbn [state_at] in *. destruct (Pos.eqb_spec j first) as [->|Nj]; [left; reflexivity|]. right.
+    destruct H as (_ & _ & _ & H). pose proof (state_at_le _ _ _ _ At) as Le.
+    destruct (Pos.eqb_spec (Pos.pred j) first) as [E|Np].
+    - exists s1. split; [reflexivity|]. destruct cs as [|x2 cs], l' as [|s2 l']; try discriminate; inversion F'; subst.
+      cbn [state_at] in At. destruct (Pos.eqb_spec j (Pos.succ (Pos.pred j))) as [_|N2]; [|lia]. injection At as <-.
+      exact (proj1 (proj2 H)).
+    - destruct (IH _ _ _ _ _ _ _ F' H At) as [->|(s0 & A0 & E)]; [lia|]. exists s0. split; [exact A0 | exact E]. }
+  intros L At. unfold state_before. destruct (Pos.eqb_spec i 1) as [->|Ni].
+  - exists start. split; [reflexivity|]. destruct (sums_rise _ _ Me _ _ _ _ _ _ Su At) as (A & B & C). cbn [start N_of D_of].
+    split; [|split; [exact A | split; [exact B | intro; apply C; lia]]]. intros <-.
+    destruct (classes_of pr) as [|x cs], ss as [|s1 l]; try discriminate; inversion Me; subst.
+    cbn [state_at] in At. injection At as <-. exact (proj1 (proj2 Su)).
+  - assert (exists s0, state_at (Pos.pred i) 1 ss = Some s0) as (s0 & A0).
+    { clear -L At Ni. assert (forall l first i j s, (first <= i)%positive -> (i <= j)%positive -> state_at j first l = Some s ->
+        exists s0, state_at i first l = Some s0) as H.
+      { induction l as [|s1 l IH]; intros first i0 j0 s2 Lf Lj A; [discriminate|]. cbn [state_at] in *.
+        destruct (Pos.eqb_spec i0 first); [eauto|]. destruct (Pos.eqb_spec j0 first); [lia|].
+        apply (IH _ i0 j0 s2); trivial; lia. }
+      apply (H ss 1%positive _ j s); trivial; lia. }
+    exists s0. split; [exact A0|]. split.
+    + intros ->. destruct (Before _ _ _ _ _ _ _ _ Me Su At) as [->|(s0' & A0' & E)]; [congruence|].
+      rewrite A0 in A0'. injection A0' as <-. exact E.
+    + destruct (sums_rise_between _ _ Me _ _ _ _ (Pos.pred i) j s0 s Su ltac:(lia) A0 At) as (A & B & C).
+      split; [exact A | split; [exact B | intro; apply C; lia]].
+Qed.
+
+(* The bounds in force on one class are true of its count. *)
+Lemma forced_class e j s : forced e -> state_at j 1 ss = Some s ->
+  (forall v, of_range j j (at_least_v e) = Some v -> (v <= q_of s)%Z) /\
+  (forall v, of_range j j (at_most_v e) = Some v -> (q_of s <= v)%Z).
+Proof.
+  intros Fo At. destruct (sums_between j j s (Pos.le_refl j) At) as (s0 & B & E & _). specialize (E eq_refl).
+  destruct (Fo j j s0 s B At) as (L & U). split; intros v V; [specialize (L v V) | specialize (U v V)]; lia.
+Qed.
 
 Definition holds (strictly : bool) (v : R) : Prop := 0 <= v /\ (strictly = true -> 0 < v).
 
 Lemma least_true e j x s : forced e -> state_at j 1 ss = Some s -> meets M x s -> (least_of e j x <= q_of s)%Z.
 Proof.
-  intros Fo At Me. destruct (meets_count _ _ _ Me) as (Rs & _). destruct (Fo j s At) as (L & _).
-  unfold least_of. destruct (PositiveMap.find j (at_least_v e)) as [v|]; [specialize (L v eq_refl); lia | exact Rs].
+  intros Fo At Me. destruct (meets_count _ _ _ Me) as (Rs & _). destruct (forced_class e j s Fo At) as (L & _).
+  unfold least_of. destruct (of_range j j (at_least_v e)) as [v|]; [specialize (L v eq_refl); lia | exact Rs].
 Qed.
 
 Lemma scaled_nonneg k v : 0 < k -> 0 <= v * k -> 0 <= v.
@@ -143,7 +243,7 @@ Proof. intros K H. apply (Rmult_lt_reg_r k); [exact K|]. lra. Qed.
 
 (* Shows 0 <= e or 0 < e for an e that is v. *)
 Ltac is v :=
-  cbn [on_q on_t on_P on_p on_M on_volume constant strict none closed]; rewrite ?opp_IZR, ?minus_IZR;
+  cbn [on_q on_t on_P on_p on_N on_D on_M on_volume constant strict none closed]; rewrite ?opp_IZR, ?minus_IZR;
   match goal with
   | |- _ <= ?e => replace e with v by (field; lra)
   | |- _ < ?e => replace e with v by (field; lra)
@@ -154,7 +254,7 @@ Lemma condition_holds e j x ch one all s :
   forced e -> state_at j 1 ss = Some s -> meets M x s -> condition_on pr e j x ch = Some (one, all) ->
   holds (strict all) (value_one one s + value_sum all).
 Proof.
-  intros Fo At Me H. pose proof (least_true e j x s Fo At Me) as Le. destruct (Fo j s At) as (_ & Mo).
+  intros Fo At Me H. pose proof (least_true e j x s Fo At Me) as Le. destruct (forced_class e j s Fo At) as (_ & Mo).
   destruct Me as [_ (L1 & L2) U (R1 & R2) (P1 & P2) (E1 & E2)].
   unfold condition_on in H. unfold holds, value_one, value_sum.
   destruct (ch =? "f")%char.
@@ -168,7 +268,7 @@ Proof.
   destruct (ch =? "q")%char.
   { injection H as <- <-. plain. apply IZR_le in Le. is (IZR (q_of s) - IZR (least_of e j x)). lra. }
   destruct (ch =? "Q")%char.
-  { destruct (PositiveMap.find j (at_most_v e)) as [v|]; [|discriminate]. injection H as <- <-.
+  { destruct (of_range j j (at_most_v e)) as [v|]; [|discriminate]. injection H as <- <-.
     specialize (Mo v eq_refl). apply IZR_le in Mo. plain. is (IZR v - IZR (q_of s)). lra. }
   destruct (ch =? "r")%char.
   { injection H as <- <-. plain. apply (scaled_nonneg su); [assumption|].
@@ -189,12 +289,38 @@ Proof.
   injection H as <- <-. plain. is (p_of s). exact E2.
 Qed.
 
+Lemma between_holds e i j ch one all s :
+  forced e -> (i < j)%positive -> state_at j 1 ss = Some s -> condition_between pr e i j ch = Some (one, all) ->
+  exists s0, state_before i = Some s0 /\
+    (on_q one = 0 /\ on_t one = 0 /\ on_P one = 0 /\ on_p one = 0)%Z /\
+    holds (strict all) (value_one one s - value_one one s0 + value_sum all).
+Proof.
+  intros Fo L At H. destruct (sums_between i j s ltac:(lia) At) as (s0 & B & _ & Rise & Le & Lt).
+  destruct (Fo i j s0 s B At) as (Lo & Up). exists s0. split; [exact B|].
+  unfold condition_between in H. unfold holds, value_one, value_sum.
+  destruct (ch =? "s")%char.
+  { injection H as <- <-. split; [repeat split|]. plain.
+    assert (least_between e i j <= N_of s - N_of s0)%Z as Least.
+    { unfold least_between. destruct (of_range i j (at_least_v e)) as [v|]; [exact (Lo v eq_refl) | lia]. }
+    apply IZR_le in Least. rewrite minus_IZR in Least.
+    is (IZR (N_of s) - IZR (N_of s0) - IZR (least_between e i j)). lra. }
+  destruct (ch =? "S")%char.
+  { destruct (of_range i j (at_most_v e)) as [v|]; [|discriminate]. injection H as <- <-. split; [repeat split|].
+    specialize (Up v eq_refl). apply IZR_le in Up. rewrite minus_IZR in Up. plain.
+    is (IZR v - (IZR (N_of s) - IZR (N_of s0))). lra. }
+  destruct (ch =? "d")%char; [|discriminate].
+  injection H as <- <-. split; [repeat split|]. cbn [strict]. split; [is (D_of s - D_of s0); lra|].
+  intro K. apply Z.leb_le in K. is (D_of s - D_of s0). apply Rlt_Rminus, Lt. unfold least_between in K.
+  destruct (of_range i j (at_least_v e)) as [v|]; [specialize (Lo v eq_refl)|]; lia.
+Qed.
+
 Lemma total_lin l x :
   Spec.total (map (value_one x) l) =
   IZR (on_q x) * IZR (sum (map q_of l)) / mu + IZR (on_t x) * Spec.total (map t_of l) +
-  IZR (on_P x) * Spec.total (map P_of l) + IZR (on_p x) * Spec.total (map p_of l).
+  IZR (on_P x) * Spec.total (map P_of l) + IZR (on_p x) * Spec.total (map p_of l) +
+  IZR (on_N x) * IZR (sum (map N_of l)) / mu + IZR (on_D x) * Spec.total (map D_of l).
 Proof.
-  induction l as [|s l IH]; simpl; [field; lra|]. rewrite IH, plus_IZR. unfold value_one. field. lra.
+  induction l as [|s l IH]; simpl; [field; lra|]. rewrite IH, !plus_IZR. unfold value_one. field. lra.
 Qed.
 
 Lemma condition_on_all_holds ch one all :
@@ -212,8 +338,9 @@ Proof.
   destruct (ch =? "n")%char.
   { injection H as <- <-. plain. apply IZR_le in Le. is (IZR (sum (map q_of ss)) - IZR (least_count pr)). lra. }
   destruct (ch =? "N")%char; [|discriminate].
-  destruct (claim pr) as [N|]; [|discriminate]. specialize (Cl N eq_refl). apply IZR_le in Cl.
-  rewrite minus_IZR in Cl. cbn [option_map] in H. remember (1 - N)%Z as k eqn:Ek. injection H as <- <-. subst k. plain. is (IZR N - 1 - IZR (sum (map q_of ss))). lra.
+  destruct (bound pr) as [B|]; [|discriminate]. specialize (Cl B eq_refl). apply IZR_le in Cl.
+  rewrite minus_IZR in Cl. cbn [option_map] in H. remember (1 - B)%Z as k eqn:Ek. injection H as <- <-. subst k. plain.
+  is (IZR B - 1 - IZR (sum (map q_of ss))). lra.
 Qed.
 
 (* ---- A leaf is a contradiction ------------------------------------------------------------------- *)
@@ -259,17 +386,29 @@ Proof.
     match goal with |- holds _ ?v => replace v with
       (value_from (single x) (alike x) 1 ss + value_sum (sums x) +
        IZR (times_m k) * (Spec.total (map (value_one one) ss) + value_sum all)) by ring end. exact R. }
-  destruct (of_class k) as [|j|j]; [exact (All H)| |exact (All H)].
+  destruct (of_class k) as [|i|i]; [exact (All H)| |exact (All H)].
+  destruct (up_to k) as [|j|j]; [exact (All H)| |exact (All H)].
   destruct (PositiveMap.find j t) as [cj|] eqn:E; [|discriminate].
   destruct (table_state _ _ _ (sat_classes _ solves) _ _ _ _ E) as [(s & At & Me)|E'];
     [|rewrite PositiveMap.gempty in E'; discriminate].
-  destruct (condition_on pr e j cj (letter k)) as [(one, all)|] eqn:C; [|discriminate].
-  injection H as <-. cbn [single alike sums]. rewrite (value_one_class _ _ _ _ _ _ _ _ At), value_add_sum.
-  pose proof (condition_holds _ _ _ _ _ _ _ Fo At Me C) as Ho.
-  pose proof (holds_add _ _ _ _ (times_m k) K Fx Ho) as R. cbn [strict add_sum].
-  match goal with |- holds _ ?v => replace v with
-    (value_from (single x) (alike x) 1 ss + value_sum (sums x) +
-     IZR (times_m k) * (value_one one s + value_sum all)) by ring end. exact R.
+  destruct (Pos.ltb_spec j i) as [|Le]; [discriminate|].
+  destruct (Pos.eqb_spec i j) as [->|Ne].
+  - destruct (condition_on pr e j cj (letter k)) as [(one, all)|] eqn:C; [|discriminate].
+    injection H as <-. cbn [single alike sums]. rewrite (value_one_class _ _ _ _ _ _ _ _ At), value_add_sum.
+    pose proof (condition_holds _ _ _ _ _ _ _ Fo At Me C) as Ho.
+    pose proof (holds_add _ _ _ _ (times_m k) K Fx Ho) as R. cbn [strict add_sum].
+    match goal with |- holds _ ?v => replace v with
+      (value_from (single x) (alike x) 1 ss + value_sum (sums x) +
+       IZR (times_m k) * (value_one one s + value_sum all)) by ring end. exact R.
+  - destruct (condition_between pr e i j (letter k)) as [(one, all)|] eqn:C; [|discriminate].
+    injection H as <-. cbn [single alike sums].
+    assert (i < j)%positive as Lt by lia.
+    destruct (between_holds _ _ _ _ _ _ _ Fo Lt At C) as (s0 & B & (Oq & Ot & OP & Op) & Ho).
+    rewrite (value_between _ _ _ _ _ _ s0 s Oq Ot OP Op B At), value_add_sum.
+    pose proof (holds_add _ _ _ _ (times_m k) K Fx Ho) as R. cbn [strict add_sum].
+    match goal with |- holds _ ?v => replace v with
+      (value_from (single x) (alike x) 1 ss + value_sum (sums x) +
+       IZR (times_m k) * (value_one one s - value_one one s0 + value_sum all)) by ring end. exact R.
 Qed.
 
 Lemma empty_fine : fine empty.
@@ -289,46 +428,51 @@ Proof.
 Qed.
 
 (* Where variables cancel, only the right sides are left. *)
-Lemma cancels_value x cs l (ok : limits -> state -> Prop) : Forall2 ok cs l -> forall j P held,
-  passing_from P l -> cancels pr x j cs = Some held ->
+Lemma cancels_value x cs l (ok : limits -> state -> Prop) : Forall2 ok cs l -> forall j P N D h,
+  sums_from P N D cs l -> cancels pr x j cs = Some h ->
   value_from (single x) (alike x) j l =
-  IZR held * P - IZR (on_M (sums x)) * Spec.total (map t_of l) / su
+  IZR (of_P h) * P + IZR (of_N h) * IZR N / mu + IZR (of_D h) * D - IZR (on_M (sums x)) * Spec.total (map t_of l) / su
   - IZR (on_volume (sums x)) * Spec.total (map (fun '(c, s) => t_of s * IZR (per_factor c) / su) (combine cs l)).
 Proof.
-  induction 1 as [|c s cs l O _ IH]; intros j P held Pa H; cbn [cancels] in H.
+  induction 1 as [|c s cs l O _ IH]; intros j P N D h Su H; cbn [cancels] in H.
   { injection H as <-. simpl. field. lra. }
-  destruct (cancels pr x (Pos.succ j) cs) as [held'|] eqn:E; [|discriminate].
-  destruct Pa as (Ps & Pa). unfold check in H.
+  destruct (cancels pr x (Pos.succ j) cs) as [h'|] eqn:E; [|discriminate].
+  destruct Su as (Ps & Ns & Ds & Su). unfold check in H.
   set (one := of_class_j (single x) j) in *. set (all := alike x) in *.
-  destruct ((on_q one + on_q all =? 0)%Z &&
-            (((on_t one + on_t all + (held' + on_P one + on_P all)) * share_unit pr + on_M (sums x) +
-              on_volume (sums x) * per_factor c =? 0)%Z) && (on_p one + on_p all =? 0)%Z)%bool eqn:B; [|discriminate].
+  set (here := carry all (carry one h')) in *. cbv zeta in H.
+  match type of H with (if ?b then _ else _) = _ => destruct b eqn:B; [|discriminate] end.
   injection H as <-. rewrite !andb_true_iff, !Z.eqb_eq in B. destruct B as ((Bq & Bt) & Bp).
   cbn [value_from combine map Spec.total fold_right]. fold (Spec.total (map t_of l)).
-  rewrite (IH _ _ _ Pa E). fold one. fold all. unfold value_one.
-  apply (f_equal IZR) in Bq, Bt, Bp. rewrite !plus_IZR, !mult_IZR in *. rewrite !plus_IZR in *.
+  rewrite (IH _ _ _ _ _ Su E). fold one. fold all. unfold value_one.
+  assert (of_P here = of_P h' + on_P one + on_P all /\ of_N here = of_N h' + on_N one + on_N all /\
+          of_D here = of_D h' + on_D one + on_D all)%Z as (EP & EN & ED) by (repeat split).
+  rewrite EP, EN, ED in *. clear EP EN ED here.
+  apply (f_equal IZR) in Bq, Bt, Bp. rewrite ?minus_IZR, ?plus_IZR, ?mult_IZR, ?minus_IZR, ?plus_IZR in *.
   change (fold_right Rplus 0 (map t_of l)) with (Spec.total (map t_of l)).
   change (fold_right Rplus 0 (map (fun '(c, s) => t_of s * IZR (per_factor c) / su) (combine cs l)))
     with (Spec.total (map (fun '(c, s) => t_of s * IZR (per_factor c) / su) (combine cs l))).
-  rewrite Ps.
-  replace (IZR (on_q one)) with (- IZR (on_q all)) by lra. replace (IZR (on_p one)) with (- IZR (on_p all)) by lra.
-  replace (IZR (on_t one)) with (- IZR (on_t all) - (IZR held' + IZR (on_P one) + IZR (on_P all))
+  rewrite Ps, Ds, Ns, ?plus_IZR.
+  set (n := IZR (of_N h') + IZR (on_N one) + IZR (on_N all)) in *.
+  set (e := IZR (of_D h') + IZR (on_D one) + IZR (on_D all)) in *.
+  replace (IZR (on_q one)) with (- IZR (on_q all) - n + e * IZR (f c)) by lra.
+  replace (IZR (on_p one)) with (- IZR (on_p all)) by lra.
+  replace (IZR (on_t one)) with (- IZR (on_t all) - (IZR (of_P h') + IZR (on_P one) + IZR (on_P all)) - e
      - (IZR (on_M (sums x)) + IZR (on_volume (sums x)) * IZR (per_factor c)) / su).
-  - field. lra.
+  - subst n e. field. lra.
   - apply (Rmult_eq_reg_r su); [|lra]. field_simplify; [|lra]. lra.
 Qed.
 
 Lemma cancels_everywhere x held : cancels pr x 1 (classes_of pr) = Some held ->
   value_from (single x) (alike x) 1 ss = - IZR (on_M (sums x)) * M / su - IZR (on_volume (sums x)) * V.
 Proof.
-  intro Ca. rewrite (cancels_value x _ _ _ (sat_classes _ solves) _ _ _ (sat_passing _ solves) Ca).
+  intro Ca. rewrite (cancels_value x _ _ _ (sat_classes _ solves) _ _ _ _ _ (sat_sums _ solves) Ca).
   fold (all_mass ss). fold (all_volume ss). field. lra.
 Qed.
 
 Lemma says_nothing_value x s : says_nothing x = true -> value_one x s = 0.
 Proof.
-  unfold says_nothing. rewrite !andb_true_iff, !Z.eqb_eq. intros (((E1 & E2) & E3) & E4).
-  unfold value_one. rewrite E1, E2, E3, E4. field. lra.
+  unfold says_nothing. rewrite !andb_true_iff, !Z.eqb_eq. intros (((((E1 & E2) & E3) & E4) & E5) & E6).
+  unfold value_one. rewrite E1, E2, E3, E4, E5, E6. field. lra.
 Qed.
 
 Lemma cancels_named x : cancels_where_named x = true ->
@@ -374,20 +518,34 @@ Qed.
 
 (* ---- The tree ------------------------------------------------------------------------------------ *)
 
-Lemma split_forced e j v : forced e -> forced (below e j v) \/ forced (from e j v).
+Lemma of_range_set i j v r i' j' :
+  of_range i' j' (set_range i j v r) = if (i' =? i)%positive && (j' =? j)%positive then Some v else of_range i' j' r.
 Proof.
-  intro Fo. destruct (state_at j 1 ss) as [s|] eqn:At.
-  - destruct (Z_lt_le_dec (q_of s) v) as [L|L]; [left | right]; intros i s' At'; destruct (Fo i s' At') as (A & B).
-    + split; [exact A|]. unfold below. cbn [at_most_v]. intros u H. destruct (Pos.eq_dec i j) as [->|N].
-      * rewrite PositiveMap.gss in H. rewrite At in At'. injection At' as <-. injection H as <-.
-        destruct (PositiveMap.find j (at_most_v e)) as [w|] eqn:W; [specialize (B w eq_refl)|]; lia.
-      * rewrite PositiveMap.gso in H by exact N. auto.
-    + split; [|exact B]. unfold from. cbn [at_least_v]. intros u H. destruct (Pos.eq_dec i j) as [->|N].
-      * rewrite PositiveMap.gss in H. rewrite At in At'. injection At' as <-. injection H as <-.
-        destruct (PositiveMap.find j (at_least_v e)) as [w|] eqn:W; [specialize (A w eq_refl)|]; lia.
-      * rewrite PositiveMap.gso in H by exact N. auto.
-  - left. intros i s' At'. destruct (Fo i s' At') as (A & B). split; [exact A|]. unfold below. cbn [at_most_v].
-    intros u H. destruct (Pos.eq_dec i j) as [->|N]; [congruence|]. rewrite PositiveMap.gso in H by exact N. auto.
+  unfold of_range, set_range. destruct (Pos.eqb_spec i' i) as [->|Ni]; cbn [andb].
+  - rewrite PositiveMap.gss. destruct (Pos.eqb_spec j' j) as [->|Nj]; [apply PositiveMap.gss|].
+    rewrite PositiveMap.gso by exact Nj. destruct (PositiveMap.find i r); [reflexivity | apply PositiveMap.gempty].
+  - rewrite PositiveMap.gso by exact Ni. reflexivity.
+Qed.
+
+Lemma split_forced e i j v : forced e -> forced (below e i j v) \/ forced (from e i j v).
+Proof.
+  intro Fo. unfold below, from.
+  assert (forall u, (forall s0 s, state_before i = Some s0 -> state_at j 1 ss = Some s -> (N_of s - N_of s0 <= u)%Z) ->
+            forced (Force (at_least_v e) (set_range i j u (at_most_v e)))) as Upper.
+  { intros u H i' j' s0 s B At. destruct (Fo i' j' s0 s B At) as (Lo & Up). split; [exact Lo|]. cbn [at_most_v]. intros w W.
+    rewrite of_range_set in W. destruct (Pos.eqb_spec i' i) as [->|]; [|exact (Up w W)].
+    destruct (Pos.eqb_spec j' j) as [->|]; [|exact (Up w W)]. injection W as <-. exact (H s0 s B At). }
+  assert (forall u, (forall s0 s, state_before i = Some s0 -> state_at j 1 ss = Some s -> (u <= N_of s - N_of s0)%Z) ->
+            forced (Force (set_range i j u (at_least_v e)) (at_most_v e))) as Lower.
+  { intros u H i' j' s0 s B At. destruct (Fo i' j' s0 s B At) as (Lo & Up). split; [|exact Up]. cbn [at_least_v]. intros w W.
+    rewrite of_range_set in W. destruct (Pos.eqb_spec i' i) as [->|]; [|exact (Lo w W)].
+    destruct (Pos.eqb_spec j' j) as [->|]; [|exact (Lo w W)]. injection W as <-. exact (H s0 s B At). }
+  destruct (state_before i) as [s0|] eqn:B; [|left; apply Upper; congruence].
+  destruct (state_at j 1 ss) as [s|] eqn:At; [|left; apply Upper; congruence].
+  destruct (Fo i j s0 s B At) as (Lo & Up).
+  destruct (Z_lt_le_dec (N_of s - N_of s0) v) as [L|L]; [left; apply Upper | right; apply Lower]; intros ? ? [= <-] [= <-].
+  - destruct (of_range i j (at_most_v e)) as [w|]; [specialize (Up w eq_refl)|]; lia.
+  - destruct (of_range i j (at_least_v e)) as [w|]; [specialize (Lo w eq_refl)|]; lia.
 Qed.
 
 Lemma nodes_sound nodes : forall to_come e,
@@ -395,11 +553,11 @@ Lemma nodes_sound nodes : forall to_come e,
 Proof.
   induction nodes as [|n nodes IH]; intros to_come e H I Fo.
   { destruct to_come; [destruct I | discriminate]. }
-  simpl in H. destruct n as [j v|ks].
-  - destruct j as [|j|j]; try discriminate. destruct to_come as [|e0 to_come]; [discriminate|].
-    destruct (PositiveMap.mem j t); [|discriminate]. destruct I as [->|I].
-    + destruct (split_forced e j v Fo) as [B|B]; [apply (IH _ _ H (or_introl eq_refl) B)|].
-      apply (IH _ (from e j v) H); [right; left; reflexivity | exact B].
+  simpl in H. destruct n as [i j v|ks].
+  - destruct i as [|i|i], j as [|j|j]; try discriminate. destruct to_come as [|e0 to_come]; [discriminate|].
+    destruct ((i <=? j)%positive && PositiveMap.mem j t); [|discriminate]. destruct I as [->|I].
+    + destruct (split_forced e i j v Fo) as [B|B]; [apply (IH _ _ H (or_introl eq_refl) B)|].
+      apply (IH _ (from e i j v) H); [right; left; reflexivity | exact B].
     + apply (IH _ e H); [right; right; exact I | exact Fo].
   - destruct to_come as [|e0 to_come]; [discriminate|]. destruct (refutes pr t e0 ks) eqn:R; [|discriminate].
     destruct I as [->|I]; [exact (leaf_sound e ks R Fo) | exact (IH _ _ H I Fo)].
@@ -407,7 +565,8 @@ Qed.
 
 Lemma nothing_forced : forced nothing.
 Proof.
-  intros j s _. unfold nothing. cbn [at_least_v at_most_v]. split; intros v H; rewrite PositiveMap.gempty in H; discriminate.
+  intros i j s0 s _ _. unfold nothing, of_range. cbn [at_least_v at_most_v].
+  split; intros v H; rewrite PositiveMap.gempty in H; discriminate.
 Qed.
 
 End Point.

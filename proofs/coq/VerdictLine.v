@@ -32,9 +32,9 @@ Inductive part :=
 | LeftOutBelow (x : Q)
 | PanCountedAs (x : Q).
 
-(* What an accepted certificate's line says. No number: there is no match of any number. *)
+(* What an accepted certificate's line says. *)
 Record statement := Statement {
-  file_name : string; unit_of : size_unit; number : option Z; or_more : Z; is_exact : bool; parts : list part }.
+  file_name : string; unit_of : size_unit; claim_of : claim; or_more : Z; is_exact : bool; parts : list part }.
 
 (* ---- The question as parts -------------------------------------------------------------------------- *)
 
@@ -74,7 +74,7 @@ Definition parts_of (R : reading) (D : document) : list part :=
 
 Definition statement_of (name : string) (R : reading) (D : document) : statement :=
   let q := asked (certificate_of D) in
-  Statement name (sizes_in R) (particles (certificate_of D)) (at_least q)
+  Statement name (sizes_in R) (claimed (certificate_of D)) (at_least q)
     match tolerances_of q with Some _ => false | None => true end (parts_of R D).
 
 (* ---- As a text -------------------------------------------------------------------------------------- *)
@@ -128,11 +128,17 @@ Definition phrase (unit : size_unit) (p : part) : string :=
 Definition accepted_line (s : statement) : string :=
   let or_more := if 0 <? or_more s then ", " ++ show_integer (or_more s) ++ " or more," else "" in
   "accepted: " ++
-  match number s with
-  | Some n => "N = " ++ show_integer n ++ " is the smallest number of particles" ++ or_more ++ " that matches "
-  | None => "no number of particles" ++ or_more ++ " matches "
+  match claim_of s with
+  | Smallest N => "N = " ++ show_integer N ++ " is the smallest number of particles" ++ or_more ++ " that matches "
+  | Between _ _ => "the smallest number of particles" ++ or_more ++ " that matches "
+  | NoneBelow B => "no number of particles below " ++ show_integer B ++ or_more ++ " matches "
+  | NoMatch => "no number of particles" ++ or_more ++ " matches "
   end ++
-  in_quotes (file_name s) ++ (if is_exact s then " exactly (" else " within a tolerance (") ++
+  in_quotes (file_name s) ++ (if is_exact s then " exactly" else " within a tolerance") ++
+  match claim_of s with
+  | Between B N => " is between " ++ show_integer B ++ " and " ++ show_integer N
+  | _ => ""
+  end ++ " (" ++
   joined "; " (map_all (phrase (unit_of s)) (parts s)) ++ ")".
 
 Definition refused_line (name : string) : string :=

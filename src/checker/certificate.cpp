@@ -67,8 +67,8 @@ public:
 
   /// `1` and `2` are integers from 1 and 2 up, `d` is a decimal above 0, `z` one from 0 up, `p` one from 0 to
   /// 100, `r` a rational above 0. The limits 1 and 2 count what a digit or a capital stands for.
-  Number number(char kind) {
-    const std::string_view text = word();
+  Number number(char kind) { return number(kind, word()); }
+  Number number(char kind, std::string_view text) {
     const auto form = static_cast<char>(std::tolower(kind));
     const std::size_t slash = form == 'r' ? text.find('/') : std::string_view::npos;
     mpq_class value = canonical(text.substr(0, slash), form == 'd' || form == 'z' || form == 'p');
@@ -88,18 +88,47 @@ public:
   }
   mpz_class integer() { return number('1').value.get_num(); }
   std::uint64_t index() { return index(word()); }
+  /// One class, or with version 2 those from i to j, written i-j.
+  ClassRange classes(bool second) { return classes(word(), second); }
   /// A multiplier and its condition; a leaf has no condition twice.
-  Multiple multiple(std::set<std::string_view> &conditions) {
+  Multiple multiple(std::set<std::string_view> &conditions, bool second) {
     const mpz_class m = integer();
     const std::string_view name = word(), j = name.substr(std::min<std::size_t>(1, name.size()));
-    const std::string_view letters = j.empty() ? "EmwnN" : "fFqQrRpPex";
-    demand_form(!name.empty() && letters.find(name[0]) != std::string_view::npos && j != "0", line_,
-                "is no condition: write a letter of the format, and a class where it has one", name);
+    const ClassRange range = j.empty() ? ClassRange{0, 0} : classes(j, second);
+    const std::string_view letters = j.empty() ? "EmwnN" : range.i < range.j ? "sSd" : "fFqQrRpPex";
+    demand_form(
+        !name.empty() && letters.find(name[0]) != std::string_view::npos && (j.empty() || range.i > 0), line_,
+        "is no condition: write a letter of the format, and its classes where it has any", name);
     demand_form(conditions.insert(name).second, line_, "is twice in a leaf: add its multipliers", name);
-    return {m, name[0], j.empty() ? 0 : index(j)};
+    return {m, name[0], range};
+  }
+  /// The number of the witness and the bound: `N`, or with version 2 `B..N` and `B..`.
+  void read_particles(Certificate &c) {
+    demand("particles");
+    const std::string_view text = word();
+    const std::size_t dots = text.find("..");
+    const bool single = dots == std::string_view::npos;
+    check(c.second || single, "bounds need `mdm-certificate 2`: let mdm solve --proof write it again");
+    const std::string_view most = single ? text : text.substr(dots + 2);
+    if (!most.empty())
+      c.particles.push_back(number('1', most));
+    c.bound.push_back(number(c.particles.empty() ? '2' : '1', text.substr(0, dots)));
+    check(single || c.particles.empty() || c.bound[0].value < c.particles[0].value,
+          "bounds that do not ascend: write one number where they are the same");
+    end();
   }
 
 private:
+  ClassRange classes(std::string_view text, bool second) const {
+    const std::size_t dash = text.find('-');
+    const std::uint64_t i = index(text.substr(0, dash));
+    if (dash == std::string_view::npos)
+      return {i, i};
+    check(second, "sums of classes need `mdm-certificate 2`: let mdm solve --proof write it again");
+    const std::uint64_t j = index(text.substr(dash + 1));
+    demand_form(i < j, line_, "are no classes i-j with i < j: write a single class once", text);
+    return {i, j};
+  }
   void next() {
     const std::size_t end = rest_.find('\n');
     before_ = std::exchange(begin_, rest_);
@@ -139,7 +168,9 @@ private:
 };
 
 void read_question(Lines &lines, Certificate &c) {
-  lines.demand("mdm-certificate 1");
+  c.second = lines.take("mdm-certificate 2");
+  if (!c.second)
+    lines.demand("mdm-certificate 1");
   lines.end();
   lines.read("law", "r", c.law);
   const mpq_class &law = c.law[0].value;
@@ -202,22 +233,23 @@ void read_classes(Lines &lines, std::vector<ClassWitness> &classes, bool with_ma
 }
 
 /// Reads nodes until every split has its two subtrees.
-void read_tree(Lines &lines, std::vector<TreeNode> &tree) {
-  std::size_t size = 0;
-  const auto grow = [&] {
-    lines.check(++size <= most_of_tree, "more than 4194304 nodes and multiples: search for a smaller tree");
+void read_tree(Lines &lines, std::vector<TreeNode> &tree, bool second) {
+  std::uint64_t size = 0;
+  const auto grow = [&](std::uint64_t terms) {
+    lines.check((size += terms) <= most_of_tree,
+                "more than 4194304 nodes and multiples: search for a smaller tree");
   };
-  for (std::size_t open = 1; open > 0; grow()) {
+  for (std::size_t open = 1; open > 0; grow(1)) {
     TreeNode node;
     if (lines.take("split")) {
-      node.j = lines.index();
+      node.classes = lines.classes(second);
       node.v = lines.integer();
       ++open;
     } else {
       lines.demand("leaf");
       std::set<std::string_view> conditions;
-      for (--open; node.leaf.empty() || lines.more(); grow())
-        node.leaf.push_back(lines.multiple(conditions));
+      for (--open; node.leaf.empty() || lines.more(); grow(node.leaf.back().terms()))
+        node.leaf.push_back(lines.multiple(conditions, second));
     }
     tree.push_back(std::move(node));
     lines.end();
@@ -233,16 +265,18 @@ Certificate read_certificate(std::string_view text) {
   const bool tolerant = read_tolerance(lines, c);
   lines.check(tolerant || c.min_per_class.empty() || c.min_per_class[0].value >= 2,
               "min-per-class 1 says nothing of an exact match: leave it out");
+  lines.check(tolerant || !c.second, "`mdm-certificate 2` needs a tolerance: write 1 without one");
   if (tolerant && lines.take("particles none")) {
     lines.end();
   } else {
-    lines.read("particles", "1", c.particles);
+    lines.read_particles(c);
     if (!tolerant)
       lines.read("scale", "r", c.scale);
-    read_classes(lines, c.classes, tolerant);
+    if (!c.particles.empty())
+      read_classes(lines, c.classes, tolerant);
   }
   if (tolerant) {
-    read_tree(lines, c.tree);
+    read_tree(lines, c.tree, c.second);
   } else if (c.at_least.empty() || c.at_least[0].value != c.particles[0].value) {
     if (!c.at_least.empty())
       lines.read_if_there("above", "r", c.above);

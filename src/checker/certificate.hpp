@@ -24,16 +24,24 @@ struct ClassWitness {
   mpq_class mass, lo, hi;
 };
 
-/// m > 0 times the condition of a letter and, where it has one, a class (section 6), else 0.
+/// Consecutive classes from i to j; i = j for one class.
+struct ClassRange {
+  std::uint64_t i, j;
+  friend auto operator<=>(const ClassRange &, const ClassRange &) = default;
+};
+
+/// m > 0 times the condition of a letter and its classes (section 6), 0 to 0 where it has none.
 struct Multiple {
   mpz_class m;
   char condition;
-  std::uint64_t j;
+  ClassRange classes;
+  /// What it counts in the limits 2 and 5: the sum d has a term for each of its classes.
+  std::uint64_t terms() const { return condition == 'd' ? classes.j - classes.i + 1 : 1; }
 };
 
-/// A node of a tree: a split of q_j into q_j < v and q_j >= v, or a leaf.
+/// A node of a tree: a split of the particles in some classes into fewer than v and at least v, or a leaf.
 struct TreeNode {
-  std::uint64_t j = 0;
+  ClassRange classes{0, 0};
   mpz_class v = 0;
   std::vector<Multiple> leaf; ///< empty: a split
 };
@@ -44,11 +52,13 @@ struct Certificate {
   Numbers retained, retained_file, passing, passing_file, passing_each, total; ///< `file` is a number 0
   Numbers band;                                                                ///< three a line
   Numbers band_file;                                                           ///< a number 0, as above
-  Numbers particles;                                                           ///< none: there is no match
+  Numbers particles;                                                           ///< of the witness; or none
+  Numbers bound; ///< no match has fewer: `particles`, or what a bound says; none: there is no match
   Numbers scale, above;
   std::vector<ClassWitness> classes;
   std::optional<std::vector<std::uint32_t>> chain; ///< 2^32 - 1 is an index that no class has
   std::vector<TreeNode> tree;                      ///< in preorder; empty without a tolerance
+  bool second;                                     ///< version 2
   unsigned long a, b;                              ///< of the law
   std::uint64_t longest_count;                     ///< in bits, for the limits 1 and 2
 };

@@ -22,7 +22,7 @@ constexpr const char *help = R"(mdm-check GRADATION CERTIFICATE
 mdm-check --print GRADATION [CERTIFICATE]
 
 Checks the proof that a number of particles is the smallest that matches a gradation exactly
-or within a tolerance.
+or within a tolerance, or the proof of bounds on the smallest.
 GRADATION is the gradation file (CSV or JSON; or that of a band) and CERTIFICATE what
 mdm solve --proof wrote; one of them may be - for standard input.
 

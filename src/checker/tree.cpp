@@ -191,36 +191,37 @@ public:
       refute(node.leaf);
       // Up to the last split whose second subtree is to come, and into that.
       for (; !path_.empty() && path_.back().second; path_.pop_back())
-        restore(path_.back(), in_force_[path_.back().split.j - 1].least);
+        restore(path_.back(), path_.back().bounds.least);
       if (!path_.empty())
         enter_second(path_.back());
     }
   }
 
 private:
-  /// least <= q_j <= most; most is -1 where there is no bound.
+  /// Of the particles in some classes; most is -1 where there is no bound.
   struct Bounds {
-    mpz_class least, most;
+    mpz_class least = 0, most = -1;
   };
   struct Branch {
     const TreeNode &split;
+    Bounds &bounds;
     bool second;
     std::optional<mpz_class> before; ///< the bound in force before, if the split narrows it
   };
 
   void enter(const TreeNode &split) {
-    demand(1 <= split.j && split.j <= in_force_.size(), "split: a class of the gradation", split.j);
-    mpz_class &most = in_force_[split.j - 1].most;
-    path_.push_back({split, false, std::nullopt});
-    if (most < 0 || most >= split.v)
-      path_.back().before = std::exchange(most, split.v - 1);
+    const auto &[i, j] = split.classes;
+    demand(1 <= i && j <= in_force_.size(), "split: a class of the gradation", j);
+    Bounds &bounds = i == j ? in_force_[j - 1] : of_sums_[split.classes];
+    path_.push_back({split, bounds, false, std::nullopt});
+    if (bounds.most < 0 || bounds.most >= split.v)
+      path_.back().before = std::exchange(bounds.most, split.v - 1);
   }
-  void enter_second(Branch &branch) {
-    Bounds &bounds = in_force_[branch.split.j - 1];
-    restore(branch, bounds.most);
+  static void enter_second(Branch &branch) {
+    restore(branch, branch.bounds.most);
     branch.second = true;
-    if (bounds.least < branch.split.v)
-      branch.before = std::exchange(bounds.least, branch.split.v);
+    if (branch.bounds.least < branch.split.v)
+      branch.before = std::exchange(branch.bounds.least, branch.split.v);
   }
   static void restore(Branch &branch, mpz_class &bound) {
     if (branch.before)
@@ -228,12 +229,34 @@ private:
     branch.before.reset();
   }
 
-  /// A condition: sum of coefficient * variable >= constant. q, t, p and P_j are those of its class, or of
-  /// every class where it has none; q is in mass units, M in share units.
+  /// A condition: sum of coefficient * variable >= constant. q, t, p, P_j and the sums N_j and D_j of q and
+  /// of t - f q up to class j are those of its class, or of every class where it has none; q is in mass
+  /// units, M in share units.
   struct Condition {
     mpz_class q = 0, t = 0, P = 0, p = 0, M = 0, weight = 0, constant = 0;
     bool strict = false;
+    mpz_class N = 0, D = 0;
   };
+
+  /// The condition of classes i to j, i < j: what it has at N_j and D_j, and with the other sign at N_{i-1}
+  /// and D_{i-1}.
+  Condition condition_of_sum(char letter, const ClassRange &classes) const {
+    const auto found = of_sums_.find(classes);
+    const Bounds bounds = found == of_sums_.end() ? Bounds{} : found->second;
+    Condition c;
+    if (letter == 'd') { // sum of t - f q >= 0, strict where there are particles
+      c.D = 1;
+      c.strict = bounds.least >= 1;
+    } else if (letter == 's') { // sum of q >= the bound in force
+      c.N = problem_.mass_unit;
+      c.constant = bounds.least;
+    } else { // S: minus the sum of q >= minus the bound in force
+      demand(bounds.most >= 0, "leaf: S where the sum is bounded", classes.j);
+      c.N = -problem_.mass_unit;
+      c.constant = -bounds.most;
+    }
+    return c;
+  }
 
   /// The condition of class j, or for j = 0 of all.
   Condition condition(char letter, std::uint64_t j) const {
@@ -270,47 +293,73 @@ private:
       return {0, 0, 0, 0, 0, 1};
     case 'n': // sum q >= max(1, M)
       return {unit, 0, 0, 0, 0, 0, std::max<mpz_class>(1, integer_of(certificate_.at_least))};
-    default: // N: -sum q >= -(N - 1)
-      demand(!certificate_.particles.empty(), "leaf: N with a number of particles");
-      return {-unit, 0, 0, 0, 0, 0, 1 - integer_of(certificate_.particles)};
+    default: // N: -sum q >= -(N - 1), of bounds -(B - 1)
+      demand(!certificate_.bound.empty(), "leaf: N with a number of particles");
+      return {-unit, 0, 0, 0, 0, 0, 1 - integer_of(certificate_.bound)};
     }
   }
 
-  /// The sum of the conditions is 0 >= positive, or 0 > 0 (Theorem 14). The work follows the leaf's length:
-  /// the classes that it does not name are looked at together.
-  void refute(const std::vector<Multiple> &leaf) const {
-    const std::uint64_t k = problem_.classes.size();
-    std::map<std::uint64_t, Condition, std::greater<>> sums; // of each class, and of all in place 0
+  /// A sum of conditions: of each class, and of all in place 0.
+  using Sums = std::map<std::uint64_t, Condition, std::greater<>>;
+
+  static void add(Sums &sums, std::uint64_t j, const mpz_class &m, const Condition &c) {
+    Condition &sum = sums[j];
+    sum.q += m * c.q;
+    sum.t += m * c.t;
+    sum.P += m * c.P;
+    sum.p += m * c.p;
+    sum.N += m * c.N;
+    sum.D += m * c.D;
+  }
+  Sums add_up(const std::vector<Multiple> &leaf) const {
+    Sums sums;
     Condition &all = sums[0];
-    for (const auto &[m, letter, j] : leaf) {
-      demand(j <= k, "leaf: a class of the gradation", j);
-      const Condition c = condition(letter, j);
-      Condition &sum = sums[j];
-      sum.q += m * c.q;
-      sum.t += m * c.t;
-      sum.P += m * c.P;
-      sum.p += m * c.p;
+    for (const auto &[m, letter, classes] : leaf) {
+      const auto &[i, j] = classes;
+      demand(j <= problem_.classes.size(), "leaf: a class of the gradation", j);
+      const Condition c = i < j ? condition_of_sum(letter, classes) : condition(letter, j);
+      add(sums, j, m, c);
+      if (i < j && i > 1)
+        add(sums, i - 1, -m, c);
       all.M += m * c.M;
       all.weight += m * c.weight;
       all.constant += m * c.constant;
       all.strict = all.strict || c.strict;
     }
+    return sums;
+  }
+
+  /// The sum of the conditions is 0 >= positive, or 0 > 0 (Theorem 14). The work follows the leaf's length:
+  /// the classes that it does not name are looked at together, but for those of a sum d.
+  void refute(const std::vector<Multiple> &leaf) const {
+    const Sums sums = add_up(leaf);
+    const Condition &all = sums.at(0);
     // What all conditions but those of the class itself and of w have at t_j, in share units: t_j is part of
-    // M and of P_j, ..., P_k.
-    mpz_class held = all.t * problem_.share_unit + all.M;
-    const auto cancels = [&](const mpz_class &q, const mpz_class &t, const mpz_class &p, std::uint64_t j) {
-      const mpz_class of_t =
-          t * problem_.share_unit + held + all.weight * problem_.classes[j - 1].share[weight];
-      return q + all.q == 0 && of_t == 0 && p + all.p == 0;
+    // M and of P_j, ..., P_k; likewise at q_j, which is part of N_j, ..., N_k; and D_j, ..., D_k.
+    mpz_class held = all.t * problem_.share_unit + all.M, held_N = 0, held_D = 0;
+    const auto cancels = [&](const Condition &sum, std::uint64_t j) {
+      const Class &c = problem_.classes[j - 1];
+      const mpz_class of_q = sum.q + all.q + held_N - held_D * c.f;
+      const mpz_class of_t = (sum.t + held_D) * problem_.share_unit + held + all.weight * c.share[weight];
+      return of_q == 0 && of_t == 0 && sum.p + all.p == 0;
     };
-    std::uint64_t last = k; // of the classes that are left
+    // Classes from i to j that are not named.
+    const auto cancel = [&](std::uint64_t i, std::uint64_t j) {
+      const bool alike = held_D == 0 && (all.weight == 0 || alike_from_[j - 1] <= i);
+      for (std::uint64_t b = alike ? i : j; b >= i; --b)
+        if (!cancels({}, b))
+          return false;
+      return true;
+    };
+    std::uint64_t last = problem_.classes.size(); // of the classes that are left
     for (const auto &[j, sum] : sums) {
-      const bool alike = last == j || all.weight == 0 || alike_from_[last - 1] <= j + 1;
-      demand(alike && (last == j || cancels(0, 0, 0, last)), "leaf: the variables add up to 0", last);
+      demand(last == j || cancel(j + 1, last), "leaf: the variables add up to 0", last);
       if (j == 0)
         break;
       held += sum.P * problem_.share_unit;
-      demand(cancels(sum.q, sum.t, sum.p, j), "leaf: the variables add up to 0", j);
+      held_N += sum.N;
+      held_D += sum.D;
+      demand(cancels(sum, j), "leaf: the variables add up to 0", j);
       last = j - 1;
     }
     const mpq_class right = all.constant + all.weight * problem_.w;
@@ -321,6 +370,7 @@ private:
   const Certificate &certificate_;
   std::vector<std::uint64_t> alike_from_; ///< at j - 1: from this class to j the weights are the same
   std::vector<Bounds> in_force_;
+  std::map<ClassRange, Bounds> of_sums_; ///< in force, of the classes i to j, i < j
   std::vector<Branch> path_;
 };
 

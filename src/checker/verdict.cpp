@@ -70,6 +70,23 @@ void add_question(Parts &parts, const Certificate &c, const std::string &unit) {
 
 } // namespace
 
+namespace {
+
+/// What is claimed, with the words that say what is matched.
+std::string claim(const Certificate &c, const std::string &matches) {
+  const std::string or_more = c.at_least.empty() ? "" : ", " + std::string(c.at_least[0].text) + " or more,";
+  const std::string smallest = "the smallest number of particles" + or_more + " that" + matches;
+  if (c.bound.empty())
+    return "no number of particles" + or_more + matches;
+  const std::string bound(c.bound[0].text);
+  if (c.particles.empty())
+    return "no number of particles below " + bound + or_more + matches;
+  const std::string N(c.particles[0].text);
+  return bound == N ? "N = " + N + " is " + smallest : smallest + " is between " + bound + " and " + N;
+}
+
+} // namespace
+
 std::string accepted_line(const Gradation &gradation, const Certificate &certificate,
                           const std::string &file) {
   const std::string unit = gradation.unit();
@@ -78,15 +95,9 @@ std::string accepted_line(const Gradation &gradation, const Certificate &certifi
   parts.add(certificate.law[0].value.get_den() == 1 ? "mass law x^#" : "mass law x^(#)", certificate.law);
   add_gradation(parts, gradation);
   add_question(parts, certificate, unit);
-  const bool none = certificate.particles.empty();
-  const std::string least =
-      certificate.at_least.empty() ? "" : ", " + std::string(certificate.at_least[0].text) + " or more,";
-  return "accepted: " +
-         (none ? "no number of particles" + least
-               : "N = " + std::string(certificate.particles[0].text) +
-                     " is the smallest number of particles" + least + " that") +
-         " matches " + quoted_name(file) +
-         (certificate.tree.empty() ? " exactly (" : " within a tolerance (") + parts.text() + ")";
+  const std::string matches =
+      " matches " + quoted_name(file) + (certificate.tree.empty() ? " exactly" : " within a tolerance");
+  return "accepted: " + claim(certificate, matches) + " (" + parts.text() + ")";
 }
 
 std::string refused_line(const std::string &file) {

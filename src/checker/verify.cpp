@@ -18,8 +18,11 @@ void demand_within(std::uint64_t work, unsigned most, const Certificate &certifi
 std::uint64_t work_of(const Gradation &gradation, const Certificate &certificate, std::uint64_t n) {
   const std::uint64_t bands = certificate.band.size() / 3 + gradation.limits.size();
   std::uint64_t steps = 64 * (n + bands) + (certificate.chain ? certificate.chain->size() : 0);
-  for (const TreeNode &node : certificate.tree)
-    steps += 1 + node.leaf.size();
+  for (const TreeNode &node : certificate.tree) {
+    ++steps;
+    for (const Multiple &multiple : node.leaf)
+      steps += multiple.terms();
+  }
   return steps;
 }
 

@@ -186,12 +186,19 @@ std::string witness(const Certificate &c) {
   return in_lines(classes);
 }
 
+/// Class j as its range j j; a range i-j of classes as i j.
+std::string classes(const std::string &range) {
+  const std::size_t dash = range.find('-');
+  return dash == std::string::npos ? range + " " + range
+                                   : range.substr(0, dash) + " " + range.substr(dash + 1);
+}
+
 std::string leaf(const Words &line) {
   std::vector<std::string> multiples;
   for (std::size_t i = 1; i + 1 < line.size(); i += 2) {
     const std::string &condition = line[i + 1];
     multiples.push_back(fmt::format("Multiple {} \"{}\" {}", coq_integer(line[i]), condition.front(),
-                                    condition.size() == 1 ? "0" : condition.substr(1)));
+                                    classes(condition.size() == 1 ? "0" : condition.substr(1))));
   }
   return "Leaf " + joined(multiples);
 }
@@ -205,7 +212,7 @@ std::string evidence(const Match &m, const Certificate &c) {
   std::vector<std::string> nodes;
   for (const Words &line : c.lines())
     if (line.front() == "split")
-      nodes.push_back(fmt::format("Split {} {}", line[1], coq_integer(line[2])));
+      nodes.push_back(fmt::format("Split {} {}", classes(line[1]), coq_integer(line[2])));
     else if (line.front() == "leaf")
       nodes.push_back(leaf(line));
   return "Tolerant " + in_lines(nodes);
@@ -306,7 +313,7 @@ std::string coq_file(const Gradation &given, const Match &m, std::string_view fi
   file += fmt::format(
       "Lemma accepted :\n  judged {} (Certificate asked_question {} evidence) = (Ok tt, Ok sieves).\n"
       "Proof. vm_compute. reflexivity. Qed.\n\n",
-      name_of_given, is_none ? "None []" : fmt::format("(Some {}) classes_of_answer", N));
+      name_of_given, is_none ? "NoMatch []" : fmt::format("(Smallest {}) classes_of_answer", N));
   return file + theorem(m.question.law, N) + "\nPrint Assumptions answer.\n";
 }
 

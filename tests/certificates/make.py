@@ -325,7 +325,31 @@ tree("none_of_a_band", None, OPEN_X, OPEN_M, "band 2 50 60", "band 5 20 40", **L
 tree("none_of_retained_and_passing", None, OPEN_X, OPEN_M, "retained 1", "band 5 0 70")
 tree("none_of_an_empty_class", None, ["1", "2", "4"], ["1", "1", "0"], "band 2 0 0", least="2", **LINEAR)
 
+# Version 2. More than one particle in classes 2 and 3 together: their masses are above the lower bounds, which no
+# bound on a single class says.
+WIDE_X, WIDE_M = ["0", "2", "4", "8"], ["1", "1", "1", "0"]
+tree("sum_is_strict_where_occupied", 5, WIDE_X, WIDE_M, "band 2 75 85", sums=[(2, 3, 1)], avoid="f", **LINEAR)
+tree("sums_and_single_classes", 6, OPEN_X, OPEN_M, "passing 5", sums=[(2, 3, 1), (1, 2, 5)], **LINEAR)
+tree("sum_split_twice", 6, OPEN_X, OPEN_M, "passing 5", sums=[(2, 3, 3), (2, 3, 1)], **LINEAR)
+tree("sums_of_an_empty_class", 2, ["1", "2", "3", "4"], ["1", "0", "2", "0"], "retained 40", "passing 20", sums=[(1, 2, 1)],
+     avoid="f", **LINEAR)
+tree("sums_at_least", 4, OPEN_X, OPEN_M, "retained 20", at_least="3", sums=[(2, 3, 1)], avoid="f", **LINEAR)
+tree("sums_factors", 3, ["0", "2", "3"], ["1", "1", "0"], "passing 10", c=["2", "0.5", "1"], volume="20",
+     header="size_mm,mass,factor", columns=(["2", "0.5", "1"],), sums=[(1, 2, 2)], avoid="f")
+tree("sums_of_masses_that_fall", 3, ["0", "2", "3", "4"], ["3", "1", "1", "0"], "passing 2",
+     c=["3", "1", "0.5", "1"], header="size_mm,mass,factor", columns=(["3", "1", "0.5", "1"],), sums=[(2, 3, 3), (1, 3, 4)],
+     avoid="f", **LINEAR)
+tree("bounds", 6, OPEN_X, OPEN_M, "passing 5", sums=[(2, 3, 1)], avoid="fn", below=4, **LINEAR)
+tree("bounds_one_apart", 6, OPEN_X, OPEN_M, "passing 5", below=5, **LINEAR)
+tree("bounds_of_nothing", 6, OPEN_X, OPEN_M, "passing 5", below=1, **LINEAR)
+tree("bounds_at_least", 6, OPEN_X, OPEN_M, "passing 5", at_least="3", below=5, **LINEAR)
+tree("bound_alone", None, OPEN_X, OPEN_M, "passing 5", sums=[(1, 3, 3)], avoid="n", below=4, with_witness=False, **LINEAR)
+tree("bound_alone_of_all", None, OPEN_X, OPEN_M, "passing 5", below=6, with_witness=False, **LINEAR)
+tree("bound_alone_at_least", None, OPEN_X, OPEN_M, "passing 5", at_least="3", below=6, with_witness=False, **LINEAR)
+
 x, d = half("1.5", "1", "0.5")
+case = Tree(x, ["3", "1", "0"], ["retained 5"], law=(2, 1), degree=d, sums=[(1, 2, 3)], below=3, avoid="f")
+accept("tree_sums_half_phi", rows("size_phi,mass", ["1.5", "1", "0.5"], ["3", "1", "0"]), case)
 for name, N, options, *tolerance in (("retained", 4, {}, "retained 5"), ("total", 5, {"at_least": "5"}, "total 20"),
                                      ("band", None, {"most": 4}, "passing 5", "band 0.25 0 0", "band 0.5 41 45")):
     case = Tree(x, ["3", "1", "0"], tolerance, law=(2, 1), degree=d, **options)
@@ -594,6 +618,49 @@ for name, old, new in (
          "class 1 2 5 2.5 2.5\nclass 2 1 3/2 1.5 1.5")):
     assert HAND.count(old) == 1, name
     rejected["tree_" + name] = (BY_HAND, HAND.replace(old, new))
+accepted["tree_version_2_without_need"] = (BY_HAND, HAND.replace("mdm-certificate 1", "mdm-certificate 2"))
+leaf = accepted["tree_none_of_a_band"][1].splitlines()[-2]
+edit("tree_sums_none", "tree_none_of_a_band", ("mdm-certificate", "mdm-certificate 2"),
+     ("leaf", f"split 1-3 2\n{leaf}\n{leaf}"), into=accepted)
+# Version 2 by hand: certificate-format.md, section 9.
+WIDE = rows("size_mm,mass", WIDE_X, WIDE_M)
+CLASSES = "class 1 4 8 2 2\nclass 2 1 8/3 2.666666666666 2.666666666667\n"
+STRICT = f"""mdm-certificate 2
+law 1
+band 2 75 85
+particles 5
+{CLASSES}split 2-3 1
+leaf 20 P1 3 m 20 F2 20 F3 160 S2-3 80 q2
+leaf 16 p1 4 F1 12 d2-3 8 N 32 s2-3 24 q3
+end
+"""
+CLOSED = STRICT.replace("12 d2-3", "12 f2 12 f3")
+accepted["tree_sums_by_hand"] = (WIDE, STRICT)
+accepted["tree_bounds_by_hand"] = (WIDE, CLOSED.replace("particles 5", "particles 4..5"))
+accepted["tree_bound_alone_by_hand"] = (WIDE, CLOSED.replace("particles 5", "particles 4..").replace(CLASSES, ""))
+rejected["tree_sums_by_hand_closed"] = (WIDE, CLOSED)
+rejected["tree_bound_alone_by_hand_closed"] = (WIDE, CLOSED.replace("particles 5", "particles 5..").replace(CLASSES, ""))
+SUM, SUM_BOUND = "tree_sum_is_strict_where_occupied", "tree_bounds"
+STRICT_LEAF = "leaf 4 F1 3 F3 8 N 3 P2 12 d2-3 16 p1 32 s2-3"
+edit("tree_sum_one_more_than_least", SUM, ("particles", "particles 6"))
+edit("tree_sum_one_more_as_a_bound", SUM, ("particles", "particles 6.."), ("class 1", None), ("class 2", None))
+edit("tree_sum_without_a_strict_bound", SUM, (STRICT_LEAF, STRICT_LEAF.replace("12 d2-3", "12 f2 12 f3 24 q3")))
+edit("tree_sum_strict_by_another_sum", SUM, ("split 2-3 1", "split 1-3 1"))
+edit("tree_sum_split_at_2", SUM, ("split 2-3 1", "split 2-3 2"))
+edit("tree_sum_of_one_class_more", SUM, (STRICT_LEAF, STRICT_LEAF.replace("12 d2-3", "12 d1-3")))
+edit("tree_sum_without_an_upper_bound", SUM, (STRICT_LEAF, STRICT_LEAF + " 1 S2-3"))
+edit("tree_sum_with_the_bound_of_another", SUM, ("leaf 40", "leaf 40 F2 20 F3 20 P1 160 S1-3 3 m 20 r2"))
+edit("tree_sum_beyond_the_last_class", SUM, ("split 2-3 1", "split 2-4 1"))
+edit("tree_sum_from_class_0", SUM, ("split 2-3 1", "split 0-3 1"))
+edit("tree_condition_beyond_the_last_class", SUM, (STRICT_LEAF, STRICT_LEAF.replace("s2-3", "s2-4")))
+edit("tree_sum_far_beyond_the_last_class", SUM, (STRICT_LEAF, STRICT_LEAF + " 1 s1-999999999999999999"))
+edit("tree_bound_one_higher", "tree_bounds_by_hand", ("particles", "particles 5..6"), ("class 1", "class 1 5 10 2 2"))
+edit("tree_bound_of_all_one_higher", "tree_bound_alone_of_all", ("particles", "particles 7.."))
+edit("tree_bound_above_the_match", SUM_BOUND, ("particles", "particles 6..7"))
+edit("tree_bounds_with_another_number", SUM_BOUND, ("particles", "particles 4..5"))
+edit("tree_bounds_that_claim_the_smallest", SUM_BOUND, ("particles", "particles 6"))
+edit("tree_bounds_without_a_witness", SUM_BOUND, *((f"class {j}", None) for j in (1, 2, 3)))
+edit("tree_bound_that_claims_none", "tree_bound_alone", ("particles", "particles none"))
 edit("tree_file_with_other_tolerances", "tree_retained_file",
      gradation=rows("size_mm,mass,tolerance_percent", OPEN_X, OPEN_M, ["30", "9", "10", "0"]))
 edit("tree_file_with_other_tolerances_of_sieves", "tree_passing_file",
@@ -613,7 +680,8 @@ def garble(name, *changes, base="sphere_two_classes"):
     edit(name, base, *changes, into=unparsable)
 
 
-garble("unknown_version", ("mdm-certificate", "mdm-certificate 2"))
+garble("unknown_version", ("mdm-certificate", "mdm-certificate 3"))
+garble("version_2_of_an_exact_match", ("mdm-certificate", "mdm-certificate 2"))
 garble("unknown_line", ("law", "law 3\ncomment 3"))
 garble("options_out_of_order", ("law", "law 3\nmin-per-class 2\nsize-factor 2"))
 garble("option_twice", ("law", "law 3\nsize-factor 2\nsize-factor 2"))
@@ -699,6 +767,25 @@ for name, old, new in (
         ("no_tolerance", "total 10\n", "")):
     assert HAND.count(old) == 1, name
     unparsable["tree_" + name] = (BY_HAND, HAND.replace(old, new))
+for name, particles in (("the_same", "4..4"), ("that_descend", "6..4"), ("from_zero", "0..6"), ("from_nothing", "..6"),
+                        ("of_three", "4..5..6"), ("with_three_points", "4...6"), ("with_one_point", "4.6"), ("in_two_words", "4.. 6"),
+                        ("with_a_leading_zero", "04..6"), ("with_a_sign", "-4..6"), ("of_nothing", ".."), ("of_none", "4..none"),
+                        ("alone_with_a_witness", "4..")):
+    garble("tree_bounds_" + name, ("particles", "particles " + particles), base=SUM_BOUND)
+for name, particles in (("one", "1.."), ("zero", "0.."), ("with_one_point", "4."), ("with_a_sign", "+4..")):
+    garble("tree_bound_alone_" + name, ("particles", "particles " + particles), base="tree_bound_alone")
+for base in (SUM, SUM_BOUND, "tree_bound_alone"):
+    garble(base + "_in_version_1", ("mdm-certificate", "mdm-certificate 1"), base=base)
+garble("tree_bounds_of_an_exact_match", ("particles", "particles 3..4"))
+garble("tree_split_of_a_sum_in_version_1", ("mdm-certificate", "mdm-certificate 1"), (STRICT_LEAF, "leaf 1 m"),
+       ("leaf 40", "leaf 1 m"), base=SUM)
+for name, classes in (("the_same", "2-2"), ("that_descend", "3-2"), ("without_a_last", "2-"), ("without_a_first", "-3"),
+                      ("three", "1-2-3"), ("with_a_leading_zero", "2-03"), ("of_19_digits", "2-1000000000000000003")):
+    garble("tree_split_of_classes_" + name, ("split 2-3 1", f"split {classes} 1"), base=SUM)
+    garble("tree_condition_of_classes_" + name, (STRICT_LEAF, STRICT_LEAF.replace("s2-3", "s" + classes)), base=SUM)
+for name, condition in (("of_one_class", "s2"), ("of_no_class", "s"), ("of_class_zero", "s0-3"), ("of_a_single_class", "f2-3"),
+                        ("of_all_classes", "N2-3"), ("twice", "d2-3"), ("of_too_many_classes", "d1-4200000")):
+    garble("tree_sum_" + name, (STRICT_LEAF, STRICT_LEAF.replace("s2-3", condition)), base=SUM)
 unparsable["exact_particles_none"] = (TRIPLE, accepted["sphere_two_classes"][1].replace("particles 4", "particles none"))
 base_csv, base_proof = accepted["sphere_two_classes"]
 for name, proof in (("empty", ""), ("no_line_end", base_proof[:-1]), ("carriage_returns", base_proof.replace("\n", "\r\n")),

@@ -43,10 +43,13 @@ def solution(columns, right):
 class Tree:
     """A gradation x, m, c (texts) and a question with a tolerance: its least match, and the certificate.
 
-    tolerance: lines of the certificate; file: the column tolerance_percent; most: where to give up, for `none`."""
+    tolerance: lines of the certificate; file: the column tolerance_percent; most: where to give up, for `none`.
+    Version 2: sums are splits (i, j, v) of classes from i to j, first of all, avoid the letters of conditions that leaves
+    do without, and below is a bound on all matches, claimed alone where with_witness is false."""
 
     def __init__(self, x, m, tolerance, c=None, file=None, law=(3, 1), pan=None, cut=None, factor=None, least=None,
-                 cylinder=None, volume=None, at_least=None, most=12, places=12, degree=1, band_file=False):
+                 cylinder=None, volume=None, at_least=None, most=12, places=12, degree=1, band_file=False, sums=(),
+                 avoid="", below=None, with_witness=True):
         """Where the degree is d, x holds openings to the power d: the same gradation of them under the law a/(b d).
         With band_file the lines `band` of the tolerance are those of the gradation's file."""
         self.law, self.d, self.band_file = law, degree, band_file
@@ -79,11 +82,13 @@ class Tree:
         if volume:
             self.weight, self.enough = (6 * F(volume) / F(p) for p in reversed(PI))
         self.bound(file, F(factor or 1))
-        self.N = None
+        self.second, self.avoid = bool(sums or below), ""
+        self.B = self.N = None
         self.N, self.q, self.t = next(((n, q, t) for n in range(self.at_least, most + 1) for q in self.counts(n)
                                        if (t := self.masses(q))), (None, None, None))
-        self.nodes = []
-        self.grow(self.least, [None] * self.k)
+        self.B, self.avoid, self.nodes = below or self.N, avoid, []
+        self.grow(self.least, [None] * self.k, {}, sums)
+        self.N = self.N if with_witness else None
         if self.N:
             self.sizes = [enclose((self.t[j] / (self.q[j] * c[j]))**self.b, self.a * degree, self.x[j],
                                   self.x[j + 1], places, degree)
@@ -123,8 +128,8 @@ class Tree:
                     bounds, share = (self.retained, self.g) if word == "retained" else (self.passing, G)
                     narrow(bounds[j], share[j] - E, share[j] + E)
 
-    def conditions(self, least, most):
-        """name: (coefficients of q, t, p; right side; strict)."""
+    def conditions(self, least, most, of_sums=None):
+        """name: (coefficients of q, t, p; right side; strict). of_sums: (i, j): [least, most] of these classes."""
         k = self.k
         one = [[F(i == j) for i in range(k)] for j in range(k)]
         upto = [[F(i <= j) for i in range(k)] for j in range(k)]
@@ -153,14 +158,23 @@ class Tree:
         rows["m"] = (none + all_ + none, 0, True)
         rows["w"] = (none + [(1 / self.c[j] if self.weight else F(0)) for j in range(k)] + none, self.weight, False)
         rows["n"] = (all_ + none + none, self.at_least, False)
-        if self.N:
-            rows["N"] = (times(-1, all_) + none + none, 1 - self.N, False)
+        if self.B:
+            rows["N"] = (times(-1, all_) + none + none, 1 - self.B, False)
+        for i in range(k) if self.second else ():
+            for j in range(i + 1, k):
+                low, high = (of_sums or {}).get((i, j), (0, None))
+                here = [F(i <= b <= j) for b in range(k)]
+                name = f"{i + 1}-{j + 1}"
+                rows["s" + name] = (here + none + none, low, False)
+                if high is not None:
+                    rows["S" + name] = (times(-1, here) + none + none, -high, False)
+                rows["d" + name] = ([-f * u for f, u in zip(self.f, here)] + here + none, 0, low >= 1)
         return rows
 
-    def leaf(self, least, most):
+    def leaf(self, least, most, of_sums=None):
         """Multiples that add up to a contradiction, 0 >= 1 or else 0 > 0; or None."""
-        rows = self.conditions(least, most)
-        names = sorted(rows)
+        rows = self.conditions(least, most, of_sums)
+        names = sorted(name for name in rows if name[0] not in self.avoid)
         for strict in (False, True):
             right = [F(0)] * (3 * self.k) + ([F(0), F(1)] if strict else [F(1)])
             columns = [rows[n][0] + [F(rows[n][1])] + ([F(rows[n][2])] if strict else []) for n in names]
@@ -171,17 +185,24 @@ class Tree:
                 return [(int(v * scale), n) for v, n in zip(y, names) if v]
         return None
 
-    def grow(self, least, most):
-        leaf = self.leaf(least, most)
+    def grow(self, least, most, of_sums, sums):
+        leaf = self.leaf(least, most, of_sums)
         if leaf:
             self.nodes.append(["leaf", leaf])
             return
-        top = [self.N - 1 if u is None else u for u in most]
+        if sums:
+            i, j, v = sums[0]
+            low, high = of_sums.get((i - 1, j - 1), (0, None))
+            self.nodes.append(["split", f"{i}-{j}", v])
+            self.grow(least, most, {**of_sums, (i - 1, j - 1): (low, v - 1 if high is None else min(high, v - 1))}, sums[1:])
+            self.grow(least, most, {**of_sums, (i - 1, j - 1): (max(low, v), high)}, sums[1:])
+            return
+        top = [self.B - 1 if u is None else u for u in most]
         j = max(range(self.k), key=lambda i: (least[i] < top[i], least[i] == 0, top[i] - least[i]))
         v = 1 if least[j] == 0 else (least[j] + top[j] + 1) // 2
-        self.nodes.append(["split", j, v])
-        self.grow(least, [v - 1 if i == j else u for i, u in enumerate(most)])
-        self.grow([v if i == j else u for i, u in enumerate(least)], most)
+        self.nodes.append(["split", j + 1, v])
+        self.grow(least, [v - 1 if i == j else u for i, u in enumerate(most)], of_sums, ())
+        self.grow([v if i == j else u for i, u in enumerate(least)], most, of_sums, ())
 
     def masses(self, q):
         """Masses that make the counts a match, off all open bounds by some part; or None."""
@@ -191,7 +212,7 @@ class Tree:
         for part in (F(1, 10), F(1, 1000), F(1, 10**6)):
             columns, right = [[] for _ in range(2 * self.k)], []
             for name, (coefficients, constant, strict) in rows.items():
-                if name[0] in "qQn":
+                if name[0] in "qQnsSd":
                     continue
                 if name == "w":
                     constant = self.enough
@@ -209,14 +230,15 @@ class Tree:
         return None
 
     def proof(self):
-        lines = ["mdm-certificate 1", f"law {F(*self.law)}", *self.options,
+        lines = [f"mdm-certificate {2 if self.second else 1}", f"law {F(*self.law)}", *self.options,
                  *(line for line in self.tolerance if not (self.band_file and line.startswith("band"))),
                  *(["band file"] if self.band_file else [])]
-        lines.append(f"particles {self.N or 'none'}")
+        bound = f"{self.B}.." if self.B != self.N else ""
+        lines.append(f"particles {bound}{self.N or ''}" if self.B else "particles none")
         if self.N:
             lines += [f"class {j + 1} {self.q[j]} {self.t[j]} {self.sizes[j][0]} {self.sizes[j][1]}"
                       for j in range(self.k) if self.q[j]]
         for kind, *values in self.nodes:
-            lines.append(f"split {values[0] + 1} {values[1]}" if kind == "split" else
+            lines.append(f"split {values[0]} {values[1]}" if kind == "split" else
                          " ".join(["leaf", *(f"{m} {name}" for m, name in values[0])]))
         return "\n".join(lines + ["end", ""])

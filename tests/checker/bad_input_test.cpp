@@ -215,22 +215,30 @@ TEST_CASE("trees without measure end soon", "[checker]") {
 
 TEST_CASE("many short leaves of many classes end soon", "[checker]") {
   constexpr int classes = 20'000;
-  std::string gradation = "size_mm,mass\n", tree;
+  const std::string to_last = "-" + std::to_string(classes);
+  std::string gradation = "size_mm,mass\n", singles, sums;
   for (int j = 1; j <= classes; ++j) {
-    const std::string name = std::to_string(j);
+    const std::string name = std::to_string(j), next = std::to_string(j + 1);
     gradation += name + ",1\n";
     if (j < classes)
-      tree += "split " + name + " 1\nleaf 1 q" + name + " 1 Q" + name + "\n";
+      singles += "split " + name + " 1\nleaf 1 q" + name + " 1 Q" + name + "\n";
+    if (j < classes - 1)
+      sums += "split " + name + to_last + " 1\nleaf 1 S" + name + to_last + " 1 q" + name + " 1 s" + next +
+              to_last + "\n";
   }
   const TemporaryFolder folder;
   const std::string g = write_file(folder.path() / "g.csv", gradation + "20001,0\n").string();
-  const std::string proof = write_file(folder.path() / "c.proof",
-                                       "mdm-certificate 1\nlaw 1\nmin-per-class 1\nretained 100\nparticles "
-                                       "none\n" +
-                                           tree + "leaf 1 m\nend\n")
-                                .string();
+  const auto exit_code = [&](const std::string &version, const std::string &tree) {
+    return run({g, write_file(folder.path() / "c.proof",
+                              "mdm-certificate " + version +
+                                  "\nlaw 1\nmin-per-class 1\nretained 100\nparticles none\n" + tree +
+                                  "leaf 1 m\nend\n")
+                       .string()})
+        .exit_code;
+  };
   const auto begin = std::chrono::steady_clock::now();
-  CHECK(run({g, proof}).exit_code == 1); // only the last leaf is wrong
+  CHECK(exit_code("1", singles) == 1); // only the last leaf is wrong
+  CHECK(exit_code("2", sums) == 1);
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
 }
 

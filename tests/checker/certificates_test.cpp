@@ -102,6 +102,23 @@ TEST_CASE("the verdict repeats the whole question", "[checker]") {
         "total mass passing 2 mm; 20 to 40% of the total mass passing 5 mm; mass law x^1; sizes in mm)\n");
 }
 
+TEST_CASE("the verdict says what bounds are proved", "[checker]") {
+  const std::string how = " \"standard input\" within a tolerance";
+  const std::string band = " (75 to 85% of the total mass passing 2 mm; mass law x^1; sizes in mm)\n";
+  const std::string passing = " (passing within 5% of the total mass; mass law x^1; sizes in mm)\n";
+  CHECK(verdict("tree_sums_by_hand") ==
+        "accepted: N = 5 is the smallest number of particles that matches" + how + band);
+  CHECK(verdict("tree_bounds_by_hand") ==
+        "accepted: the smallest number of particles that matches" + how + " is between 4 and 5" + band);
+  CHECK(verdict("tree_bound_alone_by_hand") ==
+        "accepted: no number of particles below 4 matches" + how + band);
+  CHECK(verdict("tree_bounds_at_least") ==
+        "accepted: the smallest number of particles, 3 or more, that matches" + how + " is between 5 and 6" +
+            passing);
+  CHECK(verdict("tree_bound_alone_at_least") ==
+        "accepted: no number of particles below 6, 3 or more, matches" + how + passing);
+}
+
 TEST_CASE("the verdict says what the gradation file is about", "[checker]") {
   CHECK(verdict("inches") == smallest("2", "mass law x^3; sizes in mm, from inches"));
   CHECK(verdict("sieve_names") == smallest("163271087", "mass law x^3; sizes in mm, from sieve names"));

@@ -230,7 +230,7 @@ inline void change_leaves(const std::string &text, std::set<std::string> &mutant
     if (words[0] != "leaf")
       continue;
     for (std::size_t w = 2; w < words.size(); w += 2)
-      for (const char letter : std::string("fFqQrRpPexEmwnN")) {
+      for (const char letter : std::string("fFqQrRpPexEmwnNsSd")) {
         Words changed = words;
         changed[w][0] = letter;
         mutants.insert(before + joined(changed, " ") + "\n" + after);
@@ -240,7 +240,7 @@ inline void change_leaves(const std::string &text, std::set<std::string> &mutant
       scaled[w] = mpz_class(3 * mpz_class(words[w], 10)).get_str();
     mutants.insert(before + joined(scaled, " ") + "\n" + after);
     for (const std::string condition :
-         {"m", "n", "N", "w", "E", "r1", "R1", "p2", "P2", "x1", "q1", "f1", "F1"})
+         {"m", "n", "N", "w", "E", "r1", "R1", "p2", "P2", "x1", "q1", "f1", "F1", "s1-2", "S1-2", "d1-2"})
       mutants.insert(before + joined(words, " ") + " 1 " + condition + "\n" + after);
   }
 }

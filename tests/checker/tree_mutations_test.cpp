@@ -72,9 +72,10 @@ private:
 
   bool read_question() {
     const std::optional<Row> version = take("mdm-certificate", 1, "i"), law = take("law", 1, "r");
-    if (!version || (*version)[0] != 1 || !law || (*law)[0] <= 0 || (*law)[0] > 1000 ||
-        (*law)[0].get_den() != 1)
+    if (!version || ((*version)[0] != 1 && (*version)[0] != 2) || !law || (*law)[0] <= 0 ||
+        (*law)[0] > 1000 || (*law)[0].get_den() != 1)
       return false;
+    second_ = (*version)[0] == 2;
     a_ = (*law)[0].get_num().get_ui();
     for (const char *name : {"min-per-class", "cylinder", "at-least"}) {
       if (!is(name))
@@ -162,15 +163,32 @@ private:
 
   const Rational &mass(std::size_t opening) const { return masses_[opening]; }
 
+  /// `N`, or with version 2 `B..N` or `B..`: the numbers of the witness and of the bound.
+  bool read_claim() {
+    if (!is("particles") || lines_[next_].size() != 2)
+      return false;
+    const std::string text = lines_[next_++][1];
+    const std::size_t dots = text.find("..");
+    const std::string least = text.substr(0, dots);
+    const std::string most = dots == std::string::npos ? text : text.substr(dots + 2);
+    if (!is_integer_text(least) || (!most.empty() && !is_integer_text(most)))
+      return false;
+    B_ = Rational(least);
+    if (!most.empty())
+      N_ = Rational(most);
+    const bool single = dots == std::string::npos;
+    return *B_ >= (N_ ? 1 : 2) && (single || (second_ && (!N_ || *B_ < *N_)));
+  }
+
   bool read_witness() {
     if (lines_.size() > next_ && joined(lines_[next_], " ") == "particles none") {
       ++next_;
       return true;
     }
-    const std::optional<Row> N = take("particles", 1, "i");
-    if (!N || (*N)[0] < 1)
+    if (!read_claim())
       return false;
-    N_ = (*N)[0];
+    if (!N_)
+      return true;
     Row q(k_), t(k_);
     Rational count = 0, M = 0, weight = 0, off = 0, P = 0, last = 0;
     while (is("class")) {
@@ -217,12 +235,14 @@ private:
       return Condition{M, 0, true};
     if (name == "n")
       return Condition{counts, least_count(), false};
-    if (name == "N" && N_)
-      return Condition{sum(none, -1, counts), 1 - *N_, false};
+    if (name == "N" && B_)
+      return Condition{sum(none, -1, counts), 1 - *B_, false};
     if (name == "E")
       return Condition{sum(sum(none, total_ / 2, M), -1, unit(2 * k, 3 * k)), 0, false};
     if (name == "w")
       return Condition{weight_ > 0 ? M : none, weight_, false};
+    if (name.find('-') != std::string::npos)
+      return condition_of_sum(name);
     const std::optional<Rational> index = value_of(name.size() > 1 ? name.substr(1) : "0");
     if (!index || index->get_den() != 1 || *index < 1 || *index > static_cast<unsigned long>(k) ||
         name.find_first_of("./") != std::string::npos)
@@ -256,6 +276,37 @@ private:
     }
   }
 
+  /// The classes of `i-j`, i < j, from 0.
+  std::optional<std::pair<std::size_t, std::size_t>> range(const std::string &text) const {
+    const std::size_t dash = text.find('-');
+    const std::string first = text.substr(0, dash), last = text.substr(dash + 1);
+    if (!second_ || !is_integer_text(first) || !is_integer_text(last) || first.size() > 9 || last.size() > 9)
+      return std::nullopt;
+    const std::size_t i = std::stoul(first), j = std::stoul(last);
+    return i < 1 || j <= i || j > k_ ? std::nullopt : std::optional(std::pair(i - 1, j - 1));
+  }
+
+  std::optional<Condition> condition_of_sum(const std::string &name) const {
+    const auto classes = range(name.substr(1));
+    if (!classes)
+      return std::nullopt;
+    const auto found = sums_.find(*classes);
+    const Bounds bounds = found == sums_.end() ? Bounds{0, -1} : found->second;
+    Condition c{Row(3 * k_), 0, false};
+    for (std::size_t b = classes->first; b <= classes->second; ++b) {
+      c.of[b] = name[0] == 'S' ? Rational(-1) : name[0] == 's' ? Rational(1) : Rational(-mass(b));
+      c.of[k_ + b] = name[0] == 'd' ? 1 : 0;
+    }
+    if (name[0] == 's')
+      c.right = bounds.first;
+    else if (name[0] == 'S')
+      c.right = -bounds.second;
+    else
+      c.strict = bounds.first >= 1;
+    const bool known = name[0] == 's' || name[0] == 'd' || (name[0] == 'S' && bounds.second >= 0);
+    return known ? std::optional(c) : std::nullopt;
+  }
+
   bool leaf_holds(const Words &words) const {
     Condition all{Row(3 * k_), 0, false};
     std::set<std::string> names;
@@ -274,6 +325,8 @@ private:
   bool subtree_holds() {
     if (is("leaf"))
       return leaf_holds(lines_[next_++]);
+    if (is("split") && lines_[next_].size() == 3 && lines_[next_][1].find('-') != std::string::npos)
+      return sum_holds();
     const std::optional<Row> split = take("split", 2, "i");
     if (!split || (*split)[0] < 1 || (*split)[0] > static_cast<unsigned long>(k_) || (*split)[1] < 1)
       return false;
@@ -289,6 +342,22 @@ private:
     return above;
   }
 
+  /// A split of a sum.
+  bool sum_holds() {
+    const auto classes = range(lines_[next_][1]);
+    const std::string text = lines_[next_++][2];
+    if (!classes || !is_integer_text(text) || text == "0")
+      return false;
+    const Rational v(text);
+    const Bounds before = sums_.emplace(*classes, Bounds{0, -1}).first->second;
+    sums_[*classes].second = before.second < 0 ? Rational(v - 1) : std::min<Rational>(before.second, v - 1);
+    const bool below = subtree_holds();
+    sums_[*classes] = {std::max(before.first, v), before.second};
+    const bool above = below && subtree_holds();
+    sums_[*classes] = before;
+    return above;
+  }
+
   bool tree_holds() { return subtree_holds() && is("end") && lines_[next_++].size() == 1; }
 
   Table table_;
@@ -301,19 +370,41 @@ private:
   std::vector<Bounds> retained_, passing_;
   Row g_, least_, most_, masses_; ///< masses of particles at the openings
   Rational total_ = 2, weight_ = 0;
-  std::optional<Rational> N_;
+  std::optional<Rational> N_, B_;                              ///< of the witness, and the bound
+  std::map<std::pair<std::size_t, std::size_t>, Bounds> sums_; ///< in force; -1: no upper bound
+  bool second_ = false;                                        ///< version 2
 };
 
-/// What stands before the claim.
+/// What stands between the version and the claim.
 std::string question_of(const std::string &certificate) {
-  return certificate.substr(0, certificate.find("particles "));
+  const std::size_t begin = certificate.find('\n');
+  return certificate.substr(begin, certificate.find("particles ") - begin);
+}
+
+/// What the certificates of one question claim of its least number; -1 stands for no match that is known.
+struct Claims {
+  mpz_class least = 0, most = -1;
+  bool none = false;
+};
+
+void add_claim(Claims &claims, const std::string &certificate) {
+  const std::size_t begin = certificate.find("particles ") + 10;
+  const std::string text = certificate.substr(begin, certificate.find('\n', begin) - begin);
+  claims.none = claims.none || text == "none";
+  if (text == "none")
+    return;
+  const std::size_t dots = text.find("..");
+  const std::string most = dots == std::string::npos ? text : text.substr(dots + 2);
+  claims.least = std::max<mpz_class>(claims.least, mpz_class(text.substr(0, dots)));
+  if (!most.empty())
+    claims.most = claims.most < 0 ? mpz_class(most) : std::min<mpz_class>(claims.most, mpz_class(most));
 }
 
 /// Demands the judge's verdict on every mutant; the mutants that pass. There is one least number to a
-/// question, so all that pass with the same question claim the same.
+/// question, so all that pass with the same question agree on it.
 std::size_t judge_all(const std::string &gradation, const std::set<std::string> &certificates) {
   const Table table = *read_table(gradation);
-  std::map<std::string, std::set<std::string>> claims;
+  std::map<std::string, Claims> claims;
   std::size_t passed = 0, wrong = 0;
   for (const std::string &certificate : certificates) {
     const bool proves = TreeJudge(table, certificate).proves();
@@ -324,13 +415,12 @@ std::size_t judge_all(const std::string &gradation, const std::set<std::string> 
     if (!accepted)
       continue;
     ++passed;
-    const std::size_t claim = certificate.find("particles ");
-    claims[question_of(certificate)].insert(certificate.substr(claim, certificate.find('\n', claim) - claim));
+    add_claim(claims[question_of(certificate)], certificate);
   }
   CHECK(wrong == 0);
-  for (const auto &[question, numbers] : claims) {
+  for (const auto &[question, claim] : claims) {
     INFO(question);
-    CHECK(numbers.size() == 1);
+    CHECK((claim.none ? claim.most < 0 : claim.most < 0 || claim.least <= claim.most));
   }
   return passed;
 }
@@ -355,7 +445,14 @@ const char *const names[] = {"by_hand",
                              "none_of_an_empty_class",
                              "half_phi_retained",
                              "half_phi_total",
-                             "half_phi_band"};
+                             "half_phi_band",
+                             "sums_by_hand",
+                             "sums_of_an_empty_class",
+                             "sums_half_phi",
+                             "sums_none",
+                             "bounds_by_hand",
+                             "bounds_at_least",
+                             "bound_alone_by_hand"};
 
 } // namespace
 
