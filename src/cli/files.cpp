@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t chunk = std::size_t{1} << 16;
 
 [[noreturn]] void cannot_read(const std::string &path, int error) {
-  refuse_file(path, "cannot be read", error, "give a file that can be");
+  refuse_file(path, "cannot be read", error, "name one that can be read");
 }
 
 int open_for_reading(const std::string &path) {

@@ -17,7 +17,8 @@ struct OutputFlags {
   std::optional<std::string> out;
   bool quiet = false;
 
-  void add_format(CLI::App &command, const std::string &help = "text, json or csv; else as OUT ends, else text");
+  void add_format(CLI::App &command,
+                  const std::string &help = "text, json or csv; else as OUT ends, else text");
   /// \param help completed by "to OUT instead of standard output"
   CLI::Option *add_out(CLI::App &command, const std::string &help = "write");
   void add_quiet(CLI::App &command, const std::string &help);

@@ -27,7 +27,7 @@ std::string_view without_leading_space(std::string_view content) {
 std::string content_of(const std::string &path) {
   const auto fail = [&path](int error) {
     throw InputError(printable(path) + ": cannot be read: " + std::generic_category().message(error) +
-                     ": give a file that can be");
+                     ": name one that can be read");
   };
   const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file)

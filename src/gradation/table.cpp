@@ -141,6 +141,10 @@ private:
 
   [[noreturn]] void refuse_largest(std::size_t last) const {
     const unsigned needed = t_.column->form == MassForm::passing ? t_.column->full : 0;
+    if (needed == 100 && passing(last) == 1)
+      refuse(last, fmt::format("the largest sieve, {}, has {}: name the column passing_fraction if these are "
+                               "fractions, or add a row for a larger sieve with {} 100",
+                               size(last), value(last), t_.column->words));
     refuse(last, fmt::format("the largest sieve, {}, has {}, not {}: add a row for a larger sieve with {} {}",
                              size(last), value(last), needed, t_.column->words, needed));
   }

@@ -179,7 +179,7 @@ TEST_CASE("messages name the file and say what to do", "[cli]") {
   refused({sand, "--time-limit", "-1"}, "--time-limit: '-1' is negative: write a number from 0 on");
   refused({sand, "--cut-below", "3"}, sand + ": cutting at the largest sieve, 3 mm, leaves nothing: cut at");
   refused({sand, "--pan-size", "0.5"}, "the finest sieve has 1 mm: leave the pan's size out");
-  refused({folder / "none.csv"}, "cannot be read: No such file or directory: give a file that can be");
+  refused({folder / "none.csv"}, "cannot be read: No such file or directory: name one that can be read");
   refused({sand, "-o", folder / "none/a"},
           "cannot be written: No such file or directory: write it elsewhere");
   const std::string inches =

@@ -277,7 +277,8 @@ TEST_CASE("crashes, exit codes, silence and garbage are verdicts", "[cli]") {
   CHECK(solver_row("kill -SEGV $$", 1) == "small,crashed,,4,,,signal 11");
   CHECK(solver_row(right + "; echo one >&2; echo 'two, too' >&2; exit 3", 1) ==
         "small,crashed,,4,,,\"exit code 3: 'two, too'\"");
-  CHECK(solver_row("mdm-no-such-program 2> /dev/null", 1) == "small,crashed,,4,,,exit code 127: /bin/sh did not find it");
+  CHECK(solver_row("mdm-no-such-program 2> /dev/null", 1) ==
+        "small,crashed,,4,,,exit code 127: /bin/sh did not find it");
   CHECK(solver_row("true", 1) == "small,no-answer,,4,,,no output");
   CHECK(solver_row(R"(echo '{"status":"error","error":"too hard"}')", 1) == "small,no-answer,,4,,,too hard");
   CHECK(solver_row("echo nonsense", 1).rfind("small,garbage,,4,,,", 0) == 0);

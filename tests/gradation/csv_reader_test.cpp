@@ -143,6 +143,9 @@ TEST_CASE("CSV: the largest sieve must retain nothing (Cond1), and the message s
         "sand.csv:3: the largest sieve, 2 mm, has percent passing 93.4, not 100: add a row for a larger "
         "sieve with "
         "percent passing 100");
+  CHECK(contains(
+      refusal("size_mm,passing_percent\n1,0.1\n2,1\n"),
+      "sand.csv:3: the largest sieve, 2 mm, has percent passing 1: name the column passing_fraction if"));
   CHECK(refusal("size_mm,retained_g\n2,6.6\n1,10\n") ==
         "sand.csv:2: the largest sieve, 2 mm, has mass retained 6.6, not 0: add a row for a larger sieve "
         "with mass "
