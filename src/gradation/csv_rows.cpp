@@ -38,6 +38,8 @@ std::string header_hint(std::string_view first, std::string_view example) {
     return fmt::format(" (the first line must name the columns, such as '{}')", example);
   if (first.starts_with("mdm-certificate"))
     return " (this is a proof: give the gradation first, then the proof)";
+  if (first.starts_with("mdm-packing"))
+    return " (this is a packing: give the gradation)";
   if (first.starts_with('[') || first.starts_with('{'))
     return " (a JSON file holds one object; mdm batch reads many, one a line)";
   if (std::any_of(first.begin(), first.end(), [](char c) { return lower(c) != c; }))

@@ -134,6 +134,8 @@ TEST_CASE("CSV: the header is told what columns there are") {
   CHECK(contains(refusal("size_mm\n1\n"), "sand.csv:1: a second column is missing"));
   CHECK(contains(refusal("SIZE_MM,mass\n1,1\n2,0\n"), "sand.csv:1: first column 'SIZE_MM' is unknown"));
   CHECK(contains(refusal("size_mm,mass,\n1,1,\n2,0,\n"), "sand.csv:1: column '' is unknown"));
+  CHECK(contains(refusal("mdm-certificate 1\nlaw 3\n"), "(this is a proof: give the gradation first"));
+  CHECK(contains(refusal("mdm-packing 1\nunit mm\n"), "(this is a packing: give the gradation)"));
   CHECK(contains(refusal("size_mm,passing_min_percent,passing_max_percent\n1,0,10\n2,100,100\n"),
                  "sand.csv:1: this is a band of allowed gradations: give it to --band"));
 }
