@@ -103,7 +103,7 @@ private:
     if (command_.flags.time_limit)
       options.limits = solve_options().limits; // a deadline of its own for each line
     Match m = in_file(where(number), [&] { return solve(std::move(g), question_, options); });
-    if (command_.proofs && m.complete) {
+    if (command_.proofs && has_certificate(m)) {
       Output proof(*command_.proofs + "/" + proof_name(number, id));
       proof.write(in_file(where(number), [&] { return certificate(m); }));
       proof.commit();

@@ -145,31 +145,27 @@ Match searched(const Gradation &g, const Question &question, SolveOptions option
   return m;
 }
 
-std::string no_proof(const SolveCommand &c) {
-  std::string note = "no proof was written: the limit came before the end";
-  for (const std::optional<std::string> &path : {c.proof, c.vipr, c.coq})
-    if (path && std::filesystem::exists(*path))
-      note += "; " + printable(*path) + " is that of an earlier run";
-  return note;
-}
-
-/// The proofs that were asked for. A note says where the gradation is written for mdm-check.
-/// \pre m.complete
+/// The proofs that were asked for. Notes say which are not written, and where the gradation is written for
+/// mdm-check.
 std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Match &m) {
   const std::string &source = c.flags.source(c.file);
   std::vector<SideFile> files;
-  const auto add = [&](const std::string &path, const std::function<std::string()> &text) {
-    files.push_back({std::make_unique<Output>(path), in_file(source, text)});
+  const auto add = [&](const std::optional<std::string> &path, bool can_be,
+                       const std::function<std::string()> &text) {
+    if (path && can_be)
+      files.push_back({std::make_unique<Output>(*path), in_file(source, text)});
+    else if (path)
+      m.notes.push_back("no proof was written to " + printable(*path) + ": the limit came before the end" +
+                        (std::filesystem::exists(*path) ? "; the file that is there is older" : ""));
   };
-  if (c.proof) {
-    add(*c.proof, [&] { return certificate(m); });
+  add(c.proof, has_certificate(m), [&] { return certificate(m); });
+  if (!files.empty())
     if (std::optional<SideFile> csv = readable_gradation(c, asked, m.notes))
       files.push_back(std::move(*csv));
-  }
-  if (c.vipr)
-    add(*c.vipr, [&] { return vipr(m); });
-  if (c.coq)
-    add(*c.coq, [&] { return theorem(c, asked, m); });
+  add(c.vipr, m.complete, [&] { return vipr(m); });
+  add(c.coq, m.complete, [&] { return theorem(c, asked, m); });
+  if (!m.complete && has_certificate(m) && c.proof)
+    m.notes.push_back("the proof is of the bounds: at least " + to_string(*m.proof.bound) + " particles");
   return files;
 }
 
@@ -197,10 +193,8 @@ int run(const SolveCommand &c) {
     particles = spread(m, seed);
 
   std::vector<SideFile> files;
-  if (m.complete)
+  if (c.asks_proof())
     files = side_files(c, asked, m);
-  else if (c.asks_proof())
-    m.notes.push_back(no_proof(c));
   for (const SideFile &file : files)
     file.output->write(file.text);
   report(c, m, reachable ? &*reachable : nullptr, particles ? &*particles : nullptr, out);
@@ -223,7 +217,11 @@ Run add_solve(CLI::App &app) {
                      "gradation: CSV, JSON or AGS4; - for standard input; needed unless there is a --band");
   c->flags.add_to(command);
   const OptionGroup group(command, "The answer");
-  command.add_option("--proof", c->proof, "write the certificate for mdm-check")->type_name("OUT");
+  command
+      .add_option("--proof", c->proof,
+                  "write the certificate for mdm-check; where a limit ends a search within a tolerance, "
+                  "of the bounds")
+      ->type_name("OUT");
   command.add_option("--vipr", c->vipr, "write the proof in the VIPR format (at most 200 classes)")
       ->type_name("OUT");
   command.add_option("--coq", c->coq, "write the theorem that Coq checks with its kernel alone")

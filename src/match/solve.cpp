@@ -250,8 +250,11 @@ Match solve_within_tolerance(Match match, const SolveOptions &options, const Wat
   match.complete = answer.found.complete;
   match.lower_bound = answer.found.lower_bound;
   match.proof.pi = answer.pi;
-  if (match.complete && !answer.found.tree.empty())
+  if (!answer.found.tree.empty() && (match.complete || answer.found.best || answer.found.proved > 1)) {
     match.proof.evidence = std::move(answer.found.tree);
+    if (!match.complete)
+      match.proof.bound = answer.found.proved;
+  }
   if (answer.found.best)
     match.sample = sample_of(answer, match.scale_power());
   match.tolerance = std::move(answer.tolerance);

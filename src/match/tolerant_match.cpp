@@ -12,6 +12,9 @@ namespace {
 
 const Infinitesimal strictly_positive{0, 1};
 
+/// The time for the proof of a bound after a limit has ended the search.
+constexpr std::chrono::seconds proof_time{2};
+
 Infinitesimal exactly(const Rational &r) {
   return {r, 0};
 }
@@ -70,9 +73,14 @@ private:
         open = backtrack();
       }
     }
+    end();
+  }
+
+  /// The best is the smallest, or there is none.
+  void end() {
     result_.complete = true;
     if (result_.best)
-      result_.lower_bound = total(result_.best->q);
+      result_.proved = result_.lower_bound = total(result_.best->q);
   }
 
   /// True if the best has as few particles as every match has for certain.
@@ -80,16 +88,21 @@ private:
     const Integer particles = total(result_.best->q);
     if (particles > least_)
       return false;
-    result_.complete = true;
-    result_.lower_bound = particles;
-    if (particles == problem_.at_least())
-      result_.tree = {{0, 0, {{TolerantCondition::at_least, 0, 1}, {TolerantCondition::fewer, 0, 1}}}};
-    else if (limits_.keep_proof)
-      result_.tree = counts_.tree();
+    end();
+    result_.tree = tree_of_least();
     return true;
   }
 
+  /// Refutes fewer than `least_` particles.
+  Tree tree_of_least() const {
+    if (least_ == problem_.at_least())
+      return {{0, 0, {{TolerantCondition::at_least, 0, 1}, {TolerantCondition::fewer, 0, 1}}}};
+    return limits_.keep_proof ? counts_.tree() : Tree();
+  }
+
   void set_up() {
+    row_of_.clear();
+    strict_.clear();
     for (const LinearRow &row : problem_.rows())
       add_row(row);
     for (std::size_t j = 0; j < problem_.classes(); ++j)
@@ -113,9 +126,39 @@ private:
     return least;
   }
 
+  /// Ends the search at a limit, with a proof of what is certain.
   void stop() {
-    result_.lower_bound = certain();
-    result_.tree.clear();
+    const Integer bound = certain();
+    result_.lower_bound = bound;
+    const bool is_refuted = limits_.keep_proof && bound > least_ && !result_.too_large && refute_below(bound);
+    result_.proved = is_refuted ? bound : least_;
+    if (!is_refuted)
+      result_.tree = tree_of_least();
+    if (is_refuted && result_.best && total(result_.best->q) == bound)
+      end();
+  }
+
+  /// Makes leaves of all open nodes: their linear programs have a match with fewer than `bound` particles no
+  /// more than those above them. False if it takes too long, or the tree is too long to be kept.
+  bool refute_below(const Integer &bound) {
+    if (result_.nodes > 0 && tree_size_ > longest_tree)
+      return false;
+    // An interrupted program is of no use.
+    program_ = Simplex(problem_.variables(), Watch(std::chrono::steady_clock::now() + proof_time));
+    set_up();
+    for (const Pending &p : pending_)
+      enter(p);
+    program_.set_upper(count_, exactly(Rational(Integer(bound - 1))));
+    try {
+      for (bool open = true; open; open = backtrack()) {
+        if (program_.find(count_))
+          return false;
+        add_leaf();
+      }
+    } catch (const Simplex::Interrupted &) {
+      return false;
+    }
+    return !result_.tree.empty();
   }
 
   void tell(Progress &known) const {
@@ -215,9 +258,18 @@ private:
     p.second = true;
     bound_ = p.bound;
     program_.set_upper(p.j, p.upper);
-    program_.set_lower(p.j, exactly(Rational(p.v)));
-    set_strictness(p.j);
+    enter(p);
     return true;
+  }
+
+  /// Sets the bound of the subtree that the walk is in.
+  void enter(const Pending &p) {
+    if (p.second) {
+      program_.set_lower(p.j, exactly(Rational(p.v)));
+      set_strictness(p.j);
+    } else {
+      program_.set_upper(p.j, exactly(Rational(Integer(p.v - 1))));
+    }
   }
 
   /// Splits at the coarsest class whose count is no integer; where all are, at one that holds no mass above
@@ -234,7 +286,7 @@ private:
   void split(std::size_t j, const Integer &v) {
     keep({j, v, {}});
     pending_.push_back({j, v, program_.upper(j), program_.lower(j), bound_});
-    program_.set_upper(j, exactly(Rational(Integer(v - 1))));
+    enter(pending_.back());
   }
 
   /// As few particles as can hold the masses t; then, where more are asked for, as many more as can, from the

@@ -96,14 +96,13 @@ public:
       : m_(m), problem_(tolerant_problem_of(m)), unit_(numerator(problem_.unit())) {}
 
   std::string text() {
-    std::string text = "mdm-certificate 1\n" + question_lines(m_);
+    const std::string claim = claimed();
+    std::string text = claim.find("..") == std::string::npos ? "mdm-certificate 1\n" : "mdm-certificate 2\n";
+    text += question_lines(m_);
     write_tolerance(text);
-    if (m_.sample) {
-      text += fmt::format("particles {}\n", to_string(*m_.particles()));
+    text += "particles " + claim + "\n";
+    if (m_.sample)
       write_witness(text);
-    } else {
-      text += "particles none\n";
-    }
     if (!m_.evidence())
       refuse_long_numbers();
     for (const TreeNode &node : std::get<Tree>(*m_.evidence()))
@@ -114,6 +113,15 @@ public:
   }
 
 private:
+  /// `N`, `none`, or what is certain of a search that a limit ended: `B..N`, `B..`.
+  std::string claimed() const {
+    const std::optional<Integer> n = m_.particles();
+    const std::optional<Integer> &bound = m_.proof.bound;
+    if (bound && bound != n)
+      return to_string(*bound) + ".." + (n ? to_string(*n) : "");
+    return n ? to_string(*n) : "none";
+  }
+
   /// The lines from `retained` to `band`.
   void write_tolerance(std::string &text) {
     const Question &q = m_.question;

@@ -168,13 +168,15 @@ TEST_CASE("Ctrl-C ends a search with what is certain", "[cli]") {
   const TemporaryFolder folder;
   const std::string file = folder.write("many.csv", lognormal_csv());
   for (const std::string format : {"text", "json"}) {
-    Process search(MDM_PROGRAM, {"solve", file, "--tolerance", "passing:0.3%", "--format", format});
+    Process search(MDM_PROGRAM, {"solve", file, "--tolerance", "passing:0.3%", "--format", format, "--proof",
+                                 folder / "proof"});
     std::this_thread::sleep_for(std::chrono::seconds(1));
     search.signal(SIGINT);
     const Outcome outcome = search.end();
     CHECK(outcome.exit_code == 3);
     CHECK(outcome.out.find("the search was interrupted") != std::string::npos);
     CHECK(outcome.out.find(format == "text" ? "stopped at a limit" : "\"lower_bound\"") != std::string::npos);
+    CHECK(mdm_check(file, folder / "proof").out.find(" is between ") != std::string::npos);
   }
 }
 

@@ -76,13 +76,29 @@ TEST_CASE("that no sample is within a tolerance has a proof", "[cli]") {
   CHECK(contains(verdict(file, {"--band", band}, 1), "accepted: no number of particles matches "));
 }
 
-TEST_CASE("a search that a limit has ended leaves no proof", "[cli]") {
+TEST_CASE("a search that a limit has ended leaves a proof of its bounds", "[cli]") {
+  for (const char *nodes : {"0", "1", "3", "7"}) {
+    const Arguments limited = {"--tolerance", "passing:0.5%", "--node-limit", nodes};
+    const std::string line = verdict(athabasca, limited, 3);
+    Arguments arguments = {athabasca};
+    arguments.insert(arguments.end(), limited.begin(), limited.end());
+    const Json answer = solve_json(arguments, 3);
+    CHECK(contains(line, " is between " + answer.at("lower_bound").get<std::string>() + " and " +
+                             answer.at("upper_bound").get<std::string>() + " (passing within 0.5%"));
+  }
+}
+
+TEST_CASE("a proof of bounds is no VIPR file and no theorem, and an old file is called old", "[cli]") {
   const TemporaryFolder folder;
-  const Outcome outcome = mdm(
-      {"solve", athabasca, "--tolerance", "passing:0.5%", "--node-limit", "1", "--proof", folder / "proof"});
+  const std::string old = folder.write("sand.v", "old");
+  const Outcome outcome = mdm({"solve", athabasca, "--tolerance", "passing:0.5%", "--node-limit", "1",
+                               "--proof", folder / "proof", "--vipr", folder / "vipr", "--coq", old});
   CHECK(outcome.exit_code == 3);
-  CHECK(contains(outcome.out, "no proof was written"));
-  CHECK(folder.entries() == 0);
+  CHECK(contains(outcome.out,
+                 "no proof was written to " + folder / "vipr" + ": the limit came before the end\n"));
+  CHECK(contains(outcome.out, "came before the end; the file that is there is older"));
+  CHECK(contains(outcome.out, "the proof is of the bounds: at least 1184 particles"));
+  CHECK(folder.entries() == 2);
 }
 
 TEST_CASE("a batch within a tolerance writes the proof of each line", "[cli]") {

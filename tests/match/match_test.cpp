@@ -73,7 +73,7 @@ TEST_CASE("where no set matches there are no particles and no classes, and the t
   CHECK(std::holds_alternative<Tree>(none.evidence().value()));
 }
 
-TEST_CASE("where a limit came before a match there are no particles and no evidence") {
+TEST_CASE("where a limit came before a match there are no particles, and evidence of a bound") {
   Question question;
   question.band = Envelope{"", SizeUnit::mm, {1, 2}, {10, 40}, {20, 70}, {}};
   SolveOptions options;
@@ -82,7 +82,8 @@ TEST_CASE("where a limit came before a match there are no particles and no evide
   CHECK(unknown.status == Status::unknown);
   CHECK_FALSE(unknown.particles().has_value());
   CHECK(unknown.classes().empty());
-  CHECK_FALSE(unknown.evidence().has_value());
+  REQUIRE(unknown.evidence().has_value());
+  CHECK(unknown.proof.bound == unknown.lower_bound);
 }
 
 TEST_CASE("a match with more particles than may be is known and no answer") {

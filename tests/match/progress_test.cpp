@@ -54,7 +54,8 @@ void check_stopped(const Match &m, const Caller &caller) {
   CHECK(caller.told.size() == caller.last); // not once more
   CHECK(m.status == Status::feasible);
   CHECK_FALSE(m.complete);
-  CHECK_FALSE(m.evidence().has_value());
+  CHECK(m.evidence().has_value() == m.proof.bound.has_value());
+  CHECK((m.tolerance || !m.evidence()));
   REQUIRE(m.particles().has_value());
   CHECK(m.lower_bound <= *m.particles());
   for (std::size_t i = 0; i < caller.told.size(); ++i) {

@@ -181,13 +181,38 @@ TEST_CASE("a law that is rational at all openings has tree certificates") {
   CHECK(is_accepted(g, certificate(solve(g, q))));
 }
 
-TEST_CASE("an interrupted search leaves no certificate") {
-  Gradation::Data data;
-  data.sizes = {1, 2, 3, 4, 5};
-  data.masses = {5, 4, 3, 3, 0};
-  Question q;
-  q.tolerances = {parse_tolerance("passing:1%")};
-  SolveOptions options;
-  options.limits.node_limit = 2;
-  CHECK_FALSE(solve(Gradation(data), q, options).complete);
+TEST_CASE("a search that a limit ends has a certificate of its bounds, and no higher claim is accepted") {
+  std::mt19937_64 random(22);
+  int between = 0, below = 0, higher = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Gradation g = random_gradation(random);
+    const Question q = random_question(g, random);
+    SolveOptions options;
+    options.limits.node_limit = random() % 4;
+    const Match m = solve(g, q, options);
+    if (m.complete)
+      continue;
+    INFO(gradation_csv(g) << in_words(q));
+    const Match all = solve(g, q);
+    REQUIRE(has_certificate(m) == (m.sample || m.lower_bound > 1));
+    if (!has_certificate(m))
+      continue;
+    REQUIRE(m.proof.bound == m.lower_bound);
+    REQUIRE((!all.sample || *m.proof.bound <= *all.particles()));
+    const std::string text = certificate(m);
+    const mdm::checker::Verdict verdict = checked(g, text);
+    INFO(text << verdict.line << verdict.reason);
+    REQUIRE(verdict.code == mdm::checker::Verdict::accepted);
+    ++(m.sample ? between : below);
+    if (!all.sample)
+      continue;
+    const std::string end = m.sample ? to_string(*m.particles()) : "";
+    if (const Integer wrong = *all.particles() + 1; !m.sample || wrong < *m.particles()) {
+      ++higher;
+      REQUIRE_FALSE(is_accepted(g, with_word(text, "particles", 1, to_string(wrong) + ".." + end)));
+    }
+  }
+  CHECK(between >= 200);
+  CHECK(below >= 20);
+  CHECK(higher >= 20);
 }
