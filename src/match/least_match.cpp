@@ -27,10 +27,7 @@ template <class Int>
 class Sweep {
 public:
   Sweep(const SweepProblem<Int> &problem, const Limits &limits, const Watch &watch)
-      : problem_(problem), limits_(limits), watch_(watch.telling([this](Progress &known) {
-          known.steps = steps_;
-          known.lower_bound = counts();
-        })) {}
+      : problem_(problem), limits_(limits), watch_(watch.telling([this](Progress &known) { tell(known); })) {}
 
   Swept<Int> run() {
     Swept<Int> result;
@@ -127,6 +124,16 @@ private:
     return counts() > *limits_.at_most;
   }
 
+  /// Counts for the caller may be too long where those of the sweep are not: then an earlier bound is told.
+  void tell(Progress &known) {
+    try {
+      told_ = counts();
+    } catch (const Int128Overflow &) { // the sweep goes on without them
+    }
+    known.steps = steps_;
+    known.lower_bound = told_;
+  }
+
   /// The particles that all classes need above L: no match has fewer.
   Integer counts() const {
     Integer sum = 0;
@@ -186,6 +193,7 @@ private:
   const SweepProblem<Int> &problem_;
   const Limits &limits_;
   const Watch watch_;
+  Integer told_ = 1; ///< the last bound that the caller was told
   Level level_;
   std::vector<std::uint32_t> movable_;
   std::uint64_t steps_ = 0;
