@@ -170,7 +170,7 @@ TEST_CASE("Ctrl-C ends a search with what is certain", "[cli]") {
   for (const std::string format : {"text", "json"}) {
     Process search(MDM_PROGRAM, {"solve", file, "--tolerance", "passing:0.3%", "--format", format, "--proof",
                                  folder / "proof"});
-    std::this_thread::sleep_for(std::chrono::seconds(1));
+    std::this_thread::sleep_for(std::chrono::seconds(3)); // it is searching by now
     search.signal(SIGINT);
     const Outcome outcome = search.end();
     CHECK(outcome.exit_code == 3);
@@ -184,7 +184,7 @@ TEST_CASE("Ctrl-C ends a trade-off with the rows so far and brackets around the 
   const TemporaryFolder folder;
   const std::string file = folder.write("many.csv", lognormal_csv());
   Process search(MDM_PROGRAM, {"tradeoff", file, "--kind", "passing", "--tolerances", "0,0.3"});
-  std::this_thread::sleep_for(std::chrono::seconds(1));
+  std::this_thread::sleep_for(std::chrono::seconds(3)); // it is searching by now
   search.signal(SIGINT);
   const Outcome outcome = search.end();
   CHECK(outcome.exit_code == 3);
