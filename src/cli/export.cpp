@@ -406,8 +406,8 @@ std::string how_to_verify(const ExportCommand &c, const Format &format, const Pa
     return "";
   const std::string unit =
       format.write == write_size_csv ? "" : " --size-unit " + std::string(name(set.unit));
-  return fmt::format("check it by: mdm verify {} {}{}{} --tolerance {}\n", printable(*c.file),
-                     printable(c.output.path()), *options, unit, share_tolerance(set));
+  return fmt::format("check it by: mdm verify {} {}{}{} --tolerance {}\n", shell_word(*c.file),
+                     shell_word(c.output.path()), *options, unit, share_tolerance(set));
 }
 
 void write_file(const ExportCommand &c, const Format &format, const std::optional<ModelWriter> &model,

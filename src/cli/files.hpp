@@ -25,6 +25,9 @@ std::string read_file(const std::string &path, std::size_t most);
 
 /// A path as messages name it: `stdin` for `-`.
 std::string shown_name(const std::string &path);
+/// A path as a word of a command in a message, for sh: in single quotes, unless it is of letters, digits and
+/// `/._-+` alone.
+std::string shell_word(const std::string &path);
 /// A line of a file as messages name it: `stdin:3`.
 std::string line_name(const std::string &path, std::uint64_t line);
 

@@ -62,8 +62,8 @@ std::optional<SideFile> readable_gradation(const SolveCommand &c, const Target &
   const std::string path = *c.proof + ".csv";
   check_distinct(
       {c.flags.source(c.file), *c.proof, path, c.vipr.value_or("-"), c.coq.value_or("-"), c.output.path()});
-  notes.push_back(of.unreadable + ": the gradation is in " + path + " as CSV; check with: mdm-check " + path +
-                  " " + *c.proof);
+  notes.push_back(of.unreadable + ": the gradation is in " + printable(path) +
+                  " as CSV; check with: mdm-check " + shell_word(path) + " " + shell_word(*c.proof));
   return SideFile{std::make_unique<Output>(path), gradation_csv(of.gradation)};
 }
 

@@ -60,7 +60,7 @@ std::string file_of(const std::vector<std::int64_t> &r, const SphereSpace &space
 /// What the independent checker says.
 bool accepts(const std::vector<std::string> &files) {
   const mdm_test::TemporaryFolder folder;
-  std::string command = "/usr/bin/python3 " MDM_SOURCE_DIR "/tests/packing/check_spheres.py";
+  std::string command = "/usr/bin/python3 '" MDM_SOURCE_DIR "/tests/packing/check_spheres.py'";
   for (std::size_t i = 0; i < files.size(); ++i)
     command += " " + folder.write(std::to_string(i), files[i]);
   return std::system((command + " > " + (folder / "verdict")).c_str()) == 0;

@@ -54,7 +54,8 @@ class Judge {
 public:
   void add(const mdm::Packing &p) { files_ += " " + folder_.write(std::to_string(n_++), file_text(p)); }
   bool accepts() const {
-    const std::string command = "/usr/bin/python3 " MDM_SOURCE_DIR "/tests/packing/check_packing.py" + files_;
+    const std::string command =
+        "/usr/bin/python3 '" MDM_SOURCE_DIR "/tests/packing/check_packing.py'" + files_;
     return n_ > 0 && std::system((command + " > " + (folder_ / "verdict")).c_str()) == 0;
   }
 
