@@ -1,4 +1,5 @@
 #include "answer/answer_rows.hpp"
+#include "number/counted.hpp"
 #include "text/text_buffer.hpp"
 #include "text/text_table.hpp"
 
@@ -8,10 +9,6 @@
 
 namespace mdm {
 namespace {
-
-std::string counted(const Integer &n) {
-  return to_string(n) + (n == 1 ? " particle" : " particles");
-}
 
 /// A share in percent: exact if that is short, else its first digits.
 std::string percent_text(const Rational &share) {

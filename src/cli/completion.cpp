@@ -2,9 +2,8 @@
 #include "cli/files.hpp"
 #include "cli/help.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -55,10 +54,7 @@ CompletedCommand completed(const CLI::App &command) {
 }
 
 std::string joined(const std::vector<std::string> &words) {
-  std::string text;
-  for (const std::string &word : words)
-    text += (text.empty() ? "" : " ") + word;
-  return text;
+  return fmt::format("{}", fmt::join(words, " "));
 }
 
 /// `text` between single quotes, for any shell, with `escaped` in place of a single quote.
@@ -162,7 +158,7 @@ Run add_completion(CLI::App &app) {
   command.footer(footer("", {"mdm completion bash > ~/.local/share/bash-completion/completions/mdm",
                              "mdm completion zsh > ~/.zfunc/_mdm",
                              "mdm completion fish > ~/.config/fish/completions/mdm.fish"}));
-  return [&app, shell] {
+  return [&app, shell]() -> int {
     std::vector<CompletedCommand> commands;
     for (const CLI::App *c : app.get_subcommands({}))
       commands.push_back(completed(*c));
@@ -171,7 +167,7 @@ Run add_completion(CLI::App &app) {
               : *shell == "zsh" ? zsh_script(commands)
                                 : fish_script(commands));
     out.commit();
-    return static_cast<int>(Exit::done);
+    return Exit::done;
   };
 }
 

@@ -14,21 +14,16 @@ namespace {
 
 struct ConvertCommand {
   std::string file;
-  std::optional<std::string> specimen_id, format;
+  std::optional<std::string> specimen_id;
   OutputFlags output;
 };
-
-bool ends_with_json(const std::string &path) {
-  return path.size() >= 5 && path.compare(path.size() - 5, 5, ".json") == 0;
-}
 
 int run(const ConvertCommand &c) {
   check_distinct({c.file, c.output.path()});
   const std::string content = read_file(c.file, max_gradation_bytes);
   const Gradation g = read_gradation(content, shown_name(c.file), c.specimen_id, PhiReading::rounded);
-  const bool json = c.format ? *c.format == "json" : ends_with_json(c.output.path());
   Output out(c.output.path());
-  out.write(in_file(c.file, [&] { return json ? gradation_json(g) : gradation_csv(g); }));
+  out.write(in_file(c.file, [&] { return c.output.is_json() ? gradation_json(g) : gradation_csv(g); }));
   out.commit();
   c.output.tell_notes(g.notes());
   return Exit::done;
@@ -41,7 +36,7 @@ Run add_convert(CLI::App &app) {
   CLI::App &command = *app.add_subcommand("convert", "Any gradation file as canonical CSV or JSON");
   command.add_option("FILE", c->file, "gradation: CSV, JSON or AGS4; - for standard input")->required();
   c->output.add_out(command);
-  command.add_option("--format", c->format, "csv or json; json if OUT ends so, else csv")
+  command.add_option("--format", c->output.asked_format, "csv or json; json if OUT ends so, else csv")
       ->check(CLI::IsMember({"csv", "json"}));
   add_specimen_id(command, c->specimen_id);
   c->output.add_quiet(command, "no notes on standard error");

@@ -3,12 +3,11 @@
 #include "cli/help.hpp"
 #include "cli/number_pool.hpp"
 #include "cli/usage_error.hpp"
-#include "text/nearest_name.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/text/error.hpp>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <csignal>
@@ -62,22 +61,16 @@ std::vector<Command> add_commands(CLI::App &app) {
   return commands;
 }
 
-std::string names(const std::vector<Command> &commands) {
-  std::string text;
-  for (const Command &c : commands)
-    text += (text.empty() ? "" : ", ") + c.app->get_name();
-  return text;
-}
-
-std::string no_command(const std::string &word, const std::vector<Command> &commands) {
+std::vector<std::string> names(const std::vector<Command> &commands) {
   std::vector<std::string> all;
   for (const Command &c : commands)
     all.push_back(c.app->get_name());
-  const std::vector<std::string_view> views(all.begin(), all.end());
-  const std::string_view meant = mdm::nearest_name(word, views);
-  return "mdm: " + mdm::in_quotes(word) + " is no command" +
-         (meant.empty() ? "" : " (did you mean " + std::string(meant) + "?)") + "; there are " +
-         names(commands);
+  return all;
+}
+
+std::string no_command(const std::string &word, const std::vector<Command> &commands) {
+  return fmt::format("mdm: {} is no command{}; there are {}", mdm::in_quotes(word),
+                     did_you_mean(word, names(commands)), fmt::join(names(commands), ", "));
 }
 
 /// The arguments with `help COMMAND` as `COMMAND --help`.
@@ -97,7 +90,8 @@ int run(std::vector<std::string> words) {
   const std::vector<Command> commands = add_commands(app);
   app.require_subcommand(0, 1);
   if (words.empty())
-    return complain("mdm: a command is missing; there are " + names(commands) + "; see mdm --help");
+    return complain(fmt::format("mdm: a command is missing; there are {}; see mdm --help",
+                                fmt::join(names(commands), ", ")));
   const std::string first = words.front();
   const auto is_first = [&first](const Command &c) { return c.app->get_name() == first; };
   if (first.rfind('-', 0) != 0 && std::none_of(commands.begin(), commands.end(), is_first))
@@ -122,7 +116,7 @@ int run(std::vector<std::string> words) {
   for (const Command &c : commands)
     if (c.app->parsed())
       return c.run();
-  return complain("mdm: a command is missing; there are " + names(commands));
+  return complain(fmt::format("mdm: a command is missing; there are {}", fmt::join(names(commands), ", ")));
 }
 
 } // namespace

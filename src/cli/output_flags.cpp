@@ -2,8 +2,6 @@
 
 #include "cli/files.hpp"
 
-#include <filesystem>
-
 namespace mdm::cli {
 
 void OutputFlags::add_format(CLI::App &command, const std::string &help) {
@@ -21,8 +19,8 @@ void OutputFlags::add_quiet(CLI::App &command, const std::string &help) {
 std::string OutputFlags::format() const {
   if (asked_format)
     return *asked_format;
-  const std::string ending = out_has_report ? std::filesystem::path(path()).extension().string() : "";
-  return ending == ".json" ? "json" : ending == ".csv" ? "csv" : "text";
+  const std::string ending = out_has_report ? path() : "";
+  return ending.ends_with(".json") ? "json" : ending.ends_with(".csv") ? "csv" : "text";
 }
 
 void OutputFlags::tell_notes(const std::vector<std::string> &notes) const {

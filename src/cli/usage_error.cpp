@@ -23,21 +23,23 @@ std::string quoted_between(const std::string &text, std::string_view before, std
          text.substr(end + after.size());
 }
 
-/// The option of the command that was given, or else of the program, that `word` may have been meant to be.
-std::string did_you_mean(const std::string &word, const CLI::App &app) {
-  if (!word.starts_with("--"))
-    return "";
+/// The options of the command that was given, or else of the program.
+std::vector<std::string> option_names(const CLI::App &app) {
   const std::vector<CLI::App *> commands = app.get_subcommands();
   std::vector<std::string> names;
   for (const CLI::Option *option : (commands.empty() ? app : *commands.front()).get_options())
     for (const std::string &name : option->get_lnames())
       names.push_back("--" + name);
-  const std::vector<std::string_view> views(names.begin(), names.end());
-  const std::string_view meant = nearest_name(word.substr(0, word.find('=')), views);
-  return meant.empty() ? "" : " (did you mean " + std::string(meant) + "?)";
+  return names;
 }
 
 } // namespace
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string> &names) {
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const std::string_view meant = nearest_name(word, views);
+  return meant.empty() ? "" : " (did you mean " + std::string(meant) + "?)";
+}
 
 std::string usage_error(const CLI::ParseError &error, const CLI::App &app) {
   // CLI11 looks for missing arguments before it looks at those that it does not know.
@@ -47,7 +49,9 @@ std::string usage_error(const CLI::ParseError &error, const CLI::App &app) {
     for (const std::string &argument : unknown)
       list.add(argument);
     return list.text() + (list.size() == 1 ? " was" : " were") + " not expected" +
-           did_you_mean(unknown.front(), app);
+           (unknown.front().starts_with("--")
+                ? did_you_mean(unknown.front().substr(0, unknown.front().find('=')), option_names(app))
+                : "");
   }
   const std::string text = error.what();
   constexpr std::string_view unconverted = "Could not convert: ";

@@ -1,6 +1,7 @@
 #include "crosscheck/crosscheck.hpp"
 
 #include "gradation/shown.hpp"
+#include "number/counted.hpp"
 
 #include <mdm/gradation/description.hpp>
 #include <mdm/number/decimal.hpp>
@@ -12,10 +13,6 @@
 
 namespace mdm {
 namespace {
-
-std::string counted(const Integer &n) {
-  return to_string(n) + (n == 1 ? " particle" : " particles");
-}
 
 /// The sizes in the unit of g.
 std::vector<std::optional<StatedSize>> in_unit_of(const Gradation &g, const OtherAnswer &answer) {

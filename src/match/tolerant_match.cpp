@@ -128,20 +128,21 @@ private:
 
   /// Ends the search at a limit, with a proof of what is certain.
   void stop() {
-    const Integer bound = certain();
-    result_.lower_bound = bound;
-    const bool is_refuted = limits_.keep_proof && bound > least_ && !result_.too_large && refute_below(bound);
-    result_.proved = is_refuted ? bound : least_;
-    if (!is_refuted)
+    result_.lower_bound = certain();
+    if (!limits_.keep_proof || result_.lower_bound == least_ || !refute_below(result_.lower_bound)) {
+      result_.proved = least_;
       result_.tree = tree_of_least();
-    if (is_refuted && result_.best && total(result_.best->q) == bound)
+      return;
+    }
+    result_.proved = result_.lower_bound;
+    if (result_.best && total(result_.best->q) == result_.lower_bound)
       end();
   }
 
   /// Makes leaves of all open nodes: their linear programs have a match with fewer than `bound` particles no
   /// more than those above them. False if it takes too long, or the tree is too long to be kept.
   bool refute_below(const Integer &bound) {
-    if (result_.nodes > 0 && tree_size_ > longest_tree)
+    if (tree_size_ > longest_tree)
       return false;
     // An interrupted program is of no use.
     program_ = Simplex(problem_.variables(), Watch(std::chrono::steady_clock::now() + proof_time));

@@ -2,6 +2,7 @@
 
 #include "answer/json_values.hpp"
 #include "match/problem.hpp"
+#include "number/counted.hpp"
 #include "text/text_buffer.hpp"
 #include "text/text_table.hpp"
 #include "text/versions.hpp"
@@ -72,10 +73,6 @@ void write_ratio(JsonWriter &json, const PublishedReport &r) {
 
 std::string percent(const Rational &share) {
   return approximate(Rational(100 * share), 4) + " %";
-}
-
-std::string counted(const Integer &n, const std::string &one) {
-  return to_string(n) + " " + one + (n == 1 ? "" : "s");
 }
 
 template <class Number>

@@ -2,6 +2,7 @@
 
 #include "answer/json_values.hpp"
 #include "gradation/shown.hpp"
+#include "number/counted.hpp"
 #include "text/text_buffer.hpp"
 #include "text/text_table.hpp"
 #include "text/versions.hpp"
@@ -17,10 +18,6 @@
 
 namespace mdm {
 namespace {
-
-std::string counted(const Integer &n) {
-  return to_string(n) + (n == 1 ? " particle" : " particles");
-}
 
 /// The digits of 100 y that are certain, at most so many.
 std::string percent(const Interval &y, unsigned digits) {

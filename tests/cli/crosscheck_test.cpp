@@ -15,14 +15,6 @@ const std::string float_answers = MDM_DATA_DIR "/suite-2750-float-answers.csv";
 const std::string small = R"({"id":"small","sizes":[1,2,3],"masses":[2,1,0]})";
 const std::string right = R"(echo '{"quantities":[3,1]}')";
 
-std::vector<std::string> lines_of(const std::string &text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);)
-    lines.push_back(line);
-  return lines;
-}
-
 /// The rows as CSV, without the header.
 std::vector<std::string> rows(const Arguments &arguments, int exit_code, const std::string &input = "") {
   Arguments all = {"crosscheck"};

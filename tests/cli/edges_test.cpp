@@ -26,14 +26,6 @@ const std::string small = R"({"id":"small","sizes":[1,2,3],"masses":[2,1,0]})";
 
 constexpr long megabyte = 1024; // KiB
 
-std::vector<std::string> lines_of(const std::string &text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);)
-    lines.push_back(line);
-  return lines;
-}
-
 } // namespace
 
 TEST_CASE("edge 4: within a tolerance the exact match takes a small share of the limits", "[cli]") {

@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -179,6 +180,15 @@ inline Outcome mdm(const Arguments &arguments, const std::string &standard_input
 
 inline Outcome mdm_check(const std::string &gradation, const std::string &proof) {
   return Process(MDM_CHECK_PROGRAM, {gradation, proof}).end();
+}
+
+/// The lines of a text, without their ends.
+inline std::vector<std::string> lines_of(const std::string &text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);)
+    lines.push_back(line);
+  return lines;
 }
 
 /// The path of one of the real gradations.

@@ -19,7 +19,7 @@ std::string some_of_the_suite(int n) {
   return text;
 }
 
-std::ptrdiff_t lines_of(const std::string &path) {
+std::ptrdiff_t line_count(const std::string &path) {
   const std::string text = read_file(path);
   return std::count(text.begin(), text.end(), '\n');
 }
@@ -35,9 +35,9 @@ TEST_CASE("study figures writes the table and the figures' numbers", "[cli]") {
   CHECK(outcome.out.empty());
   const std::filesystem::directory_iterator files(folder / "study");
   CHECK(std::distance(begin(files), end(files)) == 6);
-  CHECK(lines_of(folder / "study/table1.csv") == 13);
+  CHECK(line_count(folder / "study/table1.csv") == 13);
   for (const char *name : {"study/figure3.csv", "study/figure4.csv", "study/figure5.csv"})
-    CHECK(lines_of(folder / name) == 22);
+    CHECK(line_count(folder / name) == 22);
 }
 
 TEST_CASE("study specimens shows a table or writes it", "[cli]") {
@@ -49,7 +49,7 @@ TEST_CASE("study specimens shows a table or writes it", "[cli]") {
   const Outcome written =
       mdm({"study", "specimens", example("athabasca-sand"), specimens, "--out", folder / "s"});
   CHECK(written.exit_code == 0);
-  CHECK(lines_of(folder / "s/specimens.csv") == 15);
+  CHECK(line_count(folder / "s/specimens.csv") == 15);
 }
 
 TEST_CASE("study refuses what is broken and leaves no folder behind", "[cli]") {
@@ -119,7 +119,7 @@ TEST_CASE("study --paper voivret writes the numbers of its figures on size distr
   const std::pair<const char *, std::ptrdiff_t> rows[] = {
       {"1", 100}, {"3", 707}, {"4", 294}, {"5", 180}, {"6", 48}, {"7", 66}, {"8", 2304}, {"8-spans", 2000}};
   for (const auto &[number, n] : rows)
-    CHECK(lines_of(folder / ("study/figure" + std::string(number) + ".csv")) == n + 1);
+    CHECK(line_count(folder / ("study/figure" + std::string(number) + ".csv")) == n + 1);
   const std::string sets = read_file(folder / "study/figure7.csv");
   CHECK(sets.find("\n1,3,geometric,10,10,2000,33927,33927,0.01") != std::string::npos);
   CHECK(sets.find("\n1,3,regular,10,10,2000,7258942,7258942,\n") != std::string::npos);
@@ -147,15 +147,15 @@ TEST_CASE("a study of packings writes its tables and keeps its deposits", "[cli]
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.out.empty());
-  CHECK(lines_of(out + "/figure9.csv") == 1 + 2 * 6 * 2);
-  CHECK(lines_of(out + "/statements.csv") == 1 + 13);
-  CHECK(lines_of(out + "/figure2.csv") == 1 + 1864);
-  CHECK(lines_of(out + "/figure10.csv") > 4990);
+  CHECK(line_count(out + "/figure9.csv") == 1 + 2 * 6 * 2);
+  CHECK(line_count(out + "/statements.csv") == 1 + 13);
+  CHECK(line_count(out + "/figure2.csv") == 1 + 1864);
+  CHECK(line_count(out + "/figure10.csv") > 4990);
   const std::string points = read_file(out + "/figure9.csv"), kept = read_file(journal);
   CHECK(points.find("\n2,4,regular,0.2,") != std::string::npos);
   CHECK(points.find(",left out: more than 400 discs\n") != std::string::npos);
   // Terms, the deposits of Figure 9, and those that are dropped.
-  CHECK(lines_of(journal) == 1 + (lines_of(out + "/figure9-deposits.csv") - 1) + 2 * 2);
+  CHECK(line_count(journal) == 1 + (line_count(out + "/figure9-deposits.csv") - 1) + 2 * 2);
 
   // A run that was killed while it wrote its last line goes on; what it has kept is not made again.
   const std::size_t last = kept.rfind('\n', kept.size() - 2) + 1;
@@ -164,7 +164,7 @@ TEST_CASE("a study of packings writes its tables and keeps its deposits", "[cli]
   some.replace(fraction, 1, "1");
   folder.write("study/figure9.journal.jsonl", some);
   CHECK(packings(out).exit_code == 0);
-  CHECK(lines_of(journal) == std::count(kept.begin(), kept.end(), '\n'));
+  CHECK(line_count(journal) == std::count(kept.begin(), kept.end(), '\n'));
   const bool is_used = read_file(out + "/figure9.csv") != points;
   CHECK(is_used);
 }
