@@ -117,8 +117,8 @@ Rational read_tolerance(const std::string &text) {
 
 std::chrono::milliseconds read_time_limit(const std::string &text) {
   const Integer a_year = 366LL * 24 * 3600 * 1000;
-  const Integer milliseconds = ceil(Rational(positive("--time-limit", text) * 1000));
-  return std::chrono::milliseconds(static_cast<std::int64_t>(std::min(milliseconds, a_year)));
+  const Integer limit = ceil(Rational(positive("--time-limit", text) * 1000));
+  return std::chrono::milliseconds(static_cast<std::int64_t>(std::min(limit, a_year)));
 }
 
 void check_options(const CrosscheckCommand &c) {

@@ -12,25 +12,25 @@
 namespace mdm::cli {
 namespace {
 
-struct Format {
+struct PackingFormat {
   const char *name;
   void (*write)(const Packing &, LengthUnit, const Rational &, const Sink &);
 };
 
-constexpr std::array<Format, 6> formats = {{{"lammps", write_packing_lammps},
-                                            {"liggghts", write_packing_liggghts},
-                                            {"yade", write_packing_yade},
-                                            {"lmgc90", write_packing_lmgc90},
-                                            {"vtk", write_packing_vtk},
-                                            {"csv", write_packing_csv}}};
+constexpr std::array<PackingFormat, 6> packing_formats = {{{"lammps", write_packing_lammps},
+                                                           {"liggghts", write_packing_liggghts},
+                                                           {"yade", write_packing_yade},
+                                                           {"lmgc90", write_packing_lmgc90},
+                                                           {"vtk", write_packing_vtk},
+                                                           {"csv", write_packing_csv}}};
 
 } // namespace
 
 void export_packing(const std::string &packing, const std::string &format, LengthUnit unit,
                     const Rational &density, const std::string &out) {
-  const auto found =
-      std::find_if(formats.begin(), formats.end(), [&format](const Format &f) { return format == f.name; });
-  if (found == formats.end())
+  const auto found = std::find_if(packing_formats.begin(), packing_formats.end(),
+                                  [&format](const PackingFormat &f) { return format == f.name; });
+  if (found == packing_formats.end())
     throw InputError("--to: " + in_quotes(format) +
                      " takes no packings of discs: use lammps, liggghts, yade, lmgc90, vtk or csv");
   const Packing p = read_packing_file(packing);

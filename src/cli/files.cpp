@@ -24,7 +24,7 @@
 namespace mdm::cli {
 namespace {
 
-constexpr std::size_t chunk = std::size_t{1} << 16;
+constexpr std::size_t bytes_at_once = std::size_t{1} << 16;
 
 [[noreturn]] void cannot_read(const std::string &path, int error) {
   refuse_file(path, "cannot be read", error, "name one that can be read");
@@ -47,10 +47,10 @@ void close_reading(int descriptor) {
 /// Appends what one read gives; false at the end.
 bool read_some(int descriptor, const std::string &path, std::string &text) {
   const std::size_t before = text.size();
-  text.resize(before + chunk);
+  text.resize(before + bytes_at_once);
   ssize_t n = 0;
   do {
-    n = read(descriptor, text.data() + before, chunk);
+    n = read(descriptor, text.data() + before, bytes_at_once);
   } while (n < 0 && errno == EINTR);
   const int error = errno;
   text.resize(before + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));

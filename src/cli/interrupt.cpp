@@ -8,19 +8,19 @@ namespace {
 
 std::atomic<bool> pressed = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
-struct sigaction before {};
+struct sigaction replaced_action {};
 
 void note(int signal) {
   pressed = true;
-  sigaction(signal, &before, nullptr);
+  sigaction(signal, &replaced_action, nullptr);
 }
 
 } // namespace
 
 Interrupt::Interrupt() {
   pressed = false;
-  sigaction(SIGINT, nullptr, &before);
-  if (before.sa_handler == SIG_IGN)
+  sigaction(SIGINT, nullptr, &replaced_action);
+  if (replaced_action.sa_handler == SIG_IGN)
     return;
   struct sigaction action {};
   action.sa_handler = note;
@@ -28,7 +28,7 @@ Interrupt::Interrupt() {
 }
 
 Interrupt::~Interrupt() {
-  sigaction(SIGINT, &before, nullptr);
+  sigaction(SIGINT, &replaced_action, nullptr);
 }
 
 bool Interrupt::was_pressed() {

@@ -17,9 +17,9 @@
 namespace mdm::cli {
 namespace {
 
-constexpr std::size_t step = 16;       // sizes of blocks are multiples of it
-constexpr std::size_t longest = 128;   // bytes; longer blocks come from malloc
-constexpr std::size_t chunk = 1 << 14; // bytes cut into blocks at once
+constexpr std::size_t step = 16;                   // sizes of blocks are multiples of it
+constexpr std::size_t longest = 128;               // bytes; longer blocks come from malloc
+constexpr std::size_t bytes_cut_at_once = 1 << 14; // bytes cut into blocks at once
 
 struct Block {
   Block *next;
@@ -78,18 +78,18 @@ std::size_t list_of(std::size_t bytes) {
   thread_local const AtThreadEnd at_thread_end;
   {
     const std::lock_guard lock(orphans_mutex);
-    if (Block *const left = orphans[list]) { // no more than a chunk: the rest is for other threads
+    if (Block *const left = orphans[list]) { // no more than bytes_cut_at_once: the rest is for other threads
       Block *last = left;
-      for (std::size_t n = 1; n < chunk / (list * step) && last->next != nullptr; ++n)
+      for (std::size_t n = 1; n < bytes_cut_at_once / (list * step) && last->next != nullptr; ++n)
         last = last->next;
       orphans[list] = std::exchange(last->next, nullptr);
       return left;
     }
   }
   const std::size_t bytes = list * step;
-  std::byte *const memory = static_cast<std::byte *>(plain_allocate(chunk));
+  std::byte *const memory = static_cast<std::byte *>(plain_allocate(bytes_cut_at_once));
   Block *first = nullptr;
-  for (std::size_t at = 0; at + bytes <= chunk; at += bytes)
+  for (std::size_t at = 0; at + bytes <= bytes_cut_at_once; at += bytes)
     first = new (memory + at) Block{first};
   return first;
 }

@@ -188,18 +188,18 @@ Found read_sample(const VerifyCommand &c, const Gradation &g, const Question &qu
 }
 
 /// A gradation with what the question changes, and its smallest match.
-struct Target {
+struct Asked {
   Gradation gradation;
   SmallestMatch smallest;
 };
 
-Target read_target(const VerifyCommand &c, const Question &question) {
+Asked read_target(const VerifyCommand &c, const Question &question) {
   Gradation g =
       read_gradation(read_file(c.gradation, max_gradation_bytes), shown_name(c.gradation), c.specimen_id);
   return in_file(c.gradation, [&] {
     Gradation asked = asked_gradation(std::move(g), question);
     SmallestMatch smallest = smallest_match(asked, question.law);
-    return Target{std::move(asked), std::move(smallest)};
+    return Asked{std::move(asked), std::move(smallest)};
   });
 }
 
@@ -225,7 +225,7 @@ int run(const VerifyCommand &c) {
   const Rational tolerance = tolerance_of(c);
   const Rational snap = c.snap ? not_negative("--snap", *c.snap) : Rational(0);
   const unsigned digits = c.digits ? digits_of("--digits", *c.digits) : 6;
-  const Target target = read_target(c, question);
+  const Asked target = read_target(c, question);
   Output out(c.output.path());
 
   Found found = read_sample(c, target.gradation, question, snap);

@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view min_column = "passing_min_percent";
 constexpr std::string_view max_column = "passing_max_percent";
 
-struct Row {
+struct LimitsRow {
   Rational size, least, most;
   std::size_t line;
 };
@@ -33,8 +33,8 @@ Rational read_size(CsvRows &rows) {
   return rows.size();
 }
 
-Row read_row(CsvRows &rows) {
-  Row row{read_size(rows), rows.number(min_column, 1), rows.number(max_column, 2), rows.line()};
+LimitsRow read_row(CsvRows &rows) {
+  LimitsRow row{read_size(rows), rows.number(min_column, 1), rows.number(max_column, 2), rows.line()};
   if (row.size < 0)
     rows.refuse(fmt::format("size {} is negative: give the opening of the sieve", shown(row.size)));
   if (row.least < 0)
@@ -54,7 +54,7 @@ Row read_row(CsvRows &rows) {
   return row;
 }
 
-void check_different(const Row &finer, const Row &coarser, const Source &source) {
+void check_different(const LimitsRow &finer, const LimitsRow &coarser, const Source &source) {
   if (finer.size == coarser.size)
     source.refuse(coarser.line, fmt::format("size {} repeats that of line {}: leave one out",
                                             shown(coarser.size), finer.line));
@@ -85,7 +85,7 @@ Envelope read_envelope(std::string_view content, const std::string &file) {
     csv.refuse(fmt::format("a band has the columns {} and {} after that of the sizes, and no other",
                            min_column, max_column));
   const std::size_t header_line = csv.line();
-  std::vector<Row> rows;
+  std::vector<LimitsRow> rows;
   while (csv.next()) {
     if (rows.size() == max_gradation_rows)
       csv.refuse(fmt::format("there are more than {} rows: give fewer sieves", max_gradation_rows));
@@ -93,14 +93,15 @@ Envelope read_envelope(std::string_view content, const std::string &file) {
   }
   if (rows.empty())
     source.refuse(header_line, "there is no row below the header: give the bounds at one sieve or more");
-  std::stable_sort(rows.begin(), rows.end(), [](const Row &a, const Row &b) { return a.size < b.size; });
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const LimitsRow &a, const LimitsRow &b) { return a.size < b.size; });
   for (std::size_t i = 1; i < rows.size(); ++i)
     check_different(rows[i - 1], rows[i], source);
   Envelope e;
   e.id = stem(file);
   e.unit = csv.unit();
   e.notes = csv.notes();
-  for (const Row &row : rows) {
+  for (const LimitsRow &row : rows) {
     e.sizes.push_back(row.size);
     e.passing_min.push_back(row.least);
     e.passing_max.push_back(row.most);

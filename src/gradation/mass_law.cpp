@@ -7,7 +7,7 @@
 namespace mdm {
 namespace {
 
-[[noreturn]] void refuse(std::string_view text) {
+[[noreturn]] void refuse_law(std::string_view text) {
   throw InputError(fmt::format("{} is no mass law: write 'sphere', or 'power:a/b' with whole a and b "
                                "from 1 to {}, for example 'power:2' or 'power:5/2'",
                                in_quotes(text), max_law_exponent));
@@ -41,14 +41,14 @@ MassLaw parse_mass_law(std::string_view text) {
   if (text == "sphere")
     return {};
   if (!text.starts_with(prefix))
-    refuse(text);
+    refuse_law(text);
   const std::optional<Rational> exponent = parse_exponent(text.substr(prefix.size()));
   if (!exponent || *exponent <= 0)
-    refuse(text);
+    refuse_law(text);
   const Integer a = numerator(*exponent);
   const Integer b = denominator(*exponent);
   if (a > max_law_exponent || b > max_law_exponent)
-    refuse(text);
+    refuse_law(text);
   return {a.convert_to<unsigned>(), b.convert_to<unsigned>()};
 }
 

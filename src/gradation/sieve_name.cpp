@@ -36,7 +36,7 @@ constexpr std::array<Sieve, 32> tyler_numbers = {
      {"65", 212},     {"80", 180}, {"100", 150},    {"115", 125}, {"150", 106}, {"170", 90},  {"200", 75},
      {"250", 63},     {"270", 53}, {"325", 45},     {"400", 38}}};
 
-[[noreturn]] void refuse(std::string_view name) {
+[[noreturn]] void refuse_name(std::string_view name) {
   throw InputError(in_quotes(name) +
                    " is no sieve: write a name such as 'No. 200', '3/8 in', 'Tyler 65 mesh', "
                    "'1.18 mm', '75 um' or 'pan'");
@@ -94,7 +94,7 @@ Rational opening(const std::array<Sieve, n> &table, std::string_view number, std
   const auto found =
       std::find_if(table.begin(), table.end(), [number](const Sieve &s) { return s.name == number; });
   if (found == table.end())
-    refuse(name);
+    refuse_name(name);
   return ratio(found->opening, 1000);
 }
 
@@ -106,7 +106,7 @@ Rational metric(std::string_view number, const Rational &unit, char point, std::
       return size * unit;
   } catch (const InputError &) { // the name as it was written says more
   }
-  refuse(name);
+  refuse_name(name);
 }
 
 } // namespace
@@ -130,7 +130,7 @@ Rational sieve_opening(std::string_view name, char point) {
     return opening(astm_numbers, rest, name);
   if (take_ending(rest, "in"))
     return opening(astm_inches, rest, name);
-  refuse(name);
+  refuse_name(name);
 }
 
 std::optional<std::string> astm_sieve_name(const Rational &opening) {

@@ -60,7 +60,7 @@ void write_column(JsonWriter &json, std::string_view key, const std::vector<Rati
 }
 
 /// The factors of all rows, also the last, which no class uses.
-std::vector<Rational> factors(const Gradation &g) {
+std::vector<Rational> factors_of(const Gradation &g) {
   std::vector<Rational> column;
   for (std::size_t j = 0; j < g.sizes().size(); ++j)
     column.push_back(g.factor(j));
@@ -92,7 +92,7 @@ std::string gradation_json(const Gradation &g) {
   write_column(json, "sizes", g.sizes());
   write_column(json, "masses", g.masses());
   if (g.has_factors())
-    write_column(json, "factors", factors(g));
+    write_column(json, "factors", factors_of(g));
   if (!g.tolerances().empty())
     write_column(json, "tolerances_percent", g.tolerances());
   json.end_object();

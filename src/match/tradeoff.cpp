@@ -11,9 +11,9 @@ namespace mdm {
 namespace {
 
 /// The limits of each row and the one watch of all.
-class Rows {
+class TradeoffRows {
 public:
-  explicit Rows(const TradeoffOptions &options)
+  explicit TradeoffRows(const TradeoffOptions &options)
       : limits_(options.limits), time_limit_(options.time_limit), watch_(std::nullopt, options.progress) {
     limits_.keep_proof = false;
   }
@@ -31,7 +31,7 @@ private:
 };
 
 /// The smallest sieves that can be kept; a sieve that retains nothing keeps what the next larger one does.
-std::vector<TradeoffRow> exact_rows(const Gradation &g, const Question &question, const Rows &of) {
+std::vector<TradeoffRow> exact_rows(const Gradation &g, const Question &question, const TradeoffRows &of) {
   const Rational all = sum(g.masses());
   std::vector<TradeoffRow> rows;
   Rational lost = 0;
@@ -49,7 +49,7 @@ std::vector<TradeoffRow> exact_rows(const Gradation &g, const Question &question
 }
 
 TradeoffRow tolerant_row(const Gradation &g, const Question &question, const AskedTolerance &asked,
-                         const Rows &of, const TradeoffRow &exact) {
+                         const TradeoffRows &of, const TradeoffRow &exact) {
   TradeoffRow row = exact;
   row.tolerance = asked.percent;
   if (asked.percent == 0)
@@ -75,7 +75,7 @@ void share_bounds(std::vector<TradeoffRow> &rows) {
 
 Tradeoff tradeoff(Gradation g, const Question &question, const TradeoffOptions &options) {
   Tradeoff result{question, asked_gradation(std::move(g), question), options.kind, {}, {}};
-  const Rows of(options);
+  const TradeoffRows of(options);
   result.by_sieve = exact_rows(result.gradation, question, of);
   share_bounds(result.by_sieve);
   std::vector<Rational> tolerances = options.tolerances;

@@ -64,8 +64,8 @@ std::optional<Integer> quick_cube_root(const Integer &n, const Integer &d, unsig
   const long twos = ((a.exponent - b.exponent) % 3 + 3) % 3;
   const long thirds = (a.exponent - b.exponent - twos) / 3;
   const long exponent = thirds + ten.exponent;
-  constexpr long most_bits = 96;
-  if (exponent < 0 || exponent > most_bits)
+  constexpr long widest_exponent = 96;
+  if (exponent < 0 || exponent > widest_exponent)
     return std::nullopt;
   a.high *= static_cast<double>(1L << twos);
   a.low *= static_cast<double>(1L << twos);

@@ -1,4 +1,5 @@
 #include <mdm/number/decimal.hpp>
+#include <mdm/number/interval.hpp>
 #include <mdm/number/power_product.hpp>
 #include <mdm/number/real.hpp>
 
@@ -9,12 +10,6 @@
 
 namespace mdm {
 namespace {
-
-/// An interval around a real, a point where its exact value is known.
-struct Interval {
-  Rational lo, hi;
-  bool is_point() const { return lo == hi; }
-};
 
 Rational ten_to(long exponent) {
   return exponent >= 0 ? Rational(power_of_ten(static_cast<unsigned>(exponent)))

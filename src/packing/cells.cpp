@@ -1,3 +1,5 @@
+#include "packing/wide.hpp"
+
 #include <mdm/packing/contacts.hpp>
 
 #include <algorithm>
@@ -5,7 +7,7 @@
 namespace mdm {
 namespace {
 
-__extension__ typedef __int128 Wide;
+using packing::Wide;
 
 /// A contact seen from one of its discs.
 struct Edge {

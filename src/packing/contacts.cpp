@@ -1,4 +1,5 @@
 #include "packing/disc_grid.hpp"
+#include "packing/wide.hpp"
 
 #include <mdm/packing/contacts.hpp>
 
@@ -8,7 +9,7 @@
 namespace mdm {
 namespace {
 
-__extension__ typedef __int128 Wide;
+using packing::Wide;
 
 /// Gaps are enclosed in thousandths of a unit.
 constexpr std::int64_t parts = 1000;

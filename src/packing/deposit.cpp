@@ -2,6 +2,7 @@
 #include "packing/lowest_place.hpp"
 #include "packing/roll.hpp"
 #include "packing/shuffled.hpp"
+#include "packing/wide.hpp"
 
 #include <mdm/packing/deposit.hpp>
 #include <mdm/text/error.hpp>
@@ -18,6 +19,7 @@ using packing::Lattice;
 using packing::LowestPlace;
 using packing::Rest;
 using packing::usual_gap;
+using packing::Wide;
 
 /// What radii are larger in the geometry than written: the doubles of two centres and radii are off by less
 /// than the 4 units that two discs have so.
@@ -91,7 +93,6 @@ private:
 
   /// Exactly.
   bool overlaps(Id disc, const Rest &rest) const {
-    __extension__ typedef __int128 Wide;
     bool any = false;
     front_.each_near(rest.x, front_.r(disc), [&](Id j, double dx) {
       const Wide x = whole(dx), y = whole(front_.y(j) - rest.y);

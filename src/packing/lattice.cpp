@@ -18,8 +18,8 @@ Rational value(const DiscSize &size) {
 }
 
 bool is_smaller(const DiscSize &a, const DiscSize &b) {
-  __extension__ typedef unsigned __int128 Wide;
-  Wide m = a.digits, n = b.digits;
+  __extension__ typedef unsigned __int128 Power;
+  Power m = a.digits, n = b.digits;
   // Sizes have up to 18 digits; powers of ten beyond decide by themselves.
   constexpr unsigned most = 19;
   const unsigned up_a = b.places > a.places ? b.places - a.places : 0;

@@ -1,3 +1,5 @@
+#include "packing/wide.hpp"
+
 #include <mdm/packing/packing_verdict.hpp>
 
 #include <fmt/format.h>
@@ -7,7 +9,7 @@
 namespace mdm {
 namespace {
 
-__extension__ typedef __int128 Wide;
+using packing::Wide;
 
 /// From a disc's centre to what carries it.
 struct Direction {

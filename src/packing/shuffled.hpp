@@ -14,8 +14,8 @@ enum Stream : std::uint64_t { order_stream = std::uint64_t{1} << 63, column_stre
 
 /// A number from 0 to n - 1, for 64 random bits.
 inline std::uint64_t below(std::uint64_t n, std::uint64_t bits) {
-  __extension__ typedef unsigned __int128 Wide;
-  return static_cast<std::uint64_t>((Wide{bits} * n) >> 64);
+  __extension__ typedef unsigned __int128 Product;
+  return static_cast<std::uint64_t>((Product{bits} * n) >> 64);
 }
 
 /// Puts things into a random order (Fisher, Yates).

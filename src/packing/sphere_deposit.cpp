@@ -1,5 +1,6 @@
 #include "packing/shuffled.hpp"
 #include "packing/sphere_roll.hpp"
+#include "packing/wide.hpp"
 
 #include <mdm/text/error.hpp>
 
@@ -11,9 +12,10 @@ namespace {
 using packing::SphereGrid;
 using packing::SphereRest;
 using packing::Vector3;
+using packing::Wide;
 
 /// What spheres are larger by while they roll, in units: rounding to the lattice takes less, mostly.
-constexpr double gap = 4;
+constexpr double roll_gap = 4;
 /// A sphere that needs more than so many units, or has not come to rest, is dropped again.
 constexpr double slight_rise = 63;
 constexpr int most_drops = 8;
@@ -22,7 +24,7 @@ std::vector<double> as_doubles(const std::vector<std::int64_t> &radii) {
   return {radii.begin(), radii.end()};
 }
 
-std::int64_t whole(double units) {
+std::int64_t whole_units(double units) {
   return static_cast<std::int64_t>(units);
 }
 
@@ -41,7 +43,7 @@ public:
       : space_(space), random_(seed), sides_(packing::side_planes(space)), grid_(as_doubles(radii), space) {}
 
   DepositedSphere lay(std::int32_t id) {
-    const double r = grid_.radius(id), q = r + gap;
+    const double r = grid_.radius(id), q = r + roll_gap;
     std::uint64_t stream = packing::column_stream;
     Vector3 at;
     SphereRest rest;
@@ -59,7 +61,7 @@ public:
     if (at.z + r >= static_cast<double>(most_sphere_units))
       throw InputError("the deposit becomes too high for its lattice: give it a wider box");
     grid_.add(id, at);
-    return {{whole(at.x), whole(at.y), whole(at.z)}, rest.supports};
+    return {{whole_units(at.x), whole_units(at.y), whole_units(at.z)}, rest.supports};
   }
 
 private:
@@ -68,7 +70,7 @@ private:
   std::pair<double, double> column(std::int32_t id, double q, std::uint64_t &stream) const {
     const double from = space_.sides == Sides::periodic ? 0 : std::ceil(q);
     const auto place = [&](int axis, std::int64_t width) {
-      const auto room = static_cast<std::uint64_t>(width - 2 * whole(from)) + 1;
+      const auto room = static_cast<std::uint64_t>(width - 2 * whole_units(from)) + 1;
       const auto bits =
           random_(stream, 2 * static_cast<std::uint64_t>(id) + static_cast<std::uint64_t>(axis));
       return from + static_cast<double>(packing::below(room, bits));
@@ -114,20 +116,19 @@ private:
 
   /// Exactly; doubled coordinates keep half of an odd diameter whole.
   bool is_out_of_cylinder(const Vector3 &at, double r) const {
-    __extension__ typedef __int128 Wide;
-    const Wide x = 2 * whole(at.x) - space_.a, y = 2 * whole(at.y) - space_.a;
-    const Wide room = space_.a - 2 * whole(r);
+    const Wide x = 2 * whole_units(at.x) - space_.a, y = 2 * whole_units(at.y) - space_.a;
+    const Wide room = space_.a - 2 * whole_units(r);
     return x * x + y * y > room * room;
   }
 
   /// Exactly.
   bool overlaps(const Vector3 &at, double r) const {
-    __extension__ typedef __int128 Wide;
     constexpr double deep = 1e15; // no shell is hollow: it may lie in another
     bool any = false;
     grid_.each_near(at, r, 0, deep, [&](std::int32_t id, const Vector3 &other) {
       const Vector3 d = other - at;
-      const Wide x = whole(d.x), y = whole(d.y), z = whole(d.z), sum = whole(r + grid_.radius(id));
+      const Wide x = whole_units(d.x), y = whole_units(d.y), z = whole_units(d.z),
+                 sum = whole_units(r + grid_.radius(id));
       any = any || x * x + y * y + z * z < sum * sum;
     });
     return any;

@@ -17,15 +17,9 @@ namespace {
 
 constexpr unsigned digits = 10;
 
-const char *classing_name(Classing classing) {
-  return classing == Classing::regular     ? "regular"
-         : classing == Classing::geometric ? "geometric"
-                                           : "isochoric";
-}
-
 std::string terms(const AccessibleQuestion &q) {
   return fmt::format("{} {} {}, at least {} particles in each and {} in all, at most {}, dimension {}",
-                     q.classes, classing_name(q.classing), q.classes == 1 ? "class" : "classes",
+                     q.classes, name(q.classing), q.classes == 1 ? "class" : "classes",
                      to_string(q.wanted.min_per_class), to_string(q.wanted.at_least), to_string(q.at_most),
                      q.wanted.dimension);
 }

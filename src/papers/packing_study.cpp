@@ -18,10 +18,6 @@ constexpr unsigned classes = 10;
 constexpr unsigned size_digits = 15;
 constexpr unsigned fraction_digits = 15;
 
-const char *name(Classing classing) {
-  return classing == Classing::regular ? "regular" : "geometric";
-}
-
 struct Counted {
   std::vector<SizeClass> classes;
   ClassCounts counts;
@@ -59,7 +55,7 @@ std::string PackingTerms::text() const {
 
 std::string DepositQuestion::key() const {
   return fmt::format("a = {}, b = {}, {}, s = {}, {}, seed {}", to_decimal(shape.a), to_decimal(shape.b),
-                     name(classing), to_decimal(span), mdm::name(rule), seed);
+                     name(classing), to_decimal(span), name(rule), seed);
 }
 
 Rational width_factor(std::uint64_t seed) {

@@ -12,8 +12,8 @@
 namespace mdm {
 namespace {
 
-constexpr unsigned digits = 10;
-/// Of what is a mean of enclosures with 15 digits.
+constexpr unsigned packing_digits = 10;
+/// Of what is a mean of enclosures with 15 packing_digits.
 constexpr unsigned fraction_places = 15;
 
 /// `lo,hi`, rounded outwards.
@@ -29,7 +29,7 @@ std::string cells(const Shape &shape, Classing classing, const Rational &span) {
 }
 
 std::string share(const Integer &some, const Integer &all) {
-  return all == 0 ? "" : rounded(Real(ratio(some, all)), digits);
+  return all == 0 ? "" : rounded(Real(ratio(some, all)), packing_digits);
 }
 
 std::string cells(const CellCounts &c) {
@@ -50,8 +50,9 @@ std::string note(const PackingPoint &p, const Integer &most) {
 std::string gasket_table(const ApollonianGasket &gasket, const Rational &most) {
   std::string text = "p,q,radius,x,y\n";
   gasket.each(most, [&](const ApollonianCircle &c) {
-    text += fmt::format("{},{},{},{},{}\n", c.p, c.q, rounded(Real(1) / gasket.curvature(c), digits),
-                        rounded(gasket.centre_x(c), digits), rounded(gasket.centre_y(c), digits));
+    text +=
+        fmt::format("{},{},{},{},{}\n", c.p, c.q, rounded(Real(1) / gasket.curvature(c), packing_digits),
+                    rounded(gasket.centre_x(c), packing_digits), rounded(gasket.centre_y(c), packing_digits));
   });
   return text;
 }
@@ -67,9 +68,10 @@ std::string figure9_table(const PackingStudy &study) {
       text += ",,,,,,,,,,,,";
     else
       text += fmt::format("{},{},{},{},{},{},{},", cells(p.mean()), cells(p.scatter()),
-                          rounded(Real(p.coordination()), digits), rounded(Real(p.touching(3)), digits),
-                          rounded(Real(p.touching(4)), digits), rounded(Real(p.touching(5)), digits),
-                          cells(p.cells()));
+                          rounded(Real(p.coordination()), packing_digits),
+                          rounded(Real(p.touching(3)), packing_digits),
+                          rounded(Real(p.touching(4)), packing_digits),
+                          rounded(Real(p.touching(5)), packing_digits), cells(p.cells()));
     text += note(p, study.terms.at_most) + "\n";
   }
   return text;

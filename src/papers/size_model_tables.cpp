@@ -7,16 +7,10 @@
 namespace mdm {
 namespace {
 
-constexpr unsigned digits = 10;
+constexpr unsigned model_digits = 10;
 
 std::string cells(const Shape &shape) {
   return to_decimal(shape.a) + "," + to_decimal(shape.b);
-}
-
-const char *name(Classing classing) {
-  return classing == Classing::regular     ? "regular"
-         : classing == Classing::geometric ? "geometric"
-                                           : "isochoric";
 }
 
 } // namespace
@@ -24,24 +18,25 @@ const char *name(Classing classing) {
 std::string table_csv(const std::vector<DistributionRow> &rows) {
   std::string text = "size_mm,number_density,volume_density,partition,grading\n";
   for (const DistributionRow &r : rows)
-    text += fmt::format("{},{},{},{},{}\n", to_decimal(r.size), rounded(r.number_density, digits),
-                        rounded(r.volume_density, digits), rounded(r.partition, digits),
-                        rounded(r.grading, digits));
+    text += fmt::format("{},{},{},{},{}\n", to_decimal(r.size), rounded(r.number_density, model_digits),
+                        rounded(r.volume_density, model_digits), rounded(r.partition, model_digits),
+                        rounded(r.grading, model_digits));
   return text;
 }
 
 std::string table_csv(const std::vector<PassingRow> &rows) {
   std::string text = "a,b,reduced_size,passing\n";
   for (const PassingRow &r : rows)
-    text += fmt::format("{},{},{}\n", cells(r.shape), to_decimal(r.reduced), rounded(r.passing, digits));
+    text +=
+        fmt::format("{},{},{}\n", cells(r.shape), to_decimal(r.reduced), rounded(r.passing, model_digits));
   return text;
 }
 
 std::string table_csv(const std::vector<CoefficientRow> &rows) {
   std::string text = "a,b,span,C_u,C_c\n";
   for (const CoefficientRow &r : rows)
-    text += fmt::format("{},{},{},{}\n", cells(r.shape), to_decimal(r.span), rounded(r.c_u, digits),
-                        rounded(r.c_c, digits));
+    text += fmt::format("{},{},{},{}\n", cells(r.shape), to_decimal(r.span), rounded(r.c_u, model_digits),
+                        rounded(r.c_c, model_digits));
   return text;
 }
 
@@ -54,7 +49,7 @@ std::string table_csv(const std::vector<SetRow> &rows) {
                         to_string(q.wanted.min_per_class), to_string(q.wanted.at_least),
                         estimated.is_point() ? to_string(estimated.lo) : "",
                         r.counts.decided() ? to_string(r.counts.particles()) : "",
-                        r.c_r ? rounded(real_in(*r.c_r), digits) : "");
+                        r.c_r ? rounded(real_in(*r.c_r), model_digits) : "");
   }
   return text;
 }
@@ -63,7 +58,7 @@ std::string table_csv(const std::vector<ShapeRow> &rows) {
   std::string text = "classing,span,a,b,particles,C_u\n";
   for (const ShapeRow &r : rows)
     text += fmt::format("{},{},{},{},{}\n", name(r.question.classing), to_decimal(r.question.span),
-                        cells(r.question.shape), to_string(r.particles), rounded(r.c_u, digits));
+                        cells(r.question.shape), to_string(r.particles), rounded(r.c_u, model_digits));
   return text;
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr unsigned discs = 2;
 constexpr unsigned quality_points = 100;
-constexpr unsigned size_digits = 15;
+constexpr unsigned drawn_digits = 15;
 
 /// Questions with geometric and with regular classes for all compared shapes; `vary` makes those of one.
 template <class Vary>
@@ -118,8 +118,8 @@ SetRow set_row(const SetQuestion &question, const Integer &most_drawn) {
   SetRow row{question, class_counts(classes, curve, question.wanted), std::nullopt};
   if (row.counts.decided() && row.counts.particles() <= most_drawn)
     row.c_r = set_quality(curve, classes, question.wanted.dimension, quality_points,
-                          drawn_particles(classes, row.counts.numbers, question.wanted.dimension, size_digits,
-                                          Draws::random(1)))
+                          drawn_particles(classes, row.counts.numbers, question.wanted.dimension,
+                                          drawn_digits, Draws::random(1)))
                   .c_r;
   return row;
 }

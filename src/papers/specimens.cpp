@@ -17,18 +17,18 @@
 namespace mdm {
 namespace {
 
-constexpr std::array<std::string_view, 5> columns = {"diameter_mm", "scale_factor", "height_mm", "void_ratio",
-                                                     "particles"};
+constexpr std::array<std::string_view, 5> column_names = {"diameter_mm", "scale_factor", "height_mm",
+                                                          "void_ratio", "particles"};
 constexpr const char *column_list = "diameter_mm,scale_factor,height_mm,void_ratio,particles";
 
-/// The place of each of `columns` in the header.
+/// The place of each of `column_names` in the header.
 std::array<std::size_t, 5> places(const Source &source, std::size_t line,
                                   const std::vector<std::string> &header) {
   std::array<std::size_t, 5> at{};
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const auto found = std::find(header.begin(), header.end(), columns[i]);
-    if (found == header.end() || header.size() != columns.size())
-      source.refuse(line, std::string("the header is not that of specimens: let it name the columns ") +
+  for (std::size_t i = 0; i < column_names.size(); ++i) {
+    const auto found = std::find(header.begin(), header.end(), column_names[i]);
+    if (found == header.end() || header.size() != column_names.size())
+      source.refuse(line, std::string("the header is not that of specimens: let it name the column_names ") +
                               column_list);
     at[i] = static_cast<std::size_t>(found - header.begin());
   }
@@ -41,11 +41,11 @@ Specimen specimen(const Source &source, std::size_t line, const std::array<std::
     try {
       numbers[i] = parse_decimal(cells[i]);
     } catch (const InputError &e) {
-      source.refuse(line, fmt::format("{}: {}", columns[i], e.what()));
+      source.refuse(line, fmt::format("{}: {}", column_names[i], e.what()));
     }
-    const bool may_be_zero = columns[i] == "void_ratio";
+    const bool may_be_zero = column_names[i] == "void_ratio";
     if (numbers[i] < 0 || (numbers[i] == 0 && !may_be_zero))
-      source.refuse(line, fmt::format("{}: {} is not {}: correct it", columns[i], in_quotes(cells[i]),
+      source.refuse(line, fmt::format("{}: {} is not {}: correct it", column_names[i], in_quotes(cells[i]),
                                       may_be_zero ? "0 or more" : "positive"));
   }
   const std::optional<Integer> particles = parse_natural(cells[4]);
@@ -88,9 +88,10 @@ std::vector<Specimen> read_specimens(std::string_view content, const std::string
       at = places(source, lines.number(), fields);
       continue;
     }
-    if (fields.size() != columns.size())
-      source.refuse(lines.number(), fmt::format("{} columns where the header has {}: give one value a column",
-                                                fields.size(), columns.size()));
+    if (fields.size() != column_names.size())
+      source.refuse(lines.number(),
+                    fmt::format("{} column_names where the header has {}: give one value a column",
+                                fields.size(), column_names.size()));
     std::array<std::string, 5> ordered;
     for (std::size_t i = 0; i < ordered.size(); ++i)
       ordered[i] = fields[(*at)[i]];

@@ -16,10 +16,6 @@ namespace {
 /// The smallest size has so many units or more, where there is room for them: gaps are some units.
 constexpr std::uint64_t fine_units = 1000000000;
 
-std::string length_text(const ParticleSet &set, const Rational &length) {
-  return approximate(length, 6) + " " + std::string(name(set.unit));
-}
-
 /// A height that no deposit reaches: even the loosest fills more than 0.3 of its space, and pi / 6 / 0.3 is
 /// below 7/4; of the square around it a cylinder has more than 3/4.
 Rational highest(const ParticleSet &set, const Footprint &ground) {
@@ -51,7 +47,7 @@ Footprint Placement::deposit_ground(const std::optional<Footprint> &floor) const
     throw InputError(fmt::format(
         "--start deposit: the footprint, {} x {}, is narrower than {} of the largest "
         "particle: give a --box of {} or more, or take --start mixed",
-        length_text(*set_, floor->a), length_text(*set_, floor->b), least_widths, length_text(*set_, least)));
+        set_->length_text(floor->a), set_->length_text(floor->b), least_widths, set_->length_text(least)));
   return *floor;
 }
 
@@ -67,7 +63,7 @@ void Placement::choose_deposit_unit(const Footprint &ground) {
     throw InputError(
         fmt::format("--start deposit: a length of {} is too far from the smallest size, {}: leave "
                     "fine classes out with --cut-below, or take --start layers",
-                    length_text(*set_, longest), length_text(*set_, smallest)));
+                    set_->length_text(longest), set_->length_text(smallest)));
 }
 
 void Placement::list_in_order(std::vector<std::int64_t> &radii) {

@@ -116,6 +116,10 @@ Rational ParticleSet::mass_error() const {
   return most;
 }
 
+std::string ParticleSet::length_text(const Rational &length) const {
+  return approximate(length, 6) + " " + std::string(mdm::name(unit));
+}
+
 Rational ParticleSet::cubes() const {
   return sum_of_cubes(*this, [](const ParticleSize &size) { return exact_value(size.diameter.value); });
 }

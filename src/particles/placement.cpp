@@ -24,10 +24,6 @@ const Rational &looseness() {
   return tenth;
 }
 
-std::string length_text(const ParticleSet &set, const Rational &length) {
-  return approximate(length, 6) + " " + std::string(name(set.unit));
-}
-
 } // namespace
 
 void check_simulated(const ParticleSet &set) {
@@ -78,8 +74,8 @@ void Placement::set_height(const Footprint &floor) {
   if (height < box_[2])
     throw InputError(fmt::format("a start without overlaps on {} x {} is {} high, more than {}: leave the "
                                  "height of --box out, or make the box wider",
-                                 length_text(*set_, floor.a), length_text(*set_, floor.b), text(box_[2]),
-                                 length_text(*set_, *floor.c)));
+                                 set_->length_text(floor.a), set_->length_text(floor.b), text(box_[2]),
+                                 set_->length_text(*floor.c)));
   box_[2] = height;
 }
 
@@ -89,7 +85,7 @@ void Placement::choose_unit() {
     ++places_;
   if (places_ > most_places)
     throw InputError(fmt::format("a size of {} is too small a number to be placed: take a smaller --unit",
-                                 length_text(*set_, smallest)));
+                                 set_->length_text(smallest)));
 }
 
 std::int64_t Placement::units(const Rational &length) const {
@@ -97,8 +93,8 @@ std::int64_t Placement::units(const Rational &length) const {
   if (n >= most_units)
     throw InputError(fmt::format("a length of {} is too far from the smallest size, {}: are the units right? "
                                  "Else leave fine classes out with --cut-below",
-                                 length_text(*set_, length),
-                                 length_text(*set_, set_->smallest().diameter.decimal())));
+                                 set_->length_text(length),
+                                 set_->length_text(set_->smallest().diameter.decimal())));
   return n.convert_to<std::int64_t>();
 }
 
@@ -121,8 +117,8 @@ void Placement::choose_floor(const std::optional<Footprint> &floor) {
       throw InputError(
           fmt::format("the footprint, {} x {}, is narrower than the largest particle, {}: give a "
                       "--box that it fits into",
-                      length_text(*set_, floor->a), length_text(*set_, floor->b),
-                      length_text(*set_, set_->largest().diameter.decimal())));
+                      set_->length_text(floor->a), set_->length_text(floor->b),
+                      set_->length_text(set_->largest().diameter.decimal())));
     return;
   }
   Rational volume = 0;

@@ -13,7 +13,7 @@ namespace mdm {
 namespace {
 
 /// |n| = mantissa * 2^exponent.
-double log10_of(const Integer &n) {
+double log10_of_integer(const Integer &n) {
   long exponent = 0;
   const double mantissa = mpz_get_d_2exp(&exponent, n.backend().data());
   return std::log10(std::abs(mantissa)) + static_cast<double>(exponent) * std::log10(2.0);
@@ -134,7 +134,7 @@ bool is_in_fonts(char32_t code) {
 } // namespace
 
 double log10_of(const Rational &r) {
-  return log10_of(Integer(numerator(r))) - log10_of(Integer(denominator(r)));
+  return log10_of_integer(Integer(numerator(r))) - log10_of_integer(Integer(denominator(r)));
 }
 
 Axis linear_axis(const std::string &title, double low, double high) {

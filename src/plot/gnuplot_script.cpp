@@ -16,7 +16,7 @@ namespace {
 constexpr double title_size = 13;
 constexpr double legend_mark = 1.4; // largest that fits a line of the legend
 constexpr double line_height = 1.35 * letter_size;
-constexpr double gap = 6;
+constexpr double text_gap = 6;
 constexpr double tick_length = 5;
 constexpr double color_bar_width = 14;
 constexpr double legend_sample = 34;
@@ -52,16 +52,17 @@ struct Margins {
 };
 
 double below_ticks(const Panel &p) {
-  return tick_length + gap + (p.x.on_the_tilt ? widest(p.x.ticks) : line_height);
+  return tick_length + text_gap + (p.x.on_the_tilt ? widest(p.x.ticks) : line_height);
 }
 
 Margins margins(const Panel &p) {
-  const double title = line_height + gap;
+  const double title = line_height + text_gap;
   Margins m;
-  m.left = title + widest(p.y.ticks) + tick_length + 2 * gap;
-  m.right = p.right.empty() ? 3 * gap : title + widest(p.right) + tick_length + 2 * gap;
-  m.top = gap + (p.title.empty() ? 0 : title) + (p.top.empty() ? 0 : widest(p.top) + tick_length + gap);
-  m.bottom = below_ticks(p) + static_cast<double>(p.strips.size()) * line_height + title + gap;
+  m.left = title + widest(p.y.ticks) + tick_length + 2 * text_gap;
+  m.right = p.right.empty() ? 3 * text_gap : title + widest(p.right) + tick_length + 2 * text_gap;
+  m.top =
+      text_gap + (p.title.empty() ? 0 : title) + (p.top.empty() ? 0 : widest(p.top) + tick_length + text_gap);
+  m.bottom = below_ticks(p) + static_cast<double>(p.strips.size()) * line_height + title + text_gap;
   return m;
 }
 
@@ -118,25 +119,25 @@ private:
     cell_width_ = margins_.left + f_.panel_width + margins_.right;
     cell_height_ = margins_.top + f_.panel_height + margins_.bottom;
     colors_left_ = columns * cell_width_;
-    side_left_ = colors_left_ + (f_.colors ? 0 : 2 * gap);
+    side_left_ = colors_left_ + (f_.colors ? 0 : 2 * text_gap);
     if (f_.colors)
-      side_left_ += color_bar_width + tick_length + widest(f_.colors->ticks) + line_height + 3 * gap;
+      side_left_ += color_bar_width + tick_length + widest(f_.colors->ticks) + line_height + 3 * text_gap;
     double side = 0;
     for (const Series *s : legend_)
-      side = std::max(side, legend_sample + 2 * gap + text_width(legend_title(*s), letter_size));
+      side = std::max(side, legend_sample + 2 * text_gap + text_width(legend_title(*s), letter_size));
     for (const std::string &note : f_.notes)
       side = std::max(side, text_width(fitted(note, widest_note), letter_size));
-    width_ = std::ceil(side_left_ + (side > 0 ? side + 3 * gap : 0));
+    width_ = std::ceil(side_left_ + (side > 0 ? side + 3 * text_gap : 0));
     const double title = f_.title.empty() ? 0 : 2 * title_size;
     height_ = std::ceil(
         std::max(std::ceil(panels / columns) * cell_height_,
-                 2 * gap + line_height * static_cast<double>(legend_.size() + f_.notes.size() + 1)) +
+                 2 * text_gap + line_height * static_cast<double>(legend_.size() + f_.notes.size() + 1)) +
         title);
     top_ = height_ - title;
   }
 
   static std::string legend_title(const Series &s) {
-    return fitted(s.title, widest_note - legend_sample - 2 * gap);
+    return fitted(s.title, widest_note - legend_sample - 2 * text_gap);
   }
 
   Frame frame(std::size_t panel) const {
@@ -309,7 +310,7 @@ private:
     if (!all.empty() && kept.size() > 1 && kept.back() != all.back())
       kept.back() = all.back();
     for (const auto &[x, tick] : kept)
-      add_label(x, r.top + tick_length + gap, tick->label, Align::left, " rotate by 90");
+      add_label(x, r.top + tick_length + text_gap, tick->label, Align::left, " rotate by 90");
   }
 
   void add_texts(const Panel &p, const Frame &r) {
@@ -322,22 +323,23 @@ private:
     const double half_line = line_height / 2;
     const Margins m = margins(p);
     add_label(middle, r.top + m.top - half_line, fitted(p.title, cell_width_), Align::center);
-    add_label(middle, r.bottom - m.bottom + gap + half_line, p.x.title, Align::center);
-    add_label(r.left - m.left + gap + half_line, half_way, p.y.title, Align::center, " rotate by 90");
+    add_label(middle, r.bottom - m.bottom + text_gap + half_line, p.x.title, Align::center);
+    add_label(r.left - m.left + text_gap + half_line, half_way, p.y.title, Align::center, " rotate by 90");
     if (!p.right.empty())
-      add_label(r.right + m.right - gap - half_line, half_way, p.right_title, Align::center, " rotate by 90");
+      add_label(r.right + m.right - text_gap - half_line, half_way, p.right_title, Align::center,
+                " rotate by 90");
   }
 
   /// Things drawn once a figure, with its first panel.
   void add_surroundings() {
     if (!f_.title.empty())
       add_label_at(screen(margins_.left, height_ - title_size),
-                   fitted(f_.title, width_ - margins_.left - gap, title_size), Align::left,
+                   fitted(f_.title, width_ - margins_.left - text_gap, title_size), Align::left,
                    fmt::format(" font ',{}'", title_size));
-    double y = top_ - gap - line_height / 2;
+    double y = top_ - text_gap - line_height / 2;
     if (!legend_.empty()) {
       add("set key at {} top left Left reverse samplen 3 spacing 1.1 noautotitle\n",
-          screen(side_left_, top_ - gap));
+          screen(side_left_, top_ - text_gap));
       y -= line_height * static_cast<double>(legend_.size() + 1);
     } else {
       add("unset key\n");
@@ -354,8 +356,8 @@ private:
         color_bar_width / width_, (r.top - last) / height_);
     add_range("cb", *f_.colors);
     add_ticks("cb", f_.colors->ticks, "");
-    add_label(side_left_ - 2 * gap - line_height / 2, (r.top + last) / 2, f_.colors->title, Align::center,
-              " rotate by 90");
+    add_label(side_left_ - 2 * text_gap - line_height / 2, (r.top + last) / 2, f_.colors->title,
+              Align::center, " rotate by 90");
   }
 
   void add_panel(std::size_t i) {

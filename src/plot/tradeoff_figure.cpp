@@ -16,7 +16,7 @@ constexpr double panel_width = 430;
 constexpr double panel_height = 380;
 
 /// n in full, or its first digits where it is long.
-std::string count_text(const Integer &n) {
+std::string short_count(const Integer &n) {
   constexpr std::size_t longest = 9;
   const std::string digits = to_string(n);
   if (digits.size() <= longest)
@@ -221,7 +221,7 @@ void add_lost(Panel &panel, const ValueAxis &x, const std::vector<TradeoffRow> &
 void add_labels(Panel &panel, const ValueAxis &x, const std::vector<TradeoffRow> &rows, Coordinate value) {
   Labels labels(panel);
   for (const TradeoffRow &row : rows)
-    labels.add({x.place(value(row)), log10_of_count(row.particles)}, count_text(row.particles));
+    labels.add({x.place(value(row)), log10_of_count(row.particles)}, short_count(row.particles));
 }
 
 std::vector<Rational> values(const std::vector<TradeoffRow> &rows, Coordinate value) {

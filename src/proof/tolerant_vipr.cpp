@@ -12,9 +12,9 @@ namespace mdm {
 namespace {
 
 /// Writes the file section by section; derived constraints are numbered behind those of the problem.
-class Writer {
+class TreeVipr {
 public:
-  explicit Writer(const Match &m)
+  explicit TreeVipr(const Match &m)
       : problem_(tolerant_problem_of(m)), tree_(std::get<Tree>(m.evidence().value())), k_(problem_.classes()),
         variables_(problem_.variables()), least_(k_), least_value_(k_), most_(k_), strict_(k_), filled_(k_) {
     if (m.sample)
@@ -226,7 +226,7 @@ private:
 
 std::string tolerant_vipr(const Match &m) {
   assert(m.complete && m.tolerance);
-  return Writer(m).text();
+  return TreeVipr(m).text();
 }
 
 } // namespace mdm

@@ -90,9 +90,9 @@ bool is_of_counts(char letter) {
 }
 
 /// Writes witness and tree, and sums up what the checker's work depends on.
-class Writer {
+class TreeWriter {
 public:
-  explicit Writer(const Match &m)
+  explicit TreeWriter(const Match &m)
       : m_(m), problem_(tolerant_problem_of(m)), unit_(numerator(problem_.unit())) {}
 
   std::string text() {
@@ -252,7 +252,7 @@ private:
 } // namespace
 
 std::string tree_certificate(const Match &m) {
-  return Writer(m).text();
+  return TreeWriter(m).text();
 }
 
 } // namespace mdm

@@ -63,9 +63,9 @@ Pair pair_of(const LinearClass &i, const LinearClass &j) {
 }
 
 /// Writes the file section by section; derived constraints are numbered behind those of the problem.
-class Writer {
+class ChainWriter {
 public:
-  explicit Writer(const Match &m)
+  explicit ChainWriter(const Match &m)
       : m_(m), problem_(problem_of(m)), particles_(*m.particles()), classes_(linear_classes(problem_)) {}
 
   std::string text() {
@@ -241,7 +241,7 @@ std::string vipr(const Match &m) {
         "--vipr: more than 200 classes have mass, the export has a constraint for each pair: leave it out");
   if (m.tolerance && !m.evidence())
     refuse_length();
-  return m.tolerance ? tolerant_vipr(m) : Writer(m).text();
+  return m.tolerance ? tolerant_vipr(m) : ChainWriter(m).text();
 }
 
 } // namespace mdm

@@ -12,16 +12,16 @@
 namespace mdm {
 namespace {
 
-constexpr unsigned digits = 12;
+constexpr unsigned length_digits = 12;
 /// For people.
-constexpr unsigned few_digits = 5;
+constexpr unsigned ratio_digits = 5;
 
 /// Decimals around the covered share.
 Enclosure covered(const ApollonianReport &r) {
   const Interval share = r.gasket.covered(r.census);
-  const Integer unit = power_of_ten(digits);
+  const Integer unit = power_of_ten(length_digits);
   Enclosure e;
-  e.places = digits;
+  e.places = length_digits;
   e.lo = floor(Rational(share.lo * Rational(unit)));
   e.hi = ceil(Rational(share.hi * Rational(unit)));
   return e;
@@ -52,9 +52,9 @@ std::string apollonian_text(const ApollonianReport &r) {
   Rational radius = r.smallest;
   for (std::size_t j = 0; j < n.size(); ++j, radius *= 2) {
     table.add_line();
-    table.add(approximate(radius, few_digits));
+    table.add(approximate(radius, ratio_digits));
     table.add(std::to_string(n[j]));
-    table.add(j + 1 < n.size() ? rounded(apollonian_slope(n[j], n[j + 1]), few_digits) : "");
+    table.add(j + 1 < n.size() ? rounded(apollonian_slope(n[j], n[j + 1]), ratio_digits) : "");
   }
   return text + table.text() + "\nthe exponent is the slope of log N over log 1/r from a line to the next\n";
 }
@@ -69,7 +69,7 @@ std::string apollonian_json(const ApollonianReport &r) {
   for (std::size_t j = 0; j < n.size(); ++j, radius *= 2) {
     write(json.begin_object().key("radius"), radius).key("circles").number(n[j]).key("exponent");
     if (j + 1 < n.size())
-      write(json, enclose(apollonian_slope(n[j], n[j + 1]), digits));
+      write(json, enclose(apollonian_slope(n[j], n[j + 1]), length_digits));
     else
       json.null();
     json.end_object();

@@ -89,7 +89,7 @@ void add_csv_row(Buffer &out, const std::string &item, const char *unit, const s
 /// A name, what it is about, and a value.
 using Line = std::vector<std::string>;
 
-bool is_zero(const Fraction &f) {
+bool is_empty(const Fraction &f) {
   return f.share && f.share->exact() == Rational(0);
 }
 
@@ -109,7 +109,7 @@ void add_text_fractions(Buffer &out, const char *system, const std::vector<Fract
   bool parent_empty = false;
   for (const Fraction &f : fractions) {
     if (f.main)
-      parent_empty = is_zero(f);
+      parent_empty = is_empty(f);
     if ((parent_empty && (!f.main || lines.empty())) || (!f.main && !f.share))
       continue;
     const std::optional<Real> share = percent(f);

@@ -13,9 +13,9 @@
 namespace mdm {
 namespace {
 
-constexpr unsigned digits = 15;
+constexpr unsigned exact_digits = 15;
 /// For people.
-constexpr unsigned few_digits = 6;
+constexpr unsigned short_digits = 6;
 
 /// A multiple of a thousandth of the packing's unit, as gaps are.
 std::string gap_text(const Packing &p, const Rational &units) {
@@ -42,7 +42,7 @@ std::pair<std::string, std::string> ends(const Packing &p, const std::optional<I
 std::pair<std::string, std::string> ends(const std::optional<Real> &fraction) {
   if (!fraction)
     return {};
-  const Enclosure e = enclose(*fraction, digits);
+  const Enclosure e = enclose(*fraction, exact_digits);
   return {e.lower_text(), e.upper_text()};
 }
 
@@ -67,13 +67,13 @@ void write_coordination(JsonWriter &json, const Coordination &coordination) {
 void write_bands(JsonWriter &json, const Packing &p, const std::vector<HeightBand> &bands) {
   json.begin_array();
   for (const HeightBand &b : bands) {
-    write(json.begin_object().key("from"), enclose(length(p, b.from), digits));
-    write(json.key("to"), enclose(length(p, b.to), digits));
+    write(json.begin_object().key("from"), enclose(length(p, b.from), exact_digits));
+    write(json.key("to"), enclose(length(p, b.to), exact_digits));
     json.key("discs").number(b.discs).key("mean_diameter");
     if (b.discs == 0)
       json.null();
     else
-      write(json, enclose(length(p, b.mean_diameter), digits));
+      write(json, enclose(length(p, b.mean_diameter), exact_digits));
     json.end_object();
   }
   json.end_array();
@@ -125,7 +125,7 @@ std::string coordination_table(const PackingTexture &t) {
 }
 
 std::string mean_text(const Coordination &c) {
-  return c.empty() ? "none" : rounded(Real(mean_coordination(c)), few_digits);
+  return c.empty() ? "none" : rounded(Real(mean_coordination(c)), short_digits);
 }
 
 } // namespace
@@ -145,7 +145,7 @@ std::string packing_text(const Packing &p, const PackingTexture &t) {
                                  p.periodic ? "periodic" : "between walls");
   if (t.fraction)
     text += fmt::format("packing fraction {} from {} to {} above the floor{}\n",
-                        enclose(*t.fraction, digits).text(), p.text(t.window.y_min),
+                        enclose(*t.fraction, exact_digits).text(), p.text(t.window.y_min),
                         with_unit(p, p.text(t.window.y_max)),
                         p.periodic ? "" : ", " + with_unit(p, p.text(t.window.x_min)) + " from the walls");
   else
@@ -170,7 +170,7 @@ std::string packing_text(const Packing &p, const PackingTexture &t) {
   if (!t.bands.empty()) {
     text += "mean diameter by area, in ten bands of height from below:";
     for (const HeightBand &b : t.bands)
-      text += b.discs == 0 ? " none" : " " + rounded(length(p, b.mean_diameter), few_digits);
+      text += b.discs == 0 ? " none" : " " + rounded(length(p, b.mean_diameter), short_digits);
     text += "\n";
   }
   return text;

@@ -148,10 +148,10 @@ std::array<ConditionReport, 4> conditions(const Verification &v) {
 }
 
 void add_table(Buffer &out, const Verification &v) {
-  using Line = std::vector<std::string>;
+  using Cells = std::vector<std::string>;
   const Gradation &g = v.description.gradation();
-  std::vector<Line> lines = {Line{"class", fmt::format("sizes, {} (above, up to]", name(g.unit())),
-                                  "particles", "target %", "found %", "target - found"}};
+  std::vector<Cells> lines = {Cells{"class", fmt::format("sizes, {} (above, up to]", name(g.unit())),
+                                    "particles", "target %", "found %", "target - found"}};
   for (std::size_t j = 0; j < g.classes(); ++j)
     lines.push_back({std::to_string(j + 1), "(" + g.opening_text(j) + ", " + g.opening_text(j + 1) + "]",
                      to_string(v.description.of_class(j).count), percent(v.error.targets[j], v.digits),

@@ -28,6 +28,18 @@ CurveSize bound(const ModelCurve &curve, Classing classing, unsigned i, unsigned
 
 } // namespace
 
+const char *name(Classing classing) {
+  switch (classing) {
+  case Classing::regular:
+    return "regular";
+  case Classing::geometric:
+    return "geometric";
+  case Classing::isochoric:
+    break;
+  }
+  return "isochoric";
+}
+
 std::vector<SizeClass> size_classes(const ModelCurve &curve, Classing classing, unsigned n) {
   if (n == 0 || n > max_size_classes)
     throw InputError("the number of classes must be from 1 to " + std::to_string(max_size_classes));

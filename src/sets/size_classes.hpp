@@ -24,6 +24,9 @@ enum class Classing {
   isochoric  ///< equal volume fractions
 };
 
+/// `regular`, `geometric` or `isochoric`.
+const char *name(Classing classing);
+
 /// The most classes.
 inline constexpr unsigned max_size_classes = 10000;
 

@@ -42,6 +42,8 @@ struct ParticleSet {
   Integer particles() const;
   /// The greatest of the classes: the mass of each is off by no more than this part of itself.
   Rational mass_error() const;
+  /// A length in the unit of the set, which it names: 6 digits.
+  std::string length_text(const Rational &length) const;
   const ParticleSize &smallest() const { return classes.front().sizes.front(); }
   const ParticleSize &largest() const { return classes.back().sizes.back(); }
   /// (pi / 6) sum of q x^3, over pi / 6: with the doubles of the diameters.
