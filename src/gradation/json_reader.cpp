@@ -1,5 +1,6 @@
 #include "gradation/json_reader.hpp"
 
+#include "gradation/mass_digits.hpp"
 #include "gradation/shown.hpp"
 #include "text/json_cursor.hpp"
 #include "text/nearest_name.hpp"
@@ -53,7 +54,7 @@ public:
   bool parse_error(std::size_t, const std::string &token, const nlohmann::detail::exception &error);
 
   /// The gradation, after the last event.
-  Gradation gradation(const std::string &fallback_id);
+  Gradation gradation(const std::string &fallback_id, std::optional<unsigned> round);
 
 private:
   [[noreturn]] void refuse(const std::string &what) const { refuse_at(reached_, what); }
@@ -309,7 +310,7 @@ void Handler::to_ascending_mm() {
       size *= ratio(254, 10);
 }
 
-Gradation Handler::gradation(const std::string &fallback_id) {
+Gradation Handler::gradation(const std::string &fallback_id, std::optional<unsigned> round) {
   check_complete();
   to_ascending_mm();
   Gradation::Data data;
@@ -317,6 +318,8 @@ Gradation Handler::gradation(const std::string &fallback_id) {
   data.unit = unit_;
   data.sizes = std::move(columns_[sizes]);
   data.masses = std::move(columns_[masses]);
+  if (const std::optional<std::string> note = settle_digits(data.masses, round))
+    data.notes.push_back(*note);
   data.factors = std::move(columns_[factors]);
   data.tolerances = std::move(columns_[tolerances]);
   if (inches_)
@@ -330,14 +333,15 @@ Gradation Handler::gradation(const std::string &fallback_id) {
 
 } // namespace
 
-Gradation read_json(std::string_view content, const Source &source, const std::string &fallback_id) {
+Gradation read_json(std::string_view content, const Source &source, const std::string &fallback_id,
+                    std::optional<unsigned> round) {
   if (!content.substr(std::min(content.find_first_not_of(" \t\r\n"), content.size())).starts_with('{'))
     source.refuse(1, "there is no JSON object: write one as {\"sizes\": [...], \"masses\": [...]}");
   Handler handler(content, source);
   const JsonCursor begin(content.data(), handler.reached());
   const JsonCursor end(content.data() + content.size(), handler.reached());
   Json::sax_parse(begin, end, &handler);
-  return handler.gradation(fallback_id);
+  return handler.gradation(fallback_id, round);
 }
 
 } // namespace mdm
