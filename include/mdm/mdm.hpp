@@ -9,6 +9,7 @@
 #include <mdm/gradation/gradation.hpp>
 #include <mdm/gradation/mass_law.hpp>
 #include <mdm/gradation/read_gradation.hpp>
+#include <mdm/gradation/reading.hpp>
 #include <mdm/gradation/root_size.hpp>
 #include <mdm/gradation/sample.hpp>
 #include <mdm/gradation/size_unit.hpp>

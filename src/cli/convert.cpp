@@ -2,6 +2,7 @@
 #include "cli/files.hpp"
 #include "cli/help.hpp"
 #include "cli/output_flags.hpp"
+#include "cli/reading_flags.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
@@ -14,18 +15,45 @@ namespace {
 
 struct ConvertCommand {
   std::string file;
-  std::optional<std::string> specimen_id;
+  ReadingFlags reading;
   OutputFlags output;
+  bool dry_run = false;
 };
 
+/// What was understood of the file, with the table that would be written.
+std::string understood_text(const ConvertCommand &c, const UnderstoodGradation &u) {
+  const Gradation &g = u.gradation;
+  std::string text = printable(shown_name(c.file)) + ": " + u.format + "\n";
+  text += "  id      " + printable(g.id()) + "\n";
+  text += "  sizes   " + u.sizes + "\n";
+  text += "  masses  " + u.masses + "\n";
+  text += std::string("  pan     ") + (g.has_pan() ? "yes, at size 0" : "none") + "\n";
+  text += std::string("  check   ") +
+          (u.is_canonical ? "mdm-check reads the file as it is" : "mdm-check reads what mdm convert writes") +
+          "\n";
+  for (const std::string &note : g.notes())
+    text += "  note    " + note + "\n";
+  return text + "\n" + gradation_csv(g);
+}
+
+std::string converted(const ConvertCommand &c, const UnderstoodGradation &u) {
+  if (c.dry_run)
+    return understood_text(c, u);
+  return c.output.is_json() ? gradation_json(u.gradation) : gradation_csv(u.gradation);
+}
+
 int run(const ConvertCommand &c) {
+  if (c.dry_run && (c.output.out || c.output.asked_format))
+    throw InputError("--dry-run: nothing is converted: leave out -o and --format");
   check_distinct({c.file, c.output.path()});
   const std::string content = read_file(c.file, max_gradation_bytes);
-  const Gradation g = read_gradation(content, shown_name(c.file), c.specimen_id, PhiReading::rounded);
+  const UnderstoodGradation u =
+      understand_gradation(content, shown_name(c.file), c.reading.reading(PhiReading::rounded));
   Output out(c.output.path());
-  out.write(in_file(c.file, [&] { return c.output.is_json() ? gradation_json(g) : gradation_csv(g); }));
+  out.write(in_file(c.file, [&] { return converted(c, u); }));
   out.commit();
-  c.output.tell_notes(g.notes());
+  if (!c.dry_run)
+    c.output.tell_notes(u.gradation.notes());
   return Exit::done;
 }
 
@@ -34,15 +62,21 @@ int run(const ConvertCommand &c) {
 Run add_convert(CLI::App &app) {
   const auto c = std::make_shared<ConvertCommand>();
   CLI::App &command = *app.add_subcommand("convert", "Any gradation file as canonical CSV or JSON");
-  command.add_option("FILE", c->file, "gradation: CSV, JSON or AGS4; - for standard input")->required();
+  command
+      .add_option("FILE", c->file,
+                  "gradation: CSV, JSON, AGS4, DIGGS, a table or workbook of a laboratory, a file of an "
+                  "instrument; - for standard input")
+      ->required();
   c->output.add_out(command);
   command.add_option("--format", c->output.asked_format, "csv or json; json if OUT ends so, else csv")
       ->check(CLI::IsMember({"csv", "json"}));
-  add_specimen_id(command, c->specimen_id);
+  command.add_flag("--dry-run", c->dry_run,
+                   "show what was understood: the table, its unit and kind, pan and notes");
   c->output.add_quiet(command, "no notes on standard error");
+  c->reading.add_to(command);
   command.footer(footer("", {"mdm convert report.ags --specimen-id BH1 -o sand.csv",
-                             "mdm convert half-phi.csv --format csv | mdm solve - --tolerance retained:1%",
-                             "mdm convert sand.csv -o sand.json"}));
+                             "mdm convert sieving.xlsx --sheet Sand --dry-run",
+                             "mdm convert half-phi.csv --format csv | mdm solve - --tolerance retained:1%"}));
   return [c] { return run(*c); };
 }
 

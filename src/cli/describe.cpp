@@ -3,6 +3,7 @@
 #include "cli/help.hpp"
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
+#include "cli/reading_flags.hpp"
 #include "report/description.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -16,7 +17,8 @@ namespace {
 
 struct DescribeCommand {
   std::string file;
-  std::optional<std::string> liquid_limit, plastic_limit, pan_size, specimen_id;
+  std::optional<std::string> liquid_limit, plastic_limit, pan_size;
+  ReadingFlags reading;
   std::optional<unsigned> digits;
   bool extrapolate = false;
   OutputFlags output;
@@ -40,7 +42,8 @@ DescribeOptions options(const DescribeCommand &c) {
 }
 
 Gradation gradation(const DescribeCommand &c) {
-  Gradation g = read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.specimen_id);
+  Gradation g =
+      read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
   if (!c.pan_size)
     return g;
   const Rational size = number("--pan-size", *c.pan_size);
@@ -83,10 +86,10 @@ Run add_describe(CLI::App &app) {
   command.add_option("--digits", c->digits, "significant digits (15; in the text form 4)")
       ->type_name("D")
       ->check(CLI::Range(1, 1000));
-  add_specimen_id(command, c->specimen_id);
   c->output.add_format(command);
   c->output.add_out(command);
   c->output.add_quiet(command, "no notes on standard error");
+  c->reading.add_to(command);
   command.footer(footer(
       paragraph("Exit code 3: the group hangs on an interpolated share or an index that 1,200 digits do not "
                 "tell from its limit; the report says which."),

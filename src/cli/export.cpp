@@ -8,6 +8,7 @@
 #include "cli/output_flags.hpp"
 #include "cli/packing_file.hpp"
 #include "cli/progress.hpp"
+#include "cli/reading_flags.hpp"
 #include "cli/solve_flags.hpp"
 #include "particles/cost.hpp"
 #include "text/json_member.hpp"
@@ -62,8 +63,8 @@ struct ExportCommand {
   GradationFlags::Text file; ///< open: the band alone
   SolveFlags flags;
   std::vector<CLI::Option *> solving; ///< options that only a gradation has a use for
-  GradationFlags::Text unit, density, mass_error, box, seed, young, poisson, specimen_id, model, steps, start,
-      sides;
+  GradationFlags::Text unit, density, mass_error, box, seed, young, poisson, model, steps, start, sides;
+  ReadingFlags reading;
   std::string to;
   OutputFlags output;
   bool spread = false;
@@ -142,7 +143,7 @@ Particles solved_particles(const ExportCommand &c, const std::optional<std::stri
   const Question question = c.flags.question();
   Progress progress([] { return std::string("solving"); }, c.output.quiet);
   const std::string &source = c.flags.source(c.file);
-  const Gradation g = content ? read_gradation(*content, shown_name(source), c.specimen_id)
+  const Gradation g = content ? read_gradation(*content, shown_name(source), c.reading.reading())
                               : in_file(source, [&] { return middle_of(*question.band); });
   const SolveOptions solve_options = c.flags.options();
   const Match m = in_file(source, [&] { return solve(g, question, solve_options); });
@@ -343,7 +344,7 @@ std::optional<std::string> verify_options(const ExportCommand &c) {
   add("--size-factor", c.flags.size_factor);
   add("--cut-below", c.flags.cut_below);
   add("--pan-size", c.flags.pan_size);
-  return c.specimen_id ? options + " --specimen-id ID" : options;
+  return options + c.reading.words();
 }
 
 std::uint64_t steps_of(const std::string &text) {
@@ -437,7 +438,7 @@ void write_file(const ExportCommand &c, const Format &format, const std::optiona
 
 /// Refuses options that the format has no use for.
 void check_options(const ExportCommand &c, const Format &format) {
-  c.flags.check_source(c.file, c.specimen_id, "export");
+  c.flags.check_source(c.file, c.reading.given(), "export");
   if (c.steps && !c.model)
     throw InputError("--steps is for a model: give --model settle too");
   if (c.model && c.unit && c.unit != "m")
@@ -461,7 +462,7 @@ void check_options(const ExportCommand &c, const Format &format) {
 /// Refuses options that only particles of a gradation have a use for.
 void check_packing_options(const ExportCommand &c) {
   if (c.box || c.seed || c.steps || c.start || c.sides || c.model || c.young || c.poisson || c.mass_error ||
-      c.spread || c.specimen_id ||
+      c.spread || c.reading.is_given() ||
       std::any_of(c.solving.begin(), c.solving.end(),
                   [](const CLI::Option *option) { return option->count() > 0; }))
     throw InputError(
@@ -575,7 +576,8 @@ Run add_export(CLI::App &app) {
   c->solving = command.get_options();
   c->solving.erase(c->solving.begin(), c->solving.begin() + static_cast<std::ptrdiff_t>(before));
   c->solving.push_back(spread);
-  c->solving.push_back(add_specimen_id(command, c->specimen_id));
+  for (CLI::Option *const option : c->reading.add_to(command))
+    c->solving.push_back(option);
   c->output.add_out(command, "write the file");
   c->output.add_quiet(command, "no progress, costs and notes on standard error");
   command.footer(footer(

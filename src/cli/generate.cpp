@@ -7,6 +7,7 @@
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
+#include "cli/reading_flags.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/number/decimal.hpp>
@@ -31,7 +32,8 @@ const Integer &most_sizes() {
 }
 
 struct GenerateCommand : BetaOptions {
-  std::optional<std::string> curve, pan_size, between, specimen_id;
+  std::optional<std::string> curve, pan_size, between;
+  ReadingFlags reading;
   std::optional<std::string> classes, classing, at_most, seed, points, table;
   std::optional<std::string> digits, match_digits, time_limit;
   std::string min_per_class = "10", at_least = "2000", dimension = "3", method = "paper";
@@ -43,7 +45,8 @@ struct GenerateCommand : BetaOptions {
 std::shared_ptr<const SieveCurve> sieve_curve(const GenerateCommand &c, std::vector<std::string> &notes) {
   if (c.d_min || c.d_max || c.span || c.ratio)
     throw InputError("--curve: the file has the sizes: leave out --dmin, --dmax, --span and --ratio");
-  Gradation g = read_gradation(read_file(*c.curve, max_gradation_bytes), shown_name(*c.curve), c.specimen_id);
+  Gradation g =
+      read_gradation(read_file(*c.curve, max_gradation_bytes), shown_name(*c.curve), c.reading.reading());
   notes = g.notes();
   if (g.has_factors()) {
     g = by_volume(g);
@@ -97,8 +100,9 @@ std::chrono::milliseconds time_limit(const GenerateCommand &c) {
 void check(const GenerateCommand &c) {
   if (c.beta.has_value() == c.curve.has_value())
     throw InputError("a curve is needed: --beta A,B or --curve FILE, one of them");
-  if (c.beta && (c.between || c.pan_size || c.specimen_id))
-    throw InputError("--between, --pan-size and --specimen-id need --curve: a beta curve has no sieves");
+  if (c.beta && (c.between || c.pan_size || c.reading.is_given()))
+    throw InputError(
+        "--between, --pan-size and the options of reading need --curve: a beta curve has no sieves");
   if (c.beta && c.classing == "sieves")
     throw InputError("--classing: a beta curve has no sieves: use regular, geometric or isochoric");
   if (c.seed && c.quantiles)
@@ -247,7 +251,7 @@ std::vector<Rational> parameters(const std::string &option, const std::string &t
 }
 
 AccessibleQuestion accessible_question(const GenerateCommand &c) {
-  if (c.beta || c.curve || c.d_min || c.d_max || c.ratio || c.pan_size || c.between || c.specimen_id)
+  if (c.beta || c.curve || c.d_min || c.d_max || c.ratio || c.pan_size || c.between || c.reading.is_given())
     throw InputError("--accessible: shapes are asked for with --a and --b, their sizes with --span "
                      "alone: leave out other options of the curve");
   if (!c.span)
@@ -344,7 +348,6 @@ Run add_generate(CLI::App &app) {
          "default) or in size (linear), or constant (stair)")
       ->check(CLI::IsMember({"log", "linear", "stair"}));
   option("--pan-size", c->pan_size, "SIZE", "take the pan of a file as a sieve of this size");
-  add_specimen_id(command, c->specimen_id);
   option("--classes", c->classes, "N", "number of size classes (10)");
   option(
       "--classing", c->classing, "TEXT",
@@ -379,6 +382,7 @@ Run add_generate(CLI::App &app) {
   c->output.add_format(command);
   c->output.add_out(command);
   c->output.add_quiet(command, "no progress and no notes on standard error");
+  c->reading.add_to(command);
   command.footer(footer("", {"mdm generate --beta 1,3 --dmin 0.1 --ratio 20 --sizes --seed 1 --format csv",
                              "mdm generate --curve sand.csv --method match --spread --sizes --format json",
                              "mdm generate --accessible --span 0.42,0.97 --plot shapes.svg"}));

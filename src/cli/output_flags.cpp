@@ -34,9 +34,4 @@ void OutputFlags::tell_notes_beside_csv(const std::vector<std::string> &notes) c
     tell_notes(notes);
 }
 
-CLI::Option *add_specimen_id(CLI::App &command, std::optional<std::string> &id) {
-  return command.add_option("--specimen-id", id, "the specimen of an AGS4 file with several")
-      ->type_name("ID");
-}
-
 } // namespace mdm::cli

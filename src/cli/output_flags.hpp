@@ -41,7 +41,4 @@ struct OutputFlags {
   void tell_notes_beside_csv(const std::vector<std::string> &notes) const;
 };
 
-/// --specimen-id.
-CLI::Option *add_specimen_id(CLI::App &command, std::optional<std::string> &id);
-
 } // namespace mdm::cli

@@ -29,7 +29,6 @@ void PackSizes::add_to(CLI::App &command) {
   command.add_flag(
       "--spread", spread,
       "FILE is a gradation: the discs of its smallest match with masses x^2, of a size each by --seed");
-  option("--specimen-id", specimen_id, "ID", "the specimen of an AGS4 file with several");
   option("--beta", beta, "A,B",
          "discs of the cumulative beta curve, a and b from 0.001 to 1000, drawn by --seed");
   option("--dmin", d_min, "SIZE", "smallest size of a beta curve (1 where --span or --ratio is alone)");
@@ -42,11 +41,12 @@ void PackSizes::add_to(CLI::App &command) {
   option("--min-per-class", min_per_class, "N", "discs in the scarcest class (10; of a gradation 1)");
   option("--at-least", at_least, "N",
          "discs in all, of which the floors of Eq. 9 may lose some (2000; of a gradation 1)");
+  reading.add_to(command);
 }
 
 bool PackSizes::is_given() const {
-  return file || sizes || beta || d_min || d_max || span || ratio || specimen_id || classes || classing ||
-         min_per_class || at_least || spread;
+  return file || sizes || beta || d_min || d_max || span || ratio || reading.is_given() || classes ||
+         classing || min_per_class || at_least || spread;
 }
 
 std::string PackSizes::source() const {
@@ -108,7 +108,7 @@ DiscSizes PackSizes::of_file(const std::string &path, std::uint64_t seed) const 
 
 DiscSizes PackSizes::of_gradation(const std::string &content, const std::string &name,
                                   std::uint64_t seed) const {
-  const Gradation g = read_gradation(content, name, specimen_id);
+  const Gradation g = read_gradation(content, name, reading.reading());
   Representativity wanted;
   wanted.min_per_class = natural("--min-per-class", min_per_class.value_or("1"), 1);
   wanted.at_least = natural("--at-least", at_least.value_or("1"), 1);

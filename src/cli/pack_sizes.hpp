@@ -3,6 +3,7 @@
 /// The discs that mdm pack places, from its options.
 
 #include "cli/beta_options.hpp"
+#include "cli/reading_flags.hpp"
 
 #include <mdm/packing/disc_sizes.hpp>
 
@@ -12,8 +13,9 @@ namespace mdm::cli {
 
 /// Where sizes come from: a curve, a file of sizes, or a gradation.
 struct PackSizes : BetaOptions {
-  std::optional<std::string> file, sizes, specimen_id, classes, classing, min_per_class, at_least;
+  std::optional<std::string> file, sizes, classes, classing, min_per_class, at_least;
   bool spread = false;
+  ReadingFlags reading;
 
   void add_to(CLI::App &command);
   /// True if any of the options was given.

@@ -5,6 +5,7 @@
 #include "cli/packing_file.hpp"
 #include "cli/picture.hpp"
 #include "cli/progress.hpp"
+#include "cli/reading_flags.hpp"
 #include "match/smallest_match.hpp"
 #include "plot/gradation_figure.hpp"
 #include "plot/packing_figure.hpp"
@@ -25,11 +26,12 @@ namespace {
 
 struct PlotCommand {
   std::string file;
-  std::optional<std::string> answer, band, bands, what, specimen_id, colour;
+  std::optional<std::string> answer, band, bands, what, colour;
   bool match = false;
   bool coarse_left = false;
   OutputFlags output;
   PictureFlags picture;
+  ReadingFlags reading;
 };
 
 /// Answers have a line a class.
@@ -99,7 +101,7 @@ int limited(const PlotCommand &c, const Match &m) {
 }
 
 int run_packing(const PlotCommand &c, const Packing &packing) {
-  if (c.answer || c.match || c.what || c.band || c.bands || c.coarse_left || c.specimen_id)
+  if (c.answer || c.match || c.what || c.band || c.bands || c.coarse_left || c.reading.is_given())
     throw InputError(printable(shown_name(c.file)) +
                      " is a packing: of the options for what is drawn --colour alone is for it: leave out "
                      "the others");
@@ -122,7 +124,7 @@ int run(const PlotCommand &c) {
     return run_packing(c, read_packing(content, shown_name(c.file)));
   if (c.colour)
     throw InputError("--colour is for packings: give a FILE that mdm pack -o wrote");
-  const Gradation g = read_gradation(content, shown_name(c.file), c.specimen_id);
+  const Gradation g = read_gradation(content, shown_name(c.file), c.reading.reading());
   std::vector<std::string> notes = g.notes();
   GradationFigure what;
   if (c.bands && c.bands != "uscs")
@@ -171,7 +173,6 @@ Run add_plot(CLI::App &app) {
   command.add_option("--bands", c->bands, "size bands: uscs, iso (14688) or none (uscs)")
       ->check(CLI::IsMember({"uscs", "iso", "none"}));
   command.add_flag("--coarse-left", c->coarse_left, "coarse sizes on the left, as in the United States");
-  add_specimen_id(command, c->specimen_id);
   command
       .add_option(
           "--colour", c->colour,
@@ -181,6 +182,7 @@ Run add_plot(CLI::App &app) {
       ->check(CLI::IsMember({"size", "contacts", "cells"}));
   c->picture.add_to(command);
   c->output.add_quiet(command, "no progress and no notes on standard error");
+  c->reading.add_to(command);
   command.footer(
       footer(paragraph("Exit code 3: --match was not solved within some seconds; nothing is drawn."),
              {"mdm plot sand.csv --match -o sand.svg", "mdm plot sand.csv --band limits.csv -o sand.pdf",

@@ -6,6 +6,7 @@
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
+#include "cli/reading_flags.hpp"
 #include "cli/solve_flags.hpp"
 #include "match/fixed_size.hpp"
 #include "match/spanned_integer.hpp"
@@ -34,7 +35,7 @@ struct PublishedCommand {
   std::string file;
   GradationFlags flags;
   Text sizes, size_at, rounding, tolerance, max_iterations, start, increments, digits;
-  Text specimen_id;
+  ReadingFlags reading;
   OutputFlags output;
 };
 
@@ -158,7 +159,7 @@ int run(const PublishedCommand &c) {
   const Question question = c.flags.question();
   const unsigned digits = c.digits ? digits_of("--digits", *c.digits) : 15;
   const Gradation read =
-      read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.specimen_id);
+      read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
   Progress progress([] { return std::string("running the algorithm"); }, c.output.quiet);
   const PublishedReport report = in_file(c.file, [&] {
     const Gradation g = asked_gradation(read, question);
@@ -224,10 +225,10 @@ Run add_published(CLI::App &app) {
                   "fixed-size, spanned-integer: give up after so many (999), exit 1")
       ->type_name("N");
   command.add_option("--digits", c->digits, "significant digits of sizes (15)")->type_name("D");
-  add_specimen_id(command, c->specimen_id);
   c->output.add_format(command, "text, json, or csv (the iterations)");
   c->output.add_out(command);
   c->output.add_quiet(command, "no progress on standard error");
+  c->reading.add_to(command);
   command.footer(footer(
       paragraph("Exit code 3: the smallest match was not found within some seconds; the report has bounds."),
       {"mdm published rounded sand.csv", "mdm published fixed-size sand.csv --format csv",

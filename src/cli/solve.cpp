@@ -4,6 +4,7 @@
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
+#include "cli/reading_flags.hpp"
 #include "cli/search_progress.hpp"
 #include "cli/solve_flags.hpp"
 
@@ -26,7 +27,8 @@ namespace {
 struct SolveCommand {
   std::optional<std::string> file;
   SolveFlags flags;
-  std::optional<std::string> proof, vipr, coq, specimen_id, seed;
+  std::optional<std::string> proof, vipr, coq, seed;
+  ReadingFlags reading;
   OutputFlags output;
   bool spectrum = false, spread = false, verbose = false;
 
@@ -49,8 +51,9 @@ Target target(const SolveCommand &c, const Question &question) {
   if (!c.file)
     return {in_file(c.flags.source(c.file), [&] { return middle_of(*question.band); }), ""};
   const std::string content = read_file(*c.file, max_gradation_bytes);
-  return {read_gradation(content, shown_name(c.flags.source(c.file)), c.specimen_id),
-          is_ags4(content) ? "mdm-check does not read AGS4" : ""};
+  UnderstoodGradation read = understand_gradation(content, shown_name(*c.file), c.reading.reading());
+  return {std::move(read.gradation),
+          read.is_canonical ? "" : "mdm-check does not read this file as it was read here"};
 }
 
 /// The gradation file that the checker reads beside the proof, where it cannot read the user's own.
@@ -59,11 +62,11 @@ std::optional<SideFile> readable_gradation(const SolveCommand &c, const Target &
                                            std::vector<std::string> &notes) {
   if (of.unreadable.empty())
     return std::nullopt;
-  const std::string path = *c.proof + ".csv";
+  const std::string path = *c.proof + ".gradation.csv";
   check_distinct(
       {c.flags.source(c.file), *c.proof, path, c.vipr.value_or("-"), c.coq.value_or("-"), c.output.path()});
-  notes.push_back(of.unreadable + ": the gradation is in " + printable(path) +
-                  " as CSV; check with: mdm-check " + shell_word(path) + " " + shell_word(*c.proof));
+  notes.push_back(of.unreadable + ": the gradation is in " + printable(path) + "; check with: mdm-check " +
+                  shell_word(path) + " " + shell_word(*c.proof));
   return SideFile{std::make_unique<Output>(path), gradation_csv(of.gradation)};
 }
 
@@ -108,7 +111,7 @@ std::string theorem(const SolveCommand &c, const Target &asked, const Match &m) 
 }
 
 void check_files(const SolveCommand &c) {
-  c.flags.check_source(c.file, c.specimen_id, "solve");
+  c.flags.check_source(c.file, c.reading.given(), "solve");
   if (c.spectrum && c.flags.is_tolerant())
     throw InputError("--spectrum: it is of exact matches: leave it out, or --tolerance and --band");
   if (c.spectrum && c.output.is_csv())
@@ -231,11 +234,11 @@ Run add_solve(CLI::App &app) {
                    "sizes for all particles, uniform by volume in their class as far as its exact mass lets "
                    "them (CSV: a row a particle)");
   command.add_option("--seed", c->seed, "of a spread's sizes (1)")->type_name("K");
-  add_specimen_id(command, c->specimen_id);
   command.add_flag("--verbose", c->verbose, "in text also the scale: its window and the one that was chosen");
   c->output.add_format(command);
   c->output.add_out(command, "write the answer");
   c->output.add_quiet(command, "no progress and no notes on standard error");
+  c->reading.add_to(command);
   command.footer(
       footer("", {"mdm solve sand.csv --min-per-class 10 --proof sand.proof",
                   "mdm solve sand.csv --tolerance retained:1%",

@@ -128,11 +128,12 @@ Question SolveFlags::question() const {
   return q;
 }
 
-void SolveFlags::check_source(const Text &file, const Text &specimen_id, const std::string &command) const {
+void SolveFlags::check_source(const Text &file, const std::string &reading,
+                              const std::string &command) const {
   if (!file && !band)
     throw InputError("mdm: FILE is required, or --band; see mdm " + command + " --help");
-  if (!file && specimen_id)
-    throw InputError("--specimen-id: it is of the gradation's FILE, and there is none: leave it out");
+  if (!file && !reading.empty())
+    throw InputError(reading + ": it is of the gradation's FILE, and there is none: leave it out");
   if (file == "-" && band == "-")
     throw InputError("--band: standard input is the gradation already: give one of them by name");
 }

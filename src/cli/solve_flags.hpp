@@ -37,8 +37,9 @@ struct SolveFlags : GradationFlags {
   bool is_tolerant() const { return !tolerances.empty() || band; }
   /// The source of the gradation: FILE, or else the band alone.
   const std::string &source(const Text &file) const { return file ? *file : *band; }
+  /// \param reading an option of reading that is given, or an empty text
   /// \throws InputError if there is neither, or if they do not go together
-  void check_source(const Text &file, const Text &specimen_id, const std::string &command) const;
+  void check_source(const Text &file, const std::string &reading, const std::string &command) const;
   /// \throws InputError naming the option where its value does not serve
   Question question() const;
   /// The deadline counts from this call.

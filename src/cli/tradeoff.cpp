@@ -4,6 +4,7 @@
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/picture.hpp"
+#include "cli/reading_flags.hpp"
 #include "cli/search_progress.hpp"
 #include "cli/solve_flags.hpp"
 #include "plot/tradeoff_figure.hpp"
@@ -26,7 +27,8 @@ struct TradeoffCommand {
   std::string kind = "retained";
   std::string tolerances = "0,0.1,0.2,0.5,1,2,5";
   Text min_per_class, max_steps, node_limit, time_limit;
-  Text specimen_id, plot;
+  Text plot;
+  ReadingFlags reading;
   OutputFlags output;
 };
 
@@ -92,7 +94,7 @@ int run(const TradeoffCommand &c) {
   const TradeoffOptions o = options(c);
   const Question q = question(c);
   const Gradation g =
-      read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.specimen_id);
+      read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
   Output out(c.output.path());
   const Tradeoff t = searched(c, g, q, o);
   std::unique_ptr<Output> plot;
@@ -141,10 +143,10 @@ Run add_tradeoff(CLI::App &app) {
       ->type_name("S");
   command.add_option("--plot", c->plot, "draw both into OUT.svg, .png or .pdf (needs gnuplot)")
       ->type_name("OUT");
-  add_specimen_id(command, c->specimen_id);
   c->output.add_format(command);
   c->output.add_out(command, "write the tables");
   c->output.add_quiet(command, "no progress and no notes on standard error");
+  c->reading.add_to(command);
   command.footer(footer("", {"mdm tradeoff sand.csv",
                              "mdm tradeoff sand.csv --kind passing --tolerances 0,0.5,1,2 --plot sand.svg",
                              "mdm tradeoff sand.csv --min-per-class 10 --format csv -o sand-tradeoff.csv"}));

@@ -5,6 +5,7 @@
 #include "cli/output_flags.hpp"
 #include "cli/packing_file.hpp"
 #include "cli/progress.hpp"
+#include "cli/reading_flags.hpp"
 #include "cli/solve_flags.hpp"
 #include "cli/verify_packing.hpp"
 #include "report/verification.hpp"
@@ -26,7 +27,8 @@ namespace {
 struct VerifyCommand {
   std::string gradation, sample;
   GradationFlags flags;
-  GradationFlags::Text from, size_unit, timestep, snap, tolerance, digits, specimen_id;
+  GradationFlags::Text from, size_unit, timestep, snap, tolerance, digits;
+  ReadingFlags reading;
   bool radius = false;
   bool diameter = false;
   OutputFlags output;
@@ -194,8 +196,8 @@ struct Asked {
 };
 
 Asked read_target(const VerifyCommand &c, const Question &question) {
-  Gradation g =
-      read_gradation(read_file(c.gradation, max_gradation_bytes), shown_name(c.gradation), c.specimen_id);
+  Gradation g = read_gradation(read_file(c.gradation, max_gradation_bytes), shown_name(c.gradation),
+                               c.reading.reading());
   return in_file(c.gradation, [&] {
     Gradation asked = asked_gradation(std::move(g), question);
     SmallestMatch smallest = smallest_match(asked, question.law);
@@ -288,11 +290,11 @@ Run add_verify(CLI::App &app) {
                   "double: 1e-12")
       ->type_name("EPS");
   c->flags.add_to(command);
-  add_specimen_id(command, c->specimen_id);
   command.add_option("--digits", c->digits, "significant digits of percents (6)")->type_name("D");
   c->output.add_format(command);
   c->output.add_out(command, "write the report");
   c->output.add_quiet(command, "no progress and no notes on standard error");
+  c->reading.add_to(command);
   command.footer(footer(
       paragraph("Errors are target minus found (Arnold, Eq. 13), of shares of the mass; error_as_given, "
                 "in JSON, of masses.") +

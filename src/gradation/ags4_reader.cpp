@@ -196,8 +196,8 @@ Rational decimal(const std::string &text, std::string_view heading, std::size_t 
 
 } // namespace
 
-Gradation read_ags4(std::string_view content, const Source &source, const std::string &fallback_id,
-                    const std::optional<std::string> &specimen) {
+Table read_ags4(std::string_view content, const Source &source, const std::string &fallback_id,
+                const std::optional<std::string> &specimen) {
   const std::vector<Specimen> specimens = Ags4Reader(content, source).read();
   const Specimen &chosen = choose(specimens, source, specimen);
   if (chosen.rows.size() > max_gradation_rows)
@@ -214,7 +214,11 @@ Gradation read_ags4(std::string_view content, const Source &source, const std::s
     table.roundings.push_back(last_digit_unit(row.passing) / 2);
   }
   table.notes.push_back(fmt::format("Specimen {} of {}.", in_quotes(chosen.id), specimens.size()));
-  return to_gradation(std::move(table), source);
+  table.format = "AGS4";
+  table.sizes_from = fmt::format("column {}, in mm", size_heading);
+  table.masses_from = fmt::format("column {}: percent passing", passing_heading);
+  table.is_canonical = false;
+  return table;
 }
 
 } // namespace mdm

@@ -2,9 +2,7 @@
 /// \file
 /// Gradations in AGS4, the ground investigation data format of the UK and New Zealand (group GRAT).
 
-#include "text/source.hpp"
-
-#include <mdm/gradation/gradation.hpp>
+#include "gradation/table.hpp"
 
 #include <optional>
 
@@ -16,7 +14,7 @@ namespace mdm {
 /// LOCA_ID where
 ///                 that is enough; needed where there are several
 /// \throws InputError with the line
-Gradation read_ags4(std::string_view content, const Source &source, const std::string &fallback_id,
-                    const std::optional<std::string> &specimen);
+Table read_ags4(std::string_view content, const Source &source, const std::string &fallback_id,
+                const std::optional<std::string> &specimen);
 
 } // namespace mdm

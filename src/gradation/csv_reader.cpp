@@ -21,13 +21,6 @@ constexpr std::string_view factor_column = "factor";
 /// The most bits of all openings of a file of phi: it bounds the memory.
 constexpr std::uint64_t max_phi_bits = std::uint64_t{1} << 31;
 
-/// The column of that name, or nothing.
-const MassColumn *find_mass_column(std::string_view name) {
-  const auto found = std::find_if(mass_columns.begin(), mass_columns.end(),
-                                  [name](const MassColumn &c) { return c.name == name; });
-  return found == mass_columns.end() ? nullptr : &*found;
-}
-
 std::string mass_column_names() {
   std::string text;
   for (const MassColumn &column : mass_columns)
@@ -42,7 +35,7 @@ public:
     table_.id = id;
   }
 
-  Gradation read() {
+  Table read() {
     rows_.read_header("size_mm,passing_percent");
     read_header();
     while (rows_.next())
@@ -51,7 +44,10 @@ public:
       set_phi_sizes();
     table_.unit = rows_.unit();
     table_.notes = rows_.notes();
-    return to_gradation(std::move(table_), source_);
+    table_.format = "CSV";
+    table_.sizes_from = "column " + std::string(rows_.size_name());
+    table_.masses_from = "column " + std::string(table_.column->name);
+    return std::move(table_);
   }
 
 private:
@@ -139,7 +135,19 @@ private:
 
 } // namespace
 
-Gradation read_csv(std::string_view content, const Source &source, const std::string &id, PhiReading phi) {
+bool is_canonical_csv(std::string_view content) {
+  std::vector<std::string> fields;
+  for (Lines lines(content); lines.next();) {
+    const std::string_view line = trimmed(lines.text());
+    if (line.empty() || line.front() == '#')
+      continue;
+    split_fields(line, line.find(';') == std::string_view::npos ? ',' : ';', fields);
+    return find_size_column(fields[0]) != nullptr;
+  }
+  return true; // the canonical reader says that there is no header
+}
+
+Table read_csv(std::string_view content, const Source &source, const std::string &id, PhiReading phi) {
   return CsvReader(content, source, id, phi).read();
 }
 

@@ -1,16 +1,20 @@
 #pragma once
 /// \file
-/// Gradations as CSV.
+/// Gradations as canonical CSV.
 
-#include "text/source.hpp"
+#include "gradation/table.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 
 namespace mdm {
 
-/// Reads a CSV gradation; the grammar is in proofs/certificate-format.md, section 4.
+/// Reads the table of a CSV gradation; the grammar is in proofs/certificate-format.md, section 4.
 /// \param content text that Source::check_text has passed, without byte order mark
 /// \throws InputError with the line
-Gradation read_csv(std::string_view content, const Source &source, const std::string &id, PhiReading phi);
+Table read_csv(std::string_view content, const Source &source, const std::string &id, PhiReading phi);
+
+/// True where the first line that is no comment begins with the name of a canonical column of sizes, so that
+/// it is a header of that grammar, or a wrong one; also where there is no such line.
+bool is_canonical_csv(std::string_view content);
 
 } // namespace mdm

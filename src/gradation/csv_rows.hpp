@@ -47,6 +47,8 @@ public:
   /// The size in the row's first field, in unit(); phi that is no whole number is rounded, which notes()
   /// says.
   Rational size();
+  /// The name of the column of sizes.
+  std::string_view size_name() const { return size_column_->name; }
   bool is_phi() const { return size_column_->kind == SizeKind::phi; }
   /// The phi in the row's first field, |phi| <= 1000; nothing for the pan. \pre is_phi()
   std::optional<Rational> phi();

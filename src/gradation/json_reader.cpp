@@ -1,5 +1,6 @@
 #include "gradation/json_reader.hpp"
 
+#include "gradation/mass_digits.hpp"
 #include "gradation/shown.hpp"
 #include "text/json_cursor.hpp"
 #include "text/nearest_name.hpp"
@@ -27,7 +28,7 @@ using Json =
 
 /// The keys of a gradation; the first four hold columns.
 enum Key : std::size_t { sizes, masses, factors, tolerances, unit, id, keys };
-constexpr std::size_t columns = 4;
+constexpr std::size_t column_count = 4;
 constexpr std::array<std::string_view, keys> key_names = {"sizes", "masses", "factors", "tolerances_percent",
                                                           "unit",  "id"};
 
@@ -53,7 +54,7 @@ public:
   bool parse_error(std::size_t, const std::string &token, const nlohmann::detail::exception &error);
 
   /// The gradation, after the last event.
-  Gradation gradation(const std::string &fallback_id);
+  Gradation gradation(const std::string &fallback_id, std::optional<unsigned> round);
 
 private:
   [[noreturn]] void refuse(const std::string &what) const { refuse_at(reached_, what); }
@@ -62,7 +63,7 @@ private:
 
   /// True directly below a key of the object.
   bool at_key() const { return depth_ == 1; }
-  bool in_column() const { return depth_ == 2 && key_ < columns; }
+  bool in_column() const { return depth_ == 2 && key_ < column_count; }
   /// `masses[3]` or `unit`.
   std::string place() const;
 
@@ -86,7 +87,7 @@ private:
   std::size_t depth_ = 0;
   Key key_ = id;
   std::array<const char *, keys> found_{}; ///< where each key was read, null if it was not
-  std::array<std::vector<Rational>, columns> columns_;
+  std::array<std::vector<Rational>, column_count> columns_;
   std::string id_;
   SizeUnit unit_ = SizeUnit::mm;
   bool inches_ = false;
@@ -106,10 +107,10 @@ std::string Handler::place() const {
 
 /// Refuses a value that no key has.
 bool Handler::no_value(std::string_view what) {
-  const char *wanted = in_column()      ? "write a decimal"
-                       : key_ < columns ? "write an array of decimals"
-                       : key_ == unit   ? "write \"mm\", \"um\", \"m\" or \"in\""
-                                        : "write a string or a number";
+  const char *wanted = in_column()           ? "write a decimal"
+                       : key_ < column_count ? "write an array of decimals"
+                       : key_ == unit        ? "write \"mm\", \"um\", \"m\" or \"in\""
+                                             : "write a string or a number";
   refuse(fmt::format("{} is {}: {}", place(), what, wanted));
 }
 
@@ -191,7 +192,7 @@ bool Handler::end_object() {
 }
 
 bool Handler::start_array(std::size_t) {
-  if (!(at_key() && key_ < columns))
+  if (!(at_key() && key_ < column_count))
     no_value("an array");
   columns_[key_].reserve(16);
   ++depth_;
@@ -309,7 +310,7 @@ void Handler::to_ascending_mm() {
       size *= ratio(254, 10);
 }
 
-Gradation Handler::gradation(const std::string &fallback_id) {
+Gradation Handler::gradation(const std::string &fallback_id, std::optional<unsigned> round) {
   check_complete();
   to_ascending_mm();
   Gradation::Data data;
@@ -317,6 +318,8 @@ Gradation Handler::gradation(const std::string &fallback_id) {
   data.unit = unit_;
   data.sizes = std::move(columns_[sizes]);
   data.masses = std::move(columns_[masses]);
+  if (const std::optional<std::string> note = settle_digits(data.masses, round))
+    data.notes.push_back(*note);
   data.factors = std::move(columns_[factors]);
   data.tolerances = std::move(columns_[tolerances]);
   if (inches_)
@@ -330,14 +333,15 @@ Gradation Handler::gradation(const std::string &fallback_id) {
 
 } // namespace
 
-Gradation read_json(std::string_view content, const Source &source, const std::string &fallback_id) {
+Gradation read_json(std::string_view content, const Source &source, const std::string &fallback_id,
+                    std::optional<unsigned> round) {
   if (!content.substr(std::min(content.find_first_not_of(" \t\r\n"), content.size())).starts_with('{'))
     source.refuse(1, "there is no JSON object: write one as {\"sizes\": [...], \"masses\": [...]}");
   Handler handler(content, source);
   const JsonCursor begin(content.data(), handler.reached());
   const JsonCursor end(content.data() + content.size(), handler.reached());
   Json::sax_parse(begin, end, &handler);
-  return handler.gradation(fallback_id);
+  return handler.gradation(fallback_id, round);
 }
 
 } // namespace mdm

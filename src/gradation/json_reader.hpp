@@ -6,12 +6,16 @@
 
 #include <mdm/gradation/gradation.hpp>
 
+#include <optional>
+
 namespace mdm {
 
 /// Reads a JSON gradation; the grammar is in proofs/certificate-format.md, section 4.
 /// \param content     text that Source::check_text has passed, without byte order mark
 /// \param fallback_id the id where the object has none
+/// \param round       significant digits to which the masses are taken
 /// \throws InputError with the line, the key and the index in its array
-Gradation read_json(std::string_view content, const Source &source, const std::string &fallback_id);
+Gradation read_json(std::string_view content, const Source &source, const std::string &fallback_id,
+                    std::optional<unsigned> round = std::nullopt);
 
 } // namespace mdm

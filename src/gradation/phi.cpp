@@ -19,7 +19,7 @@ namespace mdm {
 namespace {
 
 constexpr int max_phi = 1000;
-constexpr int significant_digits = 15;
+constexpr int phi_digits = 15;
 
 /// Arb's and FLINT's numbers, freed at the end of their scope.
 struct Ball {
@@ -102,12 +102,12 @@ Rational phi_size(const Rational &phi) {
   // 30103 / 100000 is log10(2) + 4.4e-9, so this starts below the exponent e of 10^e <= 2^-phi < 10^(e+1), at
   // most two too low. The first whose mantissa is at most 10^15 is e, or, where 2^-phi rounds down to 10^e,
   // one less: the value is the same.
-  const Integer limit = power_of_ten(significant_digits);
+  const Integer limit = power_of_ten(phi_digits);
   int exponent = floor(Rational(-phi * Rational(30103, 100000))).convert_to<int>() - 1;
-  Integer mantissa = nearest(phi, scale_of(significant_digits - 1 - exponent));
+  Integer mantissa = nearest(phi, scale_of(phi_digits - 1 - exponent));
   while (mantissa > limit)
-    mantissa = nearest(phi, scale_of(significant_digits - 1 - ++exponent));
-  return Rational(mantissa) * scale_of(exponent + 1 - significant_digits);
+    mantissa = nearest(phi, scale_of(phi_digits - 1 - ++exponent));
+  return Rational(mantissa) * scale_of(exponent + 1 - phi_digits);
 }
 
 } // namespace mdm

@@ -1,6 +1,9 @@
 #include "gradation/ags4_reader.hpp"
 #include "gradation/csv_reader.hpp"
 #include "gradation/json_reader.hpp"
+#include "gradation/lab_table.hpp"
+#include "gradation/mass_digits.hpp"
+#include "gradation/text_encoding.hpp"
 #include "text/json_member.hpp"
 #include "text/lines.hpp"
 
@@ -8,6 +11,7 @@
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -57,32 +61,99 @@ std::vector<Rational> decimals(const std::vector<std::string> &texts, const std:
   return numbers;
 }
 
+bool is_json(std::string_view text) {
+  return without_leading_space(text).starts_with('{');
+}
+
+/// Refuses options that this file has no use for.
+void check_reading(const Reading &reading, const Source &source, bool is_table, bool has_samples) {
+  if (reading.specimen && !has_samples)
+    source.refuse(
+        1, "--specimen-id is for AGS4 files and other files of several samples; this one holds a single "
+           "gradation");
+  if (reading.describes_table() && !is_table)
+    source.refuse(1,
+                  "--columns, --kind, --unit and --skip are for tables, and this file says by itself what it "
+                  "holds: leave them out");
+  if (reading.sheet)
+    source.refuse(1, "--sheet is for workbooks, and this is none: leave it out");
+}
+
+UnderstoodGradation understood_json(std::string_view text, const Source &source, const std::string &id,
+                                    const Reading &reading) {
+  check_reading(reading, source, false, false);
+  source.check_text(text, max_gradation_bytes);
+  return {read_json(text, source, id, reading.round), "JSON", "key sizes", "key masses: mass", true};
+}
+
+/// The table of a text that is neither JSON nor AGS4.
+Table text_table(std::string_view text, const Source &source, const std::string &id, const Reading &reading) {
+  check_reading(reading, source, true, false);
+  source.check_text(text, max_gradation_bytes);
+  if (!reading.describes_table() && is_canonical_csv(text))
+    return read_csv(text, source, id, reading.phi);
+  return read_lab_text(text, source, id, reading);
+}
+
+/// Takes the values to the digits that were asked for, and with them what their last digits say of their
+/// rounding.
+void settle_values(Table &table, const Reading &reading) {
+  if (reading.round)
+    for (std::size_t i = 0; i < table.roundings.size(); ++i)
+      table.roundings[i] = std::max<Rational>(
+          table.roundings[i], digit_unit(table.values[i], *reading.round) * 50 / table.column->full);
+  if (const std::optional<std::string> note = settle_digits(table.values, reading.round))
+    table.notes.push_back(*note);
+}
+
+Table table_of(std::string_view content, std::string_view text, const Source &source, const std::string &id,
+               const Reading &reading) {
+  if (is_ags4(content)) {
+    check_reading(reading, source, false, true);
+    source.check_line_ends(without_byte_order_mark(content));
+    return read_ags4(without_byte_order_mark(content), source, id, reading.specimen);
+  }
+  return text_table(text, source, id, reading);
+}
+
+/// \param content the bytes of the file, \param text the same as UTF-8
+UnderstoodGradation understood_table(std::string_view content, std::string_view text, const Source &source,
+                                     const std::string &id, const Reading &reading) {
+  Table table = table_of(content, text, source, id, reading);
+  settle_values(table, reading);
+  const std::string format = table.format, sizes = table.sizes_from, masses = table.masses_from;
+  const bool is_canonical = table.is_canonical;
+  return {to_gradation(std::move(table), source), format, sizes, masses, is_canonical};
+}
+
 } // namespace
 
 bool is_ags4(std::string_view content) {
   return without_leading_space(without_byte_order_mark(content)).starts_with("\"GROUP\"");
 }
 
-Gradation read_gradation(std::string_view content, const std::string &file,
-                         const std::optional<std::string> &specimen, PhiReading phi) {
+UnderstoodGradation understand_gradation(std::string_view content, const std::string &file,
+                                         const Reading &reading) {
   const Source source(file);
   source.check_length(content, max_gradation_bytes);
-  const std::string_view text = without_byte_order_mark(content);
-  if (is_ags4(content)) {
-    source.check_line_ends(text);
-    return read_ags4(text, source, stem(file), specimen);
-  }
-  if (specimen)
-    source.refuse(1, "--specimen-id is for AGS4 files; this one holds a single gradation");
-  source.check_text(text, max_gradation_bytes);
-  if (without_leading_space(text).starts_with('{'))
-    return read_json(text, source, stem(file));
-  return read_csv(text, source, stem(file), phi);
+  const std::optional<DecodedText> decoded =
+      is_json(content) || is_canonical_csv(content) ? std::nullopt : decoded_text(content, source);
+  const std::string_view text = decoded ? std::string_view(decoded->text) : without_byte_order_mark(content);
+  UnderstoodGradation understood = is_json(text)
+                                       ? understood_json(text, source, stem(file), reading)
+                                       : understood_table(content, text, source, stem(file), reading);
+  if (decoded && understood.format != "AGS4")
+    understood.format += ", " + decoded->encoding;
+  understood.is_canonical &= !decoded && !reading.round;
+  return understood;
 }
 
-Gradation read_gradation_file(const std::string &path, const std::optional<std::string> &specimen,
-                              PhiReading phi) {
-  return read_gradation(content_of(path), path, specimen, phi);
+Gradation read_gradation(std::string_view content, const std::string &file, const Reading &reading) {
+  return understand_gradation(content, file, reading).gradation;
+}
+
+Gradation read_gradation_file(const std::string &path, const Reading &reading) {
+  return read_gradation(content_of(path), path, reading);
 }
 
 Gradation gradation_of(const std::vector<std::string> &sizes, const std::vector<std::string> &masses,

@@ -58,7 +58,7 @@ bool take_beginning(std::string_view &text, std::string_view beginning) {
 }
 
 /// Moves the first character to `joined`: letters in lower case, the micro sign and the Greek mu as `u`.
-void take_character(std::string_view &text, std::string &joined) {
+void take_name_character(std::string_view &text, std::string &joined) {
   if (take_beginning(text, "\u00B5") || take_beginning(text, "\u03BC")) {
     joined += 'u';
     return;
@@ -79,7 +79,7 @@ std::string normal_form(std::string_view name) {
     }
     if (gap && !text.empty() && is_digit(text.back()) && is_digit(name.front()))
       text += '-';
-    take_character(name, text);
+    take_name_character(name, text);
     gap = false;
   }
   std::string_view stem = text;

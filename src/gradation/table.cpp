@@ -1,5 +1,6 @@
 #include "gradation/table.hpp"
 
+#include "gradation/mass_digits.hpp"
 #include "gradation/shown.hpp"
 
 #include <fmt/core.h>
@@ -145,8 +146,19 @@ private:
       refuse(last, fmt::format("the largest sieve, {}, has {}: name the column passing_fraction if these are "
                                "fractions, or add a row for a larger sieve with {} 100",
                                size(last), value(last), t_.column->words));
-    refuse(last, fmt::format("the largest sieve, {}, has {}, not {}: add a row for a larger sieve with {} {}",
-                             size(last), value(last), needed, t_.column->words, needed));
+    refuse(last,
+           fmt::format("the largest sieve, {}, has {}, not {}: add a row for a larger sieve with {} {}{}",
+                       size(last), value(last), needed, t_.column->words, needed, round_remedy(last)));
+  }
+
+  /// The other remedy where the largest sieve passes all but a rounding error.
+  std::string round_remedy(std::size_t last) const {
+    const std::optional<unsigned> digits = digits_that_give(passing(last), t_.column->full);
+    if (!digits)
+      return {};
+    return t_.column->form == MassForm::passing
+               ? fmt::format(", or take all values to {} digits with --round {}", *digits, *digits)
+               : ", or correct the value to 0 if that is what it means";
   }
 
   /// Puts what passes the finest sieve into a pan of size 0.
@@ -181,6 +193,12 @@ private:
 };
 
 } // namespace
+
+const MassColumn *find_mass_column(std::string_view name) {
+  const auto found = std::find_if(mass_columns.begin(), mass_columns.end(),
+                                  [name](const MassColumn &c) { return c.name == name; });
+  return found == mass_columns.end() ? nullptr : &*found;
+}
 
 Gradation to_gradation(Table table, const Source &source) {
   return Completion(std::move(table), source).run();

@@ -116,8 +116,8 @@ TEST_CASE("the proof of an AGS4 file comes with a gradation that the checker rea
   const std::string proof = folder / "proof";
   const Outcome outcome = mdm({"solve", site, "--specimen-id", "BH1", "--proof", proof});
   CHECK(outcome.exit_code == 0);
-  CHECK(outcome.out.find(proof + ".csv") != std::string::npos);
-  CHECK(mdm_check(proof + ".csv", proof).exit_code == 0);
+  CHECK(outcome.out.find(proof + ".gradation.csv") != std::string::npos);
+  CHECK(mdm_check(proof + ".gradation.csv", proof).exit_code == 0);
   CHECK(mdm_check(site, proof).exit_code == 2);
 }
 

@@ -23,13 +23,19 @@ const std::string sand = row("327-16A", "1a", "3.35", "100") + row("327-16A", "1
 const std::string gravel = row("BH2", "1", "20", "100") + row("BH2", "1", "2", "0");
 const std::string other_gravel = row("BH2", "2", "20", "100") + row("BH2", "2", "5", "0");
 
+Reading reading(const std::optional<std::string> &specimen) {
+  Reading r;
+  r.specimen = specimen;
+  return r;
+}
+
 Gradation read_specimen(const std::string &content, const std::string &specimen) {
-  return read_gradation(content, "site.ags", specimen);
+  return read_gradation(content, "site.ags", reading(specimen));
 }
 
 std::string refusal_of(const std::string &content,
                        const std::optional<std::string> &specimen = std::nullopt) {
-  return message_of([&] { read_gradation(content, "site.ags", specimen); });
+  return message_of([&] { read_gradation(content, "site.ags", reading(specimen)); });
 }
 
 } // namespace

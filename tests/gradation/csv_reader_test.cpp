@@ -124,15 +124,15 @@ TEST_CASE("CSV: optional columns in either order, once each") {
 }
 
 TEST_CASE("CSV: the header is told what columns there are") {
-  CHECK(contains(refusal("\nsize,mass\n1,1\n"),
-                 "sand.csv:2: first column 'size' is unknown: use one of size_mm, size_um, size_m, size_in, "
+  CHECK(contains(refusal("\nd50,mass\n1,1\n"),
+                 "sand.csv:2: first column 'd50' is unknown: use one of size_mm, size_um, size_m, size_in, "
                  "size_phi, sieve"));
   CHECK(contains(
       refusal("size_mm,passing\n"),
       "sand.csv:1: second column 'passing' is unknown: use one of mass, retained_g, retained_percent, "
       "retained_fraction, cumulative_retained_percent, passing_percent, passing_fraction"));
   CHECK(contains(refusal("size_mm\n1\n"), "sand.csv:1: a second column is missing"));
-  CHECK(contains(refusal("SIZE_MM,mass\n1,1\n2,0\n"), "sand.csv:1: first column 'SIZE_MM' is unknown"));
+  CHECK(contains(refusal("SIZE_MM,masses\n1,1\n2,0\n"), "sand.csv:1: first column 'SIZE_MM' is unknown"));
   CHECK(contains(refusal("size_mm,mass,\n1,1,\n2,0,\n"), "sand.csv:1: column '' is unknown"));
   CHECK(contains(refusal("mdm-certificate 1\nlaw 3\n"), "(this is a proof: give the gradation first"));
   CHECK(contains(refusal("mdm-packing 1\nunit mm\n"), "(this is a packing: give the gradation)"));

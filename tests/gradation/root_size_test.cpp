@@ -5,6 +5,8 @@ using namespace mdm::test;
 
 namespace {
 
+const Reading rounded_phi{.phi = PhiReading::rounded};
+
 /// 2^(n/degree).
 RootSize root_of_two(unsigned n, unsigned degree) {
   return {Rational(power(Integer(2), n)), degree};
@@ -83,13 +85,12 @@ TEST_CASE("phi beyond roots of degree 1000 is refused, with the conversion as th
 }
 
 TEST_CASE("only where the user says so, phi is rounded") {
-  const Gradation g = read_gradation(half_phi, "sand.csv", std::nullopt, PhiReading::rounded);
+  const Gradation g = read_gradation(half_phi, "sand.csv", rounded_phi);
   CHECK(g.root() == 1);
   CHECK(text(g.sizes()) == "1 1.4142135623731 2 2.82842712474619 4");
   REQUIRE(g.notes().size() == 1);
   CHECK(contains(g.notes()[0], "rounded to 15 significant digits in mm: phi '-1.5', '-0.5'"));
-  CHECK(read_gradation("size_phi,mass\n-1,0\n0.0001,1\n", "s", std::nullopt, PhiReading::rounded).root() ==
-        1);
+  CHECK(read_gradation("size_phi,mass\n-1,0\n0.0001,1\n", "s", rounded_phi).root() == 1);
 }
 
 TEST_CASE("where only fractions will do, irrational openings are refused and not rounded") {

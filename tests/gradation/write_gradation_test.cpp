@@ -3,6 +3,10 @@
 using namespace mdm;
 using namespace mdm::test;
 
+namespace {
+const Reading rounded_phi{.phi = PhiReading::rounded};
+} // namespace
+
 TEST_CASE("Canonical CSV and JSON") {
   const Gradation g = read("sieve,passing_percent\nNo. 4,100\n#200,4.10\n");
   CHECK(gradation_csv(g) == "size_mm,mass\n0,4.1\n0.075,95.9\n4.75,0\n");
@@ -20,7 +24,7 @@ TEST_CASE("What is written reads back equal") {
       "size_mm,mass\n1," + std::string(1000, '3') + "e400\n2,1." + std::string(999, '3') + "e-400\n3,0\n",
       "size_mm,mass\n1,0." + std::string(998, '0') + "1e-400\n2,1\n3,0\n"};
   for (const std::string &content : contents) {
-    const Gradation g = read_gradation(content, "dir/sand.csv", std::nullopt, PhiReading::rounded);
+    const Gradation g = read_gradation(content, "dir/sand.csv", rounded_phi);
     if (content.find("333") != std::string::npos) { // 1400 digits before the point
       CHECK(contains(message_of([&g] { gradation_csv(g); }), "cannot be written to a file"));
       continue;

@@ -83,7 +83,7 @@ TEST_CASE("half-phi sieves tie exactly: 10 particles, where rounded openings nee
   const Match m = solve(read(tied));
   CHECK(m.particles() == 10);
   check_match(m);
-  CHECK(solve(read_gradation(tied, "sand.csv", std::nullopt, PhiReading::rounded)).particles() == 9);
+  CHECK(solve(read_gradation(tied, "sand.csv", {.phi = PhiReading::rounded})).particles() == 9);
 }
 
 TEST_CASE("phi sieves and their powers with the law over the root have the same matches") {

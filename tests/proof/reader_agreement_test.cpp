@@ -1,6 +1,7 @@
 /// \file
-/// The solver and the checker read gradation files with parsers of their own. They must agree on every file:
-/// the same gradation, or no gradation. (The checker reads no AGS4.)
+/// The solver and the checker read canonical gradation files with parsers of their own. They must agree on
+/// every file: the same gradation, or no gradation. (What the solver reads beyond, it says to be not
+/// canonical.)
 
 #include "catch.hpp"
 #include "checker/gradation.hpp"
@@ -17,7 +18,10 @@ namespace {
 /// refused.
 std::optional<std::string> by_solver(const std::string &content) {
   try {
-    const mdm::Gradation g = mdm::read_gradation(content, "file");
+    const mdm::UnderstoodGradation understood = mdm::understand_gradation(content, "file");
+    if (!understood.is_canonical)
+      return std::nullopt;
+    const mdm::Gradation &g = understood.gradation;
     std::string text = "root " + std::to_string(g.root()) + "\n";
     for (std::size_t j = 0; j < g.powers().size(); ++j)
       text += mdm::to_string(g.powers()[j]) + " " + mdm::to_string(g.masses()[j]) + " " +

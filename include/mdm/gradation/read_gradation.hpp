@@ -3,6 +3,7 @@
 /// Readers of gradation files.
 
 #include <mdm/gradation/gradation.hpp>
+#include <mdm/gradation/reading.hpp>
 
 #include <optional>
 
@@ -14,27 +15,31 @@ inline constexpr std::size_t max_gradation_bytes = std::size_t{64} << 20;
 /// The most sizes that a gradation file may have; it bounds the memory.
 inline constexpr std::size_t max_gradation_rows = std::size_t{1} << 20;
 
-/// The two ways to read openings of fractional phi, which are irrational in mm.
-enum class PhiReading {
-  exact,  ///< as roots of fractions
-  rounded ///< to 15 significant digits, with a note; only where the user says so
+/// A gradation with what was understood of its file.
+struct UnderstoodGradation {
+  Gradation gradation;
+  std::string format;       ///< such as `CSV`
+  std::string sizes;        ///< where the sizes stand, such as `column 'Siebweite [mm]', in mm`
+  std::string masses;       ///< the same of the masses, with what they are
+  bool is_canonical = true; ///< the proof checker reads the same gradation from the file as it is
 };
 
-/// Reads a gradation from the content of a file. The format (CSV, JSON or AGS4) is told by the content; the
-/// grammar is in proofs/certificate-format.md, section 4. `file` names it in messages and, without
-/// directories and ending, as id; the id of AGS4 is the specimen's. `specimen`, for AGS4 only, is the one to
-/// read where the file has several: its LOCA_ID, SAMP_* and SPEC_* joined by `/` without the empty ones, or
-/// its LOCA_ID where that is enough.
+/// Reads a gradation from the content of a file. The format (CSV, JSON, AGS4, a workbook, an instrument's) is
+/// told by the content. Canonical CSV and JSON, which the proof checker reads too, have the grammar of
+/// proofs/certificate-format.md, section 4; a table with other names of columns is read where they are
+/// certain or `reading` says what they are. `file` names the file in messages and, without directories and
+/// ending, as id; the id of a sample is its own.
 /// \throws InputError `file:line: what is wrong and what to do`
-Gradation read_gradation(std::string_view content, const std::string &file,
-                         const std::optional<std::string> &specimen = std::nullopt,
-                         PhiReading phi = PhiReading::exact);
+UnderstoodGradation understand_gradation(std::string_view content, const std::string &file,
+                                         const Reading &reading = {});
+
+/// The gradation alone.
+/// \throws InputError as above
+Gradation read_gradation(std::string_view content, const std::string &file, const Reading &reading = {});
 
 /// The same of the file with that path.
 /// \throws InputError naming the file, also where it cannot be read
-Gradation read_gradation_file(const std::string &path,
-                              const std::optional<std::string> &specimen = std::nullopt,
-                              PhiReading phi = PhiReading::exact);
+Gradation read_gradation_file(const std::string &path, const Reading &reading = {});
 
 /// A gradation of decimals, exactly, as a file has them: gradation_of({"0.075", "0.15", "0.3"}, {"3.6", "9",
 /// "0"}).

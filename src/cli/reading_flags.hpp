@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// The options that say how a gradation file is to be read.
+
+#include <mdm/gradation/reading.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mdm::cli {
+
+/// The options of reading, for every command that reads a gradation.
+struct ReadingFlags {
+  using Text = std::optional<std::string>;
+  Text specimen_id, columns, kind, unit, skip, sheet, round;
+
+  /// Adds them in a group of their own, after all other options: of a command that has one of the names for
+  /// something else, that one is left out.
+  /// \return the options that were added
+  std::vector<CLI::Option *> add_to(CLI::App &command);
+
+  /// The first of them that is given, such as `--sheet`; empty if there is none.
+  std::string given() const;
+  bool is_given() const { return !given().empty(); }
+  /// All that are given as words of a command, for sh, with a space before each.
+  std::string words() const;
+  /// \throws InputError naming the option where its value does not serve
+  Reading reading(PhiReading phi = PhiReading::exact) const;
+};
+
+} // namespace mdm::cli

@@ -1,0 +1,68 @@
+#include "gradation/cell_numbers.hpp"
+
+#include "gradation/cells.hpp"
+#include "text/lines.hpp"
+
+#include <mdm/text/error.hpp>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+/// True for a number such as 1,234 or 12,345,678, whose commas may stand between thousands.
+bool may_be_thousands(std::string_view digits) {
+  const std::size_t first = digits.find(',');
+  if (first == 0 || first > 3 || digits.front() == '0')
+    return false;
+  for (std::size_t at = first; at < digits.size(); at += 4) {
+    const std::string_view group = digits.substr(at, 4);
+    if (group.size() != 4 || group[0] != ',' || !std::all_of(group.begin() + 1, group.end(), is_digit))
+      return false;
+  }
+  return true;
+}
+
+} // namespace
+
+std::optional<NumberCell> number_cell(std::string_view cell) {
+  const std::string_view text = without_spaces(cell);
+  const std::size_t end = text.find_last_of("0123456789.,") + 1;
+  const std::string_view digits = text.substr(0, end), behind = without_spaces(text.substr(end));
+  if (digits.find_first_of("0123456789") == std::string_view::npos ||
+      digits.find_first_not_of("0123456789.,+-eE") != std::string_view::npos)
+    return std::nullopt;
+  const ColumnUnit unit = unit_of_words(behind);
+  if (!behind.empty() && unit == ColumnUnit::none)
+    return std::nullopt;
+  return NumberCell{digits, unit};
+}
+
+void DecimalSign::see(std::string_view digits) {
+  const auto keep = [digits](std::string &place) {
+    if (place.empty())
+      place = digits;
+  };
+  if (digits.find(',') == std::string_view::npos) {
+    if (digits.find('.') != std::string_view::npos)
+      keep(point_);
+  } else if (!comma_is_sure_ && may_be_thousands(digits)) {
+    keep(thousands_);
+  } else {
+    keep(comma_);
+  }
+}
+
+char DecimalSign::sign() const {
+  const std::string &comma = comma_.empty() ? thousands_ : comma_;
+  if (!comma.empty() && !point_.empty())
+    throw InputError("the numbers " + in_quotes(comma) + " and " + in_quotes(point_) +
+                     " have different decimal signs: use one of them throughout");
+  if (comma_.empty() && !thousands_.empty())
+    throw InputError(
+        "the number " + in_quotes(thousands_) +
+        " may have a decimal comma or thousands: write it with a decimal point, or with more digits");
+  return comma.empty() ? '.' : ',';
+}
+
+} // namespace mdm

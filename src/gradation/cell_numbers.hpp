@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// Numbers in the cells of a table, with decimal points or commas.
+
+#include "gradation/header_words.hpp"
+
+#include <mdm/number/rational.hpp>
+
+namespace mdm {
+
+/// A cell that holds a number, with the unit behind it if there is one: `45%`, `0,063`, `63 µm`.
+struct NumberCell {
+  std::string_view digits; ///< digits, signs, decimal signs and an exponent
+  ColumnUnit unit = ColumnUnit::none;
+};
+
+/// The number in a cell; nothing where there is anything else.
+std::optional<NumberCell> number_cell(std::string_view cell);
+
+/// The decimal sign of all numbers of a table, which are shown to it before the first is read.
+class DecimalSign {
+public:
+  explicit DecimalSign(bool comma_is_sure) : comma_is_sure_(comma_is_sure) {}
+
+  void see(std::string_view digits);
+  /// \throws InputError where numbers have both signs, or only commas that may stand between thousands
+  char sign() const;
+
+private:
+  bool comma_is_sure_;                    ///< semicolons are between cells because commas are in numbers
+  std::string point_, comma_, thousands_; ///< the first number of each form
+};
+
+} // namespace mdm

@@ -1,0 +1,99 @@
+#include "gradation/cells.hpp"
+
+#include "gradation/csv_rows.hpp"
+#include "text/lines.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+namespace mdm {
+namespace {
+
+constexpr std::array<std::string_view, 5> spaces = {" ", "\t", "\u00A0", "\u202F", "\u2009"};
+
+std::string_view name(char delimiter) {
+  return delimiter == '\t' ? "tabs" : delimiter == ';' ? ";" : ",";
+}
+
+bool is_empty(const std::vector<std::string> &cells) {
+  return std::all_of(cells.begin(), cells.end(), [](const std::string &c) { return c.empty(); });
+}
+
+/// The cells of a line, without the spaces around them.
+std::vector<std::string> split(std::string_view line, char delimiter) {
+  std::vector<std::string> fields;
+  if (delimiter == '\t') { // blanks around a field, of which a tab is one, do not separate here
+    for (std::size_t from = 0; from <= line.size() && fields.size() < max_fields;) {
+      const std::size_t to = std::min(line.find('\t', from), line.size());
+      std::string_view field = without_spaces(line.substr(from, to - from));
+      if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
+        field = field.substr(1, field.size() - 2);
+      fields.emplace_back(field);
+      from = to + 1;
+    }
+    return fields;
+  }
+  if (!split_fields(line, delimiter, fields))
+    fields = {std::string(line)};
+  for (std::string &field : fields)
+    field = without_spaces(std::string(field));
+  return fields;
+}
+
+} // namespace
+
+std::string_view without_spaces(std::string_view text) {
+  for (bool goes_on = true; goes_on;) {
+    goes_on = false;
+    for (const std::string_view space : spaces) {
+      if (text.starts_with(space)) {
+        text.remove_prefix(space.size());
+        goes_on = true;
+      } else if (text.ends_with(space)) {
+        text.remove_suffix(space.size());
+        goes_on = true;
+      }
+    }
+  }
+  return text;
+}
+
+Cells cells_of_text(std::string_view text, char delimiter, std::size_t skip, const Source &source) {
+  Cells table{fmt::format("text with {} between cells", name(delimiter)), delimiter, {}};
+  std::size_t count = 0;
+  bool gap = false;
+  for (Lines lines(text); lines.next();) {
+    if (lines.number() <= skip)
+      continue;
+    std::vector<std::string> cells = split(lines.text(), delimiter);
+    if (is_empty(cells)) {
+      gap = true;
+      continue;
+    }
+    if (cells[0].starts_with('#') && !is_sieve_number(cells[0]))
+      continue;
+    count += cells.size();
+    if (count > max_cells)
+      source.refuse(lines.number(),
+                    fmt::format("the table has more than {} cells: give the gradation alone", max_cells));
+    table.rows.push_back({lines.number(), gap, std::move(cells)});
+    gap = false;
+  }
+  return table;
+}
+
+std::string beginning_of(const Cells &cells) {
+  constexpr std::size_t shown_rows = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(cells.rows.size(), shown_rows); ++i) {
+    std::string row;
+    for (const std::string &cell : cells.rows[i].cells)
+      row += (row.empty() ? "" : " | ") + cell;
+    text += (text.empty() ? "" : ", ") + in_quotes(row);
+  }
+  return text;
+}
+
+} // namespace mdm

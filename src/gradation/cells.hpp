@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// A table as it stands in a file, before it is understood.
+
+#include "text/source.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mdm {
+
+/// The most cells of a table; it bounds the memory.
+inline constexpr std::size_t max_cells = std::size_t{1} << 21;
+
+/// A row that has something in it.
+struct CellRow {
+  std::size_t line;               ///< of the file, or row of the sheet, from 1 on
+  bool below_gap = false;         ///< an empty row is above
+  std::vector<std::string> cells; ///< without the spaces around them
+
+  /// The cell of that column; empty beyond the last.
+  std::string_view cell(std::size_t column) const {
+    return column < cells.size() ? std::string_view(cells[column]) : std::string_view();
+  }
+};
+
+/// The rows of a table, from the top.
+struct Cells {
+  std::string format;    ///< as reports name it
+  char delimiter = '\0'; ///< of text; none in a workbook
+  std::vector<CellRow> rows;
+};
+
+/// Text cut at tabs, semicolons or commas. Empty rows and comments are left out, as in the canonical CSV.
+/// Where a quoted cell is not closed, the line is one cell.
+/// \param skip lines at the top that are left out
+/// \throws InputError beyond max_cells
+Cells cells_of_text(std::string_view text, char delimiter, std::size_t skip, const Source &source);
+
+/// `text` without the white space around it, spaces that do not break included.
+std::string_view without_spaces(std::string_view text);
+
+/// The first rows that have something in them, for a message.
+std::string beginning_of(const Cells &cells);
+
+} // namespace mdm

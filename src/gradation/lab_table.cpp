@@ -1,0 +1,402 @@
+#include "gradation/lab_table.hpp"
+
+#include "gradation/cell_numbers.hpp"
+#include "gradation/csv_rows.hpp"
+#include "gradation/phi.hpp"
+#include "gradation/shown.hpp"
+#include "gradation/sieve_name.hpp"
+#include "gradation/table_columns.hpp"
+#include "text/short_list.hpp"
+
+#include <mdm/gradation/read_gradation.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace mdm {
+namespace {
+
+constexpr std::string_view options =
+    "say which columns they are with --columns SIZE,VALUE (names or numbers), "
+    "--kind passing|retained|cumulative, --unit mm and --skip N";
+
+/// mm in one of a length unit.
+Rational in_mm(ColumnUnit unit) {
+  switch (unit) {
+  case ColumnUnit::um:
+    return ratio(1, 1000);
+  case ColumnUnit::m:
+    return 1000;
+  case ColumnUnit::inch:
+    return ratio(254, 10);
+  default:
+    return 1;
+  }
+}
+
+class LabTable {
+public:
+  LabTable(const Cells &cells, TableColumns columns, const Source &source, const std::string &id,
+           const Reading &reading)
+      : cells_(cells), columns_(std::move(columns)), source_(source), reading_(reading) {
+    table_.id = id;
+    table_.unit = columns_.sizes.unit == ColumnUnit::um  ? SizeUnit::um
+                  : columns_.sizes.unit == ColumnUnit::m ? SizeUnit::m
+                                                         : SizeUnit::mm;
+    unit_in_mm_ = in_mm(columns_.sizes.unit == ColumnUnit::inch ? ColumnUnit::mm : columns_.sizes.unit);
+    table_.header_line = line_of(columns_.first_row == 0 ? 0 : columns_.first_row - 1);
+  }
+
+  Table read() {
+    find_decimal_sign();
+    for (row_ = columns_.first_row; row_ < cells_.rows.size(); ++row_)
+      read_row();
+    if (table_.sizes.empty())
+      source_.refuse(table_.header_line,
+                     fmt::format("there is no row with a size and a number below {} and {}: {}",
+                                 in_quotes(columns_.size_name), in_quotes(columns_.value_name), options));
+    settle_kind();
+    check_sum();
+    describe();
+    return std::move(table_);
+  }
+
+private:
+  std::size_t line_of(std::size_t row) const {
+    return cells_.rows.empty() ? 1 : cells_.rows[std::min(row, cells_.rows.size() - 1)].line;
+  }
+  [[noreturn]] void refuse(const std::string &what) const { source_.refuse(line_of(row_), what); }
+
+  /// The row's first cell that has something in it.
+  std::string_view first_cell() const {
+    const std::vector<std::string> &cells = cells_.rows[row_].cells;
+    return *std::find_if(cells.begin(), cells.end(), [](const std::string &c) { return !c.empty(); });
+  }
+  /// The size; a pan may stand in another column, that of the sieves' names.
+  std::string_view size_cell() const {
+    const std::string_view cell = cells_.rows[row_].cell(columns_.size);
+    return cell.empty() && is_pan_word(first_cell()) ? first_cell() : cell;
+  }
+  std::string_view value_cell() const { return cells_.rows[row_].cell(columns_.value); }
+
+  void find_decimal_sign() {
+    DecimalSign sign(cells_.delimiter == ';');
+    for (std::size_t i = columns_.first_row; i < cells_.rows.size(); ++i)
+      for (const std::size_t column : {columns_.size, columns_.value})
+        if (const std::optional<NumberCell> number = number_cell(cells_.rows[i].cell(column)))
+          sign.see(number->digits);
+    try {
+      decimal_sign_ = sign.sign();
+    } catch (const InputError &error) {
+      source_.refuse(table_.header_line, error.what());
+    }
+  }
+
+  void read_row() {
+    if (cells_.rows[row_].below_gap && !table_.sizes.empty())
+      below_gap_ = true;
+    if (value_cell().empty() && number_cell(size_cell()))
+      return read_unvalued();
+    if (take_second_header() || take_total() || take_text())
+      return;
+    if (table_.sizes.size() == max_gradation_rows)
+      refuse(fmt::format("there are more than {} rows: give fewer sieves", max_gradation_rows));
+    const Rational size = row_size();
+    table_.lines.push_back(line_of(row_));
+    table_.sizes.push_back(size);
+    read_value();
+  }
+
+  /// A size without a value.
+  void read_unvalued() {
+    if (below_gap_)
+      return leave();
+    refuse(
+        fmt::format("the size {} has no value in the column {}: write 0 where nothing was retained, or leave "
+                    "the row out",
+                    in_quotes(size_cell()), in_quotes(columns_.value_name)));
+  }
+
+  /// A header of the same kind below, such as that of a hydrometer's rows.
+  bool take_second_header() {
+    if (number_cell(value_cell()) || size_cell().empty())
+      return false;
+    const std::optional<TableColumns> next = columns_of_row(cells_, row_, further_reading(), source_);
+    if (!next || reading_.columns)
+      return false;
+    if (next->values.meaning != columns_.values.meaning || next->values.unit != columns_.values.unit)
+      refuse(fmt::format("a second table begins, with {} where the first has {}: leave one of them out",
+                         in_quotes(next->value_name), in_quotes(columns_.value_name)));
+    columns_.size = next->size;
+    columns_.value = next->value;
+    columns_.sizes = next->sizes;
+    row_ = next->first_row - 1;
+    below_gap_ = false;
+    return true;
+  }
+
+  /// The unit that was asked for is that of the first header.
+  Reading further_reading() const {
+    Reading reading = reading_;
+    if (!table_.sizes.empty())
+      reading.unit.reset();
+    return reading;
+  }
+
+  bool take_total() {
+    if (!is_total_word(size_cell()) && !(size_cell().empty() && is_total_word(first_cell())))
+      return false;
+    if (const std::optional<NumberCell> number = number_cell(value_cell()))
+      total_ = decimal(*number);
+    leave();
+    return true;
+  }
+
+  /// A row that is none of the curve: words without a value, or anything below an empty row that has no size.
+  bool take_text() {
+    const bool is_size = number_cell(size_cell()) || is_pan_word(size_cell()) || is_sieve(size_cell());
+    if (is_size && number_cell(value_cell()))
+      return false;
+    if (!below_gap_ && (is_size || number_cell(value_cell())))
+      return false;
+    leave();
+    return true;
+  }
+
+  void leave() { left_.add(first_cell()); }
+
+  bool is_sieve(std::string_view cell) const {
+    try {
+      sieve_opening(cell, decimal_sign_);
+      return true;
+    } catch (const InputError &) {
+      return false;
+    }
+  }
+
+  Rational decimal(const NumberCell &number) const {
+    try {
+      return parse_decimal(number.digits, decimal_sign_);
+    } catch (const InputError &error) {
+      refuse(error.what());
+    }
+  }
+
+  /// The row's size in the unit of the table.
+  Rational row_size() {
+    const std::string_view cell = size_cell();
+    if (is_pan_word(cell))
+      return 0;
+    if (cell.starts_with('<') || cell.starts_with('>') || cell.starts_with("\u2264") ||
+        cell.starts_with("\u2265"))
+      refuse(fmt::format(
+          "the size {} is a range: write pan for what passes the finest sieve, and the opening of "
+          "the sieve for what stays on it",
+          in_quotes(cell)));
+    const std::optional<NumberCell> number = number_cell(cell);
+    if (number && number->unit == ColumnUnit::none)
+      return plain_size(*number) / unit_in_mm_;
+    try {
+      return sieve_opening(cell, decimal_sign_) / unit_in_mm_;
+    } catch (const InputError &error) {
+      refuse(fmt::format("{}, or leave the row out", error.what()));
+    }
+  }
+
+  /// mm of a size whose unit the header says.
+  Rational plain_size(const NumberCell &number) {
+    const ColumnUnit unit = columns_.sizes.unit;
+    if (unit == ColumnUnit::none)
+      refuse(fmt::format(
+          "the size {} has no unit, and neither has the column {}: say it with --unit mm (um, m, in, "
+          "phi)",
+          in_quotes(number.digits), in_quotes(columns_.size_name)));
+    const Rational size = decimal(number);
+    if (unit != ColumnUnit::phi)
+      return size * in_mm(unit);
+    if (denominator(size) != 1 && reading_.phi == PhiReading::exact)
+      refuse(fmt::format("phi {} is no whole number: {}, or write a canonical file with the column size_phi",
+                         in_quotes(number.digits), convert_remedy));
+    try {
+      return phi_size(size);
+    } catch (const InputError &error) {
+      refuse(error.what());
+    }
+  }
+
+  void read_value() {
+    const std::optional<NumberCell> number = number_cell(value_cell());
+    if (!number)
+      refuse(
+          fmt::format("{} in the column {} is not a number: write a decimal, or 0 where nothing was retained",
+                      in_quotes(value_cell()), in_quotes(columns_.value_name)));
+    if (number->unit != ColumnUnit::none && number->unit != columns_.values.unit) {
+      if (columns_.values.unit != ColumnUnit::none ||
+          (number->unit != ColumnUnit::percent && number->unit != ColumnUnit::mass))
+        refuse(fmt::format("{} has another unit than the column {}: say what it is with --kind",
+                           in_quotes(value_cell()), in_quotes(columns_.value_name)));
+      columns_.values.unit = number->unit;
+    }
+    table_.values.push_back(decimal(*number));
+    table_.roundings.push_back(last_digit_unit(number->digits, decimal_sign_) / 2);
+  }
+
+  /// The canonical column that the values are; differences of cumulative masses are masses.
+  void settle_kind() {
+    HeaderMeaning &values = columns_.values;
+    if (values.unit == ColumnUnit::mass && values.meaning == ColumnMeaning::passing)
+      source_.refuse(table_.header_line,
+                     "the mass that passes is given, not its percentage: divide by the whole mass, "
+                     "or give the mass retained");
+    if (values.meaning == ColumnMeaning::cumulative && values.unit == ColumnUnit::mass)
+      take_differences();
+    else if (values.unit == ColumnUnit::none && values.meaning != ColumnMeaning::retained)
+      settle_percent();
+    table_.column = find_mass_column(column_name());
+    if (table_.column->form == MassForm::retained)
+      table_.roundings.clear();
+    else
+      for (Rational &rounding : table_.roundings)
+        rounding *= ratio(100, table_.column->full);
+  }
+
+  std::string_view column_name() const {
+    const bool is_percent = columns_.values.unit == ColumnUnit::percent;
+    const bool is_fraction = columns_.values.unit == ColumnUnit::fraction;
+    switch (columns_.values.meaning) {
+    case ColumnMeaning::passing:
+      return is_fraction ? "passing_fraction" : "passing_percent";
+    case ColumnMeaning::cumulative:
+      if (is_fraction)
+        source_.refuse(table_.header_line, "cumulative fractions are not read: give them in percent");
+      return "cumulative_retained_percent";
+    default:
+      return is_percent ? "retained_percent" : is_fraction ? "retained_fraction" : "mass";
+    }
+  }
+
+  /// Percent, if the whole is there as 100 or the user says passing or cumulative.
+  void settle_percent() {
+    const Rational largest = *std::max_element(table_.values.begin(), table_.values.end());
+    if (!reading_.kind && largest != 100)
+      source_.refuse(
+          table_.header_line,
+          fmt::format("the column {} may be percent or fractions, its largest value is {}: say --kind "
+                      "passing_percent, passing_fraction or cumulative_retained_percent",
+                      in_quotes(columns_.value_name), shown(largest)));
+    columns_.values.unit = ColumnUnit::percent;
+  }
+
+  void take_differences() {
+    std::vector<std::size_t> order(table_.sizes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [this](std::size_t i, std::size_t j) { return table_.sizes[i] > table_.sizes[j]; });
+    Rational above = 0;
+    for (const std::size_t i : order) {
+      const Rational value = table_.values[i];
+      if (value < above)
+        source_.refuse(table_.lines[i],
+                       fmt::format("cumulative mass {} is below {} of the next coarser sieve: correct "
+                                   "one of them",
+                                   shown(value), shown(above)));
+      table_.values[i] = value - above;
+      above = value;
+    }
+    columns_.values = {ColumnMeaning::retained, ColumnUnit::mass};
+    table_.notes.emplace_back(
+        "Cumulative masses were taken apart: each sieve holds the difference to the next "
+        "coarser one.");
+  }
+
+  /// What the rows add up to must be what the total says and what percents can be.
+  void check_sum() {
+    if (table_.column->form != MassForm::retained)
+      return;
+    Rational sum = 0;
+    for (const Rational &value : table_.values)
+      sum += value;
+    if (total_ && *total_ != sum)
+      table_.notes.push_back(fmt::format("The file's total is {}, the rows add up to {}; the rows are used.",
+                                         shown(*total_), shown(sum)));
+    constexpr int most_percent = 105; // of rounded percents
+    if (table_.column->full == 100 && sum > most_percent && !reading_.kind)
+      source_.refuse(
+          table_.header_line,
+          fmt::format("percent retained add up to {}: if {} is cumulative, say --kind cumulative, else "
+                      "--kind retained_percent",
+                      shown(sum), in_quotes(columns_.value_name)));
+  }
+
+  void describe() {
+    table_.format = cells_.format;
+    table_.sizes_from = fmt::format("column {}, in {}", in_quotes(columns_.size_name), name(table_.unit));
+    table_.masses_from = fmt::format("column {}: {}", in_quotes(columns_.value_name), table_.column->words);
+    table_.is_canonical = false;
+    table_.notes.insert(table_.notes.begin(),
+                        fmt::format("Read as {}: sizes from {}; masses from {}.", table_.format,
+                                    table_.sizes_from, table_.masses_from));
+    if (columns_.sizes.unit == ColumnUnit::inch)
+      table_.notes.emplace_back("Sizes in inches were converted to mm.");
+    if (!columns_.others.empty()) {
+      ShortList others;
+      for (const std::string &other : columns_.others)
+        others.add(other);
+      table_.notes.push_back(
+          fmt::format("The columns {} were not used; --columns chooses others.", others.text()));
+    }
+    if (!left_.empty())
+      table_.notes.push_back(fmt::format("Rows that are no sizes were left out: {}.", left_.text()));
+  }
+
+  const Cells &cells_;
+  TableColumns columns_;
+  const Source &source_;
+  const Reading &reading_;
+  char decimal_sign_ = '.';
+  Table table_;
+  Rational unit_in_mm_ = 1;
+  std::size_t row_ = 0;
+  bool below_gap_ = false;
+  std::optional<Rational> total_;
+  ShortList left_;
+};
+
+[[noreturn]] void refuse_table(const Cells &cells, const Source &source) {
+  const std::size_t line = cells.rows.empty() ? 1 : cells.rows.front().line;
+  const std::string first = cells.rows.empty() ? "" : std::string(cells.rows.front().cell(0));
+  source.refuse(line, fmt::format("{}; the file begins {}: {}",
+                                  unknown_size_column(first, "size_mm,passing_percent"), beginning_of(cells),
+                                  options));
+}
+
+} // namespace
+
+Table read_lab_table(const Cells &cells, const Source &source, const std::string &id,
+                     const Reading &reading) {
+  std::optional<TableColumns> columns = find_columns(cells, reading, source);
+  if (!columns)
+    refuse_table(cells, source);
+  return LabTable(cells, std::move(*columns), source, id, reading).read();
+}
+
+Table read_lab_text(std::string_view text, const Source &source, const std::string &id,
+                    const Reading &reading) {
+  const std::size_t skip =
+      static_cast<std::size_t>(std::min<std::uint64_t>(reading.skip.value_or(0), text.size()));
+  for (const char delimiter : {'\t', ';', ','}) {
+    if (text.find(delimiter) == std::string_view::npos)
+      continue;
+    const Cells cells = cells_of_text(text, delimiter, skip, source);
+    if (find_columns(cells, reading, source))
+      return read_lab_table(cells, source, id, reading);
+  }
+  const char delimiter = text.find(';') == std::string_view::npos ? ',' : ';';
+  refuse_table(cells_of_text(text, delimiter, skip, source), source);
+}
+
+} // namespace mdm

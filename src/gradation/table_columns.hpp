@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// The columns of a table that hold its gradation.
+
+#include "gradation/cells.hpp"
+#include "gradation/header_words.hpp"
+
+#include <mdm/gradation/reading.hpp>
+
+namespace mdm {
+
+/// The two columns, and the place of the rows below their header.
+struct TableColumns {
+  std::size_t size = 0, value = 0;   ///< columns
+  std::string size_name, value_name; ///< their headers
+  HeaderMeaning sizes{ColumnMeaning::size};
+  HeaderMeaning values{ColumnMeaning::retained};
+  std::size_t first_row = 0;       ///< of Cells::rows
+  std::vector<std::string> others; ///< further columns that hold the gradation
+};
+
+/// What --kind and --unit say.
+std::optional<HeaderMeaning> asked_kind(const Reading &reading);
+std::optional<HeaderMeaning> asked_unit(const Reading &reading);
+
+/// The columns of a header in that row; nothing if it is none. Of several columns of values the first of mass
+/// retained, passing, cumulative and percent retained is taken, of several of sizes one with metric openings.
+/// \throws InputError where two columns have one meaning, or `--columns` does not name what is there
+std::optional<TableColumns> columns_of_row(const Cells &cells, std::size_t row, const Reading &reading,
+                                           const Source &source);
+
+/// The columns of the first header; nothing if there is none.
+/// \throws InputError as above
+std::optional<TableColumns> find_columns(const Cells &cells, const Reading &reading, const Source &source);
+
+} // namespace mdm

@@ -1,0 +1,203 @@
+#include "gradation/lab_table.hpp"
+#include "support.hpp"
+
+using namespace mdm;
+using namespace mdm::test;
+
+namespace {
+
+Gradation read_with(const std::string &content, const Reading &reading) {
+  return read_gradation(content, "sand.csv", reading);
+}
+
+std::string refusal_with(const std::string &content, const Reading &reading) {
+  INFO(content);
+  return message_of([&] { read_with(content, reading); });
+}
+
+bool has_note(const Gradation &g, const std::string &part) {
+  std::string all;
+  for (const std::string &note : g.notes())
+    all += note + "\n";
+  return contains(all, part);
+}
+
+Reading columns(const std::string &text) {
+  Reading reading;
+  reading.columns = text;
+  return reading;
+}
+
+} // namespace
+
+TEST_CASE("A German sieving: titles, semicolons, decimal commas, pan and sum") {
+  const Gradation g =
+      read("Siebanalyse nach DIN EN 933-1\nProbe:;BK 3/2\n\nSiebweite [mm];Rückstand [g];Bemerkung\n"
+           "2,0;0;\n0,63;12,4;\n0,063;30,1;feucht\nSchale;7,5;\nSumme;50,0;\n");
+  CHECK(text(g.sizes()) == "0 0.063 0.63 2");
+  CHECK(text(g.masses()) == "7.5 30.1 12.4 0");
+  CHECK(g.unit() == SizeUnit::mm);
+  CHECK(g.notes()[0] ==
+        "Read as text with ; between cells: sizes from column 'Siebweite [mm]', in mm; masses from "
+        "column 'Rückstand [g]': mass.");
+  CHECK(g.notes()[1] == "Rows that are no sizes were left out: 'Summe'.");
+}
+
+TEST_CASE("An English sieving with tabs, percent signs and quoted cells") {
+  const Gradation g =
+      read("\"Sieve size (mm)\"\t\"Sample\"\t\"% passing\"\n4.75\tA\t100%\n\"0.075\"\tA\t4.5 %\n");
+  CHECK(text(g.sizes()) == "0 0.075 4.75");
+  CHECK(text(g.masses()) == "4.5 95.5 0");
+}
+
+TEST_CASE("A row of units, quoted commas, micrometres") {
+  const Gradation g = read("Size,% Volume In\n(µm),\n\"0,5\",\"1,25\"\n1,\"98,75\"\n2,0\n");
+  CHECK(g.unit() == SizeUnit::um);
+  CHECK(text(g.sizes()) == "0.5 1 2");
+  CHECK(text(g.masses()) == "1.25 98.75 0");
+}
+
+TEST_CASE("Names of sieves and cells with units") {
+  const Gradation g = read("Sieve No.,Mass retained (g)\n3/8 in.,0\n#4,1\nNo. 200,2\n63 µm,3\nPan,4\n");
+  CHECK(text(g.sizes()) == "0 0.063 0.075 4.75 9.5");
+  CHECK(text(g.masses()) == "4 3 2 1 0");
+}
+
+TEST_CASE("The rows of a hydrometer below belong to the same curve") {
+  const std::string sieves = "Sieve size (mm),Percent finer\n2,100\n0.075,40\n";
+  CHECK(text(read(sieves + "Hydrometer,\n0.02,21\n0.002,5\n").sizes()) == "0 0.002 0.02 0.075 2");
+  CHECK(text(read(sieves + "\nHydrometer\nDiameter (µm),Percent finer\n20,21\n2,5\n").sizes()) ==
+        "0 0.002 0.02 0.075 2");
+  CHECK(contains(
+      refusal(sieves + "\nSieve size (mm),Percent retained\n1,20\n"),
+      "sand.csv:5: a second table begins, with 'Percent retained' where the first has 'Percent finer'"));
+}
+
+TEST_CASE("Of several columns mass retained comes first, and the note names the others") {
+  const Gradation g = read("Sieve,Opening (mm),Retained (g),% retained,% passing\nNo. 4,4.75,0,0,100\n"
+                           "No. 200,0.075,30,60,40\nPan,,20,40,\n");
+  CHECK(text(g.masses()) == "20 30 0");
+  CHECK(
+      has_note(g, "The columns '% passing', '% retained', 'Sieve' were not used; --columns chooses others."));
+  CHECK(text(read_with("Opening (mm),Retained (g),% passing\n4.75,0,100\n0.075,30,40\n", columns("1,3"))
+                 .masses()) == "40 60 0");
+  CHECK(contains(refusal("Size (mm),Passing (%),Finer (%)\n1,100,100\n0.5,3,4\n"),
+                 "sand.csv:1: the columns 'Passing (%)' and 'Finer (%)' have one meaning"));
+}
+
+TEST_CASE("Cumulative masses are taken apart") {
+  const Gradation g = read("Sieve size (mm),Cumulative mass retained (g)\n2,0\n1,10\n0.5,25\npan,40\n");
+  CHECK(text(g.masses()) == "15 15 10 0");
+  CHECK(contains(refusal("Sieve size (mm),Cumulative mass retained (g)\n2,0\n1,10\n0.5,5\n"),
+                 "sand.csv:4: cumulative mass 5 is below 10 of the next coarser sieve"));
+}
+
+TEST_CASE("What is not certain is not guessed") {
+  CHECK(contains(
+      refusal("Sieve size,% passing\n2,100\n1,50\n"),
+      "sand.csv:2: the size '2' has no unit, and neither has the column 'Sieve size': say it with --unit"));
+  CHECK(contains(refusal("Size (mm),passing\n2,1\n1,0.5\n"),
+                 "may be percent or fractions, its largest value is 1"));
+  CHECK(contains(refusal("Size (mm),% retained\n2,0\n1,60\n0.5,100\n"),
+                 "percent retained add up to 160: if '% retained' is cumulative, say --kind cumulative"));
+  CHECK(contains(refusal("Size (mm)\tMass (g)\n2\t0\n1\t1,234\n"),
+                 "the number '1,234' may have a decimal comma or thousands"));
+  CHECK(contains(refusal("Size (mm);Mass (g)\n2,5;0\n1.5;1\n"), "have different decimal signs"));
+  const std::string unknown = refusal("Korn;Wert\n2;0\n1;3\n");
+  CHECK(contains(unknown, "the file begins 'Korn | Wert', '2 | 0', '1 | 3'"));
+  CHECK(contains(unknown, "--columns SIZE,VALUE"));
+}
+
+TEST_CASE("The options say it") {
+  Reading all = columns("Korn,Wert");
+  all.unit = "mm";
+  all.kind = "passing";
+  CHECK(text(read_with("Titel\nKorn;x;Wert\n2;9;100\n1;9;40,5\n", all).masses()) == "40.5 59.5 0");
+  all.columns = "1,3";
+  CHECK(text(read_with("2;9;100\n1;9;40,5\n", all).masses()) == "40.5 59.5 0");
+  all.skip = 2;
+  CHECK(text(read_with("9;9;9\n8;8;8\n2;9;100\n1;9;40,5\n", all).masses()) == "40.5 59.5 0");
+  Reading um;
+  um.unit = "um";
+  CHECK(read_with("Size,% passing\n2,100\n1,50\n", um).unit() == SizeUnit::um);
+  Reading fraction;
+  fraction.kind = "passing_fraction";
+  CHECK(text(read_with("Size (mm),passing\n2,1\n1,0.5\n", fraction).masses()) == "0.5 0.5 0");
+  Reading cumulative;
+  cumulative.kind = "cumulative";
+  CHECK(text(read_with("Size (mm),% retained\n2,0\n1,60\n0.5,100\n", cumulative).masses()) == "40 60 0");
+}
+
+TEST_CASE("Options that do not serve are refused") {
+  const std::string table = "Size (mm),x\n2,100\n1,50\n";
+  CHECK(contains(refusal_with(table, columns("1")), "--columns: '1' is not two columns"));
+  CHECK(contains(refusal_with(table, columns("1,1")), "names one column twice"));
+  CHECK(contains(refusal_with(table, columns("1,2")),
+                 "'x' does not say what the column of masses holds: add --kind"));
+  CHECK(contains(refusal_with(table, columns("1,y")), "first column 'Size (mm)' is unknown"));
+  Reading reading;
+  reading.kind = "weight";
+  CHECK(contains(refusal_with(table, reading), "--kind: 'weight' is none of passing, retained"));
+  reading.kind.reset();
+  reading.unit = "km";
+  CHECK(contains(refusal_with(table, reading), "--unit: 'km' is none of mm, um"));
+  CHECK(contains(refusal_with("{\"sizes\":[1,2],\"masses\":[1,0]}", reading), "are for tables"));
+  Reading sheet;
+  sheet.sheet = "A";
+  CHECK(contains(refusal_with(table, sheet), "--sheet is for workbooks"));
+}
+
+TEST_CASE("Rows that are wrong are refused with their line and what to do") {
+  const std::string head = "Size (mm),Mass (g)\n4,0\n";
+  CHECK(contains(refusal(head + "<0.1,5\n"),
+                 "sand.csv:3: the size '<0.1' is a range: write pan for what passes"));
+  CHECK(contains(refusal(head + "1,\n"),
+                 "sand.csv:3: the size '1' has no value in the column 'Mass (g)': write 0"));
+  CHECK(
+      contains(refusal(head + "1,trace\n"), "sand.csv:3: 'trace' in the column 'Mass (g)' is not a number"));
+  CHECK(contains(refusal(head + "D50,0.3\n"), "sand.csv:3: 'D50' is no sieve"));
+  CHECK(contains(refusal(head + "1,5%\n"), "sand.csv:3: '5%' has another unit than the column 'Mass (g)'"));
+  CHECK(contains(refusal(head + "1,2\n1,3\n"), "size 1 mm repeats that of line 3"));
+  CHECK(contains(refusal("Size (mm),Mass (g)\n"), "there is no row with a size and a number"));
+  CHECK(contains(refusal("Size (mm),Passing (g)\n1,2\n"), "the mass that passes is given"));
+}
+
+TEST_CASE("Below an empty row what has no size is left") {
+  const Gradation g = read("Size (mm),Mass (g)\n2,0\n1,5\n\nD50,0.3\nCu,\nRemarks,none\n");
+  CHECK(text(g.sizes()) == "1 2");
+  CHECK(has_note(g, "Rows that are no sizes were left out: 'D50', 'Cu', 'Remarks'."));
+}
+
+TEST_CASE("A total that the rows do not add up to is noted") {
+  CHECK(has_note(read("Size (mm),Mass (g)\n2,0\n1,5\nTotal,6\n"),
+                 "The file's total is 6, the rows add up to 5"));
+}
+
+TEST_CASE("Latin-1 and UTF-16 are read, and mdm-check reads neither") {
+  const std::string latin = "Siebweite [mm];R\xFC"
+                            "ckstand [g]\n2;0\n1;3,5\n";
+  const UnderstoodGradation u = understand_gradation(latin, "sand.csv");
+  CHECK(u.format == "text with ; between cells, Windows-1252 (Latin-1)");
+  CHECK_FALSE(u.is_canonical);
+  CHECK(u.masses == "column 'Rückstand [g]': mass");
+  std::string wide = "\xFF\xFE";
+  for (const char c : std::string("size_mm,mass\n1,1\n2,0\n"))
+    wide += {c, '\0'};
+  CHECK_FALSE(understand_gradation(wide, "sand.csv").is_canonical);
+  CHECK(understand_gradation("size_mm,mass\n1,1\n2,0\n", "sand.csv").is_canonical);
+}
+
+TEST_CASE("Rounding takes the masses before anything else") {
+  Reading three;
+  three.round = 3;
+  const Gradation g = read_with("size_mm,passing_percent\n1,33.3333\n2,99.99\n", three);
+  CHECK(text(g.masses()) == "33.3 66.7 0");
+  CHECK(g.roundings()[1] == ratio(5, 100));
+  CHECK(has_note(g, "All masses were taken to 3 significant digits."));
+  CHECK(text(read_with("{\"sizes\":[1,2],\"masses\":[0.30000000000000004,0]}", three).masses()) == "0.3 0");
+  CHECK(contains(
+      refusal("size_mm,passing_fraction\n1,0.5\n2,0.9999999999999999\n"),
+      "add a row for a larger sieve with fraction passing 1, or take all values to 15 digits with --round "
+      "15"));
+  CHECK(contains(refusal("size_mm,passing_percent\n1,50\n2,99.99\n"), "--round 3"));
+}
