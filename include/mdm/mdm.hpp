@@ -12,6 +12,7 @@
 #include <mdm/gradation/reading.hpp>
 #include <mdm/gradation/root_size.hpp>
 #include <mdm/gradation/sample.hpp>
+#include <mdm/gradation/size_range.hpp>
 #include <mdm/gradation/size_unit.hpp>
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/match/chain.hpp>

@@ -78,6 +78,10 @@ public:
     description_.add(diameter, quantity);
     ++added_;
   }
+  void add(const SizeRange &diameter, const Integer &quantity) override {
+    description_.add(diameter, quantity);
+    ++added_;
+  }
 
   const Description &description() const { return description_; }
   std::uint64_t added() const { return added_; }

@@ -69,15 +69,20 @@ void Description::note(Outside &side, const RootSize &size, const Integer &quant
     side.first = size;
 }
 
-void Description::add(const RootSize &size, const Integer &quantity) {
-  assert(size.power > 0 && quantity >= 1);
+/// The number of openings that are smaller than the size and not taken as it.
+std::size_t Description::openings_below(const RootSize &size) const {
   const auto found = std::partition_point(highest_.begin(), highest_.end(), [&size](const RootSize &highest) {
     return compare(size, highest) > 0;
   });
-  const auto i = static_cast<std::size_t>(found - highest_.begin());
+  return static_cast<std::size_t>(found - highest_.begin());
+}
+
+void Description::add(const RootSize &size, const Integer &quantity) {
+  assert(size.power > 0 && quantity >= 1);
+  const std::size_t i = openings_below(size);
   if (i > 0 && compare(size, hair_beyond_[i - 1]) <= 0)
     hair_above_ += quantity;
-  if (found == highest_.end()) {
+  if (i == highest_.size()) {
     note(above_, size, quantity);
     return;
   }
@@ -91,13 +96,51 @@ void Description::add(const RootSize &size, const Integer &quantity) {
     weigh(classes_[i - 1], snaps ? opening : size, quantity);
 }
 
-void Description::weigh(Tally &tally, const RootSize &size, const Integer &quantity) {
-  tally.seen.count += quantity;
-  if (!tally.seen.first)
-    tally.seen.first = size;
-  else if (!tally.seen.second && compare(*tally.seen.first, size) != 0)
-    tally.seen.second = size;
+void Description::add(const SizeRange &size, const Integer &quantity) {
+  assert(options_.mass_unit == 1 && size.lo >= 0 && size.lo <= size.hi);
+  if (size.is_point()) {
+    add(RootSize{size.hi}, quantity);
+    return;
+  }
+  knows_sizes_ = false;
+  const RootSize lo{size.lo}, hi{size.hi};
+  std::size_t first = openings_below(lo);
+  if (size.is_open && first < highest_.size() && compare(lo, g_.opening(first)) == 0)
+    ++first;
+  const std::size_t last = openings_below(hi);
+  const auto mass = [&](const Rational &x) { // an enclosure of f(x)
+    constexpr unsigned bits = 256;
+    return root(options_.law.powered(x), options_.law.b, bits);
+  };
+  const bool is_placed = first == last;
+  if (!is_placed)
+    note(unplaced_, hi, quantity);
+  else if (last == 0)
+    note(below_, hi, quantity);
+  else if (last == highest_.size())
+    note(above_, hi, quantity);
+  for (std::size_t i = std::max<std::size_t>(first, 1); i <= last && i < highest_.size(); ++i) {
+    Tally &tally = classes_[i - 1];
+    const Rational most = mass(size.hi).hi * quantity;
+    tally.most.add(numerator(most), denominator(most));
+    if (!is_placed)
+      continue;
+    see(tally.seen, hi, quantity);
+    const Rational least = mass(size.lo).lo * quantity;
+    tally.least.add(numerator(least), denominator(least));
+  }
+}
 
+void Description::see(Class &seen, const RootSize &size, const Integer &quantity) {
+  seen.count += quantity;
+  if (!seen.first)
+    seen.first = size;
+  else if (!seen.second && compare(*seen.first, size) != 0)
+    seen.second = size;
+}
+
+void Description::weigh(Tally &tally, const RootSize &size, const Integer &quantity) {
+  see(tally.seen, size, quantity);
   // x^D = power and common = gcd(a, D): f(x)^(b D / common) = power^(a / common).
   const auto [a, b] = options_.law;
   const unsigned common = std::gcd(a, size.degree);
@@ -134,6 +177,9 @@ Interval Description::mass(const Tally &tally) const {
   Interval sum;
   for (std::size_t i = 0; i < tally.multiples.size(); ++i)
     sum = sum + root(units_[i].power, units_[i].degree, root_bits) * tally.multiples[i].value();
+  const Rational least = tally.least.value(), most = tally.most.value();
+  if (most > 0)
+    sum = sum + Interval(least, most);
   if (tally.rooted_count == 0)
     return sum;
   const Integer unit = Integer(1) << root_bits;
@@ -146,12 +192,15 @@ Interval Description::mass(const Tally &tally) const {
 std::vector<std::optional<Rational>> Description::exact_shares() const {
   std::vector<std::optional<Rational>> shares(classes_.size());
   const auto has_particles = [](const Tally &t) { return t.seen.count > 0; };
+  if (unplaced_.count > 0)
+    return shares;
   if (std::count_if(classes_.begin(), classes_.end(), has_particles) <= 1) {
     std::transform(classes_.begin(), classes_.end(), shares.begin(),
                    [&](const Tally &t) { return Rational(has_particles(t) ? 1 : 0); });
     return shares;
   }
-  if (std::any_of(classes_.begin(), classes_.end(), [](const Tally &t) { return t.rooted_count > 0; }))
+  if (std::any_of(classes_.begin(), classes_.end(),
+                  [](const Tally &t) { return t.rooted_count > 0 || t.most.value() > 0; }))
     return shares;
   std::vector<std::vector<Rational>> masses; // of each class, in each unit
   std::vector<Rational> sums(units_.size());
@@ -176,7 +225,7 @@ std::vector<std::optional<Rational>> Description::exact_shares() const {
 }
 
 Integer Description::particles() const {
-  Integer n = below_.count + above_.count;
+  Integer n = below_.count + above_.count + unplaced_.count;
   for (const Tally &tally : classes_)
     n += tally.seen.count;
   return n;

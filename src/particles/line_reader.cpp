@@ -42,6 +42,25 @@ void ParticleSource::particle(std::string_view text, const Integer &quantity, ch
   any_ = true;
 }
 
+void ParticleSource::particle_between(std::string_view lo, std::string_view hi, std::string_view lower,
+                                      const Integer &quantity, char point) {
+  SizeRange size;
+  try {
+    size.lo = parse_decimal(lo, point);
+    size.hi = parse_decimal(hi, point);
+    size.is_open = !lower.empty() && size.lo <= parse_decimal(lower, point);
+  } catch (const InputError &error) {
+    refuse(std::string("size ") + error.what());
+  }
+  if (size.lo < 0 || size.hi < size.lo || size.hi == 0)
+    refuse(fmt::format("a size between {} and {} is none: the first is above 0 and at most the second",
+                       in_quotes(lo), in_quotes(hi)));
+  size.lo *= factor_;
+  size.hi *= factor_;
+  sink_.add(size, quantity);
+  any_ = true;
+}
+
 void ParticleSource::restart() {
   sink_.restart();
   any_ = false;

@@ -33,6 +33,9 @@ public:
   /// A particle whose size is written as `text`.
   void particle(std::string_view text, const Integer &quantity = 1, char point = '.',
                 ReadSize read = read_decimal);
+  /// Particles whose size is in [lo, hi], and above `lower` if that is no empty text.
+  void particle_between(std::string_view lo, std::string_view hi, std::string_view lower,
+                        const Integer &quantity, char point);
   /// Forgets all particles so far: another timestep begins.
   void restart();
 

@@ -1,7 +1,7 @@
-#include "gradation/csv_rows.hpp"
 #include "gradation/phi.hpp"
 #include "gradation/sieve_name.hpp"
 #include "particles/line_reader.hpp"
+#include "particles/particle_columns.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/gradation/gradation.hpp>
@@ -52,38 +52,26 @@ private:
   }
 
   void read_header(std::string_view row) {
-    delimiter_ = row.find(';') == std::string_view::npos ? ',' : ';';
+    delimiter_ = row.find(';') != std::string_view::npos    ? ';'
+                 : row.find(',') != std::string_view::npos  ? ','
+                 : row.find('\t') != std::string_view::npos ? '\t'
+                                                            : ',';
     split(row);
-    if (fields_[0].starts_with("lower_"))
-      source_.refuse("this is the CSV answer of mdm solve, whose sizes are rounded: use its --format json");
-    const SizeColumn *const column = find_size_column(fields_[0]);
-    if (column == nullptr)
-      source_.refuse(unknown_size_column(fields_[0], "size_mm,quantity"));
-    if (fields_.size() != 2 || fields_[1] != "quantity")
-      source_.refuse("the columns are not a size and 'quantity', in this order: write, for example, "
-                     "'size_mm,quantity'");
-    if (source_.options().unit)
+    try {
+      columns_ = particle_columns(fields_);
+    } catch (const InputError &e) {
+      source_.refuse(e.what());
+    }
+    if (source_.options().unit && columns_.has_unit)
       source_.refuse("the header names the unit: leave out --size-unit");
-    kind_ = column->kind;
-    source_.set_defaults(SizeMeaning::diameter, unit());
+    width_ = fields_.size();
+    source_.set_defaults(columns_.meaning,
+                         columns_.has_unit ? columns_.unit() : length_unit(source_.options().target));
     has_header_ = true;
   }
 
-  LengthUnit unit() const {
-    switch (kind_) {
-    case SizeKind::um:
-      return LengthUnit::um;
-    case SizeKind::m:
-      return LengthUnit::m;
-    case SizeKind::inch:
-      return LengthUnit::in;
-    default: // phi and sieves are turned into mm
-      return LengthUnit::mm;
-    }
-  }
-
   ParticleSource::ReadSize reader() const {
-    switch (kind_) {
+    switch (columns_.kind) {
     case SizeKind::phi:
       return read_phi;
     case SizeKind::sieve:
@@ -95,30 +83,47 @@ private:
 
   /// The one exception to comments: a row of a sieve such as `#200`.
   bool is_sieve_row(std::string_view row) {
-    return has_header_ && kind_ == SizeKind::sieve && split_fields(row, delimiter_, fields_) &&
-           fields_.size() == 2 && is_sieve_number(fields_[0]);
+    return has_header_ && columns_.kind == SizeKind::sieve && split_fields(row, delimiter_, fields_) &&
+           fields_.size() == width_ && is_sieve_number(fields_[*columns_.size]);
+  }
+
+  Integer quantity() const {
+    if (!columns_.quantity)
+      return 1;
+    const std::string &field = fields_[*columns_.quantity];
+    const std::optional<Integer> n = parse_natural(field);
+    if (!n)
+      source_.refuse(fmt::format(
+          "quantity {} is not a whole number from 0 on: write it in at most 1000 digits", in_quotes(field)));
+    return *n;
+  }
+
+  /// The decimal sign of a number: a comma where fields are not separated by it and it is there.
+  char sign_of(const std::string &number) const {
+    return delimiter_ != ',' && number.find(',') != std::string::npos ? ',' : '.';
   }
 
   void read_row(std::string_view row) {
     split(row);
-    if (fields_.size() != 2)
-      source_.refuse(fmt::format("the row has {} fields, not a size and a quantity{}", fields_.size(),
+    if (fields_.size() != width_)
+      source_.refuse(fmt::format("the row has {} fields, and the header {}{}", fields_.size(), width_,
                                  delimiter_ == ',' ? " (with decimal commas, put ; between fields)" : ""));
-    const std::optional<Integer> quantity = parse_natural(fields_[1]);
-    if (!quantity)
-      source_.refuse(
-          fmt::format("quantity {} is not a whole number from 0 on: write it in at most 1000 digits",
-                      in_quotes(fields_[1])));
-    if (*quantity == 0)
+    const Integer n = quantity();
+    if (n == 0)
       return;
-    const bool comma = delimiter_ == ';' && fields_[0].find(',') != std::string::npos;
-    const char point = comma ? ',' : '.';
-    source_.particle(fields_[0], *quantity, point, reader());
+    if (columns_.size) {
+      const std::string &field = fields_[*columns_.size];
+      source_.particle(field, n, sign_of(field), reader());
+      return;
+    }
+    const std::string &lo = fields_[*columns_.lo], &hi = fields_[*columns_.hi];
+    source_.particle_between(lo, hi, columns_.lower ? fields_[*columns_.lower] : "", n, sign_of(hi));
   }
 
   ParticleSource &source_;
   bool has_header_ = false;
-  SizeKind kind_ = SizeKind::mm;
+  ParticleColumns columns_;
+  std::size_t width_ = 0;
   char delimiter_ = ',';
   std::vector<std::string> fields_;
 };

@@ -1,4 +1,5 @@
 #include "particles/line_reader.hpp"
+#include "particles/particle_columns.hpp"
 #include "text/lines.hpp"
 
 #include <fmt/core.h>
@@ -44,20 +45,15 @@ std::unique_ptr<LineReader> line_reader(ParticleFormat format, ParticleSource &s
 /// quantities.
 bool is_csv_header(std::string_view line) {
   std::vector<std::string> names;
-  if (!split_fields(line, line.find(';') == std::string_view::npos ? ',' : ';', names))
+  const char delimiter = line.find(';') != std::string_view::npos    ? ';'
+                         : line.find('\t') != std::string_view::npos ? '\t'
+                                                                     : ',';
+  if (!split_fields(line, delimiter, names))
     return false;
   const auto is_word = [](const std::string &name) {
     return !name.empty() && name.find_first_of(" \t") == std::string::npos;
   };
-  const bool is_alone = names.size() == 1; // a title, it may be
-  const auto is_known = [is_alone](std::string name) {
-    std::transform(name.begin(), name.end(), name.begin(), lower);
-    const auto begins = [&name](const char *word) { return name.starts_with(word); };
-    return begins("size_") || begins("lower_") || name == "sieve" ||
-           (!is_alone && (begins("diameter") || begins("radius") || begins("quantity")));
-  };
-  return std::all_of(names.begin(), names.end(), is_word) &&
-         std::any_of(names.begin(), names.end(), is_known);
+  return std::all_of(names.begin(), names.end(), is_word) && has_particle_column(names);
 }
 
 /// True for a line that begins extended XYZ, or a list of diameters.

@@ -32,11 +32,16 @@ std::string percent(const Interval &y, unsigned digits) {
 /// many digits would not tell them apart or only look different for being cut.
 std::string found_percent(const MatchError &e, std::size_t j, unsigned digits) {
   const Interval &difference = e.normalised[j]; // target - found
+  constexpr unsigned few_digits = 2;
+  if (difference.lo < 0 && difference.hi > 0) {
+    const Rational most = std::max(abs(difference.lo), difference.hi);
+    if (most * Rational(power_of_ten(digits - 1)) < e.targets[j]) // a tenth more, before it is cut
+      return percent(e.targets[j], digits) + " +- " + approximate(Rational(110 * most), few_digits);
+  }
   const Rational least = std::min(abs(difference.lo), abs(difference.hi));
   const bool is_sure = difference.lo > 0 || difference.hi < 0;
   if (!is_sure || least * Rational(power_of_ten(digits - 1)) >= e.shares[j].lo)
     return percent(e.shares[j], digits);
-  constexpr unsigned few_digits = 2;
   return percent(e.targets[j], digits) + (difference.lo > 0 ? " - " : " + ") +
          approximate(Rational(100 * least), few_digits);
 }
@@ -125,7 +130,7 @@ ConditionReport accurately(const Verification &v) {
     c.holds = false;
     c.reason = "particles lie outside all classes";
   } else if (!c.holds) {
-    c.reason = "4096 bits do not tell";
+    c.reason = v.description.knows_sizes() ? "4096 bits do not tell" : "of sizes ranges are known";
   } else if (!*c.holds) {
     const auto wrong = std::find_if(e.normalised.begin(), e.normalised.end(),
                                     [](const Interval &error) { return error.lo > 0 || error.hi < 0; });
@@ -168,7 +173,8 @@ Verification::Verification(Description d, Question asked, Rational within)
 Verdict Verification::verdict() const {
   if (!description.describes() || !objections.empty() || error.maximum.lo > tolerance)
     return Verdict::no_match;
-  return error.maximum.hi <= tolerance ? Verdict::match : Verdict::undecided;
+  return error.maximum.hi <= tolerance && description.unplaced().count == 0 ? Verdict::match
+                                                                            : Verdict::undecided;
 }
 
 std::string headline(const Verification &v) {
@@ -180,7 +186,13 @@ std::string headline(const Verification &v) {
   case Verdict::match:
     return is_zero(v.error.maximum) ? "matches exactly" : "matches" + tolerance + ": " + worst;
   case Verdict::undecided:
-    return "undecided: 4096 bits do not tell whether it matches" + tolerance + ": " + worst;
+    return (v.description.unplaced().count > 0 ? "undecided: " + counted(v.description.unplaced().count) +
+                                                     " of which only a range is known, with a sieve in it"
+            : v.description.knows_sizes()
+                ? "undecided: 4096 bits do not tell whether it matches" + tolerance
+                : "undecided: the ranges that are known of the sizes do not tell whether it matches" +
+                      tolerance + " (a --tolerance of 1e-6 or so does)") +
+           ": " + worst;
   default:
     if (!v.objections.empty())
       return "does not match: " + v.objections.front();

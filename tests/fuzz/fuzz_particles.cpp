@@ -29,6 +29,11 @@ public:
     description_.add(diameter, quantity);
     count_ += quantity;
   }
+  void add(const SizeRange &diameter, const Integer &quantity) override {
+    fuzz::demand(diameter.lo >= 0 && diameter.hi >= diameter.lo && diameter.hi > 0 && quantity > 0);
+    description_.add(diameter, quantity);
+    count_ += quantity;
+  }
   void check() const {
     fuzz::demand(count_ > 0 && description_.particles() == count_);
     const MatchError e = description_.error();

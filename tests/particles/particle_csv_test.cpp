@@ -25,30 +25,57 @@ TEST_CASE("CSV of particles: sizes and quantities, in the unit of the header") {
   CHECK(read("size_mm,quantity\n1.5,3\n", radius).particles == "3*3");
 }
 
+TEST_CASE(
+    "CSV of particles: diameters or radii, a particle a row where there is no quantity, beside places") {
+  CHECK(read("quantity,size_mm\n3,1.5\n").particles == "1.5*3");
+  CHECK(read("diameter_um\n75\n150\n").particles == "0.075 0.15");
+  CHECK(read("radius_mm,quantity\n1.5,2\n").particles == "3*2");
+  CHECK(read("x,y,z,r\n0,0,0,0.5\n1,0,0,1\n").particles == "1 2");
+  CHECK(read("x_m,y_m,z_m,diameter_m\n0,0,0,0.005\n").particles == "5");
+  CHECK(read("x;y;z;d\n0;0;0;0,5\n").particles == "0.5");
+  CHECK(read("x\ty\tz\tr\n0\t0\t0\t0.5\n").particles == "1");
+  ParticleOptions metres;
+  metres.unit = LengthUnit::m;
+  CHECK(read("x,y,z,r\n0,0,0,0.0005\n", metres).particles == "1");
+}
+
+TEST_CASE("CSV of particles: the rows that solve and generate write give ranges of sizes") {
+  CHECK(read("class,size_lo,size_hi\n1,0.5,0.6\n2,1,1\n").particles == "[0.5,0.6] [1,1]");
+  CHECK(read("lower_mm,upper_mm,size_lo_mm,size_hi_mm\n1,2,1.5,1.6\n").particles == "[1.5,1.6]");
+  CHECK(read("lower_um,upper_um,size_lo_um,size_hi_um\n1000,2000,1000,1001\n").particles == "(1,1.001]");
+  CHECK(
+      read("lower_mm,upper_mm,mass,quantity,size_lo_mm,size_hi_mm\n1,2,0,0,,\n2,4,1,3,2.5,2.6\n").particles ==
+      "[2.5,2.6]*3");
+}
+
 TEST_CASE("CSV of particles: what is wrong is refused with its line") {
   CHECK(contains(refusal("size_mm,quantity\n1,2\nx,3\n"), "file:3: diameter 'x' is not a number"));
   CHECK(contains(refusal("size_mm,quantity\n0,2\n"), "file:2: diameter '0' is not above 0"));
   CHECK(contains(refusal("size_mm,quantity\n-1,2\n"), "file:2: diameter '-1' is not above 0"));
   CHECK(contains(refusal("size_mm,quantity\n1,2.5\n"), "file:2: quantity '2.5' is not a whole number"));
   CHECK(contains(refusal("size_mm,quantity\n1,-2\n"), "file:2: quantity '-2' is not a whole number"));
-  CHECK(contains(refusal("size_mm,quantity\n1\n"), "file:2: the row has 1 fields"));
+  CHECK(contains(refusal("size_mm,quantity\n1\n"), "file:2: the row has 1 fields, and the header 2"));
   CHECK(contains(refusal("size_mm,quantity\n1,5,2\n"), "decimal commas"));
   CHECK(contains(refusal("size_mm,quantity\n\"1,2\n"), "file:2: a quoted field"));
-  CHECK(contains(refusal("size_mm,count\n1,2\n"), "file:1: the columns are not"));
-  CHECK(contains(refusal("size_ft,quantity\n1,2\n"), "file:1: first column 'size_ft' is unknown"));
-  CHECK(contains(refusal("quantity,size_mm\n1,2\n"),
-                 "file:1: first column 'quantity' is unknown: use one of size"));
-  CHECK(contains(refusal("Size_mm,quantity\n1,2\n"), "'Size_mm' is unknown: use one of size_mm"));
-  CHECK(contains(refusal("Size_mm,quantity\n1,2\n"), "(in small letters)"));
-  CHECK(contains(refusal("diameter_mm,quantity\n1,2\n"), "'diameter_mm' is unknown: use one of size_mm"));
-  CHECK(contains(refusal("size_mm,Quantity\n1,2\n"), "not a size and 'quantity', in this order"));
+  CHECK(contains(refusal("size_mm,count\n1,2\n"), "file:1: column 'count' is unknown"));
+  CHECK(contains(refusal("size_ft,quantity\n1,2\n"), "file:1: column 'size_ft' is unknown"));
+  CHECK(contains(refusal("Size_mm,quantity\n1,2\n"), "column 'Size_mm' is unknown"));
+  CHECK(contains(refusal("size_mm,Quantity\n1,2\n"), "column 'Quantity' is unknown"));
+  CHECK(contains(refusal("quantity,x\n1,2\n"), "there is no column of sizes"));
+  CHECK(contains(refusal("size_mm,radius_mm\n1,2\n"), "column 'radius_mm': there is one of this meaning"));
+  CHECK(contains(refusal("size_lo_mm,quantity\n1,2\n"), "of size_lo and size_hi one is missing"));
+  CHECK(contains(refusal("size_mm,size_lo_mm,size_hi_mm\n1,1,2\n"), "there are a size and its bounds"));
+  CHECK(contains(refusal("size_lo_mm,size_hi_mm\n2,1\n"), "file:2: a size between '2' and '1' is none"));
+  CHECK(contains(refusal("size_lo_mm,size_hi_mm\n0,0\n"), "file:2: a size between '0' and '0' is none"));
+  CHECK(contains(refusal("size_lo_mm,size_hi_mm\n1,x\n"), "file:2: size 'x' is not a number"));
   CHECK(contains(refusal("sieve,quantity\npan,2\n"), "file:2: diameter 'pan' is not above 0"));
   CHECK(contains(refusal("sieve,quantity\nNo. 7777,2\n"), "file:2: diameter 'No. 7777'"));
   CHECK(contains(refusal("size_phi,quantity\n2000,2\n"), "file:2: diameter "));
   CHECK(contains(refusal("size_phi,quantity\n0.0001,2\n"), "file:2: diameter phi '0.0001' is no fraction"));
   CHECK(contains(refusal("size_mm,quantity\n"), "file:1: there are no particles"));
-  CHECK(contains(refusal("lower_mm,upper_mm,mass,quantity,size_lo_mm,size_hi_mm\n"), "--format json"));
-  CHECK(contains(refusal("1,2\n", from(ParticleFormat::csv)), "first column '1' is unknown"));
+  CHECK(
+      contains(refusal("lower_mm,upper_mm,mass,quantity,size_lo_mm,size_hi_mm\n"), "there are no particles"));
+  CHECK(contains(refusal("1,2\n", from(ParticleFormat::csv)), "column '1' is unknown"));
   CHECK(contains(refusal("# nothing\n", from(ParticleFormat::csv)), "file:1: there is no header"));
   ParticleOptions unit;
   unit.unit = LengthUnit::m;

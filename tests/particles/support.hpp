@@ -21,6 +21,12 @@ public:
     if (quantity != 1)
       text += "*" + to_string(quantity);
   }
+  void add(const SizeRange &diameter, const Integer &quantity) override {
+    text += (text.empty() ? "" : " ") + std::string(diameter.is_open ? "(" : "[") +
+            *exact_decimal(diameter.lo) + "," + *exact_decimal(diameter.hi) + "]";
+    if (quantity != 1)
+      text += "*" + to_string(quantity);
+  }
 };
 
 struct Result {

@@ -5,6 +5,7 @@
 #include <mdm/gradation/gradation.hpp>
 #include <mdm/gradation/mass_law.hpp>
 #include <mdm/gradation/sample.hpp>
+#include <mdm/gradation/size_range.hpp>
 #include <mdm/number/fraction_sum.hpp>
 #include <mdm/number/interval.hpp>
 
@@ -64,12 +65,20 @@ public:
   void add(const Rational &size, const Integer &quantity = 1) { add(RootSize{size, 1}, quantity); }
   void add(const RootSize &size, const Integer &quantity);
   void add(const Sample &sample);
+  /// Adds particles of sizes in a range, each of its own maybe: what is then said holds for all such sizes.
+  /// Cost: two binary searches and sums.
+  /// \pre 0 <= lo, quantity >= 1, the options' mass_unit is 1
+  void add(const SizeRange &size, const Integer &quantity);
 
   const Gradation &gradation() const { return g_; }
   const MassLaw &law() const { return options_.law; }
   const Class &of_class(std::size_t j) const { return classes_[j].seen; }
   const Outside &below() const { return below_; } ///< x <= x_1
   const Outside &above() const { return above_; } ///< x > x_n
+  /// Particles in a range with an opening in it: none of the other counts has them.
+  const Outside &unplaced() const { return unplaced_; }
+  /// True if the size of every particle is known, and not its range alone.
+  bool knows_sizes() const { return knows_sizes_; }
   /// N, particles outside all classes included.
   Integer particles() const;
   /// Particles whose size was taken as an opening, and was not that opening.
@@ -77,9 +86,9 @@ public:
   /// Particles larger than an opening by at most 1e-12 of it: an error of rounding, it may be.
   const Integer &hair_above() const { return hair_above_; }
 
-  /// Cond2 (Eq. 10): no particle lies outside all classes.
+  /// Cond2 (Eq. 10): no particle lies outside all classes, of those whose class is known.
   bool describes() const { return below_.count == 0 && above_.count == 0; }
-  /// The finest class with particles of several sizes.
+  /// The finest class with particles of several sizes, or ranges.
   std::optional<std::size_t> inarticulate_class() const;
   /// Cond3: Cond2, and an opening x_j with x_i <= x_j < x_{i+1} separates neighbouring sizes. (Eq. 11 has the
   /// two signs exchanged, against Eq. 12.)
@@ -95,9 +104,12 @@ private:
     std::vector<FractionSum> multiples = std::vector<FractionSum>(1); ///< of units_, their sum is the mass
     Integer roots = 0;        ///< sum of the masses left, each rounded down to a multiple of 2^-root_bits
     Integer rooted_count = 0; ///< number of these
+    FractionSum least, most;  ///< masses of particles of which a range is known
   };
 
+  static void see(Class &seen, const RootSize &size, const Integer &quantity);
   void weigh(Tally &tally, const RootSize &size, const Integer &quantity);
+  std::size_t openings_below(const RootSize &size) const;
   Interval mass(const Tally &tally) const;
   std::vector<std::optional<Rational>> exact_shares() const;
 
@@ -109,7 +121,8 @@ private:
   std::vector<RootSize> hair_beyond_;      ///< each opening and 1e-12 of it
   std::vector<Tally> classes_;
   std::vector<RootSize> units_ = {{1, 1}}; ///< of masses; none is a rational multiple of another
-  Outside below_, above_;
+  Outside below_, above_, unplaced_;
+  bool knows_sizes_ = true;
   Integer snapped_ = 0;
   Integer hair_above_ = 0;
 };

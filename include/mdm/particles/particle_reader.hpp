@@ -3,6 +3,7 @@
 /// Particle files, line by line.
 
 #include <mdm/gradation/root_size.hpp>
+#include <mdm/gradation/size_range.hpp>
 #include <mdm/particles/particle_format.hpp>
 
 #include <memory>
@@ -18,6 +19,8 @@ public:
   virtual void restart() = 0;
   /// Particles of one diameter > 0, in the unit that was asked for.
   virtual void add(const RootSize &diameter, const Integer &quantity) = 0;
+  /// Particles of diameters of which the file gives a range.
+  virtual void add(const SizeRange &diameter, const Integer &quantity) = 0;
 };
 
 /// The way a particle file is read. Open choices follow the content, or the custom of the format.

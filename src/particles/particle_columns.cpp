@@ -1,0 +1,127 @@
+#include "particles/particle_columns.hpp"
+
+#include "text/lines.hpp"
+
+#include <mdm/text/error.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace mdm {
+namespace {
+
+/// A name without the unit that follows its last `_`.
+struct UnitName {
+  std::string_view stem;
+  std::optional<SizeKind> kind;
+};
+
+UnitName unit_name(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, SizeKind>, 5> units = {{{"mm", SizeKind::mm},
+                                                                           {"um", SizeKind::um},
+                                                                           {"m", SizeKind::m},
+                                                                           {"in", SizeKind::inch},
+                                                                           {"phi", SizeKind::phi}}};
+  const std::size_t cut = name.rfind('_');
+  if (cut != std::string_view::npos)
+    for (const auto &[unit, kind] : units)
+      if (name.substr(cut + 1) == unit)
+        return {name.substr(0, cut), kind};
+  return {name, std::nullopt};
+}
+
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Reads the names of a header one after the other.
+class Header {
+public:
+  void take(std::size_t i, const std::string &name) {
+    const auto [stem, kind] = unit_name(name);
+    if (name == "sieve")
+      set_size(i, name, SizeKind::sieve);
+    else if (is_one_of(stem, {"size", "diameter"}) || name == "d")
+      set_size(i, name, kind);
+    else if (kind != SizeKind::phi && (stem == "radius" || name == "r")) {
+      columns_.meaning = SizeMeaning::radius;
+      set_size(i, name, kind);
+    } else if (kind != SizeKind::phi && is_one_of(stem, {"size_lo", "size_hi"})) {
+      set_unit(kind);
+      set(stem == "size_lo" ? columns_.lo : columns_.hi, i, name);
+    } else if (kind && stem == "lower")
+      set(columns_.lower, i, name);
+    else if (name == "quantity")
+      set(columns_.quantity, i, name);
+    else if (!is_one_of(stem, {"x", "y", "z"}) && !is_one_of(name, {"class", "mass"}) &&
+             !(kind && stem == "upper"))
+      throw InputError("column " + in_quotes(name) +
+                       " is unknown: a file of particles has size_mm, diameter_mm or radius_mm (mm, um, m or "
+                       "in), size_phi or sieve, and beside it quantity or x,y,z if they are wanted");
+  }
+
+  ParticleColumns columns() const {
+    const bool has_bounds = columns_.lo && columns_.hi;
+    if (columns_.lo.has_value() != columns_.hi.has_value())
+      throw InputError("of size_lo and size_hi one is missing: give both");
+    if (columns_.size.has_value() == has_bounds)
+      throw InputError(has_bounds ? "there are a size and its bounds: give one of them"
+                                  : "there is no column of sizes: name it, for example, size_mm");
+    return columns_;
+  }
+
+private:
+  static void set(std::optional<std::size_t> &column, std::size_t i, const std::string &name) {
+    if (column)
+      throw InputError("column " + in_quotes(name) + ": there is one of this meaning before: leave one out");
+    column = i;
+  }
+
+  void set_unit(std::optional<SizeKind> kind) {
+    columns_.has_unit = kind.has_value();
+    columns_.kind = kind.value_or(SizeKind::mm);
+  }
+
+  void set_size(std::size_t i, const std::string &name, std::optional<SizeKind> kind) {
+    set_unit(kind);
+    set(columns_.size, i, name);
+  }
+
+  ParticleColumns columns_;
+};
+
+} // namespace
+
+LengthUnit ParticleColumns::unit() const {
+  switch (kind) {
+  case SizeKind::um:
+    return LengthUnit::um;
+  case SizeKind::m:
+    return LengthUnit::m;
+  case SizeKind::inch:
+    return LengthUnit::in;
+  default:
+    return LengthUnit::mm;
+  }
+}
+
+ParticleColumns particle_columns(const std::vector<std::string> &names) {
+  Header header;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    header.take(i, names[i]);
+  return header.columns();
+}
+
+bool has_particle_column(const std::vector<std::string> &names) {
+  const bool is_alone = names.size() == 1; // a title, it may be
+  return std::any_of(names.begin(), names.end(), [is_alone](std::string name) {
+    std::transform(name.begin(), name.end(), name.begin(), lower);
+    const auto begins = [&name](const char *word) { return name.starts_with(word); };
+    return begins("size_") || begins("lower_") || name == "sieve" ||
+           (is_alone ? begins("diameter_") || begins("radius_")
+                     : begins("diameter") || begins("radius") || begins("quantity") || name == "size" ||
+                           name == "r" || name == "d");
+  });
+}
+
+} // namespace mdm

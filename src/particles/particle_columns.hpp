@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The columns of a CSV file of particles.
+
+#include "gradation/csv_rows.hpp"
+
+#include <mdm/particles/particle_format.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mdm {
+
+/// The places of the columns. Sizes are in one column, or are known to lie between two.
+/// \invariant size, or lo and hi
+struct ParticleColumns {
+  SizeKind kind = SizeKind::mm;
+  bool has_unit = false; ///< the header names it
+  SizeMeaning meaning = SizeMeaning::diameter;
+  std::optional<std::size_t> size, lo, hi;
+  std::optional<std::size_t> lower;    ///< the opening below sizes between lo and hi: they are larger
+  std::optional<std::size_t> quantity; ///< open: a particle a row
+
+  /// The unit of sizes; mm for phi and sieves, which are turned into it.
+  LengthUnit unit() const;
+};
+
+/// The columns of a header: a size (`size_mm`, `diameter_um`, `radius_m`, `size_phi`, `sieve`, or without a
+/// unit `size`, `diameter`, `d`, `radius`, `r`) or its bounds (`size_lo_mm`, `size_hi_mm`), and beside it
+/// `quantity` and what is not read: places (`x`, `y`, `z`, also with a unit), `class`, `lower_mm`,
+/// `upper_mm`, `mass`.
+/// \throws InputError naming the column that is unknown, missing, or there twice
+ParticleColumns particle_columns(const std::vector<std::string> &names);
+
+/// True if a header has a column of sizes of particles, known or mistaken; of a gradation it may be.
+bool has_particle_column(const std::vector<std::string> &names);
+
+} // namespace mdm
