@@ -4,6 +4,7 @@
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/reading_flags.hpp"
+#include "cli/sample_file.hpp"
 #include "report/description.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -42,8 +43,7 @@ DescribeOptions options(const DescribeCommand &c) {
 }
 
 Gradation gradation(const DescribeCommand &c) {
-  Gradation g =
-      read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
+  Gradation g = any_gradation(c.file, c.reading, c.output.quiet);
   if (!c.pan_size)
     return g;
   const Rational size = number("--pan-size", *c.pan_size);
@@ -74,7 +74,12 @@ Run add_describe(CLI::App &app) {
   const auto c = std::make_shared<DescribeCommand>();
   CLI::App &command =
       *app.add_subcommand("describe", "Index numbers, fractions and the soil group of a gradation");
-  command.add_option("FILE", c->file, "gradation: CSV, JSON or AGS4; - for standard input")->required();
+  command
+      .add_option(
+          "FILE", c->file,
+          "gradation (CSV, JSON, AGS4), set of mdm generate, or file of particles as mdm verify reads; - for "
+          "standard input")
+      ->required();
   command
       .add_option("--liquid-limit", c->liquid_limit,
                   "of the fines, in percent; without limits they are low-plasticity silt")

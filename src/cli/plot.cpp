@@ -6,11 +6,14 @@
 #include "cli/picture.hpp"
 #include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
+#include "cli/sample_file.hpp"
 #include "match/smallest_match.hpp"
+#include "particles/sample_sieves.hpp"
 #include "plot/gradation_figure.hpp"
 #include "plot/packing_figure.hpp"
 
 #include <mdm/answer/answer_sample.hpp>
+#include <mdm/gradation/description.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
 #include <mdm/packing/packing_reader.hpp>
@@ -26,7 +29,7 @@ namespace {
 
 struct PlotCommand {
   std::string file;
-  std::optional<std::string> answer, band, bands, what, colour;
+  std::optional<std::string> answer, band, bands, what, colour; ///< answer: or another sample
   bool match = false;
   bool coarse_left = false;
   OutputFlags output;
@@ -40,9 +43,10 @@ constexpr std::size_t max_answer_bytes = std::size_t{1} << 30;
 void check(const PlotCommand &c) {
   c.picture.picture();
   if (c.answer && c.match)
-    throw InputError("ANSWER and --match: give one of them, a solved match or the wish for one");
+    throw InputError("SAMPLE and --match: give one of them, particles or the wish for a match");
   if (c.what && *c.what != "curve" && !c.answer && !c.match)
-    throw InputError("--what " + *c.what + ": give the ANSWER of mdm solve --format json, or --match");
+    throw InputError("--what " + *c.what +
+                     ": give a SAMPLE, for example the answer of mdm solve --format json, or --match");
   std::vector<std::string> inputs = {c.file};
   for (const std::optional<std::string> &path : {c.answer, c.band})
     if (path)
@@ -79,6 +83,50 @@ std::vector<DrawnClass> drawn(const Match &m) {
       classes.push_back({drawn_size(c.lower), drawn_size(c.upper), c.mass, c.quantity,
                          (c.size->lower() + c.size->upper()) / 2});
   return classes;
+}
+
+/// Gathers particles class by class and size by size.
+class DrawnSample : public ParticleSink {
+public:
+  explicit DrawnSample(const Gradation &g) : empty_(g), description_(g) {}
+
+  void restart() override {
+    description_ = empty_;
+    sieves_.restart();
+  }
+  void add(const RootSize &diameter, const Integer &quantity) override {
+    description_.add(diameter, quantity);
+    sieves_.add(diameter, quantity);
+  }
+  void add(const SizeRange &diameter, const Integer &quantity) override {
+    description_.add(diameter, quantity);
+    sieves_.add(diameter, quantity);
+  }
+
+  const Description &description() const { return description_; }
+  const SampleSieves &sieves() const { return sieves_; }
+
+private:
+  Description empty_, description_;
+  SampleSieves sieves_;
+};
+
+/// The particles of a sample beside g.
+void add_sample(GradationFigure &what, const Gradation &g, const PlotCommand &c,
+                std::vector<std::string> &notes) {
+  DrawnSample sample(g);
+  ParticleOptions options;
+  options.target = g.unit();
+  const std::vector<std::string> read = read_sample_file(*c.answer, options, sample, c.output.quiet);
+  notes.insert(notes.end(), read.begin(), read.end());
+  const Description &d = sample.description();
+  for (std::size_t j = 0; j < g.classes(); ++j)
+    if (const Integer &n = d.of_class(j).count; n > 0)
+      what.particles.push_back(
+          {drawn_size(g.opening(j)), drawn_size(g.opening(j + 1)), 0, n, drawn_size(g.opening(j + 1))});
+  for (const auto &[size, mass] : sample.sieves().masses())
+    what.sizes.push_back({size, mass});
+  what.outside = d.below().count + d.above().count + d.unplaced().count;
 }
 
 /// True if each class of the particles is one of the gradation: not so after a cut, a pan size or a factor.
@@ -124,7 +172,9 @@ int run(const PlotCommand &c) {
     return run_packing(c, read_packing(content, shown_name(c.file)));
   if (c.colour)
     throw InputError("--colour is for packings: give a FILE that mdm pack -o wrote");
-  const Gradation g = read_gradation(content, shown_name(c.file), c.reading.reading());
+  const Gradation g = is_sample_file(c.file)
+                          ? any_gradation(c.file, c.reading, c.output.quiet)
+                          : read_gradation(content, shown_name(c.file), c.reading.reading());
   std::vector<std::string> notes = g.notes();
   GradationFigure what;
   if (c.bands && c.bands != "uscs")
@@ -134,7 +184,9 @@ int run(const PlotCommand &c) {
     what.envelope = read_envelope(read_file(*c.band, max_gradation_bytes), shown_name(*c.band));
     notes.insert(notes.end(), what.envelope->notes.begin(), what.envelope->notes.end());
   }
-  if (c.answer) {
+  if (c.answer && (*c.answer != "-" && is_sample_file(*c.answer))) {
+    add_sample(what, g, c, notes);
+  } else if (c.answer) {
     what.particles =
         drawn(read_answer(read_file(*c.answer, max_answer_bytes), shown_name(*c.answer)), g.unit());
     if (!are_of(what.particles, g))
@@ -147,6 +199,9 @@ int run(const PlotCommand &c) {
     what.particles = drawn(m);
   }
   const std::string panels = c.what.value_or(what.particles.empty() ? "curve" : "both");
+  if (panels != "curve" && what.particles.empty())
+    throw InputError(printable(*c.answer) + ": no particle lies in a class: --what curve shows its sizes, or "
+                                            "give another unit");
   what.curve = panels != "counts";
   what.counts = panels != "curve";
   draw(gradation_figure(g, what), c.picture, c.output.quiet);
@@ -161,10 +216,15 @@ Run add_plot(CLI::App &app) {
   CLI::App &command = *app.add_subcommand("plot", "A gradation as the field draws it with the particles that "
                                                   "match it, or a packing of discs (gnuplot draws)");
   command
-      .add_option("FILE", c->file,
-                  "gradation: CSV, JSON or AGS4; or a packing that mdm pack -o wrote; - for standard input")
+      .add_option(
+          "FILE", c->file,
+          "gradation (CSV, JSON, AGS4), set of mdm generate, or file of particles as mdm verify reads; or a "
+          "packing that mdm pack -o wrote; - for standard input")
       ->required();
-  command.add_option("ANSWER", c->answer, "particles to show: the JSON answer of mdm solve");
+  command.add_option(
+      "SAMPLE", c->answer,
+      "particles to show: an answer of mdm solve, a set of mdm generate with --sizes, or a file of "
+      "particles as mdm verify reads, such as a dump");
   command.add_flag("--match", c->match, "show the smallest match: solve now");
   command.add_option("--what", c->what, "curve, counts or both; both where there are particles, else curve")
       ->check(CLI::IsMember({"curve", "counts", "both"}));
@@ -185,7 +245,8 @@ Run add_plot(CLI::App &app) {
   c->reading.add_to(command);
   command.footer(
       footer(paragraph("Exit code 3: --match was not solved within some seconds; nothing is drawn."),
-             {"mdm plot sand.csv --match -o sand.svg", "mdm plot sand.csv --band limits.csv -o sand.pdf",
+             {"mdm plot sand.csv --match -o sand.svg", "mdm plot sand.csv settled.dump -o settled.png",
+              "mdm plot sand.csv --band limits.csv -o sand.pdf",
               "mdm plot start.packing --colour contacts -o start.png"}));
   return [c] { return run(*c); };
 }

@@ -30,6 +30,12 @@ std::string ReadingFlags::given() const {
   return all.empty() ? all : all.substr(1, all.find(' ', 1) - 1);
 }
 
+bool ReadingFlags::is_unit_at_most() const {
+  ReadingFlags others = *this;
+  others.unit.reset();
+  return !others.is_given();
+}
+
 std::string ReadingFlags::words() const {
   std::string text;
   const auto add = [&text](const char *name, const Text &value) {

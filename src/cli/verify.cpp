@@ -6,6 +6,7 @@
 #include "cli/packing_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
+#include "cli/sample_file.hpp"
 #include "cli/solve_flags.hpp"
 #include "cli/verify_packing.hpp"
 #include "report/verification.hpp"
@@ -167,22 +168,18 @@ Found read_sample(const VerifyCommand &c, const Gradation &g, const Question &qu
                   const Rational &snap) {
   const ParticleOptions options = particle_options(c, g.unit());
   Tally tally(Description(g, {question.law, snap, 1, 1}));
+  if (!options.format && is_generated_file(c.sample)) {
+    std::vector<std::string> notes = read_sample_file(c.sample, options, tally, c.output.quiet);
+    return {tally.description(), {}, std::move(notes)};
+  }
   FileLines lines(c.sample);
   std::vector<FileLines::Line> chunk = lines.next(lines_at_once);
   if (options.format ? options.format == ParticleFormat::answer : begins_json(chunk))
     return read_answer_sample(c, whole_text(chunk, lines, c.sample), g, question, snap);
 
-  Progress progress([&tally] { return fmt::format("{} sizes read", tally.added()); }, c.output.quiet);
+  const Progress progress([&tally] { return fmt::format("{} sizes read", tally.added()); }, c.output.quiet);
   ParticleReader reader(shown_name(c.sample), tally, options);
-  std::uint64_t number = 0;
-  for (; !chunk.empty(); chunk = lines.next(lines_at_once))
-    for (const FileLines::Line &line : chunk) {
-      ++number;
-      if (!line)
-        refuse_long(line_name(c.sample, number), "the line");
-      reader.line(*line);
-    }
-  reader.end();
+  read_lines(reader, std::move(chunk), lines, c.sample);
   Found found{tally.description(), {}, reader.notes()};
   if (const std::optional<std::string> note = unit_note(found.description, reader.unit()))
     found.notes.push_back(*note);

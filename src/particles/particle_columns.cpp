@@ -53,17 +53,18 @@ public:
       set(columns_.lower, i, name);
     else if (name == "quantity")
       set(columns_.quantity, i, name);
-    else if (!is_one_of(stem, {"x", "y", "z"}) && !is_one_of(name, {"class", "mass"}) &&
-             !(kind && stem == "upper"))
-      throw InputError("column " + in_quotes(name) +
-                       " is unknown: a file of particles has size_mm, diameter_mm or radius_mm (mm, um, m or "
-                       "in), size_phi or sieve, and beside it quantity or x,y,z if they are wanted");
+    else if (is_one_of(name, {"class", "mass"}) || (kind && stem == "upper"))
+      of_class_ = name;
+    else if (!is_one_of(stem, {"x", "y", "z"}))
+      refuse_unknown(name);
   }
 
   ParticleColumns columns() const {
     const bool has_bounds = columns_.lo && columns_.hi;
     if (columns_.lo.has_value() != columns_.hi.has_value())
       throw InputError("of size_lo and size_hi one is missing: give both");
+    if (!has_bounds && !of_class_.empty())
+      refuse_unknown(of_class_);
     if (columns_.size.has_value() == has_bounds)
       throw InputError(has_bounds ? "there are a size and its bounds: give one of them"
                                   : "there is no column of sizes: name it, for example, size_mm");
@@ -71,6 +72,12 @@ public:
   }
 
 private:
+  [[noreturn]] static void refuse_unknown(const std::string &name) {
+    throw InputError("column " + in_quotes(name) +
+                     " is unknown: a file of particles has size_mm, diameter_mm or radius_mm (mm, um, m or "
+                     "in), size_phi or sieve, and beside it quantity or x,y,z if they are wanted");
+  }
+
   static void set(std::optional<std::size_t> &column, std::size_t i, const std::string &name) {
     if (column)
       throw InputError("column " + in_quotes(name) + ": there is one of this meaning before: leave one out");
@@ -88,6 +95,7 @@ private:
   }
 
   ParticleColumns columns_;
+  std::string of_class_; ///< a column of what solve and generate say of classes
 };
 
 } // namespace
@@ -110,6 +118,13 @@ ParticleColumns particle_columns(const std::vector<std::string> &names) {
   for (std::size_t i = 0; i < names.size(); ++i)
     header.take(i, names[i]);
   return header.columns();
+}
+
+char csv_delimiter(std::string_view header) {
+  for (const char delimiter : {';', ',', '\t'})
+    if (header.find(delimiter) != std::string_view::npos)
+      return delimiter;
+  return ',';
 }
 
 bool has_particle_column(const std::vector<std::string> &names) {

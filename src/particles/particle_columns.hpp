@@ -33,6 +33,9 @@ struct ParticleColumns {
 /// \throws InputError naming the column that is unknown, missing, or there twice
 ParticleColumns particle_columns(const std::vector<std::string> &names);
 
+/// What separates the fields of a header: `;`, else `,`, else a tab where there is one.
+char csv_delimiter(std::string_view header);
+
 /// True if a header has a column of sizes of particles, known or mistaken; of a gradation it may be.
 bool has_particle_column(const std::vector<std::string> &names);
 

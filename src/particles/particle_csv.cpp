@@ -52,10 +52,7 @@ private:
   }
 
   void read_header(std::string_view row) {
-    delimiter_ = row.find(';') != std::string_view::npos    ? ';'
-                 : row.find(',') != std::string_view::npos  ? ','
-                 : row.find('\t') != std::string_view::npos ? '\t'
-                                                            : ',';
+    delimiter_ = csv_delimiter(row);
     split(row);
     try {
       columns_ = particle_columns(fields_);

@@ -41,15 +41,17 @@ std::unique_ptr<LineReader> line_reader(ParticleFormat format, ParticleSource &s
   source.refuse("this is an answer of mdm, which is read as a whole: give the file itself");
 }
 
+/// The fields of a line that may be a header of CSV; none where its quotes are wrong.
+std::vector<std::string> csv_names(std::string_view line) {
+  std::vector<std::string> names;
+  const bool is_whole = split_fields(line, csv_delimiter(line), names);
+  return is_whole ? names : std::vector<std::string>();
+}
+
 /// True for a header of CSV, also one that will be refused: names of columns, one of them of sizes or
 /// quantities.
 bool is_csv_header(std::string_view line) {
-  std::vector<std::string> names;
-  const char delimiter = line.find(';') != std::string_view::npos    ? ';'
-                         : line.find('\t') != std::string_view::npos ? '\t'
-                                                                     : ',';
-  if (!split_fields(line, delimiter, names))
-    return false;
+  const std::vector<std::string> names = csv_names(line);
   const auto is_word = [](const std::string &name) {
     return !name.empty() && name.find_first_of(" \t") == std::string::npos;
   };
@@ -102,6 +104,31 @@ std::optional<ParticleFormat> format_of(const std::vector<std::string> &lines, c
 }
 
 } // namespace
+
+std::optional<ParticleFormat> told_format(std::string_view beginning) {
+  class Nobody : public ParticleSink {
+    void restart() override {}
+    void add(const RootSize &, const Integer &) override {}
+    void add(const SizeRange &, const Integer &) override {}
+  } nobody;
+  const ParticleSource source("", nobody, {});
+  std::vector<std::string> lines;
+  beginning = without_byte_order_mark(beginning);
+  try {
+    for (std::size_t end = 0; (end = beginning.find('\n')) != std::string_view::npos;
+         beginning.remove_prefix(end + 1)) {
+      lines.emplace_back(trimmed(beginning.substr(0, end)));
+      const std::optional<ParticleFormat> format = format_of(lines, source);
+      if (format == ParticleFormat::csv)
+        particle_columns(csv_names(lines.back()));
+      if (format)
+        return *format == ParticleFormat::answer ? std::nullopt : format;
+    }
+  } catch (const InputError &) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
 
 ParticleReader::ParticleReader(const std::string &file, ParticleSink &sink, const ParticleOptions &options)
     : source_(std::make_unique<ParticleSource>(file, sink, options)) {

@@ -70,11 +70,13 @@ public:
     }
     if (what_.counts)
       figure.panels.push_back(counts_panel());
-    if (!what_.particles.empty()) {
+    if (!what_.particles.empty() || !what_.sizes.empty()) {
       Integer n = 0;
       for (const DrawnClass &c : what_.particles)
         n += c.quantity;
-      figure.notes.push_back("N = " + count_text(n));
+      figure.notes.push_back("N = " + count_text(Integer(n + what_.outside)));
+      if (what_.outside > 0)
+        figure.notes.push_back("outside all classes: " + count_text(what_.outside));
     }
     return figure;
   }
@@ -104,6 +106,8 @@ private:
       else
         is_open = true;
     }
+    for (const DrawnSize &s : what_.sizes)
+      cover(log10_of(s.size));
     if (what_.envelope && what_.curve)
       for (const Rational &size : what_.envelope->sizes)
         if (size > 0)
@@ -220,7 +224,7 @@ private:
 
   void add_curve(Panel &p) const {
     Series s;
-    s.title = what_.particles.empty() ? "sieve analysis" : "target: sieve analysis";
+    s.title = what_.particles.empty() && what_.sizes.empty() ? "sieve analysis" : "target: sieve analysis";
     s.color = curve_color;
     s.mark = Mark::disc;
     s.mark_size = 0.6;
@@ -236,19 +240,30 @@ private:
     p.series.push_back(s);
   }
 
-  /// The share of the set that passes a size: steps, each at the size of a class's particles.
+  /// The sizes of the particles: those of the classes where no others are given.
+  std::vector<DrawnSize> steps() const {
+    if (!what_.sizes.empty())
+      return what_.sizes;
+    std::vector<DrawnSize> steps;
+    for (const DrawnClass &c : what_.particles)
+      steps.push_back({c.size, c.mass});
+    return steps;
+  }
+
+  /// The share of the set that passes a size: steps, each at a size of particles.
   void add_steps(Panel &p) const {
-    if (what_.particles.empty())
+    const std::vector<DrawnSize> all = steps();
+    if (all.empty())
       return;
     Rational total = 0;
-    for (const DrawnClass &c : what_.particles)
+    for (const DrawnSize &c : all)
       total += c.mass;
     Series s;
     s.title = "set of particles";
     s.color = set_color;
     s.points.push_back({x_.low, 0});
     Rational below = 0;
-    for (const DrawnClass &c : what_.particles) {
+    for (const DrawnSize &c : all) {
       const double at = log10_of(c.size);
       s.points.push_back({at, percent(Rational(below / total))});
       below += c.mass;

@@ -20,6 +20,11 @@ struct DrawnClass {
   Rational size;    ///< within what the drawing can show
 };
 
+/// Particles of one size, in the gradation's unit.
+struct DrawnSize {
+  Rational size, mass;
+};
+
 /// The contents of a figure. \invariant curve or counts; counts only of particles
 struct GradationFigure {
   Bands bands = Bands::uscs;
@@ -28,6 +33,8 @@ struct GradationFigure {
   bool counts = false;               ///< particles of each class over size
   std::optional<Envelope> envelope;  ///< of the curve
   std::vector<DrawnClass> particles; ///< ascending; empty: none to show
+  std::vector<DrawnSize> sizes;      ///< of the particles, ascending; empty: one a class
+  Integer outside = 0;               ///< particles outside all classes, which `sizes` have alone
 };
 
 /// The gradation's curve through its sieves over log size, percent passing and retained; D10, D30, D60, C_u,

@@ -36,6 +36,10 @@ struct ParticleOptions {
   SizeUnit target = SizeUnit::mm;
 };
 
+/// The format that the beginning of a file tells; nothing where it is that of a gradation, of an answer, or of
+/// no file of particles. A last line that is cut off may be left out.
+std::optional<ParticleFormat> told_format(std::string_view beginning);
+
 class LineReader;
 class ParticleSource;
 

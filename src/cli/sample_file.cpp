@@ -1,0 +1,124 @@
+#include "cli/sample_file.hpp"
+
+#include "answer/generated_reader.hpp"
+#include "cli/progress.hpp"
+#include "particles/sample_sieves.hpp"
+#include "text/lines.hpp"
+
+#include <mdm/gradation/read_gradation.hpp>
+
+#include <fmt/core.h>
+
+#include <atomic>
+#include <fstream>
+
+namespace mdm::cli {
+namespace {
+
+/// A set with its sizes; they have a line.
+constexpr std::size_t max_set_bytes = std::size_t{1} << 30;
+constexpr std::size_t lines_read_at_once = 4096;
+
+std::string first_bytes(const std::string &path) {
+  constexpr std::size_t looked_at = std::size_t{1} << 16;
+  if (path == "-")
+    return "";
+  std::string begin(looked_at, ' ');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), looked_at);
+  const bool is_whole = file.gcount() < static_cast<std::streamsize>(looked_at);
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  return is_whole ? begin + "\n" : begin;
+}
+
+void hand_on(const StatedSet &set, const ParticleOptions &options, ParticleSink &sink) {
+  if (set.sizes.empty())
+    throw InputError("the set has its classes and no sizes: write it with mdm generate --sizes");
+  const LengthUnit unit =
+      options.unit.value_or(set.unit ? length_unit(*set.unit) : length_unit(options.target));
+  const Rational factor =
+      in_mm(unit) / in_mm(length_unit(options.target)) * (options.meaning == SizeMeaning::radius ? 2 : 1);
+  for (const SizeRange &size : set.sizes)
+    sink.add(SizeRange{size.lo * factor, size.hi * factor, size.is_open}, 1);
+}
+
+/// Counts what it hands on.
+class Counting : public ParticleSink {
+public:
+  explicit Counting(ParticleSink &sink) : sink_(sink) {}
+  void restart() override { sink_.restart(); }
+  void add(const RootSize &diameter, const Integer &quantity) override {
+    sink_.add(diameter, quantity);
+    ++count;
+  }
+  void add(const SizeRange &diameter, const Integer &quantity) override {
+    sink_.add(diameter, quantity);
+    ++count;
+  }
+
+  std::atomic<std::uint64_t> count = 0;
+
+private:
+  ParticleSink &sink_;
+};
+
+} // namespace
+
+bool is_sample_file(const std::string &path) {
+  const std::string begin = first_bytes(path);
+  return is_generated(begin) || told_format(begin).has_value();
+}
+
+bool is_generated_file(const std::string &path) {
+  return is_generated(first_bytes(path));
+}
+
+void read_lines(ParticleReader &reader, std::vector<FileLines::Line> first, FileLines &rest,
+                const std::string &path) {
+  std::uint64_t number = 0;
+  for (; !first.empty(); first = rest.next(lines_read_at_once))
+    for (const FileLines::Line &line : first) {
+      ++number;
+      if (!line)
+        throw file_error(line_name(path, number), FileLines::too_long("the line"));
+      reader.line(*line);
+    }
+  reader.end();
+}
+
+std::vector<std::string> read_sample_file(const std::string &path, const ParticleOptions &options,
+                                          ParticleSink &sink, bool quiet) {
+  if (!options.format && is_generated_file(path)) {
+    const StatedSet set = read_generated(read_file(path, max_set_bytes), shown_name(path));
+    in_file(path, [&] { hand_on(set, options, sink); });
+    return {};
+  }
+  Counting counting(sink);
+  const Progress progress([&counting] { return fmt::format("{} sizes read", counting.count.load()); }, quiet);
+  ParticleReader reader(shown_name(path), counting, options);
+  FileLines lines(path);
+  read_lines(reader, lines.next(lines_read_at_once), lines, path);
+  return reader.notes();
+}
+
+Gradation any_gradation(const std::string &path, const ReadingFlags &reading, bool quiet) {
+  const std::string begin = first_bytes(path);
+  if (is_generated(begin)) {
+    const StatedSet set = read_generated(read_file(path, max_set_bytes), shown_name(path));
+    return in_file(path, [&set] { return set_gradation(set); });
+  }
+  if (reading.is_unit_at_most() && told_format(begin)) {
+    ParticleOptions options;
+    if (reading.unit)
+      options.unit = parse_length_unit(*reading.unit);
+    if (reading.unit && !options.unit)
+      throw InputError("--unit: " + in_quotes(*reading.unit) +
+                       " is no unit of particles: use mm, um, m or in");
+    SampleSieves sieves;
+    const std::vector<std::string> notes = read_sample_file(path, options, sieves, quiet);
+    return sieves.gradation(stem(path), SizeUnit::mm, notes);
+  }
+  return read_gradation(read_file(path, max_gradation_bytes), shown_name(path), reading.reading());
+}
+
+} // namespace mdm::cli

@@ -1,0 +1,38 @@
+#pragma once
+/// \file
+/// Files of particles, in all formats, and the gradations that commands take from files of any kind.
+
+#include "cli/files.hpp"
+#include "cli/reading_flags.hpp"
+
+#include <mdm/gradation/gradation.hpp>
+#include <mdm/particles/particle_reader.hpp>
+
+#include <string>
+#include <vector>
+
+namespace mdm::cli {
+
+/// True for a file that begins as files of particles do, or is a set of mdm generate; standard input is not
+/// looked at.
+bool is_sample_file(const std::string &path);
+
+/// True for a file that begins as sets of mdm generate do; standard input is not looked at.
+bool is_generated_file(const std::string &path);
+
+/// Gives the reader the lines of a file of which the first were taken already, and its end.
+/// \throws InputError naming the line
+void read_lines(ParticleReader &reader, std::vector<FileLines::Line> first, FileLines &rest,
+                const std::string &path);
+
+/// Hands the particles of a file on: of any format but an answer of mdm solve in JSON. Notes say what was
+/// assumed. Cost: the file line by line; a set in JSON is read as a whole.
+/// \throws InputError naming the file
+std::vector<std::string> read_sample_file(const std::string &path, const ParticleOptions &options,
+                                          ParticleSink &sink, bool quiet);
+
+/// The gradation that a file is, or that a set of mdm generate or a sample of particles in it has.
+/// \throws InputError naming the file
+Gradation any_gradation(const std::string &path, const ReadingFlags &reading, bool quiet);
+
+} // namespace mdm::cli

@@ -1,0 +1,81 @@
+#include "particles/sample_sieves.hpp"
+
+#include <mdm/number/decimal.hpp>
+#include <mdm/number/enclosure.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+namespace mdm {
+namespace {
+
+/// The least decimal of so many significant digits that is not below x > 0.
+Rational rounded_up(const Rational &x, unsigned digits) {
+  Rational unit = 1;
+  const Rational most(power_of_ten(digits));
+  while (x / unit > most)
+    unit *= 10;
+  while (x / unit * 10 <= most)
+    unit /= 10;
+  return Rational(ceil(Rational(x / unit))) * unit;
+}
+
+} // namespace
+
+void SampleSieves::restart() {
+  *this = SampleSieves();
+}
+
+void SampleSieves::gather(const Rational &size, const Integer &quantity) {
+  masses_[digits_ == 0 ? size : rounded_up(size, digits_)] += power(size, 3) * Rational(quantity);
+  particles_ += quantity;
+  if (masses_.size() > most_sieves)
+    coarsen();
+}
+
+void SampleSieves::coarsen() {
+  constexpr unsigned first_digits = 4;
+  do {
+    digits_ = digits_ == 0 ? first_digits : digits_ - 1;
+    std::map<Rational, Rational> coarser;
+    for (const auto &[size, mass] : masses_)
+      coarser[rounded_up(size, digits_)] += mass;
+    masses_ = std::move(coarser);
+  } while (masses_.size() > most_sieves && digits_ > 1);
+}
+
+void SampleSieves::add(const RootSize &diameter, const Integer &quantity) {
+  constexpr unsigned digits = 15;
+  gather(diameter.degree == 1
+             ? diameter.power
+             : enclose_root(numerator(diameter.power), denominator(diameter.power), diameter.degree, digits)
+                   .upper(),
+         quantity);
+}
+
+void SampleSieves::add(const SizeRange &diameter, const Integer &quantity) {
+  has_ranges_ = has_ranges_ || !diameter.is_point();
+  gather(diameter.hi, quantity);
+}
+
+Gradation SampleSieves::gradation(const std::string &id, SizeUnit unit,
+                                  std::vector<std::string> notes) const {
+  Gradation::Data data;
+  data.notes = std::move(notes);
+  data.id = id;
+  data.unit = unit;
+  data.sizes.emplace_back(0);
+  for (const auto &[size, mass] : masses_) {
+    data.sizes.push_back(size);
+    data.masses.push_back(mass);
+  }
+  data.masses.emplace_back(0);
+  data.notes.push_back(
+      fmt::format("a sample of {} spheres: its gradation has a sieve of each size{}", to_string(particles_),
+                  digits_ == 0 ? std::string() : fmt::format(", rounded up to {} digits", digits_)));
+  if (has_ranges_)
+    data.notes.emplace_back("of sizes of which ranges are known the upper ends were taken");
+  return Gradation(std::move(data));
+}
+
+} // namespace mdm
