@@ -30,6 +30,7 @@ namespace {
 struct PlotCommand {
   std::string file;
   std::optional<std::string> answer, band, bands, what, colour; ///< answer: or another sample
+  std::optional<std::string> sieve_names;
   bool match = false;
   bool coarse_left = false;
   OutputFlags output;
@@ -140,6 +141,15 @@ bool are_of(const std::vector<DrawnClass> &classes, const Gradation &g) {
   });
 }
 
+/// As asked for; else none of a sample's sizes.
+SieveNames sieve_names(const PlotCommand &c, bool is_sample) {
+  if (c.sieve_names)
+    return *c.sieve_names == "astm"  ? SieveNames::astm
+           : *c.sieve_names == "iso" ? SieveNames::iso
+                                     : SieveNames::none;
+  return is_sample ? SieveNames::none : SieveNames::iso;
+}
+
 int limited(const PlotCommand &c, const Match &m) {
   tell(fmt::format("{}: nothing was drawn: the smallest match was not found within {} steps, N in [{}, {}]; "
                    "solve it with mdm solve --format json and give that ANSWER\n",
@@ -149,7 +159,8 @@ int limited(const PlotCommand &c, const Match &m) {
 }
 
 int run_packing(const PlotCommand &c, const Packing &packing) {
-  if (c.answer || c.match || c.what || c.band || c.bands || c.coarse_left || c.reading.is_given())
+  if (c.answer || c.match || c.what || c.band || c.bands || c.coarse_left || c.sieve_names ||
+      c.reading.is_given())
     throw InputError(printable(shown_name(c.file)) +
                      " is a packing: of the options for what is drawn --colour alone is for it: leave out "
                      "the others");
@@ -172,14 +183,17 @@ int run(const PlotCommand &c) {
     return run_packing(c, read_packing(content, shown_name(c.file)));
   if (c.colour)
     throw InputError("--colour is for packings: give a FILE that mdm pack -o wrote");
-  const Gradation g = is_sample_file(c.file)
-                          ? any_gradation(c.file, c.reading, c.output.quiet)
-                          : read_gradation(content, shown_name(c.file), c.reading.reading());
+  const bool is_sample = is_sample_file(c.file);
+  const Gradation g = is_sample ? any_gradation(c.file, c.reading, c.output.quiet)
+                                : read_gradation(content, shown_name(c.file), c.reading.reading());
   std::vector<std::string> notes = g.notes();
   GradationFigure what;
   if (c.bands && c.bands != "uscs")
     what.bands = c.bands == "iso" ? Bands::iso_14688 : Bands::none;
   what.coarse_left = c.coarse_left;
+  what.sieve_names = sieve_names(c, is_sample);
+  if (is_sample)
+    what.curve_title = "set of particles";
   if (c.band) {
     what.envelope = read_envelope(read_file(*c.band, max_gradation_bytes), shown_name(*c.band));
     notes.insert(notes.end(), what.envelope->notes.begin(), what.envelope->notes.end());
@@ -232,6 +246,12 @@ Run add_plot(CLI::App &app) {
       ->type_name("FILE");
   command.add_option("--bands", c->bands, "size bands: uscs, iso (14688) or none (uscs)")
       ->check(CLI::IsMember({"uscs", "iso", "none"}));
+  command
+      .add_option(
+          "--sieve-names", c->sieve_names,
+          "at the sieves: astm (No. 200, 3/8 in), iso (their openings, the default), or none (the default "
+          "of particles)")
+      ->check(CLI::IsMember({"astm", "iso", "none"}));
   command.add_flag("--coarse-left", c->coarse_left, "coarse sizes on the left, as in the United States");
   command
       .add_option(

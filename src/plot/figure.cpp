@@ -65,7 +65,7 @@ std::string power_of_ten_text(int exponent, bool plain) {
 }
 
 /// Powers of ten, every one or every few; between those of every one, their multiples, of which a short axis
-/// shows 2 and 5.
+/// shows 2 and 5 and the last.
 std::vector<Tick> decades(double low, double high) {
   constexpr double most_labels = 12;
   constexpr double most_with_minor = 8;
@@ -74,15 +74,19 @@ std::vector<Tick> decades(double low, double high) {
   const double slack = 1e-9;
   const bool plain = std::max(-low, high) <= most_plain;
   const double step = std::max(1.0, std::ceil((high - low) / most_labels));
+  const bool shows_multiples = plain && high - low <= shortest;
   std::vector<Tick> ticks;
   for (double e = std::floor(low / step) * step; e <= high + slack; e += step) {
     if (e >= low - slack)
       ticks.push_back({e, power_of_ten_text(static_cast<int>(e), plain)});
-    for (int digit = 2; digit < 10 && high - low <= most_with_minor; ++digit)
-      if (const double at = e + std::log10(digit); at >= low - slack && at <= high + slack)
-        ticks.push_back({at, plain && high - low <= shortest && (digit == 2 || digit == 5)
+    for (int digit = 2; digit < 10 && high - low <= most_with_minor; ++digit) {
+      const double at = e + std::log10(digit);
+      const bool is_last = at <= high + slack && e + std::log10(digit + 1) > high + slack;
+      if (at >= low - slack && at <= high + slack)
+        ticks.push_back({at, shows_multiples && (digit == 2 || digit == 5 || is_last)
                                  ? multiple_text(digit, static_cast<int>(e))
                                  : ""});
+    }
   }
   return ticks;
 }

@@ -118,7 +118,7 @@ struct Figure {
   double panel_height = 380;
   std::size_t columns = 1;
   std::vector<Panel> panels;
-  std::vector<std::string> notes; ///< lines beside the panels, below the legend
+  std::vector<std::string> notes; ///< lines below the panels, or beside a colour bar
   std::optional<Axis> colors;     ///< scale of Point::value, drawn as a bar
 };
 

@@ -106,7 +106,8 @@ private:
     return fmt::format("$panel{}_series{}", panel + 1, series + 1);
   }
 
-  /// Places everything: the panels' grid, then the colour bar, then the legend and the notes.
+  /// Places everything: the panels' grid, then beside it the colour bar, or below it the legend and the
+  /// notes.
   void arrange() {
     for (const Panel &p : f_.panels) {
       margins_.cover(margins(p));
@@ -118,22 +119,54 @@ private:
     const double columns = std::min(panels, static_cast<double>(f_.columns));
     cell_width_ = margins_.left + f_.panel_width + margins_.right;
     cell_height_ = margins_.top + f_.panel_height + margins_.bottom;
-    colors_left_ = columns * cell_width_;
-    side_left_ = colors_left_ + (f_.colors ? 0 : 2 * text_gap);
-    if (f_.colors)
-      side_left_ += color_bar_width + tick_length + widest(f_.colors->ticks) + line_height + 3 * text_gap;
-    double side = 0;
-    for (const Series *s : legend_)
-      side = std::max(side, legend_sample + 2 * text_gap + text_width(legend_title(*s), letter_size));
-    for (const std::string &note : f_.notes)
-      side = std::max(side, text_width(fitted(note, widest_note), letter_size));
-    width_ = std::ceil(side_left_ + (side > 0 ? side + 3 * text_gap : 0));
+    const double grid_width = columns * cell_width_, grid_height = std::ceil(panels / columns) * cell_height_;
     const double title = f_.title.empty() ? 0 : 2 * title_size;
-    height_ = std::ceil(
-        std::max(std::ceil(panels / columns) * cell_height_,
-                 2 * text_gap + line_height * static_cast<double>(legend_.size() + f_.notes.size() + 1)) +
-        title);
+    if (f_.colors)
+      arrange_beside(grid_width, grid_height);
+    else
+      arrange_below(grid_width, grid_height);
+    height_ += title;
     top_ = height_ - title;
+  }
+
+  double legend_width() const {
+    double width = 0;
+    for (const Series *s : legend_)
+      width = std::max(width, legend_sample + 2 * text_gap + text_width(legend_title(*s), letter_size));
+    return width;
+  }
+
+  double notes_width() const {
+    double width = 0;
+    for (const std::string &note : f_.notes)
+      width = std::max(width, text_width(fitted(note, widest_note), letter_size));
+    return width;
+  }
+
+  /// A colour bar, and beside it the legend above the notes.
+  void arrange_beside(double grid_width, double grid_height) {
+    colors_left_ = grid_width;
+    side_left_ =
+        colors_left_ + color_bar_width + tick_length + widest(f_.colors->ticks) + line_height + 3 * text_gap;
+    const double side = std::max(legend_width(), notes_width());
+    width_ = std::ceil(side_left_ + (side > 0 ? side + 3 * text_gap : 0));
+    height_ = std::ceil(std::max(
+        grid_height, 2 * text_gap + line_height * static_cast<double>(legend_.size() + f_.notes.size() + 1)));
+    note_rows_ = f_.notes.size();
+  }
+
+  /// The legend below the panels, and at its right the notes in columns.
+  void arrange_below(double grid_width, double grid_height) {
+    side_left_ = margins_.left;
+    note_width_ = notes_width() + 3 * text_gap;
+    notes_left_ = side_left_ + (legend_.empty() ? 0 : legend_width() + 3 * text_gap);
+    const double notes_end = f_.notes.empty() ? 0 : note_width_;
+    width_ = std::ceil(std::max(grid_width, notes_left_ + notes_end));
+    const auto note_columns =
+        static_cast<std::size_t>(std::max(1.0, std::floor((width_ - notes_left_) / note_width_)));
+    note_rows_ = std::max(legend_.size(), (f_.notes.size() + note_columns - 1) / note_columns);
+    below_ = note_rows_ == 0 ? 0 : text_gap + line_height * static_cast<double>(note_rows_);
+    height_ = std::ceil(grid_height + below_);
   }
 
   static std::string legend_title(const Series &s) {
@@ -336,18 +369,12 @@ private:
       add_label_at(screen(margins_.left, height_ - title_size),
                    fitted(f_.title, width_ - margins_.left - text_gap, title_size), Align::left,
                    fmt::format(" font ',{}'", title_size));
-    double y = top_ - text_gap - line_height / 2;
-    if (!legend_.empty()) {
-      add("set key at {} top left Left reverse samplen 3 spacing 1.1 noautotitle\n",
-          screen(side_left_, top_ - text_gap));
-      y -= line_height * static_cast<double>(legend_.size() + 1);
-    } else {
+    const double top = f_.colors ? top_ - text_gap : below_;
+    if (legend_.empty())
       add("unset key\n");
-    }
-    for (const std::string &note : f_.notes) {
-      add_label(side_left_, y, fitted(note, widest_note), Align::left);
-      y -= line_height;
-    }
+    else
+      add("set key at {} top left Left reverse samplen 3 spacing 1.1 noautotitle\n", screen(side_left_, top));
+    add_notes(top - line_height / 2);
     if (!f_.colors)
       return;
     const Frame r = frame(0);
@@ -358,6 +385,19 @@ private:
     add_ticks("cb", f_.colors->ticks, "");
     add_label(side_left_ - 2 * text_gap - line_height / 2, (r.top + last) / 2, f_.colors->title,
               Align::center, " rotate by 90");
+  }
+
+  /// \param y  of the first line
+  void add_notes(double y) {
+    double left = f_.colors ? side_left_ : notes_left_;
+    if (f_.colors && !legend_.empty())
+      y -= line_height * static_cast<double>(legend_.size() + 1);
+    for (std::size_t i = 0; i < f_.notes.size(); ++i) {
+      if (i > 0 && i % note_rows_ == 0)
+        left += note_width_;
+      add_label(left, y - line_height * static_cast<double>(i % note_rows_), fitted(f_.notes[i], widest_note),
+                Align::left);
+    }
   }
 
   void add_panel(std::size_t i) {
@@ -426,7 +466,10 @@ private:
   std::vector<const Series *> legend_;
   std::set<std::string> titles_;
   double cell_width_ = 0, cell_height_ = 0;
-  double colors_left_ = 0, side_left_ = 0;
+  double colors_left_ = 0, side_left_ = 0, notes_left_ = 0; ///< of the bar, the legend and the notes
+  double note_width_ = 0;                                   ///< of a column of notes
+  std::size_t note_rows_ = 0;
+  double below_ = 0; ///< height of what stands below the panels
   double width_ = 0, height_ = 0;
   double top_ = 0; ///< of the panels
 };

@@ -144,10 +144,15 @@ private:
   }
 
   void add_sieves(Panel &p) const {
-    for (const Rational &size : sizes_)
-      if (size > 0)
-        p.top.push_back(
-            {at_mm(size), astm_sieve_name(size).value_or(length_text(Rational(size / unit_mm_)))});
+    if (what_.sieve_names == SieveNames::none)
+      return;
+    for (const Rational &size : sizes_) {
+      if (size == 0)
+        continue;
+      const std::optional<std::string> name =
+          what_.sieve_names == SieveNames::astm ? astm_sieve_name(size) : std::nullopt;
+      p.top.push_back({at_mm(size), name.value_or(length_text(Rational(size / unit_mm_)))});
+    }
   }
 
   std::vector<Fraction> fractions() const {
@@ -224,10 +229,14 @@ private:
 
   void add_curve(Panel &p) const {
     Series s;
-    s.title = what_.particles.empty() && what_.sizes.empty() ? "sieve analysis" : "target: sieve analysis";
+    s.title =
+        what_.particles.empty() && what_.sizes.empty() ? what_.curve_title : "target: " + what_.curve_title;
     s.color = curve_color;
-    s.mark = Mark::disc;
-    s.mark_size = 0.6;
+    constexpr std::size_t most_marks = 60;
+    if (sizes_.size() <= most_marks) {
+      s.mark = Mark::disc;
+      s.mark_size = 0.6;
+    }
     s.width = 2;
     for (std::size_t i = 0; i < sizes_.size(); ++i)
       if (sizes_[i] > 0)

@@ -12,6 +12,10 @@ namespace mdm {
 /// The classification whose size bands are shown.
 enum class Bands { uscs, iso_14688, none };
 
+/// The series of sieves after which openings are named: ASTM E11 (`No. 200`); ISO 3310-1 (`0.075`), by its
+/// opening; or none of the openings.
+enum class SieveNames { astm, iso, none };
+
 /// The particles of one class, lower < size <= upper; lengths in the gradation's unit.
 struct DrawnClass {
   Rational lower, upper;
@@ -28,6 +32,8 @@ struct DrawnSize {
 /// The contents of a figure. \invariant curve or counts; counts only of particles
 struct GradationFigure {
   Bands bands = Bands::uscs;
+  std::string curve_title = "sieve analysis";
+  SieveNames sieve_names = SieveNames::iso;
   bool coarse_left = false;
   bool curve = true;                 ///< percent passing over size
   bool counts = false;               ///< particles of each class over size
