@@ -234,7 +234,8 @@ AnswerSample read_answer(std::string_view content, const std::string &file) {
   // Where the answer begins, mostly its only line: the key says where in it.
   const std::size_t line = line_number(content, first);
   if (!content.substr(first).starts_with('{'))
-    source.refuse(line, "this is not one JSON object: give the JSON answer of mdm solve");
+    source.refuse(line,
+                  "this is neither the JSON answer of mdm solve nor a file of particles: give one of them");
   try {
     const Json answer = json_tree(content);
     return AnswerReader(answer).sample();

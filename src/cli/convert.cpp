@@ -3,6 +3,7 @@
 #include "cli/help.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/reading_flags.hpp"
+#include "cli/sample_file.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
@@ -46,9 +47,7 @@ int run(const ConvertCommand &c) {
   if (c.dry_run && (c.output.out || c.output.asked_format))
     throw InputError("--dry-run: nothing is converted: leave out -o and --format");
   check_distinct({c.file, c.output.path()});
-  const std::string content = read_file(c.file, max_gradation_bytes);
-  const UnderstoodGradation u =
-      understand_gradation(content, shown_name(c.file), c.reading.reading(PhiReading::rounded));
+  const UnderstoodGradation u = any_gradation(c.file, c.reading, c.output.quiet, PhiReading::rounded);
   Output out(c.output.path());
   out.write(in_file(c.file, [&] { return converted(c, u); }));
   out.commit();
@@ -65,7 +64,8 @@ Run add_convert(CLI::App &app) {
   command
       .add_option("FILE", c->file,
                   "gradation: CSV, JSON, AGS4, DIGGS, a table or workbook of a laboratory, a file of an "
-                  "instrument; - for standard input")
+                  "instrument; or a set of mdm generate or file of particles, whose gradation it is; - for "
+                  "standard input")
       ->required();
   c->output.add_out(command);
   command.add_option("--format", c->output.asked_format, "csv or json; json if OUT ends so, else csv")

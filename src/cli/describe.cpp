@@ -7,7 +7,6 @@
 #include "cli/sample_file.hpp"
 #include "report/description.hpp"
 
-#include <mdm/gradation/read_gradation.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 
@@ -43,7 +42,7 @@ DescribeOptions options(const DescribeCommand &c) {
 }
 
 Gradation gradation(const DescribeCommand &c) {
-  Gradation g = any_gradation(c.file, c.reading, c.output.quiet);
+  Gradation g = any_gradation(c.file, c.reading, c.output.quiet).gradation;
   if (!c.pan_size)
     return g;
   const Rational size = number("--pan-size", *c.pan_size);

@@ -9,9 +9,12 @@
 #include "cli/packing_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
+#include "cli/sample_file.hpp"
 #include "cli/solve_flags.hpp"
 #include "particles/cost.hpp"
+#include "particles/sample_set.hpp"
 #include "text/json_member.hpp"
+#include "text/lines.hpp"
 
 #include <mdm/answer/answer.hpp>
 #include <mdm/answer/answer_sample.hpp>
@@ -63,7 +66,8 @@ struct ExportCommand {
   GradationFlags::Text file; ///< open: the band alone
   SolveFlags flags;
   std::vector<CLI::Option *> solving; ///< options that only a gradation has a use for
-  GradationFlags::Text unit, density, mass_error, box, seed, young, poisson, model, steps, start, sides;
+  GradationFlags::Text unit, size_unit, density, mass_error, box, seed, young, poisson, model, steps, start,
+      sides;
   ReadingFlags reading;
   std::string to;
   OutputFlags output;
@@ -123,18 +127,56 @@ struct Particles {
   SizeUnit unit = SizeUnit::mm; ///< of lengths in options
   std::optional<Solids> solids; ///< that were asked for
   std::string question;         ///< of an answer, in words
+  bool has_gradation = true;    ///< FILE is one, by which the particles can be judged
 };
+
+/// Refuses the options of solving, which a file has no use for that `has` what they would ask for.
+void refuse_solving(const ExportCommand &c, const char *has) {
+  for (const CLI::Option *option : c.solving)
+    if (option->count() > 0 && option->get_name() != "--law")
+      throw InputError(option->get_name() + ": " + printable(shown_name(*c.file)) + " " + has +
+                       ": leave it out, or export the gradation");
+}
 
 Particles answer_particles(const ExportCommand &c, const std::string &content,
                            const ParticleSetOptions &options) {
-  for (const CLI::Option *option : c.solving)
-    if (option->count() > 0 && option->get_name() != "--law")
-      throw InputError(option->get_name() + ": the answer in " + printable(shown_name(*c.file)) +
-                       " is solved already: leave it out, or export the gradation");
+  refuse_solving(c, "is an answer, solved already");
   const AnswerSample answer = read_answer(content, shown_name(*c.file));
   const MassLaw law = c.flags.GradationFlags::question().law;
-  return {in_file(*c.file, [&] { return particle_set(answer, law, options); }), Exit::done, answer.unit,
-          std::nullopt, answer.question};
+  return {in_file(*c.file, [&] { return particle_set(answer, law, options); }),
+          Exit::done,
+          answer.unit,
+          std::nullopt,
+          answer.question,
+          false};
+}
+
+std::optional<LengthUnit> size_unit(const ExportCommand &c) {
+  if (!c.size_unit)
+    return std::nullopt;
+  const std::optional<LengthUnit> unit = parse_length_unit(*c.size_unit);
+  if (!unit)
+    throw InputError("--size-unit: " + in_quotes(*c.size_unit) + " is unknown: use mm, um, m or in");
+  return unit;
+}
+
+/// The particles of a file of them, as they are.
+Particles sample_particles(const ExportCommand &c, const ParticleSetOptions &options) {
+  refuse_solving(c, "holds particles already");
+  if (c.spread || c.reading.is_given())
+    throw InputError((c.spread ? "--spread" : c.reading.given()) + ": " + printable(*c.file) +
+                     " holds particles already: leave it out");
+  ParticleOptions reading;
+  reading.says_otherwise = "--size-unit says";
+  reading.unit = size_unit(c);
+  SampleSet sample;
+  c.output.tell_notes(read_sample_file(*c.file, reading, sample, c.output.quiet));
+  return {in_file(*c.file, [&] { return sample.set(stem(*c.file), LengthUnit::mm, options); }),
+          Exit::done,
+          SizeUnit::mm,
+          std::nullopt,
+          "",
+          false};
 }
 
 /// \param content of FILE; open: there is the band alone
@@ -161,6 +203,10 @@ Particles solved_particles(const ExportCommand &c, const std::optional<std::stri
 }
 
 Particles particles(const ExportCommand &c, const ParticleSetOptions &options) {
+  if (c.file && is_sample_file(*c.file))
+    return sample_particles(c, options);
+  if (c.size_unit)
+    throw InputError("--size-unit: it is of files of particles, and FILE is none: leave it out");
   std::optional<std::string> content;
   if (c.file)
     content = read_file(*c.file, max_gradation_bytes);
@@ -401,9 +447,11 @@ void tell_rounding(const ExportCommand &c, const Particles &found, const Placeme
 }
 
 /// The command that judges the file; empty where there is none to judge, or no exact counts in it.
-std::string how_to_verify(const ExportCommand &c, const Format &format, const ParticleSet &set) {
+std::string how_to_verify(const ExportCommand &c, const Format &format, const Particles &found) {
+  const ParticleSet &set = *found.set;
   const std::optional<std::string> options = verify_options(c);
-  if (!options || c.file == "-" || c.output.path() == "-" || format.write == write_mercurydpm)
+  if (!options || !found.has_gradation || c.file == "-" || c.output.path() == "-" ||
+      format.write == write_mercurydpm)
     return "";
   const std::string unit =
       format.write == write_size_csv ? "" : " --size-unit " + std::string(name(set.unit));
@@ -426,7 +474,7 @@ void write_file(const ExportCommand &c, const Format &format, const std::optiona
     return write_model(c, format, *model, found, start, seed);
   Output out(c.output.path());
   if (!c.output.quiet)
-    tell(guide(format, *found.set, start, e) + how_to_verify(c, format, *found.set));
+    tell(guide(format, *found.set, start, e) + how_to_verify(c, format, found));
   Progress progress([] { return std::string("writing"); }, c.output.quiet);
   const Sink sink = [&out](std::string_view text) { out.write(text); };
   if (start)
@@ -504,16 +552,21 @@ int run(const ExportCommand &c) {
 Run add_export(CLI::App &app) {
   const auto c = std::make_shared<ExportCommand>();
   CLI::App &command = *app.add_subcommand("export", "Particle files for DEM codes, with exact counts");
-  command.add_option("FILE", c->file,
-                     "JSON answer of mdm solve, a gradation to solve (CSV, JSON or AGS4), or a packing of "
-                     "discs by mdm pack; - for "
-                     "standard input; needed unless there is a --band");
+  command.add_option(
+      "FILE", c->file,
+      "answer of mdm solve, gradation to solve (CSV, JSON or AGS4), set of mdm generate with its "
+      "--sizes, file of particles as mdm verify reads, or packing of discs by mdm pack; - for "
+      "standard input; needed unless there is a --band");
   command
       .add_option("--to", c->to,
                   "format: " + format_names() + "; of a packing lammps, liggghts, yade, lmgc90, vtk or csv")
       ->type_name("FORMAT")
       ->required();
   command.add_option("--unit", c->unit, "unit of lengths in the file: m (default), mm, um or in")
+      ->type_name("UNIT");
+  command
+      .add_option("--size-unit", c->size_unit,
+                  "unit of FILE where it is a file of particles: as in mdm verify")
       ->type_name("UNIT");
   command
       .add_option("--density", c->density,

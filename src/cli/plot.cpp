@@ -184,7 +184,7 @@ int run(const PlotCommand &c) {
   if (c.colour)
     throw InputError("--colour is for packings: give a FILE that mdm pack -o wrote");
   const bool is_sample = is_sample_file(c.file);
-  const Gradation g = is_sample ? any_gradation(c.file, c.reading, c.output.quiet)
+  const Gradation g = is_sample ? any_gradation(c.file, c.reading, c.output.quiet).gradation
                                 : read_gradation(content, shown_name(c.file), c.reading.reading());
   std::vector<std::string> notes = g.notes();
   GradationFigure what;
@@ -198,7 +198,7 @@ int run(const PlotCommand &c) {
     what.envelope = read_envelope(read_file(*c.band, max_gradation_bytes), shown_name(*c.band));
     notes.insert(notes.end(), what.envelope->notes.begin(), what.envelope->notes.end());
   }
-  if (c.answer && (*c.answer != "-" && is_sample_file(*c.answer))) {
+  if (c.answer && (is_sample_file(*c.answer) || is_packing_file(*c.answer))) {
     add_sample(what, g, c, notes);
   } else if (c.answer) {
     what.particles =

@@ -7,6 +7,7 @@
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
+#include "cli/sample_file.hpp"
 #include "cli/solve_flags.hpp"
 #include "match/fixed_size.hpp"
 #include "match/spanned_integer.hpp"
@@ -158,6 +159,7 @@ int run(const PublishedCommand &c) {
   const Algorithm algorithm = c.algorithm == "spanned-integer" ? spanned_integer_of(c) : fixed_size_of(c);
   const Question question = c.flags.question();
   const unsigned digits = c.digits ? digits_of("--digits", *c.digits) : 15;
+  refuse_sample(c.file);
   const Gradation read =
       read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
   Progress progress([] { return std::string("running the algorithm"); }, c.output.quiet);

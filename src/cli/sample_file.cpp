@@ -1,11 +1,10 @@
 #include "cli/sample_file.hpp"
 
 #include "answer/generated_reader.hpp"
+#include "cli/packing_file.hpp"
 #include "cli/progress.hpp"
 #include "particles/sample_sieves.hpp"
 #include "text/lines.hpp"
-
-#include <mdm/gradation/read_gradation.hpp>
 
 #include <fmt/core.h>
 
@@ -88,6 +87,9 @@ void read_lines(ParticleReader &reader, std::vector<FileLines::Line> first, File
 
 std::vector<std::string> read_sample_file(const std::string &path, const ParticleOptions &options,
                                           ParticleSink &sink, bool quiet) {
+  if (is_packing_file(path))
+    throw file_error(path, "it is a packing: mdm export " + shell_word(path) +
+                               " --to csv writes the sizes of its discs");
   if (!options.format && is_generated_file(path)) {
     const StatedSet set = read_generated(read_file(path, max_set_bytes), shown_name(path));
     in_file(path, [&] { hand_on(set, options, sink); });
@@ -101,14 +103,23 @@ std::vector<std::string> read_sample_file(const std::string &path, const Particl
   return reader.notes();
 }
 
-Gradation any_gradation(const std::string &path, const ReadingFlags &reading, bool quiet) {
+void refuse_sample(const std::string &path) {
+  if (is_sample_file(path))
+    throw file_error(path, "it holds particles, no gradation: mdm convert " + shell_word(path) +
+                               " -o GRADATION.csv writes the one that they have");
+}
+
+UnderstoodGradation any_gradation(const std::string &path, const ReadingFlags &reading, bool quiet,
+                                  PhiReading phi) {
   const std::string begin = first_bytes(path);
   if (is_generated(begin)) {
     const StatedSet set = read_generated(read_file(path, max_set_bytes), shown_name(path));
-    return in_file(path, [&set] { return set_gradation(set); });
+    return {in_file(path, [&set] { return set_gradation(set); }), "set of mdm generate", "bounds of classes",
+            "volume fractions", false};
   }
   if (reading.is_unit_at_most() && told_format(begin)) {
     ParticleOptions options;
+    options.says_otherwise = "--unit says";
     if (reading.unit)
       options.unit = parse_length_unit(*reading.unit);
     if (reading.unit && !options.unit)
@@ -116,9 +127,10 @@ Gradation any_gradation(const std::string &path, const ReadingFlags &reading, bo
                        " is no unit of particles: use mm, um, m or in");
     SampleSieves sieves;
     const std::vector<std::string> notes = read_sample_file(path, options, sieves, quiet);
-    return sieves.gradation(stem(path), SizeUnit::mm, notes);
+    return {sieves.gradation(stem(path), SizeUnit::mm, notes), "file of particles", "those of the particles",
+            "x^3 times their number", false};
   }
-  return read_gradation(read_file(path, max_gradation_bytes), shown_name(path), reading.reading());
+  return understand_gradation(read_file(path, max_gradation_bytes), shown_name(path), reading.reading(phi));
 }
 
 } // namespace mdm::cli

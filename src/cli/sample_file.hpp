@@ -5,7 +5,7 @@
 #include "cli/files.hpp"
 #include "cli/reading_flags.hpp"
 
-#include <mdm/gradation/gradation.hpp>
+#include <mdm/gradation/read_gradation.hpp>
 #include <mdm/particles/particle_reader.hpp>
 
 #include <string>
@@ -31,8 +31,12 @@ void read_lines(ParticleReader &reader, std::vector<FileLines::Line> first, File
 std::vector<std::string> read_sample_file(const std::string &path, const ParticleOptions &options,
                                           ParticleSink &sink, bool quiet);
 
+/// Refuses a file that holds particles or a set where a gradation is wanted, and says what makes one of it.
+void refuse_sample(const std::string &path);
+
 /// The gradation that a file is, or that a set of mdm generate or a sample of particles in it has.
 /// \throws InputError naming the file
-Gradation any_gradation(const std::string &path, const ReadingFlags &reading, bool quiet);
+UnderstoodGradation any_gradation(const std::string &path, const ReadingFlags &reading, bool quiet,
+                                  PhiReading phi = PhiReading::exact);
 
 } // namespace mdm::cli

@@ -5,6 +5,7 @@
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
+#include "cli/sample_file.hpp"
 #include "cli/search_progress.hpp"
 #include "cli/solve_flags.hpp"
 
@@ -50,6 +51,7 @@ struct Target {
 Target target(const SolveCommand &c, const Question &question) {
   if (!c.file)
     return {in_file(c.flags.source(c.file), [&] { return middle_of(*question.band); }), ""};
+  refuse_sample(*c.file);
   const std::string content = read_file(*c.file, max_gradation_bytes);
   UnderstoodGradation read = understand_gradation(content, shown_name(*c.file), c.reading.reading());
   return {std::move(read.gradation),

@@ -5,6 +5,7 @@
 #include "cli/output_flags.hpp"
 #include "cli/picture.hpp"
 #include "cli/reading_flags.hpp"
+#include "cli/sample_file.hpp"
 #include "cli/search_progress.hpp"
 #include "cli/solve_flags.hpp"
 #include "plot/tradeoff_figure.hpp"
@@ -93,6 +94,7 @@ int run(const TradeoffCommand &c) {
     throw InputError("--plot: " + printable(*c.plot) + ": let OUT end in .svg, .png or .pdf");
   const TradeoffOptions o = options(c);
   const Question q = question(c);
+  refuse_sample(c.file);
   const Gradation g =
       read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
   Output out(c.output.path());

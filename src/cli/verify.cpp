@@ -53,6 +53,7 @@ Rational tolerance_of(const VerifyCommand &c) {
 ParticleOptions particle_options(const VerifyCommand &c, SizeUnit target) {
   ParticleOptions options;
   options.target = target;
+  options.says_otherwise = "--radius, --diameter and --size-unit say";
   if (c.from)
     options.format = parse_particle_format(*c.from);
   if (c.from && !options.format)
@@ -168,7 +169,7 @@ Found read_sample(const VerifyCommand &c, const Gradation &g, const Question &qu
                   const Rational &snap) {
   const ParticleOptions options = particle_options(c, g.unit());
   Tally tally(Description(g, {question.law, snap, 1, 1}));
-  if (!options.format && is_generated_file(c.sample)) {
+  if (!options.format && (is_generated_file(c.sample) || is_packing_file(c.sample))) {
     std::vector<std::string> notes = read_sample_file(c.sample, options, tally, c.output.quiet);
     return {tally.description(), {}, std::move(notes)};
   }
@@ -197,6 +198,7 @@ struct Asked {
 };
 
 Asked read_target(const VerifyCommand &c, const Question &question) {
+  refuse_sample(c.gradation);
   Gradation g = read_gradation(read_file(c.gradation, max_gradation_bytes), shown_name(c.gradation),
                                c.reading.reading());
   return in_file(c.gradation, [&] {

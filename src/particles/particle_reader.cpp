@@ -188,10 +188,11 @@ LengthUnit ParticleReader::unit() const {
 std::vector<std::string> ParticleReader::notes() const {
   std::vector<std::string> notes = source_->notes();
   if (!source_->options().unit && format_ != ParticleFormat::csv && format_ != ParticleFormat::mercurydpm)
-    notes.push_back(fmt::format("The sizes were taken as {} in {}; --radius, --diameter and --size-unit say "
-                                "otherwise.",
-                                source_->meaning() == SizeMeaning::radius ? "radii" : "diameters",
-                                name(source_->unit())));
+    notes.push_back(fmt::format(
+        "The sizes were taken as {} in {}{}.",
+        source_->meaning() == SizeMeaning::radius ? "radii" : "diameters", name(source_->unit()),
+        source_->options().says_otherwise.empty() ? ""
+                                                  : "; " + source_->options().says_otherwise + " otherwise"));
   return notes;
 }
 

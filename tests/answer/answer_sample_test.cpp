@@ -145,7 +145,7 @@ TEST_CASE("answers: broken ones") {
   };
   CHECK(contains(refusal_of("{\n\"schema\": }"), "a.json:2: this is not JSON"));
   CHECK(contains(refusal_of("{}"), "a.json:1: schema is missing"));
-  CHECK(contains(refusal_of("[]"), "a.json:1: this is not one JSON object"));
+  CHECK(contains(refusal_of("[]"), "a.json:1: this is neither the JSON answer"));
   CHECK(contains(refusal_of("\n{\"schema\":\"x\"}"), "a.json:2: schema 'x'"));
   CHECK(contains(broken("\"unit\":", "\n\"unit\":\"um\",\n\"unit\":"),
                  "a.json:3: key 'unit' is there twice: leave one"));

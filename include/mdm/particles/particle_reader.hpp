@@ -7,6 +7,7 @@
 #include <mdm/particles/particle_format.hpp>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace mdm {
@@ -34,6 +35,8 @@ struct ParticleOptions {
   std::optional<Integer> timestep;
   /// The unit that diameters are handed on in.
   SizeUnit target = SizeUnit::mm;
+  /// The options that say meaning and unit otherwise, for the note about them: `--a and --b`; or none.
+  std::string says_otherwise = {};
 };
 
 /// The format that the beginning of a file tells; nothing where it is that of a gradation, of an answer, or of
