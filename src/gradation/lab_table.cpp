@@ -109,6 +109,10 @@ private:
     table_.lines.push_back(line_of(row_));
     table_.sizes.push_back(size);
     read_value();
+    for (const std::size_t column : {columns_.size, columns_.value})
+      if (std::binary_search(cells_.long_numbers.begin(), cells_.long_numbers.end(),
+                             std::pair(line_of(row_), column)))
+        long_numbers_.add(cells_.rows[row_].cell(column));
   }
 
   /// A size without a value.
@@ -347,8 +351,13 @@ private:
       for (const std::string &other : columns_.others)
         others.add(other);
       table_.notes.push_back(
-          fmt::format("The columns {} were not used; --columns chooses others.", others.text()));
+          fmt::format("Columns that were not used: {}; --columns chooses them.", others.text()));
     }
+    if (!long_numbers_.empty())
+      table_.notes.push_back(
+          fmt::format("Cells that have no decimal of at most 15 digits were read as they are stored: "
+                      "{}; see --round.",
+                      long_numbers_.text()));
     if (!left_.empty())
       table_.notes.push_back(fmt::format("Rows that are no sizes were left out: {}.", left_.text()));
   }
@@ -364,17 +373,18 @@ private:
   bool below_gap_ = false;
   std::optional<Rational> total_;
   ShortList left_;
+  ShortList long_numbers_; ///< of a workbook
 };
 
-[[noreturn]] void refuse_table(const Cells &cells, const Source &source) {
+} // namespace
+
+void refuse_table(const Cells &cells, const Source &source) {
   const std::size_t line = cells.rows.empty() ? 1 : cells.rows.front().line;
   const std::string first = cells.rows.empty() ? "" : std::string(cells.rows.front().cell(0));
-  source.refuse(line, fmt::format("{}; the file begins {}: {}",
+  source.refuse(line, fmt::format("{}; the file begins {}: {}{}",
                                   unknown_size_column(first, "size_mm,passing_percent"), beginning_of(cells),
-                                  options));
+                                  options, cells.hint));
 }
-
-} // namespace
 
 Table read_lab_table(const Cells &cells, const Source &source, const std::string &id,
                      const Reading &reading) {
@@ -382,21 +392,6 @@ Table read_lab_table(const Cells &cells, const Source &source, const std::string
   if (!columns)
     refuse_table(cells, source);
   return LabTable(cells, std::move(*columns), source, id, reading).read();
-}
-
-Table read_lab_text(std::string_view text, const Source &source, const std::string &id,
-                    const Reading &reading) {
-  const std::size_t skip =
-      static_cast<std::size_t>(std::min<std::uint64_t>(reading.skip.value_or(0), text.size()));
-  for (const char delimiter : {'\t', ';', ','}) {
-    if (text.find(delimiter) == std::string_view::npos)
-      continue;
-    const Cells cells = cells_of_text(text, delimiter, skip, source);
-    if (find_columns(cells, reading, source))
-      return read_lab_table(cells, source, id, reading);
-  }
-  const char delimiter = text.find(';') == std::string_view::npos ? ',' : ';';
-  refuse_table(cells_of_text(text, delimiter, skip, source), source);
 }
 
 } // namespace mdm

@@ -78,7 +78,7 @@ TEST_CASE("Of several columns mass retained comes first, and the note names the 
                            "No. 200,0.075,30,60,40\nPan,,20,40,\n");
   CHECK(text(g.masses()) == "20 30 0");
   CHECK(
-      has_note(g, "The columns '% passing', '% retained', 'Sieve' were not used; --columns chooses others."));
+      has_note(g, "Columns that were not used: '% passing', '% retained', 'Sieve'; --columns chooses them."));
   CHECK(text(read_with("Opening (mm),Retained (g),% passing\n4.75,0,100\n0.075,30,40\n", columns("1,3"))
                  .masses()) == "40 60 0");
   CHECK(contains(refusal("Size (mm),Passing (%),Finer (%)\n1,100,100\n0.5,3,4\n"),
