@@ -101,10 +101,11 @@ private:
       below_gap_ = true;
     if (value_cell().empty() && number_cell(size_cell()))
       return read_unvalued();
-    if (take_second_header() || take_total() || take_text())
+    if (take_second_header() || take_total() || take_bare_pan() || take_text())
       return;
     if (table_.sizes.size() == max_gradation_rows)
       refuse(fmt::format("there are more than {} rows: give fewer sieves", max_gradation_rows));
+    check_width();
     const Rational size = row_size();
     table_.lines.push_back(line_of(row_));
     table_.sizes.push_back(size);
@@ -113,6 +114,17 @@ private:
       if (std::binary_search(cells_.long_numbers.begin(), cells_.long_numbers.end(),
                              std::pair(line_of(row_), column)))
         long_numbers_.add(cells_.rows[row_].cell(column));
+  }
+
+  /// A cell beyond the header is of no column: the row may be split in wrong places.
+  void check_width() const {
+    const std::vector<std::string> &cells = cells_.rows[row_].cells;
+    for (std::size_t i = columns_.width; columns_.width != 0 && i < cells.size(); ++i)
+      if (!cells[i].empty())
+        refuse(fmt::format(
+            "the row has more cells than the header, {}: {} is beyond: name its column, or put ; between "
+            "cells where numbers have decimal commas",
+            columns_.width, in_quotes(cells[i])));
   }
 
   /// A size without a value.
@@ -138,6 +150,7 @@ private:
     columns_.size = next->size;
     columns_.value = next->value;
     columns_.sizes = next->sizes;
+    columns_.width = next->width;
     row_ = next->first_row - 1;
     below_gap_ = false;
     return true;
@@ -156,6 +169,15 @@ private:
       return false;
     if (const std::optional<NumberCell> number = number_cell(value_cell()))
       total_ = decimal(*number);
+    leave();
+    return true;
+  }
+
+  /// A pan without a value: nothing passes it, and all is retained down to it.
+  bool take_bare_pan() {
+    if (!is_pan_word(size_cell()) || !value_cell().empty() ||
+        columns_.values.meaning == ColumnMeaning::retained)
+      return false;
     leave();
     return true;
   }

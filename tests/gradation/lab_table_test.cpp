@@ -85,6 +85,12 @@ TEST_CASE("Of several columns mass retained comes first, and the note names the 
                  "sand.csv:1: the columns 'Passing (%)' and 'Finer (%)' have one meaning"));
 }
 
+TEST_CASE("A pan without a value says nothing of what passes, but must have a mass") {
+  CHECK(text(read("Size (mm),% passing\n2,100\n1,40\nPan,\n").masses()) == "40 60 0");
+  CHECK(contains(refusal("Size (mm),Mass (g)\n2,0\n1,40\nPan,\n"),
+                 "sand.csv:4: '' in the column 'Mass (g)' is not a number"));
+}
+
 TEST_CASE("Cumulative masses are taken apart") {
   const Gradation g = read("Sieve size (mm),Cumulative mass retained (g)\n2,0\n1,10\n0.5,25\npan,40\n");
   CHECK(text(g.masses()) == "15 15 10 0");
@@ -157,6 +163,8 @@ TEST_CASE("Rows that are wrong are refused with their line and what to do") {
       contains(refusal(head + "1,trace\n"), "sand.csv:3: 'trace' in the column 'Mass (g)' is not a number"));
   CHECK(contains(refusal(head + "D50,0.3\n"), "sand.csv:3: 'D50' is no sieve"));
   CHECK(contains(refusal(head + "1,5%\n"), "sand.csv:3: '5%' has another unit than the column 'Mass (g)'"));
+  CHECK(contains(refusal(head + "0,5,3\n"),
+                 "sand.csv:3: the row has more cells than the header, 2: '3' is beyond"));
   CHECK(contains(refusal(head + "1,2\n1,3\n"), "size 1 mm repeats that of line 3"));
   CHECK(contains(refusal("Size (mm),Mass (g)\n"), "there is no row with a size and a number"));
   CHECK(contains(refusal("Size (mm),Passing (g)\n1,2\n"), "the mass that passes is given"));
