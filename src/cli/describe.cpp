@@ -74,7 +74,10 @@ Run add_describe(CLI::App &app) {
   const auto c = std::make_shared<DescribeCommand>();
   CLI::App &command =
       *app.add_subcommand("describe", "Index numbers, fractions and the soil group of a gradation");
-  command.add_option("FILE", c->file, "gradation: CSV, JSON or AGS4; - for standard input")->required();
+  command
+      .add_option("FILE", c->file,
+                  "gradation: CSV, JSON, AGS4, or another file that mdm convert reads; - for standard input")
+      ->required();
   command
       .add_option("--liquid-limit", c->liquid_limit,
                   "of the fines, in percent; without limits they are low-plasticity silt")

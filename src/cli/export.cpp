@@ -505,7 +505,8 @@ Run add_export(CLI::App &app) {
   const auto c = std::make_shared<ExportCommand>();
   CLI::App &command = *app.add_subcommand("export", "Particle files for DEM codes, with exact counts");
   command.add_option("FILE", c->file,
-                     "JSON answer of mdm solve, a gradation to solve (CSV, JSON or AGS4), or a packing of "
+                     "JSON answer of mdm solve, a gradation to solve (CSV, JSON, AGS4, or another that mdm "
+                     "convert reads), or a packing of "
                      "discs by mdm pack; - for "
                      "standard input; needed unless there is a --band");
   command

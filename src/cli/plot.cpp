@@ -162,7 +162,8 @@ Run add_plot(CLI::App &app) {
                                                   "match it, or a packing of discs (gnuplot draws)");
   command
       .add_option("FILE", c->file,
-                  "gradation: CSV, JSON or AGS4; or a packing that mdm pack -o wrote; - for standard input")
+                  "gradation: CSV, JSON, AGS4, or another file that mdm convert reads; or a packing that mdm "
+                  "pack -o wrote; - for standard input")
       ->required();
   command.add_option("ANSWER", c->answer, "particles to show: the JSON answer of mdm solve");
   command.add_flag("--match", c->match, "show the smallest match: solve now");

@@ -105,6 +105,11 @@ private:
       return;
     if (table_.sizes.size() == max_gradation_rows)
       refuse(fmt::format("there are more than {} rows: give fewer sieves", max_gradation_rows));
+    if (other_header_)
+      refuse(fmt::format(
+          "the row of {} is below words that may begin another table: leave out what is none of the "
+          "curve",
+          in_quotes(size_cell())));
     check_width();
     const Rational size = row_size();
     table_.lines.push_back(line_of(row_));
@@ -152,7 +157,7 @@ private:
     columns_.sizes = next->sizes;
     columns_.width = next->width;
     row_ = next->first_row - 1;
-    below_gap_ = false;
+    below_gap_ = other_header_ = false;
     return true;
   }
 
@@ -187,8 +192,9 @@ private:
     const bool is_size = number_cell(size_cell()) || is_pan_word(size_cell()) || is_sieve(size_cell());
     if (is_size && number_cell(value_cell()))
       return false;
-    if (!below_gap_ && (is_size || number_cell(value_cell())))
+    if (!below_gap_ && (is_size || !value_cell().empty()))
       return false;
+    other_header_ |= !size_cell().empty() && !value_cell().empty() && !number_cell(value_cell());
     leave();
     return true;
   }
@@ -266,8 +272,15 @@ private:
         refuse(fmt::format("{} has another unit than the column {}: say what it is with --kind",
                            in_quotes(value_cell()), in_quotes(columns_.value_name)));
       columns_.values.unit = number->unit;
+      unit_is_of_cells_ = true;
     }
     table_.values.push_back(decimal(*number));
+    has_plain_ |= number->unit == ColumnUnit::none && table_.values.back() != 0;
+    if (unit_is_of_cells_ && has_plain_)
+      refuse(fmt::format(
+          "some values in the column {} have a unit, as {} or others above, and some have none: write all "
+          "alike",
+          in_quotes(columns_.value_name), in_quotes(value_cell())));
     table_.roundings.push_back(last_digit_unit(number->digits, decimal_sign_) / 2);
   }
 
@@ -393,6 +406,9 @@ private:
   Rational unit_in_mm_ = 1;
   std::size_t row_ = 0;
   bool below_gap_ = false;
+  bool other_header_ = false; ///< words below a gap, in both columns
+  bool unit_is_of_cells_ = false;
+  bool has_plain_ = false; ///< a value above 0 without a unit
   std::optional<Rational> total_;
   ShortList left_;
   ShortList long_numbers_; ///< of a workbook
@@ -400,9 +416,15 @@ private:
 
 } // namespace
 
-void refuse_table(const Cells &cells, const Source &source) {
+void refuse_table(const Cells &cells, const Reading &reading, const Source &source) {
   const std::size_t line = cells.rows.empty() ? 1 : cells.rows.front().line;
   const std::string first = cells.rows.empty() ? "" : std::string(cells.rows.front().cell(0));
+  if (reading.columns)
+    source.refuse(
+        line,
+        fmt::format("--columns: no header has {}, and no row has numbers there; the file begins {}: give "
+                    "names as they stand in the header, or numbers from 1 on{}",
+                    in_quotes(*reading.columns), beginning_of(cells), cells.hint));
   source.refuse(line, fmt::format("{}; the file begins {}: {}{}",
                                   unknown_size_column(first, "size_mm,passing_percent"), beginning_of(cells),
                                   options, cells.hint));
@@ -412,7 +434,7 @@ Table read_lab_table(const Cells &cells, const Source &source, const std::string
                      const Reading &reading) {
   std::optional<TableColumns> columns = find_columns(cells, reading, source);
   if (!columns)
-    refuse_table(cells, source);
+    refuse_table(cells, reading, source);
   return LabTable(cells, std::move(*columns), source, id, reading).read();
 }
 

@@ -16,6 +16,6 @@ namespace mdm {
 Table read_lab_table(const Cells &cells, const Source &source, const std::string &id, const Reading &reading);
 
 /// Refuses a table whose columns are not known.
-[[noreturn]] void refuse_table(const Cells &cells, const Source &source);
+[[noreturn]] void refuse_table(const Cells &cells, const Reading &reading, const Source &source);
 
 } // namespace mdm

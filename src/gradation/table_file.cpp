@@ -38,7 +38,7 @@ Table read_text_table(std::string_view text, const Source &source, const std::st
     if (!first)
       first = std::move(cells);
   }
-  refuse_table(first ? *first : cells_of_text(text, ',', skip, source), source);
+  refuse_table(first ? *first : cells_of_text(text, ',', skip, source), reading, source);
 }
 
 Table read_sheet_table(std::string_view bytes, const Source &source, const std::string &id,

@@ -140,7 +140,7 @@ TEST_CASE("Options that do not serve are refused") {
   CHECK(contains(refusal_with(table, columns("1,1")), "names one column twice"));
   CHECK(contains(refusal_with(table, columns("1,2")),
                  "'x' does not say what the column of masses holds: add --kind"));
-  CHECK(contains(refusal_with(table, columns("1,y")), "first column 'Size (mm)' is unknown"));
+  CHECK(contains(refusal_with(table, columns("1,y")), "sand.csv:1: --columns: no header has '1,y'"));
   Reading reading;
   reading.kind = "weight";
   CHECK(contains(refusal_with(table, reading), "--kind: 'weight' is none of passing, retained"));
@@ -174,6 +174,18 @@ TEST_CASE("Below an empty row what has no size is left") {
   const Gradation g = read("Size (mm),Mass (g)\n2,0\n1,5\n\nD50,0.3\nCu,\nRemarks,none\n");
   CHECK(text(g.sizes()) == "1 2");
   CHECK(has_note(g, "Rows that are no sizes were left out: 'D50', 'Cu', 'Remarks'."));
+}
+
+TEST_CASE("A table of something else below is not taken for a part of the curve") {
+  CHECK(contains(refusal("Size (mm),Mass (g)\n2,0\n1,5\n\nAge,Strength\n7,30\n28,41\n"),
+                 "sand.csv:6: the row of '7' is below words that may begin another table"));
+  CHECK(contains(refusal("Size (mm),Mass (g)\n2,0\n1,5\nAge,Strength\n"), "'Age' is no sieve"));
+}
+
+TEST_CASE("Values with and without a unit do not go together") {
+  CHECK(contains(refusal("Size (mm),Retained\n2,0\n1,0.45\n0.5,55%\n"),
+                 "sand.csv:4: some values in the column"));
+  CHECK(text(read("Size (mm),Retained\n2,0\n1,45%\n0.5,55%\n").masses()) == "55 45 0");
 }
 
 TEST_CASE("A total that the rows do not add up to is noted") {
