@@ -2,10 +2,11 @@
 
 #include "gradation/cell_numbers.hpp"
 #include "gradation/csv_rows.hpp"
+#include "gradation/lab_values.hpp"
 #include "gradation/phi.hpp"
-#include "gradation/shown.hpp"
 #include "gradation/sieve_name.hpp"
 #include "gradation/table_columns.hpp"
+#include "text/lines.hpp"
 #include "text/short_list.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -15,7 +16,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace mdm {
 namespace {
@@ -59,8 +59,7 @@ public:
       source_.refuse(table_.header_line,
                      fmt::format("there is no row with a size and a number below {} and {}: {}",
                                  in_quotes(columns_.size_name), in_quotes(columns_.value_name), options));
-    settle_kind();
-    check_sum();
+    settle_lab_values(table_, {columns_.values, columns_.value_name, total_}, reading_, source_);
     describe();
     return std::move(table_);
   }
@@ -187,9 +186,21 @@ private:
     return true;
   }
 
+  /// A size, or what looks like one and must not be overlooked: `<0.063`, `0.02*`.
+  bool may_be_size() const {
+    const std::string_view cell = size_cell();
+    return is_range(cell) || (!cell.empty() && is_digit(cell.front())) || number_cell(cell) ||
+           is_pan_word(cell) || is_sieve(cell);
+  }
+
+  static bool is_range(std::string_view cell) {
+    return cell.starts_with('<') || cell.starts_with('>') || cell.starts_with("\u2264") ||
+           cell.starts_with("\u2265");
+  }
+
   /// A row that is none of the curve: words without a value, or anything below an empty row that has no size.
   bool take_text() {
-    const bool is_size = number_cell(size_cell()) || is_pan_word(size_cell()) || is_sieve(size_cell());
+    const bool is_size = may_be_size();
     if (is_size && number_cell(value_cell()))
       return false;
     if (!below_gap_ && (is_size || !value_cell().empty()))
@@ -223,8 +234,7 @@ private:
     const std::string_view cell = size_cell();
     if (is_pan_word(cell))
       return 0;
-    if (cell.starts_with('<') || cell.starts_with('>') || cell.starts_with("\u2264") ||
-        cell.starts_with("\u2265"))
+    if (is_range(cell))
       refuse(fmt::format(
           "the size {} is a range: write pan for what passes the finest sieve, and the opening of "
           "the sieve for what stays on it",
@@ -282,93 +292,6 @@ private:
           "alike",
           in_quotes(columns_.value_name), in_quotes(value_cell())));
     table_.roundings.push_back(last_digit_unit(number->digits, decimal_sign_) / 2);
-  }
-
-  /// The canonical column that the values are; differences of cumulative masses are masses.
-  void settle_kind() {
-    HeaderMeaning &values = columns_.values;
-    if (values.unit == ColumnUnit::mass && values.meaning == ColumnMeaning::passing)
-      source_.refuse(table_.header_line,
-                     "the mass that passes is given, not its percentage: divide by the whole mass, "
-                     "or give the mass retained");
-    if (values.meaning == ColumnMeaning::cumulative && values.unit == ColumnUnit::mass)
-      take_differences();
-    else if (values.unit == ColumnUnit::none && values.meaning != ColumnMeaning::retained)
-      settle_percent();
-    table_.column = find_mass_column(column_name());
-    if (table_.column->form == MassForm::retained)
-      table_.roundings.clear();
-    else
-      for (Rational &rounding : table_.roundings)
-        rounding *= ratio(100, table_.column->full);
-  }
-
-  std::string_view column_name() const {
-    const bool is_percent = columns_.values.unit == ColumnUnit::percent;
-    const bool is_fraction = columns_.values.unit == ColumnUnit::fraction;
-    switch (columns_.values.meaning) {
-    case ColumnMeaning::passing:
-      return is_fraction ? "passing_fraction" : "passing_percent";
-    case ColumnMeaning::cumulative:
-      if (is_fraction)
-        source_.refuse(table_.header_line, "cumulative fractions are not read: give them in percent");
-      return "cumulative_retained_percent";
-    default:
-      return is_percent ? "retained_percent" : is_fraction ? "retained_fraction" : "mass";
-    }
-  }
-
-  /// Percent, if the whole is there as 100 or the user says passing or cumulative.
-  void settle_percent() {
-    const Rational largest = *std::max_element(table_.values.begin(), table_.values.end());
-    if (!reading_.kind && largest != 100)
-      source_.refuse(
-          table_.header_line,
-          fmt::format("the column {} may be percent or fractions, its largest value is {}: say --kind "
-                      "passing_percent, passing_fraction or cumulative_retained_percent",
-                      in_quotes(columns_.value_name), shown(largest)));
-    columns_.values.unit = ColumnUnit::percent;
-  }
-
-  void take_differences() {
-    std::vector<std::size_t> order(table_.sizes.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [this](std::size_t i, std::size_t j) { return table_.sizes[i] > table_.sizes[j]; });
-    Rational above = 0;
-    for (const std::size_t i : order) {
-      const Rational value = table_.values[i];
-      if (value < above)
-        source_.refuse(table_.lines[i],
-                       fmt::format("cumulative mass {} is below {} of the next coarser sieve: correct "
-                                   "one of them",
-                                   shown(value), shown(above)));
-      table_.values[i] = value - above;
-      above = value;
-    }
-    columns_.values = {ColumnMeaning::retained, ColumnUnit::mass};
-    table_.notes.emplace_back(
-        "Cumulative masses were taken apart: each sieve holds the difference to the next "
-        "coarser one.");
-  }
-
-  /// What the rows add up to must be what the total says and what percents can be.
-  void check_sum() {
-    if (table_.column->form != MassForm::retained)
-      return;
-    Rational sum = 0;
-    for (const Rational &value : table_.values)
-      sum += value;
-    if (total_ && *total_ != sum)
-      table_.notes.push_back(fmt::format("The file's total is {}, the rows add up to {}; the rows are used.",
-                                         shown(*total_), shown(sum)));
-    constexpr int most_percent = 105; // of rounded percents
-    if (table_.column->full == 100 && sum > most_percent && !reading_.kind)
-      source_.refuse(
-          table_.header_line,
-          fmt::format("percent retained add up to {}: if {} is cumulative, say --kind cumulative, else "
-                      "--kind retained_percent",
-                      shown(sum), in_quotes(columns_.value_name)));
   }
 
   void describe() {

@@ -120,6 +120,8 @@ Table text_table(std::string_view text, const Source &source, const std::string 
 /// Takes the values to the digits that were asked for, and with them what their last digits say of their
 /// rounding.
 void settle_values(Table &table, const Reading &reading) {
+  if (table.has_settled_digits)
+    return;
   if (reading.round)
     for (std::size_t i = 0; i < table.roundings.size(); ++i)
       table.roundings[i] = std::max<Rational>(

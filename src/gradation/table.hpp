@@ -48,6 +48,7 @@ struct Table {
   std::string sizes_from;           ///< where the sizes stand, in which unit
   std::string masses_from;          ///< the same of the values, with what they are
   std::vector<std::string> samples; ///< of a file with several
+  bool has_settled_digits = false;  ///< --round was applied where the values were read
   bool is_canonical = true;         ///< the proof checker reads the same from the file
 };
 

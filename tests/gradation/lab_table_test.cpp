@@ -182,6 +182,19 @@ TEST_CASE("A table of something else below is not taken for a part of the curve"
   CHECK(contains(refusal("Size (mm),Mass (g)\n2,0\n1,5\nAge,Strength\n"), "'Age' is no sieve"));
 }
 
+TEST_CASE("Below an empty row, too, nothing that looks like a size is left") {
+  const std::string table = "Size (mm),Mass (g)\n2,0\n1,5\n\n";
+  CHECK(contains(refusal(table + "<0.063,2\n"), "sand.csv:5: the size '<0.063' is a range"));
+  CHECK(contains(refusal(table + "0.02*,2\n"), "sand.csv:5: '0.02*' is no sieve"));
+}
+
+TEST_CASE("Cumulative masses are rounded before they are taken apart") {
+  Reading two;
+  two.round = 2;
+  CHECK(text(read_with("Size (mm),Cumulative mass retained (g)\n2,0\n1,10.4\n0.5,99.6\n", two).masses()) ==
+        "90 10 0");
+}
+
 TEST_CASE("Values with and without a unit do not go together") {
   CHECK(contains(refusal("Size (mm),Retained\n2,0\n1,0.45\n0.5,55%\n"),
                  "sand.csv:4: some values in the column"));
