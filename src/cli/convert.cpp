@@ -32,6 +32,8 @@ std::string understood_text(const ConvertCommand &c, const UnderstoodGradation &
   text += std::string("  check   ") +
           (u.is_canonical ? "mdm-check reads the file as it is" : "mdm-check reads what mdm convert writes") +
           "\n";
+  for (const std::string &sample : u.samples)
+    text += "  sample  " + printable(sample) + "\n";
   for (const std::string &note : g.notes())
     text += "  note    " + note + "\n";
   return text + "\n" + gradation_csv(g);

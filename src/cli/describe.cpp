@@ -74,10 +74,10 @@ Run add_describe(CLI::App &app) {
   CLI::App &command =
       *app.add_subcommand("describe", "Index numbers, fractions and the soil group of a gradation");
   command
-      .add_option(
-          "FILE", c->file,
-          "gradation (CSV, JSON, AGS4), set of mdm generate, or file of particles as mdm verify reads; - for "
-          "standard input")
+      .add_option("FILE", c->file,
+                  "gradation (any that mdm convert reads), set of mdm generate, or file of particles as mdm "
+                  "verify reads; - for "
+                  "standard input")
       ->required();
   command
       .add_option("--liquid-limit", c->liquid_limit,

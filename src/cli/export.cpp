@@ -554,7 +554,7 @@ Run add_export(CLI::App &app) {
   CLI::App &command = *app.add_subcommand("export", "Particle files for DEM codes, with exact counts");
   command.add_option(
       "FILE", c->file,
-      "answer of mdm solve, gradation to solve (CSV, JSON or AGS4), set of mdm generate with its "
+      "answer of mdm solve, gradation to solve (any that mdm convert reads), set of mdm generate with its "
       "--sizes, file of particles as mdm verify reads, or packing of discs by mdm pack; - for "
       "standard input; needed unless there is a --band");
   command

@@ -342,7 +342,9 @@ Run add_generate(CLI::App &app) {
   option("--dmax", c->d_max, "SIZE", "largest size of a beta curve");
   option("--span", c->span, "S", "(dmax - dmin) / (dmax + dmin), between 0 and 1");
   option("--ratio", c->ratio, "R", "dmax / dmin, above 1");
-  option("--curve", c->curve, "FILE", "the curve of a gradation: CSV, JSON or AGS4; - for standard input");
+  option("--curve", c->curve, "FILE",
+         "the curve of a gradation: CSV, JSON, AGS4, or another file that mdm convert reads; - for standard "
+         "input");
   option("--between", c->between, "TEXT",
          "what the curve of a file does between sieves: linear in log size (log, the "
          "default) or in size (linear), or constant (stair)")

@@ -198,7 +198,7 @@ int run(const PlotCommand &c) {
     what.envelope = read_envelope(read_file(*c.band, max_gradation_bytes), shown_name(*c.band));
     notes.insert(notes.end(), what.envelope->notes.begin(), what.envelope->notes.end());
   }
-  if (c.answer && (is_sample_file(*c.answer) || is_packing_file(*c.answer))) {
+  if (c.answer && !is_answer_file(*c.answer)) {
     add_sample(what, g, c, notes);
   } else if (c.answer) {
     what.particles =
@@ -230,10 +230,10 @@ Run add_plot(CLI::App &app) {
   CLI::App &command = *app.add_subcommand("plot", "A gradation as the field draws it with the particles that "
                                                   "match it, or a packing of discs (gnuplot draws)");
   command
-      .add_option(
-          "FILE", c->file,
-          "gradation (CSV, JSON, AGS4), set of mdm generate, or file of particles as mdm verify reads; or a "
-          "packing that mdm pack -o wrote; - for standard input")
+      .add_option("FILE", c->file,
+                  "gradation (any that mdm convert reads), set of mdm generate, or file of particles as mdm "
+                  "verify reads; or a "
+                  "packing that mdm pack -o wrote; - for standard input")
       ->required();
   command.add_option(
       "SAMPLE", c->answer,

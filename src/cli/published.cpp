@@ -193,7 +193,10 @@ Run add_published(CLI::App &app) {
   command.add_option("ALGORITHM", c->algorithm, "rounded (Eq. 18), fixed-size (FS) or spanned-integer (SI)")
       ->required()
       ->check(CLI::IsMember({"rounded", "fixed-size", "spanned-integer"}));
-  command.add_option("FILE", c->file, "gradation: CSV, JSON or AGS4; - for standard input")->required();
+  command
+      .add_option("FILE", c->file,
+                  "gradation: CSV, JSON, AGS4, or another file that mdm convert reads; - for standard input")
+      ->required();
   c->flags.add_to(command);
   command
       .add_option(

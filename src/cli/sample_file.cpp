@@ -72,6 +72,11 @@ bool is_generated_file(const std::string &path) {
   return is_generated(first_bytes(path));
 }
 
+bool is_answer_file(const std::string &path) {
+  const std::string begin = first_bytes(path);
+  return path == "-" || (trimmed(without_byte_order_mark(begin)).starts_with('{') && !is_generated(begin));
+}
+
 void read_lines(ParticleReader &reader, std::vector<FileLines::Line> first, FileLines &rest,
                 const std::string &path) {
   std::uint64_t number = 0;
@@ -114,8 +119,12 @@ UnderstoodGradation any_gradation(const std::string &path, const ReadingFlags &r
   const std::string begin = first_bytes(path);
   if (is_generated(begin)) {
     const StatedSet set = read_generated(read_file(path, max_set_bytes), shown_name(path));
-    return {in_file(path, [&set] { return set_gradation(set); }), "set of mdm generate", "bounds of classes",
-            "volume fractions", false};
+    return {in_file(path, [&set] { return set_gradation(set); }),
+            "set of mdm generate",
+            "bounds of classes",
+            "volume fractions",
+            {},
+            false};
   }
   if (reading.is_unit_at_most() && told_format(begin)) {
     ParticleOptions options;
@@ -127,8 +136,12 @@ UnderstoodGradation any_gradation(const std::string &path, const ReadingFlags &r
                        " is no unit of particles: use mm, um, m or in");
     SampleSieves sieves;
     const std::vector<std::string> notes = read_sample_file(path, options, sieves, quiet);
-    return {sieves.gradation(stem(path), SizeUnit::mm, notes), "file of particles", "those of the particles",
-            "x^3 times their number", false};
+    return {sieves.gradation(stem(path), SizeUnit::mm, notes),
+            "file of particles",
+            "those of the particles",
+            "x^3 times their number",
+            {},
+            false};
   }
   return understand_gradation(read_file(path, max_gradation_bytes), shown_name(path), reading.reading(phi));
 }

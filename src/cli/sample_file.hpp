@@ -20,6 +20,9 @@ bool is_sample_file(const std::string &path);
 /// True for a file that begins as sets of mdm generate do; standard input is not looked at.
 bool is_generated_file(const std::string &path);
 
+/// True for a file of JSON that is no such set, and for standard input.
+bool is_answer_file(const std::string &path);
+
 /// Gives the reader the lines of a file of which the first were taken already, and its end.
 /// \throws InputError naming the line
 void read_lines(ParticleReader &reader, std::vector<FileLines::Line> first, FileLines &rest,

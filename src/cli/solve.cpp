@@ -219,7 +219,8 @@ Run add_solve(CLI::App &app) {
   const auto c = std::make_shared<SolveCommand>();
   CLI::App &command = *app.add_subcommand("solve", "The smallest set of particles that matches a gradation");
   command.add_option("FILE", c->file,
-                     "gradation: CSV, JSON or AGS4; - for standard input; needed unless there is a --band");
+                     "gradation: CSV, JSON, AGS4, or another file that mdm convert reads; - for standard "
+                     "input; needed unless there is a --band");
   c->flags.add_to(command);
   const OptionGroup group(command, "The answer");
   command

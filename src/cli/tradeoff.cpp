@@ -121,7 +121,10 @@ Run add_tradeoff(CLI::App &app) {
   const auto c = std::make_shared<TradeoffCommand>();
   CLI::App &command = *app.add_subcommand(
       "tradeoff", "The smallest N over a tolerance, and over the smallest sieve that is kept");
-  command.add_option("FILE", c->file, "gradation: CSV, JSON or AGS4; - for standard input")->required();
+  command
+      .add_option("FILE", c->file,
+                  "gradation: CSV, JSON, AGS4, or another file that mdm convert reads; - for standard input")
+      ->required();
   command
       .add_option("--kind", c->kind,
                   "what the tolerances are of: retained (percent in each class), passing (percent passing "

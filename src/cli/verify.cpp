@@ -259,7 +259,8 @@ Run add_verify(CLI::App &app) {
   CLI::App &command = *app.add_subcommand("verify", "Whether a sample of particles matches a gradation");
   command
       .add_option("GRADATION", c->gradation,
-                  "gradation: CSV, JSON or AGS4; - for standard input; or sizes of discs that mdm generate "
+                  "gradation: CSV, JSON, AGS4, or another file that mdm convert reads; - for standard input; "
+                  "or sizes of discs that mdm generate "
                   "--sizes wrote, "
                   "of which SAMPLE is a packing that mdm pack wrote")
       ->required();

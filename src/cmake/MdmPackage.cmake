@@ -27,5 +27,11 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 # FLINT 3 contains Arb.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libboost-dev, libflint-arb-dev | libflint-dev (>= 3), libflint-dev, \
 libfmt-dev, libgmp-dev, libmpfr-dev")
+if(Pugixml_FOUND)
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libpugixml-dev")
+  if(Libzip_FOUND)
+    string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libzip-dev")
+  endif()
+endif()
 
 include(CPack)

@@ -1,14 +1,14 @@
 #include "gradation/ags4_reader.hpp"
 
+#include "gradation/sample_choice.hpp"
 #include "gradation/table.hpp"
 #include "text/lines.hpp"
-#include "text/short_list.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -27,11 +27,12 @@ struct Row {
   std::size_t line;
   std::string size;
   std::string passing;
+  std::string type;
 };
 
 struct Specimen {
-  std::string location;
-  std::string id;
+  std::string id; ///< the values of its key, joined
+  std::string location, sample_id, sample_reference;
   std::vector<Row> rows;
 };
 
@@ -84,12 +85,22 @@ private:
     return static_cast<std::size_t>(found - fields_.begin());
   }
 
+  /// The place of a heading that need not be there; beyond all fields if it is not.
+  std::size_t optional_column(std::string_view heading) const {
+    return static_cast<std::size_t>(std::find(fields_.begin(), fields_.end(), heading) - fields_.begin());
+  }
+
+  std::string optional_field(std::size_t i) const { return i < fields_.size() ? fields_[i] : std::string(); }
+
   void read_headings() {
     width_ = fields_.size();
     has_units_ = false;
     location_ = column("LOCA_ID");
     size_ = column(size_heading);
     passing_ = column(passing_heading);
+    type_ = optional_column("GRAT_TYPE");
+    sample_id_ = optional_column("SAMP_ID");
+    sample_reference_ = optional_column("SAMP_REF");
     key_.clear();
     for (std::size_t i = 0; i < width_; ++i)
       if (i == location_ || fields_[i].starts_with("SAMP_") || fields_[i].starts_with("SPEC_"))
@@ -120,8 +131,7 @@ private:
     check_width();
     if (!has_units_)
       refuse("group GRAT has no UNIT row above this one: add it");
-    Row row{lines_.number(), std::move(fields_[size_]), std::move(fields_[passing_])};
-    specimen().rows.push_back(std::move(row));
+    specimen().rows.push_back({lines_.number(), fields_[size_], fields_[passing_], optional_field(type_)});
   }
 
   /// The specimen of the row in fields_.
@@ -131,7 +141,11 @@ private:
       key.push_back(fields_[i]);
     const auto [place, is_new] = index_.emplace(std::move(key), specimens_.size());
     if (is_new)
-      specimens_.push_back({fields_[location_], joined(place->first), {}});
+      specimens_.push_back({joined(place->first),
+                            fields_[location_],
+                            optional_field(sample_id_),
+                            optional_field(sample_reference_),
+                            {}});
     return specimens_[place->second];
   }
 
@@ -148,42 +162,27 @@ private:
   std::vector<std::string> fields_;
   std::size_t width_ = 0;
   bool has_units_ = false;
-  std::size_t location_ = 0, size_ = 0, passing_ = 0; ///< columns
-  std::vector<std::size_t> key_;                      ///< columns that tell specimens apart
+  std::size_t location_ = 0, size_ = 0, passing_ = 0;           ///< columns
+  std::size_t type_ = 0, sample_id_ = 0, sample_reference_ = 0; ///< columns that need not be there
+  std::vector<std::size_t> key_;                                ///< columns that tell specimens apart
   std::map<std::vector<std::string>, std::size_t> index_;
   std::vector<Specimen> specimens_;
 };
 
-[[noreturn]] void refuse_choice(const std::vector<Specimen> &specimens, const Source &source,
-                                const std::string &why) {
-  ShortList ids;
-  for (const Specimen &specimen : specimens)
-    ids.add(specimen.id);
-  source.refuse(specimens.front().rows.front().line,
-                fmt::format("{}: {}; choose one by --specimen-id", why, ids.text()));
+std::vector<SampleNames> names_of(const std::vector<Specimen> &specimens) {
+  std::vector<SampleNames> all;
+  for (const Specimen &s : specimens)
+    all.push_back({{s.id, s.location, s.sample_id, s.sample_reference}, s.rows.front().line});
+  return all;
 }
 
-/// The specimen of that id; failing that, the only one of that location.
-const Specimen &choose(const std::vector<Specimen> &specimens, const Source &source,
-                       const std::optional<std::string> &wanted) {
-  if (!wanted) {
-    if (specimens.size() > 1)
-      refuse_choice(specimens, source, fmt::format("there are {} specimens", specimens.size()));
-    return specimens.front();
-  }
-  const auto only = [&specimens, &wanted](std::string Specimen::*name) -> const Specimen * {
-    const auto matches = [&wanted, name](const Specimen &s) { return s.*name == *wanted; };
-    const auto first = std::find_if(specimens.begin(), specimens.end(), matches);
-    if (first == specimens.end() ||
-        std::find_if(std::next(first), specimens.end(), matches) != specimens.end())
-      return nullptr;
-    return &*first;
-  };
-  if (const Specimen *by_id = only(&Specimen::id))
-    return *by_id;
-  if (const Specimen *by_location = only(&Specimen::location))
-    return *by_location;
-  refuse_choice(specimens, source, fmt::format("{} does not name one specimen of", in_quotes(*wanted)));
+/// What GRAT_TYPE says of the rows: WS and DS are wet and dry sieving, HY and PP hydrometer and pipette.
+std::string types_of(const Specimen &specimen) {
+  std::vector<std::string> types;
+  for (const Row &row : specimen.rows)
+    if (!row.type.empty() && std::find(types.begin(), types.end(), row.type) == types.end())
+      types.push_back(row.type);
+  return fmt::format("{}", fmt::join(types, ", "));
 }
 
 Rational decimal(const std::string &text, std::string_view heading, std::size_t line, const Source &source) {
@@ -199,7 +198,8 @@ Rational decimal(const std::string &text, std::string_view heading, std::size_t 
 Table read_ags4(std::string_view content, const Source &source, const std::string &fallback_id,
                 const std::optional<std::string> &specimen) {
   const std::vector<Specimen> specimens = Ags4Reader(content, source).read();
-  const Specimen &chosen = choose(specimens, source, specimen);
+  const std::vector<SampleNames> names = names_of(specimens);
+  const Specimen &chosen = specimens[chosen_sample(names, specimen, source)];
   if (chosen.rows.size() > max_gradation_rows)
     source.refuse(chosen.rows.back().line,
                   fmt::format("specimen {} has more than {} rows", in_quotes(chosen.id), max_gradation_rows));
@@ -214,6 +214,10 @@ Table read_ags4(std::string_view content, const Source &source, const std::strin
     table.roundings.push_back(last_digit_unit(row.passing) / 2);
   }
   table.notes.push_back(fmt::format("Specimen {} of {}.", in_quotes(chosen.id), specimens.size()));
+  if (const std::string types = types_of(chosen); !types.empty())
+    table.notes.push_back("GRAT_TYPE: " + printable(types) + ".");
+  for (const SampleNames &sample : names)
+    table.samples.push_back(sample.names.front());
   table.format = "AGS4";
   table.sizes_from = fmt::format("column {}, in mm", size_heading);
   table.masses_from = fmt::format("column {}: percent passing", passing_heading);

@@ -10,9 +10,8 @@ namespace mdm {
 
 /// Reads one specimen of group GRAT: the rows that share LOCA_ID and all columns SAMP_* and SPEC_*.
 /// Other groups are not looked at. The gradation's id is the specimen's, or `fallback_id` if that is empty.
-/// \param specimen the specimen's id, that is these values joined by `/` without the empty ones, or its
-/// LOCA_ID where
-///                 that is enough; needed where there are several
+/// \param specimen the specimen's id, that is these values joined by `/` without the empty ones, or its LOCA_ID, SAMP_ID
+/// or SAMP_REF where one of them is enough; needed where there are several
 /// \throws InputError with the line
 Table read_ags4(std::string_view content, const Source &source, const std::string &fallback_id,
                 const std::optional<std::string> &specimen);

@@ -61,7 +61,7 @@ std::string_view without_spaces(std::string_view text) {
 }
 
 Cells cells_of_text(std::string_view text, char delimiter, std::size_t skip, const Source &source) {
-  Cells table{fmt::format("text with {} between cells", name(delimiter)), delimiter, {}};
+  Cells table{fmt::format("text with {} between cells", name(delimiter)), delimiter, {}, {}, {}};
   std::size_t count = 0;
   bool gap = false;
   for (Lines lines(text); lines.next();) {

@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace mdm {
@@ -30,6 +31,9 @@ struct Cells {
   std::string format;    ///< as reports name it
   char delimiter = '\0'; ///< of text; none in a workbook
   std::vector<CellRow> rows;
+  std::string hint; ///< what else may be done where the table is not understood
+  /// Row and column of each number that has no decimal of at most 15 digits, in order.
+  std::vector<std::pair<std::size_t, std::size_t>> long_numbers;
 };
 
 /// Text cut at tabs, semicolons or commas. Empty rows and comments are left out, as in the canonical CSV.

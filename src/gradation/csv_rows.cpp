@@ -42,7 +42,9 @@ std::string header_hint(std::string_view first, std::string_view example) {
     return " (this is a packing: give the gradation)";
   if (first.starts_with('[') || first.starts_with('{'))
     return " (a JSON file holds one object; mdm batch reads many, one a line)";
-  if (std::any_of(first.begin(), first.end(), [](char c) { return lower(c) != c; }))
+  std::string small(first);
+  std::transform(small.begin(), small.end(), small.begin(), lower);
+  if (small != first && find_size_column(small) != nullptr)
     return " (in small letters)";
   return {};
 }

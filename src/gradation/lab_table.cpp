@@ -2,10 +2,11 @@
 
 #include "gradation/cell_numbers.hpp"
 #include "gradation/csv_rows.hpp"
+#include "gradation/lab_values.hpp"
 #include "gradation/phi.hpp"
-#include "gradation/shown.hpp"
 #include "gradation/sieve_name.hpp"
 #include "gradation/table_columns.hpp"
+#include "text/lines.hpp"
 #include "text/short_list.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -15,7 +16,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace mdm {
 namespace {
@@ -59,8 +59,7 @@ public:
       source_.refuse(table_.header_line,
                      fmt::format("there is no row with a size and a number below {} and {}: {}",
                                  in_quotes(columns_.size_name), in_quotes(columns_.value_name), options));
-    settle_kind();
-    check_sum();
+    settle_lab_values(table_, {columns_.values, columns_.value_name, total_}, reading_, source_);
     describe();
     return std::move(table_);
   }
@@ -101,14 +100,35 @@ private:
       below_gap_ = true;
     if (value_cell().empty() && number_cell(size_cell()))
       return read_unvalued();
-    if (take_second_header() || take_total() || take_text())
+    if (take_second_header() || take_total() || take_bare_pan() || take_text())
       return;
     if (table_.sizes.size() == max_gradation_rows)
       refuse(fmt::format("there are more than {} rows: give fewer sieves", max_gradation_rows));
+    if (other_header_)
+      refuse(fmt::format(
+          "the row of {} is below words that may begin another table: leave out what is none of the "
+          "curve",
+          in_quotes(size_cell())));
+    check_width();
     const Rational size = row_size();
     table_.lines.push_back(line_of(row_));
     table_.sizes.push_back(size);
     read_value();
+    for (const std::size_t column : {columns_.size, columns_.value})
+      if (std::binary_search(cells_.long_numbers.begin(), cells_.long_numbers.end(),
+                             std::pair(line_of(row_), column)))
+        long_numbers_.add(cells_.rows[row_].cell(column));
+  }
+
+  /// A cell beyond the header is of no column: the row may be split in wrong places.
+  void check_width() const {
+    const std::vector<std::string> &cells = cells_.rows[row_].cells;
+    for (std::size_t i = columns_.width; columns_.width != 0 && i < cells.size(); ++i)
+      if (!cells[i].empty())
+        refuse(fmt::format(
+            "the row has more cells than the header, {}: {} is beyond: name its column, or put ; between "
+            "cells where numbers have decimal commas",
+            columns_.width, in_quotes(cells[i])));
   }
 
   /// A size without a value.
@@ -134,8 +154,9 @@ private:
     columns_.size = next->size;
     columns_.value = next->value;
     columns_.sizes = next->sizes;
+    columns_.width = next->width;
     row_ = next->first_row - 1;
-    below_gap_ = false;
+    below_gap_ = other_header_ = false;
     return true;
   }
 
@@ -156,13 +177,35 @@ private:
     return true;
   }
 
+  /// A pan without a value: nothing passes it, and all is retained down to it.
+  bool take_bare_pan() {
+    if (!is_pan_word(size_cell()) || !value_cell().empty() ||
+        columns_.values.meaning == ColumnMeaning::retained)
+      return false;
+    leave();
+    return true;
+  }
+
+  /// A size, or what looks like one and must not be overlooked: `<0.063`, `0.02*`.
+  bool may_be_size() const {
+    const std::string_view cell = size_cell();
+    return is_range(cell) || (!cell.empty() && is_digit(cell.front())) || number_cell(cell) ||
+           is_pan_word(cell) || is_sieve(cell);
+  }
+
+  static bool is_range(std::string_view cell) {
+    return cell.starts_with('<') || cell.starts_with('>') || cell.starts_with("\u2264") ||
+           cell.starts_with("\u2265");
+  }
+
   /// A row that is none of the curve: words without a value, or anything below an empty row that has no size.
   bool take_text() {
-    const bool is_size = number_cell(size_cell()) || is_pan_word(size_cell()) || is_sieve(size_cell());
+    const bool is_size = may_be_size();
     if (is_size && number_cell(value_cell()))
       return false;
-    if (!below_gap_ && (is_size || number_cell(value_cell())))
+    if (!below_gap_ && (is_size || !value_cell().empty()))
       return false;
+    other_header_ |= !size_cell().empty() && !value_cell().empty() && !number_cell(value_cell());
     leave();
     return true;
   }
@@ -191,8 +234,7 @@ private:
     const std::string_view cell = size_cell();
     if (is_pan_word(cell))
       return 0;
-    if (cell.starts_with('<') || cell.starts_with('>') || cell.starts_with("\u2264") ||
-        cell.starts_with("\u2265"))
+    if (is_range(cell))
       refuse(fmt::format(
           "the size {} is a range: write pan for what passes the finest sieve, and the opening of "
           "the sieve for what stays on it",
@@ -240,96 +282,16 @@ private:
         refuse(fmt::format("{} has another unit than the column {}: say what it is with --kind",
                            in_quotes(value_cell()), in_quotes(columns_.value_name)));
       columns_.values.unit = number->unit;
+      unit_is_of_cells_ = true;
     }
     table_.values.push_back(decimal(*number));
+    has_plain_ |= number->unit == ColumnUnit::none && table_.values.back() != 0;
+    if (unit_is_of_cells_ && has_plain_)
+      refuse(fmt::format(
+          "some values in the column {} have a unit, as {} or others above, and some have none: write all "
+          "alike",
+          in_quotes(columns_.value_name), in_quotes(value_cell())));
     table_.roundings.push_back(last_digit_unit(number->digits, decimal_sign_) / 2);
-  }
-
-  /// The canonical column that the values are; differences of cumulative masses are masses.
-  void settle_kind() {
-    HeaderMeaning &values = columns_.values;
-    if (values.unit == ColumnUnit::mass && values.meaning == ColumnMeaning::passing)
-      source_.refuse(table_.header_line,
-                     "the mass that passes is given, not its percentage: divide by the whole mass, "
-                     "or give the mass retained");
-    if (values.meaning == ColumnMeaning::cumulative && values.unit == ColumnUnit::mass)
-      take_differences();
-    else if (values.unit == ColumnUnit::none && values.meaning != ColumnMeaning::retained)
-      settle_percent();
-    table_.column = find_mass_column(column_name());
-    if (table_.column->form == MassForm::retained)
-      table_.roundings.clear();
-    else
-      for (Rational &rounding : table_.roundings)
-        rounding *= ratio(100, table_.column->full);
-  }
-
-  std::string_view column_name() const {
-    const bool is_percent = columns_.values.unit == ColumnUnit::percent;
-    const bool is_fraction = columns_.values.unit == ColumnUnit::fraction;
-    switch (columns_.values.meaning) {
-    case ColumnMeaning::passing:
-      return is_fraction ? "passing_fraction" : "passing_percent";
-    case ColumnMeaning::cumulative:
-      if (is_fraction)
-        source_.refuse(table_.header_line, "cumulative fractions are not read: give them in percent");
-      return "cumulative_retained_percent";
-    default:
-      return is_percent ? "retained_percent" : is_fraction ? "retained_fraction" : "mass";
-    }
-  }
-
-  /// Percent, if the whole is there as 100 or the user says passing or cumulative.
-  void settle_percent() {
-    const Rational largest = *std::max_element(table_.values.begin(), table_.values.end());
-    if (!reading_.kind && largest != 100)
-      source_.refuse(
-          table_.header_line,
-          fmt::format("the column {} may be percent or fractions, its largest value is {}: say --kind "
-                      "passing_percent, passing_fraction or cumulative_retained_percent",
-                      in_quotes(columns_.value_name), shown(largest)));
-    columns_.values.unit = ColumnUnit::percent;
-  }
-
-  void take_differences() {
-    std::vector<std::size_t> order(table_.sizes.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [this](std::size_t i, std::size_t j) { return table_.sizes[i] > table_.sizes[j]; });
-    Rational above = 0;
-    for (const std::size_t i : order) {
-      const Rational value = table_.values[i];
-      if (value < above)
-        source_.refuse(table_.lines[i],
-                       fmt::format("cumulative mass {} is below {} of the next coarser sieve: correct "
-                                   "one of them",
-                                   shown(value), shown(above)));
-      table_.values[i] = value - above;
-      above = value;
-    }
-    columns_.values = {ColumnMeaning::retained, ColumnUnit::mass};
-    table_.notes.emplace_back(
-        "Cumulative masses were taken apart: each sieve holds the difference to the next "
-        "coarser one.");
-  }
-
-  /// What the rows add up to must be what the total says and what percents can be.
-  void check_sum() {
-    if (table_.column->form != MassForm::retained)
-      return;
-    Rational sum = 0;
-    for (const Rational &value : table_.values)
-      sum += value;
-    if (total_ && *total_ != sum)
-      table_.notes.push_back(fmt::format("The file's total is {}, the rows add up to {}; the rows are used.",
-                                         shown(*total_), shown(sum)));
-    constexpr int most_percent = 105; // of rounded percents
-    if (table_.column->full == 100 && sum > most_percent && !reading_.kind)
-      source_.refuse(
-          table_.header_line,
-          fmt::format("percent retained add up to {}: if {} is cumulative, say --kind cumulative, else "
-                      "--kind retained_percent",
-                      shown(sum), in_quotes(columns_.value_name)));
   }
 
   void describe() {
@@ -347,8 +309,13 @@ private:
       for (const std::string &other : columns_.others)
         others.add(other);
       table_.notes.push_back(
-          fmt::format("The columns {} were not used; --columns chooses others.", others.text()));
+          fmt::format("Columns that were not used: {}; --columns chooses them.", others.text()));
     }
+    if (!long_numbers_.empty())
+      table_.notes.push_back(
+          fmt::format("Cells that have no decimal of at most 15 digits were read as they are stored: "
+                      "{}; see --round.",
+                      long_numbers_.text()));
     if (!left_.empty())
       table_.notes.push_back(fmt::format("Rows that are no sizes were left out: {}.", left_.text()));
   }
@@ -362,41 +329,36 @@ private:
   Rational unit_in_mm_ = 1;
   std::size_t row_ = 0;
   bool below_gap_ = false;
+  bool other_header_ = false; ///< words below a gap, in both columns
+  bool unit_is_of_cells_ = false;
+  bool has_plain_ = false; ///< a value above 0 without a unit
   std::optional<Rational> total_;
   ShortList left_;
+  ShortList long_numbers_; ///< of a workbook
 };
 
-[[noreturn]] void refuse_table(const Cells &cells, const Source &source) {
+} // namespace
+
+void refuse_table(const Cells &cells, const Reading &reading, const Source &source) {
   const std::size_t line = cells.rows.empty() ? 1 : cells.rows.front().line;
   const std::string first = cells.rows.empty() ? "" : std::string(cells.rows.front().cell(0));
-  source.refuse(line, fmt::format("{}; the file begins {}: {}",
+  if (reading.columns)
+    source.refuse(
+        line,
+        fmt::format("--columns: no header has {}, and no row has numbers there; the file begins {}: give "
+                    "names as they stand in the header, or numbers from 1 on{}",
+                    in_quotes(*reading.columns), beginning_of(cells), cells.hint));
+  source.refuse(line, fmt::format("{}; the file begins {}: {}{}",
                                   unknown_size_column(first, "size_mm,passing_percent"), beginning_of(cells),
-                                  options));
+                                  options, cells.hint));
 }
-
-} // namespace
 
 Table read_lab_table(const Cells &cells, const Source &source, const std::string &id,
                      const Reading &reading) {
   std::optional<TableColumns> columns = find_columns(cells, reading, source);
   if (!columns)
-    refuse_table(cells, source);
+    refuse_table(cells, reading, source);
   return LabTable(cells, std::move(*columns), source, id, reading).read();
-}
-
-Table read_lab_text(std::string_view text, const Source &source, const std::string &id,
-                    const Reading &reading) {
-  const std::size_t skip =
-      static_cast<std::size_t>(std::min<std::uint64_t>(reading.skip.value_or(0), text.size()));
-  for (const char delimiter : {'\t', ';', ','}) {
-    if (text.find(delimiter) == std::string_view::npos)
-      continue;
-    const Cells cells = cells_of_text(text, delimiter, skip, source);
-    if (find_columns(cells, reading, source))
-      return read_lab_table(cells, source, id, reading);
-  }
-  const char delimiter = text.find(';') == std::string_view::npos ? ',' : ';';
-  refuse_table(cells_of_text(text, delimiter, skip, source), source);
 }
 
 } // namespace mdm

@@ -15,9 +15,7 @@ namespace mdm {
 /// \throws InputError with the line, with what the table begins with and the options where its columns are not certain
 Table read_lab_table(const Cells &cells, const Source &source, const std::string &id, const Reading &reading);
 
-/// The same of text, whose cells stand between tabs, semicolons or commas: the first of them that gives a
-/// header.
-Table read_lab_text(std::string_view text, const Source &source, const std::string &id,
-                    const Reading &reading);
+/// Refuses a table whose columns are not known.
+[[noreturn]] void refuse_table(const Cells &cells, const Reading &reading, const Source &source);
 
 } // namespace mdm

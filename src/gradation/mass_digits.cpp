@@ -48,12 +48,15 @@ std::size_t significant_digits(const Rational &r) {
   return digits.size() - (digits.find('.') == std::string::npos ? 0 : 1);
 }
 
+/// False for all decimals of at most nine places. Without a copy: it looks at every mass of a batch.
+bool has_many_places(const Rational &mass) {
+  constexpr std::size_t short_bits = 30; // of 10^9
+  return mpz_sizeinbase(mpq_denref(mass.backend().data()), 2) > short_bits;
+}
+
 /// The short decimal that a mass stands beside: at most nine places behind the point, and no farther than the
 /// errors of a difference or sum of doubles up to `largest`. Nothing for most numbers of 16 digits, too.
 std::optional<Rational> short_neighbour(const Rational &mass, const Rational &largest) {
-  constexpr std::size_t short_bits = 30; // decimals of at most nine places
-  if (bit_length(denominator(mass)) <= short_bits)
-    return std::nullopt;
   const std::size_t digits = significant_digits(mass);
   if (digits < double_digits || digits > 17)
     return std::nullopt;
@@ -78,6 +81,8 @@ Rational to_digits(const Rational &r, unsigned digits) {
 }
 
 std::optional<std::string> float_dust_note(const std::vector<Rational> &masses) {
+  if (std::none_of(masses.begin(), masses.end(), has_many_places))
+    return std::nullopt;
   Rational largest = 100; // what percents were differences of
   for (const Rational &mass : masses)
     largest = std::max(largest, mass);
@@ -85,7 +90,8 @@ std::optional<std::string> float_dust_note(const std::vector<Rational> &masses) 
   unsigned digits = double_digits;
   bool has_zero = false;
   for (const Rational &mass : masses) {
-    const std::optional<Rational> near = short_neighbour(mass, largest);
+    const std::optional<Rational> near =
+        has_many_places(mass) ? short_neighbour(mass, largest) : std::nullopt;
     if (!near)
       continue;
     pairs.add(fmt::format("{} beside {}", to_decimal(mass), to_decimal(*near)));

@@ -1,9 +1,12 @@
 #include "gradation/ags4_reader.hpp"
+#include "gradation/coulter_reader.hpp"
 #include "gradation/csv_reader.hpp"
+#include "gradation/diggs_reader.hpp"
 #include "gradation/json_reader.hpp"
-#include "gradation/lab_table.hpp"
 #include "gradation/mass_digits.hpp"
+#include "gradation/table_file.hpp"
 #include "gradation/text_encoding.hpp"
+#include "gradation/workbook.hpp"
 #include "text/json_member.hpp"
 #include "text/lines.hpp"
 
@@ -65,39 +68,60 @@ bool is_json(std::string_view text) {
   return without_leading_space(text).starts_with('{');
 }
 
-/// Refuses options that this file has no use for.
-void check_reading(const Reading &reading, const Source &source, bool is_table, bool has_samples) {
-  if (reading.specimen && !has_samples)
-    source.refuse(
-        1, "--specimen-id is for AGS4 files and other files of several samples; this one holds a single "
-           "gradation");
-  if (reading.describes_table() && !is_table)
+bool is_xml(std::string_view text) {
+  return without_leading_space(text).starts_with('<');
+}
+
+/// The kinds of files by what the options of reading are for.
+enum class FileKind { sheet, table, other };
+
+/// Refuses options that such a file has no use for.
+void check_reading(const Reading &reading, const Source &source, FileKind kind) {
+  if (reading.describes_table() && kind == FileKind::other)
     source.refuse(1,
                   "--columns, --kind, --unit and --skip are for tables, and this file says by itself what it "
                   "holds: leave them out");
-  if (reading.sheet)
+  if (reading.sheet && kind != FileKind::sheet)
     source.refuse(1, "--sheet is for workbooks, and this is none: leave it out");
 }
 
 UnderstoodGradation understood_json(std::string_view text, const Source &source, const std::string &id,
                                     const Reading &reading) {
-  check_reading(reading, source, false, false);
+  check_one_sample(reading, source);
+  check_reading(reading, source, FileKind::other);
   source.check_text(text, max_gradation_bytes);
-  return {read_json(text, source, id, reading.round), "JSON", "key sizes", "key masses: mass", true};
+  return {read_json(text, source, id, reading.round), "JSON", "key sizes", "key masses: mass", {}, true};
+}
+
+/// Says which program writes what is no text and no workbook.
+void check_readable(std::string_view content, const Source &source) {
+  if (content.starts_with("\xD0\xCF\x11\xE0"))
+    source.refuse(
+        1, "this is a workbook of Excel 97 to 2003 (.xls), which is not read: save it as .xlsx or CSV");
+  if (content.starts_with("%PDF"))
+    source.refuse(1, "this is a PDF, which is not read: write its table as CSV");
 }
 
 /// The table of a text that is neither JSON nor AGS4.
 Table text_table(std::string_view text, const Source &source, const std::string &id, const Reading &reading) {
-  check_reading(reading, source, true, false);
   source.check_text(text, max_gradation_bytes);
-  if (!reading.describes_table() && is_canonical_csv(text))
+  const bool is_table = !is_xml(text) && !is_coulter(text);
+  check_reading(reading, source, is_table ? FileKind::table : FileKind::other);
+  if (is_xml(text))
+    return read_diggs(text, source, id, reading.specimen);
+  const bool is_canonical = is_table && !reading.describes_table() && is_canonical_csv(text);
+  if (is_canonical || !is_table)
+    check_one_sample(reading, source);
+  if (is_canonical)
     return read_csv(text, source, id, reading.phi);
-  return read_lab_text(text, source, id, reading);
+  return is_table ? read_text_table(text, source, id, reading) : read_coulter(text, source, id);
 }
 
 /// Takes the values to the digits that were asked for, and with them what their last digits say of their
 /// rounding.
 void settle_values(Table &table, const Reading &reading) {
+  if (table.has_settled_digits)
+    return;
   if (reading.round)
     for (std::size_t i = 0; i < table.roundings.size(); ++i)
       table.roundings[i] = std::max<Rational>(
@@ -108,11 +132,16 @@ void settle_values(Table &table, const Reading &reading) {
 
 Table table_of(std::string_view content, std::string_view text, const Source &source, const std::string &id,
                const Reading &reading) {
+  if (is_workbook(content)) {
+    check_reading(reading, source, FileKind::sheet);
+    return read_sheet_table(content, source, id, reading);
+  }
   if (is_ags4(content)) {
-    check_reading(reading, source, false, true);
+    check_reading(reading, source, FileKind::other);
     source.check_line_ends(without_byte_order_mark(content));
     return read_ags4(without_byte_order_mark(content), source, id, reading.specimen);
   }
+  check_readable(content, source);
   return text_table(text, source, id, reading);
 }
 
@@ -122,11 +151,16 @@ UnderstoodGradation understood_table(std::string_view content, std::string_view 
   Table table = table_of(content, text, source, id, reading);
   settle_values(table, reading);
   const std::string format = table.format, sizes = table.sizes_from, masses = table.masses_from;
+  const std::vector<std::string> samples = table.samples;
   const bool is_canonical = table.is_canonical;
-  return {to_gradation(std::move(table), source), format, sizes, masses, is_canonical};
+  return {to_gradation(std::move(table), source), format, sizes, masses, samples, is_canonical};
 }
 
 } // namespace
+
+bool is_workbook(std::string_view bytes) {
+  return bytes.starts_with("PK\x03\x04");
+}
 
 bool is_ags4(std::string_view content) {
   return without_leading_space(without_byte_order_mark(content)).starts_with("\"GROUP\"");
@@ -137,7 +171,8 @@ UnderstoodGradation understand_gradation(std::string_view content, const std::st
   const Source source(file);
   source.check_length(content, max_gradation_bytes);
   const std::optional<DecodedText> decoded =
-      is_json(content) || is_canonical_csv(content) ? std::nullopt : decoded_text(content, source);
+      is_workbook(content) || is_json(content) || is_canonical_csv(content) ? std::nullopt
+                                                                            : decoded_text(content, source);
   const std::string_view text = decoded ? std::string_view(decoded->text) : without_byte_order_mark(content);
   UnderstoodGradation understood = is_json(text)
                                        ? understood_json(text, source, stem(file), reading)

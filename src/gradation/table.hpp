@@ -44,10 +44,12 @@ struct Table {
   std::vector<Rational> roundings; ///< half a unit of the last digit of each value
   std::vector<std::size_t> lines;  ///< where each row stands
   std::vector<std::string> notes;
-  std::string format;       ///< of the file, as reports name it
-  std::string sizes_from;   ///< where the sizes stand, in which unit
-  std::string masses_from;  ///< the same of the values, with what they are
-  bool is_canonical = true; ///< the proof checker reads the same from the file
+  std::string format;               ///< of the file, as reports name it
+  std::string sizes_from;           ///< where the sizes stand, in which unit
+  std::string masses_from;          ///< the same of the values, with what they are
+  std::vector<std::string> samples; ///< of a file with several
+  bool has_settled_digits = false;  ///< --round was applied where the values were read
+  bool is_canonical = true;         ///< the proof checker reads the same from the file
 };
 
 /// The column of that name; null if there is none.

@@ -170,6 +170,7 @@ TableColumns asked_columns(const CellRow *header, std::size_t size, std::size_t 
   if (header != nullptr) {
     columns.size_name = header->cell(size);
     columns.value_name = header->cell(value);
+    columns.width = header->cells.size();
   }
   columns.sizes =
       meaning_of(columns.size_name, true, asked_unit(reading), "--unit mm, or um, m, in, phi, sieve");
@@ -229,6 +230,7 @@ std::optional<TableColumns> known_columns(const CellRow &row, const Reading &rea
   columns.values = values[0].meaning;
   columns.size_name = row.cell(columns.size);
   columns.value_name = row.cell(columns.value);
+  columns.width = row.cells.size();
   for (std::size_t i = 1; i < values.size(); ++i)
     columns.others.emplace_back(row.cell(values[i].place));
   for (std::size_t i = 1; i < sizes.size(); ++i)

@@ -15,6 +15,7 @@ struct TableColumns {
   std::string size_name, value_name; ///< their headers
   HeaderMeaning sizes{ColumnMeaning::size};
   HeaderMeaning values{ColumnMeaning::retained};
+  std::size_t width = 0;           ///< cells of the header; 0 where there is none
   std::size_t first_row = 0;       ///< of Cells::rows
   std::vector<std::string> others; ///< further columns that hold the gradation
 };

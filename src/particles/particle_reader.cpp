@@ -119,8 +119,12 @@ std::optional<ParticleFormat> told_format(std::string_view beginning) {
          beginning.remove_prefix(end + 1)) {
       lines.emplace_back(trimmed(beginning.substr(0, end)));
       const std::optional<ParticleFormat> format = format_of(lines, source);
-      if (format == ParticleFormat::csv)
-        particle_columns(csv_names(lines.back()));
+      if (format == ParticleFormat::csv) {
+        const std::vector<std::string> names = csv_names(lines.back());
+        if (names.size() == 1 && find_size_column(names.front()) != nullptr)
+          return std::nullopt; // a gradation without its masses, it may be
+        particle_columns(names);
+      }
       if (format)
         return *format == ParticleFormat::answer ? std::nullopt : format;
     }

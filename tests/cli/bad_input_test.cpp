@@ -88,7 +88,7 @@ TEST_CASE("files without rows", "[cli]") {
 }
 
 TEST_CASE("headers and rows that do not fit", "[cli]") {
-  check_bad("diameter,mass\n1,1\n2,0\n", 1);
+  check_bad("d50,mass\n1,1\n2,0\n", 1);
   check_bad("size_mm,weight\n1,1\n2,0\n", 1);
   check_bad("size_mm,mass,colour\n1,1,red\n2,0,red\n", 1);
   check_bad("size_mm\n1\n2\n", 1);

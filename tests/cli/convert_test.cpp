@@ -131,3 +131,63 @@ TEST_CASE("notes go to standard error and --quiet drops them", "[cli]") {
   CHECK(quiet.out == outcome.out);
   CHECK(quiet.err.empty());
 }
+
+TEST_CASE("--dry-run shows what was understood and writes nothing", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string path =
+      folder.write("sand.txt", "Labor Nord\nSiebweite [mm];Durchgang [%]\n2,0;100\n0,063;4,5\n");
+  const Outcome outcome = mdm({"convert", path, "--dry-run"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  for (const std::string part :
+       {"sand.txt: text with ; between cells\n", "  sizes   column 'Siebweite [mm]', in mm\n",
+        "  masses  column 'Durchgang [%]': percent passing\n", "  pan     yes, at size 0\n",
+        "  check   mdm-check reads what mdm convert writes\n",
+        "A pan of size 0 was added for the 4.5 percent", "\n\nsize_mm,mass\n0,4.5\n0.063,95.5\n2,0\n"})
+    CHECK(outcome.out.find(part) != std::string::npos);
+  CHECK(mdm({"convert", example("athabasca-sand"), "--dry-run"})
+            .out.find("mdm-check reads the file as it is") != std::string::npos);
+  check_refused(mdm({"convert", path, "--dry-run", "-o", folder / "x.csv"}), "--dry-run");
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("every command reads a table with the options that say what it is", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("sand.txt", "d,P\n2,100\n1,40\n0.5,10\n0.1,0\n");
+  const std::string canonical =
+      folder.write("sand.csv", "size_mm,passing_percent\n2,100\n1,40\n0.5,10\n0.1,0\n");
+  const Arguments options = {"--columns", "d,P", "--kind", "passing", "--unit", "mm"};
+  for (const Arguments &command :
+       {Arguments{"solve"}, Arguments{"describe"}, Arguments{"convert"}, Arguments{"published", "rounded"}}) {
+    Arguments wide = command, plain = command;
+    wide.push_back(path);
+    wide.insert(wide.end(), options.begin(), options.end());
+    plain.push_back(canonical);
+    const Outcome ours = mdm(wide);
+    CHECK(ours.exit_code == 0);
+    CHECK(ours.exit_code == mdm(plain).exit_code);
+    INFO(ours.err);
+    if (command[0] == "convert")
+      CHECK(ours.out == mdm(plain).out);
+  }
+  CHECK(classes(path, options) == classes(canonical));
+  check_refused(mdm({"solve", path}), "--columns SIZE,VALUE");
+  check_refused(mdm({"solve", "--band", canonical, "--round", "3"}),
+                "--round: it is of the gradation's FILE");
+  check_refused(mdm({"solve", canonical, "--round", "0"}), "--round");
+}
+
+TEST_CASE("a rounded question is proved of the gradation that is written", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("sand.csv", "size_mm,mass\n1,0.30000000000000004\n2,0.7\n4,0\n");
+  const std::string proof = folder / "proof";
+  const Outcome dusty = mdm({"solve", path});
+  CHECK(dusty.out.find("0.30000000000000004 beside 0.3") != std::string::npos);
+  CHECK(dusty.out.find("--round 15") != std::string::npos);
+  const Outcome outcome = mdm({"solve", path, "--round", "15", "--proof", proof});
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.find("mdm-check " + proof + ".gradation.csv " + proof) != std::string::npos);
+  CHECK(read_file(proof + ".gradation.csv") == "size_mm,mass\n1,0.3\n2,0.7\n4,0\n");
+  CHECK(mdm_check(proof + ".gradation.csv", proof).exit_code == 0);
+  CHECK(mdm({"solve", path, "--proof", proof}).out.find(".gradation.csv") == std::string::npos);
+}

@@ -70,7 +70,7 @@ TEST_CASE("the picture has the sieves, the indices, the bands and the counts", "
   if (!can_draw())
     return;
   const TemporaryFolder folder;
-  const std::string svg = drawn(folder, "a.svg", {sand, "--match"});
+  const std::string svg = drawn(folder, "a.svg", {sand, "--match", "--sieve-names", "astm"});
   for (const char *text :
        {"athabasca-sand", "No. 400", "0.076", "percent passing", "percent retained, cumulative", "size (mm)",
         "D10", "D60", "Cu = 1.96", "USCS SP", "fine sand", "N = 1485", ">819<", "set of particles"}) {

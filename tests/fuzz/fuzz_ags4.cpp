@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
       "\"UNIT\",\"\",\"\",\"mm\",\"%\"\n" +
       content;
   mdm::fuzz::check_reader([&rows] { return mdm::read_gradation(rows, "fuzz.ags"); });
-  mdm::fuzz::check_reader([&rows] { return mdm::read_gradation(rows, "fuzz.ags", one); });
+  mdm::fuzz::check_reader([&] { return mdm::read_gradation(rows, "fuzz.ags", one); });
   mdm::fuzz::check_reader([&content] { return mdm::read_gradation("\"GROUP\"" + content, "fuzz.ags"); });
   return 0;
 }

@@ -72,6 +72,22 @@ TEST_CASE("AGS4: one of several specimens is chosen by its id, or by its locatio
   CHECK(contains(refusal_of(content, "BH3"), "'BH3' does not name one specimen of"));
 }
 
+TEST_CASE("AGS4: SAMP_ID or SAMP_REF serve where one is enough, and GRAT_TYPE is noted") {
+  const std::string both =
+      "\"GROUP\",\"GRAT\"\n\"HEADING\",\"LOCA_ID\",\"SAMP_REF\",\"SAMP_ID\",\"GRAT_SIZE\",\"GRAT_PERP\","
+      "\"GRAT_TYPE\"\n\"UNIT\",\"\",\"\",\"\",\"mm\",\"%\",\"\"\n"
+      "\"DATA\",\"BH1\",\"R1\",\"S1\",\"2\",\"100\",\"WS\"\n"
+      "\"DATA\",\"BH1\",\"R1\",\"S1\",\"0.02\",\"7\",\"HY\"\n"
+      "\"DATA\",\"BH1\",\"R2\",\"S2\",\"4\",\"100\",\"DS\"\n"
+      "\"DATA\",\"BH1\",\"R2\",\"S2\",\"1\",\"7\",\"DS\"\n";
+  CHECK(text(read_specimen(both, "S2").sizes()) == "0 1 4");
+  CHECK(text(read_specimen(both, "R2").sizes()) == "0 1 4");
+  CHECK(read_specimen(both, "R1").notes()[1] == "GRAT_TYPE: WS, HY.");
+  CHECK(understand_gradation(both, "site.ags", reading("S1")).samples ==
+        std::vector<std::string>{"BH1/R1/S1", "BH1/R2/S2"});
+  CHECK(contains(refusal_of(both, "BH1"), "'BH1' does not name one specimen of"));
+}
+
 TEST_CASE("AGS4: at most ten specimens are listed") {
   std::string content = head;
   for (int i = 10; i < 25; ++i)

@@ -78,11 +78,17 @@ TEST_CASE("Of several columns mass retained comes first, and the note names the 
                            "No. 200,0.075,30,60,40\nPan,,20,40,\n");
   CHECK(text(g.masses()) == "20 30 0");
   CHECK(
-      has_note(g, "The columns '% passing', '% retained', 'Sieve' were not used; --columns chooses others."));
+      has_note(g, "Columns that were not used: '% passing', '% retained', 'Sieve'; --columns chooses them."));
   CHECK(text(read_with("Opening (mm),Retained (g),% passing\n4.75,0,100\n0.075,30,40\n", columns("1,3"))
                  .masses()) == "40 60 0");
   CHECK(contains(refusal("Size (mm),Passing (%),Finer (%)\n1,100,100\n0.5,3,4\n"),
                  "sand.csv:1: the columns 'Passing (%)' and 'Finer (%)' have one meaning"));
+}
+
+TEST_CASE("A pan without a value says nothing of what passes, but must have a mass") {
+  CHECK(text(read("Size (mm),% passing\n2,100\n1,40\nPan,\n").masses()) == "40 60 0");
+  CHECK(contains(refusal("Size (mm),Mass (g)\n2,0\n1,40\nPan,\n"),
+                 "sand.csv:4: '' in the column 'Mass (g)' is not a number"));
 }
 
 TEST_CASE("Cumulative masses are taken apart") {
@@ -134,7 +140,7 @@ TEST_CASE("Options that do not serve are refused") {
   CHECK(contains(refusal_with(table, columns("1,1")), "names one column twice"));
   CHECK(contains(refusal_with(table, columns("1,2")),
                  "'x' does not say what the column of masses holds: add --kind"));
-  CHECK(contains(refusal_with(table, columns("1,y")), "first column 'Size (mm)' is unknown"));
+  CHECK(contains(refusal_with(table, columns("1,y")), "sand.csv:1: --columns: no header has '1,y'"));
   Reading reading;
   reading.kind = "weight";
   CHECK(contains(refusal_with(table, reading), "--kind: 'weight' is none of passing, retained"));
@@ -157,6 +163,8 @@ TEST_CASE("Rows that are wrong are refused with their line and what to do") {
       contains(refusal(head + "1,trace\n"), "sand.csv:3: 'trace' in the column 'Mass (g)' is not a number"));
   CHECK(contains(refusal(head + "D50,0.3\n"), "sand.csv:3: 'D50' is no sieve"));
   CHECK(contains(refusal(head + "1,5%\n"), "sand.csv:3: '5%' has another unit than the column 'Mass (g)'"));
+  CHECK(contains(refusal(head + "0,5,3\n"),
+                 "sand.csv:3: the row has more cells than the header, 2: '3' is beyond"));
   CHECK(contains(refusal(head + "1,2\n1,3\n"), "size 1 mm repeats that of line 3"));
   CHECK(contains(refusal("Size (mm),Mass (g)\n"), "there is no row with a size and a number"));
   CHECK(contains(refusal("Size (mm),Passing (g)\n1,2\n"), "the mass that passes is given"));
@@ -166,6 +174,31 @@ TEST_CASE("Below an empty row what has no size is left") {
   const Gradation g = read("Size (mm),Mass (g)\n2,0\n1,5\n\nD50,0.3\nCu,\nRemarks,none\n");
   CHECK(text(g.sizes()) == "1 2");
   CHECK(has_note(g, "Rows that are no sizes were left out: 'D50', 'Cu', 'Remarks'."));
+}
+
+TEST_CASE("A table of something else below is not taken for a part of the curve") {
+  CHECK(contains(refusal("Size (mm),Mass (g)\n2,0\n1,5\n\nAge,Strength\n7,30\n28,41\n"),
+                 "sand.csv:6: the row of '7' is below words that may begin another table"));
+  CHECK(contains(refusal("Size (mm),Mass (g)\n2,0\n1,5\nAge,Strength\n"), "'Age' is no sieve"));
+}
+
+TEST_CASE("Below an empty row, too, nothing that looks like a size is left") {
+  const std::string table = "Size (mm),Mass (g)\n2,0\n1,5\n\n";
+  CHECK(contains(refusal(table + "<0.063,2\n"), "sand.csv:5: the size '<0.063' is a range"));
+  CHECK(contains(refusal(table + "0.02*,2\n"), "sand.csv:5: '0.02*' is no sieve"));
+}
+
+TEST_CASE("Cumulative masses are rounded before they are taken apart") {
+  Reading two;
+  two.round = 2;
+  CHECK(text(read_with("Size (mm),Cumulative mass retained (g)\n2,0\n1,10.4\n0.5,99.6\n", two).masses()) ==
+        "90 10 0");
+}
+
+TEST_CASE("Values with and without a unit do not go together") {
+  CHECK(contains(refusal("Size (mm),Retained\n2,0\n1,0.45\n0.5,55%\n"),
+                 "sand.csv:4: some values in the column"));
+  CHECK(text(read("Size (mm),Retained\n2,0\n1,45%\n0.5,55%\n").masses()) == "55 45 0");
 }
 
 TEST_CASE("A total that the rows do not add up to is noted") {

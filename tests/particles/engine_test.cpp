@@ -53,7 +53,7 @@ TEST_CASE("LAMMPS data: diameters in metres") {
   CHECK(result.particles == "1 2 2.5");
   CHECK(result.format == ParticleFormat::lammps_data);
   REQUIRE(result.notes.size() == 1);
-  CHECK(contains(result.notes[0], "diameters in m;"));
+  CHECK(contains(result.notes[0], "diameters in m."));
   CHECK(read(data + "\nVelocities\n\n1 0 0 0 0 0 0\n2 0 0 0 0 0 0\n").particles == "1 2 2.5");
   CHECK(read(replaced(data, "Atoms # sphere", "Velocities\n\n1 0 0 0\n\nAtoms # sphere")).particles ==
         "1 2 2.5");
@@ -87,7 +87,7 @@ TEST_CASE("dumps: the column says whether sizes are radii") {
   CHECK(read(radii).particles == "2 4");
   CHECK(read(radii).format == ParticleFormat::lammps_dump);
   CHECK(read(radii, from(ParticleFormat::liggghts_dump)).particles == "2 4");
-  CHECK(contains(read(radii).notes.at(0), "radii in m;"));
+  CHECK(contains(read(radii).notes.at(0), "radii in m."));
   CHECK(read(timestep("0", "diameter id", {"0.001 7"})).particles == "1");
   const std::string both = timestep("0", "id radius diameter", {"1 0.5 2"});
   CHECK(read(both).particles == "1000");
@@ -156,7 +156,7 @@ TEST_CASE("VTK: an array radius or diameter") {
   const Result result = read(scalars);
   CHECK(result.particles == "2 4 6");
   CHECK(result.format == ParticleFormat::vtk);
-  CHECK(contains(result.notes.at(0), "radii in m;"));
+  CHECK(contains(result.notes.at(0), "radii in m."));
   CHECK(read(vtk_points + "scalars Diameter double\n1 2 3\n").particles == "1000 2000 3000");
   std::string many = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 5000 float\n";
   for (int i = 0; i < 5000; ++i)

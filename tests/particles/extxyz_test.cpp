@@ -27,7 +27,7 @@ TEST_CASE("extended XYZ: radii in the unit of the gradation") {
   CHECK(result.particles == "1 0.5");
   CHECK(result.format == ParticleFormat::extxyz);
   REQUIRE(result.notes.size() == 1);
-  CHECK(contains(result.notes[0], "radii in mm;"));
+  CHECK(contains(result.notes[0], "radii in mm."));
   CHECK(
       read("\xEF\xBB\xBF 2 \r\n" + properties + "\r\nSi 0\t0 0 .5\r\n  Si 1 0 0 25e-2 \r\n\r\n").particles ==
       "1 0.5");

@@ -49,8 +49,10 @@ std::vector<std::string> texts(const Panel &panel) {
 
 using Lines = std::vector<std::string>;
 
-Lines sieves(const Gradation &g) {
-  const Figure figure = gradation_figure(g, {});
+Lines sieves(const Gradation &g, SieveNames sieve_names) {
+  GradationFigure what;
+  what.sieve_names = sieve_names;
+  const Figure figure = gradation_figure(g, what);
   Lines names;
   for (const Tick &t : figure.panels[0].top)
     names.push_back(t.label);
@@ -75,9 +77,13 @@ TEST_CASE("the curve goes through the percent passing at each sieve", "[figure]"
   CHECK(p.right.back().label == "0");
 }
 
-TEST_CASE("sieves stand on top with their ASTM names or openings", "[figure]") {
-  CHECK(sieves(sand()) == Lines{"No. 200", "No. 60", "No. 16", "2.1", "No. 4"});
-  CHECK(sieves(read("size_um,mass\npan,1\n74,10\n75,10\n300,0\n")) == Lines{"74", "No. 200", "No. 50"});
+TEST_CASE("sieves stand on top with their openings, their ASTM names, or not at all", "[figure]") {
+  CHECK(sieves(sand(), SieveNames::astm) == Lines{"No. 200", "No. 60", "No. 16", "2.1", "No. 4"});
+  CHECK(sieves(sand(), SieveNames::iso) == Lines{"0.075", "0.25", "1.18", "2.1", "4.75"});
+  CHECK(sieves(sand(), SieveNames::none).empty());
+  const Gradation micrometres = read("size_um,mass\npan,1\n74,10\n75,10\n300,0\n");
+  CHECK(sieves(micrometres, SieveNames::astm) == Lines{"74", "No. 200", "No. 50"});
+  CHECK(sieves(micrometres, SieveNames::iso) == Lines{"74", "75", "300"});
 }
 
 TEST_CASE("D10, D30 and D60, their indices and the group stand in the figure", "[figure]") {
@@ -214,6 +220,6 @@ TEST_CASE("figures of extreme gradations have axes of numbers", "[figure]") {
 }
 
 TEST_CASE("sieves of any size have short labels") {
-  const Lines labels = sieves(read("size_mm,mass\n1e-400,1\n1,2\n1e400,0\n"));
+  const Lines labels = sieves(read("size_mm,mass\n1e-400,1\n1,2\n1e400,0\n"), SieveNames::astm);
   CHECK(labels == Lines{"1e-400", "No. 18", "1.000e400"});
 }

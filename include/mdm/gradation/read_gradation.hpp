@@ -18,10 +18,11 @@ inline constexpr std::size_t max_gradation_rows = std::size_t{1} << 20;
 /// A gradation with what was understood of its file.
 struct UnderstoodGradation {
   Gradation gradation;
-  std::string format;       ///< such as `CSV`
-  std::string sizes;        ///< where the sizes stand, such as `column 'Siebweite [mm]', in mm`
-  std::string masses;       ///< the same of the masses, with what they are
-  bool is_canonical = true; ///< the proof checker reads the same gradation from the file as it is
+  std::string format;               ///< such as `CSV`
+  std::string sizes;                ///< where the sizes stand, such as `column 'Siebweite [mm]', in mm`
+  std::string masses;               ///< the same of the masses, with what they are
+  std::vector<std::string> samples; ///< of a file with several
+  bool is_canonical = true;         ///< the proof checker reads the same gradation from the file as it is
 };
 
 /// Reads a gradation from the content of a file. The format (CSV, JSON, AGS4, a workbook, an instrument's) is

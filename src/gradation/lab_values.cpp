@@ -1,0 +1,109 @@
+#include "gradation/lab_values.hpp"
+
+#include "gradation/mass_digits.hpp"
+#include "gradation/shown.hpp"
+
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace mdm {
+namespace {
+
+/// Percent, if the whole is there as 100 or the user says passing or cumulative.
+void check_percent(const Table &table, const LabValues &values, const Reading &reading,
+                   const Source &source) {
+  const Rational largest = *std::max_element(table.values.begin(), table.values.end());
+  if (!reading.kind && largest != 100)
+    source.refuse(
+        table.header_line,
+        fmt::format("the column {} may be percent or fractions, its largest value is {}: say --kind "
+                    "passing_percent, passing_fraction or cumulative_retained_percent",
+                    in_quotes(values.header), shown(largest)));
+}
+
+/// What each sieve retains, from cumulative masses.
+void take_differences(Table &table, const Reading &reading, const Source &source) {
+  if (reading.round)
+    table.notes.push_back(*settle_digits(table.values, reading.round));
+  table.has_settled_digits = reading.round.has_value();
+  std::vector<std::size_t> order(table.sizes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&table](std::size_t i, std::size_t j) { return table.sizes[i] > table.sizes[j]; });
+  Rational above = 0;
+  for (const std::size_t i : order) {
+    const Rational value = table.values[i];
+    if (value < above)
+      source.refuse(
+          table.lines[i],
+          fmt::format("cumulative mass {} is below {} of the next coarser sieve: correct one of them",
+                      shown(value), shown(above)));
+    table.values[i] = value - above;
+    above = value;
+  }
+  table.notes.emplace_back(
+      "Cumulative masses were taken apart: each sieve holds the difference to the next coarser "
+      "one.");
+}
+
+std::string_view column_name(const HeaderMeaning &meaning) {
+  const bool is_percent = meaning.unit == ColumnUnit::percent,
+             is_fraction = meaning.unit == ColumnUnit::fraction;
+  switch (meaning.meaning) {
+  case ColumnMeaning::passing:
+    return is_fraction ? "passing_fraction" : "passing_percent";
+  case ColumnMeaning::cumulative:
+    return "cumulative_retained_percent";
+  default:
+    return is_percent ? "retained_percent" : is_fraction ? "retained_fraction" : "mass";
+  }
+}
+
+/// What the rows add up to must be what the total says and what percents can be.
+void check_sum(Table &table, const LabValues &values, const Reading &reading, const Source &source) {
+  Rational sum = 0;
+  for (const Rational &value : table.values)
+    sum += value;
+  if (values.total && *values.total != sum)
+    table.notes.push_back(fmt::format("The file's total is {}, the rows add up to {}; the rows are used.",
+                                      shown(*values.total), shown(sum)));
+  constexpr int most_percent = 105; // of rounded percents
+  if (table.column->full == 100 && sum > most_percent && !reading.kind)
+    source.refuse(
+        table.header_line,
+        fmt::format("percent retained add up to {}: if {} is cumulative, say --kind cumulative, else --kind "
+                    "retained_percent",
+                    shown(sum), in_quotes(values.header)));
+}
+
+} // namespace
+
+void settle_lab_values(Table &table, const LabValues &values, const Reading &reading, const Source &source) {
+  const auto [meaning, unit] = values.meaning;
+  if (unit == ColumnUnit::mass && meaning == ColumnMeaning::passing)
+    source.refuse(table.header_line,
+                  "the mass that passes is given, not its percentage: divide by the whole mass, or "
+                  "give the mass retained");
+  if (unit == ColumnUnit::fraction && meaning == ColumnMeaning::cumulative)
+    source.refuse(table.header_line, "cumulative fractions are not read: give them in percent");
+  const bool is_cumulative_mass = meaning == ColumnMeaning::cumulative && unit == ColumnUnit::mass;
+  if (is_cumulative_mass)
+    take_differences(table, reading, source);
+  else if (unit == ColumnUnit::none && meaning != ColumnMeaning::retained)
+    check_percent(table, values, reading, source);
+  table.column = find_mass_column(is_cumulative_mass ? "mass" : column_name(values.meaning));
+  if (table.column->form == MassForm::retained) {
+    table.roundings.clear();
+    if (!is_cumulative_mass)
+      check_sum(table, values, reading, source);
+  } else {
+    for (Rational &rounding : table.roundings)
+      rounding *= ratio(100, table.column->full);
+  }
+}
+
+} // namespace mdm

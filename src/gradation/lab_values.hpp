@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// What the values of a laboratory's table are, once all of them are read.
+
+#include "gradation/header_words.hpp"
+#include "gradation/table.hpp"
+
+#include <mdm/gradation/reading.hpp>
+
+namespace mdm {
+
+/// The column of values as the table has it.
+struct LabValues {
+  HeaderMeaning meaning;
+  std::string_view header;
+  std::optional<Rational> total; ///< what a row of the sum says
+};
+
+/// Gives the table the canonical column that its values are. Cumulative masses are taken apart into what each
+/// sieve retains, after `--round`. A total that is not the sum of the rows is noted.
+/// \pre the table has rows
+/// \throws InputError where it is not certain whether values are percent or fractions, or cumulative
+void settle_lab_values(Table &table, const LabValues &values, const Reading &reading, const Source &source);
+
+} // namespace mdm

@@ -1,0 +1,57 @@
+#include "gradation/table_file.hpp"
+
+#include "gradation/camsizer_reader.hpp"
+#include "gradation/lab_table.hpp"
+#include "gradation/mastersizer_reader.hpp"
+#include "gradation/table_columns.hpp"
+#include "gradation/workbook.hpp"
+
+#include <algorithm>
+
+namespace mdm {
+
+void check_one_sample(const Reading &reading, const Source &source) {
+  if (reading.specimen)
+    source.refuse(
+        1,
+        "--specimen-id is for AGS4 files and others of several samples; this one holds a single gradation");
+}
+
+Table read_text_table(std::string_view text, const Source &source, const std::string &id,
+                      const Reading &reading) {
+  const std::size_t skip =
+      static_cast<std::size_t>(std::min<std::uint64_t>(reading.skip.value_or(0), text.size()));
+  std::optional<Cells> first;
+  for (const char delimiter : {'\t', ';', ','}) {
+    if (text.find(delimiter) == std::string_view::npos)
+      continue;
+    Cells cells = cells_of_text(text, delimiter, skip, source);
+    if (is_mastersizer(cells))
+      return read_mastersizer(cells, source, id, reading);
+    check_one_sample(reading, source);
+    const std::optional<std::size_t> header =
+        delimiter == '\t' && !reading.describes_table() ? camsizer_header(cells) : std::nullopt;
+    if (header)
+      return read_camsizer(cells, *header, source, id);
+    if (find_columns(cells, reading, source))
+      return read_lab_table(cells, source, id, reading);
+    if (!first)
+      first = std::move(cells);
+  }
+  refuse_table(first ? *first : cells_of_text(text, ',', skip, source), reading, source);
+}
+
+Table read_sheet_table(std::string_view bytes, const Source &source, const std::string &id,
+                       const Reading &reading) {
+  Cells cells = read_workbook(bytes, reading.sheet, source);
+  if (reading.skip)
+    cells.rows.erase(cells.rows.begin(),
+                     std::find_if(cells.rows.begin(), cells.rows.end(),
+                                  [&](const CellRow &row) { return row.line > *reading.skip; }));
+  if (is_mastersizer(cells))
+    return read_mastersizer(cells, source, id, reading);
+  check_one_sample(reading, source);
+  return read_lab_table(cells, source, id, reading);
+}
+
+} // namespace mdm
