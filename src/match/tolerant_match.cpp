@@ -1,11 +1,14 @@
 #include "match/tolerant_match.hpp"
 
-#include "match/count_bounds.hpp"
+#include "match/central_masses.hpp"
 #include "match/problem.hpp"
 #include "match/simplex.hpp"
+#include "match/tolerant_chain_proof.hpp"
 #include "number/common_denominator.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <numeric>
 
 namespace mdm {
 namespace {
@@ -34,8 +37,7 @@ public:
   Search(const TolerantProblem &problem, const Limits &limits, const std::optional<TolerantMatch> &first,
          const Watch &watch)
       : problem_(problem), limits_(limits), watch_(watch.telling([this](Progress &known) { tell(known); })),
-        program_(problem.variables(), watch_), counts_(problem, limits, watch),
-        least_(std::max(problem.at_least(), total(counts_.q()))), bound_(least_) {
+        program_(problem.variables(), watch_), shares_(problem), least_(problem.at_least()), bound_(least_) {
     if (first && problem.is_match(first->q, first->t))
       result_.best = first;
   }
@@ -51,8 +53,12 @@ public:
 
 private:
   void search() {
-    if (result_.best && needs_no_search())
-      return;
+    if (shares_.contradicts())
+      return end(share_contradiction(problem_, shares_));
+    for (const bool all_intervals : {false, true})
+      if (!all_intervals || problem_.classes() <= most_classes_of_all_intervals)
+        if (is_closed_by(std::make_unique<TolerantChain>(problem_, shares_, all_intervals, limits_, watch_)))
+          return;
     result_.too_large = problem_.table_size() > largest_table;
     if (result_.too_large || interrupted())
       return stop();
@@ -76,6 +82,43 @@ private:
     end();
   }
 
+  /// True if the chain shows that there is no match, or which is the smallest.
+  bool is_closed_by(std::unique_ptr<TolerantChain> chain) {
+    if (chain->contradicts()) {
+      end(chain->keeps_raises() ? chain_contradiction(*chain) : Tree());
+      return true;
+    }
+    if (!chain_ || chain->particles() > chain_->particles())
+      chain_ = std::move(chain);
+    least_ = bound_ = std::max(problem_.at_least(), chain_->particles());
+    if (result_.best && needs_no_search())
+      return true;
+    return chain_->complete() && try_counts(chain_->differences()) && needs_no_search();
+  }
+
+  /// True if the counts are a match with fewer particles than the best has.
+  bool try_counts(const std::vector<Integer> &q) {
+    const Integer particles = total(q);
+    if (particles < problem_.at_least() || (result_.best && particles >= total(result_.best->q)))
+      return false;
+    std::optional<std::vector<Rational>> t = masses_of(problem_, q, watch_);
+    if (t)
+      result_.best = TolerantMatch{q, std::move(*t)};
+    return t.has_value();
+  }
+
+  /// With a tree that was not made by the search.
+  void end(Tree tree) {
+    end();
+    if (limits_.keep_proof && size_of(tree) <= longest_tree)
+      result_.tree = std::move(tree);
+  }
+
+  static std::size_t size_of(const Tree &tree) {
+    return std::accumulate(tree.begin(), tree.end(), std::size_t{0},
+                           [](std::size_t n, const TreeNode &node) { return n + 1 + node.leaf.size(); });
+  }
+
   /// The best is the smallest, or there is none.
   void end() {
     result_.complete = true;
@@ -88,16 +131,15 @@ private:
     const Integer particles = total(result_.best->q);
     if (particles > least_)
       return false;
-    end();
-    result_.tree = tree_of_least();
+    end(tree_of_least());
     return true;
   }
 
   /// Refutes fewer than `least_` particles.
   Tree tree_of_least() const {
     if (least_ == problem_.at_least())
-      return {{0, 0, {{TolerantCondition::at_least, 0, 1}, {TolerantCondition::fewer, 0, 1}}}};
-    return limits_.keep_proof ? counts_.tree() : Tree();
+      return {{0, 0, 0, {{TolerantCondition::at_least, 0, 1}, {TolerantCondition::fewer, 0, 1}}}};
+    return chain_->keeps_raises() ? chain_tree(*chain_) : Tree();
   }
 
   void set_up() {
@@ -285,7 +327,7 @@ private:
   }
 
   void split(std::size_t j, const Integer &v) {
-    keep({j, v, {}});
+    keep({j, j, v, {}});
     pending_.push_back({j, v, program_.upper(j), program_.lower(j), bound_});
     enter(pending_.back());
   }
@@ -341,7 +383,8 @@ private:
   const Limits limits_;
   const Watch watch_;
   Simplex program_;
-  CountBounds counts_;
+  ShareClosure shares_;
+  std::unique_ptr<TolerantChain> chain_;
   std::vector<Multiple> row_of_;    ///< condition of each form
   std::vector<std::size_t> strict_; ///< forms of above_lower
   std::size_t count_ = 0;           ///< form of at_least
