@@ -32,7 +32,7 @@ std::optional<std::vector<Rational>> exact_masses(const TolerantProblem &problem
                                                   const Rational &excess, const Watch &watch) {
   const std::size_t k = problem.classes();
   const std::size_t distance = problem.variables(); // 1 - the least distance
-  Rational mass = 0; // about that of the match
+  Rational mass = 0;                                // about that of the match
   for (std::size_t j = 0; j < k; ++j)
     mass += ratio((problem.f(j) + problem.F(j)) * q[j], 2);
   Simplex program(problem.variables() + 1, watch);

@@ -8,7 +8,8 @@ namespace mdm {
 
 /// What double precision finds.
 struct QuickMasses {
-  std::optional<std::vector<Rational>> t; ///< a match with the counts, verified, near the middle of all bounds
+  std::optional<std::vector<Rational>>
+      t;                 ///< a match with the counts, verified, near the middle of all bounds
   bool are_close = true; ///< that there is no match is not clear: only exact numbers can tell
 };
 

@@ -59,7 +59,8 @@ std::optional<std::size_t> QuickSimplex::most_violated_row() const {
 /// The column that makes `aim` rise least as the row's variable moves to its bound.
 std::optional<std::size_t> QuickSimplex::entering(std::size_t of, bool rise, std::size_t aim) const {
   const auto place = std::find(basic_.begin(), basic_.end(), aim);
-  const double *cost = place == basic_.end() ? nullptr : row(static_cast<std::size_t>(place - basic_.begin()));
+  const double *cost =
+      place == basic_.end() ? nullptr : row(static_cast<std::size_t>(place - basic_.begin()));
   std::optional<std::size_t> best;
   double least = 0, largest = 0;
   for (std::size_t c = 0; c < variables_; ++c) {

@@ -10,9 +10,9 @@
 
 namespace mdm {
 
-/// The dual simplex method with bounds on variables and on linear forms of them, in doubles: what it finds may
-/// be wrong, and is to be verified. Numbers should be near 1. Cost: a pivot is a pass over a dense table of
-/// forms times variables.
+/// The dual simplex method with bounds on variables and on linear forms of them, in doubles: what it finds
+/// may be wrong, and is to be verified. Numbers should be near 1. Cost: a pivot is a pass over a dense table
+/// of forms times variables.
 class QuickSimplex {
 public:
   static constexpr double unbounded = std::numeric_limits<double>::infinity();

@@ -57,8 +57,7 @@ void ShareClosure::add_edges(const TolerantProblem &problem) {
   for (std::size_t j = 0; j < k_ && has_total_; ++j)
     passing.push_back(passing.back() + in_units(problem.target()[j], unit_));
   for (std::size_t j = 0; j < passing.size() && has_total_; ++j)
-    edges_.push_back(
-        {k_ + 1, j, passing[j] - in_units(Rational(*tolerance.total / 2), unit_), std::nullopt});
+    edges_.push_back({k_ + 1, j, passing[j] - in_units(Rational(*tolerance.total / 2), unit_), std::nullopt});
   add_neighbours(tolerance);
   for (std::size_t j = 0; j < passing.size() && has_total_; ++j)
     edges_.push_back({j, k_ + 1, -passing[j], std::nullopt});

@@ -15,7 +15,7 @@ struct ShareCondition {
 };
 
 /// The bounds on the shares of consecutive classes, P_j - P_{i-1}, that follow from all bounds of a tolerance
-/// together (proofs/README.md, Theorem 20): longest paths over the sieves, on which an edge from a to b of
+/// together (proofs/README.md, Theorem 17): longest paths over the sieves, on which an edge from a to b of
 /// weight w says P_b - P_a >= w M. All edges but those between neighbours begin or end at one of two hubs:
 /// the finest sieve, for what passes, and the one of a total. Shares are integers in units of 1 / unit().
 /// Cost: a few passes over the classes.

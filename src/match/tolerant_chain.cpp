@@ -13,9 +13,10 @@ constexpr std::size_t most_raises = longest_tree / 2;
 } // namespace
 
 TolerantChain::TolerantChain(const TolerantProblem &problem, const ShareClosure &shares, bool all_intervals,
-                             const Limits &limits, const Watch &watch)
+                             const Limits &limits, const Watch &watch, const std::optional<Rational> &mass)
     : problem_(problem), shares_(shares), intervals_(problem.classes(), all_intervals), limits_(limits),
-      watch_(watch.telling([this](Progress &known) { known.lower_bound = std::max(Integer(1), particles()); })),
+      watch_(
+          watch.telling([this](Progress &known) { known.lower_bound = std::max(Integer(1), particles()); })),
       V_(intervals_.size()), lo_(intervals_.size()), hi_(intervals_.size()),
       keeps_raises_(limits.keep_proof) {
   for (std::size_t i = 0; i < problem.classes(); ++i)
@@ -24,29 +25,37 @@ TolerantChain::TolerantChain(const TolerantProblem &problem, const ShareClosure 
         lo_[intervals_.place(i, j)] = shares.lo(i, j);
         hi_[intervals_.place(i, j)] = shares.hi(i, j);
       }
-  start();
+  start(mass);
   run();
 }
 
 /// The counts and the mass that are demanded.
-void TolerantChain::start() {
+void TolerantChain::start(const std::optional<Rational> &mass) {
   const std::size_t k = problem_.classes();
   for (std::size_t j = 0; j < k; ++j) {
     V_[intervals_.place(j, j)] = problem_.least(j);
     if (lo_[intervals_.place(j, j)] > 0)
       movable_.push_back(j);
   }
-  if (!problem_.weight())
+  if (mass)
+    set_level_from(*mass);
+  if (mass || !problem_.weight())
     return;
   for (std::size_t j = 0; j < k; ++j)
     heaviest_ = std::max(heaviest_, problem_.per_mass(j));
   std::vector<Rational> lighter;
   for (std::size_t j = 0; j < k; ++j)
-    lighter.push_back((heaviest_ - problem_.per_mass(j)) * ratio(lo_[intervals_.place(j, j)], shares_.unit()));
+    lighter.push_back((heaviest_ - problem_.per_mass(j)) *
+                      ratio(lo_[intervals_.place(j, j)], shares_.unit()));
   per_mass_ = heaviest_ - sum(lighter);
   if (*problem_.weight() <= 0)
     return;
-  const Rational level = *problem_.weight() / (per_mass_ * shares_.unit());
+  set_level_from(Rational(*problem_.weight() / per_mass_));
+}
+
+/// M >= mass.
+void TolerantChain::set_level_from(const Rational &mass) {
+  const Rational level = mass / shares_.unit();
   mass_ = numerator(level);
   share_ = denominator(level);
   is_open_ = false;
@@ -61,17 +70,21 @@ bool TolerantChain::ends() {
 }
 
 void TolerantChain::run() {
+  raise_singles();
   raise_level();
-  for (bool raised = true; raised && !ends();) {
-    raised = raise_singles();
+  for (bool raised = true; raised && !contradicts();) {
+    raised = sweep_singles();
+    raised = raise_singles() || raised;
     raised = raise_intervals() || raised;
-    raised = raise_level() || raised;
+    raised = (!ends() && raise_level()) || raised;
+    if (ends()) // a first round is short
+      return;
   }
-  complete_ = !ends();
+  complete_ = !contradicts();
 }
 
-/// Least count of the classes at `place`, of which the share is above 0, if so many particles hold F each less
-/// `missing` in sum.
+/// Least count of the classes at `place`, of which the share is above 0, if so many particles hold F each
+/// less `missing` in sum.
 Integer TolerantChain::count_at_level(std::size_t place, const Integer &F, const Integer &missing) const {
   const Integer mass = lo_[place] * mass_ + share_ * missing;
   const Integer one = share_ * F;
@@ -101,15 +114,13 @@ Integer TolerantChain::settled_count(std::size_t j) const {
   return ceil_div(f, problem_.F(j) * hi_[place] - f);
 }
 
-/// Raises single classes as the sweep for the least match does: first where that raises the level.
-bool TolerantChain::raise_singles() {
+/// Raises single classes as the sweep for the least match does: where that raises the level.
+bool TolerantChain::sweep_singles() {
   bool raised = false;
-  for (bool moved = true; moved;) {
+  for (bool moved = true; moved && !ends();) {
     moved = false;
     std::size_t kept = 0;
     for (const std::size_t j : movable_) {
-      if (ends())
-        return true;
       const std::size_t place = intervals_.place(j, j);
       const Integer n = std::max(V_[place], count_at_level(place, problem_.F(j), 0));
       if (n > V_[place] && n * problem_.f(j) * share_ > mass_ * hi_[place]) {
@@ -122,6 +133,12 @@ bool TolerantChain::raise_singles() {
     }
     movable_.resize(kept);
   }
+  return raised;
+}
+
+/// The counts of single classes at the level.
+bool TolerantChain::raise_singles() {
+  bool raised = false;
   for (std::size_t j = 0; j < problem_.classes(); ++j)
     if (const std::size_t place = intervals_.place(j, j); lo_[place] > 0)
       if (Integer n = count_at_level(place, problem_.F(j), 0); n > V_[place]) {

@@ -31,7 +31,7 @@ private:
 /// over them costs the cube.
 inline constexpr std::size_t most_classes_of_all_intervals = 160;
 
-/// The chain within a tolerance (proofs/README.md, Theorem 20): lower bounds V_ij of the counts
+/// The chain within a tolerance (proofs/README.md, Theorem 17): lower bounds V_ij of the counts
 /// q_i + ... + q_j and M_0 of the mass M, raised by steps that every match takes part in until no step raises
 /// one. Cost: a pass over the intervals a round; the rounds are few but where classes are narrow.
 class TolerantChain {
@@ -56,9 +56,11 @@ public:
     std::size_t before;
   };
 
-  /// \param shares  of the problem; both must outlive this \pre !shares.contradicts()
+  /// \param shares  of the problem; both must outlive this
+  /// \param mass  where given, all bounds are of matches with this mass or more, and not to be proved
+  /// \pre !shares.contradicts()
   TolerantChain(const TolerantProblem &problem, const ShareClosure &shares, bool all_intervals,
-                const Limits &limits, const Watch &watch);
+                const Limits &limits, const Watch &watch, const std::optional<Rational> &mass = std::nullopt);
   TolerantChain(const TolerantChain &) = delete;
   TolerantChain &operator=(const TolerantChain &) = delete;
 
@@ -77,6 +79,8 @@ public:
   const TolerantProblem &problem() const { return problem_; }
   const ShareClosure &shares() const { return shares_; }
   const ClassIntervals &intervals() const { return intervals_; }
+  /// M_0: every match has this mass or more.
+  Rational level() const { return ratio(mass_ * shares_.unit(), share_); }
   /// All raises, in order; empty if they were not to be kept, or are too many for a certificate.
   const std::vector<Raise> &raises() const { return raises_; }
   bool keeps_raises() const { return keeps_raises_; }
@@ -88,8 +92,10 @@ public:
   const Rational &per_mass() const { return per_mass_; }
 
 private:
-  void start();
+  void start(const std::optional<Rational> &mass);
+  void set_level_from(const Rational &mass);
   void run();
+  bool sweep_singles();
   bool raise_singles();
   bool raise_intervals();
   bool raise_intervals_from(std::size_t i);

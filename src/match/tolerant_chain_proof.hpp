@@ -12,7 +12,7 @@ struct ClassInterval {
 };
 
 /// Splits for the bounds that are needed, and for those that these come from, each with a leaf for its first
-/// branch (Theorem 20): what follows is the rest of a tree in which these bounds are in force.
+/// branch (Theorem 17): what follows is the rest of a tree in which these bounds are in force.
 /// \pre chain.keeps_raises()
 Tree chain_splits(const TolerantChain &chain, const std::vector<ClassInterval> &needed);
 

@@ -4,6 +4,7 @@
 #include "match/problem.hpp"
 #include "match/simplex.hpp"
 #include "match/tolerant_chain_proof.hpp"
+#include "match/tolerant_climb.hpp"
 #include "number/common_denominator.hpp"
 
 #include <algorithm>
@@ -59,6 +60,7 @@ private:
       if (!all_intervals || problem_.classes() <= most_classes_of_all_intervals)
         if (is_closed_by(std::make_unique<TolerantChain>(problem_, shares_, all_intervals, limits_, watch_)))
           return;
+    climb();
     result_.too_large = problem_.table_size() > largest_table;
     if (result_.too_large || interrupted())
       return stop();
@@ -94,6 +96,16 @@ private:
     if (result_.best && needs_no_search())
       return true;
     return chain_->complete() && try_counts(chain_->differences()) && needs_no_search();
+  }
+
+  /// A first match near the chain's bound.
+  void climb() {
+    if (!chain_->complete() || chain_->level() <= 0)
+      return;
+    const std::optional<Integer> most =
+        result_.best ? std::optional<Integer>(total(result_.best->q)) : std::nullopt;
+    if (std::optional<TolerantMatch> found = climbed_match(*chain_, most, watch_))
+      result_.best = std::move(found);
   }
 
   /// True if the counts are a match with fewer particles than the best has.
@@ -246,7 +258,8 @@ private:
 
   bool interrupted() const {
     return (limits_.node_limit && result_.nodes >= *limits_.node_limit) || watch_.ends() ||
-           (limits_.at_most && certain() > *limits_.at_most);
+           (limits_.at_most && certain() > *limits_.at_most) ||
+           (limits_.enough && result_.best && total(result_.best->q) <= *limits_.enough);
   }
 
   /// The contradiction of the program's bounds as multiples of conditions, cleared of denominators.

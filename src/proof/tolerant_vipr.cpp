@@ -181,7 +181,8 @@ private:
   /// empty: class by class, it is the one or it is not.
   /// \pre no class's own condition is strict
   std::size_t strict_sum(std::size_t i, std::size_t j, std::size_t many, const Integer &v) {
-    std::vector<std::pair<std::size_t, std::size_t>> cases; // d as y_b >= 1 shows, under the assumption of that
+    std::vector<std::pair<std::size_t, std::size_t>>
+        cases; // d as y_b >= 1 shows, under the assumption of that
     std::string none = fmt::format("{} 1", many);
     std::vector<std::size_t> empty;
     for (std::size_t b = i; b <= j; ++b) {

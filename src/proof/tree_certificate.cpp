@@ -228,7 +228,8 @@ private:
     }
     text += "leaf";
     for (std::size_t i = 0; i < node.leaf.size(); ++i) {
-      fmt::format_to(Text(text), " {} {}", to_string(Integer(multipliers[i] / common)), name_of(node.leaf[i]));
+      fmt::format_to(Text(text), " {} {}", to_string(Integer(multipliers[i] / common)),
+                     name_of(node.leaf[i]));
       if (node.leaf[i].condition == TolerantCondition::above_lowers)
         size_ += node.leaf[i].j - node.leaf[i].i;
       see(Integer(multipliers[i] / common));

@@ -251,7 +251,8 @@ TEST_CASE("option --vipr writes the proof, exact or within a tolerance, and --no
     CHECK(read_file(folder / "vipr").find("\nVER 1.0\n") != std::string::npos);
   }
   const Outcome limited =
-      mdm({"solve", athabasca, "--tolerance", "retained:1%", "--node-limit", "2", "--vipr", folder / "none"});
+      mdm({"solve", example("ottawa-f65-sand"), "--tolerance", "retained:1%", "--node-limit", "2", "--vipr",
+           folder / "none"});
   CHECK(limited.exit_code == 3);
   CHECK(limited.out.find("no proof was written") != std::string::npos);
   CHECK(folder.entries() == 1);

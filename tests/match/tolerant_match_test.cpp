@@ -419,7 +419,7 @@ TEST_CASE("the least number within a tolerance is that of enumeration") {
 TEST_CASE("a search that is stopped leaves a match and a bound that are true") {
   std::mt19937_64 random(43);
   int stopped = 0;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const Twins twins = random_twins(random, 4);
     const TolerantResult all = tolerant_match(twins.problem);
     for (std::uint64_t nodes = 0; nodes < std::min<std::uint64_t>(all.nodes, 12); ++nodes) {
