@@ -203,7 +203,8 @@ void add_text_spread(Buffer &out, const Match &m, const Spread &spread) {
 std::string budget_text(const MatchBudget &budget) {
   const std::string particles = counted(budget.particles);
   if (!budget.tolerance)
-    return particles + (budget.is_decided ? " suffice for no tolerance" : ": no tolerance is known to suffice");
+    return particles +
+           (budget.is_decided ? " suffice for no tolerance" : ": no tolerance is known to suffice");
   if (*budget.tolerance == 0)
     return particles + " suffice for the tolerance 0";
   return particles + ": the tolerance " + to_decimal(*budget.tolerance) + "% suffices" +

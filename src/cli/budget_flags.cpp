@@ -45,6 +45,7 @@ Budget BudgetFlags::budget(const SolveFlags &others) const {
 }
 
 Question BudgetFlags::question(const SolveFlags &others) const {
+  budget(others); // which refuses other tolerances
   SolveFlags with_value = others;
   with_value.tolerances = {kind_of(others) + ":0%"};
   Question q = with_value.question();

@@ -33,9 +33,7 @@ public:
   }
 
 private:
-  Rational percent(const Integer &i) const {
-    return i == last_ ? Rational(100) : Rational(i * budget_.grid);
-  }
+  Rational percent(const Integer &i) const { return i == last_ ? Rational(100) : Rational(i * budget_.grid); }
 
   Match solved(const Integer &i, const SolveOptions &options) const {
     Question question = question_;
@@ -90,7 +88,8 @@ private:
             std::nullopt};
   }
 
-  Match with_budget(Match m, const std::optional<Integer> &enough, const std::optional<Integer> &finer) const {
+  Match with_budget(Match m, const std::optional<Integer> &enough,
+                    const std::optional<Integer> &finer) const {
     MatchBudget budget{budget_.particles, std::nullopt, std::nullopt, false};
     if (enough)
       budget.tolerance = percent(*enough);

@@ -17,8 +17,8 @@ struct Budget {
 /// The answer to a budget.
 struct BudgetMatch {
   Match match; ///< the smallest at the tolerance; with its `budget`
-  /// At the next finer tolerance every match has more particles than the budget. Nothing at tolerance 0, where
-  /// no tolerance is enough (the match says so), and where a limit left it open.
+  /// At the next finer tolerance every match has more particles than the budget. Nothing at tolerance 0,
+  /// where no tolerance is enough (the match says so), and where a limit left it open.
   std::optional<Match> finer;
 };
 

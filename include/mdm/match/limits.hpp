@@ -21,7 +21,7 @@ struct Limits {
   std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
   std::optional<std::uint64_t> node_limit = std::nullopt; ///< of a search tree
   std::optional<Integer> at_most = std::nullopt;          ///< more particles than this need no exact number
-  std::optional<Integer> enough = std::nullopt;  ///< no match with fewer particles than this is needed
+  std::optional<Integer> enough = std::nullopt; ///< no match with fewer particles than this is needed
   bool keep_proof = true; ///< keep what a proof is written from: the chain of a sweep, the tree of a search
 
   /// Steps that a sweep may take.
