@@ -2,6 +2,7 @@
 
 #include "match/central_masses.hpp"
 #include "match/problem.hpp"
+#include "match/quick_masses.hpp"
 
 namespace mdm {
 namespace {
@@ -48,7 +49,54 @@ private:
   std::optional<TolerantMatch> best_;
 };
 
+/// True if the counts reach all bounds of the chain.
+bool reaches_bounds(const TolerantChain &chain, const std::vector<Integer> &q) {
+  const ClassIntervals &intervals = chain.intervals();
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    Integer sum = 0;
+    for (std::size_t j = i; j < q.size(); ++j) {
+      sum += q[j];
+      if (intervals.has(i, j) && sum < chain.count(i, j))
+        return false;
+    }
+  }
+  return true;
+}
+
+/// The vectors next to the chain's differences, those with as many particles first.
+std::vector<std::vector<Integer>> neighbours(const TolerantChain &chain) {
+  const std::vector<Integer> q = chain.differences();
+  std::vector<std::vector<Integer>> all;
+  const auto add = [&](std::size_t more, std::optional<std::size_t> less) {
+    std::vector<Integer> other = q;
+    ++other[more];
+    if (less)
+      --other[*less];
+    if (reaches_bounds(chain, other))
+      all.push_back(std::move(other));
+  };
+  for (std::size_t j = 1; j < q.size(); ++j) {
+    add(j, j - 1);
+    add(j - 1, j);
+  }
+  for (std::size_t j = 0; j < q.size(); ++j)
+    add(j, std::nullopt);
+  return all;
+}
+
 } // namespace
+
+std::optional<TolerantMatch> neighbouring_match(const TolerantChain &chain, const Watch &watch) {
+  for (const std::vector<Integer> &q : neighbours(chain)) {
+    if (watch.ends())
+      break;
+    if (total(q) < chain.problem().at_least())
+      continue;
+    if (QuickMasses quick = quick_masses(chain.problem(), q); quick.t)
+      return TolerantMatch{q, std::move(*quick.t)};
+  }
+  return std::nullopt;
+}
 
 std::optional<TolerantMatch> climbed_match(const TolerantChain &chain, const std::optional<Integer> &most,
                                            const Watch &watch) {

@@ -8,6 +8,7 @@
 #include "number/common_denominator.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <numeric>
 
@@ -60,7 +61,9 @@ private:
       if (!all_intervals || problem_.classes() <= most_classes_of_all_intervals)
         if (is_closed_by(std::make_unique<TolerantChain>(problem_, shares_, all_intervals, limits_, watch_)))
           return;
-    climb();
+    find_first_match();
+    if (result_.best && needs_no_search())
+      return;
     result_.too_large = problem_.table_size() > largest_table;
     if (result_.too_large || interrupted())
       return stop();
@@ -81,6 +84,7 @@ private:
         open = backtrack();
       }
     }
+    add_splits();
     end();
   }
 
@@ -98,13 +102,16 @@ private:
     return chain_->complete() && try_counts(chain_->differences()) && needs_no_search();
   }
 
-  /// A first match near the chain's bound.
-  void climb() {
+  /// Near the chain's bound.
+  void find_first_match() {
     if (!chain_->complete() || chain_->level() <= 0)
       return;
     const std::optional<Integer> most =
         result_.best ? std::optional<Integer>(total(result_.best->q)) : std::nullopt;
-    if (std::optional<TolerantMatch> found = climbed_match(*chain_, most, watch_))
+    std::optional<TolerantMatch> found = neighbouring_match(*chain_, watch_);
+    if (!found)
+      found = climbed_match(*chain_, most, watch_);
+    if (found && (!most || total(found->q) < *most))
       result_.best = std::move(found);
   }
 
@@ -160,13 +167,61 @@ private:
     for (const LinearRow &row : problem_.rows())
       add_row(row);
     for (std::size_t j = 0; j < problem_.classes(); ++j)
-      program_.set_lower(j, exactly(problem_.least(j)));
+      program_.set_lower(j, exactly(Rational(has_chain() ? chain_->count(j, j) : problem_.least(j))));
+    if (has_chain())
+      add_sums();
     for (std::size_t p = 2 * problem_.classes(); p < problem_.variables(); ++p)
       program_.set_lower(p, exactly(0));
     for (std::size_t j = 0; j < problem_.classes(); ++j)
       set_strictness(j);
     if (result_.best)
       set_cutoff();
+  }
+
+  /// True if the chain's bounds are rows of the program: they can be proved, if that is asked for.
+  bool has_chain() const { return chain_->keeps_raises() || !limits_.keep_proof; }
+
+  /// The chain's bounds of several classes that are no sums of others.
+  void add_sums() {
+    const ClassIntervals &intervals = chain_->intervals();
+    for (std::size_t i = 0; i < problem_.classes(); ++i)
+      for (std::size_t j = i + 1; j < problem_.classes(); ++j)
+        if (intervals.has(i, j) && !is_sum_of_parts(i, j)) {
+          std::vector<std::pair<std::size_t, Rational>> counts;
+          for (std::size_t b = i; b <= j; ++b)
+            counts.emplace_back(b, 1);
+          const std::size_t form = program_.add_form(counts);
+          row_of_.push_back({TolerantCondition::least_sum, j, 0, i});
+          program_.set_lower(form, exactly(Rational(chain_->count(i, j))));
+        }
+  }
+  bool is_sum_of_parts(std::size_t i, std::size_t j) const {
+    const ClassIntervals &intervals = chain_->intervals();
+    for (std::size_t b = i; b < j; ++b)
+      if (intervals.has(i, b) && intervals.has(b + 1, j) &&
+          chain_->count(i, b) + chain_->count(b + 1, j) == chain_->count(i, j))
+        return true;
+    return false;
+  }
+
+  /// Puts the splits for the chain's bounds that leaves use before the tree.
+  void add_splits() {
+    if (result_.tree.empty() || !has_chain())
+      return;
+    std::vector<ClassInterval> used;
+    for (const TreeNode &node : result_.tree)
+      for (const Multiple &m : node.leaf)
+        if (m.condition == TolerantCondition::least_sum)
+          used.push_back({m.i, m.j});
+        else if (m.condition == TolerantCondition::least_count ||
+                 m.condition == TolerantCondition::above_lower)
+          used.push_back({m.j, m.j});
+    Tree tree = chain_splits(*chain_, used);
+    if (size_of(tree) + tree_size_ > longest_tree)
+      return Tree().swap(result_.tree);
+    tree.insert(tree.end(), std::make_move_iterator(result_.tree.begin()),
+                std::make_move_iterator(result_.tree.end()));
+    result_.tree = std::move(tree);
   }
 
   /// A certain bound: every match is the best, or in a subtree that is still open.
@@ -213,6 +268,7 @@ private:
     } catch (const Simplex::Interrupted &) {
       return false;
     }
+    add_splits();
     return !result_.tree.empty();
   }
 
@@ -296,7 +352,7 @@ private:
     if (term.variable < problem_.variables())
       return {TolerantCondition::excess_sign, term.variable - 2 * k, 0};
     const Multiple &row = row_of_[term.variable - problem_.variables()];
-    return {term.is_upper ? TolerantCondition::fewer : row.condition, row.j, 0};
+    return {term.is_upper ? TolerantCondition::fewer : row.condition, row.j, 0, row.i};
   }
 
   /// Undoes branches up to the last split whose second subtree is to come, and enters that. False if there is
