@@ -88,9 +88,11 @@ void report(const SolveCommand &c, const Match &m, const Spectrum *spectrum, con
   }
 }
 
-/// The exit code of the match, unless it is done and the spectrum beside it, or the tolerance, is not.
-Exit exit_code(const Match &m, const std::optional<Spectrum> &spectrum) {
-  const Exit code = cli::exit_code(m.status);
+/// The exit code of the match, of which a gap may be enough, unless it is done and the spectrum beside it, or
+/// the tolerance, is not.
+Exit exit_code(const Match &m, const std::optional<Spectrum> &spectrum, const Limits &limits) {
+  const bool is_close = m.status == Status::feasible && limits.is_close(*m.particles(), m.lower_bound);
+  const Exit code = is_close ? Exit::done : cli::exit_code(m.status);
   if (m.budget && !m.budget->is_decided)
     return Exit::limited;
   return code == Exit::done && spectrum && !spectrum->complete ? Exit::limited : code;
@@ -227,7 +229,7 @@ int run(const SolveCommand &c) {
   for (const SideFile &file : files)
     file.output->commit();
   out.commit();
-  return exit_code(m, reachable);
+  return exit_code(m, reachable, options.limits);
 }
 
 } // namespace

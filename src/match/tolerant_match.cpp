@@ -315,7 +315,12 @@ private:
   bool interrupted() const {
     return (limits_.node_limit && result_.nodes >= *limits_.node_limit) || watch_.ends() ||
            (limits_.at_most && certain() > *limits_.at_most) ||
-           (limits_.enough && result_.best && total(result_.best->q) <= *limits_.enough);
+           (result_.best && is_good_enough(total(result_.best->q)));
+  }
+
+  /// The best has as few particles as are asked for.
+  bool is_good_enough(const Integer &particles) const {
+    return (limits_.enough && particles <= *limits_.enough) || limits_.is_close(particles, certain());
   }
 
   /// The contradiction of the program's bounds as multiples of conditions, cleared of denominators.
