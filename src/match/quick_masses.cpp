@@ -141,6 +141,9 @@ Rational mass_at(const Integer &f, const Integer &F, const Integer &q, double z)
 
 QuickMasses quick_masses(const TolerantProblem &problem, const std::vector<Integer> &q) {
   constexpr double noise = 1e-6;
+  constexpr std::size_t most_numbers = std::size_t{1} << 20; // of a table; some 300 classes
+  if (problem.table_size() > most_numbers)
+    return {};
   Program program(problem, q);
   if (program.has_point())
     return {};

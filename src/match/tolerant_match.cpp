@@ -104,7 +104,7 @@ private:
 
   /// Near the chain's bound.
   void find_first_match() {
-    if (!chain_->complete() || chain_->level() <= 0)
+    if (!chain_->complete() || chain_->level() <= 0 || problem_.table_size() > largest_table)
       return;
     const std::optional<Integer> most =
         result_.best ? std::optional<Integer>(total(result_.best->q)) : std::nullopt;
@@ -118,7 +118,8 @@ private:
   /// True if the counts are a match with fewer particles than the best has.
   bool try_counts(const std::vector<Integer> &q) {
     const Integer particles = total(q);
-    if (particles < problem_.at_least() || (result_.best && particles >= total(result_.best->q)))
+    if (problem_.table_size() > largest_table || particles < problem_.at_least() ||
+        (result_.best && particles >= total(result_.best->q)))
       return false;
     std::optional<std::vector<Rational>> t = masses_of(problem_, q, watch_);
     if (t)
