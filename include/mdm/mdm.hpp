@@ -15,6 +15,7 @@
 #include <mdm/gradation/size_range.hpp>
 #include <mdm/gradation/size_unit.hpp>
 #include <mdm/gradation/write_gradation.hpp>
+#include <mdm/match/budget.hpp>
 #include <mdm/match/chain.hpp>
 #include <mdm/match/limits.hpp>
 #include <mdm/match/match.hpp>

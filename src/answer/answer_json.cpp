@@ -4,6 +4,7 @@
 #include "text/versions.hpp"
 
 #include <mdm/answer/answer.hpp>
+#include <mdm/number/decimal.hpp>
 
 #include <array>
 
@@ -15,6 +16,21 @@ const char *status_name(Status status) {
   return names.at(static_cast<std::size_t>(status));
 }
 
+/// The members of a budget.
+void write_budget(JsonWriter &json, const MatchBudget &budget) {
+  const auto percent = [&json](const char *key, const std::optional<Rational> &value) {
+    json.key(key);
+    if (value)
+      json.plain(to_decimal(*value));
+    else
+      json.null();
+  };
+  write(json.key("particles"), budget.particles);
+  percent("tolerance", budget.tolerance);
+  percent("next_finer", budget.next_finer);
+  json.end_object();
+}
+
 /// The members before the classes.
 void write_verdict(JsonWriter &json, const Match &m) {
   const std::optional<Integer> particles = m.particles();
@@ -24,6 +40,8 @@ void write_verdict(JsonWriter &json, const Match &m) {
   write(json.key("lower_bound"), m.lower_bound);
   if (particles && (m.status == Status::feasible || m.status == Status::unknown))
     write(json.key("upper_bound"), *particles);
+  if (m.budget)
+    write_budget(json.key("budget").begin_object(), *m.budget);
   json.key("unit").plain(name(m.gradation.unit()));
   if (m.gradation.root() > 1)
     json.key("size_power").number(m.gradation.root());

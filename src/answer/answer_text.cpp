@@ -199,6 +199,18 @@ void add_text_spread(Buffer &out, const Match &m, const Spread &spread) {
   add(out, "{}", table.text());
 }
 
+/// What the budget suffices for.
+std::string budget_text(const MatchBudget &budget) {
+  const std::string particles = counted(budget.particles);
+  if (!budget.tolerance)
+    return particles +
+           (budget.is_decided ? " suffice for no tolerance" : ": no tolerance is known to suffice");
+  if (*budget.tolerance == 0)
+    return particles + " suffice for the tolerance 0";
+  return particles + ": the tolerance " + to_decimal(*budget.tolerance) + "% suffices" +
+         (budget.next_finer ? ", " + to_decimal(*budget.next_finer) + "% does not" : "");
+}
+
 } // namespace
 
 std::string headline(const Match &m) {
@@ -233,6 +245,8 @@ std::string headline(const Match &m) {
 std::string answer_text(const Match &m, const Spectrum *spectrum, const Spread *spread, bool with_scale) {
   Buffer out;
   add(out, "{}: {}\n", printable(m.gradation.id()), headline(m));
+  if (m.budget)
+    add(out, "  {}\n", budget_text(*m.budget));
   if (m.has_answer()) {
     out.push_back('\n');
     add_table(out, m);

@@ -1,3 +1,4 @@
+#include "cli/budget_flags.hpp"
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
 #include "cli/help.hpp"
@@ -28,6 +29,7 @@ namespace {
 struct SolveCommand {
   std::optional<std::string> file;
   SolveFlags flags;
+  BudgetFlags budget;
   std::optional<std::string> proof, vipr, coq, seed;
   ReadingFlags reading;
   OutputFlags output;
@@ -35,6 +37,11 @@ struct SolveCommand {
 
   bool asks_proof() const { return proof || vipr || coq; }
 };
+
+/// The proof that the next finer tolerance needs more particles than the budget.
+std::string finer_proof(const SolveCommand &c) {
+  return *c.proof + ".finer";
+}
 
 /// A side result of solve: a file that is to be written with the rest or not at all.
 struct SideFile {
@@ -86,9 +93,13 @@ void report(const SolveCommand &c, const Match &m, const Spectrum *spectrum, con
   }
 }
 
-/// The exit code of the match, unless it is done and the spectrum beside it is not.
-Exit exit_code(const Match &m, const std::optional<Spectrum> &spectrum) {
-  const Exit code = cli::exit_code(m.status);
+/// The exit code of the match, of which a gap may be enough, unless it is done and the spectrum beside it, or
+/// the tolerance, is not.
+Exit exit_code(const Match &m, const std::optional<Spectrum> &spectrum, const Limits &limits) {
+  const bool is_close = m.status == Status::feasible && limits.is_close(*m.particles(), m.lower_bound);
+  const Exit code = is_close ? Exit::done : cli::exit_code(m.status);
+  if (m.budget && !m.budget->is_decided)
+    return Exit::limited;
   return code == Exit::done && spectrum && !spectrum->complete ? Exit::limited : code;
 }
 
@@ -118,6 +129,10 @@ void check_files(const SolveCommand &c) {
     throw InputError("--spectrum: it is of exact matches: leave it out, or --tolerance and --band");
   if (c.spectrum && c.output.is_csv())
     throw InputError("--spectrum: CSV has no place for it: use --format text or json");
+  if (c.budget.grid && !c.budget.is_asked())
+    throw InputError("--grid: it is of a budget: add --particles, or leave it out");
+  if (c.spectrum && c.budget.is_asked())
+    throw InputError("--spectrum: it is of exact matches: leave it out, or --particles");
   if (c.seed && !c.spread)
     throw InputError("--seed: it is of a spread: add --spread, or leave it out");
   if (c.proof == "-" || c.vipr == "-")
@@ -129,6 +144,8 @@ void check_files(const SolveCommand &c) {
   for (const std::optional<std::string> &path : {c.proof, c.vipr, c.coq, c.output.out})
     if (path)
       paths.push_back(*path);
+  if (c.proof && c.budget.is_asked())
+    paths.push_back(finer_proof(c));
   check_distinct(paths);
   if (c.flags.band) {
     paths.front() = *c.flags.band;
@@ -141,18 +158,22 @@ std::uint64_t seed_of(const SolveCommand &c) {
 }
 
 /// The match, or what is known of it when Ctrl-C is pressed.
-Match searched(const Gradation &g, const Question &question, SolveOptions options, bool quiet) {
-  SearchProgress progress(quiet);
+BudgetMatch searched(const SolveCommand &c, const Gradation &g, const Question &question,
+                     SolveOptions options) {
+  SearchProgress progress(c.output.quiet);
   options.progress = progress.call();
-  Match m = solve(g, question, options);
-  if (!m.complete && Interrupt::was_pressed())
-    m.notes.push_back("the search was interrupted");
-  return m;
+  BudgetMatch found = c.budget.is_asked()
+                          ? solve_within_budget(g, question, c.budget.budget(c.flags), options)
+                          : BudgetMatch{solve(g, question, options), std::nullopt};
+  if (!found.match.complete && Interrupt::was_pressed())
+    found.match.notes.push_back("the search was interrupted");
+  return found;
 }
 
 /// The proofs that were asked for. Notes say which are not written, and where the gradation is written for
 /// mdm-check.
-std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Match &m) {
+std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, BudgetMatch &found) {
+  Match &m = found.match;
   const std::string &source = c.flags.source(c.file);
   std::vector<SideFile> files;
   const auto add = [&](const std::optional<std::string> &path, bool can_be,
@@ -167,6 +188,8 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Mat
   if (!files.empty())
     if (std::optional<SideFile> csv = readable_gradation(c, asked, m.notes))
       files.push_back(std::move(*csv));
+  if (c.proof && found.finer && has_certificate(*found.finer))
+    add(finer_proof(c), true, [&] { return certificate(*found.finer); });
   add(c.vipr, m.complete, [&] { return vipr(m); });
   add(c.coq, m.complete, [&] { return theorem(c, asked, m); });
   if (!m.complete && has_certificate(m) && c.proof)
@@ -176,7 +199,7 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Mat
 
 int run(const SolveCommand &c) {
   check_files(c);
-  Question question = c.flags.question();
+  Question question = c.budget.is_asked() ? c.budget.question(c.flags) : c.flags.question();
   question.band_alone = !c.file;
   const std::uint64_t seed = seed_of(c);
   const Target asked = target(c, question);
@@ -184,11 +207,12 @@ int run(const SolveCommand &c) {
 
   const std::string &source = c.flags.source(c.file);
   const SolveOptions options = c.flags.options(c.asks_proof());
-  Match m = in_file(source, [&] {
+  BudgetMatch found = in_file(source, [&] {
     if (c.proof || c.coq)
       check_certifiable(asked_gradation(asked.gradation, question), question);
-    return searched(asked.gradation, question, options, c.output.quiet);
+    return searched(c, asked.gradation, question, options);
   });
+  Match &m = found.match;
   const Progress progress([] { return std::string("writing"); }, c.output.quiet);
   std::optional<Spectrum> reachable;
   if (c.spectrum)
@@ -199,7 +223,7 @@ int run(const SolveCommand &c) {
 
   std::vector<SideFile> files;
   if (c.asks_proof())
-    files = side_files(c, asked, m);
+    files = side_files(c, asked, found);
   for (const SideFile &file : files)
     file.output->write(file.text);
   report(c, m, reachable ? &*reachable : nullptr, particles ? &*particles : nullptr, out);
@@ -210,7 +234,7 @@ int run(const SolveCommand &c) {
   for (const SideFile &file : files)
     file.output->commit();
   out.commit();
-  return exit_code(m, reachable);
+  return exit_code(m, reachable, options.limits);
 }
 
 } // namespace
@@ -222,6 +246,7 @@ Run add_solve(CLI::App &app) {
                      "gradation: CSV, JSON, AGS4, or another file that mdm convert reads; - for standard "
                      "input; needed unless there is a --band");
   c->flags.add_to(command);
+  c->budget.add_to(command);
   const OptionGroup group(command, "The answer");
   command
       .add_option("--proof", c->proof,
@@ -245,6 +270,7 @@ Run add_solve(CLI::App &app) {
   command.footer(
       footer("", {"mdm solve sand.csv --min-per-class 10 --proof sand.proof",
                   "mdm solve sand.csv --tolerance retained:1%",
+                  "mdm solve sand.csv --particles 500 --tolerance passing",
                   "mdm solve sand.csv --specimen cylinder:50x100 --void-ratio 0.6 --format json"}));
   return [c] { return run(*c); };
 }

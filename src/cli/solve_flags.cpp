@@ -96,6 +96,11 @@ void SolveFlags::add_limits(CLI::App &command) {
                   "stop after so many nodes of the search for a tolerance (exit 3)")
       ->type_name("N");
   command.add_option("--time-limit", time_limit, "stop after so many seconds (exit 3)")->type_name("S");
+  command
+      .add_option("--gap", gap,
+                  "within a tolerance, stop at a match that has at most this part of its particles more than "
+                  "are certain, for example 1e-6 (exit 0)")
+      ->type_name("G");
 }
 
 Question SolveFlags::question() const {
@@ -105,6 +110,8 @@ Question SolveFlags::question() const {
     throw InputError("--max-steps: it is of exact matches: give --node-limit, or --time-limit");
   if (!is_tolerant() && node_limit)
     throw InputError("--node-limit: it is of matches within a tolerance: give --max-steps, or --time-limit");
+  if (!is_tolerant() && gap)
+    throw InputError("--gap: it is of matches within a tolerance: give --max-steps, or --time-limit");
   Question q = GradationFlags::question();
   for (const std::string &text : tolerances)
     q.tolerances.push_back(named("--tolerance", text, parse_tolerance));
@@ -151,6 +158,8 @@ SolveOptions SolveFlags::options(bool keep_proof) const {
     o.limits.max_steps = natural64("--max-steps", *max_steps);
   if (node_limit)
     o.limits.node_limit = natural64("--node-limit", *node_limit);
+  if (gap)
+    o.limits.gap = not_negative("--gap", *gap);
   if (time_limit)
     o.limits.deadline = std::chrono::steady_clock::now() + duration("--time-limit", *time_limit);
   return o;

@@ -30,7 +30,7 @@ struct SolveFlags : GradationFlags {
   Text min_per_class, at_least, at_most;
   Text specimen, void_ratio, solids_volume;
   Text digits, scale;
-  Text max_steps, node_limit, time_limit;
+  Text max_steps, node_limit, time_limit, gap;
 
   void add_to(CLI::App &command);
 

@@ -1,5 +1,6 @@
 #include "match/tolerant_answer.hpp"
 
+#include "match/central_masses.hpp"
 #include "match/problem.hpp"
 #include "match/simplex.hpp"
 #include "number/common_denominator.hpp"
@@ -109,7 +110,7 @@ TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, con
       const Watch watched =
           later(watch, limits.deadline).telling([&](Progress &known) { tell(known, answer.found); });
       if (std::optional<std::vector<Rational>> t =
-              central_masses(answer.problem, *answer.found.best, weight, excess, watched)) {
+              central_masses(answer.problem, answer.found.best->q, weight, excess, watched)) {
         answer.found.best->t = std::move(*t);
         complete(answer, g, question.law, digits);
         return answer;

@@ -1,11 +1,16 @@
 #include "match/tolerant_match.hpp"
 
-#include "match/count_bounds.hpp"
+#include "match/central_masses.hpp"
 #include "match/problem.hpp"
 #include "match/simplex.hpp"
+#include "match/tolerant_chain_proof.hpp"
+#include "match/tolerant_climb.hpp"
 #include "number/common_denominator.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <memory>
+#include <numeric>
 
 namespace mdm {
 namespace {
@@ -34,8 +39,7 @@ public:
   Search(const TolerantProblem &problem, const Limits &limits, const std::optional<TolerantMatch> &first,
          const Watch &watch)
       : problem_(problem), limits_(limits), watch_(watch.telling([this](Progress &known) { tell(known); })),
-        program_(problem.variables(), watch_), counts_(problem, limits, watch),
-        least_(std::max(problem.at_least(), total(counts_.q()))), bound_(least_) {
+        program_(problem.variables(), watch_), shares_(problem), least_(problem.at_least()), bound_(least_) {
     if (first && problem.is_match(first->q, first->t))
       result_.best = first;
   }
@@ -51,6 +55,13 @@ public:
 
 private:
   void search() {
+    if (shares_.contradicts())
+      return end(share_contradiction(problem_, shares_));
+    for (const bool all_intervals : {false, true})
+      if (!all_intervals || problem_.classes() <= most_classes_of_all_intervals)
+        if (is_closed_by(std::make_unique<TolerantChain>(problem_, shares_, all_intervals, limits_, watch_)))
+          return;
+    find_first_match();
     if (result_.best && needs_no_search())
       return;
     result_.too_large = problem_.table_size() > largest_table;
@@ -73,7 +84,59 @@ private:
         open = backtrack();
       }
     }
+    add_splits();
     end();
+  }
+
+  /// True if the chain shows that there is no match, or which is the smallest.
+  bool is_closed_by(std::unique_ptr<TolerantChain> chain) {
+    if (chain->contradicts()) {
+      end(chain->keeps_raises() ? chain_contradiction(*chain) : Tree());
+      return true;
+    }
+    if (!chain_ || chain->particles() > chain_->particles())
+      chain_ = std::move(chain);
+    least_ = bound_ = std::max(problem_.at_least(), chain_->particles());
+    if (result_.best && needs_no_search())
+      return true;
+    return chain_->complete() && try_counts(chain_->differences()) && needs_no_search();
+  }
+
+  /// Near the chain's bound.
+  void find_first_match() {
+    if (!chain_->complete() || chain_->level() <= 0 || problem_.table_size() > largest_table)
+      return;
+    const std::optional<Integer> most =
+        result_.best ? std::optional<Integer>(total(result_.best->q)) : std::nullopt;
+    std::optional<TolerantMatch> found = neighbouring_match(*chain_, watch_);
+    if (!found)
+      found = climbed_match(*chain_, most, watch_);
+    if (found && (!most || total(found->q) < *most))
+      result_.best = std::move(found);
+  }
+
+  /// True if the counts are a match with fewer particles than the best has.
+  bool try_counts(const std::vector<Integer> &q) {
+    const Integer particles = total(q);
+    if (problem_.table_size() > largest_table || particles < problem_.at_least() ||
+        (result_.best && particles >= total(result_.best->q)))
+      return false;
+    std::optional<std::vector<Rational>> t = masses_of(problem_, q, watch_);
+    if (t)
+      result_.best = TolerantMatch{q, std::move(*t)};
+    return t.has_value();
+  }
+
+  /// With a tree that was not made by the search.
+  void end(Tree tree) {
+    end();
+    if (limits_.keep_proof && size_of(tree) <= longest_tree)
+      result_.tree = std::move(tree);
+  }
+
+  static std::size_t size_of(const Tree &tree) {
+    return std::accumulate(tree.begin(), tree.end(), std::size_t{0},
+                           [](std::size_t n, const TreeNode &node) { return n + 1 + node.leaf.size(); });
   }
 
   /// The best is the smallest, or there is none.
@@ -88,16 +151,15 @@ private:
     const Integer particles = total(result_.best->q);
     if (particles > least_)
       return false;
-    end();
-    result_.tree = tree_of_least();
+    end(tree_of_least());
     return true;
   }
 
   /// Refutes fewer than `least_` particles.
   Tree tree_of_least() const {
     if (least_ == problem_.at_least())
-      return {{0, 0, {{TolerantCondition::at_least, 0, 1}, {TolerantCondition::fewer, 0, 1}}}};
-    return limits_.keep_proof ? counts_.tree() : Tree();
+      return {{0, 0, 0, {{TolerantCondition::at_least, 0, 1}, {TolerantCondition::fewer, 0, 1}}}};
+    return chain_->keeps_raises() ? chain_tree(*chain_) : Tree();
   }
 
   void set_up() {
@@ -106,13 +168,61 @@ private:
     for (const LinearRow &row : problem_.rows())
       add_row(row);
     for (std::size_t j = 0; j < problem_.classes(); ++j)
-      program_.set_lower(j, exactly(problem_.least(j)));
+      program_.set_lower(j, exactly(Rational(has_chain() ? chain_->count(j, j) : problem_.least(j))));
+    if (has_chain())
+      add_sums();
     for (std::size_t p = 2 * problem_.classes(); p < problem_.variables(); ++p)
       program_.set_lower(p, exactly(0));
     for (std::size_t j = 0; j < problem_.classes(); ++j)
       set_strictness(j);
     if (result_.best)
       set_cutoff();
+  }
+
+  /// True if the chain's bounds are rows of the program: they can be proved, if that is asked for.
+  bool has_chain() const { return chain_->keeps_raises() || !limits_.keep_proof; }
+
+  /// The chain's bounds of several classes that are no sums of others.
+  void add_sums() {
+    const ClassIntervals &intervals = chain_->intervals();
+    for (std::size_t i = 0; i < problem_.classes(); ++i)
+      for (std::size_t j = i + 1; j < problem_.classes(); ++j)
+        if (intervals.has(i, j) && !is_sum_of_parts(i, j)) {
+          std::vector<std::pair<std::size_t, Rational>> counts;
+          for (std::size_t b = i; b <= j; ++b)
+            counts.emplace_back(b, 1);
+          const std::size_t form = program_.add_form(counts);
+          row_of_.push_back({TolerantCondition::least_sum, j, 0, i});
+          program_.set_lower(form, exactly(Rational(chain_->count(i, j))));
+        }
+  }
+  bool is_sum_of_parts(std::size_t i, std::size_t j) const {
+    const ClassIntervals &intervals = chain_->intervals();
+    for (std::size_t b = i; b < j; ++b)
+      if (intervals.has(i, b) && intervals.has(b + 1, j) &&
+          chain_->count(i, b) + chain_->count(b + 1, j) == chain_->count(i, j))
+        return true;
+    return false;
+  }
+
+  /// Puts the splits for the chain's bounds that leaves use before the tree.
+  void add_splits() {
+    if (result_.tree.empty() || !has_chain())
+      return;
+    std::vector<ClassInterval> used;
+    for (const TreeNode &node : result_.tree)
+      for (const Multiple &m : node.leaf)
+        if (m.condition == TolerantCondition::least_sum)
+          used.push_back({m.i, m.j});
+        else if (m.condition == TolerantCondition::least_count ||
+                 m.condition == TolerantCondition::above_lower)
+          used.push_back({m.j, m.j});
+    Tree tree = chain_splits(*chain_, used);
+    if (size_of(tree) + tree_size_ > longest_tree)
+      return Tree().swap(result_.tree);
+    tree.insert(tree.end(), std::make_move_iterator(result_.tree.begin()),
+                std::make_move_iterator(result_.tree.end()));
+    result_.tree = std::move(tree);
   }
 
   /// A certain bound: every match is the best, or in a subtree that is still open.
@@ -159,6 +269,7 @@ private:
     } catch (const Simplex::Interrupted &) {
       return false;
     }
+    add_splits();
     return !result_.tree.empty();
   }
 
@@ -204,7 +315,13 @@ private:
 
   bool interrupted() const {
     return (limits_.node_limit && result_.nodes >= *limits_.node_limit) || watch_.ends() ||
-           (limits_.at_most && certain() > *limits_.at_most);
+           (limits_.at_most && certain() > *limits_.at_most) ||
+           (result_.best && is_good_enough(total(result_.best->q)));
+  }
+
+  /// The best has as few particles as are asked for.
+  bool is_good_enough(const Integer &particles) const {
+    return (limits_.enough && particles <= *limits_.enough) || limits_.is_close(particles, certain());
   }
 
   /// The contradiction of the program's bounds as multiples of conditions, cleared of denominators.
@@ -241,7 +358,7 @@ private:
     if (term.variable < problem_.variables())
       return {TolerantCondition::excess_sign, term.variable - 2 * k, 0};
     const Multiple &row = row_of_[term.variable - problem_.variables()];
-    return {term.is_upper ? TolerantCondition::fewer : row.condition, row.j, 0};
+    return {term.is_upper ? TolerantCondition::fewer : row.condition, row.j, 0, row.i};
   }
 
   /// Undoes branches up to the last split whose second subtree is to come, and enters that. False if there is
@@ -285,7 +402,7 @@ private:
   }
 
   void split(std::size_t j, const Integer &v) {
-    keep({j, v, {}});
+    keep({j, j, v, {}});
     pending_.push_back({j, v, program_.upper(j), program_.lower(j), bound_});
     enter(pending_.back());
   }
@@ -341,7 +458,8 @@ private:
   const Limits limits_;
   const Watch watch_;
   Simplex program_;
-  CountBounds counts_;
+  ShareClosure shares_;
+  std::unique_ptr<TolerantChain> chain_;
   std::vector<Multiple> row_of_;    ///< condition of each form
   std::vector<std::size_t> strict_; ///< forms of above_lower
   std::size_t count_ = 0;           ///< form of at_least

@@ -31,10 +31,10 @@ struct TolerantResult {
   std::uint64_t nodes = 0; ///< that were looked at
 };
 
-/// The least number of particles, by branch and bound over linear programs that are decided exactly. Nodes
-/// are split at the coarsest class whose count is no integer. There is no search where CountBounds show the
-/// first match to be the smallest, as for a tolerance of 0; nor where the program's table has more than
-/// largest_table numbers. Cost: depends on the tree; 20 to 60 nodes and some 30 ms for 13 classes.
+/// The least number of particles. There is no search where a chain shows the first match, or the one with the
+/// differences of its bounds, to be the smallest; nor where the program's table has more than largest_table
+/// numbers. Else by branch and bound over linear programs that are decided exactly; nodes are split at the
+/// coarsest class whose count is no integer. Cost: depends on the tree.
 /// A search that a limit ends takes up to some seconds more for the proof of its bound, if one is to be kept.
 /// \param first  a match to improve upon, if it is one: what there is when a limit ends the search early
 TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limits,
@@ -42,15 +42,5 @@ TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limi
 /// With the deadline of the limits as its watch.
 TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limits = {},
                               const std::optional<TolerantMatch> &first = std::nullopt);
-
-/// Masses of the classes that make q a match, as far from all bounds on sizes and shares as can be: the least
-/// distance, relative to the width between two bounds, is greatest. The weight, where one is demanded, is
-/// `weight` or more by at most a part `excess` of it, if that can be. Nothing if q is no match at that
-/// weight.
-/// \throws Simplex::Interrupted soon after the watch's end
-std::optional<std::vector<Rational>> central_masses(const TolerantProblem &problem,
-                                                    const TolerantMatch &match,
-                                                    const std::optional<Rational> &weight,
-                                                    const Rational &excess, const Watch &watch = {});
 
 } // namespace mdm

@@ -1,9 +1,11 @@
 #include "proof/tolerant_vipr.hpp"
 
+#include "match/leaf_sum.hpp"
 #include "match/problem_of.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <iterator>
 #include <map>
@@ -148,7 +150,73 @@ private:
   /// Derives d <= 0 in the subtree of the next node, and returns the number of that.
   std::size_t subtree() {
     const TreeNode &node = tree_[node_++];
-    return node.leaf.empty() ? split(node.j, node.v) : leaf(node.leaf);
+    if (!node.leaf.empty())
+      return leaf(node.leaf);
+    return node.i == node.j ? split(node.j, node.v) : split_sum(node.i, node.j, node.v);
+  }
+
+  /// What is in force for the count of classes i to j, i < j.
+  struct Sum {
+    std::optional<std::size_t> most, least, strict; ///< strict: the sum of t_b - f_b q_b - d is >= 0
+  };
+
+  std::size_t split_sum(std::size_t i, std::size_t j, const Integer &v) {
+    Terms counts;
+    for (std::size_t b = i; b <= j; ++b)
+      counts.emplace_back(b, 1);
+    const Sum before = sums_[{i, j}];
+    const std::size_t few = derive("L {} {} {{ asm }}", to_string(Integer(v - 1)), to_text(counts));
+    sums_[{i, j}].most = few;
+    const std::size_t first = subtree();
+    const std::size_t many = derive("G {} {} {{ asm }}", to_string(v), to_text(counts));
+    sums_[{i, j}] = {before.most, many, before.strict};
+    if (!before.strict && !has_strict_class(i, j))
+      sums_[{i, j}].strict = strict_sum(i, j, many, v);
+    const std::size_t second = subtree();
+    sums_[{i, j}] = before;
+    return derive("L 0 OBJ {{ uns {} {} {} {} }}", first, few, second, many);
+  }
+
+  /// Derives that the sum of t_b - f_b q_b - d over classes i to j is at least 0, as one of them is not
+  /// empty: class by class, it is the one or it is not.
+  /// \pre no class's own condition is strict
+  std::size_t strict_sum(std::size_t i, std::size_t j, std::size_t many, const Integer &v) {
+    std::vector<std::pair<std::size_t, std::size_t>>
+        cases; // d as y_b >= 1 shows, under the assumption of that
+    std::string none = fmt::format("{} 1", many);
+    std::vector<std::size_t> empty;
+    for (std::size_t b = i; b <= j; ++b) {
+      const std::size_t full = derive("G 1 1 {} 1 {{ asm }}", y(b));
+      cases.emplace_back(sum_above(i, j, b, full), full);
+      empty.push_back(derive("L 0 1 {} 1 {{ asm }}", y(b)));
+      none += fmt::format(" {} 1 {} {}", filled_[b], empty.back(), to_string(Integer(-*fewer_)));
+    }
+    std::size_t rest = derive("G {} 0 {{ lin {} {} }}", to_string(v), 1 + 2 * empty.size(), none);
+    for (std::size_t b = j + 1; b-- > i;)
+      rest = derive("G 0 {} {{ uns {} {} {} {} }}", to_text(masses_above(i, j)), rest, empty[b - i],
+                    cases[b - i].first, cases[b - i].second);
+    return rest;
+  }
+
+  /// The same where class `one` is not empty, y >= 1.
+  std::size_t sum_above(std::size_t i, std::size_t j, std::size_t one, std::size_t full) {
+    std::string terms = fmt::format("{} 1 {} {}", filled_[one] + 1, full, to_string(most_excess_));
+    for (std::size_t b = i; b <= j; ++b)
+      if (b != one)
+        terms += fmt::format(" {} 1", row_.at({TolerantCondition::above_lower, b}));
+    return derive("G 0 {} {{ lin {} {} }}", to_text(masses_above(i, j)), j - i + 2, terms);
+  }
+
+  Terms masses_above(std::size_t i, std::size_t j) const {
+    Terms terms;
+    for (std::size_t b = i; b <= j; ++b) {
+      if (problem_.f(b) != 0)
+        terms.emplace_back(b, Rational(-problem_.f(b)));
+      terms.emplace_back(k_ + b, 1);
+    }
+    terms.emplace_back(d(), -1);
+    std::sort(terms.begin(), terms.end());
+    return terms;
   }
 
   std::size_t split(std::size_t j, const Integer &v) {
@@ -176,7 +244,35 @@ private:
                   to_string(most_excess_));
   }
 
-  std::size_t leaf(const std::vector<Multiple> &multiples) {
+  static bool is_of_sum(TolerantCondition condition) {
+    return condition == TolerantCondition::least_sum || condition == TolerantCondition::most_sum ||
+           condition == TolerantCondition::above_lowers;
+  }
+
+  bool has_strict_class(std::size_t i, std::size_t j) const {
+    return std::any_of(least_value_.begin() + static_cast<std::ptrdiff_t>(i),
+                       least_value_.begin() + static_cast<std::ptrdiff_t>(j) + 1,
+                       [](const Integer &least) { return least >= 1; });
+  }
+
+  /// The conditions of sums that are not in force themselves are those of their classes.
+  std::vector<Multiple> by_classes(const std::vector<Multiple> &multiples) {
+    LeafSum all;
+    for (const Multiple &m : multiples) {
+      const bool is_least = m.condition == TolerantCondition::least_sum && !sums_[{m.i, m.j}].least;
+      const bool is_above = m.condition == TolerantCondition::above_lowers &&
+                            (!sums_[{m.i, m.j}].strict || has_strict_class(m.i, m.j));
+      if (!is_least && !is_above)
+        all.add(m.condition, is_of_sum(m.condition) ? m.i : m.j, m.j, Rational(m.multiplier));
+      for (std::size_t b = m.i; b <= m.j && (is_least || is_above); ++b)
+        all.add(is_least ? TolerantCondition::least_count : TolerantCondition::above_lower, b,
+                Rational(m.multiplier));
+    }
+    return all.node().leaf;
+  }
+
+  std::size_t leaf(const std::vector<Multiple> &of) {
+    const std::vector<Multiple> multiples = by_classes(of);
     Integer slack = 0; // of d in the sum
     for (const Multiple &m : multiples)
       if (is_strict(m))
@@ -185,8 +281,9 @@ private:
       slack = 1;
     std::string terms;
     for (const Multiple &m : multiples) {
-      const bool is_upper =
-          m.condition == TolerantCondition::most_count || m.condition == TolerantCondition::fewer;
+      const bool is_upper = m.condition == TolerantCondition::most_count ||
+                            m.condition == TolerantCondition::most_sum ||
+                            m.condition == TolerantCondition::fewer;
       terms += fmt::format(" {} {}", constraint_of(m),
                            to_string(ratio(is_upper ? m.multiplier : Integer(-m.multiplier), slack)));
     }
@@ -194,7 +291,7 @@ private:
   }
 
   bool is_strict(const Multiple &m) const {
-    return m.condition == TolerantCondition::some_mass ||
+    return m.condition == TolerantCondition::some_mass || m.condition == TolerantCondition::above_lowers ||
            (m.condition == TolerantCondition::above_lower && least_value_[m.j] >= 1);
   }
 
@@ -203,6 +300,12 @@ private:
       return least_[m.j];
     if (m.condition == TolerantCondition::most_count)
       return most_[m.j];
+    if (m.condition == TolerantCondition::least_sum)
+      return *sums_.at({m.i, m.j}).least;
+    if (m.condition == TolerantCondition::most_sum)
+      return *sums_.at({m.i, m.j}).most;
+    if (m.condition == TolerantCondition::above_lowers)
+      return *sums_.at({m.i, m.j}).strict;
     return m.condition == TolerantCondition::above_lower && is_strict(m) ? strict_[m.j]
                                                                          : row_.at({m.condition, m.j});
   }
@@ -217,6 +320,7 @@ private:
   std::vector<std::size_t> least_;
   std::vector<Integer> least_value_;
   std::vector<std::size_t> most_, strict_;
+  std::map<std::pair<std::size_t, std::size_t>, Sum> sums_;
   std::vector<std::size_t> filled_; ///< q_j <= (N - 1) y_j; the next one is the strict bound where y_j = 1
   std::size_t given_ = 0, bounds_ = 0, next_ = 0, node_ = 0;
   fmt::memory_buffer header_, constraints_, derivation_;

@@ -79,6 +79,12 @@ char letter(TolerantCondition condition) {
     return 'w';
   case TolerantCondition::at_least:
     return 'n';
+  case TolerantCondition::least_sum:
+    return 's';
+  case TolerantCondition::most_sum:
+    return 'S';
+  case TolerantCondition::above_lowers:
+    return 'd';
   default:
     return 'N';
   }
@@ -86,7 +92,27 @@ char letter(TolerantCondition condition) {
 
 /// True if the condition is about counts alone, so that the unit of masses is nothing to it.
 bool is_of_counts(char letter) {
-  return std::string_view("qQnN").find(letter) != std::string_view::npos;
+  return std::string_view("qQnNsS").find(letter) != std::string_view::npos;
+}
+
+/// `3` or `2-3`, as the format counts.
+std::string classes_text(std::size_t i, std::size_t j) {
+  return i == j ? std::to_string(j + 1) : fmt::format("{}-{}", i + 1, j + 1);
+}
+
+/// The condition with its classes, if it has some.
+std::string name_of(const Multiple &multiple) {
+  const char name = letter(multiple.condition);
+  if (std::string_view("EmwnN").find(name) != std::string_view::npos)
+    return {name};
+  const bool of_sum = std::string_view("sSd").find(name) != std::string_view::npos;
+  return name + classes_text(of_sum ? multiple.i : multiple.j, multiple.j);
+}
+
+/// True if the tree needs version 2 of the format.
+bool has_sums(const Tree &tree) {
+  return std::any_of(tree.begin(), tree.end(),
+                     [](const TreeNode &node) { return node.leaf.empty() && node.i < node.j; });
 }
 
 /// Writes witness and tree, and sums up what the checker's work depends on.
@@ -97,7 +123,9 @@ public:
 
   std::string text() {
     const std::string claim = claimed();
-    std::string text = claim.find("..") == std::string::npos ? "mdm-certificate 1\n" : "mdm-certificate 2\n";
+    const bool is_newer =
+        claim.find("..") != std::string::npos || (m_.evidence() && has_sums(std::get<Tree>(*m_.evidence())));
+    std::string text = is_newer ? "mdm-certificate 2\n" : "mdm-certificate 1\n";
     text += question_lines(m_);
     write_tolerance(text);
     text += "particles " + claim + "\n";
@@ -187,7 +215,7 @@ private:
   void write(const TreeNode &node, std::string &text) {
     ++size_;
     if (node.leaf.empty()) {
-      fmt::format_to(Text(text), "split {} {}\n", node.j + 1, to_string(node.v));
+      fmt::format_to(Text(text), "split {} {}\n", classes_text(node.i, node.j), to_string(node.v));
       see(node.v);
       return;
     }
@@ -200,10 +228,10 @@ private:
     }
     text += "leaf";
     for (std::size_t i = 0; i < node.leaf.size(); ++i) {
-      const char name = letter(node.leaf[i].condition);
-      const bool has_class = std::string_view("EmwnN").find(name) == std::string_view::npos;
-      fmt::format_to(Text(text), " {} {}{}", to_string(Integer(multipliers[i] / common)), name,
-                     has_class ? std::to_string(node.leaf[i].j + 1) : "");
+      fmt::format_to(Text(text), " {} {}", to_string(Integer(multipliers[i] / common)),
+                     name_of(node.leaf[i]));
+      if (node.leaf[i].condition == TolerantCondition::above_lowers)
+        size_ += node.leaf[i].j - node.leaf[i].i;
       see(Integer(multipliers[i] / common));
     }
     text += "\n";

@@ -168,7 +168,7 @@ TEST_CASE("Ctrl-C ends a search with what is certain", "[cli]") {
   const TemporaryFolder folder;
   const std::string file = folder.write("many.csv", lognormal_csv());
   for (const std::string format : {"text", "json"}) {
-    Process search(MDM_PROGRAM, {"solve", file, "--tolerance", "passing:0.3%", "--format", format, "--proof",
+    Process search(MDM_PROGRAM, {"solve", file, "--tolerance", "retained:0.5%", "--format", format, "--proof",
                                  folder / "proof"});
     std::this_thread::sleep_for(std::chrono::seconds(3)); // it is searching by now
     search.signal(SIGINT);
@@ -183,7 +183,7 @@ TEST_CASE("Ctrl-C ends a search with what is certain", "[cli]") {
 TEST_CASE("Ctrl-C ends a trade-off with the rows so far and brackets around the others", "[cli]") {
   const TemporaryFolder folder;
   const std::string file = folder.write("many.csv", lognormal_csv());
-  Process search(MDM_PROGRAM, {"tradeoff", file, "--kind", "passing", "--tolerances", "0,0.3"});
+  Process search(MDM_PROGRAM, {"tradeoff", file, "--kind", "retained", "--tolerances", "0,0.5"});
   std::this_thread::sleep_for(std::chrono::seconds(3)); // it is searching by now
   search.signal(SIGINT);
   const Outcome outcome = search.end();
@@ -250,8 +250,8 @@ TEST_CASE("option --vipr writes the proof, exact or within a tolerance, and --no
     CHECK(outcome.out.find("no proof was written") == std::string::npos);
     CHECK(read_file(folder / "vipr").find("\nVER 1.0\n") != std::string::npos);
   }
-  const Outcome limited =
-      mdm({"solve", athabasca, "--tolerance", "retained:1%", "--node-limit", "2", "--vipr", folder / "none"});
+  const Outcome limited = mdm({"solve", example("ottawa-f65-sand"), "--tolerance", "retained:1%",
+                               "--node-limit", "2", "--vipr", folder / "none"});
   CHECK(limited.exit_code == 3);
   CHECK(limited.out.find("no proof was written") != std::string::npos);
   CHECK(folder.entries() == 1);

@@ -86,14 +86,15 @@ TEST_CASE("the options of the gradation and the floor change both curves", "[cli
 }
 
 TEST_CASE("a limit leaves rows with bounds and exit code 3", "[cli]") {
-  const Json t = json({sand, "--node-limit", "2", "--tolerances", "0,1"}, 3);
+  const Json t = json({example("ottawa-f65-sand"), "--node-limit", "2", "--tolerances", "0,1"}, 3);
   CHECK(t.at("by_tolerance").at(0).at("status") == "optimal");
   const Json &row = t.at("by_tolerance").at(1);
   CHECK(row.at("status") == "feasible");
-  CHECK(Integer(row.at("particles").get<std::string>()) <= 1485);
+  CHECK(Integer(row.at("particles").get<std::string>()) >
+        Integer(row.at("lower_bound").get<std::string>()));
   const Outcome text = tradeoff({sand, "--time-limit", "0", "--tolerances", "1"});
   CHECK(text.exit_code == 3);
-  CHECK(contains(text.out, "[1014, 1485]")); // the least is 1021
+  CHECK(contains(text.out, "[1021, 1485]")); // 1021 is the least
 }
 
 TEST_CASE("the trade-off as CSV goes to a file, notes to standard error", "[cli]") {

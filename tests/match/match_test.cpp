@@ -77,7 +77,7 @@ TEST_CASE("where a limit came before a match there are no particles, and evidenc
   Question question;
   question.band = Envelope{"", SizeUnit::mm, {1, 2}, {10, 40}, {20, 70}, {}};
   SolveOptions options;
-  options.limits.node_limit = 0;
+  options.limits.deadline = std::chrono::steady_clock::now();
   const Match unknown = solve(gradation({0, 1, 2, 4}, {1, 1, 1, 0}), question, options);
   CHECK(unknown.status == Status::unknown);
   CHECK_FALSE(unknown.particles().has_value());

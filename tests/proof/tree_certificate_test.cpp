@@ -184,11 +184,14 @@ TEST_CASE("a law that is rational at all openings has tree certificates") {
 TEST_CASE("a search that a limit ends has a certificate of its bounds, and no higher claim is accepted") {
   std::mt19937_64 random(22);
   int between = 0, below = 0, higher = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 6000; ++i) {
     const Gradation g = random_gradation(random);
     const Question q = random_question(g, random);
     SolveOptions options;
-    options.limits.node_limit = random() % 4;
+    if (random() % 8 == 0)
+      options.limits.deadline = std::chrono::steady_clock::now();
+    else
+      options.limits.node_limit = random() % 4;
     const Match m = solve(g, q, options);
     if (m.complete)
       continue;

@@ -2,7 +2,7 @@
 /// \file
 /// When a search stops before its end.
 
-#include <mdm/number/integer.hpp>
+#include <mdm/number/rational.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -21,7 +21,15 @@ struct Limits {
   std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
   std::optional<std::uint64_t> node_limit = std::nullopt; ///< of a search tree
   std::optional<Integer> at_most = std::nullopt;          ///< more particles than this need no exact number
+  std::optional<Integer> enough = std::nullopt; ///< no match with fewer particles than this is needed
+  std::optional<Rational> gap = std::nullopt; ///< ends a search where the match has so little more, relative
+                                              ///< to its particles, than is certain
   bool keep_proof = true; ///< keep what a proof is written from: the chain of a sweep, the tree of a search
+
+  /// True if a match with n particles is close enough to a bound.
+  bool is_close(const Integer &n, const Integer &bound) const {
+    return gap && Rational(Integer(n - bound)) <= *gap * Rational(n);
+  }
 
   /// Steps that a sweep may take.
   std::uint64_t steps() const {

@@ -77,6 +77,14 @@ struct MatchProof {
   std::optional<Enclosure> pi; ///< bounds that a demanded volume was decided with, if it needed any
 };
 
+/// The tolerance of a match that a budget of particles chose, in percentage points (budget.hpp).
+struct MatchBudget {
+  Integer particles;                  ///< the budget
+  std::optional<Rational> tolerance;  ///< with which it suffices; nothing if there is none
+  std::optional<Rational> next_finer; ///< with which it does not; nothing where the tolerance is 0
+  bool is_decided = false;            ///< there is no tolerance between the two
+};
+
 /// The smallest set of particles that matches a gradation, or what is known of it. Exact matches and those
 /// within a tolerance have the same form.
 struct Match {
@@ -89,6 +97,7 @@ struct Match {
   Integer lower_bound;   ///< no match that the question allows has fewer particles
   std::optional<MatchSample> sample;  ///< a match: it answers the question if has_answer()
   std::optional<Tolerance> tolerance; ///< the bounds on shares that the question comes to; nothing: exact
+  std::optional<MatchBudget> budget;  ///< where a budget chose the tolerance
   MatchProof proof;
   unsigned digits = 15; ///< significant digits that were asked for
   std::vector<std::string> notes;

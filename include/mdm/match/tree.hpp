@@ -26,7 +26,11 @@ enum class TolerantCondition {
   some_mass,    ///< M > 0
   weight,       ///< sum t_j / c_j >= what a volume demands
   at_least,     ///< q_1 + ... + q_k >= what is asked for, at least 1
-  fewer         ///< q_1 + ... + q_k <= N - 1, what is to be refuted
+  fewer,        ///< q_1 + ... + q_k <= N - 1, what is to be refuted
+  least_sum,    ///< q_i + ... + q_j >= what a branch demands, else 0
+  most_sum,     ///< q_i + ... + q_j <= what a branch allows
+  above_lowers  ///< the sum of t_b - f_b q_b over the classes i to j >= 0, strict where a branch demands q_i
+                ///< + ... + q_j >= 1
 };
 
 /// A multiple of a condition in a refutation.
@@ -34,12 +38,13 @@ struct Multiple {
   TolerantCondition condition;
   std::size_t j = 0;  ///< class of the gradation, from 0; 0 where the condition has none
   Integer multiplier; ///< > 0
+  std::size_t i = 0;  ///< of a sum, the first class
 };
 
-/// A node of a search tree: a split of q_j, first into q_j < v and then q_j >= v; or a leaf, where the
-/// multiples of conditions add up to a contradiction.
+/// A node of a search tree: a split of the count q = q_i + ... + q_j, first into q < v and then q >= v; or a
+/// leaf, where the multiples of conditions add up to a contradiction.
 struct TreeNode {
-  std::size_t j = 0;
+  std::size_t i = 0, j = 0; ///< i = j: a single class
   Integer v;
   std::vector<Multiple> leaf; ///< empty: a split
 };

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// A sum of conditions as the leaf of a tree.
+
+#include <mdm/match/tree.hpp>
+#include <mdm/number/rational.hpp>
+
+#include <map>
+#include <tuple>
+
+namespace mdm {
+
+/// Multiples of conditions that are added up, each condition once.
+class LeafSum {
+public:
+  void add(TolerantCondition condition, std::size_t j, const Rational &m) { add(condition, j, j, m); }
+  /// Of classes i to j.
+  void add(TolerantCondition condition, std::size_t i, std::size_t j, const Rational &m);
+  void add(const LeafSum &other, const Rational &m);
+  /// With integers without a common divisor as multipliers.
+  /// \pre all multipliers are >= 0, some is > 0
+  TreeNode node() const;
+
+private:
+  std::map<std::tuple<TolerantCondition, std::size_t, std::size_t>, Rational> sum_;
+};
+
+} // namespace mdm

@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// The chain within a tolerance as a part of a tree.
+
+#include "match/tolerant_chain.hpp"
+
+namespace mdm {
+
+/// Classes i to j.
+struct ClassInterval {
+  std::size_t i, j;
+};
+
+/// Splits for the bounds that are needed, and for those that these come from, each with a leaf for its first
+/// branch (Theorem 17): what follows is the rest of a tree in which these bounds are in force.
+/// \pre chain.keeps_raises()
+Tree chain_splits(const TolerantChain &chain, const std::vector<ClassInterval> &needed);
+
+/// The tree that refutes chain.particles() - 1 particles.
+/// \pre chain.keeps_raises()
+Tree chain_tree(const TolerantChain &chain);
+
+/// The tree that refutes any number of particles.
+/// \pre chain.keeps_raises() and chain.contradicts()
+Tree chain_contradiction(const TolerantChain &chain);
+
+/// The tree that refutes any number of particles, where no shares meet all bounds.
+/// \pre shares.contradicts()
+Tree share_contradiction(const TolerantProblem &problem, const ShareClosure &shares);
+
+} // namespace mdm

@@ -1,0 +1,67 @@
+// Budgets of particles, as users ask for them.
+
+#include "answer.hpp"
+
+using namespace cli_test;
+
+namespace {
+
+const std::string athabasca = example("athabasca-sand");
+
+} // namespace
+
+TEST_CASE("a budget chooses the least tolerance, and two proofs say so", "[cli]") {
+  const TemporaryFolder folder;
+  const Json answer =
+      solve_json({athabasca, "--particles", "500", "--tolerance", "passing", "--proof", folder / "proof"});
+  const Json &budget = answer.at("budget");
+  CHECK(budget.at("particles") == "500");
+  CHECK(budget.at("tolerance") == "3.423");
+  CHECK(budget.at("next_finer") == "3.422");
+  CHECK(Integer(answer.at("particles").get<std::string>()) <= 500);
+  const Outcome fits = mdm_check(athabasca, folder / "proof");
+  CHECK(fits.exit_code == 0);
+  CHECK(fits.out.find("N = 500 is the smallest") != std::string::npos);
+  CHECK(fits.out.find("passing within 3.423%") != std::string::npos);
+  const Outcome more = mdm_check(athabasca, folder / "proof.finer");
+  CHECK(more.exit_code == 0);
+  CHECK(more.out.find("501") != std::string::npos);
+  CHECK(more.out.find("passing within 3.422%") != std::string::npos);
+}
+
+TEST_CASE("a budget is of the shares retained unless told otherwise, on a grid", "[cli]") {
+  const Json fine = solve_json({athabasca, "--particles", "500"});
+  CHECK(fine.at("budget").at("tolerance") == "2.823");
+  const Json coarse = solve_json({athabasca, "--particles", "500", "--grid", "0.5"});
+  CHECK(coarse.at("budget").at("tolerance") == "3");
+  CHECK(coarse.at("budget").at("next_finer") == "2.5");
+  const Json exact = solve_json({athabasca, "--particles", "1485"});
+  CHECK(exact.at("budget").at("tolerance") == "0");
+  CHECK(exact.at("budget").at("next_finer").is_null());
+  const Outcome text = mdm({"solve", athabasca, "--particles", "500"});
+  CHECK(text.out.find("500 particles: the tolerance 2.823% suffices, 2.822% does not") != std::string::npos);
+}
+
+TEST_CASE("a budget that suffices for no tolerance is a negative verdict with a proof", "[cli]") {
+  const TemporaryFolder folder;
+  const Json none =
+      solve_json({athabasca, "--particles", "1", "--min-per-class", "2", "--proof", folder / "proof"}, 1);
+  CHECK(none.at("budget").at("tolerance").is_null());
+  CHECK(none.at("budget").at("next_finer") == "100");
+  CHECK(mdm_check(athabasca, folder / "proof").exit_code == 0);
+}
+
+TEST_CASE("options that do not go with a budget are refused", "[cli]") {
+  const auto refused = [](Arguments options, const std::string &part) {
+    options.insert(options.begin(), {"solve", athabasca});
+    check_refused(mdm(options), part);
+  };
+  refused({"--particles", "0"}, "--particles");
+  refused({"--particles", "5", "--tolerance", "passing:1%"}, "write retained, passing or total");
+  refused({"--particles", "5", "--tolerance", "laboratory"}, "write retained, passing or total");
+  refused({"--particles", "5", "--tolerance", "passing", "--tolerance", "total"}, "--particles");
+  refused({"--particles", "5", "--at-most", "4"}, "--at-most");
+  refused({"--particles", "5", "--grid", "0"}, "--grid");
+  refused({"--particles", "5", "--spectrum"}, "--spectrum");
+  refused({"--grid", "1"}, "--grid");
+}

@@ -1,0 +1,93 @@
+#include "catch.hpp"
+#include "match/brute_force.hpp"
+#include "plain_gradation.hpp"
+
+#include <mdm/match/budget.hpp>
+
+using namespace mdm;
+
+namespace {
+
+using Kind = AskedTolerance::Kind;
+
+/// The smallest match at a tolerance; nothing where there is none.
+std::optional<Integer> particles_at(const Gradation &g, Question question, Kind kind,
+                                    const Rational &percent) {
+  question.tolerances = {{kind, percent}};
+  const Match m = solve(g, question);
+  REQUIRE(m.complete);
+  return m.particles();
+}
+
+bool suffices(const Gradation &g, const Question &question, const Budget &budget, const Rational &percent) {
+  const std::optional<Integer> n = particles_at(g, question, budget.kind, percent);
+  return n && *n <= budget.particles;
+}
+
+} // namespace
+
+TEST_CASE("the tolerance of a budget is the first on the grid that suffices") {
+  std::mt19937_64 random(81);
+  const Kind kinds[] = {Kind::retained, Kind::passing, Kind::total};
+  const Rational grids[] = {7, ratio(5, 2), 10, 30};
+  int none = 0, exact = 0, between = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Gradation g = brute::random_gradation(random);
+    const Budget budget{1 + static_cast<int>(random() % 9), kinds[random() % 3], grids[random() % 4]};
+    Question question;
+    if (random() % 3 == 0)
+      question.min_per_class = static_cast<int>(1 + random() % 3);
+    const BudgetMatch found = solve_within_budget(g, question, budget);
+    const MatchBudget &known = found.match.budget.value();
+    CHECK(known.is_decided);
+    std::optional<Rational> first, before;
+    for (Rational percent = 0;; percent += budget.grid) {
+      const Rational cut = std::min(percent, Rational(100));
+      if (suffices(g, question, budget, cut)) {
+        first = cut;
+        break;
+      }
+      before = cut;
+      if (cut == 100)
+        break;
+    }
+    CHECK(known.tolerance == first);
+    CHECK(known.next_finer == before);
+    if (!first) {
+      CHECK(found.match.status == Status::none);
+      CHECK_FALSE(found.finer.has_value());
+      ++none;
+      continue;
+    }
+    CHECK(found.match.status == Status::optimal);
+    CHECK(*found.match.particles() <= budget.particles);
+    CHECK(found.finer.has_value() == before.has_value());
+    if (found.finer) {
+      CHECK(found.finer->status == Status::none);
+      CHECK((found.finer->complete || *found.finer->proof.bound > budget.particles));
+    }
+    ++(before ? between : exact);
+  }
+  CHECK(none >= 5);
+  CHECK(exact >= 5);
+  CHECK(between >= 50);
+}
+
+TEST_CASE("the step from 10 to 10.001 percentage points can be the one that matters") {
+  // (1, 2], (2, 3], 20 and 80 %: at 10 in sum one particle each would touch the bounds.
+  Question question;
+  question.law = {1, 1};
+  const BudgetMatch found = solve_within_budget(gradation({1, 2, 3}, {2, 8, 0}), question, {2, Kind::total});
+  CHECK(found.match.budget->tolerance == Rational(10) + ratio(1, 1000));
+  CHECK(found.match.budget->next_finer == Rational(10));
+}
+
+TEST_CASE("where a limit leaves it open, a budget has no tolerance or a bracket") {
+  const Gradation g = gradation({0, 2, 5, 9}, {2, 1, 1, 0});
+  SolveOptions options;
+  options.limits.deadline = std::chrono::steady_clock::now();
+  const BudgetMatch found = solve_within_budget(g, {}, {3, Kind::retained}, options);
+  const MatchBudget &known = found.match.budget.value();
+  if (known.tolerance && *known.tolerance > 0)
+    CHECK((!known.is_decided || *known.tolerance - *known.next_finer == ratio(1, 1000)));
+}
