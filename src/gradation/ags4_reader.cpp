@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
 namespace mdm {
 namespace {
@@ -194,27 +195,45 @@ Rational decimal(const std::string &text, std::string_view heading, std::size_t 
   }
 }
 
-} // namespace
-
-Gradation read_ags4(std::string_view content, const Source &source, const std::string &fallback_id,
-                    const std::optional<std::string> &specimen) {
-  const std::vector<Specimen> specimens = Ags4Reader(content, source).read();
-  const Specimen &chosen = choose(specimens, source, specimen);
-  if (chosen.rows.size() > max_gradation_rows)
-    source.refuse(chosen.rows.back().line,
-                  fmt::format("specimen {} has more than {} rows", in_quotes(chosen.id), max_gradation_rows));
+/// \param of the number of specimens in the file
+Gradation to_gradation(const Specimen &specimen, std::size_t of, const Source &source,
+                       const std::string &fallback_id) {
+  if (specimen.rows.size() > max_gradation_rows)
+    source.refuse(specimen.rows.back().line, fmt::format("specimen {} has more than {} rows",
+                                                         in_quotes(specimen.id), max_gradation_rows));
   Table table;
   table.column = &percent_passing;
-  table.id = chosen.id.empty() ? fallback_id : chosen.id;
-  table.header_line = chosen.rows.front().line;
-  for (const Row &row : chosen.rows) {
+  table.id = specimen.id.empty() ? fallback_id : specimen.id;
+  table.header_line = specimen.rows.front().line;
+  for (const Row &row : specimen.rows) {
     table.lines.push_back(row.line);
     table.sizes.push_back(decimal(row.size, size_heading, row.line, source));
     table.values.push_back(decimal(row.passing, passing_heading, row.line, source));
     table.roundings.push_back(last_digit_unit(row.passing) / 2);
   }
-  table.notes.push_back(fmt::format("Specimen {} of {}.", in_quotes(chosen.id), specimens.size()));
+  table.notes.push_back(fmt::format("Specimen {} of {}.", in_quotes(specimen.id), of));
   return to_gradation(std::move(table), source);
+}
+
+} // namespace
+
+Gradation read_ags4(std::string_view content, const Source &source, const std::string &fallback_id,
+                    const std::optional<std::string> &specimen) {
+  const std::vector<Specimen> specimens = Ags4Reader(content, source).read();
+  return to_gradation(choose(specimens, source, specimen), specimens.size(), source, fallback_id);
+}
+
+std::vector<UnreadGradation> ags4_specimens(std::string_view content, const std::string &file,
+                                            const std::string &fallback_id) {
+  const auto specimens =
+      std::make_shared<const std::vector<Specimen>>(Ags4Reader(content, Source(file)).read());
+  std::vector<UnreadGradation> all;
+  for (const Specimen &specimen : *specimens)
+    all.push_back(
+        {specimen.id.empty() ? fallback_id : specimen.id, [specimens, &specimen, file, fallback_id] {
+           return to_gradation(specimen, specimens->size(), Source(file), fallback_id);
+         }});
+  return all;
 }
 
 } // namespace mdm

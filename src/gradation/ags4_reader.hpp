@@ -4,9 +4,7 @@
 
 #include "text/source.hpp"
 
-#include <mdm/gradation/gradation.hpp>
-
-#include <optional>
+#include <mdm/gradation/read_gradation.hpp>
 
 namespace mdm {
 
@@ -18,5 +16,10 @@ namespace mdm {
 /// \throws InputError with the line
 Gradation read_ags4(std::string_view content, const Source &source, const std::string &fallback_id,
                     const std::optional<std::string> &specimen);
+
+/// All specimens of the group, in the order of the file, each with its id.
+/// \throws InputError with the line where rows cannot be told apart
+std::vector<UnreadGradation> ags4_specimens(std::string_view content, const std::string &file,
+                                            const std::string &fallback_id);
 
 } // namespace mdm

@@ -52,6 +52,7 @@ COMMANDS = {
         ["solve", "--band", LIMITS],
         ["batch", "lines.jsonl"],
         ["batch", "lines.jsonl", "--tolerance", "retained:1%"],
+        ["batch", "lines.jsonl", "--proofs", "proofs"],
     ],
     "mdm-describe-1": [
         *(["describe", sand] for sand in SANDS),
