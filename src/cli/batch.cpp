@@ -190,16 +190,15 @@ void check_files(const BatchCommand &c) {
   for (const std::string &file : c.files) {
     check_distinct({file, c.output.path()});
     check_readable(file);
-    if (file == "-" && c.flags.band == "-")
-      throw InputError("--band: standard input has the gradations: give the band by name");
   }
+  const bool reads_stdin = c.files.empty() || std::count(c.files.begin(), c.files.end(), "-") > 0;
+  if (reads_stdin && c.flags.band == "-")
+    throw InputError("--band: standard input has the gradations: give the band by name");
   if (c.flags.band)
     check_distinct({*c.flags.band, c.output.path()});
 }
 
-int run(BatchCommand c) {
-  if (c.files.empty())
-    c.files = {"-"};
+int run(const BatchCommand &c) {
   check_files(c);
   if (c.proofs)
     make_folder(*c.proofs);
@@ -228,8 +227,8 @@ Run add_batch(CLI::App &app) {
   CLI::App &command =
       *app.add_subcommand("batch", "Solves many gradations, an answer each in the same order");
   command.add_option("FILE", c->files,
-                     "JSON Lines, or gradation files, of AGS4 all specimens; without any, JSON Lines from "
-                     "standard input");
+                     "JSON Lines, or gradation files, of AGS4 all specimens; - for standard input; without "
+                     "any, JSON Lines from there");
   c->flags.add_to(command);
   command.add_option("-j", c->threads, "threads")->type_name("THREADS")->check(CLI::Range(1, 1024));
   command

@@ -1,5 +1,7 @@
 #include "cli/batch_sources.hpp"
 
+#include "text/lines.hpp"
+
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/text/error.hpp>
 
@@ -65,6 +67,12 @@ BatchItem item_of_line(const FileLines::Line &line, std::uint64_t number, const 
 
 } // namespace
 
+BatchSources::BatchSources(std::vector<std::string> files)
+    : files_(std::move(files)), is_stream_(files_.empty()) {
+  if (is_stream_)
+    files_.emplace_back("-");
+}
+
 std::vector<BatchItem> BatchSources::next(std::size_t most) {
   constexpr std::size_t most_bytes = max_gradation_bytes;
   std::vector<BatchItem> items;
@@ -89,11 +97,11 @@ std::vector<BatchItem> BatchSources::next(std::size_t most) {
 
 void BatchSources::open(const std::string &file) {
   auto content = std::make_unique<FileLines>(file);
-  if (file != "-" && !is_suite(*content)) {
-    add_gradations(file, *content);
-  } else {
+  if (is_stream_ || is_suite(*content)) {
     suite_ = std::move(content);
     line_ = 0;
+  } else {
+    add_gradations(shown_name(file), *content);
   }
 }
 
@@ -112,7 +120,7 @@ void BatchSources::add_gradations(const std::string &file, FileLines &content) {
     }
   } catch (const InputError &e) {
     const auto refuse = [error = e]() -> Gradation { throw error; };
-    waiting_.push_back({++count_, file, [file] { return file; }, refuse, {}});
+    waiting_.push_back({++count_, file, [file] { return stem(file); }, refuse, {}});
   }
 }
 

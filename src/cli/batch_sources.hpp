@@ -26,11 +26,11 @@ struct BatchItem {
   std::function<std::string(const Gradation &)> checked_as;
 };
 
-/// The gradations of files, in order. By its content a file is JSON Lines, or a gradation file with one
-/// gradation or many; standard input is JSON Lines.
+/// The gradations of files, in order, `-` for standard input. By its content a file is JSON Lines, or a
+/// gradation file with one gradation or many. Without files, standard input is JSON Lines.
 class BatchSources {
 public:
-  explicit BatchSources(std::vector<std::string> files) : files_(std::move(files)) {}
+  explicit BatchSources(std::vector<std::string> files);
 
   /// The gradations that are there, at least one and at most `most`; empty at the end. Of a suite it waits
   /// only for the first. Memory: that of the lines, or some 64 MiB of gradation files.
@@ -43,6 +43,7 @@ private:
   void add_lines(std::vector<BatchItem> &items, std::size_t most);
 
   std::vector<std::string> files_;
+  bool is_stream_;         ///< there were no files
   std::size_t opened_ = 0; ///< of the files
   std::uint64_t count_ = 0;
   std::unique_ptr<FileLines> suite_; ///< that is being read, files_[opened_ - 1]

@@ -129,9 +129,12 @@ Run add_tradeoff(CLI::App &app) {
   c->output.add_format(command);
   c->output.add_out(command, "write the tables");
   c->output.add_quiet(command, "no progress and no notes on standard error");
-  command.footer(footer("", {"mdm tradeoff sand.csv",
-                             "mdm tradeoff sand.csv --kind passing --tolerances 0,0.5,1,2 --plot sand.svg",
-                             "mdm tradeoff sand.csv --specimen cylinder:50x100 --void-ratio 0.6"}));
+  command.footer(footer(
+      paragraph(
+          "Each row is the smallest match for the whole question: --tolerance and --band hold in all rows, "
+          "--tolerances besides them in those of the first table."),
+      {"mdm tradeoff sand.csv", "mdm tradeoff sand.csv --kind passing --tolerances 0,0.5,1,2 --plot sand.svg",
+       "mdm tradeoff sand.csv --specimen cylinder:50x100 --void-ratio 0.6"}));
   return [c] { return run(*c); };
 }
 

@@ -262,6 +262,17 @@ const std::string three_specimens =
 
 } // namespace
 
+TEST_CASE("a dash is standard input, by its content too", "[cli]") {
+  const std::string sand = read_file(example("hostun-rf-sand"));
+  const std::vector<Json> all = answers(mdm({"batch", "-", example("athabasca-sand")}, sand).out);
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].at("id") == "stdin");
+  CHECK(all[0].at("particles") == "31");
+  CHECK(all[1].at("particles") == "1485");
+  CHECK(answers(mdm({"batch", "-"}, suite(3)).out).size() == 3);
+  CHECK(answers(mdm({"batch"}, sand).out).at(0).at("status") == "error");
+}
+
 TEST_CASE("an AGS4 file gives all its specimens, and a bad one has its error in its place", "[cli]") {
   const TemporaryFolder folder;
   const std::string file = folder.write("site.ags", three_specimens);
