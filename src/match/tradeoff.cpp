@@ -1,5 +1,7 @@
 #include "match/tradeoff.hpp"
 
+#include "number/common_denominator.hpp"
+
 #include <algorithm>
 
 namespace mdm {
