@@ -11,6 +11,7 @@ namespace mdm::checker {
 /// The text of a file to be judged, and the name under which messages speak of it. Nothing is opened.
 struct Input {
   std::string name, text;
+  bool is_line = false; ///< the text is one line of a file, which the name says: it has no lines to name
 };
 
 /// The verdict on a certificate, as mdm-check gives it.

@@ -140,7 +140,7 @@ void write_spectrum(JsonWriter &json, const Spectrum &s) {
 
 /// The members behind the classes.
 void write_rest(JsonWriter &json, const Match &m, const Spectrum *spectrum,
-                const std::optional<std::uint64_t> &seed) {
+                const std::optional<std::uint64_t> &seed, const std::string &proof = "") {
   write_scale(json.key("scale"), m);
   json.key("tolerance");
   if (m.tolerance) {
@@ -156,12 +156,14 @@ void write_rest(JsonWriter &json, const Match &m, const Spectrum *spectrum,
     json.key("seed").number(*seed);
   if (const std::string words = in_words(m.question); !words.empty())
     json.key("question").string(words);
+  if (!proof.empty())
+    json.key("proof").string(proof);
   json.key("notes").strings(m.notes).key("versions").raw(versions_json());
 }
 
 } // namespace
 
-std::string answer_json(const Match &m, const Spectrum *spectrum) {
+std::string answer_json(const Match &m, const Spectrum *spectrum, const std::string &proof) {
   JsonWriter json;
   write_verdict(json.begin_object(), m);
   json.key("classes").begin_array();
@@ -170,7 +172,7 @@ std::string answer_json(const Match &m, const Spectrum *spectrum) {
     write_class(json.begin_object(), m, j, rows[j]);
     json.end_object();
   }
-  write_rest(json.end_array(), m, spectrum, std::nullopt);
+  write_rest(json.end_array(), m, spectrum, std::nullopt, proof);
   return json.end_object().take();
 }
 

@@ -10,8 +10,9 @@ namespace mdm::checker {
 namespace {
 
 Verdict malformed(const Input &input, const Malformed &error) {
-  const auto line =
-      error.at == nullptr ? "" : ":" + std::to_string(1 + std::count(input.text.data(), error.at, '\n'));
+  const auto line = error.at == nullptr || input.is_line
+                        ? ""
+                        : ":" + std::to_string(1 + std::count(input.text.data(), error.at, '\n'));
   return {Verdict::malformed, {}, printable(input.name) + line + ": " + error.what()};
 }
 

@@ -1,3 +1,5 @@
+#include "program_files.hpp"
+#include "suite.hpp"
 #include "text.hpp"
 
 #include <mdm/checker.hpp>
@@ -5,12 +7,9 @@
 #include <gmp.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <memory>
 #include <new>
 #include <vector>
 
@@ -20,29 +19,35 @@ using namespace mdm::checker;
 
 constexpr const char *help = R"(mdm-check GRADATION CERTIFICATE
 mdm-check --print GRADATION [CERTIFICATE]
+mdm-check --suite [SUITE] FOLDER [--verbose]
 
 Checks the proof that a number of particles is the smallest that matches a gradation exactly
 or within a tolerance, or the proof of bounds on the smallest.
 GRADATION is the gradation file (CSV or JSON; or that of a band) and CERTIFICATE what
 mdm solve --proof wrote; one of them may be - for standard input.
+SUITE has a gradation in JSON a line and FOLDER what mdm batch --proofs wrote of it: each
+certificate is checked against the line whose number its name begins with. Without SUITE,
+each NAME.proof is checked against NAME.gradation beside it.
 
 Examples:
   mdm solve sand.csv --proof sand.proof
   mdm-check sand.csv sand.proof
   mdm-check --print sand.csv
+  mdm batch suite.jsonl --proofs proofs && mdm-check --suite suite.jsonl proofs
 
 Exits with 0 (accepted), 1 (refused: the certificate does not prove its claim) or
 2 (malformed: a file cannot be read, or the command is wrong). The verdict is on standard
-output, the reason of another one than accepted on standard error.
+output, the reason of another one than accepted on standard error. With --suite all is on
+standard output, with the number of each verdict in the last line, and the worst one is the
+exit code: a line without a certificate counts as refused, a certificate without a line as
+malformed.
 
   --print     the gradation as it is read, as CSV on standard output, before the verdict
+  --suite     all certificates of a folder: those that are not accepted, and a summary
+  --verbose   with --suite, also the verdicts of those that are accepted
   -h, --help  this text
   --version   the versions of this program and of GMP
 )";
-
-[[noreturn]] void fail(const std::string &who, const std::string &what) {
-  throw std::runtime_error(printable(who) + ": " + what);
-}
 
 [[noreturn]] void out_of_memory() {
   std::fputs("mdm-check: out of memory: check on a larger machine\n", stderr);
@@ -55,30 +60,6 @@ void *reallocate(void *memory, std::size_t, std::size_t size) {
   out_of_memory();
 }
 
-/// Reads a file in pieces, so that a device without end ends at the limit.
-Input read_input(const std::string &path, std::size_t most_bytes) {
-  Input input{path == "-" ? "standard input" : path, {}};
-  const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(
-      path == "-" ? stdin : std::fopen(path.c_str(), "rb"), &std::fclose);
-  std::vector<char> piece(std::size_t{1} << 16U);
-  while (const std::size_t got = file ? std::fread(piece.data(), 1, piece.size(), file.get()) : 0) {
-    input.text.append(piece.data(), got);
-    if (input.text.size() > most_bytes)
-      fail(input.name,
-           "longer than " + std::to_string(most_bytes >> 20U) + " MiB: give the file that was meant");
-  }
-  if (!file || std::ferror(file.get()) != 0)
-    fail(input.name, std::string("cannot be read: ") + std::strerror(errno) + ": give a file that is there");
-  return input;
-}
-
-int print(const std::string &text) {
-  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-    fail("standard output",
-         std::string("cannot be written: ") + std::strerror(errno) + ": send it elsewhere");
-  return 0;
-}
-
 /// Writes a verdict behind a text, unless a file is malformed.
 int report(const Verdict &verdict, const std::string &before = {}) {
   if (verdict.code == Verdict::malformed)
@@ -89,26 +70,55 @@ int report(const Verdict &verdict, const std::string &before = {}) {
   return verdict.code;
 }
 
-int run(std::vector<std::string> arguments) {
-  if (arguments.size() == 1 && (arguments[0] == "-h" || arguments[0] == "--help"))
-    return print(help);
-  if (arguments.size() == 1 && arguments[0] == "--version")
-    return print(std::string("mdm-check " MDM_CHECK_VERSION " (GMP ") + gmp_version + ")\n");
-  const bool printing = !arguments.empty() && arguments[0] == "--print";
-  if (printing)
+/// The words of the command line: names of files, and flags.
+struct Words {
+  std::vector<std::string> files;
+  bool prints = false, has_suite = false, verbose = false;
+};
+
+Words words_of(std::vector<std::string> arguments) {
+  Words words;
+  words.prints = !arguments.empty() && arguments[0] == "--print";
+  words.has_suite = !arguments.empty() && arguments[0] == "--suite";
+  if (words.prints || words.has_suite)
     arguments.erase(arguments.begin());
+  words.verbose = words.has_suite && std::erase(arguments, "--verbose") > 0;
   for (const std::string &argument : arguments)
     if (argument.size() > 1 && argument[0] == '-')
-      fail("mdm-check", "no option " + quoted(argument) + ": see mdm-check --help");
-  const bool printing_alone = printing && arguments.size() == 1;
-  if ((arguments.size() != 2 && !printing_alone) || std::count(arguments.begin(), arguments.end(), "-") > 1)
+      fail("mdm-check", "no option " + quoted(argument) + " here: see mdm-check --help");
+  words.files = std::move(arguments);
+  return words;
+}
+
+int run_suite(const Words &words) {
+  if (words.files.empty() || words.files.size() > 2 || words.files.back() == "-")
+    fail("mdm-check", "give one suite and one folder behind --suite: see mdm-check --help");
+  return words.files.size() == 1 ? check_folder(words.files[0], words.verbose)
+                                 : check_suite(words.files[0], words.files[1], words.verbose);
+}
+
+int run(const std::vector<std::string> &arguments) {
+  if (arguments.size() == 1 && (arguments[0] == "-h" || arguments[0] == "--help")) {
+    print(help);
+    return Verdict::accepted;
+  }
+  if (arguments.size() == 1 && arguments[0] == "--version") {
+    print(std::string("mdm-check " MDM_CHECK_VERSION " (GMP ") + gmp_version + ")\n");
+    return Verdict::accepted;
+  }
+  const Words words = words_of(arguments);
+  const std::vector<std::string> &files = words.files;
+  if (words.has_suite)
+    return run_suite(words);
+  const bool printing_alone = words.prints && files.size() == 1;
+  if ((files.size() != 2 && !printing_alone) || std::count(files.begin(), files.end(), "-") > 1)
     fail("mdm-check", "give one gradation and one certificate: see mdm-check --help");
-  const Input gradation = read_input(arguments[0], std::size_t{64} << 20U);
+  const Input gradation = read_input(files[0], most_gradation_bytes);
   if (printing_alone)
     return report(print(gradation));
-  const Input certificate = read_input(arguments[1], std::size_t{256} << 20U);
+  const Input certificate = read_input(files[1], most_certificate_bytes);
   std::string csv;
-  if (printing) {
+  if (words.prints) {
     const Verdict printed = print(gradation);
     if (printed.code == Verdict::malformed)
       return report(printed);

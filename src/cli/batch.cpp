@@ -1,3 +1,5 @@
+#include "answer/batch_csv.hpp"
+#include "cli/batch_sources.hpp"
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
 #include "cli/help.hpp"
@@ -9,7 +11,6 @@
 #include "text/json_writer.hpp"
 
 #include <mdm/answer/answer.hpp>
-#include <mdm/gradation/read_gradation.hpp>
 #include <mdm/proof/certificate.hpp>
 #include <mdm/text/error.hpp>
 
@@ -24,17 +25,20 @@ namespace mdm::cli {
 namespace {
 
 struct BatchCommand {
-  std::string file = "-";
+  std::vector<std::string> files;
   SolveFlags flags;
   std::optional<std::string> proofs;
   unsigned threads = 1;
   OutputFlags output;
 };
 
-/// The answer to one line, with the exit code that it would have alone.
+/// The answer to one gradation, with the exit code that it would have alone.
 struct Answer {
-  std::string text; // empty for a blank line
+  std::string text; ///< empty for a blank line
   int exit = Exit::done;
+  std::string told = {}; ///< what standard error has beside CSV
+  std::string id = {};   ///< of a table's rows
+  std::string unit = {}; ///< the same; empty: no rows
 };
 
 /// The exit code of a whole run is that of its worst line.
@@ -51,16 +55,20 @@ int severity(int exit) {
   }
 }
 
-/// Name of a line's proof: the line number makes it unique, the id, where it can stand in a file name,
-/// findable.
+/// Name of a proof without its ending: the number makes it unique and sorts it, the id makes it findable,
+/// with
+/// `_` for what does not serve in a file name.
 std::string proof_name(std::uint64_t number, const std::string &id) {
-  const auto plain = [](char c) {
+  constexpr std::size_t longest_id = 64;
+  const auto is_plain = [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ||
            c == '_' || c == '.';
   };
-  const bool usable = !id.empty() && id.size() <= 64 && std::all_of(id.begin(), id.end(), plain);
-  return usable && id != std::to_string(number) ? fmt::format("{}-{}.proof", number, id)
-                                                : fmt::format("{}.proof", number);
+  std::string name = id.substr(0, longest_id);
+  std::replace_if(
+      name.begin(), name.end(), [&](char c) { return !is_plain(c); }, '_');
+  return name.empty() || id == std::to_string(number) ? fmt::format("{:06}", number)
+                                                      : fmt::format("{:06}-{}", number, name);
 }
 
 class Batch {
@@ -68,49 +76,69 @@ public:
   explicit Batch(const BatchCommand &command)
       : command_(command), question_(command.flags.question()), options_(solve_options()) {}
 
-  Answer answer(const FileLines::Line &line, std::uint64_t number) const {
-    const std::string fallback = std::to_string(number);
-    if (!line)
-      return error(fallback,
-                   where(number) + ": " + FileLines::too_long("the line") + ": write one gradation a line");
-    if (line->find_first_not_of(" \t\r") == std::string::npos)
+  Answer answer(const BatchItem &item) const {
+    if (!item.read)
       return {};
     try {
-      return solved(read_json_gradation(*line, where(number), fallback), number);
+      return solved(item.read(), item);
     } catch (const InputError &e) {
-      return error(json_gradation_id(*line).value_or(fallback), e.what());
-    } catch (const std::bad_alloc &) { // the other lines are none the worse for it
-      return error(fallback, where(number) + ": out of memory: give it more, or a --max-steps");
+      return error(item.id(), e.what());
+    } catch (const std::bad_alloc &) { // the others are none the worse for it
+      return error(item.id(), printable(item.where) + ": out of memory: give it more, or a --max-steps");
     }
   }
 
 private:
-  /// The proof of each line is kept where it is to be written.
+  /// The proof of each gradation is kept where it is to be written.
   SolveOptions solve_options() const { return command_.flags.options(command_.proofs.has_value()); }
 
-  std::string where(std::uint64_t number) const { return line_name(command_.file, number); }
-
-  static Answer error(const std::string &id, const std::string &message) {
+  Answer error(const std::string &id, const std::string &message) const {
+    if (command_.output.is_csv())
+      return {"", Exit::bad_input, message + "\n"};
     JsonWriter json;
     json.begin_object().key("id").string(id).key("status").plain("error").key("error").string(message);
     json.end_object();
     return {json.take() + "\n", Exit::bad_input};
   }
 
-  Answer solved(Gradation g, std::uint64_t number) const {
-    const std::string id = g.id();
+  Answer solved(Gradation g, const BatchItem &item) const {
     SolveOptions options = options_;
     if (command_.flags.time_limit)
-      options.limits = solve_options().limits; // a deadline of its own for each line
-    Match m = in_file(where(number), [&] { return solve(std::move(g), question_, options); });
-    if (command_.proofs && has_certificate(m)) {
-      Output proof(*command_.proofs + "/" + proof_name(number, id));
-      proof.write(in_file(where(number), [&] { return certificate(m); }));
-      proof.commit();
-    } else if (command_.proofs) {
+      options.limits = solve_options().limits; // a deadline of its own for each gradation
+    const std::string checked = command_.proofs && item.checked_as ? item.checked_as(g) : "";
+    Match m = in_file(item.where, [&] { return solve(std::move(g), question_, options); });
+    std::string proof;
+    if (command_.proofs && has_certificate(m))
+      proof = write_proof(m, item, checked);
+    else if (command_.proofs)
       m.notes.push_back("no proof was written: the limit came before the end");
-    }
-    return {answer_json(m) + "\n", exit_code(m.status)};
+    return command_.output.is_csv() ? rows(m)
+                                    : Answer{answer_json(m, nullptr, proof) + "\n", exit_code(m.status)};
+  }
+
+  /// \param checked the gradation file beside it, if there is to be one
+  /// \return the name of its file
+  std::string write_proof(const Match &m, const BatchItem &item, const std::string &checked) const {
+    const std::string name = proof_name(item.number, m.gradation.id());
+    write_file(*command_.proofs + "/" + name + ".proof", in_file(item.where, [&] { return certificate(m); }));
+    if (!checked.empty())
+      write_file(*command_.proofs + "/" + name + ".gradation", checked);
+    return name + ".proof";
+  }
+
+  static void write_file(const std::string &path, const std::string &text) {
+    Output file(path);
+    file.write(text);
+    file.commit();
+  }
+
+  /// CSV has no place for a verdict and for notes.
+  static Answer rows(const Match &m) {
+    const std::string id = printable(m.gradation.id());
+    std::string told = m.status == Status::optimal ? "" : id + ": " + headline(m) + "\n";
+    for (const std::string &note : m.notes)
+      told += id + ": note: " + note + "\n";
+    return {batch_csv(m), exit_code(m.status), told, id, std::string(name(m.gradation.unit()))};
   }
 
   const BatchCommand &command_;
@@ -118,42 +146,78 @@ private:
   SolveOptions options_;
 };
 
-/// Answers to lines first, first + 1, ..., by several threads, in order.
-std::vector<Answer> answers(const Batch &batch, const std::vector<FileLines::Line> &lines,
-                            std::uint64_t first, unsigned threads) {
-  std::vector<Answer> result(lines.size());
-  in_parallel(lines.size(), threads, [&](std::size_t i) { result[i] = batch.answer(lines[i], first + i); });
+/// The answers to some gradations, by several threads, in order.
+std::vector<Answer> answers(const Batch &batch, const std::vector<BatchItem> &items, unsigned threads) {
+  std::vector<Answer> result(items.size());
+  in_parallel(items.size(), threads, [&](std::size_t i) { result[i] = batch.answer(items[i]); });
   return result;
 }
 
-int run(const BatchCommand &c) {
-  check_distinct({c.file, c.output.path()});
+/// What is written of one answer after the other.
+class BatchReport {
+public:
+  explicit BatchReport(const OutputFlags &flags) : flags_(flags) {}
+
+  /// The text that the answer adds to the output; what standard error has is told.
+  std::string add(const Answer &answer) {
+    const bool fits = answer.unit.empty() || unit_.empty() || answer.unit == unit_;
+    const int exit = fits ? answer.exit : Exit::bad_input;
+    if (severity(exit) > severity(worst_))
+      worst_ = exit;
+    if (!fits) {
+      tell(fmt::format("{}: lengths in {}, where the table has {}: give it in a batch of its own, or write "
+                       "--format json\n",
+                       answer.id, answer.unit, unit_));
+      return "";
+    }
+    if (exit != Exit::done || !flags_.quiet)
+      tell(answer.told);
+    const bool is_first = !answer.unit.empty() && unit_.empty();
+    if (is_first)
+      unit_ = answer.unit;
+    return is_first ? batch_csv_header(unit_) + answer.text : answer.text;
+  }
+
+  int worst() const { return worst_; }
+
+private:
+  const OutputFlags &flags_;
+  std::string unit_; ///< of the table; empty before its first row
+  int worst_ = Exit::done;
+};
+
+void check_files(const BatchCommand &c) {
+  for (const std::string &file : c.files) {
+    check_distinct({file, c.output.path()});
+    check_readable(file);
+  }
+  const bool reads_stdin = c.files.empty() || std::count(c.files.begin(), c.files.end(), "-") > 0;
+  if (reads_stdin && c.flags.band == "-")
+    throw InputError("--band: standard input has the gradations: give the band by name");
   if (c.flags.band)
     check_distinct({*c.flags.band, c.output.path()});
-  if (c.file == "-" && c.flags.band == "-")
-    throw InputError("--band: standard input has the gradations: give the band by name");
+}
+
+int run(const BatchCommand &c) {
+  check_files(c);
   if (c.proofs)
     make_folder(*c.proofs);
   const Batch batch(c);
-  FileLines lines(c.file);
+  BatchSources sources(c.files);
   Output out(c.output.path());
+  BatchReport report(c.output);
   std::atomic<std::uint64_t> count = 0;
   Progress progress([&count] { return fmt::format("{} gradations", count.load()); }, c.output.quiet);
-  int worst = Exit::done;
   constexpr std::size_t at_once = 512;
-  for (std::vector<FileLines::Line> chunk = lines.next(at_once); !chunk.empty();
-       chunk = lines.next(at_once)) {
+  for (std::vector<BatchItem> items = sources.next(at_once); !items.empty(); items = sources.next(at_once)) {
     std::string text;
-    for (const Answer &answer : answers(batch, chunk, count + 1, c.threads)) {
-      text += answer.text;
-      if (severity(answer.exit) > severity(worst))
-        worst = answer.exit;
-    }
-    count += chunk.size();
+    for (const Answer &answer : answers(batch, items, c.threads))
+      text += report.add(answer);
+    count += items.size();
     out.write(text);
   }
   out.commit();
-  return worst;
+  return report.worst();
 }
 
 } // namespace
@@ -161,16 +225,25 @@ int run(const BatchCommand &c) {
 Run add_batch(CLI::App &app) {
   const auto c = std::make_shared<BatchCommand>();
   CLI::App &command =
-      *app.add_subcommand("batch", "Solves JSON Lines of gradations, an answer a line in the same order");
-  command.add_option("FILE", c->file, "JSON Lines; standard input if left out");
+      *app.add_subcommand("batch", "Solves many gradations, an answer each in the same order");
+  command.add_option("FILE", c->files,
+                     "JSON Lines, or gradation files, of AGS4 all specimens; - for standard input; without "
+                     "any, JSON Lines from there");
   c->flags.add_to(command);
   command.add_option("-j", c->threads, "threads")->type_name("THREADS")->check(CLI::Range(1, 1024));
-  command.add_option("--proofs", c->proofs, "write a certificate for each line into the folder DIR")
+  command
+      .add_option("--proofs", c->proofs,
+                  "write certificates into the folder DIR, named by the gradation's number and id, for "
+                  "mdm-check --suite; of a gradation file also what mdm-check reads")
       ->type_name("DIR");
+  command
+      .add_option("--format", c->output.asked_format,
+                  "json (a line a gradation) or csv (a row a class); csv if OUT ends so, else json")
+      ->check(CLI::IsMember({"json", "csv"}));
   c->output.add_out(command);
-  c->output.add_quiet(command, "no progress on standard error");
-  command.footer(footer("", {"mdm batch suite.jsonl -j 4 -o answers.jsonl",
-                             "mdm batch suite.jsonl -o answers.jsonl --proofs proofs",
+  c->output.add_quiet(command, "no progress and no notes on standard error");
+  command.footer(footer("", {"mdm batch suite.jsonl -j 4 -o answers.jsonl --proofs proofs",
+                             "mdm batch site/*.csv report.ags -o answers.csv",
                              "mdm batch --tolerance retained:1% < suite.jsonl > answers.jsonl"}));
   return [c] { return run(*c); };
 }

@@ -59,6 +59,11 @@ bool read_some(int descriptor, const std::string &path, std::string &text) {
   return n > 0;
 }
 
+void check_size(const std::string &path, std::size_t bytes, std::size_t most) {
+  if (bytes > most)
+    throw file_error(path, fmt::format("more than {} MiB: is it the right file?", most >> 20));
+}
+
 /// Names of the files that Outputs are writing, for the handler of signals: it may use atomics and unlink,
 /// not much else. More than fit in are not removed at a signal.
 std::array<std::atomic<const char *>, 64> unfinished{};
@@ -145,8 +150,7 @@ std::string read_file(const std::string &path, std::size_t most) {
   std::string text;
   try {
     while (read_some(descriptor, path, text))
-      if (text.size() > most)
-        throw file_error(path, fmt::format("more than {} MiB: is it the right file?", most >> 20));
+      check_size(path, text.size(), most);
   } catch (...) {
     close_reading(descriptor);
     throw;
@@ -191,6 +195,16 @@ std::string canonical_path(const std::string &path) {
   const std::size_t slash = name.rfind('/');
   const std::string folder = real_path(slash == std::string::npos ? "." : name.substr(0, slash + 1));
   return folder.empty() ? name : folder + "/" + name.substr(slash == std::string::npos ? 0 : slash + 1);
+}
+
+void check_readable(const std::string &path) {
+  struct stat status {};
+  if (path == "-")
+    return;
+  if (access(path.c_str(), R_OK) != 0 || stat(path.c_str(), &status) != 0)
+    cannot_read(path, errno);
+  if (S_ISDIR(status.st_mode))
+    cannot_read(path, EISDIR);
 }
 
 void make_folder(const std::string &path) {
@@ -341,6 +355,22 @@ bool FileLines::take_line(std::vector<Line> &lines) {
   skipping_ = false;
   taken_ = searched_ = std::min(end + 1, buffer_.size());
   return true;
+}
+
+std::string_view FileLines::look_further() {
+  if (!at_end_)
+    fill();
+  return std::string_view(buffer_).substr(taken_);
+}
+
+std::string FileLines::rest(std::size_t most) {
+  std::string text = buffer_.substr(taken_);
+  buffer_.clear();
+  taken_ = searched_ = 0;
+  while (text.size() <= most && !at_end_)
+    at_end_ = !read_some(descriptor_, path_, text);
+  check_size(path_, text.size(), most);
+  return text;
 }
 
 std::vector<FileLines::Line> FileLines::next(std::size_t most) {

@@ -54,6 +54,9 @@ std::string canonical_path(const std::string &path);
 /// count. \throws InputError naming the second
 void check_distinct(const std::vector<std::string> &paths);
 
+/// Refuses a file that cannot be read, before any work is done. \throws InputError
+void check_readable(const std::string &path);
+
 /// Makes a folder where there is none.
 /// \throws InputError if that cannot be
 void make_folder(const std::string &path);
@@ -99,7 +102,8 @@ private:
   int descriptor_ = -1;
 };
 
-/// Lines of a file or of standard input, as they come in and in bounded memory.
+/// Lines of a file or of standard input, as they come in and in bounded memory. A pipe is read once: who
+/// looks at its beginning can take the rest as lines or as one text.
 class FileLines {
 public:
   explicit FileLines(const std::string &path);
@@ -112,6 +116,13 @@ public:
   static constexpr std::size_t longest_line = std::size_t{64} << 20;
   /// The mistake of `what` that is longer, such as `the line`.
   static std::string too_long(const std::string &what);
+
+  /// The beginning of what is not taken yet, after one more read; at the end of the input all of it.
+  std::string_view look_further();
+  bool is_at_end() const { return at_end_; }
+  /// What is not taken yet, to the end of the input.
+  /// \throws InputError if it has more than `most` bytes
+  std::string rest(std::size_t most);
 
   /// The lines that are there, at least one and at most `most`; waits only for the first. Empty at the end of
   /// the input.

@@ -9,10 +9,12 @@
 #include "cli/sample_file.hpp"
 #include "cli/search_progress.hpp"
 #include "cli/solve_flags.hpp"
+#include "match/costly_fines.hpp"
 
 #include <mdm/answer/answer.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
+#include <mdm/number/decimal.hpp>
 #include <mdm/proof/certificate.hpp>
 #include <mdm/proof/coq_file.hpp>
 #include <mdm/proof/vipr.hpp>
@@ -79,6 +81,17 @@ std::optional<SideFile> readable_gradation(const SolveCommand &c, const Target &
   return SideFile{std::make_unique<Output>(path), gradation_csv(of.gradation)};
 }
 
+/// A hint where most particles are in classes that hold little mass.
+std::string hint(const SolveCommand &c, const Match &m) {
+  const std::optional<CostlyFines> fines = c.file ? costly_fines(m) : std::nullopt;
+  if (!fines)
+    return "";
+  const auto percent = [](const Rational &share) { return approximate(Rational(share * 100), 3) + " %"; };
+  return "  hint: " + percent(fines->particles) + " of the particles are finer than " + fines->below.text() +
+         " " + std::string(name(m.gradation.unit())) + " and hold " + percent(fines->mass) +
+         " of the mass: see mdm tradeoff " + shell_word(*c.file) + ", and --cut-below\n";
+}
+
 void report(const SolveCommand &c, const Match &m, const Spectrum *spectrum, const Spread *spread,
             Output &out) {
   const Sink sink = [&out](std::string_view text) { out.write(text); };
@@ -88,7 +101,7 @@ void report(const SolveCommand &c, const Match &m, const Spectrum *spectrum, con
     spread_json(m, spectrum, *spread, sink);
     out.write("\n");
   } else {
-    out.write(c.output.report([&] { return answer_text(m, spectrum, spread, c.verbose); },
+    out.write(c.output.report([&] { return answer_text(m, spectrum, spread, c.verbose) + hint(c, m); },
                               [&] { return answer_json(m, spectrum); }, [&] { return answer_csv(m); }));
   }
 }

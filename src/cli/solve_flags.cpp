@@ -47,10 +47,14 @@ Question GradationFlags::question() const {
   return q;
 }
 
-void SolveFlags::add_to(CLI::App &command) {
+void SolveFlags::add_problem(CLI::App &command) {
   add_question(command);
   GradationFlags::add_to(command);
   add_limits(command);
+}
+
+void SolveFlags::add_to(CLI::App &command) {
+  add_problem(command);
   const OptionGroup group(command, "The answer");
   command.add_option("--digits", digits, "significant digits of sizes (15)")->type_name("D");
   command.add_option("--scale", scale, "robust (sizes far from the sieves) or upper (largest sizes)")
@@ -112,6 +116,10 @@ Question SolveFlags::question() const {
     throw InputError("--node-limit: it is of matches within a tolerance: give --max-steps, or --time-limit");
   if (!is_tolerant() && gap)
     throw InputError("--gap: it is of matches within a tolerance: give --max-steps, or --time-limit");
+  return question_of_both();
+}
+
+Question SolveFlags::question_of_both() const {
   Question q = GradationFlags::question();
   for (const std::string &text : tolerances)
     q.tolerances.push_back(named("--tolerance", text, parse_tolerance));

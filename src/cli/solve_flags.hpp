@@ -33,6 +33,8 @@ struct SolveFlags : GradationFlags {
   Text max_steps, node_limit, time_limit, gap;
 
   void add_to(CLI::App &command);
+  /// Without those that only change the sizes of an answer.
+  void add_problem(CLI::App &command);
 
   bool is_tolerant() const { return !tolerances.empty() || band; }
   /// The source of the gradation: FILE, or else the band alone.
@@ -42,6 +44,9 @@ struct SolveFlags : GradationFlags {
   void check_source(const Text &file, const std::string &reading, const std::string &command) const;
   /// \throws InputError naming the option where its value does not serve
   Question question() const;
+  /// The same for a command that looks for exact matches and for those within a tolerance: limits of either
+  /// serve.
+  Question question_of_both() const;
   /// The deadline counts from this call.
   SolveOptions options(bool keep_proof = false) const;
 

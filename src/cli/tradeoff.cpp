@@ -24,10 +24,9 @@ namespace {
 struct TradeoffCommand {
   using Text = std::optional<std::string>;
   std::string file;
-  GradationFlags flags;
+  SolveFlags flags;
   std::string kind = "retained";
   std::string tolerances = "0,0.1,0.2,0.5,1,2,5";
-  Text min_per_class, max_steps, node_limit, time_limit;
   Text plot;
   ReadingFlags reading;
   OutputFlags output;
@@ -53,20 +52,12 @@ TradeoffOptions options(const TradeoffCommand &c) {
     o.kind = t.kind;
     o.tolerances.push_back(t.percent);
   }
-  if (c.max_steps)
-    o.limits.max_steps = natural64("--max-steps", *c.max_steps);
-  if (c.node_limit)
-    o.limits.node_limit = natural64("--node-limit", *c.node_limit);
-  if (c.time_limit)
-    o.time_limit = duration("--time-limit", *c.time_limit);
+  o.limits = c.flags.options().limits;
+  if (c.flags.at_most)
+    o.limits.at_most = natural("--at-most", *c.flags.at_most, 0);
+  if (c.flags.time_limit)
+    o.time_limit = duration("--time-limit", *c.flags.time_limit);
   return o;
-}
-
-Question question(const TradeoffCommand &c) {
-  Question q = c.flags.question();
-  if (c.min_per_class)
-    q.min_per_class = natural("--min-per-class", *c.min_per_class, 0);
-  return q;
 }
 
 std::string report(const TradeoffCommand &c, const Tradeoff &t) {
@@ -75,7 +66,7 @@ std::string report(const TradeoffCommand &c, const Tradeoff &t) {
 }
 
 bool is_complete(const std::vector<TradeoffRow> &rows) {
-  return std::all_of(rows.begin(), rows.end(), [](const TradeoffRow &row) { return row.is_optimal(); });
+  return std::all_of(rows.begin(), rows.end(), [](const TradeoffRow &row) { return row.is_certain(); });
 }
 
 /// Both curves, or what is certain of them when Ctrl-C is pressed.
@@ -88,12 +79,15 @@ Tradeoff searched(const TradeoffCommand &c, const Gradation &g, const Question &
 int run(const TradeoffCommand &c) {
   if (c.plot == "-")
     throw InputError("--plot needs a file: standard output has the tables");
+  c.flags.check_source(c.file, c.reading.given(), "tradeoff");
   check_distinct({c.file, c.output.path(), c.plot.value_or("-")});
+  if (c.flags.band)
+    check_distinct({*c.flags.band, c.output.path(), c.plot.value_or("-")});
   const std::optional<Picture> picture = c.plot ? picture_at(*c.plot) : std::nullopt;
   if (c.plot && !picture)
     throw InputError("--plot: " + printable(*c.plot) + ": let OUT end in .svg, .png or .pdf");
   const TradeoffOptions o = options(c);
-  const Question q = question(c);
+  const Question q = c.flags.question_of_both();
   refuse_sample(c.file);
   const Gradation g =
       read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
@@ -134,27 +128,20 @@ Run add_tradeoff(CLI::App &app) {
       .add_option("--tolerances", c->tolerances,
                   "tolerances in percentage points (0,0.1,0.2,0.5,1,2,5); 0 is the exact match")
       ->type_name("LIST");
-  command.add_option("--min-per-class", c->min_per_class, "at least R particles in every class with mass")
-      ->type_name("R");
-  c->flags.add_to(command);
-  command
-      .add_option("--max-steps", c->max_steps, "stop an exact match after so many steps (67108864; exit 3)")
-      ->type_name("N");
-  command
-      .add_option("--node-limit", c->node_limit,
-                  "stop a match within a tolerance after so many nodes (exit 3)")
-      ->type_name("N");
-  command.add_option("--time-limit", c->time_limit, "stop each match after so many seconds (exit 3)")
-      ->type_name("S");
+  c->flags.add_problem(command);
+  const OptionGroup group(command, "The answer");
   command.add_option("--plot", c->plot, "draw both into OUT.svg, .png or .pdf (needs gnuplot)")
       ->type_name("OUT");
   c->output.add_format(command);
   c->output.add_out(command, "write the tables");
   c->output.add_quiet(command, "no progress and no notes on standard error");
   c->reading.add_to(command);
-  command.footer(footer("", {"mdm tradeoff sand.csv",
-                             "mdm tradeoff sand.csv --kind passing --tolerances 0,0.5,1,2 --plot sand.svg",
-                             "mdm tradeoff sand.csv --min-per-class 10 --format csv -o sand-tradeoff.csv"}));
+  command.footer(footer(
+      paragraph(
+          "Each row is the smallest match for the whole question: --tolerance and --band hold in all rows, "
+          "--tolerances besides them in those of the first table."),
+      {"mdm tradeoff sand.csv", "mdm tradeoff sand.csv --kind passing --tolerances 0,0.5,1,2 --plot sand.svg",
+       "mdm tradeoff sand.csv --specimen cylinder:50mmx100mm --void-ratio 0.6"}));
   return [c] { return run(*c); };
 }
 

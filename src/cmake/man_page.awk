@@ -1,6 +1,6 @@
 # awk -v page=mdm-solve -v version=0.1.0 -f man_page.awk: the text of a --help as a page in roff, for man.
 #
-# The help has a sentence and `Usage: ...`, or the usage alone in its first line; headings that end with a colon over
+# The help has a sentence and `Usage: ...`, or the usages alone in its first lines; headings that end with a colon over
 # entries that are indented by two spaces; paragraphs, and commands below `Example:` or `Examples:`.
 
 { line[++lines] = $0 }
@@ -56,7 +56,9 @@ END {
     begin = i + 1
   } else {
     usage = line[1]
-    for (i = 2; line[i] == ""; ++i)
+    for (i = 2; i <= lines && line[i] != ""; ++i)
+      other_usages = other_usages "\n.br\n\\fB" plain(line[i]) "\\fR"
+    for (; line[i] == ""; ++i)
       ;
     begin = i
     for (; line[i] != "" && summary !~ /\.$/; ++i)
@@ -67,7 +69,7 @@ END {
 
   print ".TH " toupper(plain(page)) " 1 \"\" \"exactmdm " version "\" exactmdm"
   print ".SH NAME\n" plain(page) " \\- " plain(summary)
-  print ".SH SYNOPSIS\n\\fB" plain(usage) "\\fR"
+  print ".SH SYNOPSIS\n\\fB" plain(usage) "\\fR" other_usages
 
   described = 0
   for (i = begin; i <= lines;) {

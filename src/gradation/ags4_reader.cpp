@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
 namespace mdm {
 namespace {
@@ -193,36 +194,57 @@ Rational decimal(const std::string &text, std::string_view heading, std::size_t 
   }
 }
 
+/// \param of the number of specimens in the file
+Table table_of(const Specimen &specimen, std::size_t of, const Source &source,
+               const std::string &fallback_id) {
+  if (specimen.rows.size() > max_gradation_rows)
+    source.refuse(specimen.rows.back().line, fmt::format("specimen {} has more than {} rows",
+                                                         in_quotes(specimen.id), max_gradation_rows));
+  Table table;
+  table.column = &percent_passing;
+  table.id = specimen.id.empty() ? fallback_id : specimen.id;
+  table.header_line = specimen.rows.front().line;
+  for (const Row &row : specimen.rows) {
+    table.lines.push_back(row.line);
+    table.sizes.push_back(decimal(row.size, size_heading, row.line, source));
+    table.values.push_back(decimal(row.passing, passing_heading, row.line, source));
+    table.roundings.push_back(last_digit_unit(row.passing) / 2);
+  }
+  table.notes.push_back(fmt::format("Specimen {} of {}.", in_quotes(specimen.id), of));
+  if (const std::string types = types_of(specimen); !types.empty())
+    table.notes.push_back("GRAT_TYPE: " + printable(types) + ".");
+  table.format = "AGS4";
+  table.sizes_from = fmt::format("column {}, in mm", size_heading);
+  table.masses_from = fmt::format("column {}: percent passing", passing_heading);
+  table.is_canonical = false;
+  return table;
+}
+
 } // namespace
 
 Table read_ags4(std::string_view content, const Source &source, const std::string &fallback_id,
                 const std::optional<std::string> &specimen) {
   const std::vector<Specimen> specimens = Ags4Reader(content, source).read();
   const std::vector<SampleNames> names = names_of(specimens);
-  const Specimen &chosen = specimens[chosen_sample(names, specimen, source)];
-  if (chosen.rows.size() > max_gradation_rows)
-    source.refuse(chosen.rows.back().line,
-                  fmt::format("specimen {} has more than {} rows", in_quotes(chosen.id), max_gradation_rows));
-  Table table;
-  table.column = &percent_passing;
-  table.id = chosen.id.empty() ? fallback_id : chosen.id;
-  table.header_line = chosen.rows.front().line;
-  for (const Row &row : chosen.rows) {
-    table.lines.push_back(row.line);
-    table.sizes.push_back(decimal(row.size, size_heading, row.line, source));
-    table.values.push_back(decimal(row.passing, passing_heading, row.line, source));
-    table.roundings.push_back(last_digit_unit(row.passing) / 2);
-  }
-  table.notes.push_back(fmt::format("Specimen {} of {}.", in_quotes(chosen.id), specimens.size()));
-  if (const std::string types = types_of(chosen); !types.empty())
-    table.notes.push_back("GRAT_TYPE: " + printable(types) + ".");
+  Table table =
+      table_of(specimens[chosen_sample(names, specimen, source)], specimens.size(), source, fallback_id);
   for (const SampleNames &sample : names)
     table.samples.push_back(sample.names.front());
-  table.format = "AGS4";
-  table.sizes_from = fmt::format("column {}, in mm", size_heading);
-  table.masses_from = fmt::format("column {}: percent passing", passing_heading);
-  table.is_canonical = false;
   return table;
+}
+
+std::vector<UnreadGradation> ags4_specimens(std::string_view content, const std::string &file,
+                                            const std::string &fallback_id) {
+  const auto specimens =
+      std::make_shared<const std::vector<Specimen>>(Ags4Reader(content, Source(file)).read());
+  std::vector<UnreadGradation> all;
+  for (const Specimen &specimen : *specimens)
+    all.push_back(
+        {specimen.id.empty() ? fallback_id : specimen.id, [specimens, &specimen, file, fallback_id] {
+           const Source source(file);
+           return to_gradation(table_of(specimen, specimens->size(), source, fallback_id), source);
+         }});
+  return all;
 }
 
 } // namespace mdm

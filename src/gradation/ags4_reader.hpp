@@ -4,6 +4,8 @@
 
 #include "gradation/table.hpp"
 
+#include <mdm/gradation/read_gradation.hpp>
+
 #include <optional>
 
 namespace mdm {
@@ -15,5 +17,10 @@ namespace mdm {
 /// \throws InputError with the line
 Table read_ags4(std::string_view content, const Source &source, const std::string &fallback_id,
                 const std::optional<std::string> &specimen);
+
+/// All specimens of the group, in the order of the file, each with its id.
+/// \throws InputError with the line where rows cannot be told apart
+std::vector<UnreadGradation> ags4_specimens(std::string_view content, const std::string &file,
+                                            const std::string &fallback_id);
 
 } // namespace mdm

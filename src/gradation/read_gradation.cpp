@@ -191,6 +191,17 @@ Gradation read_gradation_file(const std::string &path, const Reading &reading) {
   return read_gradation(content_of(path), path, reading);
 }
 
+std::vector<UnreadGradation> gradations_in(std::string content, const std::string &file) {
+  if (is_ags4(content)) {
+    const Source source(file);
+    source.check_length(content, max_gradation_bytes);
+    const std::string_view text = without_byte_order_mark(content);
+    source.check_line_ends(text);
+    return ags4_specimens(text, file, stem(file));
+  }
+  return {{stem(file), [content = std::move(content), file] { return read_gradation(content, file); }}};
+}
+
 Gradation gradation_of(const std::vector<std::string> &sizes, const std::vector<std::string> &masses,
                        SizeUnit unit, const std::string &id) {
   return Gradation(decimals(sizes, "size"), decimals(masses, "mass"), unit, id);

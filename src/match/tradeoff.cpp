@@ -1,8 +1,5 @@
 #include "match/tradeoff.hpp"
 
-#include "match/problem.hpp"
-#include "match/tolerant_match.hpp"
-#include "match/watch.hpp"
 #include "number/common_denominator.hpp"
 
 #include <algorithm>
@@ -10,80 +7,129 @@
 namespace mdm {
 namespace {
 
-/// The limits of each row and the one watch of all.
+/// Solves one row after the other, each within the limits; a caller who ends one ends all.
 class TradeoffRows {
 public:
-  explicit TradeoffRows(const TradeoffOptions &options)
-      : limits_(options.limits), time_limit_(options.time_limit), watch_(std::nullopt, options.progress) {
-    limits_.keep_proof = false;
-  }
+  explicit TradeoffRows(const TradeoffOptions &options) : options_(options) {}
 
-  const Limits &limits() const { return limits_; }
-  /// Of a row that begins now.
-  Watch watch() const {
-    return time_limit_ ? watch_.until(std::chrono::steady_clock::now() + *time_limit_) : watch_;
+  /// The row with what is certain of the smallest match of its gradation.
+  TradeoffRow solved(TradeoffRow row, Gradation g, const Question &question) {
+    const Match m = solve(std::move(g), question, solve_options());
+    row.particles = m.has_answer() ? m.particles() : std::nullopt;
+    row.lower_bound = m.lower_bound;
+    row.has_none = m.status == Status::none;
+    return row;
   }
 
 private:
-  Limits limits_;
-  std::optional<std::chrono::milliseconds> time_limit_;
-  Watch watch_;
+  SolveOptions solve_options() {
+    SolveOptions o;
+    o.limits = options_.limits;
+    o.limits.keep_proof = false;
+    o.at_most = options_.limits.at_most;
+    const auto now = std::chrono::steady_clock::now();
+    if (stopped_)
+      o.limits.deadline = now;
+    else if (options_.time_limit)
+      o.limits.deadline = now + *options_.time_limit;
+    if (options_.progress)
+      o.progress = [this](const Progress &known) {
+        stopped_ = stopped_ || !options_.progress(known);
+        return !stopped_;
+      };
+    return o;
+  }
+
+  const TradeoffOptions &options_;
+  bool stopped_ = false;
 };
 
+/// True if something must pass a sieve of the band below which the gradation has no class: without its finest
+/// classes there is no match.
+bool needs_finer_classes(const Gradation &g, const Question &question) {
+  if (!question.band)
+    return false;
+  const Envelope &band = *question.band;
+  const Rational unit = in_mm(band.unit) / in_mm(g.unit());
+  for (std::size_t i = 0; i < band.sizes.size(); ++i)
+    if (band.passing_min[i] > 0 && power(Rational(band.sizes[i] * unit), g.root()) <= g.powers().front())
+      return true;
+  return false;
+}
+
 /// The smallest sieves that can be kept; a sieve that retains nothing keeps what the next larger one does.
-std::vector<TradeoffRow> exact_rows(const Gradation &g, const Question &question, const TradeoffRows &of) {
+/// \param g without the question's size factor
+std::vector<TradeoffRow> sieve_rows(const Gradation &g, const Question &question, const Gradation &shown,
+                                    TradeoffRows &of) {
   const Rational all = sum(g.masses());
   std::vector<TradeoffRow> rows;
   Rational lost = 0;
   for (std::size_t j = 0; j < g.classes(); ++j) {
     if (g.mass(j) == 0)
       continue;
-    const Problem problem(g.from_class(j), question.law, question.min_per_class);
-    const LeastMatch found = least_match(problem, of.limits(), of.watch());
-    const Integer bound = total(found.q);
-    rows.push_back(
-        {0, g.opening(j), Rational(lost / all), found.complete ? bound : total(some_match(problem)), bound});
+    TradeoffRow row;
+    row.smallest = shown.opening(j);
+    row.lost = lost / all;
+    Gradation kept = g.from_class(j);
+    if (lost > 0 && needs_finer_classes(kept, question)) {
+      row.lower_bound = 1;
+      row.has_none = true;
+      rows.push_back(std::move(row));
+    } else {
+      rows.push_back(of.solved(std::move(row), std::move(kept), question));
+    }
     lost += g.mass(j);
   }
   return rows;
 }
 
-TradeoffRow tolerant_row(const Gradation &g, const Question &question, const AskedTolerance &asked,
-                         const TradeoffRows &of, const TradeoffRow &exact) {
-  TradeoffRow row = exact;
+TradeoffRow tolerance_row(const Gradation &g, Question question, const AskedTolerance &asked,
+                          TradeoffRows &of, const TradeoffRow &whole) {
+  TradeoffRow row = whole;
   row.tolerance = asked.percent;
-  if (asked.percent == 0)
+  if (asked.percent == 0 && !question.is_tolerant())
     return row;
-  const TolerantProblem problem(g, question.law, tolerance_of(g, {asked}, std::nullopt, 1),
-                                {question.min_per_class, 1, std::nullopt});
-  const TolerantResult found = tolerant_match(problem, of.limits(), std::nullopt, of.watch());
-  row.lower_bound = found.lower_bound;
-  if (found.best)
-    row.particles = std::min(row.particles, total(found.best->q));
-  return row;
+  if (asked.percent == 0 && !question.band)
+    question.tolerances.clear(); // the exact match is within all of them
+  else
+    question.tolerances.push_back(asked);
+  return of.solved(std::move(row), g, question);
 }
 
 /// The result of a row is an upper bound for the next ones and a lower bound for those before.
 void share_bounds(std::vector<TradeoffRow> &rows) {
   for (std::size_t i = 1; i < rows.size(); ++i)
-    rows[i].particles = std::min(rows[i].particles, rows[i - 1].particles);
+    if (const std::optional<Integer> &before = rows[i - 1].particles;
+        before && (!rows[i].particles || *before < *rows[i].particles))
+      rows[i].particles = before;
   for (std::size_t i = rows.size(); i-- > 1;)
-    rows[i - 1].lower_bound = std::max(rows[i - 1].lower_bound, rows[i].lower_bound);
+    if (!rows[i].has_none)
+      rows[i - 1].lower_bound = std::max(rows[i - 1].lower_bound, rows[i].lower_bound);
+}
+
+/// True where what is left of a match without its finest classes answers the question as well.
+bool survives_cuts(const Question &q) {
+  return q.at_least == 1 && !q.solids && !q.is_tolerant();
 }
 
 } // namespace
 
 Tradeoff tradeoff(Gradation g, const Question &question, const TradeoffOptions &options) {
-  Tradeoff result{question, asked_gradation(std::move(g), question), options.kind, {}, {}};
-  const TradeoffRows of(options);
-  result.by_sieve = exact_rows(result.gradation, question, of);
-  share_bounds(result.by_sieve);
+  Tradeoff result{question, asked_gradation(g, question), options.kind, {}, {}};
+  Question changes = question; // what is not changed in `base` yet
+  changes.pan_size = changes.cut_below = std::nullopt;
+  Question done = question;
+  done.size_factor = 1;
+  const Gradation base = asked_gradation(std::move(g), done);
+  TradeoffRows of(options);
+  result.by_sieve = sieve_rows(base, changes, result.gradation, of);
+  if (survives_cuts(question))
+    share_bounds(result.by_sieve);
   std::vector<Rational> tolerances = options.tolerances;
   std::sort(tolerances.begin(), tolerances.end());
   tolerances.erase(std::unique(tolerances.begin(), tolerances.end()), tolerances.end());
   for (const Rational &percent : tolerances)
-    result.by_tolerance.push_back(
-        tolerant_row(result.gradation, question, {options.kind, percent}, of, result.exact()));
+    result.by_tolerance.push_back(tolerance_row(base, changes, {options.kind, percent}, of, result.whole()));
   share_bounds(result.by_tolerance);
   return result;
 }

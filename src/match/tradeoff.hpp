@@ -2,8 +2,6 @@
 /// \file
 /// The price of fewer particles: N against a tolerance, and against the smallest sieve that is kept.
 
-#include "match/least_match.hpp"
-
 #include <mdm/match/question.hpp>
 #include <mdm/match/solve.hpp>
 
@@ -13,40 +11,45 @@ namespace mdm {
 
 /// A sample that a modeller may choose, and its N.
 struct TradeoffRow {
-  Rational tolerance = 0; ///< percentage points; 0: exact
-  RootSize smallest;      ///< opening of the smallest sieve kept
-  Rational lost = 0;      ///< share of the mass, in the classes below it
-  Integer particles;      ///< a match has so many
-  Integer lower_bound;    ///< no match has fewer
+  Rational tolerance = 0;           ///< percentage points; 0: exact
+  RootSize smallest;                ///< opening of the smallest sieve kept
+  Rational lost = 0;                ///< share of the mass, in the classes below it
+  std::optional<Integer> particles; ///< a match has so many; nothing: none is known
+  Integer lower_bound;              ///< no match has fewer
+  bool has_none = false;            ///< it is certain that there is no match
 
-  bool is_optimal() const { return particles == lower_bound; }
+  bool is_optimal() const { return particles && *particles == lower_bound; }
+  /// Whatever a search could still find is known.
+  bool is_certain() const { return is_optimal() || has_none; }
 };
 
 /// The points of a trade-off that are asked for.
 struct TradeoffOptions {
   AskedTolerance::Kind kind = AskedTolerance::Kind::retained; ///< retained, passing or total
   std::vector<Rational> tolerances;                           ///< percentage points
-  Limits limits;                                              ///< of each row, but its deadline
+  Limits limits;                                              ///< of each row; its deadline is not used
   std::optional<std::chrono::milliseconds> time_limit;        ///< of each row
   /// As SolveOptions::progress, of the row that is worked on; false ends all rows as a limit does.
   ProgressCall progress;
 };
 
-/// Both curves. Along each, neither `particles` nor `lower_bound` rises: what matches within a tolerance does
-/// so within a wider one, and a match without its finest classes matches what is left.
+/// Both curves. Along the first, neither `particles` nor `lower_bound` rises: what matches within a tolerance
+/// does so within a wider one. Nor do they along the second, unless a number of particles, a volume or shares
+/// are asked for: a match without its finest classes matches what is left.
 struct Tradeoff {
   Question question;
   Gradation gradation; ///< with the question's pan, cut and size factor
   AskedTolerance::Kind kind;
   std::vector<TradeoffRow> by_tolerance; ///< ascending, each once; nothing left out
-  std::vector<TradeoffRow> by_sieve;     ///< ascending, the sieves that retain something; exact
+  std::vector<TradeoffRow> by_sieve;     ///< ascending, the sieves that retain something
 
-  /// The exact match of the whole gradation.
-  const TradeoffRow &exact() const { return by_sieve.front(); }
+  /// The match of the whole gradation as asked, without more tolerance.
+  const TradeoffRow &whole() const { return by_sieve.front(); }
 };
 
-/// The trade-off of a gradation. Of the question, the law, the changes of the gradation and `min_per_class`
-/// count. Cost: a least match for each sieve, a tolerant match for each tolerance.
+/// The trade-off of a gradation: every row is the answer to the whole question, the rows of `by_sieve` for
+/// what is left of the gradation, those of `by_tolerance` with this tolerance besides the question's. Cost: a
+/// match for each row.
 /// \throws InputError if the question does not fit g
 Tradeoff tradeoff(Gradation g, const Question &question, const TradeoffOptions &options);
 

@@ -1,6 +1,7 @@
 #include "plot/tradeoff_figure.hpp"
 
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
 
@@ -104,11 +105,11 @@ private:
 
 /// log10 of N, a decade or more, with room for labels; ticks from 1 on.
 Axis count_axis(const std::vector<TradeoffRow> &rows) {
-  double low = log10_of_count(rows.front().particles);
+  double low = log10_of_count(*rows.front().particles);
   double high = low;
   for (const TradeoffRow &row : rows) {
     low = std::min(low, log10_of_count(row.lower_bound));
-    high = std::max(high, log10_of_count(row.particles));
+    high = std::max(high, log10_of_count(*row.particles));
   }
   high = std::max(high, low + 1);
   const double span = high - low;
@@ -176,7 +177,7 @@ Panel count_panel(const std::string &title, const ValueAxis &x, const std::vecto
   to_zero.stroke = Stroke::dotted;
   std::vector<Series> bars;
   for (const TradeoffRow &row : rows) {
-    const Point p{x.place(value(row)), log10_of_count(row.particles)};
+    const Point p{x.place(value(row)), log10_of_count(*row.particles)};
     if (row.is_optimal()) {
       optimal.points.push_back(p);
     } else {
@@ -221,7 +222,7 @@ void add_lost(Panel &panel, const ValueAxis &x, const std::vector<TradeoffRow> &
 void add_labels(Panel &panel, const ValueAxis &x, const std::vector<TradeoffRow> &rows, Coordinate value) {
   Labels labels(panel);
   for (const TradeoffRow &row : rows)
-    labels.add({x.place(value(row)), log10_of_count(row.particles)}, short_count(row.particles));
+    labels.add({x.place(value(row)), log10_of_count(*row.particles)}, short_count(*row.particles));
 }
 
 std::vector<Rational> values(const std::vector<TradeoffRow> &rows, Coordinate value) {
@@ -242,24 +243,37 @@ std::string tolerance_title(AskedTolerance::Kind kind) {
   }
 }
 
+std::string by_sieve_title(const Tradeoff &t) {
+  return std::string(t.question.is_tolerant() ? "the smallest" : "the exact") +
+         " match without the finest classes";
+}
+
+/// The rows that can be drawn.
+/// \throws InputError if there are none
+std::vector<TradeoffRow> with_match(std::vector<TradeoffRow> rows) {
+  std::erase_if(rows, [](const TradeoffRow &row) { return !row.particles; });
+  if (rows.empty())
+    throw InputError("no match of a curve is known: nothing can be drawn: ask for less, or leave out --plot");
+  return rows;
+}
+
 } // namespace
 
 Figure tradeoff_figure(const Tradeoff &t) {
+  const std::vector<TradeoffRow> by_tolerance = with_match(t.by_tolerance), by_sieve = with_match(t.by_sieve);
   Figure figure;
   figure.title = t.gradation.id();
   figure.columns = 2;
   figure.panel_width = panel_width;
   figure.panel_height = panel_height;
-  const ValueAxis tolerance =
-      value_axis(tolerance_title(t.kind), values(t.by_tolerance, drawn_tolerance), "0");
-  Panel left =
-      count_panel("the smallest match within a tolerance", tolerance, t.by_tolerance, drawn_tolerance);
-  add_labels(left, tolerance, t.by_tolerance, drawn_tolerance);
+  const ValueAxis tolerance = value_axis(tolerance_title(t.kind), values(by_tolerance, drawn_tolerance), "0");
+  Panel left = count_panel("the smallest match within a tolerance", tolerance, by_tolerance, drawn_tolerance);
+  add_labels(left, tolerance, by_tolerance, drawn_tolerance);
   const ValueAxis sieve = value_axis(fmt::format("smallest sieve kept ({})", name(t.gradation.unit())),
-                                     values(t.by_sieve, drawn_sieve), "pan");
-  Panel right = count_panel("the exact match without the finest classes", sieve, t.by_sieve, drawn_sieve);
-  add_lost(right, sieve, t.by_sieve);
-  add_labels(right, sieve, t.by_sieve, drawn_sieve);
+                                     values(by_sieve, drawn_sieve), "pan");
+  Panel right = count_panel(by_sieve_title(t), sieve, by_sieve, drawn_sieve);
+  add_lost(right, sieve, by_sieve);
+  add_labels(right, sieve, by_sieve, drawn_sieve);
   figure.panels = {std::move(left), std::move(right)};
   return figure;
 }

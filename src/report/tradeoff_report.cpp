@@ -19,7 +19,7 @@ std::string kind_name(const Tradeoff &t) {
 }
 
 const char *status_name(const TradeoffRow &row) {
-  return row.is_optimal() ? "optimal" : "feasible";
+  return row.is_optimal() ? "optimal" : row.has_none ? "none" : row.particles ? "feasible" : "unknown";
 }
 
 /// Exact if it is a short decimal, else its first digits.
@@ -29,14 +29,18 @@ std::string short_number(const Rational &r, unsigned digits) {
 }
 
 std::string particles_text(const TradeoffRow &row) {
-  return row.is_optimal() ? to_string(row.particles)
-                          : fmt::format("[{}, {}]", to_string(row.lower_bound), to_string(row.particles));
+  if (row.is_optimal())
+    return to_string(*row.particles);
+  if (row.has_none)
+    return "none";
+  return row.particles ? fmt::format("[{}, {}]", to_string(row.lower_bound), to_string(*row.particles))
+                       : fmt::format("[{}, ?]", to_string(row.lower_bound));
 }
 
-/// The exact match's N over this one, if both are known.
+/// The N of the whole gradation's match over this one, if both are known.
 std::string saving_text(const Tradeoff &t, const TradeoffRow &row) {
-  return row.is_optimal() && t.exact().is_optimal()
-             ? short_number(ratio(t.exact().particles, row.particles), 3)
+  return row.is_optimal() && t.whole().is_optimal()
+             ? short_number(ratio(*t.whole().particles, *row.particles), 3)
              : "-";
 }
 
@@ -87,8 +91,9 @@ void write_rows(JsonWriter &json, const std::vector<TradeoffRow> &rows) {
 
 std::string csv_row(const Tradeoff &t, const TradeoffRow &row) {
   return fmt::format("{},{},{},{},{},{},{}\n", kind_name(t), to_decimal(row.tolerance), row.smallest.text(),
-                     short_number(Rational(100 * row.lost), 15), to_string(row.particles),
-                     to_string(row.lower_bound), status_name(row));
+                     short_number(Rational(100 * row.lost), 15),
+                     row.particles ? to_string(*row.particles) : "", to_string(row.lower_bound),
+                     status_name(row));
 }
 
 } // namespace

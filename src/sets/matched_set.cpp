@@ -2,6 +2,7 @@
 
 #include "match/exact_sample.hpp"
 #include "number/common_denominator.hpp"
+#include "sets/uniform_counts.hpp"
 
 #include <mdm/match/solve.hpp>
 #include <mdm/number/decimal.hpp>
@@ -31,11 +32,10 @@ Question question_of(const Representativity &wanted) {
 }
 
 /// The sizes between which the mean particle of a class with lower bound l > 0 and upper bound u is to be,
-/// rounded down: that of the mean volume, l u for discs and 2 l^2 u^2 / (l + u) for spheres, and that halfway
-/// in volume from l to it.
+/// rounded down: that of the mean volume, and that halfway in volume from l to it.
 std::pair<Rational, Rational> room(const Rational &l, const Rational &u, unsigned dimension,
                                    unsigned digits) {
-  const Rational mean = dimension == 2 ? Rational(l * u) : Rational(2 * l * l * u * u / (l + u));
+  const Rational mean = uniform_mean(l, u, dimension);
   const Rational half = (power(l, dimension) + mean) / 2;
   for (;; digits *= 2) {
     const auto size = [&](const Rational &volume) {
@@ -68,6 +68,26 @@ Gradation cut_to_room(const Gradation &g, unsigned dimension, unsigned digits) {
   return Gradation(std::move(data));
 }
 
+/// Of as many particles as the match of cut classes has, those with means nearest to mu: shared out by
+/// volume, or the match's own, where that goes wrong in a narrow class; these at the highest scale, where the
+/// means of cut classes are nearest, or at the chosen one, which is better for a class that begins at 0.
+UniformCounts nearest_counts(const Gradation &g, const Problem &problem, const Match &cut) {
+  std::vector<Integer> q;
+  for (const Integer &n : cut.sample->quantities)
+    if (n > 0)
+      q.push_back(n);
+  const Rational &unit = problem.scale_unit();
+  const Window window{problem.lowest_scale(q) * unit, problem.highest_scale(q) * unit, std::nullopt};
+  const MatchScale &scale = *cut.sample->scale;
+  std::vector<UniformCounts> all = {{q, scale.window.up_to, window}, {q, scale.chosen, window}};
+  if (std::optional<UniformCounts> shared = uniform_counts(g, problem, total(q)))
+    all.push_back(std::move(*shared));
+  const auto farthest = [&](const UniformCounts &c) { return farthest_mean(g, problem, c.q, c.scale); };
+  return *std::min_element(all.begin(), all.end(), [&](const UniformCounts &x, const UniformCounts &y) {
+    return farthest(x) < farthest(y);
+  });
+}
+
 } // namespace
 
 Gradation rounded_gradation(const std::vector<SizeClass> &classes, unsigned digits, const std::string &id) {
@@ -98,13 +118,11 @@ Match roomy_set(const Gradation &rounded, const Representativity &wanted, const 
   m.lower_bound = cut.lower_bound;
   m.digits = options.digits;
   const Problem problem(rounded, m.question.law, m.question.min_per_class);
-  std::vector<Integer> q;
-  for (const Integer &n : cut.sample->quantities)
-    if (n > 0)
-      q.push_back(n);
-  const Rational &unit = problem.scale_unit();
-  Window window{problem.lowest_scale(q) * unit, problem.highest_scale(q) * unit, std::nullopt};
-  m.sample = exact_sample(rounded, problem, std::move(q), std::move(window), cut.sample->scale->chosen,
+  UniformCounts counts = nearest_counts(rounded, problem, cut);
+  m.notes.push_back("the mean volume of the particles of every class is within " +
+                    approximate(Rational(100 * farthest_mean(rounded, problem, counts.q, counts.scale)), 3) +
+                    " % of that of sizes uniform by volume");
+  m.sample = exact_sample(rounded, problem, std::move(counts.q), std::move(counts.window), counts.scale,
                           options.digits);
   return m;
 }

@@ -20,11 +20,12 @@ Gradation rounded_gradation(const std::vector<SizeClass> &classes, unsigned digi
 /// \throws InputError as solve
 Match matched_set(const Gradation &rounded, const Representativity &wanted, const SolveOptions &options);
 
-/// The same set with room for a spread: the smallest in which, besides, the mean volume of every class's
-/// particles is at most that of sizes uniform by volume, mu, and more than (V(lower bound) + mu) / 2. Drawn
-/// sizes then need little correction (Theorem 16): it halves distances at most. The set is the least match of
-/// classes cut at these two sizes, rounded down to `size_digits` digits, and `complete` speaks of it;
-/// question, window and sizes are those of the classes as they are.
+/// The same set with room for a spread. Its N is the smallest with which, besides, the mean volume of every
+/// class's particles can be at most that of sizes uniform by volume, mu, and more than (V(lower bound) + mu)
+/// / 2: that of the least match of classes cut at these two sizes, rounded down to `size_digits` digits, of
+/// which `complete` speaks. These N particles are shared out anew so that the means are as near to mu as
+/// whole numbers let them (uniform_counts); a note says how near. Drawn sizes then need little correction
+/// (Theorem 16). Question, window and sizes are those of the classes as they are.
 /// \throws InputError as solve
 Match roomy_set(const Gradation &rounded, const Representativity &wanted, const SolveOptions &options,
                 unsigned size_digits);

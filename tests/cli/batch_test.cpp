@@ -185,13 +185,17 @@ TEST_CASE("option --proofs has a certificate for each line, accepted with the li
           "[cli]") {
   const TemporaryFolder folder;
   const std::string input = suite(40);
-  CHECK(mdm({"batch", "--proofs", folder / "proofs"}, input).exit_code == 0);
+  const Outcome outcome = mdm({"batch", "--proofs", folder / "proofs"}, input);
+  CHECK(outcome.exit_code == 0);
+  const std::vector<Json> all = answers(outcome.out);
+  REQUIRE(all.size() == 40);
   std::istringstream lines(input);
   std::size_t number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
-    const std::string name =
-        std::to_string(number) + "-" + Json::parse(line).at("id").get<std::string>() + ".proof";
+    const std::string name = (number < 10 ? "00000" : "0000") + std::to_string(number) + "-" +
+                             Json::parse(line).at("id").get<std::string>() + ".proof";
+    CHECK(all[number - 1].at("proof") == name);
     const Outcome verdict = mdm_check(folder.write("line.json", line), folder / ("proofs/" + name));
     INFO(verdict.out << verdict.err);
     CHECK(verdict.exit_code == 0);
@@ -200,7 +204,7 @@ TEST_CASE("option --proofs has a certificate for each line, accepted with the li
                       std::filesystem::directory_iterator()) == 40);
 }
 
-TEST_CASE("ids that are no file names stay out of the names of proofs", "[cli]") {
+TEST_CASE("ids are made safe for the names of proofs", "[cli]") {
   const TemporaryFolder folder;
   const std::string tail = R"(","sizes":[1,2],"masses":[1,0]})"
                            "\n";
@@ -212,6 +216,143 @@ TEST_CASE("ids that are no file names stay out of the names of proofs", "[cli]")
   CHECK(folder.entries() == 1);
   CHECK(std::distance(std::filesystem::directory_iterator(folder / "proofs"),
                       std::filesystem::directory_iterator()) == 9);
+  for (const std::string name : {"000001-.._x", "000003-a_b", "000004", "000006-..", "000008-__"})
+    CHECK(std::filesystem::exists(folder / ("proofs/" + name + ".proof")));
+}
+
+TEST_CASE("gradation files have the answers that they have alone", "[cli]") {
+  const std::vector<std::string> names = {"athabasca-sand", "hostun-rf-sand"};
+  const Outcome outcome = mdm({"batch", example(names[0]), example(names[1])});
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  CHECK(outcome.out == mdm({"solve", example(names[0]), "--format", "json"}).out +
+                           mdm({"solve", example(names[1]), "--format", "json"}).out);
+}
+
+TEST_CASE("a file is a suite or a gradation by its content", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string open = "{\n  \"id\": \"open\",\n  \"sizes\": [1, 2],\n  \"masses\": [1, 0]\n}\n";
+  const auto ids = [&](const std::string &content) {
+    std::string all;
+    for (const Json &answer : answers(mdm({"batch", folder.write("file", content)}).out))
+      all += (all.empty() ? "" : " ") + answer.at("id").get<std::string>() + ":" +
+             answer.at("status").get<std::string>();
+    return all;
+  };
+  CHECK(ids(open) == "open:optimal");
+  CHECK(ids("\xEF\xBB\xBF" + open) == "open:optimal");
+  CHECK(ids(good) == "good:optimal");
+  CHECK(ids(good + "\n" + good) == "good:optimal good:optimal");
+  CHECK(ids("\n{\n" + good) == "2:error good:optimal");
+  CHECK(ids("nonsense\n" + good) == "1:error good:optimal");
+  CHECK(ids("size_mm,mass\n1,2\n2,0\n") == "file:optimal");
+  CHECK(ids("nonsense\nnonsense\n") == "file:error");
+  CHECK(ids("\xFF\xFE") == "file:error");
+  CHECK(ids(" \n") == "");
+}
+
+namespace {
+
+/// Specimens BH1, BH2 and BH3 of AGS4, of which the second passes more than 100 %.
+const std::string three_specimens =
+    "\"GROUP\",\"GRAT\"\n\"HEADING\",\"LOCA_ID\",\"GRAT_SIZE\",\"GRAT_PERP\"\n\"UNIT\",\"\",\"mm\",\"%\"\n"
+    "\"DATA\",\"BH1\",\"2\",\"100\"\n\"DATA\",\"BH1\",\"1\",\"40\"\n\"DATA\",\"BH1\",\"0.5\",\"0\"\n"
+    "\"DATA\",\"BH2\",\"2\",\"101\"\n\"DATA\",\"BH2\",\"1\",\"40\"\n"
+    "\"DATA\",\"BH3\",\"4\",\"100\"\n\"DATA\",\"BH3\",\"2\",\"0\"\n";
+
+} // namespace
+
+TEST_CASE("a dash is standard input, by its content too", "[cli]") {
+  const std::string sand = read_file(example("hostun-rf-sand"));
+  const std::vector<Json> all = answers(mdm({"batch", "-", example("athabasca-sand")}, sand).out);
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].at("id") == "stdin");
+  CHECK(all[0].at("particles") == "31");
+  CHECK(all[1].at("particles") == "1485");
+  CHECK(answers(mdm({"batch", "-"}, suite(3)).out).size() == 3);
+  CHECK(answers(mdm({"batch"}, sand).out).at(0).at("status") == "error");
+}
+
+TEST_CASE("an AGS4 file gives all its specimens, and a bad one has its error in its place", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("site.ags", three_specimens);
+  const Outcome outcome = mdm({"batch", file, "--proofs", folder / "proofs", "-j", "2"});
+  CHECK(outcome.exit_code == 2);
+  const std::vector<Json> all = answers(outcome.out);
+  REQUIRE(all.size() == 3);
+  CHECK(all[0].at("id") == "BH1");
+  CHECK(all[0].at("proof") == "000001-BH1.proof");
+  CHECK(all[1].at("id") == "BH2");
+  CHECK(all[1].at("error").get<std::string>().find(file + ":7: ") == 0);
+  CHECK(all[2].at("id") == "BH3");
+  const Outcome checked = Process(MDM_CHECK_PROGRAM, {"--suite", folder / "proofs"}).end();
+  CHECK(checked.exit_code == 0);
+  CHECK(checked.out.find(": 2 accepted, 0 refused, 0 malformed, 0 missing\n") != std::string::npos);
+}
+
+TEST_CASE("proofs of gradation files and suites together are checked by their folder", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string suite_file = folder.write("suite.jsonl", suite(5) + "\n" + good);
+  const std::string half_phi = folder.write("half_phi.csv", "size_phi,mass\n0.5,1\n0,2\n-0.5,0\n");
+  CHECK(mdm({"batch", half_phi, suite_file, example("athabasca-sand"), "--size-factor", "2", "--proofs",
+             folder / "proofs"})
+            .exit_code == 0);
+  const Outcome checked = Process(MDM_CHECK_PROGRAM, {"--suite", folder / "proofs", "--verbose"}).end();
+  INFO(checked.out << checked.err);
+  CHECK(checked.exit_code == 0);
+  CHECK(lines_of(checked.out).size() == 9);
+  CHECK(read_file(folder / "proofs/000001-half_phi.gradation") == read_file(half_phi));
+  CHECK(std::filesystem::exists(folder / "proofs/000009-athabasca-sand.gradation"));
+}
+
+TEST_CASE("as CSV the answers have a row a class", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string input = R"({"id":"a, \"b\"","sizes":["1","2","3"],"masses":["2","1","0"]})"
+                            "\n" +
+                            good + "\n";
+  const Outcome outcome = mdm({"batch", "--format", "csv"}, input);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  REQUIRE(lines.size() == 5);
+  CHECK(lines[0] == "id,class,lower_mm,upper_mm,share_percent,quantity,size_lo_mm,size_hi_mm");
+  CHECK(lines[1].find(R"("a, ""b""",1,1,2,66.6666666666666,)") == 0);
+  CHECK(lines[4].find("good,2,2,3,33.3333333333333,") == 0);
+  CHECK(mdm({"batch", "-o", folder / "answers.csv"}, input).exit_code == 0);
+  CHECK(read_file(folder / "answers.csv") == outcome.out);
+}
+
+TEST_CASE("the share of CSV is that of the match", "[cli]") {
+  const std::string line = R"({"sizes":["0.1","0.2","3"],"masses":["1","99","0"]})";
+  const std::vector<std::string> lines =
+      lines_of(mdm({"batch", "--format", "csv", "--tolerance", "retained:1%"}, line).out);
+  REQUIRE(lines.size() == 3);
+  CHECK(lines[1] == "1,1,0.1,0.2,0,0,,");
+  CHECK(lines[2].find("1,2,0.2,3,100,1,") == 0);
+}
+
+TEST_CASE("what CSV has no place for is on standard error", "[cli]") {
+  const Outcome bad = mdm({"batch", "--format", "csv"}, "nonsense\n" + good + "\n");
+  CHECK(bad.exit_code == 2);
+  CHECK(bad.err.find("stdin:1: ") == 0);
+  CHECK(lines_of(bad.out).size() == 3);
+  const Outcome none = mdm({"batch", "--format", "csv", "--at-most", "1"}, good);
+  CHECK(none.exit_code == 1);
+  CHECK(none.err.find("good: ") == 0);
+  CHECK(none.out.find("good,1,1,2,66.6666666666666,,,\n") != std::string::npos);
+  const std::string um = R"({"id":"fine","unit":"um","sizes":[1,2],"masses":[1,0]})";
+  const Outcome mixed = mdm({"batch", "--format", "csv"}, good + "\n" + um + "\n");
+  CHECK(mixed.exit_code == 2);
+  CHECK(mixed.err.find("fine: lengths in um, where the table has mm") == 0);
+  CHECK(lines_of(mixed.out).size() == 3);
+}
+
+TEST_CASE("one file of many that cannot be read is refused before any work", "[cli]") {
+  const TemporaryFolder folder;
+  check_refused(mdm({"batch", example("athabasca-sand"), folder / "missing.csv"}), "missing.csv");
+  check_refused(mdm({"batch", example("athabasca-sand"), folder / "."}), "cannot be read");
+  const std::string file = folder.write("sand.csv", "size_mm,mass\n1,2\n2,0\n");
+  check_refused(mdm({"batch", example("athabasca-sand"), file, "-o", file}), "different names");
 }
 
 TEST_CASE("a folder of proofs that cannot be made is refused", "[cli]") {

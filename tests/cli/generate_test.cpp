@@ -91,6 +91,16 @@ TEST_CASE("a spread of the exact alternative has every class's volume exactly", 
   check_refused(mdm(with(spread, {"--format", "csv", "--quantiles"})), "--quantiles");
 }
 
+TEST_CASE("a spread of a real sand has the curve as well as sizes drawn by the paper", "[generate]") {
+  const Json set = json({"generate", "--curve", example("hostun-rf-sand"), "--method", "match", "--spread",
+                         "--at-least", "200000", "--seed", "1"});
+  const auto c_r = [&](const char *of) {
+    return std::stod(set.at("quality").at(of).at("Cr").at(1).get<std::string>());
+  };
+  CHECK(c_r("match") <= c_r("drawn"));
+  CHECK(c_r("match") < 0.0075);
+}
+
 TEST_CASE("of a spread as of drawn sizes, the quality of large sets is told if asked for", "[generate]") {
   const auto spread = [](const std::string &at_least, const Arguments &more) {
     Arguments arguments = with(two, {"--method", "match", "--spread"});
@@ -98,10 +108,12 @@ TEST_CASE("of a spread as of drawn sizes, the quality of large sets is told if a
     return with(arguments, more);
   };
   const Json many = json(spread("1000010", {}));
-  CHECK(many.at("notes")[0].get<std::string>().find("--points") != std::string::npos);
+  REQUIRE(many.at("notes").size() == 2);
+  CHECK(many.at("notes")[0].get<std::string>().find("the mean volume of the particles") == 0);
+  CHECK(many.at("notes")[1].get<std::string>().find("--points") != std::string::npos);
   CHECK_FALSE(many.contains("quality"));
   const Json few = json(spread("10", {}));
-  CHECK(few.at("notes").empty());
+  CHECK(few.at("notes").size() == 1);
   CHECK_FALSE(few.at("quality").at("match").is_null());
   // Too many even if asked for; and none of them can be listed.
   CHECK_FALSE(json(spread("1000000001", {"--points", "2"})).contains("quality"));

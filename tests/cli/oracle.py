@@ -404,7 +404,7 @@ class Run:
                     continue
                 with open(folder + "/g.json", "w") as file:
                     json.dump(g, file)
-                proof = f"{folder}/proofs/{number}-{g['id']}.proof"
+                proof = f"{folder}/proofs/{number:06}-{g['id']}.proof"
                 verdict = subprocess.run([self.check, folder + "/g.json", proof],
                                          capture_output=True, text=True)
                 if verdict.returncode != 0:

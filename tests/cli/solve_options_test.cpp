@@ -280,3 +280,16 @@ TEST_CASE("questions that do not fit the gradation are refused", "[cli]") {
   check_refused(mdm({"solve", example("cen-standard-sand"), "--pan-size", "0.08"}), "0.08");
   check_refused(mdm({"solve", folder.write("g.csv", "size_mm,mass\n1,1\n2,0\n3,0\n"), "--cut-below", "2"}));
 }
+
+TEST_CASE("a text hints at the trade-off where fines cost most particles and hold little mass", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("my silt.csv", "size_mm,mass\n0.001,2\n0.002,0\n0.05,98\n0.06,0\n");
+  const std::string text = mdm({"solve", file}).out;
+  INFO(text);
+  CHECK(text.find(" of the particles are finer than 0.002 mm and hold 2 % of the mass: see mdm tradeoff '" +
+                  file + "', and --cut-below\n") != std::string::npos);
+  CHECK(mdm({"solve", file, "--cut-below", "0.002"}).out.find("hint") == std::string::npos);
+  CHECK(mdm({"solve", file, "--format", "json"}).out.find("hint") == std::string::npos);
+  for (const char *sand : {"athabasca-sand", "hostun-rf-sand", "limestone-pfc"})
+    CHECK(mdm({"solve", example(sand)}).out.find("hint") == std::string::npos);
+}

@@ -110,6 +110,6 @@ TEST_CASE("a batch within a tolerance writes the proof of each line", "[cli]") {
   CHECK(mdm({"batch", "--tolerance", "retained:5%", "--proofs", folder / "proofs"}, line + "\n" + line + "\n")
             .exit_code == 0);
   const std::string gradation = folder.write("line.json", line);
-  CHECK(mdm_check(gradation, folder / "proofs/1-a.proof").exit_code == 0);
-  CHECK(mdm_check(gradation, folder / "proofs/2-a.proof").exit_code == 0);
+  CHECK(mdm_check(gradation, folder / "proofs/000001-a.proof").exit_code == 0);
+  CHECK(mdm_check(gradation, folder / "proofs/000002-a.proof").exit_code == 0);
 }

@@ -85,6 +85,52 @@ TEST_CASE("the options of the gradation and the floor change both curves", "[cli
   CHECK(t.at("by_tolerance").at(0).at("particles") == exact.at("particles"));
 }
 
+TEST_CASE("every row of the trade-off answers the whole question", "[cli]") {
+  const Arguments specimen = {"--specimen", "cylinder:5x10", "--void-ratio", "0.6", "--at-least", "300"};
+  const auto with = [&](Arguments options) {
+    options.insert(options.begin(), sand);
+    options.insert(options.end(), specimen.begin(), specimen.end());
+    return options;
+  };
+  const Json t = json(with({"--tolerances", "0,2"}));
+  CHECK(t.at("by_tolerance").at(0).at("particles") == solve_json(with({})).at("particles"));
+  CHECK(t.at("by_tolerance").at(1).at("particles") ==
+        solve_json(with({"--tolerance", "retained:2%"})).at("particles"));
+  CHECK(t.at("by_sieve").at(3).at("particles") == solve_json(with({"--cut-below", "0.15"})).at("particles"));
+  CHECK(t.at("by_sieve").at(6).at("particles") == "300");
+}
+
+TEST_CASE("the trade-off's tolerances hold besides those of the question", "[cli]") {
+  const Json t = json({sand, "--tolerance", "total:5%", "--tolerances", "0,1"});
+  CHECK(t.at("by_tolerance").at(0).at("particles") == "1485");
+  CHECK(t.at("by_tolerance").at(1).at("particles") ==
+        solve_json({sand, "--tolerance", "total:5%", "--tolerance", "retained:1%"}).at("particles"));
+  CHECK(t.at("by_sieve").at(0).at("particles") ==
+        solve_json({sand, "--tolerance", "total:5%"}).at("particles"));
+  CHECK(t.at("by_sieve").at(2).at("particles") ==
+        solve_json({sand, "--tolerance", "total:5%", "--cut-below", "0.11"}).at("particles"));
+}
+
+TEST_CASE("rows of the trade-off without a match say so", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string band =
+      folder.write("band.csv", "size_mm,passing_min_percent,passing_max_percent\n0.11,6,10\n");
+  const Outcome outcome = tradeoff({sand, "--band", band, "--tolerances", "0,1,2"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(contains(outcome.out, "                    0       none            -\n"));
+  const Json t = json({sand, "--band", band, "--tolerances", "0,1,2"});
+  CHECK(t.at("by_tolerance").at(0).at("status") == "none");
+  CHECK(t.at("by_tolerance").at(0).at("particles").is_null());
+  CHECK(t.at("by_tolerance").at(1).at("particles") ==
+        solve_json({sand, "--band", band, "--tolerance", "retained:1%"}).at("particles"));
+  CHECK(t.at("by_sieve").at(0).at("status") == "optimal");
+  CHECK(t.at("by_sieve").at(2).at("status") == "none");
+  CHECK(json({sand, "--at-most", "500", "--tolerances", "0,5"}).at("by_tolerance").at(0).at("status") ==
+        "none");
+  check_refused(tradeoff({sand, "--at-most", "0", "--tolerances", "0", "--plot", folder / "t.svg"}),
+                "nothing can be drawn");
+}
+
 TEST_CASE("a limit leaves rows with bounds and exit code 3", "[cli]") {
   const Json t = json({example("ottawa-f65-sand"), "--node-limit", "2", "--tolerances", "0,1"}, 3);
   CHECK(t.at("by_tolerance").at(0).at("status") == "optimal");
@@ -124,6 +170,8 @@ TEST_CASE("the trade-off refuses what makes no sense, and leaves no file", "[cli
   refused({"--plot", folder / "out"}, "different names");
   refused({"--time-limit", "-1"}, "--time-limit");
   refused({"--law", "power:5/2"}, "use a law with a whole exponent");
+  refused({"--specimen", "cylinder:1x2"}, "belong together");
+  refused({"--digits", "3"}, "--digits");
   refused({"--cut-below", "0.2"}, "athabasca-sand.csv: there is no sieve of");
 }
 

@@ -86,9 +86,9 @@ TEST_CASE("command lines that are wrong point to the help", "[cli]") {
        {Arguments{"--frobnicate"}, Arguments{"solve"}, Arguments{"solve", "a", "b"},
         Arguments{"solve", "a", "--frob"}, Arguments{"solve", "a", "-o"},
         Arguments{"solve", "a", "--at-least"}, Arguments{"solve", "a", "--digits", "1", "--digits", "2"},
-        Arguments{"batch", "a", "b"}, Arguments{"batch", "-j", "0"}, Arguments{"batch", "-j", "x"},
-        Arguments{"batch", "-j", "-1"}, Arguments{"batch", "-j"}, Arguments{"convert"},
-        Arguments{"convert", "a", "--format", "ags"}, Arguments{"verify", "a"},
+        Arguments{"batch", "a", "--format", "text"}, Arguments{"batch", "-j", "0"},
+        Arguments{"batch", "-j", "x"}, Arguments{"batch", "-j", "-1"}, Arguments{"batch", "-j"},
+        Arguments{"convert"}, Arguments{"convert", "a", "--format", "ags"}, Arguments{"verify", "a"},
         Arguments{"verify", "a", "b", "--radius", "--diameter"},
         Arguments{"verify", "a", "b", "--format", "x"}})
     check_refused(mdm(arguments), "--help");

@@ -59,6 +59,18 @@ TEST_CASE("AGS4: the only specimen is read, other groups are not") {
   CHECK(g.notes()[0] == "Specimen '327-16A/24.55/1a' of 1.");
 }
 
+TEST_CASE("AGS4: all specimens are read in the order of the file, each by itself") {
+  const std::vector<UnreadGradation> all = gradations_in(
+      head + gravel + sand + row("X", "", "2", "101") + row("X", "", "1", "0") + other_gravel, "site.ags");
+  REQUIRE(all.size() == 4);
+  CHECK(all[0].id == "BH2/24.55/1");
+  CHECK(all[1].id == "327-16A/24.55/1a");
+  CHECK(text(all[1].read().masses()) == "8 52 40 0");
+  CHECK(all[3].read().id() == "BH2/24.55/2");
+  CHECK(contains(message_of([&] { all[2].read(); }), "site.ags:14: percent passing 101 is above 100"));
+  CHECK(contains(message_of([] { gradations_in(head, "site.ags"); }), "has no DATA row"));
+}
+
 TEST_CASE("AGS4: one of several specimens is chosen by its id, or by its location if that is enough") {
   const std::string content = head + gravel + sand + other_gravel;
   CHECK(read_specimen(content, "327-16A/24.55/1a").classes() == 3);

@@ -32,7 +32,7 @@ std::string text(const std::vector<TradeoffRow> &rows) {
   for (const TradeoffRow &row : rows) {
     CHECK(row.is_optimal());
     all += (all.empty() ? "" : " ") + to_string(row.tolerance) + "/" + row.smallest.text() + "/" +
-           to_string(row.lost) + ":" + to_string(row.particles);
+           to_string(row.lost) + ":" + to_string(*row.particles);
   }
   return all;
 }
@@ -140,11 +140,11 @@ TEST_CASE("at a limit, rows share what they know") {
   options.limits.max_steps = 1000;
   options.limits.node_limit = 1;
   const Tradeoff t = tradeoff(narrow_classes(), {}, options);
-  CHECK_FALSE(t.exact().is_optimal());
+  CHECK_FALSE(t.whole().is_optimal());
   check_falling(t.by_tolerance);
   check_falling(t.by_sieve);
   const Tradeoff sand = tradeoff(example("athabasca-sand"), {}, options);
-  CHECK(sand.exact().particles == 1485);
+  CHECK(sand.whole().particles == 1485);
   for (const TradeoffRow &row : sand.by_tolerance)
     CHECK(row.particles <= 1485);
   options.time_limit = std::chrono::milliseconds(0);

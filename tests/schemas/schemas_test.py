@@ -52,6 +52,7 @@ COMMANDS = {
         ["solve", "--band", LIMITS],
         ["batch", "lines.jsonl"],
         ["batch", "lines.jsonl", "--tolerance", "retained:1%"],
+        ["batch", "lines.jsonl", "--proofs", "proofs"],
     ],
     "mdm-describe-1": [
         *(["describe", sand] for sand in SANDS),
@@ -115,7 +116,7 @@ COMMANDS = {
 # Fields that an object may be without.
 OPTIONAL = {
     "mdm-answer-1": {"upper_bound", "spectrum", "seed", "question", "start", "scale_power", "sizes", "size_power",
-                     "lower_power", "upper_power"},
+                     "lower_power", "upper_power", "proof"},
     "mdm-generate-1": {"quality", "curve", "sizes"},
     "mdm-packing-1": {"positions", "judgement"},
     "mdm-crosscheck-1": {"setting"},

@@ -42,10 +42,32 @@ TEST_CASE("with room no class's mean particle is far from that of uniform volume
       CHECK(q >= wanted.min_per_class);
       const Rational mean = mean_volume(sizes[j], sizes[j + 1], dimension);
       const Rational volume = scale.chosen * masses[j] / Rational(q);
-      CHECK(volume <= mean);
-      // The bound is rounded down to 8 digits of the size.
-      CHECK(volume > (power(sizes[j], dimension) + mean) / 2 * (1 - ratio(1, 1000000)));
+      // A share of the particles by volume, rounded; or between the bounds that the smallest N comes from,
+      // which are rounded down to 8 digits of the size.
+      const Rational share = scale.chosen * masses[j] / mean;
+      const bool is_rounded = abs(Rational(share - Rational(q))) < 1 + ratio(1, 1000000);
+      const bool is_between =
+          volume <= mean && volume > (power(sizes[j], dimension) + mean) / 2 * (1 - ratio(1, 1000000));
+      CHECK((is_rounded || is_between));
     }
+  }
+}
+
+TEST_CASE(
+    "where a number of particles is asked for, means are as near to uniform as whole numbers let them") {
+  const std::vector<Rational> sizes = {ratio(1, 10), ratio(1, 5), ratio(1, 4), ratio(3, 10), ratio(1, 2)};
+  const std::vector<Rational> masses = {3, 28, 36, 33, 0};
+  for (const int n : {1000, 20001, 1000000}) {
+    const Match m = roomy_set(gradation(sizes, masses), {10, n, 3}, {}, 8);
+    CHECK(m.particles() == n);
+    for (std::size_t j = 0; j < 4; ++j) {
+      const Integer &q = m.sample->quantities[j];
+      const Rational mean = m.sample->scale->chosen * masses[j] / Rational(q);
+      const Rational off = mean / mean_volume(sizes[j], sizes[j + 1], 3) - 1;
+      CHECK(abs(off) <= ratio(1, q) * (1 + ratio(1, 1000)));
+    }
+    REQUIRE(m.notes.size() == 1);
+    CHECK(m.notes[0].find("the mean volume of the particles of every class is within ") == 0);
   }
 }
 

@@ -11,8 +11,9 @@ namespace mdm {
 
 /// One line of JSON, schema `mdm-answer-1`, without a newline at its end. Every exact number is a string.
 /// Where openings are irrational, `lower` and `upper` have 15 digits, and `lower_power` and `upper_power` are
-/// their exact powers; `size_power` is the exponent.
-std::string answer_json(const Match &m, const Spectrum *spectrum = nullptr);
+/// their exact powers; `size_power` is the exponent. `proof` names the file of the certificate, if there is
+/// one.
+std::string answer_json(const Match &m, const Spectrum *spectrum = nullptr, const std::string &proof = "");
 
 /// lower_<unit>,upper_<unit>,mass,quantity,size_lo_<unit>,size_hi_<unit>: a row a class, empty ones included.
 std::string answer_csv(const Match &m);

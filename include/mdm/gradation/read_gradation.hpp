@@ -5,6 +5,7 @@
 #include <mdm/gradation/gradation.hpp>
 #include <mdm/gradation/reading.hpp>
 
+#include <functional>
 #include <optional>
 
 namespace mdm {
@@ -41,6 +42,16 @@ Gradation read_gradation(std::string_view content, const std::string &file, cons
 /// The same of the file with that path.
 /// \throws InputError naming the file, also where it cannot be read
 Gradation read_gradation_file(const std::string &path, const Reading &reading = {});
+
+/// One of the gradations of a file, which is still to be read.
+struct UnreadGradation {
+  std::string id;
+  std::function<Gradation()> read; ///< \throws InputError as read_gradation
+};
+
+/// The gradations of a file: of AGS4 all specimens, else one. Several threads may read them.
+/// \throws InputError where the file does not say which there are
+std::vector<UnreadGradation> gradations_in(std::string content, const std::string &file);
 
 /// A gradation of decimals, exactly, as a file has them: gradation_of({"0.075", "0.15", "0.3"}, {"3.6", "9",
 /// "0"}).

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <mdm/checker.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+// What the program mdm-check reads and writes.
+namespace mdm::checker {
+
+constexpr std::size_t most_gradation_bytes = std::size_t{64} << 20U;
+constexpr std::size_t most_certificate_bytes = std::size_t{256} << 20U;
+
+/// Throws the message `who: what`.
+[[noreturn]] void fail(const std::string &who, const std::string &what);
+
+/// Reads a file, or standard input for `-`, in pieces, so that a device without end ends at the limit. Throws
+/// std::runtime_error where it cannot be read.
+Input read_input(const std::string &path, std::size_t most_bytes);
+
+/// Writes to standard output. Throws std::runtime_error.
+void print(const std::string &text);
+
+/// The lines of a file, or of standard input for `-`, one after the other in memory.
+class InputLines {
+public:
+  /// Throws std::runtime_error, as next() does.
+  explicit InputLines(const std::string &path);
+
+  /// The next line without its end, under the name `file:line`; nothing at the end.
+  std::optional<Input> next();
+  /// That of the last line.
+  std::uint64_t number() const { return number_; }
+  const std::string &name() const { return name_; }
+
+private:
+  std::string name_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE *)> file_;
+  std::uint64_t number_ = 0;
+};
+
+} // namespace mdm::checker

@@ -1,0 +1,139 @@
+#include "cli/batch_sources.hpp"
+
+#include "text/lines.hpp"
+
+#include <mdm/gradation/write_gradation.hpp>
+#include <mdm/text/error.hpp>
+
+#include <algorithm>
+#include <optional>
+
+namespace mdm::cli {
+namespace {
+
+constexpr std::string_view white_space = " \t\r\n";
+
+/// `text` from its first character on that is no white space.
+std::string_view without_blank_lines(std::string_view text) {
+  return text.substr(std::min(text.find_first_not_of(white_space), text.size()));
+}
+
+/// True where a file that begins so is JSON Lines: its first line is an object, or its second begins one; a
+/// gradation in JSON has one object, on lines of its own. Nothing while the beginning does not say it.
+std::optional<bool> begins_suite(std::string_view beginning, bool is_all) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (beginning.starts_with(byte_order_mark))
+    beginning.remove_prefix(byte_order_mark.size());
+  const std::string_view text = without_blank_lines(beginning);
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view second = without_blank_lines(text.substr(end));
+  const std::string_view first = text.substr(0, text.find_last_not_of(white_space, end) + 1);
+  if (end < text.size() && first.starts_with('{') && first.ends_with('}'))
+    return true;
+  if (!second.empty())
+    return second.starts_with('{');
+  if (is_all)
+    return first.empty() || first.starts_with('{');
+  return std::nullopt;
+}
+
+bool is_suite(FileLines &file) {
+  constexpr std::size_t longest_look = std::size_t{1} << 20;
+  for (;;) {
+    const std::string_view beginning = file.look_further();
+    if (const std::optional<bool> known = begins_suite(beginning, file.is_at_end()))
+      return *known;
+    if (beginning.size() > longest_look)
+      return without_blank_lines(beginning).starts_with('{');
+  }
+}
+
+/// \param line without it the line was too long
+BatchItem item_of_line(const FileLines::Line &line, std::uint64_t number, const std::string &where,
+                       const std::string &fallback_id) {
+  BatchItem item{number, where, [fallback_id] { return fallback_id; }, {}, {}};
+  if (!line) {
+    item.read = [where]() -> Gradation {
+      throw InputError(printable(where) + ": " + FileLines::too_long("the line") +
+                       ": write one gradation a line");
+    };
+  } else if (line->find_first_not_of(" \t\r") != std::string::npos) {
+    const auto text = std::make_shared<const std::string>(*line);
+    item.id = [text, fallback_id] { return json_gradation_id(*text).value_or(fallback_id); };
+    item.read = [text, where, fallback_id] { return read_json_gradation(*text, where, fallback_id); };
+  }
+  return item;
+}
+
+} // namespace
+
+BatchSources::BatchSources(std::vector<std::string> files)
+    : files_(std::move(files)), is_stream_(files_.empty()) {
+  if (is_stream_)
+    files_.emplace_back("-");
+}
+
+std::vector<BatchItem> BatchSources::next(std::size_t most) {
+  constexpr std::size_t most_bytes = max_gradation_bytes;
+  std::vector<BatchItem> items;
+  while (items.empty()) {
+    if (!waiting_.empty()) {
+      const auto end = waiting_.begin() + static_cast<std::ptrdiff_t>(std::min(most, waiting_.size()));
+      std::move(waiting_.begin(), end, std::back_inserter(items));
+      waiting_.erase(waiting_.begin(), end);
+    } else if (suite_) {
+      add_lines(items, most);
+    } else if (opened_ == files_.size()) {
+      break;
+    } else {
+      waiting_bytes_ = 0;
+      do
+        open(files_[opened_++]);
+      while (!suite_ && opened_ < files_.size() && waiting_.size() < most && waiting_bytes_ < most_bytes);
+    }
+  }
+  return items;
+}
+
+void BatchSources::open(const std::string &file) {
+  auto content = std::make_unique<FileLines>(file);
+  if (is_stream_ || is_suite(*content)) {
+    suite_ = std::move(content);
+    line_ = 0;
+  } else {
+    add_gradations(shown_name(file), *content);
+  }
+}
+
+void BatchSources::add_gradations(const std::string &file, FileLines &content) {
+  try {
+    const auto text = std::make_shared<const std::string>(content.rest(max_gradation_bytes));
+    waiting_bytes_ += text->size();
+    const bool is_one = !is_ags4(*text);
+    for (UnreadGradation &g : gradations_in(*text, file)) {
+      BatchItem item{++count_, file, [id = g.id] { return id; }, std::move(g.read), {}};
+      item.checked_as = [text, file, is_one](const Gradation &read) {
+        return is_one && understand_gradation(*text, file).is_canonical ? *text : gradation_csv(read);
+      };
+      waiting_.push_back(std::move(item));
+    }
+  } catch (const InputError &e) {
+    const auto refuse = [error = e]() -> Gradation { throw error; };
+    waiting_.push_back({++count_, file, [file] { return stem(file); }, refuse, {}});
+  }
+}
+
+void BatchSources::add_lines(std::vector<BatchItem> &items, std::size_t most) {
+  for (const FileLines::Line &line : suite_->next(most)) {
+    ++line_;
+    items.push_back(
+        item_of_line(line, ++count_, line_name(files_[opened_ - 1], line_), std::to_string(line_)));
+    // Of several files the numbers of gradations are not those of lines.
+    if (line && files_.size() > 1)
+      items.back().checked_as = [text = *line](const Gradation &) { return text; };
+  }
+  if (items.empty())
+    suite_.reset();
+}
+
+} // namespace mdm::cli
