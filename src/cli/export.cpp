@@ -130,17 +130,17 @@ struct Particles {
   bool has_gradation = true;    ///< FILE is one, by which the particles can be judged
 };
 
-/// Refuses the options of solving, which a file has no use for that `has` what they would ask for.
-void refuse_solving(const ExportCommand &c, const char *has) {
+/// Refuses the options of solving, of which there is no more to ask. \param what  the particles
+void refuse_solving(const ExportCommand &c, const char *what) {
   for (const CLI::Option *option : c.solving)
     if (option->count() > 0 && option->get_name() != "--law")
-      throw InputError(option->get_name() + ": " + printable(shown_name(*c.file)) + " " + has +
-                       ": leave it out, or export the gradation");
+      throw InputError(fmt::format("{}: {} in {} is solved already: leave it out, or export the gradation",
+                                   option->get_name(), what, printable(shown_name(*c.file))));
 }
 
 Particles answer_particles(const ExportCommand &c, const std::string &content,
                            const ParticleSetOptions &options) {
-  refuse_solving(c, "is an answer, solved already");
+  refuse_solving(c, "the answer");
   const AnswerSample answer = read_answer(content, shown_name(*c.file));
   const MassLaw law = c.flags.GradationFlags::question().law;
   return {in_file(*c.file, [&] { return particle_set(answer, law, options); }),
@@ -162,7 +162,7 @@ std::optional<LengthUnit> size_unit(const ExportCommand &c) {
 
 /// The particles of a file of them, as they are.
 Particles sample_particles(const ExportCommand &c, const ParticleSetOptions &options) {
-  refuse_solving(c, "holds particles already");
+  refuse_solving(c, "the set of particles");
   if (c.spread || c.reading.is_given())
     throw InputError((c.spread ? "--spread" : c.reading.given()) + ": " + printable(*c.file) +
                      " holds particles already: leave it out");

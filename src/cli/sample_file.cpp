@@ -77,6 +77,13 @@ bool is_answer_file(const std::string &path) {
   return path == "-" || (trimmed(without_byte_order_mark(begin)).starts_with('{') && !is_generated(begin));
 }
 
+void refuse_long(const std::string &where, const char *what) {
+  throw file_error(
+      where, FileLines::too_long(what) +
+                 ", which is not read: of a spread so large (1.5 million particles) "
+                 "verify what mdm export --spread --to csv writes, with the options and --seed of solve");
+}
+
 void read_lines(ParticleReader &reader, std::vector<FileLines::Line> first, FileLines &rest,
                 const std::string &path) {
   std::uint64_t number = 0;
@@ -84,7 +91,7 @@ void read_lines(ParticleReader &reader, std::vector<FileLines::Line> first, File
     for (const FileLines::Line &line : first) {
       ++number;
       if (!line)
-        throw file_error(line_name(path, number), FileLines::too_long("the line"));
+        refuse_long(line_name(path, number), "the line");
       reader.line(*line);
     }
   reader.end();

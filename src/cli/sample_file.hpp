@@ -23,6 +23,9 @@ bool is_generated_file(const std::string &path);
 /// True for a file of JSON that is no such set, and for standard input.
 bool is_answer_file(const std::string &path);
 
+/// Refuses a line, or an answer, that is longer than lines may be.
+[[noreturn]] void refuse_long(const std::string &where, const char *what);
+
 /// Gives the reader the lines of a file of which the first were taken already, and its end.
 /// \throws InputError naming the line
 void read_lines(ParticleReader &reader, std::vector<FileLines::Line> first, FileLines &rest,

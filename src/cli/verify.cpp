@@ -17,7 +17,7 @@
 #include <mdm/particles/particle_reader.hpp>
 #include <mdm/text/error.hpp>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <atomic>
 #include <memory>
@@ -28,7 +28,8 @@ namespace {
 struct VerifyCommand {
   std::string gradation, sample;
   GradationFlags flags;
-  GradationFlags::Text from, size_unit, timestep, snap, tolerance, digits;
+  GradationFlags::Text from, size_unit, timestep, snap, band, digits;
+  std::vector<std::string> tolerances;
   ReadingFlags reading;
   bool radius = false;
   bool diameter = false;
@@ -37,17 +38,38 @@ struct VerifyCommand {
 
 constexpr std::size_t lines_at_once = 4096;
 
-/// `1%` or `1`: percentage points, as a part of 1.
-Rational tolerance_of(const VerifyCommand &c) {
-  if (!c.tolerance)
-    return 0;
-  const bool has_sign = c.tolerance->size() > 1 && c.tolerance->back() == '%';
-  try {
-    return not_negative("", c.tolerance->substr(0, c.tolerance->size() - (has_sign ? 1 : 0))) / 100;
-  } catch (const InputError &) {
-    throw InputError("--tolerance: " + in_quotes(*c.tolerance) +
-                     " is not a number of percentage points from 0 on: write for example 1%");
+/// What a sample's shares may differ by.
+struct Allowed {
+  Rational most_error = 0; ///< of a share; 1: any
+  Tolerance bounds;
+  std::string within; ///< in words, where there are bounds
+};
+
+/// Tolerances on what is retained in percent are errors of shares, as none at all is; all else is bounds.
+Allowed allowed(const VerifyCommand &c, const Gradation &g, const Question &question) {
+  std::vector<AskedTolerance> asked;
+  std::vector<std::string> words;
+  Allowed a;
+  if (!c.tolerances.empty() || c.band)
+    a.most_error = 1;
+  for (const std::string &text : c.tolerances) {
+    const AskedTolerance t = named("--tolerance", text, parse_tolerance);
+    words.push_back(to_string(t));
+    if (t.kind == AskedTolerance::Kind::retained)
+      a.most_error = std::min(a.most_error, Rational(t.percent / 100));
+    else
+      asked.push_back(t);
   }
+  std::optional<Envelope> band;
+  if (c.band) {
+    band = read_envelope(read_file(*c.band, max_gradation_bytes), shown_name(*c.band));
+    words.push_back("the band " + printable(band->id));
+  }
+  if (asked.empty() && !band)
+    return a;
+  a.bounds = in_file(c.gradation, [&] { return tolerance_of(g, asked, band, question.size_factor); });
+  a.within = fmt::format("{}", fmt::join(words, ", "));
+  return a;
 }
 
 ParticleOptions particle_options(const VerifyCommand &c, SizeUnit target) {
@@ -119,13 +141,6 @@ struct Found {
   Description description;
   std::vector<std::string> objections, notes;
 };
-
-[[noreturn]] void refuse_long(const std::string &where, const char *what) {
-  throw file_error(
-      where, FileLines::too_long(what) +
-                 ", which is not read: of a spread so large (1.5 million particles) "
-                 "verify what mdm export --spread --to csv writes, with the options and --seed of solve");
-}
 
 /// All lines of a file of which the first were taken already.
 std::string whole_text(const std::vector<FileLines::Line> &first, FileLines &rest, const std::string &file) {
@@ -224,17 +239,21 @@ int run(const VerifyCommand &c) {
     throw InputError("GRADATION and SAMPLE cannot both be standard input: give one of them as a file");
   check_distinct({c.gradation, c.output.path()});
   check_distinct({c.sample, c.output.path()});
+  if (c.band)
+    check_distinct({*c.band, c.output.path()});
   if (is_disc_sizes_file(c.gradation))
     return verify_packing(c.gradation, c.sample, c.output);
   const Question question = c.flags.question();
-  const Rational tolerance = tolerance_of(c);
   const Rational snap = c.snap ? not_negative("--snap", *c.snap) : Rational(0);
   const unsigned digits = c.digits ? digits_of("--digits", *c.digits) : 6;
   const Asked target = read_target(c, question);
   Output out(c.output.path());
 
   Found found = read_sample(c, target.gradation, question, snap);
-  Verification v(std::move(found.description), question, tolerance);
+  Allowed within = allowed(c, target.gradation, question);
+  Verification v(std::move(found.description), question, within.most_error);
+  v.bounds = std::move(within.bounds);
+  v.within = std::move(within.within);
   v.smallest = target.smallest;
   v.sample = shown_name(c.sample);
   v.digits = digits;
@@ -285,9 +304,15 @@ Run add_verify(CLI::App &app) {
   command.add_option("--timestep", c->timestep, "the timestep of a dump, instead of the last")
       ->type_name("T");
   command
-      .add_option("--tolerance", c->tolerance,
-                  "greatest error of a share of the mass, in percentage points (0): 1% or 1")
-      ->type_name("T");
+      .add_option(
+          "--tolerance", c->tolerances,
+          "what shares may differ by: retained:1% or 1% (percentage points, of each class), passing:0.5%, "
+          "total:1%, "
+          "retained:file, passing:file, laboratory, rounding; none is 0; may be repeated, and all hold")
+      ->type_name("WHICH")
+      ->allow_extra_args(false);
+  command.add_option("--band", c->band, "what passes lies within the envelope in FILE, as for solve")
+      ->type_name("FILE");
   command
       .add_option("--snap", c->snap,
                   "take a size within EPS times an opening of it as that opening (0), for sizes computed in "
@@ -306,7 +331,7 @@ Run add_verify(CLI::App &app) {
           paragraph("Exit 0 if no particle lies outside all classes and every share is within the "
                     "tolerance; 1 if not; 3 if an irrational law leaves it open."),
       {"mdm verify sand.csv packing.txt --from xyzr --size-unit m --tolerance 1%",
-       "mdm verify sand.csv sand-settled.dump --tolerance 1e-6",
+       "mdm verify sand.csv sand-settled.dump --tolerance passing:0.5% --tolerance retained:2%",
        "mdm verify sand.csv sizes.csv --format json -o report.json"}));
   return [c] { return run(*c); };
 }

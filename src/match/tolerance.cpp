@@ -92,27 +92,41 @@ void narrow_to_envelope(Tolerance &tolerance, const Gradation &g, const Envelope
   }
 }
 
+/// The number in a text; nothing if it is none.
+std::optional<Rational> decimal_in(std::string_view text) {
+  try {
+    return parse_decimal(text);
+  } catch (const InputError &) {
+    return std::nullopt;
+  }
+}
+
 } // namespace
 
 AskedTolerance parse_tolerance(std::string_view text) {
+  if (text == "file")
+    return {Kind::retained_file, 0};
   for (const Named &named : of_words)
     if (text == named.name)
       return {named.kind, 0};
-  for (const Named &named : of_percent) {
-    if (!text.starts_with(named.name))
-      continue;
-    if (!text.ends_with('%'))
-      throw InputError(in_quotes(text) + " has no unit: write percentage points, for example " +
-                       std::string(named.name) + "1%");
-    const std::string_view number = text.substr(named.name.size());
-    const Rational percent = parse_decimal(number.substr(0, number.size() - 1));
-    if (percent < 0 || percent > 100)
-      throw InputError(in_quotes(text) + " is not between 0 and 100 percentage points");
-    return {named.kind, percent};
-  }
-  throw InputError(in_quotes(text) +
-                   " is no tolerance: write retained:1%, passing:0.5%, total:1%, retained:file, "
-                   "passing:file, laboratory or rounding");
+  AskedTolerance asked; // without a word it is of what is retained
+  std::string_view number = text;
+  for (const Named &named : of_percent)
+    if (text.starts_with(named.name)) {
+      asked.kind = named.kind;
+      number.remove_prefix(named.name.size());
+    }
+  if (number.ends_with('%'))
+    number.remove_suffix(1);
+  const std::optional<Rational> percent = decimal_in(number);
+  if (!percent)
+    throw InputError(in_quotes(text) +
+                     " is no tolerance: write retained:1%, passing:0.5%, total:1%, retained:file, "
+                     "passing:file, laboratory or rounding");
+  if (*percent < 0 || *percent > 100)
+    throw InputError(in_quotes(text) + " is not between 0 and 100 percentage points");
+  asked.percent = *percent;
+  return asked;
 }
 
 std::string to_string(const AskedTolerance &asked) {

@@ -28,7 +28,7 @@ std::array<std::size_t, 5> places(const Source &source, std::size_t line,
   for (std::size_t i = 0; i < column_names.size(); ++i) {
     const auto found = std::find(header.begin(), header.end(), column_names[i]);
     if (found == header.end() || header.size() != column_names.size())
-      source.refuse(line, std::string("the header is not that of specimens: let it name the column_names ") +
+      source.refuse(line, std::string("the header is not that of specimens: let it name the columns ") +
                               column_list);
     at[i] = static_cast<std::size_t>(found - header.begin());
   }

@@ -3,6 +3,7 @@
 #include "answer/json_values.hpp"
 #include "gradation/shown.hpp"
 #include "number/counted.hpp"
+#include "report/share_bounds.hpp"
 #include "text/text_buffer.hpp"
 #include "text/text_table.hpp"
 #include "text/versions.hpp"
@@ -166,19 +167,23 @@ void add_table(Buffer &out, const Verification &v) {
 
 } // namespace
 
-Verification::Verification(Description d, Question asked, Rational within)
+Verification::Verification(Description d, Question asked, Rational most_error)
     : description(std::move(d)), error(description.error()), question(std::move(asked)),
-      tolerance(std::move(within)) {}
+      tolerance(std::move(most_error)) {}
 
 Verdict Verification::verdict() const {
-  if (!description.describes() || !objections.empty() || error.maximum.lo > tolerance)
+  const std::optional<bool> is_within = check_bounds(bounds, error, description.gradation(), digits).holds;
+  if (!description.describes() || !objections.empty() || error.maximum.lo > tolerance || is_within == false)
     return Verdict::no_match;
-  return error.maximum.hi <= tolerance && description.unplaced().count == 0 ? Verdict::match
-                                                                            : Verdict::undecided;
+  const bool is_sure = is_within == true && description.unplaced().count == 0;
+  return error.maximum.hi <= tolerance && is_sure ? Verdict::match : Verdict::undecided;
 }
 
 std::string headline(const Verification &v) {
-  const std::string tolerance = v.tolerance == 0 ? "" : " within " + percent(v.tolerance, 15) + " %";
+  const std::string tolerance = !v.within.empty()  ? " within " + v.within
+                                : v.tolerance == 0 ? ""
+                                                   : " within " + percent(v.tolerance, 15) + " %";
+  const std::string broken = check_bounds(v.bounds, v.error, v.description.gradation(), v.digits).reason;
   const std::string worst = fmt::format("the largest error of a share is {} %, in {}",
                                         percent(v.error.maximum, v.digits), class_name(v.error.worst));
   const Integer outside = v.description.below().count + v.description.above().count;
@@ -198,7 +203,7 @@ std::string headline(const Verification &v) {
       return "does not match: " + v.objections.front();
     if (outside > 0)
       return "does not match: " + counted(outside) + " outside all classes";
-    return "does not match" + tolerance + ": " + worst;
+    return "does not match" + tolerance + ": " + (broken.empty() ? worst : broken);
   }
 }
 
@@ -253,6 +258,7 @@ std::string verification_json(const Verification &v) {
   json.key("sample").string(v.sample);
   json.key("verdict").plain(verdicts.at(static_cast<std::size_t>(v.verdict())));
   write(json.key("tolerance_percent"), Rational(100 * v.tolerance));
+  write_text(json.key("within"), v.within);
   write(json.key("particles"), d.particles());
   json.key("smallest").bounds(to_string(v.smallest.lo), to_string(v.smallest.hi));
   json.key("ratio").plain(v.smallest.ratio_text(d.particles()));

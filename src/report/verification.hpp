@@ -6,26 +6,29 @@
 
 #include <mdm/gradation/description.hpp>
 #include <mdm/match/solve.hpp>
+#include <mdm/match/tolerance.hpp>
 
 namespace mdm {
 
 /// The conditions that decide whether a sample matches.
 enum class Verdict {
-  match,    ///< no particle lies outside all classes, and every share is within the tolerance
+  match,    ///< no particle lies outside all classes, and every share is within the tolerance and the bounds
   no_match, ///< the contrary
-  undecided ///< an irrational share is closer to the tolerance than 4096 bits can tell
+  undecided ///< a share of which an enclosure is known, which does not tell
 };
 
 /// A sample beside its gradation.
 struct Verification {
   /// \param asked  what d's gradation and law are; for the report
-  /// \param within  the tolerance
-  Verification(Description d, Question asked, Rational within);
+  /// \param most_error  the tolerance
+  Verification(Description d, Question asked, Rational most_error);
 
   Description description;
   MatchError error;
   Question question;
-  Rational tolerance;                  ///< greatest error of a share that is allowed, of 1
+  Rational tolerance;                  ///< greatest error of a share that is allowed, of 1; 1: any
+  Tolerance bounds;                    ///< on the shares, besides
+  std::string within;                  ///< all that is allowed, in words, where there are bounds besides
   SmallestMatch smallest;              ///< N of the smallest exact match
   std::string sample;                  ///< name, for the report
   unsigned digits = 6;                 ///< significant digits of percents

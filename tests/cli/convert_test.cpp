@@ -132,7 +132,7 @@ TEST_CASE("notes go to standard error and --quiet drops them", "[cli]") {
   CHECK(quiet.err.empty());
 }
 
-TEST_CASE("--dry-run shows what was understood and writes nothing", "[cli]") {
+TEST_CASE("convert --dry-run shows what was understood and writes nothing", "[cli]") {
   const TemporaryFolder folder;
   const std::string path =
       folder.write("sand.txt", "Labor Nord\nSiebweite [mm];Durchgang [%]\n2,0;100\n0,063;4,5\n");

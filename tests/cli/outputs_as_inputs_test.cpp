@@ -190,7 +190,7 @@ TEST_CASE("Outputs as inputs: what is drawn") {
   draw({"answer.json"}, 2, "give the gradation that it was asked about");
   draw({"sand.csv", "set.csv"}, 2, "mdm generate --sizes");
   draw({"sand.csv", "discs.packing"}, 2, "mdm export");
-  draw({"sand.csv", "converted.csv"}, 2, "neither the JSON answer of mdm solve nor a file of particles");
+  draw({"sand.csv", "converted.csv"}, 2, "a file of particles has size_mm");
 }
 
 TEST_CASE("Outputs as inputs: the classes of a set as a gradation have its volume fractions") {

@@ -176,9 +176,42 @@ TEST_CASE("verify: the tolerance is closed and in percentage points", "[cli]") {
     CHECK(exit_of(g, s, {"--tolerance", little}) == 1);
   CHECK(verify_json(g, s, 0, {"--tolerance", "0.25e2"}).at("tolerance_percent") == "25");
   CHECK(exit_of(g, sample("2,24\n4,1\n1,1\n"), {"--tolerance", "100%"}) == 1); // one outside
-  for (const char *wrong : {"-1%", "x", "%", "1%%", "retained:1%"})
+  for (const char *wrong : {"x", "%", "1%%", "retained:", "passing"})
     check_refused(verify(g, s, {std::string("--tolerance=") + wrong}),
-                  "--tolerance: '" + std::string(wrong) + "' is not a number of percentage points");
+                  "--tolerance: '" + std::string(wrong) + "' is no tolerance");
+  for (const char *wrong : {"-1%", "101"})
+    check_refused(verify(g, s, {std::string("--tolerance=") + wrong}), "is not between 0 and 100");
+}
+
+TEST_CASE("verify: tolerances of all kinds and a band hold together", "[cli]") {
+  const std::string g = "size_mm,mass,tolerance_percent\n1,8,25\n2,8,30\n4,0,0\n"; // halves
+  const std::string s = sample("2,24\n4,1\n");                                     // 3/4 and 1/4
+  const auto exit_within = [&](const Arguments &tolerances) {
+    Arguments options;
+    for (const std::string &t : tolerances)
+      options.insert(options.end(), {"--tolerance", t});
+    return exit_of(g, s, options);
+  };
+  CHECK(exit_within({"passing:25%"}) == 0);
+  CHECK(exit_within({"passing:24.999%"}) == 1);
+  CHECK(exit_within({"total:50"}) == 0);
+  CHECK(exit_within({"total:49"}) == 1);
+  CHECK(exit_within({"file"}) == 0);
+  CHECK(exit_within({"retained:25", "passing:25"}) == 0);
+  CHECK(exit_within({"retained:24", "passing:25"}) == 1);
+  CHECK(exit_within({"retained:25", "passing:24"}) == 1);
+  CHECK(verify_json(g, s, 0, {"--tolerance", "passing:25%"}).at("within") == "passing:25%");
+  CHECK(verify_json(g, s, 0, {"--tolerance", "25%"}).at("within").is_null());
+
+  const TemporaryFolder folder;
+  const auto exit_in_band = [&](const char *least, const char *most) {
+    const std::string band = folder / "band.csv";
+    std::ofstream(band) << "size_mm,passing_min_percent,passing_max_percent\n1,0,0\n2," << least << ","
+                        << most << "\n4,100,100\n";
+    return exit_of(g, s, {"--band", band});
+  };
+  CHECK(exit_in_band("75", "75") == 0);
+  CHECK(exit_in_band("0", "74.9") == 1);
 }
 
 TEST_CASE("verify: sizes computed in double are taken as the sieve with --snap", "[cli]") {

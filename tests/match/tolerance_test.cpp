@@ -67,8 +67,11 @@ TEST_CASE("what is no tolerance is refused with what to write") {
   CHECK(contains(refusal_of("1%"), "is no tolerance: write retained:1%"));
   CHECK(contains(refusal_of(""), "is no tolerance"));
   CHECK(contains(refusal_of("Retained:1%"), "is no tolerance"));
-  CHECK(contains(refusal_of("total:file"), "has no unit"));
-  CHECK(contains(refusal_of("retained:1"), "has no unit: write percentage points, for example retained:1%"));
+  CHECK(contains(refusal_of("total:file"), "is no tolerance"));
+  CHECK(contains(refusal_of("1 %"), "is no tolerance"));
+  CHECK(parse_tolerance("retained:1") == parse_tolerance("retained:1%"));
+  CHECK(parse_tolerance("0.5") == parse_tolerance("retained:0.5%"));
+  CHECK(parse_tolerance("file") == parse_tolerance("retained:file"));
   CHECK(contains(refusal_of("retained:-1%"), "is not between 0 and 100"));
   CHECK(contains(refusal_of("passing:100.1%"), "is not between 0 and 100"));
   CHECK(contains(refusal_of("retained:nan%"), "'nan' is not a number"));

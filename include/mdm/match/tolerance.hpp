@@ -30,7 +30,7 @@ struct AskedTolerance {
 };
 
 /// Reads `retained:1%`, `passing:0.5%`, `total:1%`, `retained:file`, `passing:file`, `laboratory` or
-/// `rounding`.
+/// `rounding`. The sign may be left out, and `retained:` too: `1`, `file`.
 /// \throws InputError for anything else, and for percentages not in [0, 100]
 AskedTolerance parse_tolerance(std::string_view text);
 
