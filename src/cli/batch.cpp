@@ -7,6 +7,7 @@
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
+#include "cli/reading_flags.hpp"
 #include "cli/solve_flags.hpp"
 #include "text/json_writer.hpp"
 
@@ -27,6 +28,7 @@ namespace {
 struct BatchCommand {
   std::vector<std::string> files;
   SolveFlags flags;
+  ReadingFlags reading;
   std::optional<std::string> proofs;
   unsigned threads = 1;
   OutputFlags output;
@@ -203,7 +205,7 @@ int run(const BatchCommand &c) {
   if (c.proofs)
     make_folder(*c.proofs);
   const Batch batch(c);
-  BatchSources sources(c.files);
+  BatchSources sources(c.files, c.reading);
   Output out(c.output.path());
   BatchReport report(c.output);
   std::atomic<std::uint64_t> count = 0;
@@ -242,6 +244,7 @@ Run add_batch(CLI::App &app) {
       ->check(CLI::IsMember({"json", "csv"}));
   c->output.add_out(command);
   c->output.add_quiet(command, "no progress and no notes on standard error");
+  c->reading.add_to(command);
   command.footer(footer("", {"mdm batch suite.jsonl -j 4 -o answers.jsonl --proofs proofs",
                              "mdm batch site/*.csv report.ags -o answers.csv",
                              "mdm batch --tolerance retained:1% < suite.jsonl > answers.jsonl"}));

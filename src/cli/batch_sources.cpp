@@ -67,8 +67,9 @@ BatchItem item_of_line(const FileLines::Line &line, std::uint64_t number, const 
 
 } // namespace
 
-BatchSources::BatchSources(std::vector<std::string> files)
-    : files_(std::move(files)), is_stream_(files_.empty()) {
+BatchSources::BatchSources(std::vector<std::string> files, ReadingFlags flags)
+    : files_(std::move(files)), flags_(std::move(flags)), reading_(flags_.reading()),
+      is_stream_(files_.empty()) {
   if (is_stream_)
     files_.emplace_back("-");
 }
@@ -98,6 +99,10 @@ std::vector<BatchItem> BatchSources::next(std::size_t most) {
 void BatchSources::open(const std::string &file) {
   auto content = std::make_unique<FileLines>(file);
   if (is_stream_ || is_suite(*content)) {
+    if (flags_.is_given())
+      throw file_error(shown_name(file), flags_.given() +
+                                             " is of gradation files, and this is JSON Lines, which "
+                                             "say what they hold: leave it out");
     suite_ = std::move(content);
     line_ = 0;
   } else {
@@ -110,10 +115,11 @@ void BatchSources::add_gradations(const std::string &file, FileLines &content) {
     const auto text = std::make_shared<const std::string>(content.rest(max_gradation_bytes));
     waiting_bytes_ += text->size();
     const bool is_one = !is_ags4(*text);
-    for (UnreadGradation &g : gradations_in(*text, file)) {
+    for (UnreadGradation &g : gradations_in(*text, file, reading_)) {
       BatchItem item{++count_, file, [id = g.id] { return id; }, std::move(g.read), {}};
-      item.checked_as = [text, file, is_one](const Gradation &read) {
-        return is_one && understand_gradation(*text, file).is_canonical ? *text : gradation_csv(read);
+      item.checked_as = [text, file, is_one, reading = reading_](const Gradation &read) {
+        return is_one && understand_gradation(*text, file, reading).is_canonical ? *text
+                                                                                 : gradation_csv(read);
       };
       waiting_.push_back(std::move(item));
     }

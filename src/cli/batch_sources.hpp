@@ -3,6 +3,7 @@
 /// The gradations of a batch, from suites and from gradation files.
 
 #include "cli/files.hpp"
+#include "cli/reading_flags.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 
@@ -30,7 +31,8 @@ struct BatchItem {
 /// gradation file with one gradation or many. Without files, standard input is JSON Lines.
 class BatchSources {
 public:
-  explicit BatchSources(std::vector<std::string> files);
+  /// \param flags  of gradation files: JSON Lines, which say what they hold, are refused with them
+  BatchSources(std::vector<std::string> files, ReadingFlags flags);
 
   /// The gradations that are there, at least one and at most `most`; empty at the end. Of a suite it waits
   /// only for the first. Memory: that of the lines, or some 64 MiB of gradation files.
@@ -43,6 +45,8 @@ private:
   void add_lines(std::vector<BatchItem> &items, std::size_t most);
 
   std::vector<std::string> files_;
+  ReadingFlags flags_;
+  Reading reading_;
   bool is_stream_;         ///< there were no files
   std::size_t opened_ = 0; ///< of the files
   std::uint64_t count_ = 0;

@@ -191,15 +191,27 @@ Gradation read_gradation_file(const std::string &path, const Reading &reading) {
   return read_gradation(content_of(path), path, reading);
 }
 
-std::vector<UnreadGradation> gradations_in(std::string content, const std::string &file) {
-  if (is_ags4(content)) {
+std::vector<UnreadGradation> gradations_in(std::string content, const std::string &file,
+                                           const Reading &reading) {
+  if (is_ags4(content) && !reading.specimen) {
     const Source source(file);
+    check_reading(reading, source, FileKind::other);
     source.check_length(content, max_gradation_bytes);
     const std::string_view text = without_byte_order_mark(content);
     source.check_line_ends(text);
-    return ags4_specimens(text, file, stem(file));
+    std::vector<UnreadGradation> all = ags4_specimens(text, file, stem(file));
+    if (!reading.round)
+      return all;
+    const auto whole = std::make_shared<const std::string>(content);
+    for (UnreadGradation &g : all) {
+      Reading one = reading;
+      one.specimen = g.id;
+      g.read = [whole, file, one] { return read_gradation(*whole, file, one); };
+    }
+    return all;
   }
-  return {{stem(file), [content = std::move(content), file] { return read_gradation(content, file); }}};
+  return {{stem(file),
+           [content = std::move(content), file, reading] { return read_gradation(content, file, reading); }}};
 }
 
 Gradation gradation_of(const std::vector<std::string> &sizes, const std::vector<std::string> &masses,

@@ -400,3 +400,24 @@ TEST_CASE("memory does not grow with the number of lines", "[cli]") {
     CHECK(most_kib(40, threads) < most_kib(2, threads) + 8 * 1024);
 }
 #endif
+
+TEST_CASE("batch reads gradation files as the options of reading say, and refuses them for JSON Lines") {
+  const TemporaryFolder folder;
+  const std::string table = folder.write("table.csv", "a,b\n1,0.501\n2,0.499\n4,0\n");
+  const std::string suite =
+      folder.write("suite.jsonl", "{\"sizes\": [\"1\", \"2\"], \"masses\": [\"1\", \"0\"]}\n");
+  const Arguments reading = {"--columns", "1,2", "--kind", "retained", "--unit", "mm"};
+  const auto batch = [&reading](const std::string &file, const Arguments &more) {
+    Arguments command = {"batch", file};
+    command.insert(command.end(), reading.begin(), reading.end());
+    command.insert(command.end(), more.begin(), more.end());
+    return mdm(command);
+  };
+  const Outcome whole = batch(table, {}), rounded = batch(table, {"--round", "1"});
+  CHECK(whole.exit_code == 0);
+  CHECK(whole.out.find("\"mass\":\"0.501\"") != std::string::npos);
+  CHECK(rounded.exit_code == 0);
+  CHECK(rounded.out.find("\"mass\":\"0.5\"") != std::string::npos);
+  check_refused(batch(suite, {}), "is of gradation files, and this is JSON Lines");
+  check_refused(mdm({"batch", "--round", "2"}), "stdin");
+}

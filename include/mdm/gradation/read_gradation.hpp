@@ -49,9 +49,11 @@ struct UnreadGradation {
   std::function<Gradation()> read; ///< \throws InputError as read_gradation
 };
 
-/// The gradations of a file: of AGS4 all specimens, else one. Several threads may read them.
+/// The gradations of a file: of AGS4 all specimens where `reading` names none, else one. Several threads may
+/// read them.
 /// \throws InputError where the file does not say which there are
-std::vector<UnreadGradation> gradations_in(std::string content, const std::string &file);
+std::vector<UnreadGradation> gradations_in(std::string content, const std::string &file,
+                                           const Reading &reading = {});
 
 /// A gradation of decimals, exactly, as a file has them: gradation_of({"0.075", "0.15", "0.3"}, {"3.6", "9",
 /// "0"}).
