@@ -89,9 +89,8 @@ std::vector<Specimen> read_specimens(std::string_view content, const std::string
       continue;
     }
     if (fields.size() != column_names.size())
-      source.refuse(lines.number(),
-                    fmt::format("{} column_names where the header has {}: give one value a column",
-                                fields.size(), column_names.size()));
+      source.refuse(lines.number(), fmt::format("{} columns where the header has {}: give one value a column",
+                                                fields.size(), column_names.size()));
     std::array<std::string, 5> ordered;
     for (std::size_t i = 0; i < ordered.size(); ++i)
       ordered[i] = fields[(*at)[i]];

@@ -63,6 +63,14 @@ bool is_count(std::string_view line) {
   return parse_count(trimmed(line)).has_value();
 }
 
+/// True for a line of four words, x y z r.
+bool is_place_and_radius(std::string_view line) {
+  std::vector<std::string_view> words;
+  split_words(line.substr(0, line.find('#')), words);
+  constexpr std::size_t numbers = 4;
+  return words.size() == numbers;
+}
+
 /// The format that the last of the lines at the beginning of a file tells; nothing where the next must be
 /// looked at.
 std::optional<ParticleFormat> format_of(const std::vector<std::string> &lines, const ParticleSource &source) {
@@ -125,6 +133,8 @@ std::optional<ParticleFormat> told_format(std::string_view beginning) {
           return std::nullopt; // a gradation without its masses, it may be
         particle_columns(names);
       }
+      if (format == ParticleFormat::xyzr && !is_place_and_radius(lines.back()))
+        return std::nullopt; // a table without a header, it may be
       if (format)
         return *format == ParticleFormat::answer ? std::nullopt : format;
     }
