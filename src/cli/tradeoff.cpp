@@ -141,7 +141,7 @@ Run add_tradeoff(CLI::App &app) {
           "Each row is the smallest match for the whole question: --tolerance and --band hold in all rows, "
           "--tolerances besides them in those of the first table."),
       {"mdm tradeoff sand.csv", "mdm tradeoff sand.csv --kind passing --tolerances 0,0.5,1,2 --plot sand.svg",
-       "mdm tradeoff sand.csv --specimen cylinder:50mmx100mm --void-ratio 0.6"}));
+       "mdm tradeoff sand.csv --specimen cylinder:50x100 --void-ratio 0.6"}));
   return [c] { return run(*c); };
 }
 

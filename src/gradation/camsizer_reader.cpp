@@ -63,7 +63,7 @@ private:
   }
 
   void find_sign() {
-    DecimalSign sign(false);
+    DecimalSign sign(false, true);
     for (std::size_t i = header_ + 1; i < end_; ++i)
       for (std::size_t column = 0; column < camsizer_columns; ++column)
         sign.see(number_cell(cells_.rows[i].cell(column))->digits);

@@ -10,17 +10,22 @@
 namespace mdm {
 namespace {
 
-/// True for a number such as 1,234 or 12,345,678, whose commas may stand between thousands.
-bool may_be_thousands(std::string_view digits) {
-  const std::size_t first = digits.find(',');
+/// True for a number such as 1,234 or 12,345,678, whose signs may stand between thousands.
+bool may_be_thousands(std::string_view digits, char sign) {
+  const std::size_t first = digits.find(sign);
   if (first == 0 || first > 3 || digits.front() == '0')
     return false;
   for (std::size_t at = first; at < digits.size(); at += 4) {
     const std::string_view group = digits.substr(at, 4);
-    if (group.size() != 4 || group[0] != ',' || !std::all_of(group.begin() + 1, group.end(), is_digit))
+    if (group.size() != 4 || group[0] != sign || !std::all_of(group.begin() + 1, group.end(), is_digit))
       return false;
   }
   return true;
+}
+
+[[noreturn]] void refuse_thousands(const std::string &number, const char *sign) {
+  throw InputError("the number " + in_quotes(number) + " may have a decimal " + sign +
+                   " or thousands: write it without thousands, or with more digits after the sign");
 }
 
 } // namespace
@@ -43,25 +48,22 @@ void DecimalSign::see(std::string_view digits) {
     if (place.empty())
       place = digits;
   };
-  if (digits.find(',') == std::string_view::npos) {
-    if (digits.find('.') != std::string_view::npos)
-      keep(point_);
-  } else if (!comma_is_sure_ && may_be_thousands(digits)) {
-    keep(thousands_);
-  } else {
-    keep(comma_);
-  }
+  if (digits.find(',') != std::string_view::npos)
+    keep(!comma_is_sure_ && may_be_thousands(digits, ',') ? commas_thousands_ : comma_);
+  else if (digits.find('.') != std::string_view::npos)
+    keep(!point_is_sure_ && may_be_thousands(digits, '.') ? points_thousands_ : point_);
 }
 
 char DecimalSign::sign() const {
-  const std::string &comma = comma_.empty() ? thousands_ : comma_;
-  if (!comma.empty() && !point_.empty())
-    throw InputError("the numbers " + in_quotes(comma) + " and " + in_quotes(point_) +
+  const std::string &comma = comma_.empty() ? commas_thousands_ : comma_;
+  const std::string &point = point_.empty() ? points_thousands_ : point_;
+  if (!comma.empty() && !point.empty())
+    throw InputError("the numbers " + in_quotes(comma) + " and " + in_quotes(point) +
                      " have different decimal signs: use one of them throughout");
-  if (comma_.empty() && !thousands_.empty())
-    throw InputError(
-        "the number " + in_quotes(thousands_) +
-        " may have a decimal comma or thousands: write it with a decimal point, or with more digits");
+  if (comma_.empty() && !comma.empty())
+    refuse_thousands(comma, "comma");
+  if (point_.empty() && !point.empty())
+    refuse_thousands(point, "point");
   return comma.empty() ? '.' : ',';
 }
 

@@ -20,15 +20,19 @@ std::optional<NumberCell> number_cell(std::string_view cell);
 /// The decimal sign of all numbers of a table, which are shown to it before the first is read.
 class DecimalSign {
 public:
-  explicit DecimalSign(bool comma_is_sure) : comma_is_sure_(comma_is_sure) {}
+  /// \param comma_is_sure  commas are in numbers: semicolons are between cells
+  /// \param point_is_sure  points do not stand between thousands: commas are between cells
+  DecimalSign(bool comma_is_sure, bool point_is_sure)
+      : comma_is_sure_(comma_is_sure), point_is_sure_(point_is_sure) {}
 
   void see(std::string_view digits);
-  /// \throws InputError where numbers have both signs, or only commas that may stand between thousands
+  /// \throws InputError where numbers have both signs, or only signs that may stand between thousands
   char sign() const;
 
 private:
-  bool comma_is_sure_;                    ///< semicolons are between cells because commas are in numbers
-  std::string point_, comma_, thousands_; ///< the first number of each form
+  bool comma_is_sure_, point_is_sure_;
+  std::string point_, comma_;                       ///< the first number of each form
+  std::string points_thousands_, commas_thousands_; ///< the same, where the sign may stand between thousands
 };
 
 } // namespace mdm

@@ -83,7 +83,7 @@ private:
   std::string_view value_cell() const { return cells_.rows[row_].cell(columns_.value); }
 
   void find_decimal_sign() {
-    DecimalSign sign(cells_.delimiter == ';');
+    DecimalSign sign(cells_.delimiter == ';', cells_.delimiter == ',' || cells_.delimiter == '\0');
     for (std::size_t i = columns_.first_row; i < cells_.rows.size(); ++i)
       for (const std::size_t column : {columns_.size, columns_.value})
         if (const std::optional<NumberCell> number = number_cell(cells_.rows[i].cell(column)))
@@ -252,6 +252,11 @@ private:
   /// mm of a size whose unit the header says.
   Rational plain_size(const NumberCell &number) {
     const ColumnUnit unit = columns_.sizes.unit;
+    if (unit == ColumnUnit::none && columns_.sizes.meaning == ColumnMeaning::sieve)
+      refuse(fmt::format(
+          "the sieve {} is a number alone: write No. {} if it is one of ASTM, or say its unit with "
+          "--unit mm (um, m, in, phi)",
+          in_quotes(number.digits), printable(number.digits)));
     if (unit == ColumnUnit::none)
       refuse(fmt::format(
           "the size {} has no unit, and neither has the column {}: say it with --unit mm (um, m, in, "

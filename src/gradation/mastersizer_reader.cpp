@@ -84,7 +84,7 @@ private:
   }
 
   void find_sign() {
-    DecimalSign sign(sign_);
+    DecimalSign sign(sign_, true);
     for (std::size_t column = begin_; column < end_; ++column)
       for (const CellRow *row : {&cells_.rows[1], sample_})
         if (const std::optional<NumberCell> number = number_cell(row->cell(column)))

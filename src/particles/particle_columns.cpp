@@ -51,11 +51,11 @@ public:
       set(stem == "size_lo" ? columns_.lo : columns_.hi, i, name);
     } else if (kind && stem == "lower")
       set(columns_.lower, i, name);
-    else if (name == "quantity")
+    else if (name == "quantity" || name == "count")
       set(columns_.quantity, i, name);
     else if (is_one_of(name, {"class", "mass"}) || (kind && stem == "upper"))
       of_class_ = name;
-    else if (!is_one_of(stem, {"x", "y", "z"}))
+    else if (!is_one_of(stem, {"x", "y", "z"}) && !is_one_of(name, {"id", "type"}))
       refuse_unknown(name);
   }
 

@@ -28,8 +28,8 @@ struct ParticleColumns {
 
 /// The columns of a header: a size (`size_mm`, `diameter_um`, `radius_m`, `size_phi`, `sieve`, or without a
 /// unit `size`, `diameter`, `d`, `radius`, `r`) or its bounds (`size_lo_mm`, `size_hi_mm`), and beside it
-/// `quantity` and what is not read: places (`x`, `y`, `z`, also with a unit), `class`, `lower_mm`,
-/// `upper_mm`, `mass`.
+/// `quantity` or `count`, and what is not read: places (`x`, `y`, `z`, also with a unit), `id`, `type`, and
+/// beside bounds `class`, `lower_mm`, `upper_mm`, `mass`.
 /// \throws InputError naming the column that is unknown, missing, or there twice
 ParticleColumns particle_columns(const std::vector<std::string> &names);
 

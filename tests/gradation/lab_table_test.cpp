@@ -98,6 +98,11 @@ TEST_CASE("Cumulative masses are taken apart") {
                  "sand.csv:4: cumulative mass 5 is below 10 of the next coarser sieve"));
 }
 
+TEST_CASE("One number whose sign stands between no thousands tells of all") {
+  CHECK(text(read("Siebweite [mm];Rückstand [g]\n4;0\n2;1.250\n1;0.850\n").masses()) == "0.85 1.25 0");
+  CHECK(text(read("Size (mm),Mass (g)\n4,0\n2,1.250\n1,850\n").masses()) == "850 1.25 0");
+}
+
 TEST_CASE("What is not certain is not guessed") {
   CHECK(contains(
       refusal("Sieve size,% passing\n2,100\n1,50\n"),
@@ -108,6 +113,11 @@ TEST_CASE("What is not certain is not guessed") {
                  "percent retained add up to 160: if '% retained' is cumulative, say --kind cumulative"));
   CHECK(contains(refusal("Size (mm)\tMass (g)\n2\t0\n1\t1,234\n"),
                  "the number '1,234' may have a decimal comma or thousands"));
+  CHECK(contains(refusal("Siebweite [mm];Rückstand [g]\n4;0\n2;1.250\n1;850\nSchale;350\n"),
+                 "the number '1.250' may have a decimal point or thousands"));
+  CHECK(contains(refusal("Siebweite [µm];Rückstand [g]\n4.000;0\n2.000;20\n500;40\n"),
+                 "the number '4.000' may have a decimal point or thousands"));
+  CHECK(contains(refusal("Sieve No.,% passing\n4,100\n200,5\n"), "write No. 4 if it is one of ASTM"));
   CHECK(contains(refusal("Size (mm);Mass (g)\n2,5;0\n1.5;1\n"), "have different decimal signs"));
   const std::string unknown = refusal("Korn;Wert\n2;0\n1;3\n");
   CHECK(contains(unknown, "the file begins 'Korn | Wert', '2 | 0', '1 | 3'"));

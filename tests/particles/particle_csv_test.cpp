@@ -30,6 +30,7 @@ TEST_CASE(
   CHECK(read("quantity,size_mm\n3,1.5\n").particles == "1.5*3");
   CHECK(read("diameter_um\n75\n150\n").particles == "0.075 0.15");
   CHECK(read("radius_mm,quantity\n1.5,2\n").particles == "3*2");
+  CHECK(read("id,type,radius_mm,count\n7,1,1.5,2\n").particles == "3*2");
   CHECK(read("x,y,z,r\n0,0,0,0.5\n1,0,0,1\n").particles == "1 2");
   CHECK(read("x_m,y_m,z_m,diameter_m\n0,0,0,0.005\n").particles == "5");
   CHECK(read("x;y;z;d\n0;0;0;0,5\n").particles == "0.5");
@@ -57,7 +58,7 @@ TEST_CASE("CSV of particles: what is wrong is refused with its line") {
   CHECK(contains(refusal("size_mm,quantity\n1\n"), "file:2: the row has 1 fields, and the header 2"));
   CHECK(contains(refusal("size_mm,quantity\n1,5,2\n"), "decimal commas"));
   CHECK(contains(refusal("size_mm,quantity\n\"1,2\n"), "file:2: a quoted field"));
-  CHECK(contains(refusal("size_mm,count\n1,2\n"), "file:1: column 'count' is unknown"));
+  CHECK(contains(refusal("size_mm,amount\n1,2\n"), "file:1: column 'amount' is unknown"));
   CHECK(contains(refusal("size_ft,quantity\n1,2\n"), "file:1: column 'size_ft' is unknown"));
   CHECK(contains(refusal("Size_mm,quantity\n1,2\n"), "column 'Size_mm' is unknown"));
   CHECK(contains(refusal("size_mm,Quantity\n1,2\n"), "column 'Quantity' is unknown"));
