@@ -8,7 +8,8 @@ namespace {
 /// Looks for the least tolerance among 0, grid, 2 grid, ... below 100, and 100, by halves.
 class BudgetSearch {
 public:
-  BudgetSearch(const Gradation &g, const Question &question, const Budget &budget, const SolveOptions &options)
+  BudgetSearch(const Gradation &g, const Question &question, const Budget &budget,
+               const SolveOptions &options)
       : g_(g), question_(question), budget_(budget), options_(options),
         last_(ceil(Rational(100 / budget.grid))) {}
 

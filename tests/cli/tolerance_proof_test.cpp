@@ -94,8 +94,8 @@ TEST_CASE("a search that a limit has ended leaves a proof of its bounds", "[cli]
 TEST_CASE("a proof of bounds is no VIPR file and no theorem, and an old file is called old", "[cli]") {
   const TemporaryFolder folder;
   const std::string old = folder.write("sand.v", "old");
-  const Outcome outcome = mdm({"solve", ottawa, "--tolerance", "passing:2%", "--node-limit", "1",
-                               "--proof", folder / "proof", "--vipr", folder / "vipr", "--coq", old});
+  const Outcome outcome = mdm({"solve", ottawa, "--tolerance", "passing:2%", "--node-limit", "1", "--proof",
+                               folder / "proof", "--vipr", folder / "vipr", "--coq", old});
   CHECK(outcome.exit_code == 3);
   CHECK(contains(outcome.out,
                  "no proof was written to " + folder / "vipr" + ": the limit came before the end\n"));

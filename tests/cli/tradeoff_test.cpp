@@ -136,8 +136,7 @@ TEST_CASE("a limit leaves rows with bounds and exit code 3", "[cli]") {
   CHECK(t.at("by_tolerance").at(0).at("status") == "optimal");
   const Json &row = t.at("by_tolerance").at(1);
   CHECK(row.at("status") == "feasible");
-  CHECK(Integer(row.at("particles").get<std::string>()) >
-        Integer(row.at("lower_bound").get<std::string>()));
+  CHECK(Integer(row.at("particles").get<std::string>()) > Integer(row.at("lower_bound").get<std::string>()));
   const Outcome text = tradeoff({sand, "--time-limit", "0", "--tolerances", "1"});
   CHECK(text.exit_code == 3);
   CHECK(contains(text.out, "[1021, 1485]")); // 1021 is the least

@@ -39,8 +39,8 @@ struct ParticleOptions {
   std::string says_otherwise = {};
 };
 
-/// The format that the beginning of a file tells; nothing where it is that of a gradation, of an answer, or of
-/// no file of particles. A last line that is cut off may be left out.
+/// The format that the beginning of a file tells; nothing where it is that of a gradation, of an answer, or
+/// of no file of particles. A last line that is cut off may be left out.
 std::optional<ParticleFormat> told_format(std::string_view beginning);
 
 class LineReader;
