@@ -4,6 +4,15 @@
 
 namespace mdm {
 
+void set_multipliers(TreeNode &leaf, const std::vector<Rational> &multipliers) {
+  const CommonDenominator cleared(multipliers);
+  Integer common = 0;
+  for (const Integer &n : cleared.numerators)
+    common = gcd(common, n);
+  for (std::size_t i = 0; i < leaf.leaf.size(); ++i)
+    leaf.leaf[i].multiplier = cleared.numerators[i] / common;
+}
+
 void LeafSum::add(TolerantCondition condition, std::size_t i, std::size_t j, const Rational &m) {
   if (m != 0)
     sum_[{condition, i, j}] += m;
@@ -22,12 +31,7 @@ TreeNode LeafSum::node() const {
     multipliers.push_back(m);
     node.leaf.push_back({condition, j, 0, i});
   }
-  const CommonDenominator cleared(multipliers);
-  Integer common = 0;
-  for (const Integer &n : cleared.numerators)
-    common = gcd(common, n);
-  for (std::size_t i = 0; i < node.leaf.size(); ++i)
-    node.leaf[i].multiplier = cleared.numerators[i] / common;
+  set_multipliers(node, multipliers);
   return node;
 }
 

@@ -7,8 +7,13 @@
 
 #include <map>
 #include <tuple>
+#include <vector>
 
 namespace mdm {
+
+/// Gives a leaf's conditions their multipliers: integers without a common divisor in the ratios of these.
+/// \pre as many as the leaf has conditions, all >= 0, some > 0
+void set_multipliers(TreeNode &leaf, const std::vector<Rational> &multipliers);
 
 /// Multiples of conditions that are added up, each condition once.
 class LeafSum {

@@ -1,11 +1,11 @@
 #include "match/tolerant_match.hpp"
 
 #include "match/central_masses.hpp"
+#include "match/leaf_sum.hpp"
 #include "match/problem.hpp"
 #include "match/simplex.hpp"
 #include "match/tolerant_chain_proof.hpp"
 #include "match/tolerant_climb.hpp"
-#include "number/common_denominator.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -332,12 +332,7 @@ private:
       multipliers.push_back(term.multiplier);
       node.leaf.push_back(condition_of(term));
     }
-    const CommonDenominator cleared(multipliers);
-    Integer common = 0;
-    for (const Integer &n : cleared.numerators)
-      common = gcd(common, n);
-    for (std::size_t i = 0; i < node.leaf.size(); ++i)
-      node.leaf[i].multiplier = cleared.numerators[i] / common;
+    set_multipliers(node, multipliers);
     keep(std::move(node));
   }
 
