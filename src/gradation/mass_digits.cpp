@@ -1,6 +1,7 @@
 #include "gradation/mass_digits.hpp"
 
 #include "gradation/shown.hpp"
+#include "number/decimal_exponent.hpp"
 #include "text/short_list.hpp"
 
 #include <mdm/number/decimal.hpp>
@@ -14,24 +15,6 @@ namespace mdm {
 namespace {
 
 constexpr unsigned double_digits = 15; ///< every decimal of so many digits survives a double
-
-/// 10^exponent.
-Rational ten_to(long exponent) {
-  const Rational scale(power_of_ten(static_cast<unsigned>(exponent < 0 ? -exponent : exponent)));
-  return exponent < 0 ? Rational(1 / scale) : scale;
-}
-
-/// The e of 10^e <= |r| < 10^(e+1). \pre r != 0
-long exponent_of(const Rational &r) {
-  const Rational size = abs(r);
-  // The bits give it but for one: 30103 / 100000 is log10(2) + 4.4e-9.
-  const long bits =
-      static_cast<long>(bit_length(numerator(r))) - static_cast<long>(bit_length(denominator(r)));
-  long e = (bits - 1) * 30103 / 100000 - 1;
-  while (ten_to(e + 1) <= size)
-    ++e;
-  return e;
-}
 
 /// r to a whole number of `unit`s.
 Rational to_units(const Rational &r, const Rational &unit) {
@@ -73,7 +56,7 @@ std::optional<Rational> short_neighbour(const Rational &mass, const Rational &la
 
 Rational digit_unit(const Rational &r, unsigned digits) {
   assert(digits > 0);
-  return r == 0 ? Rational(0) : ten_to(exponent_of(r) - static_cast<long>(digits) + 1);
+  return r == 0 ? Rational(0) : ten_to(decimal_exponent(r) - static_cast<long>(digits) + 1);
 }
 
 Rational to_digits(const Rational &r, unsigned digits) {

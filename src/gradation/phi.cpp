@@ -1,6 +1,7 @@
 #include "gradation/phi.hpp"
 
 #include "gradation/shown.hpp"
+#include "number/decimal_exponent.hpp"
 
 #include <mdm/text/error.hpp>
 
@@ -13,7 +14,6 @@
 #include <fmt/core.h>
 
 #include <cassert>
-#include <cstdlib>
 
 namespace mdm {
 namespace {
@@ -44,12 +44,6 @@ void set(Ball &ball, const Rational &r, slong bits) {
   fmpq_set_mpq(fraction, r.backend().data());
   arb_set_fmpq(ball.value, fraction, bits);
   fmpq_clear(fraction);
-}
-
-/// 10^exponent.
-Rational scale_of(int exponent) {
-  const Rational scale(power_of_ten(static_cast<unsigned>(std::abs(exponent))));
-  return exponent >= 0 ? scale : Rational(1 / scale);
 }
 
 /// 2^-phi.
@@ -104,10 +98,10 @@ Rational phi_size(const Rational &phi) {
   // one less: the value is the same.
   const Integer limit = power_of_ten(phi_digits);
   int exponent = floor(Rational(-phi * Rational(30103, 100000))).convert_to<int>() - 1;
-  Integer mantissa = nearest(phi, scale_of(phi_digits - 1 - exponent));
+  Integer mantissa = nearest(phi, ten_to(phi_digits - 1 - exponent));
   while (mantissa > limit)
-    mantissa = nearest(phi, scale_of(phi_digits - 1 - ++exponent));
-  return Rational(mantissa) * scale_of(exponent + 1 - phi_digits);
+    mantissa = nearest(phi, ten_to(phi_digits - 1 - ++exponent));
+  return Rational(mantissa) * ten_to(exponent + 1 - phi_digits);
 }
 
 } // namespace mdm

@@ -1,3 +1,5 @@
+#include "number/decimal_exponent.hpp"
+
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/interval.hpp>
 #include <mdm/number/power_product.hpp>
@@ -10,23 +12,6 @@
 
 namespace mdm {
 namespace {
-
-Rational ten_to(long exponent) {
-  return exponent >= 0 ? Rational(power_of_ten(static_cast<unsigned>(exponent)))
-                       : ratio(1, power_of_ten(static_cast<unsigned>(-exponent)));
-}
-
-/// The e with 10^e <= r < 10^(e + 1), for r > 0.
-long decimal_exponent(const Rational &r) {
-  const long bits =
-      static_cast<long>(bit_length(numerator(r))) - static_cast<long>(bit_length(denominator(r)));
-  long e = bits * 30103 / 100000;
-  while (r < ten_to(e))
-    --e;
-  while (r >= ten_to(e + 1))
-    ++e;
-  return e;
-}
 
 /// Decimal places of `digits` significant digits of the number of largest magnitude in i.
 long places_for(const Interval &i, unsigned digits) {

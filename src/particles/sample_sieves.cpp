@@ -1,5 +1,7 @@
 #include "particles/sample_sieves.hpp"
 
+#include "number/decimal_exponent.hpp"
+
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/enclosure.hpp>
 #include <mdm/text/error.hpp>
@@ -11,12 +13,7 @@ namespace {
 
 /// The least decimal of so many significant digits that is not below x > 0.
 Rational rounded_up(const Rational &x, unsigned digits) {
-  Rational unit = 1;
-  const Rational most(power_of_ten(digits));
-  while (x / unit > most)
-    unit *= 10;
-  while (x / unit * 10 <= most)
-    unit /= 10;
+  const Rational unit = ten_to(decimal_exponent(x) + 1 - static_cast<long>(digits));
   return Rational(ceil(Rational(x / unit))) * unit;
 }
 
