@@ -1,5 +1,6 @@
 #include "answer/generated_reader.hpp"
 
+#include "text/json_member.hpp"
 #include "text/json_tree.hpp"
 #include "text/lines.hpp"
 #include "text/source.hpp"
@@ -61,12 +62,12 @@ StatedSet::Class class_of(const SizeRange &lower, const SizeRange &upper, const 
 /// Sizes lie in their class: those that begin at its lower bound are above it.
 void set_open_ends(StatedSet &set) {
   auto size = set.sizes.begin();
-  for (const StatedSet::Class &c : set.classes)
+  Integer particles = 0;
+  for (const StatedSet::Class &c : set.classes) {
+    particles += c.quantity.value_or(0);
     for (Integer left = c.quantity.value_or(0); left > 0 && size != set.sizes.end(); --left, ++size)
       size->is_open = size->lo <= c.lower;
-  Integer particles = 0;
-  for (const StatedSet::Class &c : set.classes)
-    particles += c.quantity.value_or(0);
+  }
   if (!set.sizes.empty() && particles != set.sizes.size())
     throw InputError(fmt::format("the classes have {} particles, and {} sizes are listed{}",
                                  to_string(particles), set.sizes.size(), set_remedy));
@@ -131,11 +132,7 @@ StatedSet read_csv(std::string_view text, const Source &source, std::string id) 
 } // namespace
 
 bool is_generated(std::string_view text) {
-  constexpr std::size_t looked_at = 256;
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return text.starts_with(classes_header) ||
-         (first != std::string_view::npos && text[first] == '{' &&
-          text.substr(0, looked_at).find("\"mdm-generate-1\"") != std::string_view::npos);
+  return text.starts_with(classes_header) || json_schema(text) == "mdm-generate-1";
 }
 
 StatedSet read_generated(std::string_view text, const std::string &file) {

@@ -177,9 +177,8 @@ Interval Description::mass(const Tally &tally) const {
   Interval sum;
   for (std::size_t i = 0; i < tally.multiples.size(); ++i)
     sum = sum + root(units_[i].power, units_[i].degree, root_bits) * tally.multiples[i].value();
-  const Rational least = tally.least.value(), most = tally.most.value();
-  if (most > 0)
-    sum = sum + Interval(least, most);
+  if (!knows_sizes_)
+    sum = sum + Interval(tally.least.value(), tally.most.value());
   if (tally.rooted_count == 0)
     return sum;
   const Integer unit = Integer(1) << root_bits;
@@ -199,8 +198,9 @@ std::vector<std::optional<Rational>> Description::exact_shares() const {
                    [&](const Tally &t) { return Rational(has_particles(t) ? 1 : 0); });
     return shares;
   }
-  if (std::any_of(classes_.begin(), classes_.end(),
-                  [](const Tally &t) { return t.rooted_count > 0 || t.most.value() > 0; }))
+  if (std::any_of(classes_.begin(), classes_.end(), [this](const Tally &t) {
+        return t.rooted_count > 0 || (!knows_sizes_ && t.most.value() > 0);
+      }))
     return shares;
   std::vector<std::vector<Rational>> masses; // of each class, in each unit
   std::vector<Rational> sums(units_.size());

@@ -1,3 +1,4 @@
+#include "text/json_member.hpp"
 #include "text/json_tree.hpp"
 #include "text/lines.hpp"
 #include "text/source.hpp"
@@ -12,8 +13,6 @@ namespace {
 /// Digits of a size; 10^18 is below 2^63.
 constexpr unsigned most_digits = 18;
 constexpr std::string_view csv_header = "class,size_lo,size_hi";
-/// The schema of a set is named within so many characters.
-constexpr std::size_t most_looked_at = 200;
 
 /// A positive decimal, as an enclosure of itself.
 Enclosure enclosed(const Rational &size) {
@@ -128,10 +127,7 @@ std::int64_t DiscSizes::radius(const DiscSize &diameter, unsigned places) {
 }
 
 bool has_disc_sizes(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return text.substr(0, csv_header.size()) == csv_header ||
-         (first != std::string_view::npos && text[first] == '{' &&
-          text.substr(0, most_looked_at).find("\"mdm-generate-1\"") != std::string_view::npos);
+  return text.starts_with(csv_header) || json_schema(text) == "mdm-generate-1";
 }
 
 DiscSizes read_disc_sizes(std::string_view text, std::string_view file) {
