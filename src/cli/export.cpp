@@ -103,12 +103,8 @@ Rational physical(const std::string &option, const std::string &text) {
 
 ParticleSetOptions set_options(const ExportCommand &c) {
   ParticleSetOptions options;
-  if (c.unit) {
-    const std::optional<LengthUnit> unit = parse_length_unit(*c.unit);
-    if (!unit)
-      throw InputError("--unit: " + in_quotes(*c.unit) + " is unknown: use mm, um, m or in");
-    options.unit = *unit;
-  }
+  if (c.unit)
+    options.unit = length_unit_of("--unit", *c.unit);
   if (c.density)
     options.density = physical("--density", *c.density);
   if (c.mass_error)
@@ -151,15 +147,6 @@ Particles answer_particles(const ExportCommand &c, const std::string &content,
           false};
 }
 
-std::optional<LengthUnit> size_unit(const ExportCommand &c) {
-  if (!c.size_unit)
-    return std::nullopt;
-  const std::optional<LengthUnit> unit = parse_length_unit(*c.size_unit);
-  if (!unit)
-    throw InputError("--size-unit: " + in_quotes(*c.size_unit) + " is unknown: use mm, um, m or in");
-  return unit;
-}
-
 /// The particles of a file of them, as they are.
 Particles sample_particles(const ExportCommand &c, const ParticleSetOptions &options) {
   refuse_solving(c, "the set of particles");
@@ -168,7 +155,8 @@ Particles sample_particles(const ExportCommand &c, const ParticleSetOptions &opt
                      " holds particles already: leave it out");
   ParticleOptions reading;
   reading.says_otherwise = "--size-unit says";
-  reading.unit = size_unit(c);
+  if (c.size_unit)
+    reading.unit = length_unit_of("--size-unit", *c.size_unit);
   SampleSet sample;
   c.output.tell_notes(read_sample_file(*c.file, reading, sample, c.output.quiet));
   return {in_file(*c.file, [&] { return sample.set(stem(*c.file), LengthUnit::mm, options); }),

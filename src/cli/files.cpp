@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <set>
 #include <utility>
@@ -157,6 +158,16 @@ std::string read_file(const std::string &path, std::size_t most) {
   }
   close_reading(descriptor);
   return text;
+}
+
+std::string beginning_of_file(const std::string &path, std::size_t most) {
+  if (path == "-")
+    return "";
+  std::string begin(most, ' ');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), static_cast<std::streamsize>(most));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  return begin;
 }
 
 std::string shown_name(const std::string &path) {

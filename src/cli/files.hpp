@@ -23,6 +23,9 @@ void tell(std::string_view text);
 /// \throws InputError if it cannot be read or has more than `most` bytes
 std::string read_file(const std::string &path, std::size_t most);
 
+/// The first bytes of a file, at most so many; none of one that cannot be read, or of standard input.
+std::string beginning_of_file(const std::string &path, std::size_t most);
+
 /// A path as messages name it: `stdin` for `-`.
 std::string shown_name(const std::string &path);
 /// A path as a word of a command in a message, for sh: in single quotes, unless it is of letters, digits and

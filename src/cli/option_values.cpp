@@ -66,4 +66,11 @@ unsigned digits_of(const std::string &option, const std::string &text) {
   return static_cast<unsigned>(n);
 }
 
+LengthUnit length_unit_of(const std::string &option, const std::string &text) {
+  const std::optional<LengthUnit> unit = parse_length_unit(text);
+  if (!unit)
+    throw InputError(option + ": " + in_quotes(text) + " is unknown: use mm, um, m or in");
+  return *unit;
+}
+
 } // namespace mdm::cli

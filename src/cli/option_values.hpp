@@ -3,6 +3,7 @@
 /// Values of options, read exactly. All throw an InputError that names the option.
 
 #include <mdm/number/rational.hpp>
+#include <mdm/particles/particle_format.hpp>
 #include <mdm/text/error.hpp>
 
 #include <chrono>
@@ -34,5 +35,8 @@ Rational not_negative(const std::string &option, const std::string &text);
 std::chrono::milliseconds duration(const std::string &option, const std::string &text);
 /// Significant digits, 1 to 1000.
 unsigned digits_of(const std::string &option, const std::string &text);
+
+/// \throws InputError naming the option if it is no unit of length
+LengthUnit length_unit_of(const std::string &option, const std::string &text);
 
 } // namespace mdm::cli

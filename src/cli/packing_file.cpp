@@ -4,31 +4,19 @@
 
 #include <mdm/packing/packing_reader.hpp>
 
-#include <fstream>
-
 namespace mdm::cli {
 namespace {
 
-/// The first bytes of a file; none of one that cannot be read, or of standard input.
-std::string beginning(const std::string &path) {
-  constexpr std::size_t looked_at = 256;
-  if (path == "-")
-    return "";
-  std::string begin(looked_at, ' ');
-  std::ifstream file(path, std::ios::binary);
-  file.read(begin.data(), looked_at);
-  begin.resize(static_cast<std::size_t>(file.gcount()));
-  return begin;
-}
+constexpr std::size_t looked_at = 256;
 
 } // namespace
 
 bool is_packing_file(const std::string &path) {
-  return is_packing(beginning(path));
+  return is_packing(beginning_of_file(path, looked_at));
 }
 
 bool is_disc_sizes_file(const std::string &path) {
-  return has_disc_sizes(beginning(path));
+  return has_disc_sizes(beginning_of_file(path, looked_at));
 }
 
 Packing read_packing_file(const std::string &path) {

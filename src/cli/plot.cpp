@@ -8,12 +8,12 @@
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
 #include "match/smallest_match.hpp"
+#include "particles/description_sink.hpp"
 #include "particles/sample_sieves.hpp"
 #include "plot/gradation_figure.hpp"
 #include "plot/packing_figure.hpp"
 
 #include <mdm/answer/answer_sample.hpp>
-#include <mdm/gradation/description.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
 #include <mdm/packing/packing_reader.hpp>
@@ -89,26 +89,26 @@ std::vector<DrawnClass> drawn(const Match &m) {
 /// Gathers particles class by class and size by size.
 class DrawnSample : public ParticleSink {
 public:
-  explicit DrawnSample(const Gradation &g) : empty_(g), description_(g) {}
+  explicit DrawnSample(const Gradation &g) : classes_(Description(g)) {}
 
   void restart() override {
-    description_ = empty_;
+    classes_.restart();
     sieves_.restart();
   }
   void add(const RootSize &diameter, const Integer &quantity) override {
-    description_.add(diameter, quantity);
+    classes_.add(diameter, quantity);
     sieves_.add(diameter, quantity);
   }
   void add(const SizeRange &diameter, const Integer &quantity) override {
-    description_.add(diameter, quantity);
+    classes_.add(diameter, quantity);
     sieves_.add(diameter, quantity);
   }
 
-  const Description &description() const { return description_; }
+  const Description &description() const { return classes_.description(); }
   const SampleSieves &sieves() const { return sieves_; }
 
 private:
-  Description empty_, description_;
+  DescriptionSink classes_;
   SampleSieves sieves_;
 };
 
@@ -178,12 +178,12 @@ int run(const PlotCommand &c) {
   check(c);
   if (is_packing_file(c.file))
     return run_packing(c, read_packing_file(c.file));
-  const std::string content = read_file(c.file, max_gradation_bytes);
+  const bool is_sample = is_sample_file(c.file);
+  const std::string content = is_sample ? "" : read_file(c.file, max_gradation_bytes);
   if (is_packing(content))
     return run_packing(c, read_packing(content, shown_name(c.file)));
   if (c.colour)
     throw InputError("--colour is for packings: give a FILE that mdm pack -o wrote");
-  const bool is_sample = is_sample_file(c.file);
   const Gradation g = is_sample ? any_gradation(c.file, c.reading, c.output.quiet).gradation
                                 : read_gradation(content, shown_name(c.file), c.reading.reading());
   std::vector<std::string> notes = g.notes();

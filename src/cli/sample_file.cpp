@@ -1,6 +1,7 @@
 #include "cli/sample_file.hpp"
 
 #include "answer/generated_reader.hpp"
+#include "cli/option_values.hpp"
 #include "cli/packing_file.hpp"
 #include "cli/progress.hpp"
 #include "particles/sample_sieves.hpp"
@@ -9,25 +10,18 @@
 #include <fmt/core.h>
 
 #include <atomic>
-#include <fstream>
 
 namespace mdm::cli {
 namespace {
 
 /// A set with its sizes; they have a line.
 constexpr std::size_t max_set_bytes = std::size_t{1} << 30;
-constexpr std::size_t lines_read_at_once = 4096;
 
+/// Whole lines, as long as the file has no more.
 std::string first_bytes(const std::string &path) {
-  constexpr std::size_t looked_at = std::size_t{1} << 16;
-  if (path == "-")
-    return "";
-  std::string begin(looked_at, ' ');
-  std::ifstream file(path, std::ios::binary);
-  file.read(begin.data(), looked_at);
-  const bool is_whole = file.gcount() < static_cast<std::streamsize>(looked_at);
-  begin.resize(static_cast<std::size_t>(file.gcount()));
-  return is_whole ? begin + "\n" : begin;
+  constexpr std::size_t most = std::size_t{1} << 16;
+  const std::string begin = beginning_of_file(path, most);
+  return begin.size() < most ? begin + "\n" : begin;
 }
 
 void hand_on(const StatedSet &set, const ParticleOptions &options, ParticleSink &sink) {
@@ -84,10 +78,13 @@ void refuse_long(const std::string &where, const char *what) {
                  "verify what mdm export --spread --to csv writes, with the options and --seed of solve");
 }
 
-void read_lines(ParticleReader &reader, std::vector<FileLines::Line> first, FileLines &rest,
-                const std::string &path) {
+ReadParticles read_lines(std::vector<FileLines::Line> first, FileLines &rest, const std::string &path,
+                         const ParticleOptions &options, ParticleSink &sink, bool quiet) {
+  Counting counting(sink);
+  const Progress progress([&counting] { return fmt::format("{} sizes read", counting.count.load()); }, quiet);
+  ParticleReader reader(shown_name(path), counting, options);
   std::uint64_t number = 0;
-  for (; !first.empty(); first = rest.next(lines_read_at_once))
+  for (; !first.empty(); first = rest.next(lines_at_once))
     for (const FileLines::Line &line : first) {
       ++number;
       if (!line)
@@ -95,6 +92,7 @@ void read_lines(ParticleReader &reader, std::vector<FileLines::Line> first, File
       reader.line(*line);
     }
   reader.end();
+  return {reader.notes(), reader.unit()};
 }
 
 std::vector<std::string> read_sample_file(const std::string &path, const ParticleOptions &options,
@@ -107,12 +105,8 @@ std::vector<std::string> read_sample_file(const std::string &path, const Particl
     in_file(path, [&] { hand_on(set, options, sink); });
     return {};
   }
-  Counting counting(sink);
-  const Progress progress([&counting] { return fmt::format("{} sizes read", counting.count.load()); }, quiet);
-  ParticleReader reader(shown_name(path), counting, options);
   FileLines lines(path);
-  read_lines(reader, lines.next(lines_read_at_once), lines, path);
-  return reader.notes();
+  return read_lines(lines.next(lines_at_once), lines, path, options, sink, quiet).notes;
 }
 
 void refuse_sample(const std::string &path) {
@@ -137,10 +131,7 @@ UnderstoodGradation any_gradation(const std::string &path, const ReadingFlags &r
     ParticleOptions options;
     options.says_otherwise = "--unit says";
     if (reading.unit)
-      options.unit = parse_length_unit(*reading.unit);
-    if (reading.unit && !options.unit)
-      throw InputError("--unit: " + in_quotes(*reading.unit) +
-                       " is no unit of particles: use mm, um, m or in");
+      options.unit = length_unit_of("--unit", *reading.unit);
     SampleSieves sieves;
     const std::vector<std::string> notes = read_sample_file(path, options, sieves, quiet);
     return {sieves.gradation(stem(path), SizeUnit::mm, notes),

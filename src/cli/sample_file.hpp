@@ -26,10 +26,19 @@ bool is_answer_file(const std::string &path);
 /// Refuses a line, or an answer, that is longer than lines may be.
 [[noreturn]] void refuse_long(const std::string &where, const char *what);
 
-/// Gives the reader the lines of a file of which the first were taken already, and its end.
+/// The lines of a file of particles that are taken at once.
+inline constexpr std::size_t lines_at_once = 4096;
+
+/// What a file of particles says beside them.
+struct ReadParticles {
+  std::vector<std::string> notes;
+  LengthUnit unit;
+};
+
+/// Hands the particles on of a file of which the first lines were taken already.
 /// \throws InputError naming the line
-void read_lines(ParticleReader &reader, std::vector<FileLines::Line> first, FileLines &rest,
-                const std::string &path);
+ReadParticles read_lines(std::vector<FileLines::Line> first, FileLines &rest, const std::string &path,
+                         const ParticleOptions &options, ParticleSink &sink, bool quiet);
 
 /// Hands the particles of a file on: of any format but an answer of mdm solve in JSON. Notes say what was
 /// assumed. Cost: the file line by line; a set in JSON is read as a whole.

@@ -4,11 +4,11 @@
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/packing_file.hpp"
-#include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
 #include "cli/solve_flags.hpp"
 #include "cli/verify_packing.hpp"
+#include "particles/description_sink.hpp"
 #include "report/verification.hpp"
 
 #include <mdm/answer/answer_sample.hpp>
@@ -19,7 +19,6 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <memory>
 
 namespace mdm::cli {
@@ -35,8 +34,6 @@ struct VerifyCommand {
   bool diameter = false;
   OutputFlags output;
 };
-
-constexpr std::size_t lines_at_once = 4096;
 
 /// What a sample's shares may differ by.
 struct Allowed {
@@ -84,36 +81,11 @@ ParticleOptions particle_options(const VerifyCommand &c, SizeUnit target) {
   if (c.radius || c.diameter)
     options.meaning = c.radius ? SizeMeaning::radius : SizeMeaning::diameter;
   if (c.size_unit)
-    options.unit = parse_length_unit(*c.size_unit);
-  if (c.size_unit && !options.unit)
-    throw InputError("--size-unit: " + in_quotes(*c.size_unit) + " is unknown: use mm, um, m or in");
+    options.unit = length_unit_of("--size-unit", *c.size_unit);
   if (c.timestep)
     options.timestep = natural("--timestep", *c.timestep, 0);
   return options;
 }
-
-/// Counts what is read.
-class Tally : public ParticleSink {
-public:
-  explicit Tally(Description empty) : empty_(std::move(empty)), description_(empty_) {}
-
-  void restart() override { description_ = empty_; }
-  void add(const RootSize &diameter, const Integer &quantity) override {
-    description_.add(diameter, quantity);
-    ++added_;
-  }
-  void add(const SizeRange &diameter, const Integer &quantity) override {
-    description_.add(diameter, quantity);
-    ++added_;
-  }
-
-  const Description &description() const { return description_; }
-  std::uint64_t added() const { return added_; }
-
-private:
-  Description empty_, description_;
-  std::atomic<std::uint64_t> added_ = 0;
-};
 
 /// A unit in which particles that are all outside, or all in the pan, would not be.
 std::optional<std::string> unit_note(const Description &d, LengthUnit unit) {
@@ -125,6 +97,8 @@ std::optional<std::string> unit_note(const Description &d, LengthUnit unit) {
   const std::optional<RootSize> &first = d.above().first   ? d.above().first
                                          : d.below().first ? d.below().first
                                                            : d.of_class(0).first;
+  if (!first) // all have a range with a sieve in it
+    return std::nullopt;
   for (const LengthUnit other : {LengthUnit::mm, LengthUnit::um, LengthUnit::m, LengthUnit::in}) {
     const Rational factor = in_mm(other) / in_mm(unit);
     const RootSize x{first->power * power(factor, first->degree), first->degree};
@@ -183,21 +157,19 @@ bool begins_json(const std::vector<FileLines::Line> &lines) {
 Found read_sample(const VerifyCommand &c, const Gradation &g, const Question &question,
                   const Rational &snap) {
   const ParticleOptions options = particle_options(c, g.unit());
-  Tally tally(Description(g, {question.law, snap, 1, 1}));
+  DescriptionSink sink(Description(g, {question.law, snap, 1, 1}));
   if (!options.format && (is_generated_file(c.sample) || is_packing_file(c.sample))) {
-    std::vector<std::string> notes = read_sample_file(c.sample, options, tally, c.output.quiet);
-    return {tally.description(), {}, std::move(notes)};
+    std::vector<std::string> notes = read_sample_file(c.sample, options, sink, c.output.quiet);
+    return {sink.description(), {}, std::move(notes)};
   }
   FileLines lines(c.sample);
   std::vector<FileLines::Line> chunk = lines.next(lines_at_once);
   if (options.format ? options.format == ParticleFormat::answer : begins_json(chunk))
     return read_answer_sample(c, whole_text(chunk, lines, c.sample), g, question, snap);
 
-  const Progress progress([&tally] { return fmt::format("{} sizes read", tally.added()); }, c.output.quiet);
-  ParticleReader reader(shown_name(c.sample), tally, options);
-  read_lines(reader, std::move(chunk), lines, c.sample);
-  Found found{tally.description(), {}, reader.notes()};
-  if (const std::optional<std::string> note = unit_note(found.description, reader.unit()))
+  ReadParticles read = read_lines(std::move(chunk), lines, c.sample, options, sink, c.output.quiet);
+  Found found{sink.description(), {}, std::move(read.notes)};
+  if (const std::optional<std::string> note = unit_note(found.description, read.unit))
     found.notes.push_back(*note);
   if (found.description.hair_above() > 0)
     found.notes.push_back(fmt::format("Particles larger than a sieve by less than 1e-12 of it: {}; --snap "

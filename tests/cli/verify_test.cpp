@@ -381,3 +381,10 @@ TEST_CASE("an answer with more than 1000 digits is read back", "[cli]") {
 TEST_CASE("an answer of one line that ends too early names line 1", "[cli]") {
   check_refused(verify(three, R"({"a":)"), "stdin:1: ");
 }
+
+TEST_CASE("verify: sizes of which ranges are known, each with a sieve in it, are undecided", "[cli]") {
+  const std::string g = "size_mm,mass\n1,8\n2,8\n4,0\n";
+  const Outcome outcome = verify(g, "size_lo_mm,size_hi_mm\n1.5,2.5\n1.9,2.1\n", {});
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.out.find("of which only a range is known, with a sieve in it") != std::string::npos);
+}
