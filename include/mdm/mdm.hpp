@@ -7,6 +7,7 @@
 #include <mdm/gradation/description.hpp>
 #include <mdm/gradation/envelope.hpp>
 #include <mdm/gradation/gradation.hpp>
+#include <mdm/gradation/length.hpp>
 #include <mdm/gradation/mass_law.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/reading.hpp>

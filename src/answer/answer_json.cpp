@@ -154,7 +154,7 @@ void write_rest(JsonWriter &json, const Match &m, const Spectrum *spectrum,
     write_spectrum(json.key("spectrum"), *spectrum);
   if (seed)
     json.key("seed").number(*seed);
-  if (const std::string words = in_words(m.question); !words.empty())
+  if (const std::string words = in_words(m.question, m.gradation.unit()); !words.empty())
     json.key("question").string(words);
   if (!proof.empty())
     json.key("proof").string(proof);

@@ -214,7 +214,7 @@ std::string budget_text(const MatchBudget &budget) {
 } // namespace
 
 std::string headline(const Match &m) {
-  const std::string words = in_words(m.question);
+  const std::string words = in_words(m.question, m.gradation.unit());
   const std::string set = std::string("the smallest set that matches") + (m.tolerance ? "" : " exactly") +
                           (words.empty() ? "" : " (" + words + ")");
   if (m.status == Status::none && !m.complete)

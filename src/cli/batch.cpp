@@ -76,7 +76,7 @@ std::string proof_name(std::uint64_t number, const std::string &id) {
 class Batch {
 public:
   explicit Batch(const BatchCommand &command)
-      : command_(command), question_(command.flags.question()), options_(solve_options()) {}
+      : command_(command), asked_(command.flags.question()), options_(solve_options()) {}
 
   Answer answer(const BatchItem &item) const {
     if (!item.read)
@@ -108,14 +108,16 @@ private:
     if (command_.flags.time_limit)
       options.limits = solve_options().limits; // a deadline of its own for each gradation
     const std::string checked = command_.proofs && item.checked_as ? item.checked_as(g) : "";
-    Match m = in_file(item.where, [&] { return solve(std::move(g), question_, options); });
+    const Question question = asked_.in(g.unit());
+    Match m = in_file(item.where, [&] { return solve(std::move(g), question, options); });
     std::string proof;
     if (command_.proofs && has_certificate(m))
       proof = write_proof(m, item, checked);
     else if (command_.proofs)
       m.notes.push_back("no proof was written: the limit came before the end");
-    return command_.output.is_csv() ? rows(m)
-                                    : Answer{answer_json(m, nullptr, proof) + "\n", exit_code(m.status)};
+    return command_.output.is_csv()
+               ? rows(m, options.limits)
+               : Answer{answer_json(m, nullptr, proof) + "\n", exit_code(m, options.limits)};
   }
 
   /// \param checked the gradation file beside it, if there is to be one
@@ -135,16 +137,16 @@ private:
   }
 
   /// CSV has no place for a verdict and for notes.
-  static Answer rows(const Match &m) {
+  static Answer rows(const Match &m, const Limits &limits) {
     const std::string id = printable(m.gradation.id());
     std::string told = m.status == Status::optimal ? "" : id + ": " + headline(m) + "\n";
     for (const std::string &note : m.notes)
       told += id + ": note: " + note + "\n";
-    return {batch_csv(m), exit_code(m.status), told, id, std::string(name(m.gradation.unit()))};
+    return {batch_csv(m), exit_code(m, limits), told, id, std::string(name(m.gradation.unit()))};
   }
 
   const BatchCommand &command_;
-  Question question_;
+  AskedQuestion asked_;
   SolveOptions options_;
 };
 

@@ -7,6 +7,11 @@
 namespace mdm::cli {
 namespace {
 
+/// In mm where it has a unit.
+Rational end(const std::string &option, const std::string &text) {
+  return length(option, text).in(SizeUnit::mm);
+}
+
 /// The ends of the curve from two of the four options (Eq. 17).
 std::pair<Rational, Rational> ends(const BetaOptions &c) {
   const int given = c.d_min.has_value() + c.d_max.has_value() + c.span.has_value() + c.ratio.has_value();
@@ -14,7 +19,7 @@ std::pair<Rational, Rational> ends(const BetaOptions &c) {
     throw InputError(
         "--beta: two sizes are needed: --dmin and --dmax, or one of them with --span or --ratio");
   if (c.d_min && c.d_max)
-    return {positive("--dmin", *c.d_min), positive("--dmax", *c.d_max)};
+    return {end("--dmin", *c.d_min), end("--dmax", *c.d_max)};
   Rational r;
   if (c.span) {
     const Rational s = positive("--span", *c.span);
@@ -27,14 +32,22 @@ std::pair<Rational, Rational> ends(const BetaOptions &c) {
       throw InputError("--ratio: " + in_quotes(*c.ratio) + " is not above 1: d_max / d_min is needed");
   }
   if (c.d_min) {
-    const Rational low = positive("--dmin", *c.d_min);
+    const Rational low = end("--dmin", *c.d_min);
     return {low, low * r};
   }
-  const Rational high = positive("--dmax", *c.d_max);
+  const Rational high = end("--dmax", *c.d_max);
   return {high / r, high};
 }
 
 } // namespace
+
+std::string beta_unit(const BetaOptions &c) {
+  const bool low = c.d_min && length("--dmin", *c.d_min).unit,
+             high = c.d_max && length("--dmax", *c.d_max).unit;
+  if (c.d_min && c.d_max && low != high)
+    throw InputError("--dmin and --dmax: one has a unit and one has none: give both a unit, or neither");
+  return low || high ? "mm" : "";
+}
 
 std::shared_ptr<const BetaCurve> beta_curve(const BetaOptions &c) {
   const std::size_t comma = c.beta->find(',');

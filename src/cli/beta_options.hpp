@@ -15,7 +15,10 @@ struct BetaOptions {
   std::optional<std::string> beta, d_min, d_max, span, ratio;
 };
 
-/// The curve. \throws InputError naming the option
+/// `mm` where sizes have units; empty where they have none. \throws InputError if one alone has
+std::string beta_unit(const BetaOptions &c);
+
+/// The curve, with sizes in mm where they have units. \throws InputError naming the option
 std::shared_ptr<const BetaCurve> beta_curve(const BetaOptions &c);
 
 } // namespace mdm::cli

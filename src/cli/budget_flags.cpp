@@ -44,13 +44,13 @@ Budget BudgetFlags::budget(const SolveFlags &others) const {
   return budget;
 }
 
-Question BudgetFlags::question(const SolveFlags &others) const {
+AskedQuestion BudgetFlags::question(const SolveFlags &others) const {
   budget(others); // which refuses other tolerances
   SolveFlags with_value = others;
   with_value.tolerances = {kind_of(others) + ":0%"};
-  Question q = with_value.question();
-  q.tolerances.clear();
-  return q;
+  AskedQuestion asked = with_value.question();
+  asked.rest.tolerances.clear();
+  return asked;
 }
 
 } // namespace mdm::cli

@@ -19,7 +19,7 @@ struct BudgetFlags {
   Budget budget(const SolveFlags &others) const;
   /// The question of the other options, without tolerance.
   /// \throws InputError likewise
-  Question question(const SolveFlags &others) const;
+  AskedQuestion question(const SolveFlags &others) const;
 };
 
 } // namespace mdm::cli

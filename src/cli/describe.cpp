@@ -45,7 +45,7 @@ Gradation gradation(const DescribeCommand &c) {
   Gradation g = any_gradation(c.file, c.reading, c.output.quiet).gradation;
   if (!c.pan_size)
     return g;
-  const Rational size = number("--pan-size", *c.pan_size);
+  const Rational size = length("--pan-size", *c.pan_size).in(g.unit());
   return in_file(c.file, [&] { return g.with_pan_size(size); });
 }
 
@@ -95,8 +95,15 @@ Run add_describe(CLI::App &app) {
   c->output.add_quiet(command, "no notes on standard error");
   c->reading.add_to(command);
   command.footer(footer(
-      paragraph("Exit code 3: the group hangs on an interpolated share or an index that 1,200 digits do not "
-                "tell from its limit; the report says which."),
+      paragraph(
+          "C_u = D60 / D10 and C_c = D30^2 / (D10 D60) are of ASTM D2487. I_GS is the grain size index of "
+          "Erguler (2016), I_C Arnold's index of curvature, phi_1 the mass of the finest class over that of "
+          "the coarsest, zeta_1 the volume of the coarsest class's largest particle over that of the "
+          "finest's (Arnold, Eq. 15 and 16).") +
+          "\n" +
+          paragraph(
+              "Exit code 3: the group hangs on an interpolated share or an index that 1,200 digits do not "
+              "tell from its limit; the report says which."),
       {"mdm describe sand.csv", "mdm describe sand.csv --liquid-limit 30 --plastic-limit 22",
        "mdm describe report.ags --specimen-id BH1 --format json -o bh1.json"}));
   return [c] { return run(*c); };

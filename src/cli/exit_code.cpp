@@ -13,4 +13,10 @@ Exit exit_code(Status status) {
   }
 }
 
+Exit exit_code(const Match &match, const Limits &limits) {
+  const bool is_close =
+      match.status == Status::feasible && limits.is_close(*match.particles(), match.lower_bound);
+  return is_close ? Exit::done : exit_code(match.status);
+}
+
 } // namespace mdm::cli

@@ -2,6 +2,7 @@
 /// \file
 /// The exit codes.
 
+#include <mdm/match/limits.hpp>
 #include <mdm/match/match.hpp>
 
 namespace mdm::cli {
@@ -16,5 +17,7 @@ enum Exit : int {
 
 /// The exit code of an answer: `limited` where a limit came first, whether there is a match or not.
 Exit exit_code(Status status);
+/// The same of a match, of which a gap that was asked for may be enough.
+Exit exit_code(const Match &match, const Limits &limits);
 
 } // namespace mdm::cli

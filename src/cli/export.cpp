@@ -138,7 +138,7 @@ Particles answer_particles(const ExportCommand &c, const std::string &content,
                            const ParticleSetOptions &options) {
   refuse_solving(c, "the answer");
   const AnswerSample answer = read_answer(content, shown_name(*c.file));
-  const MassLaw law = c.flags.GradationFlags::question().law;
+  const MassLaw law = c.flags.GradationFlags::question().rest.law;
   return {in_file(*c.file, [&] { return particle_set(answer, law, options); }),
           Exit::done,
           answer.unit,
@@ -170,11 +170,12 @@ Particles sample_particles(const ExportCommand &c, const ParticleSetOptions &opt
 /// \param content of FILE; open: there is the band alone
 Particles solved_particles(const ExportCommand &c, const std::optional<std::string> &content,
                            const ParticleSetOptions &options) {
-  const Question question = c.flags.question();
+  const AskedQuestion asked = c.flags.question();
   Progress progress([] { return std::string("solving"); }, c.output.quiet);
   const std::string &source = c.flags.source(c.file);
   const Gradation g = content ? read_gradation(*content, shown_name(source), c.reading.reading())
-                              : in_file(source, [&] { return middle_of(*question.band); });
+                              : in_file(source, [&] { return middle_of(*asked.rest.band); });
+  const Question question = asked.in(g.unit());
   const SolveOptions solve_options = c.flags.options();
   const Match m = in_file(source, [&] { return solve(g, question, solve_options); });
   c.output.tell_notes(m.gradation.notes()); // solve's own are of doubles that may leave their class
@@ -202,12 +203,12 @@ Particles particles(const ExportCommand &c, const ParticleSetOptions &options) {
                                           : solved_particles(c, content, options);
 }
 
-/// Reads `AxB` or `AxBxC`.
-Footprint parse_box(const std::string &text) {
+/// Reads `AxB` or `AxBxC`. \param unit  of lengths without one, and of the result
+Footprint parse_box(const std::string &text, SizeUnit unit) {
   std::vector<Rational> lengths;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find('x', begin), text.size());
-    lengths.push_back(positive("--box", text.substr(begin, end - begin)));
+    lengths.push_back(length("--box", text.substr(begin, end - begin)).in(unit));
     begin = end + 1;
   }
   if (lengths.size() < 2 || lengths.size() > 3)
@@ -233,7 +234,7 @@ std::optional<Footprint> footprint(const ExportCommand &c, const Particles &foun
   const Sides sides = sides_of(c, found);
   std::optional<Footprint> floor;
   if (c.box)
-    floor = parse_box(*c.box);
+    floor = parse_box(*c.box, found.unit);
   else if (found.solids && std::holds_alternative<Box>(*found.solids))
     floor = {std::get<Box>(*found.solids).a, std::get<Box>(*found.solids).b, std::nullopt};
   else if (is_cylinder(c, found) && sides == Sides::cylinder)

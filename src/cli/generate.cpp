@@ -58,7 +58,7 @@ std::shared_ptr<const SieveCurve> sieve_curve(const GenerateCommand &c, std::vec
                                                             : Interpolation::stair;
   return in_file(*c.curve, [&] {
     if (c.pan_size)
-      g = g.with_pan_size(positive("--pan-size", *c.pan_size));
+      g = g.with_pan_size(length("--pan-size", *c.pan_size).in(g.unit()));
     return std::make_shared<const SieveCurve>(GradingCurve(g), interpolation);
   });
 }
@@ -170,6 +170,7 @@ void add_curve(const GenerateCommand &c, GeneratedSet &set) {
     const std::shared_ptr<const BetaCurve> curve = beta_curve(c);
     const std::string how = c.classing.value_or("geometric");
     set.curve = curve;
+    set.unit = beta_unit(c);
     set.id = "beta curve (" + to_decimal(curve->a()) + ", " + to_decimal(curve->b()) + "), " + curve->shape();
     set.terms = classes_in_words(n, how);
     set.classes = size_classes(*curve, classing(how), n);

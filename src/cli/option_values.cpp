@@ -66,6 +66,10 @@ unsigned digits_of(const std::string &option, const std::string &text) {
   return static_cast<unsigned>(n);
 }
 
+Length length(const std::string &option, const std::string &text) {
+  return named(option, text, parse_length);
+}
+
 LengthUnit length_unit_of(const std::string &option, const std::string &text) {
   const std::optional<LengthUnit> unit = parse_length_unit(text);
   if (!unit)

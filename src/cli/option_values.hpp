@@ -2,8 +2,8 @@
 /// \file
 /// Values of options, read exactly. All throw an InputError that names the option.
 
+#include <mdm/gradation/length.hpp>
 #include <mdm/number/rational.hpp>
-#include <mdm/particles/particle_format.hpp>
 #include <mdm/text/error.hpp>
 
 #include <chrono>
@@ -36,6 +36,8 @@ std::chrono::milliseconds duration(const std::string &option, const std::string 
 /// Significant digits, 1 to 1000.
 unsigned digits_of(const std::string &option, const std::string &text);
 
+/// A length above 0, with a unit or without one.
+Length length(const std::string &option, const std::string &text);
 /// \throws InputError naming the option if it is no unit of length
 LengthUnit length_unit_of(const std::string &option, const std::string &text);
 

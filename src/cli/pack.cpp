@@ -28,6 +28,14 @@ struct PackCommand {
   OutputFlags output;
 };
 
+/// \param unit  of the discs; empty: any
+Rational width_in(const std::string &unit, const Length &width) {
+  const std::optional<LengthUnit> of_discs = parse_length_unit(unit);
+  if (width.unit && !of_discs)
+    throw InputError("--width: the discs have no unit: write the number alone");
+  return width.unit ? Rational(width.value * in_mm(*width.unit) / in_mm(*of_discs)) : width.value;
+}
+
 DepositOptions deposit_options(const PackCommand &c) {
   if (c.periodic && c.walls)
     throw InputError("--periodic and --walls exclude each other");
@@ -37,8 +45,6 @@ DepositOptions deposit_options(const PackCommand &c) {
   o.periodic = !c.walls;
   o.seed = seed64("--seed", c.seed);
   o.shuffled = c.order == "shuffled";
-  if (c.width)
-    o.width = positive("--width", *c.width);
   return o;
 }
 
@@ -48,7 +54,11 @@ Packing packed(const PackCommand &c) {
   options.progress = [&lying](std::size_t n) { lying = n; };
   const Progress progress([&lying] { return fmt::format("packing, {} discs lie", lying.load()); },
                           c.output.quiet);
-  return deposit(c.sizes.read(options.seed), options);
+  const std::optional<Length> width = c.width ? std::optional(length("--width", *c.width)) : std::nullopt;
+  const DiscSizes discs = c.sizes.read(options.seed);
+  if (width)
+    options.width = width_in(discs.unit, *width);
+  return deposit(discs, options);
 }
 
 void report(const PackCommand &c, const Packing &packing) {

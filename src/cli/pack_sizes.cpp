@@ -92,7 +92,8 @@ DiscSizes PackSizes::of_curve(std::uint64_t seed) const {
   if (counts.particles() > most_discs)
     throw InputError("--beta: " + to_string(counts.particles()) +
                      " discs are more than 10^7: ask for fewer, for fewer classes or for a smaller span");
-  return set_discs(drawn_particles(all, counts.numbers, 2, size_digits, Draws::random(seed)), all.size(), "");
+  return set_discs(drawn_particles(all, counts.numbers, 2, size_digits, Draws::random(seed)), all.size(),
+                   beta_unit(options));
 }
 
 DiscSizes PackSizes::of_file(const std::string &path, std::uint64_t seed) const {

@@ -157,11 +157,12 @@ int run(const PublishedCommand &c) {
   check_options(c);
   check_distinct({c.file, c.output.path()});
   const Algorithm algorithm = c.algorithm == "spanned-integer" ? spanned_integer_of(c) : fixed_size_of(c);
-  const Question question = c.flags.question();
+  const AskedQuestion asked = c.flags.question();
   const unsigned digits = c.digits ? digits_of("--digits", *c.digits) : 15;
   refuse_sample(c.file);
   const Gradation read =
       read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
+  const Question question = asked.in(read.unit());
   Progress progress([] { return std::string("running the algorithm"); }, c.output.quiet);
   const PublishedReport report = in_file(c.file, [&] {
     const Gradation g = asked_gradation(read, question);

@@ -106,11 +106,9 @@ void report(const SolveCommand &c, const Match &m, const Spectrum *spectrum, con
   }
 }
 
-/// The exit code of the match, of which a gap may be enough, unless it is done and the spectrum beside it, or
-/// the tolerance, is not.
+/// The exit code of the match, unless it is done and the spectrum beside it, or the tolerance, is not.
 Exit exit_code(const Match &m, const std::optional<Spectrum> &spectrum, const Limits &limits) {
-  const bool is_close = m.status == Status::feasible && limits.is_close(*m.particles(), m.lower_bound);
-  const Exit code = is_close ? Exit::done : cli::exit_code(m.status);
+  const Exit code = cli::exit_code(m, limits);
   if (m.budget && !m.budget->is_decided)
     return Exit::limited;
   return code == Exit::done && spectrum && !spectrum->complete ? Exit::limited : code;
@@ -212,10 +210,11 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Bud
 
 int run(const SolveCommand &c) {
   check_files(c);
-  Question question = c.budget.is_asked() ? c.budget.question(c.flags) : c.flags.question();
-  question.band_alone = !c.file;
+  const AskedQuestion stated = c.budget.is_asked() ? c.budget.question(c.flags) : c.flags.question();
   const std::uint64_t seed = seed_of(c);
-  const Target asked = target(c, question);
+  const Target asked = target(c, stated.rest);
+  Question question = stated.in(asked.gradation.unit());
+  question.band_alone = !c.file;
   Output out(c.output.path());
 
   const std::string &source = c.flags.source(c.file);
@@ -280,11 +279,12 @@ Run add_solve(CLI::App &app) {
   c->output.add_out(command, "write the answer");
   c->output.add_quiet(command, "no progress and no notes on standard error");
   c->reading.add_to(command);
-  command.footer(
-      footer("", {"mdm solve sand.csv --min-per-class 10 --proof sand.proof",
-                  "mdm solve sand.csv --tolerance retained:1%",
-                  "mdm solve sand.csv --particles 500 --tolerance passing",
-                  "mdm solve sand.csv --specimen cylinder:50x100 --void-ratio 0.6 --format json"}));
+  command.footer(footer(
+      paragraph("Exit code 1: no match within what was asked; 3: a limit was reached, and the answer says "
+                "what is certain."),
+      {"mdm solve sand.csv --min-per-class 10 --proof sand.proof",
+       "mdm solve sand.csv --tolerance retained:1%", "mdm solve sand.csv --particles 500 --tolerance passing",
+       "mdm solve sand.csv --specimen cylinder:50x100 --void-ratio 0.6 --format json"}));
   return [c] { return run(*c); };
 }
 

@@ -28,23 +28,27 @@ void GradationFlags::add_to(CLI::App &command) {
       ->type_name("K");
   command
       .add_option("--cut-below", cut_below,
-                  "leave out the classes below the sieve SIZE (before --size-factor)")
+                  "leave out the classes below the sieve SIZE, as 63um or in the file's unit (before "
+                  "--size-factor)")
       ->type_name("SIZE");
-  command.add_option("--pan-size", pan_size, "count the pan as SIZE instead of 0 (before --size-factor)")
+  command
+      .add_option("--pan-size", pan_size,
+                  "count the pan as SIZE, as 2um or in the file's unit, instead of 0 (before "
+                  "--size-factor)")
       ->type_name("SIZE");
 }
 
-Question GradationFlags::question() const {
-  Question q;
+AskedQuestion GradationFlags::question() const {
+  AskedQuestion asked;
   if (law)
-    q.law = named("--law", *law, parse_mass_law);
+    asked.rest.law = named("--law", *law, parse_mass_law);
   if (pan_size)
-    q.pan_size = positive("--pan-size", *pan_size);
+    asked.pan_size = length("--pan-size", *pan_size);
   if (cut_below)
-    q.cut_below = positive("--cut-below", *cut_below);
+    asked.cut_below = length("--cut-below", *cut_below);
   if (size_factor)
-    q.size_factor = positive("--size-factor", *size_factor);
-  return q;
+    asked.rest.size_factor = positive("--size-factor", *size_factor);
+  return asked;
 }
 
 void SolveFlags::add_problem(CLI::App &command) {
@@ -78,15 +82,19 @@ void SolveFlags::add_question(CLI::App &command) {
   command.add_option("--min-per-class", min_per_class, "at least R particles in every class with mass")
       ->type_name("R");
   command.add_option("--at-least", at_least, "the smallest match with at least N particles")->type_name("N");
-  command.add_option("--at-most", at_most, "no match (exit 1) if the smallest has more than N particles")
+  command.add_option("--at-most", at_most, "no match if the smallest has more than N particles")
       ->type_name("N");
   command
-      .add_option("--specimen", specimen,
-                  "at least the solids of a specimen: cylinder:DxH or box:AxBxC, lengths in the answer's "
-                  "unit (the file's; mm for inches, phi and sieve names)")
+      .add_option(
+          "--specimen", specimen,
+          "at least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, "
+          "or in the answer's unit (the file's; mm for inches, phi and sieve names)")
       ->type_name("SHAPE");
   command.add_option("--void-ratio", void_ratio, "void ratio e of the specimen")->type_name("E");
-  command.add_option("--solids-volume", solids_volume, "at least this volume of solids")->type_name("V");
+  command
+      .add_option("--solids-volume", solids_volume,
+                  "at least this volume of solids, in the cube of the answer's unit")
+      ->type_name("V");
 }
 
 void SolveFlags::add_limits(CLI::App &command) {
@@ -107,7 +115,7 @@ void SolveFlags::add_limits(CLI::App &command) {
       ->type_name("G");
 }
 
-Question SolveFlags::question() const {
+AskedQuestion SolveFlags::question() const {
   if (is_tolerant() && scale)
     throw InputError("--scale: sizes within a tolerance are as far from all bounds as can be: leave it out");
   if (is_tolerant() && max_steps)
@@ -119,8 +127,9 @@ Question SolveFlags::question() const {
   return question_of_both();
 }
 
-Question SolveFlags::question_of_both() const {
-  Question q = GradationFlags::question();
+AskedQuestion SolveFlags::question_of_both() const {
+  AskedQuestion asked = GradationFlags::question();
+  Question &q = asked.rest;
   for (const std::string &text : tolerances)
     q.tolerances.push_back(named("--tolerance", text, parse_tolerance));
   if (band)
@@ -135,12 +144,12 @@ Question SolveFlags::question_of_both() const {
     throw InputError("--specimen and --solids-volume: give one of them");
   if (void_ratio)
     not_negative("--void-ratio", *void_ratio);
-  if (specimen)
-    q.solids = named("--specimen", *specimen,
-                     [this](const std::string &t) { return parse_specimen(t, *void_ratio); });
   if (solids_volume)
     q.solids = SolidsVolume{positive("--solids-volume", *solids_volume)};
-  return q;
+  if (specimen)
+    asked.specimen = AskedSpecimen{*specimen, *void_ratio};
+  asked.in(SizeUnit::mm); // refuses a wrong specimen before a file is read
+  return asked;
 }
 
 void SolveFlags::check_source(const Text &file, const std::string &reading,

@@ -2,6 +2,8 @@
 /// \file
 /// The options of solving, and those of them that more commands share.
 
+#include "cli/asked_question.hpp"
+
 #include <mdm/match/solve.hpp>
 
 #include <CLI/CLI.hpp>
@@ -20,7 +22,7 @@ struct GradationFlags {
   void add_to(CLI::App &command);
 
   /// \throws InputError naming the option where its value does not serve
-  Question question() const;
+  AskedQuestion question() const;
 };
 
 /// All options of solving.
@@ -43,10 +45,10 @@ struct SolveFlags : GradationFlags {
   /// \throws InputError if there is neither, or if they do not go together
   void check_source(const Text &file, const std::string &reading, const std::string &command) const;
   /// \throws InputError naming the option where its value does not serve
-  Question question() const;
+  AskedQuestion question() const;
   /// The same for a command that looks for exact matches and for those within a tolerance: limits of either
   /// serve.
-  Question question_of_both() const;
+  AskedQuestion question_of_both() const;
   /// The deadline counts from this call.
   SolveOptions options(bool keep_proof = false) const;
 

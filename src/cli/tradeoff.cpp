@@ -27,7 +27,7 @@ struct TradeoffCommand {
   SolveFlags flags;
   std::string kind = "retained";
   std::string tolerances = "0,0.1,0.2,0.5,1,2,5";
-  Text plot;
+  Text plot, particles, grid;
   ReadingFlags reading;
   OutputFlags output;
 };
@@ -46,12 +46,31 @@ std::vector<AskedTolerance> tolerances(const TradeoffCommand &c) {
   return all;
 }
 
+/// `100,200` or `all`.
+void read_budgets(const TradeoffCommand &c, TradeoffOptions &o) {
+  if (!c.particles && c.grid)
+    throw InputError("--grid: it is of --particles: add it, or leave --grid out");
+  if (!c.particles)
+    return;
+  if (c.flags.is_tolerant() || c.flags.at_most)
+    throw InputError("--particles: it chooses tolerances: leave out --tolerance, --band and --at-most");
+  if (c.grid)
+    o.grid = positive("--grid", *c.grid);
+  o.all_budgets = *c.particles == "all";
+  for (std::size_t from = 0; !o.all_budgets && from <= c.particles->size();) {
+    const std::size_t to = std::min(c.particles->find(',', from), c.particles->size());
+    o.budgets.push_back(natural("--particles", c.particles->substr(from, to - from), 1));
+    from = to + 1;
+  }
+}
+
 TradeoffOptions options(const TradeoffCommand &c) {
   TradeoffOptions o;
   for (const AskedTolerance &t : tolerances(c)) {
     o.kind = t.kind;
     o.tolerances.push_back(t.percent);
   }
+  read_budgets(c, o);
   o.limits = c.flags.options().limits;
   if (c.flags.at_most)
     o.limits.at_most = natural("--at-most", *c.flags.at_most, 0);
@@ -87,10 +106,11 @@ int run(const TradeoffCommand &c) {
   if (c.plot && !picture)
     throw InputError("--plot: " + printable(*c.plot) + ": let OUT end in .svg, .png or .pdf");
   const TradeoffOptions o = options(c);
-  const Question q = c.flags.question_of_both();
+  const AskedQuestion asked = c.flags.question_of_both();
   refuse_sample(c.file);
   const Gradation g =
       read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
+  const Question q = asked.in(g.unit());
   Output out(c.output.path());
   const Tradeoff t = searched(c, g, q, o);
   std::unique_ptr<Output> plot;
@@ -128,6 +148,14 @@ Run add_tradeoff(CLI::App &app) {
       .add_option("--tolerances", c->tolerances,
                   "tolerances in percentage points (0,0.1,0.2,0.5,1,2,5); 0 is the exact match")
       ->type_name("LIST");
+  command
+      .add_option(
+          "--particles", c->particles,
+          "also the least tolerances with which so many particles suffice: a list as 100,1000, or all "
+          "for 1, 2, 5, 10, 20, ...")
+      ->type_name("LIST");
+  command.add_option("--grid", c->grid, "the steps of those tolerances in percentage points (0.001)")
+      ->type_name("STEP");
   c->flags.add_problem(command);
   const OptionGroup group(command, "The answer");
   command.add_option("--plot", c->plot, "draw both into OUT.svg, .png or .pdf (needs gnuplot)")
@@ -141,6 +169,7 @@ Run add_tradeoff(CLI::App &app) {
           "Each row is the smallest match for the whole question: --tolerance and --band hold in all rows, "
           "--tolerances besides them in those of the first table."),
       {"mdm tradeoff sand.csv", "mdm tradeoff sand.csv --kind passing --tolerances 0,0.5,1,2 --plot sand.svg",
+       "mdm tradeoff sand.csv --particles all --plot sand.svg",
        "mdm tradeoff sand.csv --specimen cylinder:50x100 --void-ratio 0.6"}));
   return [c] { return run(*c); };
 }

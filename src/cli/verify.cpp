@@ -180,18 +180,20 @@ Found read_sample(const VerifyCommand &c, const Gradation &g, const Question &qu
 
 /// A gradation with what the question changes, and its smallest match.
 struct Asked {
+  Question question;
   Gradation gradation;
   SmallestMatch smallest;
 };
 
-Asked read_target(const VerifyCommand &c, const Question &question) {
+Asked read_target(const VerifyCommand &c, const AskedQuestion &stated) {
   refuse_sample(c.gradation);
   Gradation g = read_gradation(read_file(c.gradation, max_gradation_bytes), shown_name(c.gradation),
                                c.reading.reading());
+  const Question question = stated.in(g.unit());
   return in_file(c.gradation, [&] {
     Gradation asked = asked_gradation(std::move(g), question);
     SmallestMatch smallest = smallest_match(asked, question.law);
-    return Asked{std::move(asked), std::move(smallest)};
+    return Asked{question, std::move(asked), std::move(smallest)};
   });
 }
 
@@ -215,10 +217,11 @@ int run(const VerifyCommand &c) {
     check_distinct({*c.band, c.output.path()});
   if (is_disc_sizes_file(c.gradation))
     return verify_packing(c.gradation, c.sample, c.output);
-  const Question question = c.flags.question();
+  const AskedQuestion stated = c.flags.question();
   const Rational snap = c.snap ? not_negative("--snap", *c.snap) : Rational(0);
   const unsigned digits = c.digits ? digits_of("--digits", *c.digits) : 6;
-  const Asked target = read_target(c, question);
+  const Asked target = read_target(c, stated);
+  const Question &question = target.question;
   Output out(c.output.path());
 
   Found found = read_sample(c, target.gradation, question, snap);

@@ -347,12 +347,24 @@ ColumnUnit take_unit(std::vector<std::string> &words) {
 
 } // namespace
 
+bool is_of_sizes(ColumnUnit unit) {
+  return unit == ColumnUnit::mm || unit == ColumnUnit::um || unit == ColumnUnit::m ||
+         unit == ColumnUnit::inch || unit == ColumnUnit::phi;
+}
+
 std::string plain_words(std::string_view text) {
   return joined(words_of(text));
 }
 
 ColumnUnit unit_of_words(std::string_view words) {
   return unit_of(words_of(words));
+}
+
+ColumnUnit unit_in_header(std::string_view header) {
+  std::string rest(header);
+  const ColumnUnit unit = take_bracketed_unit(rest);
+  std::vector<std::string> words = words_of(rest);
+  return unit == ColumnUnit::none ? take_unit(words) : unit;
 }
 
 std::optional<HeaderMeaning> header_meaning(std::string_view header) {
@@ -369,10 +381,8 @@ std::optional<HeaderMeaning> header_meaning(std::string_view header) {
   const std::optional<ColumnMeaning> meaning = meaning_of(joined(words));
   if (!meaning)
     return std::nullopt;
-  const bool is_length = unit == ColumnUnit::mm || unit == ColumnUnit::um || unit == ColumnUnit::m ||
-                         unit == ColumnUnit::inch || unit == ColumnUnit::phi;
   const bool holds_sizes = *meaning == ColumnMeaning::size || *meaning == ColumnMeaning::sieve;
-  if (unit != ColumnUnit::none && is_length != holds_sizes)
+  if (unit != ColumnUnit::none && is_of_sizes(unit) != holds_sizes)
     return std::nullopt;
   return HeaderMeaning{*meaning, unit};
 }

@@ -20,6 +20,9 @@ enum class ColumnMeaning {
 /// What is behind a name in brackets, or a cell of units below it.
 enum class ColumnUnit { none, mm, um, m, inch, phi, percent, fraction, mass };
 
+/// True for units of length and phi.
+bool is_of_sizes(ColumnUnit unit);
+
 struct HeaderMeaning {
   ColumnMeaning meaning;
   ColumnUnit unit = ColumnUnit::none;
@@ -28,6 +31,9 @@ struct HeaderMeaning {
 /// The meaning of a header such as `Siebweite [mm]`, `% passing` or `Rückstand in g`, where the table of
 /// words has it; letter case, accents and punctuation do not count.
 std::optional<HeaderMeaning> header_meaning(std::string_view header);
+
+/// The unit that a header names beside other words, whether these are known or not: `Korngröße d [mm]`.
+ColumnUnit unit_in_header(std::string_view header);
 
 /// The unit that a cell names by itself: `mm`, `[µm]`, `(%)`, `M.-%`, `g`.
 ColumnUnit unit_of_words(std::string_view words);

@@ -314,7 +314,7 @@ private:
       for (const std::string &other : columns_.others)
         others.add(other);
       table_.notes.push_back(
-          fmt::format("Columns that were not used: {}; --columns chooses them.", others.text()));
+          fmt::format("Columns that were not used: {}; --columns chooses others.", others.text()));
     }
     if (!long_numbers_.empty())
       table_.notes.push_back(

@@ -63,6 +63,19 @@ std::string_view column_name(const HeaderMeaning &meaning) {
   }
 }
 
+/// True where five sieves or more hold mass and none less than the next coarser one, as cumulative masses do.
+bool look_cumulative(const Table &table) {
+  constexpr std::ptrdiff_t enough = 5;
+  std::vector<std::pair<Rational, Rational>> rows;
+  for (std::size_t i = 0; i < table.sizes.size(); ++i)
+    rows.emplace_back(-table.sizes[i], table.values[i]);
+  std::sort(rows.begin(), rows.end());
+  const auto less = [](const auto &a, const auto &b) { return a.second < b.second; };
+  const auto is_held = [](const auto &row) { return row.second > 0; };
+  return std::is_sorted(rows.begin(), rows.end(), less) &&
+         std::count_if(rows.begin(), rows.end(), is_held) >= enough;
+}
+
 /// What the rows add up to must be what the total says and what percents can be.
 void check_sum(Table &table, const LabValues &values, const Reading &reading, const Source &source) {
   Rational sum = 0;
@@ -71,6 +84,11 @@ void check_sum(Table &table, const LabValues &values, const Reading &reading, co
   if (values.total && *values.total != sum)
     table.notes.push_back(fmt::format("The file's total is {}, the rows add up to {}; the rows are used.",
                                       shown(*values.total), shown(sum)));
+  if (values.meaning.unit != ColumnUnit::percent && !reading.kind && look_cumulative(table))
+    table.notes.push_back(
+        fmt::format("No sieve retains less than the next coarser one: if {} is cumulative, say "
+                    "--kind cumulative.",
+                    in_quotes(values.header)));
   constexpr int most_percent = 105; // of rounded percents
   if (table.column->full == 100 && sum > most_percent && !reading.kind)
     source.refuse(

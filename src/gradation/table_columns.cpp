@@ -106,6 +106,13 @@ struct Known {
   HeaderMeaning meaning;
 };
 
+/// Adds the names of the columns that are not used. \pre size and value are set
+void add_others(TableColumns &columns, const CellRow &header) {
+  for (std::size_t i = 0; i < header.cells.size(); ++i)
+    if (i != columns.size && i != columns.value && !header.cells[i].empty())
+      columns.others.push_back(header.cells[i]);
+}
+
 /// The best of several columns with one purpose; its place in `all` is moved to the front.
 void bring_best_to_front(std::vector<Known> &all, const CellRow &row, const Source &source) {
   std::stable_sort(all.begin(), all.end(),
@@ -155,6 +162,8 @@ HeaderMeaning meaning_of(std::string_view header, bool sizes, const std::optiona
     return *words;
   if (asked)
     return *asked;
+  if (const ColumnUnit unit = unit_in_header(header); sizes && is_of_sizes(unit))
+    return {ColumnMeaning::size, unit};
   throw InputError(fmt::format("--columns: {} does not say what the column of {} holds: add {}",
                                header.empty() ? "no header" : in_quotes(header), sizes ? "sizes" : "masses",
                                option));
@@ -171,6 +180,7 @@ TableColumns asked_columns(const CellRow *header, std::size_t size, std::size_t 
     columns.size_name = header->cell(size);
     columns.value_name = header->cell(value);
     columns.width = header->cells.size();
+    add_others(columns, *header);
   }
   columns.sizes =
       meaning_of(columns.size_name, true, asked_unit(reading), "--unit mm, or um, m, in, phi, sieve");
@@ -231,10 +241,7 @@ std::optional<TableColumns> known_columns(const CellRow &row, const Reading &rea
   columns.size_name = row.cell(columns.size);
   columns.value_name = row.cell(columns.value);
   columns.width = row.cells.size();
-  for (std::size_t i = 1; i < values.size(); ++i)
-    columns.others.emplace_back(row.cell(values[i].place));
-  for (std::size_t i = 1; i < sizes.size(); ++i)
-    columns.others.emplace_back(row.cell(sizes[i].place));
+  add_others(columns, row);
   return columns;
 }
 

@@ -17,7 +17,7 @@ struct TableColumns {
   HeaderMeaning values{ColumnMeaning::retained};
   std::size_t width = 0;           ///< cells of the header; 0 where there is none
   std::size_t first_row = 0;       ///< of Cells::rows
-  std::vector<std::string> others; ///< further columns that hold the gradation
+  std::vector<std::string> others; ///< columns that are not used
 };
 
 /// What --kind and --unit say.

@@ -18,19 +18,24 @@ Gradation asked_gradation(Gradation g, const Question &question) {
 
 namespace {
 
-std::string in_words(const Solids &solids) {
+std::string length_in_words(const Rational &length, SizeUnit unit) {
+  return to_decimal(length) + " " + std::string(name(unit));
+}
+
+std::string in_words(const Solids &solids, SizeUnit unit) {
+  const auto length = [unit](const Rational &l) { return length_in_words(l, unit); };
   if (const Cylinder *c = std::get_if<Cylinder>(&solids))
-    return fmt::format("the solids of a cylinder {} x {} at void ratio {}", to_decimal(c->diameter),
-                       to_decimal(c->height), to_decimal(c->void_ratio));
+    return fmt::format("the solids of a cylinder {} x {} at void ratio {}", length(c->diameter),
+                       length(c->height), to_decimal(c->void_ratio));
   if (const Box *b = std::get_if<Box>(&solids))
-    return fmt::format("the solids of a box {} x {} x {} at void ratio {}", to_decimal(b->a),
-                       to_decimal(b->b), to_decimal(b->c), to_decimal(b->void_ratio));
-  return "a solids volume of " + to_decimal(std::get<SolidsVolume>(solids).volume);
+    return fmt::format("the solids of a box {} x {} x {} at void ratio {}", length(b->a), length(b->b),
+                       length(b->c), to_decimal(b->void_ratio));
+  return fmt::format("a solids volume of {}^3", length(std::get<SolidsVolume>(solids).volume));
 }
 
 } // namespace
 
-std::string in_words(const Question &q) {
+std::string in_words(const Question &q, SizeUnit unit) {
   std::string words;
   const auto add = [&words](const std::string &part) { words += (words.empty() ? "" : "; ") + part; };
   for (const AskedTolerance &tolerance : q.tolerances)
@@ -43,13 +48,13 @@ std::string in_words(const Question &q) {
     add("at least " + to_string(q.min_per_class) + (q.min_per_class == 1 ? " particle" : " particles") +
         " in each class");
   if (q.solids)
-    add("at least " + in_words(*q.solids));
+    add("at least " + in_words(*q.solids, unit));
   if (!q.law.is_sphere())
     add("law x^(" + q.law.exponent() + ")");
   if (q.pan_size)
-    add("pan counted as size " + to_decimal(*q.pan_size));
+    add("pan counted as size " + length_in_words(*q.pan_size, unit));
   if (q.cut_below)
-    add("classes below " + to_decimal(*q.cut_below) + " left out");
+    add("classes below " + length_in_words(*q.cut_below, unit) + " left out");
   if (q.size_factor != 1)
     add("sizes multiplied by " + to_decimal(q.size_factor));
   return words;

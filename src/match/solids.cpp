@@ -1,26 +1,21 @@
 #include "number/pi.hpp"
 
+#include <mdm/gradation/length.hpp>
 #include <mdm/match/solids.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace mdm {
 namespace {
 
-Rational positive_length(std::string_view text) {
-  const Rational length = parse_decimal(text);
-  if (length <= 0)
-    throw InputError("a specimen's length " + in_quotes(text) + " is not positive");
-  return length;
-}
-
-std::vector<Rational> lengths(std::string_view text) {
+std::vector<Rational> lengths(std::string_view text, SizeUnit unit) {
   std::vector<Rational> values;
   for (;;) {
     const std::size_t end = text.find('x');
-    values.push_back(positive_length(text.substr(0, end)));
+    values.push_back(parse_length(text.substr(0, end)).in(unit));
     if (end == std::string_view::npos)
       return values;
     text.remove_prefix(end + 1);
@@ -29,21 +24,30 @@ std::vector<Rational> lengths(std::string_view text) {
 
 } // namespace
 
-Solids parse_specimen(std::string_view shape, std::string_view void_ratio) {
+Solids parse_specimen(std::string_view shape, std::string_view void_ratio, SizeUnit unit) {
   const Rational e = parse_decimal(void_ratio);
   if (e < 0)
     throw InputError("the void ratio " + in_quotes(void_ratio) + " is negative");
   const std::size_t colon = shape.find(':');
   const std::string_view kind = shape.substr(0, colon);
   if (colon != std::string_view::npos && (kind == "cylinder" || kind == "box")) {
-    const std::vector<Rational> l = lengths(shape.substr(colon + 1));
+    const std::vector<Rational> l = lengths(shape.substr(colon + 1), unit);
     if (kind == "cylinder" && l.size() == 2)
       return Cylinder{l[0], l[1], e};
     if (kind == "box" && l.size() == 3)
       return Box{l[0], l[1], l[2], e};
   }
-  throw InputError("specimen " + in_quotes(shape) +
-                   " is neither cylinder:DxH nor box:AxBxC, such as cylinder:50x24.4");
+  throw InputError(
+      "specimen " + in_quotes(shape) +
+      " is neither cylinder:DxH nor box:AxBxC, such as cylinder:50x24.4 or cylinder:50mmx24.4mm");
+}
+
+std::optional<Rational> narrowest(const Solids &solids) {
+  if (const Cylinder *c = std::get_if<Cylinder>(&solids))
+    return std::min(c->diameter, c->height);
+  if (const Box *b = std::get_if<Box>(&solids))
+    return std::min({b->a, b->b, b->c});
+  return std::nullopt;
 }
 
 Interval start_scale(const Solids &solids, const Rational &weight, unsigned pi_places) {

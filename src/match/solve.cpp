@@ -262,6 +262,20 @@ Match solve_within_tolerance(Match match, const SolveOptions &options, const Wat
   return match;
 }
 
+/// A specimen in which a particle of the largest class has no room was hardly meant.
+void note_narrow_specimen(Match &match) {
+  const std::optional<Rational> width =
+      match.question.solids ? narrowest(*match.question.solids) : std::nullopt;
+  const Gradation &g = match.gradation;
+  std::size_t j = g.classes() - 1;
+  while (g.masses()[j] == 0)
+    --j;
+  if (width && compare(RootSize{*width, 1}, g.opening(j)) < 0)
+    match.notes.push_back("the specimen is " + to_decimal(*width) + " " + std::string(name(g.unit())) +
+                          " at its narrowest, and the particles of class " + std::to_string(j + 1) +
+                          " are larger");
+}
+
 } // namespace
 
 Match solve(Gradation g, const Question &question, const SolveOptions &options) {
@@ -271,6 +285,7 @@ Match solve(Gradation g, const Question &question, const SolveOptions &options) 
   Match match(question, asked_gradation(std::move(g), question));
   match.digits = options.digits;
   match.notes = match.gradation.notes();
+  note_narrow_specimen(match);
   const Watch watch(options.limits.deadline, options.progress);
   return question.is_tolerant() ? solve_within_tolerance(std::move(match), options, watch)
                                 : solve_exactly(std::move(match), options, limits_of(options), watch);

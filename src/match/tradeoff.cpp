@@ -2,7 +2,10 @@
 
 #include "number/common_denominator.hpp"
 
+#include <mdm/match/budget.hpp>
+
 #include <algorithm>
+#include <cassert>
 
 namespace mdm {
 namespace {
@@ -18,6 +21,20 @@ public:
     row.particles = m.has_answer() ? m.particles() : std::nullopt;
     row.lower_bound = m.lower_bound;
     row.has_none = m.status == Status::none;
+    return row;
+  }
+
+  /// A row at the least tolerance with which the budget suffices; nothing if none is known.
+  std::optional<TradeoffRow> within(const Integer &particles, TradeoffRow row, const Gradation &g,
+                                    const Question &question) {
+    const Match m =
+        solve_within_budget(g, question, {particles, options_.kind, options_.grid}, solve_options()).match;
+    if (!m.budget->tolerance || !m.has_answer())
+      return std::nullopt;
+    row.tolerance = *m.budget->tolerance;
+    row.particles = m.particles();
+    row.lower_bound = m.lower_bound;
+    row.has_none = false;
     return row;
   }
 
@@ -96,6 +113,26 @@ TradeoffRow tolerance_row(const Gradation &g, Question question, const AskedTole
   return of.solved(std::move(row), g, question);
 }
 
+/// The budgets that are asked for, ascending. \param most  particles of the match without a tolerance
+std::vector<Integer> budgets_of(const TradeoffOptions &options, const Integer &most) {
+  std::vector<Integer> budgets = options.budgets;
+  if (options.all_budgets)
+    for (Integer decade = 1; decade < most; decade *= 10)
+      for (const unsigned step : {1U, 2U, 5U})
+        if (decade * step < most)
+          budgets.emplace_back(decade * step);
+  std::sort(budgets.begin(), budgets.end());
+  return budgets;
+}
+
+/// Ascending tolerances, each once.
+void sort_rows(std::vector<TradeoffRow> &rows) {
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const TradeoffRow &a, const TradeoffRow &b) { return a.tolerance < b.tolerance; });
+  const auto same = [](const TradeoffRow &a, const TradeoffRow &b) { return a.tolerance == b.tolerance; };
+  rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
+}
+
 /// The result of a row is an upper bound for the next ones and a lower bound for those before.
 void share_bounds(std::vector<TradeoffRow> &rows) {
   for (std::size_t i = 1; i < rows.size(); ++i)
@@ -115,6 +152,7 @@ bool survives_cuts(const Question &q) {
 } // namespace
 
 Tradeoff tradeoff(Gradation g, const Question &question, const TradeoffOptions &options) {
+  assert(!question.is_tolerant() || (options.budgets.empty() && !options.all_budgets));
   Tradeoff result{question, asked_gradation(g, question), options.kind, {}, {}};
   Question changes = question; // what is not changed in `base` yet
   changes.pan_size = changes.cut_below = std::nullopt;
@@ -125,11 +163,12 @@ Tradeoff tradeoff(Gradation g, const Question &question, const TradeoffOptions &
   result.by_sieve = sieve_rows(base, changes, result.gradation, of);
   if (survives_cuts(question))
     share_bounds(result.by_sieve);
-  std::vector<Rational> tolerances = options.tolerances;
-  std::sort(tolerances.begin(), tolerances.end());
-  tolerances.erase(std::unique(tolerances.begin(), tolerances.end()), tolerances.end());
-  for (const Rational &percent : tolerances)
+  for (const Rational &percent : options.tolerances)
     result.by_tolerance.push_back(tolerance_row(base, changes, {options.kind, percent}, of, result.whole()));
+  for (const Integer &particles : budgets_of(options, result.whole().lower_bound))
+    if (std::optional<TradeoffRow> row = of.within(particles, result.whole(), base, changes))
+      result.by_tolerance.push_back(std::move(*row));
+  sort_rows(result.by_tolerance);
   share_bounds(result.by_tolerance);
   return result;
 }

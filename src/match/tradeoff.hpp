@@ -27,8 +27,11 @@ struct TradeoffRow {
 struct TradeoffOptions {
   AskedTolerance::Kind kind = AskedTolerance::Kind::retained; ///< retained, passing or total
   std::vector<Rational> tolerances;                           ///< percentage points
-  Limits limits;                                              ///< of each row; its deadline is not used
-  std::optional<std::chrono::milliseconds> time_limit;        ///< of each row
+  std::vector<Integer> budgets;   ///< numbers of particles >= 1 that add the least tolerance they suffice for
+  bool all_budgets = false;       ///< adds 1, 2, 5, 10, ... below the number of the whole gradation's match
+  Rational grid = ratio(1, 1000); ///< percentage points > 0, of the tolerances that budgets add
+  Limits limits;                  ///< of each row; its deadline is not used
+  std::optional<std::chrono::milliseconds> time_limit; ///< of each row
   /// As SolveOptions::progress, of the row that is worked on; false ends all rows as a limit does.
   ProgressCall progress;
 };
@@ -49,7 +52,8 @@ struct Tradeoff {
 
 /// The trade-off of a gradation: every row is the answer to the whole question, the rows of `by_sieve` for
 /// what is left of the gradation, those of `by_tolerance` with this tolerance besides the question's. Cost: a
-/// match for each row.
+/// match for each row, some 17 for each budget.
+/// \pre with budgets the question has neither tolerances nor a band
 /// \throws InputError if the question does not fit g
 Tradeoff tradeoff(Gradation g, const Question &question, const TradeoffOptions &options);
 

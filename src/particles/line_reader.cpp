@@ -68,7 +68,7 @@ void ParticleSource::restart() {
 
 void ParticleSource::check_some() const {
   if (!any_)
-    refuse("there are no particles up to here, the end: give a file that has some");
+    refuse("there are no particles: the file ends before the first");
 }
 
 std::string_view take_word(std::string_view &rest) {

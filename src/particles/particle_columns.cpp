@@ -1,5 +1,6 @@
 #include "particles/particle_columns.hpp"
 
+#include "gradation/table.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/text/error.hpp>
@@ -73,6 +74,11 @@ public:
 
 private:
   [[noreturn]] static void refuse_unknown(const std::string &name) {
+    if (find_mass_column(name) != nullptr)
+      throw InputError(
+          "column " + in_quotes(name) +
+          " is of a gradation, and particles are wanted: mdm solve GRADATION --spread --format csv "
+          "writes some that it has");
     throw InputError("column " + in_quotes(name) +
                      " is unknown: a file of particles has size_mm, diameter_mm or radius_mm (mm, um, m or "
                      "in), size_phi or sieve, and beside it quantity or x,y,z if they are wanted");

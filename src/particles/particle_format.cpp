@@ -10,16 +10,6 @@ constexpr std::array<std::string_view, 11> format_names = {"csv",         "answe
                                                            "lammps-data", "lammps-dump", "liggghts-dump",
                                                            "vtk",         "diameters",   "liggghts-insertion",
                                                            "mercurydpm",  "extxyz"};
-constexpr std::array<std::string_view, 4> unit_names = {"mm", "um", "m", "in"};
-
-/// The enumerator at the place of the name.
-template <typename Enum, std::size_t n>
-std::optional<Enum> find(const std::array<std::string_view, n> &names, std::string_view name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    return std::nullopt;
-  return static_cast<Enum>(found - names.begin());
-}
 
 } // namespace
 
@@ -28,7 +18,10 @@ std::string_view name(ParticleFormat format) {
 }
 
 std::optional<ParticleFormat> parse_particle_format(std::string_view name) {
-  return find<ParticleFormat>(format_names, name);
+  const auto *const found = std::find(format_names.begin(), format_names.end(), name);
+  if (found == format_names.end())
+    return std::nullopt;
+  return static_cast<ParticleFormat>(found - format_names.begin());
 }
 
 std::string particle_format_names() {
@@ -36,32 +29,6 @@ std::string particle_format_names() {
   for (const std::string_view name : format_names)
     text += (text.empty() ? "" : ", ") + std::string(name);
   return text;
-}
-
-std::string_view name(LengthUnit unit) {
-  return unit_names.at(static_cast<std::size_t>(unit));
-}
-
-std::optional<LengthUnit> parse_length_unit(std::string_view name) {
-  return find<LengthUnit>(unit_names, name);
-}
-
-LengthUnit length_unit(SizeUnit unit) {
-  return parse_length_unit(name(unit)).value();
-}
-
-Rational in_mm(LengthUnit unit) {
-  switch (unit) {
-  case LengthUnit::um:
-    return ratio(1, 1000);
-  case LengthUnit::m:
-    return 1000;
-  case LengthUnit::in:
-    return ratio(254, 10);
-  case LengthUnit::mm:
-    break;
-  }
-  return 1;
 }
 
 } // namespace mdm

@@ -40,6 +40,11 @@ private:
   void row() override {
     if (words_.size() != 1)
       source_.refuse("the line is not one number: write a size alone, or give --from");
+    if (!is_number(words_.front()))
+      source_.refuse(
+          fmt::format("{} is not a number: write a diameter in each line, below a header diameter_mm "
+                      "(or um, m, in; radius_mm for radii) if there is to be one",
+                      in_quotes(words_.front())));
     source_.particle(words_.front());
   }
 };
@@ -69,7 +74,9 @@ private:
                                  words_.size(), width_));
     for (std::size_t i = 0; i < radius; ++i)
       if (!is_number(words_[i]))
-        source_.refuse(fmt::format("{} is not a number: write x y z r", in_quotes(words_[i])));
+        source_.refuse(
+            fmt::format("{} is not a number: write x y z r in each line, and # before lines of words",
+                        in_quotes(words_[i])));
     source_.particle(words_[radius]);
   }
 

@@ -191,7 +191,7 @@ void ParticleReader::end() {
   if (!reader_ && pending_.size() == 1 && is_count(pending_.front()))
     begin(ParticleFormat::diameters);
   if (!reader_)
-    source_->refuse("there are no particles up to here, the end: give a file that has some");
+    source_->refuse("there are no particles: the file ends before the first");
   reader_->end();
 }
 

@@ -99,7 +99,7 @@ std::string csv_row(const Tradeoff &t, const TradeoffRow &row) {
 } // namespace
 
 std::string tradeoff_text(const Tradeoff &t) {
-  const std::string words = in_words(t.question);
+  const std::string words = in_words(t.question, t.gradation.unit());
   std::string text =
       fmt::format("{}: the smallest match within a tolerance, and without the finest classes{}\n\n",
                   printable(t.gradation.id()), words.empty() ? "" : " (" + words + ")");
@@ -112,7 +112,7 @@ std::string tradeoff_text(const Tradeoff &t) {
 std::string tradeoff_json(const Tradeoff &t) {
   JsonWriter json;
   json.begin_object().key("schema").plain("mdm-tradeoff-1").key("id").string(t.gradation.id());
-  json.key("question").string(in_words(t.question)).key("unit").plain(name(t.gradation.unit()));
+  json.key("question").string(in_words(t.question, t.gradation.unit())).key("unit").plain(name(t.gradation.unit()));
   write_rows(json.key("kind").plain(kind_name(t)).key("by_tolerance"), t.by_tolerance);
   write_rows(json.key("by_sieve"), t.by_sieve);
   json.key("notes").strings(t.gradation.notes()).key("versions").raw(versions_json()).end_object();

@@ -209,7 +209,7 @@ std::string headline(const Verification &v) {
 
 std::string verification_text(const Verification &v) {
   Buffer out;
-  const std::string words = in_words(v.question);
+  const std::string words = in_words(v.question, v.description.gradation().unit());
   add(out, "{} against {}: {}{}\n\n", printable(v.sample), printable(v.description.gradation().id()),
       headline(v), words.empty() ? "" : " (" + words + ")");
   add_table(out, v);

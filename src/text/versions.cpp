@@ -12,6 +12,12 @@
 #else
 #include <arb.h>
 #endif
+#ifdef MDM_READS_XML
+#include <pugixml.hpp>
+#endif
+#ifdef MDM_READS_WORKBOOKS
+#include <zip.h>
+#endif
 
 namespace mdm {
 namespace {
@@ -29,6 +35,12 @@ std::string fmt_version() {
   return fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100);
 }
 
+#ifdef MDM_READS_XML
+std::string pugixml_version() {
+  return fmt::format("{}.{}.{}", PUGIXML_VERSION / 1000, PUGIXML_VERSION / 10 % 100, PUGIXML_VERSION % 10);
+}
+#endif
+
 } // namespace
 
 const std::vector<std::pair<std::string, std::string>> &versions() {
@@ -43,6 +55,12 @@ const std::vector<std::pair<std::string, std::string>> &versions() {
     {"boost", boost_version()},
     {"fmt", fmt_version()},
     {"nlohmann-json", json_version()},
+#ifdef MDM_READS_XML
+    {"pugixml", pugixml_version()},
+#endif
+#ifdef MDM_READS_WORKBOOKS
+    {"libzip", LIBZIP_VERSION},
+#endif
   };
   return list;
 }

@@ -104,7 +104,7 @@ TEST_CASE("Outputs as inputs: the table of commands and files") {
               {"particles.liggghts", 0, ""},
               {"particles.vtk", 0, ""},
               {"discs.packing", 2, packing},
-              {"converted.csv", 2, "a file of particles has size_mm"},
+              {"converted.csv", 2, "is of a gradation, and particles are wanted"},
               {"converted.json", 2, "JSON answer of mdm solve"},
               {"verdict.json", 2, "JSON answer of mdm solve"}});
   // Without a tolerance a range of sizes does not tell.
@@ -190,7 +190,7 @@ TEST_CASE("Outputs as inputs: what is drawn") {
   draw({"answer.json"}, 2, "give the gradation that it was asked about");
   draw({"sand.csv", "set.csv"}, 2, "mdm generate --sizes");
   draw({"sand.csv", "discs.packing"}, 2, "mdm export");
-  draw({"sand.csv", "converted.csv"}, 2, "a file of particles has size_mm");
+  draw({"sand.csv", "converted.csv"}, 2, "is of a gradation, and particles are wanted");
 }
 
 TEST_CASE("Outputs as inputs: the classes of a set as a gradation have its volume fractions") {

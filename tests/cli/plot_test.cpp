@@ -174,7 +174,7 @@ TEST_CASE("what makes no picture is refused", "[cli]") {
   check_refused(mdm({"plot", sand, "-o", folder / "a.jpg"}), ".svg, .png or .pdf");
   check_refused(mdm({"plot", sand, "-o", "-"}), "--format");
   check_refused(mdm({"plot", sand, "--what", "counts", "-o", svg}), "--match");
-  check_refused(mdm({"plot", sand, sand, "-o", svg}), "a file of particles has size_mm");
+  check_refused(mdm({"plot", sand, sand, "-o", svg}), "is of a gradation, and particles are wanted");
   check_refused(mdm({"plot", sand, sand, "--match", "-o", svg}), "one of them");
   check_refused(mdm({"plot", "-", "-", "-o", svg}), "standard input");
   check_refused(mdm({"plot", sand, "--band", sand, "-o", svg}), "a band has the columns");

@@ -93,6 +93,22 @@ TEST_CASE("a scaled specimen is filled with exactly its volume of solids", "[cli
   CHECK(answer.at("classes").at(0).at("lower") == "0.19");
 }
 
+TEST_CASE("lengths of options may have units, whatever the unit of the file", "[cli]") {
+  const Json alone =
+      solve_json({athabasca, "--specimen", "cylinder:5x10.16", "--void-ratio", "0.6", "--cut-below", "0.25"});
+  for (const char *shape : {"cylinder:5mmx0.4in", "cylinder:5000umx0.01016m"}) {
+    const Json answer = proved({"--specimen", shape, "--void-ratio", "0.6", "--cut-below", "250um"});
+    CHECK(answer.at("particles") == alone.at("particles"));
+    CHECK(answer.at("question") == "at least the solids of a cylinder 5 mm x 10.16 mm at void ratio 0.6; "
+                                   "classes below 0.25 mm left out");
+  }
+  const TemporaryFolder folder;
+  const std::string fine = folder.write("fine.csv", "size_um,mass\n0,1\n63,2\n125,1\n250,0\n");
+  const Json in_um = proved({"--pan-size", "0.002mm", "--cut-below", "0.063mm"}, fine);
+  CHECK(in_um.at("question") == "pan counted as size 2 um; classes below 63 um left out");
+  CHECK(quantities(in_um) == quantities(proved({"--pan-size", "2", "--cut-below", "63"}, fine)));
+}
+
 TEST_CASE("a box and a plain volume are reached and not exceeded by more than the digits", "[cli]") {
   const Json box = proved({"--specimen", "box:10x10x5", "--void-ratio", "0.6"});
   check_match(box);

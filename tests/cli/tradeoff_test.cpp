@@ -72,11 +72,29 @@ TEST_CASE("the trade-off of a real sand never rises", "[cli]") {
   }
 }
 
+TEST_CASE("the trade-off over the whole range has the least tolerance of every budget", "[cli]") {
+  const Json rows = json({sand, "--particles", "all", "--tolerances", "0,1"}).at("by_tolerance");
+  REQUIRE(rows.size() > 8);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    CHECK(rational(rows[i - 1].at("tolerance")) < rational(rows[i].at("tolerance")));
+    CHECK(Integer(rows[i].at("particles").get<std::string>()) <=
+          Integer(rows[i - 1].at("particles").get<std::string>()));
+  }
+  CHECK(rows.back().at("particles") == "1");
+  const Json hundred = json({sand, "--particles", "100", "--tolerances", "0"}).at("by_tolerance").at(1);
+  const Json solved = solve_json({sand, "--particles", "100"});
+  CHECK(rational(hundred.at("tolerance")) == rational(solved.at("budget").at("tolerance")));
+  CHECK(hundred.at("particles") == solved.at("particles"));
+  CHECK(contains(tradeoff({sand, "--grid", "1"}).err, "--grid: it is of --particles"));
+  CHECK(contains(tradeoff({sand, "--particles", "5", "--tolerance", "1%"}).err, "--particles: it chooses"));
+  CHECK(contains(tradeoff({sand, "--particles", "1,x"}).err, "'x' is not a whole number"));
+}
+
 TEST_CASE("the options of the gradation and the floor change both curves", "[cli]") {
   const Json t = json(
       {sand, "--cut-below", "0.25", "--size-factor", "2", "--min-per-class", "5", "--tolerances", "0,1%"});
   CHECK(t.at("question") ==
-        "at least 5 particles in each class; classes below 0.25 left out; sizes multiplied by 2");
+        "at least 5 particles in each class; classes below 0.25 mm left out; sizes multiplied by 2");
   CHECK(t.at("by_sieve").size() == 3);
   CHECK(t.at("by_sieve").at(0).at("smallest") == "0.5");
   CHECK(t.at("by_sieve").at(2).at("particles") == "5");

@@ -40,7 +40,8 @@ TEST_CASE("A German sieving: titles, semicolons, decimal commas, pan and sum") {
   CHECK(g.notes()[0] ==
         "Read as text with ; between cells: sizes from column 'Siebweite [mm]', in mm; masses from "
         "column 'Rückstand [g]': mass.");
-  CHECK(g.notes()[1] == "Rows that are no sizes were left out: 'Summe'.");
+  CHECK(g.notes()[1] == "Columns that were not used: 'Bemerkung'; --columns chooses others.");
+  CHECK(g.notes()[2] == "Rows that are no sizes were left out: 'Summe'.");
 }
 
 TEST_CASE("An English sieving with tabs, percent signs and quoted cells") {
@@ -73,12 +74,30 @@ TEST_CASE("The rows of a hydrometer below belong to the same curve") {
       "sand.csv:5: a second table begins, with 'Percent retained' where the first has 'Percent finer'"));
 }
 
+TEST_CASE("A column that is named needs no known header where this has a unit of length") {
+  const std::string file = "Korngröße d [mm];Rückstand [g];n\n2;0;1\n1;3;2\n0,5;4;3\n";
+  const Gradation g = read(file, columns("Korngröße d [mm],Rückstand [g]"));
+  CHECK(text(g.sizes()) == "0.5 1 2");
+  CHECK(text(g.masses()) == "4 3 0");
+  CHECK(contains(message_of([&] { read(file, columns("n,Rückstand [g]")); }),
+                 "does not say what the column of sizes"));
+}
+
+TEST_CASE("Masses that never fall towards the fines get a note that they may be cumulative") {
+  const std::string rows = "\n4,0\n2,5\n1,9\n0.5,20\n0.25,31\n0.125,40\n";
+  CHECK(
+      has_note(read("Opening (mm),Retained (g)" + rows),
+               "No sieve retains less than the next coarser one: if 'Retained (g)' is cumulative, say --kind "
+               "cumulative."));
+  CHECK(read("Opening (mm),Retained (g)\n4,0\n2,5\n1,9\n0.5,20\n0.25,31\n0.125,30\n").notes().size() == 1);
+}
+
 TEST_CASE("Of several columns mass retained comes first, and the note names the others") {
   const Gradation g = read("Sieve,Opening (mm),Retained (g),% retained,% passing\nNo. 4,4.75,0,0,100\n"
                            "No. 200,0.075,30,60,40\nPan,,20,40,\n");
   CHECK(text(g.masses()) == "20 30 0");
-  CHECK(
-      has_note(g, "Columns that were not used: '% passing', '% retained', 'Sieve'; --columns chooses them."));
+  CHECK(has_note(
+      g, "Columns that were not used: 'Sieve', '% retained', '% passing'; --columns chooses others."));
   CHECK(text(read_with("Opening (mm),Retained (g),% passing\n4.75,0,100\n0.075,30,40\n", columns("1,3"))
                  .masses()) == "40 60 0");
   CHECK(contains(refusal("Size (mm),Passing (%),Finer (%)\n1,100,100\n0.5,3,4\n"),

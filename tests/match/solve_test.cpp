@@ -83,7 +83,7 @@ TEST_CASE("the robust scale is near the geometric middle") {
 
 TEST_CASE("a cylinder's volume is met exactly where it can be") {
   Question q;
-  q.solids = parse_specimen("cylinder:50x24.4", "0.683");
+  q.solids = parse_specimen("cylinder:50x24.4", "0.683", SizeUnit::mm);
   const Gradation g = gradation({1, 2, 3}, {2, 1, 0});
   const Match m = solve(g, q);
   check_match(m);
@@ -152,8 +152,22 @@ TEST_CASE("a specimen needs spheres") {
   CHECK_THROWS_AS(solve(gradation({1, 2}, {1, 0}), q), InputError);
   for (const char *shape :
        {"cylinder:1", "cylinder:1x2x3", "box:1x2", "box:1x2x", "ball:3", "cylinder:0x1", "cylinder:-1x1", ""})
-    CHECK_THROWS_AS(parse_specimen(shape, "0.5"), InputError);
-  CHECK_THROWS_AS(parse_specimen("cylinder:1x1", "-0.5"), InputError);
+    CHECK_THROWS_AS(parse_specimen(shape, "0.5", SizeUnit::mm), InputError);
+  CHECK_THROWS_AS(parse_specimen("cylinder:1x1", "-0.5", SizeUnit::mm), InputError);
+}
+
+TEST_CASE("a specimen's lengths may have units, and are named with the gradation's") {
+  Question q;
+  q.solids = parse_specimen("cylinder:5mmx0.4in", "0.6", SizeUnit::um);
+  CHECK(std::get<Cylinder>(*q.solids).diameter == 5000);
+  CHECK(std::get<Cylinder>(*q.solids).height == 10160);
+  CHECK(in_words(q, SizeUnit::um) ==
+        "at least the solids of a cylinder 5000 um x 10160 um at void ratio 0.6");
+  q.solids = parse_specimen("box:1x20mmx0.3", "0", SizeUnit::m);
+  q.pan_size = ratio(1, 100000);
+  q.cut_below = ratio(1, 1000);
+  CHECK(in_words(q, SizeUnit::m) == "at least the solids of a box 1 m x 0.02 m x 0.3 m at void ratio 0; pan "
+                                    "counted as size 0.00001 m; classes below 0.001 m left out");
 }
 
 TEST_CASE("a size next to its sieve gets the digits that keep it inside its class") {

@@ -58,7 +58,7 @@ TEST_CASE("extended XYZ: a number above other lines is a diameter") {
   CHECK(read("2\n3\n").particles == "2 3");
   CHECK(read("2\n# Properties of sand\n\n3\n").particles == "2 3");
   CHECK(contains(refusal("1\na molecule\nO 0 0 0\n"), "file:2: the line is not one number"));
-  CHECK(contains(refusal("2.5\n" + properties + "\n"), "file:2: diameter 'Properties="));
+  CHECK(contains(refusal("2.5\n" + properties + "\n"), "file:2: 'Properties="));
   CHECK(contains(refusal("0\n"), "file:1: diameter '0' is not above 0"));
 }
 

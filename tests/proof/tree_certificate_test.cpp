@@ -152,7 +152,7 @@ TEST_CASE("the tree certificate of every question is accepted, and refused when 
     SolveOptions options;
     options.digits = 1 + static_cast<unsigned>(random() % 25);
     const Match m = solve(g, q, options);
-    INFO(gradation_csv(g) << in_words(q));
+    INFO(gradation_csv(g) << in_words(q, g.unit()));
     REQUIRE(m.complete);
     const std::string text = certificate(m);
     const mdm::checker::Verdict verdict = checked(g, text);
@@ -195,7 +195,7 @@ TEST_CASE("a search that a limit ends has a certificate of its bounds, and no hi
     const Match m = solve(g, q, options);
     if (m.complete)
       continue;
-    INFO(gradation_csv(g) << in_words(q));
+    INFO(gradation_csv(g) << in_words(q, g.unit()));
     const Match all = solve(g, q);
     REQUIRE(has_certificate(m) == (m.sample || m.lower_bound > 1));
     if (!has_certificate(m))

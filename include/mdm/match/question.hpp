@@ -34,6 +34,7 @@ Gradation asked_gradation(Gradation g, const Question &question);
 
 /// The question in words, parts joined by `; `, for example `at least 10 particles in each class; law
 /// x^(5/2)`. Empty for the plain question: spheres, nothing changed, nothing asked for.
-std::string in_words(const Question &question);
+/// \param unit  of its lengths
+std::string in_words(const Question &question, SizeUnit unit);
 
 } // namespace mdm

@@ -2,8 +2,10 @@
 /// \file
 /// The volume of solids that a sample must have at least.
 
+#include <mdm/gradation/size_unit.hpp>
 #include <mdm/number/interval.hpp>
 
+#include <optional>
 #include <variant>
 
 namespace mdm {
@@ -23,9 +25,13 @@ struct SolidsVolume {
 /// The demand that sets the least volume of solids.
 using Solids = std::variant<Cylinder, Box, SolidsVolume>;
 
-/// Reads `cylinder:DxH` or `box:AxBxC` with its void ratio.
+/// Reads `cylinder:DxH` or `box:AxBxC` with its void ratio; lengths may have units, as `cylinder:50mmx0.1m`.
+/// \param unit  of the lengths of the result, and of those without a unit
 /// \throws InputError if it is anything else, a length is not positive, or the void ratio is negative
-Solids parse_specimen(std::string_view shape, std::string_view void_ratio);
+Solids parse_specimen(std::string_view shape, std::string_view void_ratio, SizeUnit unit);
+
+/// The shortest length of a specimen, in the gradation's unit; nothing for a volume.
+std::optional<Rational> narrowest(const Solids &solids);
 
 /// Digits of pi after the point at which what is still undecided is given up: the limit of certificates.
 constexpr unsigned most_pi_places = 1000;

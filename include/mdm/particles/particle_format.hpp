@@ -2,7 +2,7 @@
 /// \file
 /// Formats of particle files, and what their numbers mean.
 
-#include <mdm/gradation/size_unit.hpp>
+#include <mdm/gradation/length.hpp>
 
 #include <optional>
 #include <string>
@@ -35,17 +35,5 @@ std::string particle_format_names();
 
 /// The meaning of a particle's size.
 enum class SizeMeaning { radius, diameter };
-
-/// Units of particle files.
-enum class LengthUnit { mm, um, m, in };
-
-/// `mm`, `um`, `m` or `in`.
-std::string_view name(LengthUnit unit);
-/// The unit of that name, or nothing.
-std::optional<LengthUnit> parse_length_unit(std::string_view name);
-/// The same unit; no gradation is kept in inches.
-LengthUnit length_unit(SizeUnit unit);
-/// Its length in mm.
-Rational in_mm(LengthUnit unit);
 
 } // namespace mdm
