@@ -55,7 +55,9 @@ public:
       set(columns_.quantity, i, name);
     else if (is_one_of(name, {"class", "mass"}) || (kind && stem == "upper"))
       of_class_ = name;
-    else if (!is_one_of(stem, {"x", "y", "z"}) && !is_one_of(name, {"id", "type"}))
+    else if (is_one_of(stem, {"x", "y", "z"}))
+      axes_[static_cast<std::size_t>(stem.front() - 'x')] = {i, kind};
+    else if (!is_one_of(name, {"id", "type"}))
       refuse_unknown(name);
   }
 
@@ -68,7 +70,9 @@ public:
     if (columns_.size.has_value() == has_bounds)
       throw InputError(has_bounds ? "there are a size and its bounds: give one of them"
                                   : "there is no column of sizes: name it, for example, size_mm");
-    return columns_;
+    ParticleColumns columns = columns_;
+    columns.place = place();
+    return columns;
   }
 
 private:
@@ -94,7 +98,24 @@ private:
     set(columns_.size, i, name);
   }
 
+  /// The columns x, y and z where all have the unit of sizes: their own, or none.
+  std::optional<std::array<std::size_t, 3>> place() const {
+    std::array<std::size_t, 3> place{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!axes_[axis])
+        return std::nullopt;
+      const auto &[column, kind] = *axes_[axis];
+      const bool has_unit_of_sizes = columns_.has_unit ? kind == columns_.kind : !kind;
+      if (!has_unit_of_sizes && kind)
+        return std::nullopt;
+      place[axis] = column;
+    }
+    return place;
+  }
+
   ParticleColumns columns_;
+  /// x, y and z: a column and its unit.
+  std::array<std::optional<std::pair<std::size_t, std::optional<SizeKind>>>, 3> axes_;
   std::string of_class_; ///< a column of what solve and generate say of classes
 };
 

@@ -70,7 +70,7 @@ private:
     for (std::size_t i = 0; i < radius; ++i)
       if (!is_number(words_[i]))
         source_.refuse(fmt::format("{} is not a number: write x y z r", in_quotes(words_[i])));
-    source_.particle(words_[radius]);
+    source_.particle_at({words_[0], words_[1], words_[2]}, words_[radius]);
   }
 
   std::size_t width_ = 0;
