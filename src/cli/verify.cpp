@@ -283,14 +283,17 @@ Run add_verify(CLI::App &app) {
           "format of SAMPLE: csv (size_mm,quantity; also size_um, size_m, size_in, size_phi or sieve), "
           "answer (JSON of mdm solve), xyzr (x y z r a "
           "line), lammps-data, lammps-dump, liggghts-dump, vtk, diameters (one a line), liggghts-insertion, "
-          "mercurydpm (scripts and distributions of mdm export) or extxyz (extended XYZ of ASE and OVITO "
-          "with radius among its Properties); told by the content if left out")
+          "mercurydpm (scripts and distributions of mdm export), extxyz (extended XYZ of ASE and OVITO "
+          "with radius among its Properties), esys (geometry or snapshot of ESyS-Particle with one worker), "
+          "lethe "
+          "(insertion file) or kratos (mdpa); told by the content if left out")
       ->type_name("FORMAT");
   CLI::Option *const radius = command.add_flag("--radius", c->radius, "sizes are radii, whatever their name");
   command.add_flag("--diameter", c->diameter, "sizes are diameters, whatever their name")->excludes(radius);
   command
       .add_option("--size-unit", c->size_unit,
-                  "unit of SAMPLE: mm, um, m or in; m for LAMMPS, LIGGGHTS and VTK if left out, for xyzr, "
+                  "unit of SAMPLE: mm, um, m or in; m for LAMMPS, LIGGGHTS, VTK, ESyS-Particle, Lethe and "
+                  "Kratos if left out, for xyzr, "
                   "extxyz and diameters that of the gradation (mm for size_in, size_phi and sieve)")
       ->type_name("UNIT");
   command.add_option("--timestep", c->timestep, "the timestep of a dump, instead of the last")

@@ -34,10 +34,26 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// The name that a column of PFC's has here; others stay.
+std::string known_name(const std::string &name) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> of_pfc = {
+      {{"EVENT_LABEL", "id"},
+       {"PFC_BALL_LOCX", "x"},
+       {"PFC_BALL_LOCY", "y"},
+       {"PFC_BALL_LOCZ", "z"},
+       {"PFC_BALL_RADIUS", "radius"},
+       {"PFC_BALL_ATTR", "type"}}};
+  for (const auto &[theirs, ours] : of_pfc)
+    if (name == theirs)
+      return std::string(ours);
+  return name;
+}
+
 /// Reads the names of a header one after the other.
 class Header {
 public:
-  void take(std::size_t i, const std::string &name) {
+  void take(std::size_t i, const std::string &written) {
+    const std::string name = known_name(written);
     const auto [stem, kind] = unit_name(name);
     if (name == "sieve")
       set_size(i, name, SizeKind::sieve);
@@ -155,8 +171,8 @@ bool has_particle_column(const std::vector<std::string> &names) {
     const auto begins = [&name](const char *word) { return name.starts_with(word); };
     return begins("size_") || begins("lower_") || name == "sieve" ||
            (is_alone ? begins("diameter_") || begins("radius_")
-                     : begins("diameter") || begins("radius") || begins("quantity") || name == "size" ||
-                           name == "r" || name == "d");
+                     : begins("diameter") || begins("radius") || begins("pfc_ball_radius") ||
+                           begins("quantity") || name == "size" || name == "r" || name == "d");
   });
 }
 

@@ -38,7 +38,7 @@ void PlacedSink::add_at(const SphereSample::Place &place, const Rational &unit, 
 
 const SphereSample &PlacedSink::sample() const {
   if (lacks_places_ || sample_.size() == 0)
-    throw InputError("there are particles without a place of their own, x y z: leave out --packing");
+    throw InputError("there are particles without a place of their own, x y z: give a file with x y z");
   return sample_;
 }
 

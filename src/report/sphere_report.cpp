@@ -102,10 +102,10 @@ std::string sphere_texture_text(const SphereTexture &t, const Gradation &g) {
         interval_text(Interval(Rational(100)) * t.overlaps.largest_relative), interval_text(t.overlaps.mean));
   if (t.segregation)
     add(out, "    segregation by height (Danckwerts; 0 none, 1 full): {}\n", interval_text(*t.segregation));
-  std::vector<std::vector<std::string>> lines = {
-      {"class", "mean height", "volume % in ten bands, from below"}};
-  for (std::size_t k = 1; k < t.band_heights.size() - 1; ++k)
-    lines.front().emplace_back("");
+  add(out, "\n  volume % of the particles whose centres are in ten bands of equal height, from below\n\n");
+  std::vector<std::vector<std::string>> lines = {{"class", "mean height"}};
+  for (std::size_t k = 1; k < t.band_heights.size(); ++k)
+    lines.front().push_back(std::to_string(k));
   for (std::size_t j = 0; j < t.groups.size(); ++j) {
     const SphereGroup &group = t.groups[j];
     if (!group.mean_height)
@@ -115,7 +115,7 @@ std::string sphere_texture_text(const SphereTexture &t, const Gradation &g) {
       line.push_back(share_text(share));
     lines.push_back(std::move(line));
   }
-  add(out, "\n{}", text_table(lines, ">>" + std::string(t.band_heights.size() - 1, '>')));
+  add(out, "{}", text_table(lines, std::string(t.band_heights.size() + 1, '>')));
   return fmt::to_string(out);
 }
 
