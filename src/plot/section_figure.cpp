@@ -14,9 +14,20 @@ namespace {
 
 constexpr const char *outside_color = "#d0d0d0";
 
-/// The color of class j of n, from light for the finest to dark.
-const char *color_of_class(std::size_t j, std::size_t n) {
-  return size_colors.at(n < 2 ? size_colors.size() / 2 : j * (size_colors.size() - 1) / (n - 1));
+/// The color of class j of n, from light for the finest to dark: each class has its own.
+std::string color_of_class(std::size_t j, std::size_t n) {
+  const double last = static_cast<double>(size_colors.size() - 1);
+  const double at = n < 2 ? last / 2 : last * static_cast<double>(j) / static_cast<double>(n - 1);
+  const auto first = std::min(static_cast<std::size_t>(at), size_colors.size() - 2);
+  std::string color = "#";
+  for (const std::size_t part : {1U, 3U, 5U}) { // red, green and blue
+    const auto value = [&](std::size_t i) {
+      return std::stoi(std::string(size_colors.at(i)).substr(part, 2), nullptr, 16);
+    };
+    const double mixed = value(first) + (at - static_cast<double>(first)) * (value(first + 1) - value(first));
+    color += fmt::format("{:02x}", std::lround(mixed));
+  }
+  return color;
 }
 
 /// The circle in which a plane y = `at` cuts sphere i; nothing where it does not.

@@ -4,6 +4,7 @@
 #include "plot/section_figure.hpp"
 
 #include <cmath>
+#include <set>
 
 using namespace mdm;
 
@@ -60,6 +61,23 @@ TEST_CASE("both axes of a section have the same scale and hold all spheres") {
       for (const Tick &tick : axis->ticks)
         CHECK((tick.at >= axis->low && tick.at <= axis->high));
   }
+}
+
+TEST_CASE("every one of many classes has a colour of its own in a section") {
+  Gradation::Data d;
+  SphereSample s;
+  constexpr std::size_t classes = 40;
+  for (std::size_t j = 0; j <= classes; ++j) {
+    d.sizes.emplace_back(j + 1);
+    d.masses.emplace_back(j < classes ? 1 : 0);
+    const std::string x = std::to_string(100 * j);
+    if (j < classes)
+      s.add({x, "0", "0"}, 1, Rational(j + 2), static_cast<std::uint32_t>(j));
+  }
+  std::set<std::string> colors;
+  for (const Series &series : section_panel(s, Gradation(std::move(d)), 1).series)
+    colors.insert(series.color);
+  CHECK(colors.size() == classes);
 }
 
 TEST_CASE("the coarser of two classes is the darker one in a section") {
