@@ -10,7 +10,6 @@
 #include <limits>
 
 namespace mdm::packing {
-namespace {
 
 /// Places on the lattice of a SphereGrid. The map brings no two spheres farther apart, but for rounding: what
 /// lies far from most is moved to a hull around them, so that a stray sphere does not make cells too large.
@@ -69,8 +68,6 @@ private:
   std::array<std::size_t, 3> order_{0, 1, 2}; ///< axes, the longest first
   double unit_ = 1;
 };
-
-} // namespace
 
 NearSpheres::NearSpheres(const SphereSample &sample, const SpaceBox &space,
                          const std::array<bool, 3> &periodic, const Rational &gap)
@@ -157,27 +154,57 @@ void NearSpheres::each(
   if (images_.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
     throw InputError("there are more than 2147483647 spheres with their images: take a part of them");
   const GridLattice lattice(images_, sample_);
+  const std::vector<std::uint32_t> order = order_in_space(lattice);
+  std::vector<SphereImage> spheres;
   std::vector<double> radii;
-  radii.reserve(images_.size());
-  for (const SphereImage &image : images_)
-    radii.push_back(std::ceil(lattice.length(sample_.radius(image.sphere))) + 1);
+  spheres.reserve(order.size());
+  radii.reserve(order.size());
+  for (const std::uint32_t i : order) {
+    spheres.push_back(images_[i]);
+    radii.push_back(std::ceil(lattice.length(sample_.radius(images_[i].sphere))) + 1);
+  }
   SphereGrid grid(radii, lattice.space());
-  for (std::size_t i = 0; i < images_.size(); ++i)
-    grid.add(static_cast<std::int32_t>(i), lattice.place(images_[i].centre));
+  for (std::size_t k = 0; k < spheres.size(); ++k)
+    grid.add(static_cast<std::int32_t>(k), lattice.place(spheres[k].centre));
   // Each coordinate of a place is rounded by less than a unit.
   const double near = std::ceil(lattice.length(gap_)) + 4;
   constexpr double any = std::numeric_limits<double>::infinity();
   const double least = -(gap_ + 2 * error_);
-  for (std::size_t i = 0; i < sample_.size(); ++i)
-    grid.each_near(lattice.place(images_[i].centre), radii[i], near, any,
-                   [&](std::int32_t other, const Vector3 &) {
-                     const auto j = static_cast<std::size_t>(other);
-                     if (j == i)
-                       return;
-                     const double depth = overlap(images_[i], images_[j]);
-                     if (depth >= least)
-                       take(images_[i], images_[j], depth);
-                   });
+  for (std::size_t k = 0; k < spheres.size(); ++k)
+    if (order[k] < sample_.size())
+      grid.each_near(lattice.place(spheres[k].centre), radii[k], near, any,
+                     [&](std::int32_t other, const Vector3 &) {
+                       const auto j = static_cast<std::size_t>(other);
+                       if (j == k)
+                         return;
+                       const double depth = overlap(spheres[k], spheres[j]);
+                       if (depth >= least)
+                         take(spheres[k], spheres[j], depth);
+                     });
+}
+
+std::vector<std::uint32_t> NearSpheres::order_in_space(const GridLattice &lattice) const {
+  constexpr double cells = 1 << 20; // along an axis, at most
+  double sum = 0, farthest = 0;
+  for (const SphereImage &image : images_) {
+    const Vector3 p = lattice.place(image.centre);
+    sum += lattice.length(sample_.radius(image.sphere));
+    farthest = std::max({farthest, p.x, p.y, p.z});
+  }
+  const double side = std::max(4 * sum / static_cast<double>(images_.size()), 2 * farthest / cells) + 1;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+  keys.reserve(images_.size());
+  for (std::size_t i = 0; i < images_.size(); ++i) {
+    const Vector3 p = lattice.place(images_[i].centre);
+    const auto row = [side](double x) { return static_cast<std::uint64_t>(x / side); };
+    keys.emplace_back(row(p.z) << 42U | row(p.y) << 21U | row(p.x), static_cast<std::uint32_t>(i));
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> order;
+  order.reserve(keys.size());
+  for (const auto &[key, i] : keys)
+    order.push_back(i);
+  return order;
 }
 
 } // namespace mdm::packing

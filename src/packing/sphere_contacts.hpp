@@ -15,6 +15,8 @@ struct SphereImage {
   std::array<double, 3> centre{};
 };
 
+class GridLattice;
+
 /// Spheres in a space that may be periodic.
 class NearSpheres {
 public:
@@ -38,6 +40,8 @@ public:
 
 private:
   void add_images();
+  /// Images so that those near in memory are near in space: several times faster for many.
+  std::vector<std::uint32_t> order_in_space(const GridLattice &lattice) const;
 
   const SphereSample &sample_;
   SpaceBox space_;
