@@ -22,7 +22,7 @@ public:
       smallest = std::min(smallest, sample.radius(i));
       largest = std::max(largest, sample.radius(i));
     }
-    double widest = 0;
+    double widest = largest;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       find_hull(images, axis, largest);
       widest = std::max(widest, high_[axis] - low_[axis]);

@@ -16,7 +16,11 @@ double cut_double(const Rational &r) {
 
 void SphereSample::add(const Place &place, const Rational &unit, const Rational &diameter,
                        std::uint32_t group) {
-  constexpr double most = 1e100;
+  constexpr double most = 1e60;
+  // Cubes of diameters, times lengths and summed, are doubles far from their ends.
+  static const Rational largest(power_of_ten(60)), smallest = ratio(1, power_of_ten(60));
+  if (diameter > largest || diameter < smallest)
+    throw InputError("is of a sphere whose diameter is not from 1e-60 to 1e60: give it in its units");
   assert(centres_.empty() || unit == unit_);
   unit_ = unit;
   const std::uint64_t begin = text_.size();
@@ -26,7 +30,7 @@ void SphereSample::add(const Place &place, const Rational &unit, const Rational 
     std::replace(decimal.begin(), decimal.end(), ',', '.');
     centre[axis] = cut_double(parse_decimal(decimal) * unit);
     if (!(std::abs(centre[axis]) < most))
-      throw InputError(in_quotes(place[axis]) + " is beyond 1e100: give a place in its units");
+      throw InputError(in_quotes(place[axis]) + " is beyond 1e60: give a place in its units");
     text_ += decimal + " ";
   }
   begin_.push_back(begin);

@@ -4,6 +4,7 @@
 #include "packing/sphere_contacts.hpp"
 
 #include <mdm/number/enclosure.hpp>
+#include <mdm/text/error.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -71,6 +72,8 @@ SpaceBox space_of(const SphereSample &sample, const SampleSpace &asked) {
   SpaceBox box = *asked.box;
   if (asked.to_top)
     box.high[2] = end_of(sample, 2, 1);
+  if (box.is_empty())
+    throw InputError("all particles are below the floor of their box: is the box right?");
   return box;
 }
 
@@ -236,12 +239,13 @@ private:
       if (depth >= r + error)
         continue;
       ++cuts;
-      depths[axis] = exact_depth(i, axis, x - low < high - x);
+      depths[axis] = exact_depth(i, axis);
       const double t = std::clamp(depth / r, -1.0, 1.0);
       share = (2 + 3 * t - t * t * t) / 4;
       share_error = 2 * error / r + 8 * std::numeric_limits<double>::epsilon();
     }
-    if (cuts > 1) {
+    constexpr double fine = 1e-9;
+    if (cuts > 1 || share_error > fine) {
       for (const Rational &t : depths)
         if (t <= -1)
           return;
@@ -254,9 +258,9 @@ private:
   }
 
   /// Depth of the centre below the nearer plane, in radii, at most 1.
-  Rational exact_depth(std::size_t i, std::size_t axis, bool is_low) const {
+  Rational exact_depth(std::size_t i, std::size_t axis) const {
     const Rational x = near_.exact(near_.moved(i), axis);
-    const Rational depth = is_low ? Rational(x - t_.inner->low[axis]) : Rational(t_.inner->high[axis] - x);
+    const Rational depth = std::min(Rational(x - t_.inner->low[axis]), Rational(t_.inner->high[axis] - x));
     return std::min(Rational(1), Rational(2 * depth / sample_.exact_diameter(i)));
   }
 

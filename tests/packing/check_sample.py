@@ -165,7 +165,7 @@ def check_refusals(folder):
     data = "title\n\n1 atoms\n1 atom types\n\n0 9 xlo xhi\n0 9 ylo yhi\n%s 9 zlo zhi\n\nAtoms\n\n1 1 2 2650 1 1 %s\n"
     cases = [
         (dump % ("ff ff ff", "9", "nan"), [], ":11: coordinate 'nan'"),
-        (dump % ("ff ff ff", "9", "1e200"), [], ":11: coordinate '1e200' is beyond 1e100"),
+        (dump % ("ff ff ff", "9", "1e200"), [], ":11: coordinate '1e200' is beyond 1e60"),
         (dump % ("ff ff ff", "0", "3"), [], ":8: the box is empty"),
         (dump % ("ff ff ff", "9 1", "3"), [], ":6: the bounds of the box are not three lines"),
         (dump % ("ff ff ff", "x", "3"), [], ":8: bound of the box 'x'"),

@@ -100,9 +100,45 @@ TEST_CASE("the void ratio of a cube around its sphere is 6 / pi - 1") {
 
 TEST_CASE("stray spheres far away do not change what is near") {
   std::vector<std::array<const char *, 4>> spheres(40, {"1", "1", "1", "0.5"});
-  spheres.push_back({"1e60", "-1e60", "1e60", "0.5"});
-  spheres.push_back({"1e60", "-1e60", "1e60", "0.5"});
+  spheres.push_back({"1e59", "-1e59", "1e59", "0.5"});
+  spheres.push_back({"1e59", "-1e59", "1e59", "0.5"});
   CHECK(sphere_texture(sample_of(spheres), 1).contacts == 40 * 39 / 2 + 1);
+}
+
+TEST_CASE("sizes that are far apart, and lengths without bounds, are judged or refused") {
+  SphereSample sample;
+  sample.add({"0", "0", "0"}, 1, Rational(power_of_ten(60)), 0);
+  sample.add({"1e59", "0", "0"}, 1, ratio(1, power_of_ten(60)), 0);
+  sample.add({"0", "1e-65", "0"}, 1, ratio(1, power_of_ten(60)), 0);
+  const SphereTexture t = sphere_texture(sample, 1);
+  CHECK(t.contacts == 2); // each of the small ones is inside the large one
+  CHECK(t.overlaps.pairs == 2);
+  CHECK_THROWS_AS(sample.add({"0", "0", "0"}, 1, Rational(power_of_ten(61)), 0), InputError);
+  CHECK_THROWS_AS(sample.add({"0", "0", "0"}, 1, ratio(1, power_of_ten(61)), 0), InputError);
+  CHECK_THROWS_AS(sample.add({"0", "0", "-1e60"}, 1, 1, 0), InputError);
+  CHECK_THROWS_AS(sample.add({"0", "0", "x"}, 1, 1, 0), InputError);
+}
+
+TEST_CASE("spheres below the floor of their box are refused, and some outside it counted") {
+  SphereTextureOptions options = in_box(10);
+  options.space.to_top = true;
+  CHECK_THROWS_AS(sphere_texture(sample_of({{"5", "5", "-3", "1"}}), 1, options), InputError);
+  const SphereTexture t = sphere_texture(
+      sample_of({{"5", "5", "-3", "1"}, {"5", "5", "5", "1"}, {"0", "5", "5", "1"}}), 1, options);
+  CHECK(t.outside == 1);
+  CHECK(t.space.high[2] == ratio(11, 2));
+}
+
+TEST_CASE("a part of one small sphere far from the origin is known well") {
+  // Half of it is inside: the doubles of its place err by more than its radius.
+  SphereTextureOptions options;
+  options.space.box = SpaceBox{{Rational(power_of_ten(20)), 0, 0}, {Rational(power_of_ten(20)) + 1, 1, 1}};
+  options.space.to_top = false;
+  options.margin = 0;
+  const SphereTexture t =
+      sphere_texture(sample_of({{"100000000000000000000", "0.5", "0.5", "0.01"}}), 1, options);
+  REQUIRE(t.inner_void_ratio);
+  CHECK(middle(*t.inner_void_ratio) == Approx(2 * 6 / 3.14159265358979 * 1e6 - 1).epsilon(1e-9));
 }
 
 TEST_CASE("layers are segregated in full, equal columns not at all") {

@@ -31,7 +31,7 @@ public:
   static constexpr std::uint32_t no_group = UINT32_MAX;
 
   /// \param unit  length of the unit of places, the same for all spheres
-  /// \throws InputError if a coordinate is no decimal, or beyond 1e100
+  /// \throws InputError if a coordinate is no decimal, or beyond 1e60, or the diameter is not from 1e-60 to 1e60
   /// \pre diameter > 0
   void add(const Place &place, const Rational &unit, const Rational &diameter, std::uint32_t group);
 

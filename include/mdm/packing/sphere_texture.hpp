@@ -81,7 +81,7 @@ struct SphereTexture {
 /// their proved error allows it, and fractions elsewhere.
 /// Cost: some us a sphere; where many pairs touch to the last digit, some 10 us a pair.
 /// \param groups  their number
-/// \throws InputError if a period is shorter than two of the largest diameters, or there are too many spheres
+/// \throws InputError if all spheres are below the floor of a box that ends at their top, a period is shorter than two of the largest diameters, or there are too many spheres
 /// \pre there is a sphere
 SphereTexture sphere_texture(const SphereSample &sample, std::size_t groups,
                              const SphereTextureOptions &options = {});
