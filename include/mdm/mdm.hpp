@@ -46,6 +46,8 @@
 #include <mdm/packing/packing_verdict.hpp>
 #include <mdm/packing/packing_writer.hpp>
 #include <mdm/packing/sphere_deposit.hpp>
+#include <mdm/packing/sphere_sample.hpp>
+#include <mdm/packing/sphere_texture.hpp>
 #include <mdm/packing/texture.hpp>
 #include <mdm/particles/packing_export.hpp>
 #include <mdm/particles/particle_format.hpp>

@@ -42,13 +42,17 @@ struct Format {
 };
 
 /// Bytes were measured with 97,336 particles of one size in contact with six others each, and rounded up.
-constexpr std::array<Format, 7> formats = {{{"liggghts", write_liggghts, nullptr, 1000},
-                                            {"lammps", nullptr, write_lammps_data, 1000},
-                                            {"yade", nullptr, write_xyzr, 10000},
-                                            {"mercurydpm", write_mercurydpm, nullptr, 0},
-                                            {"vtk", nullptr, write_vtk, 0},
-                                            {"csv", write_size_csv, nullptr, 0},
-                                            {"diameters", write_diameters, nullptr, 0}}};
+constexpr std::array<Format, 11> formats = {{{"liggghts", write_liggghts, nullptr, 1000},
+                                             {"lammps", nullptr, write_lammps_data, 1000},
+                                             {"yade", nullptr, write_xyzr, 10000},
+                                             {"mercurydpm", write_mercurydpm, nullptr, 0},
+                                             {"vtk", nullptr, write_vtk, 0},
+                                             {"esys", nullptr, write_esys, 0},
+                                             {"lethe", nullptr, write_lethe, 0},
+                                             {"kratos", nullptr, write_kratos, 0},
+                                             {"extxyz", nullptr, write_extxyz, 0},
+                                             {"csv", write_size_csv, nullptr, 0},
+                                             {"diameters", write_diameters, nullptr, 0}}};
 
 /// Above this number, --yes-huge is required.
 constexpr std::uint64_t huge = 10000000;
@@ -333,6 +337,9 @@ std::string guide(const Format &format, const ParticleSet &set, const std::optio
                         format.name, bytes_text(Integer(set.particles() * format.bytes)), format.bytes);
   if (format.write == write_mercurydpm)
     text += "MercuryDPM draws sizes at random from the shares: its counts are not exact\n";
+  const bool has_no_comments = format.write_placed == write_esys || format.write_placed == write_lethe;
+  if (has_no_comments && !set.law.is_sphere())
+    text += law_statement(set).substr(1) + "\n";
   if (start)
     text +=
         fmt::format("{}: {} x {} x {} {}{}, void ratio {}; no two particles overlap\n",

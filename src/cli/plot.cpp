@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
 #include "cli/help.hpp"
+#include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/packing_file.hpp"
 #include "cli/picture.hpp"
@@ -9,9 +10,11 @@
 #include "cli/sample_file.hpp"
 #include "match/smallest_match.hpp"
 #include "particles/description_sink.hpp"
+#include "particles/placed_sink.hpp"
 #include "particles/sample_sieves.hpp"
 #include "plot/gradation_figure.hpp"
 #include "plot/packing_figure.hpp"
+#include "plot/section_figure.hpp"
 
 #include <mdm/answer/answer_sample.hpp>
 #include <mdm/gradation/read_gradation.hpp>
@@ -30,7 +33,7 @@ namespace {
 struct PlotCommand {
   std::string file;
   std::optional<std::string> answer, band, bands, what, colour; ///< answer: or another sample
-  std::optional<std::string> sieve_names;
+  std::optional<std::string> sieve_names, size_unit;
   bool match = false;
   bool coarse_left = false;
   OutputFlags output;
@@ -112,13 +115,22 @@ private:
   SampleSieves sieves_;
 };
 
-/// The particles of a sample beside g.
-void add_sample(GradationFigure &what, const Gradation &g, const PlotCommand &c,
-                std::vector<std::string> &notes) {
+bool wants_section(const PlotCommand &c) {
+  return c.what == "section";
+}
+
+/// The particles of a sample beside g; also their places where a section is wanted.
+std::optional<SphereSample> add_sample(GradationFigure &what, const Gradation &g, const PlotCommand &c,
+                                       std::vector<std::string> &notes) {
   DrawnSample sample(g);
+  PlacedSink placed(g, sample);
   ParticleOptions options;
   options.target = g.unit();
-  const std::vector<std::string> read = read_sample_file(*c.answer, options, sample, c.output.quiet);
+  options.says_otherwise = "--size-unit says";
+  if (c.size_unit)
+    options.unit = length_unit_of("--size-unit", *c.size_unit);
+  ParticleSink &sink = wants_section(c) ? static_cast<ParticleSink &>(placed) : sample;
+  const std::vector<std::string> read = read_sample_file(*c.answer, options, sink, c.output.quiet);
   notes.insert(notes.end(), read.begin(), read.end());
   const Description &d = sample.description();
   for (std::size_t j = 0; j < g.classes(); ++j)
@@ -128,6 +140,9 @@ void add_sample(GradationFigure &what, const Gradation &g, const PlotCommand &c,
   for (const auto &[size, mass] : sample.sieves().masses())
     what.sizes.push_back({size, mass});
   what.outside = d.below().count + d.above().count + d.unplaced().count;
+  if (!wants_section(c))
+    return std::nullopt;
+  return in_file(*c.answer, [&] { return placed.sample(); });
 }
 
 /// True if each class of the particles is one of the gradation: not so after a cut, a pan size or a factor.
@@ -198,8 +213,11 @@ int run(const PlotCommand &c) {
     what.envelope = read_envelope(read_file(*c.band, max_gradation_bytes), shown_name(*c.band));
     notes.insert(notes.end(), what.envelope->notes.begin(), what.envelope->notes.end());
   }
+  std::optional<SphereSample> places;
+  if (c.size_unit && (!c.answer || is_answer_file(*c.answer)))
+    throw InputError("--size-unit: it is of a SAMPLE that is a file of particles: leave it out");
   if (c.answer && !is_answer_file(*c.answer)) {
-    add_sample(what, g, c, notes);
+    places = add_sample(what, g, c, notes);
   } else if (c.answer) {
     what.particles =
         drawn(read_answer(read_file(*c.answer, max_answer_bytes), shown_name(*c.answer)), g.unit());
@@ -218,7 +236,15 @@ int run(const PlotCommand &c) {
                                             "give another unit");
   what.curve = panels != "counts";
   what.counts = panels != "curve";
-  draw(gradation_figure(g, what), c.picture, c.output.quiet);
+  what.counts = what.counts && panels != "section";
+  Figure figure = gradation_figure(g, what);
+  if (wants_section(c)) {
+    if (!places)
+      throw InputError("--what section: there are no places of particles: give a SAMPLE such as a dump");
+    figure.columns = 2;
+    figure.panels.push_back(section_panel(*places, g, figure.panel_height / figure.panel_width));
+  }
+  draw(figure, c.picture, c.output.quiet);
   c.output.tell_notes(notes);
   return Exit::done;
 }
@@ -240,8 +266,12 @@ Run add_plot(CLI::App &app) {
       "particles to show: an answer of mdm solve, a set of mdm generate with --sizes, or a file of "
       "particles as mdm verify reads, such as a dump");
   command.add_flag("--match", c->match, "show the smallest match: solve now");
-  command.add_option("--what", c->what, "curve, counts or both; both where there are particles, else curve")
-      ->check(CLI::IsMember({"curve", "counts", "both"}));
+  command
+      .add_option(
+          "--what", c->what,
+          "curve, counts or both; both where there are particles, else curve; or section: of a SAMPLE with "
+          "places, the curve and an upright cut through its middle, coloured by class")
+      ->check(CLI::IsMember({"curve", "counts", "both", "section"}));
   command.add_option("--band", c->band, "show an envelope: CSV with passing_min_percent,passing_max_percent")
       ->type_name("FILE");
   command.add_option("--bands", c->bands, "size bands: uscs, iso (14688) or none (uscs)")
@@ -260,12 +290,17 @@ Run add_plot(CLI::App &app) {
           "others that they touch (contacts), or of the cells of the contact graph by their corners "
           "(cells)")
       ->check(CLI::IsMember({"size", "contacts", "cells"}));
+  command
+      .add_option("--size-unit", c->size_unit,
+                  "unit of SAMPLE where it is a file of particles: as in mdm verify")
+      ->type_name("UNIT");
   c->picture.add_to(command);
   c->output.add_quiet(command, "no progress and no notes on standard error");
   c->reading.add_to(command);
   command.footer(
       footer(paragraph("Exit code 3: --match was not solved within some seconds; nothing is drawn."),
-             {"mdm plot sand.csv --match -o sand.svg", "mdm plot sand.csv settled.dump -o settled.png",
+             {"mdm plot sand.csv --match -o sand.svg",
+              "mdm plot sand.csv settled.dump --what section -o settled.png",
               "mdm plot sand.csv --band limits.csv -o sand.pdf",
               "mdm plot start.packing --colour contacts -o start.png"}));
   return [c] { return run(*c); };

@@ -48,6 +48,12 @@ public:
     sink_.add(diameter, quantity);
     ++count;
   }
+  void add_at(const SphereSample::Place &place, const Rational &unit, const RootSize &diameter) override {
+    sink_.add_at(place, unit, diameter);
+    ++count;
+  }
+  bool wants_places() const override { return sink_.wants_places(); }
+  void set_box(const ParticleBox &box) override { sink_.set_box(box); }
 
   std::atomic<std::uint64_t> count = 0;
 

@@ -4,11 +4,13 @@
 #include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/packing_file.hpp"
+#include "cli/place_flags.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
 #include "cli/solve_flags.hpp"
 #include "cli/verify_packing.hpp"
 #include "particles/description_sink.hpp"
+#include "particles/placed_sink.hpp"
 #include "report/verification.hpp"
 
 #include <mdm/answer/answer_sample.hpp>
@@ -30,6 +32,7 @@ struct VerifyCommand {
   GradationFlags::Text from, size_unit, timestep, snap, band, digits;
   std::vector<std::string> tolerances;
   ReadingFlags reading;
+  PlaceFlags places;
   bool radius = false;
   bool diameter = false;
   OutputFlags output;
@@ -114,7 +117,12 @@ std::optional<std::string> unit_note(const Description &d, LengthUnit unit) {
 struct Found {
   Description description;
   std::vector<std::string> objections, notes;
+  std::optional<SphereTexture> packing = {};
 };
+
+[[noreturn]] void refuse_without_places(const VerifyCommand &c) {
+  throw file_error(c.sample, "it has no places of particles: leave out --packing");
+}
 
 /// All lines of a file of which the first were taken already.
 std::string whole_text(const std::vector<FileLines::Line> &first, FileLines &rest, const std::string &file) {
@@ -130,6 +138,8 @@ std::string whole_text(const std::vector<FileLines::Line> &first, FileLines &res
 
 Found read_answer_sample(const VerifyCommand &c, const std::string &content, Gradation g,
                          const Question &question, const Rational &snap) {
+  if (c.places.packing)
+    refuse_without_places(c);
   const AnswerSample answer = read_answer(content, shown_name(c.sample));
   return in_file(c.sample, [&] {
     if (c.radius || c.diameter || c.size_unit || c.timestep)
@@ -159,6 +169,8 @@ Found read_sample(const VerifyCommand &c, const Gradation &g, const Question &qu
   const ParticleOptions options = particle_options(c, g.unit());
   DescriptionSink sink(Description(g, {question.law, snap, 1, 1}));
   if (!options.format && (is_generated_file(c.sample) || is_packing_file(c.sample))) {
+    if (c.places.packing)
+      refuse_without_places(c);
     std::vector<std::string> notes = read_sample_file(c.sample, options, sink, c.output.quiet);
     return {sink.description(), {}, std::move(notes)};
   }
@@ -167,8 +179,14 @@ Found read_sample(const VerifyCommand &c, const Gradation &g, const Question &qu
   if (options.format ? options.format == ParticleFormat::answer : begins_json(chunk))
     return read_answer_sample(c, whole_text(chunk, lines, c.sample), g, question, snap);
 
-  ReadParticles read = read_lines(std::move(chunk), lines, c.sample, options, sink, c.output.quiet);
+  PlacedSink placed(g, sink);
+  ParticleSink &all = c.places.packing ? static_cast<ParticleSink &>(placed) : sink;
+  ReadParticles read = read_lines(std::move(chunk), lines, c.sample, options, all, c.output.quiet);
   Found found{sink.description(), {}, std::move(read.notes)};
+  if (c.places.packing)
+    found.packing = in_file(c.sample, [&] {
+      return sphere_texture(placed.sample(), g.classes(), c.places.options(placed.box(), g.unit()));
+    });
   if (const std::optional<std::string> note = unit_note(found.description, read.unit))
     found.notes.push_back(*note);
   if (found.description.hair_above() > 0)
@@ -209,6 +227,7 @@ int exit_code(Verdict verdict) {
 }
 
 int run(const VerifyCommand &c) {
+  c.places.check();
   if (c.gradation == "-" && c.sample == "-")
     throw InputError("GRADATION and SAMPLE cannot both be standard input: give one of them as a file");
   check_distinct({c.gradation, c.output.path()});
@@ -232,6 +251,7 @@ int run(const VerifyCommand &c) {
   v.smallest = target.smallest;
   v.sample = shown_name(c.sample);
   v.digits = digits;
+  v.packing = std::move(found.packing);
   v.objections = std::move(found.objections);
   v.notes = target.gradation.notes();
   v.notes.insert(v.notes.end(), found.notes.begin(), found.notes.end());
@@ -266,14 +286,17 @@ Run add_verify(CLI::App &app) {
           "format of SAMPLE: csv (size_mm,quantity; also size_um, size_m, size_in, size_phi or sieve), "
           "answer (JSON of mdm solve), xyzr (x y z r a "
           "line), lammps-data, lammps-dump, liggghts-dump, vtk, diameters (one a line), liggghts-insertion, "
-          "mercurydpm (scripts and distributions of mdm export) or extxyz (extended XYZ of ASE and OVITO "
-          "with radius among its Properties); told by the content if left out")
+          "mercurydpm (scripts and distributions of mdm export), extxyz (extended XYZ of ASE and OVITO "
+          "with radius among its Properties), esys (geometry or snapshot of ESyS-Particle with one worker), "
+          "lethe "
+          "(insertion file) or kratos (mdpa); told by the content if left out")
       ->type_name("FORMAT");
   CLI::Option *const radius = command.add_flag("--radius", c->radius, "sizes are radii, whatever their name");
   command.add_flag("--diameter", c->diameter, "sizes are diameters, whatever their name")->excludes(radius);
   command
       .add_option("--size-unit", c->size_unit,
-                  "unit of SAMPLE: mm, um, m or in; m for LAMMPS, LIGGGHTS and VTK if left out, for xyzr, "
+                  "unit of SAMPLE: mm, um, m or in; m for LAMMPS, LIGGGHTS, VTK, ESyS-Particle, Lethe and "
+                  "Kratos if left out, for xyzr, "
                   "extxyz and diameters that of the gradation (mm for size_in, size_phi and sieve)")
       ->type_name("UNIT");
   command.add_option("--timestep", c->timestep, "the timestep of a dump, instead of the last")
@@ -293,6 +316,7 @@ Run add_verify(CLI::App &app) {
                   "take a size within EPS times an opening of it as that opening (0), for sizes computed in "
                   "double: 1e-12")
       ->type_name("EPS");
+  c->places.add_to(command);
   c->flags.add_to(command);
   command.add_option("--digits", c->digits, "significant digits of percents (6)")->type_name("D");
   c->output.add_format(command);
@@ -307,6 +331,7 @@ Run add_verify(CLI::App &app) {
                     "tolerance; 1 if not; 3 if an irrational law leaves it open."),
       {"mdm verify sand.csv packing.txt --from xyzr --size-unit m --tolerance 1%",
        "mdm verify sand.csv sand-settled.dump --tolerance passing:0.5% --tolerance retained:2%",
+       "mdm verify sand.csv sand-settled.dump --packing --tolerance 1%",
        "mdm verify sand.csv sizes.csv --format json -o report.json"}));
   return [c] { return run(*c); };
 }

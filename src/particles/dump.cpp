@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 
 namespace mdm {
 namespace {
@@ -31,6 +32,8 @@ public:
       begin_timestep();
     else if (item_ == Item::count)
       read_count();
+    else if (item_ == Item::box)
+      read_bounds();
     else if (item_ == Item::atoms)
       read_atom();
   }
@@ -51,7 +54,7 @@ public:
   }
 
 private:
-  enum class Item { none, timestep, count, atoms, other };
+  enum class Item { none, timestep, count, box, atoms, other };
 
   void begin_item(std::string_view item) {
     split_words(item, words_);
@@ -64,13 +67,19 @@ private:
       read_ = 0;
     } else if (item == "NUMBER OF ATOMS") {
       item_ = Item::count;
+    } else if (words_.size() >= 2 && words_[0] == "BOX" && words_[1] == "BOUNDS") {
+      begin_box();
     } else if (!words_.empty() && words_.front() == "ATOMS") {
       begin_atoms();
     } else {
-      if (item_ == Item::atoms)
-        check_complete();
+      check_complete_atoms();
       item_ = Item::other;
     }
+  }
+
+  void check_complete_atoms() const {
+    if (item_ == Item::atoms)
+      check_complete();
   }
 
   void begin_timestep() {
@@ -94,6 +103,45 @@ private:
     item_ = Item::other;
   }
 
+  /// `BOX BOUNDS pp pp ff` with a line `lo hi` for each axis: pp is periodic. That of a sheared box begins
+  /// with xy and is passed over.
+  void begin_box() {
+    check_complete_atoms();
+    item_ = words_.size() > 2 && words_[2] == "xy" ? Item::other : Item::box;
+    axis_ = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      periodic_[axis] = words_.size() == 5 && words_[2 + axis] == "pp";
+  }
+
+  void read_bounds() {
+    if (words_.size() != 2 || axis_ == 3)
+      source_.refuse("the bounds of the box are not three lines with a lower and an upper one: is the file "
+                     "damaged?");
+    bounds_[axis_++] = {std::string(words_[0]), std::string(words_[1])};
+    if (axis_ < 3 || !taken_)
+      return;
+    std::array<std::array<std::string_view, 2>, 3> bounds;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      bounds[axis] = {bounds_[axis][0], bounds_[axis][1]};
+    source_.set_box(bounds, periodic_);
+  }
+
+  /// The columns x y z of centres, or those of unwrapped ones; nothing where they are not there.
+  void find_places() {
+    has_places_ = false;
+    constexpr std::array<std::array<std::string_view, 3>, 2> sets = {{{"x", "y", "z"}, {"xu", "yu", "zu"}}};
+    for (const auto &names : sets) {
+      std::array<std::size_t, 3> at{};
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        at[axis] = static_cast<std::size_t>(std::find(words_.begin() + 1, words_.end(), names[axis]) -
+                                            words_.begin() - 1);
+      if (!has_places_ && *std::max_element(at.begin(), at.end()) < width_) {
+        places_ = at;
+        has_places_ = true;
+      }
+    }
+  }
+
   void begin_atoms() {
     if (!atoms_ || complete_)
       source_.refuse("ITEM: ATOMS has no ITEM: TIMESTEP and ITEM: NUMBER OF ATOMS of its own: is the file "
@@ -112,6 +160,7 @@ private:
     const bool by_radius = radius < width_ && !(prefers_diameter && diameter < width_);
     column_ = by_radius ? radius : diameter;
     source_.set_defaults(by_radius ? SizeMeaning::radius : SizeMeaning::diameter, LengthUnit::m);
+    find_places();
     item_ = Item::atoms;
     complete_ = *atoms_ == 0;
   }
@@ -123,7 +172,9 @@ private:
     if (words_.size() != width_)
       source_.refuse(fmt::format("the line has {} values, there are {} columns: is the file cut off?",
                                  words_.size(), width_));
-    if (taken_)
+    if (taken_ && has_places_)
+      source_.particle_at({words_[places_[0]], words_[places_[1]], words_[places_[2]]}, words_[column_]);
+    else if (taken_)
       source_.particle(words_[column_]);
     complete_ = ++read_ == *atoms_;
   }
@@ -147,6 +198,11 @@ private:
   std::uint64_t read_ = 0;
   bool complete_ = true; ///< all atoms of the timestep were read
   std::size_t width_ = 0, column_ = 0;
+  std::size_t axis_ = 0; ///< of the bounds that come next
+  std::array<std::array<std::string, 2>, 3> bounds_;
+  std::array<bool, 3> periodic_{};
+  bool has_places_ = false;
+  std::array<std::size_t, 3> places_{}; ///< their columns
 };
 
 } // namespace

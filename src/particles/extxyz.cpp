@@ -25,9 +25,8 @@ std::string_view take_item(std::string_view &rest) {
   return item;
 }
 
-/// The value of Properties in a comment, without quotes around it.
-std::optional<std::string_view> properties_of(std::string_view comment) {
-  constexpr std::string_view key = "Properties=";
+/// The value behind a key and its `=` in a comment, without quotes around it.
+std::optional<std::string_view> value_of(std::string_view key, std::string_view comment) {
   for (std::string_view item = take_item(comment); !item.empty(); item = take_item(comment)) {
     if (!item.starts_with(key))
       continue;
@@ -85,15 +84,48 @@ private:
   }
 
   void read_comment(std::string_view text) {
-    const std::optional<std::string_view> properties = properties_of(text);
+    const std::optional<std::string_view> properties = value_of("Properties=", text);
     if (!properties)
       source_.refuse("there is no Properties= in the comment: write for example "
                      "Properties=species:S:1:pos:R:3:radius:R:1");
     for (std::string_view rest = *properties; !rest.empty();)
       add(take_property(rest));
+    read_box(text);
     if (!radius_)
       source_.refuse(
           fmt::format("there is no radius among the Properties {}: add radius:R:1", in_quotes(*properties)));
+  }
+
+  /// `Lattice="a 0 0 0 b 0 0 0 c"` is a box from `Origin="x y z"`, or from 0; `pbc="T T F"` says which sides
+  /// are periodic: all, if it is not there. A sheared one is passed over.
+  void read_box(std::string_view comment) {
+    std::vector<std::string_view> sides, origin, periodic;
+    split_words(value_of("Lattice=", comment).value_or(""), sides);
+    split_words(value_of("Origin=", comment).value_or("0 0 0"), origin);
+    split_words(value_of("pbc=", comment).value_or("T T T"), periodic);
+    if (!source_.wants_places() || sides.empty())
+      return;
+    const auto all_numbers = [](const std::vector<std::string_view> &words) {
+      return std::all_of(words.begin(), words.end(), is_number);
+    };
+    if (sides.size() != 9 || origin.size() != 3 || periodic.size() != 3 || !all_numbers(sides) ||
+        !all_numbers(origin))
+      source_.refuse(
+          "the Lattice, Origin or pbc is not nine numbers, three numbers, and three of T and F: put "
+          "them right");
+    std::array<std::array<std::string, 2>, 3> bounds;
+    std::array<bool, 3> repeats{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t other = 0; other < 3; ++other)
+        if (other != axis && sides[3 * axis + other].find_first_of("123456789") != std::string_view::npos)
+          return;
+      repeats[axis] = lower(periodic[axis].front()) == 't';
+      bounds[axis] = {std::string(origin[axis]),
+                      exact_decimal(parse_decimal(origin[axis]) + parse_decimal(sides[4 * axis])).value()};
+    }
+    source_.set_box(
+        {{{bounds[0][0], bounds[0][1]}, {bounds[1][0], bounds[1][1]}, {bounds[2][0], bounds[2][1]}}},
+        repeats);
   }
 
   Property take_property(std::string_view &rest) const {
@@ -117,6 +149,8 @@ private:
         source_.refuse("property 'radius' is not one number a particle: write radius:R:1");
       radius_ = width_;
     }
+    if (property.name == "pos" && property.columns == 3 && property.type != "S")
+      place_ = width_;
     width_ += property.columns;
     if (width_ > max_fields)
       source_.refuse(fmt::format("the Properties have more than {} columns, which is not read: write fewer",
@@ -135,7 +169,10 @@ private:
       source_.refuse(fmt::format("the line has {} values, the Properties have {} columns: is the file "
                                  "damaged?",
                                  words_.size(), width_));
-    source_.particle(words_[*radius_]);
+    if (place_)
+      source_.particle_at({words_[*place_], words_[*place_ + 1], words_[*place_ + 2]}, words_[*radius_]);
+    else
+      source_.particle(words_[*radius_]);
     ++read_;
   }
 
@@ -145,6 +182,7 @@ private:
   std::uint64_t read_ = 0;
   std::uint64_t width_ = 0;             ///< columns of a line
   std::optional<std::uint64_t> radius_; ///< its column, from 0
+  std::optional<std::uint64_t> place_;  ///< the first column of pos
 };
 
 } // namespace

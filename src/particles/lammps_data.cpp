@@ -5,6 +5,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
+
 namespace mdm {
 namespace {
 
@@ -23,6 +26,8 @@ public:
     split_words(text.substr(0, hash), words_);
     if (words_.empty())
       return;
+    if (section_ == Section::header)
+      read_bounds();
     const char first = lower(words_.front().front());
     if (section_ == Section::header && words_.size() == 2 && words_[1] == "atoms")
       read_count();
@@ -52,6 +57,29 @@ private:
       source_.refuse(fmt::format("{} is no number of atoms: write a whole number", in_quotes(words_[0])));
   }
 
+  /// `lo hi xlo xhi`, and the same of y and z.
+  void read_bounds() {
+    constexpr std::array<std::string_view, 3> names = {"xlo", "ylo", "zlo"};
+    if (words_.size() != 4)
+      return;
+    const auto found = std::find(names.begin(), names.end(), words_[2]);
+    if (found == names.end())
+      return;
+    const auto axis = static_cast<std::size_t>(found - names.begin());
+    bounds_[axis] = {std::string(words_[0]), std::string(words_[1])};
+  }
+
+  /// The file does not say which sides are periodic.
+  void hand_on_box() const {
+    std::array<std::array<std::string_view, 2>, 3> bounds;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (bounds_[axis][0].empty())
+        return;
+      bounds[axis] = {bounds_[axis][0], bounds_[axis][1]};
+    }
+    source_.set_box(bounds, {});
+  }
+
   void begin_section(std::string_view comment) {
     if (section_ == Section::atoms)
       check_count();
@@ -63,6 +91,7 @@ private:
     if (!atoms_)
       source_.refuse("the header has no number of atoms: add the line 'N atoms'");
     has_atoms_ = true;
+    hand_on_box();
     named_style_ = !comment.empty();
     if (named_style_ && comment != "sphere")
       source_.refuse(fmt::format("atom_style {} has no diameters here: write the file with atom_style sphere",
@@ -81,7 +110,7 @@ private:
     if (read_ == *atoms_)
       source_.refuse(
           fmt::format("there are more atoms than the {} of the header: put one of them right", *atoms_));
-    source_.particle(words_[diameter]);
+    source_.particle_at({words_[4], words_[5], words_[6]}, words_[diameter]);
     ++read_;
   }
 
@@ -95,6 +124,7 @@ private:
   std::vector<std::string_view> words_;
   Section section_ = Section::header;
   std::optional<std::uint64_t> atoms_;
+  std::array<std::array<std::string, 2>, 3> bounds_; ///< of the box; empty where there are none
   std::uint64_t read_ = 0;
   bool has_atoms_ = false;
   bool named_style_ = false;

@@ -23,10 +23,11 @@ void ParticleSource::refuse(const std::string &what) const {
 void ParticleSource::set_defaults(SizeMeaning meaning, LengthUnit unit) {
   meaning_ = options_.meaning.value_or(meaning);
   unit_ = options_.unit.value_or(unit);
-  factor_ = in_mm(unit_) / in_mm(length_unit(options_.target)) * (meaning_ == SizeMeaning::radius ? 2 : 1);
+  length_ = in_mm(unit_) / in_mm(length_unit(options_.target));
+  factor_ = length_ * (meaning_ == SizeMeaning::radius ? 2 : 1);
 }
 
-void ParticleSource::particle(std::string_view text, const Integer &quantity, char point, ReadSize read) {
+RootSize ParticleSource::diameter(std::string_view text, char point, ReadSize read) const {
   const char *const what = meaning_ == SizeMeaning::radius ? "radius" : "diameter";
   RootSize size;
   try {
@@ -38,8 +39,46 @@ void ParticleSource::particle(std::string_view text, const Integer &quantity, ch
     refuse(fmt::format("{} {} is not above 0: a particle has a size", what, in_quotes(text)));
   if (factor_ != 1)
     size.power *= power(factor_, size.degree);
-  sink_.add(size, quantity);
+  return size;
+}
+
+void ParticleSource::particle(std::string_view text, const Integer &quantity, char point, ReadSize read) {
+  sink_.add(diameter(text, point, read), quantity);
   any_ = true;
+}
+
+void ParticleSource::particle_at(const SphereSample::Place &place, std::string_view size, char point,
+                                 ReadSize read) {
+  if (!sink_.wants_places()) {
+    particle(size, 1, point, read);
+    return;
+  }
+  const RootSize x = diameter(size, point, read);
+  try {
+    sink_.add_at(place, length_, x);
+  } catch (const InputError &error) {
+    refuse(std::string("coordinate ") + error.what());
+  }
+  any_ = true;
+}
+
+void ParticleSource::set_box(const std::array<std::array<std::string_view, 2>, 3> &bounds,
+                             const std::array<bool, 3> &periodic) {
+  if (!sink_.wants_places())
+    return;
+  ParticleBox box;
+  box.periodic = periodic;
+  try {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.sides.low[axis] = parse_decimal(bounds[axis][0]) * length_;
+      box.sides.high[axis] = parse_decimal(bounds[axis][1]) * length_;
+    }
+  } catch (const InputError &error) {
+    refuse(std::string("bound of the box ") + error.what());
+  }
+  if (box.sides.is_empty())
+    refuse("the box is empty: give each axis a lower bound and a greater upper one");
+  sink_.set_box(box);
 }
 
 void ParticleSource::particle_between(std::string_view lo, std::string_view hi, std::string_view lower,

@@ -33,6 +33,13 @@ public:
   /// A particle whose size is written as `text`.
   void particle(std::string_view text, const Integer &quantity = 1, char point = '.',
                 ReadSize read = read_decimal);
+  /// A particle with its place, whose coordinates must be numbers.
+  void particle_at(const SphereSample::Place &place, std::string_view size, char point = '.',
+                   ReadSize read = read_decimal);
+  bool wants_places() const { return sink_.wants_places(); }
+  /// The lower and upper bounds of the box along each axis. \throws InputError if they are none
+  void set_box(const std::array<std::array<std::string_view, 2>, 3> &bounds,
+               const std::array<bool, 3> &periodic);
   /// Particles whose size is in [lo, hi], and above `lower` if that is no empty text.
   void particle_between(std::string_view lo, std::string_view hi, std::string_view lower,
                         const Integer &quantity, char point);
@@ -46,12 +53,15 @@ public:
   const std::vector<std::string> &notes() const { return notes_; }
 
 private:
+  RootSize diameter(std::string_view text, char point, ReadSize read) const;
+
   std::string file_;
   ParticleSink &sink_;
   ParticleOptions options_;
   std::uint64_t line_ = 0;
   SizeMeaning meaning_ = SizeMeaning::diameter;
   LengthUnit unit_ = LengthUnit::mm;
+  Rational length_ = 1; ///< of the file's unit in the asked one
   Rational factor_ = 1; ///< from the file's number to the diameter in the asked unit
   bool any_ = false;
   std::vector<std::string> notes_;
@@ -76,6 +86,9 @@ std::unique_ptr<LineReader> read_liggghts_insertion(ParticleSource &source);
 std::unique_ptr<LineReader> read_mercurydpm(ParticleSource &source);
 std::unique_ptr<LineReader> read_vtk(ParticleSource &source);
 std::unique_ptr<LineReader> read_extxyz(ParticleSource &source);
+std::unique_ptr<LineReader> read_esys(ParticleSource &source);
+std::unique_ptr<LineReader> read_lethe(ParticleSource &source);
+std::unique_ptr<LineReader> read_kratos(ParticleSource &source);
 
 /// Moves the first word of `rest`, separated by spaces and tabs, out of it; empty at the end.
 std::string_view take_word(std::string_view &rest);

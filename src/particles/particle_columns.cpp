@@ -35,10 +35,26 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// The name that a column of PFC's has here; others stay.
+std::string known_name(const std::string &name) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> of_pfc = {
+      {{"EVENT_LABEL", "id"},
+       {"PFC_BALL_LOCX", "x"},
+       {"PFC_BALL_LOCY", "y"},
+       {"PFC_BALL_LOCZ", "z"},
+       {"PFC_BALL_RADIUS", "radius"},
+       {"PFC_BALL_ATTR", "type"}}};
+  for (const auto &[theirs, ours] : of_pfc)
+    if (name == theirs)
+      return std::string(ours);
+  return name;
+}
+
 /// Reads the names of a header one after the other.
 class Header {
 public:
-  void take(std::size_t i, const std::string &name) {
+  void take(std::size_t i, const std::string &written) {
+    const std::string name = known_name(written);
     const auto [stem, kind] = unit_name(name);
     if (name == "sieve")
       set_size(i, name, SizeKind::sieve);
@@ -56,7 +72,9 @@ public:
       set(columns_.quantity, i, name);
     else if (is_one_of(name, {"class", "mass"}) || (kind && stem == "upper"))
       of_class_ = name;
-    else if (!is_one_of(stem, {"x", "y", "z"}) && !is_one_of(name, {"id", "type"}))
+    else if (is_one_of(stem, {"x", "y", "z"}))
+      axes_[static_cast<std::size_t>(stem.front() - 'x')] = {i, kind};
+    else if (!is_one_of(name, {"id", "type"}))
       refuse_unknown(name);
   }
 
@@ -69,7 +87,9 @@ public:
     if (columns_.size.has_value() == has_bounds)
       throw InputError(has_bounds ? "there are a size and its bounds: give one of them"
                                   : "there is no column of sizes: name it, for example, size_mm");
-    return columns_;
+    ParticleColumns columns = columns_;
+    columns.place = place();
+    return columns;
   }
 
 private:
@@ -100,7 +120,24 @@ private:
     set(columns_.size, i, name);
   }
 
+  /// The columns x, y and z where all have the unit of sizes: their own, or none.
+  std::optional<std::array<std::size_t, 3>> place() const {
+    std::array<std::size_t, 3> place{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!axes_[axis])
+        return std::nullopt;
+      const auto &[column, kind] = *axes_[axis];
+      const bool has_unit_of_sizes = columns_.has_unit ? kind == columns_.kind : !kind;
+      if (!has_unit_of_sizes && kind)
+        return std::nullopt;
+      place[axis] = column;
+    }
+    return place;
+  }
+
   ParticleColumns columns_;
+  /// x, y and z: a column and its unit.
+  std::array<std::optional<std::pair<std::size_t, std::optional<SizeKind>>>, 3> axes_;
   std::string of_class_; ///< a column of what solve and generate say of classes
 };
 
@@ -140,8 +177,8 @@ bool has_particle_column(const std::vector<std::string> &names) {
     const auto begins = [&name](const char *word) { return name.starts_with(word); };
     return begins("size_") || begins("lower_") || name == "sieve" ||
            (is_alone ? begins("diameter_") || begins("radius_")
-                     : begins("diameter") || begins("radius") || begins("quantity") || name == "size" ||
-                           name == "r" || name == "d");
+                     : begins("diameter") || begins("radius") || begins("pfc_ball_radius") ||
+                           begins("quantity") || name == "size" || name == "r" || name == "d");
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include <mdm/particles/particle_format.hpp>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ struct ParticleColumns {
   std::optional<std::size_t> size, lo, hi;
   std::optional<std::size_t> lower;    ///< the opening below sizes between lo and hi: they are larger
   std::optional<std::size_t> quantity; ///< open: a particle a row
+  /// x, y and z, in the unit of sizes; open where one is missing or has another unit.
+  std::optional<std::array<std::size_t, 3>> place;
 
   /// The unit of sizes; mm for phi and sieves, which are turned into it.
   LengthUnit unit() const;

@@ -110,7 +110,12 @@ private:
       return;
     if (columns_.size) {
       const std::string &field = fields_[*columns_.size];
-      source_.particle(field, n, sign_of(field), reader());
+      if (columns_.place && n == 1) {
+        const auto &[x, y, z] = *columns_.place;
+        source_.particle_at({fields_[x], fields_[y], fields_[z]}, field, sign_of(field), reader());
+      } else {
+        source_.particle(field, n, sign_of(field), reader());
+      }
       return;
     }
     const std::string &lo = fields_[*columns_.lo], &hi = fields_[*columns_.hi];

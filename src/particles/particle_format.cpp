@@ -6,10 +6,11 @@
 namespace mdm {
 namespace {
 
-constexpr std::array<std::string_view, 11> format_names = {"csv",         "answer",      "xyzr",
+constexpr std::array<std::string_view, 14> format_names = {"csv",         "answer",      "xyzr",
                                                            "lammps-data", "lammps-dump", "liggghts-dump",
                                                            "vtk",         "diameters",   "liggghts-insertion",
-                                                           "mercurydpm",  "extxyz"};
+                                                           "mercurydpm",  "extxyz",      "esys",
+                                                           "lethe",       "kratos"};
 
 } // namespace
 

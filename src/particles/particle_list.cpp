@@ -77,7 +77,7 @@ private:
         source_.refuse(
             fmt::format("{} is not a number: write x y z r in each line, and # before lines of words",
                         in_quotes(words_[i])));
-    source_.particle(words_[radius]);
+    source_.particle_at({words_[0], words_[1], words_[2]}, words_[radius]);
   }
 
   std::size_t width_ = 0;

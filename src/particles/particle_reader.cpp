@@ -35,6 +35,12 @@ std::unique_ptr<LineReader> line_reader(ParticleFormat format, ParticleSource &s
     return read_mercurydpm(source);
   case ParticleFormat::extxyz:
     return read_extxyz(source);
+  case ParticleFormat::esys:
+    return read_esys(source);
+  case ParticleFormat::lethe:
+    return read_lethe(source);
+  case ParticleFormat::kratos:
+    return read_kratos(source);
   case ParticleFormat::answer:
     break;
   }
@@ -63,6 +69,14 @@ bool is_count(std::string_view line) {
   return parse_count(trimmed(line)).has_value();
 }
 
+/// True for the first particle of a snapshot of ESyS-Particle, below its number: x y z r id tag mass ...
+bool is_esys_particle(std::string_view line) {
+  std::vector<std::string_view> words;
+  split_words(line, words);
+  constexpr std::size_t least = 7;
+  return words.size() >= least && std::all_of(words.begin(), words.end(), is_number);
+}
+
 /// True for a line of four words, x y z r.
 bool is_place_and_radius(std::string_view line) {
   std::vector<std::string_view> words;
@@ -78,9 +92,19 @@ std::optional<ParticleFormat> format_of(const std::vector<std::string> &lines, c
   const bool is_first = lines.size() == 1;
   if (is_first && is_count(text))
     return std::nullopt;
-  if (lines.size() == 2 && is_count(lines.front()))
-    return text.find("Properties=") == std::string_view::npos ? ParticleFormat::diameters
-                                                              : ParticleFormat::extxyz;
+  if (lines.size() == 2 && is_count(lines.front())) {
+    if (text.find("Properties=") != std::string_view::npos)
+      return ParticleFormat::extxyz;
+    return is_esys_particle(text) ? ParticleFormat::esys : ParticleFormat::diameters;
+  }
+  if (is_first && text.starts_with("LSMGeometry"))
+    return ParticleFormat::esys;
+  if (text.starts_with("p_x;"))
+    return ParticleFormat::lethe;
+  if (text.starts_with("Begin "))
+    return ParticleFormat::kratos;
+  if (text.starts_with("//"))
+    return std::nullopt;
   if (is_first && text.starts_with("# vtk DataFile"))
     return ParticleFormat::vtk;
   if (text.empty() || text.front() == '#')

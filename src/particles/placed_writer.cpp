@@ -58,6 +58,26 @@ void write_xyzr(const Placement &start, const Sink &out) {
   text.finish();
 }
 
+void write_extxyz(const Placement &start, const Sink &out) {
+  const ParticleSet &set = start.set();
+  const auto &[a, b, height] = start.box();
+  TextBuffer text(out);
+  std::string heading = title(set) + ". " + mass_statement(set);
+  std::replace(heading.begin(), heading.end(), '"', '\'');
+  std::replace(heading.begin(), heading.end(), '\\', '/');
+  // X is the species of what is no element.
+  text.add("{}\nLattice=\"{} 0 0 0 {} 0 0 0 {}\" Properties=species:S:1:type:I:1:pos:R:3:radius:R:1:id:I:1 "
+           "pbc=\"{}\" Title=\"{}\"\n",
+           to_string(set.particles()), start.text(a), start.text(b), start.text(height),
+           start.sides() == Sides::periodic ? "T T F" : "F F F", heading);
+  std::uint64_t id = 0;
+  start.each([&](const Placement::Sphere &s) {
+    text.add("X {} {} {} {} {} {}\n", set.classes[s.class_index].number, start.text(s.at[0]),
+             start.text(s.at[1]), start.text(s.at[2]), s.size->radius.text, ++id);
+  });
+  text.finish();
+}
+
 void write_vtk(const Placement &start, const Sink &out) {
   const ParticleSet &set = start.set();
   const std::string n = to_string(set.particles());

@@ -129,14 +129,24 @@ private:
       if (missing_ == 0)
         refuse_more();
       if (block_ == Block::sizes)
-        source_.particle(word);
+        read_size(word);
       else if (!is_number(word))
         source_.refuse(fmt::format("{} is not a number, but there are {} of {} coordinates: is the file cut "
                                    "off?",
                                    in_quotes(word), coordinates * *points_ - missing_,
                                    coordinates * *points_));
+      else if (source_.wants_places())
+        places_.emplace_back(word);
       --missing_;
     }
+  }
+
+  void read_size(std::string_view word) {
+    const auto point = static_cast<std::size_t>(*points_ - missing_);
+    if (places_.empty())
+      source_.particle(word);
+    else
+      source_.particle_at({places_[3 * point], places_[3 * point + 1], places_[3 * point + 2]}, word);
   }
 
   [[noreturn]] void refuse_more() const {
@@ -165,6 +175,7 @@ private:
   Block block_ = Block::none; ///< the numbers that are read, or end above this line
   std::uint64_t missing_ = 0; ///< numbers that the block still lacks
   Data data_ = Data::none;
+  std::vector<std::string> places_;   ///< coordinates, where they are wanted
   bool found_ = false;                ///< the sizes
   std::uint64_t cell_array_line_ = 0; ///< of sizes that are not of points; 0 if there are none
 };

@@ -1,5 +1,7 @@
 #include "plot/packing_figure.hpp"
 
+#include "plot/size_colors.hpp"
+
 #include <mdm/number/real.hpp>
 #include <mdm/packing/contacts.hpp>
 #include <mdm/packing/packing_fraction.hpp>
@@ -16,12 +18,7 @@
 namespace mdm {
 namespace {
 
-constexpr const char *edge_color = "#404040";
 constexpr const char *circle_color = "#8c8c8c";
-
-/// From light to dark, so that they keep their order in print without colours.
-constexpr std::array<const char *, 8> colors = {"#ffe699", "#fecf5c", "#fdb147", "#f98e2b",
-                                                "#e76f12", "#c44f04", "#933304", "#5a1c02"};
 
 /// Things of one colour and how they are called.
 struct Kind {
@@ -131,16 +128,16 @@ private:
         p_.discs.begin(), p_.discs.end(), [](const PackedDisc &a, const PackedDisc &b) { return a.r < b.r; });
     const double smallest = 2 * length(least->r), largest = 2 * length(greatest->r);
     if (least->r == greatest->r) {
-      std::vector<Kind> all = {{fmt::format("{:.6g}", smallest), colors[3]}};
+      std::vector<Kind> all = {{fmt::format("{:.6g}", smallest), size_colors[3]}};
       for (const PackedDisc &d : p_.discs)
         add(all.front(), d);
       return all;
     }
     const std::vector<std::string> ends = size_texts(smallest, largest);
     std::vector<Kind> all;
-    for (std::size_t i = 0; i < colors.size(); ++i)
-      all.push_back({ends[i] + " to " + ends[i + 1], colors.at(i)});
-    const double step = std::log(largest / smallest) / static_cast<double>(colors.size());
+    for (std::size_t i = 0; i < size_colors.size(); ++i)
+      all.push_back({ends[i] + " to " + ends[i + 1], size_colors.at(i)});
+    const double step = std::log(largest / smallest) / static_cast<double>(size_colors.size());
     for (const PackedDisc &d : p_.discs) {
       const double at = std::log(2 * length(d.r) / smallest) / step;
       add(all[std::min(static_cast<std::size_t>(std::max(at, 0.0)), all.size() - 1)], d);
@@ -153,11 +150,11 @@ private:
     std::vector<std::string> texts;
     for (int digits = 3; digits < 15; ++digits) {
       texts.clear();
-      for (std::size_t i = 0; i <= colors.size(); ++i)
+      for (std::size_t i = 0; i <= size_colors.size(); ++i)
         texts.push_back(
             fmt::format("{:.{}g}",
                         smallest * std::pow(largest / smallest,
-                                            static_cast<double>(i) / static_cast<double>(colors.size())),
+                                            static_cast<double>(i) / static_cast<double>(size_colors.size())),
                         digits));
       if (std::set<std::string>(texts.begin(), texts.end()).size() == texts.size())
         break;
@@ -167,11 +164,11 @@ private:
 
   std::vector<Kind> by_contacts() const {
     const PackingContacts contacts = packing_contacts(p_);
-    std::vector<Kind> all = {{"touches 2 others or fewer", colors[0]},
-                             {"touches 3 others", colors[2]},
-                             {"touches 4 others", colors[3]},
-                             {"touches 5 others", colors[5]},
-                             {"touches 6 others or more", colors[7]}};
+    std::vector<Kind> all = {{"touches 2 others or fewer", size_colors[0]},
+                             {"touches 3 others", size_colors[2]},
+                             {"touches 4 others", size_colors[3]},
+                             {"touches 5 others", size_colors[5]},
+                             {"touches 6 others or more", size_colors[7]}};
     constexpr std::uint32_t least = 2;
     for (std::size_t i = 0; i < p_.discs.size(); ++i) {
       const std::size_t more = std::max(contacts.of_disc[i], least) - least;

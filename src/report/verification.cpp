@@ -3,7 +3,9 @@
 #include "answer/json_values.hpp"
 #include "gradation/shown.hpp"
 #include "number/counted.hpp"
+#include "report/interval_json.hpp"
 #include "report/share_bounds.hpp"
+#include "report/sphere_report.hpp"
 #include "text/text_buffer.hpp"
 #include "text/text_table.hpp"
 #include "text/versions.hpp"
@@ -45,22 +47,6 @@ std::string found_percent(const MatchError &e, std::size_t j, unsigned digits) {
     return percent(e.shares[j], digits);
   return percent(e.targets[j], digits) + (difference.lo > 0 ? " - " : " + ") +
          approximate(Rational(100 * least), few_digits);
-}
-
-/// Enough digits for a reader who computes on with an enclosure.
-constexpr unsigned enclosure_digits = 30;
-
-/// Outer decimals of y that differ from it by no more than 10^-enclosure_digits.
-void write_number(JsonWriter &json, const Interval &y) {
-  if (y.is_point()) {
-    write(json, y.lo);
-    return;
-  }
-  const Rational unit(power_of_ten(enclosure_digits));
-  const auto outer = [](const Integer &n) {
-    return n < 0 ? "-" + decimal_string(Integer(-n), enclosure_digits) : decimal_string(n, enclosure_digits);
-  };
-  json.bounds(outer(floor(Rational(y.lo * unit))), outer(ceil(Rational(y.hi * unit))));
 }
 
 /// A size as a message shows it.
@@ -231,6 +217,8 @@ std::string verification_text(const Verification &v) {
                    : "no",
         c.reason.empty() ? "" : ", " + c.reason);
   }
+  if (v.packing)
+    add(out, "{}", sphere_texture_text(*v.packing, v.description.gradation()));
   for (const std::string &objection : v.objections)
     add(out, "  objection: {}\n", objection);
   for (const std::string &note : v.notes)
@@ -292,6 +280,11 @@ std::string verification_json(const Verification &v) {
   json.key("maximum_error_percent").plain(percent(v.error.maximum, v.digits));
   write_number(json.key("total_error"), v.error.total);
   json.key("total_error_percent").plain(percent(v.error.total, v.digits));
+  json.key("packing");
+  if (v.packing)
+    write_sphere_texture(json, *v.packing, g);
+  else
+    json.null();
   json.key("objections").strings(v.objections).key("notes").strings(v.notes);
   json.key("versions").raw(versions_json()).end_object();
   return json.take();

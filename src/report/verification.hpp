@@ -7,6 +7,7 @@
 #include <mdm/gradation/description.hpp>
 #include <mdm/match/solve.hpp>
 #include <mdm/match/tolerance.hpp>
+#include <mdm/packing/sphere_texture.hpp>
 
 namespace mdm {
 
@@ -26,13 +27,14 @@ struct Verification {
   Description description;
   MatchError error;
   Question question;
-  Rational tolerance;                  ///< greatest error of a share that is allowed, of 1; 1: any
-  Tolerance bounds;                    ///< on the shares, besides
-  std::string within;                  ///< all that is allowed, in words, where there are bounds besides
-  SmallestMatch smallest;              ///< N of the smallest exact match
-  std::string sample;                  ///< name, for the report
-  unsigned digits = 6;                 ///< significant digits of percents
-  std::vector<std::string> objections; ///< other reasons why the sample is not what it claims to be
+  Rational tolerance;                   ///< greatest error of a share that is allowed, of 1; 1: any
+  Tolerance bounds;                     ///< on the shares, besides
+  std::string within;                   ///< all that is allowed, in words, where there are bounds besides
+  SmallestMatch smallest;               ///< N of the smallest exact match
+  std::string sample;                   ///< name, for the report
+  unsigned digits = 6;                  ///< significant digits of percents
+  std::optional<SphereTexture> packing; ///< what places say, where that was asked
+  std::vector<std::string> objections;  ///< other reasons why the sample is not what it claims to be
   std::vector<std::string> notes;
 
   Verdict verdict() const;

@@ -6,6 +6,8 @@
 #include <mdm/answer/answer_sample.hpp>
 #include <mdm/particles/particle_reader.hpp>
 
+#include <cmath>
+
 namespace {
 
 using namespace mdm;
@@ -34,6 +36,15 @@ public:
     description_.add(diameter, quantity);
     count_ += quantity;
   }
+  void add_at(const SphereSample::Place &place, const Rational &unit, const RootSize &diameter) override {
+    SphereSample sample;
+    sample.add(place, unit, drawn_size(diameter), 0);
+    fuzz::demand(std::abs(sample.centre(0)[2]) <= 1e60);
+    fuzz::demand(cut_double(sample.exact_coordinate(0, 2)) == sample.centre(0)[2]);
+    add(diameter, 1);
+  }
+  bool wants_places() const override { return true; }
+  void set_box(const ParticleBox &box) override { fuzz::demand(!box.sides.is_empty()); }
   void check() const {
     fuzz::demand(count_ > 0 && description_.particles() == count_);
     const MatchError e = description_.error();
@@ -84,7 +95,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
   for (const ParticleFormat format :
        {ParticleFormat::csv, ParticleFormat::xyzr, ParticleFormat::lammps_data, ParticleFormat::lammps_dump,
         ParticleFormat::vtk, ParticleFormat::diameters, ParticleFormat::liggghts_insertion,
-        ParticleFormat::mercurydpm, ParticleFormat::extxyz}) {
+        ParticleFormat::mercurydpm, ParticleFormat::extxyz, ParticleFormat::esys, ParticleFormat::lethe,
+        ParticleFormat::kratos}) {
     options.format = format;
     check([&content, &options] { read_particles(content, options); });
   }

@@ -76,10 +76,10 @@ TEST_CASE("The rows of a hydrometer below belong to the same curve") {
 
 TEST_CASE("A column that is named needs no known header where this has a unit of length") {
   const std::string file = "Korngröße d [mm];Rückstand [g];n\n2;0;1\n1;3;2\n0,5;4;3\n";
-  const Gradation g = read(file, columns("Korngröße d [mm],Rückstand [g]"));
+  const Gradation g = read_with(file, columns("Korngröße d [mm],Rückstand [g]"));
   CHECK(text(g.sizes()) == "0.5 1 2");
   CHECK(text(g.masses()) == "4 3 0");
-  CHECK(contains(message_of([&] { read(file, columns("n,Rückstand [g]")); }),
+  CHECK(contains(message_of([&] { read_with(file, columns("n,Rückstand [g]")); }),
                  "does not say what the column of sizes"));
 }
 

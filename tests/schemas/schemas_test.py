@@ -89,6 +89,9 @@ COMMANDS = {
         ["verify", SAND, "sample.csv", "--tolerance", "1%"],
         ["verify", SAND, "sample.csv", "--snap", "1e-3", "--law", "power:5/2"],
         ["verify", "pan.csv", "sample.csv", "--tolerance", "100%"],
+        ["verify", SAND, "places.txt", "--packing"],
+        ["verify", SAND, "places.txt", "--packing", "--specimen", "cylinder:20x20", "--margin", "1"],
+        ["verify", SAND, "places.txt", "--packing", "--box", "20x20x20", "--periodic", "xyz", "--margin", "1"],
     ],
     "mdm-tradeoff-1": [
         ["tradeoff", SAND],
@@ -129,6 +132,7 @@ FILES = {
     "pan.csv": "size_mm,passing_percent\n4.75,100\n2,80\n0.425,45\n0.075,12\n",
     "factors.csv": "size_um,mass,factor,tolerance_percent\n2000,0,1,1\n1000,5,1.5,0.5\n500,3,2,0.5\n",
     "band.csv": "size_mm,passing_min_percent,passing_max_percent\n0.25,50,70\n",
+    "places.txt": "1 1 1 0.1\n1 1 1.19 0.1\n5 5 0.25 0.25\n9 9 12 0.4\n9 9.7 12 0.3\n3 3 3 0.06\n",
     "sample.csv": "size_mm,quantity\n0.05,3000\n0.1,300\n0.12,100\n0.13,200\n0.2,250\n0.4,20\n0.8,2\n0.9,1\n3,1\n",
     "answers.csv": "id,quantities,sizes_mm,setting\na,2 1,,x\na,3 1,0.1 0.2,y\nb,1 1,,x\nb,,,y\nc,1,,x\n",
 }

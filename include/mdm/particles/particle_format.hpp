@@ -22,11 +22,14 @@ enum class ParticleFormat {
   liggghts_insertion, ///< script of LIGGGHTS with an insertion of one template after the other, to running
                       ///< totals
   mercurydpm,         ///< cumulative number distribution below the heading that mdm export writes
-  extxyz              ///< extended XYZ with a radius among the `Properties=` of its second line: ASE, OVITO
+  extxyz,             ///< extended XYZ with a radius among the `Properties=` of its second line: ASE, OVITO
+  esys,               ///< ESyS-Particle: geometry (LSMGeometry), or snapshot `*_1.txt`
+  lethe,              ///< Lethe: file of its insertion method `file`, `p_x; p_y; p_z; ...; diameters;`
+  kratos              ///< Kratos: model part (mdpa) of its DEM application, with NodalData RADIUS
 };
 
 /// `csv`, `answer`, `xyzr`, `lammps-data`, `lammps-dump`, `liggghts-dump`, `vtk`, `diameters`,
-/// `liggghts-insertion`, `mercurydpm` or `extxyz`.
+/// `liggghts-insertion`, `mercurydpm`, `extxyz`, `esys`, `lethe` or `kratos`.
 std::string_view name(ParticleFormat format);
 /// The format of that name, or nothing.
 std::optional<ParticleFormat> parse_particle_format(std::string_view name);

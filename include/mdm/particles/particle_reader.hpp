@@ -4,6 +4,7 @@
 
 #include <mdm/gradation/root_size.hpp>
 #include <mdm/gradation/size_range.hpp>
+#include <mdm/packing/sphere_sample.hpp>
 #include <mdm/particles/particle_format.hpp>
 
 #include <memory>
@@ -11,6 +12,12 @@
 #include <vector>
 
 namespace mdm {
+
+/// The box of a simulation, in the unit that was asked for.
+struct ParticleBox {
+  SpaceBox sides;
+  std::array<bool, 3> periodic{};
+};
 
 /// Takes the particles that a file has.
 class ParticleSink {
@@ -22,6 +29,16 @@ public:
   virtual void add(const RootSize &diameter, const Integer &quantity) = 0;
   /// Particles of diameters of which the file gives a range.
   virtual void add(const SizeRange &diameter, const Integer &quantity) = 0;
+  /// A particle with its place. \param unit  length of the unit of the place, in the unit that was asked for
+  virtual void add_at(const SphereSample::Place &place, const Rational &unit, const RootSize &diameter) {
+    static_cast<void>(place);
+    static_cast<void>(unit);
+    add(diameter, 1);
+  }
+  /// True if places are wanted: they are not kept elsewhere.
+  virtual bool wants_places() const { return false; }
+  /// The box of the particles, before they come.
+  virtual void set_box(const ParticleBox &box) { static_cast<void>(box); }
 };
 
 /// The way a particle file is read. Open choices follow the content, or the custom of the format.

@@ -39,6 +39,18 @@ void write_lammps_data(const Placement &start, const Sink &out);
 /// `x y z r` a line below comments, for YADE's ymport.text.
 void write_xyzr(const Placement &start, const Sink &out);
 
+/// Geometry of ESyS-Particle (LSMGeometry 1.2); tags are the numbers of the classes.
+void write_esys(const Placement &start, const Sink &out);
+
+/// File of Lethe's insertion method `file`.
+void write_lethe(const Placement &start, const Sink &out);
+
+/// Model part (mdpa) of Kratos' DEM application: nodes, elements SphericParticle3D of properties 0, radii.
+void write_kratos(const Placement &start, const Sink &out);
+
+/// Extended XYZ for ASE and OVITO: species X, the number of the class as type, place, radius, id.
+void write_extxyz(const Placement &start, const Sink &out);
+
 /// Legacy VTK 3.0 in ASCII, POLYDATA with VERTICES, radius, and the number of the class.
 void write_vtk(const Placement &start, const Sink &out);
 

@@ -1,0 +1,91 @@
+#include "particles/line_reader.hpp"
+#include "text/lines.hpp"
+#include "text/long_text.hpp"
+
+#include <mdm/particles/particle_writer.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+/// A file of Lethe's insertion method `file`: names of columns, `p_x; p_y; p_z; ...; diameters; ...`, and a
+/// line of numbers a particle, each with a semicolon behind it.
+class LetheReader : public LineReader {
+public:
+  explicit LetheReader(ParticleSource &source) : source_(source) {
+    source.set_defaults(SizeMeaning::diameter, LengthUnit::m);
+  }
+
+  void line(std::string_view text) override {
+    if (trimmed(text).empty())
+      return;
+    split(trimmed(text));
+    if (width_ == 0)
+      read_names();
+    else
+      read_particle();
+  }
+
+  void end() override { source_.check_some(); }
+
+private:
+  static constexpr std::array<std::string_view, 4> names = {"p_x", "p_y", "p_z", "diameters"};
+
+  void split(std::string_view text) {
+    fields_.clear();
+    while (!text.empty() && fields_.size() <= max_fields) {
+      const std::size_t end = std::min(text.find(';'), text.size());
+      fields_.push_back(trimmed(text.substr(0, end)));
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
+  }
+
+  void read_names() {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const auto found = std::find(fields_.begin(), fields_.end(), names[i]);
+      if (found == fields_.end() || std::count(fields_.begin(), fields_.end(), names[i]) > 1)
+        source_.refuse(
+            fmt::format("there is not one column {}: write p_x; p_y; p_z; ... diameters;", names[i]));
+      columns_[i] = static_cast<std::size_t>(found - fields_.begin());
+    }
+    width_ = fields_.size();
+  }
+
+  void read_particle() {
+    if (fields_.size() != width_)
+      source_.refuse(fmt::format("the line has {} values, there are {} columns: is the file cut off?",
+                                 fields_.size(), width_));
+    const auto wrong = std::find_if_not(fields_.begin(), fields_.end(), is_number);
+    if (wrong != fields_.end())
+      source_.refuse(fmt::format("{} is not a number: is the file damaged?", in_quotes(*wrong)));
+    source_.particle_at({fields_[columns_[0]], fields_[columns_[1]], fields_[columns_[2]]},
+                        fields_[columns_[3]]);
+  }
+
+  ParticleSource &source_;
+  std::vector<std::string_view> fields_;
+  std::array<std::size_t, 4> columns_{};
+  std::size_t width_ = 0; ///< 0 above the names
+};
+
+} // namespace
+
+std::unique_ptr<LineReader> read_lethe(ParticleSource &source) {
+  return std::make_unique<LetheReader>(source);
+}
+
+void write_lethe(const Placement &start, const Sink &out) {
+  TextBuffer text(out);
+  text.add("p_x; p_y; p_z; v_x; v_y; v_z; w_x; w_y; w_z; diameters;\n");
+  start.each([&](const Placement::Sphere &s) {
+    text.add("{}; {}; {}; 0; 0; 0; 0; 0; 0; {};\n", start.text(s.at[0]), start.text(s.at[1]),
+             start.text(s.at[2]), s.size->diameter.text);
+  });
+  text.finish();
+}
+
+} // namespace mdm

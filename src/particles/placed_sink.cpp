@@ -1,0 +1,53 @@
+#include "particles/placed_sink.hpp"
+
+#include <mdm/text/error.hpp>
+
+#include <algorithm>
+
+namespace mdm {
+
+PlacedSink::PlacedSink(const Gradation &g, ParticleSink &next) : next_(next) {
+  for (std::size_t i = 0; i <= g.classes(); ++i)
+    openings_.push_back(g.opening(i));
+}
+
+void PlacedSink::restart() {
+  next_.restart();
+  sample_ = {};
+  box_.reset();
+  lacks_places_ = false;
+}
+
+void PlacedSink::add(const RootSize &diameter, const Integer &quantity) {
+  lacks_places_ = true;
+  next_.add(diameter, quantity);
+}
+
+void PlacedSink::add(const SizeRange &diameter, const Integer &quantity) {
+  lacks_places_ = true;
+  next_.add(diameter, quantity);
+}
+
+void PlacedSink::add_at(const SphereSample::Place &place, const Rational &unit, const RootSize &diameter) {
+  const std::optional<Rational> size = diameter.fraction();
+  if (!size)
+    throw InputError("is of a sphere whose size is no fraction: give sizes as decimals");
+  sample_.add(place, unit, *size, class_of(*size));
+  next_.add(diameter, 1);
+}
+
+const SphereSample &PlacedSink::sample() const {
+  if (lacks_places_ || sample_.size() == 0)
+    throw InputError("there are particles without a place of their own, x y z: give a file with x y z");
+  return sample_;
+}
+
+std::uint32_t PlacedSink::class_of(const Rational &diameter) const {
+  const auto above = std::partition_point(openings_.begin(), openings_.end(), [&](const RootSize &opening) {
+    return compare(RootSize{diameter, 1}, opening) > 0;
+  });
+  const auto n = static_cast<std::size_t>(above - openings_.begin());
+  return n == 0 || n == openings_.size() ? SphereSample::no_group : static_cast<std::uint32_t>(n - 1);
+}
+
+} // namespace mdm

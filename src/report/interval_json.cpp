@@ -1,0 +1,30 @@
+#include "report/interval_json.hpp"
+
+#include <mdm/number/decimal.hpp>
+#include <mdm/number/real.hpp>
+
+namespace mdm {
+
+void write_number(JsonWriter &json, const Interval &y) {
+  // Enough digits for a reader who computes on with an enclosure.
+  constexpr unsigned enclosure_digits = 30;
+  if (y.is_point()) {
+    write(json, y.lo);
+    return;
+  }
+  const Rational unit(power_of_ten(enclosure_digits));
+  const auto outer = [](const Integer &n) {
+    return n < 0 ? "-" + decimal_string(Integer(-n), enclosure_digits) : decimal_string(n, enclosure_digits);
+  };
+  json.bounds(outer(floor(Rational(y.lo * unit))), outer(ceil(Rational(y.hi * unit))));
+}
+
+std::string interval_text(const Interval &y) {
+  constexpr unsigned digits = 6;
+  const Rational middle = (y.lo + y.hi) / 2, half = (y.hi - y.lo) / 2;
+  if (half == 0 || half * Rational(2 * power_of_ten(digits)) <= abs(middle))
+    return middle == 0 ? "0" : rounded(Real(middle), digits);
+  return "[" + approximate(y.lo, digits) + ", " + approximate(y.hi, digits) + "]";
+}
+
+} // namespace mdm

@@ -1,0 +1,17 @@
+#pragma once
+/// \file
+/// Enclosures in JSON and in words.
+
+#include "answer/json_values.hpp"
+
+#include <mdm/number/interval.hpp>
+
+namespace mdm {
+
+/// `p/q` where the number is known; else decimals around it that differ from it by no more than 10^-30.
+void write_number(JsonWriter &json, const Interval &y);
+
+/// Six digits of a number, or a range where it is not known so well.
+std::string interval_text(const Interval &y);
+
+} // namespace mdm

@@ -1,0 +1,102 @@
+// Files of ESyS-Particle, Lethe and Kratos.
+
+#include "support.hpp"
+
+using namespace mdm;
+using namespace mdm::test;
+
+namespace {
+
+const std::string geometry =
+    "LSMGeometry 1.2\nBoundingBox 0 0 0 10 10 10\nPeriodicBoundaries 0 0 0\nDimension 3D\n"
+    "BeginParticles\nSimple\n2\n1 1 1 0.5 0 3\n2.5 1 1 .25 1 4\nEndParticles\n"
+    "BeginConnect\n0\nEndConnect\n";
+const std::string snapshot = "2\n1 1 1 0.5 0 3 0.52 1 1 1\n2.5 1 1 .25 1 4 0.06 2 1 1\n0\nTMIG 0\n";
+const std::string lethe = "p_x; p_y; p_z; v_x; v_y; v_z; w_x; w_y; w_z; diameters;\n"
+                          "0.0; 0.0; 0.0; 0.0; 0.0; 0.0; 0.0; 0.0; 0.0;       0.2;\n"
+                          "1.0; 2.0; 3.0; 0.0; 0.0; 0.0; 0.0; 0.0; 0.0;       .3;\n";
+const std::string kratos =
+    "Begin ModelPartData\n// VARIABLE_NAME value\nEnd ModelPartData\n\n"
+    "Begin Properties 0\nEnd Properties\n\n"
+    "Begin Nodes // of spheres\n 7 0 0 0.5\n9 -1e-3 0 2\nEnd Nodes\n\n"
+    "Begin Elements SphericParticle3D// GUI group identifier: DEM\n1 0 7\n2 0 9\nEnd Elements\n\n"
+    "Begin NodalData RADIUS // GUI group\n7 0 0.5\n9 0 0.25\nEnd NodalData\n\n"
+    "Begin SubModelPart grains\n  Begin SubModelPartNodes\n  7\n  End SubModelPartNodes\n"
+    "End SubModelPart\n";
+
+std::string replaced(std::string text, const std::string &part, const std::string &by) {
+  const std::size_t at = text.find(part);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, part.size(), by);
+}
+
+} // namespace
+
+TEST_CASE("ESyS-Particle: radii of a geometry and of a snapshot, in m") {
+  for (const std::string &content : {geometry, snapshot}) {
+    const Result result = read(content);
+    CHECK(result.format == ParticleFormat::esys);
+    CHECK(result.particles == "1000 500");
+    REQUIRE(result.notes.size() == 1);
+    CHECK(contains(result.notes[0], "radii in m"));
+    ParticleOptions options;
+    options.unit = LengthUnit::mm;
+    CHECK(read(content, options).particles == "1 0.5");
+  }
+}
+
+TEST_CASE("ESyS-Particle: what is damaged is refused with its line") {
+  CHECK(contains(refusal(replaced(geometry, "1 1 1 0.5", "1 1 1 0")), "file:8: radius '0' is not above 0"));
+  CHECK(contains(refusal(replaced(geometry, "1 1 1 0.5", "1 1 1 nan")), "file:8: 'nan' is not a number"));
+  CHECK(contains(refusal(replaced(geometry, "1 1 1 0.5", "1 inf 1 1")), "file:8: 'inf' is not a number"));
+  CHECK(contains(refusal(replaced(geometry, "\n2\n", "\n3\n")), "file:10: the line has 1 numbers"));
+  CHECK(
+      contains(refusal(replaced(geometry, "\n2\n", "\n1\n")), "file:9: there are more particles than the 1"));
+  CHECK(contains(refusal(replaced(geometry, "\n2\n", "\ntwo\n")), "file:7: the number of particles is not"));
+  CHECK(contains(refusal(replaced(geometry, "0.5 0 3", "0.5 0")), "file:8: the line has 5 numbers"));
+  CHECK(contains(refusal(replaced(snapshot, "2\n", "1\n")), "file:3: there are more particles than the 1"));
+  CHECK(contains(refusal(replaced(snapshot, "2\n", "3\n")), "file:4: the line has 1 numbers"));
+  CHECK(contains(refusal("2\n1 1 1 0.5 0 3 0.52\n"), "file:2: the file ends after 1 of 2 particles"));
+  CHECK(contains(refusal("0\n", from(ParticleFormat::esys)), "there are no particles"));
+  const std::string upto = geometry.substr(0, geometry.find("EndParticles") + 13);
+  check_truncations(upto, from(ParticleFormat::esys));
+}
+
+TEST_CASE("Lethe: diameters of an insertion file, found by its names") {
+  CHECK(read(lethe).format == ParticleFormat::lethe);
+  CHECK(read(lethe).particles == "200 300");
+  CHECK(read("p_x; p_y; p_z; v_x; v_y; v_z; w_x; w_y; w_z; diameters; fem_force_x;\n"
+             "0;0;0;0;0;0;0;0;0;1e-3;5\n")
+            .particles == "1");
+  CHECK(contains(refusal(replaced(lethe, "diameters", "diam")), "file:1: there is not one column diameters"));
+  CHECK(contains(refusal(replaced(lethe, "v_x", "p_x")), "file:1: there is not one column p_x"));
+  CHECK(
+      contains(refusal(replaced(lethe, "0.2;", "")), "file:2: the line has 9 values, there are 10 columns"));
+  CHECK(contains(refusal(replaced(lethe, ".3;", "-.3;")), "file:3: diameter '-.3' is not above 0"));
+  CHECK(contains(refusal(replaced(lethe, "2.0;", "nan;")), "file:3: 'nan' is not a number"));
+  CHECK(contains(refusal(lethe.substr(0, lethe.find('\n') + 1)), "there are no particles"));
+}
+
+TEST_CASE("Kratos: radii of the nodes of a model part") {
+  CHECK(read(kratos).format == ParticleFormat::kratos);
+  CHECK(read(kratos).particles == "1000 500");
+  CHECK(contains(refusal(replaced(kratos, "9 0 0.25\n", "")),
+                 "there are 2 particles among the Elements, and 1"));
+  CHECK(contains(refusal(replaced(kratos, "9 0 0.25", "8 0 0.25")), "there is no node 8"));
+  CHECK(contains(refusal(replaced(kratos, "9 0 0.25", "7 0 0.25")), "node 7 has a radius above"));
+  CHECK(contains(refusal(replaced(kratos, "9 0 0.25", "9 0 0")), "radius '0' is not above 0"));
+  CHECK(contains(refusal(replaced(kratos, "9 -1e-3", "9 nan")), "is not a node's number with x y z"));
+  CHECK(contains(refusal(replaced(kratos, "1 0 7", "1 0")), "is not a particle's number, its properties"));
+  CHECK(contains(refusal(replaced(kratos, "2 0 9", "2 0 x")), "the number of a node is not a whole number"));
+  CHECK(contains(refusal(kratos.substr(0, kratos.find("End NodalData"))), "without its End: is it cut off?"));
+  CHECK(contains(refusal("Begin Nodes\nEnd Nodes\nEnd Nodes\n"), "a block ends that did not begin"));
+}
+
+TEST_CASE("PFC: balls in CSV with its column names") {
+  const std::string balls =
+      "EVENT_LABEL,PFC_BALL_LOCX,PFC_BALL_LOCY,PFC_BALL_LOCZ,PFC_BALL_RADIUS,PFC_BALL_ATTR\n"
+      "1,0,0,0.1,0.5,1\n2,3,0,0.1,0.25,1\n";
+  CHECK(read(balls).format == ParticleFormat::csv);
+  CHECK(read(balls).particles == "1 0.5");
+  CHECK(contains(refusal(replaced(balls, "0.25,1", "0.25")), "file:3: the row has 5 fields"));
+}
