@@ -24,8 +24,11 @@ const Ball &cut_pi() {
   return pi;
 }
 
-/// The angle from 0 to pi / 2 whose sine has that square: pi / 2 I_y(1/2, 1/2).
+/// The angle from 0 to pi / 2 whose sine has that square: pi / 2 I_y(1/2, 1/2). By that of the cosine above a
+/// half, so that no ball holds what is more than 1.
 Ball angle_of(const Rational &sine2) {
+  if (sine2 > ratio(1, 2))
+    return cut_pi() * cut_ball(ratio(1, 2)) - angle_of(1 - sine2);
   return cut_pi() * cut_ball(ratio(1, 2)) * incomplete_beta(cut_ball(sine2), ratio(1, 2), ratio(1, 2));
 }
 

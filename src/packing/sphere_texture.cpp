@@ -1,10 +1,11 @@
 #include "number/pi.hpp"
 #include "packing/cut_sphere.hpp"
 #include "packing/enclosed_sum.hpp"
+#include "packing/segregation.hpp"
 #include "packing/sphere_contacts.hpp"
+#include "packing/sphere_space.hpp"
 
 #include <mdm/number/enclosure.hpp>
-#include <mdm/text/error.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -16,9 +17,8 @@ namespace {
 
 using packing::EnclosedSum;
 using packing::NearSpheres;
+using packing::sphere_bands;
 using packing::SphereImage;
-
-constexpr std::size_t sphere_bands = 10;
 
 /// d^3 of a double d within 2^-52 of the exact one: three times that, and two roundings, are less than ten
 /// units of 2^-53.
@@ -26,61 +26,6 @@ constexpr double cube_error = 10 * std::numeric_limits<double>::epsilon() / 2;
 
 double cube(double d) {
   return d * d * d;
-}
-
-/// The largest of n numbers of which doubles within an error are known.
-template <class Value, class Exact>
-Rational largest_of(std::size_t n, double error, const Value &value, const Exact &exact) {
-  double most = value(std::size_t{0});
-  for (std::size_t i = 1; i < n; ++i)
-    most = std::max(most, value(i));
-  std::optional<Rational> largest;
-  for (std::size_t i = 0; i < n; ++i)
-    if (value(i) >= most - 2 * error)
-      largest = largest ? std::max(*largest, Rational(exact(i))) : Rational(exact(i));
-  return *largest;
-}
-
-/// More than the error of a sum of a few doubles of the sample.
-double error_of_sum(const SphereSample &sample) {
-  return sample.greatest() * 16 * std::numeric_limits<double>::epsilon();
-}
-
-/// The end of the spheres along an axis: the highest for a sign of 1; -1 times the lowest for -1.
-Rational end_of(const SphereSample &sample, std::size_t axis, int sign) {
-  return largest_of(
-      sample.size(), error_of_sum(sample),
-      [&](std::size_t i) { return sign * sample.centre(i)[axis] + sample.radius(i); },
-      [&](std::size_t i) {
-        return Rational(sign * sample.exact_coordinate(i, axis) + sample.exact_diameter(i) / 2);
-      });
-}
-
-/// The smallest box around all spheres.
-SpaceBox box_around(const SphereSample &sample) {
-  SpaceBox box;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.low[axis] = -end_of(sample, axis, -1);
-    box.high[axis] = end_of(sample, axis, 1);
-  }
-  return box;
-}
-
-SpaceBox space_of(const SphereSample &sample, const SampleSpace &asked) {
-  if (!asked.box)
-    return box_around(sample);
-  SpaceBox box = *asked.box;
-  if (asked.to_top)
-    box.high[2] = end_of(sample, 2, 1);
-  if (box.is_empty())
-    throw InputError("all particles are below the floor of their box: is the box right?");
-  return box;
-}
-
-Rational largest_diameter(const SphereSample &sample) {
-  return largest_of(
-      sample.size(), error_of_sum(sample), [&](std::size_t i) { return 2 * sample.radius(i); },
-      [&](std::size_t i) { return sample.exact_diameter(i); });
 }
 
 Interval pi_interval() {
@@ -92,43 +37,6 @@ Interval pi_interval() {
 Interval void_ratio_of(const Interval &volume, const Interval &cubes) {
   const Interval solids = pi_interval() * cubes;
   return {6 * volume.lo / solids.hi - 1, 6 * volume.hi / solids.lo - 1};
-}
-
-/// The square in the circle that fits into the box's ground, its side cut to 15 digits.
-SpaceBox inside_cylinder(const SpaceBox &box) {
-  SpaceBox inside = box;
-  const Rational d = box.side(0);
-  const Rational side =
-      enclose_root(numerator(Rational(d * d / 2)), denominator(Rational(d * d / 2)), 2, 15).lower();
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    inside.low[axis] += (d - side) / 2;
-    inside.high[axis] -= (d - side) / 2;
-  }
-  return inside;
-}
-
-/// The space so far off what is not periodic; nothing if it is narrower than the largest sphere,
-/// which two opposite sides might cut.
-std::optional<SpaceBox> inner_part(const SphereTexture &t, const Rational &off, const Rational &largest) {
-  SpaceBox inner = t.space;
-  if (t.is_cylinder) {
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      inner.low[axis] += off;
-      inner.high[axis] -= off;
-    }
-    if (inner.is_empty())
-      return std::nullopt;
-    inner = inside_cylinder(inner);
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (!t.periodic[axis] && (axis == 2 || !t.is_cylinder)) {
-      inner.low[axis] += off;
-      inner.high[axis] -= off;
-    }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (inner.side(axis) <= 0 || (!t.periodic[axis] && inner.side(axis) < largest))
-      return std::nullopt;
-  return inner;
 }
 
 class TextureMaker {
@@ -150,12 +58,12 @@ private:
   /// The space of the spheres and its inner part.
   const SpaceBox &prepare() {
     assert(sample_.size() > 0);
-    t_.space = space_of(sample_, options_.space);
+    t_.space = packing::space_of(sample_, options_.space);
     t_.is_cylinder = options_.space.is_cylinder;
     t_.periodic = options_.space.periodic;
     t_.gap = options_.gap;
-    const Rational largest = largest_diameter(sample_);
-    t_.inner = inner_part(t_, options_.margin.value_or(2 * largest), largest);
+    const Rational largest = packing::largest_diameter(sample_);
+    t_.inner = packing::inner_part(t_, options_.margin.value_or(2 * largest), largest);
     return t_.space;
   }
 
@@ -327,14 +235,14 @@ private:
       s.moment.add(v * above, v * (bound_error(floor) + std::abs(above) * 2 * cube_error));
       s.bands[band_of(i)].add(v, v * cube_error);
     }
-    std::vector<std::array<Interval, sphere_bands>> volumes;
+    std::vector<packing::BandVolumes> volumes;
     for (const Sums &s : sums) {
       SphereGroup group;
       group.spheres = s.spheres;
       const Interval volume = s.volume.interval(), moment = s.moment.interval();
       if (s.spheres > 0)
-        group.mean_height = quotient(moment, volume);
-      std::array<Interval, sphere_bands> of_bands;
+        group.mean_height = packing::quotient(moment, volume);
+      packing::BandVolumes of_bands;
       for (std::size_t k = 0; k < sphere_bands; ++k) {
         const Interval band = s.bands[k].interval();
         of_bands[k] = {std::max(Rational(0), band.lo), band.hi};
@@ -342,12 +250,10 @@ private:
       volumes.push_back(of_bands);
       t_.groups.push_back(std::move(group));
     }
-    set_shares(volumes);
-  }
-
-  /// y / z, for z > 0.
-  static Interval quotient(const Interval &y, const Interval &z) {
-    return {y.lo / (y.lo < 0 ? z.lo : z.hi), y.hi / (y.hi < 0 ? z.hi : z.lo)};
+    const std::vector<packing::BandVolumes> shares = packing::shares_of_bands(volumes);
+    for (std::size_t j = 0; j < groups_; ++j)
+      t_.groups[j].shares.assign(shares[j].begin(), shares[j].end());
+    t_.segregation = packing::segregation(volumes);
   }
 
   /// The band of a sphere by its centre; beyond the space, the nearest one.
@@ -364,38 +270,6 @@ private:
     if (exact < 0)
       return 0;
     return exact >= sphere_bands ? sphere_bands - 1 : static_cast<std::size_t>(floor(exact));
-  }
-
-  void set_shares(const std::vector<std::array<Interval, sphere_bands>> &volumes) {
-    std::array<Interval, sphere_bands> totals;
-    std::vector<Interval> of_groups(volumes.size());
-    Interval total;
-    for (std::size_t j = 0; j < volumes.size(); ++j)
-      for (std::size_t k = 0; k < sphere_bands; ++k) {
-        totals[k] = totals[k] + volumes[j][k];
-        of_groups[j] = of_groups[j] + volumes[j][k];
-        total = total + volumes[j][k];
-      }
-    for (std::size_t j = 0; j < volumes.size(); ++j)
-      for (std::size_t k = 0; k < sphere_bands; ++k)
-        t_.groups[j].shares.push_back(totals[k].lo > 0 ? quotient(volumes[j][k], totals[k]) : Interval());
-    if (!(total.lo > 0))
-      return;
-    // sum_k w_k (s_jk - p_j)^2 = sum_k w_k s_jk^2 - p_j^2, w being the bands' shares of all.
-    Interval squares, spread(Rational(1));
-    for (std::size_t j = 0; j < volumes.size(); ++j) {
-      const Interval p = quotient(of_groups[j], total);
-      for (std::size_t k = 0; k < sphere_bands; ++k)
-        if (totals[k].lo > 0)
-          squares = squares + quotient(totals[k], total) * power(t_.groups[j].shares[k], 2);
-      squares = squares - power(p, 2);
-      spread = spread - power(p, 2);
-    }
-    if (spread.lo <= 0)
-      return;
-    const Interval index = quotient(squares, spread);
-    t_.segregation = Interval(std::clamp(index.lo, Rational(0), Rational(1)),
-                              std::clamp(index.hi, Rational(0), Rational(1)));
   }
 
   const SphereSample &sample_;

@@ -163,6 +163,19 @@ TEST_CASE("planes through the centre keep a half, a quarter and an eighth of a s
   CHECK(middle(packing::kept_share({0, 0, 0})) == Approx(0.125).epsilon(1e-14));
 }
 
+TEST_CASE("planes that just touch a sphere, or pass its centre closely, keep what others keep") {
+  const Rational hair = ratio(1, power_of_ten(60)), most = 1 - hair, third = ratio(1, 3);
+  for (const Rational &side : {hair, most, Rational(-hair), third})
+    for (const Rational &other : {hair, most, Rational(-hair), Rational(-most), third}) {
+      const double one = middle(packing::kept_share({1, other, 1}));
+      const double part = side == most ? one : side == third ? -1 : one / 2;
+      const double both = middle(packing::kept_share({side, other, 1}));
+      if (part >= 0)
+        CHECK(both == Approx(part).margin(1e-15));
+      CHECK(middle(packing::kept_share({side, other, most})) == Approx(both).margin(1e-15));
+    }
+}
+
 TEST_CASE("what two planes keep on both of their sides is the whole sphere") {
   const auto kept = [](const char *x, const char *y, const char *z) {
     return middle(packing::kept_share({parse_decimal(x), parse_decimal(y), parse_decimal(z)}));
