@@ -41,6 +41,9 @@ struct Sum {
   }
 };
 
+/// An exact linear program of no more numbers takes little time.
+constexpr std::size_t small_table = 4096;
+
 /// What a count may be wrong by, relative to typical counts, and at most.
 constexpr double relative_noise = 1e-9, most_noise = 0.05;
 
@@ -181,6 +184,8 @@ void TolerantSearch::step(SearchTree::Number node) {
     const bool is_feasible = bound_node(node);
     if (tree_.bound(node) > *most())
       return tree_.close(node);
+    if (!is_feasible && problem_.table_size() <= small_table)
+      return decide_exactly(node);
     if (!is_feasible || !(add_cuts() || try_rounding()))
       break;
   }
