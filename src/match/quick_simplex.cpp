@@ -12,6 +12,12 @@ constexpr double tiny_entry = 1e-9;
 /// After so many the table is made anew.
 constexpr std::size_t most_pivots = 400;
 
+/// Adds `factor` times n numbers to others.
+void add_multiple(double *__restrict to, const double *__restrict from, double factor, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i)
+    to[i] += factor * from[i];
+}
+
 } // namespace
 
 QuickSimplex::QuickSimplex(std::size_t variables)
@@ -137,8 +143,7 @@ void QuickSimplex::exchange(std::size_t r, std::size_t column) {
     if (other == r || factor == 0)
       continue;
     to[column] = 0;
-    for (std::size_t c = 0; c < variables_; ++c)
-      to[c] += factor * of[c];
+    add_multiple(to, of, factor, variables_);
   }
   std::swap(basic_[r], columns_[column]);
   place_[basic_[r]] = variables_ + r;
@@ -174,9 +179,7 @@ void QuickSimplex::add_to(Row &to, std::size_t variable, double coefficient) con
     to[place_[variable]] += coefficient;
     return;
   }
-  const double *const definition = row(place_[variable] - variables_);
-  for (std::size_t c = 0; c < variables_; ++c)
-    to[c] += coefficient * definition[c];
+  add_multiple(to.data(), row(place_[variable] - variables_), coefficient, variables_);
 }
 
 double QuickSimplex::price(std::size_t aim, const Row &of, bool rise) const {
