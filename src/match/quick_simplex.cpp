@@ -20,9 +20,9 @@ void add_multiple(double *__restrict to, const double *__restrict from, double f
 
 } // namespace
 
-QuickSimplex::QuickSimplex(std::size_t variables)
-    : variables_(variables), lower_(variables, -unbounded), upper_(variables, unbounded),
-      values_(variables, 0) {
+QuickSimplex::QuickSimplex(std::size_t variables, Watch watch)
+    : variables_(variables), watch_(std::move(watch)), lower_(variables, -unbounded),
+      upper_(variables, unbounded), values_(variables, 0) {
   for (std::size_t x = 0; x < variables; ++x) {
     columns_.push_back(x);
     place_.push_back(x);
@@ -201,7 +201,7 @@ bool QuickSimplex::minimise(std::size_t aim) {
     refresh();
   place_columns(aim);
   // More pivots than usual are a cycle.
-  for (std::size_t pivots = 0; pivots < 10 * values_.size(); ++pivots) {
+  for (std::size_t pivots = 0; pivots < 10 * values_.size() && !watch_.ends(); ++pivots) {
     const std::optional<std::size_t> r = most_violated_row();
     if (!r)
       return true;

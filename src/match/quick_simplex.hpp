@@ -2,6 +2,8 @@
 /// \file
 /// Linear programs in double precision: a guide for exact arithmetic, which decides.
 
+#include "match/watch.hpp"
+
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -20,7 +22,7 @@ public:
   using Terms = std::vector<std::pair<std::size_t, double>>;
 
   /// Variables are numbered from 0: first the given ones, without bounds, then the forms.
-  explicit QuickSimplex(std::size_t variables);
+  explicit QuickSimplex(std::size_t variables, Watch watch = {});
 
   /// Adds the form sum coefficient * variable over variables that are no forms; its number.
   std::size_t add_form(const Terms &terms);
@@ -66,6 +68,7 @@ private:
   const double *row(std::size_t r) const { return table_.data() + r * variables_; }
 
   std::size_t variables_;
+  Watch watch_;
   std::vector<Terms> forms_;
   std::vector<double> table_; ///< basic variables as forms of the columns' variables
   std::vector<std::size_t> basic_, columns_;

@@ -11,8 +11,9 @@ constexpr double strictly_above = 1e-8;
 
 } // namespace
 
-TolerantRelaxation::TolerantRelaxation(const TolerantProblem &problem, const std::vector<double> &typical)
-    : problem_(problem), k_(problem.classes()), counts_(typical), program_(problem.variables()) {
+TolerantRelaxation::TolerantRelaxation(const TolerantProblem &problem, const std::vector<double> &typical,
+                                       const Watch &watch)
+    : problem_(problem), k_(problem.classes()), counts_(typical), program_(problem.variables(), watch) {
   mass_scale_ = 0;
   for (std::size_t j = 0; j < k_; ++j) {
     masses_.push_back(counts_[j] * near(problem.F(j)));

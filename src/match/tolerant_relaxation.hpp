@@ -12,11 +12,11 @@ namespace mdm {
 class TolerantRelaxation {
 public:
   /// \param typical  about how many particles the classes have
-  TolerantRelaxation(const TolerantProblem &problem, const std::vector<double> &typical);
+  TolerantRelaxation(const TolerantProblem &problem, const std::vector<double> &typical, const Watch &watch);
 
   /// The bounds on counts that are in force, and the most particles of interest.
   void set(const CountBounds &bounds, const std::optional<Integer> &most);
-  /// False if there seems to be nothing within these bounds.
+  /// False if there seems to be nothing within these bounds, or soon after the watch's end.
   bool minimise() { return is_feasible_ = program_.minimise(count_); }
   /// As well as the numbers allow.
   void refresh() { program_.refresh(); }

@@ -29,6 +29,13 @@ struct Candidate {
   double down, up; ///< by how much the number of particles rises at least
 };
 
+/// By how much both branches are narrower than the node.
+double merit(const Candidate &c, double room) {
+  constexpr double least = 1e-6;
+  const auto rise = [&](double by) { return std::max(std::min(by, room), least); };
+  return rise(c.down) * rise(c.up);
+}
+
 /// The count of some classes together.
 struct Sum {
   TolerantRelaxation::Row row;
@@ -53,13 +60,6 @@ struct Cut {
   double missing;
 };
 
-/// By how much both branches are narrower than the node.
-double merit(const Candidate &c, double room) {
-  constexpr double least = 1e-6;
-  const auto rise = [&](double by) { return std::max(std::min(by, room), least); };
-  return rise(c.down) * rise(c.up);
-}
-
 } // namespace
 
 struct TolerantSearch::Parts {
@@ -69,8 +69,9 @@ struct TolerantSearch::Parts {
   std::optional<ExactNode> exact;
   std::vector<double> tried; ///< counts that were tested last
 
-  Parts(const TolerantProblem &problem, const ShareClosure &shares, const std::vector<double> &typical)
-      : relaxation(problem, typical), bound_maker(problem), rounding(problem, shares) {}
+  Parts(const TolerantProblem &problem, const ShareClosure &shares, const std::vector<double> &typical,
+        const Watch &watch)
+      : relaxation(problem, typical, watch), bound_maker(problem), rounding(problem, shares) {}
 
   /// Sums that are below the chain's bounds, the worst first.
   std::vector<Cut> violated(const TolerantChain &chain, const CountBounds &known) const {
@@ -133,7 +134,7 @@ TolerantSearch::TolerantSearch(const TolerantProblem &problem, const ShareClosur
   if (best)
     for (const Rational &t : best->t)
       mass += t.convert_to<double>();
-  parts_ = std::make_unique<Parts>(problem, shares, typical_counts(problem, root_, mass));
+  parts_ = std::make_unique<Parts>(problem, shares, typical_counts(problem, root_, mass), watch_);
 }
 
 TolerantSearch::~TolerantSearch() = default;
@@ -181,6 +182,8 @@ void TolerantSearch::step(SearchTree::Number node) {
   for (;;) {
     if (!best_)
       return decide_exactly(node);
+    if (watch_.ends())
+      return;
     const bool is_feasible = bound_node(node);
     if (tree_.bound(node) > *most())
       return tree_.close(node);
