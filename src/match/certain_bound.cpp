@@ -15,17 +15,17 @@ bool is_of_masses(Condition condition) {
          condition != Condition::at_least && condition != Condition::fewer;
 }
 
-/// The power of two that makes integers with enough digits of all multipliers.
+/// The power of two that makes integers with enough digits of all multipliers but those that are nothing beside
+/// the greatest.
 int scale_of(const std::vector<Steering> &steering) {
-  constexpr int bits = 36;
-  int least = 0;
-  bool any = false;
-  for (const Steering &s : steering) {
-    const int exponent = std::ilogb(s.multiplier);
-    least = any ? std::min(least, exponent) : exponent;
-    any = true;
+  constexpr int bits = 36, most_apart = 256;
+  int least = 0, greatest = 0;
+  for (auto s = steering.begin(); s != steering.end(); ++s) {
+    const int exponent = std::ilogb(s->multiplier);
+    least = s == steering.begin() ? exponent : std::min(least, exponent);
+    greatest = s == steering.begin() ? exponent : std::max(greatest, exponent);
   }
-  return bits - least;
+  return bits - std::max(least, greatest - most_apart);
 }
 
 TreeNode without_common_divisor(TreeNode leaf) {
@@ -155,6 +155,8 @@ BoundMaker::Sum BoundMaker::steered(const CountBounds &bounds, const std::vector
     Integer m = whole(s.multiplier);
     if (s.condition == Condition::excess)
       m = std::min(m, most_excess);
+    if (m == 0)
+      continue;
     if (is_of_masses(s.condition)) {
       add(sum, s, m);
       sum.of_masses.emplace_back(s, m);

@@ -99,7 +99,7 @@ std::optional<std::vector<double>> CountRounding::rounded(const Point &point, do
     for (int i = 0; i < tries; ++i) {
       std::vector<double> q =
           way == 2 ? by_shares(point, growth * mass) : along_curve(point, growth, way == 1);
-      if (sum_of(q) >= most)
+      if (!(sum_of(q) < most))
         break;
       const Window found = window(q);
       if (found.above < found.up_to) {

@@ -111,7 +111,8 @@ std::vector<Steering> TolerantRelaxation::steering() const {
       condition = TolerantCondition::fewer;
     else if (term.is_upper && condition != TolerantCondition::most_sum)
       continue;
-    result.push_back({condition, form.i, form.j, term.multiplier / form.scale});
+    if (const double multiplier = term.multiplier / form.scale; std::isnormal(multiplier))
+      result.push_back({condition, form.i, form.j, multiplier});
   }
   return result;
 }

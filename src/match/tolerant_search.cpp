@@ -101,7 +101,7 @@ struct TolerantSearch::Parts {
     const auto look = [&](std::size_t i, std::size_t j, const Sum &sum) {
       const double whole = std::floor(sum.count), part = sum.count - whole;
       const double noise = std::min(sum.scale * relative_noise, most_noise);
-      if (part < noise || part > 1 - noise || !bounds.is_inside(i, j, Integer(whole + 1)))
+      if (!(part >= noise && part <= 1 - noise) || !bounds.is_inside(i, j, Integer(whole + 1)))
         return;
       const Candidate c{i, j, sum.count, part * sum.row.price(relaxation, false),
                         (1 - part) * sum.row.price(relaxation, true)};
