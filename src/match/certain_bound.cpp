@@ -15,8 +15,8 @@ bool is_of_masses(Condition condition) {
          condition != Condition::at_least && condition != Condition::fewer;
 }
 
-/// The power of two that makes integers with enough digits of all multipliers but those that are nothing beside
-/// the greatest.
+/// The power of two that makes integers with enough digits of all multipliers but those that are nothing
+/// beside the greatest.
 int scale_of(const std::vector<Steering> &steering) {
   constexpr int bits = 36, most_apart = 256;
   int least = 0, greatest = 0;

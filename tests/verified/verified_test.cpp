@@ -12,6 +12,8 @@
 #include <mdm/proof/certificate.hpp>
 #include <mdm/text/error.hpp>
 
+#include <fstream>
+
 using namespace verified_test;
 using mdm::ratio;
 
