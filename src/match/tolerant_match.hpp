@@ -33,9 +33,7 @@ struct TolerantResult {
 
 /// The least number of particles. There is no search where a chain shows the first match, or the one with the
 /// differences of its bounds, to be the smallest; nor where the program's table has more than largest_table
-/// numbers. Else by branch and bound over linear programs that are decided exactly; nodes are split at the
-/// coarsest class whose count is no integer. Cost: depends on the tree.
-/// A search that a limit ends takes up to some seconds more for the proof of its bound, if one is to be kept.
+/// numbers. Else by branch and bound (TolerantSearch). Cost: depends on the tree.
 /// \param first  a match to improve upon, if it is one: what there is when a limit ends the search early
 TolerantResult tolerant_match(const TolerantProblem &problem, const Limits &limits,
                               const std::optional<TolerantMatch> &first, const Watch &watch);

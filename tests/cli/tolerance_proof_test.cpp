@@ -80,7 +80,7 @@ TEST_CASE("that no sample is within a tolerance has a proof", "[cli]") {
 }
 
 TEST_CASE("a search that a limit has ended leaves a proof of its bounds", "[cli]") {
-  for (const char *nodes : {"0", "1", "3", "7"}) {
+  for (const char *nodes : {"0", "1", "3", "4"}) {
     const Arguments limited = {"--tolerance", "passing:2%", "--node-limit", nodes};
     const std::string line = verdict(ottawa, limited, 3);
     Arguments arguments = {ottawa};

@@ -12,6 +12,8 @@
 #include <mdm/proof/certificate.hpp>
 #include <mdm/text/error.hpp>
 
+#include <fstream>
+
 using namespace verified_test;
 using mdm::ratio;
 
@@ -143,6 +145,22 @@ TEST_CASE("both checkers agree on the certificates of random questions, changed 
       pairs.push_back({pair.gradation, text});
   }
   demand_agreement(compare(MDM_VERIFIED, pairs), 3000, 5000, 1000);
+}
+
+TEST_CASE("both checkers accept the proofs of the study's gradations within tolerances") {
+  std::ifstream suite(MDM_DATA_DIR "/suite-2750.jsonl");
+  std::vector<Pair> pairs;
+  std::size_t number = 0;
+  for (std::string line; std::getline(suite, line); ++number)
+    for (const char *tolerance : {"retained:1%", "passing:0.5%", "laboratory"}) {
+      if (number % 5 != 0)
+        continue;
+      mdm::Question question;
+      question.tolerances = {mdm::parse_tolerance(tolerance)};
+      const mdm::Match m = mdm::solve(mdm::read_json_gradation(line, "suite", ""), question);
+      pairs.push_back({line + "\n", mdm::certificate(m)});
+    }
+  demand_agreement(compare(MDM_VERIFIED, pairs), 1650, 0, 0);
 }
 
 TEST_CASE("both checkers read the same gradation from files of all kinds, changed or not") {

@@ -1,0 +1,102 @@
+#include "match/search_tree.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace mdm {
+
+SearchTree::SearchTree(Integer bound, bool keep_leaves) : keep_leaves_(keep_leaves) {
+  open_.insert({bound, 0});
+  nodes_.emplace_back();
+  nodes_[0].bound = std::move(bound);
+}
+
+std::optional<SearchTree::Number> SearchTree::next() const {
+  if (open_.empty())
+    return std::nullopt;
+  const auto end = open_.upper_bound({open_.begin()->first, std::numeric_limits<Number>::max()});
+  return std::prev(end)->second;
+}
+
+void SearchTree::apply_splits(Number node, CountBounds &bounds) const {
+  while (node != 0) {
+    const Node &parent = nodes_[nodes_[node].parent];
+    CountBound &bound = bounds.of(parent.i, parent.j);
+    if (node != parent.first)
+      bound.least = std::max(bound.least, parent.v);
+    else if (!bound.most || *bound.most >= parent.v)
+      bound.most = parent.v - 1;
+    node = nodes_[node].parent;
+  }
+}
+
+void SearchTree::raise(Number node, const Integer &bound, TreeNode leaf) {
+  Node &of = nodes_[node];
+  if (bound <= of.bound)
+    return;
+  open_.erase({of.bound, node});
+  of.bound = bound;
+  open_.insert({bound, node});
+  if (keep_leaves_)
+    of.leaf = std::make_shared<const TreeNode>(std::move(leaf));
+}
+
+void SearchTree::close(Number node) {
+  open_.erase({nodes_[node].bound, node});
+  closed_ = closed_ ? std::min(*closed_, nodes_[node].bound) : nodes_[node].bound;
+}
+
+void SearchTree::close_without_match(Number node, TreeNode leaf) {
+  open_.erase({nodes_[node].bound, node});
+  nodes_[node].has_match = false;
+  if (keep_leaves_)
+    nodes_[node].leaf = std::make_shared<const TreeNode>(std::move(leaf));
+}
+
+SearchTree::Number SearchTree::split(Number node, std::size_t i, std::size_t j, const Integer &v) {
+  open_.erase({nodes_[node].bound, node});
+  const Number first = nodes_.size();
+  for (const Number child : {first, first + 1}) {
+    nodes_.push_back({node, nodes_[node].bound, nodes_[node].leaf, 0, 0, 0, 0, true});
+    open_.insert({nodes_[node].bound, child});
+  }
+  Node &of = nodes_[node];
+  of.leaf.reset();
+  of.i = i;
+  of.j = j;
+  of.v = v;
+  of.first = first;
+  return first;
+}
+
+std::optional<Integer> SearchTree::least_bound() const {
+  if (open_.empty())
+    return closed_;
+  const Integer &open = open_.begin()->first;
+  return closed_ ? std::min(*closed_, open) : open;
+}
+
+Tree SearchTree::tree(const Integer &bound, std::size_t longest) const {
+  Tree tree;
+  std::size_t size = 0;
+  std::vector<Number> left{0};
+  while (!left.empty()) {
+    const Node &node = nodes_[left.back()];
+    left.pop_back();
+    if (node.first != 0) {
+      tree.push_back({node.i, node.j, node.v, {}});
+      left.push_back(node.first + 1);
+      left.push_back(node.first);
+    } else if (!node.leaf || (node.has_match && node.bound < bound)) {
+      return {};
+    } else {
+      tree.push_back(*node.leaf);
+      size += node.leaf->leaf.size();
+    }
+    if (++size > longest)
+      return {};
+  }
+  return tree;
+}
+
+} // namespace mdm

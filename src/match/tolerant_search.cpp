@@ -1,0 +1,333 @@
+#include "match/tolerant_search.hpp"
+
+#include "match/count_rounding.hpp"
+#include "match/exact_node.hpp"
+#include "match/problem.hpp"
+#include "match/quick_masses.hpp"
+#include "match/tolerant_relaxation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mdm {
+namespace {
+
+/// About how many particles the classes have in a match, at least 1.
+std::vector<double> typical_counts(const TolerantProblem &problem, const CountBounds &bounds, double mass) {
+  std::vector<double> counts;
+  for (std::size_t j = 0; j < problem.classes(); ++j) {
+    const double share = problem.target()[j].convert_to<double>() * mass / near(problem.F(j));
+    counts.push_back(std::max({1.0, share, near(bounds.classes[j].least)}));
+  }
+  return counts;
+}
+
+/// A split of the count of classes i to j, at a value that is no whole number.
+struct Candidate {
+  std::size_t i, j;
+  double value;
+  double down, up; ///< by how much the number of particles rises at least
+};
+
+/// By how much both branches are narrower than the node.
+double merit(const Candidate &c, double room) {
+  constexpr double least = 1e-6;
+  const auto rise = [&](double by) { return std::max(std::min(by, room), least); };
+  return rise(c.down) * rise(c.up);
+}
+
+/// The count of some classes together.
+struct Sum {
+  TolerantRelaxation::Row row;
+  double count = 0, scale = 0;
+
+  void add(const TolerantRelaxation &relaxation, std::size_t j) {
+    row.add(relaxation, j);
+    count += relaxation.count(j);
+    scale += relaxation.typical(j);
+  }
+};
+
+/// An exact linear program of no more numbers takes little time.
+constexpr std::size_t small_table = 4096;
+
+/// What a count may be wrong by, relative to typical counts, and at most.
+constexpr double relative_noise = 1e-9, most_noise = 0.05;
+
+/// A bound of the chain, and by which part of itself a sum is too small.
+struct Cut {
+  std::size_t i, j;
+  double missing;
+};
+
+} // namespace
+
+struct TolerantSearch::Parts {
+  TolerantRelaxation relaxation;
+  BoundMaker bound_maker;
+  CountRounding rounding;
+  std::optional<ExactNode> exact;
+  std::vector<double> tried; ///< counts that were tested last
+
+  Parts(const TolerantProblem &problem, const ShareClosure &shares, const std::vector<double> &typical,
+        const Watch &watch)
+      : relaxation(problem, typical, watch), bound_maker(problem), rounding(problem, shares) {}
+
+  /// Sums that are below the chain's bounds, the worst first.
+  std::vector<Cut> violated(const TolerantChain &chain, const CountBounds &known) const {
+    std::vector<Cut> cuts;
+    const std::size_t k = chain.problem().classes();
+    if (known.sums.size() >= 2 * k)
+      return cuts;
+    for (std::size_t i = 0; i < k; ++i) {
+      double sum = 0;
+      for (std::size_t j = i; j < k; ++j) {
+        sum += relaxation.count(j);
+        if (i == j || !chain.intervals().has(i, j))
+          continue;
+        const double missing = near(chain.count(i, j)) - sum;
+        if (missing > 1e-6 * (1 + sum) && known.sums.count({i, j}) == 0)
+          cuts.push_back({i, j, missing / (1 + sum)});
+      }
+    }
+    std::sort(cuts.begin(), cuts.end(), [](const Cut &a, const Cut &b) { return a.missing > b.missing; });
+    return cuts;
+  }
+
+  std::optional<Candidate> best_split(const TolerantProblem &problem, const CountBounds &bounds,
+                                      double room) const {
+    const std::size_t k = problem.classes();
+    std::optional<Candidate> best;
+    const auto look = [&](std::size_t i, std::size_t j, const Sum &sum) {
+      const double whole = std::floor(sum.count), part = sum.count - whole;
+      const double noise = std::min(sum.scale * relative_noise, most_noise);
+      if (!(part >= noise && part <= 1 - noise) || !bounds.is_inside(i, j, Integer(whole + 1)))
+        return;
+      const Candidate c{i, j, sum.count, part * sum.row.price(relaxation, false),
+                        (1 - part) * sum.row.price(relaxation, true)};
+      if (!best || merit(c, room) > merit(*best, room))
+        best = c;
+    };
+    Sum from_finest, from_coarsest;
+    for (std::size_t j = 0; j < k; ++j) {
+      const std::size_t i = k - 1 - j;
+      from_finest.add(relaxation, j);
+      from_coarsest.add(relaxation, i);
+      if (j > 0)
+        look(0, j, from_finest);
+      if (j > 0 && i > 0)
+        look(i, k - 1, from_coarsest);
+      Sum single;
+      single.add(relaxation, j);
+      look(j, j, single);
+    }
+    return best;
+  }
+};
+
+TolerantSearch::TolerantSearch(const TolerantProblem &problem, const ShareClosure &shares, CountBounds bounds,
+                               Integer least, const TolerantChain *chain, std::optional<TolerantMatch> &best,
+                               const Limits &limits, const Watch &watch)
+    : problem_(problem), root_(std::move(bounds)), chain_(chain), best_(best), limits_(limits), watch_(watch),
+      tree_(std::move(least), limits.keep_proof) {
+  double mass = 0;
+  if (best)
+    for (const Rational &t : best->t)
+      mass += t.convert_to<double>();
+  parts_ = std::make_unique<Parts>(problem, shares, typical_counts(problem, root_, mass), watch_);
+}
+
+TolerantSearch::~TolerantSearch() = default;
+
+/// The most particles that are of interest.
+std::optional<Integer> TolerantSearch::most() const {
+  if (!best_)
+    return std::nullopt;
+  const Integer particles = total(best_->q);
+  const Integer close = limits_.gap ? floor(Rational(*limits_.gap * particles)) : Integer(0);
+  return Integer(particles - 1 - close);
+}
+
+Integer TolerantSearch::certain() const {
+  const std::optional<Integer> bound = tree_.least_bound();
+  if (!best_)
+    return bound.value_or(Integer(1));
+  return bound ? std::min(*bound, total(best_->q)) : total(best_->q);
+}
+
+bool TolerantSearch::is_complete() const {
+  return best_ ? certain() == total(best_->q) : !tree_.has_open();
+}
+
+bool TolerantSearch::ends() const {
+  return (limits_.node_limit && nodes_ >= *limits_.node_limit) || watch_.ends() ||
+         (limits_.at_most && certain() > *limits_.at_most) ||
+         (best_ && ((limits_.enough && total(best_->q) <= *limits_.enough) ||
+                    limits_.is_close(total(best_->q), certain())));
+}
+
+void TolerantSearch::run() {
+  while (tree_.has_open() && !ends()) {
+    const SearchTree::Number node = current_ ? *current_ : *tree_.next();
+    current_.reset();
+    ++nodes_;
+    bounds_ = root_;
+    tree_.apply_splits(node, bounds_);
+    step(node);
+  }
+}
+
+/// Closes a node, or splits it and goes on with the child that seems better.
+void TolerantSearch::step(SearchTree::Number node) {
+  for (;;) {
+    if (!best_)
+      return decide_exactly(node);
+    if (watch_.ends())
+      return;
+    const bool is_feasible = bound_node(node);
+    if (tree_.bound(node) > *most())
+      return tree_.close(node);
+    if (!is_feasible && problem_.table_size() <= small_table)
+      return decide_exactly(node);
+    if (!is_feasible || !(add_cuts() || try_rounding()))
+      break;
+  }
+  const double room = near(*most()) + 1 - parts_->relaxation.particles();
+  const std::optional<Candidate> c = parts_->best_split(problem_, bounds_, room);
+  if (!c)
+    return decide_exactly(node);
+  const SearchTree::Number first = tree_.split(node, c->i, c->j, Integer(std::floor(c->value) + 1));
+  current_ = c->down <= c->up ? first : first + 1;
+}
+
+/// Makes the node's bound as good as the linear program has it. False if there seems to be nothing of
+/// interest, and the bound does not show it.
+bool TolerantSearch::bound_node(SearchTree::Number node) {
+  TolerantRelaxation &relaxation = parts_->relaxation;
+  relaxation.set(bounds_, most());
+  for (const bool again : {false, true}) {
+    if (again)
+      relaxation.refresh();
+    const bool is_feasible = relaxation.minimise();
+    CertainBound found = parts_->bound_maker.bound(bounds_, relaxation.steering());
+    if (!found.particles) {
+      // Its leaf does not count particles.
+      tree_.raise(node, total(best_->q), std::move(found.leaf));
+      return true;
+    }
+    tree_.raise(node, *found.particles, std::move(found.leaf));
+    if (is_feasible || tree_.bound(node) > *most())
+      return true;
+  }
+  return false;
+}
+
+/// Takes bounds of the chain that the program's counts do not keep. True if there are some.
+bool TolerantSearch::add_cuts() {
+  if (!chain_)
+    return false;
+  constexpr std::size_t most_cuts = 10;
+  std::vector<Cut> cuts = parts_->violated(*chain_, root_);
+  if (cuts.size() > most_cuts)
+    cuts.resize(most_cuts);
+  for (const Cut &cut : cuts) {
+    const Integer &least = chain_->count(cut.i, cut.j);
+    for (CountBounds *bounds : {&root_, &bounds_}) {
+      CountBound &bound = bounds->of(cut.i, cut.j);
+      bound.least = std::max(bound.least, least);
+    }
+  }
+  return !cuts.empty();
+}
+
+bool TolerantSearch::try_counts(std::vector<Integer> q) {
+  const Integer particles = total(q);
+  if (particles > *most() || particles < problem_.at_least())
+    return false;
+  QuickMasses quick = quick_masses(problem_, q);
+  if (!quick.t)
+    return false;
+  best_ = TolerantMatch{std::move(q), std::move(*quick.t)};
+  return true;
+}
+
+/// True if counts near the program's are a match with fewer particles than the best has.
+bool TolerantSearch::try_rounding() {
+  CountRounding::Point point;
+  for (std::size_t j = 0; j < problem_.classes(); ++j) {
+    point.counts.push_back(parts_->relaxation.count(j));
+    point.masses.push_back(parts_->relaxation.mass(j));
+    point.least.push_back(near(bounds_.classes[j].least));
+  }
+  const std::optional<std::vector<double>> q = parts_->rounding.rounded(point, near(*most()) + 1);
+  if (!q || *q == parts_->tried)
+    return false;
+  parts_->tried = *q;
+  std::vector<Integer> counts;
+  for (const double n : *q)
+    counts.emplace_back(n);
+  return try_counts(std::move(counts));
+}
+
+/// As few particles as can hold the masses t; then, where more are asked for, as many more as can, from the
+/// finest class on.
+static std::vector<Integer> particles_of(const TolerantProblem &problem, const std::vector<Rational> &t) {
+  std::vector<Integer> q;
+  for (std::size_t j = 0; j < t.size(); ++j)
+    q.push_back(std::max(problem.least(j), ceil(Rational(t[j] / problem.F(j)))));
+  Integer missing = problem.at_least() - total(q);
+  for (std::size_t j = 0; j < t.size() && missing > 0; ++j) {
+    if (t[j] == 0)
+      continue;
+    const Integer &f = problem.f(j);
+    const Integer room = f == 0 ? missing : Integer(ceil(Rational(t[j] / f)) - 1 - q[j]);
+    const Integer more = std::min(room, missing);
+    if (more <= 0)
+      continue;
+    q[j] += more;
+    missing -= more;
+  }
+  return q;
+}
+
+/// True if the masses, or twice or more times as much, in as few particles as can be, are a match with fewer
+/// particles than the best has. With enough of it, a mass above 0 can be had in a whole number of particles
+/// (Theorem 13): where there is no best yet, this is one.
+bool TolerantSearch::try_masses(std::vector<Rational> t) {
+  for (;;) {
+    std::vector<Integer> q = particles_of(problem_, t);
+    if (best_ && total(q) > *most())
+      return false;
+    if (problem_.is_match(q, t)) {
+      best_ = TolerantMatch{std::move(q), std::move(t)};
+      return true;
+    }
+    for (Rational &mass : t)
+      mass *= 2;
+  }
+}
+
+void TolerantSearch::decide_exactly(SearchTree::Number node) {
+  if (!parts_->exact)
+    parts_->exact.emplace(problem_, watch_);
+  ExactNode &exact = *parts_->exact;
+  while (exact.find(bounds_, most()))
+    if (!try_masses(exact.masses())) {
+      const auto [j, v] = exact.split();
+      current_ = tree_.split(node, j, j, v);
+      return;
+    }
+  TreeNode leaf = exact.leaf();
+  const bool counts = std::any_of(leaf.leaf.begin(), leaf.leaf.end(),
+                                  [](const Multiple &m) { return m.condition == TolerantCondition::fewer; });
+  if (!counts)
+    return tree_.close_without_match(node, std::move(leaf));
+  tree_.raise(node, Integer(*most() + 1), std::move(leaf));
+  tree_.close(node);
+}
+
+Tree TolerantSearch::tree() const {
+  return tree_.tree(certain(), longest_tree);
+}
+
+} // namespace mdm

@@ -1,0 +1,61 @@
+#pragma once
+/// \file
+/// The search for the smallest match within a tolerance, where the chain does not decide.
+
+#include "match/search_tree.hpp"
+#include "match/tolerant_chain.hpp"
+#include "match/tolerant_match.hpp"
+
+namespace mdm {
+
+/// Branch and bound. Linear programs in double precision choose the splits, on counts of consecutive classes,
+/// and the multipliers of bounds; exact arithmetic makes bounds of them, or decides a node where they do not
+/// serve. Nodes of the least bound come first, each followed by one of its children down to an end; on the
+/// way counts are rounded and tested exactly.
+class TolerantSearch {
+public:
+  /// \param bounds  that every match keeps, by the problem or by the chain, and no match has fewer particles
+  /// than `least`; of the chain further ones are taken, unless it is not given
+  /// \param best  a match, or nothing; here and after the search
+  TolerantSearch(const TolerantProblem &problem, const ShareClosure &shares, CountBounds bounds,
+                 Integer least, const TolerantChain *chain, std::optional<TolerantMatch> &best,
+                 const Limits &limits, const Watch &watch);
+  ~TolerantSearch();
+
+  /// Until the best is the smallest, there is no match for certain, or a limit comes.
+  void run();
+
+  /// True if the best is the smallest, or there is none.
+  bool is_complete() const;
+  /// No match has fewer particles.
+  Integer certain() const;
+  std::uint64_t nodes() const { return nodes_; }
+  /// Refutes fewer than `certain()` particles, with these bounds in force; or any number, where there is no
+  /// match. Empty if it is too long.
+  Tree tree() const;
+
+private:
+  struct Parts;
+  void step(SearchTree::Number node);
+  bool bound_node(SearchTree::Number node);
+  void decide_exactly(SearchTree::Number node);
+  bool add_cuts();
+  bool try_rounding();
+  bool try_counts(std::vector<Integer> q);
+  bool try_masses(std::vector<Rational> t);
+  std::optional<Integer> most() const;
+  bool ends() const;
+
+  const TolerantProblem &problem_;
+  CountBounds root_, bounds_;
+  const TolerantChain *chain_;
+  std::optional<TolerantMatch> &best_;
+  const Limits &limits_;
+  Watch watch_;
+  SearchTree tree_;
+  std::unique_ptr<Parts> parts_;
+  std::optional<SearchTree::Number> current_; ///< where the walk goes on
+  std::uint64_t nodes_ = 0;
+};
+
+} // namespace mdm
