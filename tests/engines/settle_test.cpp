@@ -202,7 +202,7 @@ TEST_CASE("LIGGGHTS stops where a grain of a deposit is missing", "[engines]") {
   CHECK_FALSE(model.has_dump());
 }
 
-TEST_CASE("LIGGGHTS inserts without overlaps", "[engines]") {
+TEST_CASE("a start without steps has no overlaps", "[engines]") {
   if (!is_there(liggghts))
     return;
   const Model model(liggghts, athabasca(), {"--steps", "0"});
@@ -252,16 +252,6 @@ TEST_CASE("another seed puts the grains elsewhere, the same does not", "[engines
   }
   CHECK(dumps[0] == dumps[1]);
   CHECK(dumps[0] != dumps[2]);
-}
-
-TEST_CASE("LIGGGHTS stops where a box has no room for all grains", "[engines]") {
-  if (!is_there(liggghts))
-    return;
-  const Model model(liggghts, c778(), {"--box", "1.8x1.8x1.5"});
-  const Outcome outcome = model.run();
-  CHECK(outcome.exit_code != 0);
-  CHECK(outcome.out.find("STOP: class ") != std::string::npos);
-  CHECK_FALSE(model.has_dump());
 }
 
 TEST_CASE("LAMMPS stops where a grain is missing or has another size", "[engines]") {

@@ -1,0 +1,123 @@
+#include "cli/export_report.hpp"
+
+#include "cli/files.hpp"
+#include "text/lines.hpp"
+
+#include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+namespace mdm::cli {
+namespace {
+
+/// Above this number, --yes-huge is required.
+constexpr std::uint64_t huge = 10000000;
+/// Boxes and sizes beyond these, in m, are mostly wrong units.
+const Rational &largest_box() {
+  static const Rational side = 100;
+  return side;
+}
+const Rational &smallest_size() {
+  static const Rational micrometre = ratio(1, 1000000);
+  return micrometre;
+}
+
+/// \throws InputError if a side of that many metres looks like a mistake
+void check_side(const ExportCommand &c, const Rational &side) {
+  if (!c.yes_units && side > largest_box())
+    throw InputError(fmt::format("the particles need a box of {} m, more than 100 m: is the unit of the "
+                                 "gradation right, and --box wide enough? --yes-units if they are",
+                                 approximate(side, 3)));
+}
+
+/// `1.5 MB`, three digits of it.
+std::string bytes_text(const Integer &bytes) {
+  constexpr int step = 1000;
+  Rational n = bytes;
+  std::size_t i = 0;
+  constexpr std::array<const char *, 5> units = {"bytes", "kB", "MB", "GB", "TB"};
+  for (; n >= step && i + 1 < units.size(); ++i)
+    n /= step;
+  return approximate(n, 3) + " " + units.at(i);
+}
+
+/// The digits that two bounds of a number have in common, four at most.
+std::string certain_digits(const std::pair<Rational, Rational> &bounds) {
+  unsigned digits = 4;
+  while (digits > 1 && approximate(bounds.first, digits) != approximate(bounds.second, digits))
+    --digits;
+  return approximate(bounds.first, digits);
+}
+
+} // namespace
+
+void check_wanted(const ExportCommand &c, const ExportFormat &format, const ParticleSet &set,
+                  const Placement *start) {
+  if (!c.yes_huge && set.particles() > huge && format.write != write_size_csv)
+    throw InputError(fmt::format("{} particles are more than {}: --yes-huge if that is wanted; else a "
+                                 "--tolerance or --cut-below needs fewer, and --to csv writes counts alone",
+                                 to_string(set.particles()), huge));
+  if (format.bytes > 0)
+    check_simulated(set);
+  if (c.yes_units)
+    return;
+  const Rational smallest = in_metres(set, set.smallest().diameter.decimal());
+  if (smallest < smallest_size())
+    throw InputError(fmt::format("particles of {} m are below 1 um: is the unit of the gradation right? "
+                                 "--yes-units if it is, --cut-below leaves fine classes out",
+                                 approximate(smallest, 3)));
+  Rational side = loose_side(set);
+  if (start)
+    for (const std::int64_t length : start->box())
+      side = std::max(side, in_metres(set, parse_decimal(start->text(length))));
+  check_side(c, side);
+}
+
+std::string cost_guide(const ExportFormat &format, const ParticleSet &set, const Placement *start,
+                       const Elasticity &e) {
+  std::string text = fmt::format(
+      "{} particles; Rayleigh time {} s (E = {} Pa, nu = {}): take some 20 % of it as time step\n",
+      to_string(set.particles()), approximate(rayleigh_time(set, e), 3), short_decimal(e.young),
+      short_decimal(e.poisson));
+  if (format.bytes > 0)
+    text += fmt::format("memory of {}: some {} ({} bytes a particle, more where sizes are far apart)\n",
+                        format.name, bytes_text(Integer(set.particles() * format.bytes)), format.bytes);
+  if (format.write == write_mercurydpm)
+    text += "MercuryDPM draws sizes at random from the shares: its counts are not exact\n";
+  if (start)
+    text +=
+        fmt::format("{}: {} x {} x {} {}{}, void ratio {}; no two particles overlap\n",
+                    start->sides() == Sides::cylinder ? "cylinder in a box" : "box",
+                    start->text(start->box()[0]), start->text(start->box()[1]), start->text(start->box()[2]),
+                    name(set.unit), start->sides() == Sides::periodic ? ", repeated in x and y" : "",
+                    certain_digits(start->void_ratio()));
+  return text;
+}
+
+std::string how_to_verify(const ExportCommand &c, const ExportFormat &format,
+                          const ExportedParticles &found) {
+  const ParticleSet &set = *found.set;
+  const std::optional<std::string> options = verify_options(c);
+  if (!options || !found.has_gradation || c.file == "-" || c.output.path() == "-" ||
+      format.write == write_mercurydpm)
+    return "";
+  const std::string unit =
+      format.write == write_size_csv ? "" : " --size-unit " + std::string(name(set.unit));
+  return fmt::format("check it by: mdm verify {} {}{}{} --tolerance {}\n", shell_word(*c.file),
+                     shell_word(c.output.path()), *options, unit, share_tolerance(set));
+}
+
+std::string model_guide(const ExportFormat &, const SettleModel &model) {
+  const Settling s = settling(model);
+  return fmt::format(
+      "model: {} step{} of {:.3g} s at most while settling{}; its first lines say how to run it and to "
+      "verify what it leaves\n",
+      s.steps, s.steps == 1 ? "" : "s", s.step,
+      model.target ? fmt::format(", and some {} of compaction", s.compacting) : "");
+}
+
+} // namespace mdm::cli

@@ -1,0 +1,230 @@
+#include "particles/settle_phases.hpp"
+
+#include <fmt/core.h>
+
+namespace mdm {
+namespace {
+
+const char *const variables_of_all = R"script(
+# What may be changed, here or behind the command as -var NAME VALUE.
+variable go_on index 0                        # 1: from @base@.restart
+variable steps index @steps@                  # while the grains settle, at most, in whole looks
+variable friction index @friction@            # of the grains at the end
+variable friction_while_filling index @filling@   # and while they are compacted; of the walls, too
+variable at_rest index @at_rest@              # kinetic energy, J
+)script";
+
+const char *const variables_of_target = R"script(variable target index @target@                # @quantity@
+variable tolerance index @tolerance@          # of it@relative@
+variable most_pressure index @most_pressure@  # Pa@why@
+variable most_rate index @most_rate@          # 1/s, of the strain: inertial number 0.003 at that pressure
+variable most_compacting index @compacting@   # steps
+)script";
+
+const char *const looks_at = R"script(
+# What is found at each look. Phases: fill, compact, hold.
+variable now equal step
+variable agitation equal ke/v_at_rest
+variable void_ratio equal v_volume/@solids@-1
+variable mu equal ${friction_while_filling}
+variable own equal 0   # 1: grains have their own friction
+variable rate equal 0  # 1/s, of compaction
+variable looks equal 0
+variable is_time equal "v_looks == 20*floor(v_looks/20)"
+variable look equal "(v_steps < @look@)*v_steps+(v_steps >= @look@)*@look@"
+variable look equal ${look}
+variable last equal ${steps}
+)script";
+
+const char *const start_of_settling =
+    R"script(if "${go_on} == 0" then "variable phase string fill" else "include @base@.restart.state"
+)script";
+
+const char *const start_of_compaction =
+    R"script(if "${go_on} == 0" then "variable phase string compact" "variable look equal @look@" "variable last equal ${most_compacting}" else "include @base@.restart.state"
+)script";
+
+/// Where the pressure is low, compaction is five times as fast; near the highest it becomes slower. At the
+/// end of a look it is no denser than asked.
+const char *const to_void_ratio = R"script(variable enough equal v_target+0.05*v_tolerance
+variable crowded equal "v_pressure > 0.7*v_most_pressure"
+variable ease equal 3*(1-v_pressure/v_most_pressure)
+variable slower equal "(v_ease > 0)*((v_ease > 1)+(v_ease <= 1)*v_ease)"
+variable faster equal "1+4*(v_pressure < 0.01*v_most_pressure)"
+variable room equal (v_void_ratio-v_target)/(1+v_void_ratio)/(@axes@*v_look*dt)
+variable wish equal v_most_rate*v_faster*v_slower
+variable next_rate equal "(v_wish < v_room)*v_wish+(v_wish >= v_room)*v_room"
+)script";
+
+const char *const to_pressure = R"script(variable missing equal 1-v_pressure/v_target
+variable is_there equal "(v_missing < v_tolerance)*(v_missing > -v_tolerance)*(v_agitation < 1)"
+variable slower equal "(v_missing > -1)*v_missing-(v_missing <= -1)"
+variable faster equal "1+4*(v_pressure < 0.01*v_target)"
+variable next_rate equal v_most_rate*v_faster*v_slower
+)script";
+
+const char *const begin_of_loop = R"script(
+# ---- The course -------------------------------------------------------------------------------------------
+label contact
+variable grip equal ${own}*${friction}+(1-${own})*${mu}
+@contact@
+label look
+variable looks equal ${looks}+1
+@move@if "${is_time} < 1" then "jump SELF steps"
+# The state of the course goes beside the restart.
+@save@label steps
+run ${look}
+jump SELF ${phase}
+)script";
+
+const char *const course_settle = R"script(
+label fill
+if "${agitation} > 1 && ${now} < ${last}" then "jump SELF look"
+if "${agitation} > 1" then "print 'NOTE: not at rest yet after ${now} steps: the kinetic energy is ${agitation} times that at rest'"
+print "SETTLED after ${now} steps: void ratio ${void_ratio_at_top} below the highest grain"
+)script";
+
+/// Both engines write a line of a file by a fix alone, while they run.
+std::string course_save(const std::string &name) {
+  std::string text;
+  for (const auto &[variable, value] : {std::pair("phase string", "phase"),
+                                        {"mu equal", "mu"},
+                                        {"own equal", "own"},
+                                        {"look equal", "look"},
+                                        {"last equal", "last"},
+                                        {"lid_now equal", "lid"}})
+    text += fmt::format("fix state all print 1 \"variable {} ${{{}}}\" {} {}.restart.state screen no\n"
+                        "run 1\nunfix state\n",
+                        variable, value, text.empty() ? "file" : "append", name);
+  return text + "write_restart " + name + ".restart\n";
+}
+
+const char *const refuse_loosest =
+    R"script(if "${too_dense} > 0" then "print 'STOP: void ratio ${target} is above the loosest that this run finds, ${void_ratio_at_top}: raise friction_while_filling, or take --start mixed'" @quit@
+)script";
+
+const char *const begin_compaction = R"script(@lower@variable phase delete
+variable phase string compact
+variable look equal @look@
+variable last equal ${now}+${most_compacting}
+jump SELF look
+)script";
+
+/// Where the lid meets resistance, the friction is lowered, and the grains slide into denser places.
+const char *const compact_to_void_ratio = R"script(
+label compact
+if "${void_ratio} <= ${enough}" then "jump SELF reached"
+if "${now} >= ${last}" then "print 'STOP: void ratio ${target} is not reached after ${now} steps: ${void_ratio} at ${pressure} Pa: raise most_compacting'" @quit@
+if "${crowded} < 1" then "jump SELF servo"
+if "${mu} < 0.01" then "print 'STOP: void ratio ${target} is beyond the densest that this run finds, ${void_ratio} at ${pressure} Pa without friction: raise most_pressure, or ask for less'" @quit@
+variable mu equal 0.95*${mu}
+variable rate equal ${next_rate}
+jump SELF contact
+label servo
+variable rate equal ${next_rate}
+jump SELF look
+)script";
+
+const char *const compact_to_pressure = R"script(
+label compact
+if "${is_there} > 0" then "jump SELF reached"
+if "${now} >= ${last}" then "print 'STOP: ${target} Pa are not reached after ${now} steps: ${pressure} Pa at void ratio ${void_ratio}: raise most_compacting'" @quit@
+variable rate equal ${next_rate}
+jump SELF look
+)script";
+
+const char *const course_reached = R"script(
+# The grains come to rest with their own friction.
+label reached
+variable rate equal 0
+variable own equal 1
+variable last equal ${now}+@more@
+variable phase delete
+variable phase string hold
+jump SELF contact
+)script";
+
+const char *const hold_still = R"script(
+label hold
+if "${agitation} > 1 && ${now} < ${last}" then "jump SELF look"
+if "${agitation} > 1" then "print 'NOTE: not at rest yet after ${now} steps: the kinetic energy is ${agitation} times that at rest'"
+)script";
+
+const char *const hold_pressure = R"script(
+label hold
+variable rate equal ${next_rate}
+if "${is_there} < 1 && ${now} < ${last}" then "jump SELF look"
+if "${is_there} < 1" then "print 'STOP: ${target} Pa are not held after ${now} steps: ${pressure} Pa at void ratio ${void_ratio}'" @quit@
+)script";
+
+const char *const course_end = R"script(
+label end
+print "RESULT after ${now} steps: void ratio ${@void_ratio@}, pressure ${pressure} Pa"
+)script";
+
+} // namespace
+
+std::string phase_variables(const SettleScript &s) {
+  const Settling &p = s.physics;
+  std::string text = filled(variables_of_all, {{"steps", std::to_string(p.steps)},
+                                               {"friction", digits6(s.model.friction)},
+                                               {"filling", digits6(s.friction_while_filling())},
+                                               {"at_rest", digits6(p.rest_energy)},
+                                               {"base", s.name}});
+  const std::optional<DensityTarget> &target = s.model.target;
+  if (target)
+    text += filled(
+        variables_of_target,
+        {{"target", digits6(target->void_ratio ? *target->void_ratio : target->pressure)},
+         {"quantity", target->void_ratio ? "void ratio" : "Pa"},
+         {"tolerance", digits6(target->tolerance)},
+         {"relative", target->void_ratio ? "" : ", a part"},
+         {"most_pressure", digits6(p.most_pressure)},
+         {"why",
+          target->void_ratio ? ": overlaps of a percent; where it comes near, the friction is lowered" : ""},
+         {"most_rate", digits6(p.rate)},
+         {"compacting", std::to_string(p.most_compacting)}});
+  text += filled(looks_at, {{"solids", digits17(p.solids)}, {"look", std::to_string(p.look)}});
+  if (s.has_lid())
+    text += "variable void_ratio_at_top equal v_area*v_top/" + digits17(p.solids) + "-1\n";
+  if (s.has_lid() && target && target->void_ratio)
+    text += "variable too_dense equal \"v_void_ratio_at_top < v_target-v_tolerance\"\n";
+  if (target)
+    text += filled(target->void_ratio ? to_void_ratio : to_pressure, {{"axes", s.has_lid() ? "1" : "3"}});
+  text += filled(s.has_lid() ? start_of_settling : start_of_compaction,
+                 {{"look", std::to_string(compaction_look)}, {"base", s.name}});
+  return text;
+}
+
+std::string phase_loops(const SettleScript &s, const PhaseCommands &c) {
+  const std::optional<DensityTarget> &target = s.model.target;
+  const bool to_density = target && target->void_ratio;
+  const std::string saving = course_save(s.name);
+  std::string text = begin_of_loop;
+  if (s.has_lid())
+    text += course_settle;
+  if (target && s.has_lid()) {
+    text += to_density ? refuse_loosest : "";
+    text += begin_compaction;
+  }
+  if (!target)
+    text += s.changes_friction() ? "jump SELF reached\n" : "jump SELF end\n";
+  if (target)
+    text += to_density ? compact_to_void_ratio : compact_to_pressure;
+  if (s.changes_friction()) {
+    text += course_reached;
+    text += target && !to_density ? hold_pressure : hold_still;
+  }
+  text += course_end;
+  return filled(text, {{"contact", c.contact},
+                       {"move", target ? c.move : ""},
+                       {"lower", c.lower_lid},
+                       {"save", saving},
+                       {"base", s.name},
+                       {"quit", c.quit},
+                       {"look", std::to_string(compaction_look)},
+                       {"more", target ? "${most_compacting}" : "${steps}"},
+                       {"void_ratio", s.has_lid() && !target ? "void_ratio_at_top" : "void_ratio"}});
+}
+
+} // namespace mdm
