@@ -126,7 +126,7 @@ Run add_export(CLI::App &app) {
       .add_option(
           "--steps", c->steps,
           "time steps of the model while particles settle, at most; without it three times as long as a "
-          "fall from the top of the box, of a deposit as long")
+          "fall from the top of the box")
       ->type_name("N");
   command
       .add_option("--stress", c->pressure,

@@ -11,13 +11,14 @@ namespace mdm::cli {
 namespace {
 
 /// Bytes were measured with 97,336 particles of one size in contact with six others each, and rounded up.
-constexpr std::array<ExportFormat, 7> formats = {{{"liggghts", write_liggghts, nullptr, 1000},
-                                                  {"lammps", nullptr, write_lammps_data, 1000},
-                                                  {"yade", nullptr, write_xyzr, 10000},
-                                                  {"mercurydpm", write_mercurydpm, nullptr, 0},
-                                                  {"vtk", nullptr, write_vtk, 0},
-                                                  {"csv", write_size_csv, nullptr, 0},
-                                                  {"diameters", write_diameters, nullptr, 0}}};
+/// Rates by tests/benchmark/engine_rates.py.
+constexpr std::array<ExportFormat, 7> formats = {{{"liggghts", write_liggghts, nullptr, 1000, 5.4e6},
+                                                  {"lammps", nullptr, write_lammps_data, 1000, 4.7e6},
+                                                  {"yade", nullptr, write_xyzr, 10000, 6.4e5},
+                                                  {"mercurydpm", write_mercurydpm, nullptr, 0, 0},
+                                                  {"vtk", nullptr, write_vtk, 0, 0},
+                                                  {"csv", write_size_csv, nullptr, 0, 0},
+                                                  {"diameters", write_diameters, nullptr, 0, 0}}};
 
 } // namespace
 

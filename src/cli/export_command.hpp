@@ -19,6 +19,7 @@ struct ExportFormat {
   void (*write)(const ParticleSet &, const Sink &);
   void (*write_placed)(const Placement &, const Sink &);
   unsigned bytes; ///< of the engine's memory for a particle; 0: not known
+  double rate;    ///< grains by steps that the engine makes in a second of one core; 0: not known
 };
 
 struct ExportCommand {

@@ -2,6 +2,7 @@
 
 #include "cli/files.hpp"
 #include "cli/option_values.hpp"
+#include "particles/material_table.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/particles/particle_writer.hpp>
@@ -31,6 +32,8 @@ constexpr std::array<ModelEngine, 3> engines = {
     {{"liggghts", liggghts_model, write_lammps_data, write_lammps_data_of_classes, ".data", true},
      {"lammps", lammps_model, write_lammps_data, write_lammps_data_of_classes, ".data", false},
      {"yade", yade_model, write_xyzr, write_xyzr, ".xyzr", false}}};
+
+constexpr std::size_t most_material_bytes = 1000000;
 
 /// A coefficient of friction.
 std::optional<double> friction(const char *option, const GradationFlags::Text &text) {
@@ -123,9 +126,12 @@ SettleModel ModelWriter::model(const ExportCommand &c, const ExportedParticles &
   model.friction = friction("--friction", c.friction).value_or(model.friction);
   model.friction_while_filling = friction("--friction-while-filling", c.friction_while_filling);
   model.types_of_classes = c.types == "class" || c.material;
+  if (c.material)
+    model.materials =
+        read_materials(read_file(*c.material, most_material_bytes), shown_name(*c.material), *found.set,
+                       {settling(model).elasticity, Settling::restitution, model.friction});
   model.verify_options = verify_options(c);
   model.question = found.question;
-  model.deposited = start_of(c, found) == Start::deposit;
   return model;
 }
 

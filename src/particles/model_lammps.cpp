@@ -48,7 +48,7 @@ variable area equal @area@
 variable volume equal v_area*v_lid)";
 
 const char *const begin_lid =
-    R"(if "${begun} == 0" then "compute push all reduce sum f_lid[4]" "variable pressure equal -c_push/v_area" "thermo_style custom step atoms ke c_least c_top c_push v_void_ratio v_pressure v_mu" "thermo_modify lost error norm no" "variable begun equal 1"
+    R"(if "${begun} == 0" then "compute push all reduce sum f_lid[4]" "variable pressure equal (0-c_push)/v_area" "thermo_style custom step atoms ke c_least c_top c_push v_void_ratio v_pressure v_mu" "thermo_modify lost error norm no" "variable begun equal 1"
 )";
 
 const char *const begin_cell = R"(
@@ -165,17 +165,18 @@ std::string lammps_model(const SettleModel &model) {
       s.head({"LAMMPS", "lmp -in THIS_FILE", "-var steps 1000", "lmp -in THIS_FILE -var go_on 1",
               "With P processes: mpirun -np P lmp -in THIS_FILE", ""});
   text += phase_variables(s);
-  text += filled(
-      lammps_setting, {{"boundary", !has_lid                       ? "p p p"
-                             : model.space == Space::pillar ? "p p f"
-                                                            : "f f f"},
-                {"particles", file_word(model.particles)},
-       {"base", s.name},
-                {"volume", volume(s)},
-                {"skin", digits6(s.set.smallest().radius.value)},
-                {"dt", digits6(s.physics.step)},
-                {"gravity",
-                 has_lid ? fmt::format("fix gravity all gravity {} vector 0 0 -1", Settling::gravity) : ""}});
+  text +=
+      filled(lammps_setting,
+             {{"boundary", !has_lid                       ? "p p p"
+                           : model.space == Space::pillar ? "p p f"
+                                                          : "f f f"},
+              {"particles", file_word(model.particles)},
+              {"base", s.name},
+              {"volume", volume(s)},
+              {"skin", digits6(s.set.smallest().radius.value)},
+              {"dt", digits6(s.physics.step)},
+              {"gravity",
+               has_lid ? fmt::format("fix gravity all gravity {} vector 0 0 -1", Settling::gravity) : ""}});
   if (has_lid)
     text += filled(lammps_lid, {{"round", round_wall(s)}}) + "variable begun equal 0\n";
   PhaseCommands commands;
@@ -194,7 +195,8 @@ std::string lammps_model(const SettleModel &model) {
   // The first contact, for the lammps_counts; the loop repeats it.
   text += "\nvariable grip equal ${mu}\n" + commands.contact;
   text += lammps_counts(s) + phase_loops(s, commands);
-  return text + filled(lammps_ending, {{"total", to_string(s.particles)}, {"dump", s.dump}, {"base", s.name}});
+  return text +
+         filled(lammps_ending, {{"total", to_string(s.particles)}, {"dump", s.dump}, {"base", s.name}});
 }
 
 } // namespace mdm

@@ -170,16 +170,16 @@ std::string liggghts_model(const SettleModel &model) {
                  "With P processes: mpirun -np P liggghts -in THIS_FILE", ""}) +
          phase_variables(s) +
          filled(liggghts_setting, {{"boundary", model.space == Space::pillar ? "p p f" : "f f f"},
-                          {"particles", file_word(model.particles)},
-                          {"skin", digits6(s.set.smallest().radius.value)},
-                          {"properties", properties(s)},
-                          {"dt", digits6(s.physics.step)},
-                          {"side", liggghts_sides(s)},
-                          {"wall", liggghts_wall},
-                          {"wall_type", types},
-                          {"base", s.name},
-                          {"area", model.space == Space::cylinder ? "PI*xhi^2/4" : "xhi*yhi"},
-                          {"gravity", fmt::format("{}", Settling::gravity)}}) +
+                                   {"particles", file_word(model.particles)},
+                                   {"skin", digits6(s.set.smallest().radius.value)},
+                                   {"properties", properties(s)},
+                                   {"dt", digits6(s.physics.step)},
+                                   {"side", liggghts_sides(s)},
+                                   {"wall", liggghts_wall},
+                                   {"wall_type", types},
+                                   {"base", s.name},
+                                   {"area", model.space == Space::cylinder ? "PI*xhi^2/4" : "xhi*yhi"},
+                                   {"gravity", fmt::format("{}", Settling::gravity)}}) +
          liggghts_counts(s) + phase_loops(s, commands) +
          filled(liggghts_ending, {{"total", to_string(s.particles)}, {"dump", s.dump}, {"base", s.name}});
 }

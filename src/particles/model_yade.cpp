@@ -44,8 +44,8 @@ def set_friction():
         contact.phys.tangensOfFrictionAngle = tan(min(material.frictionAngle for material in pair))
 
 
-def is_at_rest():
-    return kineticEnergy() < at_rest and unbalancedForce() < most_unbalanced
+def is_at_rest(times=1):
+    return kineticEnergy() < times * at_rest and unbalancedForce() < times * most_unbalanced
 
 
 def save():
@@ -61,11 +61,11 @@ def run(count):
         save()
 
 
-def rest(last):
-    """Runs until the grains are at rest, but no further than the step last."""
-    while O.iter < last and (state['looks'] == 0 or not is_at_rest()):
+def rest(last, times=1):
+    """Runs until the grains are at rest, or so many times above it, but no further than the step last."""
+    while O.iter < last and (state['looks'] == 0 or not is_at_rest(times)):
         run(look)
-    if not is_at_rest():
+    if not is_at_rest(times):
         print('NOTE: not at rest yet after %d steps' % O.iter, flush=True)
 
 
@@ -144,7 +144,7 @@ def compact(rate):
 
 const char *const yade_settle = R"(
 if state['phase'] == 'fill':
-    rest(steps)
+    rest(steps@calm@)
     print('SETTLED after %d steps: void ratio %g below the highest grain' % (O.iter, void_ratio(top())), flush=True)
 )";
 
@@ -323,6 +323,7 @@ std::string yade_model(const SettleModel &model) {
                        {"z", fmt::format("{}", s.box.z)},
                        {"classes", class_rows(s)},
                        {"base", s.name},
+                       {"calm", is_compacted ? ", 10" : ""},
                        {"show", is_compacted ? ", void ratio %g at %g Pa" : ""},
                        {"shown", is_compacted ? ", *density()" : ""},
                        {"space", has_lid ? "" : "    O.periodic = True\n    O.cell.setBox(x, y, z)\n"},

@@ -78,7 +78,7 @@ Settling settling(const SettleModel &model) {
   s.elasticity.poisson = model.poisson;
   s.rayleigh = rayleigh_of(model, s.elasticity);
   s.step = s.part_of_rayleigh * s.rayleigh;
-  const double falls = model.deposited ? 1 : 3;
+  constexpr double falls = 3;
   const double steps = model.steps ? static_cast<double>(*model.steps)
                                    : std::ceil(falls * std::sqrt(2 * model.box.z / s.gravity) / s.step);
   if (steps > Settling::most_steps)

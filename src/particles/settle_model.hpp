@@ -59,8 +59,6 @@ struct SettleModel {
   std::optional<std::string> verify_options = "";
   /// An answer's question in words, which `verify_options` may lack.
   std::string question = {};
-  /// The particles are a deposit.
-  bool deposited = false;
 };
 
 /// The material, the time and the scales of a model, in SI units.
@@ -68,9 +66,9 @@ struct Settling {
   static constexpr double restitution = 0.5, gravity = 9.81;
   /// The time step is this part of the Rayleigh time.
   static constexpr double part_of_rayleigh = 0.2;
-  /// At rest the kinetic energy is below this part of the weight times the smallest size: of 1000 grains one
-  /// may fall by its size still.
-  static constexpr double part_at_rest = 1e-3;
+  /// At rest the kinetic energy is below this part of the weight times the smallest size: of 10,000 grains
+  /// one may fall by its size still. Grains are compacted from ten times that on.
+  static constexpr double part_at_rest = 1e-4;
   /// LAMMPS and LIGGGHTS refuse longer runs.
   static constexpr std::uint32_t most_steps = 2147483647;
 

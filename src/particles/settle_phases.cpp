@@ -65,6 +65,7 @@ variable next_rate equal v_most_rate*v_faster*v_slower
 
 const char *const begin_of_loop = R"script(
 # ---- The course -------------------------------------------------------------------------------------------
+if "${go_on} > 0" then "variable last equal ${now}+@more@"
 label contact
 variable grip equal ${own}*${friction}+(1-${own})*${mu}
 @contact@
@@ -79,8 +80,8 @@ jump SELF ${phase}
 
 const char *const course_settle = R"script(
 label fill
-if "${agitation} > 1 && ${now} < ${last}" then "jump SELF look"
-if "${agitation} > 1" then "print 'NOTE: not at rest yet after ${now} steps: the kinetic energy is ${agitation} times that at rest'"
+if "${agitation} > @calm@ && ${now} < ${last}" then "jump SELF look"
+if "${agitation} > @calm@" then "print 'NOTE: not at rest yet after ${now} steps: the kinetic energy is ${agitation} times that at rest'"
 print "SETTLED after ${now} steps: void ratio ${void_ratio_at_top} below the highest grain"
 )script";
 
@@ -91,7 +92,6 @@ std::string course_save(const std::string &name) {
                                         {"mu equal", "mu"},
                                         {"own equal", "own"},
                                         {"look equal", "look"},
-                                        {"last equal", "last"},
                                         {"lid_now equal", "lid"}})
     text += fmt::format("fix state all print 1 \"variable {} ${{{}}}\" {} {}.restart.state screen no\n"
                         "run 1\nunfix state\n",
@@ -222,6 +222,7 @@ std::string phase_loops(const SettleScript &s, const PhaseCommands &c) {
                        {"save", saving},
                        {"base", s.name},
                        {"quit", c.quit},
+                       {"calm", target ? "10" : "1"},
                        {"look", std::to_string(compaction_look)},
                        {"more", target ? "${most_compacting}" : "${steps}"},
                        {"void_ratio", s.has_lid() && !target ? "void_ratio_at_top" : "void_ratio"}});

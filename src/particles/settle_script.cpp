@@ -171,7 +171,7 @@ std::string SettleScript::head(const RunCommands &c) const {
 # Time step: a fifth of the Rayleigh time of the smallest grain,
 # pi R sqrt(rho/G) / (0.1631 nu + 0.8766) = @rayleigh@ s with G = E / (2 (1 + nu)).
 # @steps@ step@plural@ at most while settling: @time@ s; a fall from the top of the box takes @fall@ s. At rest the kinetic
-# energy is below a thousandth of the grains' weight times the smallest size.
+# energy is below a ten-thousandth of the grains' weight times the smallest size.
 @height@)",
                 {{"name", set.name.empty() ? "grains" : comment_word(set.name)},
                  {"n", to_string(particles)},

@@ -60,10 +60,6 @@ TEST_CASE("settling: the time step from the smallest grain, computed by hand") {
   CHECK(s.step == Approx(s.rayleigh / 5));
   // A fall from 1 cm takes 0.0451524 s.
   CHECK(static_cast<double>(s.steps) == Approx(3 * 0.0451524 / s.step).epsilon(2e-4));
-  // A deposit falls no more.
-  model.deposited = true;
-  CHECK(static_cast<double>(settling(model).steps) == Approx(0.0451524 / s.step).epsilon(2e-4));
-  model.deposited = false;
   // Below 1 m of sand 10^4 times its weight is more than 5 MPa.
   model.box.z = 1;
   CHECK(settling(model).elasticity.young == 259965000);
