@@ -36,12 +36,18 @@ variable look equal ${look}
 variable last equal ${steps}
 )script";
 
-const char *const start_of_settling =
-    R"script(if "${go_on} == 0" then "variable phase string fill" else "include @base@.restart.state"
+const char *const start_of_course = R"script(if "${go_on} == 0" then "jump SELF anew"
+include @base@.restart.state
+jump SELF setting
+label anew
+@anew@label setting
 )script";
 
-const char *const start_of_compaction =
-    R"script(if "${go_on} == 0" then "variable phase string compact" "variable look equal @look@" "variable last equal ${most_compacting}" else "include @base@.restart.state"
+const char *const anew_filling = "variable phase string fill\n";
+
+const char *const anew_compacting = R"script(variable phase string compact
+variable look equal @look@
+variable last equal ${most_compacting}
 )script";
 
 /// Where the pressure is low, compaction is five times as fast; near the highest it becomes slower. At the
@@ -191,8 +197,9 @@ std::string phase_variables(const SettleScript &s) {
     text += "variable too_dense equal \"v_void_ratio_at_top < v_target-v_tolerance\"\n";
   if (target)
     text += filled(target->void_ratio ? to_void_ratio : to_pressure, {{"axes", s.has_lid() ? "1" : "3"}});
-  text += filled(s.has_lid() ? start_of_settling : start_of_compaction,
-                 {{"look", std::to_string(compaction_look)}, {"base", s.name}});
+  text += filled(start_of_course, {{"anew", s.has_lid() ? anew_filling : anew_compacting},
+                                   {"look", std::to_string(compaction_look)},
+                                   {"base", s.name}});
   return text;
 }
 
