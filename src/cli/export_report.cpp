@@ -145,19 +145,21 @@ std::string how_to_verify(const ExportCommand &c, const ExportFormat &format,
 
 std::string model_guide(const ExportFormat &format, const SettleModel &model) {
   const Settling s = settling(model);
-  const bool settles = model.space != Space::periodic_cell;
-  std::string text = "model:";
-  if (settles)
-    text += fmt::format(" {} step{} of {:.3g} s at most while settling{}", s.steps, s.steps == 1 ? "" : "s",
-                        s.step, model.target ? ", and" : "");
-  if (model.target)
-    text += fmt::format(" some {} of compaction{}", s.compacting,
-                        settles ? "" : fmt::format(", {:.3g} s each", s.step));
   const double grains = model.set.particles().convert_to<double>();
-  const double steps = static_cast<double>(s.compacting) + (settles ? static_cast<double>(s.steps) : 0);
-  const double seconds = grains * steps / format.rate;
-  text += fmt::format("; {} on a core of 2.1 GHz ({:.2g} grains by steps a second)\n", time_text(seconds),
-                      format.rate);
+  const auto cpu = [&](std::uint64_t steps) { return grains * static_cast<double>(steps) / format.rate; };
+  std::string text = "model:";
+  double seconds = 0;
+  if (model.space != Space::periodic_cell) {
+    seconds = cpu(s.steps);
+    text += fmt::format(" {} step{} of {:.3g} s at most while settling, up to {};", s.steps,
+                        s.steps == 1 ? "" : "s", s.step, time_text(seconds));
+  }
+  if (model.target) {
+    seconds += cpu(s.compacting);
+    text += fmt::format(" some {} steps of {:.3g} s of compaction, {};", s.compacting, s.step,
+                        time_text(cpu(s.compacting)));
+  }
+  text += fmt::format(" of a core of 2.1 GHz at {:.2g} grains by steps a second\n", format.rate);
   if (seconds > long_run)
     text += cheaper(format, model, seconds);
   return text + "its first lines say how to run it and to verify what it leaves\n";
