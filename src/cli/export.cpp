@@ -67,6 +67,8 @@ int run(const ExportCommand &c) {
     for (const std::string &path : model->other_files())
       paths.push_back(path);
   }
+  if (c.material)
+    paths.push_back(*c.material);
   check_distinct(paths);
   if (c.flags.band) { // FILE may be the band
     paths.front() = *c.flags.band;
@@ -77,6 +79,88 @@ int run(const ExportCommand &c) {
     return found.exit_code;
   write_particles(c, format, model, found);
   return found.exit_code;
+}
+
+} // namespace
+
+namespace {
+
+void add_start(CLI::App &command, ExportCommand &c) {
+  const OptionGroup group(command, "The start");
+  command
+      .add_option(
+          "--box", c.box,
+          "footprint of the start, and its height, in the answer's unit (lammps, yade, vtk, models); without "
+          "it the specimen's, a square in it for a cylinder, or a square that makes the start as high "
+          "as wide")
+      ->type_name("AxB[xC]");
+  command
+      .add_option(
+          "--start", c.start,
+          "layers, a slab for each class; mixed, at random places of a higher box; or deposit, a dense "
+          "one, dropped and rolled to rest (lammps, yade, vtk, models; layers, but mixed for a model of up "
+          "to 1000000 particles, and a deposit for one with a density to reach)")
+      ->type_name("START");
+  command
+      .add_option("--sides", c.sides,
+                  "of the start's box: walls; cylinder, in a --box as long as wide, the default for such a "
+                  "specimen but "
+                  "in layers; or periodic, of a deposit, repeated in x and y (models: lammps, liggghts)")
+      ->type_name("SIDES");
+  command.add_option("--seed", c.seed, "of the places of the start, and of a spread's sizes (1)")
+      ->type_name("K");
+}
+
+void add_model(CLI::App &command, ExportCommand &c) {
+  const OptionGroup group(command, "The model");
+  command
+      .add_option(
+          "--model", c.model,
+          "settle: a complete model that lets the particles settle in the specimen, for liggghts, lammps or "
+          "yade, and beside it the files that it reads; with --void-ratio or --stress it compacts them")
+      ->type_name("MODEL");
+  command
+      .add_option(
+          "--steps", c.steps,
+          "time steps of the model while particles settle, at most; without it three times as long as a "
+          "fall from the top of the box")
+      ->type_name("N");
+  command
+      .add_option("--stress", c.pressure,
+                  "pressure in Pa to which the model compacts the particles, by a lid or the faces of a "
+                  "--periodic box; --void-ratio is another such target")
+      ->type_name("S");
+  command
+      .add_option("--target-tolerance", c.tolerance, "of --void-ratio, or of --stress as a part of it (0.01)")
+      ->type_name("T");
+  command.add_option("--friction", c.friction, "coefficient of friction of a model's particles (0.5)")
+      ->type_name("MU");
+  command
+      .add_option(
+          "--friction-while-filling", c.friction_while_filling,
+          "the same while they settle and are compacted, and of walls: less makes denser beds (--friction)")
+      ->type_name("MU");
+  command.add_flag(
+      "--periodic", c.periodic,
+      "a model in a box that is repeated on all sides: nothing settles, its faces compress it to "
+      "--void-ratio or --stress (lammps, yade)");
+  command
+      .add_option(
+          "--types", c.types,
+          "class: each class has a type of its own, walls the next; else one (lammps, models; YADE has "
+          "a material a class)")
+      ->type_name("TYPES");
+  command
+      .add_option(
+          "--material", c.material,
+          "CSV: the material of each class in a model: columns class (number) or lower_mm, and some of "
+          "young_modulus, poisson, friction, restitution; implies --types class")
+      ->type_name("FILE");
+  command
+      .add_option("--young", c.young,
+                  "Young's modulus for the time step, in Pa (7e10; a model is softer, and says so)")
+      ->type_name("E");
+  command.add_option("--poisson", c.poisson, "Poisson's ratio for the time step (0.25)")->type_name("NU");
 }
 
 } // namespace
@@ -109,80 +193,11 @@ Run add_export(CLI::App &app) {
       .add_option("--mass-error", c->mass_error,
                   "relative error of the mass of a class that rounded sizes may make (1e-9)")
       ->type_name("EPS");
-  command
-      .add_option(
-          "--box", c->box,
-          "footprint of the start, and its height, in the answer's unit (lammps, yade, vtk, models); without "
-          "it the specimen's, a square in it for a cylinder, or a square that makes the start as high "
-          "as wide")
-      ->type_name("AxB[xC]");
-  command
-      .add_option(
-          "--model", c->model,
-          "settle: a complete model that lets the particles settle in the specimen, for liggghts, lammps or "
-          "yade, and beside it the files that it reads; with --void-ratio or --stress it compacts them")
-      ->type_name("MODEL");
-  command
-      .add_option(
-          "--steps", c->steps,
-          "time steps of the model while particles settle, at most; without it three times as long as a "
-          "fall from the top of the box")
-      ->type_name("N");
-  command
-      .add_option("--stress", c->pressure,
-                  "pressure in Pa to which the model compacts the particles, by a lid or the faces of a "
-                  "--periodic box; --void-ratio is another such target")
-      ->type_name("S");
-  command
-      .add_option("--target-tolerance", c->tolerance,
-                  "of --void-ratio, or of --stress as a part of it (0.01)")
-      ->type_name("T");
-  command.add_option("--friction", c->friction, "coefficient of friction of a model's particles (0.5)")
-      ->type_name("MU");
-  command
-      .add_option(
-          "--friction-while-filling", c->friction_while_filling,
-          "the same while they settle and are compacted, and of walls: less makes denser beds (--friction)")
-      ->type_name("MU");
-  command.add_flag(
-      "--periodic", c->periodic,
-      "a model in a box that is repeated on all sides: nothing settles, its faces compress it to "
-      "--void-ratio or --stress (lammps, yade)");
-  command
-      .add_option(
-          "--types", c->types,
-          "class: each class has a type of its own, walls the next; else one (lammps, models; YADE has "
-          "a material a class)")
-      ->type_name("TYPES");
-  command
-      .add_option(
-          "--material", c->material,
-          "CSV: the material of each class in a model: columns class (number) or lower_mm, and some of "
-          "young_modulus, poisson, friction, restitution; implies --types class")
-      ->type_name("FILE");
-  command
-      .add_option(
-          "--start", c->start,
-          "layers, a slab for each class; mixed, at random places of a higher box; or deposit, a dense "
-          "one, dropped and rolled to rest (lammps, yade, vtk, models; layers, but mixed for a model of up "
-          "to 1000000 particles, and a deposit for one with a density to reach)")
-      ->type_name("START");
-  command
-      .add_option("--sides", c->sides,
-                  "of the start's box: walls; cylinder, in a --box as long as wide, the default for such a "
-                  "specimen but "
-                  "in layers; or periodic, of a deposit, repeated in x and y (models: lammps, liggghts)")
-      ->type_name("SIDES");
-  command.add_option("--seed", c->seed, "of the places of the start, and of a spread's sizes (1)")
-      ->type_name("K");
-  command
-      .add_option("--young", c->young,
-                  "Young's modulus for the time step, in Pa (7e10; a model is softer, and says so)")
-      ->type_name("E");
-  command.add_option("--poisson", c->poisson, "Poisson's ratio for the time step (0.25)")->type_name("NU");
   command.add_flag("--yes-huge", c->yes_huge, "more than 10000000 particles are wanted");
   command.add_flag("--yes-units", c->yes_units,
                    "sizes below 1 um and boxes above 100 m are right: the units are no mistake");
+  add_start(command, *c);
+  add_model(command, *c);
   CLI::Option *const spread =
       command.add_flag("--spread", c->spread,
                        "sizes for all particles, as solve --spread gives them: exact masses of the classes");
@@ -204,6 +219,7 @@ Run add_export(CLI::App &app) {
           "Give mdm verify the same --size-factor, --cut-below and --pan-size."),
       {"mdm export sand.csv --to lammps --box 50x50 -o sand.data",
        "mdm export sand.csv --cut-below 0.1 --to liggghts --model settle --start deposit -o sand.in",
+       "mdm export sand.csv --to lammps --model settle --specimen cylinder:5x9 --void-ratio 0.7 -o a.in",
        "mdm export start.packing --to yade -o start.txt"}));
   return [c] { return run(*c); };
 }

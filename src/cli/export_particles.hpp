@@ -2,6 +2,7 @@
 /// \file
 /// The particles that mdm export writes, from whatever FILE is.
 
+#include "cli/exit_code.hpp"
 #include "cli/export_command.hpp"
 
 namespace mdm::cli {

@@ -76,7 +76,7 @@ std::string cheaper(const ExportFormat &format, const SettleModel &model, double
   std::string text = fmt::format("shorter: {} FILE;", parallel);
   if (model.materials.empty())
     text += fmt::format(" --young {} takes {}, with overlaps 4.6 times as large;",
-                        approximate(Rational(settling(model).elasticity.young / 10), 2),
+                        short_decimal(Rational(settling(model).elasticity.young / 10)),
                         time_text(seconds / std::sqrt(tenfold)));
   return text + " a larger smallest sieve (--cut-below) or a --tolerance needs fewer grains and longer "
                 "steps, see mdm "

@@ -144,6 +144,8 @@ Placement placed(const ExportCommand &c, const ExportedParticles &found) {
 void tell_rounding(const ExportCommand &c, const ExportedParticles &found, const Placement &start) {
   const std::optional<Footprint> asked = footprint(c, found);
   const std::optional<Solids> shape = specimen(c);
+  if (shape && std::holds_alternative<Cylinder>(*shape) && space(c) == Space::box && !c.output.quiet)
+    tell("note: layers stand on the square inside the cylinder; --start mixed or deposit fills it\n");
   const bool is_exact = !c.periodic && (c.box || (shape && std::holds_alternative<Box>(*shape)));
   if (!asked || !is_exact || c.output.quiet)
     return;

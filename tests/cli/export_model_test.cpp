@@ -178,6 +178,39 @@ TEST_CASE("classes have types of their own on request", "[cli]") {
   CHECK(mdm({"verify", sand, folder / "b.data", "--tolerance", "1e-6"}).exit_code == 0);
 }
 
+TEST_CASE("a model takes the material of each class from a file", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string material = folder.write("m.csv", "class,friction\n1,0.1\n2,0.2\n3,0.3\n4,0.4\n5,0.5\n");
+  const std::string model = folder / "a.in";
+  REQUIRE(export_model("lammps", model, {"--material", material}).exit_code == 0);
+  CHECK(read_file(folder / "a.data").find("\n6 atom types\n") != std::string::npos);
+  CHECK(read_file(model).find("\nvariable grip equal ${own}*0.3+(1-${own})*${mu}\n") != std::string::npos);
+  check_refused(export_model("lammps", model, {"--material", material, "--young", "1e6"}), "--young");
+  check_refused(export_model("lammps", model, {"--material", folder / "none"}), "none");
+  check_refused(
+      export_model("lammps", model, {"--material", folder.write("n.csv", "class,friction\n1,-1\n")}),
+      "n.csv:2: friction: '-1' is not from 0 to 10");
+}
+
+TEST_CASE("layers in a cylinder say that they stand on a square", "[cli]") {
+  const TemporaryFolder folder;
+  const Outcome outcome = mdm({"export", sand, "--to", "lammps", "--specimen", "cylinder:4x4", "--void-ratio",
+                               "0.7", "-o", folder / "a.data"});
+  CHECK(outcome.err.find("note: layers stand on the square inside the cylinder") != std::string::npos);
+}
+
+TEST_CASE("a long run is said in hours, with what makes it shorter", "[cli]") {
+  const TemporaryFolder folder;
+  const Outcome quick = export_model("yade", folder / "a.py");
+  CHECK(quick.err.find(" of a core of 2.1 GHz at 6.4e+05 grains by steps a second") != std::string::npos);
+  CHECK(quick.err.find("shorter:") == std::string::npos);
+  const Outcome slow = export_model("yade", folder / "a.py", {"--at-least", "1000", "--young", "7e10"});
+  CHECK(slow.err.find(" hours;") != std::string::npos);
+  CHECK(slow.err.find("shorter: yade -n -j 4 FILE; --young 7e9 takes ") != std::string::npos);
+  CHECK(export_model("lammps", folder / "a.in", {"--at-least", "10000", "--young", "7e10"})
+            .err.find("shorter: mpirun -np 4 lmp -in FILE; ") != std::string::npos);
+}
+
 TEST_CASE("targets of a model that make no sense are refused", "[cli]") {
   const TemporaryFolder folder;
   const auto refused = [&folder](const Arguments &more, const std::string &remedy,

@@ -18,8 +18,8 @@ void check_simulated(const ParticleSet &set);
 
 /// The ground that particles start on; lengths in the unit of the set.
 struct Footprint {
-  Rational a, b;              ///< the sides
-  std::optional<Rational> c;  ///< height that must do; open: as high as the start needs
+  Rational a, b;             ///< the sides
+  std::optional<Rational> c; ///< height that must do; open: as high as the start needs
   /// Layers have walls, a mixed start walls or a cylinder, of which a and b are the diameter.
   Sides sides = Sides::walls;
 };
@@ -66,9 +66,9 @@ using StartProgress = std::function<void(std::size_t)>;
 /// inside the box.
 ///
 /// Mixed, a particle is put where no centre is within R + R' of its own, decided in integers: the distance of
-/// doubles is the same at least; so is the distance from the axis of a cylinder. The box is insertion_height()
-/// high, by 4 / pi more for a cylinder. In a deposit too, decided in integers,
-/// with an R for each size; the box is as high as its highest particle.
+/// doubles is the same at least; so is the distance from the axis of a cylinder. The box is
+/// insertion_height() high, by 4 / pi more for a cylinder. In a deposit too, decided in integers, with an R
+/// for each size; the box is as high as its highest particle.
 ///
 /// Cost: each() takes some 100 ns a particle. Layers need memory that does not depend on their number, a
 /// mixed start some 80 bytes and a us or two a particle, a deposit some 200 bytes and 10 us or more.
