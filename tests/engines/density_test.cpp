@@ -44,7 +44,7 @@ double void_ratio_below_highest(const std::vector<Grain> &all, double diameter) 
 }
 
 void check_cylinder(const Engine &engine, const std::string &before = "") {
-  if (!is_there(engine))
+  if (!is_there(engine) || !mdm_test::has_tool("mpirun", "mpi-default-bin"))
     return;
   const Model model(engine, c778(), cylinder);
   const Outcome outcome = model.run(before);
@@ -134,7 +134,7 @@ TEST_CASE("LAMMPS brings a cylinder of 2,000 grains to void ratio 0.65, in two p
 }
 
 TEST_CASE("LIGGGHTS settles in two processes", "[engines]") {
-  if (!is_there(liggghts))
+  if (!is_there(liggghts) || !mdm_test::has_tool("mpirun", "mpi-default-bin"))
     return;
   const Model model(liggghts, c778(), {"--at-least", "1000", "--steps", "2000"});
   const Outcome outcome = model.run("mpirun --allow-run-as-root --oversubscribe -np 2 ");
@@ -162,6 +162,27 @@ TEST_CASE("LAMMPS compacts a box to a pressure", "[engines]") {
 TEST_CASE("a model goes on from its restart to the same end", "[engines]") {
   check_goes_on(lammps, "-var most_compacting 5000", "-var go_on 1");
   check_goes_on(liggghts, "-var most_compacting 5000", "-var go_on 1");
+}
+
+TEST_CASE("YADE compacts a box, stopped and from its restart", "[engines]") {
+  if (!is_there(yade))
+    return;
+  const Arguments specimen{"--specimen", "box:2.5x2.5x2.5", "--void-ratio", "0.75"};
+  Arguments arguments = specimen;
+  arguments.insert(arguments.end(), {"--friction-while-filling", "0.2", "--young", "1e6"});
+  const Model model(yade, c778(), arguments);
+  const std::string script = read_file(model.path("sand.py"));
+  const std::size_t at = script.find("\nmost_compacting = ") + 1;
+  const std::string limit = script.substr(at, script.find(' ', script.find("= ", at) + 2) - at);
+  model.replace("sand.py", limit, "most_compacting = 4500");
+  CHECK(model.run().exit_code != 0);
+  CHECK(!model.has_dump());
+  model.replace("sand.py", "most_compacting = 4500", limit);
+  const Outcome outcome = model.run("", "100000 sand.restart.gz");
+  INFO(end_of(outcome));
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(std::abs(result(outcome.out).void_ratio - 0.75) < 0.01);
+  model.check_grains(specimen);
 }
 
 TEST_CASE("a void ratio beyond the loosest and the densest is said, and ends with an error", "[engines]") {
