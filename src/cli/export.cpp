@@ -18,6 +18,9 @@ void write_model(const ExportCommand &c, const ExportFormat &format, const Model
                  const ExportedParticles &found, const Placement &start) {
   const SettleModel model = writer.model(c, found, start);
   writer.write(model, start);
+  if (!c.output.quiet && specimen(c) && !c.flags.void_ratio)
+    tell("note: without --void-ratio the gradation sets the number of particles, and they the specimen's "
+         "height\n");
   if (!c.output.quiet)
     tell(cost_guide(format, *found.set, &start, settling(model).elasticity) + model_guide(format, model));
 }

@@ -160,6 +160,9 @@ std::string model_guide(const ExportFormat &format, const SettleModel &model) {
                         time_text(cpu(s.compacting)));
   }
   text += fmt::format(" of a core of 2.1 GHz at {:.2g} grains by steps a second\n", format.rate);
+  if (model.target && model.target->void_ratio && model.space != Space::periodic_cell)
+    text += fmt::format("at void ratio {:.6g} the specimen is {:.6g} m high\n", *model.target->void_ratio,
+                        specimen_height(model, *model.target->void_ratio));
   if (seconds > long_run)
     text += cheaper(format, model, seconds);
   return text + "its first lines say how to run it and to verify what it leaves\n";

@@ -98,6 +98,12 @@ Settling settling(const SettleModel &model) {
   return s;
 }
 
+double specimen_height(const SettleModel &model, double void_ratio) {
+  // Both have pi / 6 or pi / 4.
+  const double cubes = model.set.cubes().convert_to<double>() / (model.box.x * model.box.y);
+  return (1 + void_ratio) * cubes * (model.space == Space::cylinder ? 2.0 / 3 : std::numbers::pi / 6);
+}
+
 std::string share_tolerance(const ParticleSet &set) {
   // Masses m_j (1 + e_j), |e_j| <= e, have shares within 2 e / (1 - e); 17 digits of a dump, and a snap, add
   // a little.

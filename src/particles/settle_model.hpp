@@ -95,6 +95,9 @@ inline constexpr std::uint64_t compaction_look = 200;
 /// The material and the time of the model. \throws InputError if it has more steps than most_steps
 Settling settling(const SettleModel &model);
 
+/// Height of the specimen at a void ratio, in m. \pre it has a lid
+double specimen_height(const SettleModel &model, double void_ratio);
+
 /// Percentage points by which no share can be off the gradation's in a sample with these sizes, rounded up:
 /// what to give to `mdm verify --tolerance`.
 std::string share_tolerance(const ParticleSet &set);

@@ -5,21 +5,34 @@
 namespace mdm {
 namespace {
 
-const char *const variables_of_all = R"script(
-# What may be changed, here or behind the command as -var NAME VALUE.
-variable go_on index 0                        # 1: from @base@.restart
-variable steps index @steps@                  # while the grains settle, at most, in whole looks
-variable friction index @friction@            # of the grains at the end
-variable friction_while_filling index @filling@   # and while they are compacted; of the walls, too
-variable at_rest index @at_rest@              # kinetic energy, J
-)script";
+/// `variable steps index 300      # at most`
+std::string setting(const char *name, const std::string &value, const std::string &meaning) {
+  return fmt::format("{:<46}# {}\n", fmt::format("variable {} index {}", name, value), meaning);
+}
 
-const char *const variables_of_target = R"script(variable target index @target@                # @quantity@
-variable tolerance index @tolerance@          # of it@relative@
-variable most_pressure index @most_pressure@  # Pa@why@
-variable most_rate index @most_rate@          # 1/s, of the strain: inertial number 0.003 at that pressure
-variable most_compacting index @compacting@   # steps
-)script";
+std::string settings_of_all(const SettleScript &s) {
+  return "\n# What may be changed, here or behind the command as -var NAME VALUE.\n" +
+         setting("go_on", "0", "1: from " + s.name + ".restart") +
+         setting("steps", std::to_string(s.physics.steps),
+                 "while the grains settle, at most, in whole looks") +
+         setting("friction", digits6(s.model.friction), "of the grains at the end") +
+         setting("friction_while_filling", digits6(s.friction_while_filling()),
+                 "and while they are compacted; of the walls, too") +
+         setting("at_rest", digits6(s.physics.rest_energy), "kinetic energy, J");
+}
+
+std::string settings_of_target(const SettleScript &s, const DensityTarget &target) {
+  const bool to_density = target.void_ratio.has_value();
+  return setting("target", digits6(to_density ? *target.void_ratio : target.pressure),
+                 to_density ? "void ratio" : "Pa") +
+         setting("tolerance", digits6(target.tolerance), to_density ? "of it" : "of it, a part") +
+         setting("most_pressure", digits6(s.physics.most_pressure),
+                 to_density ? "Pa: overlaps of a percent; where it comes near, the friction is lowered"
+                            : "Pa") +
+         setting("most_rate", digits6(s.physics.rate),
+                 "1/s, of the strain: inertial number 0.003 at that pressure") +
+         setting("most_compacting", std::to_string(s.physics.most_compacting), "steps");
+}
 
 const char *const looks_at = R"script(
 # What is found at each look. Phases: fill, compact, hold.
@@ -172,24 +185,10 @@ print "RESULT after ${now} steps: void ratio ${@void_ratio@}, pressure ${pressur
 
 std::string phase_variables(const SettleScript &s) {
   const Settling &p = s.physics;
-  std::string text = filled(variables_of_all, {{"steps", std::to_string(p.steps)},
-                                               {"friction", digits6(s.model.friction)},
-                                               {"filling", digits6(s.friction_while_filling())},
-                                               {"at_rest", digits6(p.rest_energy)},
-                                               {"base", s.name}});
+  std::string text = settings_of_all(s);
   const std::optional<DensityTarget> &target = s.model.target;
   if (target)
-    text += filled(
-        variables_of_target,
-        {{"target", digits6(target->void_ratio ? *target->void_ratio : target->pressure)},
-         {"quantity", target->void_ratio ? "void ratio" : "Pa"},
-         {"tolerance", digits6(target->tolerance)},
-         {"relative", target->void_ratio ? "" : ", a part"},
-         {"most_pressure", digits6(p.most_pressure)},
-         {"why",
-          target->void_ratio ? ": overlaps of a percent; where it comes near, the friction is lowered" : ""},
-         {"most_rate", digits6(p.rate)},
-         {"compacting", std::to_string(p.most_compacting)}});
+    text += settings_of_target(s, *target);
   text += filled(looks_at, {{"solids", digits17(p.solids)}, {"look", std::to_string(p.look)}});
   if (s.has_lid())
     text += "variable void_ratio_at_top equal v_area*v_top/" + digits17(p.solids) + "-1\n";

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace mdm {
 namespace {
@@ -74,15 +73,6 @@ SettleScript::SettleScript(const SettleModel &m, const char *ending)
     throw InputError("a model is in SI units: leave out --unit");
 }
 
-double SettleScript::lid_area() const {
-  const double square = box.x * box.y;
-  return model.space == Space::cylinder ? std::numbers::pi / 4 * square : square;
-}
-
-double SettleScript::void_ratio_of_start() const {
-  return lid_area() * box.z / physics.solids - 1;
-}
-
 bool SettleScript::changes_friction() const {
   return model.target.has_value() || model.friction_while_filling.has_value();
 }
@@ -141,8 +131,7 @@ std::string height_line(const SettleScript &s) {
   if (!s.model.target || !s.model.target->void_ratio || !s.has_lid())
     return "";
   return fmt::format("# At void ratio {:.6g} the lid is {:.6g} m above the floor.\n",
-                     *s.model.target->void_ratio,
-                     (1 + *s.model.target->void_ratio) * s.physics.solids / s.lid_area());
+                     *s.model.target->void_ratio, specimen_height(s.model, *s.model.target->void_ratio));
 }
 
 std::string material_lines(const SettleScript &s) {

@@ -45,9 +45,6 @@ struct SettleScript {
   /// The command that verifies the model's result; as comments.
   std::string verification(const char *engine_options) const;
 
-  /// Area of the lid, m^2.
-  double lid_area() const;
-  double void_ratio_of_start() const;
   bool has_lid() const { return model.space != Space::periodic_cell; }
   double friction_while_filling() const { return model.friction_while_filling.value_or(model.friction); }
   /// True if grains have another friction at the end than while they settle.

@@ -147,6 +147,8 @@ TEST_CASE("the specimen at its void ratio sets the number of particles and the t
   CHECK(
       read_file(model).find(": 141 grains settle in a box, and are compacted by a lid to void ratio 0.65.") !=
       std::string::npos);
+  CHECK(export_model("lammps", model, {"--specimen", "cylinder:4x4", "--stress", "1e5"})
+            .err.find("note: without --void-ratio the gradation sets the number") != std::string::npos);
   REQUIRE(export_model("lammps", model, {"--stress", "1e5"}).exit_code == 0);
   CHECK(read_file(model).find(", and are compacted by a lid at 100000 Pa.") != std::string::npos);
 }

@@ -59,13 +59,21 @@ TEST_CASE("materials that make no sense are refused with their line") {
   CHECK(contains(material_refusal("class,colour\n1,1\n"), "m.csv:1: 'colour' is no column"));
   CHECK(contains(material_refusal("class,friction,friction\n1,1,1\n"),
                  "m.csv:1: 'friction' is no column, or there twice"));
-  CHECK(contains(material_refusal("class,friction\n1,0.1\n2,0.1\n"), "class 4 (0.6 mm, 1 mm] has grains, but no row"));
-  CHECK(contains(material_refusal("class,friction\n1,0.1\n3,0.1\n"), "m.csv:3: class '3' is no class with grains"));
-  CHECK(contains(material_refusal("class,friction\n1,0.1\n1,0.1\n"), "m.csv:3: class 1 has a row already, line 2"));
-  CHECK(contains(material_refusal("class,friction\n1,-0.1\n"), "m.csv:2: friction: '-0.1' is not from 0 to 10"));
-  CHECK(contains(material_refusal("class,poisson\n1,0.51\n"), "m.csv:2: poisson: '0.51' is not from 0 to 0.5"));
-  CHECK(contains(material_refusal("class,young_modulus\n1,0\n"), "m.csv:2: young_modulus: '0' is not from 1 to 1e15"));
-  CHECK(contains(material_refusal("class,restitution\n1,0\n"), "m.csv:2: restitution: '0' is not from 0.05 to 1"));
+  CHECK(contains(material_refusal("class,friction\n1,0.1\n2,0.1\n"),
+                 "class 4 (0.6 mm, 1 mm] has grains, but no row"));
+  CHECK(contains(material_refusal("class,friction\n1,0.1\n3,0.1\n"),
+                 "m.csv:3: class '3' is no class with grains"));
+  CHECK(contains(material_refusal("class,friction\n1,0.1\n1,0.1\n"),
+                 "m.csv:3: class 1 has a row already, line 2"));
+  CHECK(contains(material_refusal("class,friction\n1,-0.1\n"),
+                 "m.csv:2: friction: '-0.1' is not from 0 to 10"));
+  CHECK(
+      contains(material_refusal("class,poisson\n1,0.51\n"), "m.csv:2: poisson: '0.51' is not from 0 to 0.5"));
+  CHECK(contains(material_refusal("class,young_modulus\n1,0\n"),
+                 "m.csv:2: young_modulus: '0' is not from 1 to 1e15"));
+  CHECK(contains(material_refusal("class,restitution\n1,0\n"),
+                 "m.csv:2: restitution: '0' is not from 0.05 to 1"));
   CHECK(contains(material_refusal("class,friction\n1,x\n"), "m.csv:2: friction: "));
-  CHECK(contains(material_refusal("class,friction\n1,0.1,2\n"), "m.csv:2: the row has 3 fields, the header 2"));
+  CHECK(
+      contains(material_refusal("class,friction\n1,0.1,2\n"), "m.csv:2: the row has 3 fields, the header 2"));
 }
