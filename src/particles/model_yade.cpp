@@ -7,7 +7,6 @@ namespace {
 
 const char *const yade_begin = R"(
 import json
-import os
 import sys
 from math import atan, cos, pi, tan
 
@@ -24,7 +23,7 @@ look = min(steps, @look@)  # steps between two looks
 x, y, z = @x@, @y@, @z@  # of the start
 
 # Each class, largest first: its name, density, least and greatest radius as they are in the file, its count, and its
-# grains' Young's modulus, Poisson's ratio and friction.
+# grains' Young's modulus, Poisson's ratio, friction and restitution.
 classes = [
 @classes@]
 total = sum(row[4] for row in classes)
@@ -69,13 +68,13 @@ def rest(last, times=1):
         print('NOTE: not at rest yet after %d steps' % O.iter, flush=True)
 
 
-def build():
+@pairs@def build():
 @space@    with open('@particles@') as file:
         grains = [tuple(map(float, line.split())) for line in file if line.strip() and not line.startswith('#')]
     O.materials.append(FrictMat(young=@young@, poisson=@nu@, frictionAngle=atan(friction_while_filling), density=@density@))
 @walls@    without_grains = len(O.bodies)
     found = 0
-    for number, (name, density, least, most, count, young, poisson, friction) in enumerate(classes):
+    for number, (name, density, least, most, count, young, poisson, friction, _) in enumerate(classes):
         material = O.materials.append(FrictMat(
             young=young, poisson=poisson, frictionAngle=atan(friction_while_filling), density=density, label=name))
         color = (1 - number / len(classes), 0.5, number / len(classes))
@@ -89,7 +88,7 @@ def build():
         InsertionSortCollider([Bo1_Sphere_Aabb()@bounds@]),
         InteractionLoop(
             [Ig2_Sphere_Sphere_ScGeom()@geometry@],
-            [Ip2_FrictMat_FrictMat_MindlinPhys(en=@e@, es=@e@)],
+            [Ip2_FrictMat_FrictMat_MindlinPhys(en=@restitution@, es=@restitution@)],
             [Law2_ScGeom_MindlinPhys_Mindlin()]),
         NewtonIntegrator(gravity=(0, 0, @gravity@), damping=0),
     ]
@@ -102,6 +101,16 @@ if go_on:
 else:
     build()
     state = dict(phase='@phase@', friction=friction_while_filling, own=False, looks=0)
+)";
+
+/// Where classes have materials of their own.
+const char *const restitution_of_pairs = R"(def restitution():
+    """Of two materials their mean; that of the walls is the first."""
+    of_materials = [@e@] + [row[8] for row in classes]
+    return MatchMaker(matches=tuple(
+        (i, j, (a + b) / 2) for i, a in enumerate(of_materials) for j, b in enumerate(of_materials) if i <= j))
+
+
 )";
 
 const char *const lid_functions = R"(
@@ -161,10 +170,11 @@ std::string class_rows(const SettleScript &s) {
   for (std::size_t i = s.set.classes.size(); i > 0; --i) {
     const ParticleClass &c = s.set.classes[i - 1];
     const GrainMaterial m = s.material(i);
-    text += fmt::format("    ('{}', {}, {}, {}, {}, {}, {}, {}),\n", class_name(c), short_decimal(c.density),
-                        c.sizes.front().radius.text, c.sizes.back().radius.text, to_string(c.quantity()),
-                        digits6(m.elasticity.young.convert_to<double>()),
-                        digits6(m.elasticity.poisson.convert_to<double>()), digits6(m.friction));
+    text += fmt::format("    ('{}', {}, {}, {}, {}, {}, {}, {}, {}),\n", class_name(c),
+                        short_decimal(c.density), c.sizes.front().radius.text, c.sizes.back().radius.text,
+                        to_string(c.quantity()), digits6(m.elasticity.young.convert_to<double>()),
+                        digits6(m.elasticity.poisson.convert_to<double>()), digits6(m.friction),
+                        digits6(m.restitution));
   }
   return text;
 }
@@ -229,43 +239,46 @@ std::string yade_model(const SettleModel &model) {
   text += yade_course(s);
   text += yade_ending;
   const bool is_compacted = model.target.has_value();
-  return filled(text, {{"steps", std::to_string(s.physics.steps)},
-                       {"filling", digits6(s.friction_while_filling())},
-                       {"at_rest", digits6(s.physics.rest_energy)},
-                       {"look", std::to_string(s.physics.look)},
-                       {"target", target_lines(s)},
-                       {"solids", digits17(s.physics.solids)},
-                       {"x", fmt::format("{}", s.box.x)},
-                       {"y", fmt::format("{}", s.box.y)},
-                       {"z", fmt::format("{}", s.box.z)},
-                       {"classes", class_rows(s)},
-                       {"base", s.name},
-                       {"calm", is_compacted ? ", 10" : ""},
-                       {"show", is_compacted ? ", void ratio %g at %g Pa" : ""},
-                       {"shown", is_compacted ? ", *density()" : ""},
-                       {"space", has_lid ? "" : "    O.periodic = True\n    O.cell.setBox(x, y, z)\n"},
-                       {"particles", file_word(model.particles)},
-                       {"young", digits6(s.physics.elasticity.young.convert_to<double>())},
-                       {"nu", digits6(s.physics.elasticity.poisson.convert_to<double>())},
-                       {"density", short_decimal(s.set.classes.back().density)},
-                       {"walls", yade_walls(s)},
-                       {"bounds", !has_lid   ? ""
-                                  : is_round ? ", Bo1_Wall_Aabb(), Bo1_Facet_Aabb()"
-                                             : ", Bo1_Wall_Aabb()"},
-                       {"geometry", !has_lid   ? ""
-                                    : is_round ? ", Ig2_Wall_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom()"
-                                               : ", Ig2_Wall_Sphere_ScGeom()"},
-                       {"e", fmt::format("{}", Settling::restitution)},
-                       {"gravity", has_lid ? fmt::format("-{}", Settling::gravity) : "0"},
-                       {"dt", digits6(s.physics.step)},
-                       {"phase", has_lid ? "fill" : "compact"},
-                       {"area", area},
-                       {"axes", has_lid ? "1" : "3"},
-                       {"compaction_look", std::to_string(compaction_look)},
-                       {"result", is_compacted ? "*density()" : "void_ratio(top()), density()[1]"},
-                       {"inside", has_lid ? inside_walls : "inside = settled\n"},
-                       {"dump", s.dump},
-                       {"position", has_lid ? "body.state.pos" : "O.cell.wrap(body.state.pos)"}});
+  return filled(
+      text, {{"steps", std::to_string(s.physics.steps)},
+             {"filling", digits6(s.friction_while_filling())},
+             {"at_rest", digits6(s.physics.rest_energy)},
+             {"look", std::to_string(s.physics.look)},
+             {"target", target_lines(s)},
+             {"solids", digits17(s.physics.solids)},
+             {"x", fmt::format("{}", s.box.x)},
+             {"y", fmt::format("{}", s.box.y)},
+             {"z", fmt::format("{}", s.box.z)},
+             {"classes", class_rows(s)},
+             {"base", s.name},
+             {"calm", is_compacted ? ", 10" : ""},
+             {"show", is_compacted ? ", void ratio %g at %g Pa" : ""},
+             {"shown", is_compacted ? ", *density()" : ""},
+             {"space", has_lid ? "" : "    O.periodic = True\n    O.cell.setBox(x, y, z)\n"},
+             {"particles", file_word(model.particles)},
+             {"young", digits6(s.physics.elasticity.young.convert_to<double>())},
+             {"nu", digits6(s.physics.elasticity.poisson.convert_to<double>())},
+             {"density", short_decimal(s.set.classes.back().density)},
+             {"walls", yade_walls(s)},
+             {"bounds", !has_lid   ? ""
+                        : is_round ? ", Bo1_Wall_Aabb(), Bo1_Facet_Aabb()"
+                                   : ", Bo1_Wall_Aabb()"},
+             {"geometry", !has_lid   ? ""
+                          : is_round ? ", Ig2_Wall_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom()"
+                                     : ", Ig2_Wall_Sphere_ScGeom()"},
+             {"pairs", s.model.materials.empty() ? "" : restitution_of_pairs},
+             {"restitution", s.model.materials.empty() ? digits6(Settling::restitution) : "restitution()"},
+             {"e", digits6(Settling::restitution)},
+             {"gravity", has_lid ? fmt::format("-{}", Settling::gravity) : "0"},
+             {"dt", digits6(s.physics.step)},
+             {"phase", has_lid ? "fill" : "compact"},
+             {"area", area},
+             {"axes", has_lid ? "1" : "3"},
+             {"compaction_look", std::to_string(compaction_look)},
+             {"result", is_compacted ? "*density()" : "void_ratio(top()), density()[1]"},
+             {"inside", has_lid ? inside_walls : "inside = settled\n"},
+             {"dump", s.dump},
+             {"position", has_lid ? "body.state.pos" : "O.cell.wrap(body.state.pos)"}});
 }
 
 } // namespace mdm

@@ -212,8 +212,8 @@ TEST_CASE("each class has its own material in the engines", "[engines]") {
       continue;
     const TemporaryFolder folder;
     const std::string material =
-        folder.write("material.csv",
-                     "class,young_modulus,friction\n1,5e6,0.3\n2,5e6,0.4\n3,6e6,0.5\n4,5e6,0.6\n5,7e6,0.7\n");
+        folder.write("material.csv", "class,young_modulus,friction,restitution\n1,5e6,0.3,0.3\n2,5e6,0.4,0."
+                                     "4\n3,6e6,0.5,0.5\n4,5e6,0.6,0.6\n5,7e6,0.7,0.7\n");
     Model(engine, c778(), {"--material", material, "--steps", "500", "--friction-while-filling", "0.1"})
         .check_settles();
   }

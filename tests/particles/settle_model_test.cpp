@@ -197,10 +197,13 @@ TEST_CASE("models: a type and a material for each class") {
   CHECK(contains(liggghts_model(model), "mesh/surface/stress file sand-lid.stl type 8 "));
   CHECK(contains(lammps_model(model), "\npair_coeff 1 1 ${contact}\n"));
   CHECK(contains(lammps_model(model), "\npair_coeff 7 8 ${contact}\n"));
-  CHECK(contains(yade_model(model), ", 25, 3e+06, 0.25, 0.3),\n") == (set.classes[2].quantity() == 25));
-  // The softest and the smallest have different time steps: the least counts.
+  CHECK(contains(yade_model(model), ", 280, 3e+06, 0.25, 0.3, 0.5),\n"));
+  CHECK(contains(yade_model(model), "en=restitution()"));
+  // The smallest grains are the softest, and set the time step all the same.
   const double of_first = rayleigh_time(set, {1000000, ratio(1, 4)}).convert_to<double>();
-  CHECK(settling(model).rayleigh <= of_first);
+  CHECK(settling(model).rayleigh == Approx(of_first));
+  model.materials.front().elasticity.young = 100000000;
+  CHECK(settling(model).rayleigh == Approx(of_first / 10));
 }
 
 TEST_CASE("models: sizes and counts are those of the set") {
