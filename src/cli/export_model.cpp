@@ -1,6 +1,8 @@
 #include "cli/export_model.hpp"
 
 #include "cli/files.hpp"
+#include "cli/option_values.hpp"
+#include "particles/material_table.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/particles/particle_writer.hpp>
@@ -10,54 +12,73 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cstdlib>
 #include <filesystem>
-#include <numbers>
 
 namespace mdm::cli {
 
 struct ModelEngine {
   const char *name;
   std::string (*script)(const SettleModel &);
-  bool inserts; ///< by itself, where there is no start
   void (*write_particles)(const Placement &, const Sink &);
+  void (*write_classes)(const Placement &, const Sink &); ///< with a type a class
   const char *particles_ending;
-  const char *dump_ending;
+  bool reads_lid;
 };
 
 namespace {
 
 constexpr std::array<ModelEngine, 3> engines = {
-    {{"liggghts", liggghts_model, true, write_lammps_data, ".data", ".dump"},
-     {"lammps", lammps_model, false, write_lammps_data, ".data", ".dump"},
-     {"yade", yade_model, false, write_xyzr, ".xyzr", ".xyzr"}}};
+    {{"liggghts", liggghts_model, write_lammps_data, write_lammps_data_of_classes, ".data", true},
+     {"lammps", lammps_model, write_lammps_data, write_lammps_data_of_classes, ".data", false},
+     {"yade", yade_model, write_xyzr, write_xyzr, ".xyzr", false}}};
 
-ModelBox insertion_box(const ParticleSet &set, const std::optional<Footprint> &floor) {
-  const double largest = set.largest().diameter.value;
-  ModelBox box;
-  box.x = floor ? floor->a.convert_to<double>() : settled_side(set);
-  box.y = floor ? floor->b.convert_to<double>() : box.x;
-  const bool has_height = floor && floor->c;
-  box.z = has_height ? floor->c->convert_to<double>() : 0;
-  if (std::min(box.x, box.y) <= largest || (has_height && box.z <= largest))
-    throw InputError(fmt::format("--box: the largest grain, {} m, does not fit into it: give a larger one",
-                                 set.largest().diameter.text));
-  if (!has_height)
-    box.z = insertion_height(set, box.x, box.y);
-  // LIGGGHTS itself finds out, and says so, where there is a little more room than this.
-  const double grains = std::numbers::pi / 6 * set.cubes().convert_to<double>();
-  if (grains >= box.x * box.y * box.z)
+constexpr std::size_t most_material_bytes = 1000000;
+
+/// A coefficient of friction.
+std::optional<double> friction(const char *option, const GradationFlags::Text &text) {
+  if (!text)
+    return std::nullopt;
+  const Rational mu = not_negative(option, *text);
+  if (mu > 10)
+    throw InputError(std::string(option) + ": " + in_quotes(*text) +
+                     " is no coefficient of friction: give 0 to 10");
+  return mu.convert_to<double>();
+}
+
+std::optional<DensityTarget> density_target(const ExportCommand &c) {
+  if (!c.flags.void_ratio && !c.pressure)
+    return std::nullopt;
+  DensityTarget target;
+  if (c.flags.void_ratio) {
+    const Rational e = positive("--void-ratio", *c.flags.void_ratio);
+    if (e > 100)
+      throw InputError("--void-ratio: " + in_quotes(*c.flags.void_ratio) + " is above 100, which no bed has");
+    target.void_ratio = e.convert_to<double>();
+  } else
+    target.pressure = physical("--stress", *c.pressure).convert_to<double>();
+  if (c.tolerance) {
+    const Rational tolerance = positive("--target-tolerance", *c.tolerance);
+    if (tolerance >= 1 || tolerance < ratio(1, 1000000))
+      throw InputError("--target-tolerance: " + in_quotes(*c.tolerance) + " is not from 1e-6 to below 1");
+    target.tolerance = tolerance.convert_to<double>();
+  }
+  return target;
+}
+
+std::uint64_t steps_of(const std::string &text) {
+  const Integer steps = natural("--steps", text, 0);
+  if (steps > Settling::most_steps)
     throw InputError(
-        fmt::format("--box: the grains have a volume of {:.3g} m^3, the box one of {:.3g} m^3: leave "
-                    "its height out, or give a larger one",
-                    grains, box.x * box.y * box.z));
-  return box;
+        fmt::format("--steps: {} are more than the {} that LAMMPS and LIGGGHTS make in a run: give "
+                    "fewer --steps",
+                    in_quotes(text), Settling::most_steps));
+  return static_cast<std::uint64_t>(steps);
 }
 
 } // namespace
 
-ModelWriter::ModelWriter(const std::string &model, const std::string &to, std::string out, bool has_start)
+ModelWriter::ModelWriter(const std::string &model, const std::string &to, std::string out)
     : engine_(std::find_if(engines.begin(), engines.end(),
                            [&to](const ModelEngine &engine) { return to == engine.name; })),
       out_(std::move(out)) {
@@ -74,29 +95,59 @@ ModelWriter::ModelWriter(const std::string &model, const std::string &to, std::s
       type != std::filesystem::file_type::not_found && type != std::filesystem::file_type::regular)
     throw InputError("-o: " + printable(out_) +
                      " is no regular file, beside which a model's other files could lie: give another name");
-  if (has_start || !engine_->inserts)
-    particles_ = std::filesystem::path(out_).replace_extension(engine_->particles_ending).string();
 }
 
-SettleModel ModelWriter::model(const ParticleSet &set, const std::optional<Placement> &start,
-                               const std::optional<Footprint> &floor) const {
+std::vector<std::string> ModelWriter::other_files() const {
+  const std::filesystem::path out(out_);
+  std::vector<std::string> files{
+      std::filesystem::path(out).replace_extension(engine_->particles_ending).string()};
+  if (engine_->reads_lid)
+    files.push_back((out.parent_path() / (out.stem().string() + "-lid.stl")).string());
+  return files;
+}
+
+SettleModel ModelWriter::model(const ExportCommand &c, const ExportedParticles &found,
+                               const Placement &start) const {
   const auto length = [&start](std::size_t axis) {
-    return std::strtod(start->text(start->box()[axis]).c_str(), nullptr);
+    return std::strtod(start.text(start.box()[axis]).c_str(), nullptr);
   };
-  const ModelBox box = start ? ModelBox{length(0), length(1), length(2)} : insertion_box(set, floor);
-  return {set, box, std::filesystem::path(particles_).filename().string(),
-          std::filesystem::path(out_).stem().string() + "-settled" + engine_->dump_ending};
+  SettleModel model{*found.set,
+                    {length(0), length(1), length(2)},
+                    std::filesystem::path(other_files().front()).filename().string(),
+                    std::filesystem::path(out_).stem().string()};
+  model.space = space(c);
+  model.target = density_target(c);
+  if (c.steps)
+    model.steps = steps_of(*c.steps);
+  const Elasticity e = elasticity(c);
+  if (c.young)
+    model.young = e.young;
+  model.poisson = e.poisson;
+  model.friction = friction("--friction", c.friction).value_or(model.friction);
+  model.friction_while_filling = friction("--friction-while-filling", c.friction_while_filling);
+  model.types_of_classes = c.types == "class" || c.material;
+  if (c.material)
+    model.materials =
+        read_materials(read_file(*c.material, most_material_bytes), shown_name(*c.material), *found.set,
+                       {settling(model).elasticity, Settling::restitution, model.friction});
+  model.verify_options = verify_options(c);
+  model.question = found.question;
+  return model;
 }
 
-void ModelWriter::write(const SettleModel &model, const std::optional<Placement> &start) const {
-  assert(start || particles_.empty());
+void ModelWriter::write(const SettleModel &model, const Placement &start) const {
   Output script(out_);
   script.write(engine_->script(model));
-  if (start) {
-    Output particles(particles_);
-    engine_->write_particles(*start, [&particles](std::string_view text) { particles.write(text); });
-    particles.commit();
+  const std::vector<std::string> files = other_files();
+  Output particles(files.front());
+  (model.types_of_classes ? engine_->write_classes : engine_->write_particles)(
+      start, [&particles](std::string_view text) { particles.write(text); });
+  if (engine_->reads_lid) {
+    Output lid(files.back());
+    lid.write(lid_stl(model.box));
+    lid.commit();
   }
+  particles.commit();
   script.commit();
 }
 

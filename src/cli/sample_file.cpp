@@ -63,9 +63,12 @@ private:
 
 } // namespace
 
+bool is_sample(const std::string &content) {
+  return is_generated(content) || told_format(content).has_value();
+}
+
 bool is_sample_file(const std::string &path) {
-  const std::string begin = first_bytes(path);
-  return is_generated(begin) || told_format(begin).has_value();
+  return is_sample(first_bytes(path));
 }
 
 bool is_generated_file(const std::string &path) {

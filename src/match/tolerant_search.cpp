@@ -48,7 +48,9 @@ struct Sum {
   }
 };
 
-/// An exact linear program of no more numbers takes little time.
+/// With no more numbers the exact linear program takes less time than doubles and the exact bounds of them.
+constexpr std::size_t exact_table = 1600;
+/// With no more numbers it may decide where doubles find nothing.
 constexpr std::size_t small_table = 4096;
 
 /// What a count may be wrong by, relative to typical counts, and at most.
@@ -180,7 +182,7 @@ void TolerantSearch::run() {
 /// Closes a node, or splits it and goes on with the child that seems better.
 void TolerantSearch::step(SearchTree::Number node) {
   for (;;) {
-    if (!best_)
+    if (!best_ || problem_.table_size() <= exact_table)
       return decide_exactly(node);
     if (watch_.ends())
       return;

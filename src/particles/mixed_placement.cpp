@@ -108,9 +108,24 @@ double settled_side(const ParticleSet &set) {
   return std::max(std::cbrt(set.cubes().convert_to<double>()), 2 * set.largest().diameter.value);
 }
 
+Footprint roomy_box(const ParticleSet &set, const std::array<Rational, 3> &ratios) {
+  std::array<double, 3> side{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    side[axis] = ratios[axis].convert_to<double>();
+  const double least = set.largest().diameter.value * 1.01 / *std::min_element(side.begin(), side.end());
+  double scale = least;
+  constexpr double step = 1.02;
+  while (insertion_height(set, scale * side[0], scale * side[1]) > scale * side[2])
+    scale *= step;
+  scale *= step; // radii are rounded up
+  return {Rational(scale * side[0]), Rational(scale * side[1]), Rational(scale * side[2])};
+}
+
 void Placement::choose_mixed_box(const std::optional<Footprint> &floor) {
   const double scale = std::pow(10, places_);
-  if (!floor)
+  if (floor)
+    sides_ = floor->sides;
+  else
     box_[0] = box_[1] = units(Rational(settled_side(*set_)));
   if (floor && floor->c) {
     box_[2] = units(*floor->c);
@@ -118,8 +133,18 @@ void Placement::choose_mixed_box(const std::optional<Footprint> &floor) {
   }
   // Radii are rounded up by less than a hundredth of the smallest size.
   constexpr double rounding = 1.03;
+  // A circle has pi / 4 of the places of its square, and of those that are farther from its side.
+  const double round = sides_ == Sides::cylinder ? 4 / std::numbers::pi : 1;
   const auto side = [&](std::size_t axis) { return static_cast<double>(box_[axis]) / scale; };
-  box_[2] = units(Rational(rounding * insertion_height(*set_, side(0), side(1))));
+  box_[2] = units(Rational(rounding * round * insertion_height(*set_, side(0), side(1))));
+}
+
+/// True if it is r or more away from the side of a cylinder that touches the sides of the box. Decided in
+/// units of half a length.
+bool Placement::is_in_circle(const std::array<std::int64_t, 3> &centre, std::int64_t r) const {
+  __extension__ using Wide = __int128;
+  const Wide dx = 2 * centre[0] - box_[0], dy = 2 * centre[1] - box_[0], room = box_[0] - 2 * r;
+  return dx * dx + dy * dy <= room * room;
 }
 
 void Placement::mix() {
@@ -132,7 +157,8 @@ void Placement::mix() {
     if (std::min({box_[0], box_[1], box_[2]}) < 2 * r)
       throw InputError("the largest particle does not fit into the box: leave the height of --box out");
     const auto is_free = [&](const Point &centre) {
-      return std::all_of(placed.begin(), placed.end(),
+      return (sides_ != Sides::cylinder || is_in_circle(centre, r)) &&
+             std::all_of(placed.begin(), placed.end(),
                          [&](const Cells &cells) { return cells.leave_free(centre, r); });
     };
     for (auto size = c.sizes.rbegin(); size != c.sizes.rend(); ++size)

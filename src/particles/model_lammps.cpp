@@ -1,68 +1,128 @@
-#include "particles/settle_script.hpp"
+#include "particles/settle_phases.hpp"
 
 #include <fmt/core.h>
+
+#include <algorithm>
 
 namespace mdm {
 namespace {
 
-/// The walls at the sides.
-const char *sides(Sides sides) {
-  if (sides == Sides::periodic)
-    return "# The box is that of the data file, repeated in x and y.\n";
-  if (sides == Sides::cylinder)
-    return R"(# The round wall touches the sides of the box in the data file.
-variable half equal (xhi-xlo)/2
-region inside cylinder z $(v_half:%.17g) $(v_half:%.17g) $(v_half:%.17g) INF INF side in units box
-fix side all wall/gran/region granular ${contact} region inside
-)";
-  return R"(# The walls are the sides of the box in the data file.
-fix x all wall/gran granular ${contact} xplane $(xlo:%.17g) $(xhi:%.17g)
-fix y all wall/gran granular ${contact} yplane $(ylo:%.17g) $(yhi:%.17g)
-)";
-}
-
-} // namespace
-
-std::string lammps_model(const SettleModel &model) {
-  const SettleScript s(model);
-  std::string text = s.head("LAMMPS", "lmp -in THIS_FILE", "-var steps 1000", "");
-  text +=
-      fmt::format(R"(
-variable steps index {steps}
-
+const char *const lammps_setting = R"(
 units si
 atom_style sphere
-boundary {boundary}
+boundary @boundary@
 newton off
 comm_modify vel yes
-read_data {particles}
-
-variable contact string "hertz/material {young:.6g} {e} {nu} tangential mindlin NULL 1.0 {mu} damping tsuji"
+if "${go_on} == 0" then "read_data @particles@" else "read_restart @base@.restart"
+@volume@
 pair_style granular
-pair_coeff * * ${{contact}}
-neighbor {skin:.4g} bin
+neighbor @skin@ bin
 neigh_modify delay 0 every 1 check yes
-timestep {dt:.6g}
-
-{sides}fix z all wall/gran granular ${{contact}} zplane $(zlo:%.17g) $(zhi:%.17g)
+timestep @dt@
 fix motion all nve/sphere
-fix gravity all gravity {gravity} vector 0 0 -1
-
+@gravity@
 compute d all property/atom diameter
 compute least all reduce min c_d
-thermo_style custom step atoms ke c_least
+thermo 0
+)";
+
+/// What is computed of a lid, which presses on the grains.
+const char *const lammps_lid = R"(
+# The lid: a plane that sinks from where it is.
+variable since equal ${now}
+variable speed equal 0
+variable lid_start equal ${lid_now}
+variable lid equal v_lid_now-v_speed*(step-v_since)*dt
+variable sunk equal v_lid-v_lid_start
+region lid plane 0 0 ${lid_start} 0 0 -1 move NULL NULL v_sunk units box
+@round@variable up atom z+c_d/2
+compute top all reduce max v_up
+variable top equal c_top
+)";
+
+const char *const volume_below_lid = R"(# The lid is on top of the start at first. There is room above it.
+variable top_of_start equal zhi
+variable top_of_start equal ${top_of_start}
+if "${go_on} == 0" then "variable lid_now equal ${top_of_start}" "variable ceiling equal 1.01*${top_of_start}" "change_box all z final 0 ${ceiling} units box"
+variable area equal @area@
+variable volume equal v_area*v_lid)";
+
+const char *const begin_lid =
+    R"(if "${begun} == 0" then "compute push all reduce sum f_lid[4]" "variable pressure equal (0-c_push)/v_area" "thermo_style custom step atoms ke c_least c_top c_push v_void_ratio v_pressure v_mu" "thermo_modify lost error norm no" "variable begun equal 1"
+)";
+
+const char *const begin_cell = R"(
+compute stress all pressure NULL virial
+variable pressure equal c_stress
+thermo_style custom step atoms ke c_least c_stress v_void_ratio v_mu
 thermo_modify lost error norm no
-thermo 10000
+)";
 
-# Each class, largest first: its sizes, as they are in the data file, and its count.
-run 0
-)",
-                  fmt::arg("steps", s.physics.steps), fmt::arg("boundary", s.boundary()),
-                  fmt::arg("sides", sides(s.sides)), fmt::arg("particles", file_word(model.particles)),
-                  fmt::arg("young", s.young), fmt::arg("e", s.physics.restitution), fmt::arg("nu", s.poisson),
-                  fmt::arg("mu", s.physics.friction), fmt::arg("skin", s.set.smallest().radius.value),
-                  fmt::arg("dt", s.physics.step), fmt::arg("gravity", s.physics.gravity));
+/// The walls' contact is that of the type which stands for walls.
+std::string lammps_walls(const SettleScript &s) {
+  std::string text = "fix floor all wall/gran granular ${wall} zplane 0 NULL\n"
+                     "fix lid all wall/gran/region granular ${wall} region lid contacts\n";
+  if (s.model.space == Space::box)
+    text += "fix x all wall/gran granular ${wall} xplane 0 $(xhi:%.17g)\n"
+            "fix y all wall/gran granular ${wall} yplane 0 $(yhi:%.17g)\n";
+  if (s.model.space == Space::cylinder)
+    text += "fix side all wall/gran/region granular ${wall} region inside\n";
+  return text + begin_lid;
+}
 
+std::string contact_of(const GrainMaterial &m, const std::string &friction) {
+  return fmt::format("\"hertz/material {} {} {} tangential mindlin NULL 1.0 {} damping tsuji\"",
+                     digits6(m.elasticity.young.convert_to<double>()), digits6(m.restitution),
+                     digits6(m.elasticity.poisson.convert_to<double>()), friction);
+}
+
+/// The contact of grains of two classes, when they have their own friction: the lesser of both; stiffness and
+/// restitution are in between.
+std::string contacts_of_classes(const SettleScript &s) {
+  std::string text;
+  for (std::size_t i = 1; i <= s.types(); ++i)
+    for (std::size_t j = i; j <= s.types(); ++j) {
+      const GrainMaterial a = s.material(i), b = s.material(j);
+      const auto mean = [](const Rational &x, const Rational &y) { return Rational((x + y) / 2); };
+      const double young_a = a.elasticity.young.convert_to<double>(),
+                   young_b = b.elasticity.young.convert_to<double>();
+      GrainMaterial both;
+      both.elasticity = {Rational(2 * young_a * young_b / (young_a + young_b)),
+                         mean(a.elasticity.poisson, b.elasticity.poisson)};
+      both.restitution = (a.restitution + b.restitution) / 2;
+      text += fmt::format("variable grip equal ${{own}}*{}+(1-${{own}})*${{mu}}\n"
+                          "variable contact string {}\npair_coeff {} {} ${{contact}}\n",
+                          digits6(std::min(a.friction, b.friction)), contact_of(both, "${grip}"), i, j);
+    }
+  return text;
+}
+
+std::string lammps_contact(const SettleScript &s) {
+  const GrainMaterial wall = s.material(s.types());
+  std::string text;
+  if (s.model.materials.empty())
+    text =
+        "variable contact string " + contact_of(s.material(1), "${grip}") + "\npair_coeff * * ${contact}\n";
+  else
+    text = contacts_of_classes(s);
+  if (s.has_lid())
+    text += "variable wall string " + contact_of(wall, "${mu}") + "\n" + lammps_walls(s);
+  return text;
+}
+
+/// Cylinders stand in the box and touch its sides.
+std::string round_wall(const SettleScript &s) {
+  if (s.model.space != Space::cylinder)
+    return "";
+  return "variable half equal xhi/2\nvariable half equal ${half}\n"
+         "region inside cylinder z ${half} ${half} ${half} INF INF side in units box\n";
+}
+
+/// The count of each class.
+std::string lammps_counts(const SettleScript &s) {
+  std::string text =
+      "\n# Each class, largest first: its sizes, as they are in the data file, and its count.\n"
+      "run 0\n";
   for (auto c = s.set.classes.rbegin(); c != s.set.classes.rend(); ++c)
     text += fmt::format(R"(
 variable inside atom "c_d >= {least} && c_d <= {most}"
@@ -74,15 +134,69 @@ group class delete
                         fmt::arg("least", c->sizes.front().diameter.text),
                         fmt::arg("most", c->sizes.back().diameter.text),
                         fmt::arg("quantity", to_string(c->quantity())), fmt::arg("class_", class_name(*c)));
-
   return text + fmt::format(R"(
 variable n equal atoms
 if "$n != {total}" then "print 'STOP: $n grains are there, not {total}'" "quit 1"
-run ${{steps}}
-if "$n != {total}" then "print 'STOP: $n grains are there at the end, not {total}'" "quit 1"
-write_dump all custom {dump} id type x y z radius modify format float %.17g
 )",
-                            fmt::arg("total", to_string(s.particles)), fmt::arg("dump", s.dump));
+                            fmt::arg("total", to_string(s.particles)));
+}
+
+const char *const lammps_ending =
+    R"(if "$n != @total@" then "print 'STOP: $n grains are there at the end, not @total@'" "quit 1"
+write_dump all custom @dump@ id type x y z radius modify format float %.17g
+write_restart @base@.restart
+# OVITO reads the dump. For ParaView, where LAMMPS has the package VTK: glyphs of type sphere, scaled by radius.
+variable vtk index 0   # or -var vtk 1
+if "${vtk} > 0" then "write_dump all vtk @base@-settled.vtp id type radius vx vy vz"
+)";
+
+std::string volume(const SettleScript &s) {
+  if (!s.has_lid())
+    return "variable volume equal vol\nvariable lid equal 0";
+  return filled(volume_below_lid, {{"area", s.model.space == Space::cylinder ? "PI*xhi^2/4" : "xhi*yhi"}});
+}
+
+} // namespace
+
+std::string lammps_model(const SettleModel &model) {
+  const SettleScript s(model, ".dump");
+  const bool has_lid = s.has_lid();
+  std::string text =
+      s.head({"LAMMPS", "lmp -in THIS_FILE", "-var steps 1000", "lmp -in THIS_FILE -var go_on 1",
+              "With P processes: mpirun -np P lmp -in THIS_FILE", ""});
+  text += phase_variables(s);
+  text +=
+      filled(lammps_setting,
+             {{"boundary", !has_lid                       ? "p p p"
+                           : model.space == Space::pillar ? "p p f"
+                                                          : "f f f"},
+              {"particles", file_word(model.particles)},
+              {"base", s.name},
+              {"volume", volume(s)},
+              {"skin", digits6(s.set.smallest().radius.value)},
+              {"dt", digits6(s.physics.step)},
+              {"gravity",
+               has_lid ? fmt::format("fix gravity all gravity {} vector 0 0 -1", Settling::gravity) : ""}});
+  if (has_lid)
+    text += filled(lammps_lid, {{"round", round_wall(s)}}) + "variable begun equal 0\n";
+  PhaseCommands commands;
+  commands.contact = lammps_contact(s);
+  commands.quit = "\"quit 1\"";
+  if (has_lid) {
+    commands.move = "variable lid_is equal ${lid}\nvariable lid_now equal ${lid_is}\n"
+                    "variable since equal ${now}\nvariable speed equal ${rate}*${lid_now}\n";
+    commands.lower_lid = "variable lid_is equal ${top}\nvariable lid_now equal ${lid_is}\n"
+                         "variable since equal ${now}\n";
+  } else {
+    commands.move = "variable strain equal -${rate}\n"
+                    "fix faces all deform 1 x trate ${strain} y trate ${strain} z trate ${strain} remap x\n";
+    text += begin_cell;
+  }
+  // The first contact, for the lammps_counts; the loop repeats it.
+  text += "\nvariable grip equal ${mu}\n" + commands.contact;
+  text += lammps_counts(s) + phase_loops(s, commands);
+  return text +
+         filled(lammps_ending, {{"total", to_string(s.particles)}, {"dump", s.dump}, {"base", s.name}});
 }
 
 } // namespace mdm

@@ -1,90 +1,125 @@
-#include "particles/liggghts_insertion.hpp"
-#include "particles/settle_script.hpp"
+#include "particles/settle_phases.hpp"
 
 #include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace mdm {
 namespace {
 
-/// The walls at the sides.
-std::string sides(const SettleScript &s) {
-  const std::string wall = "all wall/gran model hertz tangential history primitive type 1";
-  if (s.sides == Sides::periodic)
-    return "";
-  if (s.sides == Sides::cylinder)
-    return fmt::format("fix side {} zcylinder {} {} {}\n", wall, s.box.x / 2, s.box.x / 2, s.box.x / 2);
-  return fmt::format("fix west {0} xplane 0\nfix east {0} xplane {1}\n"
-                     "fix south {0} yplane 0\nfix north {0} yplane {2}\n",
-                     wall, s.box.x, s.box.y);
-}
-
-/// Units, the box, which is empty or read with its grains, material and walls.
-std::string setting(const SettleScript &s, const std::string &box) {
-  return fmt::format(R"(
-variable steps index {steps}
-
+const char *const liggghts_setting = R"(
 atom_style granular
 atom_modify map array
-boundary {boundary}
+boundary @boundary@
 newton off
 communicate single vel yes
 units si
 # Any stiffness is wanted.
 soft_particles yes
 hard_particles yes
-
-{box}
-neighbor {skin:.4g} bin
+if "${go_on} == 0" then "read_data @particles@" else "read_restart @base@.restart"
+# The lid is on top of the start at first. There is room above it.
+variable top_of_start equal zhi
+variable top_of_start equal ${top_of_start}
+if "${go_on} == 0" then "variable lid_now equal ${top_of_start}" "variable ceiling equal 1.01*${top_of_start}" "change_box all z final 0 ${ceiling} units box"
+neighbor @skin@ bin
 neigh_modify delay 0
 
-fix young all property/global youngsModulus peratomtype {young:.6g}
-fix poisson all property/global poissonsRatio peratomtype {nu}
-fix restitution all property/global coefficientRestitution peratomtypepair 1 {e}
-fix friction all property/global coefficientFriction peratomtypepair 1 {mu}
-pair_style gran model hertz tangential history
+@properties@pair_style gran model hertz tangential history
 pair_coeff * *
-timestep {dt:.6g}
+timestep @dt@
 
-{sides}fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0
-fix lid all wall/gran model hertz tangential history primitive type 1 zplane {z}
+@side@fix floor @wall@ primitive type @wall_type@ zplane 0
+# The lid: a mesh that sinks from where it is.
+fix lid all mesh/surface/stress file @base@-lid.stl type @wall_type@ move 0 0 ${lid_now}
+fix lids @wall@ mesh n_meshes 1 meshes lid
+variable lid_start equal ${lid_now}
+variable lid equal v_lid_start+f_lid[9]
+variable area equal @area@
+variable volume equal v_area*v_lid
+variable pressure equal abs(f_lid[3])/v_area
 fix motion all nve/sphere
+fix gravity all gravity @gravity@ vector 0 0 -1
 
-thermo_style custom step atoms ke
-thermo 10000
+compute d all property/atom diameter
+variable up atom z+c_d/2
+compute top all reduce max v_up
+variable top equal c_top
+thermo_style custom step atoms ke c_top f_lid[3] f_lid[9]
+thermo 0
 thermo_modify lost error norm no
-)",
-                     fmt::arg("steps", s.physics.steps), fmt::arg("box", box),
-                     fmt::arg("boundary", s.boundary()), fmt::arg("sides", sides(s)), fmt::arg("z", s.box.z),
-                     fmt::arg("skin", s.set.smallest().diameter.value / 2), fmt::arg("young", s.young),
-                     fmt::arg("nu", s.poisson), fmt::arg("e", s.physics.restitution),
-                     fmt::arg("mu", s.physics.friction), fmt::arg("dt", s.physics.step));
-}
-
-std::string empty_box(const ModelBox &box) {
-  return fmt::format("# LIGGGHTS takes regions of micrometres for mistakes unless told otherwise.\n"
-                     "region mdm_region block 0 {} 0 {} 0 {} units box volume_limit {:.2g}\n"
-                     "create_box 1 mdm_region",
-                     box.x, box.y, box.z, box.x * box.y * box.z / 1000);
-}
-
-std::string insertion(const SettleScript &s) {
-  std::string text = R"(
-# Insertion, largest first: one template and one insertion a size, its count as the running total. The largest
-# template takes part with a weight of 0, because insert/pack finds overlaps with grains up to the largest of its
-# distribution alone. Seeds are distinct primes.
 )";
-  const Sink sink = [&text](std::string_view more) { text += more; };
-  TextBuffer insertion(sink);
-  add_liggghts_insertion(s.set, s.seed - 1, insertion);
-  insertion.finish();
+
+const char *const liggghts_wall = "all wall/gran model hertz tangential history";
+
+/// The walls at the sides.
+std::string liggghts_sides(const SettleScript &s) {
+  if (s.model.space == Space::pillar)
+    return "";
+  if (s.model.space == Space::cylinder)
+    return filled("variable half equal xhi/2\n"
+                  "fix side @wall@ primitive type @type@ zcylinder ${half} ${half} ${half}\n",
+                  {{"wall", liggghts_wall}, {"type", std::to_string(s.types())}});
+  return filled("variable x equal xhi\nvariable y equal yhi\n"
+                "fix west @wall@ primitive type @type@ xplane 0\n"
+                "fix east @wall@ primitive type @type@ xplane ${x}\n"
+                "fix south @wall@ primitive type @type@ yplane 0\n"
+                "fix north @wall@ primitive type @type@ yplane ${y}\n",
+                {{"wall", liggghts_wall}, {"type", std::to_string(s.types())}});
+}
+
+/// A value for each pair of types, line after line of their table.
+template <class Value>
+std::string pairs(const SettleScript &s, Value value) {
+  std::string text;
+  for (std::size_t i = 1; i <= s.types(); ++i)
+    for (std::size_t j = 1; j <= s.types(); ++j)
+      text += " " + value(s.material(i), s.material(j));
   return text;
 }
 
+std::string friction_of_pairs(const SettleScript &s) {
+  // Grains of one material have that of the variable; else those of the classes, the lesser of both.
+  if (s.model.materials.empty())
+    return fmt::format(
+        "fix friction all property/global coefficientFriction peratomtypepair {}{}\n", s.types(),
+        pairs(s, [](const GrainMaterial &, const GrainMaterial &) { return std::string("${grip}"); }));
+  std::string text;
+  std::size_t n = 0;
+  for (std::size_t i = 1; i <= s.types(); ++i)
+    for (std::size_t j = 1; j <= s.types(); ++j)
+      text += fmt::format("variable grip{} equal ${{own}}*{}+(1-${{own}})*${{mu}}\n", ++n,
+                          digits6(std::min(s.material(i).friction, s.material(j).friction)));
+  text += fmt::format("fix friction all property/global coefficientFriction peratomtypepair {}", s.types());
+  for (std::size_t i = 1; i <= n; ++i)
+    text += fmt::format(" ${{grip{}}}", i);
+  return text + "\n";
+}
+
+/// Constants of the types and of their pairs.
+std::string properties(const SettleScript &s) {
+  std::string young, poisson;
+  for (std::size_t type = 1; type <= s.types(); ++type) {
+    const Elasticity &e = s.material(type).elasticity;
+    young += " " + digits6(e.young.convert_to<double>());
+    poisson += " " + digits6(e.poisson.convert_to<double>());
+  }
+  return fmt::format(
+             "fix young all property/global youngsModulus peratomtype{}\n"
+             "fix poisson all property/global poissonsRatio peratomtype{}\n"
+             "fix restitution all property/global coefficientRestitution peratomtypepair {}{}\n"
+             "variable grip equal ${{mu}}\n",
+             young, poisson, s.types(),
+             pairs(s, [](const GrainMaterial &a,
+                         const GrainMaterial &b) { return digits6((a.restitution + b.restitution) / 2); })) +
+         friction_of_pairs(s);
+}
+
 /// The count of each class among the grains that were read.
-std::string counts(const SettleScript &s) {
+std::string liggghts_counts(const SettleScript &s) {
   std::string text = R"(
 # Each class, largest first: its sizes, as they are in the data file, and its count.
-compute d all property/atom diameter
 )";
   for (auto c = s.set.classes.rbegin(); c != s.set.classes.rend(); ++c)
     text += fmt::format(R"(
@@ -100,33 +135,53 @@ variable n delete
                         fmt::arg("most", c->sizes.back().diameter.text),
                         fmt::arg("quantity", to_string(c->quantity())), fmt::arg("class_", class_name(*c)));
   return text + R"(
-thermo_style custom step atoms ke
-variable mdm_count equal atoms
-run 1
+thermo_style custom step atoms ke c_top f_lid[3] f_lid[9]
+thermo_modify lost error norm no
+variable n equal atoms
 )";
 }
+
+const char *const liggghts_ending =
+    R"(if "$n != @total@" then "print 'STOP: $n grains are there at the end, not @total@'" quit
+write_dump all custom @dump@ id type x y z radius modify format "%d %d %.17g %.17g %.17g %.17g"
+write_restart @base@.restart
+# For ParaView: glyphs of type sphere, scaled by radius.
+write_dump all custom/vtk @base@-settled.vtp id type radius vx vy vz
+)";
 
 } // namespace
 
 std::string liggghts_model(const SettleModel &model) {
-  const SettleScript s(model);
-  const std::string head = s.head("LIGGGHTS", "liggghts -in THIS_FILE", "-var steps 1000", "");
-  const std::string begin = model.deposited
-                                ? setting(s, "read_data " + file_word(model.particles)) + counts(s)
-                                : setting(s, empty_box(s.box)) + insertion(s);
-  return head + begin +
-         fmt::format(R"(
-# There was no gravity yet: what moves was put into another.
-variable energy equal ke
-if "${{energy}} > 0" then "print 'STOP: grains overlap'" quit
-
-fix gravity all gravity {gravity} vector 0 0 -1
-run ${{steps}}
-if "${{mdm_count}} != {total}" then "print 'STOP: ${{mdm_count}} grains are there at the end, not {total}'" quit
-write_dump all custom {dump} id type x y z radius modify format "%d %d %.17g %.17g %.17g %.17g"
-)",
-                     fmt::arg("gravity", s.physics.gravity), fmt::arg("total", to_string(s.particles)),
-                     fmt::arg("dump", s.dump));
+  if (model.space == Space::periodic_cell)
+    throw InputError("LIGGGHTS has no model of a box that is repeated on all sides: take lammps or yade");
+  check_simulated(model.set);
+  const SettleScript s(model, ".dump");
+  PhaseCommands commands;
+  commands.contact = "unfix friction\n" + friction_of_pairs(s);
+  commands.move =
+      "variable speed equal -${rate}*${lid}\nfix sinking all move/mesh mesh lid linear 0 0 ${speed}\n";
+  commands.lower_lid = "variable down equal ${top}-${lid}\n"
+                       "variable speed equal ${down}/dt\n"
+                       "fix sinking all move/mesh mesh lid linear 0 0 ${speed}\nrun 1\n";
+  commands.quit = "quit";
+  const std::string types = std::to_string(s.types());
+  return s.head({"LIGGGHTS", "liggghts -in THIS_FILE", "-var steps 1000",
+                 "liggghts -in THIS_FILE -var go_on 1",
+                 "With P processes: mpirun -np P liggghts -in THIS_FILE", ""}) +
+         phase_variables(s) +
+         filled(liggghts_setting, {{"boundary", model.space == Space::pillar ? "p p f" : "f f f"},
+                                   {"particles", file_word(model.particles)},
+                                   {"skin", digits6(s.set.smallest().radius.value)},
+                                   {"properties", properties(s)},
+                                   {"dt", digits6(s.physics.step)},
+                                   {"side", liggghts_sides(s)},
+                                   {"wall", liggghts_wall},
+                                   {"wall_type", types},
+                                   {"base", s.name},
+                                   {"area", model.space == Space::cylinder ? "PI*xhi^2/4" : "xhi*yhi"},
+                                   {"gravity", fmt::format("{}", Settling::gravity)}}) +
+         liggghts_counts(s) + phase_loops(s, commands) +
+         filled(liggghts_ending, {{"total", to_string(s.particles)}, {"dump", s.dump}, {"base", s.name}});
 }
 
 } // namespace mdm

@@ -1,76 +1,284 @@
-#include "particles/settle_script.hpp"
+#include "particles/yade_course.hpp"
 
 #include <fmt/core.h>
 
 namespace mdm {
+namespace {
 
-std::string yade_model(const SettleModel &model) {
-  const SettleScript s(model);
-  std::string text = s.head("YADE", "yade -n -x THIS_FILE", "yade -n -x THIS_FILE 1000", " --size-unit m");
-  text += fmt::format(R"(
+const char *const yade_begin = R"(
+import json
 import sys
-from math import atan
+from math import atan, cos, pi, tan
 
-steps = int(sys.argv[1]) if len(sys.argv) > 1 else {steps}
+from yade import export, geom
 
+# What may be changed.
+steps = int(sys.argv[1]) if len(sys.argv) > 1 else @steps@  # while the grains settle, at most, in whole looks
+go_on = sys.argv[2] if len(sys.argv) > 2 else None  # restart file
+friction_while_filling = @filling@  # and while they are compacted; of the walls, too
+at_rest = @at_rest@  # kinetic energy, J
+most_unbalanced = 0.01  # at rest: mean force on a grain by mean contact force
+look = min(steps, @look@)  # steps between two looks
+@target@solids = @solids@  # m^3
+x, y, z = @x@, @y@, @z@  # of the start
 
-def material(density):
-    return FrictMat(young={young:.6g}, poisson={nu}, frictionAngle=atan({mu}), density=density)
-
-
-box = O.materials.append(material({density}))
-for axis, length in enumerate(({x}, {y}, {z})):
-    O.bodies.append([wall(0, axis, sense=1, material=box), wall(length, axis, sense=-1, material=box)])
-walls = len(O.bodies)
-
-# Each class, largest first: its name, density, least and greatest radius as they are in the file, and its count.
+# Each class, largest first: its name, density, least and greatest radius as they are in the file, its count, and its
+# grains' Young's modulus, Poisson's ratio, friction and restitution.
 classes = [
-)",
-                      fmt::arg("steps", s.physics.steps), fmt::arg("young", s.young),
-                      fmt::arg("nu", s.poisson), fmt::arg("mu", s.physics.friction),
-                      fmt::arg("density", short_decimal(s.set.classes.back().density)),
-                      fmt::arg("x", s.box.x), fmt::arg("y", s.box.y), fmt::arg("z", s.box.z));
-  for (auto c = s.set.classes.rbegin(); c != s.set.classes.rend(); ++c)
-    text += fmt::format("    ('{}', {}, {}, {}, {}),\n", class_name(*c), short_decimal(c->density),
-                        c->sizes.front().radius.text, c->sizes.back().radius.text, to_string(c->quantity()));
-  return text + fmt::format(R"(]
-with open('{particles}') as file:
-    grains = [tuple(map(float, line.split())) for line in file if line.strip() and not line.startswith('#')]
-total = 0
-for name, density, least, most, count in classes:
-    of_class = O.materials.append(material(density))
-    O.bodies.append([sphere((x, y, z), r, material=of_class) for x, y, z, r in grains if least <= r <= most])
-    total += count
-    if len(O.bodies) - walls != total:
-        sys.exit('STOP: %s: %d grains are there, not %d' % (name, len(O.bodies) - walls, total))
+@classes@]
+total = sum(row[4] for row in classes)
 
-O.engines = [
-    ForceResetter(),
-    InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()]),
-    InteractionLoop(
-        [Ig2_Sphere_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()],
-        [Ip2_FrictMat_FrictMat_MindlinPhys(en={e}, es={e})],
-        [Law2_ScGeom_MindlinPhys_Mindlin()]),
-    NewtonIntegrator(gravity=(0, 0, -{gravity}), damping=0),
-]
-O.dt = {dt:.6g}
-for done in range(0, steps, 10000):
-    O.run(min(10000, steps - done), True)
-    print('step %d: kinetic energy %g J' % (O.iter, kineticEnergy()), flush=True)
 
+def stop(message):
+    print('STOP: ' + message, flush=True)
+    sys.exit('STOP: ' + message)
+
+
+def set_friction():
+    """Gives each class its own friction, or all grains that of the state."""
+    for number, row in enumerate(classes):
+        O.materials[number + 1].frictionAngle = atan(row[7] if state['own'] else state['friction'])
+    for contact in O.interactions:
+        pair = (O.bodies[contact.id1].material, O.bodies[contact.id2].material)
+        contact.phys.tangensOfFrictionAngle = tan(min(material.frictionAngle for material in pair))
+
+
+def is_at_rest(times=1):
+    return kineticEnergy() < times * at_rest and unbalancedForce() < times * most_unbalanced
+
+
+def save():
+    O.tags['state'] = json.dumps(state).replace(' ', '')
+    O.save('@base@.restart.gz')
+
+
+def run(count):
+    O.run(count, True)
+    state['looks'] += 1
+    print('step %d, %s: kinetic energy %g J@show@' % (O.iter, state['phase'], kineticEnergy()@shown@), flush=True)
+    if state['looks'] % 20 == 0:
+        save()
+
+
+def rest(last, times=1):
+    """Runs until the grains are at rest, or so many times above it, but no further than the step last."""
+    while O.iter < last and (state['looks'] == 0 or not is_at_rest(times)):
+        run(look)
+    if not is_at_rest(times):
+        print('NOTE: not at rest yet after %d steps' % O.iter, flush=True)
+
+
+@pairs@def build():
+@space@    with open('@particles@') as file:
+        grains = [tuple(map(float, line.split())) for line in file if line.strip() and not line.startswith('#')]
+    O.materials.append(FrictMat(young=@young@, poisson=@nu@, frictionAngle=atan(friction_while_filling), density=@density@))
+@walls@    without_grains = len(O.bodies)
+    found = 0
+    for number, (name, density, least, most, count, young, poisson, friction, _) in enumerate(classes):
+        material = O.materials.append(FrictMat(
+            young=young, poisson=poisson, frictionAngle=atan(friction_while_filling), density=density, label=name))
+        color = (1 - number / len(classes), 0.5, number / len(classes))
+        O.bodies.append([
+            sphere((x, y, z), r, material=material, color=color) for x, y, z, r in grains if least <= r <= most])
+        found += count
+        if len(O.bodies) - without_grains != found:
+            stop('%s: %d grains are there, not %d' % (name, len(O.bodies) - without_grains, found))
+    O.engines = [
+        ForceResetter(),
+        InsertionSortCollider([Bo1_Sphere_Aabb()@bounds@]),
+        InteractionLoop(
+            [Ig2_Sphere_Sphere_ScGeom()@geometry@],
+            [Ip2_FrictMat_FrictMat_MindlinPhys(en=@restitution@, es=@restitution@)],
+            [Law2_ScGeom_MindlinPhys_Mindlin()]),
+        NewtonIntegrator(gravity=(0, 0, @gravity@), damping=0),
+    ]
+    O.dt = @dt@
+
+
+if go_on:
+    O.load(go_on)
+    state = json.loads(O.tags['state'])
+else:
+    build()
+    state = dict(phase='@phase@', friction=friction_while_filling, own=False, looks=0)
+)";
+
+/// Where classes have materials of their own.
+const char *const restitution_of_pairs = R"(def restitution():
+    """Of two materials their mean; that of the walls is the first."""
+    of_materials = [@e@] + [row[8] for row in classes]
+    return MatchMaker(matches=tuple(
+        (i, j, (a + b) / 2) for i, a in enumerate(of_materials) for j, b in enumerate(of_materials) if i <= j))
+
+
+)";
+
+const char *const lid_functions = R"(
+lid = 1
+
+
+def height():
+    return O.bodies[lid].state.pos[2]
+
+
+def top():
+    return max(body.state.pos[2] + body.shape.radius for body in O.bodies if isinstance(body.shape, Sphere))
+
+
+def void_ratio(of_height):
+    return @area@ * of_height / solids - 1
+
+
+def density():
+    """Void ratio, and pressure on the lid."""
+    return void_ratio(height()), O.forces.f(lid)[2] / @area@
+
+
+def compact(rate):
+    O.bodies[lid].state.vel = (0, 0, -rate * height())
+
+)";
+
+const char *const cell_functions = R"(
+
+def density():
+    """Void ratio, and mean pressure."""
+    return O.cell.volume / solids - 1, -getStress().trace() / 3
+
+
+def compact(rate):
+    O.cell.velGrad = Matrix3(-rate, 0, 0, 0, -rate, 0, 0, 0, -rate)
+
+)";
+
+const char *const yade_ending = R"(
+print('RESULT after %d steps: void ratio %g, pressure %g Pa' % (O.iter, @result@), flush=True)
 settled = [body for body in O.bodies if isinstance(body.shape, Sphere)]
-inside = [body for body in settled if all(0 < p < length for p, length in zip(body.state.pos, ({x}, {y}, {z})))]
-if len(inside) != total:
-    sys.exit('STOP: %d grains are in the box at the end, not %d' % (len(inside), total))
-with open('{dump}', 'w') as file:
+@inside@if len(inside) != total:
+    stop('%d grains are in the box at the end, not %d' % (len(inside), total))
+with open('@dump@', 'w') as file:
     file.write('# x y z r in m\n')
     for body in settled:
-        file.write('%r %r %r %r\n' % (*body.state.pos, body.shape.radius))
-)",
-                            fmt::arg("particles", file_word(model.particles)),
-                            fmt::arg("e", s.physics.restitution), fmt::arg("gravity", s.physics.gravity),
-                            fmt::arg("dt", s.physics.step), fmt::arg("x", s.box.x), fmt::arg("y", s.box.y),
-                            fmt::arg("z", s.box.z), fmt::arg("dump", s.dump));
+        file.write('%r %r %r %r\n' % (*@position@, body.shape.radius))
+save()
+# For ParaView: glyphs of type sphere, scaled by radius.
+export.VTKExporter('@base@-settled').exportSpheres()
+)";
+
+std::string class_rows(const SettleScript &s) {
+  std::string text;
+  for (std::size_t i = s.set.classes.size(); i > 0; --i) {
+    const ParticleClass &c = s.set.classes[i - 1];
+    const GrainMaterial m = s.material(i);
+    text += fmt::format("    ('{}', {}, {}, {}, {}, {}, {}, {}, {}),\n", class_name(c),
+                        short_decimal(c.density), c.sizes.front().radius.text, c.sizes.back().radius.text,
+                        to_string(c.quantity()), digits6(m.elasticity.young.convert_to<double>()),
+                        digits6(m.elasticity.poisson.convert_to<double>()), digits6(m.friction),
+                        digits6(m.restitution));
+  }
+  return text;
+}
+
+std::string target_lines(const SettleScript &s) {
+  if (!s.model.target)
+    return "";
+  const DensityTarget &t = *s.model.target;
+  return filled("target = @target@  # @quantity@\n"
+                "tolerance = @tolerance@  # of it@relative@\n"
+                "most_pressure = @pressure@  # Pa\n"
+                "most_rate = @rate@  # 1/s, of the strain: inertial number 0.003 at that pressure\n"
+                "most_compacting = @compacting@  # steps\n",
+                {{"target", digits6(t.void_ratio ? *t.void_ratio : t.pressure)},
+                 {"quantity", t.void_ratio ? "void ratio" : "Pa"},
+                 {"tolerance", digits6(t.tolerance)},
+                 {"relative", t.void_ratio ? "" : ", a part"},
+                 {"pressure", digits6(s.physics.most_pressure)},
+                 {"rate", digits6(s.physics.rate)},
+                 {"compacting", std::to_string(s.physics.most_compacting)}});
+}
+
+/// Facets around a cylinder: a prism that touches it.
+constexpr int facets = 60;
+
+std::string yade_walls(const SettleScript &s) {
+  if (!s.has_lid())
+    return "";
+  std::string text =
+      "    O.bodies.append([wall(0, 2, sense=1, material=0), wall(z, 2, sense=-1, material=0)])\n";
+  if (s.model.space == Space::cylinder)
+    return text +
+           fmt::format(
+               "    # A prism of {0} sides, which the cylinder touches: its area is by 0.09 % larger.\n"
+               "    O.bodies.append(geom.facetCylinder(\n"
+               "        (x / 2, x / 2, z / 2), x / 2 / cos(pi / {0}), z, segmentsNumber={0}, wallMask=4,\n"
+               "        material=0))\n",
+               facets);
+  return text +
+         "    for axis, length in enumerate((x, y)):\n"
+         "        O.bodies.append([\n"
+         "            wall(0, axis, sense=1, material=0), wall(length, axis, sense=-1, material=0)])\n";
+}
+
+const char *const inside_walls = "inside = [body for body in settled if all(0 < p < length for p, length in "
+                                 "zip(body.state.pos, (x, y, z)))]\n";
+
+} // namespace
+
+std::string yade_model(const SettleModel &model) {
+  if (model.space == Space::pillar)
+    throw InputError("YADE has no model of a box that is repeated in x and y alone: take lammps or liggghts");
+  const SettleScript s(model, ".xyzr");
+  const bool has_lid = s.has_lid(), is_round = model.space == Space::cylinder;
+  const std::string area =
+      is_round ? fmt::format("({} * tan(pi / {}) * x**2 / 4)", facets, facets) : "(x * y)";
+  std::string text = s.head({"YADE", "yade -n -x THIS_FILE", "yade -n -x THIS_FILE 1000",
+                             "yade -n -x THIS_FILE STEPS NAME.restart.gz",
+                             "On P cores: yade -n -j P -x THIS_FILE", " --size-unit m"});
+  text += yade_begin;
+  text += has_lid ? lid_functions : cell_functions;
+  text += yade_course(s);
+  text += yade_ending;
+  const bool is_compacted = model.target.has_value();
+  return filled(
+      text, {{"steps", std::to_string(s.physics.steps)},
+             {"filling", digits6(s.friction_while_filling())},
+             {"at_rest", digits6(s.physics.rest_energy)},
+             {"look", std::to_string(s.physics.look)},
+             {"target", target_lines(s)},
+             {"solids", digits17(s.physics.solids)},
+             {"x", fmt::format("{}", s.box.x)},
+             {"y", fmt::format("{}", s.box.y)},
+             {"z", fmt::format("{}", s.box.z)},
+             {"classes", class_rows(s)},
+             {"base", s.name},
+             {"calm", is_compacted ? ", 10" : ""},
+             {"show", is_compacted ? ", void ratio %g at %g Pa" : ""},
+             {"shown", is_compacted ? ", *density()" : ""},
+             {"space", has_lid ? "" : "    O.periodic = True\n    O.cell.setBox(x, y, z)\n"},
+             {"particles", file_word(model.particles)},
+             {"young", digits6(s.physics.elasticity.young.convert_to<double>())},
+             {"nu", digits6(s.physics.elasticity.poisson.convert_to<double>())},
+             {"density", short_decimal(s.set.classes.back().density)},
+             {"walls", yade_walls(s)},
+             {"bounds", !has_lid   ? ""
+                        : is_round ? ", Bo1_Wall_Aabb(), Bo1_Facet_Aabb()"
+                                   : ", Bo1_Wall_Aabb()"},
+             {"geometry", !has_lid   ? ""
+                          : is_round ? ", Ig2_Wall_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom()"
+                                     : ", Ig2_Wall_Sphere_ScGeom()"},
+             {"pairs", s.model.materials.empty() ? "" : restitution_of_pairs},
+             {"restitution", s.model.materials.empty() ? digits6(Settling::restitution) : "restitution()"},
+             {"e", digits6(Settling::restitution)},
+             {"gravity", has_lid ? fmt::format("-{}", Settling::gravity) : "0"},
+             {"dt", digits6(s.physics.step)},
+             {"phase", has_lid ? "fill" : "compact"},
+             {"area", area},
+             {"axes", has_lid ? "1" : "3"},
+             {"compaction_look", std::to_string(compaction_look)},
+             {"result", is_compacted ? "*density()" : "void_ratio(top()), density()[1]"},
+             {"inside", has_lid ? inside_walls : "inside = settled\n"},
+             {"dump", s.dump},
+             {"position", has_lid ? "body.state.pos" : "O.cell.wrap(body.state.pos)"}});
 }
 
 } // namespace mdm

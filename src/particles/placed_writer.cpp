@@ -23,13 +23,18 @@ std::string box_line(const Placement &start) {
                      start.sides() == Sides::periodic ? ", repeated in x and y" : "");
 }
 
-} // namespace
-
-void write_lammps_data(const Placement &start, const Sink &out) {
+/// \param is_typed each class has a type of its own, from 1 on, and there is one more for walls
+void write_data(const Placement &start, bool is_typed, const Sink &out) {
   const ParticleSet &set = start.set();
   TextBuffer text(out);
-  text.add("{}\n# {}\n# {}\n\n{} atoms\n1 atom types\n\n", title(set), mass_statement(set), box_line(start),
-           to_string(set.particles()));
+  text.add("{}\n# {}\n# {}\n", title(set), mass_statement(set), box_line(start));
+  if (is_typed)
+    text.add("# Type {} is of walls; the others are the classes:\n", set.classes.size() + 1);
+  for (std::size_t i = 0; is_typed && i < set.classes.size(); ++i)
+    text.add("# {} class {} ({}, {}]\n", i + 1, set.classes[i].number, short_decimal(set.classes[i].lower),
+             short_decimal(set.classes[i].upper));
+  text.add("\n{} atoms\n{} atom types\n\n", to_string(set.particles()),
+           is_typed ? set.classes.size() + 1 : 1);
   for (std::size_t axis = 0; axis < 3; ++axis)
     text.add("0 {} {}lo {}hi\n", start.text(start.box()[axis]), "xyz"[axis], "xyz"[axis]);
   text.add("\nAtoms # sphere\n\n");
@@ -38,10 +43,20 @@ void write_lammps_data(const Placement &start, const Sink &out) {
     densities.push_back(short_decimal(c.density));
   std::uint64_t id = 0;
   start.each([&](const Placement::Sphere &s) {
-    text.add("{} 1 {} {} {} {} {}\n", ++id, s.size->diameter.text, densities[s.class_index],
-             start.text(s.at[0]), start.text(s.at[1]), start.text(s.at[2]));
+    text.add("{} {} {} {} {} {} {}\n", ++id, is_typed ? s.class_index + 1 : 1, s.size->diameter.text,
+             densities[s.class_index], start.text(s.at[0]), start.text(s.at[1]), start.text(s.at[2]));
   });
   text.finish();
+}
+
+} // namespace
+
+void write_lammps_data(const Placement &start, const Sink &out) {
+  write_data(start, false, out);
+}
+
+void write_lammps_data_of_classes(const Placement &start, const Sink &out) {
+  write_data(start, true, out);
 }
 
 void write_xyzr(const Placement &start, const Sink &out) {

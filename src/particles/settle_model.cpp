@@ -1,4 +1,4 @@
-#include "particles/settle_script.hpp"
+#include "particles/settle_model.hpp"
 
 #include <mdm/particles/particle_writer.hpp>
 #include <mdm/text/error.hpp>
@@ -7,20 +7,78 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace mdm {
 
-Settling settling(const SettleModel &model) {
+namespace {
+
+/// Young's modulus is this many times the highest pressure while compacting.
+constexpr double stiffness_by_pressure = 2000;
+
+double mass(const ParticleSet &set) {
+  double sum = 0;
+  for (const ParticleClass &c : set.classes)
+    for (const ParticleSize &size : c.sizes)
+      sum += std::numbers::pi / 6 * c.density.convert_to<double>() * size.quantity.convert_to<double>() *
+             std::pow(size.diameter.value, 3);
+  return sum;
+}
+
+/// Of the material that is the least favourable, where classes differ.
+double rayleigh_of(const SettleModel &model, const Elasticity &elasticity) {
+  if (model.materials.empty())
+    return rayleigh_time(model.set, elasticity).convert_to<double>();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < model.set.classes.size(); ++i) {
+    ParticleSet of_class = model.set;
+    of_class.classes = {model.set.classes[i]};
+    least = std::min(least, rayleigh_time(of_class, model.materials[i].elasticity).convert_to<double>());
+  }
+  return least;
+}
+
+double softest(const SettleModel &model, const Elasticity &elasticity) {
+  Rational least = elasticity.young;
+  for (const GrainMaterial &m : model.materials)
+    least = &m == &model.materials.front() ? m.elasticity.young : std::min(least, m.elasticity.young);
+  return least.convert_to<double>();
+}
+
+/// The steps of compaction: a strain at the greatest rate, and friction that is lowered meanwhile.
+void set_compaction(const SettleModel &model, double softest_young, Settling &s) {
+  const DensityTarget &target = *model.target;
+  s.most_pressure = target.void_ratio ? softest_young / stiffness_by_pressure : target.pressure;
+  const double size = std::cbrt(6 / std::numbers::pi * s.solids / model.set.particles().convert_to<double>());
+  const double density = mass(model.set) / s.solids;
+  constexpr double inertial_number = 0.003;
+  s.rate = inertial_number / (size * std::sqrt(density / s.most_pressure));
+  constexpr double usual_strain = 0.2, friction_steps = 100.0 * static_cast<double>(compaction_look),
+                   ample = 10;
+  const double expected = usual_strain / (s.rate * s.step) + friction_steps;
+  s.compacting = static_cast<std::uint64_t>(std::min<double>(expected, Settling::most_steps));
+  s.most_compacting = static_cast<std::uint64_t>(std::min<double>(ample * expected, Settling::most_steps));
+}
+
+double softened_young(const SettleModel &model) {
   Rational densest = 0;
   for (const ParticleClass &c : model.set.classes)
     densest = std::max(densest, c.density);
+  const double weight = densest.convert_to<double>() * Settling::gravity * model.box.z;
+  const double pressure = model.target && !model.target->void_ratio ? model.target->pressure : 0;
+  return std::max({5e6, std::ceil(1e4 * weight), std::ceil(stiffness_by_pressure * pressure)});
+}
+
+} // namespace
+
+Settling settling(const SettleModel &model) {
   Settling s;
-  const double weight = densest.convert_to<double>() * s.gravity * model.box.z;
-  s.elasticity.young = model.young ? *model.young : Rational(std::max(5e6, std::ceil(1e4 * weight)));
+  s.elasticity.young = model.young ? *model.young : Rational(softened_young(model));
   s.elasticity.poisson = model.poisson;
-  s.rayleigh = rayleigh_time(model.set, s.elasticity).convert_to<double>();
+  s.rayleigh = rayleigh_of(model, s.elasticity);
   s.step = s.part_of_rayleigh * s.rayleigh;
-  const double falls = model.deposited ? 1 : 3;
+  constexpr double falls = 3;
   const double steps = model.steps ? static_cast<double>(*model.steps)
                                    : std::ceil(falls * std::sqrt(2 * model.box.z / s.gravity) / s.step);
   if (steps > Settling::most_steps)
@@ -29,7 +87,21 @@ Settling settling(const SettleModel &model) {
                     "fewer --steps, a softer --young, or a lower --box",
                     steps, Settling::most_steps));
   s.steps = static_cast<std::uint64_t>(steps);
+  const double smallest = model.set.smallest().diameter.value;
+  constexpr double part_of_size = 0.1;
+  s.look = static_cast<std::uint64_t>(
+      std::clamp<double>(std::ceil(std::sqrt(2 * part_of_size * smallest / s.gravity) / s.step), 100, 1e8));
+  s.solids = std::numbers::pi / 6 * model.set.cubes().convert_to<double>();
+  s.rest_energy = s.part_at_rest * mass(model.set) * s.gravity * smallest;
+  if (model.target)
+    set_compaction(model, softest(model, s.elasticity), s);
   return s;
+}
+
+double specimen_height(const SettleModel &model, double void_ratio) {
+  // Both have pi / 6 or pi / 4.
+  const double cubes = model.set.cubes().convert_to<double>() / (model.box.x * model.box.y);
+  return (1 + void_ratio) * cubes * (model.space == Space::cylinder ? 2.0 / 3 : std::numbers::pi / 6);
 }
 
 std::string share_tolerance(const ParticleSet &set) {
@@ -42,97 +114,6 @@ std::string share_tolerance(const ParticleSet &set) {
     ++places;
   return short_decimal(ceil(Rational((100 * set.share_error + points) * power_of_ten(places))),
                        static_cast<int>(places));
-}
-
-namespace {
-
-/// True if a size is so near to the upper sieve of its class that 17 digits of it may lie above.
-bool reaches_sieve(const ParticleSet &set) {
-  constexpr double nearly = 1 - 1e-15; // what is farther away than that, rounding leaves below
-  for (const ParticleClass &c : set.classes) {
-    const double most = nearly * c.upper.convert_to<double>();
-    for (const ParticleSize &size : c.sizes)
-      if (std::max(size.diameter.value, 2 * size.radius.value) > most)
-        return true;
-  }
-  return false;
-}
-
-} // namespace
-
-std::string file_word(const std::string &name) {
-  const bool plain = !name.empty() && name[0] != '-' && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
-           c == '_' || c == '-' || c == '+';
-  });
-  if (!plain)
-    throw InputError(
-        "a model's files have names of letters, digits and . _ - + alone, which no engine takes for "
-        "its own signs: give such a name to -o");
-  return name;
-}
-
-std::string comment_word(const std::string &text) {
-  std::string word;
-  for (const char c : text)
-    word += c >= ' ' && c <= '~' && std::string_view("&$`\\\"'").find(c) == std::string_view::npos ? c : '_';
-  return word;
-}
-
-std::string class_name(const ParticleClass &c) {
-  return fmt::format("class {} ({}, {}]", c.number, short_decimal(c.lower), short_decimal(c.upper));
-}
-
-SettleScript::SettleScript(const SettleModel &m)
-    : set(m.set), box(m.box), physics(settling(m)), young(physics.elasticity.young.convert_to<double>()),
-      poisson(physics.elasticity.poisson.convert_to<double>()), dump(file_word(m.dump)), seed(m.seed),
-      verify_options(m.verify_options), question(m.question), is_softer(!m.young), sides(m.sides),
-      particles(m.set.particles()) {
-  if (set.unit != LengthUnit::m)
-    throw InputError("a model is in SI units: leave out --unit");
-}
-
-std::string SettleScript::verification(const char *engine_options) const {
-  if (!verify_options)
-    return "# mdm verify needs a gradation, and here is a band alone: only the counts are checked, as they "
-           "come in.\n";
-  std::string text =
-      fmt::format("# Then: mdm verify GRADATION {}{}{}{} --tolerance {}\n", dump, engine_options,
-                  *verify_options, reaches_sieve(set) ? " --snap 1e-15" : "", share_tolerance(set));
-  if (!question.empty())
-    text +=
-        fmt::format("# (GRADATION, --pan-size, --cut-below and --size-factor as mdm solve had them: {}.)\n",
-                    comment_word(question));
-  if (set.share_error > 0)
-    text += "# The shares of the mass are off by that many percentage points, as was asked for.\n";
-  return text;
-}
-
-std::string SettleScript::head(const char *engine, const char *command, const char *more_steps,
-                               const char *engine_options) const {
-  return fmt::format(
-      R"(# {name}: {n} grains settle in a box. Written by mdm export for {engine}; SI units.
-# The mass of each class is exact to {error} of itself, the count of each is exact, and checked as it comes in.{law}
-# Run it in its folder: {command}   (fewer or more steps: {more_steps})
-{verification}#
-# Material: E = {young:.4g} Pa, nu = {nu}, restitution {e}, friction {mu}.{softness}
-# Time step: a fifth of the Rayleigh time of the smallest grain,
-# pi R sqrt(rho/G) / (0.1631 nu + 0.8766) = {rayleigh:.4g} s with G = E / (2 (1 + nu)).
-# {steps} step{plural}: {time:.3g} s; a fall from the top of the box takes {fall:.3g} s.
-)",
-      fmt::arg("name", set.name.empty() ? "grains" : comment_word(set.name)),
-      fmt::arg("n", to_string(particles)), fmt::arg("engine", engine), fmt::arg("error", stated_error(set)),
-      fmt::arg("law", set.law.is_sphere() ? "" : "\n#" + law_statement(set)), fmt::arg("command", command),
-      fmt::arg("more_steps", more_steps), fmt::arg("verification", verification(engine_options)),
-      fmt::arg("young", young), fmt::arg("nu", poisson), fmt::arg("e", physics.restitution),
-      fmt::arg("mu", physics.friction),
-      fmt::arg("softness", is_softer ? " E is softer than rock to save steps:\n# 10^4 times the weight of a "
-                                       "column as high as the box, 5 MPa at least."
-                                     : ""),
-      fmt::arg("rayleigh", physics.rayleigh), fmt::arg("steps", physics.steps),
-      fmt::arg("plural", physics.steps == 1 ? "" : "s"),
-      fmt::arg("time", static_cast<double>(physics.steps) * physics.step),
-      fmt::arg("fall", std::sqrt(2 * box.z / physics.gravity)));
 }
 
 } // namespace mdm

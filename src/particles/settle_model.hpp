@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Complete models of LIGGGHTS, LAMMPS and YADE that let a set settle in a box.
+/// Complete models of LIGGGHTS, LAMMPS and YADE that let a set settle in a specimen, and compact it.
 
 #include "particles/cost.hpp"
 
@@ -15,59 +15,104 @@ struct ModelBox {
   double x = 0, y = 0, z = 0;
 };
 
+/// The space that grains are in.
+enum class Space {
+  box,          ///< with four walls, floor and lid
+  cylinder,     ///< with a round wall, floor and lid
+  pillar,       ///< with floor and lid, repeated in x and y
+  periodic_cell ///< repeated on all sides, without gravity
+};
+
+/// The density that a model is to reach: a void ratio, or else a pressure.
+struct DensityTarget {
+  std::optional<double> void_ratio;
+  double pressure = 0; ///< Pa, where there is no void ratio
+  /// Of the void ratio; of the pressure this part of itself.
+  double tolerance = 0.01;
+};
+
+/// What grains are made of, beside their density.
+struct GrainMaterial {
+  Elasticity elasticity;
+  double restitution = 0.5, friction = 0.5;
+};
+
 /// A set that is to settle, and the names of the files of its model, which lie side by side.
 struct SettleModel {
   const ParticleSet &set; ///< in m
-  ModelBox box;
-  std::string particles;                   ///< what LAMMPS (a data file) and YADE (`x y z r` a line) read
-  std::string dump;                        ///< what the model writes at its end, for `mdm verify`
-  std::uint64_t seed = 1;                  ///< of the insertion of LIGGGHTS
-  std::optional<std::uint64_t> steps = {}; ///< instead of those of Settling
+  ModelBox box;           ///< of the start
+  std::string particles;  ///< what LAMMPS, LIGGGHTS (a data file) and YADE (`x y z r` a line) read
+  std::string name;       ///< files that the model writes begin with it
+  Space space = Space::box;
+  std::optional<DensityTarget> target = {};
+  std::optional<std::uint64_t> steps = {}; ///< while settling at most, instead of those of Settling
   std::optional<Rational> young = {};      ///< instead of that of Settling
   Rational poisson = ratio(1, 4);
+  double friction = 0.5;
+  std::optional<double> friction_while_filling = {}; ///< and while compacting; open: friction
+  /// Of the classes of the set, one each; empty: all are of one material.
+  std::vector<GrainMaterial> materials = {};
+  /// Each class has a type of its own, 1 for the smallest, and walls the next; else all are of type 1.
+  bool types_of_classes = false;
   /// The options with which `mdm verify` takes the gradation as it was asked for, for example ` --law
   /// power:2`; nothing: there is none, but a band.
   std::optional<std::string> verify_options = "";
   /// An answer's question in words, which `verify_options` may lack.
   std::string question = {};
-  /// The particles are a deposit: LIGGGHTS, too, reads them, as LAMMPS does, and inserts none.
-  bool deposited = false;
-  /// Of the box, for LIGGGHTS and LAMMPS; models of YADE have walls.
-  Sides sides = Sides::walls;
 };
 
-/// The material and the time of a model, in SI units.
+/// The material, the time and the scales of a model, in SI units.
 struct Settling {
-  static constexpr double friction = 0.5, restitution = 0.5, gravity = 9.81;
+  static constexpr double restitution = 0.5, gravity = 9.81;
   /// The time step is this part of the Rayleigh time.
   static constexpr double part_of_rayleigh = 0.2;
+  /// At rest the kinetic energy is below this part of the weight times the smallest size: of 10,000 grains
+  /// one may fall by its size still. Grains are compacted from ten times that on.
+  static constexpr double part_at_rest = 1e-4;
+  /// LAMMPS and LIGGGHTS refuse longer runs.
+  static constexpr std::uint32_t most_steps = 2147483647;
 
   /// Young's modulus is softer than that of rock to save steps, and stiff enough for overlaps of some percent
-  /// of a size at the impact of a fall from the top: 10^4 rho g height, and 5 MPa at least.
+  /// of a size: 10^4 rho g height, 2000 times the pressure that is asked for, and 5 MPa at least.
   Elasticity elasticity;
   double rayleigh = 0; ///< of the set, s
   double step = 0;     ///< s
-  /// Three times as many as for a fall from the top of the box; of a deposit, as many.
+  /// While settling at most: three times as many as for a fall from the top of the box; of a deposit, as
+  /// many.
   std::uint64_t steps = 0;
-  /// LAMMPS and LIGGGHTS refuse longer runs.
-  static constexpr std::uint32_t most_steps = 2147483647;
+  std::uint64_t look = 0;        ///< steps between two looks: a fall by a tenth of the smallest size
+  double solids = 0;             ///< volume of the grains, m^3
+  double rest_energy = 0;        ///< kinetic energy at rest, J
+  double most_pressure = 0;      ///< while compacting, Pa: overlaps of a percent
+  double rate = 0;               ///< of compaction at most, 1/s: inertial number 0.003 at that pressure
+  std::uint64_t compacting = 0;  ///< steps of compaction that are expected
+  std::uint64_t most_compacting; ///< and at most
 };
+
+/// Steps between two looks while compacting: some contact times.
+inline constexpr std::uint64_t compaction_look = 200;
 
 /// The material and the time of the model. \throws InputError if it has more steps than most_steps
 Settling settling(const SettleModel &model);
+
+/// Height of the specimen at a void ratio, in m. \pre it has a lid
+double specimen_height(const SettleModel &model, double void_ratio);
 
 /// Percentage points by which no share can be off the gradation's in a sample with these sizes, rounded up:
 /// what to give to `mdm verify --tolerance`.
 std::string share_tolerance(const ParticleSet &set);
 
-/// Each is an input script that is run in its folder; it stops with a message where a count is wrong.
-/// LIGGGHTS and LAMMPS take `-var steps N`, YADE the number of steps as its argument.
+/// Each is an input script that is run in its folder; it stops with a message where a count is wrong or the
+/// density that is asked for cannot be reached.
 /// \throws InputError if the set is not in m, a file's name has characters that scripts could take for their
-/// own, or LIGGGHTS cannot count so many
+/// own, the engine has no such space, or there are more steps than most_steps
 std::string liggghts_model(const SettleModel &model);
 /// The same for LAMMPS.
 std::string lammps_model(const SettleModel &model);
 /// The same for YADE.
 std::string yade_model(const SettleModel &model);
+
+/// The lid of LIGGGHTS' models, which they read from the file `NAME-lid.stl`: a square at height 0.
+std::string lid_stl(const ModelBox &box);
 
 } // namespace mdm

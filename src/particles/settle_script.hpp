@@ -5,6 +5,9 @@
 
 #include <mdm/text/error.hpp>
 
+#include <initializer_list>
+#include <utility>
+
 namespace mdm {
 
 /// The name of a file that is a word in any script. \throws InputError if it has other characters
@@ -16,30 +19,45 @@ std::string comment_word(const std::string &text);
 /// `class 2 (0.00015, 0.0003]`, in m.
 std::string class_name(const ParticleClass &c);
 
+/// A number with six digits, as it stands in scripts.
+std::string digits6(double x);
+/// With 17, from which the same double is read.
+std::string digits17(double x);
+
+/// The text with each `@name@` replaced.
+std::string filled(std::string text,
+                   std::initializer_list<std::pair<const char *, std::string>> replacements);
+
+/// How a model is run, for its first lines.
+struct RunCommands {
+  const char *engine, *run, *fewer_steps, *go_on, *in_parallel;
+  const char *verify_options;
+};
+
 /// The model with its numbers.
 struct SettleScript {
-  explicit SettleScript(const SettleModel &m);
+  /// \param ending of the file that is written at the end
+  SettleScript(const SettleModel &m, const char *ending);
 
-  /// The model's purpose, the command that runs it, and its assumptions; as comments.
-  std::string head(const char *engine, const char *command, const char *more_steps,
-                   const char *engine_options) const;
-
-  /// `p p f` or `f f f`: the sides of the box in the words of LAMMPS.
-  const char *boundary() const { return sides == Sides::periodic ? "p p f" : "f f f"; }
+  /// The model's purpose, the commands that run it, and its assumptions; as comments.
+  std::string head(const RunCommands &commands) const;
 
   /// The command that verifies the model's result; as comments.
   std::string verification(const char *engine_options) const;
 
+  bool has_lid() const { return model.space != Space::periodic_cell; }
+  double friction_while_filling() const { return model.friction_while_filling.value_or(model.friction); }
+  /// True if grains have another friction at the end than while they settle.
+  bool changes_friction() const;
+  std::size_t types() const { return model.types_of_classes ? set.classes.size() + 1 : 1; }
+  /// The material of a type, from 1 on.
+  GrainMaterial material(std::size_t type) const;
+
+  const SettleModel &model;
   const ParticleSet &set;
   ModelBox box;
   Settling physics;
-  double young, poisson;
-  std::string dump;
-  std::uint64_t seed;
-  std::optional<std::string> verify_options;
-  std::string question;
-  bool is_softer; ///< than rock
-  Sides sides;
+  std::string name, dump;
   Integer particles;
 };
 

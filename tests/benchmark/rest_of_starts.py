@@ -30,14 +30,16 @@ def settled(name, question, start):
         with open(path, encoding="utf-8") as file:
             model = file.read()
         with open(path, "w", encoding="utf-8") as file:
-            file.write(model.replace("\nfix gravity", f"\nthermo {EVERY}\nreset_timestep 0\nfix gravity"))
-        log = subprocess.run(["liggghts", "-in", "sand.in"], cwd=folder, check=True, capture_output=True, text=True).stdout
+            file.write(model.replace("\nthermo 0\n", f"\nthermo {EVERY}\n"))
+        # At no time at rest.
+        log = subprocess.run(["liggghts", "-in", "sand.in", "-var", "at_rest", "1e-300"], cwd=folder, check=True,
+                             capture_output=True, text=True).stdout
         with open(os.path.join(folder, "sand-settled.dump"), encoding="ascii") as file:
             rows = file.read().partition("ITEM: ATOMS")[2].splitlines()[1:]
     radii = [float(row.split()[5]) for row in rows]
     weight = sum(4 / 3 * math.pi * 2650 * r ** 3 for r in radii) * 9.81
     energies = [(int(step), float(energy)) for step, energy in
-                re.findall(rf"^ *(\d+) +{len(radii)} +(\S+) *$", log[log.rindex("Setting up run"):], re.MULTILINE)]
+                re.findall(rf"^ *(\d+) +{len(radii)} +(\S+) ", log, re.MULTILINE)]
     steps = energies[-1][0]
     rests = []
     for part in PARTS:

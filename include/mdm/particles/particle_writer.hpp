@@ -35,6 +35,8 @@ void write_mercurydpm(const ParticleSet &set, const Sink &out);
 
 /// Data file of LAMMPS and LIGGGHTS, atom_style sphere, one type.
 void write_lammps_data(const Placement &start, const Sink &out);
+/// The same with a type for each class of the set, 1 for the smallest, and one more for walls.
+void write_lammps_data_of_classes(const Placement &start, const Sink &out);
 
 /// `x y z r` a line below comments, for YADE's ymport.text.
 void write_xyzr(const Placement &start, const Sink &out);

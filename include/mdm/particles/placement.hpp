@@ -18,13 +18,17 @@ void check_simulated(const ParticleSet &set);
 
 /// The ground that particles start on; lengths in the unit of the set.
 struct Footprint {
-  Rational a, b;              ///< the sides
-  std::optional<Rational> c;  ///< height that must do; open: as high as the start needs
-  Sides sides = Sides::walls; ///< others are for Start::deposit alone; of a cylinder a and b are its diameter
+  Rational a, b;             ///< the sides
+  std::optional<Rational> c; ///< height that must do; open: as high as the start needs
+  /// Layers have walls, a mixed start walls or a cylinder, of which a and b are the diameter.
+  Sides sides = Sides::walls;
 };
 
 /// The square that fits into a circle of that diameter, its side cut to 15 digits.
 Footprint inscribed_square(const Rational &diameter);
+
+/// A box with sides in the ratios of these, in which a mixed start has room; in the unit of the set.
+Footprint roomy_box(const ParticleSet &set, const std::array<Rational, 3> &ratios);
 
 /// A height of a box for insertion at random places, largest first, without overlaps: each try finds a place
 /// with a chance of a fifth or more, because what particles keep free of others' centres is at most four
@@ -62,8 +66,9 @@ using StartProgress = std::function<void(std::size_t)>;
 /// inside the box.
 ///
 /// Mixed, a particle is put where no centre is within R + R' of its own, decided in integers: the distance of
-/// doubles is the same at least. The box is insertion_height() high. In a deposit too, decided in integers,
-/// with an R for each size; the box is as high as its highest particle.
+/// doubles is the same at least; so is the distance from the axis of a cylinder. The box is
+/// insertion_height() high, by 4 / pi more for a cylinder. In a deposit too, decided in integers, with an R
+/// for each size; the box is as high as its highest particle.
 ///
 /// Cost: each() takes some 100 ns a particle. Layers need memory that does not depend on their number, a
 /// mixed start some 80 bytes and a us or two a particle, a deposit some 200 bytes and 10 us or more.
@@ -123,6 +128,7 @@ private:
   void set_height(const Footprint &floor);
   void choose_floor(const std::optional<Footprint> &floor);
   void choose_mixed_box(const std::optional<Footprint> &floor);
+  bool is_in_circle(const std::array<std::int64_t, 3> &centre, std::int64_t r) const;
   void mix();
   Footprint deposit_ground(const std::optional<Footprint> &floor) const;
   void choose_deposit_unit(const Footprint &ground);

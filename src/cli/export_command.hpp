@@ -1,0 +1,55 @@
+#pragma once
+/// \file
+/// What the user asks mdm export for.
+
+#include "cli/output_flags.hpp"
+#include "cli/reading_flags.hpp"
+#include "cli/solve_flags.hpp"
+#include "particles/cost.hpp"
+
+#include <mdm/particles/particle_writer.hpp>
+
+#include <vector>
+
+namespace mdm::cli {
+
+/// A format that export writes: sizes alone, or particles in their places.
+struct ExportFormat {
+  const char *name;
+  void (*write)(const ParticleSet &, const Sink &);
+  void (*write_placed)(const Placement &, const Sink &);
+  unsigned bytes; ///< of the engine's memory for a particle; 0: not known
+  double rate;    ///< grains by steps that the engine makes in a second of one core; 0: not known
+};
+
+struct ExportCommand {
+  GradationFlags::Text file; ///< open: the band alone
+  SolveFlags flags;
+  std::vector<CLI::Option *> solving; ///< options that only a gradation has a use for
+  GradationFlags::Text unit, size_unit, density, mass_error, box, seed, young, poisson, model, steps, start,
+      sides, pressure, tolerance, friction, friction_while_filling, types, material;
+  ReadingFlags reading;
+  std::string to;
+  OutputFlags output;
+  bool spread = false;
+  bool periodic = false; ///< on all sides
+  bool yes_huge = false;
+  bool yes_units = false;
+};
+
+std::string export_format_names();
+/// \throws InputError if --to is none
+const ExportFormat &export_format(const ExportCommand &c);
+
+/// A positive number that engines compute with as a double.
+Rational physical(const std::string &option, const std::string &text);
+
+std::uint64_t seed_of(const ExportCommand &c);
+Elasticity elasticity(const ExportCommand &c);
+
+/// Refuses options that do not go together, or that the format has no use for.
+void check_export(const ExportCommand &c, const ExportFormat &format);
+/// Refuses options that only particles of a gradation have a use for.
+void check_export_of_packing(const ExportCommand &c);
+
+} // namespace mdm::cli

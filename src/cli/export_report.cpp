@@ -1,0 +1,174 @@
+#include "cli/export_report.hpp"
+
+#include "cli/files.hpp"
+#include "text/lines.hpp"
+
+#include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mdm::cli {
+namespace {
+
+/// Above this number, --yes-huge is required.
+constexpr std::uint64_t huge = 10000000;
+/// Boxes and sizes beyond these, in m, are mostly wrong units.
+const Rational &largest_box() {
+  static const Rational side = 100;
+  return side;
+}
+const Rational &smallest_size() {
+  static const Rational micrometre = ratio(1, 1000000);
+  return micrometre;
+}
+
+/// \throws InputError if a side of that many metres looks like a mistake
+void check_side(const ExportCommand &c, const Rational &side) {
+  if (!c.yes_units && side > largest_box())
+    throw InputError(fmt::format("the particles need a box of {} m, more than 100 m: is the unit of the "
+                                 "gradation right, and --box wide enough? --yes-units if they are",
+                                 approximate(side, 3)));
+}
+
+/// `1.5 MB`, three digits of it.
+std::string bytes_text(const Integer &bytes) {
+  constexpr int step = 1000;
+  Rational n = bytes;
+  std::size_t i = 0;
+  constexpr std::array<const char *, 5> units = {"bytes", "kB", "MB", "GB", "TB"};
+  for (; n >= step && i + 1 < units.size(); ++i)
+    n /= step;
+  return approximate(n, 3) + " " + units.at(i);
+}
+
+/// The digits that two bounds of a number have in common, four at most.
+std::string certain_digits(const std::pair<Rational, Rational> &bounds) {
+  unsigned digits = 4;
+  while (digits > 1 && approximate(bounds.first, digits) != approximate(bounds.second, digits))
+    --digits;
+  return approximate(bounds.first, digits);
+}
+
+/// Runs above these seconds are long.
+constexpr double long_run = 600;
+
+std::string time_text(double seconds) {
+  constexpr double minute = 60, hour = 3600, day = 86400;
+  if (seconds < 2 * minute)
+    return fmt::format("some {:.2g} s", seconds);
+  if (seconds < 2 * hour)
+    return fmt::format("some {:.2g} minutes", seconds / minute);
+  return seconds < 3 * day ? fmt::format("some {:.2g} hours", seconds / hour)
+                           : fmt::format("some {:.2g} days", seconds / day);
+}
+
+/// What makes a long run shorter.
+std::string cheaper(const ExportFormat &format, const SettleModel &model, double seconds) {
+  const std::string parallel = format.write_placed == write_xyzr ? "yade -n -j 4"
+                               : format.write == write_liggghts  ? "mpirun -np 4 liggghts -in"
+                                                                 : "mpirun -np 4 lmp -in";
+  constexpr double tenfold = 10;
+  std::string text = fmt::format("shorter: {} FILE;", parallel);
+  if (model.materials.empty())
+    text += fmt::format(" --young {} takes {}, with overlaps 4.6 times as large;",
+                        short_decimal(Rational(settling(model).elasticity.young / 10)),
+                        time_text(seconds / std::sqrt(tenfold)));
+  return text + " a larger smallest sieve (--cut-below) or a --tolerance needs fewer grains and longer "
+                "steps, see mdm "
+                "tradeoff; in quasi-static runs a --density 100 times as high takes a tenth of the steps, "
+                "and weighs "
+                "100 times as much\n";
+}
+
+} // namespace
+
+void check_wanted(const ExportCommand &c, const ExportFormat &format, const ParticleSet &set,
+                  const Placement *start) {
+  if (!c.yes_huge && set.particles() > huge && format.write != write_size_csv)
+    throw InputError(fmt::format("{} particles are more than {}: --yes-huge if that is wanted; else a "
+                                 "--tolerance or --cut-below needs fewer, and --to csv writes counts alone",
+                                 to_string(set.particles()), huge));
+  if (format.bytes > 0)
+    check_simulated(set);
+  if (c.yes_units)
+    return;
+  const Rational smallest = in_metres(set, set.smallest().diameter.decimal());
+  if (smallest < smallest_size())
+    throw InputError(fmt::format("particles of {} m are below 1 um: is the unit of the gradation right? "
+                                 "--yes-units if it is, --cut-below leaves fine classes out",
+                                 approximate(smallest, 3)));
+  Rational side = loose_side(set);
+  if (start)
+    for (const std::int64_t length : start->box())
+      side = std::max(side, in_metres(set, parse_decimal(start->text(length))));
+  check_side(c, side);
+}
+
+std::string cost_guide(const ExportFormat &format, const ParticleSet &set, const Placement *start,
+                       const Elasticity &e) {
+  std::string text = fmt::format(
+      "{} particles; Rayleigh time {} s (E = {} Pa, nu = {}): take some 20 % of it as time step\n",
+      to_string(set.particles()), approximate(rayleigh_time(set, e), 3), short_decimal(e.young),
+      short_decimal(e.poisson));
+  if (format.bytes > 0)
+    text += fmt::format("memory of {}: some {} ({} bytes a particle, more where sizes are far apart)\n",
+                        format.name, bytes_text(Integer(set.particles() * format.bytes)), format.bytes);
+  if (format.write == write_mercurydpm)
+    text += "MercuryDPM draws sizes at random from the shares: its counts are not exact\n";
+  const bool has_no_comments = format.write_placed == write_esys || format.write_placed == write_lethe;
+  if (has_no_comments && !set.law.is_sphere())
+    text += law_statement(set).substr(1) + "\n";
+  if (start)
+    text +=
+        fmt::format("{}: {} x {} x {} {}{}, void ratio {}; no two particles overlap\n",
+                    start->sides() == Sides::cylinder ? "cylinder in a box" : "box",
+                    start->text(start->box()[0]), start->text(start->box()[1]), start->text(start->box()[2]),
+                    name(set.unit), start->sides() == Sides::periodic ? ", repeated in x and y" : "",
+                    certain_digits(start->void_ratio()));
+  return text;
+}
+
+std::string how_to_verify(const ExportCommand &c, const ExportFormat &format,
+                          const ExportedParticles &found) {
+  const ParticleSet &set = *found.set;
+  const std::optional<std::string> options = verify_options(c);
+  if (!options || !found.has_gradation || c.file == "-" || c.output.path() == "-" ||
+      format.write == write_mercurydpm)
+    return "";
+  const std::string unit =
+      format.write == write_size_csv ? "" : " --size-unit " + std::string(name(set.unit));
+  return fmt::format("check it by: mdm verify {} {}{}{} --tolerance {}\n", shell_word(*c.file),
+                     shell_word(c.output.path()), *options, unit, share_tolerance(set));
+}
+
+std::string model_guide(const ExportFormat &format, const SettleModel &model) {
+  const Settling s = settling(model);
+  const double grains = model.set.particles().convert_to<double>();
+  const auto cpu = [&](std::uint64_t steps) { return grains * static_cast<double>(steps) / format.rate; };
+  std::string text = "model:";
+  double seconds = 0;
+  if (model.space != Space::periodic_cell) {
+    seconds = cpu(s.steps);
+    text += fmt::format(" {} step{} of {:.3g} s at most while settling, up to {};", s.steps,
+                        s.steps == 1 ? "" : "s", s.step, time_text(seconds));
+  }
+  if (model.target) {
+    seconds += cpu(s.compacting);
+    text += fmt::format(" some {} steps of {:.3g} s of compaction, {};", s.compacting, s.step,
+                        time_text(cpu(s.compacting)));
+  }
+  text += fmt::format(" of a core of 2.1 GHz at {:.2g} grains by steps a second\n", format.rate);
+  if (model.target && model.target->void_ratio && model.space != Space::periodic_cell)
+    text += fmt::format("at void ratio {:.6g} the specimen is {:.6g} m high\n", *model.target->void_ratio,
+                        specimen_height(model, *model.target->void_ratio));
+  if (seconds > long_run)
+    text += cheaper(format, model, seconds);
+  return text + "its first lines say how to run it and to verify what it leaves\n";
+}
+
+} // namespace mdm::cli

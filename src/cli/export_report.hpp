@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// What mdm export says about the file, the model and the simulation.
+
+#include "cli/export_space.hpp"
+
+namespace mdm::cli {
+
+/// Warnings about what a user may not have meant. \param start none yet: null
+void check_wanted(const ExportCommand &c, const ExportFormat &format, const ParticleSet &set,
+                  const Placement *start);
+
+/// The cost of a step, and the start of the particles.
+std::string cost_guide(const ExportFormat &format, const ParticleSet &set, const Placement *start,
+                       const Elasticity &e);
+
+/// Steps and time of the model, and what makes it cheaper.
+std::string model_guide(const ExportFormat &format, const SettleModel &model);
+
+/// The command that judges the file; empty where there is none to judge, or no exact counts in it.
+std::string how_to_verify(const ExportCommand &c, const ExportFormat &format, const ExportedParticles &found);
+
+} // namespace mdm::cli

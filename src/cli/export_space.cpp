@@ -1,0 +1,163 @@
+#include "cli/export_space.hpp"
+
+#include "cli/files.hpp"
+#include "cli/option_values.hpp"
+#include "cli/progress.hpp"
+
+#include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <atomic>
+
+namespace mdm::cli {
+namespace {
+
+/// Reads `AxB` or `AxBxC`. \param unit  of lengths without one, and of the result
+Footprint parse_box(const std::string &text, SizeUnit unit) {
+  std::vector<Rational> lengths;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('x', begin), text.size());
+    lengths.push_back(length("--box", text.substr(begin, end - begin)).in(unit));
+    begin = end + 1;
+  }
+  if (lengths.size() < 2 || lengths.size() > 3)
+    throw InputError("--box: " + in_quotes(text) + " is neither AxB nor AxBxC: write for example 50x50");
+  return {lengths[0], lengths[1], lengths.size() == 3 ? std::optional(lengths[2]) : std::nullopt};
+}
+
+/// The ground in the unit of the gradation, or of the answer; open: none was asked for.
+std::optional<Footprint> asked_ground(const ExportCommand &c, SizeUnit unit) {
+  if (c.box)
+    return parse_box(*c.box, unit);
+  const std::optional<Solids> shape = specimen(c, unit);
+  if (!shape)
+    return std::nullopt;
+  if (const Box *const box = std::get_if<Box>(&*shape))
+    return Footprint{box->a, box->b, std::nullopt};
+  const Rational &diameter = std::get<Cylinder>(*shape).diameter;
+  return space(c) == Space::cylinder ? Footprint{diameter, diameter, std::nullopt}
+                                     : inscribed_square(diameter);
+}
+
+/// The ratios of the sides of a box that is repeated on all sides.
+std::array<Rational, 3> cell_ratios(const ExportCommand &c) {
+  if (c.box) {
+    const Footprint box = parse_box(*c.box, SizeUnit::mm);
+    if (!box.c)
+      throw InputError("--box: a periodic box has three sides, of which the ratios count: write AxBxC");
+    return {box.a, box.b, *box.c};
+  }
+  const std::optional<Solids> shape = specimen(c, SizeUnit::mm);
+  if (!shape)
+    return {1, 1, 1};
+  const Box &box = std::get<Box>(*shape);
+  return {box.a, box.b, box.c};
+}
+
+Sides sides(Space space) {
+  return space == Space::cylinder ? Sides::cylinder : space == Space::pillar ? Sides::periodic : Sides::walls;
+}
+
+/// Above this number, particles are mixed by request alone: it takes seconds and memory.
+constexpr std::uint64_t most_mixed = 1000000;
+
+/// True if a deposit has room on the ground.
+bool has_room_for_deposit(const ParticleSet &set, const std::optional<Footprint> &ground) {
+  if (set.particles() > most_deposited)
+    return false;
+  const Rational least = (least_widths + ratio(1, 1000)) * set.largest().diameter.decimal();
+  return !ground || std::min(ground->a, ground->b) >= least;
+}
+
+/// The densest start that serves where a density is asked for; else the quickest that mixes the sizes.
+Start start_of_model(const ExportCommand &c, const ExportedParticles &found) {
+  const bool has_target = c.flags.void_ratio || c.pressure;
+  const bool is_many = found.set->particles() > most_mixed;
+  if (c.periodic)
+    return Start::mixed;
+  if ((has_target || (is_many && space(c) == Space::cylinder)) &&
+      has_room_for_deposit(*found.set, footprint(c, found)))
+    return Start::deposit;
+  return is_many && space(c) == Space::box ? Start::layers : Start::mixed;
+}
+
+} // namespace
+
+std::optional<Solids> specimen(const ExportCommand &c, SizeUnit unit) {
+  if (c.box || !c.flags.specimen)
+    return std::nullopt;
+  return named("--specimen", *c.flags.specimen, [&c, unit](const std::string &text) {
+    return parse_specimen(text, c.flags.void_ratio.value_or("0"), unit);
+  });
+}
+
+Space space(const ExportCommand &c) {
+  if (c.periodic)
+    return Space::periodic_cell;
+  if (c.sides)
+    return *c.sides == "cylinder" ? Space::cylinder : *c.sides == "periodic" ? Space::pillar : Space::box;
+  const std::optional<Solids> shape = specimen(c, SizeUnit::mm);
+  const bool has_round_start = c.model ? c.start != "layers" : c.start == "deposit" || c.start == "mixed";
+  return has_round_start && shape && std::holds_alternative<Cylinder>(*shape) ? Space::cylinder : Space::box;
+}
+
+std::optional<Footprint> footprint(const ExportCommand &c, const ExportedParticles &found) {
+  if (c.periodic)
+    return roomy_box(*found.set, cell_ratios(c));
+  std::optional<Footprint> floor = asked_ground(c, found.unit);
+  if (!floor) {
+    if (space(c) == Space::box)
+      return floor;
+    floor = deposit_square(*found.set);
+    floor->sides = sides(space(c));
+    return floor;
+  }
+  if (space(c) == Space::cylinder && floor->a != floor->b)
+    throw InputError("--sides cylinder: its box is as long as wide: give --box its diameter twice");
+  floor->sides = sides(space(c));
+  const Rational unit = in_mm(length_unit(found.unit)) / in_mm(found.set->unit);
+  floor->a *= unit;
+  floor->b *= unit;
+  if (floor->c)
+    *floor->c *= unit;
+  return floor;
+}
+
+Start start_of(const ExportCommand &c, const ExportedParticles &found) {
+  if (!c.start)
+    return c.model ? start_of_model(c, found) : Start::layers;
+  if (*c.start == "deposit")
+    return Start::deposit;
+  return *c.start == "mixed" ? Start::mixed : Start::layers;
+}
+
+Placement placed(const ExportCommand &c, const ExportedParticles &found) {
+  std::atomic<std::size_t> lying{0};
+  const Progress progress([&lying] { return fmt::format("placing, {} particles lie", lying.load()); },
+                          c.output.quiet || start_of(c, found) != Start::deposit);
+  return {*found.set, footprint(c, found), seed_of(c), start_of(c, found),
+          [&lying](std::size_t n) { lying = n; }};
+}
+
+void tell_rounding(const ExportCommand &c, const ExportedParticles &found, const Placement &start) {
+  const std::optional<Footprint> asked = footprint(c, found);
+  const std::optional<Solids> shape = specimen(c, SizeUnit::mm);
+  if (shape && std::holds_alternative<Cylinder>(*shape) && space(c) == Space::box && !c.output.quiet)
+    tell("note: layers stand on the square inside the cylinder; --start mixed or deposit fills it\n");
+  const bool is_exact = !c.periodic && (c.box || (shape && std::holds_alternative<Box>(*shape)));
+  if (!asked || !is_exact || c.output.quiet)
+    return;
+  const auto tell_side = [&](const Rational &side, std::int64_t units) {
+    if (side * power_of_ten(start.places()) != Rational(units))
+      tell(fmt::format("note: the box's side of {} {} was rounded down to {}\n", approximate(side, 17),
+                       name(found.set->unit), start.text(units)));
+  };
+  tell_side(asked->a, start.box()[0]);
+  tell_side(asked->b, start.box()[1]);
+  if (asked->c)
+    tell_side(*asked->c, start.box()[2]);
+}
+
+} // namespace mdm::cli

@@ -1,0 +1,186 @@
+#include "particles/settle_script.hpp"
+
+#include <mdm/particles/particle_writer.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mdm {
+namespace {
+
+/// True if a size is so near to the upper sieve of its class that 17 digits of it may lie above.
+bool reaches_sieve(const ParticleSet &set) {
+  constexpr double nearly = 1 - 1e-15; // what is farther away than that, rounding leaves below
+  for (const ParticleClass &c : set.classes) {
+    const double most = nearly * c.upper.convert_to<double>();
+    for (const ParticleSize &size : c.sizes)
+      if (std::max(size.diameter.value, 2 * size.radius.value) > most)
+        return true;
+  }
+  return false;
+}
+
+} // namespace
+
+std::string file_word(const std::string &name) {
+  const bool plain = !name.empty() && name[0] != '-' && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+           c == '_' || c == '-' || c == '+';
+  });
+  if (!plain)
+    throw InputError(
+        "a model's files have names of letters, digits and . _ - + alone, which no engine takes for "
+        "its own signs: give such a name to -o");
+  return name;
+}
+
+std::string comment_word(const std::string &text) {
+  std::string word;
+  for (const char c : text)
+    word += c >= ' ' && c <= '~' && std::string_view("&$`\\\"'").find(c) == std::string_view::npos ? c : '_';
+  return word;
+}
+
+std::string class_name(const ParticleClass &c) {
+  return fmt::format("class {} ({}, {}]", c.number, short_decimal(c.lower), short_decimal(c.upper));
+}
+
+std::string digits6(double x) {
+  return fmt::format("{:.6g}", x);
+}
+
+std::string digits17(double x) {
+  return fmt::format("{:.17g}", x);
+}
+
+std::string filled(std::string text,
+                   std::initializer_list<std::pair<const char *, std::string>> replacements) {
+  for (const auto &[name, value] : replacements) {
+    const std::string mark = std::string("@") + name + "@";
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + value.size()))
+      text.replace(at, mark.size(), value);
+  }
+  return text;
+}
+
+SettleScript::SettleScript(const SettleModel &m, const char *ending)
+    : model(m), set(m.set), box(m.box), physics(settling(m)), name(file_word(m.name)),
+      dump(name + "-settled" + ending), particles(m.set.particles()) {
+  if (set.unit != LengthUnit::m)
+    throw InputError("a model is in SI units: leave out --unit");
+}
+
+bool SettleScript::changes_friction() const {
+  return model.target.has_value() || model.friction_while_filling.has_value();
+}
+
+GrainMaterial SettleScript::material(std::size_t type) const {
+  if (type <= model.materials.size())
+    return model.materials[type - 1];
+  return {physics.elasticity, Settling::restitution, model.friction};
+}
+
+std::string SettleScript::verification(const char *engine_options) const {
+  if (!model.verify_options)
+    return "# mdm verify needs a gradation, and here is a band alone: only the counts are checked, as they "
+           "come in.\n";
+  std::string text =
+      fmt::format("# Then: mdm verify GRADATION {}{}{}{} --tolerance {}\n", dump, engine_options,
+                  *model.verify_options, reaches_sieve(set) ? " --snap 1e-15" : "", share_tolerance(set));
+  if (!model.question.empty())
+    text +=
+        fmt::format("# (GRADATION, --pan-size, --cut-below and --size-factor as mdm solve had them: {}.)\n",
+                    comment_word(model.question));
+  if (set.share_error > 0)
+    text += "# The shares of the mass are off by that many percentage points, as was asked for.\n";
+  return text;
+}
+
+namespace {
+
+/// What the model does, after the number of grains.
+std::string purpose(const SettleScript &s) {
+  std::string text;
+  switch (s.model.space) {
+  case Space::box:
+    text = "settle in a box";
+    break;
+  case Space::cylinder:
+    text = fmt::format("settle in a cylinder of diameter {:.6g} m", s.box.x);
+    break;
+  case Space::pillar:
+    text = "settle in a box that is repeated in x and y";
+    break;
+  case Space::periodic_cell:
+    text = "in a box that is repeated on all sides and has no gravity";
+  }
+  const std::optional<DensityTarget> &target = s.model.target;
+  if (!target)
+    return text;
+  const char *by = s.has_lid() ? ", and are compacted by a lid " : ", and are compacted by its six faces ";
+  if (target->void_ratio)
+    return text + by + fmt::format("to void ratio {:.6g}", *target->void_ratio);
+  return text + by + fmt::format("at {:.6g} Pa", target->pressure);
+}
+
+/// The specimen's height at the void ratio that is asked for.
+std::string height_line(const SettleScript &s) {
+  if (!s.model.target || !s.model.target->void_ratio || !s.has_lid())
+    return "";
+  return fmt::format("# At void ratio {:.6g} the lid is {:.6g} m above the floor.\n",
+                     *s.model.target->void_ratio, specimen_height(s.model, *s.model.target->void_ratio));
+}
+
+std::string material_lines(const SettleScript &s) {
+  if (!s.model.materials.empty())
+    return "# Material: of each class its own, see below; walls have restitution 0.5";
+  return fmt::format("# Material: E = {:.4g} Pa, nu = {}, restitution {}, friction {}.{}",
+                     s.physics.elasticity.young.convert_to<double>(),
+                     s.physics.elasticity.poisson.convert_to<double>(), Settling::restitution,
+                     s.model.friction,
+                     s.model.young ? ""
+                                   : " E is softer than rock to save steps:\n# 10^4 times the weight of a "
+                                     "column as high as the box, 2000 times the pressure asked for, 5 MPa at "
+                                     "least.");
+}
+
+} // namespace
+
+std::string SettleScript::head(const RunCommands &c) const {
+  return filled(R"(# @name@: @n@ grains @purpose@. Written by mdm export for @engine@; SI units.
+# The mass of each class is exact to @error@ of itself, the count of each is exact, and checked as it comes in.@law@
+# Run it in its folder: @run@   (fewer or more steps: @fewer@)
+# @parallel@
+# It writes @base@.restart from time to time; to go on from there: @go_on@
+@verification@#
+@material@
+# Time step: a fifth of the Rayleigh time of the smallest grain,
+# pi R sqrt(rho/G) / (0.1631 nu + 0.8766) = @rayleigh@ s with G = E / (2 (1 + nu)).
+# @steps@ step@plural@ at most while settling: @time@ s; a fall from the top of the box takes @fall@ s. At rest the kinetic
+# energy is below a ten-thousandth of the grains' weight times the smallest size.
+@height@)",
+                {{"name", set.name.empty() ? "grains" : comment_word(set.name)},
+                 {"n", to_string(particles)},
+                 {"purpose", purpose(*this)},
+                 {"engine", c.engine},
+                 {"error", stated_error(set)},
+                 {"law", set.law.is_sphere() ? "" : "\n#" + law_statement(set)},
+                 {"run", c.run},
+                 {"fewer", c.fewer_steps},
+                 {"parallel", c.in_parallel},
+                 {"go_on", c.go_on},
+                 {"verification", verification(c.verify_options)},
+                 {"material", material_lines(*this)},
+                 {"rayleigh", fmt::format("{:.4g}", physics.rayleigh)},
+                 {"steps", std::to_string(physics.steps)},
+                 {"plural", physics.steps == 1 ? "" : "s"},
+                 {"time", fmt::format("{:.3g}", static_cast<double>(physics.steps) * physics.step)},
+                 {"fall", fmt::format("{:.3g}", std::sqrt(2 * box.z / physics.gravity))},
+                 {"height", height_line(*this)},
+                 {"base", name}});
+}
+
+} // namespace mdm
