@@ -42,7 +42,7 @@ struct Format {
 };
 
 /// Bytes were measured with 97,336 particles of one size in contact with six others each, and rounded up.
-constexpr std::array<Format, 11> formats = {{{"liggghts", write_liggghts, nullptr, 1000},
+constexpr std::array<Format, 12> formats = {{{"liggghts", write_liggghts, nullptr, 1000},
                                              {"lammps", nullptr, write_lammps_data, 1000},
                                              {"yade", nullptr, write_xyzr, 10000},
                                              {"mercurydpm", write_mercurydpm, nullptr, 0},
@@ -51,6 +51,7 @@ constexpr std::array<Format, 11> formats = {{{"liggghts", write_liggghts, nullpt
                                              {"lethe", nullptr, write_lethe, 0},
                                              {"kratos", nullptr, write_kratos, 0},
                                              {"extxyz", nullptr, write_extxyz, 0},
+                                             {"pfc", nullptr, write_pfc, 0},
                                              {"csv", write_size_csv, nullptr, 0},
                                              {"diameters", write_diameters, nullptr, 0}}};
 
@@ -325,6 +326,12 @@ std::string certain_digits(const std::pair<Rational, Rational> &bounds) {
   return approximate(bounds.first, digits);
 }
 
+/// True if files of the format have no room for a statement about masses.
+bool has_no_comments(const Format &format) {
+  constexpr std::array writers = {write_esys, write_lethe, write_pfc};
+  return std::find(writers.begin(), writers.end(), format.write_placed) != writers.end();
+}
+
 /// The cost of the simulation, and the start of the particles.
 std::string guide(const Format &format, const ParticleSet &set, const std::optional<Placement> &start,
                   const Elasticity &e) {
@@ -337,8 +344,7 @@ std::string guide(const Format &format, const ParticleSet &set, const std::optio
                         format.name, bytes_text(Integer(set.particles() * format.bytes)), format.bytes);
   if (format.write == write_mercurydpm)
     text += "MercuryDPM draws sizes at random from the shares: its counts are not exact\n";
-  const bool has_no_comments = format.write_placed == write_esys || format.write_placed == write_lethe;
-  if (has_no_comments && !set.law.is_sphere())
+  if (has_no_comments(format) && !set.law.is_sphere())
     text += law_statement(set).substr(1) + "\n";
   if (start)
     text +=

@@ -48,6 +48,9 @@ void write_lethe(const Placement &start, const Sink &out);
 /// Model part (mdpa) of Kratos' DEM application: nodes, elements SphericParticle3D of properties 0, radii.
 void write_kratos(const Placement &start, const Sink &out);
 
+/// Table of PFC's balls in CSV: number, place, radius, and the number of the class as PFC_BALL_ATTR.
+void write_pfc(const Placement &start, const Sink &out);
+
 /// Extended XYZ for ASE and OVITO: species X, the number of the class as type, place, radius, id.
 void write_extxyz(const Placement &start, const Sink &out);
 
