@@ -41,6 +41,8 @@ std::unique_ptr<LineReader> line_reader(ParticleFormat format, ParticleSource &s
     return read_lethe(source);
   case ParticleFormat::kratos:
     return read_kratos(source);
+  case ParticleFormat::dem_engine:
+    return read_dem_engine(source);
   case ParticleFormat::answer:
     break;
   }
@@ -101,6 +103,8 @@ std::optional<ParticleFormat> format_of(const std::vector<std::string> &lines, c
     return ParticleFormat::esys;
   if (text.starts_with("p_x;"))
     return ParticleFormat::lethe;
+  if (text.starts_with("X,Y,Z,"))
+    return ParticleFormat::dem_engine;
   if (text.starts_with("Begin "))
     return ParticleFormat::kratos;
   if (text.starts_with("//"))

@@ -92,6 +92,28 @@ TEST_CASE("Kratos: radii of the nodes of a model part") {
   CHECK(contains(refusal("Begin Nodes\nEnd Nodes\nEnd Nodes\n"), "a block ends that did not begin"));
 }
 
+TEST_CASE("DEM-Engine: radii of spheres, and of clumps by the names of their types") {
+  const std::string clumps = "X,Y,Z,Qw,Qx,Qy,Qz,clump_type\n1,2,3,1,0,0,0,r0.5\n1,2,5e0,1,0,0,0,r2.5e-1\n";
+  const std::string spheres = "X,Y,Z,r,absv\n1,2,3,0.5,0\n1,2,5,.25,0\n";
+  for (const std::string &content : {clumps, spheres}) {
+    CHECK(read(content).format == ParticleFormat::dem_engine);
+    CHECK(read(content).particles == "1000 500");
+    REQUIRE(read(content).notes.size() == 1);
+    CHECK(read(content).notes.front() == "The sizes were taken as radii in m.");
+  }
+  CHECK(contains(refusal(replaced(clumps, "r0.5", "0001")),
+                 "file:2: clump_type '0001' does not tell a radius"));
+  CHECK(contains(refusal(replaced(clumps, "r0.5", "rock")), "clump_type 'rock' does not tell a radius"));
+  CHECK(contains(refusal(replaced(clumps, "r0.5", "r-1")), "file:2: radius '-1' is not above 0"));
+  CHECK(contains(refusal(replaced(clumps, "clump_type", "type")), "there is not one column clump_type"));
+  CHECK(contains(refusal(replaced(clumps, "Qw", "X")), "file:1: there is not one column X"));
+  CHECK(
+      contains(refusal(replaced(clumps, ",r2.5e-1", "")), "file:3: the row has 7 fields, and the header 8"));
+  CHECK(contains(refusal(replaced(spheres, "1,2,5,", "1,2,nan,")), "file:3: 'nan' is not a number"));
+  CHECK(contains(refusal(replaced(spheres, "1,2,5,", "1,2,\"5,")), "file:3: a quoted field does not end"));
+  CHECK(contains(refusal(clumps.substr(0, clumps.find('\n') + 1)), "there are no particles"));
+}
+
 TEST_CASE("PFC: balls in CSV with its column names") {
   const std::string balls =
       "EVENT_LABEL,PFC_BALL_LOCX,PFC_BALL_LOCY,PFC_BALL_LOCZ,PFC_BALL_RADIUS,PFC_BALL_ATTR\n"

@@ -48,6 +48,10 @@ void write_lethe(const Placement &start, const Sink &out);
 /// Model part (mdpa) of Kratos' DEM application: nodes, elements SphericParticle3D of properties 0, radii.
 void write_kratos(const Placement &start, const Sink &out);
 
+/// CSV of clumps that DEM-Engine reads (ReadClumpXyzFromCsv); their types, one a size, are named r and the
+/// radius: `for (auto &[type, xyz] : ...) LoadSphereType(mass, std::stof(type.substr(1)), material)`.
+void write_dem_engine(const Placement &start, const Sink &out);
+
 /// Table of PFC's balls in CSV: number, place, radius, and the number of the class as PFC_BALL_ATTR.
 void write_pfc(const Placement &start, const Sink &out);
 
