@@ -42,7 +42,7 @@ struct Format {
 };
 
 /// Bytes were measured with 97,336 particles of one size in contact with six others each, and rounded up.
-constexpr std::array<Format, 13> formats = {{{"liggghts", write_liggghts, nullptr, 1000},
+constexpr std::array<Format, 14> formats = {{{"liggghts", write_liggghts, nullptr, 1000},
                                              {"lammps", nullptr, write_lammps_data, 1000},
                                              {"yade", nullptr, write_xyzr, 10000},
                                              {"mercurydpm", write_mercurydpm, nullptr, 0},
@@ -51,6 +51,7 @@ constexpr std::array<Format, 13> formats = {{{"liggghts", write_liggghts, nullpt
                                              {"lethe", nullptr, write_lethe, 0},
                                              {"kratos", nullptr, write_kratos, 0},
                                              {"dem-engine", nullptr, write_dem_engine, 0},
+                                             {"musen", nullptr, write_musen, 0},
                                              {"extxyz", nullptr, write_extxyz, 0},
                                              {"pfc", nullptr, write_pfc, 0},
                                              {"csv", write_size_csv, nullptr, 0},
@@ -329,7 +330,7 @@ std::string certain_digits(const std::pair<Rational, Rational> &bounds) {
 
 /// True if files of the format have no room for a statement about masses.
 bool has_no_comments(const Format &format) {
-  constexpr std::array writers = {write_esys, write_lethe, write_pfc, write_dem_engine};
+  constexpr std::array writers = {write_esys, write_lethe, write_pfc, write_dem_engine, write_musen};
   return std::find(writers.begin(), writers.end(), format.write_placed) != writers.end();
 }
 

@@ -52,6 +52,9 @@ void write_kratos(const Placement &start, const Sink &out);
 /// radius: `for (auto &[type, xyz] : ...) LoadSphereType(mass, std::stof(type.substr(1)), material)`.
 void write_dem_engine(const Placement &start, const Sink &out);
 
+/// Scene of MUSEN as text: a material a class, which has the density alone; the box is the domain.
+void write_musen(const Placement &start, const Sink &out);
+
 /// Table of PFC's balls in CSV: number, place, radius, and the number of the class as PFC_BALL_ATTR.
 void write_pfc(const Placement &start, const Sink &out);
 
