@@ -346,6 +346,9 @@ std::string guide(const Format &format, const ParticleSet &set, const std::optio
                         format.name, bytes_text(Integer(set.particles() * format.bytes)), format.bytes);
   if (format.write == write_mercurydpm)
     text += "MercuryDPM draws sizes at random from the shares: its counts are not exact\n";
+  if (format.write_placed == write_dem_engine)
+    text += "each clump_type is r and a radius: give it to DEM-Engine by LoadSphereType(mass, radius, "
+            "material)->AssignName(clump_type)\n";
   if (has_no_comments(format) && !set.law.is_sphere())
     text += law_statement(set).substr(1) + "\n";
   if (start)

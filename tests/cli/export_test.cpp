@@ -181,6 +181,8 @@ TEST_CASE("export: what it will cost is on standard error", "[cli]") {
                     .epsilon(0.01));
   CHECK(export_to("yade", sand, {"--quiet"}).err.empty());
   CHECK(export_to("mercurydpm", sand).err.find("counts are not exact") != std::string::npos);
+  CHECK(export_to("dem-engine", sand).err.find("LoadSphereType(mass, radius, material)") !=
+        std::string::npos);
 }
 
 TEST_CASE("export: what looks like an accident needs an option", "[cli]") {

@@ -49,7 +49,7 @@ void write_lethe(const Placement &start, const Sink &out);
 void write_kratos(const Placement &start, const Sink &out);
 
 /// CSV of clumps that DEM-Engine reads (ReadClumpXyzFromCsv); their types, one a size, are named r and the
-/// radius: `for (auto &[type, xyz] : ...) LoadSphereType(mass, std::stof(type.substr(1)), material)`.
+/// radius, which LoadSphereType and AssignName then give it. It reads no comments.
 void write_dem_engine(const Placement &start, const Sink &out);
 
 /// Scene of MUSEN as text: a material a class, which has the density alone; the box is the domain.
