@@ -12,7 +12,7 @@ namespace {
 
 /// Bytes were measured with 97,336 particles of one size in contact with six others each, and rounded up.
 /// Rates by tests/benchmark/engine_rates.py.
-constexpr std::array<ExportFormat, 11> formats = {{{"liggghts", write_liggghts, nullptr, 1000, 5.4e6},
+constexpr std::array<ExportFormat, 14> formats = {{{"liggghts", write_liggghts, nullptr, 1000, 5.4e6},
                                                    {"lammps", nullptr, write_lammps_data, 1000, 4.7e6},
                                                    {"yade", nullptr, write_xyzr, 10000, 6.4e5},
                                                    {"mercurydpm", write_mercurydpm, nullptr, 0, 0},
@@ -20,7 +20,10 @@ constexpr std::array<ExportFormat, 11> formats = {{{"liggghts", write_liggghts, 
                                                    {"esys", nullptr, write_esys, 0, 0},
                                                    {"lethe", nullptr, write_lethe, 0, 0},
                                                    {"kratos", nullptr, write_kratos, 0, 0},
+                                                   {"dem-engine", nullptr, write_dem_engine, 0, 0},
+                                                   {"musen", nullptr, write_musen, 0, 0},
                                                    {"extxyz", nullptr, write_extxyz, 0, 0},
+                                                   {"pfc", nullptr, write_pfc, 0, 0},
                                                    {"csv", write_size_csv, nullptr, 0, 0},
                                                    {"diameters", write_diameters, nullptr, 0, 0}}};
 

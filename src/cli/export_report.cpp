@@ -85,6 +85,12 @@ std::string cheaper(const ExportFormat &format, const SettleModel &model, double
                 "100 times as much\n";
 }
 
+/// True if files of the format have no room for a statement about masses.
+bool has_no_comments(const ExportFormat &format) {
+  constexpr std::array writers = {write_esys, write_lethe, write_pfc, write_dem_engine, write_musen};
+  return std::find(writers.begin(), writers.end(), format.write_placed) != writers.end();
+}
+
 } // namespace
 
 void check_wanted(const ExportCommand &c, const ExportFormat &format, const ParticleSet &set,
@@ -120,8 +126,10 @@ std::string cost_guide(const ExportFormat &format, const ParticleSet &set, const
                         format.name, bytes_text(Integer(set.particles() * format.bytes)), format.bytes);
   if (format.write == write_mercurydpm)
     text += "MercuryDPM draws sizes at random from the shares: its counts are not exact\n";
-  const bool has_no_comments = format.write_placed == write_esys || format.write_placed == write_lethe;
-  if (has_no_comments && !set.law.is_sphere())
+  if (format.write_placed == write_dem_engine)
+    text += "each clump_type is r and a radius: give it to DEM-Engine by LoadSphereType(mass, radius, "
+            "material)->AssignName(clump_type)\n";
+  if (has_no_comments(format) && !set.law.is_sphere())
     text += law_statement(set).substr(1) + "\n";
   if (start)
     text +=

@@ -288,16 +288,17 @@ Run add_verify(CLI::App &app) {
           "line), lammps-data, lammps-dump, liggghts-dump, vtk, diameters (one a line), liggghts-insertion, "
           "mercurydpm (scripts and distributions of mdm export), extxyz (extended XYZ of ASE and OVITO "
           "with radius among its Properties), esys (geometry or snapshot of ESyS-Particle with one worker), "
-          "lethe "
-          "(insertion file) or kratos (mdpa); told by the content if left out")
+          "lethe (insertion file), kratos (mdpa), musen (scene as text) or dem-engine (CSV of spheres, or of "
+          "clumps whose types are named r and the radius, as r0.00025); told by the content if left out")
       ->type_name("FORMAT");
   CLI::Option *const radius = command.add_flag("--radius", c->radius, "sizes are radii, whatever their name");
   command.add_flag("--diameter", c->diameter, "sizes are diameters, whatever their name")->excludes(radius);
   command
-      .add_option("--size-unit", c->size_unit,
-                  "unit of SAMPLE: mm, um, m or in; m for LAMMPS, LIGGGHTS, VTK, ESyS-Particle, Lethe and "
-                  "Kratos if left out, for xyzr, "
-                  "extxyz and diameters that of the gradation (mm for size_in, size_phi and sieve)")
+      .add_option(
+          "--size-unit", c->size_unit,
+          "unit of SAMPLE: mm, um, m or in; m for LAMMPS, LIGGGHTS, VTK, ESyS-Particle, Lethe, Kratos, "
+          "MUSEN and DEM-Engine if left out, for xyzr, extxyz and diameters that of the gradation "
+          "(mm for size_in, size_phi and sieve)")
       ->type_name("UNIT");
   command.add_option("--timestep", c->timestep, "the timestep of a dump, instead of the last")
       ->type_name("T");

@@ -89,6 +89,8 @@ std::unique_ptr<LineReader> read_extxyz(ParticleSource &source);
 std::unique_ptr<LineReader> read_esys(ParticleSource &source);
 std::unique_ptr<LineReader> read_lethe(ParticleSource &source);
 std::unique_ptr<LineReader> read_kratos(ParticleSource &source);
+std::unique_ptr<LineReader> read_dem_engine(ParticleSource &source);
+std::unique_ptr<LineReader> read_musen(ParticleSource &source);
 
 /// Moves the first word of `rest`, separated by spaces and tabs, out of it; empty at the end.
 std::string_view take_word(std::string_view &rest);

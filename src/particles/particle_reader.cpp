@@ -41,6 +41,10 @@ std::unique_ptr<LineReader> line_reader(ParticleFormat format, ParticleSource &s
     return read_lethe(source);
   case ParticleFormat::kratos:
     return read_kratos(source);
+  case ParticleFormat::dem_engine:
+    return read_dem_engine(source);
+  case ParticleFormat::musen:
+    return read_musen(source);
   case ParticleFormat::answer:
     break;
   }
@@ -77,6 +81,15 @@ bool is_esys_particle(std::string_view line) {
   return words.size() >= least && std::all_of(words.begin(), words.end(), is_number);
 }
 
+/// True for an object of MUSEN: 0 ID 1 TYPE 5 GEOMETRY 23 MATERIAL ...; by its material it is no x y z r.
+bool is_musen_object(std::string_view line) {
+  std::vector<std::string_view> words;
+  split_words(line, words);
+  constexpr std::size_t least = 7;
+  return words.size() >= least && words[0] == "0" && words[2] == "1" && words[4] == "5" &&
+         !std::all_of(words.begin(), words.end(), is_number);
+}
+
 /// True for a line of four words, x y z r.
 bool is_place_and_radius(std::string_view line) {
   std::vector<std::string_view> words;
@@ -101,6 +114,10 @@ std::optional<ParticleFormat> format_of(const std::vector<std::string> &lines, c
     return ParticleFormat::esys;
   if (text.starts_with("p_x;"))
     return ParticleFormat::lethe;
+  if (text.starts_with("X,Y,Z,"))
+    return ParticleFormat::dem_engine;
+  if (is_musen_object(text))
+    return ParticleFormat::musen;
   if (text.starts_with("Begin "))
     return ParticleFormat::kratos;
   if (text.starts_with("//"))

@@ -73,6 +73,18 @@ void write_xyzr(const Placement &start, const Sink &out) {
   text.finish();
 }
 
+void write_pfc(const Placement &start, const Sink &out) {
+  const ParticleSet &set = start.set();
+  TextBuffer text(out);
+  text.add("EVENT_LABEL,PFC_BALL_LOCX,PFC_BALL_LOCY,PFC_BALL_LOCZ,PFC_BALL_RADIUS,PFC_BALL_ATTR\n");
+  std::uint64_t id = 0;
+  start.each([&](const Placement::Sphere &s) {
+    text.add("{},{},{},{},{},{}\n", ++id, start.text(s.at[0]), start.text(s.at[1]), start.text(s.at[2]),
+             s.size->radius.text, set.classes[s.class_index].number);
+  });
+  text.finish();
+}
+
 void write_extxyz(const Placement &start, const Sink &out) {
   const ParticleSet &set = start.set();
   const auto &[a, b, height] = start.box();

@@ -15,8 +15,9 @@ const std::string micrometres = "size_um,mass\n20,30\n45,25\n75,45\n120,0\n";
 const std::string inches = "size_in,mass\n0.02,30\n0.045,25\n0.075,45\n0.12,0\n";
 
 /// All formats: verify reads each of them.
-const std::vector<std::string> readable = {"lammps",     "yade", "vtk",   "csv",    "diameters", "liggghts",
-                                           "mercurydpm", "esys", "lethe", "kratos", "extxyz"};
+const std::vector<std::string> readable = {"lammps",   "yade",       "vtk",        "csv",   "diameters",
+                                           "liggghts", "mercurydpm", "esys",       "lethe", "kratos",
+                                           "extxyz",   "pfc",        "dem-engine", "musen"};
 
 /// Exports what comes from standard input.
 Outcome export_to(const std::string &format, const std::string &from, Arguments options = {}) {
@@ -116,7 +117,8 @@ TEST_CASE("export: matches within a tolerance, other laws and other solving opti
     const Outcome made = export_to(format, sand, {"--law", "power:2"});
     const std::string file = made.out;
     // Files of these have no comments.
-    const bool is_bare = format == "esys" || format == "lethe";
+    const bool is_bare = format == "esys" || format == "lethe" || format == "pfc" || format == "dem-engine" ||
+                         format == "musen";
     CHECK((is_bare ? made.err : file).find("by --law: x^(2) of a size x") != std::string::npos);
     CHECK(file_of(format, sand).find("--law") == std::string::npos);
     CHECK(quantities(verified(sand, file, format, "m", "0.0000002", {"--law", "power:2"})) ==
@@ -179,6 +181,8 @@ TEST_CASE("export: what it will cost is on standard error", "[cli]") {
                     .epsilon(0.01));
   CHECK(export_to("yade", sand, {"--quiet"}).err.empty());
   CHECK(export_to("mercurydpm", sand).err.find("counts are not exact") != std::string::npos);
+  CHECK(export_to("dem-engine", sand).err.find("LoadSphereType(mass, radius, material)") !=
+        std::string::npos);
 }
 
 TEST_CASE("export: what looks like an accident needs an option", "[cli]") {
@@ -282,8 +286,8 @@ TEST_CASE("export: a spread has the sizes that solve gives", "[cli]") {
 TEST_CASE("export says how its file is verified, and that accepts it", "[cli]") {
   const TemporaryFolder folder;
   const std::string sand = folder.write("Hostun's sand.csv", read_file(example("hostun-rf-sand")));
-  for (const std::string format :
-       {"liggghts", "lammps", "yade", "vtk", "csv", "diameters", "esys", "lethe", "kratos", "extxyz"}) {
+  for (const std::string format : {"liggghts", "lammps", "yade", "vtk", "csv", "diameters", "esys", "lethe",
+                                   "kratos", "extxyz", "pfc", "dem-engine", "musen"}) {
     const Outcome made =
         mdm({"export", sand, "--size-factor", "2", "--to", format, "-o", folder / ("grains." + format)});
     REQUIRE(made.exit_code == 0);

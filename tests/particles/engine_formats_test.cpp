@@ -92,6 +92,50 @@ TEST_CASE("Kratos: radii of the nodes of a model part") {
   CHECK(contains(refusal("Begin Nodes\nEnd Nodes\nEnd Nodes\n"), "a block ends that did not begin"));
 }
 
+TEST_CASE("DEM-Engine: radii of spheres, and of clumps by the names of their types") {
+  const std::string clumps = "X,Y,Z,Qw,Qx,Qy,Qz,clump_type\n1,2,3,1,0,0,0,r0.5\n1,2,5e0,1,0,0,0,r2.5e-1\n";
+  const std::string spheres = "X,Y,Z,r,absv\n1,2,3,0.5,0\n1,2,5,.25,0\n";
+  for (const std::string &content : {clumps, spheres}) {
+    CHECK(read(content).format == ParticleFormat::dem_engine);
+    CHECK(read(content).particles == "1000 500");
+    REQUIRE(read(content).notes.size() == 1);
+    CHECK(read(content).notes.front() == "The sizes were taken as radii in m.");
+  }
+  CHECK(contains(refusal(replaced(clumps, "r0.5", "0001")),
+                 "file:2: clump_type '0001' does not tell a radius"));
+  CHECK(contains(refusal(replaced(clumps, "r0.5", "rock")), "clump_type 'rock' does not tell a radius"));
+  CHECK(contains(refusal(replaced(clumps, "r0.5", "r-1")), "file:2: radius '-1' is not above 0"));
+  CHECK(contains(refusal(replaced(clumps, "clump_type", "type")), "there is not one column clump_type"));
+  CHECK(contains(refusal(replaced(clumps, "Qw", "X")), "file:1: there is not one column X"));
+  CHECK(
+      contains(refusal(replaced(clumps, ",r2.5e-1", "")), "file:3: the row has 7 fields, and the header 8"));
+  CHECK(contains(refusal(replaced(spheres, "1,2,5,", "1,2,nan,")), "file:3: 'nan' is not a number"));
+  CHECK(contains(refusal(replaced(spheres, "1,2,5,", "1,2,\"5,")), "file:3: a quoted field does not end"));
+  CHECK(contains(refusal(clumps.substr(0, clumps.find('\n') + 1)), "there are no particles"));
+}
+
+TEST_CASE("MUSEN: radii of the spheres of a scene as text, at their last time") {
+  const std::string scene =
+      "0 0 1 14 5  23 KEY 24 0 1e+300 2 0 12 0 0 0 15 0 0 0 16 1 1 1 18 0 20 0 0 0 31 2 2 2 0\n"
+      "0 1 1 1 5 0.5 0.5 23 KEY 24 0 1e+300 2 0 12 0 0 .5 15 0 0 0 18 0 36 0 0 0 0 0 0 0 0 0 2 1 12 0 0 1\n"
+      "0 2 1 1 5 0.25 0.3 23 KEY 24 0 1e+300 2 0 12 0 0 3 2 1 12 0 0 2.5\n"
+      "22 -1 -1 -1 1 1 5\n32 KEY Glass 0 2500 7 5e+10\n33 KEY KEY 200 0.9\n";
+  CHECK(read(scene).format == ParticleFormat::musen);
+  CHECK(read(scene).particles == "1000 500");
+  CHECK(read(replaced(scene, "0.3 23 KEY 24 0 1e+300", "0.3 23 KEY 24 0 0.5")).particles == "1000");
+  CHECK(read(replaced(scene, "0.3 23 KEY 24 0 1e+300", "0.3 23 KEY 24 1.5 2")).particles == "1000");
+  CHECK(read("0 1 1 1 5 0.5 0.5 23 KEY\n").particles == "1000");
+  CHECK(contains(refusal(replaced(scene, "0.25 0.3", "0 0.3")), "file:3: radius '0' is not above 0"));
+  CHECK(contains(refusal(replaced(scene, "0 2 1 1 5", "0 2 1 1 23")), "file:3: there is '23' and not 5"));
+  CHECK(contains(refusal(replaced(scene, "18 0 36", "99 0 36")), "file:2: 99 is no property of a sphere"));
+  CHECK(contains(refusal(replaced(scene, "12 0 0 2.5", "12 0 0")), "file:3: the line ends inside an object"));
+  CHECK(contains(refusal(replaced(scene, "12 0 0 2.5", "12 0 0 x")), "file:3: 'x' is not a number"));
+  CHECK(contains(refusal(replaced(scene, "1 1 5 0.25", "1 x 5 0.25")),
+                 "the type of an object 'x' is not a whole"));
+  CHECK(contains(refusal(scene.substr(0, scene.find('\n') + 1)), "there are no particles"));
+  CHECK(read("0 0 1 1 5 7\n").format == ParticleFormat::xyzr);
+}
+
 TEST_CASE("PFC: balls in CSV with its column names") {
   const std::string balls =
       "EVENT_LABEL,PFC_BALL_LOCX,PFC_BALL_LOCY,PFC_BALL_LOCZ,PFC_BALL_RADIUS,PFC_BALL_ATTR\n"

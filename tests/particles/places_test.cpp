@@ -70,6 +70,9 @@ TEST_CASE("places of x y z r, of CSV, of ESyS-Particle, Lethe and Kratos") {
           "Begin Nodes\n2 4e-3 5e-3 6e-3\n1 1e-3 -2.5e-3 .3e-3\nEnd Nodes\nBegin Elements SphericParticle3D\n"
           "1 0 1\n2 0 2\nEnd Elements\nBegin NodalData RADIUS\n1 0 1e-3\n2 0 1.5e-3\nEnd NodalData\n") ==
       two);
+  CHECK(places("X,Y,Z,clump_type\n1e-3,-2.5e-3,.3e-3,r1e-3\n4e-3,5e-3,6e-3,r1.5e-3\n") == two);
+  CHECK(places("0 0 1 1 5 1e-3 1e-3 23 K 2 0 12 1e-3 -2.5e-3 .3e-3\n0 1 1 1 5 1.5e-3 1 23 K 2 0 12 4e-3 5e-3 "
+               "6e-3\n") == two);
 }
 
 TEST_CASE("places and boxes of LAMMPS data files") {

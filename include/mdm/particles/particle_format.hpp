@@ -25,11 +25,13 @@ enum class ParticleFormat {
   extxyz,             ///< extended XYZ with a radius among the `Properties=` of its second line: ASE, OVITO
   esys,               ///< ESyS-Particle: geometry (LSMGeometry), or snapshot `*_1.txt`
   lethe,              ///< Lethe: file of its insertion method `file`, `p_x; p_y; p_z; ...; diameters;`
-  kratos              ///< Kratos: model part (mdpa) of its DEM application, with NodalData RADIUS
+  kratos,             ///< Kratos: model part (mdpa) of its DEM application, with NodalData RADIUS
+  dem_engine, ///< DEM-Engine: CSV of spheres with r, or of clumps whose types are named r and the radius
+  musen       ///< MUSEN: scene as text, with its spheres and the materials of these
 };
 
 /// `csv`, `answer`, `xyzr`, `lammps-data`, `lammps-dump`, `liggghts-dump`, `vtk`, `diameters`,
-/// `liggghts-insertion`, `mercurydpm`, `extxyz`, `esys`, `lethe` or `kratos`.
+/// `liggghts-insertion`, `mercurydpm`, `extxyz`, `esys`, `lethe`, `kratos`, `dem-engine` or `musen`.
 std::string_view name(ParticleFormat format);
 /// The format of that name, or nothing.
 std::optional<ParticleFormat> parse_particle_format(std::string_view name);

@@ -50,6 +50,16 @@ void write_lethe(const Placement &start, const Sink &out);
 /// Model part (mdpa) of Kratos' DEM application: nodes, elements SphericParticle3D of properties 0, radii.
 void write_kratos(const Placement &start, const Sink &out);
 
+/// CSV of clumps that DEM-Engine reads (ReadClumpXyzFromCsv); their types, one a size, are named r and the
+/// radius, which LoadSphereType and AssignName then give it. It reads no comments.
+void write_dem_engine(const Placement &start, const Sink &out);
+
+/// Scene of MUSEN as text: a material a class, which has the density alone; the box is the domain.
+void write_musen(const Placement &start, const Sink &out);
+
+/// Table of PFC's balls in CSV: number, place, radius, and the number of the class as PFC_BALL_ATTR.
+void write_pfc(const Placement &start, const Sink &out);
+
 /// Extended XYZ for ASE and OVITO: species X, the number of the class as type, place, radius, id.
 void write_extxyz(const Placement &start, const Sink &out);
 
