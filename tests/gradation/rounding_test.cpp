@@ -34,12 +34,16 @@ const std::vector<Rounding> roundings = {
      "pictures"},
     {"parse_decimal(rounded(", {"sets/matched_set.cpp"}, "generate --match-digits, the user's own word"},
     {"convert_to<double>",
-     {"cli/export_model.cpp", "match/quick_masses.cpp", "packing/apollonian.cpp",
-      "packing/apollonian_walk.hpp", "packing/lattice.cpp", "particles/mixed_placement.cpp",
-      "particles/settle_model.cpp", "plot/gradation_figure.cpp", "plot/drawing.hpp",
-      "plot/tradeoff_figure.cpp"},
-     "lengths of boxes, forces and pictures; bounds of packings and masses of a match, with an exact test "
-     "behind them"},
+     {"cli/export_model.cpp",       "cli/export_report.cpp",        "match/count_bounds.hpp",
+      "match/count_rounding.cpp",   "match/quick_masses.cpp",       "match/tolerant_relaxation.cpp",
+      "match/tolerant_search.cpp",  "packing/apollonian.cpp",       "packing/apollonian_walk.hpp",
+      "packing/lattice.cpp",        "particles/material_table.cpp", "particles/mixed_placement.cpp",
+      "particles/model_lammps.cpp", "particles/model_liggghts.cpp", "particles/model_yade.cpp",
+      "particles/settle_model.cpp", "particles/settle_script.cpp",  "plot/gradation_figure.cpp",
+      "plot/drawing.hpp",           "plot/tradeoff_figure.cpp"},
+     "lengths of boxes, times, forces and materials in engines, and pictures; bounds of packings, and what "
+     "steers "
+     "the search for a match, with an exact test behind them"},
     {"mpq_get_d(",
      {"particles/written_number.cpp"},
      "decimals and doubles in particle files, judged exactly"},
