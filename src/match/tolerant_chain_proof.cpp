@@ -18,12 +18,15 @@ void add_conditions(LeafSum &leaf, const TolerantProblem &problem,
   }
 }
 
+/// A proof whose leaves take more terms to add up is given up: it would take more than some seconds.
+constexpr std::size_t most_terms = 8 * longest_tree;
+
 /// Looks up where bounds come from, marks what is needed, and writes it.
 class Proof {
 public:
   explicit Proof(const TolerantChain &chain)
       : chain_(chain), problem_(chain.problem()), raises_of_(chain.intervals().size()),
-        is_split_(chain.raises().size(), false) {
+        is_split_(chain.raises().size(), false), is_known_sum_(chain.raises().size(), false) {
     for (std::size_t r = 0; r < chain.raises().size(); ++r)
       raises_of_[place(chain.raises()[r])].push_back(r);
   }
@@ -37,6 +40,9 @@ public:
     if (!r)
       return;
     if (is_sum(*r)) {
+      if (is_known_sum_[*r])
+        return;
+      is_known_sum_[*r] = true;
       need(i, chain_.raises()[*r].of, *r);
       need(chain_.raises()[*r].of + 1, j, *r);
     } else {
@@ -59,24 +65,33 @@ public:
     }
   }
 
-  /// The splits that are needed, and their leaves.
-  Tree splits() {
+  /// The splits that are needed, and their leaves; nothing if they are too long.
+  std::optional<Tree> splits() {
+    std::size_t length = 0; // a leaf has a multiple for each of its classes
     // What a raise needs was raised before it.
-    for (std::size_t r = end(); r-- > 0;)
-      if (is_split_[r])
-        need_for(r);
+    for (std::size_t r = end(); r-- > 0;) {
+      if (!is_split_[r])
+        continue;
+      length += 3 + chain_.raises()[r].j - chain_.raises()[r].i;
+      if (length > longest_tree)
+        return std::nullopt;
+      need_for(r);
+    }
     Tree tree;
     for (std::size_t r = 0; r < end(); ++r)
       if (is_split_[r]) {
         const TolerantChain::Raise &raise = chain_.raises()[r];
         tree.push_back({raise.i, raise.j, raise.n, {}});
         tree.push_back(refutation(r));
+        if (terms_ > most_terms)
+          return std::nullopt;
       }
     return tree;
   }
 
   /// q_i + ... + q_j >= what was known before raise number `before`.
-  void add_least(LeafSum &leaf, std::size_t i, std::size_t j, const Rational &m, std::size_t before) const {
+  void add_least(LeafSum &leaf, std::size_t i, std::size_t j, const Rational &m, std::size_t before) {
+    ++terms_;
     const std::optional<std::size_t> r = last_raise(i, j, before);
     if (r && is_sum(*r) && !is_split_[*r]) {
       add_least(leaf, i, chain_.raises()[*r].of, m, *r);
@@ -90,7 +105,7 @@ public:
   }
 
   /// h M - what the particles of the level's classes have more than > 0, of their greatest share h.
-  LeafSum level(const TolerantChain::Level &of) const {
+  LeafSum level(const TolerantChain::Level &of) {
     LeafSum leaf;
     add_above_lower(leaf, of.i, of.j, of.before);
     Integer f = problem_.f(of.j); // the lower hull
@@ -140,7 +155,8 @@ private:
 
   /// The sum of t_b - f_b q_b over classes i to j is above 0, as a bound in force says that there are
   /// particles.
-  void add_above_lower(LeafSum &leaf, std::size_t i, std::size_t j, std::size_t before) const {
+  void add_above_lower(LeafSum &leaf, std::size_t i, std::size_t j, std::size_t before) {
+    ++terms_;
     const std::optional<std::size_t> r = last_raise(i, j, before);
     if (r && is_sum(*r) && !is_split_[*r]) {
       add_above_lower(leaf, i, chain_.raises()[*r].of, *r);
@@ -154,7 +170,7 @@ private:
   }
 
   /// M >= or > the level that a raise is by.
-  LeafSum mass(const TolerantChain::Raise &raise) const {
+  LeafSum mass(const TolerantChain::Raise &raise) {
     LeafSum leaf;
     const ShareClosure &shares = chain_.shares();
     if (raise.reason == TolerantChain::Reason::mass) {
@@ -173,7 +189,7 @@ private:
   }
 
   /// Fewer than raise.n particles in its classes contradict what was known before.
-  TreeNode refutation(std::size_t r) const {
+  TreeNode refutation(std::size_t r) {
     const TolerantChain::Raise &raise = chain_.raises()[r];
     LeafSum leaf;
     const Condition most = raise.i == raise.j ? Condition::most_count : Condition::most_sum;
@@ -202,12 +218,13 @@ private:
   const TolerantChain &chain_;
   const TolerantProblem &problem_;
   std::vector<std::vector<std::size_t>> raises_of_; ///< at an interval's place, their numbers
-  std::vector<bool> is_split_;                      ///< of raises
+  std::vector<bool> is_split_, is_known_sum_;       ///< of raises
+  std::size_t terms_ = 0;                           ///< of all leaves so far
 };
 
 } // namespace
 
-Tree chain_splits(const TolerantChain &chain, const std::vector<ClassInterval> &needed) {
+std::optional<Tree> chain_splits(const TolerantChain &chain, const std::vector<ClassInterval> &needed) {
   Proof proof(chain);
   for (const ClassInterval &of : needed)
     proof.need_split(of);
@@ -218,20 +235,24 @@ Tree chain_tree(const TolerantChain &chain) {
   Proof proof(chain);
   const std::size_t last = chain.problem().classes() - 1;
   proof.need(0, last, proof.end());
-  Tree tree = proof.splits();
+  std::optional<Tree> tree = proof.splits();
+  if (!tree)
+    return {};
   LeafSum enough;
   proof.add_least(enough, 0, last, 1, proof.end());
   enough.add(TolerantCondition::fewer, 0, 1);
-  tree.push_back(enough.node());
-  return tree;
+  tree->push_back(enough.node());
+  return std::move(*tree);
 }
 
 Tree chain_contradiction(const TolerantChain &chain) {
   Proof proof(chain);
   proof.need_level(chain.empty());
-  Tree tree = proof.splits();
-  tree.push_back(proof.level(chain.empty()).node());
-  return tree;
+  std::optional<Tree> tree = proof.splits();
+  if (!tree)
+    return {};
+  tree->push_back(proof.level(chain.empty()).node());
+  return std::move(*tree);
 }
 
 Tree share_contradiction(const TolerantProblem &problem, const ShareClosure &shares) {

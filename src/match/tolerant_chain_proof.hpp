@@ -13,10 +13,11 @@ struct ClassInterval {
 
 /// Splits for the bounds that are needed, and for those that these come from, each with a leaf for its first
 /// branch (Theorem 17): what follows is the rest of a tree in which these bounds are in force.
+/// Nothing if they are longer than longest_tree, or have more than 8 times as many terms to add up.
 /// \pre chain.keeps_raises()
-Tree chain_splits(const TolerantChain &chain, const std::vector<ClassInterval> &needed);
+std::optional<Tree> chain_splits(const TolerantChain &chain, const std::vector<ClassInterval> &needed);
 
-/// The tree that refutes chain.particles() - 1 particles.
+/// The tree that refutes chain.particles() - 1 particles; empty if it is too long, as below.
 /// \pre chain.keeps_raises()
 Tree chain_tree(const TolerantChain &chain);
 

@@ -73,14 +73,19 @@ private:
   /// A tree that no certificate can hold is given up: of a search that is not complete, what is certain
   /// without it is proved.
   void keep_tree(const TolerantSearch &search) {
-    if (result_.best && result_.proved == least_) {
-      result_.tree = tree_of_least();
-      return;
-    }
-    result_.tree = with_splits(search.tree());
-    if (result_.tree.empty() && !result_.complete) {
-      result_.proved = least_;
-      result_.tree = tree_of_least();
+    const bool is_of_chain = result_.best && result_.proved == least_;
+    result_.tree = is_of_chain ? tree_of_least() : with_splits(search.tree());
+    if (result_.tree.empty() && !result_.complete)
+      prove_least();
+  }
+
+  /// What the chain knows, or what was asked for if its tree is too long.
+  void prove_least() {
+    result_.proved = least_;
+    result_.tree = tree_of_least();
+    if (result_.tree.empty()) {
+      result_.proved = problem_.at_least();
+      result_.tree = tree_of_question();
     }
   }
 
@@ -154,8 +159,13 @@ private:
   /// Refutes fewer than `least_` particles.
   Tree tree_of_least() const {
     if (least_ == problem_.at_least())
-      return {{0, 0, 0, {{TolerantCondition::at_least, 0, 1}, {TolerantCondition::fewer, 0, 1}}}};
+      return tree_of_question();
     return chain_->keeps_raises() ? chain_tree(*chain_) : Tree();
+  }
+
+  /// Refutes fewer particles than were asked for.
+  static Tree tree_of_question() {
+    return {{0, 0, 0, {{TolerantCondition::at_least, 0, 1}, {TolerantCondition::fewer, 0, 1}}}};
   }
 
   /// The bounds of single classes that every match keeps.
@@ -181,9 +191,11 @@ private:
         else if (m.condition == TolerantCondition::least_count ||
                  m.condition == TolerantCondition::above_lower)
           used.push_back({m.j, m.j});
-    Tree all = chain_splits(*chain_, used);
-    all.insert(all.end(), std::make_move_iterator(tree.begin()), std::make_move_iterator(tree.end()));
-    return size_of(all) <= longest_tree ? all : Tree();
+    std::optional<Tree> all = chain_splits(*chain_, used);
+    if (!all)
+      return {};
+    all->insert(all->end(), std::make_move_iterator(tree.begin()), std::make_move_iterator(tree.end()));
+    return size_of(*all) <= longest_tree ? std::move(*all) : Tree();
   }
 
   Integer certain() const { return tree_ ? tree_->certain() : least_; }
@@ -192,7 +204,7 @@ private:
   void stop() {
     result_.lower_bound = result_.proved = least_;
     if (limits_.keep_proof)
-      result_.tree = tree_of_least();
+      prove_least();
   }
 
   void tell(Progress &known) const {

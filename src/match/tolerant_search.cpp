@@ -64,15 +64,14 @@ struct Cut {
 
 } // namespace
 
-struct TolerantSearch::Parts {
+struct TolerantSearch::Steered {
   TolerantRelaxation relaxation;
   BoundMaker bound_maker;
   CountRounding rounding;
-  std::optional<ExactNode> exact;
   std::vector<double> tried; ///< counts that were tested last
 
-  Parts(const TolerantProblem &problem, const ShareClosure &shares, const std::vector<double> &typical,
-        const Watch &watch)
+  Steered(const TolerantProblem &problem, const ShareClosure &shares, const std::vector<double> &typical,
+          const Watch &watch)
       : relaxation(problem, typical, watch), bound_maker(problem), rounding(problem, shares) {}
 
   /// Sums that are below the chain's bounds, the worst first.
@@ -130,16 +129,20 @@ struct TolerantSearch::Parts {
 TolerantSearch::TolerantSearch(const TolerantProblem &problem, const ShareClosure &shares, CountBounds bounds,
                                Integer least, const TolerantChain *chain, std::optional<TolerantMatch> &best,
                                const Limits &limits, const Watch &watch)
-    : problem_(problem), root_(std::move(bounds)), chain_(chain), best_(best), limits_(limits), watch_(watch),
-      tree_(std::move(least), limits.keep_proof) {
-  double mass = 0;
-  if (best)
-    for (const Rational &t : best->t)
-      mass += t.convert_to<double>();
-  parts_ = std::make_unique<Parts>(problem, shares, typical_counts(problem, root_, mass), watch_);
-}
+    : problem_(problem), shares_(shares), root_(std::move(bounds)), chain_(chain), best_(best),
+      limits_(limits), watch_(watch), tree_(std::move(least), limits.keep_proof) {}
 
 TolerantSearch::~TolerantSearch() = default;
+
+TolerantSearch::Steered &TolerantSearch::steered() {
+  if (!steered_) {
+    double mass = 0;
+    for (const Rational &t : best_->t)
+      mass += t.convert_to<double>();
+    steered_ = std::make_unique<Steered>(problem_, shares_, typical_counts(problem_, root_, mass), watch_);
+  }
+  return *steered_;
+}
 
 /// The most particles that are of interest.
 std::optional<Integer> TolerantSearch::most() const {
@@ -194,8 +197,8 @@ void TolerantSearch::step(SearchTree::Number node) {
     if (!is_feasible || !(add_cuts() || try_rounding()))
       break;
   }
-  const double room = near(*most()) + 1 - parts_->relaxation.particles();
-  const std::optional<Candidate> c = parts_->best_split(problem_, bounds_, room);
+  const double room = near(*most()) + 1 - steered().relaxation.particles();
+  const std::optional<Candidate> c = steered().best_split(problem_, bounds_, room);
   if (!c)
     return decide_exactly(node);
   const SearchTree::Number first = tree_.split(node, c->i, c->j, Integer(std::floor(c->value) + 1));
@@ -205,13 +208,13 @@ void TolerantSearch::step(SearchTree::Number node) {
 /// Makes the node's bound as good as the linear program has it. False if there seems to be nothing of
 /// interest, and the bound does not show it.
 bool TolerantSearch::bound_node(SearchTree::Number node) {
-  TolerantRelaxation &relaxation = parts_->relaxation;
+  TolerantRelaxation &relaxation = steered().relaxation;
   relaxation.set(bounds_, most());
   for (const bool again : {false, true}) {
     if (again)
       relaxation.refresh();
     const bool is_feasible = relaxation.minimise();
-    CertainBound found = parts_->bound_maker.bound(bounds_, relaxation.steering());
+    CertainBound found = steered().bound_maker.bound(bounds_, relaxation.steering());
     if (!found.particles) {
       // Its leaf does not count particles.
       tree_.raise(node, total(best_->q), std::move(found.leaf));
@@ -229,7 +232,7 @@ bool TolerantSearch::add_cuts() {
   if (!chain_)
     return false;
   constexpr std::size_t most_cuts = 10;
-  std::vector<Cut> cuts = parts_->violated(*chain_, root_);
+  std::vector<Cut> cuts = steered().violated(*chain_, root_);
   if (cuts.size() > most_cuts)
     cuts.resize(most_cuts);
   for (const Cut &cut : cuts) {
@@ -257,14 +260,14 @@ bool TolerantSearch::try_counts(std::vector<Integer> q) {
 bool TolerantSearch::try_rounding() {
   CountRounding::Point point;
   for (std::size_t j = 0; j < problem_.classes(); ++j) {
-    point.counts.push_back(parts_->relaxation.count(j));
-    point.masses.push_back(parts_->relaxation.mass(j));
+    point.counts.push_back(steered().relaxation.count(j));
+    point.masses.push_back(steered().relaxation.mass(j));
     point.least.push_back(near(bounds_.classes[j].least));
   }
-  const std::optional<std::vector<double>> q = parts_->rounding.rounded(point, near(*most()) + 1);
-  if (!q || *q == parts_->tried)
+  const std::optional<std::vector<double>> q = steered().rounding.rounded(point, near(*most()) + 1);
+  if (!q || *q == steered().tried)
     return false;
-  parts_->tried = *q;
+  steered().tried = *q;
   std::vector<Integer> counts;
   for (const double n : *q)
     counts.emplace_back(n);
@@ -310,9 +313,9 @@ bool TolerantSearch::try_masses(std::vector<Rational> t) {
 }
 
 void TolerantSearch::decide_exactly(SearchTree::Number node) {
-  if (!parts_->exact)
-    parts_->exact.emplace(problem_, watch_);
-  ExactNode &exact = *parts_->exact;
+  if (!exact_)
+    exact_ = std::make_unique<ExactNode>(problem_, watch_);
+  ExactNode &exact = *exact_;
   while (exact.find(bounds_, most()))
     if (!try_masses(exact.masses())) {
       const auto [j, v] = exact.split();

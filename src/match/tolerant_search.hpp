@@ -6,7 +6,11 @@
 #include "match/tolerant_chain.hpp"
 #include "match/tolerant_match.hpp"
 
+#include <memory>
+
 namespace mdm {
+
+class ExactNode;
 
 /// Branch and bound. Linear programs in double precision choose the splits, on counts of consecutive classes,
 /// and the multipliers of bounds; exact arithmetic makes bounds of them, or decides a node where they do not
@@ -35,7 +39,9 @@ public:
   Tree tree() const;
 
 private:
-  struct Parts;
+  struct Steered;
+  /// What doubles steer, made when it is needed. \pre there is a best
+  Steered &steered();
   void step(SearchTree::Number node);
   bool bound_node(SearchTree::Number node);
   void decide_exactly(SearchTree::Number node);
@@ -47,13 +53,15 @@ private:
   bool ends() const;
 
   const TolerantProblem &problem_;
+  const ShareClosure &shares_;
   CountBounds root_, bounds_;
   const TolerantChain *chain_;
   std::optional<TolerantMatch> &best_;
   const Limits &limits_;
   Watch watch_;
   SearchTree tree_;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<Steered> steered_;
+  std::unique_ptr<ExactNode> exact_;
   std::optional<SearchTree::Number> current_; ///< where the walk goes on
   std::uint64_t nodes_ = 0;
 };
