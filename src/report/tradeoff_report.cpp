@@ -112,7 +112,10 @@ std::string tradeoff_text(const Tradeoff &t) {
 std::string tradeoff_json(const Tradeoff &t) {
   JsonWriter json;
   json.begin_object().key("schema").plain("mdm-tradeoff-1").key("id").string(t.gradation.id());
-  json.key("question").string(in_words(t.question, t.gradation.unit())).key("unit").plain(name(t.gradation.unit()));
+  json.key("question")
+      .string(in_words(t.question, t.gradation.unit()))
+      .key("unit")
+      .plain(name(t.gradation.unit()));
   write_rows(json.key("kind").plain(kind_name(t)).key("by_tolerance"), t.by_tolerance);
   write_rows(json.key("by_sieve"), t.by_sieve);
   json.key("notes").strings(t.gradation.notes()).key("versions").raw(versions_json()).end_object();

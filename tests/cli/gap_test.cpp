@@ -24,3 +24,17 @@ TEST_CASE("a gap is of matches within a tolerance, and not negative", "[cli]") {
   check_refused(mdm({"solve", sand, "--gap", "0.1"}), "--gap");
   check_refused(mdm({"solve", sand, "--tolerance", "passing:2%", "--gap", "-1"}), "--gap");
 }
+
+TEST_CASE("a gap that is reached is enough in batch and export as well", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string sand = example("ottawa-f65-sand");
+  const Arguments gap = {"--tolerance", "passing:2%", "--gap", "0.5"};
+  const auto with_gap = [&gap](Arguments arguments) {
+    arguments.insert(arguments.end(), gap.begin(), gap.end());
+    return mdm(arguments);
+  };
+  const Outcome batch = with_gap({"batch", sand});
+  CHECK(batch.exit_code == 0);
+  CHECK(Json::parse(batch.out).at("status") == "feasible");
+  CHECK(with_gap({"export", sand, "--to", "csv", "-o", folder / "sand.csv"}).exit_code == 0);
+}

@@ -229,20 +229,23 @@ TEST_CASE("what is of gradations is refused for packings, and the other way roun
 
 TEST_CASE("plot draws a section of a sample with places beside the curve", "[cli]") {
   const TemporaryFolder folder;
-  const std::string sand = folder.write("g.csv", "size_mm,mass\n1,2\n2,2\n3,0\n");
+  const std::string gradation = folder.write("g.csv", "size_mm,mass\n1,2\n2,2\n3,0\n");
   const std::string grains = folder.write("grains.txt", "0 0 0.5 0.75\n1.5 0 0.5 1\n1.5 0.5 2 1.2\n");
   const std::string sizes = folder.write("sizes.csv", "size_mm\n1.5\n");
-  const Outcome drawn = mdm({"plot", sand, grains, "--what", "section", "--script", "-"});
+  const Outcome drawn = mdm({"plot", gradation, grains, "--what", "section", "--script", "-"});
   CHECK(drawn.exit_code == 0);
   CHECK(drawn.out.find("section at y = 0.25 mm") != std::string::npos);
   CHECK(drawn.out.find("1 to 2 mm") != std::string::npos);
   CHECK(drawn.out.find("percent passing") != std::string::npos);
-  CHECK(mdm({"plot", sand, grains, "--what", "section", "--size-unit", "um", "--script", "-"}).exit_code ==
-        2);
-  check_refused(mdm({"plot", sand, sizes, "--what", "section", "--script", "-"}), "a place of their own");
-  check_refused(mdm({"plot", sand, "--match", "--what", "section", "--script", "-"}),
+  CHECK(
+      mdm({"plot", gradation, grains, "--what", "section", "--size-unit", "um", "--script", "-"}).exit_code ==
+      2);
+  check_refused(mdm({"plot", gradation, sizes, "--what", "section", "--script", "-"}),
+                "a place of their own");
+  check_refused(mdm({"plot", gradation, "--match", "--what", "section", "--script", "-"}),
                 "no places of particles");
-  check_refused(mdm({"plot", sand, "--what", "section", "--script", "-"}), "--what section: give a SAMPLE");
-  check_refused(mdm({"plot", sand, "--match", "--size-unit", "m", "--script", "-"}),
+  check_refused(mdm({"plot", gradation, "--what", "section", "--script", "-"}),
+                "--what section: give a SAMPLE");
+  check_refused(mdm({"plot", gradation, "--match", "--size-unit", "m", "--script", "-"}),
                 "--size-unit: it is of a SAMPLE");
 }

@@ -113,3 +113,12 @@ TEST_CASE("a batch within a tolerance writes the proof of each line", "[cli]") {
   CHECK(mdm_check(gradation, folder / "proofs/000001-a.proof").exit_code == 0);
   CHECK(mdm_check(gradation, folder / "proofs/000002-a.proof").exit_code == 0);
 }
+
+TEST_CASE("where the chain's proof would be too long, what was asked for is proved in time", "[cli]") {
+  std::string many = "size_um,mass\n";
+  for (unsigned i = 0; i < 1500; ++i)
+    many += std::to_string(1000 + i) + "," + std::to_string(100 + i * 7919 % 1901) + "\n";
+  const TemporaryFolder folder;
+  const std::string file = folder.write("many.csv", many + "3000,0\n");
+  CHECK(contains(verdict(file, {"--tolerance", "0.05%", "--node-limit", "1"}, 3), " is between "));
+}

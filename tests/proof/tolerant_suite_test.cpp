@@ -64,6 +64,7 @@ TEST_CASE("the suite's proofs within tolerances are accepted, and refused if the
       const std::string bounds = certificate(part);
       REQUIRE(*part.proof.bound <= n);
       REQUIRE(is_accepted(line, bounds));
+      REQUIRE_FALSE(is_accepted(line, claiming(bounds, Integer(*part.proof.bound + 1))));
       REQUIRE_FALSE(is_accepted(line, claiming(bounds, Integer(n + 1))));
       ++between;
     }
