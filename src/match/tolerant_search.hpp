@@ -57,7 +57,7 @@ private:
   CountBounds root_, bounds_;
   const TolerantChain *chain_;
   std::optional<TolerantMatch> &best_;
-  const Limits &limits_;
+  const Limits limits_;
   Watch watch_;
   SearchTree tree_;
   std::unique_ptr<Steered> steered_;

@@ -45,8 +45,8 @@ const std::vector<Rounding> roundings = {
      "steers "
      "the search for a match, with an exact test behind them"},
     {"mpq_get_d(",
-     {"particles/written_number.cpp"},
-     "decimals and doubles in particle files, judged exactly"},
+     {"packing/sphere_sample.cpp", "particles/written_number.cpp"},
+     "decimals and doubles in particle files, judged exactly, and places with an exact test behind them"},
     {"mpz_get_d(", {"match/sweep_problem.cpp"}, "bounds of the sweep, with an exact fallback"},
     {"to_double(",
      {"match/sweep_problem.hpp", "match/sweep_problem.cpp", "match/least_match.cpp", "number/int128.hpp",
