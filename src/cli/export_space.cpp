@@ -14,17 +14,9 @@
 namespace mdm::cli {
 namespace {
 
-/// Reads `AxB` or `AxBxC`. \param unit  of lengths without one, and of the result
 Footprint parse_box(const std::string &text, SizeUnit unit) {
-  std::vector<Rational> lengths;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find('x', begin), text.size());
-    lengths.push_back(length("--box", text.substr(begin, end - begin)).in(unit));
-    begin = end + 1;
-  }
-  if (lengths.size() < 2 || lengths.size() > 3)
-    throw InputError("--box: " + in_quotes(text) + " is neither AxB nor AxBxC: write for example 50x50");
-  return {lengths[0], lengths[1], lengths.size() == 3 ? std::optional(lengths[2]) : std::nullopt};
+  const std::vector<Rational> sides = box_sides("--box", text, unit);
+  return {sides[0], sides[1], sides.size() == 3 ? std::optional(sides[2]) : std::nullopt};
 }
 
 /// The ground in the unit of the gradation, or of the answer; open: none was asked for.

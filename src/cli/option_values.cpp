@@ -70,6 +70,15 @@ Length length(const std::string &option, const std::string &text) {
   return named(option, text, parse_length);
 }
 
+std::vector<Rational> box_sides(const std::string &option, const std::string &text, SizeUnit unit) {
+  std::vector<Rational> sides;
+  for (const Length &side : named(option, text, parse_lengths))
+    sides.push_back(side.in(unit));
+  if (sides.size() < 2 || sides.size() > 3)
+    throw InputError(option + ": " + in_quotes(text) + " is neither AxB nor AxBxC: write for example 50x50");
+  return sides;
+}
+
 LengthUnit length_unit_of(const std::string &option, const std::string &text) {
   const std::optional<LengthUnit> unit = parse_length_unit(text);
   if (!unit)

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace mdm::cli {
 
@@ -38,6 +39,8 @@ unsigned digits_of(const std::string &option, const std::string &text);
 
 /// A length above 0, with a unit or without one.
 Length length(const std::string &option, const std::string &text);
+/// The sides of a box, `AxB` or `AxBxC`. \param unit  of lengths without one, and of the result
+std::vector<Rational> box_sides(const std::string &option, const std::string &text, SizeUnit unit);
 /// \throws InputError naming the option if it is no unit of length
 LengthUnit length_unit_of(const std::string &option, const std::string &text);
 

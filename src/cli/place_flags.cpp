@@ -16,15 +16,9 @@ SpaceBox from_origin(const Rational &a, const Rational &b, const Rational &c) {
 
 /// `AxB`, which ends at the top of the spheres, or `AxBxC`.
 void set_box(const std::string &text, SizeUnit unit, SampleSpace &space) {
-  const auto crosses = std::count(text.begin(), text.end(), 'x');
-  if (crosses != 1 && crosses != 2)
-    throw InputError("--box: " + in_quotes(text) + " is neither AxB nor AxBxC: write for example 50x50");
-  space.to_top = crosses == 1;
-  const Solids shape = named("--box", text, [&space, unit](const std::string &sides) {
-    return parse_specimen("box:" + sides + (space.to_top ? "x1" : ""), "0", unit);
-  });
-  const auto &box = std::get<Box>(shape);
-  space.box = from_origin(box.a, box.b, box.c);
+  const std::vector<Rational> sides = box_sides("--box", text, unit);
+  space.to_top = sides.size() == 2;
+  space.box = from_origin(sides[0], sides[1], space.to_top ? Rational(1) : sides[2]);
 }
 
 void set_specimen(const std::string &text, SizeUnit unit, SampleSpace &space) {

@@ -32,16 +32,25 @@ struct TradeoffCommand {
   OutputFlags output;
 };
 
+/// The parts of a text between commas.
+std::vector<std::string> listed(const std::string &text) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    parts.push_back(text.substr(from, to - from));
+    from = to + 1;
+  }
+  return parts;
+}
+
 /// `0,0.5,1` with or without percent signs.
 std::vector<AskedTolerance> tolerances(const TradeoffCommand &c) {
   std::vector<AskedTolerance> all;
-  for (std::size_t from = 0; from <= c.tolerances.size();) {
-    const std::size_t to = std::min(c.tolerances.find(',', from), c.tolerances.size());
-    std::string one(trimmed(std::string_view(c.tolerances).substr(from, to - from)));
+  for (const std::string &part : listed(c.tolerances)) {
+    std::string one(trimmed(part));
     if (!one.ends_with('%'))
       one += '%';
     all.push_back(named("--tolerances", c.kind + ":" + one, parse_tolerance));
-    from = to + 1;
   }
   return all;
 }
@@ -57,11 +66,9 @@ void read_budgets(const TradeoffCommand &c, TradeoffOptions &o) {
   if (c.grid)
     o.grid = positive("--grid", *c.grid);
   o.all_budgets = *c.particles == "all";
-  for (std::size_t from = 0; !o.all_budgets && from <= c.particles->size();) {
-    const std::size_t to = std::min(c.particles->find(',', from), c.particles->size());
-    o.budgets.push_back(natural("--particles", c.particles->substr(from, to - from), 1));
-    from = to + 1;
-  }
+  if (!o.all_budgets)
+    for (const std::string &part : listed(*c.particles))
+      o.budgets.push_back(natural("--particles", part, 1));
 }
 
 TradeoffOptions options(const TradeoffCommand &c) {

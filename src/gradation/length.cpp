@@ -70,4 +70,15 @@ Length parse_length(std::string_view text) {
   return length;
 }
 
+std::vector<Length> parse_lengths(std::string_view text) {
+  std::vector<Length> lengths;
+  for (;;) {
+    const std::size_t end = text.find('x');
+    lengths.push_back(parse_length(text.substr(0, end)));
+    if (end == std::string_view::npos)
+      return lengths;
+    text.remove_prefix(end + 1);
+  }
+}
+
 } // namespace mdm

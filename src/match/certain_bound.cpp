@@ -1,5 +1,6 @@
 #include "match/certain_bound.hpp"
 
+#include "match/leaf_sum.hpp"
 #include "number/common_denominator.hpp"
 
 #include <algorithm>
@@ -26,15 +27,6 @@ int scale_of(const std::vector<Steering> &steering) {
     greatest = s == steering.begin() ? exponent : std::max(greatest, exponent);
   }
   return bits - std::max(least, greatest - most_apart);
-}
-
-TreeNode without_common_divisor(TreeNode leaf) {
-  Integer common = 0;
-  for (const Multiple &m : leaf.leaf)
-    common = gcd(common, m.multiplier);
-  for (Multiple &m : leaf.leaf)
-    m.multiplier /= common;
-  return leaf;
 }
 
 } // namespace
@@ -65,8 +57,10 @@ struct BoundMaker::Sum {
       result.particles = strict ? Integer(floor_div(right, particles) + 1) : ceil_div(right, particles);
     else if (!(right > 0 || (right == 0 && strict)))
       result.particles = 0;
-    if (!result.particles || *result.particles > 0)
-      result.leaf = without_common_divisor(std::move(leaf));
+    if (!result.particles || *result.particles > 0) {
+      reduce_multipliers(leaf);
+      result.leaf = std::move(leaf);
+    }
     return result;
   }
   void add_masses(std::size_t from, std::size_t to, const Integer &m) {

@@ -4,13 +4,19 @@
 
 namespace mdm {
 
+void reduce_multipliers(TreeNode &leaf) {
+  Integer common = 0;
+  for (const Multiple &m : leaf.leaf)
+    common = gcd(common, m.multiplier);
+  for (Multiple &m : leaf.leaf)
+    m.multiplier /= common;
+}
+
 void set_multipliers(TreeNode &leaf, const std::vector<Rational> &multipliers) {
   const CommonDenominator cleared(multipliers);
-  Integer common = 0;
-  for (const Integer &n : cleared.numerators)
-    common = gcd(common, n);
   for (std::size_t i = 0; i < leaf.leaf.size(); ++i)
-    leaf.leaf[i].multiplier = cleared.numerators[i] / common;
+    leaf.leaf[i].multiplier = cleared.numerators[i];
+  reduce_multipliers(leaf);
 }
 
 void LeafSum::add(TolerantCondition condition, std::size_t i, std::size_t j, const Rational &m) {

@@ -11,6 +11,10 @@
 
 namespace mdm {
 
+/// Divides a leaf's multipliers by their greatest common divisor.
+/// \pre some are not 0
+void reduce_multipliers(TreeNode &leaf);
+
 /// Gives a leaf's conditions their multipliers: integers without a common divisor in the ratios of these.
 /// \pre as many as the leaf has conditions, all >= 0, some > 0
 void set_multipliers(TreeNode &leaf, const std::vector<Rational> &multipliers);

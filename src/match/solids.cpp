@@ -13,13 +13,9 @@ namespace {
 
 std::vector<Rational> lengths(std::string_view text, SizeUnit unit) {
   std::vector<Rational> values;
-  for (;;) {
-    const std::size_t end = text.find('x');
-    values.push_back(parse_length(text.substr(0, end)).in(unit));
-    if (end == std::string_view::npos)
-      return values;
-    text.remove_prefix(end + 1);
-  }
+  for (const Length &length : parse_lengths(text))
+    values.push_back(length.in(unit));
+  return values;
 }
 
 } // namespace

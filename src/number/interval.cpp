@@ -18,6 +18,11 @@ Interval operator*(const Interval &y, const Interval &z) {
   return {y.lo * z.lo, y.hi * z.hi};
 }
 
+Interval operator/(const Interval &y, const Interval &z) {
+  assert(z.lo > 0);
+  return {y.lo / (y.lo < 0 ? z.lo : z.hi), y.hi / (y.hi < 0 ? z.hi : z.lo)};
+}
+
 Interval power(const Interval &y, unsigned exponent) {
   assert(y.lo >= 0);
   return {power(y.lo, exponent), power(y.hi, exponent)};

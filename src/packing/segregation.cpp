@@ -20,17 +20,13 @@ BandVolumes totals(const std::vector<BandVolumes> &groups) {
 
 } // namespace
 
-Interval quotient(const Interval &y, const Interval &z) {
-  return {y.lo / (y.lo < 0 ? z.lo : z.hi), y.hi / (y.hi < 0 ? z.hi : z.lo)};
-}
-
 std::vector<BandVolumes> shares_of_bands(const std::vector<BandVolumes> &groups) {
   const BandVolumes all = totals(groups);
   std::vector<BandVolumes> shares(groups.size());
   for (std::size_t j = 0; j < groups.size(); ++j)
     for (std::size_t k = 0; k < sphere_bands; ++k)
       if (all[k].lo > 0)
-        shares[j][k] = quotient(groups[j][k], all[k]);
+        shares[j][k] = groups[j][k] / all[k];
   return shares;
 }
 
@@ -44,15 +40,15 @@ std::optional<Interval> segregation(const std::vector<BandVolumes> &groups) {
   // p (1 - p) is 1 - sum p^2.
   Interval variance, most(Rational(1));
   for (std::size_t j = 0; j < groups.size(); ++j) {
-    const Interval square = power(quotient(sum_of(groups[j]), all), 2);
+    const Interval square = power(sum_of(groups[j]) / all, 2);
     for (std::size_t k = 0; k < sphere_bands; ++k)
-      variance = variance + quotient(bands[k], all) * power(shares[j][k], 2);
+      variance = variance + bands[k] / all * power(shares[j][k], 2);
     variance = variance - square;
     most = most - square;
   }
   if (most.lo <= 0)
     return std::nullopt;
-  const Interval index = quotient(variance, most);
+  const Interval index = variance / most;
   return Interval(std::clamp(index.lo, Rational(0), Rational(1)),
                   std::clamp(index.hi, Rational(0), Rational(1)));
 }

@@ -241,7 +241,7 @@ private:
       group.spheres = s.spheres;
       const Interval volume = s.volume.interval(), moment = s.moment.interval();
       if (s.spheres > 0)
-        group.mean_height = packing::quotient(moment, volume);
+        group.mean_height = moment / volume;
       packing::BandVolumes of_bands;
       for (std::size_t k = 0; k < sphere_bands; ++k) {
         const Interval band = s.bands[k].interval();

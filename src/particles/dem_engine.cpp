@@ -36,10 +36,7 @@ public:
 
 private:
   std::size_t column(std::string_view name) const {
-    const auto found = std::find(fields_.begin(), fields_.end(), name);
-    if (found == fields_.end() || std::count(fields_.begin(), fields_.end(), name) > 1)
-      source_.refuse(fmt::format("there is not one column {}: write X,Y,Z,Qw,Qx,Qy,Qz,clump_type", name));
-    return static_cast<std::size_t>(found - fields_.begin());
+    return source_.column(fields_, name, "X,Y,Z,Qw,Qx,Qy,Qz,clump_type");
   }
 
   void read_names() {
@@ -64,8 +61,7 @@ private:
       source_.refuse(fmt::format("the row has {} fields, and the header {}: is the file cut off?",
                                  fields_.size(), width_));
     for (const std::size_t axis : {columns_[0], columns_[1], columns_[2]})
-      if (!is_number(fields_[axis]))
-        source_.refuse(fmt::format("{} is not a number: is the file damaged?", in_quotes(fields_[axis])));
+      source_.check_number(fields_[axis]);
     source_.particle_at({fields_[columns_[0]], fields_[columns_[1]], fields_[columns_[2]]}, radius());
   }
 

@@ -120,10 +120,7 @@ private:
     bounds_[axis_++] = {std::string(words_[0]), std::string(words_[1])};
     if (axis_ < 3 || !taken_)
       return;
-    std::array<std::array<std::string_view, 2>, 3> bounds;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      bounds[axis] = {bounds_[axis][0], bounds_[axis][1]};
-    source_.set_box(bounds, periodic_);
+    source_.set_box(bounds_, periodic_);
   }
 
   /// The columns x y z of centres, or those of unwrapped ones; nothing where they are not there.

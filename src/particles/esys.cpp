@@ -66,16 +66,9 @@ private:
         periodic_[axis] = words_[1 + axis] != "0";
     } else if (words_.front() == "Simple") {
       part_ = Part::count;
-      hand_on_box();
+      if (!bounds_[0][0].empty())
+        source_.set_box(bounds_, periodic_);
     }
-  }
-
-  void hand_on_box() const {
-    std::array<std::array<std::string_view, 2>, 3> bounds;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      bounds[axis] = {bounds_[axis][0], bounds_[axis][1]};
-    if (!bounds_[0][0].empty())
-      source_.set_box(bounds, periodic_);
   }
 
   void read_count() {
@@ -98,9 +91,8 @@ private:
           fmt::format("the line has {} numbers, and not x y z r id tag{}: is the file cut off, or are "
                       "there fewer than {} particles?",
                       words_.size(), is_geometry_ ? "" : " mass ... as the others", particles_));
-    const auto wrong = std::find_if_not(words_.begin(), words_.end(), is_number);
-    if (wrong != words_.end())
-      source_.refuse(fmt::format("{} is not a number: is the file damaged?", in_quotes(*wrong)));
+    for (const std::string_view word : words_)
+      source_.check_number(word);
     source_.particle_at({words_[0], words_[1], words_[2]}, words_[3]);
     ++read_;
   }

@@ -123,9 +123,7 @@ private:
       bounds[axis] = {std::string(origin[axis]),
                       exact_decimal(parse_decimal(origin[axis]) + parse_decimal(sides[4 * axis])).value()};
     }
-    source_.set_box(
-        {{{bounds[0][0], bounds[0][1]}, {bounds[1][0], bounds[1][1]}, {bounds[2][0], bounds[2][1]}}},
-        repeats);
+    source_.set_box(bounds, repeats);
   }
 
   Property take_property(std::string_view &rest) const {

@@ -71,13 +71,10 @@ private:
 
   /// The file does not say which sides are periodic.
   void hand_on_box() const {
-    std::array<std::array<std::string_view, 2>, 3> bounds;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (bounds_[axis][0].empty())
+    for (const std::array<std::string, 2> &of_axis : bounds_)
+      if (of_axis[0].empty())
         return;
-      bounds[axis] = {bounds_[axis][0], bounds_[axis][1]};
-    }
-    source_.set_box(bounds, {});
+    source_.set_box(bounds_, {});
   }
 
   void begin_section(std::string_view comment) {

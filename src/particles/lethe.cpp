@@ -45,13 +45,9 @@ private:
   }
 
   void read_names() {
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const auto found = std::find(fields_.begin(), fields_.end(), names[i]);
-      if (found == fields_.end() || std::count(fields_.begin(), fields_.end(), names[i]) > 1)
-        source_.refuse(
-            fmt::format("there is not one column {}: write p_x; p_y; p_z; ... diameters;", names[i]));
-      columns_[i] = static_cast<std::size_t>(found - fields_.begin());
-    }
+    const std::vector<std::string> all(fields_.begin(), fields_.end());
+    for (std::size_t i = 0; i < names.size(); ++i)
+      columns_[i] = source_.column(all, names[i], "p_x; p_y; p_z; ... diameters;");
     width_ = fields_.size();
   }
 
@@ -59,9 +55,8 @@ private:
     if (fields_.size() != width_)
       source_.refuse(fmt::format("the line has {} values, there are {} columns: is the file cut off?",
                                  fields_.size(), width_));
-    const auto wrong = std::find_if_not(fields_.begin(), fields_.end(), is_number);
-    if (wrong != fields_.end())
-      source_.refuse(fmt::format("{} is not a number: is the file damaged?", in_quotes(*wrong)));
+    for (const std::string_view field : fields_)
+      source_.check_number(field);
     source_.particle_at({fields_[columns_[0]], fields_[columns_[1]], fields_[columns_[2]]},
                         fields_[columns_[3]]);
   }

@@ -62,7 +62,20 @@ void ParticleSource::particle_at(const SphereSample::Place &place, std::string_v
   any_ = true;
 }
 
-void ParticleSource::set_box(const std::array<std::array<std::string_view, 2>, 3> &bounds,
+void ParticleSource::check_number(std::string_view word) const {
+  if (!is_number(word))
+    refuse(fmt::format("{} is not a number: is the file damaged?", in_quotes(word)));
+}
+
+std::size_t ParticleSource::column(const std::vector<std::string> &names, std::string_view name,
+                                   const char *example) const {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end() || std::count(found, names.end(), name) > 1)
+    refuse(fmt::format("there is not one column {}: write {}", name, example));
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+void ParticleSource::set_box(const std::array<std::array<std::string, 2>, 3> &bounds,
                              const std::array<bool, 3> &periodic) {
   if (!sink_.wants_places())
     return;

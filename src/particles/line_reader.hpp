@@ -36,10 +36,14 @@ public:
   /// A particle with its place, whose coordinates must be numbers.
   void particle_at(const SphereSample::Place &place, std::string_view size, char point = '.',
                    ReadSize read = read_decimal);
+  /// \throws InputError if a word is no number
+  void check_number(std::string_view word) const;
+  /// The place of the one column of that name. \throws InputError that shows the example if there is none, or
+  /// several
+  std::size_t column(const std::vector<std::string> &names, std::string_view name, const char *example) const;
   bool wants_places() const { return sink_.wants_places(); }
   /// The lower and upper bounds of the box along each axis. \throws InputError if they are none
-  void set_box(const std::array<std::array<std::string_view, 2>, 3> &bounds,
-               const std::array<bool, 3> &periodic);
+  void set_box(const std::array<std::array<std::string, 2>, 3> &bounds, const std::array<bool, 3> &periodic);
   /// Particles whose size is in [lo, hi], and above `lower` if that is no empty text.
   void particle_between(std::string_view lo, std::string_view hi, std::string_view lower,
                         const Integer &quantity, char point);

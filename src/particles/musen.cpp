@@ -66,8 +66,7 @@ private:
 
   std::string_view take_number() {
     const std::string_view word = take();
-    if (!is_number(word))
-      source_.refuse(fmt::format("{} is not a number: is the file damaged?", in_quotes(word)));
+    source_.check_number(word);
     return word;
   }
 

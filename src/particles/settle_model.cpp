@@ -32,9 +32,8 @@ double rayleigh_of(const SettleModel &model, const Elasticity &elasticity) {
     return rayleigh_time(model.set, elasticity).convert_to<double>();
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < model.set.classes.size(); ++i) {
-    ParticleSet of_class = model.set;
-    of_class.classes = {model.set.classes[i]};
-    least = std::min(least, rayleigh_time(of_class, model.materials[i].elasticity).convert_to<double>());
+    const Rational time = rayleigh_time(model.set, model.set.classes[i], model.materials[i].elasticity);
+    least = std::min(least, time.convert_to<double>());
   }
   return least;
 }

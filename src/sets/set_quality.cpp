@@ -31,10 +31,6 @@ Interval interval(const Real &y) {
   return {e.lower(), e.upper()};
 }
 
-Interval quotient(const Interval &y, const Interval &z) {
-  return {y.lo / z.hi, y.hi / z.lo};
-}
-
 Interval square_root(const Interval &y) {
   return {root(y.lo, 2, work_bits).lo, root(y.hi, 2, work_bits).hi};
 }
@@ -154,13 +150,13 @@ private:
       deviations = deviations + square(found - interval(curve_.passing(sizes_[i])));
       squares = squares + square(found);
     }
-    result.c_r = square_root(quotient(deviations, squares));
+    result.c_r = square_root(deviations / squares);
   }
 
   void set_coefficients(SetQuality &result) const {
     const Interval d10 = diameter(ratio(1, 10)), d30 = diameter(ratio(3, 10)), d60 = diameter(ratio(6, 10));
-    result.c_u = quotient(d60, d10);
-    result.c_c = quotient(d30 * d30, d60 * d10);
+    result.c_u = d60 / d10;
+    result.c_c = d30 * d30 / (d60 * d10);
   }
 
   /// The particles of a class, ascending.

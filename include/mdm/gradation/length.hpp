@@ -5,6 +5,7 @@
 #include <mdm/gradation/size_unit.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace mdm {
 
@@ -32,5 +33,7 @@ struct Length {
 /// Reads `50mm`, `63um`, `0.5in`, `2m` or `50`.
 /// \throws InputError if it is none of them, or not above 0
 Length parse_length(std::string_view text);
+/// Reads lengths with an x between them: `50mmx100mm`. \throws InputError as parse_length
+std::vector<Length> parse_lengths(std::string_view text);
 
 } // namespace mdm

@@ -28,6 +28,8 @@ Interval operator+(const Interval &y, const Interval &z);
 Interval operator-(const Interval &y, const Interval &z);
 /// Encloses y * z, for y, z >= 0.
 Interval operator*(const Interval &y, const Interval &z);
+/// Encloses y / z, for z > 0.
+Interval operator/(const Interval &y, const Interval &z);
 /// Encloses y^exponent, for y >= 0.
 Interval power(const Interval &y, unsigned exponent);
 /// Encloses |y|.
