@@ -1,4 +1,5 @@
 #include "../particles/support.hpp"
+#include "replaced.hpp"
 
 #include <mdm/answer/answer_sample.hpp>
 #include <mdm/number/decimal.hpp>
@@ -7,6 +8,7 @@
 
 using namespace mdm;
 using namespace mdm::test;
+using mdm_test::replaced;
 
 namespace {
 
@@ -30,12 +32,6 @@ const std::string two =
 
 Gradation three_classes(SizeUnit unit = SizeUnit::mm, const Rational &factor = 1) {
   return gradation({0, 1 * factor, 2 * factor, 3 * factor}, {0, 1, 2, 0}, {}, unit);
-}
-
-std::string replaced(std::string text, const std::string &part, const std::string &by) {
-  const std::size_t at = text.find(part);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, part.size(), by);
 }
 
 AnswerDescription described(const std::string &answer, const Gradation &g = three_classes(),

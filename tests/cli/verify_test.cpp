@@ -1,8 +1,10 @@
 // mdm verify: what matches, what does not and why, from every kind of sample.
 
 #include "answer.hpp"
+#include "replaced.hpp"
 
 using namespace cli_test;
+using mdm_test::replaced;
 
 namespace {
 
@@ -45,12 +47,6 @@ bool holds(const Json &report, const char *condition) {
 
 std::string reason(const Json &report, const char *condition) {
   return report.at("conditions").at(condition).at("reason").get<std::string>();
-}
-
-std::string replaced(std::string text, const std::string &part, const std::string &by) {
-  const std::size_t at = text.find(part);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, part.size(), by);
 }
 
 /// A line for each particle of an answer, `size` being the middle of its enclosure.

@@ -1,19 +1,11 @@
 #include "packing/support.hpp"
+#include "replaced.hpp"
 
 #include <mdm/packing/packing_reader.hpp>
 
 using namespace mdm;
 using namespace packing_test;
-
-namespace {
-
-std::string replaced(std::string text, const std::string &what, const std::string &by) {
-  const std::size_t at = text.find(what);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, what.size(), by);
-}
-
-} // namespace
+using mdm_test::replaced;
 
 TEST_CASE("a packing file is read as it was written") {
   DepositOptions o;

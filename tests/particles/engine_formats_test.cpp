@@ -1,9 +1,11 @@
-// Files of ESyS-Particle, Lethe and Kratos.
+// Files of engines with formats of their own.
 
+#include "replaced.hpp"
 #include "support.hpp"
 
 using namespace mdm;
 using namespace mdm::test;
+using mdm_test::replaced;
 
 namespace {
 
@@ -23,12 +25,6 @@ const std::string kratos =
     "Begin NodalData RADIUS // GUI group\n7 0 0.5\n9 0 0.25\nEnd NodalData\n\n"
     "Begin SubModelPart grains\n  Begin SubModelPartNodes\n  7\n  End SubModelPartNodes\n"
     "End SubModelPart\n";
-
-std::string replaced(std::string text, const std::string &part, const std::string &by) {
-  const std::size_t at = text.find(part);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, part.size(), by);
-}
 
 } // namespace
 

@@ -1,9 +1,11 @@
 // Files of LAMMPS, LIGGGHTS and VTK.
 
+#include "replaced.hpp"
 #include "support.hpp"
 
 using namespace mdm;
 using namespace mdm::test;
+using mdm_test::replaced;
 
 namespace {
 
@@ -41,10 +43,6 @@ const std::string vtk_points = "# vtk DataFile Version 3.0\n"
                                "VERTICES 3 6\n"
                                "1 0\n1 1\n1 2\n"
                                "POINT_DATA 3\n";
-
-std::string replaced(std::string text, const std::string &part, const std::string &by) {
-  return text.replace(text.find(part), part.size(), by);
-}
 
 } // namespace
 
