@@ -1,23 +1,20 @@
 #include "gradation/cell_double.hpp"
 
+#include "number/nearest_double.hpp"
 #include "text/lines.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 
 namespace mdm {
 
 std::optional<CellDouble> cell_double(std::string_view stored) {
-  double value = 0;
-  const std::from_chars_result read = std::from_chars(stored.data(), stored.data() + stored.size(), value);
-  if (read.ec != std::errc() || read.ptr != stored.data() + stored.size() || !std::isfinite(value))
+  const std::optional<double> value = nearest_double(stored);
+  if (!value)
     return std::nullopt;
-  std::array<char, 32> digits{};
   // The shortest decimal that reads back; of at most 15 digits no two are the same double.
-  const std::to_chars_result written = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  CellDouble number{std::string(digits.data(), written.ptr), true};
+  CellDouble number{fmt::to_string(*value), true};
   const std::string_view mantissa = std::string_view(number.text).substr(0, number.text.find('e'));
   std::string significant;
   std::copy_if(mantissa.begin(), mantissa.end(), std::back_inserter(significant), is_digit);

@@ -3,13 +3,8 @@
 #include "gradation/shown.hpp"
 #include "number/decimal_exponent.hpp"
 
+#include <mdm/number/ball.hpp>
 #include <mdm/text/error.hpp>
-
-#if __has_include(<flint/arb.h>)
-#include <flint/arb.h>
-#else
-#include <arb.h>
-#endif
 
 #include <fmt/core.h>
 
@@ -21,57 +16,15 @@ namespace {
 constexpr int max_phi = 1000;
 constexpr int phi_digits = 15;
 
-/// Arb's and FLINT's numbers, freed at the end of their scope.
-struct Ball {
-  arb_t value;
-  Ball() { arb_init(value); }
-  ~Ball() { arb_clear(value); }
-  Ball(const Ball &) = delete;
-  Ball &operator=(const Ball &) = delete;
-};
-struct FlintInteger {
-  fmpz_t value;
-  FlintInteger() { fmpz_init(value); }
-  ~FlintInteger() { fmpz_clear(value); }
-  FlintInteger(const FlintInteger &) = delete;
-  FlintInteger &operator=(const FlintInteger &) = delete;
-};
-
-/// ball := r.
-void set(Ball &ball, const Rational &r, slong bits) {
-  fmpq_t fraction;
-  fmpq_init(fraction);
-  fmpq_set_mpq(fraction, r.backend().data());
-  arb_set_fmpq(ball.value, fraction, bits);
-  fmpq_clear(fraction);
-}
-
-/// 2^-phi.
-void power_of_two(Ball &ball, const Rational &phi, slong bits) {
-  Ball exponent;
-  set(exponent, Rational(-phi), bits);
-  arb_set_ui(ball.value, 2);
-  arb_pow(ball.value, ball.value, exponent.value, bits);
-}
-
 /// The integer nearest to 2^-phi * scale, for a phi that is no integer. There is no tie, because 2^-phi is
 /// irrational: once the ball is small enough, the floor of 2^-phi * scale + 1/2 is the same for all of it.
 Integer nearest(const Rational &phi, const Rational &scale) {
-  Ball ball, factor, half;
-  FlintInteger floor;
-  for (slong bits = 128;; bits *= 2) {
-    power_of_two(ball, phi, bits);
-    set(factor, scale, bits);
-    set(half, ratio(1, 2), bits);
-    arb_mul(ball.value, ball.value, factor.value, bits);
-    arb_add(ball.value, ball.value, half.value, bits);
-    arb_floor(ball.value, ball.value, bits);
-    if (arb_get_unique_fmpz(floor.value, ball.value) != 0)
-      break;
+  for (unsigned bits = 128;; bits *= 2) {
+    const Ball y = pow(Ball(2, bits), Rational(-phi)) * Ball(scale, bits) + Ball(ratio(1, 2), bits);
+    const Integer result = floor(y.lower());
+    if (result == floor(y.upper()))
+      return result;
   }
-  Integer result;
-  fmpz_get_mpz(result.backend().data(), floor.value);
-  return result;
 }
 
 } // namespace

@@ -8,7 +8,7 @@
 namespace mdm {
 namespace {
 
-constexpr unsigned shown_digits = 15;
+constexpr long shown_digits = 15;
 
 /// Sign of x^degree - y^degree for x and the fraction y >= 0.
 int compare_to(const RootSize &x, const Rational &y) {
@@ -47,7 +47,8 @@ std::optional<Digits> digits_of(const Rational &r) {
 
 /// The decimal of 15 significant digits that is nearest to x > 0, which may be a fraction without an end.
 Rational rounded(const RootSize &x) {
-  const Enclosure e = enclose_root(numerator(x.power), denominator(x.power), x.degree, shown_digits);
+  const Enclosure e =
+      enclose_root(numerator(x.power), denominator(x.power), x.degree, static_cast<unsigned>(shown_digits));
   const auto length = static_cast<long>(to_string(e.lo).size());
   const long surplus = length > shown_digits ? length - shown_digits : 0;
   const Rational unit = power_of_ten_at(surplus - static_cast<long>(e.places));

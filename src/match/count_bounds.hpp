@@ -34,9 +34,4 @@ struct CountBounds {
   CountBound &of(std::size_t i, std::size_t j) { return i == j ? classes[j] : sums[{i, j}]; }
 };
 
-/// n in double precision, for what only steers.
-inline double near(const Integer &n) {
-  return n.convert_to<double>();
-}
-
 } // namespace mdm

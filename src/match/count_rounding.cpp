@@ -1,5 +1,7 @@
 #include "match/count_rounding.hpp"
 
+#include "match/near.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,13 +29,13 @@ double sum_of(const std::vector<double> &q) {
 
 CountRounding::CountRounding(const TolerantProblem &problem, const ShareClosure &shares)
     : k_(problem.classes()), lo_(k_ * k_, 0), hi_(k_ * k_, 0) {
-  const double unit = shares.unit().convert_to<double>();
+  const double unit = near(shares.unit());
   for (std::size_t i = 0; i < k_; ++i) {
-    f_.push_back(problem.f(i).convert_to<double>());
-    F_.push_back(problem.F(i).convert_to<double>());
+    f_.push_back(near(problem.f(i)));
+    F_.push_back(near(problem.F(i)));
     for (std::size_t j = i; j < k_; ++j) {
-      lo_[i * k_ + j] = shares.lo(i, j).convert_to<double>() / unit;
-      hi_[i * k_ + j] = shares.hi(i, j).convert_to<double>() / unit;
+      lo_[i * k_ + j] = near(shares.lo(i, j)) / unit;
+      hi_[i * k_ + j] = near(shares.hi(i, j)) / unit;
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "match/quick_masses.hpp"
 
+#include "match/near.hpp"
 #include "match/quick_simplex.hpp"
 
 #include <cmath>
@@ -16,8 +17,8 @@ public:
       : problem_(problem), k_(problem.classes()), program_(problem.tolerance().total ? 2 * k_ + 1 : k_ + 1) {
     double all = 0;
     for (std::size_t j = 0; j < k_; ++j) {
-      middle_.push_back((problem.f(j) + problem.F(j)).convert_to<double>() / 2 * q[j].convert_to<double>());
-      half_.push_back((problem.F(j) - problem.f(j)).convert_to<double>() / 2 * q[j].convert_to<double>());
+      middle_.push_back(near(Integer(problem.f(j) + problem.F(j))) / 2 * near(q[j]));
+      half_.push_back(near(Integer(problem.F(j) - problem.f(j))) / 2 * near(q[j]));
       all += middle_.back();
     }
     for (std::size_t j = 0; j < k_; ++j) {
@@ -29,14 +30,14 @@ public:
     program_.set_lower(d(), 0);
     add_shares();
     if (problem.tolerance().total)
-      add_total(Rational(*problem.tolerance().total / 2).convert_to<double>());
+      add_total(near(*problem.tolerance().total) / 2);
     if (problem.weight() && *problem.weight() > 0)
-      add_weight(problem.weight()->convert_to<double>());
+      add_weight(near(*problem.weight()));
   }
 
-  /// d; nothing if there is no solution.
-  std::optional<double> solve() {
-    if (!std::isfinite(unit_) || !program_.minimise(d()) || !std::isfinite(program_.value(d())))
+  /// d, or a number above `enough` where it is above that; nothing if there is no solution.
+  std::optional<double> solve(double enough) {
+    if (!std::isfinite(unit_) || !program_.minimise(d(), enough) || !std::isfinite(program_.value(d())))
       return std::nullopt;
     return program_.value(d());
   }
@@ -72,7 +73,7 @@ private:
   }
 
   void add_share(std::size_t from, std::size_t to, const ShareBounds &b) {
-    const double lo = b.lo.convert_to<double>(), hi = b.hi.convert_to<double>();
+    const double lo = near(b.lo), hi = near(b.hi);
     has_point_ = has_point_ || (!(lo < hi) && to - from < k_);
     const double scale = 1 / (hi - lo);
     const auto add = [&](double share, double sign) {
@@ -80,9 +81,9 @@ private:
       const double constant = deviation(terms, from, to, share, sign * scale);
       program_.set_lower(program_.add_form(terms), 1 - constant);
     };
-    if (b.lo > 0 && to - from < k_)
+    if (lo > 0 && to - from < k_)
       add(lo, 1);
-    if (b.hi < 1)
+    if (hi < 1)
       add(hi, -1);
   }
 
@@ -101,7 +102,7 @@ private:
     const double all = deviation(total, 0, k_, 0, 1);
     for (std::size_t j = 0; j < k_; ++j) {
       Terms terms = {{p(j), 1}};
-      const double share = problem_.target()[j].convert_to<double>();
+      const double share = near(problem_.target()[j]);
       const double constant = deviation(terms, j, j + 1, share, -1 / most);
       program_.set_lower(program_.add_form(terms), -constant);
       program_.set_lower(p(j), 0);
@@ -114,7 +115,7 @@ private:
     Terms terms;
     double constant = 0;
     for (std::size_t j = 0; j < k_; ++j) {
-      const double c = problem_.per_mass(j).convert_to<double>() * unit_ / least;
+      const double c = near(problem_.per_mass(j)) * unit_ / least;
       constant += c * middle_[j];
       if (half_[j] > 0)
         terms.emplace_back(j, c * half_[j]);
@@ -147,7 +148,7 @@ QuickMasses quick_masses(const TolerantProblem &problem, const std::vector<Integ
   Program program(problem, q);
   if (program.has_point())
     return {};
-  const std::optional<double> d = program.solve();
+  const std::optional<double> d = program.solve(1 + noise);
   if (!d || *d > 1 + noise)
     return {std::nullopt, !d};
   std::vector<Rational> t;

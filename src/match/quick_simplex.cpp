@@ -195,7 +195,7 @@ double QuickSimplex::price(std::size_t aim, const Row &of, bool rise) const {
   return least;
 }
 
-bool QuickSimplex::minimise(std::size_t aim) {
+bool QuickSimplex::minimise(std::size_t aim, double enough) {
   conflict_.clear();
   if (pivots_ >= most_pivots)
     refresh();
@@ -203,7 +203,7 @@ bool QuickSimplex::minimise(std::size_t aim) {
   // More pivots than usual are a cycle.
   for (std::size_t pivots = 0; pivots < 10 * values_.size() && !watch_.ends(); ++pivots) {
     const std::optional<std::size_t> r = most_violated_row();
-    if (!r)
+    if (!r || values_[aim] > enough) // it only rises
       return true;
     const std::size_t x = basic_[*r];
     const bool rise = values_[x] < lower_[x];

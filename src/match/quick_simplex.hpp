@@ -30,8 +30,9 @@ public:
   void set_upper(std::size_t variable, double bound) { upper_[variable] = bound; }
 
   /// Moves to the least value of `aim`, a variable at its lower bound or a form. False if no values within
-  /// all bounds were found: conflict() says why, if it is not empty.
-  bool minimise(std::size_t aim);
+  /// all bounds were found: conflict() says why, if it is not empty. Ends early where `aim` must be above
+  /// `enough`, with a value that is.
+  bool minimise(std::size_t aim, double enough = unbounded);
   double value(std::size_t variable) const { return values_[variable]; }
   std::size_t forms() const { return basic_.size(); }
 

@@ -20,6 +20,14 @@ void add(Infinitesimal &to, const Infinitesimal &a) {
   to.tiny += a.tiny;
 }
 
+/// Adds r times a. Most numbers have nothing tiny.
+void add_multiple(Infinitesimal &to, const Infinitesimal &a, const Rational &r) {
+  if (a.value.sign() != 0)
+    to.value += a.value * r;
+  if (a.tiny.sign() != 0)
+    to.tiny += a.tiny * r;
+}
+
 /// Divides a row's numbers, of which `scale` is one, by their greatest common divisor.
 void reduce(Integer &scale, std::vector<Integer> &numbers) {
   Integer common = scale;
@@ -27,7 +35,7 @@ void reduce(Integer &scale, std::vector<Integer> &numbers) {
     if (common == 1)
       return;
     if (n.sign() != 0)
-      common = gcd(common, n);
+      mpz_gcd(common.backend().data(), common.backend().data(), n.backend().data());
   }
   if (common == 1)
     return;
@@ -68,11 +76,12 @@ std::size_t Simplex::add_form(const std::vector<std::pair<std::size_t, Rational>
   lower_.emplace_back();
   upper_.emplace_back();
   for (const auto &[variable, coefficient] : terms) {
-    add(values_[form], product(values_[variable], coefficient));
+    add_multiple(values_[form], values_[variable], coefficient);
     if (row_of_[variable]) {
       const Row &definition = rows_[*row_of_[variable]];
       for (std::size_t c = 0; c < columns_.size(); ++c)
-        coefficients[c] += coefficient * ratio(definition.of[c], definition.scale);
+        if (definition.of[c].sign() != 0)
+          coefficients[c] += coefficient * ratio(definition.of[c], definition.scale);
     } else {
       coefficients[column_of(variable)] += coefficient;
     }
@@ -124,7 +133,7 @@ void Simplex::move(std::size_t column, const Infinitesimal &by) {
     if (row.of[column].sign() == 0)
       continue;
     look();
-    add(values_[row.basic], product(by, ratio(row.of[column], row.scale)));
+    add_multiple(values_[row.basic], by, ratio(row.of[column], row.scale));
   }
 }
 

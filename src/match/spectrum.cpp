@@ -65,16 +65,19 @@ void append(std::vector<std::pair<Integer, Integer>> &intervals, const Integer &
 
 } // namespace
 
-Spectrum spectrum(const Match &m, const Limits &limits) {
-  return spectrum(problem_of(m), limits);
+Spectrum spectrum(const Match &m, const Limits &limits, const ProgressCall &progress) {
+  return spectrum(problem_of(m), limits, Watch(limits.deadline, progress));
 }
 
 Spectrum spectrum(const Problem &problem, const Limits &limits) {
+  return spectrum(problem, limits, Watch(limits.deadline));
+}
+
+Spectrum spectrum(const Problem &problem, const Limits &limits, const Watch &watch) {
   Spectrum result;
   Limits sweep_limits;
-  sweep_limits.deadline = limits.deadline;
   sweep_limits.keep_proof = false;
-  LeastMatch least = least_match(problem, sweep_limits);
+  LeastMatch least = least_match(problem, sweep_limits, watch);
   if (!least.complete)
     return result;
   result.all_from = total(least.q);
@@ -104,10 +107,10 @@ Spectrum spectrum(const Problem &problem, const Limits &limits) {
     const Integer last = most_particles(problem, *end);
     append(result.intervals, first, last);
     result.all_from = last + 1;
-    const bool late = limits.deadline && std::chrono::steady_clock::now() > *limits.deadline;
-    if (late || (limits.max_steps && step >= *limits.max_steps))
+    if (watch.ends() || (limits.max_steps && step >= *limits.max_steps))
       return result;
-    least = least_match(problem.from_scale(crowded_scale(problem, result.all_from), true), sweep_limits);
+    least =
+        least_match(problem.from_scale(crowded_scale(problem, result.all_from), true), sweep_limits, watch);
     if (!least.complete)
       return result;
   }

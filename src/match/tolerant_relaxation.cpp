@@ -1,5 +1,7 @@
 #include "match/tolerant_relaxation.hpp"
 
+#include "match/near.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +35,7 @@ void TolerantRelaxation::add_row(const LinearRow &row) {
     const double unit = variable < k_       ? counts_[variable]
                         : variable < 2 * k_ ? masses_[variable - k_]
                                             : mass_scale_;
-    terms.emplace_back(variable, coefficient.convert_to<double>() * unit);
+    terms.emplace_back(variable, near(coefficient) * unit);
     scale = std::max(scale, std::fabs(terms.back().second));
   }
   if (!(scale > 0))
@@ -43,7 +45,7 @@ void TolerantRelaxation::add_row(const LinearRow &row) {
   const std::size_t form = program_.add_form(terms);
   forms_.push_back({row.condition, row.j, row.j, scale});
   const bool is_strict = row.condition == TolerantCondition::some_mass;
-  program_.set_lower(form, is_strict ? strictly_above : row.constant.convert_to<double>() / scale);
+  program_.set_lower(form, is_strict ? strictly_above : near(row.constant) / scale);
   if (row.condition == TolerantCondition::above_lower)
     strict_.push_back(form);
   if (row.condition == TolerantCondition::at_least) {

@@ -2,6 +2,7 @@
 
 #include "match/count_rounding.hpp"
 #include "match/exact_node.hpp"
+#include "match/near.hpp"
 #include "match/problem.hpp"
 #include "match/quick_masses.hpp"
 #include "match/tolerant_relaxation.hpp"
@@ -16,7 +17,7 @@ namespace {
 std::vector<double> typical_counts(const TolerantProblem &problem, const CountBounds &bounds, double mass) {
   std::vector<double> counts;
   for (std::size_t j = 0; j < problem.classes(); ++j) {
-    const double share = problem.target()[j].convert_to<double>() * mass / near(problem.F(j));
+    const double share = near(problem.target()[j]) * mass / near(problem.F(j));
     counts.push_back(std::max({1.0, share, near(bounds.classes[j].least)}));
   }
   return counts;
@@ -138,7 +139,7 @@ TolerantSearch::Steered &TolerantSearch::steered() {
   if (!steered_) {
     double mass = 0;
     for (const Rational &t : best_->t)
-      mass += t.convert_to<double>();
+      mass += near(t);
     steered_ = std::make_unique<Steered>(problem_, shares_, typical_counts(problem_, root_, mass), watch_);
   }
   return *steered_;

@@ -148,6 +148,12 @@ Ball pow(const Ball &y, const Rational &exponent) {
   return result;
 }
 
+Ball erf(const Ball &y) {
+  Ball result(y.bits_);
+  arb_hypgeom_erf(result.value_->ball, y.value_->ball, y.bits_);
+  return result;
+}
+
 Ball incomplete_beta(const Ball &x, const Rational &a, const Rational &b) {
   Ball result(x.bits_);
   arb_hypgeom_beta_lower(result.value_->ball, Ball(a, x.bits_).value_->ball, Ball(b, x.bits_).value_->ball,

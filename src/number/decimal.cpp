@@ -98,7 +98,8 @@ Rational small_decimal(const Parts &parts) {
   for (unsigned i = 0; i < fives; ++i)
     d *= 5;
   Rational r;
-  mpq_set_ui(r.backend().data(), n, d);
+  set_word(mpq_numref(r.backend().data()), n);
+  set_word(mpq_denref(r.backend().data()), d);
   if (parts.negative)
     mpq_neg(r.backend().data(), r.backend().data());
   return r;

@@ -15,9 +15,9 @@ long decimal_exponent(const Rational &r) {
   assert(r != 0);
   const Rational size = abs(r);
   // The bits give it but for one: 30103 / 100000 is log10(2) + 4.4e-9.
-  const long bits =
-      static_cast<long>(bit_length(numerator(size))) - static_cast<long>(bit_length(denominator(size)));
-  long e = bits * 30103 / 100000;
+  const std::int64_t bits = static_cast<std::int64_t>(bit_length(numerator(size))) -
+                            static_cast<std::int64_t>(bit_length(denominator(size)));
+  auto e = static_cast<long>(bits * 30103 / 100000);
   while (size < ten_to(e))
     --e;
   while (size >= ten_to(e + 1))

@@ -44,12 +44,11 @@ std::optional<Enclosure> decimal_root(const Integer &n, const Integer &d, unsign
 unsigned places_for(const Integer &n, const Integer &d, unsigned degree, unsigned digits) {
   // y^degree = n/d has some (bits of n/d) / degree bits before the point. log10(2) < 0.30103 and > 0.30102;
   // the estimate of the leading digit's place is never too high, and one too low at most.
-  const long bits = static_cast<long>(bit_length(n)) - static_cast<long>(bit_length(d)) - 1;
-  const long degree_bits =
-      bits >= 0 ? bits / static_cast<long>(degree) : -((-bits - 1) / static_cast<long>(degree)) - 1;
-  const long leading =
+  const auto bits = static_cast<std::int64_t>(bit_length(n)) - static_cast<std::int64_t>(bit_length(d)) - 1;
+  const std::int64_t degree_bits = bits >= 0 ? bits / degree : -((-bits - 1) / degree) - 1;
+  const std::int64_t leading =
       degree_bits >= 0 ? degree_bits * 30102 / 100000 : -((-degree_bits * 30103 - 1) / 100000) - 1;
-  const long wanted = static_cast<long>(digits) - 1 - leading;
+  const std::int64_t wanted = std::int64_t{digits} - 1 - leading;
   return wanted > 0 ? static_cast<unsigned>(wanted) : 0;
 }
 

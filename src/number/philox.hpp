@@ -44,4 +44,10 @@ private:
   Key key_;
 };
 
+/// A number from 0 to n - 1, for 64 random bits: floor(bits n / 2^64).
+inline std::uint64_t random_below(std::uint64_t n, std::uint64_t bits) {
+  __extension__ typedef unsigned __int128 Product;
+  return static_cast<std::uint64_t>((Product{bits} * n) >> 64);
+}
+
 } // namespace mdm

@@ -1,37 +1,33 @@
 #include "number/pi.hpp"
 
-#if __has_include(<flint/arb.h>)
-#include <flint/arb.h>
-#else
-#include <arb.h>
-#endif
+#include <mpfr.h>
 
 namespace mdm {
+namespace {
+
+/// The floor of pi * 10^places, from pi rounded to `bits` binary digits.
+Integer scaled_pi(unsigned places, long bits, mpfr_rnd_t rounding) {
+  mpfr_t pi;
+  mpfr_init2(pi, bits);
+  mpfr_const_pi(pi, rounding);
+  Rational value;
+  mpfr_get_q(value.backend().data(), pi);
+  mpfr_clear(pi);
+  return floor(Rational(value * power_of_ten(places)));
+}
+
+} // namespace
 
 Enclosure enclose_pi(unsigned places) {
-  const Integer ten = power_of_ten(places);
-  Integer digits;
-  arb_t ball;
-  arb_init(ball);
-  fmpz_t scale, floor;
-  fmpz_init(scale);
-  fmpz_init(floor);
-  fmpz_set_mpz(scale, ten.backend().data());
-  // Enough bits make the floor of the ball unique, because pi * 10^places is no integer.
+  // Enough bits make the floors of both roundings the same, because pi * 10^places is no integer.
   for (long bits = 64 + 4 * static_cast<long>(places);; bits *= 2) {
-    arb_const_pi(ball, bits);
-    arb_mul_fmpz(ball, ball, scale, bits);
-    arb_floor(ball, ball, bits);
-    if (arb_get_unique_fmpz(floor, ball) != 0)
-      break;
+    const Integer digits = scaled_pi(places, bits, MPFR_RNDD);
+    if (digits != scaled_pi(places, bits, MPFR_RNDU))
+      continue;
+    // MPFR keeps pi for the thread, and nobody would free it at the thread's end.
+    mpfr_free_cache();
+    return {digits, Integer(digits + 1), places};
   }
-  fmpz_get_mpz(digits.backend().data(), floor);
-  fmpz_clear(floor);
-  fmpz_clear(scale);
-  arb_clear(ball);
-  // Arb keeps pi for the thread, and nobody would free it at the thread's end.
-  flint_cleanup();
-  return {digits, Integer(digits + 1), places};
 }
 
 } // namespace mdm

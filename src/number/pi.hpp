@@ -6,7 +6,7 @@
 
 namespace mdm {
 
-/// Decimals lo < pi < hi with `places` digits after the point, one unit apart. From Arb.
+/// Decimals lo < pi < hi with `places` digits after the point, one unit apart. From MPFR.
 Enclosure enclose_pi(unsigned places);
 
 } // namespace mdm

@@ -1,5 +1,7 @@
 #include "number/quick_cube_root.hpp"
 
+#include "number/words.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,13 +20,12 @@ struct Leading {
 };
 
 Leading leading(const Integer &n) {
-  const mpz_srcptr z = n.backend().data();
   const long bits = static_cast<long>(bit_length(n));
-  const long last = (bits - 1) / 64; // mpz_getlimbn gives 0 below the first word
+  const long last = (bits - 1) / 64;
   const int shift = static_cast<int>(64 * (last + 1) - bits);
-  Wide top = static_cast<Wide>(mpz_getlimbn(z, last)) << 64 | mpz_getlimbn(z, last - 1);
+  Wide top = static_cast<Wide>(word(n, last)) << 64 | word(n, last - 1);
   if (shift > 0)
-    top = top << shift | mpz_getlimbn(z, last - 2) >> (64 - shift);
+    top = top << shift | word(n, last - 2) >> (64 - shift);
   constexpr std::uint64_t lower_half = (std::uint64_t{1} << 53) - 1;
   return {static_cast<double>(static_cast<std::uint64_t>(top >> 75)) * 0x1p-53,
           static_cast<double>(static_cast<std::uint64_t>(top >> 22) & lower_half) * 0x1p-106, bits};
@@ -51,6 +52,19 @@ struct CubesModulo {
       mask |= std::uint64_t{1} << (y * y * y % p);
   }
 };
+
+/// One division for all four, whose product is below 2^32.
+bool may_be_cube_modulo(const std::array<CubesModulo, 4> &cubes, const Integer &n, const Integer &d) {
+  unsigned long product = 1;
+  for (const CubesModulo &modulo : cubes)
+    product *= modulo.p;
+  const std::uint64_t n_rest = mpz_tdiv_ui(n.backend().data(), product);
+  const std::uint64_t d_rest = mpz_tdiv_ui(d.backend().data(), product);
+  return std::all_of(cubes.begin(), cubes.end(), [&](const CubesModulo &modulo) {
+    const std::uint64_t y = d_rest % modulo.p;
+    return (modulo.mask >> (n_rest % modulo.p * y * y % modulo.p) & 1) != 0;
+  });
+}
 
 } // namespace
 
@@ -99,16 +113,11 @@ std::optional<Integer> quick_cube_root(const Integer &n, const Integer &d, unsig
 
 bool may_be_cube(const Integer &n, const Integer &d) {
   // n/d = y^3 makes n d^2 = (y d)^3 the cube of an integer, and thus one modulo each of these.
-  static constexpr std::array<CubesModulo, 8> cubes = {CubesModulo(7),  CubesModulo(9),  CubesModulo(13),
-                                                       CubesModulo(19), CubesModulo(31), CubesModulo(37),
-                                                       CubesModulo(43), CubesModulo(61)};
-  constexpr unsigned long product = 7UL * 9 * 13 * 19 * 31 * 37 * 43 * 61;
-  const std::uint64_t n_rest = mpz_tdiv_ui(n.backend().data(), product);
-  const std::uint64_t d_rest = mpz_tdiv_ui(d.backend().data(), product);
-  return std::all_of(cubes.begin(), cubes.end(), [&](const CubesModulo &modulo) {
-    const std::uint64_t y = d_rest % modulo.p;
-    return (modulo.mask >> (n_rest % modulo.p * y * y % modulo.p) & 1) != 0;
-  });
+  static constexpr std::array<CubesModulo, 4> first = {CubesModulo(7), CubesModulo(9), CubesModulo(13),
+                                                       CubesModulo(19)};
+  static constexpr std::array<CubesModulo, 4> second = {CubesModulo(31), CubesModulo(37), CubesModulo(43),
+                                                        CubesModulo(61)};
+  return may_be_cube_modulo(first, n, d) && may_be_cube_modulo(second, n, d);
 }
 
 } // namespace mdm

@@ -1,3 +1,5 @@
+#include "number/words.hpp"
+
 #include <mdm/number/rational.hpp>
 
 namespace mdm {
@@ -69,11 +71,9 @@ Rational simplest(Int n, Int d, Int m, Int e) {
 
 Rational simplest_of_parts(const Integer &n, const Integer &d, const Integer &m, const Integer &e) {
   const auto is_short = [](const Integer &part) { return bit_length(part) <= 62; };
-  const auto word = [](const Integer &part) {
-    return static_cast<std::int64_t>(mpz_get_ui(part.backend().data()));
-  };
+  const auto short_part = [](const Integer &part) { return static_cast<std::int64_t>(word(part, 0)); };
   if (is_short(n) && is_short(d) && is_short(m) && is_short(e))
-    return simplest(word(n), word(d), word(m), word(e));
+    return simplest(short_part(n), short_part(d), short_part(m), short_part(e));
   return simplest(n, d, m, e);
 }
 

@@ -2,7 +2,7 @@
 /// \file
 /// Decimal digits of short numbers, several times cheaper than by GMP.
 
-#include <mdm/number/integer.hpp>
+#include "number/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -48,10 +48,9 @@ private:
 
 /// Those of n; nothing if n is negative or too long.
 inline std::optional<ShortDigits> short_digits(const Integer &n) {
-  const mpz_srcptr z = n.backend().data();
-  if (mpz_sgn(z) < 0 || mpz_size(z) > 2 || (mpz_size(z) == 2 && bit_length(n) > 126))
+  if (n < 0 || bit_length(n) > 126)
     return std::nullopt;
-  return ShortDigits(static_cast<ShortDigits::Wide>(mpz_getlimbn(z, 1)) << 64 | mpz_getlimbn(z, 0));
+  return ShortDigits(static_cast<ShortDigits::Wide>(word(n, 1)) << 64 | word(n, 0));
 }
 
 } // namespace mdm

@@ -3,7 +3,7 @@
 #include "catch.hpp"
 #include "plain_gradation.hpp"
 
-#include <mdm/match/solve.hpp>
+#include <mdm/match/spectrum.hpp>
 
 #include <algorithm>
 
@@ -110,6 +110,16 @@ TEST_CASE("the caller of a search within a tolerance is told of it and can end i
     check_stopped(m, caller);
     REQUIRE(m.tolerance.has_value());
   }
+}
+
+TEST_CASE("the caller of a spectrum can end it") {
+  SolveOptions options;
+  options.limits.max_steps = 1000;
+  const Match m = solve(narrow_classes(), {}, options);
+  Caller caller{1};
+  const Spectrum s = spectrum(m, {}, caller.call());
+  CHECK(caller.told.size() == 1);
+  CHECK_FALSE(s.complete);
 }
 
 TEST_CASE("a search that is not ended has the same answer as without a caller") {

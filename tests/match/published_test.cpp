@@ -48,7 +48,7 @@ std::map<std::string, FloatAnswer> float_answers(const std::string &factor) {
 }
 
 std::vector<Gradation> suite() {
-  std::ifstream file(MDM_DATA_DIR "/suite-2750.jsonl");
+  std::ifstream file(MDM_SUITE);
   REQUIRE(file.good());
   std::vector<Gradation> gradations;
   for (std::string line; std::getline(file, line);)

@@ -12,8 +12,8 @@ using namespace mdm;
 
 namespace {
 
-std::ifstream data_file(const std::string &name) {
-  std::ifstream file(MDM_DATA_DIR "/" + name);
+std::ifstream opened(const std::string &path) {
+  std::ifstream file(path);
   REQUIRE(file.good());
   return file;
 }
@@ -30,14 +30,14 @@ std::vector<Integer> integers(const std::string &text) {
 
 TEST_CASE("every match that the published code found is at least ours in every class") {
   std::map<std::string, Match> matches;
-  std::ifstream suite = data_file("suite-2750.jsonl");
+  std::ifstream suite = opened(MDM_SUITE);
   for (std::string line; std::getline(suite, line);) {
     const Match m = solve(read_json_gradation(line, "suite", ""));
     matches.emplace(m.gradation.id(), m);
   }
   REQUIRE(matches.size() == 2750);
 
-  std::ifstream answers = data_file("suite-2750-float-answers.csv");
+  std::ifstream answers = opened(MDM_DATA_DIR "/suite-2750-float-answers.csv");
   std::string line;
   std::getline(answers, line);
   int realisable = 0, below = 0, minimal = 0;

@@ -108,7 +108,7 @@ private:
 TEST_CASE("z3 finds as many particles within a tolerance, and no fewer") {
   if (!mdm_test::has_tool("z3", "z3"))
     return;
-  std::ifstream suite(MDM_DATA_DIR "/suite-2750.jsonl");
+  std::ifstream suite(MDM_SUITE);
   std::size_t line_number = 0, asked_for = 0, compared = 0;
   for (std::string line; asked_for < 32 && std::getline(suite, line); ++line_number) {
     if (line_number % 11 != 0)

@@ -129,6 +129,16 @@ TEST_CASE("balls are values", "[ball]") {
   CHECK(holds(b, 5));
 }
 
+TEST_CASE("the error function has its known digits", "[ball]") {
+  CHECK(holds(erf(Ball(0, 100)), 0));
+  // erf(1) = 0.84270079294971486934122063508..., and it is odd.
+  const Rational cut = ratio(Integer("84270079294971486934"), power_of_ten(20));
+  const Ball at_one = erf(Ball(1, 100));
+  CHECK(at_one.lower() > cut);
+  CHECK(at_one.upper() < cut + ratio(1, power_of_ten(20)));
+  CHECK(holds(at_one + erf(Ball(-1, 100)), 0));
+}
+
 TEST_CASE("threads compute with balls of their own", "[ball]") {
   // Arb keeps logarithms and pi for each thread; a leak checker sees what is left at its end.
   std::vector<std::optional<Ball>> results(4);

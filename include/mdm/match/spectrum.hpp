@@ -3,7 +3,7 @@
 /// All numbers of particles that have an exact match.
 
 #include <mdm/match/limits.hpp>
-#include <mdm/match/match.hpp>
+#include <mdm/match/solve.hpp>
 
 #include <utility>
 #include <vector>
@@ -21,7 +21,8 @@ struct Spectrum {
 /// All numbers of particles, from the least on, with which the gradation of a match without a tolerance can
 /// be matched as its question demands: its law, floors and volume. Cost: a least match a step;
 /// `limits.max_steps` counts these.
+/// \param progress  as SolveOptions::progress
 /// \pre m.sample, and no tolerance was asked for
-Spectrum spectrum(const Match &m, const Limits &limits = {});
+Spectrum spectrum(const Match &m, const Limits &limits = {}, const ProgressCall &progress = {});
 
 } // namespace mdm

@@ -31,6 +31,8 @@ public:
   friend Ball log(const Ball &y);
   friend Ball exp(const Ball &y);
   friend Ball pow(const Ball &y, const Rational &exponent);
+  /// 2 / sqrt(pi) times the integral of exp(-t^2) from 0 to y.
+  friend Ball erf(const Ball &y);
   /// I_x(a, b), the regularised incomplete beta function, for 0 <= x <= 1 and a, b > 0.
   friend Ball incomplete_beta(const Ball &x, const Rational &a, const Rational &b);
   /// B(a, b) = Gamma(a) Gamma(b) / Gamma(a + b), for a, b > 0.
