@@ -118,6 +118,12 @@ void ParticleSource::restart() {
   any_ = false;
 }
 
+std::string ParticleSource::size_note() const {
+  return fmt::format("The sizes were taken as {} in {}{}.",
+                     meaning_ == SizeMeaning::radius ? "radii" : "diameters", name(unit_),
+                     options_.says_otherwise.empty() ? "" : "; " + options_.says_otherwise + " otherwise");
+}
+
 void ParticleSource::check_some() const {
   if (!any_)
     refuse("there are no particles: the file ends before the first");

@@ -55,6 +55,8 @@ public:
 
   void note(const std::string &text) { notes_.push_back(text); }
   const std::vector<std::string> &notes() const { return notes_; }
+  /// The way sizes were taken, for a note.
+  std::string size_note() const;
 
 private:
   RootSize diameter(std::string_view text, char point, ReadSize read) const;
@@ -95,6 +97,7 @@ std::unique_ptr<LineReader> read_lethe(ParticleSource &source);
 std::unique_ptr<LineReader> read_kratos(ParticleSource &source);
 std::unique_ptr<LineReader> read_dem_engine(ParticleSource &source);
 std::unique_ptr<LineReader> read_musen(ParticleSource &source);
+std::unique_ptr<LineReader> read_phasicflow(ParticleSource &source);
 
 /// Moves the first word of `rest`, separated by spaces and tabs, out of it; empty at the end.
 std::string_view take_word(std::string_view &rest);

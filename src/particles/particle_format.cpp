@@ -6,12 +6,12 @@
 namespace mdm {
 namespace {
 
-constexpr std::array<std::string_view, 16> format_names = {"csv",         "answer",      "xyzr",
+constexpr std::array<std::string_view, 18> format_names = {"csv",         "answer",      "xyzr",
                                                            "lammps-data", "lammps-dump", "liggghts-dump",
                                                            "vtk",         "diameters",   "liggghts-insertion",
                                                            "mercurydpm",  "extxyz",      "esys",
                                                            "lethe",       "kratos",      "dem-engine",
-                                                           "musen"};
+                                                           "musen",       "gsd",         "phasicflow"};
 
 } // namespace
 

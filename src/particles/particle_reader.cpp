@@ -45,10 +45,14 @@ std::unique_ptr<LineReader> line_reader(ParticleFormat format, ParticleSource &s
     return read_dem_engine(source);
   case ParticleFormat::musen:
     return read_musen(source);
+  case ParticleFormat::phasicflow:
+    return read_phasicflow(source);
   case ParticleFormat::answer:
+    source.refuse("this is an answer of mdm, which is read as a whole: give the file itself");
+  case ParticleFormat::gsd:
     break;
   }
-  source.refuse("this is an answer of mdm, which is read as a whole: give the file itself");
+  source.refuse("GSD is binary, which is read as a whole: give the file itself");
 }
 
 /// The fields of a line that may be a header of CSV; none where its quotes are wrong.
@@ -120,6 +124,8 @@ std::optional<ParticleFormat> format_of(const std::vector<std::string> &lines, c
     return ParticleFormat::musen;
   if (text.starts_with("Begin "))
     return ParticleFormat::kratos;
+  if (text.starts_with("objectName particlesDict;"))
+    return ParticleFormat::phasicflow;
   if (text.starts_with("//"))
     return std::nullopt;
   if (is_first && text.starts_with("# vtk DataFile"))
@@ -243,11 +249,7 @@ LengthUnit ParticleReader::unit() const {
 std::vector<std::string> ParticleReader::notes() const {
   std::vector<std::string> notes = source_->notes();
   if (!source_->options().unit && format_ != ParticleFormat::csv && format_ != ParticleFormat::mercurydpm)
-    notes.push_back(fmt::format(
-        "The sizes were taken as {} in {}{}.",
-        source_->meaning() == SizeMeaning::radius ? "radii" : "diameters", name(source_->unit()),
-        source_->options().says_otherwise.empty() ? ""
-                                                  : "; " + source_->options().says_otherwise + " otherwise"));
+    notes.push_back(source_->size_note());
   return notes;
 }
 

@@ -31,10 +31,18 @@ public:
 
   /// \param powered  x^(a root) in the unit of the gradation
   void add(ParticleClass &c, const Rational &powered, const Integer &quantity) const {
-    const SizeToWrite diameter{powered * power(unit_, degree_), degree_, c.lower, c.upper,
-                               options_.most_mass_error};
-    const SizeToWrite radius{diameter.powered / power(Rational(2), degree_), degree_, c.lower / 2,
-                             c.upper / 2, options_.most_mass_error};
+    const SizeToWrite diameter{powered * power(unit_, degree_),
+                               degree_,
+                               c.lower,
+                               c.upper,
+                               options_.most_mass_error,
+                               options_.has_floats};
+    const SizeToWrite radius{diameter.powered / power(Rational(2), degree_),
+                             degree_,
+                             c.lower / 2,
+                             c.upper / 2,
+                             options_.most_mass_error,
+                             options_.has_floats};
     c.sizes.push_back({number(c, diameter), number(c, radius), quantity});
   }
 
@@ -42,10 +50,11 @@ private:
   WrittenNumber number(ParticleClass &c, const SizeToWrite &size) const {
     std::optional<WrittenNumber> n = shortest_number(size);
     if (!n)
-      throw InputError(fmt::format("class {}, ({}, {}] {}: no double is in it whose mass is within {} of the "
+      throw InputError(fmt::format("class {}, ({}, {}] {}: no {} is in it whose mass is within {} of the "
                                    "exact one: allow a larger "
                                    "--mass-error, or take another --unit or --scale",
                                    c.number, shown(c.lower), shown(c.upper), name(options_.unit),
+                                   options_.has_floats ? "float" : "double",
                                    approximate(options_.most_mass_error, 3)));
     c.mass_error = std::max({c.mass_error, size.error(n->decimal()), size.error(exact_value(n->value))});
     return *std::move(n);

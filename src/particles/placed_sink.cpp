@@ -6,7 +6,8 @@
 
 namespace mdm {
 
-PlacedSink::PlacedSink(const Gradation &g, ParticleSink &next) : next_(next) {
+PlacedSink::PlacedSink(const Gradation &g, ParticleSink &next, std::optional<std::size_t> most)
+    : next_(next), most_(most) {
   for (std::size_t i = 0; i <= g.classes(); ++i)
     openings_.push_back(g.opening(i));
 }
@@ -15,7 +16,7 @@ void PlacedSink::restart() {
   next_.restart();
   sample_ = {};
   box_.reset();
-  lacks_places_ = false;
+  lacks_places_ = has_too_many_ = false;
 }
 
 void PlacedSink::add(const RootSize &diameter, const Integer &quantity) {
@@ -29,11 +30,26 @@ void PlacedSink::add(const SizeRange &diameter, const Integer &quantity) {
 }
 
 void PlacedSink::add_at(const SphereSample::Place &place, const Rational &unit, const RootSize &diameter) {
-  const std::optional<Rational> size = diameter.fraction();
-  if (!size)
-    throw InputError("is of a sphere whose size is no fraction: give sizes as decimals");
-  sample_.add(place, unit, *size, class_of(*size));
+  if (most_ && sample_.size() == *most_) {
+    has_too_many_ = true;
+    sample_ = {};
+  }
+  if (!has_too_many_ && !lacks_places_)
+    keep(place, unit, diameter);
   next_.add(diameter, 1);
+}
+
+void PlacedSink::keep(const SphereSample::Place &place, const Rational &unit, const RootSize &diameter) {
+  try {
+    const std::optional<Rational> size = diameter.fraction();
+    if (!size)
+      throw InputError("is of a sphere whose size is no fraction: give sizes as decimals");
+    sample_.add(place, unit, *size, class_of(*size));
+  } catch (const InputError &) {
+    if (!most_)
+      throw;
+    lacks_places_ = true;
+  }
 }
 
 const SphereSample &PlacedSink::sample() const {

@@ -1,30 +1,32 @@
+#include "number/nearest_double.hpp"
+
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/enclosure.hpp>
 #include <mdm/particles/written_number.hpp>
 
-#include <array>
-#include <charconv>
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
 namespace mdm {
 namespace {
 
-/// Every double is the one nearest to one of its decimals of so many digits.
+/// Every double, or float, is the one nearest to one of its decimals of so many digits.
 constexpr unsigned digits_of_double = std::numeric_limits<double>::max_digits10;
+constexpr unsigned digits_of_float = std::numeric_limits<float>::max_digits10;
 
-/// The double nearest to a decimal; infinite or 0 where it is out of range.
-double nearest_double(const std::string &decimal) {
-  double value = 0;
-  std::from_chars(decimal.data(), decimal.data() + decimal.size(), value);
-  return value;
+/// The double, or float, nearest to a decimal; 0 if it is not normal.
+double normal(const std::string &decimal, bool is_float) {
+  const auto normal_or_0 = [](auto value) { return value && std::isnormal(*value) ? double{*value} : 0; };
+  return is_float ? normal_or_0(nearest_float(decimal)) : normal_or_0(nearest_double(decimal));
 }
 
 /// Nothing if the number or its double is not allowed.
 std::optional<WrittenNumber> written(const SizeToWrite &size, std::string text) {
   WrittenNumber n{std::move(text), 0};
-  n.value = nearest_double(n.text);
-  if (!std::isnormal(n.value) || !size.allows(n.decimal()) || !size.allows(exact_value(n.value)))
+  n.value = normal(n.text, size.is_float);
+  if (n.value == 0 || !size.allows(n.decimal()) || !size.allows(exact_value(n.value)))
     return std::nullopt;
   return n;
 }
@@ -37,15 +39,14 @@ std::optional<WrittenNumber> closer(const SizeToWrite &size, std::optional<Writt
   return size.error(b->decimal()) < size.error(a->decimal()) ? b : a;
 }
 
-/// Around x there may be a double that no decimal next to x leads to.
-std::optional<WrittenNumber> neighbour(const SizeToWrite &size, double around) {
-  constexpr double above = std::numeric_limits<double>::infinity();
+/// Around x there may be a double, or float, that no decimal next to x leads to.
+template <class Number>
+std::optional<WrittenNumber> neighbour(const SizeToWrite &size, std::optional<Number> around) {
+  constexpr Number above = std::numeric_limits<Number>::infinity();
   std::optional<WrittenNumber> best;
-  for (const double value : {around, std::nextafter(around, 0.0), std::nextafter(around, above)}) {
-    std::array<char, 64> buffer{};
-    const std::to_chars_result end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    best = closer(size, std::move(best), written(size, std::string(buffer.data(), end.ptr)));
-  }
+  if (around)
+    for (const Number value : {*around, std::nextafter(*around, Number(0)), std::nextafter(*around, above)})
+      best = closer(size, std::move(best), written(size, fmt::to_string(value)));
   return best;
 }
 
@@ -85,10 +86,7 @@ std::string short_decimal(const Rational &r) {
     if (shifted >= Rational(power_of_ten(digits_of_double)))
       break;
   }
-  std::array<char, 64> buffer{};
-  const std::to_chars_result end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), mpq_get_d(r.backend().data()));
-  return std::string(buffer.data(), end.ptr);
+  return fmt::to_string(mpq_get_d(r.backend().data()));
 }
 
 Rational SizeToWrite::error(const Rational &y) const {
@@ -107,7 +105,8 @@ std::optional<WrittenNumber> shortest_number(const SizeToWrite &size) {
   // |y^a / x^a - 1| >= |y / x - 1|: what is farther from x than this, in its last places, has too large an
   // error.
   const Integer most_off = floor(Rational(size.most_error * x.hi));
-  for (unsigned digits = 1; digits <= std::min(known, digits_of_double); ++digits) {
+  const unsigned most_digits = size.is_float ? digits_of_float : digits_of_double;
+  for (unsigned digits = 1; digits <= std::min(known, most_digits); ++digits) {
     const unsigned cut = known - digits;
     const Integer unit = power_of_ten(cut);
     const int places = static_cast<int>(x.places) - static_cast<int>(cut);
@@ -121,7 +120,8 @@ std::optional<WrittenNumber> shortest_number(const SizeToWrite &size) {
     if (best)
       return best;
   }
-  return neighbour(size, nearest_double(short_decimal(x.lo, static_cast<int>(x.places))));
+  const std::string near = short_decimal(x.lo, static_cast<int>(x.places));
+  return size.is_float ? neighbour(size, nearest_float(near)) : neighbour(size, nearest_double(near));
 }
 
 } // namespace mdm

@@ -148,15 +148,39 @@ TEST_CASE("LAMMPS and YADE compress a periodic box to void ratio 0.6", "[engines
   check_periodic(yade);
 }
 
-TEST_CASE("LAMMPS compacts a box to a pressure", "[engines]") {
-  if (!is_there(lammps))
+TEST_CASE("LAMMPS, LIGGGHTS and YADE compact a box to a pressure", "[engines]") {
+  for (const Engine &engine : {lammps, liggghts, yade}) {
+    if (!is_there(engine))
+      continue;
+    const Model model(
+        engine, c778(),
+        {"--at-least", "300", "--stress", "1000", "--target-tolerance", "0.05", "--young", "1e6"});
+    const Outcome outcome = model.run();
+    INFO(end_of(outcome));
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(std::abs(result(outcome.out).pressure / 1000 - 1) < 0.05);
+    model.check_grains({"--at-least", "300"});
+  }
+}
+
+TEST_CASE("YADE brings a cylinder to a void ratio", "[engines]") {
+  if (!is_there(yade))
     return;
-  const Model model(lammps, c778(), {"--at-least", "600", "--stress", "1000", "--target-tolerance", "0.05"});
+  const Arguments specimen{"--specimen", "cylinder:3x2.5", "--void-ratio", "0.75"};
+  Arguments arguments = specimen;
+  arguments.insert(arguments.end(), {"--friction-while-filling", "0.2", "--young", "1e6"});
+  const Model model(yade, c778(), arguments);
   const Outcome outcome = model.run();
   INFO(end_of(outcome));
   REQUIRE(outcome.exit_code == 0);
-  CHECK(std::abs(result(outcome.out).pressure / 1000 - 1) < 0.05);
-  model.check_grains({"--at-least", "600"});
+  CHECK(std::abs(result(outcome.out).void_ratio - 0.75) < 0.01);
+  std::istringstream lines(read_file(model.dump()));
+  for (std::string line; std::getline(lines, line);) {
+    double x = 0, y = 0, z = 0, r = 0;
+    if (std::sscanf(line.c_str(), "%lf %lf %lf %lf", &x, &y, &z, &r) == 4)
+      CHECK(std::hypot(x - 0.0015, y - 0.0015) + r < 0.0015 + 0.1 * r);
+  }
+  model.check_grains(specimen);
 }
 
 TEST_CASE("a model goes on from its restart to the same end", "[engines]") {

@@ -2,6 +2,7 @@
 /// libFuzzer target: particle files of every format, and answers.
 
 #include "gradation_property.hpp"
+#include "particles/gsd.hpp"
 
 #include <mdm/answer/answer_sample.hpp>
 #include <mdm/particles/particle_reader.hpp>
@@ -96,10 +97,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
        {ParticleFormat::csv, ParticleFormat::xyzr, ParticleFormat::lammps_data, ParticleFormat::lammps_dump,
         ParticleFormat::vtk, ParticleFormat::diameters, ParticleFormat::liggghts_insertion,
         ParticleFormat::mercurydpm, ParticleFormat::extxyz, ParticleFormat::esys, ParticleFormat::lethe,
-        ParticleFormat::kratos, ParticleFormat::dem_engine, ParticleFormat::musen}) {
+        ParticleFormat::kratos, ParticleFormat::dem_engine, ParticleFormat::musen,
+        ParticleFormat::phasicflow}) {
     options.format = format;
     check([&content, &options] { read_particles(content, options); });
   }
   check([&content] { read_answer_of(content); });
+  check([&content] {
+    Counter counter;
+    read_gsd(content, "fuzz", counter, {});
+    counter.check();
+  });
   return 0;
 }

@@ -140,3 +140,22 @@ TEST_CASE("PFC: balls in CSV with its column names") {
   CHECK(read(balls).particles == "1 0.5");
   CHECK(contains(refusal(replaced(balls, "0.25,1", "0.25")), "file:3: the row has 5 fields"));
 }
+
+TEST_CASE("PhasicFlow: the sizes of a particlesDict, by their ranges") {
+  const std::string dict = "// sand\nobjectName particlesDict;\nsetFields\n{\n"
+                           "    // diameter 0.002\n    selector1\n    {\n"
+                           "      stridedRangeInfo { begin 0; end 3; stride 1; }\n    }\n"
+                           "    // diameter 1e-3\n      stridedRangeInfo { begin 3; end 10; stride 1; }\n}\n";
+  CHECK(read(dict).format == ParticleFormat::phasicflow);
+  CHECK(read(dict).particles == "2*3 1*7");
+  CHECK(contains(refusal(replaced(dict, "begin 3;", "begin 4;")), "file:11: the range is not one from 3 on"));
+  CHECK(contains(refusal(replaced(dict, "end 10;", "end 3;")), "file:11: the range is not one from 3 on"));
+  CHECK(contains(refusal(replaced(dict, "end 3;", "end x;")), "file:8: the range is not one from 0 on"));
+  CHECK(
+      contains(refusal(replaced(dict, "stride 1; }\n    }", "stride 2; }\n    }")), "file:8: the range is"));
+  CHECK(contains(refusal(replaced(dict, "// diameter 0.002", "")), "file:8: the range is not one from 0 on"));
+  CHECK(contains(refusal(replaced(dict, "0.002", "-1")), "file:8: diameter '-1' is not above 0"));
+  CHECK(contains(refusal(dict.substr(0, dict.rfind("stridedRangeInfo"))),
+                 "the range of diameter '1e-3' is missing"));
+  CHECK(contains(refusal("objectName particlesDict;\n"), "there are no particles"));
+}

@@ -27,11 +27,14 @@ enum class ParticleFormat {
   lethe,              ///< Lethe: file of its insertion method `file`, `p_x; p_y; p_z; ...; diameters;`
   kratos,             ///< Kratos: model part (mdpa) of its DEM application, with NodalData RADIUS
   dem_engine, ///< DEM-Engine: CSV of spheres with r, or of clumps whose types are named r and the radius
-  musen       ///< MUSEN: scene as text, with its spheres and the materials of these
+  musen,      ///< MUSEN: scene as text, with its spheres and the materials of these
+  gsd,        ///< GSD of HOOMD-blue, binary, with particles/diameter
+  phasicflow  ///< PhasicFlow: particlesDict that mdm export writes, sizes without places
 };
 
 /// `csv`, `answer`, `xyzr`, `lammps-data`, `lammps-dump`, `liggghts-dump`, `vtk`, `diameters`,
-/// `liggghts-insertion`, `mercurydpm`, `extxyz`, `esys`, `lethe`, `kratos`, `dem-engine` or `musen`.
+/// `liggghts-insertion`, `mercurydpm`, `extxyz`, `esys`, `lethe`, `kratos`, `dem-engine`, `musen`, `gsd` or
+/// `phasicflow`.
 std::string_view name(ParticleFormat format);
 /// The format of that name, or nothing.
 std::optional<ParticleFormat> parse_particle_format(std::string_view name);

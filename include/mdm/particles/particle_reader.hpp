@@ -60,6 +60,12 @@ struct ParticleOptions {
 /// of no file of particles. A last line that is cut off may be left out.
 std::optional<ParticleFormat> told_format(std::string_view beginning);
 
+/// What was said and assumed of a file beside its particles.
+struct ReadParticles {
+  std::vector<std::string> notes;
+  LengthUnit unit = LengthUnit::mm; ///< of the file
+};
+
 class LineReader;
 class ParticleSource;
 

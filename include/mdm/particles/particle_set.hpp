@@ -57,11 +57,12 @@ struct ParticleSetOptions {
   LengthUnit unit = LengthUnit::m;
   Rational density = 2650;                         ///< kg/m^3; the factor of a class multiplies it
   Rational most_mass_error = ratio(1, 1000000000); ///< relative, of each class
+  bool has_floats = false;                         ///< sizes are read as floats, not as doubles
 };
 
 /// The particles of a match.
 /// \pre m.sample
-/// \throws InputError if a class has no double close enough to its size
+/// \throws InputError if a class has no double, or float, close enough to its size
 ParticleSet particle_set(const Match &m, const ParticleSetOptions &options = {});
 
 /// The particles of the match's spread with that seed, each with a size of its own; the mass of each is as

@@ -60,6 +60,18 @@ void write_musen(const Placement &start, const Sink &out);
 /// Table of PFC's balls in CSV: number, place, radius, and the number of the class as PFC_BALL_ATTR.
 void write_pfc(const Placement &start, const Sink &out);
 
+/// particlesDict of PhasicFlow: a shape a size, by ranges of the particles, which are in the file
+/// `positions`.
+void write_phasicflow(const Placement &start, const Sink &out);
+/// Its caseSetup/shapes: the sizes, of the material `grains`.
+void write_phasicflow_shapes(const Placement &start, const Sink &out);
+/// Its file `positions`, `x y z` a line.
+void write_phasicflow_positions(const Placement &start, const Sink &out);
+
+/// GSD of HOOMD-blue, of one frame: the class is the type, named by its number; masses as of spheres; places
+/// from the middle of the box, as floats. \pre the set has floats
+void write_gsd(const Placement &start, const Sink &out);
+
 /// Extended XYZ for ASE and OVITO: species X, the number of the class as type, place, radius, id.
 void write_extxyz(const Placement &start, const Sink &out);
 

@@ -9,7 +9,7 @@
 
 namespace mdm {
 
-/// A decimal above 0 and the double that is nearest to it.
+/// A decimal above 0 and the double, or the float, that is nearest to it.
 struct WrittenNumber {
   std::string text;
   double value = 0; ///< what a program reads
@@ -30,11 +30,12 @@ std::string short_decimal(const Rational &r);
 
 /// A size, and how far from it the number in a file may be.
 struct SizeToWrite {
-  Rational powered;    ///< x^degree for the size x > 0
-  unsigned degree = 3; ///< a of the law x^(a/b)
-  Rational lower;      ///< of the class, exclusive
-  Rational upper;      ///< of the class, inclusive
-  Rational most_error; ///< > 0: greatest relative error of x^degree, and so of the mass x^(a/b)
+  Rational powered;      ///< x^degree for the size x > 0
+  unsigned degree = 3;   ///< a of the law x^(a/b)
+  Rational lower;        ///< of the class, exclusive
+  Rational upper;        ///< of the class, inclusive
+  Rational most_error;   ///< > 0: greatest relative error of x^degree, and so of the mass x^(a/b)
+  bool is_float = false; ///< programs read floats, not doubles
 
   /// |y^degree / x^degree - 1|.
   Rational error(const Rational &y) const;
@@ -43,9 +44,9 @@ struct SizeToWrite {
 };
 
 /// The decimal of fewest digits, next to x on one of its sides, such that `allows` both the decimal and its
-/// double; of two the closer one. Where 17 digits do not do (x is within an ulp of an opening), one of the
-/// doubles around x. Decided exactly. Nothing if none serves: no such double is in the class.
-/// Cost: one integer root, some powers.
+/// double (or float); of two the closer one. Where 17 (or 9) digits do not do (x is within an ulp of an
+/// opening), one of the doubles around x. Decided exactly. Nothing if none serves: no such double is in the
+/// class. Cost: one integer root, some powers.
 std::optional<WrittenNumber> shortest_number(const SizeToWrite &size);
 
 } // namespace mdm
