@@ -98,6 +98,13 @@ Rational opening(const std::array<Sieve, n> &table, std::string_view number, std
   return ratio(found->opening, 1000);
 }
 
+/// Adds the openings of a table, which descend, in mm.
+template <std::size_t n>
+void add_openings(const std::array<Sieve, n> &table, std::vector<Rational> &openings) {
+  for (auto sieve = table.rbegin(); sieve != table.rend(); ++sieve)
+    openings.push_back(ratio(sieve->opening, 1000));
+}
+
 /// A number of `unit` mm.
 Rational metric(std::string_view number, const Rational &unit, char point, std::string_view name) {
   try {
@@ -142,6 +149,19 @@ std::optional<std::string> astm_sieve_name(const Rational &opening) {
   if (inches != astm_inches.end())
     return std::string(inches->name) + " in";
   return std::nullopt;
+}
+
+std::vector<Rational> astm_openings() {
+  std::vector<Rational> openings;
+  add_openings(astm_numbers, openings);
+  add_openings(astm_inches, openings);
+  return openings;
+}
+
+std::vector<Rational> tyler_openings() {
+  std::vector<Rational> openings;
+  add_openings(tyler_numbers, openings);
+  return openings;
 }
 
 } // namespace mdm

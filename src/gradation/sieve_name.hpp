@@ -5,6 +5,7 @@
 #include <mdm/number/rational.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace mdm {
 
@@ -16,5 +17,9 @@ Rational sieve_opening(std::string_view name, char point = '.');
 
 /// The ASTM E11 name of the sieve with an opening of `opening` mm, such as `3/8 in`, if there is one.
 std::optional<std::string> astm_sieve_name(const Rational &opening);
+
+/// The openings in mm of all sieves of ASTM E11, or Tyler, that have a name, ascending.
+std::vector<Rational> astm_openings();
+std::vector<Rational> tyler_openings();
 
 } // namespace mdm

@@ -1,0 +1,14 @@
+#pragma once
+/// \file
+/// The unit that a sample's sizes may have had.
+
+#include <mdm/gradation/description.hpp>
+#include <mdm/gradation/length.hpp>
+
+namespace mdm {
+
+/// Where all particles, which were read in `unit`, lie outside the classes or in the pan's: a unit with which
+/// the first would not; else nothing.
+std::optional<LengthUnit> likelier_unit(const Description &d, LengthUnit unit);
+
+} // namespace mdm
