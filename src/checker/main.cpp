@@ -19,7 +19,8 @@ using namespace mdm::checker;
 
 constexpr const char *help = R"(mdm-check GRADATION CERTIFICATE
 mdm-check --print GRADATION [CERTIFICATE]
-mdm-check --suite [SUITE] FOLDER [--verbose]
+mdm-check --suite [SUITE] FOLDER [-j THREADS] [--verbose]
+mdm-check --suite SUITE STREAM [-j THREADS] [--verbose]
 
 Checks the proof that a number of particles is the smallest that matches a gradation exactly
 or within a tolerance, or the proof of bounds on the smallest.
@@ -27,13 +28,16 @@ GRADATION is the gradation file (CSV or JSON; or that of a band) and CERTIFICATE
 mdm solve --proof wrote; one of them may be - for standard input.
 SUITE has a gradation in JSON a line and FOLDER what mdm batch --proofs wrote of it: each
 certificate is checked against the line whose number its name begins with. Without SUITE,
-each NAME.proof is checked against NAME.gradation beside it.
+each NAME.proof is checked against NAME.gradation beside it. STREAM has all certificates of
+a suite one after the other, and STREAM.index says which line each is of. A file whose name ends in
+.zst is unpacked.
 
 Examples:
   mdm solve sand.csv --proof sand.proof
   mdm-check sand.csv sand.proof
   mdm-check --print sand.csv
   mdm batch suite.jsonl --proofs proofs && mdm-check --suite suite.jsonl proofs
+  mdm batch suite.jsonl --proofs a.proofs && mdm-check --suite suite.jsonl a.proofs -j 2
 
 Exits with 0 (accepted), 1 (refused: the certificate does not prove its claim) or
 2 (malformed: a file cannot be read, or the command is wrong). The verdict is on standard
@@ -43,7 +47,8 @@ exit code: a line without a certificate counts as refused, a certificate without
 malformed.
 
   --print     the gradation as it is read, as CSV on standard output, before the verdict
-  --suite     all certificates of a folder: those that are not accepted, and a summary
+  --suite     all certificates of a folder or a stream: those that are not accepted, and a summary
+  -j THREADS  with --suite, check by so many threads: 1 (without) to 1024
   --verbose   with --suite, also the verdicts of those that are accepted
   -h, --help  this text
   --version   the versions of this program and of GMP
@@ -73,8 +78,30 @@ int report(const Verdict &verdict, const std::string &before = {}) {
 /// The words of the command line: names of files, and flags.
 struct Words {
   std::vector<std::string> files;
-  bool prints = false, has_suite = false, verbose = false;
+  bool prints = false, has_suite = false;
+  Manner manner = {};
 };
+
+/// Takes `-j THREADS` or `-jTHREADS` out of the arguments.
+unsigned take_threads(std::vector<std::string> &arguments) {
+  constexpr unsigned long most = 1024;
+  const auto option = std::find_if(arguments.begin(), arguments.end(),
+                                   [](const std::string &a) { return a.starts_with("-j"); });
+  if (option == arguments.end())
+    return 1;
+  auto end = option + 1;
+  std::string number = option->substr(2);
+  if (number.empty() && end != arguments.end())
+    number = *end++;
+  const bool is_number =
+      !number.empty() && number.size() <= 4 && std::all_of(number.begin(), number.end(), is_digit);
+  const unsigned long threads = is_number ? std::stoul(number) : 0;
+  if (threads < 1 || threads > most)
+    fail("mdm-check",
+         "-j: " + quoted(number) + " is no number of threads from 1 to 1024: see mdm-check --help");
+  arguments.erase(option, end);
+  return static_cast<unsigned>(threads);
+}
 
 Words words_of(std::vector<std::string> arguments) {
   Words words;
@@ -82,7 +109,10 @@ Words words_of(std::vector<std::string> arguments) {
   words.has_suite = !arguments.empty() && arguments[0] == "--suite";
   if (words.prints || words.has_suite)
     arguments.erase(arguments.begin());
-  words.verbose = words.has_suite && std::erase(arguments, "--verbose") > 0;
+  if (words.has_suite) {
+    words.manner.verbose = std::erase(arguments, "--verbose") > 0;
+    words.manner.threads = take_threads(arguments);
+  }
   for (const std::string &argument : arguments)
     if (argument.size() > 1 && argument[0] == '-')
       fail("mdm-check", "no option " + quoted(argument) + " here: see mdm-check --help");
@@ -91,10 +121,11 @@ Words words_of(std::vector<std::string> arguments) {
 }
 
 int run_suite(const Words &words) {
-  if (words.files.empty() || words.files.size() > 2 || words.files.back() == "-")
-    fail("mdm-check", "give one suite and one folder behind --suite: see mdm-check --help");
-  return words.files.size() == 1 ? check_folder(words.files[0], words.verbose)
-                                 : check_suite(words.files[0], words.files[1], words.verbose);
+  const std::vector<std::string> &files = words.files;
+  if (files.empty() || files.size() > 2 || files.back() == "-")
+    fail("mdm-check", "give one suite and one folder or stream behind --suite: see mdm-check --help");
+  return files.size() == 1 ? check_folder(files[0], words.manner)
+                           : check_suite(files[0], files[1], words.manner);
 }
 
 int run(const std::vector<std::string> &arguments) {

@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
-#include <vector>
 
 namespace mdm::checker {
 namespace {
@@ -37,14 +36,13 @@ void fail(const std::string &who, const std::string &what) {
 }
 
 Input read_input(const std::string &path, std::size_t most_bytes) {
-  Input input{shown_name(path), {}};
-  const File file = opened(path);
-  std::vector<char> piece(std::size_t{1} << 16U);
-  while (const std::size_t got = file ? std::fread(piece.data(), 1, piece.size(), file.get()) : 0) {
-    input.text.append(piece.data(), got);
+  InputBytes bytes(path);
+  Input input{bytes.name(), {}};
+  for (std::string_view some = bytes.some(); !some.empty(); some = bytes.some()) {
+    input.text += some;
+    bytes.take(some.size());
     check_size(input.name, input.text.size(), most_bytes);
   }
-  check_read(input.name, file);
   return input;
 }
 
@@ -54,24 +52,62 @@ void print(const std::string &text) {
          std::string("cannot be written: ") + std::strerror(errno) + ": send it elsewhere");
 }
 
-InputLines::InputLines(const std::string &path) : name_(shown_name(path)), file_(opened(path)) {
+InputBytes::InputBytes(const std::string &path)
+    : name_(shown_name(path)), file_(opened(path)), memory_(std::size_t{1} << 16U) {
   check_read(name_, file_);
+  try {
+    if (path.ends_with(".zst"))
+      unpacker_.emplace();
+  } catch (const std::runtime_error &error) {
+    fail(name_, error.what());
+  }
+}
+
+std::string_view InputBytes::some() {
+  if (piece_.empty())
+    piece_ = unpacker_ ? unpack() : read();
+  return piece_;
+}
+
+std::string_view InputBytes::read() {
+  const std::size_t got = std::fread(memory_.data(), 1, memory_.size(), file_.get());
+  check_read(name_, file_);
+  return {memory_.data(), got};
+}
+
+std::string_view InputBytes::unpack() {
+  for (;;) {
+    if (packed_.empty())
+      packed_ = read();
+    const bool is_at_end = packed_.empty();
+    if (is_at_end && unpacker_->is_whole())
+      return {};
+    try {
+      if (const std::string_view text = unpacker_->unpack(packed_); !text.empty())
+        return text;
+    } catch (const std::runtime_error &error) {
+      fail(name_, error.what());
+    }
+    if (is_at_end)
+      fail(name_, "cannot be unpacked: it ends too early: give the whole file");
+  }
 }
 
 std::optional<Input> InputLines::next() {
-  Input line{name_ + ":" + std::to_string(number_ + 1), {}, true};
-  int c = std::getc(file_.get());
-  if (c == EOF) {
-    check_read(name_, file_);
+  Input line{name() + ":" + std::to_string(number_ + 1), {}, true};
+  has_line_end_ = false;
+  std::string_view some = bytes_.some();
+  if (some.empty())
     return std::nullopt;
-  }
   ++number_;
-  for (; c != '\n' && c != EOF; c = std::getc(file_.get())) {
-    line.text += static_cast<char>(c);
+  for (; !some.empty() && !has_line_end_; some = bytes_.some()) {
+    const std::size_t end = some.find('\n');
+    has_line_end_ = end != std::string_view::npos;
+    line.text += some.substr(0, end);
     check_size(line.name, line.text.size(), most_gradation_bytes);
+    bytes_.take(has_line_end_ ? end + 1 : some.size());
   }
-  check_read(name_, file_);
-  if (c == '\n' && line.text.ends_with('\r'))
+  if (has_line_end_ && line.text.ends_with('\r'))
     line.text.pop_back();
   return line;
 }

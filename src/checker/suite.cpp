@@ -1,6 +1,7 @@
 #include "suite.hpp"
 
 #include "program_files.hpp"
+#include "proof_stream.hpp"
 #include "text.hpp"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ std::set<std::string> names_with(std::string_view ending, const std::string &fol
       names.insert(name.substr(0, name.size() - ending.size()));
   }
   if (error)
-    fail(folder, "cannot be read: " + error.message() + ": give the folder of the certificates");
+    fail(folder, "cannot be read: " + error.message() +
+                     ": give the folder of the certificates, or a suite and their stream");
   return names;
 }
 
@@ -42,100 +44,91 @@ std::uint64_t number_of(const std::string &name) {
   return is_number ? std::stoull(name.substr(0, digits)) : 0;
 }
 
-/// The verdicts, as they are written and counted.
-class Summary {
-public:
-  explicit Summary(bool verbose) : verbose_(verbose) {}
+bool is_blank(const Input &line) {
+  return line.text.find_first_not_of(" \t\r") == std::string::npos;
+}
 
-  void check(const Input &gradation, const std::string &certificate) {
-    Verdict verdict = {Verdict::malformed, {}, {}};
-    try {
-      verdict = checker::check(gradation, read_input(certificate, most_certificate_bytes));
-    } catch (const std::runtime_error &error) {
-      verdict.reason = error.what();
-    }
-    if (verdict.code == Verdict::accepted)
-      accept(verdict.line);
-    else if (verdict.code == Verdict::refused)
-      add(refused_, "refused: " + verdict.reason);
-    else
-      malformed(verdict.reason);
+/// Hands on the lines of a suite with the certificates of a stream.
+void check_lines(InputLines &lines, ProofStream &proofs, Verdicts &verdicts) {
+  while (std::optional<Input> line = lines.next()) {
+    const bool has_proof = proofs.number() == lines.number();
+    if (has_proof && is_blank(*line))
+      throw ProofStream::Broken(printable(proofs.place()) + ": line " + std::to_string(lines.number()) +
+                                " is blank: give the suite of these proofs");
+    if (has_proof)
+      verdicts.check(std::move(*line), proofs.take());
+    else if (!is_blank(*line))
+      verdicts.missing(printable(line->name) + ": no certificate in the stream");
   }
-  void malformed(const std::string &reason) { add(malformed_, "malformed: " + reason); }
-  void missing(const std::string &what) { add(missing_, "missing: " + what); }
+  if (proofs.number())
+    throw ProofStream::Broken(printable(proofs.place()) + ": no line " + std::to_string(*proofs.number()) +
+                              " in " + checker::quoted(lines.name()) + ": give the suite of these proofs");
+  proofs.check_end();
+}
 
-  /// Writes the numbers of all, which are of `what`, and returns the worst code.
-  int end(const std::string &what) const {
-    if (accepted_ + refused_ + malformed_ + missing_ == 0)
-      fail(what, "nothing to check: give the suite and the folder of mdm batch --proofs");
-    const auto count = [](std::uint64_t n, const char *of) { return std::to_string(n) + " " + of; };
-    print(printable(what) + ": " + count(accepted_, "accepted, ") + count(refused_, "refused, ") +
-          count(malformed_, "malformed, ") + count(missing_, "missing\n"));
-    return malformed_ > 0            ? Verdict::malformed
-           : refused_ + missing_ > 0 ? Verdict::refused
-                                     : Verdict::accepted;
+int check_stream(const std::string &suite, const std::string &stream, const Manner &manner) {
+  Verdicts verdicts(manner);
+  InputLines lines(suite);
+  try {
+    ProofStream proofs(stream);
+    check_lines(lines, proofs, verdicts);
+  } catch (const ProofStream::Broken &error) {
+    verdicts.malformed(error.what());
   }
+  return verdicts.end(lines.name());
+}
 
-private:
-  void accept(const std::string &line) {
-    ++accepted_;
-    if (verbose_)
-      print(line + "\n");
-  }
-  static void add(std::uint64_t &count, const std::string &line) {
-    ++count;
-    print(line + "\n");
-  }
-
-  bool verbose_;
-  std::uint64_t accepted_ = 0, refused_ = 0, malformed_ = 0, missing_ = 0;
-};
-
-} // namespace
-
-int check_suite(const std::string &suite, const std::string &folder, bool verbose) {
+int check_suite_folder(const std::string &suite, const std::string &folder, const Manner &manner) {
   std::multimap<std::uint64_t, std::string> proofs;
   for (const std::string &name : names_with(proof_ending, folder))
     proofs.emplace(number_of(name), path_of(folder, name, proof_ending));
-  Summary summary(verbose);
+  Verdicts verdicts(manner);
   InputLines lines(suite);
   while (const std::optional<Input> line = lines.next()) {
-    if (line->text.find_first_not_of(" \t\r") == std::string::npos)
+    if (is_blank(*line))
       continue;
     const auto [first, last] = proofs.equal_range(lines.number());
     for (auto proof = first; proof != last; ++proof)
-      summary.check(*line, proof->second);
+      verdicts.check_file(*line, proof->second);
     if (first == last)
-      summary.missing(printable(line->name) + ": no certificate in " + checker::quoted(folder));
+      verdicts.missing(printable(line->name) + ": no certificate in " + checker::quoted(folder));
     proofs.erase(first, last);
   }
   for (const auto &[number, proof] : proofs)
-    summary.malformed(printable(proof) + ": begins with the number of no line of " +
-                      checker::quoted(lines.name()));
-  return summary.end(lines.name());
+    verdicts.malformed(printable(proof) + ": begins with the number of no line of " +
+                       checker::quoted(lines.name()));
+  return verdicts.end(lines.name());
 }
 
-int check_folder(const std::string &folder, bool verbose) {
+} // namespace
+
+int check_suite(const std::string &suite, const std::string &proofs, const Manner &manner) {
+  std::error_code is_not_there; // a folder's reader says so
+  return fs::is_directory(proofs, is_not_there) || is_not_there ? check_suite_folder(suite, proofs, manner)
+                                                                : check_stream(suite, proofs, manner);
+}
+
+int check_folder(const std::string &folder, const Manner &manner) {
   const std::set<std::string> proofs = names_with(proof_ending, folder),
                               gradations = names_with(gradation_ending, folder);
   std::set<std::string> all = proofs;
   all.insert(gradations.begin(), gradations.end());
-  Summary summary(verbose);
+  Verdicts verdicts(manner);
   for (const std::string &name : all) {
     const std::string proof = path_of(folder, name, proof_ending),
                       gradation = path_of(folder, name, gradation_ending);
     if (proofs.count(name) == 0)
-      summary.missing(printable(gradation) + ": no certificate beside it");
+      verdicts.missing(printable(gradation) + ": no certificate beside it");
     else if (gradations.count(name) == 0)
-      summary.missing(printable(proof) + ": no gradation beside it: give the suite");
+      verdicts.missing(printable(proof) + ": no gradation beside it: give the suite");
     else
       try {
-        summary.check(read_input(gradation, most_gradation_bytes), proof);
+        verdicts.check_file(read_input(gradation, most_gradation_bytes), proof);
       } catch (const std::runtime_error &error) {
-        summary.malformed(error.what());
+        verdicts.malformed(error.what());
       }
   }
-  return summary.end(folder);
+  return verdicts.end(folder);
 }
 
 } // namespace mdm::checker

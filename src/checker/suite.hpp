@@ -1,16 +1,20 @@
 #pragma once
 
+#include "verdicts.hpp"
+
 #include <string>
 
 namespace mdm::checker {
 
-/// Checks the certificates NUMBER.proof and NUMBER-ID.proof of a folder, each against the line NUMBER of the
-/// suite (JSON Lines), and writes the verdicts and their numbers. Without `verbose`, accepted ones are only
-/// counted. Returns the worst code; a line without a certificate counts as refused, a certificate without a
-/// line as malformed. Throws std::runtime_error where suite or folder cannot be read.
-int check_suite(const std::string &suite, const std::string &folder, bool verbose);
+/// Checks the certificates of a suite (JSON Lines), each against its line, and writes the verdicts and their
+/// numbers. Of a folder they are NUMBER.proof and NUMBER-ID.proof, each of the line NUMBER; of a stream
+/// its index names the lines, and where one of them is not what it should be, this is one certificate that is
+/// malformed, and the rest is not checked. Returns the worst code; a line without a certificate counts as
+/// refused, a certificate without a line as malformed. Throws std::runtime_error where a file or the folder
+/// cannot be read.
+int check_suite(const std::string &suite, const std::string &proofs, const Manner &manner);
 
-/// The same of each NAME.proof against the gradation file NAME.gradation beside it.
-int check_folder(const std::string &folder, bool verbose);
+/// The same of each NAME.proof of a folder against the gradation file NAME.gradation beside it.
+int check_folder(const std::string &folder, const Manner &manner);
 
 } // namespace mdm::checker

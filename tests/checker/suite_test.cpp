@@ -1,4 +1,5 @@
-// mdm-check --suite: all certificates of a folder, a summary, and the worst exit code.
+// mdm-check --suite: all certificates of a folder, a summary, and the worst exit code. Those of streams are
+// in proof_stream_test.cpp.
 
 #include "catch.hpp"
 #include "program.hpp"
@@ -89,6 +90,30 @@ TEST_CASE("every certificate of one line is checked", "[checker]") {
   const Outcome outcome = run({"--suite", s.file, s.proofs});
   CHECK(outcome.exit_code == 2);
   CHECK(outcome.out.find("1 accepted, 0 refused, 1 malformed") != std::string::npos);
+}
+
+TEST_CASE("threads change nothing of the verdicts and their order", "[checker]") {
+  const std::string proof = certificate("accepted/sphere_two_classes.proof");
+  std::string lines;
+  for (int i = 0; i < 500; ++i)
+    lines += (i % 7 == 3 ? other_line : line) + "\n";
+  const Suite s(lines);
+  for (int i = 1; i <= 500; ++i)
+    if (i % 11 != 0)
+      s.add(std::to_string(i) + ".proof", i % 5 == 0 ? proof + "x" : proof);
+  const Outcome one = run({"--suite", s.file, s.proofs, "--verbose"});
+  CHECK(one.exit_code == 2);
+  for (const std::vector<std::string> &threads :
+       std::vector<std::vector<std::string>>{{"-j", "2"}, {"-j7"}, {"-j", "1024"}}) {
+    std::vector<std::string> arguments = {"--suite", s.file, s.proofs, "--verbose"};
+    arguments.insert(arguments.end(), threads.begin(), threads.end());
+    const Outcome more = run(arguments);
+    CHECK(more.exit_code == one.exit_code);
+    CHECK(more.out == one.out);
+  }
+  for (const char *threads : {"0", "1025", "x", "-1", "", "99999999999999999999"})
+    CHECK(run({"--suite", s.file, s.proofs, "-j", threads}).err.find("mdm-check: -j: ") == 0);
+  CHECK(run({"--suite", s.file, s.proofs, "-j"}).exit_code == 2);
 }
 
 TEST_CASE("without a suite, certificates are checked against the gradations beside them", "[checker]") {

@@ -27,7 +27,7 @@ FOLDER = SOURCE / "src/answer/schemas"
 SAND = SOURCE / "examples/gradations/athabasca-sand.csv"
 LIMITS = SOURCE / "examples/gradations/c33-fine-aggregate-limits.csv"
 SANDS = sorted(path for path in SAND.parent.glob("*.csv") if path != LIMITS)
-SUITE = SOURCE / "tests/data/suite-2750.jsonl"
+SUITE = SOURCE / "examples/reference/average/suite-2750.jsonl"
 
 COMMANDS = {
     "mdm-answer-1": [
@@ -53,6 +53,11 @@ COMMANDS = {
         ["batch", "lines.jsonl"],
         ["batch", "lines.jsonl", "--tolerance", "retained:1%"],
         ["batch", "lines.jsonl", "--proofs", "proofs"],
+    ],
+    "mdm-totals-1": [
+        ["batch", "lines.jsonl", "--shard", "1/2", "-o", "shard.jsonl"],
+        ["batch", "lines.jsonl", "--shard", "2/2", "-o", "shard.jsonl", "--proofs", "shard.proofs"],
+        ["batch", "lines.jsonl", "--shard", "2/2", "--alone", "-o", "shard.jsonl"],
     ],
     "mdm-describe-1": [
         *(["describe", sand] for sand in SANDS),
@@ -123,6 +128,7 @@ OPTIONAL = {
     "mdm-generate-1": {"quality", "curve", "sizes"},
     "mdm-packing-1": {"positions", "judgement"},
     "mdm-crosscheck-1": {"setting"},
+    "mdm-totals-1": {"proofs", "index", "suite"},
     "mdm-gradation": {"id", "unit", "factors", "tolerances_percent"},
 }
 
@@ -154,6 +160,30 @@ NO_GRADATIONS = [
     '{"sizes": "0.1", "masses": ["1", "0"]}',
 ]
 
+# What mdm suite takes, and the schema too.
+SUITES = [
+    '{"schema": "mdm-suite-1", "sieves": {"series": "half-phi", "from": 0.25}, "masses": {"kind": "random"}}',
+    '{"schema": "mdm-suite-1", "id": "a", "unit": "um", "sieves": {"list": [8, "2", 4], "neighbours": true}, "classes": 1,'
+    ' "digits": "12", "masses": [{"kind": "ties", "at": "upper", "quantities": [1, 3], "law": "power:2"}]}',
+    '{"schema": "mdm-suite-1", "sieves": {"from": [1, 2], "to": 50, "digits": 4}, "classes": [3, "9"],'
+    ' "masses": {"kind": "beta", "a": [0.5, 2], "b": "1"}}',
+    '{"schema": "mdm-suite-1", "sieves": {"from": 1, "ratio": [1.5, 2]}, "classes": 5, "masses":'
+    ' [{"kind": "lognormal", "median": 0.5, "deviation": [1, 2]}, {"kind": "gap-graded", "empty": 2}]}',
+]
+# What it refuses, and the schema too.
+NO_SUITES = [
+    '{"schema": "mdm-suite-1", "sieves": {"list": [1, 2]}}',
+    '{"sieves": {"list": [1, 2]}, "masses": {"kind": "random"}}',
+    '{"schema": "mdm-suite-1", "sieves": {"list": [1, 2], "series": "phi"}, "masses": {"kind": "random"}}',
+    '{"schema": "mdm-suite-1", "sieves": {"list": [1]}, "masses": {"kind": "random"}}',
+    '{"schema": "mdm-suite-1", "sieves": {"series": "ISO"}, "masses": {"kind": "random"}}',
+    '{"schema": "mdm-suite-1", "sieves": {"list": [1, 2]}, "masses": {"kind": "rand"}}',
+    '{"schema": "mdm-suite-1", "sieves": {"list": [1, 2]}, "masses": {"kind": "beta", "a": 1}}',
+    '{"schema": "mdm-suite-1", "sieves": {"list": [1, 2]}, "masses": {"kind": "random"}, "count": 3}',
+    '{"schema": "mdm-suite-1", "sieves": {"from": 1, "to": 8}, "classes": [1, 2, 3], "masses": {"kind": "random"}}',
+    '{"schema": "mdm-suite-1", "sieves": {"list": [1, -2]}, "masses": {"kind": "random"}}',
+]
+
 failures = []
 
 
@@ -168,12 +198,15 @@ def shown(command):
 
 
 def values_of(command):
-    """The JSON values that a command writes: of batch one a line. Exit codes 1 and 3 come with a report too."""
+    """The JSON values that a command writes: of batch one a line, of a shard its totals. Exit codes 1 and 3 come with a
+    report too."""
     options = [] if command[0] == "batch" else ["--format", "json"]
     run = subprocess.run([MDM, *map(str, command), *options], capture_output=True, text=True, timeout=120)
     bad_line = command[0] == "batch" and run.returncode == 2
     check(run.returncode in (0, 1, 3) or bad_line, f"{shown(command)}: exit {run.returncode}: {run.stderr}")
     try:
+        if "--shard" in command:
+            return [json.loads(pathlib.Path("shard.jsonl.totals").read_text(encoding="utf-8"))]
         texts = run.stdout.splitlines() if command[0] == "batch" else [run.stdout]
         return [json.loads(text) for text in texts]
     except json.JSONDecodeError as error:
@@ -239,7 +272,7 @@ def main():
     written = {name for path in (SOURCE / "src").rglob("*.[ch]pp")
                for name in re.findall(r'mdm-[a-z]+-[0-9]+', path.read_text(encoding="utf-8"))}
     check(written | {"mdm-gradation"} == set(schemas), f"schemas {sorted(schemas)}, but src names {sorted(written)}")
-    check(set(COMMANDS) == set(schemas), "every schema has commands in this test")
+    check(set(COMMANDS) | {"mdm-suite-1"} == set(schemas), "every schema has commands in this test")
     validators = {}
     for name, schema in schemas.items():
         check_schema(name, schema)
@@ -277,6 +310,13 @@ def main():
         run = subprocess.run([MDM, "convert", "-"], input=line, capture_output=True, text=True)
         check(run.returncode == 2, f"the reader takes {line}")
         check(not validators["mdm-gradation"].is_valid(json.loads(line)), f"the schema takes {line}")
+    for good, texts in ((True, SUITES), (False, NO_SUITES)):
+        for text in texts:
+            run = subprocess.run([MDM, "suite", "-", "--count", "9"], input=text, capture_output=True, text=True)
+            check(run.returncode == (0 if good else 2), f"mdm suite: exit {run.returncode} of {text}: {run.stderr}")
+            check(validators["mdm-suite-1"].is_valid(json.loads(text)) == good, f"the schema errs on {text}")
+            for line in run.stdout.splitlines():
+                check(validators["mdm-gradation"].is_valid(json.loads(line)), f"no gradation to the schema: {line}")
     print(f"{documents} JSON values, {len(schemas)} schemas, {len(failures)} failures")
     return 1 if failures else 0
 

@@ -1,0 +1,91 @@
+#include "verdicts.hpp"
+
+#include "text.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <utility>
+
+namespace mdm::checker {
+
+void Verdicts::check(Input gradation, Input certificate) {
+  const std::size_t bytes = gradation.text.size() + certificate.text.size();
+  add(bytes, [g = std::move(gradation), c = std::move(certificate)] { return judged(g, c); });
+}
+
+void Verdicts::check_file(Input gradation, const std::string &certificate) {
+  const std::size_t bytes = gradation.text.size();
+  add(bytes, [g = std::move(gradation), certificate]() -> Line {
+    try {
+      return judged(g, read_input(certificate, most_certificate_bytes));
+    } catch (const std::runtime_error &error) {
+      return {malformed_, error.what()};
+    }
+  });
+}
+
+void Verdicts::malformed(const std::string &reason) {
+  add(reason.size(), [reason] { return Line{malformed_, reason}; });
+}
+
+void Verdicts::missing(const std::string &what) {
+  add(what.size(), [what] { return Line{missing_, what}; });
+}
+
+Verdicts::Line Verdicts::judged(const Input &gradation, const Input &certificate) {
+  Verdict verdict = checker::check(gradation, certificate);
+  if (verdict.code == Verdict::accepted)
+    return {accepted, std::move(verdict.line)};
+  return {verdict.code == Verdict::refused ? refused : malformed_, std::move(verdict.reason)};
+}
+
+void Verdicts::add(std::size_t bytes, Job job) {
+  constexpr std::size_t most_bytes = std::size_t{64} << 20U, most_a_thread = 64;
+  waiting_.push_back(std::move(job));
+  waiting_bytes_ += bytes;
+  if (manner_.threads == 1 || waiting_.size() >= most_a_thread * manner_.threads ||
+      waiting_bytes_ >= most_bytes)
+    write_all();
+}
+
+void Verdicts::write_all() {
+  std::vector<Line> lines(waiting_.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < lines.size(); i = next++)
+      lines[i] = waiting_[i]();
+  };
+  std::vector<std::thread> helpers;
+  for (std::size_t t = 1; t < std::min<std::size_t>(manner_.threads, lines.size()); ++t)
+    helpers.emplace_back(work);
+  work();
+  for (std::thread &helper : helpers)
+    helper.join();
+  waiting_.clear();
+  waiting_bytes_ = 0;
+
+  constexpr const char *words[kinds] = {"", "refused: ", "malformed: ", "missing: "};
+  std::string text;
+  for (const Line &line : lines) {
+    ++counts_[line.kind];
+    if (manner_.verbose || line.kind != accepted)
+      text += words[line.kind] + line.text + "\n";
+  }
+  if (!text.empty())
+    print(text);
+}
+
+int Verdicts::end(const std::string &what) {
+  write_all();
+  if (std::all_of(std::begin(counts_), std::end(counts_), [](std::uint64_t n) { return n == 0; }))
+    fail(what, "nothing to check: give the suite, and the folder or the stream of mdm batch --proofs");
+  const auto count = [this](Kind kind, const char *of) { return std::to_string(counts_[kind]) + " " + of; };
+  print(printable(what) + ": " + count(accepted, "accepted, ") + count(refused, "refused, ") +
+        count(malformed_, "malformed, ") + count(missing_, "missing\n"));
+  return counts_[malformed_] > 0                         ? Verdict::malformed
+         : counts_[refused] > 0 || counts_[missing_] > 0 ? Verdict::refused
+                                                         : Verdict::accepted;
+}
+
+} // namespace mdm::checker

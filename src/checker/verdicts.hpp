@@ -1,0 +1,51 @@
+#pragma once
+
+#include "program_files.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace mdm::checker {
+
+/// How many certificates are judged.
+struct Manner {
+  bool verbose = false; ///< accepted ones are written, too
+  unsigned threads = 1;
+};
+
+/// The verdicts on many certificates, as they are written and counted. Some are judged at a time, by several
+/// threads; they are written in the order in which they were given.
+class Verdicts {
+public:
+  explicit Verdicts(const Manner &manner) : manner_(manner) {}
+
+  /// Judges a certificate that is in memory, or is read when its turn comes. Throws std::runtime_error where
+  /// standard output cannot be written, as those below do.
+  void check(Input gradation, Input certificate);
+  void check_file(Input gradation, const std::string &certificate);
+  void malformed(const std::string &reason);
+  void missing(const std::string &what);
+
+  /// Writes the numbers of all, which are of `what`, and returns the worst code; a missing certificate counts
+  /// as refused. Throws std::runtime_error where there was nothing to judge.
+  int end(const std::string &what);
+
+private:
+  enum Kind { accepted, refused, malformed_, missing_, kinds };
+  struct Line {
+    Kind kind;
+    std::string text;
+  };
+  using Job = std::function<Line()>;
+
+  static Line judged(const Input &gradation, const Input &certificate);
+  void add(std::size_t bytes, Job job);
+  void write_all();
+
+  Manner manner_;
+  std::vector<Job> waiting_;
+  std::size_t waiting_bytes_ = 0;
+  std::uint64_t counts_[kinds] = {};
+};
+
+} // namespace mdm::checker
