@@ -48,6 +48,10 @@ bool is_suite(FileLines &file) {
   }
 }
 
+bool is_blank(const FileLines::Line &line) {
+  return line && line->find_first_not_of(" \t\r") == std::string::npos;
+}
+
 /// \param line without it the line was too long
 BatchItem item_of_line(const FileLines::Line &line, std::uint64_t number, const std::string &where,
                        const std::string &fallback_id) {
@@ -57,7 +61,7 @@ BatchItem item_of_line(const FileLines::Line &line, std::uint64_t number, const 
       throw InputError(printable(where) + ": " + FileLines::too_long("the line") +
                        ": write one gradation a line");
     };
-  } else if (line->find_first_not_of(" \t\r") != std::string::npos) {
+  } else {
     const auto text = std::make_shared<const std::string>(*line);
     item.id = [text, fallback_id] { return json_gradation_id(*text).value_or(fallback_id); };
     item.read = [text, where, fallback_id] { return read_json_gradation(*text, where, fallback_id); };
@@ -67,11 +71,17 @@ BatchItem item_of_line(const FileLines::Line &line, std::uint64_t number, const 
 
 } // namespace
 
-BatchSources::BatchSources(std::vector<std::string> files, ReadingFlags flags)
+BatchSources::BatchSources(std::vector<std::string> files, ReadingFlags flags, bool only_suites)
     : files_(std::move(files)), flags_(std::move(flags)), reading_(flags_.reading()),
-      is_stream_(files_.empty()) {
+      only_suites_(only_suites), is_stream_(files_.empty()) {
   if (is_stream_)
     files_.emplace_back("-");
+}
+
+BatchSources::BatchSources(std::vector<std::string> files, ReadingFlags flags, Shard shard, bool alone)
+    : BatchSources(std::move(files), std::move(flags), true) {
+  shard_ = shard;
+  is_alone_ = alone;
 }
 
 std::vector<BatchItem> BatchSources::next(std::size_t most) {
@@ -98,6 +108,8 @@ std::vector<BatchItem> BatchSources::next(std::size_t most) {
 
 void BatchSources::open(const std::string &file) {
   auto content = std::make_unique<FileLines>(file);
+  if (shard_ && !is_alone_)
+    content->bytes().keep_digest();
   if (is_stream_ || is_suite(*content)) {
     if (flags_.is_given())
       throw file_error(shown_name(file), flags_.given() +
@@ -105,6 +117,8 @@ void BatchSources::open(const std::string &file) {
                                              "say what they hold: leave it out");
     suite_ = std::move(content);
     line_ = 0;
+  } else if (only_suites_) {
+    throw file_error(shown_name(file), "no suite in JSON Lines: name one, or give --proofs a folder");
   } else {
     add_gradations(shown_name(file), *content);
   }
@@ -129,17 +143,37 @@ void BatchSources::add_gradations(const std::string &file, FileLines &content) {
   }
 }
 
+/// True of the lines that are items.
+bool BatchSources::is_ours(const FileLines::Line &line) {
+  return !is_blank(line) && (!shard_ || is_alone_ || shard_->has(filled_lines_ + 1));
+}
+
 void BatchSources::add_lines(std::vector<BatchItem> &items, std::size_t most) {
-  for (const FileLines::Line &line : suite_->next(most)) {
-    ++line_;
-    items.push_back(
-        item_of_line(line, ++count_, line_name(files_[opened_ - 1], line_), std::to_string(line_)));
-    // Of several files the numbers of gradations are not those of lines.
-    if (line && files_.size() > 1)
-      items.back().checked_as = [text = *line](const Gradation &) { return text; };
-  }
-  if (items.empty())
-    suite_.reset();
+  constexpr std::size_t most_bytes = std::size_t{1} << 20;
+  std::size_t bytes = 0;
+  do {
+    const std::vector<FileLines::Line> lines = suite_->next(most - items.size());
+    if (lines.empty()) {
+      if (shard_ && !is_alone_)
+        suite_totals_ = FileTotals{suite_->bytes().digest().bytes(), suite_->bytes().digest().sha256()};
+      suite_.reset();
+      return;
+    }
+    for (const FileLines::Line &line : lines) {
+      line_ = is_alone_ ? shard_->number + filled_lines_ * shard_->count : line_ + 1;
+      count_ = is_alone_ ? line_ : count_ + 1;
+      if (is_ours(line)) {
+        items.push_back(
+            item_of_line(line, count_, line_name(files_[opened_ - 1], line_), std::to_string(line_)));
+        bytes += line ? line->size() : 0;
+        // Of several files the numbers of gradations are not those of lines.
+        if (line && files_.size() > 1)
+          items.back().checked_as = [text = *line](const Gradation &) { return text; };
+      }
+      if (!is_blank(line))
+        ++filled_lines_;
+    }
+  } while (shard_ && !is_alone_ && items.size() < most && bytes < most_bytes); // its lines are far apart
 }
 
 } // namespace mdm::cli

@@ -2,8 +2,10 @@
 /// \file
 /// The gradations of a batch, from suites and from gradation files.
 
+#include "answer/totals.hpp"
 #include "cli/files.hpp"
 #include "cli/reading_flags.hpp"
+#include "cli/shard.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 
@@ -18,10 +20,10 @@ namespace mdm::cli {
 
 /// A gradation of a batch, which is still to be read.
 struct BatchItem {
-  std::uint64_t number;            ///< from 1 on over all sources; a blank line counts
+  std::uint64_t number;            ///< from 1 on over all sources; a blank line counts, but is no item
   std::string where;               ///< names it in messages
   std::function<std::string()> id; ///< of what cannot be read
-  std::function<Gradation()> read; ///< empty for a blank line; throws InputError
+  std::function<Gradation()> read; ///< throws InputError
   /// The file that mdm-check reads as this gradation; empty for a line of the only suite, which
   /// it reads there.
   std::function<std::string(const Gradation &)> checked_as;
@@ -32,26 +34,41 @@ struct BatchItem {
 class BatchSources {
 public:
   /// \param flags  of gradation files: JSON Lines, which say what they hold, are refused with them
-  BatchSources(std::vector<std::string> files, ReadingFlags flags);
+  /// \param only_suites gradation files are refused
+  BatchSources(std::vector<std::string> files, ReadingFlags flags, bool only_suites = false);
+  /// The lines of a shard of one suite, or of standard input.
+  /// \param alone there are no other lines; they have the numbers that they have in a whole suite without
+  /// blank lines
+  BatchSources(std::vector<std::string> files, ReadingFlags flags, Shard shard, bool alone);
 
   /// The gradations that are there, at least one and at most `most`; empty at the end. Of a suite it waits
   /// only for the first. Memory: that of the lines, or some 64 MiB of gradation files.
   /// \throws InputError if a file cannot be opened
   std::vector<BatchItem> next(std::size_t most);
 
+  /// That of a suite of which there was a shard, all of it; nothing where the shard was alone.
+  /// \pre next() was empty
+  const std::optional<FileTotals> &suite_totals() const { return suite_totals_; }
+
 private:
   void open(const std::string &file);
   void add_gradations(const std::string &file, FileLines &content);
   void add_lines(std::vector<BatchItem> &items, std::size_t most);
+  bool is_ours(const FileLines::Line &line);
 
   std::vector<std::string> files_;
   ReadingFlags flags_;
   Reading reading_;
+  bool only_suites_;
   bool is_stream_;         ///< there were no files
   std::size_t opened_ = 0; ///< of the files
   std::uint64_t count_ = 0;
   std::unique_ptr<FileLines> suite_; ///< that is being read, files_[opened_ - 1]
   std::uint64_t line_ = 0;           ///< of the suite
+  std::uint64_t filled_lines_ = 0;   ///< of them that hold something
+  std::optional<Shard> shard_;
+  bool is_alone_ = false; ///< the shard
+  std::optional<FileTotals> suite_totals_;
   std::deque<BatchItem> waiting_;
   std::size_t waiting_bytes_ = 0;
 };

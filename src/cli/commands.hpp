@@ -19,6 +19,7 @@ Run add_batch(CLI::App &app);
 Run add_convert(CLI::App &app);
 Run add_describe(CLI::App &app);
 Run add_export(CLI::App &app);
+Run add_merge(CLI::App &app);
 Run add_pack(CLI::App &app);
 Run add_plot(CLI::App &app);
 Run add_verify(CLI::App &app);
@@ -26,6 +27,7 @@ Run add_crosscheck(CLI::App &app);
 Run add_published(CLI::App &app);
 Run add_generate(CLI::App &app);
 Run add_study(CLI::App &app);
+Run add_suite(CLI::App &app);
 Run add_tradeoff(CLI::App &app);
 /// \param app with all other commands
 Run add_completion(CLI::App &app);

@@ -2,6 +2,13 @@
 
 namespace mdm::cli {
 
+int worse_exit(int a, int b) {
+  for (const int worst : {Exit::bad_input, Exit::limited, Exit::negative})
+    if (a == worst || b == worst)
+      return worst;
+  return Exit::done;
+}
+
 Exit exit_code(Status status) {
   switch (status) {
   case Status::optimal:

@@ -15,6 +15,9 @@ enum Exit : int {
   limited = 3    ///< a limit was reached; what is certain was reported
 };
 
+/// The exit code of a run over many is that of the worst: 2 before 3 before 1.
+int worse_exit(int a, int b);
+
 /// The exit code of an answer: `limited` where a limit came first, whether there is a match or not.
 Exit exit_code(Status status);
 /// The same of a match, of which a gap that was asked for may be enough.

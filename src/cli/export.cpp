@@ -25,6 +25,13 @@ void write_model(const ExportCommand &c, const ExportFormat &format, const Model
     tell(cost_guide(format, *found.set, &start, settling(model).elasticity) + model_guide(format, model));
 }
 
+void write_file(const std::string &path, const Placement &start,
+                void (*write)(const Placement &, const Sink &)) {
+  Output out(path);
+  write(start, [&out](std::string_view text) { out.write(text); });
+  out.commit();
+}
+
 void write_particles(const ExportCommand &c, const ExportFormat &format,
                      const std::optional<ModelWriter> &model, const ExportedParticles &found) {
   const ParticleSet &set = *found.set;
@@ -49,6 +56,8 @@ void write_particles(const ExportCommand &c, const ExportFormat &format,
     format.write_placed(*start, sink);
   else
     format.write(set, sink);
+  for (const FileBeside &file : files_beside(c, format))
+    write_file(file.path, *start, file.write);
   out.commit();
 }
 
@@ -56,13 +65,13 @@ int run(const ExportCommand &c) {
   if (c.file && is_packing_file(*c.file)) {
     check_export_of_packing(c);
     check_distinct({*c.file, c.output.path()});
-    const ParticleSetOptions options = set_options(c);
+    const ParticleSetOptions options = set_options(c, false);
     export_packing(*c.file, c.to, options.unit, options.density, c.output.path());
     return Exit::done;
   }
   const ExportFormat &format = export_format(c);
   check_export(c, format);
-  const ParticleSetOptions options = set_options(c);
+  const ParticleSetOptions options = set_options(c, format.has_floats);
   std::vector<std::string> paths = {c.flags.source(c.file), c.output.path()};
   std::optional<ModelWriter> model;
   if (c.model) {
@@ -70,6 +79,8 @@ int run(const ExportCommand &c) {
     for (const std::string &path : model->other_files())
       paths.push_back(path);
   }
+  for (const FileBeside &file : files_beside(c, format))
+    paths.push_back(file.path);
   if (c.material)
     paths.push_back(*c.material);
   check_distinct(paths);
@@ -194,7 +205,9 @@ Run add_export(CLI::App &app) {
       ->type_name("RHO");
   command
       .add_option("--mass-error", c->mass_error,
-                  "relative error of the mass of a class that rounded sizes may make (1e-9)")
+                  "relative error of the mass of a class that rounded sizes may make (1e-9; 2e-7 for gsd and "
+                  "dem-engine, "
+                  "which have floats)")
       ->type_name("EPS");
   command.add_flag("--yes-huge", c->yes_huge, "more than 10000000 particles are wanted");
   command.add_flag("--yes-units", c->yes_units,

@@ -6,13 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 namespace mdm::cli {
 namespace {
 
 /// Bytes were measured with 97,336 particles of one size in contact with six others each, and rounded up.
 /// Rates by tests/benchmark/engine_rates.py.
-constexpr std::array<ExportFormat, 14> formats = {{{"liggghts", write_liggghts, nullptr, 1000, 5.4e6},
+constexpr std::array<ExportFormat, 16> formats = {{{"liggghts", write_liggghts, nullptr, 1000, 5.4e6},
                                                    {"lammps", nullptr, write_lammps_data, 1000, 4.7e6},
                                                    {"yade", nullptr, write_xyzr, 10000, 6.4e5},
                                                    {"mercurydpm", write_mercurydpm, nullptr, 0, 0},
@@ -20,8 +21,10 @@ constexpr std::array<ExportFormat, 14> formats = {{{"liggghts", write_liggghts, 
                                                    {"esys", nullptr, write_esys, 0, 0},
                                                    {"lethe", nullptr, write_lethe, 0, 0},
                                                    {"kratos", nullptr, write_kratos, 0, 0},
-                                                   {"dem-engine", nullptr, write_dem_engine, 0, 0},
+                                                   {"dem-engine", nullptr, write_dem_engine, 0, 0, true},
                                                    {"musen", nullptr, write_musen, 0, 0},
+                                                   {"phasicflow", nullptr, write_phasicflow, 0, 0},
+                                                   {"gsd", nullptr, write_gsd, 0, 0, true},
                                                    {"extxyz", nullptr, write_extxyz, 0, 0},
                                                    {"pfc", nullptr, write_pfc, 0, 0},
                                                    {"csv", write_size_csv, nullptr, 0, 0},
@@ -42,6 +45,16 @@ const ExportFormat &export_format(const ExportCommand &c) {
   if (found == formats.end())
     throw InputError("--to: " + in_quotes(c.to) + " is no format: use one of " + export_format_names());
   return *found;
+}
+
+std::vector<FileBeside> files_beside(const ExportCommand &c, const ExportFormat &format) {
+  if (format.write_placed != write_phasicflow)
+    return {};
+  if (c.output.path() == "-")
+    throw InputError("-o: PhasicFlow reads two more files, which lie beside it: say where with -o FILE");
+  const std::filesystem::path folder = std::filesystem::path(c.output.path()).parent_path();
+  return {{(folder / "shapes").string(), write_phasicflow_shapes},
+          {(folder / "positions").string(), write_phasicflow_positions}};
 }
 
 Rational physical(const std::string &option, const std::string &text) {

@@ -18,8 +18,15 @@ struct ExportFormat {
   const char *name;
   void (*write)(const ParticleSet &, const Sink &);
   void (*write_placed)(const Placement &, const Sink &);
-  unsigned bytes; ///< of the engine's memory for a particle; 0: not known
-  double rate;    ///< grains by steps that the engine makes in a second of one core; 0: not known
+  unsigned bytes;          ///< of the engine's memory for a particle; 0: not known
+  double rate;             ///< grains by steps that the engine makes in a second of one core; 0: not known
+  bool has_floats = false; ///< sizes are read as floats, not as doubles
+};
+
+/// A file that lies in the folder of the one that was asked for.
+struct FileBeside {
+  std::string path;
+  void (*write)(const Placement &, const Sink &);
 };
 
 struct ExportCommand {
@@ -40,6 +47,9 @@ struct ExportCommand {
 std::string export_format_names();
 /// \throws InputError if --to is none
 const ExportFormat &export_format(const ExportCommand &c);
+
+/// Those that the format has, a model's aside. \throws InputError if it has some and -o is no file
+std::vector<FileBeside> files_beside(const ExportCommand &c, const ExportFormat &format);
 
 /// A positive number that engines compute with as a double.
 Rational physical(const std::string &option, const std::string &text);

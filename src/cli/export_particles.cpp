@@ -44,7 +44,7 @@ ExportedParticles answer_particles(const ExportCommand &c, const std::string &co
                                    const ParticleSetOptions &options) {
   refuse_options_of_solving(c, "the answer");
   const AnswerSample answer = read_answer(content, shown_name(*c.file));
-  const MassLaw law = c.flags.GradationFlags::question().rest.law;
+  const MassLaw law = c.flags.GradationTexts::question().rest.law;
   return {in_file(*c.file, [&] { return particle_set(answer, law, options); }), Exit::done, answer.unit,
           answer.question, false};
 }
@@ -91,12 +91,15 @@ ExportedParticles solved_particles(const ExportCommand &c, const std::optional<s
 
 } // namespace
 
-ParticleSetOptions set_options(const ExportCommand &c) {
+ParticleSetOptions set_options(const ExportCommand &c, bool has_floats) {
   ParticleSetOptions options;
   if (c.unit)
     options.unit = length_unit_of("--unit", *c.unit);
   if (c.density)
     options.density = physical("--density", *c.density);
+  options.has_floats = has_floats;
+  if (has_floats)
+    options.most_mass_error = ratio(1, 5000000); // of a cube: three times that of a float
   if (c.mass_error)
     options.most_mass_error = positive("--mass-error", *c.mass_error);
   return options;

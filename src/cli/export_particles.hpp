@@ -16,7 +16,7 @@ struct ExportedParticles {
   bool has_gradation = true;    ///< FILE is one, by which the particles can be judged
 };
 
-ParticleSetOptions set_options(const ExportCommand &c);
+ParticleSetOptions set_options(const ExportCommand &c, bool has_floats);
 
 /// Solves the gradation, or reads the answer or the particles.
 ExportedParticles exported_particles(const ExportCommand &c, const ParticleSetOptions &options);

@@ -17,48 +17,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
 #include <utility>
 
 namespace mdm::cli {
 namespace {
-
-constexpr std::size_t bytes_at_once = std::size_t{1} << 16;
-
-[[noreturn]] void cannot_read(const std::string &path, int error) {
-  refuse_file(path, "cannot be read", error, "name one that can be read");
-}
-
-int open_for_reading(const std::string &path) {
-  if (path == "-")
-    return STDIN_FILENO;
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0)
-    cannot_read(path, errno);
-  return descriptor;
-}
-
-void close_reading(int descriptor) {
-  if (descriptor > STDIN_FILENO)
-    close(descriptor);
-}
-
-/// Appends what one read gives; false at the end.
-bool read_some(int descriptor, const std::string &path, std::string &text) {
-  const std::size_t before = text.size();
-  text.resize(before + bytes_at_once);
-  ssize_t n = 0;
-  do {
-    n = read(descriptor, text.data() + before, bytes_at_once);
-  } while (n < 0 && errno == EINTR);
-  const int error = errno;
-  text.resize(before + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
-  if (n < 0)
-    cannot_read(path == "-" ? "standard input" : path, error);
-  return n > 0;
-}
 
 void check_size(const std::string &path, std::size_t bytes, std::size_t most) {
   if (bytes > most)
@@ -83,6 +47,16 @@ void forget_unfinished(const std::string &path) {
     if (place.compare_exchange_strong(expected, nullptr))
       return;
   }
+}
+
+/// True of the PID-ATTEMPT of a name that Output::open_beside made.
+bool is_of_a_run(std::string_view text) {
+  const auto is_number = [](std::string_view digits) {
+    return !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  const std::size_t dash = text.find('-');
+  return dash != std::string_view::npos && is_number(text.substr(0, dash)) &&
+         is_number(text.substr(dash + 1));
 }
 
 /// realpath, or nothing where there is no such file.
@@ -147,27 +121,25 @@ void tell(std::string_view text) {
 }
 
 std::string read_file(const std::string &path, std::size_t most) {
-  const int descriptor = open_for_reading(path);
+  ByteSource bytes(path);
   std::string text;
-  try {
-    while (read_some(descriptor, path, text))
-      check_size(path, text.size(), most);
-  } catch (...) {
-    close_reading(descriptor);
-    throw;
-  }
-  close_reading(descriptor);
+  while (bytes.read_some(text))
+    check_size(path, text.size(), most);
   return text;
 }
 
 std::string beginning_of_file(const std::string &path, std::size_t most) {
   if (path == "-")
     return "";
-  std::string begin(most, ' ');
-  std::ifstream file(path, std::ios::binary);
-  file.read(begin.data(), static_cast<std::streamsize>(most));
-  begin.resize(static_cast<std::size_t>(file.gcount()));
-  return begin;
+  std::string begin;
+  try {
+    ByteSource bytes(path);
+    while (begin.size() < most && bytes.read_some(begin)) {
+    }
+  } catch (const InputError &) { // who reads all of it says so
+    return "";
+  }
+  return begin.substr(0, most);
 }
 
 std::string shown_name(const std::string &path) {
@@ -199,6 +171,10 @@ void refuse_file(const std::string &path, const std::string &what, int error, co
   throw file_error(path, what + ": " + std::strerror(error) + ": " + remedy);
 }
 
+void cannot_read(const std::string &path, int error) {
+  refuse_file(path, "cannot be read", error, "name one that can be read");
+}
+
 std::string canonical_path(const std::string &path) {
   if (std::string file = real_path(path); !file.empty())
     return file;
@@ -216,6 +192,13 @@ void check_readable(const std::string &path) {
     cannot_read(path, errno);
   if (S_ISDIR(status.st_mode))
     cannot_read(path, EISDIR);
+}
+
+std::optional<std::uint64_t> file_bytes(const std::string &path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
+    return std::nullopt;
+  return static_cast<std::uint64_t>(status.st_size);
 }
 
 void make_folder(const std::string &path) {
@@ -239,6 +222,22 @@ void check_distinct(const std::vector<std::string> &paths) {
   }
 }
 
+void remove_leftovers(const std::string &path) {
+  const std::filesystem::path target = canonical_path(path);
+  const std::string begin = target.filename().string() + ".", end = ".tmp";
+  std::error_code error;
+  std::vector<std::filesystem::path> leftovers;
+  for (std::filesystem::directory_iterator entry(target.parent_path(), error), last; !error && entry != last;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with(begin) && name.ends_with(end) && name.size() > begin.size() + end.size() &&
+        is_of_a_run(std::string_view(name).substr(begin.size(), name.size() - begin.size() - end.size())))
+      leftovers.push_back(entry->path());
+  }
+  for (const std::filesystem::path &leftover : leftovers)
+    unlink(leftover.c_str());
+}
+
 void remove_unfinished() {
   for (const std::atomic<const char *> &path : unfinished)
     if (const char *const name = path.load())
@@ -250,6 +249,8 @@ void remove_unfinished_at_signals() {
 }
 
 Output::Output(std::string path) : path_(std::move(path)) {
+  if (names_zstd(path_))
+    in_file(path_, [this] { compressor_.emplace(); });
   if (path_ == "-") {
     descriptor_ = STDOUT_FILENO;
     return;
@@ -307,15 +308,46 @@ void Output::open_beside() {
 }
 
 void Output::write(std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t n = ::write(descriptor_, text.data(), text.size());
+  constexpr std::size_t at_once = std::size_t{1} << 16;
+  waiting_ += text;
+  if (temporary_.empty() || waiting_.size() >= at_once)
+    compress(std::exchange(waiting_, {}));
+}
+
+void Output::compress(std::string_view text) {
+  if (compressor_)
+    compressor_->add(text, [this](std::string_view bytes) { write_bytes(bytes); });
+  else
+    write_bytes(text);
+}
+
+void Output::write_bytes(std::string_view bytes) {
+  if (digest_)
+    digest_->add(bytes);
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(descriptor_, bytes.data(), bytes.size());
     if (n < 0 && errno != EINTR)
       fail(errno);
-    text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+    bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
   }
 }
 
+void Output::end() {
+  compress(std::exchange(waiting_, {}));
+  if (compressor_)
+    compressor_->end([this](std::string_view bytes) { write_bytes(bytes); });
+  compressor_.reset();
+}
+
+void Output::commit_durably() {
+  end();
+  if (fsync(descriptor_) != 0)
+    fail(errno);
+  commit();
+}
+
 void Output::commit() {
+  end();
   // Standard output stays open for what follows, yet an error of closing it must be seen: close a copy.
   const int closing = descriptor_ == STDOUT_FILENO ? dup(descriptor_) : std::exchange(descriptor_, -1);
   if (closing < 0 || close(closing) != 0)
@@ -328,14 +360,8 @@ void Output::commit() {
   temporary_.clear();
 }
 
-FileLines::FileLines(const std::string &path) : path_(path), descriptor_(open_for_reading(path)) {}
-
 std::string FileLines::too_long(const std::string &what) {
   return fmt::format("{} has more than {} MiB", what, longest_line >> 20);
-}
-
-FileLines::~FileLines() {
-  close_reading(descriptor_);
 }
 
 void FileLines::fill() {
@@ -347,7 +373,7 @@ void FileLines::fill() {
     buffer_.clear();
     searched_ = 0;
   }
-  at_end_ = !read_some(descriptor_, path_, buffer_);
+  at_end_ = !bytes_.read_some(buffer_);
 }
 
 bool FileLines::take_line(std::vector<Line> &lines) {
@@ -379,8 +405,8 @@ std::string FileLines::rest(std::size_t most) {
   buffer_.clear();
   taken_ = searched_ = 0;
   while (text.size() <= most && !at_end_)
-    at_end_ = !read_some(descriptor_, path_, text);
-  check_size(path_, text.size(), most);
+    at_end_ = !bytes_.read_some(text);
+  check_size(bytes_.path(), text.size(), most);
   return text;
 }
 

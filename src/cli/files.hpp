@@ -2,6 +2,8 @@
 /// \file
 /// Input and output of the commands: bounded reads, checked writes, no file left half written.
 
+#include "cli/byte_source.hpp"
+
 #include <mdm/text/error.hpp>
 
 #include <cstdint>
@@ -40,6 +42,9 @@ InputError file_error(const std::string &path, const std::string &what);
 [[noreturn]] void refuse_file(const std::string &path, const std::string &what, int error,
                               const std::string &remedy);
 
+/// The error of a file that cannot be read. \param error errno
+[[noreturn]] void cannot_read(const std::string &path, int error);
+
 /// Calls action() and names the file, or the line of it, in what it throws.
 template <class Action>
 auto in_file(const std::string &path, Action action) {
@@ -60,9 +65,16 @@ void check_distinct(const std::vector<std::string> &paths);
 /// Refuses a file that cannot be read, before any work is done. \throws InputError
 void check_readable(const std::string &path);
 
+/// The bytes of a regular file as it lies on the disk; nothing of others.
+std::optional<std::uint64_t> file_bytes(const std::string &path);
+
 /// Makes a folder where there is none.
 /// \throws InputError if that cannot be
 void make_folder(const std::string &path);
+
+/// Removes what runs that were killed have left beside the target of an Output. Nobody else may be writing
+/// it.
+void remove_leftovers(const std::string &path);
 
 /// Removes what Outputs have written beside their targets, before the run ends on the spot.
 void remove_unfinished();
@@ -82,6 +94,7 @@ struct ClosedPipe : InputError {
 
 /// The place of a result. A regular file or a new path is written beside and takes its name in commit();
 /// without commit nothing is left of it. Standard output (path `-`), devices and pipes are written in place.
+/// What ends in .zst is compressed.
 class Output {
 public:
   /// \throws InputError if the path cannot be written
@@ -92,16 +105,29 @@ public:
 
   /// \throws ClosedPipe, or another InputError if not all of it can be written
   void write(std::string_view text);
+  /// Keeps the digest of the bytes as they lie in the file. Call before anything is written.
+  /// \throws InputError if there is no libcrypto
+  void keep_digest() { digest_.emplace(); }
   /// Makes what was written final. \throws InputError if that fails
   void commit();
+  /// The same, when all of it is on the disk.
+  void commit_durably();
+  /// That of all that was committed. \pre keep_digest()
+  Digest &digest() { return *digest_; }
 
 private:
   [[noreturn]] void fail(int error) const;
   void open_beside();
+  void compress(std::string_view text);
+  void write_bytes(std::string_view bytes);
+  void end();
 
   std::string path_;      // as the user gave it
   std::string target_;    // behind symbolic links
   std::string temporary_; // empty: written in place
+  std::string waiting_;   // to be written with more
+  std::optional<Compressor> compressor_;
+  std::optional<Digest> digest_;
   int descriptor_ = -1;
 };
 
@@ -109,10 +135,10 @@ private:
 /// looks at its beginning can take the rest as lines or as one text.
 class FileLines {
 public:
-  explicit FileLines(const std::string &path);
-  ~FileLines();
-  FileLines(const FileLines &) = delete;
-  FileLines &operator=(const FileLines &) = delete;
+  explicit FileLines(const std::string &path) : bytes_(path) {}
+
+  /// For its digest.
+  ByteSource &bytes() { return bytes_; }
 
   /// A line without its end; nothing of a line that was longer than `longest_line`.
   using Line = std::optional<std::string>;
@@ -135,8 +161,7 @@ private:
   void fill();
   bool take_line(std::vector<Line> &lines);
 
-  std::string path_;
-  int descriptor_ = -1;
+  ByteSource bytes_;
   std::string buffer_;
   std::size_t taken_ = 0;    // of the buffer
   std::size_t searched_ = 0; // no line end before it

@@ -1,6 +1,7 @@
 #include "cli/journal_file.hpp"
 
 #include "cli/files.hpp"
+#include "cli/zstd_stream.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/text/error.hpp>
@@ -16,6 +17,8 @@
 namespace mdm::cli {
 
 JournalFile::JournalFile(std::string path) : path_(std::move(path)) {
+  if (names_zstd(path_))
+    throw file_error(path_, "a journal is not compressed: give a name without .zst");
   descriptor_ = open(path_.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor_ < 0)
     fail(errno);

@@ -9,6 +9,13 @@
 
 #include <fmt/format.h>
 
+#ifdef MDM_HAS_ZSTD
+#include <zstd.h>
+#endif
+#ifdef MDM_HAS_LIBCRYPTO
+#include <openssl/opensslv.h>
+#endif
+
 #include <algorithm>
 #include <csignal>
 #include <exception>
@@ -29,6 +36,12 @@ std::string version_text() {
   std::string text;
   for (const auto &[library, version] : mdm::versions())
     text += library + " " + version + "\n";
+#ifdef MDM_HAS_ZSTD
+  text += "zstd " ZSTD_VERSION_STRING "\n";
+#endif
+#ifdef MDM_HAS_LIBCRYPTO
+  text += "libcrypto " OPENSSL_VERSION_STR "\n";
+#endif
   return text + "cli11 " CLI11_VERSION;
 }
 
@@ -46,8 +59,8 @@ int complain(const std::string &message) {
 std::vector<Command> add_commands(CLI::App &app) {
   std::vector<Command> commands;
   for (Run (*const add)(CLI::App &) :
-       {add_solve, add_batch, add_convert, add_describe, add_verify, add_crosscheck, add_published,
-        add_generate, add_pack, add_study, add_tradeoff, add_plot, add_export, add_completion}) {
+       {add_solve, add_batch, add_merge, add_convert, add_describe, add_verify, add_crosscheck, add_published,
+        add_generate, add_suite, add_pack, add_study, add_tradeoff, add_plot, add_export, add_completion}) {
     Run run = add(app);
     commands.push_back({app.get_subcommands({}).back(), std::move(run)});
   }

@@ -19,7 +19,9 @@ void OutputFlags::add_quiet(CLI::App &command, const std::string &help) {
 std::string OutputFlags::format() const {
   if (asked_format)
     return *asked_format;
-  const std::string ending = out_has_report ? path() : "";
+  std::string ending = out_has_report ? path() : "";
+  if (names_zstd(ending))
+    ending.resize(ending.rfind('.'));
   return ending.ends_with(".json") ? "json" : ending.ends_with(".csv") ? "csv" : "text";
 }
 

@@ -42,9 +42,11 @@ Rational distance(const char *option, const std::string &text, SizeUnit unit) {
 } // namespace
 
 void PlaceFlags::add_to(CLI::App &command) {
-  command.add_flag("--packing", packing,
-                   "what the places of the particles say too: void ratio, contacts, overlaps, floating "
-                   "particles, heights of the classes; for files with x y z");
+  command.add_flag(
+      "--packing", packing,
+      "what the places of the particles say too: void ratio, contacts, overlaps, floating "
+      "particles, heights of the classes; for files with x y z, of up to 20000 particles without "
+      "this");
   command
       .add_option("--box", box,
                   "with --packing: the space, from the origin, in the gradation's unit; without a height it "

@@ -4,6 +4,7 @@
 #include "cli/option_values.hpp"
 #include "cli/packing_file.hpp"
 #include "cli/progress.hpp"
+#include "particles/gsd.hpp"
 #include "particles/sample_sieves.hpp"
 #include "text/lines.hpp"
 
@@ -64,11 +65,15 @@ private:
 } // namespace
 
 bool is_sample(const std::string &content) {
-  return is_generated(content) || told_format(content).has_value();
+  return is_gsd(content) || is_generated(content) || told_format(content).has_value();
 }
 
 bool is_sample_file(const std::string &path) {
   return is_sample(first_bytes(path));
+}
+
+bool is_gsd_file(const std::string &path) {
+  return is_gsd(beginning_of_file(path, sizeof(std::uint64_t)));
 }
 
 bool is_generated_file(const std::string &path) {
@@ -104,6 +109,10 @@ ReadParticles read_lines(std::vector<FileLines::Line> first, FileLines &rest, co
   return {reader.notes(), reader.unit()};
 }
 
+ReadParticles read_gsd_file(const std::string &path, const ParticleOptions &options, ParticleSink &sink) {
+  return read_gsd(read_file(path, max_set_bytes), shown_name(path), sink, options);
+}
+
 std::vector<std::string> read_sample_file(const std::string &path, const ParticleOptions &options,
                                           ParticleSink &sink, bool quiet) {
   if (is_packing_file(path))
@@ -114,6 +123,8 @@ std::vector<std::string> read_sample_file(const std::string &path, const Particl
     in_file(path, [&] { hand_on(set, options, sink); });
     return {};
   }
+  if (options.format ? options.format == ParticleFormat::gsd : is_gsd_file(path))
+    return read_gsd_file(path, options, sink).notes;
   FileLines lines(path);
   return read_lines(lines.next(lines_at_once), lines, path, options, sink, quiet).notes;
 }
@@ -136,7 +147,7 @@ UnderstoodGradation any_gradation(const std::string &path, const ReadingFlags &r
             {},
             false};
   }
-  if (reading.is_unit_at_most() && told_format(begin)) {
+  if (reading.is_unit_at_most() && (is_gsd(begin) || told_format(begin))) {
     ParticleOptions options;
     options.says_otherwise = "--unit says";
     if (reading.unit)

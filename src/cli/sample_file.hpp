@@ -19,6 +19,9 @@ bool is_sample_file(const std::string &path);
 /// The same of a content, such as that of standard input.
 bool is_sample(const std::string &content);
 
+/// True for a file of GSD; standard input is not looked at.
+bool is_gsd_file(const std::string &path);
+
 /// True for a file that begins as sets of mdm generate do; standard input is not looked at.
 bool is_generated_file(const std::string &path);
 
@@ -31,16 +34,14 @@ bool is_answer_file(const std::string &path);
 /// The lines of a file of particles that are taken at once.
 inline constexpr std::size_t lines_at_once = 4096;
 
-/// What a file of particles says beside them.
-struct ReadParticles {
-  std::vector<std::string> notes;
-  LengthUnit unit;
-};
-
 /// Hands the particles on of a file of which the first lines were taken already.
 /// \throws InputError naming the line
 ReadParticles read_lines(std::vector<FileLines::Line> first, FileLines &rest, const std::string &path,
                          const ParticleOptions &options, ParticleSink &sink, bool quiet);
+
+/// Hands the particles of a file of GSD on, which is read as a whole.
+/// \throws InputError naming the file
+ReadParticles read_gsd_file(const std::string &path, const ParticleOptions &options, ParticleSink &sink);
 
 /// Hands the particles of a file on: of any format but an answer of mdm solve in JSON. Notes say what was
 /// assumed. Cost: the file line by line; a set in JSON is read as a whole.

@@ -2,7 +2,6 @@
 
 #include "cli/files.hpp"
 #include "cli/help.hpp"
-#include "cli/option_values.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
@@ -10,50 +9,38 @@
 namespace mdm::cli {
 namespace {
 
-ScaleChoice scale_of(const std::string &text) {
-  if (text == "robust")
-    return ScaleChoice::robust;
-  if (text == "upper")
-    return ScaleChoice::upper;
-  throw InputError("--scale: " + in_quotes(text) + " is neither robust nor upper");
-}
-
-} // namespace
-
-void GradationFlags::add_to(CLI::App &command) {
+void add_gradation(CLI::App &command, GradationTexts &texts) {
   const OptionGroup group(command, "The gradation");
-  command.add_option("--law", law, "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5")
+  command
+      .add_option("--law", texts.law, "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5")
       ->type_name("LAW");
-  command.add_option("--size-factor", size_factor, "multiply every size of the gradation by K")
+  command.add_option("--size-factor", texts.size_factor, "multiply every size of the gradation by K")
       ->type_name("K");
   command
-      .add_option("--cut-below", cut_below,
+      .add_option("--cut-below", texts.cut_below,
                   "leave out the classes below the sieve SIZE, as 63um or in the file's unit (before "
                   "--size-factor)")
       ->type_name("SIZE");
   command
-      .add_option("--pan-size", pan_size,
+      .add_option("--pan-size", texts.pan_size,
                   "count the pan as SIZE, as 2um or in the file's unit, instead of 0 (before "
                   "--size-factor)")
       ->type_name("SIZE");
 }
 
-AskedQuestion GradationFlags::question() const {
-  AskedQuestion asked;
-  if (law)
-    asked.rest.law = named("--law", *law, parse_mass_law);
-  if (pan_size)
-    asked.pan_size = length("--pan-size", *pan_size);
-  if (cut_below)
-    asked.cut_below = length("--cut-below", *cut_below);
-  if (size_factor)
-    asked.rest.size_factor = positive("--size-factor", *size_factor);
-  return asked;
+} // namespace
+
+Envelope band_in_file(const std::string &path) {
+  return read_envelope(read_file(path, max_gradation_bytes), shown_name(path));
+}
+
+void GradationFlags::add_to(CLI::App &command) {
+  add_gradation(command, *this);
 }
 
 void SolveFlags::add_problem(CLI::App &command) {
   add_question(command);
-  GradationFlags::add_to(command);
+  add_gradation(command, *this);
   add_limits(command);
 }
 
@@ -116,40 +103,11 @@ void SolveFlags::add_limits(CLI::App &command) {
 }
 
 AskedQuestion SolveFlags::question() const {
-  if (is_tolerant() && scale)
-    throw InputError("--scale: sizes within a tolerance are as far from all bounds as can be: leave it out");
-  if (is_tolerant() && max_steps)
-    throw InputError("--max-steps: it is of exact matches: give --node-limit, or --time-limit");
-  if (!is_tolerant() && node_limit)
-    throw InputError("--node-limit: it is of matches within a tolerance: give --max-steps, or --time-limit");
-  if (!is_tolerant() && gap)
-    throw InputError("--gap: it is of matches within a tolerance: give --max-steps, or --time-limit");
-  return question_of_both();
+  return SolveTexts::question(band_in_file);
 }
 
 AskedQuestion SolveFlags::question_of_both() const {
-  AskedQuestion asked = GradationFlags::question();
-  Question &q = asked.rest;
-  for (const std::string &text : tolerances)
-    q.tolerances.push_back(named("--tolerance", text, parse_tolerance));
-  if (band)
-    q.band = read_envelope(read_file(*band, max_gradation_bytes), shown_name(*band));
-  if (min_per_class)
-    q.min_per_class = natural("--min-per-class", *min_per_class, 0);
-  if (at_least)
-    q.at_least = std::max(natural("--at-least", *at_least, 0), Integer(1));
-  if (specimen.has_value() != void_ratio.has_value())
-    throw InputError("--specimen and --void-ratio belong together");
-  if (specimen && solids_volume)
-    throw InputError("--specimen and --solids-volume: give one of them");
-  if (void_ratio)
-    not_negative("--void-ratio", *void_ratio);
-  if (solids_volume)
-    q.solids = SolidsVolume{positive("--solids-volume", *solids_volume)};
-  if (specimen)
-    asked.specimen = AskedSpecimen{*specimen, *void_ratio};
-  asked.in(SizeUnit::mm); // refuses a wrong specimen before a file is read
-  return asked;
+  return SolveTexts::question_of_both(band_in_file);
 }
 
 void SolveFlags::check_source(const Text &file, const std::string &reading,
@@ -162,24 +120,22 @@ void SolveFlags::check_source(const Text &file, const std::string &reading,
     throw InputError("--band: standard input is the gradation already: give one of them by name");
 }
 
-SolveOptions SolveFlags::options(bool keep_proof) const {
-  SolveOptions o;
-  o.limits.keep_proof = keep_proof;
-  if (at_most)
-    o.at_most = natural("--at-most", *at_most, 0);
-  if (digits)
-    o.digits = digits_of("--digits", *digits);
-  if (scale)
-    o.scale = scale_of(*scale);
-  if (max_steps)
-    o.limits.max_steps = natural64("--max-steps", *max_steps);
-  if (node_limit)
-    o.limits.node_limit = natural64("--node-limit", *node_limit);
-  if (gap)
-    o.limits.gap = not_negative("--gap", *gap);
-  if (time_limit)
-    o.limits.deadline = std::chrono::steady_clock::now() + duration("--time-limit", *time_limit);
-  return o;
+std::string SolveFlags::words() const {
+  std::string text;
+  const auto add = [&text](const char *option, const Text &value) {
+    if (value)
+      text += std::string(text.empty() ? "" : " ") + option + " " + *value;
+  };
+  for (const std::string &tolerance : tolerances)
+    add("--tolerance", tolerance);
+  if (band) {
+    Digest digest;
+    digest.add(read_file(*band, max_gradation_bytes));
+    add("--band", "sha256:" + digest.sha256());
+  }
+  for (const auto &[option, value] : all)
+    add(option, this->*value);
+  return text;
 }
 
 } // namespace mdm::cli

@@ -9,8 +9,10 @@
 #include "cli/sample_file.hpp"
 #include "cli/solve_flags.hpp"
 #include "cli/verify_packing.hpp"
+#include "gradation/likelier_unit.hpp"
 #include "particles/description_sink.hpp"
-#include "particles/placed_sink.hpp"
+#include "particles/unasked_texture.hpp"
+#include "report/allowed_error.hpp"
 #include "report/verification.hpp"
 
 #include <mdm/answer/answer_sample.hpp>
@@ -38,38 +40,14 @@ struct VerifyCommand {
   OutputFlags output;
 };
 
-/// What a sample's shares may differ by.
-struct Allowed {
-  Rational most_error = 0; ///< of a share; 1: any
-  Tolerance bounds;
-  std::string within; ///< in words, where there are bounds
-};
-
-/// Tolerances on what is retained in percent are errors of shares, as none at all is; all else is bounds.
-Allowed allowed(const VerifyCommand &c, const Gradation &g, const Question &question) {
+AllowedError allowed(const VerifyCommand &c, const Gradation &g, const Question &question) {
   std::vector<AskedTolerance> asked;
-  std::vector<std::string> words;
-  Allowed a;
-  if (!c.tolerances.empty() || c.band)
-    a.most_error = 1;
-  for (const std::string &text : c.tolerances) {
-    const AskedTolerance t = named("--tolerance", text, parse_tolerance);
-    words.push_back(to_string(t));
-    if (t.kind == AskedTolerance::Kind::retained)
-      a.most_error = std::min(a.most_error, Rational(t.percent / 100));
-    else
-      asked.push_back(t);
-  }
+  for (const std::string &text : c.tolerances)
+    asked.push_back(named("--tolerance", text, parse_tolerance));
   std::optional<Envelope> band;
-  if (c.band) {
-    band = read_envelope(read_file(*c.band, max_gradation_bytes), shown_name(*c.band));
-    words.push_back("the band " + printable(band->id));
-  }
-  if (asked.empty() && !band)
-    return a;
-  a.bounds = in_file(c.gradation, [&] { return tolerance_of(g, asked, band, question.size_factor); });
-  a.within = fmt::format("{}", fmt::join(words, ", "));
-  return a;
+  if (c.band)
+    band = band_in_file(*c.band);
+  return in_file(c.gradation, [&] { return allowed_error(g, asked, band, question.size_factor); });
 }
 
 ParticleOptions particle_options(const VerifyCommand &c, SizeUnit target) {
@@ -90,27 +68,14 @@ ParticleOptions particle_options(const VerifyCommand &c, SizeUnit target) {
   return options;
 }
 
-/// A unit in which particles that are all outside, or all in the pan, would not be.
+/// A note where the sizes may have another unit.
 std::optional<std::string> unit_note(const Description &d, LengthUnit unit) {
-  const Gradation &g = d.gradation();
-  const std::size_t finest = g.has_pan() ? 1 : 0; // a class or an opening
-  for (std::size_t j = finest; j < g.classes(); ++j)
-    if (d.of_class(j).count > 0)
-      return std::nullopt;
-  const std::optional<RootSize> &first = d.above().first   ? d.above().first
-                                         : d.below().first ? d.below().first
-                                                           : d.of_class(0).first;
-  if (!first) // all have a range with a sieve in it
+  const std::optional<LengthUnit> other = likelier_unit(d, unit);
+  if (!other)
     return std::nullopt;
-  for (const LengthUnit other : {LengthUnit::mm, LengthUnit::um, LengthUnit::m, LengthUnit::in}) {
-    const Rational factor = in_mm(other) / in_mm(unit);
-    const RootSize x{first->power * power(factor, first->degree), first->degree};
-    if (other != unit && compare(x, g.opening(finest)) > 0 && compare(x, g.opening(g.classes())) <= 0)
-      return fmt::format("The sizes were read in {}, and no particle lies in a class (the pan's aside); with "
-                         "--size-unit {} the first would.",
-                         name(unit), name(other));
-  }
-  return std::nullopt;
+  return fmt::format("The sizes were read in {}, and no particle lies in a class (the pan's aside); with "
+                     "--size-unit {} the first would.",
+                     name(unit), name(*other));
 }
 
 /// The particles that were read of a sample.
@@ -119,6 +84,16 @@ struct Found {
   std::vector<std::string> objections, notes;
   std::optional<SphereTexture> packing = {};
 };
+
+/// What the places say; nothing where there are none, or too many to be judged without being asked.
+std::optional<SphereTexture> texture(const VerifyCommand &c, const PlacedSink &placed, const Gradation &g,
+                                     std::vector<std::string> &notes) {
+  return in_file(c.sample, [&] {
+    const SphereTextureOptions options = c.places.options(placed.box(), g.unit());
+    return c.places.packing ? sphere_texture(placed.sample(), g.classes(), options)
+                            : unasked_texture(placed, g.classes(), options, "--packing", notes);
+  });
+}
 
 [[noreturn]] void refuse_without_places(const VerifyCommand &c) {
   throw file_error(c.sample, "it has no places of particles: leave out --packing");
@@ -174,19 +149,19 @@ Found read_sample(const VerifyCommand &c, const Gradation &g, const Question &qu
     std::vector<std::string> notes = read_sample_file(c.sample, options, sink, c.output.quiet);
     return {sink.description(), {}, std::move(notes)};
   }
-  FileLines lines(c.sample);
-  std::vector<FileLines::Line> chunk = lines.next(lines_at_once);
-  if (options.format ? options.format == ParticleFormat::answer : begins_json(chunk))
-    return read_answer_sample(c, whole_text(chunk, lines, c.sample), g, question, snap);
-
-  PlacedSink placed(g, sink);
-  ParticleSink &all = c.places.packing ? static_cast<ParticleSink &>(placed) : sink;
-  ReadParticles read = read_lines(std::move(chunk), lines, c.sample, options, all, c.output.quiet);
+  PlacedSink placed(g, sink, c.places.packing ? std::nullopt : std::optional(most_unasked_places));
+  ReadParticles read;
+  if (options.format ? options.format == ParticleFormat::gsd : is_gsd_file(c.sample)) {
+    read = read_gsd_file(c.sample, options, placed);
+  } else {
+    FileLines lines(c.sample);
+    std::vector<FileLines::Line> chunk = lines.next(lines_at_once);
+    if (options.format ? options.format == ParticleFormat::answer : begins_json(chunk))
+      return read_answer_sample(c, whole_text(chunk, lines, c.sample), g, question, snap);
+    read = read_lines(std::move(chunk), lines, c.sample, options, placed, c.output.quiet);
+  }
   Found found{sink.description(), {}, std::move(read.notes)};
-  if (c.places.packing)
-    found.packing = in_file(c.sample, [&] {
-      return sphere_texture(placed.sample(), g.classes(), c.places.options(placed.box(), g.unit()));
-    });
+  found.packing = texture(c, placed, g, found.notes);
   if (const std::optional<std::string> note = unit_note(found.description, read.unit))
     found.notes.push_back(*note);
   if (found.description.hair_above() > 0)
@@ -244,8 +219,8 @@ int run(const VerifyCommand &c) {
   Output out(c.output.path());
 
   Found found = read_sample(c, target.gradation, question, snap);
-  Allowed within = allowed(c, target.gradation, question);
-  Verification v(std::move(found.description), question, within.most_error);
+  AllowedError within = allowed(c, target.gradation, question);
+  Verification v(std::move(found.description), question, within.most);
   v.bounds = std::move(within.bounds);
   v.within = std::move(within.within);
   v.smallest = target.smallest;
@@ -288,7 +263,9 @@ Run add_verify(CLI::App &app) {
           "line), lammps-data, lammps-dump, liggghts-dump, vtk, diameters (one a line), liggghts-insertion, "
           "mercurydpm (scripts and distributions of mdm export), extxyz (extended XYZ of ASE and OVITO "
           "with radius among its Properties), esys (geometry or snapshot of ESyS-Particle with one worker), "
-          "lethe (insertion file), kratos (mdpa), musen (scene as text) or dem-engine (CSV of spheres, or of "
+          "lethe (insertion file), kratos (mdpa), musen (scene as text), gsd (HOOMD-blue), phasicflow "
+          "(particlesDict of mdm export) or dem-engine (CSV "
+          "of spheres, or of "
           "clumps whose types are named r and the radius, as r0.00025); told by the content if left out")
       ->type_name("FORMAT");
   CLI::Option *const radius = command.add_flag("--radius", c->radius, "sizes are radii, whatever their name");
@@ -297,7 +274,8 @@ Run add_verify(CLI::App &app) {
       .add_option(
           "--size-unit", c->size_unit,
           "unit of SAMPLE: mm, um, m or in; m for LAMMPS, LIGGGHTS, VTK, ESyS-Particle, Lethe, Kratos, "
-          "MUSEN and DEM-Engine if left out, for xyzr, extxyz and diameters that of the gradation "
+          "MUSEN, GSD, PhasicFlow and DEM-Engine if left out, for xyzr, extxyz and diameters that of the "
+          "gradation "
           "(mm for size_in, size_phi and sieve)")
       ->type_name("UNIT");
   command.add_option("--timestep", c->timestep, "the timestep of a dump, instead of the last")

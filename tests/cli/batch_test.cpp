@@ -20,7 +20,7 @@ std::vector<Json> answers(const std::string &out) {
 
 /// The first lines of the suite of tests/data.
 std::string suite(std::size_t lines) {
-  std::ifstream file(MDM_DATA_DIR "/suite-2750.jsonl");
+  std::ifstream file(MDM_SUITE);
   std::string text;
   for (std::string line; lines > 0 && std::getline(file, line); --lines)
     text += line + "\n";

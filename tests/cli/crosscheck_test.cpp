@@ -8,7 +8,7 @@ using namespace cli_test;
 
 namespace {
 
-const std::string suite = MDM_DATA_DIR "/suite-2750.jsonl";
+const std::string suite = MDM_SUITE;
 const std::string float_answers = MDM_DATA_DIR "/suite-2750-float-answers.csv";
 
 /// (1, 2] with 2 and (2, 3] with 1: the least match is 3, 1.

@@ -17,7 +17,12 @@ const std::string inches = "size_in,mass\n0.02,30\n0.045,25\n0.075,45\n0.12,0\n"
 /// All formats: verify reads each of them.
 const std::vector<std::string> readable = {"lammps",   "yade",       "vtk",        "csv",   "diameters",
                                            "liggghts", "mercurydpm", "esys",       "lethe", "kratos",
-                                           "extxyz",   "pfc",        "dem-engine", "musen"};
+                                           "extxyz",   "pfc",        "dem-engine", "musen", "gsd"};
+
+/// Above 2e-9 of a share, in percent; of floats, above 2e-7.
+std::string rounding_of(const std::string &format) {
+  return format == "gsd" || format == "dem-engine" ? "0.00004" : "0.0000002";
+}
 
 /// Exports what comes from standard input.
 Outcome export_to(const std::string &format, const std::string &from, Arguments options = {}) {
@@ -65,7 +70,7 @@ TEST_CASE("export: verify finds the counts of the match and shares within the st
         const std::string from_gradation = file_of(format, gradation, {"--unit", unit});
         CHECK(from_gradation == file_of(format, gradation, {"--unit", unit}));
         // Shares of masses that are off by 1e-9 of themselves are off by less than 2e-7 percentage points.
-        const Json report = verified(gradation, from_gradation, format, unit, "0.0000002");
+        const Json report = verified(gradation, from_gradation, format, unit, rounding_of(format));
         CHECK(quantities(report) == quantities(answer));
         CHECK(report.at("particles") == answer.at("particles"));
         // The answer has another name for the gradation only where that is its file's.
@@ -118,10 +123,10 @@ TEST_CASE("export: matches within a tolerance, other laws and other solving opti
     const std::string file = made.out;
     // Files of these have no comments.
     const bool is_bare = format == "esys" || format == "lethe" || format == "pfc" || format == "dem-engine" ||
-                         format == "musen";
+                         format == "musen" || format == "gsd";
     CHECK((is_bare ? made.err : file).find("by --law: x^(2) of a size x") != std::string::npos);
     CHECK(file_of(format, sand).find("--law") == std::string::npos);
-    CHECK(quantities(verified(sand, file, format, "m", "0.0000002", {"--law", "power:2"})) ==
+    CHECK(quantities(verified(sand, file, format, "m", rounding_of(format), {"--law", "power:2"})) ==
           quantities(flat));
   }
   check_refused(export_to("csv", flat.dump()), "--law");
@@ -275,7 +280,7 @@ TEST_CASE("export: a spread has the sizes that solve gives", "[cli]") {
   for (std::size_t i = 0; i < solved.size(); ++i)
     CHECK(written[i] == Approx(solved[i]).epsilon(1e-13));
   for (const std::string &format : readable) {
-    const Json report = verified(sand, file_of(format, sand, {"--spread"}), format, "m", "0.0000002");
+    const Json report = verified(sand, file_of(format, sand, {"--spread"}), format, "m", rounding_of(format));
     CHECK(quantities(report) == quantities(answer));
   }
   check_refused(export_to("csv", answer.dump()), "--spread");
@@ -287,7 +292,7 @@ TEST_CASE("export says how its file is verified, and that accepts it", "[cli]") 
   const TemporaryFolder folder;
   const std::string sand = folder.write("Hostun's sand.csv", read_file(example("hostun-rf-sand")));
   for (const std::string format : {"liggghts", "lammps", "yade", "vtk", "csv", "diameters", "esys", "lethe",
-                                   "kratos", "extxyz", "pfc", "dem-engine", "musen"}) {
+                                   "kratos", "extxyz", "pfc", "dem-engine", "musen", "gsd"}) {
     const Outcome made =
         mdm({"export", sand, "--size-factor", "2", "--to", format, "-o", folder / ("grains." + format)});
     REQUIRE(made.exit_code == 0);
@@ -301,4 +306,30 @@ TEST_CASE("export says how its file is verified, and that accepts it", "[cli]") 
   }
   CHECK(mdm({"export", example("hostun-rf-sand"), "--to", "mercurydpm", "-o", folder / "grains"})
             .err.find("check it") == std::string::npos);
+}
+
+TEST_CASE("export: PhasicFlow has three files, of the same particles", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string sand = folder.write("sand.csv", read_file(example("athabasca-sand")));
+  const Outcome made = mdm({"export", sand, "--to", "phasicflow", "-o", folder / "particlesDict"});
+  INFO(made.err);
+  REQUIRE(made.exit_code == 0);
+  CHECK(made.err.find("shapes beside it into caseSetup") != std::string::npos);
+  const Json answer = solve_json({sand});
+  CHECK(quantities(verified(read_file(sand), read_file(folder / "particlesDict"), "phasicflow", "m",
+                            "0.0000002")) == quantities(answer));
+  const std::string positions = read_file(folder / "positions"), shapes = read_file(folder / "shapes");
+  CHECK(std::to_string(std::count(positions.begin(), positions.end(), '\n')) == answer.at("particles"));
+  const auto words = [&shapes](const std::string &of) {
+    const std::size_t begin = shapes.find("\n" + of + " (");
+    const std::string list = shapes.substr(begin, shapes.find(");", begin) - begin);
+    return std::count(list.begin(), list.end(), ' ') - 2;
+  };
+  CHECK(words("diameters") == 7);
+  CHECK(words("names") == 7);
+  CHECK(words("materials") == 7);
+  check_refused(mdm({"export", sand, "--to", "phasicflow"}), "say where with -o FILE");
+  check_refused(mdm({"export", folder.write("positions", read_file(sand)), "--to", "phasicflow", "-o",
+                     folder / "dict"}),
+                "positions");
 }

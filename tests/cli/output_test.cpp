@@ -209,6 +209,7 @@ TEST_CASE("a folder without write permission cannot be written", "[cli]") {
   const TemporaryFolder folder;
   REQUIRE(chmod((folder / ".").c_str(), 0555) == 0);
   check_refused(mdm({"solve", athabasca, "-o", folder / "answer.txt"}), "Permission denied");
+  check_refused(mdm({"batch", "--shard", "1/1", "-o", folder / "answers"}), "Permission denied");
   REQUIRE(chmod((folder / ".").c_str(), 0755) == 0);
   CHECK(folder.entries() == 0);
 }

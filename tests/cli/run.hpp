@@ -64,6 +64,10 @@ public:
     pointers.push_back(nullptr);
     const std::string out = keeps_output_ ? folder_ / "out" : output;
     const std::string err = keeps_errors_ ? folder_ / "err" : errors;
+    // A signal may come before the program has opened them.
+    for (const std::string &kept : {keeps_output_ ? out : "", keeps_errors_ ? err : ""})
+      if (!kept.empty())
+        std::ofstream(kept).close();
     int input[2];
     if (pipe2(input, O_CLOEXEC) != 0)
       throw std::runtime_error("cannot make a pipe");
@@ -75,6 +79,8 @@ public:
       redirect(STDOUT_FILENO, out);
       redirect(STDERR_FILENO, err);
       std::signal(SIGPIPE, SIG_DFL);
+      // Programs of Open MPI that start at the same time would race for one folder in /tmp.
+      setenv("OMPI_MCA_orte_tmpdir_base", (folder_ / ".").c_str(), 1);
       execv(pointers[0], pointers.data());
       _exit(127);
     }

@@ -12,7 +12,7 @@ const std::string specimens = std::string(MDM_SOURCE_DIR) + "/examples/specimens
 
 /// The first gradations of the suite.
 std::string some_of_the_suite(int n) {
-  std::istringstream lines(read_file(std::string(MDM_DATA_DIR) + "/suite-2750.jsonl"));
+  std::istringstream lines(read_file(MDM_SUITE));
   std::string text, line;
   for (int i = 0; i < n && std::getline(lines, line); ++i)
     text += line + "\n";

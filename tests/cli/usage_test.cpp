@@ -6,9 +6,9 @@ using namespace cli_test;
 
 namespace {
 
-constexpr const char *commands[] = {"solve",      "batch",     "convert",  "describe",  "verify",
-                                    "crosscheck", "published", "generate", "pack",      "study",
-                                    "tradeoff",   "plot",      "export",   "completion"};
+constexpr const char *commands[] = {"solve",  "batch",      "merge",     "convert",  "describe",
+                                    "verify", "crosscheck", "published", "generate", "pack",
+                                    "study",  "tradeoff",   "plot",      "export",   "completion"};
 
 /// The length of the longest line.
 std::size_t columns(const std::string &text) {

@@ -384,3 +384,35 @@ TEST_CASE("verify: sizes of which ranges are known, each with a sieve in it, are
   CHECK(outcome.exit_code == 3);
   CHECK(outcome.out.find("of which only a range is known, with a sieve in it") != std::string::npos);
 }
+
+TEST_CASE("verify judges places unasked up to 20000, and says where more or odd ones are left", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string sand = folder.write("g.csv", "size_mm,mass\n0.5,1\n1,0\n");
+  const auto report = [&](const std::string &places, const Arguments &more = {}) {
+    Arguments arguments{"verify", sand, folder.write("grains", places), "--from", "xyzr", "--format", "json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = mdm(arguments);
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return Json::parse(outcome.out);
+  };
+  const auto has_note = [](const Json &found, const std::string &part) {
+    for (const Json &note : found.at("notes"))
+      if (note.get<std::string>().find(part) != std::string::npos)
+        return true;
+    return false;
+  };
+  CHECK(report("0 0 0 0.3\n0 0 1 0.3\n").at("packing").at("contacts") == "0");
+  std::string row;
+  for (int i = 0; i < 20000; ++i)
+    row += "0 0 " + std::to_string(i) + " 0.3\n";
+  CHECK_FALSE(report(row).at("packing").is_null());
+  row += "0 0 20000 0.3\n";
+  const Json more = report(row);
+  CHECK(more.at("packing").is_null());
+  CHECK(has_note(more, "There are more than 20000 places: --packing judges them."));
+  CHECK(report(row, {"--packing"}).at("packing").at("space").at("high").size() == 3);
+  const Json far = report("0 0 0 0.3\n0 0 1e99 0.3\n");
+  CHECK(far.at("packing").is_null());
+  check_refused(mdm({"verify", sand, folder / "grains", "--from", "xyzr", "--packing"}), "1e60");
+}

@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// The answers of a batch, one by one.
+
+#include "cli/batch_command.hpp"
+#include "cli/batch_sources.hpp"
+#include "cli/exit_code.hpp"
+
+namespace mdm::cli {
+
+/// The answer to one gradation, with the exit code that it would have alone.
+struct BatchAnswer {
+  std::string text;
+  int exit = Exit::done;
+  std::string told = {};        ///< what standard error has beside CSV
+  std::string id = {};          ///< of a table's rows
+  std::string unit = {};        ///< the same; empty: no rows
+  std::string certificate = {}; ///< for the stream of proofs; empty: none
+};
+
+/// Solves the gradations of a batch as the command says. Several threads may call it.
+class BatchSolver {
+public:
+  /// \param command must outlive it
+  /// \throws InputError naming the option where its value does not serve
+  explicit BatchSolver(const BatchCommand &command);
+
+  /// What is wrong with the gradation is the answer. In a folder of proofs its certificate is written.
+  /// \throws InputError if that cannot be
+  BatchAnswer answer(const BatchItem &item) const;
+
+private:
+  SolveOptions solve_options() const;
+  BatchAnswer error(const std::string &id, const std::string &message) const;
+  BatchAnswer solved(Gradation g, const BatchItem &item) const;
+  std::string write_proof(const std::string &certificate, const BatchItem &item, const std::string &id,
+                          const std::string &checked) const;
+
+  const BatchCommand &command_;
+  AskedQuestion asked_;
+  SolveOptions options_;
+};
+
+} // namespace mdm::cli

@@ -1,0 +1,139 @@
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/help.hpp"
+#include "cli/in_parallel.hpp"
+#include "cli/option_values.hpp"
+#include "cli/output_flags.hpp"
+#include "cli/progress.hpp"
+#include "cli/shard.hpp"
+
+#include <mdm/gradation/write_gradation.hpp>
+#include <mdm/sets/suite.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+
+namespace mdm::cli {
+namespace {
+
+constexpr std::size_t most_description_bytes = std::size_t{1} << 20;
+
+struct SuiteCommand {
+  std::string description;
+  std::string seed = "1";
+  std::optional<std::string> count, lines, shard;
+  unsigned threads = 1;
+  OutputFlags output;
+};
+
+/// Lines first, first + step, ..., up to last.
+struct LineRange {
+  std::uint64_t first, last, step;
+
+  /// How many there are.
+  std::uint64_t count() const { return last < first ? 0 : (last - first) / step + 1; }
+};
+
+LineRange parse_lines(const std::string &text) {
+  const std::size_t hyphen = text.find('-');
+  if (hyphen != std::string::npos) {
+    const LineRange range{seed64("--lines", text.substr(0, hyphen)),
+                          seed64("--lines", text.substr(hyphen + 1)), 1};
+    if (range.first >= 1 && range.first <= range.last)
+      return range;
+  }
+  throw InputError("--lines: " + in_quotes(text) + " is not A-B with A from 1 to B, such as 1001-2000");
+}
+
+/// Those of the lines, one after the other, that the shard has.
+LineRange lines_of(const LineRange &all, const Shard &shard) {
+  const std::uint64_t ahead = (shard.number + shard.count - all.first % shard.count) % shard.count;
+  if (all.last < all.first || all.last - all.first < ahead)
+    return {1, 0, 1};
+  return {all.first + ahead, all.last, shard.count};
+}
+
+LineRange lines_of(const SuiteCommand &c) {
+  if (c.count && c.lines)
+    throw InputError("--count and --lines: give one of them");
+  const LineRange all =
+      c.lines ? parse_lines(*c.lines) : LineRange{1, c.count ? seed64("--count", *c.count) : 1000, 1};
+  return c.shard ? lines_of(all, named("--shard", *c.shard, parse_shard)) : all;
+}
+
+int run(const SuiteCommand &c) {
+  const std::uint64_t seed = seed64("--seed", c.seed);
+  const LineRange range = lines_of(c);
+  check_distinct({c.description, c.output.path()});
+  const std::string name = shown_name(c.description);
+  const std::string text = read_file(c.description, most_description_bytes);
+  const Suite suite(text, name);
+  Output out(c.output.path());
+  std::atomic<std::uint64_t> written = 0;
+  Progress progress([&written] { return fmt::format("{} gradations", written.load()); }, c.output.quiet);
+  constexpr std::uint64_t at_once = 512;
+  while (written < range.count()) {
+    std::vector<std::string> lines(std::min(at_once, range.count() - written));
+    const std::uint64_t first = range.first + written * range.step;
+    in_parallel(lines.size(), c.threads,
+                [&](std::size_t i) { lines[i] = gradation_json(suite.line(first + i * range.step, seed)); });
+    for (const std::string &line : lines)
+      out.write(line);
+    written += lines.size();
+  }
+  out.commit();
+  return Exit::done;
+}
+
+constexpr const char *example_description = R"(  {"schema": "mdm-suite-1", "classes": [4, 9],
+   "sieves": {"series": "ISO R20/3", "from": 0.063, "to": 31.5},
+   "masses": {"kind": "beta", "a": [0.5, 10], "b": [0.5, 10]}}
+
+)";
+
+std::string about_suites() {
+  return paragraph("Line n depends on the description, the seed and n alone, and is the same on every "
+                   "machine. A description is, for example:") +
+         example_description +
+         paragraph("A range [from, to] stands for a random number in it, for each line. There are id, "
+                   "which begins the ids (g), unit (mm), classes and digits, to which shares are "
+                   "rounded (6 of the whole). Sieves are some of a series (ISO R20/3, ISO R20, ASTM "
+                   "E11, Tyler, phi, half-phi, quarter-phi; from, to) or a list, any or neighbours "
+                   "(true), or geometric (from and to, or from and ratio; digits).") +
+         paragraph("Masses are of a kind: random; gap-graded (empty: classes without mass); beta (a, "
+                   "b); lognormal (median, its place on the log scale from the smallest sieve, 0, to "
+                   "the largest, 1; deviation); ties (at upper, lower or either sieves, quantities, "
+                   "law). Of a list of kinds each line has one. The schema mdm-suite-1 has the rest.");
+}
+
+} // namespace
+
+Run add_suite(CLI::App &app) {
+  const auto c = std::make_shared<SuiteCommand>();
+  CLI::App &command =
+      *app.add_subcommand("suite", "Gradations made of a description and a seed, a line each");
+  command.add_option("DESCRIPTION", c->description, "what they are to be, in JSON; - for standard input")
+      ->required();
+  const auto option = [&command](const char *name, auto &value, const char *type, const char *help) {
+    return command.add_option(name, value, help)->type_name(type);
+  };
+  option("--seed", c->seed, "S", "0 to 2^64 - 1 (1); another seed, other gradations");
+  option("--count", c->count, "N", "lines 1 to N (1000)");
+  option("--lines", c->lines, "A-B", "lines A to B");
+  option("--shard", c->shard, "I/N",
+         "of these lines each N-th from line I on, as mdm batch --shard takes them");
+  option("-j", c->threads, "THREADS", "threads")->check(CLI::Range(1, 1024));
+  c->output.out_has_report = false;
+  c->output.add_out(command);
+  c->output.add_quiet(command, "no progress on standard error");
+  command.footer(footer(about_suites(), {"mdm suite beta.json --count 1000000 --seed 7 -o suite.jsonl",
+                                         "mdm suite beta.json --count 1000000000 --shard 7/1000 | "
+                                         "mdm batch - --shard 7/1000 --alone -o 7.jsonl"}));
+  return [c] { return run(*c); };
+}
+
+} // namespace mdm::cli

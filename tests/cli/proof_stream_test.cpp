@@ -1,0 +1,75 @@
+// mdm batch --proofs NAME.proofs: the certificates as one stream with an index.
+
+#include "run.hpp"
+
+using namespace cli_test;
+
+namespace {
+
+const std::string good = R"({"id":"good","sizes":["1","2","3"],"masses":["2","1","0"]})";
+const std::string slow =
+    R"({"id":"slow","sizes":["1","1.000001","1.000002","1.000003"],"masses":["7","11","13","0"]})";
+
+Outcome check(const std::string &suite, const std::string &proofs) {
+  return Process(MDM_CHECK_PROGRAM, {"--suite", suite, proofs}).end();
+}
+
+} // namespace
+
+TEST_CASE("a stream of proofs has the certificates of the folder, and an index by line", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string suite = folder.write("suite.jsonl", good + "\n\nnonsense\n" + slow + "\n" + good + "\n");
+  const auto batch = [&](const std::string &proofs) {
+    return mdm({"batch", suite, "--max-steps", "1", "--proofs", proofs, "-j", "2"});
+  };
+  CHECK(batch(folder / "folder").exit_code == 2);
+  const Outcome outcome = batch(folder / "all.proofs");
+  CHECK(outcome.exit_code == 2);
+  const std::string first = read_file(folder / "folder/000001-good.proof"),
+                    second = read_file(folder / "folder/000005-good.proof");
+  CHECK(read_file(folder / "all.proofs") == first + second);
+  const std::string length = std::to_string(first.size());
+  CHECK(read_file(folder / "all.proofs.index") ==
+        "mdm-proofs 1\n1 0 " + length + "\n5 " + length + " " + length + "\n");
+  CHECK(outcome.out.find("\"proof\"") == std::string::npos);
+  CHECK(outcome.out.find("no proof was written: the limit came before the end") != std::string::npos);
+  const Outcome checked = check(suite, folder / "all.proofs");
+  CHECK(checked.exit_code == 1);
+  CHECK(checked.out.find("2 accepted, 0 refused, 0 malformed, 2 missing") != std::string::npos);
+}
+
+TEST_CASE("answers beside a stream of proofs are those without proofs", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string suite = MDM_SUITE;
+  const Outcome alone = mdm({"batch", suite});
+  CHECK(mdm({"batch", suite, "--proofs", folder / "all.proofs", "-j", "2"}).out == alone.out);
+  CHECK(check(suite, folder / "all.proofs").out ==
+        suite + ": 2750 accepted, 0 refused, 0 malformed, 0 missing\n");
+  CHECK(folder.entries() == 2);
+}
+
+TEST_CASE("a stream of proofs is of one suite", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string suite = folder.write("suite.jsonl", good + "\n" + good + "\n");
+  const std::string proofs = folder / "all.proofs";
+  check_refused(mdm({"batch", suite, suite, "--proofs", proofs}), "--proofs: ");
+  check_refused(mdm({"batch", example("athabasca-sand"), "--proofs", proofs}), "no suite in JSON Lines");
+  CHECK(folder.entries() == 1);
+  CHECK(mdm({"batch", "--proofs", proofs}, good).exit_code == 0);
+  CHECK(mdm({"batch", "-", "--proofs", proofs}, good + "\n" + good).exit_code == 0);
+  CHECK(check(suite, proofs).exit_code == 0);
+}
+
+TEST_CASE("a stream of proofs is written whole or not at all, and over nothing else", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string proofs = folder.write("a.proofs", good + "\n");
+  check_refused(mdm({"batch", proofs, "--proofs", proofs}), "different names");
+  check_refused(mdm({"batch", "--proofs", proofs, "-o", proofs}, good), "different names");
+  check_refused(mdm({"batch", "--proofs", proofs, "-o", proofs + ".index"}, good), "different names");
+  check_refused(mdm({"batch", "--proofs", folder / "missing/a.proofs"}, good), "missing/a.proofs");
+  std::filesystem::create_directory(folder / "b.proofs");
+  check_refused(mdm({"batch", "--proofs", folder / "b.proofs"}, good), "b.proofs");
+  CHECK(mdm({"batch", folder / "missing.jsonl", "--proofs", proofs}).exit_code == 2);
+  CHECK(read_file(proofs) == good + "\n");
+  CHECK(folder.entries() == 2);
+}
