@@ -17,7 +17,7 @@ namespace {
 const std::vector<SurveyRow> &suite() {
   static const std::vector<SurveyRow> rows = [] {
     std::vector<SurveyRow> all;
-    std::istringstream lines(mdm_test::read_file(MDM_DATA_DIR "/suite-2750.jsonl"));
+    std::istringstream lines(mdm_test::read_file(MDM_SUITE));
     for (std::string line; std::getline(lines, line);)
       all.push_back(survey(read_json_gradation(line, "suite", "")));
     return all;

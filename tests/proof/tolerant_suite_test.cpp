@@ -36,7 +36,7 @@ std::string claiming(const std::string &text, const Integer &bound) {
 } // namespace
 
 TEST_CASE("the suite's proofs within tolerances are accepted, and refused if they claim one particle more") {
-  std::ifstream file(MDM_DATA_DIR "/suite-2750.jsonl");
+  std::ifstream file(MDM_SUITE);
   REQUIRE(file.good());
   int optimal = 0, between = 0;
   std::size_t number = 0;

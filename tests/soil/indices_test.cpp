@@ -155,7 +155,7 @@ TEST_CASE("phi_1 and zeta_1 are those of the finest and the coarsest class with 
 }
 
 TEST_CASE("the suite's indices agree with long double") {
-  std::ifstream suite(MDM_DATA_DIR "/suite-2750.jsonl");
+  std::ifstream suite(MDM_SUITE);
   REQUIRE(suite);
   int count = 0;
   for (std::string line; std::getline(suite, line); ++count) {

@@ -29,7 +29,7 @@ struct Range {
 } // namespace
 
 TEST_CASE("Table 1") {
-  std::ifstream suite(MDM_DATA_DIR "/suite-2750.jsonl");
+  std::ifstream suite(MDM_SUITE);
   REQUIRE(suite);
   Range c_u, c_c, i_gs, i_c, smallest_class;
   std::map<std::string, int> groups;

@@ -1,0 +1,179 @@
+#!/usr/bin/python3
+"""reference_test.py BIN SOURCE: the reference set of SOURCE/examples is what its `make` makes with the programs in BIN.
+
+And its files are verified, changed ones refused, its pages right, and the programs on its page judge a solver as they say.
+"""
+
+import csv
+import filecmp
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+
+BIN, SOURCE = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
+SET = SOURCE / "examples/reference"
+ENVIRONMENT = dict(os.environ, MDM_BIN=str(BIN), PATH=f"{BIN}:{os.environ['PATH']}", LC_ALL="C")
+
+failures = []
+
+
+def check(condition, message):
+    if not condition:
+        failures.append(message)
+        print("failed:", message)
+
+
+def run(folder, *command):
+    return subprocess.run(command, cwd=folder, env=ENVIRONMENT, capture_output=True, text=True)
+
+
+def verify(folder, program, expected, part):
+    """The program exits so, and prints the part."""
+    done = run(folder, f"./{program}")
+    check(done.returncode == expected, f"{program}: exit {done.returncode}: {done.stdout[-500:]}{done.stderr[-500:]}")
+    check(part in done.stdout + done.stderr, f"{program} does not say {part!r}: {done.stdout[-300:]}{done.stderr[-300:]}")
+
+
+def check_same(made):
+    """Every byte of the set, and no other file."""
+    def files(folder):
+        return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
+    check(files(made) == files(SET), f"other files: {set(files(made)) ^ set(files(SET))}")
+    different = filecmp.cmpfiles(made, SET, files(SET), shallow=False)[1:]
+    check(different == ([], []), f"made again, these differ: {different}")
+
+
+def changed(folder, file, old, new, program, expected, part):
+    """A file with `new` in the place of `old` is refused."""
+    before = (folder / file).read_bytes()
+    check(old in before, f"{file} has no {old}")
+    (folder / file).write_bytes(before.replace(old, new, 1))
+    verify(folder, program, expected, part)
+    (folder / file).write_bytes(before)
+
+
+def check_package(folder):
+    """datapackage.json, of every file below and every table."""
+    package = json.loads((folder / "datapackage.json").read_text(encoding="utf-8"))
+    for resource in package["resources"]:
+        content = (folder / resource["path"]).read_bytes()
+        check(resource["bytes"] == len(content), f"{resource['path']}: bytes")
+        check(resource["hash"] == "sha256:" + hashlib.sha256(content).hexdigest(), f"{resource['path']}: hash")
+    names = [resource["name"] for resource in package["resources"]]
+    check(len(set(names)) == len(names), "names of resources repeat")
+    check({"average/suite-2750.proofs", "higher/ties.json"} <= {r["path"] for r in package["resources"]}, "files missing")
+
+
+def particles(folder, batch):
+    """The number of particles of each id."""
+    counts = Counter()
+    with open(folder / f"{batch}.answers.csv", encoding="utf-8") as table:
+        for row in csv.DictReader(table):
+            counts[row["id"]] += int(row["quantity"])
+    return counts
+
+
+def check_pages(folder):
+    """Numbers on the pages are those of the answers."""
+    page = (folder / "lower/README.md").read_text(encoding="utf-8")
+    columns = [particles(folder, "lower/sands" + ending) for ending in ("", "-retained", "-passing", "-laboratory")]
+    for sand in columns[0]:
+        row = next(line for line in page.splitlines() if line.startswith(f"| {sand} |"))
+        check([cell.strip() for cell in row.split("|")[3:7]] == [str(column[sand]) for column in columns], f"page: {row}")
+    largest = max(particles(folder, "average/suite-2750").values())
+    check(f"{largest:,}" in (folder / "average/README.md").read_text(encoding="utf-8"), f"{largest} is not on the page")
+    with open(folder / "batches.csv", encoding="utf-8") as table:
+        levels = Counter()
+        for row in csv.DictReader(table):
+            levels[row["batch"].split("/")[0]] += int(row["lines"])
+            lines = particles(folder, row["batch"])
+            check(len(lines) == int(row["lines"]), f"{row['batch']}: {len(lines)} answers")
+            check(row["batch"].split("/")[1].split("-")[0] in (folder / row["batch"]).parent.joinpath("README.md").read_text(
+                encoding="utf-8"), f"{row['batch']} is not on its page")
+    page = (folder / "README.md").read_text(encoding="utf-8")
+    for level, lines in levels.items():
+        check(f"[{level}]({level})" in page and f"| {lines:,} |" in page, f"README: {level} has {lines} answers")
+    run(folder, "mdm", "batch", "higher/edges.jsonl", "--quiet", "-o", "exact.answers.csv")
+    exact, edges = particles(folder, "exact"), particles(folder, "higher/edges")
+    (folder / "exact.answers.csv").unlink()
+    for name, count in edges.items():
+        check((count < exact[name]) == name.endswith("-tolerance"), f"{name}: {count} and {exact[name]} are no edge")
+
+
+def check_levels(folder):
+    """The numbers of right answers of the float solver on the page of the level higher."""
+    page = (folder / "higher/README.md").read_text(encoding="utf-8")
+    found = re.findall(r"\*\*([\w-]+)\*\* \((\d+) lines\)[^*]*? (\d+) right", page)
+    check(len(found) == 8, f"{len(found)} batches of the level higher say what a float solver has right")
+    for name, lines, right in found:
+        run(folder, "mdm", "crosscheck", f"higher/{name}.jsonl", "--solver", shlex.quote(str(SOURCE / "examples/04-cross-check/float_solver")),
+            "--quiet", "-j", "2", "-o", "rows.csv")
+        with open(folder / "rows.csv", encoding="utf-8") as table:
+            verdicts = [row["verdict"] for row in csv.DictReader(table)]
+        check((len(verdicts), verdicts.count("minimal")) == (int(lines), int(right)), f"{name}: {Counter(verdicts)}")
+    (folder / "rows.csv").unlink()
+
+
+def blocks(page):
+    """The indented blocks of a page."""
+    block = []
+    for line in page.splitlines() + ["end"]:
+        if line.startswith("    ") or (not line and block):
+            block.append(line[4:])
+        elif block:
+            yield "\n".join(block).rstrip("\n") + "\n"
+            block = []
+
+
+def check_judges(folder):
+    """The two programs on the page judge the float solver as the page says."""
+    shutil.copy(SOURCE / "examples/04-cross-check/float_solver", folder / "my-solver")
+    shell, printed, python, printed_by_python = list(blocks((folder / "README.md").read_text(encoding="utf-8")))[:4]
+    for text, interpreter, expected in ((shell, "sh", printed), (python, "/usr/bin/python3", printed_by_python)):
+        check(len(text.splitlines()) <= 11, f"more than ten lines or so: {text}")
+        done = run(folder, interpreter, "-c", text)
+        check(done.stdout == expected, f"{interpreter} prints {done.stdout!r}, not {expected!r}: {done.stderr[-500:]}")
+    (folder / "my-solver").unlink()
+
+
+def main():
+    with tempfile.TemporaryDirectory() as work:
+        folder = pathlib.Path(work) / "set"
+        made = run(SET, "./make", str(folder))
+        if made.returncode != 0:
+            sys.exit(f"make fails: {made.stderr}")
+        check_same(folder)
+        verify(folder, "verify-integrity", 0, "files are as they were made")
+        verify(folder, "verify-proofs", 0, "proofs accepted, 0 batches failed")
+        verified = (BIN / "mdm-check-verified").exists()
+        if verified:
+            verify(folder, "verify-proofs-formally", 0, "proofs accepted, 0 failures")
+        for file, old, new, program, part in (
+                ("average/suite-2750.jsonl", b"3.61169", b"3.61168", "verify-integrity", "FAILED"),
+                ("average/suite-2750.jsonl", b"3.61169", b"9.61169", "verify-proofs", "refused"),
+                ("higher/ties.answers.csv", b"298817,2,", b"298817,3,", "verify-proofs", "59 answers as proved of 60"),
+                ("lower/sands.proofs", b"particles 1485", b"particles 1484", "verify-proofs", "FAILED: lower/sands:"),
+                ("lower/sands.proofs", b"particles 1485", b"particles 1484", "verify-proofs-formally", "5 of 6")):
+            if verified or program != "verify-proofs-formally":
+                changed(folder, file, old, new, program, 1, part)
+        (folder / "new").write_text("")
+        verify(folder, "verify-integrity", 1, "SHA256SUMS does not list")
+        (folder / "new").unlink()
+        check_package(folder)
+        check_pages(folder)
+        check_levels(folder)
+        check_judges(folder)
+        check_same(folder)
+    print(f"{len(failures)} failures, {'with' if verified else 'without'} mdm-check-verified")
+    return 1 if failures else 0
+
+
+sys.exit(main())
