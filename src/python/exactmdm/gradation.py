@@ -1,0 +1,167 @@
+"""Grain size distributions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from decimal import Decimal
+from fractions import Fraction
+from functools import cached_property
+from html import escape
+from typing import TYPE_CHECKING, Any, Union
+
+from exactmdm import _core
+from exactmdm.enclosure import Enclosure
+from exactmdm.exact import shown, text_of, texts_of
+from exactmdm.figures import curve_figure, html_table
+from exactmdm.value import Value
+
+if TYPE_CHECKING:
+    import pandas
+
+
+class Gradation(Value):
+    """A grain size distribution: sieves, and the mass retained on each (Arnold, Eq. 5 to 8).
+
+    Class j holds the particles with sizes[j] < x <= sizes[j + 1] and has the mass masses[j]. The sizes ascend or
+    descend; a size 0 is the pan; the largest sieve must retain nothing. Only the ratios of the masses count.
+
+    Args:
+        sizes: n openings, in `unit`.
+        masses: n masses, in any unit; that of the largest size is 0.
+        unit: "mm", "um" or "m".
+        id: a name for reports.
+        factors: n densities or shape factors above 0, one a class (that of the largest size is not used).
+        tolerances: n percentage points, for tolerance="retained:file" and "passing:file".
+        exact: take floats too, as the binary numbers that they are.
+
+    Raises:
+        InputError: a number is a float, or the numbers are no gradation.
+
+    >>> sand = Gradation(sizes=["0.1", "0.2", "0.4"], masses=[1, Fraction(5, 2), 0], id="sand")
+    >>> sand
+    <Gradation 'sand': 2 classes, 0.1 to 0.4 mm>
+    >>> sand.sizes[0], sand.passing
+    (Fraction(1, 10), (Fraction(0, 1), Fraction(200, 7), Fraction(100, 1)))
+    """
+
+    _handle: _core.Gradation
+    #: Name and text of a file that the proof checker reads as it is, or None.
+    _source: tuple[str, str] | None
+
+    def __init__(self, sizes: Iterable[object], masses: Iterable[object], unit: str = "mm", id: str = "", *,
+                 factors: Iterable[object] = (), tolerances: Iterable[object] = (), exact: bool = False) -> None:
+        core = _core.Gradation(
+            texts_of(sizes, "sizes", exact), texts_of(masses, "masses", exact), text_of(unit, "unit"), text_of(id, "id"),
+            texts_of(factors, "factors", exact), texts_of(tolerances, "tolerances", exact), [], [], 1)
+        self._set(_handle=core, _source=None)
+
+    @classmethod
+    def _of(cls, core: _core.Gradation, source: tuple[str, str] | None = None) -> Gradation:
+        gradation = cls.__new__(cls)
+        gradation._set(_handle=core, _source=source)
+        return gradation
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self._parts, self._source)
+
+    @cached_property
+    def _parts(self) -> tuple[Any, ...]:
+        return self._handle.parts()
+
+    @property
+    def id(self) -> str:
+        """The name."""
+        return self._handle.id()
+
+    @property
+    def unit(self) -> str:
+        """The unit of the sizes: "mm", "um" or "m"."""
+        return self._handle.unit()
+
+    @cached_property
+    def sizes(self) -> tuple[Union[Fraction, Enclosure], ...]:
+        """The n openings, ascending. An opening of phi that is no whole number is irrational: an Enclosure."""
+        return tuple(Fraction(lo) if lo == hi else Enclosure(Decimal(lo), Decimal(hi))
+                     for lo, hi in self._handle.openings())
+
+    @cached_property
+    def masses(self) -> tuple[Fraction, ...]:
+        """The n masses retained, of which the last is 0."""
+        return tuple(Fraction(mass) for mass in self._handle.masses())
+
+    @cached_property
+    def factors(self) -> tuple[Fraction, ...]:
+        """The n density or shape factors, or none."""
+        return tuple(Fraction(factor) for factor in self._handle.factors())
+
+    @cached_property
+    def tolerances(self) -> tuple[Fraction, ...]:
+        """The n tolerances in percentage points, or none."""
+        return tuple(Fraction(tolerance) for tolerance in self._handle.tolerances())
+
+    @cached_property
+    def shares(self) -> tuple[Fraction, ...]:
+        """The mass of each of the n - 1 classes over that of all."""
+        total = sum(self.masses)
+        return tuple(mass / total for mass in self.masses[:-1])
+
+    @cached_property
+    def passing(self) -> tuple[Fraction, ...]:
+        """The percent of the mass that passes each of the n sizes."""
+        passing = [Fraction(0)]
+        for share in self.shares:
+            passing.append(passing[-1] + 100 * share)
+        return tuple(passing)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was assumed where it was read."""
+        return tuple(self._handle.notes())
+
+    def __len__(self) -> int:
+        """The number of classes, n - 1."""
+        return len(self.sizes) - 1
+
+    def csv(self) -> str:
+        """Canonical CSV, which the proof checker reads."""
+        return self._handle.csv()
+
+    def json(self) -> str:
+        """Canonical JSON, a line with its end."""
+        return self._handle.json()
+
+    def to_frame(self) -> pandas.DataFrame:
+        """A pandas DataFrame with a row a class: lower, upper, mass, share, as floats."""
+        import pandas
+
+        sizes = [float(size) for size in self.sizes]
+        return pandas.DataFrame({"lower": sizes[:-1], "upper": sizes[1:],
+                                 "mass": [float(mass) for mass in self.masses[:-1]],
+                                 "share": [float(share) for share in self.shares]})
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Gradation) and self._parts == other._parts
+
+    def __hash__(self) -> int:
+        return hash((tuple(self._handle.masses()), self.id))
+
+    def __repr__(self) -> str:
+        name = f" {self.id[:40]!r}" if self.id else ""
+        classes = "1 class" if len(self) == 1 else f"{len(self)} classes"
+        return (f"<Gradation{name}: {classes}, {shown(self.sizes[0])} to {shown(self.sizes[-1])} {self.unit}>")
+
+    def _repr_html_(self) -> str:
+        header = [f"sizes, {self.unit} (above, up to]", "mass", "passes, %"]
+        rows = [[f"({shown(self.sizes[j])}, {shown(self.sizes[j + 1])}]", shown(self.masses[j]),
+                 shown(self.passing[j + 1])] for j in range(len(self))]
+        curves = [("#1f5fa8", list(zip(map(float, self.sizes), map(float, self.passing))))]
+        return f"<p><b>{escape(self.id)}</b></p>{html_table(header, rows)}{curve_figure(curves, self.unit)}"
+
+
+def read_line(line: bytes, file: str, number: int) -> Gradation:
+    """The gradation in a line of a suite."""
+    return Gradation._of(_core.read_line(line, f"{file}:{number}", str(number)))
+
+
+def _restored(parts: tuple[Any, ...], source: tuple[str, str] | None) -> Gradation:
+    return Gradation._of(_core.Gradation(*parts), source)

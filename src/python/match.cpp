@@ -1,0 +1,146 @@
+#include "python/listener.hpp"
+#include "python/module.hpp"
+#include "python/numbers.hpp"
+#include "python/solved.hpp"
+
+#include <mdm/answer/answer.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/proof/certificate.hpp>
+#include <mdm/proof/vipr.hpp>
+#include <mdm/text/error.hpp>
+
+#include <pybind11/stl.h>
+
+namespace py = pybind11;
+
+namespace mdm::python {
+namespace {
+
+const char *outcome_of(const Match &m, const Limits &limits) {
+  if (m.budget && !m.budget->is_decided)
+    return "limited";
+  if (m.status == Status::feasible && limits.is_close(*m.particles(), m.lower_bound))
+    return "done";
+  return m.status == Status::optimal ? "done" : m.status == Status::none ? "negative" : "limited";
+}
+
+/// A match, that of the next finer tolerance where a budget chose one, and the exception that ended the
+/// search.
+py::tuple answer(std::shared_ptr<Solved> found, std::shared_ptr<Solved> finer, py::object error) {
+  return py::make_tuple(std::move(found), std::move(finer), std::move(error));
+}
+
+void note_interrupt(Match &m, const Listener &listener) {
+  if (!m.complete && listener.is_stopped())
+    m.notes.push_back("the search was interrupted");
+}
+
+py::tuple solve_exact_or_tolerant(const std::optional<Gradation> &g, const Words &words, bool keep_proof,
+                                  const py::object &progress) {
+  Listener listener(progress);
+  const auto search = [&] {
+    const py::gil_scoped_release unlocked;
+    const cli::AskedQuestion stated = question_of(words);
+    if (!g && !stated.rest.band)
+      throw InputError("a gradation is missing: give one, or a band alone");
+    const Gradation target = g ? *g : middle_of(*stated.rest.band);
+    Question question = question_in(stated, target.unit());
+    question.band_alone = !g;
+    SolveOptions options = options_of(words, keep_proof);
+    options.progress = listener.call();
+    Match m = mdm::solve(target, question, options);
+    note_interrupt(m, listener);
+    return std::make_shared<Solved>(std::move(m), options.limits);
+  };
+  std::shared_ptr<Solved> found = search();
+  return answer(std::move(found), nullptr, listener.error());
+}
+
+py::tuple solve_budget(const Gradation &g, const Words &words, bool keep_proof, const py::object &progress) {
+  Listener listener(progress);
+  std::shared_ptr<Solved> found, finer;
+  {
+    const py::gil_scoped_release unlocked;
+    const Budget budget = budget_of(words);
+    const Question question = question_in(question_beside_budget(words), g.unit());
+    SolveOptions options = options_of(words, keep_proof);
+    options.progress = listener.call();
+    BudgetMatch both = solve_within_budget(g, question, budget, options);
+    note_interrupt(both.match, listener);
+    found = std::make_shared<Solved>(std::move(both.match), options.limits);
+    if (both.finer)
+      finer = std::make_shared<Solved>(std::move(*both.finer), options.limits);
+  }
+  return answer(std::move(found), std::move(finer), listener.error());
+}
+
+py::tuple solve_words(const std::optional<Gradation> &g, const std::map<std::string, std::string> &values,
+                      const std::vector<std::string> &tolerances, bool keep_proof,
+                      const py::object &progress) {
+  const Words words{values, tolerances};
+  if (words.has("grid") && !words.has("particles"))
+    throw InputError("grid: it is of a budget: add particles, or leave it out");
+  if (!words.has("particles"))
+    return solve_exact_or_tolerant(g, words, keep_proof, progress);
+  if (!g)
+    throw InputError("particles: a budget needs a gradation: give one");
+  return solve_budget(*g, words, keep_proof, progress);
+}
+
+/// Intervals of numbers of particles, from where on nothing is missing or known, whether that is all, and the
+/// exception that ended the search.
+py::tuple spectrum_of(const Solved &solved, const std::map<std::string, std::string> &values,
+                      const py::object &progress) {
+  if (!solved.match().sample || solved.match().tolerance)
+    throw InputError("a spectrum is of an exact match: leave out tolerance and band, and raise the limits");
+  Listener listener(progress);
+  Spectrum found;
+  {
+    const py::gil_scoped_release unlocked;
+    SolveOptions options = options_of({values, {}}, false);
+    found = mdm::spectrum(solved.match(), options.limits, listener.call());
+  }
+  py::list intervals;
+  for (const auto &[from, to] : found.intervals)
+    intervals.append(py::make_tuple(int_of(from), int_of(to)));
+  return py::make_tuple(intervals, int_of(found.all_from), found.complete, listener.error());
+}
+
+/// A text that is made without Python's lock.
+template <class Make>
+auto unlocked_text(Make make) {
+  return [make](const Solved &s) {
+    const py::gil_scoped_release unlocked;
+    return make(s);
+  };
+}
+
+std::string proof_of(const Solved &s, bool can_be, std::string (*write)(const Match &)) {
+  if (!can_be)
+    throw InputError("there is no proof: a limit came before the end");
+  if (!s.keeps_proof())
+    throw InputError("the proof was not kept: give proofs=True to batch, or a max_steps of 67108864 or less");
+  return write(s.match());
+}
+
+} // namespace
+
+Solved::Solved(Match match, const Limits &limits)
+    : match_(std::move(match)), json_(answer_json(match_)), outcome_(outcome_of(match_, limits)),
+      keeps_proof_(limits.keep_proof) {}
+
+void add_match(py::module_ &module) {
+  py::class_<Solved, std::shared_ptr<Solved>>(module, "Match")
+      .def("json", &Solved::json)
+      .def("outcome", &Solved::outcome)
+      .def("csv", unlocked_text([](const Solved &s) { return answer_csv(s.match()); }))
+      .def("text", unlocked_text([](const Solved &s) { return answer_text(s.match()); }))
+      .def("certificate", unlocked_text([](const Solved &s) {
+             return proof_of(s, has_certificate(s.match()), certificate);
+           }))
+      .def("vipr", unlocked_text([](const Solved &s) { return proof_of(s, s.match().complete, vipr); }))
+      .def("spectrum", &spectrum_of);
+  module.def("solve", &solve_words);
+}
+
+} // namespace mdm::python
