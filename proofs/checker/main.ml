@@ -1,5 +1,5 @@
-(* mdm-check-verified: mdm-check once more. What it says of two files is the function of their names and bytes that is
-   extracted from Coq (proofs/coq, Judge.v); here files are read and lines are printed. *)
+(* mdm-check-verified: mdm-check once more. What it says of two files is in verdict.ml; here files are read and lines are
+   printed. *)
 
 let help =
   Printf.sprintf
@@ -29,18 +29,6 @@ exception Failure_of of string * string
 
 let fail who what = raise (Failure_of (who, what))
 
-(** The characters of a text as a list, and back. *)
-let characters text =
-  let rec before place found = if place < 0 then found else before (place - 1) (text.[place] :: found) in
-  before (String.length text - 1) []
-
-let text_of characters =
-  let out = Buffer.create 1000 in
-  List.iter (Buffer.add_char out) characters;
-  Buffer.contents out
-
-let printable text = text_of (Mdm_checker.printable (characters text))
-
 (** Reads a file in pieces, so that a device without end ends at the limit. *)
 let read_input path most_megabytes =
   let name = if path = "-" then "standard input" else path in
@@ -58,40 +46,28 @@ let read_input path most_megabytes =
    with Sys_error what -> fail name ("cannot be read (" ^ what ^ "): give a file that is there"));
   (name, Buffer.contents text)
 
-let file (name, text) = { Mdm_checker.name = characters name; bytes = characters text }
 let read_gradation path = read_input path 64
-let say line = print_endline (text_of line)
-let complain line = prerr_endline (text_of line)
+let remedy = "raise its limits (ulimit -s), or use mdm-check"
 
-(** What the extracted functions can do with the memory that is there. *)
-let within_memory who work =
-  try work ()
-  with Stack_overflow | Out_of_memory ->
-    fail who "more than this program can hold: raise its limits (ulimit -s), or use mdm-check"
+(** Prints a verdict, [before] before its line, and gives its code. *)
+let say ?(before = "") (verdict : Verdict.t) =
+  if verdict.output <> "" then print_string (before ^ verdict.output);
+  flush stdout;
+  prerr_string verdict.error;
+  flush stderr;
+  verdict.code
 
-(** The exit code; [before] is printed before the line of a verdict. *)
-let check ?(before = []) gradation certificate =
-  let verdict line = print_string (text_of before); say line in
-  let certificate = read_input certificate 256 in
-  within_memory (fst certificate) (fun () ->
-      match Mdm_checker.judge (file gradation) (file certificate) with
-      | Proved line -> verdict line; 0
-      | Unproved (line, reason) -> verdict line; complain reason; 1
-      | Unreadable message -> complain message; 2)
+let check ?before gradation certificate =
+  say ?before (Verdict.judge ~remedy gradation (read_input certificate 256))
 
 let print gradation certificate =
-  within_memory (fst gradation) (fun () ->
-      match (Mdm_checker.print_gradation (file gradation), certificate) with
-      | Ok csv, Some certificate -> check ~before:csv gradation certificate
-      | Ok csv, None -> print_string (text_of csv); 0
-      | (Refused message | Malformed message), _ -> complain message; 2)
+  match (Verdict.print ~remedy gradation, certificate) with
+  | { code = 0; output = csv; _ }, Some certificate -> check ~before:csv gradation certificate
+  | printed, _ -> say printed
 
 (** The code of a work, 2 where a file cannot be read. *)
 let code_of work =
-  try work ()
-  with Failure_of (who, what) ->
-    prerr_endline (printable who ^ ": " ^ what);
-    2
+  try work () with Failure_of (who, what) -> say (Verdict.failure who what)
 
 let rec check_all worst = function
   | gradation :: certificate :: rest ->

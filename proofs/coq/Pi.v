@@ -124,23 +124,28 @@ Proof.
   unfold Rabs in A |- *. destruct (Rcase_abs _), (Rcase_abs _); lra.
 Qed.
 
+Lemma unit_of_pi_bounded p r : (0 < unit_of_pi p r <= 10 ^ 1100)%Z.
+Proof.
+  unfold unit_of_pi. destruct (_ && _); (split; [reflexivity | apply Z.leb_le; vm_compute; reflexivity]).
+Qed.
+
 Theorem check_pi_sound v p r : check_pi (Volume v p r) = Ok tt -> Q2R p < PI < Q2R r.
 Proof.
   intro H. unfold check_pi in H.
-  remember (10 ^ 1100)%Z as unit eqn:Eu.
+  remember (unit_of_pi p r) as unit eqn:Eu.
   remember (arctangent 5 1 (unit / 5) 0 800) as a5 eqn:E5.
   remember (arctangent 239 1 (unit / 239) 0 240) as a239 eqn:E239.
   cbv zeta in H. passed H. passed H.
-  apply at_most_real in H, H0. rewrite Q2R_times, !Q2R_integer in *.
-  assert (0 < unit)%Z as U by (rewrite Eu; reflexivity).
+  apply at_most_real in H, H0. rewrite Q2R_mult, !Q2R_integer in *.
+  destruct (unit_of_pi_bounded p r) as (U & M). rewrite <- Eu in U, M.
   assert (Rabs (IZR a5 - IZR unit * atan (/ 5)) < 801) as B5.
   { pose proof (arctangent_bound unit 5 399 ltac:(lia)) as B. change (2 * S 399)%nat with 800%nat in B.
     rewrite <- E5 in B. replace 801 with (INR 800 + 1) by (rewrite INR_IZR_INZ; simpl; lra). apply B.
-    split; [exact U|]. rewrite Eu. apply Z.leb_le. vm_compute. reflexivity. }
+    split; [exact U|]. eapply Z.le_trans; [exact M|]. apply Z.leb_le. vm_compute. reflexivity. }
   assert (Rabs (IZR a239 - IZR unit * atan (/ 239)) < 241) as B239.
   { pose proof (arctangent_bound unit 239 119 ltac:(lia)) as B. change (2 * S 119)%nat with 240%nat in B.
     rewrite <- E239 in B. replace 241 with (INR 240 + 1) by (rewrite INR_IZR_INZ; simpl; lra). apply B.
-    split; [exact U|]. rewrite Eu. apply Z.leb_le. vm_compute. reflexivity. }
+    split; [exact U|]. eapply Z.le_trans; [exact M|]. apply Z.leb_le. vm_compute. reflexivity. }
   pose proof Machin_4_5_239 as Ma. apply IZR_lt in U. clear Eu E5 E239.
   rewrite minus_IZR, minus_IZR, !mult_IZR in H0. rewrite plus_IZR, minus_IZR, !mult_IZR in H.
   change (IZR (16 * 801 + 4 * 241)) with 13780 in *.

@@ -148,7 +148,7 @@ TEST_CASE("both checkers agree on the certificates of random questions, changed 
 }
 
 TEST_CASE("both checkers accept the proofs of the study's gradations within tolerances") {
-  std::ifstream suite(MDM_DATA_DIR "/suite-2750.jsonl");
+  std::ifstream suite(MDM_SUITE);
   std::vector<Pair> pairs;
   std::size_t number = 0;
   for (std::string line; std::getline(suite, line); ++number)
