@@ -1,5 +1,5 @@
-# `cpack -G DEB` in the build folder makes Debian packages: exactmdm with the programs, and libexactmdm-dev with the
-# library. Needs dpkg-shlibdeps (Debian: dpkg-dev), which finds out what the programs depend on.
+# `cpack -G DEB` in the build folder makes Debian packages: exactmdm with the programs, libexactmdm-dev with the library
+# and, with MDM_PYTHON, python3-exactmdm. Needs dpkg-shlibdeps (Debian: dpkg-dev), which finds out what the programs depend on.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME exactmdm)
 set(CPACK_PACKAGE_VENDOR "The exactmdm authors")
@@ -32,6 +32,19 @@ if(Pugixml_FOUND)
   if(Libzip_FOUND)
     string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libzip-dev")
   endif()
+endif()
+
+if(MDM_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+    "The Python module exactmdm: the smallest sets of particles that match sieve analyses, exactly, with proofs.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-exactmdm)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), exactmdm (= ${PROJECT_VERSION})")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-numpy, python3-pandas, python3-matplotlib")
 endif()
 
 include(CPack)

@@ -1,0 +1,115 @@
+// The smallest sets of particles that match sieve analyses, exactly, with proofs.
+
+import createMdm from "./mdm.js";
+import createMdmCheck from "./mdm-check.js";
+import { bytesOf } from "#bytes";
+import { loadProgram } from "./program.js";
+
+/** What the program says of an input that it cannot take: its message names file, line, value and remedy. */
+export class InputError extends Error {
+  name = "InputError";
+}
+
+const exit = { done: 0, negative: 1, badInput: 2, limit: 3 };
+const programs = new Map();
+
+function programOf(name, glue) {
+  if (!programs.has(name)) programs.set(name, bytesOf(`${name}.wasm`).then((wasm) => loadProgram({ glue, wasm })));
+  return programs.get(name);
+}
+
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
+
+/** Text, bytes or a JSON object as bytes. */
+function bytes(content) {
+  if (content instanceof Uint8Array) return content;
+  return encoder.encode(typeof content === "string" ? content : JSON.stringify(content));
+}
+
+/** The file's name: formats of gradations are told apart by what is in the file, and by its name's ending. */
+function fileName(content, name, stem) {
+  if (name !== undefined) {
+    if (!/^[^/]+$/.test(name) || /^\.\.?$/.test(name)) throw new InputError(`${name}: give a name without folders`);
+    return name.startsWith("-") ? `./${name}` : name;
+  }
+  const text = typeof content === "string" ? content : content instanceof Uint8Array ? "" : "{";
+  return stem + (text.trimStart().startsWith("{") ? ".json" : ".csv");
+}
+
+/** The options of a command as its words: minPerClass: 2 is --min-per-class 2, verbose: true is --verbose. */
+function words(options) {
+  return Object.entries(options).flatMap(([key, value]) => {
+    const flag = `--${key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+    if (value === undefined || value === false) return [];
+    if (value === true) return [flag];
+    return [value].flat().map((one) => `${flag}=${one}`);
+  });
+}
+
+/** Runs a program as on the command line. */
+export async function run(commandLine, files = {}, onProgress = undefined) {
+  const contents = Object.fromEntries(Object.entries(files).map(([name, content]) => [name, bytes(content)]));
+  return (await programOf("mdm", createMdm)).run(commandLine, contents, onProgress);
+}
+
+/** The same for mdm-check. */
+export async function runCheck(commandLine, files = {}) {
+  const contents = Object.fromEntries(Object.entries(files).map(([name, content]) => [name, bytes(content)]));
+  return (await programOf("mdm-check", createMdmCheck)).run(commandLine, contents);
+}
+
+/** What a run printed, unless it refused its input. */
+function printed(result) {
+  if (result.code === exit.badInput) throw new InputError(result.err.trim());
+  return result.out;
+}
+
+const proofName = "proof.mdm";
+
+export async function solve(gradation, { name, proof = false, onProgress, ...options } = {}) {
+  const file = fileName(gradation, name, "gradation");
+  const commandLine = ["solve", ...words(options), "--format=json", "--quiet", file];
+  if (proof) commandLine.splice(1, 0, `--proof=${proofName}`);
+  const result = await run(commandLine, { [file]: gradation }, onProgress);
+  const answer = JSON.parse(printed(result));
+  const written = result.files[proofName];
+  return { answer, proof: written ? decoder.decode(written) : null };
+}
+
+export async function check(gradation, proof, { name } = {}) {
+  const file = fileName(gradation, name, "gradation");
+  const { code, out, err } = await runCheck([file, proofName], { [file]: gradation, [proofName]: proof });
+  return { verdict: ["accepted", "refused", "malformed"][code], line: out.trim(), reason: err.trim() };
+}
+
+export async function batch(gradations, options = {}) {
+  const lines = gradations.map((gradation) => (typeof gradation === "string" ? gradation : JSON.stringify(gradation)));
+  const file = "suite.jsonl";
+  const result = await run(["batch", ...words(options), "--quiet", file], { [file]: lines.join("\n") + "\n" });
+  return printed(result).trim().split("\n").map((line) => JSON.parse(line));
+}
+
+export async function describe(gradation, { name, ...options } = {}) {
+  const file = fileName(gradation, name, "gradation");
+  const result = await run(["describe", ...words(options), "--format=json", file], { [file]: gradation });
+  return JSON.parse(printed(result));
+}
+
+export async function convert(gradation, { name, ...options } = {}) {
+  const file = fileName(gradation, name, "gradation");
+  return printed(await run(["convert", ...words(options), file], { [file]: gradation }));
+}
+
+export async function verify(gradation, sample, { name, sampleName = "sample.txt", ...options } = {}) {
+  const file = fileName(gradation, name, "gradation");
+  const files = { [file]: gradation, [sampleName]: sample };
+  const result = await run(["verify", ...words(options), "--format=json", file, sampleName], files);
+  return JSON.parse(printed(result));
+}
+
+export async function tradeoff(gradation, { name, onProgress, ...options } = {}) {
+  const file = fileName(gradation, name, "gradation");
+  const commandLine = ["tradeoff", ...words(options), "--format=json", file];
+  return JSON.parse(printed(await run(commandLine, { [file]: gradation }, onProgress)));
+}

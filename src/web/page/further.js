@@ -1,0 +1,143 @@
+// What can be asked beside the answer: the trade-off, a sample, a proof.
+
+import { byId, fill, make } from "./dom.js";
+import { endInWords } from "./ends.js";
+import { onChoice, onDrop, plainName } from "./files.js";
+import { KINDS_WITH_VALUE, conditionFlags } from "./question.js";
+import { showSample } from "./sample_view.js";
+import { text } from "./texts.js";
+import { showTradeoff } from "./tradeoff_view.js";
+import { judge, showVerdict } from "./verdict.js";
+import { checkers, helper, reader } from "./workers.js";
+
+let state;
+const shown = { tradeoff: null, sample: null, verdict: null };
+const chosen = { gradation: null, proof: null };
+
+const message = (words) => make("pre", { class: "message", lang: "en" }, words.trim());
+
+/** Shows that the helper works on something, with a button that ends it. */
+function showWork(place, key) {
+  const stop = make("button", { type: "button" }, text("stop"));
+  stop.addEventListener("click", () => helper.stop());
+  fill(place, make("p", { class: "searching", role: "status" }, make("span", { class: "pulse", "aria-hidden": "true" }),
+    make("span", {}, text(key)), stop));
+}
+
+/** Runs the helper and shows its report, or its message. */
+async function report({ place, key, argv, files, operation, show }) {
+  const output = "mdm-report.json";
+  showWork(place, key);
+  try {
+    const { err, files: written } = await helper.run([...argv, "--format", "json", "-o", output], files);
+    if (written[output]) show(await reader.ask({ operation, blob: written[output] }));
+    else fill(place, message(err));
+  } catch (error) {
+    fill(place, make("p", {}, endInWords(error)));
+  }
+}
+
+function computeTradeoff() {
+  if (state.solution === null) return;
+  const { checked } = state.solution;
+  const { toleranceKind } = state.options;
+  const kind = KINDS_WITH_VALUE.includes(toleranceKind) ? toleranceKind : "retained";
+  report({
+    place: byId("tradeoff-result"),
+    key: "tradeoff.running",
+    argv: ["tradeoff", checked.name, "--kind", kind, ...conditionFlags(state.options)],
+    files: { [checked.name]: checked.blob },
+    operation: "tradeoff",
+    show: (tradeoff) => showTradeoff((shown.tradeoff = tradeoff)),
+  });
+}
+
+function judgeSample(file) {
+  if (state.solution === null) return;
+  const { checked } = state.solution;
+  const sample = plainName(file.name);
+  const name = sample === checked.name ? `sample-${sample}` : sample;
+  const unit = byId("sample-unit").value;
+  const measure = byId("sample-measure").value;
+  const cut = state.options.cut;
+  report({
+    place: byId("sample-result"),
+    key: "sample.running",
+    argv: [
+      "verify", checked.name, name,
+      "--tolerance", `${byId("sample-tolerance").value.trim().replace(",", ".") || "0"}%`,
+      ...(unit ? ["--size-unit", unit] : []),
+      ...(measure ? [measure] : []),
+      ...(cut ? ["--cut-below", cut] : []),
+    ],
+    files: { [checked.name]: checked.blob, [name]: file },
+    operation: "verification",
+    show: (found) => showSample((shown.sample = found)),
+  });
+}
+
+function writeNames() {
+  byId("proof-gradation-name").textContent = chosen.gradation?.name ?? text("proof.none");
+  byId("proof-proof-name").textContent = chosen.proof?.name ?? text("proof.none");
+}
+
+async function isProof(file) {
+  return (await file.slice(0, 15).text()).startsWith("mdm-certificate");
+}
+
+async function takeDropped(files) {
+  for (const file of files) chosen[(await isProof(file)) ? "proof" : "gradation"] = file;
+  writeNames();
+  if (chosen.gradation && chosen.proof) checkChosen();
+}
+
+async function checkChosen() {
+  const place = byId("proof-result");
+  place.className = "";
+  shown.verdict = null;
+  if (!chosen.gradation || !chosen.proof) return fill(place, make("p", {}, text("proof.missing")));
+  const gradation = { name: plainName(chosen.gradation.name), blob: chosen.gradation };
+  const plain = plainName(chosen.proof.name);
+  const proof = { name: plain === gradation.name ? `${plain}.proof` : plain, blob: chosen.proof };
+  fill(place, make("p", {}, text("verdict.checking")));
+  try {
+    shown.verdict = await judge(checkers, gradation, proof);
+    showVerdict(place, shown.verdict);
+  } catch (error) {
+    fill(place, make("p", {}, endInWords(error)));
+  }
+}
+
+/** Writes the texts of these parts again, in the language of the page. */
+export function writeFurtherTexts() {
+  writeNames();
+  if (shown.tradeoff) showTradeoff(shown.tradeoff);
+  if (shown.sample) showSample(shown.sample);
+  if (shown.verdict) showVerdict(byId("proof-result"), shown.verdict);
+}
+
+/** Forgets what was found about another gradation. */
+export function forgetFindings() {
+  helper.stop();
+  Object.assign(shown, { tradeoff: null, sample: null });
+  fill(byId("tradeoff-result"));
+  fill(byId("sample-result"));
+}
+
+/** Makes these parts work on the page's state. */
+export function startFurther(given) {
+  state = given.state;
+  byId("tradeoff-run").addEventListener("click", computeTradeoff);
+  onChoice(byId("sample-file"), judgeSample);
+  onDrop(byId("sample-drop"), ([file]) => judgeSample(file));
+  onChoice(byId("proof-gradation-file"), (file) => {
+    chosen.gradation = file;
+    writeNames();
+  });
+  onChoice(byId("proof-proof-file"), (file) => {
+    chosen.proof = file;
+    writeNames();
+  });
+  onDrop(byId("proof-drop"), takeDropped);
+  byId("proof-check").addEventListener("click", checkChosen);
+}

@@ -1,0 +1,89 @@
+// Where the gradation comes from: a file, an example, a typed table or a link.
+
+import { byId, make } from "./dom.js";
+import { EXAMPLES } from "./examples.js";
+import { onChoice, onDrop, plainName } from "./files.js";
+import { byteSize } from "./numbers.js";
+import { text } from "./texts.js";
+
+const LONGEST_SHOWN = 100_000;
+const BEGINNING = 2_000;
+const TYPING_PAUSE = 350;
+
+let gradation = null;
+let changed = () => {};
+let typing = null;
+
+/** The gradation {name, blob}. */
+export const currentGradation = () => gradation;
+
+function isText(bytes) {
+  try {
+    return !new TextDecoder("utf-8", { fatal: true }).decode(bytes).includes("\0");
+  } catch {
+    return false;
+  }
+}
+
+/** Shows a gradation's text; one that cannot be edited as it is shows its beginning. */
+async function show(blob) {
+  const table = byId("table");
+  const start = new Uint8Array(await blob.slice(0, LONGEST_SHOWN).arrayBuffer());
+  if (gradation.blob !== blob) return;
+  const isEditable = blob.size <= LONGEST_SHOWN && isText(start);
+  table.readOnly = !isEditable;
+  table.value = new TextDecoder().decode(isEditable ? start : start.subarray(0, BEGINNING));
+  byId("not-shown").hidden = isEditable;
+}
+
+export function writeFileName() {
+  const words = { name: gradation.name, size: byteSize(gradation.blob.size) };
+  byId("file-name").textContent = `${text("table")}: ${text("file.current", words)}`;
+  for (const button of document.querySelectorAll("#examples button")) {
+    button.setAttribute("aria-pressed", String(button.dataset.name === gradation.name && !gradation.isTyped));
+  }
+}
+
+/** Takes a gradation and shows it. */
+export async function takeGradation(name, blob) {
+  clearTimeout(typing);
+  gradation = { name: plainName(name), blob, isTyped: false };
+  writeFileName();
+  await show(blob);
+}
+
+async function takeAndTell(name, blob) {
+  await takeGradation(name, blob);
+  changed(true);
+}
+
+function takeTyped() {
+  const blob = new Blob([byId("table").value]);
+  gradation = { name: "gradation.csv", blob, isTyped: true };
+  writeFileName();
+  changed(false);
+}
+
+/** Makes the inputs work; `onChange(isAnother)` is told of each change; an edited table is no other one. */
+export function startGradationInput(onChange) {
+  changed = onChange;
+  for (const { title, name, text: content } of EXAMPLES) {
+    const button = make("button", { type: "button", class: "plain", "data-name": name }, title);
+    button.addEventListener("click", () => takeAndTell(name, new Blob([content])));
+    byId("examples").append(button);
+  }
+  onChoice(byId("gradation-file"), (file) => takeAndTell(file.name, file));
+  onDrop(document.body, ([file]) => takeAndTell(file.name, file));
+  onDrop(byId("gradation-drop"), ([file]) => takeAndTell(file.name, file));
+  byId("table").addEventListener("input", () => {
+    clearTimeout(typing);
+    typing = setTimeout(takeTyped, TYPING_PAUSE);
+  });
+  byId("edit").addEventListener("click", async () => {
+    await takeAndTell("gradation.csv", new Blob(["size_mm,passing_percent\n"]));
+    byId("table").focus();
+  });
+}
+
+/** The example that the page opens with. */
+export const firstExample = () => EXAMPLES[0];

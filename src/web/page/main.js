@@ -1,0 +1,284 @@
+// The page: what is asked is answered at once, and the proof of the answer is checked.
+
+import { solve } from "./answer.js";
+import { numberInWords, numberMeaning, showClasses, showCurve, showIndices, showNotes, showNumber, startBar } from "./answer_view.js";
+import { changedOptions, forgetCut, readOptions, startControls, takeSieves, writeControlTexts, writeOptions } from "./controls.js";
+import { byId, fill, make } from "./dom.js";
+import { startDownloads } from "./downloads.js";
+import { forgetFindings, startFurther, writeFurtherTexts } from "./further.js";
+import { currentGradation, firstExample, startGradationInput, takeGradation, writeFileName } from "./gradation_input.js";
+import { Latest } from "./latest.js";
+import { questionOf } from "./link.js";
+import { Stopped } from "./programs.js";
+import { READING, READING_FLAGS, inWords, readingFlags } from "./question.js";
+import { choose, currentLanguage, text, writeTexts } from "./texts.js";
+import { judge, showVerdict } from "./verdict.js";
+import { checkers, helper, reader, solver } from "./workers.js";
+
+const LONGEST_MESSAGE = 4_000;
+const SOON = 250;
+const PATIENCE = 400;
+
+/** What the page shows: the last solution, its question, verdict and soil; and what the last search knew. */
+const state = { solution: null, options: null, verdict: null, description: null, problem: null };
+
+const words = (options) => inWords(options, text);
+const fetchRows = (from, count) => reader.ask({ operation: "rows", from, count });
+
+function showQuestion(options) {
+  byId("asked").textContent = words(options).asked;
+}
+
+/** Shows the program's message; where it asks for an option of reading, the controls of these open. */
+function showMessage(message) {
+  if (!message) return fill(byId("message"));
+  const isAboutReading = READING_FLAGS.some((flag) => message.includes(flag));
+  if (isAboutReading) byId("reading").open = true;
+  fill(
+    byId("message"),
+    make("h3", {}, text("refused")),
+    make("pre", { lang: "en" }, message),
+    isAboutReading ? make("p", { class: "hint" }, text("reading.see")) : null,
+  );
+}
+
+function announce(sentence) {
+  byId("announcement").textContent = sentence;
+}
+
+function showSolution() {
+  const { solution, options, description } = state;
+  const { answer } = solution;
+  showQuestion(options);
+  showNumber(numberInWords(answer), answer.status === "none" ? "" : undefined);
+  byId("meaning").textContent = numberMeaning(answer, words(options).meaning);
+  fill(byId("message"));
+  byId("details").hidden = false;
+  byId("model-download").hidden = answer.particles === null;
+  byId("proof-download").hidden = solution.proof === null;
+  showCurve(answer, description);
+  showIndices(description);
+  showClasses(answer, fetchRows);
+  showNotes(answer.notes);
+}
+
+/** Shows that there is no answer, and why; the page goes on. */
+function showProblem() {
+  const { message, bounds, hint } = state.problem;
+  byId("details").hidden = true;
+  fill(byId("verdict"));
+  showQuestion(readOptions());
+  showNumber(bounds ? boundsInWords(bounds) : "–", bounds ? undefined : "");
+  byId("meaning").textContent = hint ? text(hint) : "";
+  showMessage(message);
+  announce(hint ? text(hint) : "");
+}
+
+function boundsInWords({ least, particles }) {
+  return numberInWords({ status: "unknown", particles: particles ?? null, lowerBound: least });
+}
+
+function setProblem(problem) {
+  Object.assign(state, { solution: null, verdict: null, problem });
+  showProblem();
+}
+
+/** Shows that a search goes on, with the bounds as they improve. */
+function startSearching() {
+  const show = (key) => {
+    byId("searching").hidden = false;
+    byId("searching-text").textContent = text(key);
+    byId("answer").classList.add("outdated");
+    fill(byId("message"));
+  };
+  const timer = setTimeout(() => show("solving"), SOON);
+  return {
+    progress: null,
+    onProgress(progress) {
+      this.progress = progress;
+      show("searching");
+      fill(byId("verdict"));
+      showNumber(boundsInWords(progress));
+      byId("meaning").textContent = text(progress.particles ? "bounds" : "bounds.least");
+    },
+    end() {
+      clearTimeout(timer);
+      byId("searching").hidden = true;
+      byId("answer").classList.remove("outdated");
+    },
+  };
+}
+
+async function answerQuestion(isOutdated) {
+  const options = readOptions();
+  const search = startSearching();
+  showQuestion(options);
+  try {
+    const solution = await solve({ gradation: currentGradation(), options }, (progress) => search.onProgress(progress));
+    if (solution.answer === null) {
+      setProblem({ message: solution.message.trim().slice(0, LONGEST_MESSAGE) });
+      return;
+    }
+    Object.assign(state, { solution, options, verdict: null, problem: null });
+    fill(byId("download-note"));
+    showSolution();
+    checking.request();
+  } catch (error) {
+    if (!(error instanceof Stopped)) {
+      setProblem({ message: text("ended", { message: error.message }) });
+    } else if (!isOutdated()) {
+      setProblem({ message: "", bounds: search.progress, hint: search.progress ? "stopped" : "stopped.nothing" });
+    }
+  } finally {
+    search.end();
+    solver.warmUp();
+  }
+}
+
+async function checkProof(isOutdated) {
+  const { solution } = state;
+  if (solution === null) return;
+  const place = byId("verdict");
+  place.className = "verdict";
+  if (solution.proof === null) {
+    fill(place, make("p", {}, text("verdict.none")));
+    return;
+  }
+  fill(place, make("p", {}, text("verdict.checking")));
+  try {
+    const verdict = await judge(checkers, solution.checked, solution.proof);
+    if (isOutdated() || state.solution !== solution) return;
+    state.verdict = verdict;
+    showVerdict(place, verdict);
+    announce(`${numberInWords(solution.answer)} ${text("particles")}. ${text(`verdict.${verdict.outcome}`)}.`);
+  } catch (error) {
+    if (!(error instanceof Stopped)) fill(place, make("p", {}, text("ended", { message: error.message })));
+  }
+}
+
+function showWork() {
+  byId("answer").setAttribute("aria-busy", String(answering.isRunning || checking.isRunning));
+}
+
+const answering = new Latest({
+  job: answerQuestion,
+  stop: () => solver.stop(),
+  patience: PATIENCE,
+  onChange: showWork,
+});
+const checking = new Latest({
+  job: checkProof,
+  stop: () => checkers.forEach(({ program }) => program.stop()),
+  patience: PATIENCE,
+  onChange: showWork,
+});
+
+/** Describes the gradation and finds its sieves, beside the answer. */
+async function describeGradation() {
+  const gradation = currentGradation();
+  const flags = readingFlags(readOptions());
+  const files = { [gradation.name]: gradation.blob };
+  const run = async (command, operation) => {
+    const output = `${gradation.name}.${command}.json`;
+    const { files: written } = await helper.run([command, gradation.name, ...flags, "--format", "json", "-o", output], files);
+    return written[output] ? reader.ask({ operation, blob: written[output] }) : null;
+  };
+  state.description = null;
+  try {
+    const sieves = await run("convert", "sieves");
+    if (gradation !== currentGradation()) return;
+    if (takeSieves(sieves ?? { sizes: [], unit: "mm" })) answering.request();
+    const description = await run("describe", "description");
+    if (gradation !== currentGradation()) return;
+    state.description = description;
+    if (state.solution) {
+      showCurve(state.solution.answer, description);
+      showIndices(description);
+    }
+  } catch {
+    // The answer stands without a description.
+  }
+}
+
+const describing = new Latest({
+  job: describeGradation,
+  stop: () => helper.stop(),
+  patience: PATIENCE,
+  onChange: () => {},
+});
+
+function onGradation(isAnother) {
+  if (isAnother) {
+    forgetCut();
+    fill(byId("link-note"));
+  }
+  forgetFindings();
+  answering.request();
+  describing.request();
+}
+
+function onControls({ target }) {
+  answering.request();
+  if (READING.includes(target.name)) describing.request();
+}
+
+function writeAll() {
+  writeTexts();
+  for (const button of document.querySelectorAll("[data-language]")) {
+    button.setAttribute("aria-pressed", String(button.dataset.language === currentLanguage()));
+  }
+  writeControlTexts();
+  writeFileName();
+  writeFurtherTexts();
+  if (state.problem) showProblem();
+  if (state.solution) {
+    showSolution();
+    if (state.verdict) showVerdict(byId("verdict"), state.verdict);
+  }
+}
+
+/** Takes the question of the page's link; false if it has none that can be read. */
+async function takeLink() {
+  try {
+    const question = await questionOf(location.hash.slice(1));
+    if (question === null) return false;
+    writeOptions(question.options);
+    await takeGradation(question.name, new Blob([question.bytes]));
+    return true;
+  } catch {
+    fill(byId("link-note"), make("p", {}, text("link.bad")));
+    return false;
+  }
+}
+
+async function takeExample() {
+  const { name, text: content } = firstExample();
+  await takeGradation(name, new Blob([content]));
+}
+
+async function start() {
+  solver.warmUp();
+  startBar();
+  startControls(onControls);
+  startGradationInput(onGradation);
+  startDownloads({ state, words, fetchRows, options: () => changedOptions(readOptions()) });
+  startFurther({ state });
+  byId("stop").addEventListener("click", () => solver.stop());
+  for (const button of document.querySelectorAll("[data-language]")) {
+    button.addEventListener("click", () => {
+      choose(button.dataset.language);
+      writeAll();
+    });
+  }
+  window.addEventListener("hashchange", async () => {
+    if (await takeLink()) onGradation(false);
+  });
+  if (!(await takeLink())) await takeExample();
+  writeAll();
+  onGradation(false);
+  new ResizeObserver(() => {
+    if (state.solution) showCurve(state.solution.answer, state.description);
+  }).observe(byId("curve"));
+}
+
+start();

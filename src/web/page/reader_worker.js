@@ -1,0 +1,148 @@
+// Reads what the programs write, so that the page itself never parses a long text: it asks for what it shows.
+
+import { toDouble } from "./numbers.js";
+import { sha256 } from "./sha256.js";
+
+const ROWS = 200;
+const CURVE_POINTS = 1200;
+const SIEVES = 2000;
+
+let answer = null;
+
+const json = async (blob) => JSON.parse(await blob.text());
+
+/** At most so many of the items, the first and the last among them. */
+function thinned(items, most) {
+  if (items.length <= most) return items;
+  return Array.from({ length: most }, (_, i) => items[Math.round((i * (items.length - 1)) / (most - 1))]);
+}
+
+/** The shares of the mass, in percent, that the gradation has in the classes. */
+function targetShares({ classes }) {
+  const masses = classes.map((one) => toDouble(one.mass));
+  const total = masses.reduce((sum, mass) => sum + mass, 0);
+  return masses.map((mass) => (100 * mass) / total);
+}
+
+/** The shares that the set has: the same in an exact match. */
+function foundShares({ achieved, particles }, targets) {
+  if (particles === null) return null;
+  return achieved ? achieved.map((share) => 100 * toDouble(share)) : targets;
+}
+
+function rows(from, count) {
+  const { classes, targets, found } = answer;
+  return classes.slice(from, from + count).map((one, i) => ({
+    number: from + i + 1,
+    lower: one.lower,
+    upper: one.upper,
+    target: targets[from + i],
+    found: found && found[from + i],
+    quantity: one.quantity,
+    size: one.size,
+  }));
+}
+
+/** Points [size, percent passing] of the gradation's curve. */
+function targetCurve({ classes, targets }) {
+  let passing = 0;
+  const points = [[toDouble(classes[0].lower), 0]];
+  classes.forEach((one, j) => points.push([toDouble(one.upper), (passing += targets[j])]));
+  return points.filter(([size]) => size > 0);
+}
+
+/** Points [size, percent of the set's mass up to this size], one for each size of particles. */
+function setSteps({ classes, found }) {
+  if (found === null) return [];
+  let passing = 0;
+  const points = [];
+  classes.forEach((one, j) => {
+    if (one.size) points.push([Number(one.size[0]), (passing += found[j])]);
+  });
+  return points;
+}
+
+const operations = {
+  async answer({ blob }) {
+    answer = await json(blob);
+    answer.targets = targetShares(answer);
+    answer.found = foundShares(answer, answer.targets);
+    const { id, status, particles, lower_bound, unit, notes, versions, tolerance, solids_volume } = answer;
+    return {
+      id, status, particles, lowerBound: lower_bound, unit, notes, versions,
+      isTolerant: tolerance !== null,
+      solidsVolume: solids_volume,
+      classes: answer.classes.length,
+      rows: rows(0, ROWS),
+      curve: thinned(targetCurve(answer), CURVE_POINTS),
+      steps: thinned(setSteps(answer), CURVE_POINTS),
+    };
+  },
+
+  rows: ({ from, count }) => rows(from, count),
+
+  /** The answer as `mdm solve --format csv` writes it. */
+  csv() {
+    const unit = answer.unit;
+    const header = `lower_${unit},upper_${unit},mass,quantity,size_lo_${unit},size_hi_${unit}`;
+    const lines = answer.classes.map(({ lower, upper, mass, quantity, size }) =>
+      [lower, upper, mass, quantity ?? "", ...(size ?? ["", ""])].join(","),
+    );
+    return [header, ...lines, ""].join("\n");
+  },
+
+  async description({ blob }) {
+    const { D10, D30, D60, Cu, Cc, uscs, unit } = await json(blob);
+    return { D10, D30, D60, Cu, Cc, uscs, unit };
+  },
+
+  /** The sieves of a gradation, ascending. */
+  async sieves({ blob }) {
+    const { sizes, unit } = await json(blob);
+    return { sizes: thinned(sizes, SIEVES), unit };
+  },
+
+  async tradeoff({ blob }) {
+    const { kind, question, unit, by_tolerance, by_sieve } = await json(blob);
+    const row = ({ tolerance, smallest, lost, particles, lower_bound }) => ({
+      tolerance, smallest, particles,
+      lost: 100 * toDouble(lost),
+      lowerBound: lower_bound,
+    });
+    return { kind, question, unit, byTolerance: by_tolerance.map(row), bySieve: thinned(by_sieve, ROWS).map(row) };
+  },
+
+  async verification({ blob }) {
+    const report = await json(blob);
+    return {
+      verdict: report.verdict,
+      sample: report.sample,
+      particles: report.particles,
+      smallest: report.smallest,
+      outside: report.outside,
+      unit: report.unit,
+      notes: [...report.objections, ...report.notes],
+      rows: report.classes.slice(0, ROWS).map((one, j) => ({
+        number: j + 1,
+        lower: one.lower,
+        upper: one.upper,
+        quantity: one.quantity,
+        target: 100 * toDouble(one.target),
+        error: one.error_percent,
+      })),
+    };
+  },
+
+  async digest({ blob }) {
+    return sha256(new Uint8Array(await blob.arrayBuffer()));
+  },
+};
+
+self.onmessage = async ({ data: { id, operation, ...parameters } }) => {
+  if (id === undefined) return;
+  try {
+    self.postMessage({ id, result: await operations[operation](parameters) });
+  } catch (error) {
+    self.postMessage({ id, failure: String(error) });
+  }
+};

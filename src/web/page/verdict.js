@@ -1,0 +1,53 @@
+// The verdict of a proof: each checker runs in a worker of its own and says what it finds.
+
+import { fill, make } from "./dom.js";
+import { text } from "./texts.js";
+
+/** What the exit codes mean; those above are as the last. */
+const OUTCOMES = ["accepted", "rejected", "malformed"];
+
+async function judgedBy({ name, program }, gradation, proof) {
+  const files = { [gradation.name]: gradation.blob, [proof.name]: proof.blob };
+  const { code, out, err } = await program.run([gradation.name, proof.name], files);
+  return { name, code: Math.min(code, 2), line: `${out.trim()}\n${err.trim()}`.trim() };
+}
+
+/**
+ * Lets all checkers, {name, program}, judge the proof. One that refuses it decides; one that cannot judge it, as where
+ * it is too long for it, decides only where no other can, and else is a reservation.
+ */
+export async function judge(checkers, gradation, proof) {
+  const results = await Promise.all(checkers.map((checker) => judgedBy(checker, gradation, proof)));
+  const code = [1, 0, 2].find((one) => results.some((result) => result.code === one));
+  const deciding = results.filter((result) => result.code === code);
+  return {
+    outcome: OUTCOMES[code],
+    line: deciding[0].line,
+    checkers: deciding.map(({ name }) => name),
+    reservations: results.filter((result) => result.code === 2 && code !== 2),
+  };
+}
+
+const nameInWords = (name) => (name === "verified" ? text("verified-checker") : name);
+
+/** The names of the checkers in a sentence. */
+export function checkersInWords(names) {
+  return text("verdict.by", { checkers: names.map(nameInWords).join(text("verdict.and")) });
+}
+
+/** Shows a verdict: a sign, a word and the checker's own line. */
+export function showVerdict(place, verdict) {
+  place.className = `verdict ${verdict.outcome}`;
+  const sign = make("span", { class: "sign", "aria-hidden": "true" }, verdict.outcome === "accepted" ? "✓" : "✗");
+  const by = verdict.outcome === "malformed" ? "" : ", " + checkersInWords(verdict.checkers);
+  const reservations = verdict.reservations.map(({ name, line }) =>
+    make("p", { class: "verdict-line" }, `${text("verdict.reservation", { checker: nameInWords(name) })} `,
+      make("span", { lang: "en" }, line)),
+  );
+  fill(
+    place,
+    make("p", { class: "verdict-head" }, sign, make("strong", {}, text(`verdict.${verdict.outcome}`)), by),
+    make("p", { class: "verdict-line", lang: "en" }, verdict.line),
+    ...reservations,
+  );
+}

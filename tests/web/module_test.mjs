@@ -1,0 +1,155 @@
+// module_test.mjs MODULE MDM MDM-CHECK SOURCE: the JavaScript module in Node says what the native programs say.
+
+import assert from "node:assert";
+import { spawnSync } from "node:child_process";
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+
+const [folder, mdm, mdmCheck, source] = process.argv.slice(2).map((name) => resolve(name));
+const { InputError, batch, check, convert, describe, run, runCheck, solve, tradeoff, verify } = await import(
+  pathToFileURL(join(folder, "index.js"))
+);
+
+const gradations = join(source, "examples/gradations");
+const sand = readFileSync(join(gradations, "ottawa-f65-sand.csv"), "utf8");
+
+function native(program, words, cwd) {
+  const { status, stdout, stderr } = spawnSync(program, words, { cwd, encoding: "utf8", maxBuffer: 1 << 30 });
+  return { code: status, out: stdout, err: stderr };
+}
+
+/** An answer without the versions of the libraries, which are others. */
+const withoutVersions = ({ versions, ...rest }) => rest;
+
+test("the suite of 2,750 gradations has the native answers", async () => {
+  const suite = join(source, "examples/reference/average/suite-2750.jsonl");
+  const lines = readFileSync(suite, "utf8").trim().split("\n");
+  const answers = await batch(lines);
+  const expected = native(mdm, ["batch", suite, "--quiet"]).out.trim().split("\n").map((line) => JSON.parse(line));
+  assert.strictEqual(answers.length, 2750);
+  answers.forEach((answer, i) => assert.deepStrictEqual(withoutVersions(answer), withoutVersions(expected[i]), lines[i]));
+});
+
+test("answers within a tolerance, of bands, solids and laws are the native ones", async () => {
+  for (const file of readdirSync(gradations).filter((name) => name.endsWith(".csv") && !name.includes("limits")))
+    for (const words of [
+      [],
+      ["--tolerance", "retained:1%"],
+      ["--tolerance", "passing:0.5%", "--min-per-class", "2"],
+      ["--specimen", "cylinder:50x100", "--void-ratio", "0.6"],
+      ["--law", "power:5/2"],
+      ["--digits", "40"],
+      ["--cut-below", "0.2mm"],
+    ]) {
+      const bytes = readFileSync(join(gradations, file));
+      const ours = await run(["solve", file, "--quiet", ...words], { [file]: bytes });
+      assert.deepStrictEqual(
+        { code: ours.code, out: ours.out, err: ours.err },
+        native(mdm, ["solve", file, "--quiet", ...words], gradations),
+        `${file} ${words}`,
+      );
+    }
+});
+
+test("all pairs of certificates have the native verdict and message", async () => {
+  let compared = 0;
+  for (const kind of ["accepted", "rejected", "unparsable"]) {
+    const cwd = join(source, "tests/certificates", kind);
+    const files = readdirSync(cwd);
+    for (const proof of files.filter((name) => name.endsWith(".proof"))) {
+      const stem = proof.slice(0, -".proof".length);
+      const gradation = files.find((name) => name === `${stem}.csv` || name === `${stem}.json`);
+      const inputs = Object.fromEntries([gradation, proof].map((name) => [name, readFileSync(join(cwd, name))]));
+      const { code, out, err } = await runCheck([gradation, proof], inputs);
+      assert.deepStrictEqual({ code, out, err }, native(mdmCheck, [gradation, proof], cwd), proof);
+      ++compared;
+    }
+  }
+  assert.ok(compared > 300, `${compared} pairs`);
+});
+
+test("files of laboratories are read as by the native program", async () => {
+  const formats = join(gradations, "formats");
+  for (const name of readdirSync(formats).filter((file) => file !== "README.md" && !file.endsWith(".xlsx"))) {
+    const ours = await run(["describe", name], { [name]: readFileSync(join(formats, name)) });
+    assert.deepStrictEqual({ code: ours.code, out: ours.out, err: ours.err }, native(mdm, ["describe", name], formats), name);
+  }
+  const workbook = { "a.xlsx": readFileSync(join(formats, "workbook.xlsx")) };
+  const refused = await run(["describe", "a.xlsx"], workbook);
+  assert.strictEqual(refused.code, 2);
+  assert.match(refused.err, /^a\.xlsx:1: .*reads no workbooks/);
+});
+
+test("a proof is accepted by both checkers, and a changed one refused", async () => {
+  const { answer, proof } = await solve(sand, { tolerance: "retained:1%", proof: true });
+  assert.strictEqual(answer.status, "optimal");
+  assert.strictEqual(typeof answer.particles, "string");
+  assert.strictEqual((await check(sand, proof)).verdict, "accepted");
+  const changed = proof.replace(/^particles (\d+)$/m, (_, n) => `particles ${BigInt(n) - 1n}`);
+  assert.notStrictEqual(changed, proof);
+  const refused = await check(sand, changed);
+  assert.strictEqual(refused.verdict, "refused");
+  assert.notStrictEqual(refused.reason, "");
+  assert.strictEqual((await check(sand, "no proof")).verdict, "malformed");
+});
+
+test("a gradation may be an object, and an option a flag or a list", async () => {
+  const object = { sizes: ["1", "2", "4"], masses: ["1", "3", "0"], unit: "mm" };
+  const { answer } = await solve(object, { minPerClass: 2, digits: 5, verbose: false });
+  assert.ok(answer.classes.every((one) => BigInt(one.quantity) >= 2n));
+  const [first, second] = await batch([object, JSON.stringify(object)]);
+  assert.strictEqual(first.particles, second.particles);
+});
+
+test("the example of the README runs", async () => {
+  const readme = readFileSync(join(source, "src/web/README.md"), "utf8");
+  const code = readme.match(/^    import .*from "exactmdm";\n(?:    .*\n|\n)+/m)[0].replace('"exactmdm"', JSON.stringify(join(folder, "index.js")));
+  const { status, stdout, stderr } = spawnSync(process.execPath, ["--input-type=module", "-e", code], { encoding: "utf8" });
+  assert.strictEqual(status, 0, stderr);
+  assert.match(stdout, /^\d+ \[.*\]\naccepted\n$/);
+});
+
+test("the other commands give their reports", async () => {
+  assert.match((await describe(sand)).schema, /^mdm-describe/);
+  assert.match(await convert(sand), /^size_mm,mass\n/);
+  assert.match((await tradeoff(sand, { tolerances: "1,2" })).schema, /^mdm-tradeoff/);
+  const { answer } = await solve(sand);
+  const report = await verify(sand, JSON.stringify(answer), { sampleName: "answer.json" });
+  assert.match(report.schema, /^mdm-verify/);
+});
+
+test("what cannot be taken is an InputError with the program's message, and the next call goes on", async () => {
+  for (const bad of ["", "size_mm,mass\n1,x\n2,1\n", new Uint8Array([0, 255, 254]), {}, "1,2\n0,0\n"])
+    await assert.rejects(solve(bad), InputError);
+  await assert.rejects(solve(sand, { name: "../sand.csv" }), InputError);
+  await assert.rejects(solve(sand, { toleranse: "1%" }), /toleranse/);
+  await assert.rejects(solve("size_mm,mass\n1,x\n2,1\n", { name: "mine.csv" }), /^InputError: mine\.csv:2: /);
+  assert.strictEqual((await solve(sand)).answer.particles, "2498");
+});
+
+test("a long search tells its bounds, and ends at its limit with them", async () => {
+  const rows = Array.from({ length: 100 }, (_, j) => `${(1.07 ** j).toFixed(4)},${j < 99 ? 1000 + ((j * 7919) % 613) : 0}`);
+  const seen = [];
+  const onProgress = (bounds) => seen.push(bounds);
+  const { answer } = await solve(`size_mm,mass\n${rows.join("\n")}\n`, { tolerance: "total:0.01%", timeLimit: 3, onProgress });
+  assert.ok(["optimal", "feasible"].includes(answer.status), answer.status);
+  for (const { least, particles } of seen) {
+    assert.match(least, /^\d+$/);
+    assert.ok(particles === null || BigInt(particles) >= BigInt(least));
+  }
+});
+
+test("the types take what they should, and no more", () => {
+  const project = mkdtempSync(join(tmpdir(), "mdm-types-"));
+  mkdirSync(join(project, "node_modules"));
+  symlinkSync(folder, join(project, "node_modules/exactmdm"));
+  copyFileSync(join(source, "tests/web/types.mts"), join(project, "types.mts"));
+  const compiler = join(process.env.MDM_WEB_TOOLS, "node_modules/.bin/tsc");
+  const flags = ["--noEmit", "--strict", "--noUncheckedIndexedAccess", "--target", "es2022", "--module", "nodenext"];
+  const { status, stdout } = spawnSync(compiler, [...flags, "types.mts"], { cwd: project, encoding: "utf8" });
+  rmSync(project, { recursive: true });
+  assert.strictEqual(status, 0, stdout);
+});

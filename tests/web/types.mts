@@ -1,0 +1,21 @@
+// What the types of the JavaScript module allow; each @ts-expect-error is a mistake that they find.
+import { InputError, batch, check, run, solve } from "exactmdm";
+
+const { answer, proof } = await solve("size_mm,mass\n1,2\n2,0\n", { tolerance: "retained:1%", minPerClass: 2, proof: true });
+const particles: string | null = answer.particles;
+const quantities: (string | null)[] = answer.classes.map((one) => one.quantity);
+const [lower]: string[] = answer.classes[0]?.size ?? [];
+if (proof !== null) {
+  const { verdict } = await check({ sizes: ["1", "2"], masses: ["1", "0"] }, proof);
+  const accepted: boolean = verdict === "accepted";
+  // @ts-expect-error there is no such verdict
+  const mistaken: boolean = verdict === "maybe";
+}
+const answers = await batch([{ sizes: ["1", "2"], masses: ["1", "0"] }], { timeLimit: 1 });
+const result = await run(["solve", "a.csv"], { "a.csv": new Uint8Array() }, ({ least }) => least.length);
+const code: number = result.code;
+// @ts-expect-error numbers are strings
+const number: number = answer.particles;
+// @ts-expect-error a gradation is needed
+await solve();
+const error: Error = new InputError("a.csv:1: ...");
