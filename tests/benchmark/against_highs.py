@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy
 from scipy.optimize import Bounds, LinearConstraint, milp
 
-SUITE = Path(__file__).parent.parent / "data" / "suite-2750.jsonl"
+SUITE = Path(__file__).parents[2] / "examples/reference/average/suite-2750.jsonl"
 TOLERANCE = Fraction(1, 100)
 TIME_LIMIT = 60
 
