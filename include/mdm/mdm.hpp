@@ -59,6 +59,7 @@
 #include <mdm/proof/certificate.hpp>
 #include <mdm/proof/coq_file.hpp>
 #include <mdm/proof/vipr.hpp>
+#include <mdm/sets/suite.hpp>
 #include <mdm/soil/available.hpp>
 #include <mdm/soil/describe.hpp>
 #include <mdm/soil/fractions.hpp>

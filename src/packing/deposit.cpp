@@ -88,7 +88,7 @@ private:
     const double from = options_.periodic ? 0 : q;
     const auto room = static_cast<std::uint64_t>(front_.width() - 2 * from) + (options_.periodic ? 0 : 1);
     const auto bits = random_(packing::column_stream, static_cast<std::uint64_t>(disc));
-    return from + static_cast<double>(packing::below(room, bits));
+    return from + static_cast<double>(random_below(room, bits));
   }
 
   /// Exactly.

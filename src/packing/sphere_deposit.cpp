@@ -73,7 +73,7 @@ private:
       const auto room = static_cast<std::uint64_t>(width - 2 * whole_units(from)) + 1;
       const auto bits =
           random_(stream, 2 * static_cast<std::uint64_t>(id) + static_cast<std::uint64_t>(axis));
-      return from + static_cast<double>(packing::below(room, bits));
+      return from + static_cast<double>(random_below(room, bits));
     };
     for (;; ++stream) {
       const double x = place(0, space_.a), y = place(1, space_.b);

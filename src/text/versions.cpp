@@ -7,10 +7,12 @@
 #include <gmp.h>
 #include <mpfr.h>
 #include <nlohmann/json.hpp>
+#ifdef MDM_HAS_ARB
 #if __has_include(<flint/arb.h>)
 #include <flint/arb.h>
 #else
 #include <arb.h>
+#endif
 #endif
 #ifdef MDM_READS_XML
 #include <pugixml.hpp>
@@ -48,9 +50,11 @@ const std::vector<std::pair<std::string, std::string>> &versions() {
     {"mdm", MDM_VERSION},
     {"gmp", gmp_version},
     {"mpfr", mpfr_get_version()},
+#ifdef MDM_HAS_ARB
     {"flint", FLINT_VERSION},
 #if __FLINT_RELEASE < 30000
     {"arb", arb_version},
+#endif
 #endif
     {"boost", boost_version()},
     {"fmt", fmt_version()},

@@ -26,6 +26,12 @@ foreach(file bin/mdm bin/mdm-check share/man/man1/mdm.1 share/man/man1/mdm-solve
     message(FATAL_ERROR "no package has /usr/${file}")
   endif()
 endforeach()
+file(GLOB python_package ${work}/python3-exactmdm_*.deb)
+if(python_package)
+  run(dpkg-deb --extract ${python_package} ${root})
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${root}/usr/lib/python3/dist-packages /usr/bin/python3 -c
+    "import exactmdm; assert exactmdm.solve('${sand}').check()")
+endif()
 run(${root}/usr/bin/mdm solve ${sand} --proof ${work}/sand.proof)
 run(${root}/usr/bin/mdm-check ${sand} ${work}/sand.proof)
 message("${output}")
