@@ -265,19 +265,22 @@ Certificate read_certificate(std::string_view text) {
   const bool tolerant = read_tolerance(lines, c);
   lines.check(tolerant || c.min_per_class.empty() || c.min_per_class[0].value >= 2,
               "min-per-class 1 says nothing of an exact match: leave it out");
-  lines.check(tolerant || !c.second, "`mdm-certificate 2` needs a tolerance: write 1 without one");
   if (tolerant && lines.take("particles none")) {
     lines.end();
   } else {
     lines.read_particles(c);
-    if (!tolerant)
+    if (!tolerant) {
+      lines.check_before(!c.particles.empty(), "an exact match is there: write its bounds as B..N");
+      lines.check_before(c.second == (c.bound[0].value < c.particles[0].value),
+                         "`mdm-certificate 2` needs bounds or a tolerance: write 1 without them");
       lines.read("scale", "r", c.scale);
+    }
     if (!c.particles.empty())
       read_classes(lines, c.classes, tolerant);
   }
   if (tolerant) {
     read_tree(lines, c.tree, c.second);
-  } else if (c.at_least.empty() || c.at_least[0].value != c.particles[0].value) {
+  } else if (c.at_least.empty() || c.at_least[0].value != c.bound[0].value) {
     if (!c.at_least.empty())
       lines.read_if_there("above", "r", c.above);
     lines.demand("chain");

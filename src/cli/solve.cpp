@@ -195,7 +195,12 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Bud
       m.notes.push_back("no proof was written to " + printable(*path) + ": the limit came before the end" +
                         (std::filesystem::exists(*path) ? "; the file that is there is older" : ""));
   };
-  add(c.proof, has_certificate(m), [&] { return certificate(m); });
+  std::optional<Integer> proved;
+  add(c.proof, has_certificate(m), [&] {
+    Certified made = certified(m);
+    proved = std::move(made.bound);
+    return std::move(made.text);
+  });
   if (!files.empty())
     if (std::optional<SideFile> csv = readable_gradation(c, asked, m.notes))
       files.push_back(std::move(*csv));
@@ -203,8 +208,8 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Bud
     add(finer_proof(c), true, [&] { return certificate(*found.finer); });
   add(c.vipr, m.complete, [&] { return vipr(m); });
   add(c.coq, m.complete, [&] { return theorem(c, asked, m); });
-  if (!m.complete && has_certificate(m) && c.proof)
-    m.notes.push_back("the proof is of the bounds: at least " + to_string(*m.proof.bound) + " particles");
+  if (proved)
+    m.notes.push_back("the proof is of the bounds: at least " + to_string(*proved) + " particles");
   return files;
 }
 

@@ -107,12 +107,13 @@ AtLeastMatch at_least_match(const Problem &problem, const Integer &n, const Rati
   LeastMatch least = least_match(problem, limits, watch);
   if (least.complete && total(least.q) >= n)
     return {least.q, 0, std::move(least)};
-  Rational z = crowded_scale(problem, n);
+  const Rational z = crowded_scale(problem, n);
   const Problem higher = problem.from_scale(z, true);
-  if (least.complete && z > 0)
+  const bool is_above = least.complete && z > 0;
+  if (is_above)
     least = least_match(higher, limits, watch);
   std::vector<Integer> q = filled(higher, least.complete ? least.q : some_match(higher), z, start, n);
-  return {std::move(q), std::move(z), std::move(least)};
+  return {std::move(q), is_above ? z : Rational(0), std::move(least)};
 }
 
 AtLeastMatch at_least_match(const Problem &problem, const Integer &n, const Rational &start,

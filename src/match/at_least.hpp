@@ -19,7 +19,7 @@ Rational crowded_scale(const Problem &problem, const Integer &n);
 /// A match with at least n particles: the smallest if `least.complete`, else any.
 struct AtLeastMatch {
   std::vector<Integer> q; ///< the match
-  Rational above;   ///< z: no match with n particles has a scale up to z; 0 where nothing is to be shown
+  Rational above;   ///< z: no match with n particles has a scale up to z; 0 where the sweep is of all scales
   LeastMatch least; ///< the least match at scales above z; its sum is at most that of the smallest match
 };
 

@@ -141,14 +141,25 @@ MatchSample placed(const Gradation &g, const Problem &problem, std::vector<Integ
   return exact_sample(g, problem, std::move(q), std::move(window), scale, options.digits);
 }
 
-/// The chain of a sweep in terms of the gradation.
-Chain chain_of(AtLeastMatch found, const Problem &problem) {
-  Chain chain{std::nullopt, std::move(found.least.chain)};
-  if (found.above > 0)
-    chain.above = found.above * problem.scale_unit();
+/// The chain of a sweep above a scale, in terms of the gradation.
+Chain chain_of(LeastMatch least, const Rational &above, const Problem &problem) {
+  Chain chain{std::nullopt, std::move(least.chain)};
+  if (above > 0)
+    chain.above = above * problem.scale_unit();
   for (std::uint32_t &step : chain.steps)
     step = static_cast<std::uint32_t>(problem.classes()[step].index);
   return chain;
+}
+
+/// What the sweep shows: that the match is the smallest, or the bound that it came to.
+void set_proof(Match &match, LeastMatch least, const Rational &above, const Problem &problem) {
+  if (!match.complete && match.lower_bound == *match.particles())
+    return; // as a bound it is none, and as the end of the sweep it is not shown
+  const Integer &asked = match.question.at_least;
+  const bool is_asked = asked > 1 && match.lower_bound == asked;
+  match.proof.evidence = is_asked ? Chain{} : chain_of(std::move(least), above, problem);
+  if (!match.complete)
+    match.proof.bound = match.lower_bound;
 }
 
 /// The status, where the search came to its end or not, and whether the sample has more particles than
@@ -185,8 +196,8 @@ Match solve_exactly(Match match, const SolveOptions &options, const Limits &limi
   set_status(match, options.at_most);
   note_digits(match);
   note_precision(match);
-  if (match.complete && limits.keep_proof)
-    match.proof.evidence = as_few_as_asked ? Chain{} : chain_of(std::move(found), problem);
+  if (limits.keep_proof)
+    set_proof(match, std::move(found.least), found.above, problem);
   if (start.bounds() && !start.bounds()->is_point())
     match.proof.pi = enclose_pi(start.places());
   return match;

@@ -1,3 +1,4 @@
+#include "match/least_match.hpp"
 #include "match/problem_of.hpp"
 #include "match/sizes.hpp"
 #include "number/common_denominator.hpp"
@@ -52,9 +53,16 @@ struct CertifiedClass {
   Enclosure size;
 };
 
-/// The format's limits on the work of a checker (certificate-format.md, section 2, Limits); they are
-/// estimated from above.
-bool within_limits(const Match &m, const Chain &chain, const std::vector<CertifiedClass> &classes) {
+/// At most.
+std::size_t bytes_of_step(const Gradation &g) {
+  return std::to_string(g.classes()).size() + 1;
+}
+
+/// The steps that a chain may have within the format's limits on the work of a checker
+/// (certificate-format.md, section 2, Limits), and on the length of the text; these are estimated from above.
+/// \throws InputError if the other numbers alone are beyond them
+std::uint64_t most_certified_steps(const Match &m, const Chain &chain,
+                                   const std::vector<CertifiedClass> &classes) {
   const Gradation &g = m.gradation;
   const std::uint64_t e = highest_power(m);
   const std::uint64_t in_gradation =
@@ -73,9 +81,12 @@ bool within_limits(const Match &m, const Chain &chain, const std::vector<Certifi
   if (m.question.solids)
     for (const Integer &c : CommonDenominator(g.factors()).numerators)
       factors = bit_length(factors) > max_power_bits ? factors : lcm(factors, c);
-  return e * in_gradation <= max_power_bits && e * count <= max_power_bits &&
-         (64 * g.powers().size() + chain.steps.size()) * e * (in_gradation + count) <= max_work &&
-         g.classes() * scale <= std::uint64_t{1} << 28 && bit_length(factors) <= max_power_bits;
+  const std::uint64_t work = max_work / (e * (in_gradation + count)), before_steps = 64 * g.powers().size();
+  if (e * in_gradation > max_power_bits || e * count > max_power_bits || work < before_steps ||
+      g.classes() * scale > std::uint64_t{1} << 28 || bit_length(factors) > max_power_bits)
+    refuse_long_numbers();
+  constexpr std::uint64_t max_chain_bytes = std::uint64_t{250} << 20;
+  return std::min(work - before_steps, max_chain_bytes / bytes_of_step(g));
 }
 
 std::string solids_line(const Solids &solids) {
@@ -132,23 +143,63 @@ std::vector<CertifiedClass> certified_classes(const Match &m) {
   return classes;
 }
 
-std::string witness_lines(const Match &m, const std::vector<CertifiedClass> &classes) {
-  std::string text =
-      fmt::format("particles {}\nscale {}\n", to_string(*m.particles()), to_string(m.sample->scale->chosen));
+/// The first steps of the match's sweep, and the bound that they come to.
+std::pair<Chain, Integer> first_steps(const Match &m, const std::optional<Rational> &above,
+                                      std::uint64_t steps) {
+  Problem problem = problem_of(m);
+  if (above)
+    problem = problem.from_scale(*above / problem.scale_unit(), true);
+  Limits limits;
+  limits.max_steps = steps;
+  LeastMatch least = least_match(problem, limits);
+  for (std::uint32_t &step : least.chain)
+    step = static_cast<std::uint32_t>(problem.classes()[step].index);
+  return {Chain{above, std::move(least.chain)}, std::max(total(least.q), m.question.at_least)};
+}
+
+std::string witness_lines(const Match &m, const Integer &bound, const std::vector<CertifiedClass> &classes) {
+  const std::string n = to_string(*m.particles());
+  std::string text = fmt::format("particles {}\nscale {}\n", m.proof.bound ? to_string(bound) + ".." + n : n,
+                                 to_string(m.sample->scale->chosen));
   for (const CertifiedClass &c : classes)
     fmt::format_to(std::back_inserter(text), "class {} {} {} {}\n", c.number, to_string(c.quantity),
                    c.size.lower_text(), c.size.upper_text());
   return text;
 }
 
-std::string chain_lines(const Match &m, const Chain &chain) {
-  // With exactly as many particles as were asked for, the witness proves all.
-  if (m.question.at_least > 1 && *m.particles() == m.question.at_least)
-    return {};
-  std::string text = chain.above ? fmt::format("above {}\nchain", to_string(*chain.above)) : "chain";
+/// What shows that no match has fewer particles than the bound.
+void write_chain(const Match &m, const Chain &chain, const Integer &bound, std::string &text) {
+  // That there are as many particles as were asked for is nothing to show.
+  if (m.question.at_least > 1 && bound == m.question.at_least)
+    return;
+  if (chain.above)
+    text += fmt::format("above {}\n", to_string(*chain.above));
+  text += "chain";
+  text.reserve(text.size() + chain.steps.size() * bytes_of_step(m.gradation) + 16);
   for (const std::uint32_t j : chain.steps)
     fmt::format_to(std::back_inserter(text), " {}", j + 1);
-  return text + "\n";
+  text += "\n";
+}
+
+Certified exact_certificate(const Match &m) {
+  const std::vector<CertifiedClass> classes = certified_classes(m);
+  const Chain &chain = std::get<Chain>(m.evidence().value());
+  const std::uint64_t most = most_certified_steps(m, chain, classes);
+  std::string text = (m.proof.bound ? "mdm-certificate 2\n" : "mdm-certificate 1\n") + question_lines(m);
+  const auto write = [&](const Chain &shown, const Integer &bound) {
+    text += witness_lines(m, bound, classes);
+    write_chain(m, shown, bound, text);
+    text += "end\n";
+  };
+  if (chain.steps.size() <= most) {
+    write(chain, m.proof.bound.value_or(*m.particles()));
+    return {std::move(text), m.proof.bound};
+  }
+  if (!m.proof.bound)
+    refuse_long_numbers();
+  const auto [shorter, bound] = first_steps(m, chain.above, most);
+  write(shorter, bound);
+  return {std::move(text), bound};
 }
 
 } // namespace
@@ -207,7 +258,10 @@ std::optional<std::int64_t> least_log2_of_scale(const Gradation &g, const Questi
 
 } // namespace
 
-std::string with_short_numbers(std::string text) {
+namespace {
+
+/// \throws InputError if the text has a number of more digits than the format allows
+void check_short_numbers(const std::string &text) {
   std::size_t digits = 0, longest = 0;
   for (const char c : text) {
     if (c >= '0' && c <= '9')
@@ -217,8 +271,9 @@ std::string with_short_numbers(std::string text) {
   }
   if (longest > max_digits)
     refuse_long_number(std::to_string(longest));
-  return text;
 }
+
+} // namespace
 
 void check_certifiable(const Gradation &asked, const Question &question) {
   const std::uint64_t e = highest_power(question.law, asked.root());
@@ -232,16 +287,11 @@ void check_certifiable(const Gradation &asked, const Question &question) {
     refuse_long_number(fmt::format("more than {}", max_digits));
 }
 
-std::string certificate(const Match &m) {
+Certified certified(const Match &m) {
   assert(has_certificate(m));
-  if (m.tolerance)
-    return with_short_numbers(tree_certificate(m));
-  const Chain &chain = std::get<Chain>(m.evidence().value());
-  const std::vector<CertifiedClass> classes = certified_classes(m);
-  if (!within_limits(m, chain, classes))
-    refuse_long_numbers();
-  return with_short_numbers("mdm-certificate 1\n" + question_lines(m) + witness_lines(m, classes) +
-                            chain_lines(m, chain) + "end\n");
+  Certified made = m.tolerance ? Certified{tree_certificate(m), m.proof.bound} : exact_certificate(m);
+  check_short_numbers(made.text);
+  return made;
 }
 
 } // namespace mdm

@@ -31,10 +31,6 @@ std::uint64_t highest_power(const Match &m);
 bool is_precise(const Match &m, const Enclosure &size);
 
 [[noreturn]] void refuse_long_numbers();
-/// The text of a certificate.
-/// \throws InputError if it has a number of more digits than the format allows
-std::string with_short_numbers(std::string text);
-
 /// The lines from `law` to `at-least`.
 std::string question_lines(const Match &m);
 

@@ -116,10 +116,10 @@ auto unlocked_text(Make make) {
 }
 
 std::string proof_of(const Solved &s, bool can_be, std::string (*write)(const Match &)) {
-  if (!can_be)
-    throw InputError("there is no proof: a limit came before the end");
   if (!s.keeps_proof())
     throw InputError("the proof was not kept: give proofs=True to batch, or a max_steps of 67108864 or less");
+  if (!can_be)
+    throw InputError("there is no proof: a limit came before the end");
   return write(s.match());
 }
 

@@ -39,8 +39,9 @@ class Case:
     """A gradation x, m, c (decimals in texts) and a question: its least match and the certificate."""
 
     def __init__(self, x, m, c=None, law=(3, 1), pan=None, cut=None, factor=None, least=None, cylinder=None, box=None,
-                 volume=None, at_least=None, scale="middle", places=12, extra=0, degree=1):
-        """Where the degree is d, x holds openings to the power d: the same gradation of them under the law a/(b d)."""
+                 volume=None, at_least=None, scale="middle", places=12, extra=0, degree=1, steps=None):
+        """Where the degree is d, x holds openings to the power d: the same gradation of them under the law a/(b d).
+        With `steps` these are the first of the chain, which prove a bound."""
         self.d = d = degree
         self.law = law
         self.a, self.b = a, b = law[0], law[1] * d
@@ -82,6 +83,9 @@ class Case:
                 self.above(self.z)
                 self.solve()
         self.N = max(sum(self.q.values()), at_least or 0)
+        self.steps = steps
+        if steps is not None:
+            self.cut_chain(steps)
         self.choose(scale, extra)
         self.sizes = {j: enclose(self.S * self.m[j]**b / (self.q[j] * self.c[j])**b, a * d, self.x[j], self.x[j + 1],
                                  places, d) for j in self.used}
@@ -104,6 +108,14 @@ class Case:
             self.chain.append(-j)
         self.L, self.q = L, {j: self.count(j, L) for j in self.used}
         self.U = min(self.q[j]**self.b * self.B[j] for j in self.used)
+
+    def cut_chain(self, steps):
+        """Leaves the first steps, and the bound that they prove."""
+        self.chain = self.chain[:steps]
+        L = F(0)
+        for j in self.chain:
+            L = self.count(j, L)**self.b * self.A[j]
+        self.bound = max(sum(self.count(j, L) for j in self.used), self.M or 0)
 
     def breakpoint(self, M):
         """The largest scale at which fewer than M particles fit: the M-th of the values q^b A_j."""
@@ -130,12 +142,13 @@ class Case:
         assert missing == 0
 
     def proof(self):
-        lines = ["mdm-certificate 1", f"law {F(*self.law)}", *self.options]
+        shown = self.N if self.steps is None else self.bound
+        lines = [f"mdm-certificate {1 if self.steps is None else 2}", f"law {F(*self.law)}", *self.options]
         if self.M:
             lines.append(f"at-least {self.M}")
-        lines += [f"particles {self.N}", f"scale {self.S}"]
+        lines += [f"particles {self.N if self.steps is None else f'{shown}..{self.N}'}", f"scale {self.S}"]
         lines += [f"class {j + 1} {self.q[j]} {self.sizes[j][0]} {self.sizes[j][1]}" for j in self.used]
-        if self.M != self.N:
+        if self.M != shown:
             if self.z:
                 lines.append(f"above {self.z}")
             lines.append(" ".join(["chain", *(str(j + 1) for j in self.chain)]))
@@ -199,6 +212,17 @@ plain("at_least_power_3_2", NARROW_X, ["5", "1", "0", "0"], law=(3, 2), at_least
 plain("at_least_cylinder", NARROW_X, ["5", "1", "0", "0"], cylinder="3 2.5 0.5", at_least=30)
 plain("at_least_everything", "0 1 1.1 1.2 1.3".split(), "1 2 7 4 0".split(), pan="0.9", cut="1", factor="1.5", least=2,
       cylinder="6 5 0.5", at_least=60)
+# Bounds: a sweep that ended early.
+plain("bounds_of_no_step", SUITE_X, SUITE_M, steps=0)
+plain("bounds_of_some_steps", NARROW_X, NARROW_M, steps=5)
+plain("bounds_of_a_match_that_is_not_the_smallest", ATHABASCA_X, ATHABASCA_M, steps=0, extra=2)
+plain("bounds_of_a_whole_chain", TRIPLE_X, TRIPLE_M, steps=1, extra=1)
+plain("bounds_power_3_2", NARROW_X, NARROW_M, law=(3, 2), steps=7)
+plain("bounds_cylinder", NARROW_X, NARROW_M, cylinder="0.5 0.4 0.5", steps=9)
+plain("bounds_solids_volume", NARROW_X, NARROW_M, volume="0.5", steps=11, places=18)
+plain("bounds_min_per_class", NARROW_X, NARROW_M, least=12, steps=2)
+plain("bounds_at_least_above_a_scale", NARROW_X, ["5", "1", "0", "0"], at_least=27, steps=0)
+plain("bounds_at_least_without_a_chain", NARROW_X, NARROW_M, at_least=60, steps=0)
 LARGE = 10**40
 plain("large_integers", ["1", "1000000", "10000000"], [f"{LARGE + 7}", f"{LARGE + 9}", "0"])
 plain("long_decimals", ["0." + "3" * 300, "0." + "6" * 300, "1"], ["1." + "7" * 200, "2", "0"])
@@ -252,6 +276,7 @@ phi("cut_at_3_of_15_digits", ["9.5", "8", "7"], ["1", "2", "0"], cut="0.00138106
 phi("cut_leaves_whole_phi", ["1.5", "1", "0", "-1"], ["4", "1", "2", "0"], cut="0.5")
 phi("min_per_class", PHIS, PHI_M, least=4)
 phi("cylinder", PHIS, PHI_M, cylinder="6 7 0.6")
+phi("bounds", ["0.5", "0.375", "0.25"], ["5", "1", "0"], steps=2)
 phi("box", PHIS, PHI_M, box="8 7 6.5 0.6", places=18)
 phi("solids_volume", PHIS, PHI_M, volume="300", places=18)
 phi("at_least", ["0.5", "0.375", "0.25"], ["5", "1", "0"], at_least=50)
@@ -509,6 +534,20 @@ x, m = ["0", "1", "2"], ["100", "1", "0"]
 claim("above_with_a_pan", rows("size_mm,mass", x, m), Case(x, m, at_least=2), z=F(1, 10**6))
 claim("at_least_and_more_than_needed", GAP, Case(NARROW_X, GAP_M, at_least=30), M=29)
 
+# Bounds.
+case = Case(NARROW_X, NARROW_M, steps=5)
+edit("bound_one_higher", "bounds_of_some_steps", ("particles", f"particles {case.bound + 1}..{case.N}"))
+edit("bound_one_lower", "bounds_of_some_steps", ("particles", f"particles {case.bound - 1}..{case.N}"))
+claim("bound_of_one_step_less", NARROW, case, chain=case.chain[:-1])
+claim("bound_above_the_smallest", TRIPLE, triple(steps=1, extra=2), bound=5)
+edit("bounds_with_another_number", "bounds_of_a_whole_chain", ("particles", "particles 4..6"))
+edit("bounds_of_more_than_the_least", "bounds_of_no_step", ("law", "law 3\nmin-per-class 2"))
+case = Case(NARROW_X, GAP_M, at_least=27, steps=0)
+claim("bound_above_one_breakpoint_too_high", GAP, case,
+      z=next(case.breakpoint(M) for M in range(27, 99) if case.breakpoint(M) > case.z))
+case = Case(NARROW_X, NARROW_M, cylinder="0.5 0.4 0.5", steps=9)
+rejected["bound_of_a_larger_cylinder"] = (NARROW, case.proof().replace("cylinder 0.5", "cylinder 0.6"))
+
 # Questions that do not fit.
 edit("pan_size_without_a_pan", "sphere_two_classes", ("law", "law 3\npan-size 0.5"))
 edit("pan_size_as_large_as_the_next", "pan_size", ("pan-size", "pan-size 0.075"))
@@ -682,6 +721,13 @@ def garble(name, *changes, base="sphere_two_classes"):
 
 garble("unknown_version", ("mdm-certificate", "mdm-certificate 3"))
 garble("version_2_of_an_exact_match", ("mdm-certificate", "mdm-certificate 2"))
+garble("version_1_with_bounds", ("mdm-certificate", "mdm-certificate 1"), base="bounds_of_some_steps")
+garble("bounds_that_are_the_same", ("particles", "particles 5..5"), base="bounds_of_a_whole_chain")
+garble("bounds_that_descend", ("particles", "particles 5..4"), base="bounds_of_a_whole_chain")
+garble("bounds_from_0", ("particles", "particles 0..5"), base="bounds_of_a_whole_chain")
+garble("bound_alone_of_an_exact_match", ("particles", "particles 4.."), base="bounds_of_a_whole_chain")
+garble("bounds_without_a_chain", ("chain", None), base="bounds_of_a_whole_chain")
+garble("bounds_at_least_with_a_chain", ("end", "chain\nend"), base="bounds_at_least_without_a_chain")
 garble("unknown_line", ("law", "law 3\ncomment 3"))
 garble("options_out_of_order", ("law", "law 3\nmin-per-class 2\nsize-factor 2"))
 garble("option_twice", ("law", "law 3\nsize-factor 2\nsize-factor 2"))

@@ -55,6 +55,14 @@ private:
       printed << keyword;
       std::vector<Rational> values;
       while (words >> word) {
+        printed << ' ';
+        if (const std::size_t dots = word.find(".."); keyword == "particles" && dots != std::string::npos) {
+          if (!is_integer_text(word.substr(0, dots)))
+            return false;
+          bound_ = value_of(word.substr(0, dots));
+          printed << *bound_ << "..";
+          word.erase(0, dots + 2);
+        }
         const std::optional<Rational> value = value_of(word);
         const bool fraction = std::find(fractions.begin(), fractions.end(), keyword) != fractions.end();
         const bool decimal = std::find(decimals.begin(), decimals.end(), keyword) != decimals.end() ||
@@ -63,7 +71,7 @@ private:
             (word.find('.') != std::string::npos && !decimal))
           return false;
         values.push_back(*value);
-        printed << ' ' << word;
+        printed << word;
       }
       printed << '\n';
       const auto length = lengths.find(keyword);
@@ -82,7 +90,8 @@ private:
     for (const char *keyword : {"mdm-certificate", "law", "particles", "scale", "end"})
       if (!has(keyword))
         return false;
-    return printed.str() == text_ && number("mdm-certificate") == 1 && question_is_well_formed();
+    return printed.str() == text_ && number("mdm-certificate") == (bound_ ? 2 : 1) &&
+           question_is_well_formed();
   }
 
   bool question_is_well_formed() const {
@@ -100,7 +109,9 @@ private:
     if ((has("size-factor") && number("size-factor") == 1) ||
         (has("min-per-class") && number("min-per-class") < 2) || (has("at-least") && number("at-least") < 2))
       return false;
-    const bool no_chain = has("at-least") && number("at-least") == number("particles");
+    if (bound_ && (*bound_ < 1 || *bound_ >= number("particles")))
+      return false;
+    const bool no_chain = has("at-least") && number("at-least") == bound();
     return has("chain") != no_chain && (!has("above") || (has("at-least") && has("chain")));
   }
 
@@ -195,6 +206,9 @@ private:
     return sum == number("particles") && (!has("at-least") || sum >= number("at-least"));
   }
 
+  /// Below this no match is claimed to be.
+  const Rational &bound() const { return bound_ ? *bound_ : number("particles"); }
+
   Rational least_count() const { return has("min-per-class") ? number("min-per-class") : Rational(1); }
 
   /// The least count of class j at a scale above L (or from `least_below_` up).
@@ -233,7 +247,7 @@ private:
     }
     Rational sum = 0;
     for (const std::size_t j : used_) {
-      if (to_power(count(j, L), b_) * A_.at(j) > L)
+      if (!bound_ && to_power(count(j, L), b_) * A_.at(j) > L)
         return false;
       sum += count(j, L);
     }
@@ -247,13 +261,13 @@ private:
             return false;
       }
     }
-    return sum == number("particles");
+    return sum == bound();
   }
 
-  /// No scale has a match of at least M and fewer than N particles. Counts change at q^b A_j and q^b B_j
-  /// alone, and between two such scales they are what they are at the upper one.
+  /// No scale has a match of at least M particles and fewer than the bound. Counts change at q^b A_j and q^b
+  /// B_j alone, and between two such scales they are what they are at the upper one.
   bool claim_is_true() const {
-    const Rational &N = number("particles");
+    const Rational &N = bound();
     const Rational M = has("at-least") ? number("at-least") : Rational(1);
     std::set<Rational> scales{least_above_};
     for (const std::size_t j : used_)
@@ -285,6 +299,7 @@ private:
   Table table_;
   std::string text_;
   std::map<std::string, std::vector<Rational>> lines_;
+  std::optional<Rational> bound_; ///< where it is not the number of particles
   std::vector<Sizes> sizes_;
   std::vector<std::size_t> used_;
   std::map<std::size_t, Rational> A_, B_;
@@ -306,9 +321,11 @@ void claim_more(const std::string &text, std::set<std::string> &mutants) {
         std::string keyword, index, quantity, rest;
         words >> keyword >> index >> quantity;
         std::getline(words, rest);
-        if (keyword == "particles")
-          mutant += "particles " + mpz_class(mpz_class(index) + shift).get_str() + "\n";
-        else if (k == i)
+        if (keyword == "particles") {
+          const std::size_t dots = index.find(".."), behind = dots == std::string::npos ? 0 : dots + 2;
+          mutant += "particles " + index.substr(0, behind) +
+                    mpz_class(mpz_class(index.substr(behind)) + shift).get_str() + "\n";
+        } else if (k == i)
           mutant += "class " + index + " " + mpz_class(mpz_class(quantity) + shift).get_str() + rest + "\n";
         else
           mutant += lines[k];
@@ -353,13 +370,20 @@ const std::vector<std::string> names = {"sphere_two_classes",
                                         "at_least_skips_a_gap",
                                         "at_least_power_3_2",
                                         "at_least_cylinder",
-                                        "at_least_everything"};
+                                        "at_least_everything",
+                                        "bounds_of_some_steps",
+                                        "bounds_of_a_whole_chain",
+                                        "bounds_power_3_2",
+                                        "bounds_min_per_class",
+                                        "bounds_at_least_above_a_scale",
+                                        "bounds_at_least_without_a_chain"};
 const std::vector<std::string> half_phi_names = {"half_phi_that_ties",
                                                  "half_phi_quarters",
                                                  "half_phi_tenths",
                                                  "half_phi_cut_at_15_digits",
                                                  "half_phi_cut_at_3_of_15_digits",
                                                  "half_phi_cut_leaves_whole_phi",
+                                                 "half_phi_bounds",
                                                  "half_phi_at_least_power_3_2",
                                                  "half_phi_pan_factor_cylinder",
                                                  "half_phi_pan_cut_volume"};

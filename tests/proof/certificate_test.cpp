@@ -80,6 +80,57 @@ TEST_CASE("the certificate of every match is accepted, and refused with another 
   }
 }
 
+TEST_CASE("the certificate of an exact search that a limit ended has its bounds, and is refused with a "
+          "higher one") {
+  std::mt19937_64 random(33);
+  int limited = 0;
+  for (int i = 0; i < 4000; ++i) {
+    Gradation g = brute::random_gradation(random);
+    if (g.has_factors())
+      continue;
+    SolveOptions options;
+    options.limits.max_steps = random() % 4;
+    const Match m = solve(g, random_question(g, random), options);
+    if (!m.proof.bound)
+      continue;
+    ++limited;
+    REQUIRE_FALSE(m.complete);
+    REQUIRE(m.proof.bound == m.lower_bound);
+    const Certified made = certified(m);
+    const mdm::checker::Verdict verdict = checked(g, made.text);
+    INFO(gradation_csv(g) << made.text << verdict.line << verdict.reason);
+    REQUIRE(made.bound == m.lower_bound);
+    REQUIRE(verdict.code == mdm::checker::Verdict::accepted);
+    std::string higher = made.text;
+    const std::string line = "particles " + to_string(m.lower_bound) + "..";
+    higher.replace(higher.find(line), line.size(),
+                   "particles " + to_string(Integer(m.lower_bound + 1)) + "..");
+    REQUIRE(checked(g, higher).code != mdm::checker::Verdict::accepted);
+  }
+  CHECK(limited > 300);
+}
+
+TEST_CASE("a chain that is too long for the format is cut, and the bound with it") {
+  Question question;
+  question.law = {1000, 1};
+  Gradation::Data data;
+  data.sizes = {1, parse_decimal("1.000000001"), parse_decimal("1.000000002")};
+  data.masses = {1, 1, 0};
+  const Gradation g(std::move(data));
+  SolveOptions options;
+  options.limits.max_steps = 250'000;
+  const Match m = solve(g, question, options);
+  REQUIRE(m.proof.bound.has_value());
+  const Certified made = certified(m);
+  REQUIRE(made.bound.has_value());
+  CHECK(*made.bound < *m.proof.bound);
+  CHECK(*made.bound > *m.proof.bound / 2);
+  const mdm::checker::Verdict verdict = checked(g, made.text);
+  INFO(verdict.line << verdict.reason);
+  CHECK(verdict.code == mdm::checker::Verdict::accepted);
+  CHECK(verdict.line.find(" exactly is between " + to_string(*made.bound) + " and ") != std::string::npos);
+}
+
 TEST_CASE("the VIPR export is a proof by the rules of the format") {
   std::mt19937_64 random(17);
   for (int i = 0; i < 400; ++i) {

@@ -21,6 +21,8 @@ def test_a_limit_raises_with_what_is_certain():
     assert known.status == "feasible" and 1 < known.lower_bound < known.particles
     again = pickle.loads(pickle.dumps(caught.value)).known
     assert again.json() == known.json()
+    for match in (known, again):
+        assert f" exactly is between {known.lower_bound} and {known.particles} (" in match.check().proved
     with pytest.raises(mdm.InputError, match="its JSON and its proof alone"):
         again.csv()
 
@@ -31,8 +33,10 @@ def test_a_time_limit_ends_an_endless_search(seconds):
     with pytest.raises(mdm.LimitReached) as caught:
         mdm.solve(endless(), time_limit=seconds, max_steps=10**15)
     assert time.monotonic() - began < 60 and caught.value.known.lower_bound >= 1
-    with pytest.raises(mdm.InputError, match="no proof"):
+    with pytest.raises(mdm.InputError, match="proof was not kept"):
         caught.value.known.check()
+    with pytest.raises(mdm.InputError, match="proof was not kept"):
+        caught.value.known.vipr()
 
 
 def test_within_a_gap_is_no_limit():

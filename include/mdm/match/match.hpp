@@ -71,8 +71,8 @@ using Evidence = std::variant<Chain, Tree>;
 /// The parts of a proof.
 struct MatchProof {
   std::optional<Evidence> evidence;
-  /// What the evidence of a search within a tolerance shows that a limit ended: no match has fewer
-  /// particles. Nothing if the search came to its end, or there is nothing to show.
+  /// What the evidence of a search shows that a limit ended: no match has fewer particles. Nothing if the
+  /// search came to its end, or there is nothing to show.
   std::optional<Integer> bound;
   std::optional<Enclosure> pi; ///< bounds that a demanded volume was decided with, if it needed any
 };
@@ -109,8 +109,8 @@ struct Match {
   /// Every class of the gradation, ascending, with what the sample has in it; none where no match is known.
   /// Cost: made at each call, some fractions a class.
   std::vector<MatchClass> classes() const;
-  /// Nothing if an exact search did not come to its end, or the evidence was not to be kept or is longer than
-  /// a certificate can be.
+  /// Nothing if the evidence was not to be kept or is longer than a certificate can be, or there is nothing
+  /// to show.
   const std::optional<Evidence> &evidence() const { return proof.evidence; }
   /// The power that scales and the sample's mass are given to, as they may be irrational themselves: b of the
   /// law times the root of the gradation.

@@ -6,14 +6,26 @@
 
 namespace mdm {
 
-/// The text of the certificate that m.particles() is the least number the question allows, or that no sample
-/// is within its tolerance; of a search within a tolerance that a limit ended, that the least number is
-/// m.proof.bound at least. In the format of proofs/certificate-format.md. `mdm-check` accepts it with the
-/// gradation file that m came from.
+/// A certificate, in the format of proofs/certificate-format.md.
+struct Certified {
+  std::string text;
+  /// Of a search that a limit ended: no match has fewer particles. It is m.proof.bound, or less where the
+  /// chain of an exact match up to there is longer than the format allows.
+  std::optional<Integer> bound;
+};
+
+/// The certificate that m.particles() is the least number the question allows, or that no sample is within
+/// its tolerance; of a search that a limit ended, that the least number is not below a bound. `mdm-check`
+/// accepts it with the gradation file that m came from.
 /// \pre has_certificate(m), and m was solved with Limits::keep_proof
 /// \throws InputError if its numbers are beyond the limits of the format, or its evidence was too long to be
 /// kept
-std::string certificate(const Match &m);
+Certified certified(const Match &m);
+
+/// Its text.
+inline std::string certificate(const Match &m) {
+  return certified(m).text;
+}
 
 /// True if there is something to certify: the search came to its end, or has a bound.
 inline bool has_certificate(const Match &m) {

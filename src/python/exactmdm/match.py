@@ -242,11 +242,11 @@ class Match(Value):
         return self._handle.text()
 
     def certificate(self) -> str:
-        """The proof that no match has fewer particles, in the format of mdm-check; where a limit ended a search within
-        a tolerance, that none has fewer than `lower_bound`.
+        """The proof that no match has fewer particles, in the format of mdm-check; where a limit ended the search, that
+        none has fewer than `lower_bound`, or a little less where the proof of that would be too long.
 
         Raises:
-            InputError: a limit came first, the proof was not kept (max_steps above 67108864), or its numbers are beyond
+            InputError: there is nothing to prove, the proof was not kept (max_steps above 67108864), or its numbers are beyond
                 the limits of the format.
         """
         return self._handle.certificate() if self._certificate is None else self._certificate
