@@ -3,6 +3,7 @@
 
 From Mdm Require Import ChainSound Reduction TreeSound Laws Pi Theorems JudgeTheorem CsvFields GradationRead EnvelopeRead PrintRead DocumentRead Examples.
 
+Print Assumptions chain_bound.
 Print Assumptions chain_sound.
 Print Assumptions chain_least.
 Print Assumptions chain_unique.

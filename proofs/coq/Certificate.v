@@ -453,10 +453,10 @@ Definition range_of_particles (w : string) : option claim :=
   | _ => None
   end.
 
-Definition read_particles (tolerant : bool) : reader claim := fun ls =>
-  let* (none, ls) := if tolerant then words "particles" "none" ls else Ok (false, ls) in
+Definition read_particles : reader claim := fun ls =>
+  let* (none, ls) := words "particles" "none" ls in
   if none then Ok (NoMatch, ls) else
-  match (if tolerant then ls else []) with
+  match ls with
   | [name; w] :: rest =>
     match String.eqb name "particles", range_of_particles w with
     | true, Some c => Ok (c, rest)
@@ -469,9 +469,9 @@ Definition read_classes (with_mass : bool) : reader (list witness_line) := fun l
   let* (ws, ls) := witness_lines with_mass ls [] in
   demand_form (size ws <=? most_rows) "more classes than a gradation can have" ;; Ok (ws, ls).
 
-(* Whether nothing smaller is asked for than what is demanded of every sample. *)
+(* Whether the bound is what is demanded of every sample. *)
 Definition claims_least (asked : question) (c : claim) : bool :=
-  match c with Smallest n => n =? at_least asked | _ => false end.
+  match bound_of c with Some B => B =? at_least asked | None => false end.
 
 Definition read_proof (asked : question) (c : claim) (scale : list Q) : reader proof := fun ls =>
   match tolerances_of asked with
@@ -488,12 +488,15 @@ Definition read_certificate (ls : lines) : result certificate :=
   let* (version, ls) := read_version ls in
   let* (asked, ls) := read_question ls in
   let tolerant := match tolerances_of asked with Some _ => true | None => false end in
-  demand_form (tolerant || (version =? 1)) "version 2 without a tolerance" ;;
-  let* (claimed, ls) := read_particles tolerant ls in
+  let* (claimed, ls) := read_particles ls in
+  demand_form (tolerant || match found claimed with Some _ => true | None => false end)
+    "an exact match without a witness" ;;
   let* (scale, ls) := if tolerant then Ok ([], ls) else required "scale" [Rational] ls in
   let* (classes, ls) := match found claimed with Some _ => read_classes tolerant ls | None => Ok ([], ls) end in
   let* (proof, ls) := read_proof asked claimed scale ls in
   let ended := is_line ["end"] ls && is_line [""] (tl ls) && match tl (tl ls) with [] => true | _ => false end in
   demand_form ended "the line end is missing, or something follows it" ;;
-  demand_form ((version =? 2) || negb (is_second claimed proof)) "what only version 2 has" ;;
+  let second := is_second claimed proof in
+  demand_form ((version =? 2) || negb second) "what only version 2 has" ;;
+  demand_form (tolerant || (version =? 1) || second) "version 2 without a tolerance or bounds" ;;
   Ok (Certificate asked claimed classes proof).

@@ -602,11 +602,10 @@ Definition plain_claim (c : claim) : Prop :=
   | NoMatch => True
   end.
 
-(* What is claimed of a match within a tolerance alone, and without a witness. *)
+(* A claim without a witness is one about matches within a tolerance. *)
 Definition plain_certificate (cert : certificate) (box : option (Q * Q * Q * Q)) : Prop :=
   plain_question (asked cert) box /\
-  (plain_claim (claimed cert) /\ (is_second (claimed cert) (proof_of cert) = true -> is_tolerant cert = true) /\
-   (found (claimed cert) = None -> is_tolerant cert = true /\ witness cert = [])) /\
+  (plain_claim (claimed cert) /\ (found (claimed cert) = None -> is_tolerant cert = true /\ witness cert = [])) /\
   (forall w, In w (witness cert) -> plain_witness (is_tolerant cert) w) /\ classes_ascend (witness cert) None /\
   size (witness cert) <= most_rows /\ plain_proof cert.
 
@@ -632,23 +631,18 @@ Proof.
   change (".." ++ rest)%string with (String "." (String "." rest)). rewrite Parts. reflexivity.
 Qed.
 
-Lemma particles_read tolerant c rest :
-  plain_claim c -> (match c with Smallest _ => True | _ => tolerant = true end) ->
-  read_particles tolerant (particles_line c :: rest) = Ok (c, rest).
+Lemma particles_read c rest : plain_claim c -> read_particles (particles_line c :: rest) = Ok (c, rest).
 Proof.
-  intros P T. unfold read_particles, particles_line, words. destruct c as [N|B N|B|]; cbn [claim_word].
+  intro P. unfold read_particles, particles_line, words. destruct c as [N|B N|B|]; cbn [claim_word].
   - destruct P as (Pn & Ln).
     assert (required "particles" [Integer 1] (["particles"; show_integer N] :: rest) = Ok ([of_integer N], rest)) as R.
     { apply required_read. cbn [numbers]. rewrite number_integer by assumption. reflexivity. }
-    destruct tolerant.
-    + rewrite is_line_other
-        by (intros [= E]; apply (not_none_numeral N (proj1 Pn) ""); rewrite append_empty; exact E).
-      cbn [bind]. change (String.eqb "particles" "particles") with true.
-      assert (range_of_particles (show_integer N) = None) as ->.
-      { unfold range_of_particles. rewrite (proj1 (at_mark_integer "." N eq_refl (proj1 Pn))). reflexivity. }
-      exact (bind_eq _ _ _ _ R eq_refl).
-    + exact (bind_eq _ _ _ _ R eq_refl).
-  - subst tolerant. destruct P as (Pb & Pn & L).
+    rewrite is_line_other by (intros [= E]; apply (not_none_numeral N (proj1 Pn) ""); rewrite append_empty; exact E).
+    cbn [bind]. change (String.eqb "particles" "particles") with true.
+    assert (range_of_particles (show_integer N) = None) as ->.
+    { unfold range_of_particles. rewrite (proj1 (at_mark_integer "." N eq_refl (proj1 Pn))). reflexivity. }
+    exact (bind_eq _ _ _ _ R eq_refl).
+  - destruct P as (Pb & Pn & L).
     rewrite is_line_other by (intros [= E]; exact (not_none_numeral B (proj1 Pb) _ E)). cbn [bind].
     change (String.eqb "particles" "particles") with true. rewrite range_of_particles_read by exact Pb.
     destruct (show_integer_numeral N (proj1 Pn)) as (l & Ll & W & _).
@@ -656,17 +650,17 @@ Proof.
     destruct (show_integer N) as [|ch w]; [inversion W; lia|].
     rewrite E, (number_integer 1 B Pb) by lia. unfold check, less. cbn [of_integer Qnum Qden].
     rewrite (proj2 (Z.ltb_lt _ _)) by lia. reflexivity.
-  - subst tolerant. destruct P as (Pb & L).
+  - destruct P as (Pb & L).
     rewrite is_line_other by (intros [= E]; exact (not_none_numeral B (proj1 Pb) _ E)). cbn [bind].
     change (String.eqb "particles" "particles") with true. rewrite <- (append_empty ".."), range_of_particles_read by exact Pb.
     rewrite number_integer by assumption. reflexivity.
-  - subst tolerant. rewrite is_line_same. reflexivity.
+  - rewrite is_line_same. reflexivity.
 Qed.
 
 Theorem certificate_read cert box :
   plain_certificate cert box -> read_certificate (document_lines (Document cert box false)) = Ok cert.
 Proof.
-  intros (Q & (Pc & Second & None_) & W & Wa & Ws & P). unfold read_certificate, document_lines. cbn [certificate_of].
+  intros (Q & (Pc & None_) & W & Wa & Ws & P). unfold read_certificate, document_lines. cbn [certificate_of].
   set (second := is_second (claimed cert) (proof_of cert)) in *.
   set (rest := (question_lines _ ++ _)%list).
   assert (read_version ([version_line cert] ++ rest) = Ok (if second then 2 else 1, rest)) as RV.
@@ -674,14 +668,11 @@ Proof.
   refine (bind_eq _ _ _ _ RV _). cbv beta iota. unfold rest. clear RV rest.
   rewrite (question_read (asked cert) box false _ cert Q eq_refl); [|unfold particles_line; simpl; eauto|reflexivity].
   cbn [bind]. fold (is_tolerant cert). fold the_end.
-  assert (is_tolerant cert || ((if second then 2 else 1) =? 1) = true) as ->.
-  { destruct second; [rewrite Second by reflexivity; reflexivity | apply orb_true_r]. }
-  cbn [demand_form bind].
   pose proof (proof_read cert P) as PR.
-  assert (forall rest, read_particles (is_tolerant cert) (([particles_line (claimed cert)] ++ rest) : lines) = Ok (claimed cert, rest)) as RP.
-  { intro rest. apply particles_read; [exact Pc|]. destruct (claimed cert) eqn:E; trivial; [|apply None_; reflexivity..].
-    apply Second. subst second. reflexivity. }
-  refine (bind_eq _ _ _ _ (RP _) _). cbv beta iota.
+  refine (bind_eq _ _ _ _ (particles_read (claimed cert) _ Pc) _). cbv beta iota.
+  assert (is_tolerant cert || match found (claimed cert) with Some _ => true | None => false end = true) as ->.
+  { destruct (found (claimed cert)); [apply orb_true_r|]. destruct None_ as (-> & _); reflexivity. }
+  cbn [demand_form bind].
   assert ((if is_tolerant cert then Ok ([], scale_lines (proof_of cert) ++ map (class_line (is_tolerant cert)) (witness cert) ++ proof_lines (proof_of cert) ++ the_end)
            else required "scale" [Rational] (scale_lines (proof_of cert) ++ map (class_line (is_tolerant cert)) (witness cert) ++ proof_lines (proof_of cert) ++ the_end))
           = Ok (match proof_of cert with Exact scale _ _ => [scale] | Tolerant _ => [] end,
@@ -704,5 +695,6 @@ Proof.
     - destruct None_ as (_ & ->); reflexivity. }
   refine (bind_eq _ _ _ _ RW _). cbv beta iota. refine (bind_eq _ _ _ _ PR _). cbv beta iota. unfold the_end. cbn [tl].
   rewrite !is_line_same. cbn [andb demand_form bind].
-  fold second. destruct second; destruct cert; reflexivity.
+  fold second. destruct second; cbn [Z.eqb Pos.eqb negb orb demand_form bind]; rewrite orb_true_r; destruct cert;
+    reflexivity.
 Qed.

@@ -27,8 +27,8 @@ Fixpoint number_from (j : positive) (js : list bounds) (t : table) : table :=
 Definition find (j : Z) (t : table) : option bounds :=
   match j with Zpos p => PositiveMap.find p t | _ => None end.
 
-(* The replay. A count above N ends it: it is a lower bound, so that no continuation can be accepted. *)
-Fixpoint replay (b N : Z) (t : table) (L : ratio) (chain : list Z) : result ratio :=
+(* The replay. A count above the claimed bound B ends it: that count is a greater bound by itself. *)
+Fixpoint replay (b B : Z) (t : table) (L : ratio) (chain : list Z) : result ratio :=
   match chain with
   | [] => Ok L
   | j :: chain =>
@@ -36,7 +36,7 @@ Fixpoint replay (b N : Z) (t : table) (L : ratio) (chain : list Z) : result rati
     | Some c =>
       if m c =? 0 then Refused "chain: every step is a class with mass" else
       let q := above b L c in
-      if q <=? N then replay b N t (q ^ b * f c, m c) chain else Refused "chain: count(j, L) <= N"
+      if q <=? B then replay b B t (q ^ b * f c, m c) chain else Refused "chain: count(j, L) <= N"
     | None => Refused "chain: every step is a class with mass"
     end
   end.
@@ -45,10 +45,11 @@ Fixpoint replay (b N : Z) (t : table) (L : ratio) (chain : list Z) : result rati
 Definition closed (b : Z) (L : ratio) (j : bounds) : bool :=
   let (n, d) := L in (m j =? 0) || (above b L j ^ b * f j * d <=? m j * n).
 
-Definition check_chain (b N : Z) (js : list bounds) (chain : list Z) : result unit :=
-  let* L := replay b N (number_from 1 js (PositiveMap.empty bounds)) (0, 1) chain in
-  demand (forallb (closed b L) js) "chain: count(j, L)^b A <= L" ;;
-  demand (sum (map (least b L) js) =? N) "chain: sum of count(j, L) = N".
+(* That a chain proves the bound B: a whole chain, which ends with a match, or any prefix of one. *)
+Definition check_chain (b B : Z) (whole : bool) (js : list bounds) (chain : list Z) : result unit :=
+  let* L := replay b B (number_from 1 js (PositiveMap.empty bounds)) (0, 1) chain in
+  demand (negb whole || forallb (closed b L) js) "chain: count(j, L)^b A <= L" ;;
+  demand (sum (map (least b L) js) =? B) "chain: sum of count(j, L) = N".
 
 (* q particles of class j, R at least, at the scale S = n/d. *)
 Definition fits (b R : Z) (S : ratio) (j : bounds) (q : Z) : bool :=

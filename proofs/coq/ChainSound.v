@@ -1,4 +1,4 @@
-(* Theorem 5: an accepted chain proves the least match. Integers only, no axioms. *)
+(* Theorem 5: an accepted chain proves a lower bound, and a whole one the least match. Integers only, no axioms. *)
 
 From Coq Require Import ZArith List Bool Lia FMapPositive.
 From Mdm Require Import Numbers NumbersFacts Chain.
@@ -107,24 +107,24 @@ Qed.
 Lemma Forall2_In {A B} (P : A -> B -> Prop) xs ys x : Forall2 P xs ys -> In x xs -> exists y, P x y.
 Proof. induction 1; intros []; subst; eauto. Qed.
 
-Lemma replay_bound t js N chain : forall L L',
+Lemma replay_bound t js B chain : forall L L',
   Forall sound js -> (forall j c, find j t = Some c -> In c js) -> bound L ->
-  replay b N t L chain = Ok L' -> bound L'.
+  replay b B t L chain = Ok L' -> bound L'.
 Proof.
-  induction chain as [|j chain IH]; intros L L' W T B H; simpl in H; [injection H as <-; exact B|].
+  induction chain as [|j chain IH]; intros L L' W T Bd H; simpl in H; [injection H as <-; exact Bd|].
   destruct (find j t) as [c|] eqn:E; [|discriminate]. destruct (Z.eqb_spec (m c) 0); [discriminate|].
-  destruct (above b L c <=? N); [|discriminate].
+  destruct (above b L c <=? B); [|discriminate].
   assert (sound c) as Wc by (rewrite Forall_forall in W; apply W; eauto).
   apply IH in H; trivial. apply level_bound; [exact Wc|]. destruct Wc. lia.
 Qed.
 
-Lemma replay_under t js N scale qs chain : forall L L',
+Lemma replay_under t js B scale qs chain : forall L L',
   Forall sound js -> (forall j c, find j t = Some c -> In c js) -> bound L -> solution b js qs scale ->
-  under L scale -> replay b N t L chain = Ok L' -> under L' scale.
+  under L scale -> replay b B t L chain = Ok L' -> under L' scale.
 Proof.
-  induction chain as [|j chain IH]; intros L L' W T B S U H; simpl in H; [injection H as <-; exact U|].
+  induction chain as [|j chain IH]; intros L L' W T Bd S U H; simpl in H; [injection H as <-; exact U|].
   destruct (find j t) as [c|] eqn:E; [|discriminate]. destruct (Z.eqb_spec (m c) 0); [discriminate|].
-  destruct (above b L c <=? N); [|discriminate].
+  destruct (above b L c <=? B); [|discriminate].
   assert (sound c) as Wc by (rewrite Forall_forall in W; apply W; eauto).
   assert (0 < m c) as M by (destruct Wc; lia).
   apply IH in H; trivial; [apply level_bound; assumption|].
@@ -186,23 +186,38 @@ Proof.
   apply IH. intros; apply H; right; assumption.
 Qed.
 
-(* The counts of an accepted chain are a match, and the least in every class. *)
-Theorem chain_least N js chain :
-  Forall sound js -> check_chain b N js chain = Ok tt ->
-  exists qs, sum qs = N /\ feasible b js qs /\ forall qs', feasible b js qs' -> Forall2 Z.le qs qs'.
+(* No match has fewer than the counts of an accepted chain in any class; those of a whole chain are a match. *)
+Theorem chain_counts B whole js chain :
+  Forall sound js -> check_chain b B whole js chain = Ok tt ->
+  exists qs, sum qs = B /\ (whole = true -> feasible b js qs) /\ forall qs', feasible b js qs' -> Forall2 Z.le qs qs'.
 Proof.
   intros W H. unfold check_chain in H. passed H. passed H. passed H. apply Z.eqb_eq in H. rename x into L.
   assert (bound (0, 1)) as B0 by (split; simpl; lia).
-  assert (bound L) as B by (eapply replay_bound; [exact W | apply find_numbered | exact B0 | exact H0]).
-  exists (map (least b L) js). split; [exact H|]. split; [apply closed_feasible; assumption|].
+  assert (bound L) as Bd by (eapply replay_bound; [exact W | apply find_numbered | exact B0 | exact H0]).
+  exists (map (least b L) js). split; [exact H|]. split; [intros ->; apply closed_feasible; assumption|].
   intros qs (s & S). eapply solution_counts; trivial; [exact S|].
   eapply replay_under; [exact W | apply find_numbered | exact B0 | exact S | | exact H0].
   destruct S as (P & _). unfold under. simpl. lia.
 Qed.
 
-(* Theorem 5 (b): an accepted chain's N is the least number of particles. *)
+(* Theorem 5 (a): no match has fewer particles than the bound of an accepted chain, also of one that is cut off. *)
+Theorem chain_bound B whole js chain :
+  Forall sound js -> check_chain b B whole js chain = Ok tt -> forall qs, feasible b js qs -> B <= sum qs.
+Proof.
+  intros W H qs Q. destruct (chain_counts B whole js chain W H) as (ms & <- & _ & A). apply sum_le. auto.
+Qed.
+
+(* The counts of an accepted whole chain are a match, and the least in every class. *)
+Theorem chain_least N js chain :
+  Forall sound js -> check_chain b N true js chain = Ok tt ->
+  exists qs, sum qs = N /\ feasible b js qs /\ forall qs', feasible b js qs' -> Forall2 Z.le qs qs'.
+Proof.
+  intros W H. destruct (chain_counts N true js chain W H) as (qs & E & Q & A). exists qs. auto.
+Qed.
+
+(* Theorem 5 (b): an accepted whole chain's N is the least number of particles. *)
 Theorem chain_sound N js chain :
-  Forall sound js -> check_chain b N js chain = Ok tt -> least_total b js N.
+  Forall sound js -> check_chain b N true js chain = Ok tt -> least_total b js N.
 Proof.
   intros W H. destruct (chain_least N js chain W H) as (qs & E & Q & A).
   split; [exists qs; auto|]. intros qs' Q'. subst N. apply sum_le. auto.
@@ -216,7 +231,7 @@ Qed.
 
 (* Theorem 2 (b): the match with the least number is unique. *)
 Theorem chain_unique N js chain :
-  Forall sound js -> check_chain b N js chain = Ok tt ->
+  Forall sound js -> check_chain b N true js chain = Ok tt ->
   exists qs, feasible b js qs /\ sum qs = N /\ forall qs', feasible b js qs' -> sum qs' = N -> qs' = qs.
 Proof.
   intros W H. destruct (chain_least N js chain W H) as (qs & E & Q & A).

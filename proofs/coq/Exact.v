@@ -129,20 +129,20 @@ Definition check_exact (cert : certificate) (G : gradation) (scale : Q) (z : opt
   demand_form ((size (rows G) - 1) * longest_scale [S; enough ss; z'; excluded ss] <=? work_of_scales) too_long ;;
   let bs := map (fun j => with_floor b (min_per_class q) ss z' (in_integers u a b j)) js in
   check_pi (solids_of q) ;;
-  match claimed cert, counts 1 bs (witness cert) with
-  | Smallest N, Some qs =>
+  match found (claimed cert), bound_of (claimed cert), counts 1 bs (witness cert) with
+  | Some N, Some B, Some qs =>
     demand (fst (enough ss) * snd S <=? fst S * snd (enough ss)) "scale: the volume of the solids" ;;
     demand (all_fit b (min_per_class q) S bs qs) "q >= R, q^b A < S <= q^b B" ;;
     demand (sum qs =? N) "sum of q = N" ;;
     demand (at_least q <=? N) "N >= M" ;;
     check_sizes u a b d S (with_mass js) (witness cert) ;;
     match chain with
-    | Some chain => check_chain b N bs chain
-    | None => demand (claims_least q (Smallest N)) "N = M without a chain"
+    | Some chain => check_chain b B (B =? N) bs chain
+    | None => demand (claims_least q (claimed cert)) "N = M without a chain"
     end ;;
     match z with
     | Some _ => check_above b (at_least q) z' bs
     | None => Ok tt
     end
-  | _, _ => Refused "witness: one line a class with mass"
+  | _, _, _ => Refused "witness: one line a class with mass"
   end.

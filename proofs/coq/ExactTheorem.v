@@ -1,5 +1,5 @@
-(* An accepted certificate of an exact match: no sample with fewer than N particles is described accurately, and one
-   with N is (Theorems 1, 2, 5, 6, 7). *)
+(* An accepted certificate of an exact match: no sample with fewer particles than its bound is described accurately,
+   and one with N is (Theorems 1, 2, 5, 6, 7). *)
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
 From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain ChainSound Exact Spec Openings
@@ -185,7 +185,7 @@ Proof.
   split; [split; [lia | exact D] | intros _; exact P].
 Qed.
 
-Record accepted (N : Z) (qs : list Z) (ss : scales) : Prop := {
+Record accepted (N B : Z) (qs : list Z) (ss : scales) : Prop := {
   acc_scales : scales_of u bd js (solids_of q) = Ok ss;
   acc_volume : (fst (enough ss) * snd (in_scale_units u (a q) bd scale) <=
                 fst (in_scale_units u (a q) bd scale) * snd (enough ss))%Z;
@@ -198,31 +198,34 @@ Record accepted (N : Z) (qs : list Z) (ss : scales) : Prop := {
   acc_at_least : (at_least q <= N)%Z;
   acc_chain : match chain with
               | Some chain =>
-                check_chain bd N (map (fun j => with_floor bd (min_per_class q) ss z_scale
+                check_chain bd B (B =? N)%Z (map (fun j => with_floor bd (min_per_class q) ss z_scale
                                                      (in_integers u (a q) bd j)) js) chain = Ok tt
-              | None => N = at_least q
+              | None => B = at_least q
               end;
   acc_above : z <> None ->
               check_above bd (at_least q) z_scale
                 (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js) = Ok tt }.
 
-Lemma check_accepted : exists N qs ss, claimed cert = Smallest N /\ accepted N qs ss.
+Lemma check_accepted :
+  exists N B qs ss, found (claimed cert) = Some N /\ bound_of (claimed cert) = Some B /\ accepted N B qs ss.
 Proof.
   pose proof checked as H. unfold check_exact in H. fold z_scale in H.
   passed H. rename x into ss. passed H. passed H. destruct x.
-  destruct (claimed cert) as [N| | |]; try discriminate.
+  destruct (found (claimed cert)) as [N|] eqn:EN; [|discriminate].
+  destruct (bound_of (claimed cert)) as [B|] eqn:EB; [|discriminate].
   destruct (counts 1 _ (witness cert)) as [qs|] eqn:C; [|discriminate].
   do 6 passed H.
-  exists N, qs, ss. split; [reflexivity|]. constructor; trivial.
+  exists N, B, qs, ss. split; [reflexivity|]. split; [reflexivity|]. constructor; trivial.
   - apply Z.leb_le. assumption.
   - destruct x. assumption.
   - apply Z.eqb_eq. assumption.
   - apply Z.leb_le. assumption.
-  - destruct x0, chain; [assumption|]. passed H8. unfold claims_least in H8. apply Z.eqb_eq in H8. exact H8.
+  - destruct x0, chain; [assumption|]. passed H8. unfold claims_least in H8. rewrite EB in H8.
+    apply Z.eqb_eq in H8. exact H8.
   - intro Nz. destruct z; [exact H | congruence].
 Qed.
 
-Lemma scales_at_nb N qs ss : accepted N qs ss -> scales_of u (Z.of_nat nb) js (solids_of q) = Ok ss.
+Lemma scales_at_nb N B qs ss : accepted N B qs ss -> scales_of u (Z.of_nat nb) js (solids_of q) = Ok ss.
 Proof. intro Acc. rewrite nb_z. apply Acc. Qed.
 
 (* What the question allows, with the root by its name. *)
@@ -231,8 +234,8 @@ Lemma allowed_exactly S :
 Proof. unfold allowed, root_of. rewrite exact, root_proper. tauto. Qed.
 
 (* A match in the paper's words gives a solution in integers with the floors. *)
-Lemma sample_solution N qs ss S :
-  accepted N qs ss -> allowed law q G S ->
+Lemma sample_solution N B qs ss S :
+  accepted N B qs ss -> allowed law q G S ->
   (at_least q <= Z.of_nat (length S))%Z /\
   exists sc, solution bd (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js)
                (map (fun j => number d j S) js) sc.
@@ -259,7 +262,7 @@ Proof.
   { apply Rmult_lt_0_compat; [apply pow_lt, Sp | apply per_scale_positive; assumption]. }
   destruct (rational_scale _ _ _ _ Sc HR) as (sc & (N1 & D1 & Hq) & U).
   destruct (scales_ok u Ux Um Uc na nb js (solids_of q) ss nb_positive I P some_mass Qs ltac:(destruct Ql as [|(A3 & _)]; [tauto | right; lia])
-              (scales_at_nb _ _ _ Acc)) as (Bs & Be & _ & Sol).
+              (scales_at_nb _ _ _ _ Acc)) as (Bs & Be & _ & Sol).
   assert (has_cubes (solids_of q) (s * unit_cubes js)) as HC.
   { destruct (solids_of q) eqn:Es; [exact Logic.I|..].
     all: destruct Ql as [Ql|(A3 & B3)]; [discriminate|].
@@ -284,7 +287,7 @@ Proof.
   { destruct z as [y|] eqn:Ez.
     2: { unfold z_scale. rewrite Ez. apply under_zero, N1. }
     rewrite <- Ez in *. assert (z <> None) as Nz by congruence.
-    pose proof (acc_above _ _ _ Acc Nz) as Ab. rewrite <- map_map, check_above_floor in Ab.
+    pose proof (acc_above _ _ _ _ Acc Nz) as Ab. rewrite <- map_map, check_above_floor in Ab.
     refine (above_sound bd Qb (at_least q) z_scale _ (map (fun j => number d j S) js) sc _ (Zp Nz) (proj2 Bz) Ab _ _).
     - apply Forall_forall. intros j J. rewrite map_map in J. apply in_map_iff in J as (i & <- & J). apply base_sound; [exact J | lia].
     - split; [exact N1|]. split; [exact D1|]. rewrite map_map. apply Forall2_unmap_left in Hq. apply Forall2_map_left.
@@ -298,14 +301,14 @@ Proof.
 Qed.
 
 (* None with fewer. *)
-Theorem exact_lower_bound N S : claimed cert = Smallest N -> allowed law q G S -> (N <= Z.of_nat (length S))%Z.
+Theorem exact_lower_bound B S : bound_of (claimed cert) = Some B -> allowed law q G S -> (B <= Z.of_nat (length S))%Z.
 Proof.
-  intros E A. destruct check_accepted as (N' & qs & ss & E' & Acc). rewrite E in E'. injection E' as <-.
-  destruct (sample_solution N qs ss S Acc A) as (M & sc & Sol).
-  pose proof (acc_chain _ _ _ Acc) as C. destruct chain as [js'|]; [|lia].
+  intros E A. destruct check_accepted as (N & B' & qs & ss & _ & E' & Acc). rewrite E in E'. injection E' as <-.
+  destruct (sample_solution N B qs ss S Acc A) as (M & sc & Sol).
+  pose proof (acc_chain _ _ _ _ Acc) as C. destruct chain as [js'|]; [|lia].
   assert (Z.of_nat (length S) = sum (map (fun j => number d j S) js)) as ->.
   { apply allowed_exactly in A as ((s & _ & D & _) & _). apply describes_number; assumption. }
-  refine (proj2 (chain_sound bd _ N _ js' _ C) _ (ex_intro _ sc Sol)).
+  refine (chain_bound bd _ B _ _ js' _ C _ (ex_intro _ sc Sol)).
   - exact bd_positive.
   - apply Forall_forall. intros j J. apply in_map_iff in J as (i & <- & J). apply with_floor_sound, base_sound, J.
 Qed.
@@ -313,15 +316,19 @@ Qed.
 Lemma number_of_allowed S : allowed law q G S -> Z.of_nat (length S) = sum (map (fun j => number d j S) js).
 Proof. intro A. apply allowed_exactly in A as ((s & _ & D & _) & _). apply describes_number; assumption. Qed.
 
-(* One with N has the least count in every class (Theorem 5 (b)), unless N is no more than what was asked for. *)
+(* One with as many particles as the bound has the least count in every class (Theorem 5 (a)), unless the bound is
+   what was asked for. *)
 Theorem exact_least_counts N S T :
-  claimed cert = Smallest N -> (at_least q < N)%Z -> allowed law q G S -> Z.of_nat (length S) = N -> allowed law q G T ->
+  bound_of (claimed cert) = Some N -> (at_least q < N)%Z ->
+  allowed law q G S -> Z.of_nat (length S) = N -> allowed law q G T ->
   Forall2 Z.le (map (fun j => number d j S) js) (map (fun j => number d j T) js).
 Proof.
-  intros E L A LS B. destruct check_accepted as (N' & qs & ss & E' & Acc). rewrite E in E'. injection E' as <-.
-  destruct (sample_solution N qs ss S Acc A) as (_ & scS & SolS). destruct (sample_solution N qs ss T Acc B) as (_ & scT & SolT).
-  pose proof (acc_chain _ _ _ Acc) as C. rewrite (number_of_allowed S A) in LS. destruct chain as [js'|]; [|lia].
-  destruct (chain_least bd bd_positive N
+  intros E L A LS B. destruct check_accepted as (N' & B' & qs & ss & _ & E' & Acc).
+  rewrite E in E'. injection E' as <-.
+  destruct (sample_solution N' N qs ss S Acc A) as (_ & scS & SolS).
+  destruct (sample_solution N' N qs ss T Acc B) as (_ & scT & SolT).
+  pose proof (acc_chain _ _ _ _ Acc) as C. rewrite (number_of_allowed S A) in LS. destruct chain as [js'|]; [|lia].
+  destruct (chain_counts bd bd_positive N (N =? N')%Z
     (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js) js') as (ms & Sum & _ & Least);
     [|exact C|].
   { apply Forall_forall. intros j J. apply in_map_iff in J as (i & <- & J). apply with_floor_sound, base_sound, J. }
@@ -423,18 +430,18 @@ Qed.
 
 (* One with N, with one size a class, in the witness's bounds. *)
 Theorem exact_attained N :
-  claimed cert = Smallest N ->
+  found (claimed cert) = Some N ->
   exists S, allowed law q G S /\ Z.of_nat (length S) = N /\ one_size_a_class d js S /\
     Forall (line_true d js S) (witness cert).
 Proof.
-  intro E. destruct check_accepted as (N' & qs & ss & E' & Acc). rewrite E in E'. injection E' as <-.
+  intro E. destruct check_accepted as (N' & bound & qs & ss & E' & _ & Acc). rewrite E in E'. injection E' as <-.
   destruct units_positive as (Ux & Um & Uc). pose proof classes_integral as I. pose proof classes_proper as P.
   destruct question_proper as (Qa & _ & QR & Qs & Ql). pose proof bd_positive as Qb.
   set (sc := in_scale_units u (a q) bd scale).
   destruct (scale_units_real scale) as (Rs & Ds). fold sc in Rs, Ds.
   pose proof (per_scale_positive na nb u Ux Um Uc) as K.
   destruct (real_root (Q2R scale) nb scale_positive nb_positive) as (s & Sp & Es).
-  pose proof (all_fit_spec _ _ _ _ _ (acc_fit _ _ _ Acc)) as Ft. apply Forall2_unmap_left in Ft. fold sc in Ft.
+  pose proof (all_fit_spec _ _ _ _ _ (acc_fit _ _ _ _ Acc)) as Ft. apply Forall2_unmap_left in Ft. fold sc in Ft.
   assert (Forall2 (fun j n => realizes d law j n (s * Q2R (mass j)) /\ (0 < Q2R (mass j) -> (min_per_class q <= n)%Z)) js qs) as Rz.
   { eapply Forall2_impl_in; [|exact Ft]. intros j n J Hj. cbv beta in Hj.
     rewrite Forall_forall in I, P.
@@ -458,10 +465,11 @@ Proof.
   assert (forall j, In j js -> held d law j S = s * Q2R (mass j)) as H.
   { intros j J. clear -C' J. induction C' as [|i n l qs (_ & E) _ IH]; [destruct J|]; destruct J as [->|J]; auto. }
   assert (Z.of_nat (length S) = N) as L.
-  { rewrite (describes_number rs S rows_proper D), <- (acc_sum _ _ _ Acc). f_equal.
+  { rewrite (describes_number rs S rows_proper D), <- (acc_sum _ _ _ _ Acc). f_equal.
     clear -C'. induction C' as [|j n l qs (E & _) _ IH]; simpl; [reflexivity | rewrite E, IH; reflexivity]. }
   assert (Forall (line_true d js S) (witness cert)) as Lines.
-  { refine (sizes_true S s Sp Es D O H js [] (witness cert) qs ss eq_refl (acc_counts _ _ _ Acc) _ (acc_sizes _ _ _ Acc)).
+  { refine (sizes_true S s Sp Es D O H js [] (witness cert) qs ss eq_refl (acc_counts _ _ _ _ Acc) _
+      (acc_sizes _ _ _ _ Acc)).
     clear -C'. induction C' as [|j n l qs (E & _) _ IH]; constructor; assumption. }
   exists S. split; [|split; [exact L | split; [exact O | exact Lines]]]. apply allowed_exactly.
   split; [exists s; split; [exact Sp | split; assumption]|].
@@ -470,9 +478,9 @@ Proof.
     clear -C' Rz J Mp. induction C' as [|i n l qs (E & _) _ IH]; [destruct J|]. inversion Rz as [|? ? ? ? (_ & Rn) Rz']; subst.
     destruct J as [<-|J]; [apply Rn, Mp | apply IH; assumption].
   - destruct (scales_ok u Ux Um Uc na nb js (solids_of q) ss nb_positive I P some_mass Qs ltac:(destruct Ql as [|(A3 & _)]; [tauto | right; lia])
-                (scales_at_nb _ _ _ Acc)) as (_ & _ & Be & Sol).
+                (scales_at_nb _ _ _ _ Acc)) as (_ & _ & Be & Sol).
     assert (has_cubes (solids_of q) (s * unit_cubes js)) as HC.
-    { apply (proj2 (Sol s Sp)). rewrite Es, <- Rs. pose proof (acc_volume _ _ _ Acc) as V. fold sc in V.
+    { apply (proj2 (Sol s Sp)). rewrite Es, <- Rs. pose proof (acc_volume _ _ _ _ Acc) as V. fold sc in V.
       apply IZR_le in V. rewrite !mult_IZR in V. destruct Be as (_ & Ed). apply IZR_lt in Ed, Ds.
       apply (Rmult_le_reg_r (IZR (snd (enough ss)) * IZR (snd sc))); [apply Rmult_lt_0_compat; assumption|].
       replace (IZR (fst (enough ss)) / IZR (snd (enough ss)) * (IZR (snd (enough ss)) * IZR (snd sc)))
@@ -483,7 +491,7 @@ Proof.
     all: destruct Ql as [Ql|(A3 & B3)]; [discriminate|].
     all: assert (power_law 3 1 law) as P31 by (rewrite A3, B3 in power; exact power).
     all: simpl; rewrite (volume_of_match law rs S s P31 rows_proper (conj D H)); exact HC.
-  - rewrite L. apply (acc_at_least _ _ _ Acc).
+  - rewrite L. apply (acc_at_least _ _ _ _ Acc).
 Qed.
 
 End Claim.

@@ -57,6 +57,21 @@ Proof.
     + apply Nat2Z.is_nonneg.
 Qed.
 
+(* A chain that is cut off proves a bound: without any step, two particles, one a class. *)
+Definition four_at_most (least : string) : lines := text_of
+  ["mdm-certificate 2"; "law 3"; "particles " ++ least ++ "..4"; "scale 10";
+   "class 1 3 1.882072057762 1.882072057763"; "class 2 1 2.154434690031 2.154434690032"; "chain"; "end"].
+
+Example two_are_needed :
+  match check (Gradation sand 1 false) (four_at_most "2") with Ok cert => claimed cert = Between 2 4 | _ => False end.
+Proof. vm_compute. reflexivity. Qed.
+
+Example three_are_not_shown :
+  match check (Gradation sand 1 false) (four_at_most "3") with
+  | Refused what => what = "chain: sum of count(j, L) = N" | _ => False
+  end.
+Proof. vm_compute. reflexivity. Qed.
+
 (* ---- Half-phi ------------------------------------------------------------------------------------ *)
 
 (* phi 0, -0.5, -1, -1.5, -2: openings 1, sqrt 2, 2, sqrt 8 and 4 by their squares. *)

@@ -77,7 +77,7 @@ Qed.
 Theorem exact_match G cert f :
   check_certificate G cert = Ok tt -> tolerances_of (asked cert) = None ->
   power_law (Z.to_nat (a (asked cert))) (Z.to_nat (b (asked cert))) f ->
-  exists G', asked_gradation G cert = Ok G' /\ (exists N, claimed cert = Smallest N) /\ claim_true f cert G'.
+  exists G', asked_gradation G cert = Ok G' /\ (exists N, found (claimed cert) = Some N) /\ claim_true f cert G'.
 Proof.
   intros H T P. apply check_certificate_ok in H as (G' & E & W & S & H). rewrite T in H.
   destruct (proof_of cert) as [scale z chain|nodes] eqn:Ep; [|destruct H].
@@ -89,18 +89,27 @@ Proof.
   { unfold sensible in S. cbv zeta in S. rewrite Ep, T, !andb_true_iff in S. destruct S as (_ & Sc & Zz).
     apply less_real in Sc. rewrite Q2R_0 in Sc. split; [exact Sc|]. intros y ->. apply less_real in Zz.
     rewrite Q2R_0 in Zz. exact Zz. }
-  assert (exists N, claimed cert = Smallest N) as (N & EN).
-  { destruct (check_accepted cert G' scale z chain Zp H) as (N & _ & _ & EN & _). eauto. }
-  destruct (exact_attained cert G' (root_of G') scale z chain Rd T Wp M Q Sp Zp H f P N EN) as (s & A & L & O & Lines).
-  assert (describes (root_of G') (rows G') s) as D.
-  { apply (allowed_exactly cert G' (root_of G') Rd T) in A as ((sc & _ & D & _) & _). exact D. }
-  exists G'. split; [exact E|]. split; [eauto|]. unfold claim_true. rewrite EN. split; [split; [eauto|]|split].
-  - intros t A'. exact (exact_lower_bound cert G' (root_of G') scale z chain Rd T Wp M Q Zp H f P N t EN A').
-  - exists s. split; [exact A|]. split; [exact L|]. split; [exact (one_size_articulate _ _ Wp D O) | exact Lines].
-  - intros _ Lt s' A' L' t B.
-    pose proof (fun S' T' => exact_least_counts cert G' (root_of G') scale z chain Rd T Wp M Q Zp H f P N S' T' EN Lt) as K.
-    split; [exact (counts_le _ _ _ (K s' t A' L' B))|]. intros Lt' j J.
-    apply Z.le_antisymm; [apply (counts_le _ _ _ (K t s' B ltac:(congruence) A') j J) | apply (counts_le _ _ _ (K s' t A' L' B) j J)].
+  destruct (check_accepted cert G' scale z chain Zp H) as (N & B & _ & _ & EN & EB & _).
+  assert (exists s, is_witness f cert G' N s) as Attained.
+  { destruct (exact_attained cert G' (root_of G') scale z chain Rd T Wp M Q Sp Zp H f P N EN)
+      as (s & A & L & O & Lines).
+    assert (describes (root_of G') (rows G') s) as D.
+    { apply (allowed_exactly cert G' (root_of G') Rd T) in A as ((sc & _ & D & _) & _). exact D. }
+    exists s. split; [exact A|]. split; [exact L|]. split; [exact (one_size_articulate _ _ Wp D O) | exact Lines]. }
+  pose proof (fun s => exact_lower_bound cert G' (root_of G') scale z chain Rd T Wp M Q Zp H f P B s EB) as Lower.
+  exists G'. split; [exact E|]. split; [eauto|]. unfold claim_true.
+  destruct (claimed cert) as [n|least n|least|] eqn:EC; try discriminate EN.
+  2: { injection EN as ->. injection EB as ->. split; assumption. }
+  injection EN as ->. injection EB as <-. split; [split; [|exact Lower]|split; [exact Attained|]].
+  - destruct Attained as (s & A & L & _). eauto.
+  - intros _ Lt s' A' L' t At.
+    assert (bound_of (claimed cert) = Some N) as EB by (rewrite EC; reflexivity).
+    pose proof (fun S' T' =>
+      exact_least_counts cert G' (root_of G') scale z chain Rd T Wp M Q Zp H f P N S' T' EB Lt) as K.
+    split; [exact (counts_le _ _ _ (K s' t A' L' At))|]. intros Lt' j J.
+    apply Z.le_antisymm.
+    + apply (counts_le _ _ _ (K t s' At ltac:(congruence) A') j J).
+    + apply (counts_le _ _ _ (K s' t A' L' At) j J).
 Qed.
 
 Lemma check_tolerant_ok cert G tol nodes :
