@@ -87,6 +87,7 @@ class Case:
         if steps is not None:
             self.cut_chain(steps)
         self.choose(scale, extra)
+        assert steps is None or self.bound < self.N
         self.sizes = {j: enclose(self.S * self.m[j]**b / (self.q[j] * self.c[j])**b, a * d, self.x[j], self.x[j + 1],
                                  places, d) for j in self.used}
 
@@ -220,7 +221,7 @@ plain("bounds_of_a_whole_chain", TRIPLE_X, TRIPLE_M, steps=1, extra=1)
 plain("bounds_power_3_2", NARROW_X, NARROW_M, law=(3, 2), steps=7)
 plain("bounds_cylinder", NARROW_X, NARROW_M, cylinder="0.5 0.4 0.5", steps=9)
 plain("bounds_solids_volume", NARROW_X, NARROW_M, volume="0.5", steps=11, places=18)
-plain("bounds_min_per_class", NARROW_X, NARROW_M, least=12, steps=2)
+plain("bounds_min_per_class", NARROW_X, NARROW_M, least=4, steps=2)
 plain("bounds_at_least_above_a_scale", NARROW_X, ["5", "1", "0", "0"], at_least=27, steps=0)
 plain("bounds_at_least_without_a_chain", NARROW_X, NARROW_M, at_least=60, steps=0)
 LARGE = 10**40
@@ -276,7 +277,7 @@ phi("cut_at_3_of_15_digits", ["9.5", "8", "7"], ["1", "2", "0"], cut="0.00138106
 phi("cut_leaves_whole_phi", ["1.5", "1", "0", "-1"], ["4", "1", "2", "0"], cut="0.5")
 phi("min_per_class", PHIS, PHI_M, least=4)
 phi("cylinder", PHIS, PHI_M, cylinder="6 7 0.6")
-phi("bounds", ["0.5", "0.375", "0.25"], ["5", "1", "0"], steps=2)
+phi("bounds", ["0.5", "0.375", "0.25"], ["5", "1", "0"], steps=0)
 phi("box", PHIS, PHI_M, box="8 7 6.5 0.6", places=18)
 phi("solids_volume", PHIS, PHI_M, volume="300", places=18)
 phi("at_least", ["0.5", "0.375", "0.25"], ["5", "1", "0"], at_least=50)
@@ -546,7 +547,7 @@ case = Case(NARROW_X, GAP_M, at_least=27, steps=0)
 claim("bound_above_one_breakpoint_too_high", GAP, case,
       z=next(case.breakpoint(M) for M in range(27, 99) if case.breakpoint(M) > case.z))
 case = Case(NARROW_X, NARROW_M, cylinder="0.5 0.4 0.5", steps=9)
-rejected["bound_of_a_larger_cylinder"] = (NARROW, case.proof().replace("cylinder 0.5", "cylinder 0.6"))
+rejected["bound_of_a_larger_cylinder"] = (NARROW, case.proof().replace("cylinder 0.5", "cylinder 50"))
 
 # Questions that do not fit.
 edit("pan_size_without_a_pan", "sphere_two_classes", ("law", "law 3\npan-size 0.5"))

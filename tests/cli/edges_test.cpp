@@ -63,12 +63,14 @@ TEST_CASE("edge 6: a sweep ends at a stated size, with its bounds", "[cli]") {
 
 TEST_CASE("edge 7: a chain that is kept stays bounded", "[cli]") {
   const TemporaryFolder folder;
-  const Outcome outcome =
-      mdm({"solve", "-", "--proof", folder / "p", "--max-steps", "1000000000000"}, endless());
+  // With sanitizers the sweeps to the stated size take minutes.
+  const std::string steps = MDM_KEEPS_FREED_MEMORY != 0 ? "1000000" : "1000000000000";
+  const Outcome outcome = mdm({"solve", "-", "--proof", folder / "p", "--max-steps", steps}, endless());
   CHECK(outcome.exit_code == 3);
-  CHECK(outcome.max_rss_kib < 800 * megabyte);
-  CHECK(contains(outcome.out, "no proof was written"));
-  CHECK(folder.entries() == 0);
+  CHECK((MDM_KEEPS_FREED_MEMORY != 0 || outcome.max_rss_kib < 800 * megabyte));
+  CHECK(contains(outcome.out, "the proof is of the bounds: at least "));
+  CHECK(folder.entries() == 1);
+  CHECK(std::filesystem::file_size(folder / "p") < (std::uintmax_t{250} << 20));
 }
 
 TEST_CASE("edge 8: the lines beside an endless one are written in batch, crosscheck and tradeoff", "[cli]") {
