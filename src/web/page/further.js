@@ -8,7 +8,7 @@ import { showSample } from "./sample_view.js";
 import { text } from "./texts.js";
 import { showTradeoff } from "./tradeoff_view.js";
 import { judge, showVerdict } from "./verdict.js";
-import { checkers, helper, reader } from "./workers.js";
+import { checkers, helper, reader, rowsOf } from "./workers.js";
 
 let state;
 const shown = { tradeoff: null, sample: null, verdict: null };
@@ -48,7 +48,7 @@ function computeTradeoff() {
     argv: ["tradeoff", checked.name, "--kind", kind, ...conditionFlags(state.options)],
     files: { [checked.name]: checked.blob },
     operation: "tradeoff",
-    show: (tradeoff) => showTradeoff((shown.tradeoff = tradeoff)),
+    show: (tradeoff) => showTradeoff((shown.tradeoff = tradeoff), rowsOf("sieves")),
   });
 }
 
@@ -72,7 +72,7 @@ function judgeSample(file) {
     ],
     files: { [checked.name]: checked.blob, [name]: file },
     operation: "verification",
-    show: (found) => showSample((shown.sample = found)),
+    show: (found) => showSample((shown.sample = found), rowsOf("sample")),
   });
 }
 
@@ -111,8 +111,8 @@ async function checkChosen() {
 /** Writes the texts of these parts again, in the language of the page. */
 export function writeFurtherTexts() {
   writeNames();
-  if (shown.tradeoff) showTradeoff(shown.tradeoff);
-  if (shown.sample) showSample(shown.sample);
+  if (shown.tradeoff) showTradeoff(shown.tradeoff, rowsOf("sieves"));
+  if (shown.sample) showSample(shown.sample, rowsOf("sample"));
   if (shown.verdict) showVerdict(byId("proof-result"), shown.verdict);
 }
 

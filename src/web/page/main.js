@@ -13,7 +13,7 @@ import { Stopped } from "./programs.js";
 import { READING, READING_FLAGS, inWords, readingFlags } from "./question.js";
 import { choose, currentLanguage, text, writeTexts } from "./texts.js";
 import { judge, showVerdict } from "./verdict.js";
-import { checkers, helper, reader, solver } from "./workers.js";
+import { checkers, helper, reader, rowsOf, solver } from "./workers.js";
 
 const LONGEST_MESSAGE = 4_000;
 const SOON = 250;
@@ -23,7 +23,7 @@ const PATIENCE = 400;
 const state = { solution: null, options: null, verdict: null, description: null, problem: null };
 
 const words = (options) => inWords(options, text);
-const fetchRows = (from, count) => reader.ask({ operation: "rows", from, count });
+const fetchRows = rowsOf("classes");
 
 function showQuestion(options) {
   byId("asked").textContent = words(options).asked;

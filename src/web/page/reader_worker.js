@@ -8,6 +8,8 @@ const CURVE_POINTS = 1200;
 const SIEVES = 2000;
 
 let answer = null;
+let sample = null;
+let tradeoff = null;
 
 const json = async (blob) => JSON.parse(await blob.text());
 
@@ -30,7 +32,7 @@ function foundShares({ achieved, particles }, targets) {
   return achieved ? achieved.map((share) => 100 * toDouble(share)) : targets;
 }
 
-function rows(from, count) {
+function classRows(from, count) {
   const { classes, targets, found } = answer;
   return classes.slice(from, from + count).map((one, i) => ({
     number: from + i + 1,
@@ -42,6 +44,30 @@ function rows(from, count) {
     size: one.size,
   }));
 }
+
+function sampleRows(from, count) {
+  return sample.classes.slice(from, from + count).map((one, i) => ({
+    number: from + i + 1,
+    lower: one.lower,
+    upper: one.upper,
+    quantity: one.quantity,
+    target: 100 * toDouble(one.target),
+    error: one.error_percent,
+  }));
+}
+
+const tradeoffRow = ({ tolerance, smallest, lost, particles, lower_bound }) => ({
+  tolerance, smallest, particles,
+  lost: 100 * toDouble(lost),
+  lowerBound: lower_bound,
+});
+
+/** The rows of the tables that may be long. */
+const tables = {
+  classes: classRows,
+  sample: sampleRows,
+  sieves: (from, count) => tradeoff.by_sieve.slice(from, from + count).map(tradeoffRow),
+};
 
 /** Points [size, percent passing] of the gradation's curve. */
 function targetCurve({ classes, targets }) {
@@ -73,13 +99,13 @@ const operations = {
       isTolerant: tolerance !== null,
       solidsVolume: solids_volume,
       classes: answer.classes.length,
-      rows: rows(0, ROWS),
+      rows: classRows(0, ROWS),
       curve: thinned(targetCurve(answer), CURVE_POINTS),
       steps: thinned(setSteps(answer), CURVE_POINTS),
     };
   },
 
-  rows: ({ from, count }) => rows(from, count),
+  rows: ({ table, from, count }) => tables[table](from, count),
 
   /** The answer as `mdm solve --format csv` writes it. */
   csv() {
@@ -103,33 +129,29 @@ const operations = {
   },
 
   async tradeoff({ blob }) {
-    const { kind, question, unit, by_tolerance, by_sieve } = await json(blob);
-    const row = ({ tolerance, smallest, lost, particles, lower_bound }) => ({
-      tolerance, smallest, particles,
-      lost: 100 * toDouble(lost),
-      lowerBound: lower_bound,
-    });
-    return { kind, question, unit, byTolerance: by_tolerance.map(row), bySieve: thinned(by_sieve, ROWS).map(row) };
+    tradeoff = await json(blob);
+    const { kind, question, unit, by_tolerance, by_sieve } = tradeoff;
+    return {
+      kind, question, unit,
+      byTolerance: by_tolerance.map(tradeoffRow),
+      sieves: by_sieve.length,
+      bySieve: tables.sieves(0, ROWS),
+      sieveCurve: thinned(by_sieve, CURVE_POINTS).map(tradeoffRow),
+    };
   },
 
   async verification({ blob }) {
-    const report = await json(blob);
+    sample = await json(blob);
     return {
-      verdict: report.verdict,
-      sample: report.sample,
-      particles: report.particles,
-      smallest: report.smallest,
-      outside: report.outside,
-      unit: report.unit,
-      notes: [...report.objections, ...report.notes],
-      rows: report.classes.slice(0, ROWS).map((one, j) => ({
-        number: j + 1,
-        lower: one.lower,
-        upper: one.upper,
-        quantity: one.quantity,
-        target: 100 * toDouble(one.target),
-        error: one.error_percent,
-      })),
+      verdict: sample.verdict,
+      sample: sample.sample,
+      particles: sample.particles,
+      smallest: sample.smallest,
+      outside: sample.outside,
+      unit: sample.unit,
+      notes: [...sample.objections, ...sample.notes],
+      classes: sample.classes.length,
+      rows: sampleRows(0, ROWS),
     };
   },
 

@@ -7,8 +7,8 @@ import { text } from "./texts.js";
 
 const VERDICTS = { match: "sample.match", "no match": "sample.no-match", undecided: "sample.undecided" };
 
-/** Shows what mdm verify found, as the reader gives it. */
-export function showSample(report) {
+/** Shows what mdm verify found, as the reader gives it; `fetchRows` gives further rows of its table. */
+export function showSample(report, fetchRows) {
   const isMatch = report.verdict === "match";
   const smallest = [...new Set(report.smallest)].map(grouped).join(" – ");
   const line = text("sample.line", {
@@ -30,7 +30,7 @@ export function showSample(report) {
   fill(
     byId("sample-result"),
     make("div", { class: `verdict ${isMatch ? "accepted" : "rejected"}`, role: "status" }, head, make("p", {}, line)),
-    pagedTable({ caption: text("sample.caption"), columns, rows: report.rows, count: report.rows.length }),
+    pagedTable({ caption: text("sample.caption"), columns, rows: report.rows, count: report.classes, fetchRows }),
     notes.length > 0 ? make("ul", { class: "hint", lang: "en" }, ...notes) : null,
   );
 }

@@ -10,20 +10,20 @@ function particles({ particles, lowerBound }) {
   return particles === null ? text("at-least", { least: grouped(lowerBound) }) : grouped(particles);
 }
 
-function half(chart, caption, columns, rows) {
-  const table = pagedTable({ caption, columns, rows, count: rows.length });
+function half(chart, given) {
+  const table = pagedTable(given);
   return make("div", {}, ...(chart ? [chart] : []), table);
 }
 
-/** Shows a trade-off, as the reader gives it. */
-export function showTradeoff(tradeoff) {
+/** Shows a trade-off, as the reader gives it; `fetchRows` gives further rows of the table by sieve. */
+export function showTradeoff(tradeoff, fetchRows) {
   const place = byId("tradeoff-result");
   const width = Math.round(Math.min(place.parentElement.clientWidth, 1400));
   const each = width > 720 ? Math.floor((width - 40) / 2) : width;
   const unit = unitName(tradeoff.unit);
   const isDrawn = ({ particles }) => particles !== null && Number.isFinite(Number(particles));
-  const [byTolerance, bySieve] = [tradeoff.byTolerance.filter(isDrawn), tradeoff.bySieve.filter(isDrawn)];
-  const count = { title: text("class.quantity"), value: particles };
+  const [byTolerance, bySieve] = [tradeoff.byTolerance.filter(isDrawn), tradeoff.sieveCurve.filter(isDrawn)];
+  const number = { title: text("class.quantity"), value: particles };
   const kind = text(`tolerance.${tradeoff.kind}`);
   const chartOf = (draw, rows, options) => (rows.length > 1 ? draw(rows, { width: each, text, ...options }) : null);
   fill(
@@ -31,15 +31,23 @@ export function showTradeoff(tradeoff) {
     tradeoff.question ? make("p", { class: "hint", lang: "en" }, tradeoff.question) : null,
     make(
       "div", { class: "halves" },
-      half(chartOf(toleranceChart, byTolerance), `${text("tradeoff.by-tolerance")} (${kind})`, [
-        { title: text("tradeoff.points"), value: (row) => row.tolerance, isHeader: true },
-        count,
-      ], tradeoff.byTolerance),
-      half(chartOf(sieveChart, bySieve.filter(({ smallest }) => Number(smallest) > 0), { unit }), text("tradeoff.by-sieve"), [
-        { title: text("tradeoff.smallest", { unit }), value: (row) => row.smallest, isHeader: true },
-        { title: text("tradeoff.lost"), value: (row) => rounded(row.lost) },
-        count,
-      ], tradeoff.bySieve),
+      half(chartOf(toleranceChart, byTolerance), {
+        caption: `${text("tradeoff.by-tolerance")} (${kind})`,
+        columns: [{ title: text("tradeoff.points"), value: (row) => row.tolerance, isHeader: true }, number],
+        rows: tradeoff.byTolerance,
+        count: tradeoff.byTolerance.length,
+      }),
+      half(chartOf(sieveChart, bySieve.filter(({ smallest }) => Number(smallest) > 0), { unit }), {
+        caption: text("tradeoff.by-sieve"),
+        columns: [
+          { title: text("tradeoff.smallest", { unit }), value: (row) => row.smallest, isHeader: true },
+          { title: text("tradeoff.lost"), value: (row) => rounded(row.lost) },
+          number,
+        ],
+        rows: tradeoff.bySieve,
+        count: tradeoff.sieves,
+        fetchRows,
+      }),
     ),
   );
 }

@@ -16,6 +16,9 @@ export const helper = new Program(script("mdm-worker"), { wasm: data("mdm-wasm")
 /** Reads what the programs write. */
 export const reader = new Program(script("reader-worker"), {});
 
+/** A function of the reader's that gives a promise of some rows of a table: `classes`, `sample` or `sieves`. */
+export const rowsOf = (table) => (from, count) => reader.ask({ operation: "rows", table, from, count });
+
 /** The programs that check proofs; the verified one where the build has it. */
 export const checkers = [
   { name: "mdm-check", program: new Program(script("mdm-check-worker"), { wasm: data("mdm-check-wasm") }) },

@@ -61,4 +61,25 @@ async function samplesAreJudged({ expect, open, url, mdm }) {
   await tab.close();
 }
 
-export const onPage = [proofsAreChecked, aMissingFileIsAskedFor, samplesAreJudged];
+async function longTablesCanBeReadToTheirEnd({ expect, open, url }) {
+  const tab = await Tab.open(open, url);
+  const classes = 220;
+  const sizes = Array.from({ length: classes + 1 }, (_, i) => 1.05 ** i);
+  const rows = sizes.map((size, i) => `${size.toPrecision(6)},${i < classes ? (size ** 3).toPrecision(6) : 0}`);
+  await tab.gradation(fileOf("long.csv", ["size_mm,mass", ...rows, ""].join("\n")));
+  await tab.choose("#sample-file", fileOf("one.csv", "size_mm,quantity\n1.04,1\n"));
+  await tab.until("a verdict", () => document.querySelector("#sample-result .verdict") !== null);
+  await tab.click("#tradeoff-run");
+  await tab.until("the trade-off", () => document.querySelector("#tradeoff-result .halves") !== null);
+  for (const place of ["#sample-result", "#tradeoff-result .halves > :last-child"]) {
+    for (const shown of [200, classes]) {
+      await tab.click(`${place} .more button`);
+      await tab.until(`${shown} rows of ${place}`, (table, count) =>
+        document.querySelectorAll(`${table} tbody tr`).length === count, place, shown);
+    }
+    expect(`nothing is left of ${place}`, await tab.page.$eval(`${place} .more button`, (one) => one.hidden));
+  }
+  await tab.close();
+}
+
+export const onPage = [proofsAreChecked, aMissingFileIsAskedFor, samplesAreJudged, longTablesCanBeReadToTheirEnd];
