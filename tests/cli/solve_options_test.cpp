@@ -202,7 +202,9 @@ TEST_CASE("a limit gives what is certain", "[cli]") {
     CHECK(Integer(answer.at("lower_bound").get<std::string>()) <= n);
     CHECK(Integer(answer.at("particles").get<std::string>()) >= n);
     CHECK(answer.at("upper_bound") == answer.at("particles"));
-    CHECK_FALSE(std::filesystem::exists(folder / "proof"));
+    const Outcome checked = mdm_check(gradation, folder / "proof");
+    CHECK(checked.out.find(" exactly is between " + answer.at("lower_bound").get<std::string>() + " and " +
+                           answer.at("upper_bound").get<std::string>() + " (") != std::string::npos);
   }
   const Json open = solve_json({gradation, "--max-steps", "0", "--at-most", n.str()}, 3);
   CHECK(open.at("status") == "unknown");

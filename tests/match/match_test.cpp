@@ -99,7 +99,7 @@ TEST_CASE("a match with more particles than may be is known and no answer") {
   }
 }
 
-TEST_CASE("evidence is there if it was to be kept and the search came to its end") {
+TEST_CASE("evidence is there if it was to be kept, of a bound where the search did not come to its end") {
   const Gradation g = gradation({10, 11, 20, 21}, {1, 0, 1, 0});
   SolveOptions options;
   REQUIRE(solve(g, {}, options).evidence().has_value());
@@ -109,7 +109,21 @@ TEST_CASE("evidence is there if it was to be kept and the search came to its end
   CHECK_FALSE(solve(g, within("retained:0.1%"), options).evidence().has_value());
   options.limits.keep_proof = true;
   options.limits.max_steps = 0;
-  CHECK_FALSE(solve(g, {}, options).evidence().has_value());
+  const Match limited = solve(g, {}, options);
+  CHECK(limited.proof.bound == limited.lower_bound);
+  CHECK(std::get<Chain>(limited.evidence().value()).steps.empty());
+}
+
+TEST_CASE("a bound that is the number of the match is no evidence without the end of the sweep") {
+  Question question;
+  question.min_per_class = 1000;
+  SolveOptions options;
+  options.limits.max_steps = 0;
+  const Match m = solve(gradation({10, 20}, {1, 0}), question, options);
+  REQUIRE(m.lower_bound == m.particles());
+  CHECK_FALSE(m.complete);
+  CHECK_FALSE(m.evidence().has_value());
+  CHECK_FALSE(m.proof.bound.has_value());
 }
 
 TEST_CASE("the steps of a chain are classes of the gradation") {

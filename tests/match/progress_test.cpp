@@ -55,7 +55,7 @@ void check_stopped(const Match &m, const Caller &caller) {
   CHECK(m.status == Status::feasible);
   CHECK_FALSE(m.complete);
   CHECK(m.evidence().has_value() == m.proof.bound.has_value());
-  CHECK((m.tolerance || !m.evidence()));
+  CHECK((m.tolerance || m.proof.bound == m.lower_bound));
   REQUIRE(m.particles().has_value());
   CHECK(m.lower_bound <= *m.particles());
   for (std::size_t i = 0; i < caller.told.size(); ++i) {

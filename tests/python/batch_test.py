@@ -38,8 +38,10 @@ def test_proofs_are_kept_where_they_are_asked_for():
     again, = mdm.batch([sand()])
     assert again == kept and again.certificate() == kept.certificate() and again.check() and again.csv() == kept.csv()
     unkept, = mdm.batch([endless()], max_steps=100)
-    with pytest.raises(mdm.InputError, match="no proof"):
+    with pytest.raises(mdm.InputError, match="not kept"):
         unkept.certificate()
+    bounds, = mdm.batch([endless()], max_steps=100, proofs=True)
+    assert f" between {bounds.lower_bound} and " in bounds.check().proved
     with pytest.raises(mdm.InputError, match="not kept"):
         mdm.solve(sand(), max_steps=10**9).certificate()
 

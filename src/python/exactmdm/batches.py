@@ -16,7 +16,7 @@ from exactmdm.gradation import Gradation, read_line
 from exactmdm.match import LaterGradation, Match
 from exactmdm.options import Words, words_of
 
-_MOST_AT_ONCE = 512
+_MOST_AT_ONCE = 4096
 #: Longer waits than this make the next chunk shorter.
 _SECONDS = 0.2
 
