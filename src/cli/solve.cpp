@@ -267,8 +267,7 @@ Run add_solve(CLI::App &app) {
   const OptionGroup group(command, "The answer");
   command
       .add_option("--proof", c->proof,
-                  "write the certificate for mdm-check; where a limit ends a search within a tolerance, "
-                  "of the bounds")
+                  "write the certificate for mdm-check; where a limit ends the search, of the bounds")
       ->type_name("OUT");
   command.add_option("--vipr", c->vipr, "write the proof in the VIPR format (at most 200 classes)")
       ->type_name("OUT");
