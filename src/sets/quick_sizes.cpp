@@ -1,5 +1,7 @@
 #include "sets/quick_sizes.hpp"
 
+#include "number/words.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,8 +23,7 @@ const Rational &two_to_64() {
 
 /// For 0 <= n < 2^128.
 Wide to_wide(const Integer &n) {
-  const Integer high = n >> 64, low = n - (high << 64);
-  return Wide{static_cast<std::uint64_t>(high)} << 64 | static_cast<std::uint64_t>(low);
+  return Wide{word(n, 1)} << 64 | word(n, 0);
 }
 
 /// The largest s with s^2 <= n, for 2^64 <= n < (2^64 - 2^11)^2. The double is a guess, whatever its
