@@ -233,6 +233,15 @@ LeastMatch least_match(const Problem &problem, const Limits &limits) {
   return least_match(problem, limits, Watch(limits.deadline));
 }
 
+Chain chain_of(Steps steps, const Rational &above, const Problem &problem) {
+  Chain chain{std::nullopt, std::move(steps)};
+  if (above > 0)
+    chain.above = above * problem.scale_unit();
+  for (std::uint32_t &step : chain.steps)
+    step = static_cast<std::uint32_t>(problem.classes()[step].index);
+  return chain;
+}
+
 std::vector<Integer> some_match(const Problem &problem) {
   std::vector<Integer> settled;
   for (const ProblemClass &c : problem.classes())

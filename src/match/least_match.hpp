@@ -5,6 +5,7 @@
 #include "match/sweep_problem.hpp"
 #include "match/watch.hpp"
 
+#include <mdm/match/chain.hpp>
 #include <mdm/match/limits.hpp>
 
 #include <cstdint>
@@ -53,6 +54,9 @@ extern template Swept<Integer> sweep(const SweepProblem<Integer> &, const Limits
 LeastMatch least_match(const Problem &problem, const Limits &limits, const Watch &watch);
 /// With the deadline of the limits as its watch.
 LeastMatch least_match(const Problem &problem, const Limits &limits = {});
+
+/// The steps of a sweep at scales above `above`, which is 0 where it is of all, in terms of the gradation.
+Chain chain_of(Steps steps, const Rational &above, const Problem &problem);
 
 /// A match found without sweeping (Theorem 4): every class at a scale from which on it cannot move. An upper
 /// bound.

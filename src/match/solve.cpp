@@ -141,23 +141,13 @@ MatchSample placed(const Gradation &g, const Problem &problem, std::vector<Integ
   return exact_sample(g, problem, std::move(q), std::move(window), scale, options.digits);
 }
 
-/// The chain of a sweep above a scale, in terms of the gradation.
-Chain chain_of(LeastMatch least, const Rational &above, const Problem &problem) {
-  Chain chain{std::nullopt, std::move(least.chain)};
-  if (above > 0)
-    chain.above = above * problem.scale_unit();
-  for (std::uint32_t &step : chain.steps)
-    step = static_cast<std::uint32_t>(problem.classes()[step].index);
-  return chain;
-}
-
 /// What the sweep shows: that the match is the smallest, or the bound that it came to.
-void set_proof(Match &match, LeastMatch least, const Rational &above, const Problem &problem) {
+void set_proof(Match &match, Steps steps, const Rational &above, const Problem &problem) {
   if (!match.complete && match.lower_bound == *match.particles())
     return; // as a bound it is none, and as the end of the sweep it is not shown
   const Integer &asked = match.question.at_least;
   const bool is_asked = asked > 1 && match.lower_bound == asked;
-  match.proof.evidence = is_asked ? Chain{} : chain_of(std::move(least), above, problem);
+  match.proof.evidence = is_asked ? Chain{} : chain_of(std::move(steps), above, problem);
   if (!match.complete)
     match.proof.bound = match.lower_bound;
 }
@@ -197,7 +187,7 @@ Match solve_exactly(Match match, const SolveOptions &options, const Limits &limi
   note_digits(match);
   note_precision(match);
   if (limits.keep_proof)
-    set_proof(match, std::move(found.least), found.above, problem);
+    set_proof(match, std::move(found.least.chain), found.above, problem);
   if (start.bounds() && !start.bounds()->is_point())
     match.proof.pi = enclose_pi(start.places());
   return match;

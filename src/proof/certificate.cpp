@@ -146,15 +146,12 @@ std::vector<CertifiedClass> certified_classes(const Match &m) {
 /// The first steps of the match's sweep, and the bound that they come to.
 std::pair<Chain, Integer> first_steps(const Match &m, const std::optional<Rational> &above,
                                       std::uint64_t steps) {
-  Problem problem = problem_of(m);
-  if (above)
-    problem = problem.from_scale(*above / problem.scale_unit(), true);
+  const Problem problem = problem_of(m);
+  const Rational from = above ? Rational(*above / problem.scale_unit()) : Rational(0);
   Limits limits;
   limits.max_steps = steps;
-  LeastMatch least = least_match(problem, limits);
-  for (std::uint32_t &step : least.chain)
-    step = static_cast<std::uint32_t>(problem.classes()[step].index);
-  return {Chain{above, std::move(least.chain)}, std::max(total(least.q), m.question.at_least)};
+  LeastMatch least = least_match(problem.from_scale(from, true), limits);
+  return {chain_of(std::move(least.chain), from, problem), std::max(total(least.q), m.question.at_least)};
 }
 
 std::string witness_lines(const Match &m, const Integer &bound, const std::vector<CertifiedClass> &classes) {
@@ -181,25 +178,25 @@ void write_chain(const Match &m, const Chain &chain, const Integer &bound, std::
   text += "\n";
 }
 
+std::string exact_text(const Match &m, const std::vector<CertifiedClass> &classes, const Chain &chain,
+                       const Integer &bound) {
+  std::string text = m.proof.bound ? "mdm-certificate 2\n" : "mdm-certificate 1\n";
+  text += question_lines(m) + witness_lines(m, bound, classes);
+  write_chain(m, chain, bound, text);
+  return text += "end\n";
+}
+
 Certified exact_certificate(const Match &m) {
   const std::vector<CertifiedClass> classes = certified_classes(m);
   const Chain &chain = std::get<Chain>(m.evidence().value());
+  const std::optional<Integer> &bound = m.proof.bound;
   const std::uint64_t most = most_certified_steps(m, chain, classes);
-  std::string text = (m.proof.bound ? "mdm-certificate 2\n" : "mdm-certificate 1\n") + question_lines(m);
-  const auto write = [&](const Chain &shown, const Integer &bound) {
-    text += witness_lines(m, bound, classes);
-    write_chain(m, shown, bound, text);
-    text += "end\n";
-  };
-  if (chain.steps.size() <= most) {
-    write(chain, m.proof.bound.value_or(*m.particles()));
-    return {std::move(text), m.proof.bound};
-  }
-  if (!m.proof.bound)
+  if (chain.steps.size() <= most)
+    return {exact_text(m, classes, chain, bound.value_or(*m.particles())), bound};
+  if (!bound)
     refuse_long_numbers();
-  const auto [shorter, bound] = first_steps(m, chain.above, most);
-  write(shorter, bound);
-  return {std::move(text), bound};
+  const auto [first, lower] = first_steps(m, chain.above, most);
+  return {exact_text(m, classes, first, lower), lower};
 }
 
 } // namespace
@@ -255,10 +252,6 @@ std::optional<std::int64_t> least_log2_of_scale(const Gradation &g, const Questi
     least = std::max(*least, at_count(share, *smallest));
   return least;
 }
-
-} // namespace
-
-namespace {
 
 /// \throws InputError if the text has a number of more digits than the format allows
 void check_short_numbers(const std::string &text) {
