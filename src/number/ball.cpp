@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <utility>
 
 namespace mdm {
 namespace {
@@ -99,12 +98,6 @@ Ball::Ball(const Ball &other) : Ball(other.bits_) {
 
 Ball::Ball(Ball &&other) noexcept = default;
 Ball::~Ball() = default;
-
-Ball &Ball::operator=(Ball other) noexcept {
-  std::swap(value_, other.value_);
-  bits_ = other.bits_;
-  return *this;
-}
 
 Ball operator+(const Ball &a, const Ball &b) {
   Ball result(std::max(a.bits_, b.bits_));

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <utility>
 
 namespace mdm {
 namespace {
@@ -100,12 +99,6 @@ Ball::Ball(const Ball &other) : Ball(other.bits_) {
 
 Ball::Ball(Ball &&other) noexcept = default;
 Ball::~Ball() = default;
-
-Ball &Ball::operator=(Ball other) noexcept {
-  std::swap(value_, other.value_);
-  bits_ = other.bits_;
-  return *this;
-}
 
 Ball operator+(const Ball &a, const Ball &b) {
   Ball result(std::max(a.bits_, b.bits_));

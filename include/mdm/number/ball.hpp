@@ -11,16 +11,21 @@ namespace mdm {
 /// The certain order of two numbers.
 enum class Order { less, equal, greater, undecided };
 
-/// A real number y, known to lie in a ball: an interval that Arb computes with. Whatever is done with balls,
-/// the result's ball contains the result; where an operation has no value for all of its ball (log of what
-/// may be 0), the result is not finite and every comparison with it is undecided.
+/// A real number y, known to lie in a ball: an interval that Arb, or MPFR where there is no Arb, computes
+/// with. Whatever is done with balls, the result's ball contains the result; where an operation has no value
+/// for all of its ball (log of what may be 0), the result is not finite and every comparison with it is
+/// undecided.
 class Ball {
 public:
   /// r, rounded to `bits` binary digits, which is also the precision of what is computed from it.
   Ball(const Rational &r, unsigned bits);
   Ball(const Ball &other);
   Ball(Ball &&other) noexcept;
-  Ball &operator=(Ball other) noexcept;
+  Ball &operator=(Ball other) noexcept {
+    value_.swap(other.value_);
+    bits_ = other.bits_;
+    return *this;
+  }
   ~Ball();
 
   /// The results have the higher precision of the two.
@@ -49,7 +54,7 @@ public:
   Rational upper() const;
 
 private:
-  struct Value; // Arb's ball: its header is not needed here
+  struct Value; // its library's header is not needed here
   explicit Ball(unsigned bits);
 
   std::unique_ptr<Value> value_;
