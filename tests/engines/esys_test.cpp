@@ -1,7 +1,6 @@
 // The geometry that mdm export writes for ESyS-Particle, read by the engine, and its snapshot read back.
 
-#include "cli/answer.hpp"
-#include "tools.hpp"
+#include "support.hpp"
 
 #include <map>
 #include <sstream>
@@ -29,10 +28,7 @@ TEST_CASE("ESyS-Particle reads the geometry of a sand, and its snapshot is read 
     return;
   const TemporaryFolder folder;
   const std::string sand = folder.write("sand.csv", read_file(example("c778-graded-sand")));
-  const Outcome exported =
-      mdm({"export", sand, "--to", "esys", "--start", "mixed", "-o", folder / "particles.geo"});
-  INFO(exported.err);
-  REQUIRE(exported.exit_code == 0);
+  export_start(sand, "esys", folder / "particles.geo");
   folder.write("run.py", script);
   const Outcome run =
       Process("/bin/sh",
@@ -42,20 +38,10 @@ TEST_CASE("ESyS-Particle reads the geometry of a sand, and its snapshot is read 
           .end();
   INFO(run.out.substr(0, 5000) << run.err.substr(0, 5000));
   REQUIRE(run.exit_code == 0);
-  const Json asked = solve_json({sand});
-  for (const std::string name : {"particles.geo", "snap_t=0_1.txt", "snap_t=5_1.txt"}) {
-    INFO(name);
-    const Outcome verdict =
-        mdm({"verify", sand, folder / name, "--packing", "--tolerance", "1e-6%", "--format", "json"});
-    INFO(verdict.err);
-    REQUIRE(verdict.exit_code == 0);
-    const Json found = Json::parse(verdict.out);
-    CHECK(found.at("verdict") == "match");
-    CHECK(found.at("particles") == asked.at("particles"));
-    CHECK(quantities(found) == quantities(asked));
-    CHECK(found.at("packing").at("overlaps").at("pairs") == "0");
-  }
+  for (const std::string name : {"particles.geo", "snap_t=0_1.txt", "snap_t=5_1.txt"})
+    check_places(sand, {folder / name}, "1e-6%");
   // Tags are the numbers of the classes.
+  const Json asked = solve_json({sand});
   std::istringstream lines(read_file(folder / "snap_t=0_1.txt"));
   std::string line;
   std::map<std::size_t, std::size_t> of_tag;

@@ -1,7 +1,6 @@
 // GSD that mdm export writes, read by the format's own library, and what that writes read back.
 
-#include "cli/answer.hpp"
-#include "tools.hpp"
+#include "support.hpp"
 
 using namespace cli_test;
 
@@ -31,10 +30,7 @@ TEST_CASE("GSD is read by its own library, and what that writes is read back", "
     return;
   const TemporaryFolder folder;
   const std::string sand = folder.write("sand.csv", read_file(example("c778-graded-sand")));
-  const Outcome exported =
-      mdm({"export", sand, "--to", "gsd", "--start", "mixed", "-o", folder / "start.gsd"});
-  INFO(exported.err);
-  REQUIRE(exported.exit_code == 0);
+  export_start(sand, "gsd", folder / "start.gsd");
   folder.write("read.py", script);
   const Outcome run =
       Process("/bin/sh", {"-c", "cd '" + (folder / ".") + "' && /usr/bin/python3 read.py"}).end();
@@ -46,16 +42,7 @@ TEST_CASE("GSD is read by its own library, and what that writes is read back", "
     types += (j == 0 ? "" : " ") + std::to_string(j + 1) + ":" +
              asked.at("classes").at(j).at("quantity").get<std::string>();
   CHECK(run.out == types + "\n");
-  for (const Arguments &file : {Arguments{"start.gsd"}, {"again.gsd", "--timestep", "0"}}) {
-    Arguments arguments{"verify",   sand,  folder / file.front(), "--packing", "--tolerance", "2e-5%",
-                        "--format", "json"};
-    arguments.insert(arguments.end(), file.begin() + 1, file.end());
-    const Outcome verdict = mdm(arguments);
-    INFO(verdict.err);
-    REQUIRE(verdict.exit_code == 0);
-    const Json found = Json::parse(verdict.out);
-    CHECK(quantities(found) == quantities(asked));
-    CHECK(found.at("packing").at("overlaps").at("pairs") == "0");
-  }
+  check_places(sand, {folder / "start.gsd"}, "2e-5%");
+  check_places(sand, {folder / "again.gsd", "--timestep", "0"}, "2e-5%");
   CHECK(mdm({"verify", sand, folder / "again.gsd"}).exit_code == 1);
 }

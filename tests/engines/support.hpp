@@ -99,6 +99,28 @@ private:
   std::string gradation_;
 };
 
+/// A start that mdm export writes with places drawn for all particles.
+inline void export_start(const std::string &gradation, const std::string &format, const std::string &path) {
+  const Outcome outcome = mdm({"export", gradation, "--to", format, "--start", "mixed", "-o", path});
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+}
+
+/// Holds a file of places, with options of its reading, against the answer of mdm solve.
+inline void check_places(const std::string &gradation, const Arguments &file, const std::string &tolerance) {
+  Arguments arguments{"verify", gradation};
+  arguments.insert(arguments.end(), file.begin(), file.end());
+  arguments.insert(arguments.end(), {"--packing", "--tolerance", tolerance, "--format", "json"});
+  const Outcome verdict = mdm(arguments);
+  INFO(file.front() << verdict.err);
+  REQUIRE(verdict.exit_code == 0);
+  const Json found = Json::parse(verdict.out), asked = solve_json({gradation});
+  CHECK(found.at("verdict") == "match");
+  CHECK(found.at("particles") == asked.at("particles"));
+  CHECK(quantities(found) == quantities(asked));
+  CHECK(found.at("packing").at("overlaps").at("pairs") == "0");
+}
+
 struct Grain {
   double x, y, z, r;
 };
