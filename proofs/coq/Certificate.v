@@ -49,8 +49,13 @@ Record witness_line := Witness {
    where it has none. *)
 Record multiple := Multiple { times_m : Z; letter : ascii; of_class : Z; up_to : Z }.
 
-(* A split of the particles of the classes i to j; i = j for one class. *)
-Inductive node := Split (i j v : Z) | Leaf (conditions : list multiple).
+(* A split of the particles of the classes i to j; i = j for one class; or of the mass; or a leaf, of any mass or of a
+   window of it. *)
+Inductive node :=
+| Split (i j v : Z)
+| SplitMass (v : Q)
+| Leaf (conditions : list multiple)
+| Window (conditions : list multiple).
 
 (* A proof by a chain, with the witness's scale (to the power b); or by a tree, in preorder. *)
 Inductive proof :=
@@ -73,15 +78,21 @@ Record certificate := Certificate {
   witness : list witness_line;
   proof_of : proof }.
 
-(* What only version 2 has: bounds, and sums of consecutive classes. *)
+(* What only versions from 2 on have: bounds, and sums of consecutive classes. *)
 Definition of_sum_of_classes (n : node) : bool :=
   match n with
   | Split i j _ => negb (i =? j)
-  | Leaf ms => existsb (fun m => negb (of_class m =? up_to m)) ms
+  | SplitMass _ => false
+  | Leaf ms | Window ms => existsb (fun m => negb (of_class m =? up_to m)) ms
   end.
 Definition is_second (c : claim) (p : proof) : bool :=
   match c with Between _ _ | NoneBelow _ => true | Smallest _ | NoMatch => false end ||
   match p with Tolerant nodes => existsb of_sum_of_classes nodes | Exact _ _ _ => false end.
+
+(* What only version 3 has: windows of the mass. *)
+Definition of_window (n : node) : bool := match n with SplitMass _ | Window _ => true | Split _ _ _ | Leaf _ => false end.
+Definition is_third (p : proof) : bool :=
+  match p with Tolerant nodes => existsb of_window nodes | Exact _ _ _ => false end.
 
 (* ---- Numbers ------------------------------------------------------------------------------------- *)
 
@@ -147,7 +158,7 @@ Definition rational (w : string) : option Q :=
     end
   end.
 
-Inductive kind := Integer (least : Z) | Positive | NotNegative | Percent | Rational.
+Inductive kind := Integer (least : Z) | Positive | NotNegative | Percent (most : Z) | Rational.
 
 Definition number (k : kind) (w : string) : option Q :=
   let such (value : option Q) (holds : Q -> bool) :=
@@ -156,7 +167,7 @@ Definition number (k : kind) (w : string) : option Q :=
   | Integer least => such (option_map of_integer (whole most_digits w)) (at_most (of_integer least))
   | Positive => such (decimal w) (less 0)
   | NotNegative => decimal w
-  | Percent => such (decimal w) (fun x => at_most x (of_integer 100))
+  | Percent most => such (decimal w) (fun x => at_most x (of_integer most))
   | Rational => such (rational w) (less 0)
   end.
 
@@ -239,7 +250,7 @@ Definition percents : reader (list Q) := fun ls =>
   match ls with
   | (w :: l) :: rest =>
     if negb (String.eqb w "passing-each") then Ok ([], ls) else
-    match l, all_words (number Percent) l [] with
+    match l, all_words (number (Percent 100)) l [] with
     | _ :: _, Some xs => Ok (xs, rest)
     | _, _ => Malformed "a number of the line passing-each"
     end
@@ -295,14 +306,19 @@ Fixpoint one_of (ch : ascii) (letters : string) : bool :=
   | String l letters => Ascii.eqb ch l || one_of ch letters
   end.
 
+(* The letters of conditions of all classes, of single ones, and of several. *)
+Record letters := Letters { of_all : string; of_single : string; of_several : string }.
+Definition of_leaf : letters := Letters "EmwnN" "fFqQrRpPex" "sSd".
+Definition of_windows : letters := Letters "tTEwnN" "pP" "sS".
+
 (* A condition, with a class, several, or none. *)
-Definition condition_of (w : string) : option (ascii * Z * Z) :=
+Definition condition_of (ls : letters) (w : string) : option (ascii * Z * Z) :=
   match w with
   | EmptyString => None
-  | String ch EmptyString => check (one_of ch "EmwnN") (ch, 0, 0)%Z
+  | String ch EmptyString => check (one_of ch (of_all ls)) (ch, 0, 0)%Z
   | String ch classes =>
     match class_range classes with
-    | Some (i, j) => check (one_of ch (if (i =? j)%Z then "fFqQrRpPex" else "sSd") && (0 <? i)%Z) (ch, i, j)
+    | Some (i, j) => check (one_of ch (if (i =? j)%Z then of_single ls else of_several ls) && (0 <? i)%Z) (ch, i, j)
     | None => None
     end
   end.
@@ -316,20 +332,41 @@ Definition key (m : multiple) : positive :=
 Definition terms_of (m : multiple) : Z := if Ascii.eqb (letter m) "d" then up_to m - of_class m + 1 else 1.
 Definition terms (ms : list multiple) : Z := fold_left (fun n m => n + terms_of m) ms 0.
 
-Fixpoint leaf (l : line) (seen : PositiveMap.t unit) (n : Z) (done : list multiple)
+(* Multipliers and their conditions, none twice, and what they count. *)
+Fixpoint multiples (ls : letters) (l : line) (seen : PositiveMap.t unit) (n : Z) (done : list multiple)
   : option (list multiple * Z) :=
   match l with
   | m :: w :: l =>
-    match number (Integer 1) m, condition_of w with
+    match number (Integer 1) m, condition_of ls w with
     | Some m, Some (ch, i, j) =>
       let m := Multiple (Qnum m) ch i j in
       if PositiveMap.mem (key m) seen then None
-      else leaf l (PositiveMap.add (key m) tt seen) (n + terms_of m) (m :: done)
+      else multiples ls l (PositiveMap.add (key m) tt seen) (n + terms_of m) (m :: done)
     | _, _ => None
     end
-  | [] => match done with [] => None | _ => Some (rev' done, n) end
+  | [] => Some (rev' done, n)
   | _ => None
   end.
+
+(* A split, of particles or of the mass. *)
+Definition split_of (l : line) : option node :=
+  match l with
+  | [classes; v] =>
+    if String.eqb classes "M" then option_map SplitMass (number Rational v) else
+    match class_range classes, number (Integer 1) v with
+    | Some (i, j), Some v => Some (Split i j (Qnum v))
+    | _, _ => None
+    end
+  | _ => None
+  end.
+(* A leaf that says nothing is none; a window may be without a match by itself. *)
+Definition leaf_of (l : line) : option (node * Z) :=
+  match multiples of_leaf l (PositiveMap.empty unit) 0 [] with
+  | Some ((_ :: _) as ms, n) => Some (Leaf ms, n)
+  | _ => None
+  end.
+Definition window_of (l : line) : option (node * Z) :=
+  option_map (fun '(ms, n) => (Window ms, n)) (multiples of_windows l (PositiveMap.empty unit) 0 []).
 
 (* Nodes until every split has its two subtrees: [to_come] subtrees are still to come. [n] counts the nodes
    and multipliers. *)
@@ -339,21 +376,22 @@ Fixpoint tree (ls : lines) (to_come n : Z) (done : list node) : result (list nod
   match ls with
   | (w :: l) :: rest =>
     if String.eqb w "split" then
-      match l with
-      | [classes; v] =>
-        match class_range classes, number (Integer 1) v with
-        | Some (i, j), Some v => tree rest (to_come + 1) (n + 1) (Split i j (Qnum v) :: done)
-        | _, _ => Malformed "a number of a line split"
-        end
-      | _ => Malformed "a line split"
+      match split_of l with
+      | Some split => tree rest (to_come + 1) (n + 1) (split :: done)
+      | None => Malformed "a line split"
       end
     else if String.eqb w "leaf" then
-      match leaf l (PositiveMap.empty unit) 0 [] with
-      | Some (ms, m) => tree rest (to_come - 1) (n + 1 + m) (Leaf ms :: done)
+      match leaf_of l with
+      | Some (leaf, m) => tree rest (to_come - 1) (n + 1 + m) (leaf :: done)
       | None => Malformed "a line leaf"
       end
-    else Malformed "a line split or leaf is missing"
-  | _ => Malformed "a line split or leaf is missing"
+    else if String.eqb w "window" then
+      match window_of l with
+      | Some (window, m) => tree rest (to_come - 1) (n + 1 + m) (window :: done)
+      | None => Malformed "a line window"
+      end
+    else Malformed "a line split, leaf or window is missing"
+  | _ => Malformed "a line split, leaf or window is missing"
   end.
 
 Definition chain_line : reader (list Z) := fun ls =>
@@ -396,12 +434,12 @@ Definition read_solids (law : Q) (cylinder box volume pi : list Q) : result soli
   end.
 
 Definition read_tolerances : reader (option tolerances) := fun ls =>
-  let* (retained, ls) := unless_file "retained" [Percent] ls in
+  let* (retained, ls) := unless_file "retained" [Percent 100] ls in
   let* (retained_file, ls) := words "retained" "file" ls in
-  let* (passing, ls) := unless_file "passing" [Percent] ls in
+  let* (passing, ls) := unless_file "passing" [Percent 100] ls in
   let* (passing_file, ls) := words "passing" "file" ls in
   let* (each, ls) := percents ls in
-  let* (total, ls) := optional "total" [Percent] ls in
+  let* (total, ls) := optional "total" [Percent 200] ls in
   let* (band, ls) := bands ls [] in
   demand_form ((size each <=? 3 * most_rows) && (size band <=? most_rows))
     "more numbers than there are sieves" ;;
@@ -413,7 +451,8 @@ Definition read_tolerances : reader (option tolerances) := fun ls =>
 
 Definition read_version : reader Z := fun ls =>
   let* (version, ls) := required "mdm-certificate" [Integer 1] ls in
-  demand_form (integer version <=? 2) "an unknown version" ;; Ok (integer version, ls).
+  demand_form (integer version <=? 3) "a version above 3" ;;
+  Ok (integer version, ls).
 
 Definition read_question : reader question := fun ls =>
   let* (law, ls) := required "law" [Rational] ls in
@@ -497,6 +536,8 @@ Definition read_certificate (ls : lines) : result certificate :=
   let ended := is_line ["end"] ls && is_line [""] (tl ls) && match tl (tl ls) with [] => true | _ => false end in
   demand_form ended "the line end is missing, or something follows it" ;;
   let second := is_second claimed proof in
-  demand_form ((version =? 2) || negb second) "what only version 2 has" ;;
-  demand_form (tolerant || (version =? 1) || second) "version 2 without a tolerance or bounds" ;;
+  demand_form ((2 <=? version) || negb second) "what only versions from 2 on have" ;;
+  demand_form ((version =? 3) || negb (is_third proof)) "what only version 3 has" ;;
+  demand_form (tolerant || (version =? if second then 2 else 1))
+    "version 2 without a tolerance or bounds, or version 3 without a tolerance" ;;
   Ok (Certificate asked claimed classes proof).

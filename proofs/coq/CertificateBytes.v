@@ -113,12 +113,13 @@ Proof.
     + cbn [text_length]. unfold most_word, most_digits in *. lia.
 Qed.
 
-Lemma condition_word_word m : plain_multiple m -> word (condition_word m).
+Lemma condition_word_word ls m : ls = of_leaf \/ ls = of_windows -> plain_multiple ls m -> word (condition_word m).
 Proof.
-  intros (_ & P). unfold condition_word.
+  intros K (_ & P). unfold condition_word.
   assert (in_word (letter m) = true) as L.
-  { destruct (of_class m =? 0); [destruct P as (P & _)|destruct P as (_ & P); destruct (of_class m =? up_to m)]; revert P; destruct (letter m) as [[] [] [] [] [] [] [] []];
-      try reflexivity; discriminate. }
+  { destruct K as [-> | ->];
+      (destruct (of_class m =? 0); [destruct P as (P & _)|destruct P as (_ & P); destruct (of_class m =? up_to m)]);
+      revert P; destruct (letter m) as [[] [] [] [] [] [] [] []]; try reflexivity; discriminate. }
   destruct (of_class m =? 0).
   - apply short_word; [simpl; rewrite L; reflexivity | cbn [text_length]; unfold most_word, most_digits; lia].
   - destruct P as (P & _). apply range_word_word in P as (E & B). apply short_word; [simpl; rewrite L; exact E|].
@@ -176,17 +177,19 @@ Proof.
   - destruct (tolerances_of (asked cert)) as [t|]; [apply tolerance_lines_ok; auto | constructor].
 Qed.
 
-Lemma leaf_words_ok ms : (forall m, In m ms -> plain_multiple m) -> Forall word (leaf_words ms).
+Lemma multiple_words_ok ls ms : ls = of_leaf \/ ls = of_windows ->
+  (forall m, In m ms -> plain_multiple ls m) -> Forall word (multiple_words ms).
 Proof.
-  induction ms as [|m ms IH]; intro P; [constructor|]. cbn [leaf_words flat_map app].
+  intro K. induction ms as [|m ms IH]; intro P; [constructor|]. cbn [multiple_words flat_map app].
   destruct (P m (or_introl eq_refl)) as ((Pm & L) & C). constructor; [apply integer_word; assumption|].
-  constructor; [apply condition_word_word; split; [split|]; assumption|]. apply IH. intros x I. apply P. right. exact I.
+  constructor; [apply (condition_word_word ls m K); split; [split|]; assumption|]. apply IH. intros x I. apply P. right. exact I.
 Qed.
 
 Lemma document_lines_ok cert box of_file : plain_certificate cert box -> Forall line_ok (document_lines (Document cert box of_file)).
 Proof.
   intros (Q & (N & _) & W & _ & _ & P). unfold document_lines. cbn [certificate_of]. rewrite !Forall_app. repeat split.
-  - constructor; [|constructor]. unfold version_line. destruct (is_second _ _); words.
+  - constructor; [|constructor]. unfold version_line, version_of.
+    destruct (is_third (proof_of cert)), (is_second (claimed cert) (proof_of cert)); words.
   - apply question_lines_ok, Q.
   - constructor; [|constructor]. split; [discriminate|]. constructor; [reflexivity|]. constructor; [|constructor].
     exact (claim_word_word _ N).
@@ -197,10 +200,12 @@ Proof.
     unfold class_line. destruct (is_tolerant cert); [destruct Pt as (Pt & _)|]; words.
   - unfold plain_proof in P.
     destruct (tolerances_of (asked cert)), (proof_of cert) as [scale z js|nodes]; try contradiction; cbn [proof_lines].
-    + destruct P as (P & _). apply Forall_map, Forall_forall. intros x I. specialize (P x I). destruct x as [i j v|ms].
+    + destruct P as (P & _). apply Forall_map, Forall_forall. intros x I. specialize (P x I). destruct x as [i j v|v|ms|ms].
       * destruct P as (Pj & Pv & _). apply range_word_word in Pj as (E & B). split; [discriminate|].
         repeat constructor; [|apply integer_word, Pv]. apply short_word; [exact E|]. unfold most_word, most_digits. lia.
-      * destruct P as (_ & P & _). split; [discriminate|]. constructor; [reflexivity | exact (leaf_words_ok ms P)].
+      * destruct P as (P & _). words.
+      * destruct P as (_ & P & _). split; [discriminate|]. constructor; [reflexivity | exact (multiple_words_ok _ ms (or_introl eq_refl) P)].
+      * destruct P as (P & _). split; [discriminate|]. constructor; [reflexivity | exact (multiple_words_ok _ ms (or_intror eq_refl) P)].
     + destruct P as (_ & _ & P). destruct (claims_least (asked cert) (claimed cert)).
       * destruct P as (-> & ->). constructor.
       * destruct P as ((js' & -> & Pj) & Pz). rewrite Forall_app. split.

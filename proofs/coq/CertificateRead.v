@@ -63,7 +63,8 @@ Qed.
 Lemma number_not_negative x : plain_decimal x -> number NotNegative (show_decimal x) = Some x.
 Proof. intros (P & D & R & B). apply decimal_read; assumption. Qed.
 
-Lemma number_percent x : plain_decimal x -> at_most x (of_integer 100) = true -> number Percent (show_decimal x) = Some x.
+Lemma number_percent most x :
+  plain_decimal x -> at_most x (of_integer most) = true -> number (Percent most) (show_decimal x) = Some x.
 Proof. intros (P & D & R & B) L. unfold number. rewrite decimal_read by assumption. unfold check. rewrite L.
 reflexivity. Qed.
 
@@ -120,9 +121,9 @@ Qed.
 
 (* ---- Tolerances ------------------------------------------------------------------------------------- *)
 
-Definition plain_percent (x : Q) : Prop := plain_decimal x /\ at_most x (of_integer 100) = true.
+Definition plain_percent (most : Z) (x : Q) : Prop := plain_decimal x /\ at_most x (of_integer most) = true.
 
-Lemma percent_no_word x : plain_percent x -> show_decimal x <> "file".
+Lemma percent_no_word most x : plain_percent most x -> show_decimal x <> "file".
 Proof. intros ((P & D & R & B) & _) E. pose proof (decimal_read x P D R B) as H. rewrite E in H. discriminate H. Qed.
 
 Lemma is_line_not_named name ws ls : named name ls = false -> is_line (name :: ws) ls = false.
@@ -145,15 +146,15 @@ Lemma first_to_list x : first (to_list x) = x.
 Proof. destruct x; reflexivity. Qed.
 
 Lemma retained_read name (e : option Q) (file : bool) rest :
-  (forall x, e = Some x -> plain_percent x) -> named name rest = false ->
+  (forall x, e = Some x -> plain_percent 100 x) -> named name rest = false ->
   let numbered := if_some e (fun e => [name; show_decimal e]) in
   let of_file := if_true file [name; "file"] in
-  unless_file name [Percent] (numbered ++ of_file ++ rest) = Ok (to_list e, (of_file ++ rest)%list) /\
+  unless_file name [Percent 100] (numbered ++ of_file ++ rest) = Ok (to_list e, (of_file ++ rest)%list) /\
   words name "file" (of_file ++ rest) = Ok (file, rest).
 Proof.
   intros P A. cbv zeta. split.
   - unfold unless_file. destruct e as [x|]; simpl if_some; simpl to_list.
-    + specialize (P x eq_refl). simpl app. rewrite is_line_other by (intros [= H]; exact (percent_no_word x P H)).
+    + specialize (P x eq_refl). simpl app. rewrite is_line_other by (intros [= H]; exact (percent_no_word 100 x P H)).
       unfold optional. cbn [named]. rewrite String.eqb_refl. apply required_read. cbn [numbers].
       rewrite number_percent by apply P. reflexivity.
     + destruct file; simpl app.
@@ -178,13 +179,13 @@ Proof.
 Qed.
 
 Lemma percents_read es rest :
-  (forall e, In e es -> plain_percent e) -> named "passing-each" rest = false ->
+  (forall e, In e es -> plain_percent 100 e) -> named "passing-each" rest = false ->
   percents (each_lines es ++ rest) = Ok (es, rest).
 Proof.
   intros P A. destruct es as [|e es]; simpl app.
   - destruct rest as [|[|w l] rest]; simpl in *; trivial. rewrite A. reflexivity.
   - unfold percents. change (String.eqb "passing-each" "passing-each") with true. cbn [negb map]. cbv iota.
-    pose proof (all_words_read (number Percent) show_decimal (fun x => x) (e :: es)) as H. rewrite map_id in H.
+    pose proof (all_words_read (number (Percent 100)) show_decimal (fun x => x) (e :: es)) as H. rewrite map_id in H.
     cbn [map] in H. rewrite H by (intros x I; apply number_percent; apply (P x I)). reflexivity.
 Qed.
 
@@ -213,17 +214,17 @@ Proof.
 Qed.
 
 Definition plain_tolerances (t : tolerances) : Prop :=
-  (forall e, retained_each t = Some e -> plain_percent e) /\
-  (forall e, passing_all t = Some e -> plain_percent e) /\
-  (forall e, In e (passing_each t) -> plain_percent e) /\
-  (forall e, total t = Some e -> plain_percent e) /\
+  (forall e, retained_each t = Some e -> plain_percent 100 e) /\
+  (forall e, passing_all t = Some e -> plain_percent 100 e) /\
+  (forall e, In e (passing_each t) -> plain_percent 100 e) /\
+  (forall e, total t = Some e -> plain_percent 200 e) /\
   (forall l, In l (band t) -> plain_limit l) /\ limits_ascend (band t) None /\
   size (passing_each t) <= 3 * most_rows /\ size (band t) <= most_rows /\
   t <> Tolerances None false None false [] None [].
 
-Lemma says_percent name (e : option Q) :
-  (forall x, e = Some x -> plain_percent x) ->
-  says name [Percent] (if_some e (fun e => [name; show_decimal e])) (to_list e).
+Lemma says_percent name most (e : option Q) :
+  (forall x, e = Some x -> plain_percent most x) ->
+  says name [Percent most] (if_some e (fun e => [name; show_decimal e])) (to_list e).
 Proof.
   intro P. destruct e as [x|]; [right | left; split; reflexivity]. exists [show_decimal x]. split; [reflexivity|].
   cbn [numbers]. rewrite number_percent by apply (P x eq_refl). reflexivity.
@@ -259,7 +260,7 @@ Proof.
   edestruct (retained_read "passing" p pf) as (E3 & E4); [exact Pp | | rewrite E3; cbn [bind]; rewrite E4; cbn [bind]].
   { absent. }
   rewrite percents_read; [|exact Pe|absent]. cbn [bind].
-  rewrite (optional_read "total" [Percent] _ (to_list tot)); [|apply says_percent, Pt|absent]. cbn [bind].
+  rewrite (optional_read "total" [Percent 200] _ (to_list tot)); [|apply says_percent, Pt|absent]. cbn [bind].
   rewrite bands_read; [|reflexivity|exact Pb|exact Ba]. cbn [bind app rev].
   rewrite (proj2 (Z.leb_le _ _) Se), (proj2 (Z.leb_le _ _) Sb). cbn [andb demand_form bind].
   rewrite !first_to_list.
@@ -463,13 +464,14 @@ Proof.
     rewrite IH; [|intros; apply P; right; assumption | exact C']. simpl. rewrite <- app_assoc. reflexivity.
 Qed.
 
-Definition plain_multiple (m : multiple) : Prop :=
+Definition plain_multiple (ls : letters) (m : multiple) : Prop :=
   (plain_integer (times_m m) /\ 1 <= times_m m) /\
-  if of_class m =? 0 then one_of (letter m) "EmwnN" = true /\ up_to m = 0
+  if of_class m =? 0 then one_of (letter m) (of_all ls) = true /\ up_to m = 0
   else plain_range (of_class m) (up_to m) /\
-       one_of (letter m) (if of_class m =? up_to m then "fFqQrRpPex" else "sSd") = true.
+       one_of (letter m) (if of_class m =? up_to m then of_single ls else of_several ls) = true.
 
-Lemma condition_read m : plain_multiple m -> condition_of (condition_word m) = Some (letter m, of_class m, up_to m).
+Lemma condition_read ls m :
+  plain_multiple ls m -> condition_of ls (condition_word m) = Some (letter m, of_class m, up_to m).
 Proof.
   intros (_ & P). unfold condition_word, condition_of. destruct (Z.eqb_spec (of_class m) 0) as [E|E].
   - destruct P as (P & U). rewrite P, E, U. reflexivity.
@@ -486,37 +488,41 @@ Proof.
   unfold terms. induction ms as [|m ms IH]; intro n; cbn [fold_left]; [lia|]. rewrite IH, (IH (0 + terms_of m)). lia.
 Qed.
 
-Definition leaf_words (ms : list multiple) : line := flat_map (fun m => [show_integer (times_m m); condition_word m]) ms.
-
 Lemma mem_add p q (seen : PositiveMap.t unit) :
   p <> q -> PositiveMap.mem p seen = false -> PositiveMap.mem p (PositiveMap.add q tt seen) = false.
 Proof.
   intros N M. rewrite PositiveMap.mem_find in *. rewrite PositiveMap.gso by exact N. exact M.
 Qed.
 
-Lemma leaf_read ms : forall seen n done,
-  (forall m, In m ms -> plain_multiple m) -> NoDup (map key ms) ->
-  (forall m, In m ms -> PositiveMap.mem (key m) seen = false) -> (ms <> [] \/ done <> []) ->
-  leaf (leaf_words ms) seen n done = Some (rev done ++ ms, n + terms ms).
+Lemma multiples_read ls ms : forall seen n done,
+  (forall m, In m ms -> plain_multiple ls m) -> NoDup (map key ms) ->
+  (forall m, In m ms -> PositiveMap.mem (key m) seen = false) ->
+  multiples ls (multiple_words ms) seen n done = Some (rev done ++ ms, n + terms ms).
 Proof.
-  induction ms as [|m ms IH]; intros seen n done P D S Some_.
-  - cbn [leaf_words flat_map leaf List.length]. destruct done as [|x done]; [destruct Some_; contradiction|].
-    rewrite rev'_rev, app_nil_r. unfold terms. cbn [fold_left]. do 2 f_equal. lia.
-  - cbn [leaf_words flat_map app leaf]. destruct (P m (or_introl eq_refl)) as ((Pm & Lm) & Pc).
-    rewrite (number_integer 1 _ Pm Lm), (condition_read m (conj (conj Pm Lm) Pc)). cbn [of_integer Qnum].
+  induction ms as [|m ms IH]; intros seen n done P D S.
+  - cbn [multiple_words flat_map multiples]. rewrite rev'_rev, app_nil_r. unfold terms. cbn [fold_left]. do 2 f_equal. lia.
+  - cbn [multiple_words flat_map app multiples]. destruct (P m (or_introl eq_refl)) as ((Pm & Lm) & Pc).
+    rewrite (number_integer 1 _ Pm Lm), (condition_read ls m (conj (conj Pm Lm) Pc)). cbn [of_integer Qnum].
     replace (Multiple (times_m m) (letter m) (of_class m) (up_to m)) with m by (destruct m; reflexivity).
     rewrite (S m (or_introl eq_refl)). cbn [map] in D. inversion D as [|k ks Out D']; subst.
-    fold (leaf_words ms). rewrite IH; trivial.
+    fold (multiple_words ms). rewrite IH; trivial.
     + unfold terms at 2. cbn [rev fold_left]. rewrite terms_more, <- app_assoc. do 2 f_equal. lia.
     + intros x I. apply P. right. exact I.
     + intros x I. apply mem_add; [|apply S; right; exact I]. intro E. apply Out. rewrite <- E. apply in_map, I.
-    + right. discriminate.
+Qed.
+
+Lemma all_multiples_read ls ms : (forall m, In m ms -> plain_multiple ls m) -> NoDup (map key ms) ->
+  multiples ls (multiple_words ms) (PositiveMap.empty unit) 0 [] = Some (ms, terms ms).
+Proof.
+  intros P D. rewrite multiples_read; trivial. intros m _. rewrite PositiveMap.mem_find, PositiveMap.gempty. reflexivity.
 Qed.
 
 Definition plain_node (n : node) : Prop :=
   match n with
   | Split i j v => plain_range i j /\ plain_integer v /\ 1 <= v
-  | Leaf ms => ms <> [] /\ (forall m, In m ms -> plain_multiple m) /\ NoDup (map key ms)
+  | SplitMass v => plain_rational v /\ 0 < Qnum v
+  | Leaf ms => ms <> [] /\ (forall m, In m ms -> plain_multiple of_leaf m) /\ NoDup (map key ms)
+  | Window ms => (forall m, In m ms -> plain_multiple of_windows m) /\ NoDup (map key ms)
   end.
 
 (* As many subtrees as are to come, within the most nodes and multipliers; n is what there is before. *)
@@ -524,9 +530,25 @@ Fixpoint whole_trees (nodes : list node) (to_come n : Z) : Prop :=
   n <= most_nodes /\
   match nodes with
   | [] => to_come = 0
-  | Split _ _ _ :: nodes => to_come <> 0 /\ whole_trees nodes (to_come + 1) (n + 1)
-  | Leaf ms :: nodes => to_come <> 0 /\ whole_trees nodes (to_come - 1) (n + 1 + terms ms)
+  | (Split _ _ _ | SplitMass _) :: nodes => to_come <> 0 /\ whole_trees nodes (to_come + 1) (n + 1)
+  | (Leaf ms | Window ms) :: nodes => to_come <> 0 /\ whole_trees nodes (to_come - 1) (n + 1 + terms ms)
   end.
+
+Lemma split_read i j v : plain_node (Split i j v) -> split_of [range_word i j; show_integer v] = Some (Split i j v).
+Proof.
+  intros (Pj & Pv & Lv). unfold split_of. destruct (String.eqb_spec (range_word i j) "M") as [E|_].
+  - pose proof (class_range_read i j Pj) as R. rewrite E in R. discriminate R.
+  - rewrite class_range_read, number_integer by assumption. reflexivity.
+Qed.
+
+Lemma split_mass_read v : plain_node (SplitMass v) -> split_of ["M"; show_rational v] = Some (SplitMass v).
+Proof. intros (P & L). unfold split_of. change (String.eqb "M" "M") with true. rewrite number_rational by assumption. reflexivity. Qed.
+
+Lemma leaf_read ms : plain_node (Leaf ms) -> leaf_of (multiple_words ms) = Some (Leaf ms, terms ms).
+Proof. intros (N & P & D). unfold leaf_of. rewrite all_multiples_read by assumption. destruct ms; [contradiction | reflexivity]. Qed.
+
+Lemma window_read ms : plain_node (Window ms) -> window_of (multiple_words ms) = Some (Window ms, terms ms).
+Proof. intros (P & D). unfold window_of. rewrite all_multiples_read by assumption. reflexivity. Qed.
 
 Lemma tree_read nodes rest : forall to_come n done,
   (forall x, In x nodes -> plain_node x) -> whole_trees nodes to_come n ->
@@ -535,18 +557,19 @@ Proof.
   induction nodes as [|x nodes IH]; intros to_come n done P T.
   - destruct T as (L & ->). cbn [map app]. rewrite app_nil_r.
     destruct rest; cbn [tree]; rewrite (proj2 (Z.ltb_ge _ _) L), rev'_rev; reflexivity.
-  - pose proof (P x (or_introl eq_refl)) as Px. cbn [map app tree].
-    destruct x as [i j v|ms]; destruct T as (L & C & T); rewrite (proj2 (Z.ltb_ge _ _) L), (proj2 (Z.eqb_neq _ _) C);
+  - pose proof (P x (or_introl eq_refl)) as Px.
+    assert (forall to_come n, whole_trees nodes to_come n ->
+              tree (map node_line nodes ++ rest) to_come n (x :: done) = Ok (rev done ++ x :: nodes, rest)) as Rest.
+    { intros k m T'. rewrite IH; [|intros; apply P; right; assumption | exact T']. cbn [rev]. rewrite <- app_assoc. reflexivity. }
+    clear IH. cbn [map app tree].
+    destruct x as [i j v|v|ms|ms]; destruct T as (L & C & T); rewrite (proj2 (Z.ltb_ge _ _) L), (proj2 (Z.eqb_neq _ _) C);
       cbn [node_line].
-    + change (String.eqb "split" "split") with true. cbv iota. destruct Px as (Pj & Pv & Lv).
-      rewrite class_range_read, number_integer by assumption. cbn [of_integer Qnum].
-      rewrite IH; [|intros; apply P; right; assumption | exact T]. cbn [rev]. rewrite <- app_assoc. reflexivity.
+    + change (String.eqb "split" "split") with true. cbv iota. rewrite split_read by exact Px. exact (Rest _ _ T).
+    + change (String.eqb "split" "split") with true. cbv iota. rewrite split_mass_read by exact Px. exact (Rest _ _ T).
     + change (String.eqb "leaf" "split") with false. change (String.eqb "leaf" "leaf") with true. cbv iota.
-      destruct Px as (N & Pm & D). fold (leaf_words ms).
-      rewrite leaf_read; trivial; [|intros; rewrite PositiveMap.mem_find, PositiveMap.gempty; reflexivity | left; exact N].
-      cbn [rev app]. rewrite IH; [|intros; apply P; right; assumption|].
-      * cbn [rev]. rewrite <- app_assoc. reflexivity.
-      * replace (n + 1 + (0 + terms ms)) with (n + 1 + terms ms) by lia. exact T.
+      rewrite leaf_read by exact Px. exact (Rest _ _ T).
+    + change (String.eqb "window" "split") with false. change (String.eqb "window" "leaf") with false.
+      change (String.eqb "window" "window") with true. cbv iota. rewrite window_read by exact Px. exact (Rest _ _ T).
 Qed.
 
 Definition plain_proof (cert : certificate) : Prop :=
@@ -663,8 +686,8 @@ Proof.
   intros (Q & (Pc & None_) & W & Wa & Ws & P). unfold read_certificate, document_lines. cbn [certificate_of].
   set (second := is_second (claimed cert) (proof_of cert)) in *.
   set (rest := (question_lines _ ++ _)%list).
-  assert (read_version ([version_line cert] ++ rest) = Ok (if second then 2 else 1, rest)) as RV.
-  { unfold read_version, version_line. fold second. destruct second; reflexivity. }
+  assert (read_version ([version_line cert] ++ rest) = Ok (version_of cert, rest)) as RV.
+  { unfold read_version, version_line, version_of. fold second. destruct (is_third (proof_of cert)), second; reflexivity. }
   refine (bind_eq _ _ _ _ RV _). cbv beta iota. unfold rest. clear RV rest.
   rewrite (question_read (asked cert) box false _ cert Q eq_refl); [|unfold particles_line; simpl; eauto|reflexivity].
   cbn [bind]. fold (is_tolerant cert). fold the_end.
@@ -684,7 +707,7 @@ Proof.
       rewrite number_rational by assumption. reflexivity. }
   refine (bind_eq _ _ _ _ RS _). cbv beta iota.
   assert (named "class" (proof_lines (proof_of cert) ++ the_end) = false) as NC.
-  { destruct (proof_of cert) as [scale z js|[|[i j v|ms] nodes]]; try reflexivity. destruct z, js; reflexivity. }
+  { destruct (proof_of cert) as [scale z js|[|[i j v|v|ms|ms] nodes]]; try reflexivity. destruct z, js; reflexivity. }
   assert (match found (claimed cert) with
           | Some _ => read_classes (is_tolerant cert) (map (class_line (is_tolerant cert)) (witness cert) ++ proof_lines (proof_of cert) ++ the_end)
           | None => Ok ([], map (class_line (is_tolerant cert)) (witness cert) ++ proof_lines (proof_of cert) ++ the_end)
@@ -695,6 +718,8 @@ Proof.
     - destruct None_ as (_ & ->); reflexivity. }
   refine (bind_eq _ _ _ _ RW _). cbv beta iota. refine (bind_eq _ _ _ _ PR _). cbv beta iota. unfold the_end. cbn [tl].
   rewrite !is_line_same. cbn [andb demand_form bind].
-  fold second. destruct second; cbn [Z.eqb Pos.eqb negb orb demand_form bind]; rewrite orb_true_r; destruct cert;
-    reflexivity.
+  fold second. unfold version_of. fold second.
+  assert (is_tolerant cert = false -> is_third (proof_of cert) = false) as Third.
+  { unfold is_tolerant, plain_proof in *. destruct (tolerances_of (asked cert)), (proof_of cert); try contradiction; congruence || reflexivity. }
+  destruct (is_tolerant cert), (is_third (proof_of cert)), second; try (discriminate (Third eq_refl)); destruct cert; reflexivity.
 Qed.

@@ -32,9 +32,10 @@ Definition tolerance_lines (t : tolerances) (band_of_file : bool) : lines :=
    if_some (total t) (fun e => ["total"; show_decimal e]) ++
    if band_of_file then [["band"; "file"]] else map band_line (band t))%list.
 
-(* Version 2 where it has what version 1 has not. *)
-Definition version_line (cert : certificate) : line :=
-  ["mdm-certificate"; if is_second (claimed cert) (proof_of cert) then "2" else "1"].
+(* The lowest version that has all that is there. *)
+Definition version_of (cert : certificate) : Z :=
+  if is_third (proof_of cert) then 3 else if is_second (claimed cert) (proof_of cert) then 2 else 1.
+Definition version_line (cert : certificate) : line := ["mdm-certificate"; show_integer (version_of cert)].
 
 Definition question_lines (D : document) : lines :=
   let q := asked (certificate_of D) in
@@ -67,10 +68,15 @@ Definition range_word (i j : Z) : string :=
 Definition condition_word (m : multiple) : string :=
   String (letter m) (if of_class m =? 0 then "" else range_word (of_class m) (up_to m)).
 
+Definition multiple_words (ms : list multiple) : line :=
+  flat_map (fun m => [show_integer (times_m m); condition_word m]) ms.
+
 Definition node_line (n : node) : line :=
   match n with
   | Split i j v => ["split"; range_word i j; show_integer v]
-  | Leaf ms => "leaf" :: flat_map (fun m => [show_integer (times_m m); condition_word m]) ms
+  | SplitMass v => ["split"; "M"; show_rational v]
+  | Leaf ms => "leaf" :: multiple_words ms
+  | Window ms => "window" :: multiple_words ms
   end.
 
 Definition proof_lines (p : proof) : lines :=

@@ -180,27 +180,33 @@ Definition read_header_line (st : state) (w : string) (line : Z) : result state 
     end
   end.
 
-(* A line that is a comment, but for rows of a table of sieves. *)
-Definition is_comment (w : string) : bool := match w with String ch _ => Ascii.eqb ch "#" | EmptyString => false end.
+Definition of_sieves (st : state) : bool :=
+  match header_found st with Some (h, _) => match unit_of h with SieveNames => true | _ => false end | None => false end.
+
+(* What is behind the # of a comment may be a sieve where it begins with a digit; below a header of sieves also behind
+   blanks. *)
+Definition may_be_sieve (below_sieves : bool) (behind : string) : bool :=
+  match (if below_sieves then without_first is_blank behind else behind) with
+  | String ch _ => is_digit ch
+  | EmptyString => false
+  end.
+
+Definition read_comment (st : state) (behind : string) (line : Z) : result state :=
+  demand_at line (negb (may_be_sieve (of_sieves st) behind))
+    "a number behind #, which may be a sieve or a comment: write No. 4 for a sieve, begin a comment with a word" ;;
+  Ok st.
 
 Definition read_line (st : state) (w : string) (line : Z) : result state :=
   match without_first is_blank w with
   | EmptyString => Ok st
-  | bare =>
+  | String ch behind =>
+    if Ascii.eqb ch "#" then read_comment st behind line else
     match header_found st with
-    | None => if is_comment bare then Ok st else read_header_line st w line
+    | None => read_header_line st w line
     | Some (h, begins) =>
-      let of_sieves := match unit_of h with SieveNames => true | _ => false end in
-      if is_comment bare && negb of_sieves then Ok st else
       match fields_of (delimiter_of st) w with
-      | Some fields =>
-        let is_row :=
-          match fields with first :: _ => is_sieve_number first | [] => false end &&
-          (size fields =? size (further_of h) + 2) in
-        if is_comment bare && negb is_row then Ok st else read_row_line st h begins fields line
-      | None =>
-        if is_comment bare then Ok st
-        else wrong line "a quoted field does not end before the delimiter: close its quotes"
+      | Some fields => read_row_line st h begins fields line
+      | None => wrong line "a quoted field does not end before the delimiter: close its quotes"
       end
     end
   end.

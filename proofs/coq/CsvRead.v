@@ -320,9 +320,9 @@ Proof.
     - destruct (T _ (or_introl eq_refl)) as (B & _). simpl in B. apply andb_prop in B as (B & _).
       destruct (joined_head ch w ws) as (rest & J). eauto. }
   unfold read_line. rewrite J in *.
-  assert (is_blank ch = false /\ is_comment (String ch w) = false) as (B & Co).
+  assert (is_blank ch = false /\ Ascii.eqb ch "#" = false) as (B & Co).
   { destruct ch as [[] [] [] [] [] [] [] []]; try discriminate Ch; split; reflexivity. }
-  simpl without_first. rewrite B, H, Co, D, F. cbn [andb]. unfold read_row_line, demand_at, on_line.
+  simpl without_first. rewrite B, Co, H, D, F. unfold read_row_line, demand_at, on_line.
   rewrite (proj2 (Z.ltb_lt _ _) C), D, E. reflexivity.
 Qed.
 

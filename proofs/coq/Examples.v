@@ -13,7 +13,7 @@ Fixpoint words (s word : string) : list string :=
   end.
 Definition text_of (ls : list string) : lines := (map (fun l => words l "") ls ++ [[""]])%list.
 
-(* ---- An open bound decides (certificate-format.md, section 7) ------------------------------------- *)
+(* ---- An open bound decides (certificate-format.md, section 9) ------------------------------------- *)
 
 (* Classes (1, 2] and (2, 3] of spheres with the masses 2 and 1. *)
 Definition sand : list row := [Row 1 2 1 0; Row 2 1 1 0; Row 3 0 1 0].
@@ -190,3 +190,17 @@ Example strict_sum :
   claim_of_wide "5" closed_bounds = Refused "leaf: a contradiction" /\
   claim_of_wide "4..5" closed_bounds = Ok (Between 4 5).
 Proof. vm_compute. repeat split. Qed.
+
+(* The shares of [occupied] again, by windows of the mass: up to 4, to 8, and above. One particle of class 1 has half of the
+   mass at M = 4, which is not in the second window; were it there, two particles could not be excluded. *)
+Definition windows_from (first : string) : lines := text_of
+  ["mdm-certificate 3"; "law 1"; "retained 25"; "particles 3"; "class 1 2 4 2 2"; "class 2 1 4 4 4";
+   "split M 8"; "split M " ++ first; "window 1 t"; "window 3 N 8 t"; "window 1 N 2 t"; "end"].
+Definition judged_windows (first : string) : result Certificate.claim :=
+  let* cert := check (Gradation [Row 0 2 1 0; Row 2 1 1 0; Row 5 1 1 0; Row 9 0 1 0] 1 false) (windows_from first) in
+  Ok (claimed cert).
+
+Example an_end_of_a_window :
+  judged_windows "4" = Ok (Smallest 3) /\
+  judged_windows "39/10" = Refused "window: the greatest sum of all classes is a contradiction".
+Proof. vm_compute. split; reflexivity. Qed.

@@ -111,14 +111,18 @@ Definition apply_size_factor (d : Z) (K : option Q) (rs : list row) : result (li
 Definition work_of_steps : Z := 2 ^ 34.
 Definition work_of_scales : Z := 2 ^ 28.
 
-(* What n openings, a band's lines, and the steps of a chain, or the nodes and multipliers of a tree, take. *)
-Definition work_of (cert : certificate) (n : Z) : Z :=
+(* What n openings, a band's lines, and the steps of a chain, or the nodes and multipliers of a tree on k classes, take. *)
+Definition work_of (cert : certificate) (n k : Z) : Z :=
   let steps :=
     match proof_of cert with
     | Exact _ _ (Some chain) => size chain
     | Exact _ _ None => 0
     | Tolerant tree =>
-      fold_left (fun steps v => steps + match v with Split _ _ _ => 1 | Leaf ms => 1 + terms ms end) tree 0
+      fold_left (fun steps v => steps + match v with
+        | Split _ _ _ | SplitMass _ => 1
+        | Leaf ms => 1 + terms ms
+        | Window ms => 64 * k + terms ms
+        end) tree 0
     end in
   let bands := match tolerances_of (asked cert) with Some t => size (band t) | None => 0 end in
   64 * (n + bands) + steps.
@@ -147,8 +151,11 @@ Definition longest_count (cert : certificate) : Z :=
   let of_tree :=
     match proof_of cert with
     | Tolerant tree =>
-      longest (fun v => match v with Split _ _ v => bits v | Leaf ms => longest (fun m => bits (times_m m)) ms 0 end)
-        tree 0
+      longest (fun v => match v with
+        | Split _ _ v => bits v
+        | SplitMass v => bits_of v
+        | Leaf ms | Window ms => longest (fun m => bits (times_m m)) ms 0
+        end) tree 0
     | Exact _ _ _ => 0
     end in
   Z.max (Z.max of_question of_tolerances) (Z.max of_witness of_tree).
@@ -158,7 +165,7 @@ Definition demand_small (cert : certificate) (d : Z) (rs : list row) : result un
   let count := longest_count cert in
   let e := Z.max (a (asked cert)) (b (asked cert)) * d in
   demand_form ((e * Z.max long count <=? power_bits) &&
-               (work_of cert (size rs) * e * (long + count) <=? work_of_steps)) too_long.
+               (work_of cert (size rs) (size rs - 1) * e * (long + count) <=? work_of_steps)) too_long.
 
 Definition apply_question (cert : certificate) (G : gradation) : result gradation :=
   let q := asked cert in

@@ -100,11 +100,3 @@ Definition sieve_opening (name : string) (point : ascii) : result Q :=
     end
   | None => Malformed (unknown_sieve name)
   end.
-
-(* `#200`, `# 3-1/2` begins a row of a table of sieves, where any other # begins a comment. *)
-Definition is_sieve_number (field : string) : bool :=
-  match field with
-  | String ch rest =>
-    Ascii.eqb ch "#" && every (fun ch => is_digit ch || one_of ch "-/. ") rest && some is_digit rest
-  | EmptyString => false
-  end.

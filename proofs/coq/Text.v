@@ -106,6 +106,12 @@ Definition misleads (n : Z) : bool :=
   within 173 173 || within 1564 1564 || within 8203 8207 || within 8232 8238 || within 8288 8297 ||
   within 65279 65279.
 
+(* Line separators and marks of the direction of writing: an editor may show a line of its own, or another order, where
+   there is none. *)
+Definition rearranges (n : Z) : bool :=
+  let within lo hi := (lo <=? n) && (n <=? hi) in
+  within 1564 1564 || within 8206 8207 || within 8232 8238 || within 8294 8297.
+
 Definition hexadecimal (n : Z) : ascii := of_code (if n <? 10 then 48 + n else 55 + n).
 Definition escaped (ch : ascii) : string :=
   String backslash (String "x" (String (hexadecimal (code ch / 16)) (String (hexadecimal (code ch mod 16)) ""))).
@@ -166,7 +172,8 @@ Definition demand_at (line : Z) (holds : bool) (what : string) : result unit :=
 
 (* ---- A file's text -------------------------------------------------------------------------------- *)
 
-(* Valid UTF-8 without control characters but tab, LF, and CR before LF. [more] bytes of a character are to come. *)
+(* Valid UTF-8 without control characters but tab, LF, and CR before LF, and without line separators and marks of the
+   direction of writing. [more] bytes of a character are to come. *)
 Fixpoint check_text (w : string) (more : nat) (line : Z) : result unit :=
   match w with
   | EmptyString => Ok tt
@@ -188,6 +195,7 @@ Fixpoint check_text (w : string) (more : nat) (line : Z) : result unit :=
         | None => wrong line "not valid UTF-8: save the file as UTF-8 text"
         | Some (n, more) =>
           if is_control n then wrong line "a control character: give a text file without them"
+          else if rearranges n then wrong line "a line separator or a mark of the direction of writing: remove it"
           else check_text rest more line
         end
     end

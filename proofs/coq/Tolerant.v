@@ -2,7 +2,7 @@
    section 6). *)
 
 From Coq Require Import ZArith QArith List Bool String.
-From Mdm Require Import Numbers Gradation Certificate Question Exact Tree.
+From Mdm Require Import Numbers Gradation Certificate Question Exact Leaf Tree.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -156,7 +156,7 @@ Definition derive (cert : certificate) (G : gradation) (tol : tolerances) : resu
   let size_unit := common_denominator roots in
   let factor_unit := common_denominator (map factor rs) in
   let w := volume_below (solids_of q) in
-  demand_form (work_of cert (size rs - 1) * (bits unit + bits_of w) <=? work_of_steps) too_long ;;
+  demand_form (work_of cert (size rs - 1) (size rs - 1) * (bits unit + bits_of w) <=? work_of_steps) too_long ;;
   Ok (Problem (limits_of (min_per_class q) a' size_unit factor_unit unit (solids_of q) js ss roots)
         (size_unit ^ a' * factor_unit) unit (in_units e unit) (Z.max 1 (at_least q)) w (bound_of (claimed cert))).
 
@@ -203,7 +203,7 @@ Definition check_witness (cert : certificate) (G : gradation) (pr : problem) (N 
   let q := asked cert in
   let cs := classes_of pr in
   let* unit := include_all (map (fun w => Zpos (Qden (together w))) (witness cert)) 1 in
-  demand_form (work_of cert (size (rows G) - 1) * bits unit <=? work_of_steps) too_long ;;
+  demand_form (work_of cert (size (rows G) - 1) (size (rows G) - 1) * bits unit <=? work_of_steps) too_long ;;
   let* qts := contents (a q) (b q) (root G) unit pr 1%Z (classes (rows G)) cs (witness cert) in
   let M := sum (map snd qts) in
   demand (within (share_unit pr) M 0 cs qts) "q >= R, or a tolerance" ;;

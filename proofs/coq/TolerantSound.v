@@ -1,8 +1,8 @@
-(* From samples to the problem of Tree.v and back (Theorem 12). *)
+(* From samples to the problem of Leaf.v and back (Theorem 12). *)
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
-From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Exact Tree Tolerant Spec Openings Reduction RealFacts
-  Solids TreeSound Shares.
+From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Exact Leaf Tree Tolerant Spec Openings Reduction RealFacts
+  Solids LeafSound TreeSound Shares.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -92,8 +92,8 @@ Proof.
       by (apply in_units_real, Dc; left; reflexivity).
     assert (forall z, In z (x :: y :: roots2) -> IZR (in_units z size_unit) = Q2R z * IZR size_unit) as Ux
       by (intros z Z; apply in_units_real, Dx, Z).
-    constructor; cbn [Tree.f Tree.F Tree.floor Tree.retained_lo Tree.retained_hi Tree.passing_lo Tree.passing_hi Tree.g
-                      Tree.per_factor lower upper mass c j]; try (apply U; simpl; tauto); trivial.
+    constructor; cbn [Leaf.f Leaf.F Leaf.floor Leaf.retained_lo Leaf.retained_hi Leaf.passing_lo Leaf.passing_hi Leaf.g
+                      Leaf.per_factor lower upper mass c j]; try (apply U; simpl; tauto); trivial.
     + change (lower_size d _) with (size_of d (opening r)).
       rewrite !mult_IZR, <- !pow_IZR, Uc, (Ux x), (law_of_root x (opening r) Rx0 Rx), Rpow_mult_distr by (simpl; tauto). ring.
     + change (upper_size d _) with (size_of d (opening next)).

@@ -2,8 +2,8 @@
    one with the witness's number is; or there is none of any number (Theorems 12 and 14). *)
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
-From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Exact Tree Tolerant Spec Openings Reduction RealFacts
-  Sizes Solids TreeSound Shares TolerantSound.
+From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Exact Leaf Tree Tolerant Spec Openings Reduction RealFacts
+  Sizes Solids LeafSound TreeSound Shares TolerantSound.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -155,6 +155,70 @@ Proof.
   - apply IZR_lt, Up.
   - apply in_units_real, Uh.
 Qed.
+
+(* ---- What every problem is ------------------------------------------------------------------------ *)
+
+Lemma shares_target : forall rs0 G0 each (all : Q),
+  Q2R all <> 0 -> Forall2 (fun j s => Q2R (g_j s) = Q2R (mass j) / Q2R all) (classes rs0) (shares tol all G0 rs0 each).
+Proof.
+  induction rs0 as [|r0 l IH]; intros G0 each all Al; [constructor|]. destruct l as [|n l]; [constructor|].
+  change (classes (r0 :: n :: l)) with (Class (opening r0) (opening n) (retained r0) (factor r0) :: classes (n :: l)).
+  cbn [shares]. constructor; [cbn [g_j mass]; apply Q2R_over, Al | apply IH, Al].
+Qed.
+
+Lemma band_keeps (target : class -> R) : forall l ss0 lines result,
+  apply_band l ss0 lines = Ok result -> Forall2 (fun j s => Q2R (g_j s) = target j) l ss0 ->
+  Forall2 (fun j s => Q2R (g_j s) = target j) l result.
+Proof.
+  assert (forall lines s, g_j (narrow_by s lines) = g_j s) as N.
+  { unfold narrow_by. induction lines as [|((X, l0), h0) lines IH]; intro s; [reflexivity|]. cbn [fold_left]. rewrite IH. reflexivity. }
+  induction l as [|j l IH]; intros ss0 lines result H F; inversion F as [|? s ? ss1 F1 F2]; subst; cbn [apply_band] in H;
+    [injection H as <-; constructor|].
+  destruct l as [|j2 l].
+  - passed H. injection H as <-. inversion F2; subst. constructor; [rewrite N; exact F1 | constructor].
+  - destruct lines as [|((X, l0), h0) rest]; [injection H as <-; constructor; assumption|].
+    passed H. passed H. injection H as <-. constructor; [destruct (equal X (upper j)); exact F1 | exact (IH _ _ _ H1 F2)].
+Qed.
+
+Lemma shares_of_target ss : shares_of q tol G = Ok ss -> Forall2 (fun j s => Q2R (g_j s) = target_retained rs j) js ss.
+Proof.
+  intro H. unfold shares_of in H. cbv zeta in H. do 4 passed H.
+  eapply band_keeps; [exact H|]. pose proof (gradation_mass_positive rs rows_proper some_mass) as Gm.
+  pose proof (shares_target rs 0 (passing_each tol) (fold_left add (map retained rs) 0%Q)) as T.
+  rewrite (sum_of_rows rs rows_proper) in T. apply T. lra.
+Qed.
+
+Lemma targets_whole ss : derivation ss -> sum (map g (classes_of pr)) = share_unit pr.
+Proof.
+  intro der. pose proof (shares_of_target ss (der_shares _ der)) as T. pose proof (der_classes _ der) as C.
+  pose proof (gradation_mass_positive rs rows_proper some_mass) as Gm. apply eq_IZR.
+  assert (forall l ss0 ls, Forall2 (fun j s => Q2R (g_j s) = target_retained rs j) l ss0 ->
+    Forall2 (fun js l => represents d law (min_per_class q) (solids_of q) mu su (fst js) (snd js) l) (combine l ss0) ls ->
+    IZR (sum (map g ls)) = total (map (fun j => Q2R (mass j)) l) / gradation_mass rs * su) as S.
+  { induction l as [|j l IH]; intros ss0 ls H R; inversion H as [|? s ? ss1 H1 H2]; subst; cbn [combine] in R;
+      inversion R as [|? lj ? ls1 R1 R2]; subst; cbn [map sum fold_right total]; [field; lra|].
+    fold (sum (map g ls1)). fold (total (map (fun j => Q2R (mass j)) l)).
+    rewrite plus_IZR, (IH ss1 ls1 H2 R2), (rep_g _ _ _ _ _ _ _ _ R1). cbn [snd]. rewrite H1. unfold target_retained. field. lra. }
+  rewrite (S js ss _ T C). fold (gradation_mass rs). field. lra.
+Qed.
+
+Lemma bounds_ascend ss : derivation ss -> Forall (fun x => (0 <= f x < F x)%Z) (classes_of pr).
+Proof.
+  intro der. pose proof (der_classes _ der) as C. pose proof (der_mass _ der) as Mu.
+  assert (forall j s, In (j, s) (combine js ss) -> In j js) as I by (intros j s; apply in_combine_l).
+  revert I C. generalize (combine js ss) as l. generalize (classes_of pr) as ls. intros ls l. revert ls.
+  induction l as [|(j, s) l IH]; intros ls I C; inversion C as [|? x ? ls1 R C']; subst; constructor.
+  - cbn [fst snd] in R. pose proof (classes_ok j (I j s (or_introl eq_refl))) as P.
+    destruct (proper_sizes (d := d) j P) as (L & U). destruct P as (_ & Cj & _).
+    pose proof (law_nonneg law (proj1 power) _ L) as N. assert (law (lower_size d j) < law (upper_size d j)) as Lt by (apply power; lra).
+    split; [apply le_IZR | apply lt_IZR]; rewrite (rep_f _ _ _ _ _ _ _ _ R), ?(rep_F _ _ _ _ _ _ _ _ R).
+    + apply Rmult_le_pos; [apply Rmult_le_pos|]; lra.
+    + apply Rmult_lt_compat_r; [exact Mu|]. apply Rmult_lt_compat_l; assumption.
+  - apply IH; [|exact C']. intros i t It. apply (I i t). right. exact It.
+Qed.
+
+Lemma volume_not_negative ss : derivation ss -> 0 <= Q2R (volume pr).
+Proof. intro der. rewrite (der_volume _ der). apply volume_enough_nonneg, solids_proper. Qed.
 
 (* ---- A sample as a point ------------------------------------------------------------------------- *)
 
@@ -378,21 +442,25 @@ Qed.
 
 Hypothesis checked : check_tree pr nodes = Ok tt.
 
+Lemma none_satisfies states : ~ satisfies pr states.
+Proof.
+  destruct derive_ok as (ss & der). exact (tree_sound pr (der_mass _ der) (der_share _ der) (targets_whole ss der)
+    (bounds_ascend ss der) (volume_not_negative ss der) nodes checked states).
+Qed.
+
 (* None with fewer particles is within the tolerance. *)
 Theorem tolerant_lower_bound B S : bound_of (claimed cert) = Some B -> allowed law q G S -> (B <= Z.of_nat (length S))%Z.
 Proof.
   intros E A. destruct (Z_le_gt_dec B (Z.of_nat (length S))) as [|L]; [assumption|exfalso].
   destruct (allowed_satisfies S A) as (st & St); [intros B' E'; rewrite E in E'; injection E' as <-; lia|].
-  destruct derive_ok as (ss & der).
-  exact (tree_sound pr (der_mass _ der) (der_share _ der) nodes checked st St).
+  exact (none_satisfies st St).
 Qed.
 
 (* None of any number is. *)
 Theorem tolerant_none S : claimed cert = NoMatch -> ~ allowed law q G S.
 Proof.
   intros E A. destruct (allowed_satisfies S A) as (st & St); [rewrite E; discriminate|].
-  destruct derive_ok as (ss & der).
-  exact (tree_sound pr (der_mass _ der) (der_share _ der) nodes checked st St).
+  exact (none_satisfies st St).
 Qed.
 
 (* ---- The witness --------------------------------------------------------------------------------- *)
@@ -413,36 +481,6 @@ Proof.
   - passed H. passed H. passed H. passed H. injection H as <-. apply Z.ltb_lt in H0. apply Z.leb_le in H1.
     constructor; [right; auto | exact (IH _ _ _ _ Le H3)].
   - passed H. injection H as <-. constructor; [left; auto | exact (IH _ _ _ _ Le H0)].
-Qed.
-
-Lemma shares_target : forall rs0 G0 each (all : Q),
-  Q2R all <> 0 -> Forall2 (fun j s => Q2R (g_j s) = Q2R (mass j) / Q2R all) (classes rs0) (shares tol all G0 rs0 each).
-Proof.
-  induction rs0 as [|r0 l IH]; intros G0 each all Al; [constructor|]. destruct l as [|n l]; [constructor|].
-  change (classes (r0 :: n :: l)) with (Class (opening r0) (opening n) (retained r0) (factor r0) :: classes (n :: l)).
-  cbn [shares]. constructor; [cbn [g_j mass]; apply Q2R_over, Al | apply IH, Al].
-Qed.
-
-Lemma band_keeps (target : class -> R) : forall l ss0 lines result,
-  apply_band l ss0 lines = Ok result -> Forall2 (fun j s => Q2R (g_j s) = target j) l ss0 ->
-  Forall2 (fun j s => Q2R (g_j s) = target j) l result.
-Proof.
-  assert (forall lines s, g_j (narrow_by s lines) = g_j s) as N.
-  { unfold narrow_by. induction lines as [|((X, l0), h0) lines IH]; intro s; [reflexivity|]. cbn [fold_left]. rewrite IH. reflexivity. }
-  induction l as [|j l IH]; intros ss0 lines result H F; inversion F as [|? s ? ss1 F1 F2]; subst; cbn [apply_band] in H;
-    [injection H as <-; constructor|].
-  destruct l as [|j2 l].
-  - passed H. injection H as <-. inversion F2; subst. constructor; [rewrite N; exact F1 | constructor].
-  - destruct lines as [|((X, l0), h0) rest]; [injection H as <-; constructor; assumption|].
-    passed H. passed H. injection H as <-. constructor; [destruct (equal X (upper j)); exact F1 | exact (IH _ _ _ H1 F2)].
-Qed.
-
-Lemma shares_of_target ss : shares_of q tol G = Ok ss -> Forall2 (fun j s => Q2R (g_j s) = target_retained rs j) js ss.
-Proof.
-  intro H. unfold shares_of in H. cbv zeta in H. do 4 passed H.
-  eapply band_keeps; [exact H|]. pose proof (gradation_mass_positive rs rows_proper some_mass) as Gm.
-  pose proof (shares_target rs 0 (passing_each tol) (fold_left add (map retained rs) 0%Q)) as T.
-  rewrite (sum_of_rows rs rows_proper) in T. apply T. lra.
 Qed.
 
 Section Witness.

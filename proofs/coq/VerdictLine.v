@@ -1,20 +1,21 @@
 (* The line that a verdict prints: it names the whole question, so that its reader sees what was proved. *)
 
 From Coq Require Import ZArith QArith List Bool String Ascii.
-From Mdm Require Import Numbers Gradation Certificate Text Decimals Rows Document.
+From Mdm Require Import Numbers Gradation Certificate Question Text Decimals Rows GradationFile Document.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
 
 (* ---- What a line says -------------------------------------------------------------------------------- *)
 
-(* A part of what is between its brackets. *)
+(* A part of what is between its brackets. [PassingEach] has each percentage with the opening that it is meant for, to
+   the power of the root. Openings and lengths are those of the file, but for solids. *)
 Inductive part :=
 | RetainedWithin (e : Q)
 | RetainedAsInFile
 | PassingWithin (e : Q)
 | PassingAsInFile
-| PassingEach (es : list Q)
+| PassingEach (root : Z) (each : list (Q * Q))
 | TotalWithin (e : Q)
 | BandAt (x least most : Q)
 | BandOfFile
@@ -24,13 +25,13 @@ Inductive part :=
 | PanImplied
 | SumsTo (share : share_unit) (total : Q)
 | MiddleOfLimits
+| PanCountedAs (x : Q)
+| LeftOutBelow (x : Q)
+| OpeningsTimes (k : Q)
 | AtLeastInEachClass (r : Z)
 | CylinderFilled (diameter height void_ratio : Q)
 | BoxFilled (x y z void_ratio : Q)
-| VolumeOfSolids (v : Q)
-| OpeningsTimes (k : Q)
-| LeftOutBelow (x : Q)
-| PanCountedAs (x : Q).
+| VolumeOfSolids (v : Q).
 
 (* What an accepted certificate's line says. *)
 Record statement := Statement {
@@ -41,12 +42,20 @@ Record statement := Statement {
 Definition if_some {A} (x : option A) (p : A -> part) : list part := match x with Some x => [p x] | None => [] end.
 Definition if_true (holds : bool) (p : part) : list part := if holds then [p] else [].
 
-Definition tolerance_parts (t : tolerances) (band_of_file : bool) : list part :=
+(* The openings of the file that are left, but for the finest: those that a class's upper one is. *)
+Definition upper_openings (G : gradation) (q : question) : list Q :=
+  let d := root G in
+  match (let* rs := apply_pan_size d (pan_size q) (rows G) in apply_cut_below d (cut_below q) rs) with
+  | Ok rs => map opening (tl rs)
+  | _ => []
+  end.
+
+Definition tolerance_parts (G : gradation) (q : question) (t : tolerances) (band_of_file : bool) : list part :=
   if_some (retained_each t) RetainedWithin ++
   if_true (retained_file t) RetainedAsInFile ++
   if_some (passing_all t) PassingWithin ++
   if_true (passing_file t) PassingAsInFile ++
-  match passing_each t with [] => [] | es => [PassingEach es] end ++
+  match passing_each t with [] => [] | es => [PassingEach (root G) (combine es (upper_openings G q))] end ++
   if_some (total t) TotalWithin ++
   if band_of_file then [BandOfFile] else rev' (map_onto (fun '(x, least, most) => BandAt x least most) (band t) []).
 
@@ -60,17 +69,17 @@ Definition solid_parts (s : solids) (box : option (Q * Q * Q * Q)) : list part :
 
 Definition parts_of (R : reading) (D : document) : list part :=
   let q := asked (certificate_of D) in
-  match tolerances_of q with Some t => tolerance_parts t (band_of_file D) | None => [] end ++
+  match tolerances_of q with Some t => tolerance_parts (reduced (gradation_of R)) q t (band_of_file D) | None => [] end ++
   [Law (a q) (b q); SizesIn (sizes_in R)] ++
   if_true (has_factors R) FactorsOfFile ++
   if_true (implied_pan R) PanImplied ++
   if_some (sum_to R) (fun '(share, total) => SumsTo share total) ++
   if_some (limits R) (fun _ => MiddleOfLimits) ++
-  if_true (1 <=? min_per_class q) (AtLeastInEachClass (min_per_class q)) ++
-  solid_parts (solids_of q) (box_of D) ++
-  if_some (size_factor q) OpeningsTimes ++
+  if_some (pan_size q) PanCountedAs ++
   if_some (cut_below q) LeftOutBelow ++
-  if_some (pan_size q) PanCountedAs.
+  if_some (size_factor q) OpeningsTimes ++
+  if_true (1 <=? min_per_class q) (AtLeastInEachClass (min_per_class q)) ++
+  solid_parts (solids_of q) (box_of D).
 
 Definition statement_of (name : string) (R : reading) (D : document) : statement :=
   let q := asked (certificate_of D) in
@@ -94,6 +103,22 @@ Definition sizes_phrase (unit : size_unit) : string :=
 
 Definition of_total : string := "% of the total mass".
 
+(* An opening as the file has it. *)
+Definition opening_phrase (unit : size_unit) (root : Z) (y : Q) : string :=
+  match unit with
+  | Phi => "phi " ++ show_size unit root y
+  | _ => show_size unit root y ++ " " ++ unit_name unit
+  end.
+
+Definition each_phrase (unit : size_unit) (root : Z) (each : list (Q * Q)) : string :=
+  match map_all (fun '(e, y) => (show_decimal e ++ "%", " at " ++ opening_phrase unit root y)) each with
+  | [] => ""
+  | (percent, at_) :: rest =>
+    joined ", " ((percent ++ " of the total mass" ++ at_) :: map_all (fun '(percent, at_) => percent ++ at_) rest)
+  end.
+
+Definition of_file : string := " of the file".
+
 Definition phrase (unit : size_unit) (p : part) : string :=
   let u := " " ++ unit_name unit in
   let d := show_decimal in
@@ -102,9 +127,9 @@ Definition phrase (unit : size_unit) (p : part) : string :=
   | RetainedAsInFile => "retained within the file's tolerances"
   | PassingWithin e => "passing within " ++ d e ++ of_total
   | PassingAsInFile => "passing within the file's tolerances"
-  | PassingEach es => "passing within " ++ joined "%, " (map d es) ++ of_total ++ " from the finest sieve up"
+  | PassingEach root each => "passing within " ++ each_phrase unit root each ++ of_file
   | TotalWithin e => "total deviation within " ++ d e ++ of_total
-  | BandAt x least most => d least ++ " to " ++ d most ++ of_total ++ " passing " ++ d x ++ u
+  | BandAt x least most => d least ++ " to " ++ d most ++ of_total ++ " passing " ++ d x ++ u ++ of_file
   | BandOfFile => "passing within the file's limits"
   | Law a b =>
     "mass law x^" ++ if b =? 1 then show_integer a else "(" ++ show_integer a ++ "/" ++ show_integer b ++ ")"
@@ -114,15 +139,15 @@ Definition phrase (unit : size_unit) (p : part) : string :=
   | SumsTo Percents total => "percents sum to " ++ d total
   | SumsTo Fractions total => "fractions sum to " ++ d total
   | MiddleOfLimits => "masses from the middle of the file's limits"
+  | PanCountedAs x => "the pan counted as " ++ d x ++ u ++ of_file
+  | LeftOutBelow x => "classes below " ++ d x ++ u ++ of_file ++ " left out"
+  | OpeningsTimes k => "openings" ++ of_file ++ " multiplied by " ++ d k
   | AtLeastInEachClass r => "at least " ++ show_integer r ++ " particles in each class with mass"
   | CylinderFilled diameter height e =>
     "solids of a cylinder of diameter " ++ d diameter ++ u ++ " and height " ++ d height ++ u ++ " at void ratio " ++ d e
   | BoxFilled x y z e =>
     "solids of a box of " ++ d x ++ " x " ++ d y ++ " x " ++ d z ++ u ++ " at void ratio " ++ d e
   | VolumeOfSolids v => "solids of at least " ++ d v ++ u ++ "^3"
-  | OpeningsTimes k => "openings multiplied by " ++ d k
-  | LeftOutBelow x => "classes below " ++ d x ++ u ++ " left out"
-  | PanCountedAs x => "the pan counted as " ++ d x ++ u
   end.
 
 Definition accepted_line (s : statement) : string :=
