@@ -66,12 +66,14 @@ public:
   }
 
   /// `1` and `2` are integers from 1 and 2 up, `d` is a decimal above 0, `z` one from 0 up, `p` one from 0 to
-  /// 100, `r` a rational above 0. The limits 1 and 2 count what a digit or a capital stands for.
+  /// 100, `t` one to 200, `r` a rational above 0. The limits 1 and 2 count what a digit or a capital stands
+  /// for.
   Number number(char kind) { return number(kind, word()); }
   Number number(char kind, std::string_view text) {
     const auto form = static_cast<char>(std::tolower(kind));
     const std::size_t slash = form == 'r' ? text.find('/') : std::string_view::npos;
-    mpq_class value = canonical(text.substr(0, slash), form == 'd' || form == 'z' || form == 'p');
+    mpq_class value =
+        canonical(text.substr(0, slash), form == 'd' || form == 'z' || form == 'p' || form == 't');
     if (slash != std::string_view::npos) {
       const mpz_class numerator = value.get_num();
       const mpz_class denominator = canonical(text.substr(slash + 1), false).get_num();
@@ -79,9 +81,11 @@ public:
                   "is not in lowest terms: write it like 3/2", text);
       value = mpq_class(numerator, denominator);
     }
-    const bool enough = is_digit(kind) ? value >= kind - '0' : value > 0 || form == 'z' || form == 'p';
+    const bool enough =
+        is_digit(kind) ? value >= kind - '0' : value > 0 || form == 'z' || form == 'p' || form == 't';
     demand_form(enough, line_, "is too small: raise it, or leave out a line that says nothing", text);
     demand_form(form != 'p' || value <= 100, line_, "is more than 100 percentage points: lower it", text);
+    demand_form(form != 't' || value <= 200, line_, "is more than 200 percentage points: lower it", text);
     if (kind != form || is_digit(kind))
       longest_count_ = std::max(longest_count_, bits(value));
     return {value, text};
@@ -89,13 +93,17 @@ public:
   mpz_class integer() { return number('1').value.get_num(); }
   std::uint64_t index() { return index(word()); }
   /// One class, or with version 2 those from i to j, written i-j.
-  ClassRange classes(bool second) { return classes(word(), second); }
+  ClassRange classes(unsigned version) { return classes(word(), version); }
+  /// The letters of conditions of all classes, of single ones, and of several.
+  struct Letters {
+    std::string_view all, single, several;
+  };
   /// A multiplier and its condition; a leaf has no condition twice.
-  Multiple multiple(std::set<std::string_view> &conditions, bool second) {
+  Multiple multiple(std::set<std::string_view> &conditions, const Letters &of, unsigned version) {
     const mpz_class m = integer();
     const std::string_view name = word(), j = name.substr(std::min<std::size_t>(1, name.size()));
-    const ClassRange range = j.empty() ? ClassRange{0, 0} : classes(j, second);
-    const std::string_view letters = j.empty() ? "EmwnN" : range.i < range.j ? "sSd" : "fFqQrRpPex";
+    const ClassRange range = j.empty() ? ClassRange{0, 0} : classes(j, version);
+    const std::string_view letters = j.empty() ? of.all : range.i < range.j ? of.several : of.single;
     demand_form(
         !name.empty() && letters.find(name[0]) != std::string_view::npos && (j.empty() || range.i > 0), line_,
         "is no condition: write a letter of the format, and its classes where it has any", name);
@@ -108,7 +116,7 @@ public:
     const std::string_view text = word();
     const std::size_t dots = text.find("..");
     const bool single = dots == std::string_view::npos;
-    check(c.second || single, "bounds need `mdm-certificate 2`: let mdm solve --proof write it again");
+    check(c.version >= 2 || single, "bounds need `mdm-certificate 2`: let mdm solve --proof write it again");
     const std::string_view most = single ? text : text.substr(dots + 2);
     if (!most.empty())
       c.particles.push_back(number('1', most));
@@ -119,12 +127,12 @@ public:
   }
 
 private:
-  ClassRange classes(std::string_view text, bool second) const {
+  ClassRange classes(std::string_view text, unsigned version) const {
     const std::size_t dash = text.find('-');
     const std::uint64_t i = index(text.substr(0, dash));
     if (dash == std::string_view::npos)
       return {i, i};
-    check(second, "sums of classes need `mdm-certificate 2`: let mdm solve --proof write it again");
+    check(version >= 2, "sums of classes need `mdm-certificate 2`: let mdm solve --proof write it again");
     const std::uint64_t j = index(text.substr(dash + 1));
     demand_form(i < j, line_, "are no classes i-j with i < j: write a single class once", text);
     return {i, j};
@@ -168,8 +176,8 @@ private:
 };
 
 void read_question(Lines &lines, Certificate &c) {
-  c.second = lines.take("mdm-certificate 2");
-  if (!c.second)
+  c.version = lines.take("mdm-certificate 3") ? 3 : lines.take("mdm-certificate 2") ? 2 : 1;
+  if (c.version == 1)
     lines.demand("mdm-certificate 1");
   lines.end();
   lines.read("law", "r", c.law);
@@ -208,7 +216,7 @@ bool read_tolerance(Lines &lines, Certificate &c) {
   lines.read_if_there("passing", "P", c.passing);
   lines.read_if_there("passing", "f", c.passing_file);
   lines.read_if_there("passing-each", "P", c.passing_each, true);
-  lines.read_if_there("total", "P", c.total);
+  lines.read_if_there("total", "T", c.total);
   lines.read_if_there("band", "f", c.band_file);
   for (std::size_t i = 0; c.band_file.empty() && lines.begins_with("band"); i += 3) {
     lines.read("band", "ZZZ", c.band);
@@ -232,8 +240,23 @@ void read_classes(Lines &lines, std::vector<ClassWitness> &classes, bool with_ma
   }
 }
 
+TreeNode read_split(Lines &lines, unsigned version) {
+  TreeNode node;
+  if (version == 3 && lines.take("split M")) {
+    node.kind = TreeNode::split_of_mass;
+    node.v = lines.number('R').value;
+  } else {
+    lines.demand("split");
+    node.kind = TreeNode::split;
+    node.classes = lines.classes(version);
+    node.v = lines.integer();
+  }
+  return node;
+}
+
 /// Reads nodes until every split has its two subtrees.
-void read_tree(Lines &lines, std::vector<TreeNode> &tree, bool second) {
+void read_tree(Lines &lines, std::vector<TreeNode> &tree, unsigned version) {
+  constexpr Lines::Letters of_leaf{"EmwnN", "fFqQrRpPex", "sSd"}, of_window{"tTEwnN", "pP", "sS"};
   std::uint64_t size = 0;
   const auto grow = [&](std::uint64_t terms) {
     lines.check((size += terms) <= most_of_tree,
@@ -241,15 +264,19 @@ void read_tree(Lines &lines, std::vector<TreeNode> &tree, bool second) {
   };
   for (std::size_t open = 1; open > 0; grow(1)) {
     TreeNode node;
-    if (lines.take("split")) {
-      node.classes = lines.classes(second);
-      node.v = lines.integer();
+    if (lines.begins_with("split")) {
+      node = read_split(lines, version);
       ++open;
     } else {
-      lines.demand("leaf");
+      const bool is_window = version == 3 && lines.take("window");
+      if (is_window)
+        node.kind = TreeNode::window;
+      else
+        lines.demand("leaf");
       std::set<std::string_view> conditions;
-      for (--open; node.leaf.empty() || lines.more(); grow(node.leaf.back().terms()))
-        node.leaf.push_back(lines.multiple(conditions, second));
+      for (--open; (!is_window && node.multiples.empty()) || lines.more();
+           grow(node.multiples.back().terms()))
+        node.multiples.push_back(lines.multiple(conditions, is_window ? of_window : of_leaf, version));
     }
     tree.push_back(std::move(node));
     lines.end();
@@ -271,7 +298,7 @@ Certificate read_certificate(std::string_view text) {
     lines.read_particles(c);
     if (!tolerant) {
       lines.check_before(!c.particles.empty(), "an exact match is there: write its bounds as B..N");
-      lines.check_before(c.second == (c.bound[0].value < c.particles[0].value),
+      lines.check_before(c.version == (c.bound[0].value < c.particles[0].value ? 2 : 1),
                          "`mdm-certificate 2` needs bounds or a tolerance: write 1 without them");
       lines.read("scale", "r", c.scale);
     }
@@ -279,7 +306,7 @@ Certificate read_certificate(std::string_view text) {
       read_classes(lines, c.classes, tolerant);
   }
   if (tolerant) {
-    read_tree(lines, c.tree, c.second);
+    read_tree(lines, c.tree, c.version);
   } else if (c.at_least.empty() || c.at_least[0].value != c.bound[0].value) {
     if (!c.at_least.empty())
       lines.read_if_there("above", "r", c.above);

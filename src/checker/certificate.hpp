@@ -39,11 +39,15 @@ struct Multiple {
   std::uint64_t terms() const { return condition == 'd' ? classes.j - classes.i + 1 : 1; }
 };
 
-/// A node of a tree: a split of the particles in some classes into fewer than v and at least v, or a leaf.
+/// A node of a tree: a split of the particles in some classes into fewer than v and at least v, one of the
+/// mass into at most v and more than v, or a leaf, which with version 3 can be that of a window of the mass.
 struct TreeNode {
-  ClassRange classes{0, 0};
-  mpz_class v = 0;
-  std::vector<Multiple> leaf; ///< empty: a split
+  enum Kind { split, split_of_mass, leaf, window };
+  Kind kind = leaf;
+  ClassRange classes{0, 0};        ///< of a split of particles
+  mpq_class v = 0;                 ///< of a split
+  std::vector<Multiple> multiples; ///< of a leaf
+  bool is_split() const { return kind == split || kind == split_of_mass; }
 };
 
 /// The numbers of each line; none where the line is absent. The texts are those of the file.
@@ -58,7 +62,7 @@ struct Certificate {
   std::vector<ClassWitness> classes;
   std::optional<std::vector<std::uint32_t>> chain; ///< 2^32 - 1 is an index that no class has
   std::vector<TreeNode> tree;                      ///< in preorder; empty without a tolerance
-  bool second;                                     ///< version 2
+  unsigned version;                                ///< 1 to 3
   unsigned long a, b;                              ///< of the law
   std::uint64_t longest_count;                     ///< in bits, for the limits 1 and 2
 };

@@ -13,7 +13,7 @@ Verdict malformed(const Input &input, const Malformed &error) {
   const auto line = error.at == nullptr || input.is_line
                         ? ""
                         : ":" + std::to_string(1 + std::count(input.text.data(), error.at, '\n'));
-  return {Verdict::malformed, {}, printable(input.name) + line + ": " + error.what()};
+  return {Verdict::malformed, {}, {}, printable(input.name) + line + ": " + error.what()};
 }
 
 } // namespace
@@ -26,9 +26,14 @@ Verdict check(const Input &gradation_file, const Input &certificate_file) {
     const Certificate certificate = read_certificate(certificate_file.text);
     const auto verify = certificate.tree.empty() ? verify_exact : verify_tolerant;
     verify(gradation, certificate);
-    return {Verdict::accepted, accepted_line(gradation, certificate, gradation_file.name), {}};
+    return {Verdict::accepted,
+            accepted_line(gradation, certificate, gradation_file.name),
+            question_in_words(gradation, certificate),
+            {}};
   } catch (const Refused &reason) {
-    return {Verdict::refused, refused_line(gradation_file.name),
+    return {Verdict::refused,
+            refused_line(gradation_file.name),
+            {},
             printable(certificate_file.name) + ": " + reason.what()};
   } catch (const Malformed &error) {
     return malformed(*reading, error);
@@ -39,7 +44,7 @@ Verdict print(const Input &gradation) {
   try {
     std::string csv = canonical_csv(read_gradation(gradation.text));
     csv.pop_back();
-    return {Verdict::accepted, std::move(csv), {}};
+    return {Verdict::accepted, std::move(csv), {}, {}};
   } catch (const Malformed &error) {
     return malformed(gradation, error);
   }

@@ -1,9 +1,9 @@
 #include "gradation.hpp"
 
+#include "json_text.hpp"
 #include "text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -122,10 +122,11 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(" \t") + 1);
 }
 
+} // namespace
+
 using Fields = std::vector<std::string>;
 
-/// The fields of a line; none at all if a quote is not closed or something follows it.
-Fields split(std::string_view line, char delimiter) {
+Fields csv_fields(std::string_view line, char delimiter) {
   Fields fields;
   for (bool more = true; more;) {
     line = trimmed(line);
@@ -149,6 +150,8 @@ Fields split(std::string_view line, char delimiter) {
   }
   return fields;
 }
+
+namespace {
 
 class Csv {
 public:
@@ -192,22 +195,32 @@ private:
   bool has_column(const char *name) const { return std::count(header_.begin(), header_.end(), name) > 0; }
 
   void read_line(std::string_view line) {
-    const bool comment = trimmed(line).starts_with('#');
-    if (trimmed(line).empty() || (comment && (header_.empty() || header_[0] != "sieve")))
+    const std::string_view text = trimmed(line);
+    if (text.empty())
       return;
+    if (text.starts_with('#')) {
+      check_comment(text.substr(1), line);
+      return;
+    }
     if (header_.empty() && line.find(';') != std::string_view::npos)
       delimiter_ = ';';
-    const Fields fields = split(line, delimiter_);
-    // `#200`, `# 3-1/2` begins a row of a table of sieves, where any other # begins a comment.
-    if (comment && (fields.size() != header_.size() || !fields[0].starts_with('#') ||
-                    fields[0].find_first_not_of("0123456789-/. ", 1) != std::string::npos ||
-                    fields[0].find_first_of("0123456789") == std::string::npos))
-      return;
+    const Fields fields = csv_fields(line, delimiter_);
     demand_form(!fields.empty(), line, "a quoted field does not end before the delimiter: close its quotes");
     if (header_.empty())
       read_header(fields, line);
     else
       read_row(fields, line);
+  }
+
+  /// A number behind the # may be that of a sieve.
+  void check_comment(std::string_view behind, std::string_view line) const {
+    const bool below_sieves = !header_.empty() && header_[0] == "sieve";
+    const std::string_view first = below_sieves ? trimmed(behind) : behind;
+    demand_form(first.empty() || !is_digit(first[0]), line,
+                below_sieves
+                    ? "may be a sieve or a comment: write No. 4 for a sieve, begin a comment with a word"
+                    : "may be a sieve or a comment: write '# ' before a comment, No. 4 for a sieve",
+                trimmed(line));
   }
 
   /// Turns phi into openings to the power root.
@@ -337,10 +350,10 @@ private:
   char point_ = '\0'; ///< of the numbers so far
 };
 
-/// Reads JSON in one pass, with every number from its text.
-class Json {
+/// Reads a gradation in JSON.
+class Json : JsonText {
 public:
-  explicit Json(std::string_view text) : rest_(text) {}
+  using JsonText::JsonText;
 
   Gradation read() {
     const std::map<std::string, mpq_class Row::*> columns = {{"sizes", &Row::size},
@@ -388,113 +401,6 @@ public:
     gradation.has_factors = lengths.count("factors") > 0;
     return gradation;
   }
-
-private:
-  /// The next character that is no white space; 0 at the end.
-  char peek() {
-    rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size()));
-    return rest_.empty() ? '\0' : rest_[0];
-  }
-  bool take(char c) {
-    const bool yes = peek() == c;
-    rest_.remove_prefix(yes ? 1 : 0);
-    return yes;
-  }
-  void demand(char c) {
-    if (!take(c))
-      throw Malformed(rest_, quoted(rest_) + " in the JSON, where '" + c + "' belongs: put it there");
-  }
-
-  /// Calls element() at each element of an array, or of what else has commas between two brackets.
-  void sequence(char open, char close, const std::function<void()> &element) {
-    demand(open);
-    if (!take(close)) {
-      do
-        element();
-      while (take(','));
-      demand(close);
-    }
-  }
-  /// Calls member(key) at each value of an object.
-  void object(const std::function<void(const std::string &)> &member) {
-    std::set<std::string> keys;
-    sequence('{', '}', [&] {
-      const auto [key, is_new] = keys.insert(string());
-      demand_form(is_new, rest_, "is twice in an object of the JSON: drop one", *key);
-      demand(':');
-      member(*key);
-    });
-  }
-
-  /// The next character of a string, whatever it is; 0 at the end.
-  char next() {
-    const char c = rest_.empty() ? '\0' : rest_[0];
-    rest_.remove_prefix(rest_.empty() ? 0 : 1);
-    return c;
-  }
-  std::string string() {
-    demand('"');
-    std::string out;
-    for (char c = next(); c != '"'; c = next()) {
-      demand_form(static_cast<unsigned char>(c) >= 0x20, rest_,
-                  "a string of the JSON is not closed: close it");
-      out += c == '\\' ? escaped() : std::string{c};
-    }
-    return out;
-  }
-  /// The character of an escape, in UTF-8.
-  std::string escaped() {
-    constexpr std::string_view letters = "\"\\/bfnrt", meanings = "\"\\/\b\f\n\r\t";
-    const char c = next();
-    const std::size_t simple = letters.find(c);
-    if (simple != std::string_view::npos)
-      return {meanings[simple]};
-    demand_form(c == 'u', rest_, "an unknown escape in a string of the JSON: write \\\\ for a backslash");
-    std::uint32_t code = code_unit();
-    if (code >= 0xD800 && code < 0xDC00 && next() == '\\' && next() == 'u') {
-      const std::uint32_t low = code_unit();
-      code = low >= 0xDC00 && low < 0xE000 ? 0x10000 + (code - 0xD800) * 0x400 + (low - 0xDC00) : code;
-    }
-    demand_form(code < 0xD800 || code >= 0xE000, rest_, "half a surrogate pair: write the character itself");
-    const std::uint32_t following = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
-    std::string out{static_cast<char>((following == 0 ? 0 : 0xF00U >> (following + 1) & 0xFFU) |
-                                      code >> (6 * following))};
-    for (std::uint32_t i = following; i-- > 0;)
-      out += static_cast<char>(0x80U | (code >> (6 * i) & 0x3FU));
-    return out;
-  }
-  std::uint32_t code_unit() {
-    std::uint32_t unit = 0;
-    const std::string_view digits = rest_.substr(0, 4);
-    const char *const end = std::from_chars(digits.data(), digits.data() + digits.size(), unit, 16).ptr;
-    demand_form(end == rest_.data() + 4, rest_, "\\u needs four hexadecimal digits: write them");
-    rest_.remove_prefix(4);
-    return unit;
-  }
-
-  /// The text of a number as JSON writes it.
-  std::string_view number() {
-    peek();
-    const std::string_view begin = rest_;
-    const Decimal d = split_decimal(rest_);
-    demand_form(d.sign != "+" && !d.whole.empty() && (d.whole.size() == 1 || d.whole[0] != '0') &&
-                    d.point.empty() == d.fraction.empty() && d.e.empty() == d.exponent.empty(),
-                rest_, "is no value of JSON: write a string or a number", rest_);
-    rest_ = d.rest;
-    return begin.substr(0, begin.size() - rest_.size());
-  }
-  /// A string that holds a decimal, or a number.
-  mpq_class decimal() {
-    if (peek() == '"')
-      return read_decimal(string(), rest_);
-    const std::string_view written = number();
-    const mpq_class value = read_decimal(written, written);
-    demand_form(abs(value) < power(2, 1024), written,
-                "is beyond the range of JSON numbers: write it as a string", written);
-    return value;
-  }
-
-  std::string_view rest_;
 };
 
 } // namespace

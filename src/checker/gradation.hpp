@@ -33,4 +33,7 @@ struct Gradation {
 /// Reads a gradation file, CSV or JSON (section 4).
 Gradation read_gradation(std::string_view text);
 
+/// The fields of a line of CSV; none at all if a quote is not closed or something follows it.
+std::vector<std::string> csv_fields(std::string_view line, char delimiter);
+
 } // namespace mdm::checker

@@ -18,36 +18,45 @@ namespace {
 using namespace mdm::checker;
 
 constexpr const char *help = R"(mdm-check GRADATION CERTIFICATE
+mdm-check SPECIFICATION STOCKPILE STOCKPILE ... CERTIFICATE
 mdm-check --print GRADATION [CERTIFICATE]
-mdm-check --suite [SUITE] FOLDER [-j THREADS] [--verbose]
-mdm-check --suite SUITE STREAM [-j THREADS] [--verbose]
+mdm-check --suite [SUITE] FOLDER [--answers ANSWERS] [-j THREADS] [--verbose]
+mdm-check --suite SUITE STREAM [--answers ANSWERS] [-j THREADS] [--verbose]
 
 Checks the proof that a number of particles is the smallest that matches a gradation exactly
 or within a tolerance, or the proof of bounds on the smallest.
 GRADATION is the gradation file (CSV or JSON; or that of a band) and CERTIFICATE what
 mdm solve --proof wrote; one of them may be - for standard input.
+With more files than two the first is the specification of a blend, the limits of what passes, and
+CERTIFICATE what mdm blend --proof wrote of the stockpiles, in their order.
 SUITE has a gradation in JSON a line and FOLDER what mdm batch --proofs wrote of it: each
 certificate is checked against the line whose number its name begins with. Without SUITE,
 each NAME.proof is checked against NAME.gradation beside it. STREAM has all certificates of
 a suite one after the other, and STREAM.index says which line each is of. A file whose name ends in
 .zst is unpacked.
+A certificate says what was asked. With ANSWERS, what mdm batch wrote of SUITE (JSON or CSV), each
+is compared with the answer of its line: the number, quantities, sizes and openings; of JSON also
+the question, which CSV does not have. Read the questions in the last line.
 
 Examples:
   mdm solve sand.csv --proof sand.proof
   mdm-check sand.csv sand.proof
+  mdm-check limits.csv A.csv B.csv mix.proof
   mdm-check --print sand.csv
   mdm batch suite.jsonl --proofs proofs && mdm-check --suite suite.jsonl proofs
   mdm batch suite.jsonl --proofs a.proofs && mdm-check --suite suite.jsonl a.proofs -j 2
+  mdm-check --suite suite.jsonl proofs --answers answers.jsonl
 
 Exits with 0 (accepted), 1 (refused: the certificate does not prove its claim) or
 2 (malformed: a file cannot be read, or the command is wrong). The verdict is on standard
 output, the reason of another one than accepted on standard error. With --suite all is on
-standard output, with the number of each verdict in the last line, and the worst one is the
-exit code: a line without a certificate counts as refused, a certificate without a line as
-malformed.
+standard output, with the number of each verdict and each question in the last line, and the
+worst one is the exit code: a line without a certificate, and a certificate that differs from its
+answer, count as refused, a certificate without a line as malformed.
 
   --print     the gradation as it is read, as CSV on standard output, before the verdict
   --suite     all certificates of a folder or a stream: those that are not accepted, and a summary
+  --answers   with --suite and SUITE, the answers that the certificates are compared with
   -j THREADS  with --suite, check by so many threads: 1 (without) to 1024
   --verbose   with --suite, also the verdicts of those that are accepted
   -h, --help  this text
@@ -80,6 +89,7 @@ struct Words {
   std::vector<std::string> files;
   bool prints = false, has_suite = false;
   Manner manner = {};
+  std::optional<std::string> answers = {};
 };
 
 /// Takes `-j THREADS` or `-jTHREADS` out of the arguments.
@@ -103,6 +113,18 @@ unsigned take_threads(std::vector<std::string> &arguments) {
   return static_cast<unsigned>(threads);
 }
 
+/// Takes `--answers FILE` out of the arguments.
+std::optional<std::string> take_answers(std::vector<std::string> &arguments) {
+  const auto option = std::find(arguments.begin(), arguments.end(), "--answers");
+  if (option == arguments.end())
+    return std::nullopt;
+  if (option + 1 == arguments.end())
+    fail("mdm-check", "--answers: no file behind it: see mdm-check --help");
+  std::string file = option[1];
+  arguments.erase(option, option + 2);
+  return file;
+}
+
 Words words_of(std::vector<std::string> arguments) {
   Words words;
   words.prints = !arguments.empty() && arguments[0] == "--print";
@@ -111,6 +133,7 @@ Words words_of(std::vector<std::string> arguments) {
     arguments.erase(arguments.begin());
   if (words.has_suite) {
     words.manner.verbose = std::erase(arguments, "--verbose") > 0;
+    words.answers = take_answers(arguments);
     words.manner.threads = take_threads(arguments);
   }
   for (const std::string &argument : arguments)
@@ -124,8 +147,21 @@ int run_suite(const Words &words) {
   const std::vector<std::string> &files = words.files;
   if (files.empty() || files.size() > 2 || files.back() == "-")
     fail("mdm-check", "give one suite and one folder or stream behind --suite: see mdm-check --help");
+  if (words.answers && files.size() == 1)
+    fail("mdm-check", "--answers: answers have the order of a suite: give it behind --suite");
   return files.size() == 1 ? check_folder(files[0], words.manner)
-                           : check_suite(files[0], files[1], words.manner);
+                           : check_suite(files[0], files[1], words.manner, words.answers);
+}
+
+/// The specification, the stockpiles and the certificate of a blend.
+Verdict check_blend_files(const std::vector<std::string> &files) {
+  if (std::count(files.begin(), files.end(), "-") > 1)
+    fail("mdm-check", "standard input can be one file alone: see mdm-check --help");
+  const Input specification = read_input(files.front(), most_gradation_bytes);
+  std::vector<Input> stockpiles;
+  for (std::size_t i = 1; i + 1 < files.size(); ++i)
+    stockpiles.push_back(read_input(files[i], most_gradation_bytes));
+  return check_blend(specification, stockpiles, read_input(files.back(), most_certificate_bytes));
 }
 
 int run(const std::vector<std::string> &arguments) {
@@ -141,6 +177,8 @@ int run(const std::vector<std::string> &arguments) {
   const std::vector<std::string> &files = words.files;
   if (words.has_suite)
     return run_suite(words);
+  if (!words.prints && files.size() > 2)
+    return report(check_blend_files(files));
   const bool printing_alone = words.prints && files.size() == 1;
   if ((files.size() != 2 && !printing_alone) || std::count(files.begin(), files.end(), "-") > 1)
     fail("mdm-check", "give one gradation and one certificate: see mdm-check --help");

@@ -7,17 +7,25 @@
 namespace mdm::checker {
 namespace {
 
-std::string number(const mpq_class &value) {
-  std::string text = plain_decimal(value);
+std::string short_text(std::string text) {
   demand_form(std::count_if(text.begin(), text.end(), is_digit) <= 1000, {},
               "a number needs more than 1000 digits without an exponent: choose another unit");
   return text;
 }
 
-/// The opening x from Y = x^root; of phi, where Y is a power of 2, its logarithm.
+std::string number(const mpq_class &value) {
+  return short_text(plain_decimal(value));
+}
+
 std::string size(const Gradation &gradation, const mpq_class &Y) {
+  return short_text(opening_text(gradation, Y));
+}
+
+} // namespace
+
+std::string opening_text(const Gradation &gradation, const mpq_class &Y) {
   if (gradation.sizes != "size_phi")
-    return number(Y);
+    return plain_decimal(Y);
   if (Y == 0)
     return "pan";
   const auto exponent_of = [](const mpz_class &power_of_2) {
@@ -26,10 +34,8 @@ std::string size(const Gradation &gradation, const mpq_class &Y) {
   const mpz_class root = gradation.root;
   mpq_class phi(mpz_class(exponent_of(Y.get_den())) - mpz_class(exponent_of(Y.get_num())), root);
   phi.canonicalize();
-  return number(phi);
+  return plain_decimal(phi);
 }
-
-} // namespace
 
 std::string canonical_csv(const Gradation &gradation) {
   const std::string sizes = gradation.sizes == "size_phi" ? "size_phi" : "size_" + gradation.unit();

@@ -10,4 +10,7 @@ namespace mdm::checker {
 /// more digits than the reader takes.
 std::string canonical_csv(const Gradation &gradation);
 
+/// The opening x of Y = x^root as the file has it, in its unit, or as its phi; `pan` for the pan of phi.
+std::string opening_text(const Gradation &gradation, const mpq_class &Y);
+
 } // namespace mdm::checker

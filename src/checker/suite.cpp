@@ -48,51 +48,92 @@ bool is_blank(const Input &line) {
   return line.text.find_first_not_of(" \t\r") == std::string::npos;
 }
 
+/// The answer of the next line, if there is a file of answers.
+SharedAnswer next_answer(std::optional<Answers> &answers, const Input &line) {
+  if (!answers)
+    return {};
+  SharedAnswer answer = answers->next();
+  if (!answer)
+    throw Answers::Broken(printable(answers->name()) + ": no answer of " + printable(line.name) +
+                          ": give the answers of this suite");
+  return answer;
+}
+
+void check_end(std::optional<Answers> &answers, const std::string &suite) {
+  if (!answers)
+    return;
+  if (const SharedAnswer more = answers->next())
+    throw Answers::Broken(more->place + ": no line of " + checker::quoted(suite) +
+                          " is left for it: give the answers of this suite");
+}
+
 /// Hands on the lines of a suite with the certificates of a stream.
-void check_lines(InputLines &lines, ProofStream &proofs, Verdicts &verdicts) {
+void check_lines(InputLines &lines, ProofStream &proofs, std::optional<Answers> &answers,
+                 Verdicts &verdicts) {
   while (std::optional<Input> line = lines.next()) {
     const bool has_proof = proofs.number() == lines.number();
     if (has_proof && is_blank(*line))
       throw ProofStream::Broken(printable(proofs.place()) + ": line " + std::to_string(lines.number()) +
                                 " is blank: give the suite of these proofs");
+    if (is_blank(*line))
+      continue;
+    SharedAnswer answer = next_answer(answers, *line);
     if (has_proof)
-      verdicts.check(std::move(*line), proofs.take());
-    else if (!is_blank(*line))
+      verdicts.check(std::move(*line), proofs.take(), std::move(answer));
+    else
       verdicts.missing(printable(line->name) + ": no certificate in the stream");
   }
   if (proofs.number())
     throw ProofStream::Broken(printable(proofs.place()) + ": no line " + std::to_string(*proofs.number()) +
                               " in " + checker::quoted(lines.name()) + ": give the suite of these proofs");
   proofs.check_end();
+  check_end(answers, lines.name());
 }
 
-int check_stream(const std::string &suite, const std::string &stream, const Manner &manner) {
+int check_stream(const std::string &suite, const std::string &stream, const Manner &manner,
+                 std::optional<Answers> &answers) {
   Verdicts verdicts(manner);
   InputLines lines(suite);
   try {
     ProofStream proofs(stream);
-    check_lines(lines, proofs, verdicts);
+    check_lines(lines, proofs, answers, verdicts);
   } catch (const ProofStream::Broken &error) {
+    verdicts.malformed(error.what());
+  } catch (const Answers::Broken &error) {
     verdicts.malformed(error.what());
   }
   return verdicts.end(lines.name());
 }
 
-int check_suite_folder(const std::string &suite, const std::string &folder, const Manner &manner) {
+/// Hands on the lines of a suite with the certificates of a folder, and takes these out of the list.
+void check_lines(InputLines &lines, std::multimap<std::uint64_t, std::string> &proofs,
+                 const std::string &folder, std::optional<Answers> &answers, Verdicts &verdicts) {
+  while (const std::optional<Input> line = lines.next()) {
+    if (is_blank(*line))
+      continue;
+    const SharedAnswer answer = next_answer(answers, *line);
+    const auto [first, last] = proofs.equal_range(lines.number());
+    for (auto proof = first; proof != last; ++proof)
+      verdicts.check_file(*line, proof->second, answer);
+    if (first == last)
+      verdicts.missing(printable(line->name) + ": no certificate in " + checker::quoted(folder));
+    proofs.erase(first, last);
+  }
+  check_end(answers, lines.name());
+}
+
+int check_suite_folder(const std::string &suite, const std::string &folder, const Manner &manner,
+                       std::optional<Answers> &answers) {
   std::multimap<std::uint64_t, std::string> proofs;
   for (const std::string &name : names_with(proof_ending, folder))
     proofs.emplace(number_of(name), path_of(folder, name, proof_ending));
   Verdicts verdicts(manner);
   InputLines lines(suite);
-  while (const std::optional<Input> line = lines.next()) {
-    if (is_blank(*line))
-      continue;
-    const auto [first, last] = proofs.equal_range(lines.number());
-    for (auto proof = first; proof != last; ++proof)
-      verdicts.check_file(*line, proof->second);
-    if (first == last)
-      verdicts.missing(printable(line->name) + ": no certificate in " + checker::quoted(folder));
-    proofs.erase(first, last);
+  try {
+    check_lines(lines, proofs, folder, answers, verdicts);
+  } catch (const Answers::Broken &error) {
+    verdicts.malformed(error.what());
+    return verdicts.end(lines.name());
   }
   for (const auto &[number, proof] : proofs)
     verdicts.malformed(printable(proof) + ": begins with the number of no line of " +
@@ -102,10 +143,15 @@ int check_suite_folder(const std::string &suite, const std::string &folder, cons
 
 } // namespace
 
-int check_suite(const std::string &suite, const std::string &proofs, const Manner &manner) {
+int check_suite(const std::string &suite, const std::string &proofs, const Manner &manner,
+                const std::optional<std::string> &name_of_answers) {
+  std::optional<Answers> answers;
+  if (name_of_answers)
+    answers.emplace(*name_of_answers);
   std::error_code is_not_there; // a folder's reader says so
-  return fs::is_directory(proofs, is_not_there) || is_not_there ? check_suite_folder(suite, proofs, manner)
-                                                                : check_stream(suite, proofs, manner);
+  return fs::is_directory(proofs, is_not_there) || is_not_there
+             ? check_suite_folder(suite, proofs, manner, answers)
+             : check_stream(suite, proofs, manner, answers);
 }
 
 int check_folder(const std::string &folder, const Manner &manner) {

@@ -10,9 +10,11 @@ namespace mdm::checker {
 /// numbers. Of a folder they are NUMBER.proof and NUMBER-ID.proof, each of the line NUMBER; of a stream
 /// its index names the lines, and where one of them is not what it should be, this is one certificate that is
 /// malformed, and the rest is not checked. Returns the worst code; a line without a certificate counts as
-/// refused, a certificate without a line as malformed. Throws std::runtime_error where a file or the folder
-/// cannot be read.
-int check_suite(const std::string &suite, const std::string &proofs, const Manner &manner);
+/// refused, a certificate without a line as malformed. With `answers`, the name of a file, each is compared
+/// with that of its line; where one is not what it should be, or there are more or fewer than lines, it is
+/// malformed. Throws std::runtime_error where a file or the folder cannot be read.
+int check_suite(const std::string &suite, const std::string &proofs, const Manner &manner,
+                const std::optional<std::string> &answers = {});
 
 /// The same of each NAME.proof of a folder against the gradation file NAME.gradation beside it.
 int check_folder(const std::string &folder, const Manner &manner);

@@ -17,6 +17,11 @@ struct Character {
     return code == 0xAD || code == 0x61C || (code >= 0x200B && code <= 0x200F) ||
            (code >= 0x2028 && code <= 0x202E) || (code >= 0x2060 && code <= 0x2069) || code == 0xFEFF;
   }
+  /// An editor may show a line of its own, or another order, where there is none.
+  bool rearranges() const {
+    return code == 0x61C || code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) ||
+           (code >= 0x2066 && code <= 0x2069);
+  }
 };
 
 Character first_character(std::string_view text) {
@@ -47,6 +52,9 @@ void demand_text(std::string_view text) {
     const bool space = c.code == '\t' || c.code == '\r' || c.code == '\n';
     demand_form(c.bytes > 0, text, "not valid UTF-8: save the file as UTF-8 text");
     demand_form(space || !c.is_control(), text, "a control character: give a text file without them");
+    demand_form(!c.rearranges(), text,
+                "a line separator or a mark of the direction of writing, which editors show as other lines "
+                "than there are: remove it");
     demand_form(c.code != '\r' || text.substr(1).starts_with('\n'), text,
                 "a carriage return without a line feed: end lines with LF or CRLF");
     text.remove_prefix(c.bytes);

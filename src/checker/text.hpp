@@ -21,7 +21,8 @@ struct Malformed : std::runtime_error {
 /// given.
 void demand_form(bool holds, std::string_view place, const char *what, std::string_view culprit = {});
 
-/// Demands valid UTF-8 without control characters other than tab, LF and CR before LF.
+/// Demands valid UTF-8 without control characters other than tab, LF and CR before LF, and without line
+/// separators and marks of the direction of writing (section 4).
 void demand_text(std::string_view text);
 
 /// The text as valid UTF-8 without control characters, cut; whatever else it holds is escaped as \xNN.

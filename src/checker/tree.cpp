@@ -1,31 +1,24 @@
-#include "verify.hpp"
+#include "windows.hpp"
 
 #include <algorithm>
-#include <array>
 #include <functional>
-#include <map>
 #include <numeric>
 #include <utility>
 
 namespace mdm::checker {
+
+mpz_class tolerant::least_of_all(const Certificate &certificate) {
+  return std::max<mpz_class>(1, integer_of(certificate.at_least));
+}
+
+mpz_class tolerant::minus_most_of_all(const Certificate &certificate) {
+  demand(!certificate.bound.empty(), "leaf: N with a number of particles");
+  return 1 - integer_of(certificate.bound);
+}
+
 namespace {
 
-/// The shares of section 6 that belong to a class: the bounds on t_j / M and on P_j / M, g_j, and 1 / c_j.
-enum Share : std::size_t { r, R, p, P, g, weight, shares };
-
-/// Class j in integers: f_j and F_j in mass units, the shares in share units; q_j >= least.
-struct Class {
-  mpz_class f, F, least;
-  std::array<mpz_class, shares> share;
-};
-
-/// The problem of section 6. A mass t is the integer t * mass_unit where it is compared with f or F.
-struct Problem {
-  std::vector<Class> classes; ///< class j at j - 1
-  mpz_class mass_unit, share_unit;
-  mpz_class half_total; ///< e / 2 in share units
-  mpq_class w;          ///< least sum of t / c of every match
-};
+using namespace tolerant;
 
 /// The law of openings to the power d, a/(b d), in lowest terms.
 struct Law {
@@ -169,14 +162,16 @@ void verify_witness(const Problem &problem, const Gradation &gradation, const Ce
   demand(N >= integer_of(certificate.at_least), "N >= M");
 }
 
-/// Walks over the tree with the bounds on counts that are in force, and adds up the leaves' conditions.
+/// Walks over the tree with the bounds on counts and on the mass that are in force, and adds up the leaves'
+/// conditions.
 class Replay {
 public:
   Replay(const Problem &problem, const Certificate &certificate)
-      : problem_(problem), certificate_(certificate), alike_from_(problem.classes.size()) {
+      : problem_(problem), certificate_(certificate), windows_(problem, certificate),
+        alike_from_(problem.classes.size()) {
     for (std::size_t i = 0; i < problem.classes.size(); ++i) {
       const Class &c = problem.classes[i];
-      in_force_.push_back({c.least, -1});
+      counts_.classes.push_back({c.least, -1});
       const bool alike = i > 0 && c.share[weight] == problem.classes[i - 1].share[weight];
       alike_from_[i] = alike ? alike_from_[i - 1] : i + 1;
     }
@@ -184,49 +179,58 @@ public:
 
   void run() {
     for (const TreeNode &node : certificate_.tree) {
-      if (node.leaf.empty()) {
+      if (node.is_split()) {
         enter(node);
         continue;
       }
-      refute(node.leaf);
+      if (node.kind == TreeNode::window)
+        windows_.refute(node.multiples, window_, counts_);
+      else
+        refute(node.multiples);
       // Up to the last split whose second subtree is to come, and into that.
       for (; !path_.empty() && path_.back().second; path_.pop_back())
-        restore(path_.back(), path_.back().bounds.least);
+        leave(path_.back());
       if (!path_.empty())
         enter_second(path_.back());
     }
   }
 
 private:
-  /// Of the particles in some classes; most is -1 where there is no bound.
-  struct Bounds {
-    mpz_class least = 0, most = -1;
-  };
   struct Branch {
     const TreeNode &split;
-    Bounds &bounds;
-    bool second;
-    std::optional<mpz_class> before; ///< the bound in force before, if the split narrows it
+    Bounds *bounds; ///< of a split of counts
+    bool second = false;
+    Bounds counts_before{};
+    Window window_before{};
   };
 
   void enter(const TreeNode &split) {
+    if (split.kind == TreeNode::split_of_mass) {
+      path_.push_back({split, nullptr, false, {}, window_});
+      if (window_.S == 0 || window_.S > split.v)
+        window_.S = split.v;
+      return;
+    }
     const auto &[i, j] = split.classes;
-    demand(1 <= i && j <= in_force_.size(), "split: a class of the gradation", j);
-    Bounds &bounds = i == j ? in_force_[j - 1] : of_sums_[split.classes];
-    path_.push_back({split, bounds, false, std::nullopt});
+    demand(1 <= i && j <= counts_.classes.size(), "split: a class of the gradation", j);
+    Bounds &bounds = i == j ? counts_.classes[j - 1] : counts_.ranges[split.classes];
+    path_.push_back({split, &bounds, false, bounds, {}});
     if (bounds.most < 0 || bounds.most >= split.v)
-      path_.back().before = std::exchange(bounds.most, split.v - 1);
+      bounds.most = split.v.get_num() - 1;
   }
-  static void enter_second(Branch &branch) {
-    restore(branch, branch.bounds.most);
+  void enter_second(Branch &branch) {
+    leave(branch);
     branch.second = true;
-    if (branch.bounds.least < branch.split.v)
-      branch.before = std::exchange(branch.bounds.least, branch.split.v);
+    if (branch.bounds)
+      branch.bounds->least = std::max<mpz_class>(branch.bounds->least, branch.split.v.get_num());
+    else
+      window_.s = std::max(window_.s, branch.split.v);
   }
-  static void restore(Branch &branch, mpz_class &bound) {
-    if (branch.before)
-      bound = std::move(*branch.before);
-    branch.before.reset();
+  void leave(Branch &branch) {
+    if (branch.bounds)
+      *branch.bounds = branch.counts_before;
+    else
+      window_ = branch.window_before;
   }
 
   /// A condition: sum of coefficient * variable >= constant. q, t, p, P_j and the sums N_j and D_j of q and
@@ -241,8 +245,7 @@ private:
   /// The condition of classes i to j, i < j: what it has at N_j and D_j, and with the other sign at N_{i-1}
   /// and D_{i-1}.
   Condition condition_of_sum(char letter, const ClassRange &classes) const {
-    const auto found = of_sums_.find(classes);
-    const Bounds bounds = found == of_sums_.end() ? Bounds{} : found->second;
+    const Bounds bounds = counts_.of(classes);
     Condition c;
     if (letter == 'd') { // sum of t - f q >= 0, strict where there are particles
       c.D = 1;
@@ -261,7 +264,7 @@ private:
   /// The condition of class j, or for j = 0 of all.
   Condition condition(char letter, std::uint64_t j) const {
     const Class &c = problem_.classes[j == 0 ? 0 : j - 1];
-    const Bounds &bounds = in_force_[j == 0 ? 0 : j - 1];
+    const Bounds &bounds = counts_.classes[j == 0 ? 0 : j - 1];
     const mpz_class &unit = problem_.mass_unit;
     switch (letter) {
     case 'f': // t_j - f_j q_j >= 0, strict where q_j >= 1
@@ -292,10 +295,9 @@ private:
     case 'w': // sum t / c >= w; the constant is added at the end
       return {0, 0, 0, 0, 0, 1};
     case 'n': // sum q >= max(1, M)
-      return {unit, 0, 0, 0, 0, 0, std::max<mpz_class>(1, integer_of(certificate_.at_least))};
+      return {unit, 0, 0, 0, 0, 0, least_of_all(certificate_)};
     default: // N: -sum q >= -(N - 1), of bounds -(B - 1)
-      demand(!certificate_.bound.empty(), "leaf: N with a number of particles");
-      return {-unit, 0, 0, 0, 0, 0, 1 - integer_of(certificate_.bound)};
+      return {-unit, 0, 0, 0, 0, 0, minus_most_of_all(certificate_)};
     }
   }
 
@@ -368,13 +370,21 @@ private:
 
   const Problem &problem_;
   const Certificate &certificate_;
+  const Windows windows_;
   std::vector<std::uint64_t> alike_from_; ///< at j - 1: from this class to j the weights are the same
-  std::vector<Bounds> in_force_;
-  std::map<ClassRange, Bounds> of_sums_; ///< in force, of the classes i to j, i < j
+  CountsInForce counts_;
+  Window window_;
   std::vector<Branch> path_;
 };
 
 } // namespace
+
+std::vector<BoundsOnShares> bounds_on_shares(const Gradation &gradation, const Certificate &certificate) {
+  std::vector<BoundsOnShares> bounds;
+  for (const std::array<mpq_class, shares> &of : derive_shares(gradation, certificate))
+    bounds.push_back({of[r], of[R], of[p], of[P]});
+  return bounds;
+}
 
 void verify_tolerant(Gradation gradation, const Certificate &certificate) {
   apply_question(gradation, certificate);

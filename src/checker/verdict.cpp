@@ -1,5 +1,6 @@
 #include "verdict.hpp"
 
+#include "print.hpp"
 #include "text.hpp"
 
 namespace mdm::checker {
@@ -25,18 +26,32 @@ private:
   std::string text_;
 };
 
-void add_tolerances(Parts &parts, const Certificate &c, const std::string &unit) {
+/// Each percentage beside its opening. Those that the question leaves are the coarsest of the file.
+std::string passing_each(const Numbers &percents, const Gradation &gradation) {
+  const std::string unit = gradation.unit();
+  auto opening = gradation.openings.end() - static_cast<std::ptrdiff_t>(percents.size()) - 1;
+  std::string text = "passing within ";
+  for (const Number &percent : percents) {
+    const std::string size = opening_text(gradation, *opening++);
+    text += (&percent == &percents[0] ? "" : ", ") + std::string(percent.text) + "%" +
+            (&percent == &percents[0] ? " of the total mass" : "") + " at " +
+            (gradation.sizes == "size_phi" ? "phi " + size : size + " " + unit);
+  }
+  return text + " of the file";
+}
+
+void add_tolerances(Parts &parts, const Certificate &c, const Gradation &gradation) {
+  const std::string unit = gradation.unit();
   parts.add("retained within #% of the total mass", c.retained);
   parts.add("retained within the file's tolerances", c.retained_file);
   parts.add("passing within #% of the total mass", c.passing);
   parts.add("passing within the file's tolerances", c.passing_file);
-  std::string each = "passing within #%";
-  for (std::size_t i = 1; i < c.passing_each.size(); ++i)
-    each += ", #%";
-  parts.add(each + " of the total mass from the finest sieve up", c.passing_each);
+  if (!c.passing_each.empty())
+    parts.add(passing_each(c.passing_each, gradation));
   parts.add("total deviation within #% of the total mass", c.total);
   for (std::size_t i = 0; i < c.band.size(); i += 3)
-    parts.add("# to #% of the total mass passing # @", {c.band[i + 1], c.band[i + 2], c.band[i]}, unit);
+    parts.add("# to #% of the total mass passing # @ of the file", {c.band[i + 1], c.band[i + 2], c.band[i]},
+              unit);
   parts.add("passing within the file's limits", c.band_file);
 }
 
@@ -58,46 +73,71 @@ void add_gradation(Parts &parts, const Gradation &gradation) {
     parts.add("masses from the middle of the file's limits");
 }
 
+/// What changes the gradation, in the order in which it is applied, with lengths as the file has them; then
+/// what is demanded of the sample.
 void add_question(Parts &parts, const Certificate &c, const std::string &unit) {
+  parts.add("the pan counted as # @ of the file", c.pan_size, unit);
+  parts.add("classes below # @ of the file left out", c.cut_below, unit);
+  parts.add("openings of the file multiplied by #", c.size_factor);
   parts.add("at least # particles in each class with mass", c.min_per_class);
   parts.add("solids of a cylinder of diameter # @ and height # @ at void ratio #", c.cylinder, unit);
   parts.add("solids of a box of # x # x # @ at void ratio #", c.box, unit);
   parts.add("solids of at least # @^3", c.solids_volume, unit);
-  parts.add("openings multiplied by #", c.size_factor);
-  parts.add("classes below # @ left out", c.cut_below, unit);
-  parts.add("the pan counted as # @", c.pan_size, unit);
 }
 
-} // namespace
+std::string or_more(const Certificate &c) {
+  return c.at_least.empty() ? "" : ", " + std::string(c.at_least[0].text) + " or more,";
+}
 
-namespace {
+std::string how(const Certificate &c) {
+  return c.tree.empty() ? " exactly" : " within a tolerance";
+}
 
 /// What is claimed, with the words that say what is matched.
 std::string claim(const Certificate &c, const std::string &matches) {
-  const std::string or_more = c.at_least.empty() ? "" : ", " + std::string(c.at_least[0].text) + " or more,";
-  const std::string smallest = "the smallest number of particles" + or_more + " that" + matches;
+  const std::string smallest = "the smallest number of particles" + or_more(c) + " that" + matches;
   if (c.bound.empty())
-    return "no number of particles" + or_more + matches;
+    return "no number of particles" + or_more(c) + matches;
   const std::string bound(c.bound[0].text);
   if (c.particles.empty())
-    return "no number of particles below " + bound + or_more + matches;
+    return "no number of particles below " + bound + or_more(c) + matches;
   const std::string N(c.particles[0].text);
   return bound == N ? "N = " + N + " is " + smallest : smallest + " is between " + bound + " and " + N;
+}
+
+/// The same without numbers of the claim.
+std::string kind_of_claim(const Certificate &c) {
+  const std::string smallest = "the smallest number of particles" + or_more(c) + " that matches" + how(c);
+  if (c.bound.empty())
+    return "no number of particles" + or_more(c) + " matches" + how(c);
+  if (c.particles.empty())
+    return "a lower bound on " + smallest;
+  return (c.bound[0].value == c.particles[0].value ? "" : "bounds on ") + smallest;
+}
+
+void add_law(Parts &parts, const Certificate &c) {
+  parts.add(c.law[0].value.get_den() == 1 ? "mass law x^#" : "mass law x^(#)", c.law);
 }
 
 } // namespace
 
 std::string accepted_line(const Gradation &gradation, const Certificate &certificate,
                           const std::string &file) {
-  const std::string unit = gradation.unit();
   Parts parts;
-  add_tolerances(parts, certificate, unit);
-  parts.add(certificate.law[0].value.get_den() == 1 ? "mass law x^#" : "mass law x^(#)", certificate.law);
+  add_tolerances(parts, certificate, gradation);
+  add_law(parts, certificate);
   add_gradation(parts, gradation);
-  add_question(parts, certificate, unit);
-  const std::string matches =
-      " matches " + quoted_name(file) + (certificate.tree.empty() ? " exactly" : " within a tolerance");
-  return "accepted: " + claim(certificate, matches) + " (" + parts.text() + ")";
+  add_question(parts, certificate, gradation.unit());
+  return "accepted: " + claim(certificate, " matches " + quoted_name(file) + how(certificate)) + " (" +
+         parts.text() + ")";
+}
+
+std::string question_in_words(const Gradation &gradation, const Certificate &certificate) {
+  Parts parts;
+  add_tolerances(parts, certificate, gradation);
+  add_law(parts, certificate);
+  add_question(parts, certificate, gradation.unit());
+  return kind_of_claim(certificate) + " (" + parts.text() + ")";
 }
 
 std::string refused_line(const std::string &file) {

@@ -12,6 +12,10 @@ namespace mdm::checker {
 std::string accepted_line(const Gradation &gradation, const Certificate &certificate,
                           const std::string &file);
 
+/// What an accepted certificate was asked, in the words of its line: what is claimed of which match, without
+/// the numbers of the claim and without what the gradation file says.
+std::string question_in_words(const Gradation &gradation, const Certificate &certificate);
+
 /// The line of a certificate that is refused.
 std::string refused_line(const std::string &file);
 

@@ -9,16 +9,20 @@
 
 namespace mdm::checker {
 
-void Verdicts::check(Input gradation, Input certificate) {
+void Verdicts::check(Input gradation, Input certificate, SharedAnswer answer) {
   const std::size_t bytes = gradation.text.size() + certificate.text.size();
-  add(bytes, [g = std::move(gradation), c = std::move(certificate)] { return judged(g, c); });
+  has_answers_ = has_answers_ || answer;
+  add(bytes, [g = std::move(gradation), c = std::move(certificate), a = std::move(answer)] {
+    return judged(g, c, a);
+  });
 }
 
-void Verdicts::check_file(Input gradation, const std::string &certificate) {
+void Verdicts::check_file(Input gradation, const std::string &certificate, SharedAnswer answer) {
   const std::size_t bytes = gradation.text.size();
-  add(bytes, [g = std::move(gradation), certificate]() -> Line {
+  has_answers_ = has_answers_ || answer;
+  add(bytes, [g = std::move(gradation), certificate, a = std::move(answer)]() -> Line {
     try {
-      return judged(g, read_input(certificate, most_certificate_bytes));
+      return judged(g, read_input(certificate, most_certificate_bytes), a);
     } catch (const std::runtime_error &error) {
       return {malformed_, error.what()};
     }
@@ -33,10 +37,14 @@ void Verdicts::missing(const std::string &what) {
   add(what.size(), [what] { return Line{missing_, what}; });
 }
 
-Verdicts::Line Verdicts::judged(const Input &gradation, const Input &certificate) {
+Verdicts::Line Verdicts::judged(const Input &gradation, const Input &certificate,
+                                const SharedAnswer &answer) {
   Verdict verdict = checker::check(gradation, certificate);
+  if (verdict.code == Verdict::accepted && answer)
+    if (const std::string what = difference(*answer, gradation.text, certificate.text); !what.empty())
+      return {different, answer->place + ": not as " + printable(certificate.name) + " proves: " + what};
   if (verdict.code == Verdict::accepted)
-    return {accepted, std::move(verdict.line)};
+    return {accepted, std::move(verdict.line), std::move(verdict.question)};
   return {verdict.code == Verdict::refused ? refused : malformed_, std::move(verdict.reason)};
 }
 
@@ -65,15 +73,34 @@ void Verdicts::write_all() {
   waiting_.clear();
   waiting_bytes_ = 0;
 
-  constexpr const char *words[kinds] = {"", "refused: ", "malformed: ", "missing: "};
+  constexpr const char *words[kinds] = {"", "refused: ", "malformed: ", "missing: ", "different: "};
   std::string text;
   for (const Line &line : lines) {
     ++counts_[line.kind];
+    if (line.kind == accepted)
+      ++questions_[line.question];
     if (manner_.verbose || line.kind != accepted)
       text += words[line.kind] + line.text + "\n";
   }
   if (!text.empty())
     print(text);
+}
+
+/// The most frequent ones; behind them how many others there are.
+std::string Verdicts::questions() const {
+  constexpr std::size_t most = 12;
+  std::vector<std::pair<std::string, std::uint64_t>> all(questions_.begin(), questions_.end());
+  std::stable_sort(all.begin(), all.end(), [](const auto &x, const auto &y) { return x.second > y.second; });
+  std::string text;
+  std::uint64_t others = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (i < most)
+      text += "; " + std::to_string(all[i].second) + " accepted as " + all[i].first;
+    else
+      others += all[i].second;
+  return others == 0 ? text
+                     : text + "; " + std::to_string(others) + " accepted of " +
+                           std::to_string(all.size() - most) + " other questions (--verbose)";
 }
 
 int Verdicts::end(const std::string &what) {
@@ -82,10 +109,11 @@ int Verdicts::end(const std::string &what) {
     fail(what, "nothing to check: give the suite, and the folder or the stream of mdm batch --proofs");
   const auto count = [this](Kind kind, const char *of) { return std::to_string(counts_[kind]) + " " + of; };
   print(printable(what) + ": " + count(accepted, "accepted, ") + count(refused, "refused, ") +
-        count(malformed_, "malformed, ") + count(missing_, "missing\n"));
-  return counts_[malformed_] > 0                         ? Verdict::malformed
-         : counts_[refused] > 0 || counts_[missing_] > 0 ? Verdict::refused
-                                                         : Verdict::accepted;
+        count(malformed_, "malformed, ") + count(missing_, "missing") +
+        (has_answers_ ? ", " + count(different, "different") : "") + questions() + "\n");
+  return counts_[malformed_] > 0                                         ? Verdict::malformed
+         : counts_[refused] + counts_[missing_] + counts_[different] > 0 ? Verdict::refused
+                                                                         : Verdict::accepted;
 }
 
 } // namespace mdm::checker

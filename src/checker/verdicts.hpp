@@ -1,8 +1,11 @@
 #pragma once
 
+#include "answers.hpp"
 #include "program_files.hpp"
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <vector>
 
 namespace mdm::checker {
@@ -21,24 +24,27 @@ public:
 
   /// Judges a certificate that is in memory, or is read when its turn comes. Throws std::runtime_error where
   /// standard output cannot be written, as those below do.
-  void check(Input gradation, Input certificate);
-  void check_file(Input gradation, const std::string &certificate);
+  /// An accepted one is compared with the answer, if there is one.
+  void check(Input gradation, Input certificate, SharedAnswer answer = {});
+  void check_file(Input gradation, const std::string &certificate, SharedAnswer answer = {});
   void malformed(const std::string &reason);
   void missing(const std::string &what);
 
-  /// Writes the numbers of all, which are of `what`, and returns the worst code; a missing certificate counts
-  /// as refused. Throws std::runtime_error where there was nothing to judge.
+  /// Writes the numbers of all, which are of `what`, with the distinct questions of those that are accepted,
+  /// and returns the worst code; a missing certificate, and one of another answer, count as refused. Throws
+  /// std::runtime_error where there was nothing to judge.
   int end(const std::string &what);
 
 private:
-  enum Kind { accepted, refused, malformed_, missing_, kinds };
+  enum Kind { accepted, refused, malformed_, missing_, different, kinds };
   struct Line {
     Kind kind;
-    std::string text;
+    std::string text, question = {};
   };
   using Job = std::function<Line()>;
 
-  static Line judged(const Input &gradation, const Input &certificate);
+  static Line judged(const Input &gradation, const Input &certificate, const SharedAnswer &answer);
+  std::string questions() const;
   void add(std::size_t bytes, Job job);
   void write_all();
 
@@ -46,6 +52,8 @@ private:
   std::vector<Job> waiting_;
   std::size_t waiting_bytes_ = 0;
   std::uint64_t counts_[kinds] = {};
+  bool has_answers_ = false;
+  std::map<std::string, std::uint64_t> questions_; ///< of the accepted ones, with their numbers
 };
 
 } // namespace mdm::checker

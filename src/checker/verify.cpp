@@ -19,8 +19,8 @@ std::uint64_t work_of(const Gradation &gradation, const Certificate &certificate
   const std::uint64_t bands = certificate.band.size() / 3 + gradation.limits.size();
   std::uint64_t steps = 64 * (n + bands) + (certificate.chain ? certificate.chain->size() : 0);
   for (const TreeNode &node : certificate.tree) {
-    ++steps;
-    for (const Multiple &multiple : node.leaf)
+    steps += node.kind == TreeNode::window ? 64 * (gradation.openings.size() - 1) : 1;
+    for (const Multiple &multiple : node.multiples)
       steps += multiple.terms();
   }
   return steps;

@@ -68,6 +68,12 @@ struct Solids {
 };
 Solids solids(const Certificate &certificate);
 
+/// The bounds on the share of a class that a tolerance's lines make, retained and passing, cut at 0 and 1.
+struct BoundsOnShares {
+  mpq_class least_retained, most_retained, least_passing, most_passing;
+};
+std::vector<BoundsOnShares> bounds_on_shares(const Gradation &gradation, const Certificate &certificate);
+
 /// p < pi < r.
 void verify_pi(const Certificate &certificate);
 

@@ -1,0 +1,111 @@
+#include "blend.hpp"
+#include "verdict.hpp"
+#include "verify.hpp"
+
+#include <mdm/checker.hpp>
+
+#include <algorithm>
+
+namespace mdm::checker {
+namespace {
+
+using Aim = BlendCertificate::Aim;
+
+std::string listed(const Rationals &numbers) {
+  std::string text;
+  for (const mpq_class &n : numbers)
+    text += (text.empty() ? "" : ", ") + n.get_str();
+  return text;
+}
+
+/// What is asked for, in words: all that the files do not say.
+std::string question_of(const BlendCertificate &c, const std::vector<JudgedSieve> &sieves,
+                        const std::vector<Input> &stockpiles) {
+  std::string text = "shares in steps of 1/" + std::to_string(c.steps);
+  for (const ShareLimits &s : c.shares)
+    text += "; share of " + quoted_name(stockpiles[s.stockpile - 1].name) + " from " + s.least.get_str() +
+            " to " + s.most.get_str();
+  if (c.at_most)
+    text += "; at most " + std::to_string(*c.at_most) + " stockpiles";
+  if (c.aim == Aim::cost)
+    text += "; costs " + listed(c.of_aim);
+  else if (c.aim != Aim::no_aim)
+    text += "; targets " + listed(c.of_aim) + " percent";
+  text += "; sieves in mm";
+  for (const JudgedSieve &s : sieves)
+    text += (&s == &sieves.front() ? " " : ", ") + s.size.get_str();
+  for (std::size_t i = 0; i < stockpiles.size(); ++i) {
+    Rationals at;
+    for (const JudgedSieve &s : sieves)
+      if (std::count(s.interpolated.begin(), s.interpolated.end(), i) > 0)
+        at.push_back(s.size);
+    if (!at.empty())
+      text += "; " + quoted_name(stockpiles[i].name) + " interpolated linear in size at " + listed(at);
+  }
+  return text;
+}
+
+/// What is least, in words.
+const char *words_of(Aim aim) {
+  return aim == Aim::cost        ? "cost"
+         : aim == Aim::deviation ? "sum of deviations from the target"
+                                 : "largest deviation from the target";
+}
+
+std::string claim_of(const BlendCertificate &c, const mpq_class &value, const std::vector<Input> &stockpiles,
+                     const std::string &limits) {
+  std::string names, counts;
+  for (std::size_t i = 0; i < stockpiles.size(); ++i) {
+    names += (i == 0 ? "" : ", ") + quoted_name(stockpiles[i].name);
+    if (c.blend)
+      counts += (i == 0 ? "" : ", ") + std::to_string((*c.blend)[i]);
+  }
+  if (!c.blend)
+    return "no blend of " + names + " keeps the limits of " + limits;
+  const std::string blend =
+      "the blend of " + counts + " steps of " + names + " keeps the limits of " + limits;
+  return c.aim == Aim::no_aim
+             ? blend
+             : blend + ", and none has a lower " + words_of(c.aim) + " than its " + value.get_str();
+}
+
+Verdict malformed_blend(const Input &input, const Malformed &error) {
+  const auto line = error.at == nullptr || input.is_line
+                        ? ""
+                        : ":" + std::to_string(1 + std::count(input.text.data(), error.at, '\n'));
+  return {Verdict::malformed, {}, {}, printable(input.name) + line + ": " + error.what()};
+}
+
+} // namespace
+
+Verdict check_blend(const Input &specification, const std::vector<Input> &stockpiles,
+                    const Input &certificate) {
+  const Input *reading = &specification;
+  try {
+    const Gradation limits = read_gradation(specification.text);
+    std::vector<Gradation> gradations;
+    for (const Input &stockpile : stockpiles) {
+      reading = &stockpile;
+      gradations.push_back(read_gradation(stockpile.text));
+    }
+    reading = &certificate;
+    const BlendCertificate c = read_blend_certificate(certificate.text);
+    const std::vector<JudgedSieve> sieves = judged_sieves(limits, gradations);
+    const mpq_class value = verify_blend(sieves, stockpiles.size(), c, certificate.text);
+    const std::string question = question_of(c, sieves, stockpiles);
+    return {Verdict::accepted,
+            "accepted: " + claim_of(c, value, stockpiles, quoted_name(specification.name)) + " (" + question +
+                ")",
+            question,
+            {}};
+  } catch (const Refused &reason) {
+    return {Verdict::refused,
+            refused_line(specification.name),
+            {},
+            printable(certificate.name) + ": " + reason.what()};
+  } catch (const Malformed &error) {
+    return malformed_blend(*reading, error);
+  }
+}
+
+} // namespace mdm::checker
