@@ -1,6 +1,7 @@
 #include "answer/answer_particles.hpp"
 
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -13,9 +14,9 @@ void check_class(const AnswerSample::Class &c, const RootSize &size, const RootS
                  const MassLaw &law) {
   if (compare(size, RootSize{c.size_lo}) < 0 || compare(size, RootSize{c.size_hi}) > 0)
     throw InputError(fmt::format("scale, mass and quantity do not give the size in class {} of the answer "
-                                 "with the law x^({}): say which with --law, or export the gradation "
+                                 "with the law x^({}): say which with {}, or export the gradation "
                                  "itself if it has factors",
-                                 c.number, law.exponent()));
+                                 c.number, law.exponent(), option("law")));
   if (c.lower.power < 0 || (above != nullptr && compare(c.lower, *above) < 0))
     throw InputError(fmt::format("class {} of the answer does not begin at or above the end of those before "
                                  "it: solve again",
@@ -31,8 +32,9 @@ ParticleSet particle_set(const AnswerSample &answer, const MassLaw &law, const P
   check_power(answer, law);
   if (answer.has_spread)
     throw InputError(
-        "the answer has a spread of sizes, which are rounded: export the gradation with --spread "
-        "and the same --seed");
+        fmt::format("the answer has a spread of sizes, which are rounded: export the gradation with {} "
+                    "and the same {}",
+                    option("spread"), option("seed")));
   SizedSample sample{answer.id, answer.unit, answer.size_power, {}, answer.share_error};
   const RootSize *above = nullptr;
   for (const AnswerSample::Class &c : answer.classes) {

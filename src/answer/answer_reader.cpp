@@ -191,6 +191,9 @@ AnswerSample AnswerReader::sample() {
     sample.id = text(answer_, "id", "");
   if (answer_.contains("question"))
     sample.question = text(answer_, "question", "");
+  if (answer_.contains("notes"))
+    for (const Json &note : array("notes"))
+      sample.notes.push_back(note.is_string() ? note.get<std::string>() : note.dump());
   sample.unit = unit();
   if (answer_.contains("size_power"))
     size_power_ = exponent(answer_, "size_power", "", max_root);

@@ -5,6 +5,7 @@
 #include <mdm/number/interval.hpp>
 #include <mdm/particles/particle_format.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -102,8 +103,8 @@ RootSize in_unit(const RootSize &x, const Rational &factor) {
 
 void check_power(const AnswerSample &answer, const MassLaw &law) {
   if (answer.scale_power % law.b != 0 || answer.scale_power / law.b != answer.size_power)
-    throw InputError(fmt::format("the answer was made with a law x^(a/{}), not x^({}): say which with --law",
-                                 answer.scale_power / answer.size_power, law.exponent()));
+    throw InputError(fmt::format("the answer was made with a law x^(a/{}), not x^({}): say which with {}",
+                                 answer.scale_power / answer.size_power, law.exponent(), option("law")));
 }
 
 AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const MassLaw &law,

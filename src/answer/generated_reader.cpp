@@ -7,6 +7,7 @@
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -168,8 +169,8 @@ Gradation set_gradation(const StatedSet &set) {
   if (!set.unit)
     data.notes.emplace_back("the set names no unit: its sizes were taken as mm");
   if (set.dimension == 2)
-    data.notes.emplace_back(
-        "the set is one of discs, whose masses go with x^2: --law power:2 where a law counts");
+    data.notes.push_back("the set is one of discs, whose masses go with x^2: " + option("law") +
+                         " power:2 where a law counts");
   return Gradation(std::move(data));
 }
 

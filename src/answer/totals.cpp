@@ -1,9 +1,7 @@
 #include "answer/totals.hpp"
 
-#include "text/json_tree.hpp"
+#include "answer/string_members.hpp"
 #include "text/json_writer.hpp"
-
-#include <charconv>
 
 namespace mdm {
 namespace {
@@ -20,67 +18,54 @@ void write_named_file(JsonWriter &json, const NamedFileTotals &file) {
   json.end_object();
 }
 
-[[noreturn]] void refuse_totals(const std::string &what) {
-  throw InputError(what + ": give what mdm batch --shard wrote, or solve the shard again");
-}
-
-const TotalsJson &totals_member(const TotalsJson &object, const std::string &key) {
-  if (!object.is_object() || !object.contains(key))
-    refuse_totals(key + " is missing");
-  return object[key];
-}
-
-std::string totals_text(const TotalsJson &object, const std::string &key) {
-  const TotalsJson &value = totals_member(object, key);
-  if (!value.is_string())
-    refuse_totals(key + " is no string");
-  return value.get<std::string>();
-}
-
-std::uint64_t totals_number(const TotalsJson &object, const std::string &key) {
-  const std::string text = totals_text(object, key);
-  std::uint64_t n = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-  if (error != std::errc{} || end != text.data() + text.size())
-    refuse_totals(key + ": " + in_quotes(text) + " is no number");
-  return n;
-}
-
 FileTotals file_totals(const TotalsJson &object) {
-  return {totals_number(object, "bytes"), totals_text(object, "sha256")};
+  return {number_member(object, "bytes"), text_member(object, "sha256")};
+}
+
+LineSum line_sum(const TotalsJson &object) {
+  const std::string text = text_member(object, "sum");
+  const std::optional<LineSum> sum = LineSum::parse(text);
+  if (!sum)
+    throw InputError("sum: " + in_quotes(text) + " is no sum of SHA-256");
+  return *sum;
 }
 
 NamedFileTotals named_file(const TotalsJson &object) {
-  return {file_totals(object), totals_text(object, "file")};
+  return {file_totals(object), text_member(object, "file")};
 }
 
 Totals totals_of(const TotalsJson &json) {
-  if (totals_text(json, "schema") != totals_schema)
-    refuse_totals("schema: " + in_quotes(totals_text(json, "schema")) + " is not " +
-                  std::string(totals_schema));
+  if (text_member(json, "schema") != totals_schema)
+    throw InputError("schema: " + in_quotes(text_member(json, "schema")) + " is not " +
+                     std::string(totals_schema));
   Totals t;
-  const TotalsJson &shard = totals_member(json, "shard");
-  t.shard = totals_number(shard, "number");
-  t.shards = totals_number(shard, "of");
+  const TotalsJson &shard = member_of(json, "shard");
+  t.shard = number_member(shard, "number");
+  t.shards = number_member(shard, "of");
   if (t.shard < 1 || t.shard > t.shards)
-    refuse_totals("shard: its number is not from 1 to their number");
-  t.question = totals_text(json, "question");
+    throw InputError("shard: its number is not from 1 to their number");
+  t.question = text_member(json, "question");
   if (json.contains("suite"))
-    t.suite = file_totals(json["suite"]);
-  t.lines = totals_number(json, "lines");
-  t.errors = totals_number(json, "errors");
-  const std::uint64_t exit = totals_number(json, "exit");
+    t.suite = SuiteTotals{file_totals(json["suite"]), line_sum(json["suite"])};
+  if (json.contains("made"))
+    t.made = made_suite_of(json["made"]);
+  if (json.contains("alone"))
+    t.alone = file_totals(json["alone"]);
+  t.sum = line_sum(json);
+  t.lines = number_member(json, "lines");
+  t.errors = number_member(json, "errors");
+  const std::uint64_t exit = number_member(json, "exit");
   if (exit > 3)
-    refuse_totals("exit: it is not from 0 to 3");
+    throw InputError("exit: it is not from 0 to 3");
   t.exit = static_cast<int>(exit);
-  t.answers = named_file(totals_member(json, "answers"));
+  t.answers = named_file(member_of(json, "answers"));
   if (json.contains("proofs") || json.contains("index")) {
-    t.proofs = named_file(totals_member(json, "proofs"));
-    t.index = named_file(totals_member(json, "index"));
+    t.proofs = named_file(member_of(json, "proofs"));
+    t.index = named_file(member_of(json, "index"));
   }
-  const TotalsJson &versions = totals_member(json, "versions");
+  const TotalsJson &versions = member_of(json, "versions");
   for (const auto &[library, version] : versions.items())
-    t.versions[library] = totals_text(versions, library);
+    t.versions[library] = text_member(versions, library);
   return t;
 }
 
@@ -94,8 +79,16 @@ std::string totals_json(const Totals &t) {
   if (t.suite) {
     json.key("suite").begin_object();
     write_file_totals(json, *t.suite);
+    json.key("sum").plain(t.suite->sum.text()).end_object();
+  }
+  if (t.made)
+    write_made_suite(json.key("made"), *t.made);
+  if (t.alone) {
+    json.key("alone").begin_object();
+    write_file_totals(json, *t.alone);
     json.end_object();
   }
+  json.key("sum").plain(t.sum.text());
   json.key("lines").number(t.lines).key("errors").number(t.errors);
   json.key("exit").number(static_cast<std::uint64_t>(t.exit));
   write_named_file(json.key("answers"), t.answers);
@@ -114,7 +107,8 @@ Totals read_totals(std::string_view text, std::string_view name) {
   try {
     return totals_of(json_tree(text));
   } catch (const InputError &e) {
-    throw InputError(printable(std::string(name)) + ": " + e.what());
+    throw InputError(printable(std::string(name)) + ": " + e.what() +
+                     ": give what mdm batch --shard wrote, or solve the shard again");
   }
 }
 

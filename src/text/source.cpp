@@ -28,6 +28,24 @@ std::string_view find_control(std::string_view text) {
   return text.substr(position, c1 == c0 ? 1 : 2);
 }
 
+/// A line separator or a mark of the direction of writing, for which an editor may show a line of its own, or
+/// another order, where there is none: the bytes of U+061C, U+200E, U+200F, U+2028 to U+202E, U+2066 to
+/// U+2069. An empty text without.
+std::string_view find_rearranging(std::string_view text) {
+  for (std::size_t at = text.find_first_of("\xD8\xE2"); at != std::string_view::npos;
+       at = text.find_first_of("\xD8\xE2", at + 1)) {
+    const std::string_view rest = text.substr(at);
+    if (rest.starts_with("\xD8\x9C"))
+      return rest.substr(0, 2);
+    const auto third = static_cast<unsigned char>(rest.size() > 2 ? rest[2] : '\0');
+    if ((rest.starts_with("\xE2\x80") &&
+         (third == 0x8E || third == 0x8F || (third >= 0xA8 && third <= 0xAE))) ||
+        (rest.starts_with("\xE2\x81") && third >= 0xA6 && third <= 0xA9))
+      return rest.substr(0, 3);
+  }
+  return {};
+}
+
 /// True only if all characters are printable ASCII. Eight at a time: it goes over every line of a batch run.
 bool is_plain(std::string_view text) {
   constexpr std::uint64_t ones = 0x0101010101010101;
@@ -72,11 +90,18 @@ void Source::check_text(std::string_view content, std::size_t most) const {
       rest.remove_prefix(rest.find('\n') + 1);
     refuse(line, "the text is not UTF-8: save the file in that encoding");
   }
-  const std::string_view control = find_control(content);
-  if (!control.empty())
-    refuse(line_number(content, static_cast<std::size_t>(control.data() - content.data())),
+  const auto line_of = [content](std::string_view part) {
+    return line_number(content, static_cast<std::size_t>(part.data() - content.data()));
+  };
+  if (const std::string_view control = find_control(content); !control.empty())
+    refuse(line_of(control),
            fmt::format("the control character {} does not belong in a gradation: save the file as plain text",
                        in_quotes(control)));
+  if (const std::string_view mark = find_rearranging(content); !mark.empty())
+    refuse(line_of(mark),
+           fmt::format("the character {} separates lines or turns the direction of writing, so "
+                       "that editors show other lines than there are: remove it",
+                       in_quotes(mark)));
   check_line_ends(content);
 }
 

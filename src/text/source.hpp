@@ -23,8 +23,8 @@ public:
   /// Refuses a CR that no LF follows: what is behind it would look like a line of its own, but be none.
   void check_line_ends(std::string_view content) const;
 
-  /// Refuses text that is too long, is not UTF-8, holds control characters other than tab, CR and LF, or a CR
-  /// that no LF follows.
+  /// Refuses text that is too long, is not UTF-8, holds control characters other than tab, CR and LF, a line
+  /// separator or a mark of the direction of writing, or a CR that no LF follows.
   void check_text(std::string_view content, std::size_t most) const;
 
 private:

@@ -26,6 +26,7 @@ struct AnswerSample {
 
   std::string id;       ///< of the gradation; empty if there is none
   std::string question; ///< in words; empty if there is none
+  std::vector<std::string> notes;
   SizeUnit unit = SizeUnit::mm;
   std::vector<Class> classes; ///< those with particles
   Rational scale;             ///< s, to the power scale_power

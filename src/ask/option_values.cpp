@@ -1,0 +1,104 @@
+#include "ask/option_values.hpp"
+
+#include "number/typed_number.hpp"
+
+#include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
+
+#include <limits>
+
+namespace mdm {
+namespace {
+
+/// Digits beyond this are of no use, and cost.
+constexpr unsigned most_digits = 1000;
+
+} // namespace
+
+Rational number(const std::string &name, const std::string &text) {
+  return named(name, text, parse_typed_decimal);
+}
+
+Integer natural(const std::string &name, const std::string &text, const Integer &least) {
+  const std::optional<Integer> n = parse_typed_natural(text);
+  if (!n || *n < least)
+    throw InputError(option(name) + ": " + in_quotes(text) + " is not a whole number from " +
+                     to_string(least) + " on (at most 1000 digits)");
+  return *n;
+}
+
+std::uint64_t natural64(const std::string &name, const std::string &text) {
+  const Integer n = natural(name, text, 0);
+  const Integer most = std::numeric_limits<std::uint64_t>::max();
+  return n > most ? std::numeric_limits<std::uint64_t>::max() : static_cast<std::uint64_t>(n);
+}
+
+std::uint64_t seed64(const std::string &name, const std::string &text) {
+  const Integer n = natural(name, text, 0);
+  if (n > std::numeric_limits<std::uint64_t>::max())
+    throw InputError(option(name) + ": at most 18446744073709551615 (64 bits)");
+  return static_cast<std::uint64_t>(n);
+}
+
+Rational positive(const std::string &name, const std::string &text) {
+  const Rational r = number(name, text);
+  if (r <= 0)
+    throw InputError(option(name) + ": " + in_quotes(text) + " is not positive: write a number above 0");
+  return r;
+}
+
+Rational not_negative(const std::string &name, const std::string &text) {
+  const Rational r = number(name, text);
+  if (r < 0)
+    throw InputError(option(name) + ": " + in_quotes(text) + " is negative: write a number from 0 on");
+  return r;
+}
+
+std::chrono::milliseconds duration(const std::string &name, const std::string &text) {
+  const Rational seconds = not_negative(name, text);
+  const Integer thirty_years = 1'000'000'000'000;
+  const Integer milliseconds = std::min(floor(Rational(seconds * 1000)), thirty_years);
+  return std::chrono::milliseconds(static_cast<std::int64_t>(milliseconds));
+}
+
+unsigned small_natural(const std::string &name, const std::string &text, unsigned least, unsigned most) {
+  const Integer n = natural(name, text, least);
+  if (n > most)
+    throw InputError(option(name) + ": " + in_quotes(text) + " is above " + std::to_string(most) +
+                     ": write a number up to that");
+  return static_cast<unsigned>(n);
+}
+
+Rational percent_of(const std::string &name, const std::string &text) {
+  const Rational percent = not_negative(name, text.ends_with('%') ? text.substr(0, text.size() - 1) : text);
+  if (percent > 100)
+    throw InputError(option(name) + ": " + in_quotes(text) + " is above 100%: write a part of the whole");
+  return percent;
+}
+
+unsigned digits_of(const std::string &name, const std::string &text) {
+  return small_natural(name, text, 1, most_digits);
+}
+
+Length length(const std::string &name, const std::string &text) {
+  return named(name, text, parse_length);
+}
+
+std::vector<Rational> box_sides(const std::string &name, const std::string &text, SizeUnit unit) {
+  std::vector<Rational> sides;
+  for (const Length &side : named(name, text, parse_lengths))
+    sides.push_back(side.in(unit));
+  if (sides.size() < 2 || sides.size() > 3)
+    throw InputError(option(name) + ": " + in_quotes(text) +
+                     " is neither AxB nor AxBxC: write for example 50x50");
+  return sides;
+}
+
+LengthUnit length_unit_of(const std::string &name, const std::string &text) {
+  const std::optional<LengthUnit> unit = parse_length_unit(text);
+  if (!unit)
+    throw InputError(option(name) + ": " + in_quotes(text) + " is unknown: use mm, um, m or in");
+  return *unit;
+}
+
+} // namespace mdm

@@ -1,0 +1,53 @@
+#include "ask/outcome.hpp"
+
+#include <algorithm>
+
+namespace mdm {
+
+const char *name(Outcome outcome) {
+  return outcome == Outcome::done ? "done" : outcome == Outcome::negative ? "negative" : "limited";
+}
+
+Outcome outcome_of(Status status) {
+  switch (status) {
+  case Status::optimal:
+    return Outcome::done;
+  case Status::none:
+    return Outcome::negative;
+  default:
+    return Outcome::limited;
+  }
+}
+
+Outcome outcome_of(const Match &match, const Limits &limits) {
+  if (match.budget && !match.budget->is_decided)
+    return Outcome::limited;
+  const bool is_close =
+      match.status == Status::feasible && limits.is_close(*match.particles(), match.lower_bound);
+  return is_close ? Outcome::done : outcome_of(match.status);
+}
+
+Outcome outcome_of(Verdict verdict) {
+  switch (verdict) {
+  case Verdict::match:
+    return Outcome::done;
+  case Verdict::undecided:
+    return Outcome::limited;
+  default:
+    return Outcome::negative;
+  }
+}
+
+Outcome outcome_of(const Tradeoff &tradeoff) {
+  const auto is_certain = [](const TradeoffRow &row) { return row.is_certain(); };
+  return std::all_of(tradeoff.by_tolerance.begin(), tradeoff.by_tolerance.end(), is_certain) &&
+                 std::all_of(tradeoff.by_sieve.begin(), tradeoff.by_sieve.end(), is_certain)
+             ? Outcome::done
+             : Outcome::limited;
+}
+
+Outcome outcome_of(const SoilDescription &description) {
+  return description.limited() ? Outcome::limited : Outcome::done;
+}
+
+} // namespace mdm

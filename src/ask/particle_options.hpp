@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// The options that say how a file of particles is to be read, as texts.
+
+#include "ask/option_row.hpp"
+
+#include <mdm/particles/particle_reader.hpp>
+
+namespace mdm {
+
+struct ParticleTexts {
+  OptionText from, size_unit, timestep;
+  bool radius = false, diameter = false;
+
+  bool say_sizes() const { return radius || diameter || size_unit; }
+  /// \param target  the unit that sizes are wanted in
+  /// \throws InputError naming the option where its value does not serve
+  ParticleOptions options(SizeUnit target) const;
+};
+
+} // namespace mdm

@@ -1,0 +1,34 @@
+#include "ask/soil_options.hpp"
+
+#include "ask/option_values.hpp"
+
+namespace mdm {
+
+const char *const SoilTexts::extrapolate_help =
+    "continue the line through the two finest sieves into a pan at size 0";
+
+const std::vector<OptionRow<SoilTexts>> SoilTexts::options = {
+    {"liquid-limit", "LL", "of the fines, in percent; without limits they are low-plasticity silt",
+     &SoilTexts::liquid_limit},
+    {"plastic-limit", "PL", "of the fines, in percent", &SoilTexts::plastic_limit},
+    {"pan-size", "SIZE", "take the pan as a sieve of this size", &SoilTexts::pan_size}};
+
+DescribeOptions SoilTexts::describe_options() const {
+  if (liquid_limit.has_value() != plastic_limit.has_value())
+    throw InputError(option("liquid-limit") + " and " + option("plastic-limit") +
+                     " go together: give both, or neither for silt");
+  DescribeOptions o;
+  o.extrapolate = extrapolate;
+  if (liquid_limit) {
+    o.limits =
+        AtterbergLimits{number("liquid-limit", *liquid_limit), number("plastic-limit", *plastic_limit)};
+    classify_fines(*o.limits);
+  }
+  return o;
+}
+
+Gradation SoilTexts::with_pan(const Gradation &g) const {
+  return pan_size ? g.with_pan_size(length("pan-size", *pan_size).in(g.unit())) : g;
+}
+
+} // namespace mdm

@@ -1,0 +1,165 @@
+#include "ask/solve_options.hpp"
+
+#include "ask/option_values.hpp"
+
+#include <mdm/text/error.hpp>
+
+namespace mdm {
+namespace {
+
+ScaleChoice scale_of(const std::string &text) {
+  if (text == "robust")
+    return ScaleChoice::robust;
+  if (text == "upper")
+    return ScaleChoice::upper;
+  throw InputError(option("scale") + ": " + in_quotes(text) + " is neither robust nor upper");
+}
+
+/// The name of the kind without a value.
+std::string kind_of(const SolveTexts &others) {
+  return others.tolerances.empty() ? "retained" : others.tolerances.front();
+}
+
+} // namespace
+
+const std::vector<OptionRow<GradationTexts>> GradationTexts::options = {
+    {"law", "LAW", "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5",
+     &GradationTexts::law},
+    {"size-factor", "K", "multiply every size of the gradation by K", &GradationTexts::size_factor},
+    {"cut-below", "SIZE",
+     "leave out the classes below the sieve SIZE, as 63um or in the file's unit (before --size-factor)",
+     &GradationTexts::cut_below},
+    {"pan-size", "SIZE",
+     "count the pan as SIZE, as 2um or in the file's unit, instead of 0 (before --size-factor)",
+     &GradationTexts::pan_size}};
+
+const std::vector<OptionRow<SolveTexts>> SolveTexts::question_options = {
+    {"min-per-class", "R", "at least R particles in every class with mass", &SolveTexts::min_per_class},
+    {"at-least", "N", "the smallest match with at least N particles", &SolveTexts::at_least},
+    {"at-most", "N", "no match if the smallest has more than N particles", &SolveTexts::at_most},
+    {"specimen", "SHAPE",
+     "at least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, "
+     "or in the answer's unit (the file's; mm for inches, phi and sieve names)",
+     &SolveTexts::specimen},
+    {"void-ratio", "E", "void ratio e of the specimen", &SolveTexts::void_ratio},
+    {"solids-volume", "V", "at least this volume of solids, in the cube of the answer's unit",
+     &SolveTexts::solids_volume}};
+
+const std::vector<OptionRow<SolveTexts>> SolveTexts::answer_options = {
+    {"digits", "D", "significant digits of sizes (15)", &SolveTexts::digits},
+    {"scale", "WHICH", "robust (sizes far from the sieves) or upper (largest sizes)", &SolveTexts::scale}};
+
+const std::vector<OptionRow<SolveTexts>> SolveTexts::limit_options = {
+    {"max-steps", "N", "stop after so many steps (67108864), with what is certain (exit 3)",
+     &SolveTexts::max_steps},
+    {"node-limit", "N", "stop after so many nodes of the search for a tolerance (exit 3)",
+     &SolveTexts::node_limit},
+    {"time-limit", "S", "stop after so many seconds (exit 3)", &SolveTexts::time_limit},
+    {"gap", "G",
+     "within a tolerance, stop at a match that has at most this part of its particles more than are "
+     "certain, for example 1e-6 (exit 0)",
+     &SolveTexts::gap}};
+
+AskedQuestion GradationTexts::question() const {
+  AskedQuestion asked;
+  if (law)
+    asked.rest.law = named("law", *law, parse_mass_law);
+  if (pan_size)
+    asked.pan_size = length("pan-size", *pan_size);
+  if (cut_below)
+    asked.cut_below = length("cut-below", *cut_below);
+  if (size_factor)
+    asked.rest.size_factor = positive("size-factor", *size_factor);
+  return asked;
+}
+
+AskedQuestion SolveTexts::question(const ReadBand &read_band) const {
+  if (is_tolerant() && scale)
+    throw InputError(option("scale") +
+                     ": sizes within a tolerance are as far from all bounds as can be: leave it out");
+  if (is_tolerant() && max_steps)
+    throw InputError(option("max-steps") + ": it is of exact matches: give " + option("node-limit") +
+                     ", or " + option("time-limit"));
+  if (!is_tolerant() && node_limit)
+    throw InputError(option("node-limit") + ": it is of matches within a tolerance: give " +
+                     option("max-steps") + ", or " + option("time-limit"));
+  if (!is_tolerant() && gap)
+    throw InputError(option("gap") + ": it is of matches within a tolerance: give " + option("max-steps") +
+                     ", or " + option("time-limit"));
+  return question_of_both(read_band);
+}
+
+AskedQuestion SolveTexts::question_of_both(const ReadBand &read_band) const {
+  AskedQuestion asked = GradationTexts::question();
+  Question &q = asked.rest;
+  for (const std::string &text : tolerances)
+    q.tolerances.push_back(named("tolerance", text, parse_tolerance));
+  if (band)
+    q.band = read_band(*band);
+  if (min_per_class)
+    q.min_per_class = natural("min-per-class", *min_per_class, 0);
+  if (at_least)
+    q.at_least = std::max(natural("at-least", *at_least, 0), Integer(1));
+  if (specimen.has_value() != void_ratio.has_value())
+    throw InputError(option("specimen") + " and " + option("void-ratio") + " belong together");
+  if (specimen && solids_volume)
+    throw InputError(option("specimen") + " and " + option("solids-volume") + ": give one of them");
+  if (void_ratio)
+    not_negative("void-ratio", *void_ratio);
+  if (solids_volume)
+    q.solids = SolidsVolume{positive("solids-volume", *solids_volume)};
+  if (specimen)
+    asked.specimen = AskedSpecimen{*specimen, *void_ratio};
+  asked.in(SizeUnit::mm); // refuses a wrong specimen before a file is read
+  return asked;
+}
+
+SolveOptions SolveTexts::options(bool keep_proof) const {
+  SolveOptions o;
+  o.limits.keep_proof = keep_proof;
+  if (at_most)
+    o.at_most = natural("at-most", *at_most, 0);
+  if (digits)
+    o.digits = digits_of("digits", *digits);
+  if (scale)
+    o.scale = scale_of(*scale);
+  if (max_steps)
+    o.limits.max_steps = natural64("max-steps", *max_steps);
+  if (node_limit)
+    o.limits.node_limit = natural64("node-limit", *node_limit);
+  if (gap)
+    o.limits.gap = not_negative("gap", *gap);
+  if (time_limit)
+    o.limits.deadline = std::chrono::steady_clock::now() + duration("time-limit", *time_limit);
+  return o;
+}
+
+Budget BudgetTexts::budget(const SolveTexts &others) const {
+  if (others.tolerances.size() > 1)
+    throw InputError(option("particles") + ": it chooses one tolerance: give one " + option("tolerance") +
+                     ", without a value");
+  const std::string kind = kind_of(others);
+  if (kind != "retained" && kind != "passing" && kind != "total")
+    throw InputError(option("tolerance") + ": " + in_quotes(kind) + ": " + option("particles") +
+                     " chooses the value: write retained, passing or total");
+  if (others.band || others.at_most)
+    throw InputError(option(others.band ? "band" : "at-most") + ": it does not go with " +
+                     option("particles") + ": leave it out");
+  Budget budget;
+  budget.particles = natural("particles", *particles, 1);
+  budget.kind = parse_tolerance(kind + ":0%").kind;
+  if (grid)
+    budget.grid = positive("grid", *grid);
+  return budget;
+}
+
+AskedQuestion BudgetTexts::question(const SolveTexts &others, const ReadBand &read_band) const {
+  budget(others); // which refuses other tolerances
+  SolveTexts with_value = others;
+  with_value.tolerances = {kind_of(others) + ":0%"};
+  AskedQuestion asked = with_value.question(read_band);
+  asked.rest.tolerances.clear();
+  return asked;
+}
+
+} // namespace mdm

@@ -1,0 +1,72 @@
+#pragma once
+/// \file
+/// The options of solving as texts, and what they ask.
+
+#include "ask/asked_question.hpp"
+#include "ask/option_row.hpp"
+
+#include <mdm/match/budget.hpp>
+#include <mdm/match/solve.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace mdm {
+
+/// The options that say how a gradation is to be taken. All members throw an InputError that names the option
+/// where its value does not serve.
+struct GradationTexts {
+  OptionText law, size_factor, cut_below, pan_size;
+
+  static const std::vector<OptionRow<GradationTexts>> options;
+  AskedQuestion question() const;
+};
+
+/// The envelope that --band has.
+using ReadBand = std::function<Envelope(const std::string &band)>;
+
+/// All options of solving, likewise.
+struct SolveTexts : GradationTexts {
+  std::vector<std::string> tolerances;
+  OptionText band;
+  OptionText min_per_class, at_least, at_most;
+  OptionText specimen, void_ratio, solids_volume;
+  OptionText digits, scale;
+  OptionText max_steps, node_limit, time_limit, gap;
+
+  /// All but tolerance, band and those of GradationTexts, by what they are about.
+  static const std::vector<OptionRow<SolveTexts>> question_options, answer_options, limit_options;
+
+  bool is_tolerant() const { return !tolerances.empty() || band; }
+  AskedQuestion question(const ReadBand &read_band) const;
+  /// The same for a command that looks for exact matches and for those within a tolerance: limits of either
+  /// serve.
+  AskedQuestion question_of_both(const ReadBand &read_band) const;
+  /// The deadline counts from this call.
+  SolveOptions options(bool keep_proof = false) const;
+};
+
+/// Calls visit(name, text) for each option of solving but tolerance and band, in one order.
+template <class Texts, class Visit>
+void for_each_option(Texts &texts, Visit visit) {
+  for (const OptionRow<SolveTexts> &row : SolveTexts::question_options)
+    visit(row.name, texts.*row.text);
+  for (const OptionRow<GradationTexts> &row : GradationTexts::options)
+    visit(row.name, texts.*row.text);
+  for (const auto *const rows : {&SolveTexts::answer_options, &SolveTexts::limit_options})
+    for (const OptionRow<SolveTexts> &row : *rows)
+      visit(row.name, texts.*row.text);
+}
+
+/// A number of particles that chooses the tolerance, likewise.
+struct BudgetTexts {
+  OptionText particles, grid;
+
+  /// The budget; its kind is the one tolerance of the other options, or retained. \pre particles
+  Budget budget(const SolveTexts &others) const;
+  /// The question of the other options, without tolerance. \pre particles
+  AskedQuestion question(const SolveTexts &others, const ReadBand &read_band) const;
+};
+
+} // namespace mdm

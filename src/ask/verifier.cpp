@@ -1,0 +1,123 @@
+#include "ask/verifier.hpp"
+
+#include "ask/option_values.hpp"
+#include "gradation/likelier_unit.hpp"
+#include "particles/unasked_texture.hpp"
+
+#include <mdm/answer/answer_sample.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+namespace mdm {
+namespace {
+
+/// Calls action() and names whose mistake it is in what it throws.
+template <class Action>
+auto about(const std::string &source, Action action) {
+  try {
+    return action();
+  } catch (const InputError &e) {
+    throw InputError(source.empty() ? e.what() : printable(source) + ": " + e.what());
+  }
+}
+
+std::vector<AskedTolerance> asked_tolerances(const VerifyTexts &asked) {
+  std::vector<AskedTolerance> tolerances;
+  for (const std::string &text : asked.tolerances)
+    tolerances.push_back(named("tolerance", text, parse_tolerance));
+  return tolerances;
+}
+
+/// The places' options, when what is wrong with them is found before a file is read.
+PlaceTexts checked(const PlaceTexts &places, SizeUnit unit) {
+  places.check();
+  places.space(std::nullopt, unit);
+  return places;
+}
+
+/// A note where the sizes may have another unit.
+std::optional<std::string> unit_note(const Description &d, const std::optional<LengthUnit> &unit) {
+  const std::optional<LengthUnit> other = unit ? likelier_unit(d, *unit) : std::nullopt;
+  if (!other)
+    return std::nullopt;
+  return fmt::format("The sizes were read in {}, and no particle lies in a class (the pan's aside); with "
+                     "{} {} the first would.",
+                     name(*unit), option("size-unit"), name(*other));
+}
+
+} // namespace
+
+Verifier::Verifier(Gradation g, const std::string &source, const VerifyTexts &asked,
+                   const std::optional<Envelope> &band)
+    : snap_(asked.snap ? not_negative("snap", *asked.snap) : Rational(0)),
+      digits_(asked.digits ? digits_of("digits", *asked.digits) : 6),
+      question_(asked.gradation.question().in(g.unit())),
+      gradation_(about(source, [&] { return asked_gradation(std::move(g), question_); })),
+      smallest_(about(source, [&] { return smallest_match(gradation_, question_.law); })),
+      allowed_(about(source,
+                     [&, tolerances = asked_tolerances(asked)] {
+                       return allowed_error(gradation_, tolerances, band, question_.size_factor);
+                     })),
+      reading_(asked.particles.options(gradation_.unit())), said_(asked.particles),
+      places_(checked(asked.places, gradation_.unit())),
+      sizes_(Description(gradation_, {question_.law, snap_, 1, 1})),
+      placed_(gradation_, sizes_, places_.are_asked() ? std::nullopt : std::optional(most_unasked_places),
+              [this](const std::optional<ParticleBox> &box) { return places_.space(box, unit()); }) {}
+
+void Verifier::end(const ReadParticles &read) {
+  has_particles_ = true;
+  read_unit_ = read.unit;
+  note(read.notes);
+}
+
+void Verifier::take_answer(const std::string &json, const std::string &file) {
+  const AnswerSample answer = read_answer(json, file);
+  about(file, [&] {
+    if (said_.say_sizes() || said_.timestep)
+      throw InputError("an answer of mdm says what its sizes are: leave out " + option("radius") + ", " +
+                       option("diameter") + ", " + option("size-unit") + " and " + option("timestep"));
+    AnswerDescription described = describe_answer(answer, gradation_, question_.law, snap_);
+    answer_ = std::move(described.description);
+    objections_ = std::move(described.objections);
+    note(described.notes);
+  });
+}
+
+std::optional<SphereTexture> Verifier::texture(std::vector<std::string> &notes) const {
+  if (!has_particles_) {
+    if (places_.are_asked())
+      throw InputError("it has no places of particles: leave out " + option("packing") +
+                       " and the options about places");
+    return std::nullopt;
+  }
+  const SphereTextureOptions options = places_.texture(placed_.box(), unit());
+  return places_.are_asked()
+             ? sphere_texture(placed_.sample(), gradation_.classes(), options)
+             : unasked_texture(placed_, gradation_.classes(), options, option("packing").c_str(), notes);
+}
+
+Verification Verifier::verification(const std::string &sample) {
+  Verification v(answer_ ? *answer_ : sizes_.description(), question_, allowed_.most);
+  v.bounds = allowed_.bounds;
+  v.within = allowed_.within;
+  v.smallest = smallest_;
+  v.sample = sample;
+  v.digits = digits_;
+  v.objections = objections_;
+  v.notes = gradation_.notes();
+  v.notes.insert(v.notes.end(), notes_.begin(), notes_.end());
+  v.packing = about(sample, [&] { return texture(v.notes); });
+  if (std::optional<std::string> objection = placed_.objection(option("periodic").c_str()))
+    v.objections.push_back(std::move(*objection));
+  if (const std::optional<std::string> note = unit_note(v.description, read_unit_))
+    v.notes.push_back(*note);
+  if (!answer_ && v.description.hair_above() > 0)
+    v.notes.push_back(
+        fmt::format("Particles larger than a sieve by less than 1e-12 of it: {}; {} 1e-12 takes "
+                    "sizes as near as that as the sieve.",
+                    to_string(v.description.hair_above()), option("snap")));
+  return v;
+}
+
+} // namespace mdm

@@ -1,0 +1,81 @@
+#pragma once
+/// \file
+/// Whether a sample matches a gradation: what is asked, the sample as it comes in, and the verdict.
+
+#include "ask/particle_options.hpp"
+#include "ask/place_options.hpp"
+#include "ask/solve_options.hpp"
+#include "particles/description_sink.hpp"
+#include "particles/placed_sink.hpp"
+#include "report/allowed_error.hpp"
+#include "report/verification.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mdm {
+
+/// What is asked of a sample, as texts.
+struct VerifyTexts {
+  GradationTexts gradation;
+  std::vector<std::string> tolerances;
+  OptionText snap, digits;
+  ParticleTexts particles;
+  PlaceTexts places;
+};
+
+/// The judge of one sample, which is handed on to its sinks while it is read, or taken as an answer. One
+/// thread at a time. Memory: that of the classes, and of the places that are kept.
+class Verifier {
+public:
+  /// \param g  as it was read; its smallest match is found here
+  /// \param source  names it in messages; empty: not
+  /// \throws InputError naming the option where its value does not serve, or the gradation
+  Verifier(Gradation g, const std::string &source, const VerifyTexts &asked,
+           const std::optional<Envelope> &band);
+  Verifier(const Verifier &) = delete;
+  Verifier &operator=(const Verifier &) = delete;
+
+  /// How particles are to be read.
+  const ParticleOptions &reading() const { return reading_; }
+  bool are_places_asked() const { return places_.are_asked(); }
+  SizeUnit unit() const { return gradation_.unit(); }
+
+  /// Takes particles whose places, if they have some, are judged too.
+  ParticleSink &particles() { return placed_; }
+  /// Takes sizes alone.
+  ParticleSink &sizes() { return sizes_; }
+  /// What the reader of particles() says at their end.
+  void end(const ReadParticles &read);
+  /// The same of sizes().
+  void note(const std::vector<std::string> &notes) {
+    notes_.insert(notes_.end(), notes.begin(), notes.end());
+  }
+  /// An answer in JSON instead of particles. \throws InputError where options say how particles are read
+  void take_answer(const std::string &json, const std::string &file);
+
+  /// The verdict. \param sample  its name
+  /// \throws InputError naming the sample where its places are not what was asked about
+  Verification verification(const std::string &sample);
+
+private:
+  Rational snap_;
+  unsigned digits_;
+  Question question_;
+  Gradation gradation_;
+  SmallestMatch smallest_;
+  AllowedError allowed_;
+  ParticleOptions reading_;
+  ParticleTexts said_;
+  PlaceTexts places_;
+  DescriptionSink sizes_;
+  PlacedSink placed_;
+  bool has_particles_ = false;
+  std::optional<LengthUnit> read_unit_;
+  std::optional<Description> answer_;
+  std::vector<std::string> objections_, notes_;
+
+  std::optional<SphereTexture> texture(std::vector<std::string> &notes) const;
+};
+
+} // namespace mdm

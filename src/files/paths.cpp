@@ -1,0 +1,128 @@
+#include "files/paths.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <set>
+#include <string_view>
+
+namespace mdm {
+namespace {
+
+/// realpath, or nothing where there is no such file.
+std::string real_path(const std::string &path) {
+  char *const real = realpath(path.c_str(), nullptr);
+  if (real == nullptr)
+    return {};
+  std::string target(real);
+  std::free(real);
+  return target;
+}
+
+/// The end of a path's symbolic links where there is no such file yet.
+std::string behind_links(std::filesystem::path path) {
+  constexpr int most = 40; // as the kernel
+  for (int i = 0; i < most; ++i) {
+    std::error_code no_link;
+    const std::filesystem::path target = std::filesystem::read_symlink(path, no_link);
+    if (no_link)
+      break;
+    path = path.parent_path() / target;
+  }
+  return path.string();
+}
+
+} // namespace
+
+std::string shown_name(const std::string &path) {
+  return path == "-" ? "stdin" : path;
+}
+
+std::string shell_word(const std::string &path) {
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("/._-+").find(c) != std::string_view::npos;
+  };
+  if (!path.empty() && std::all_of(path.begin(), path.end(), is_plain))
+    return path;
+  std::string word = "'";
+  for (const char c : path)
+    word += c == '\'' ? "'\\''" : std::string(1, c);
+  return printable(word + "'");
+}
+
+std::string line_name(const std::string &path, std::uint64_t line) {
+  return shown_name(path) + ":" + std::to_string(line);
+}
+
+InputError file_error(const std::string &path, const std::string &what) {
+  return InputError((path.empty() ? "''" : printable(shown_name(path))) + ": " + what);
+}
+
+void refuse_file(const std::string &path, const std::string &what, int error, const std::string &remedy) {
+  throw file_error(path, what + ": " + std::strerror(error) + ": " + remedy);
+}
+
+void cannot_read(const std::string &path, int error) {
+  refuse_file(path, "cannot be read", error, "name one that can be read");
+}
+
+std::string canonical_path(const std::string &path) {
+  if (std::string file = real_path(path); !file.empty())
+    return file;
+  const std::string name = behind_links(path);
+  const std::size_t slash = name.rfind('/');
+  const std::string folder = real_path(slash == std::string::npos ? "." : name.substr(0, slash + 1));
+  return folder.empty() ? name : folder + "/" + name.substr(slash == std::string::npos ? 0 : slash + 1);
+}
+
+void check_readable(const std::string &path) {
+  struct stat status {};
+  if (path == "-")
+    return;
+  if (access(path.c_str(), R_OK) != 0 || stat(path.c_str(), &status) != 0)
+    cannot_read(path, errno);
+  if (S_ISDIR(status.st_mode))
+    cannot_read(path, EISDIR);
+}
+
+std::optional<std::uint64_t> file_bytes(const std::string &path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
+    return std::nullopt;
+  return static_cast<std::uint64_t>(status.st_size);
+}
+
+void check_size(const std::string &path, std::size_t bytes, std::size_t most) {
+  if (bytes > most)
+    throw file_error(path, fmt::format("more than {} MiB: is it the right file?", most >> 20));
+}
+
+void make_folder(const std::string &path) {
+  struct stat status {};
+  if (mkdir(path.c_str(), 0777) == 0)
+    return;
+  const int error = errno;
+  if (stat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
+    refuse_file(path, "no folder can be made there", error, "name another");
+}
+
+void check_distinct(const std::vector<std::string> &paths) {
+  std::set<std::string> seen;
+  for (const std::string &path : paths) {
+    struct stat status {};
+    const bool exists = stat(path.c_str(), &status) == 0;
+    if (path == "-" || (exists && !S_ISREG(status.st_mode)))
+      continue;
+    if (!seen.insert(canonical_path(path)).second)
+      throw file_error(path, "would be overwritten: give input and outputs different names");
+  }
+}
+
+} // namespace mdm

@@ -1,0 +1,61 @@
+#pragma once
+/// \file
+/// Paths of files, and how messages name them.
+
+#include <mdm/text/error.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mdm {
+
+/// A path as messages name it: `stdin` for `-`.
+std::string shown_name(const std::string &path);
+/// A path as a word of a command in a message, for sh: in single quotes, unless it is of letters, digits and
+/// `/._-+` alone.
+std::string shell_word(const std::string &path);
+/// A line of a file as messages name it: `stdin:3`.
+std::string line_name(const std::string &path, std::uint64_t line);
+
+/// The error `path: what`.
+InputError file_error(const std::string &path, const std::string &what);
+/// Throws the error `path: what: <the system's words>: remedy`. \param error errno
+[[noreturn]] void refuse_file(const std::string &path, const std::string &what, int error,
+                              const std::string &remedy);
+
+/// The error of a file that cannot be read. \param error errno
+[[noreturn]] void cannot_read(const std::string &path, int error);
+
+/// Calls action() and names the file, or the line of it, in what it throws.
+template <class Action>
+auto in_file(const std::string &path, Action action) {
+  try {
+    return action();
+  } catch (const InputError &e) {
+    throw file_error(path, e.what());
+  }
+}
+
+/// The absolute path without symbolic links of a file or of a file that is to be.
+std::string canonical_path(const std::string &path);
+
+/// Refuses two names of one regular file among the inputs and outputs of a command; `-` and devices do not
+/// count. \throws InputError naming the second
+void check_distinct(const std::vector<std::string> &paths);
+
+/// Refuses a file that cannot be read, before any work is done. \throws InputError
+void check_readable(const std::string &path);
+
+/// The bytes of a regular file as it lies on the disk; nothing of others.
+std::optional<std::uint64_t> file_bytes(const std::string &path);
+
+/// Refuses a file of more than `most` bytes. \throws InputError
+void check_size(const std::string &path, std::size_t bytes, std::size_t most);
+
+/// Makes a folder where there is none.
+/// \throws InputError if that cannot be
+void make_folder(const std::string &path);
+
+} // namespace mdm

@@ -1,0 +1,94 @@
+#include "files/zstd_stream.hpp"
+
+#include <mdm/text/error.hpp>
+
+#include <zstd.h>
+#include <zstd_errors.h>
+
+#include <new>
+
+namespace mdm {
+namespace {
+
+constexpr int compression_level = 1;
+
+void check_zstd(std::size_t result) {
+  if (ZSTD_getErrorCode(result) == ZSTD_error_memory_allocation)
+    throw std::bad_alloc();
+  if (ZSTD_isError(result) != 0)
+    throw InputError(std::string("cannot be unpacked: ") + ZSTD_getErrorName(result) +
+                     ": give a file that zstd wrote, whole");
+}
+
+} // namespace
+
+bool names_zstd(std::string_view path) {
+  return path.ends_with(".zst");
+}
+
+struct Compressor::State {
+  std::unique_ptr<ZSTD_CCtx, std::size_t (*)(ZSTD_CCtx *)> context{ZSTD_createCCtx(), ZSTD_freeCCtx};
+  std::string piece = std::string(ZSTD_CStreamOutSize(), '\0');
+
+  State() {
+    if (!context)
+      throw std::bad_alloc();
+    check_zstd(ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, compression_level));
+    check_zstd(ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1));
+  }
+
+  void compress(std::string_view text, ZSTD_EndDirective mode, const Sink &to) {
+    ZSTD_inBuffer in{text.data(), text.size(), 0};
+    for (bool is_done = false; !is_done;) {
+      ZSTD_outBuffer out{piece.data(), piece.size(), 0};
+      const std::size_t left = ZSTD_compressStream2(context.get(), &out, &in, mode);
+      check_zstd(left);
+      to(std::string_view(piece).substr(0, out.pos));
+      is_done = mode == ZSTD_e_end ? left == 0 : in.pos == in.size;
+    }
+  }
+};
+
+Compressor::Compressor() : state_(std::make_unique<State>()) {}
+Compressor::~Compressor() = default;
+
+void Compressor::add(std::string_view text, const Sink &to) {
+  state_->compress(text, ZSTD_e_continue, to);
+}
+
+void Compressor::end(const Sink &to) {
+  state_->compress({}, ZSTD_e_end, to);
+}
+
+struct Decompressor::State {
+  std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx *)> context{ZSTD_createDCtx(), ZSTD_freeDCtx};
+  bool is_whole = false;
+
+  State() {
+    constexpr int most_window_log = 27; // 128 MiB
+    if (!context)
+      throw std::bad_alloc();
+    check_zstd(ZSTD_DCtx_setParameter(context.get(), ZSTD_d_windowLogMax, most_window_log));
+  }
+};
+
+Decompressor::Decompressor() : state_(std::make_unique<State>()) {}
+Decompressor::~Decompressor() = default;
+
+void Decompressor::unpack(std::string_view &packed, std::string &text) {
+  const std::size_t before = text.size();
+  text.resize(before + ZSTD_DStreamOutSize());
+  ZSTD_inBuffer in{packed.data(), packed.size(), 0};
+  ZSTD_outBuffer out{text.data() + before, text.size() - before, 0};
+  const std::size_t left = ZSTD_decompressStream(state_->context.get(), &out, &in);
+  text.resize(before + out.pos);
+  check_zstd(left);
+  packed.remove_prefix(in.pos);
+  state_->is_whole = left == 0;
+}
+
+bool Decompressor::is_whole() const {
+  return state_->is_whole;
+}
+
+} // namespace mdm
