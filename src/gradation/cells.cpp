@@ -1,6 +1,5 @@
 #include "gradation/cells.hpp"
 
-#include "gradation/csv_rows.hpp"
 #include "text/lines.hpp"
 
 #include <fmt/core.h>
@@ -19,6 +18,14 @@ std::string_view name(char delimiter) {
 
 bool is_empty(const std::vector<std::string> &cells) {
   return std::all_of(cells.begin(), cells.end(), [](const std::string &c) { return c.empty(); });
+}
+
+/// False for `#4 (4.75 mm)` and `# 200`: a number behind the # may be that of a sieve.
+bool is_comment(std::string_view cell) {
+  if (!cell.starts_with('#'))
+    return false;
+  const std::string_view behind = without_spaces(cell.substr(1));
+  return behind.empty() || !is_digit(behind.front());
 }
 
 /// The cells of a line, without the spaces around them.
@@ -61,7 +68,7 @@ std::string_view without_spaces(std::string_view text) {
 }
 
 Cells cells_of_text(std::string_view text, char delimiter, std::size_t skip, const Source &source) {
-  Cells table{fmt::format("text with {} between cells", name(delimiter)), delimiter, {}, {}, {}};
+  Cells table{fmt::format("text with {} between cells", name(delimiter)), delimiter, {}, {}};
   std::size_t count = 0;
   bool gap = false;
   for (Lines lines(text); lines.next();) {
@@ -72,7 +79,7 @@ Cells cells_of_text(std::string_view text, char delimiter, std::size_t skip, con
       gap = true;
       continue;
     }
-    if (cells[0].starts_with('#') && !is_sieve_number(cells[0]))
+    if (is_comment(cells[0]))
       continue;
     count += cells.size();
     if (count > max_cells)

@@ -6,7 +6,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace mdm {
@@ -16,9 +15,11 @@ inline constexpr std::size_t max_cells = std::size_t{1} << 21;
 
 /// A row that has something in it.
 struct CellRow {
-  std::size_t line;               ///< of the file, or row of the sheet, from 1 on
-  bool below_gap = false;         ///< an empty row is above
-  std::vector<std::string> cells; ///< without the spaces around them
+  std::size_t line;                           ///< of the file, or row of the sheet, from 1 on
+  bool below_gap = false;                     ///< an empty row is above
+  std::vector<std::string> cells;             ///< without the spaces around them
+  std::vector<std::size_t> texts = {};        ///< of a workbook: the columns of texts, in order
+  std::vector<std::size_t> long_numbers = {}; ///< those of numbers that have no decimal of at most 15 digits
 
   /// The cell of that column; empty beyond the last.
   std::string_view cell(std::size_t column) const {
@@ -31,9 +32,8 @@ struct Cells {
   std::string format;    ///< as reports name it
   char delimiter = '\0'; ///< of text; none in a workbook
   std::vector<CellRow> rows;
-  std::string hint; ///< what else may be done where the table is not understood
-  /// Row and column of each number that has no decimal of at most 15 digits, in order.
-  std::vector<std::pair<std::size_t, std::size_t>> long_numbers;
+  std::string hint;       ///< what else may be done where the table is not understood
+  std::string sheet = {}; ///< of a workbook of several, the name of the one that was read
 };
 
 /// Text cut at tabs, semicolons or commas. Empty rows and comments are left out, as in the canonical CSV.

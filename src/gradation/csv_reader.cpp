@@ -7,6 +7,7 @@
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -55,9 +56,9 @@ private:
     const std::vector<std::string> &names = rows_.fields();
     table_.header_line = rows_.line();
     if (names.size() == 3 && names[1] == "passing_min_percent" && names[2] == "passing_max_percent")
-      rows_.refuse(
-          "this is a band of allowed gradations: give it to --band; a gradation has one of the columns " +
-          mass_column_names());
+      rows_.refuse(fmt::format(
+          "this is a band of allowed gradations: give it to {}; a gradation has one of the columns {}",
+          option("band"), mass_column_names()));
     if (names.size() < 2)
       rows_.refuse("a second column is missing: use one of " + mass_column_names());
     table_.column = find_mass_column(names[1]);
@@ -87,6 +88,8 @@ private:
     table_.values.push_back(rows_.number(table_.column->name, 1));
     if (table_.column->form != MassForm::retained)
       table_.roundings.push_back(rows_.last_digit(1) * 50 / table_.column->full);
+    else if (table_.column->full != 0)
+      table_.mass_roundings.push_back(rows_.last_digit(1) / 2);
     if (tolerance_ != 0)
       table_.tolerances.push_back(rows_.number(tolerance_column, tolerance_));
     if (factor_ != 0)

@@ -71,20 +71,19 @@ std::string unknown_size_column(std::string_view name, std::string_view example)
                      header_hint(name, example));
 }
 
-bool is_sieve_number(std::string_view field) {
-  return field.starts_with('#') &&
-         field.substr(1).find_first_not_of("0123456789-/. ") == std::string_view::npos &&
-         std::any_of(field.begin(), field.end(), is_digit);
+void check_comment(std::string_view line, bool below_sieves) {
+  const std::string_view behind = below_sieves ? trimmed(line.substr(1)) : line.substr(1);
+  if (!behind.empty() && is_digit(behind[0]))
+    throw InputError(fmt::format("{} may be a sieve or a comment: {}", in_quotes(line),
+                                 below_sieves ? "write No. 4 for a sieve, begin a comment with a word"
+                                              : "write '# ' before a comment, No. 4 for a sieve"));
 }
 
 void CsvRows::read_header(std::string_view example) {
-  std::string_view line;
-  while (line.empty() || line.front() == '#') {
-    if (!lines_.next())
-      source_.refuse(std::max(lines_.number(), std::size_t{1}),
-                     fmt::format("there is no header: begin with a line such as '{}'", example));
-    line = trimmed(lines_.text());
-  }
+  if (!next_line())
+    source_.refuse(std::max(lines_.number(), std::size_t{1}),
+                   fmt::format("there is no header: begin with a line such as '{}'", example));
+  const std::string_view line = trimmed(lines_.text());
   delimiter_ = line.find(';') == std::string_view::npos ? ',' : ';';
   split(line);
   width_ = fields_.size();
@@ -94,17 +93,31 @@ void CsvRows::read_header(std::string_view example) {
 }
 
 bool CsvRows::next() {
+  if (!next_line())
+    return false;
+  split(trimmed(lines_.text()));
+  if (fields_.size() != width_)
+    refuse(fmt::format("the row has {}, the header has {}: {}", counted(fields_.size()), counted(width_),
+                       delimiter_ == ',' && fields_.size() > width_
+                           ? "with decimal commas, put ; between fields"
+                           : "give each column its value"));
+  return true;
+}
+
+bool CsvRows::next_line() {
+  const bool below_sieves = size_column_ != nullptr && size_column_->kind == SizeKind::sieve;
   while (lines_.next()) {
     const std::string_view line = trimmed(lines_.text());
-    if (line.empty() || (line.front() == '#' && !is_sieve_row(line)))
+    if (!line.starts_with('#')) {
+      if (!line.empty())
+        return true;
       continue;
-    split(line);
-    if (fields_.size() != width_)
-      refuse(fmt::format("the row has {}, the header has {}: {}", counted(fields_.size()), counted(width_),
-                         delimiter_ == ',' && fields_.size() > width_
-                             ? "with decimal commas, put ; between fields"
-                             : "give each column its value"));
-    return true;
+    }
+    try {
+      check_comment(line, below_sieves);
+    } catch (const InputError &e) {
+      refuse(e.what());
+    }
   }
   return false;
 }
@@ -112,12 +125,6 @@ bool CsvRows::next() {
 void CsvRows::split(std::string_view line) {
   if (!split_fields(line, delimiter_, fields_))
     refuse("a quoted field does not end with a quote before the next delimiter: close it");
-}
-
-/// The grammar's one exception to comments: a row of a sieve such as `#200`.
-bool CsvRows::is_sieve_row(std::string_view line) {
-  return size_column_->kind == SizeKind::sieve && split_fields(line, delimiter_, fields_) &&
-         fields_.size() == width_ && is_sieve_number(fields_[0]);
 }
 
 Rational CsvRows::size() {

@@ -23,8 +23,9 @@ const SizeColumn *find_size_column(std::string_view name);
 /// The mistake in the name of a first column that is no size column; `example` is a header.
 std::string unknown_size_column(std::string_view name, std::string_view example);
 
-/// True for `#200`, `# 3-1/2`: the field of a sieve where a line could be a comment.
-bool is_sieve_number(std::string_view field);
+/// Refuses a comment that may be a sieve, with what to write: `#200,4` anywhere, `# 200,4` below sieves.
+/// Throws InputError.
+void check_comment(std::string_view line, bool below_sieves);
 
 /// A pass over a CSV file, first its header, then its rows; the grammar is in proofs/certificate-format.md,
 /// section 4. Empty lines and comments are skipped. All throw InputError with the line.
@@ -63,7 +64,8 @@ public:
 
 private:
   void split(std::string_view line);
-  bool is_sieve_row(std::string_view line);
+  /// Moves on to the next line that is neither empty nor a comment; false at the end.
+  bool next_line();
   Rational named(std::string_view column, Rational (CsvRows::*parse)(std::string_view), std::size_t field);
   Rational parse_size(std::string_view field);
   Rational parse_phi(std::string_view field);

@@ -70,6 +70,8 @@ private:
                          passing = child_of(grading, "percentPassing");
     if (!size || !passing)
       source_.refuse(line_of(grading), "this Grading has no particleSize or no percentPassing: add it");
+    check_single(grading, size);
+    check_single(grading, passing);
     table_.lines.push_back(line_of(grading));
     table_.sizes.push_back(number(size) * mm_of(size));
     table_.values.push_back(number(passing));
@@ -78,6 +80,14 @@ private:
     if (!unit.empty() && unit_of_words(unit) != ColumnUnit::percent)
       source_.refuse(line_of(passing),
                      fmt::format("percentPassing has the unit {}, only '%' is read", in_quotes(unit)));
+  }
+
+  /// Refuses a second element of the name of `first`, which may say something else.
+  void check_single(pugi::xml_node grading, pugi::xml_node first) const {
+    for (const pugi::xml_node node : grading.children())
+      if (node != first && local_name(node.name()) == local_name(first.name()))
+        source_.refuse(line_of(node), fmt::format("a second {} of the same Grading: leave one out",
+                                                  local_name(first.name())));
   }
 
   Rational number(pugi::xml_node node) const {

@@ -11,11 +11,6 @@
 namespace mdm {
 namespace {
 
-/// A size with its unit.
-std::string with_unit(const Rational &size, SizeUnit unit) {
-  return fmt::format("{} {}", shown(size), name(unit));
-}
-
 /// An opening, given to the power of the root, with its unit.
 std::string named(const Gradation::Data &data, const Rational &size) {
   return fmt::format("{} {}", shown(RootSize{size, data.root}), name(data.unit));
@@ -122,16 +117,15 @@ Gradation Gradation::cut_below(const Rational &size) const {
     return RootSize{power, root()}.is_named_by(size);
   });
   if (found == data_.sizes.end())
-    throw InputError(fmt::format("there is no sieve of {} to cut at: the sieves are {}",
-                                 with_unit(size, unit()), openings(data_)));
+    throw InputError(fmt::format("there is no sieve of {} to cut at: the sieves are {}", shown(size, unit()),
+                                 openings(data_)));
   if (std::next(found) == data_.sizes.end())
     throw InputError(fmt::format("cutting at the largest sieve, {}, leaves nothing: cut at a finer one",
-                                 with_unit(size, unit())));
+                                 shown(size, unit())));
   const std::ptrdiff_t count = found - data_.sizes.begin();
   if (std::all_of(data_.masses.begin() + count, data_.masses.end(),
                   [](const Rational &m) { return m.sign() == 0; }))
-    throw InputError(
-        fmt::format("cutting at {} leaves no mass: cut at a finer sieve", with_unit(size, unit())));
+    throw InputError(fmt::format("cutting at {} leaves no mass: cut at a finer sieve", shown(size, unit())));
   return from_class(static_cast<std::size_t>(count));
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mdm {
 
@@ -26,7 +27,14 @@ bool is_of_sizes(ColumnUnit unit);
 struct HeaderMeaning {
   ColumnMeaning meaning;
   ColumnUnit unit = ColumnUnit::none;
+  bool is_individual = false; ///< the header says that no coarser sieve is counted too
+  bool is_symbol =
+      false; ///< the header is `Ri`: the mass on each sieve, in older French sheets the cumulative one
+  bool is_unclear = false; ///< of what is retained: all coarser sieves may be counted too
 };
+
+/// True for the meaning of a column of sizes or of names of sieves.
+bool holds_sizes(const HeaderMeaning &meaning);
 
 /// The meaning of a header such as `Siebweite [mm]`, `% passing` or `Rückstand in g`, where the table of
 /// words has it; letter case, accents and punctuation do not count.
@@ -35,17 +43,13 @@ std::optional<HeaderMeaning> header_meaning(std::string_view header);
 /// The unit that a header names beside other words, whether these are known or not: `Korngröße d [mm]`.
 ColumnUnit unit_in_header(std::string_view header);
 
+/// The words of a header without its unit, which may be `unit` or none; empty where it is another.
+std::vector<std::string> words_in(std::string_view header, ColumnUnit unit);
+
 /// The unit that a cell names by itself: `mm`, `[µm]`, `(%)`, `M.-%`, `g`.
 ColumnUnit unit_of_words(std::string_view words);
 
-/// True for the row of what passes the finest sieve: `pan`, `Schale`, `Boden`.
-bool is_pan_word(std::string_view cell);
-
-/// True for the row of a sum: `Total`, `Summe`.
-bool is_total_word(std::string_view cell);
-
-/// A header or cell in the one spelling that is compared: small letters without accents, words with one space
-/// between them.
-std::string plain_words(std::string_view text);
+/// True where a header or cell speaks of kilograms: other masses are in g.
+bool names_kilograms(std::string_view text);
 
 } // namespace mdm

@@ -4,6 +4,7 @@
 #include "gradation/shown.hpp"
 
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -18,11 +19,10 @@ void check_percent(const Table &table, const LabValues &values, const Reading &r
                    const Source &source) {
   const Rational largest = *std::max_element(table.values.begin(), table.values.end());
   if (!reading.kind && largest != 100)
-    source.refuse(
-        table.header_line,
-        fmt::format("the column {} may be percent or fractions, its largest value is {}: say --kind "
-                    "passing_percent, passing_fraction or cumulative_retained_percent",
-                    in_quotes(values.header), shown(largest)));
+    source.refuse(table.header_line,
+                  fmt::format("the column {} may be percent or fractions, its largest value is {}: say {} "
+                              "passing_percent, passing_fraction or cumulative_retained_percent",
+                              in_quotes(values.header), shown(largest), option("kind")));
 }
 
 /// What each sieve retains, from cumulative masses.
@@ -63,45 +63,45 @@ std::string_view column_name(const HeaderMeaning &meaning) {
   }
 }
 
-/// True where five sieves or more hold mass and none less than the next coarser one, as cumulative masses do.
-bool look_cumulative(const Table &table) {
-  constexpr std::ptrdiff_t enough = 5;
+/// True where no sieve holds less than the next coarser one.
+bool never_falls(const Table &table) {
   std::vector<std::pair<Rational, Rational>> rows;
   for (std::size_t i = 0; i < table.sizes.size(); ++i)
     rows.emplace_back(-table.sizes[i], table.values[i]);
   std::sort(rows.begin(), rows.end());
   const auto less = [](const auto &a, const auto &b) { return a.second < b.second; };
-  const auto is_held = [](const auto &row) { return row.second > 0; };
-  return std::is_sorted(rows.begin(), rows.end(), less) &&
-         std::count_if(rows.begin(), rows.end(), is_held) >= enough;
+  return std::is_sorted(rows.begin(), rows.end(), less);
 }
 
-/// What the rows add up to must be what the total says and what percents can be.
-void check_sum(Table &table, const LabValues &values, const Reading &reading, const Source &source) {
-  Rational sum = 0;
-  for (const Rational &value : table.values)
-    sum += value;
-  if (values.total && *values.total != sum)
-    table.notes.push_back(fmt::format("The file's total is {}, the rows add up to {}; the rows are used.",
-                                      shown(*values.total), shown(sum)));
-  if (values.meaning.unit != ColumnUnit::percent && !reading.kind && look_cumulative(table))
-    table.notes.push_back(
-        fmt::format("No sieve retains less than the next coarser one: if {} is cumulative, say "
-                    "--kind cumulative.",
-                    in_quotes(values.header)));
-  constexpr int most_percent = 105; // of rounded percents
-  if (table.column->full == 100 && sum > most_percent && !reading.kind)
+/// True where five sieves or more hold mass and none less than the next coarser one, as cumulative masses do.
+bool look_cumulative(const Table &table) {
+  constexpr std::ptrdiff_t enough = 5;
+  const auto is_held = [](const Rational &value) { return value > 0; };
+  return never_falls(table) && std::count_if(table.values.begin(), table.values.end(), is_held) >= enough;
+}
+
+/// An error where masses grow as cumulative ones do, and nothing else in the sheet says that they are none.
+void check_growth(const Table &table, const LabValues &values, const Reading &reading, const Source &source) {
+  if (values.meaning.is_symbol && !reading.kind && never_falls(table))
     source.refuse(
         table.header_line,
-        fmt::format("percent retained add up to {}: if {} is cumulative, say --kind cumulative, else --kind "
-                    "retained_percent",
-                    shown(sum), in_quotes(values.header)));
+        fmt::format("the column {0} holds what each sieve retains, or what all coarser ones retain too, and "
+                    "no sieve has less than the next coarser one: say {1} retained or {1} cumulative",
+                    in_quotes(values.header), option("kind")));
+  if (values.meaning.unit != ColumnUnit::percent && !reading.kind && !values.is_confirmed &&
+      !values.meaning.is_individual && look_cumulative(table))
+    source.refuse(
+        table.header_line,
+        fmt::format("no sieve retains less than the next coarser one, as in a cumulative column: say "
+                    "{0} cumulative if {1} is one, else {0} retained",
+                    option("kind"), in_quotes(values.header)));
 }
 
 } // namespace
 
 void settle_lab_values(Table &table, const LabValues &values, const Reading &reading, const Source &source) {
-  const auto [meaning, unit] = values.meaning;
+  const ColumnMeaning meaning = values.meaning.meaning;
+  const ColumnUnit unit = values.meaning.unit;
   if (unit == ColumnUnit::mass && meaning == ColumnMeaning::passing)
     source.refuse(table.header_line,
                   "the mass that passes is given, not its percentage: divide by the whole mass, or "
@@ -115,9 +115,11 @@ void settle_lab_values(Table &table, const LabValues &values, const Reading &rea
     check_percent(table, values, reading, source);
   table.column = find_mass_column(is_cumulative_mass ? "mass" : column_name(values.meaning));
   if (table.column->form == MassForm::retained) {
+    if (table.column->full != 0)
+      table.mass_roundings = table.roundings;
     table.roundings.clear();
     if (!is_cumulative_mass)
-      check_sum(table, values, reading, source);
+      check_growth(table, values, reading, source);
   } else {
     for (Rational &rounding : table.roundings)
       rounding *= ratio(100, table.column->full);

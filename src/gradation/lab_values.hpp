@@ -13,11 +13,11 @@ namespace mdm {
 struct LabValues {
   HeaderMeaning meaning;
   std::string_view header;
-  std::optional<Rational> total; ///< what a row of the sum says
+  bool is_confirmed = false; ///< by another column or a sum
 };
 
 /// Gives the table the canonical column that its values are. Cumulative masses are taken apart into what each
-/// sieve retains, after `--round`. A total that is not the sum of the rows is noted.
+/// sieve retains, after `--round`.
 /// \pre the table has rows
 /// \throws InputError where it is not certain whether values are percent or fractions, or cumulative
 void settle_lab_values(Table &table, const LabValues &values, const Reading &reading, const Source &source);

@@ -1,3 +1,5 @@
+#include "number/typed_number.hpp"
+
 #include <mdm/gradation/length.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
@@ -64,7 +66,7 @@ Length parse_length(std::string_view text) {
                        " is no unit that is known: write mm, um, m or in, or the number alone");
     text = text.substr(0, digits);
   }
-  length.value = parse_decimal(text);
+  length.value = parse_typed_decimal(text);
   if (length.value <= 0)
     throw InputError(in_quotes(text) + " is not positive: write a length above 0");
   return length;

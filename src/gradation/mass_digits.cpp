@@ -5,6 +5,7 @@
 #include "text/short_list.hpp"
 
 #include <mdm/number/decimal.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -84,9 +85,10 @@ std::optional<std::string> float_dust_note(const std::vector<Rational> &masses) 
   }
   if (pairs.empty())
     return std::nullopt;
-  return fmt::format("Masses look like floating point: {}. They are taken as written; --round {} takes the "
+  return fmt::format("Masses look like floating point: {}. They are taken as written; {} {} takes the "
                      "short ones{}.",
-                     pairs.text(), digits, has_zero ? ", but for 0: write that yourself" : "");
+                     pairs.text(), option("round"), digits,
+                     has_zero ? ", but for 0: write that yourself" : "");
 }
 
 std::optional<std::string> settle_digits(std::vector<Rational> &masses, std::optional<unsigned> round) {

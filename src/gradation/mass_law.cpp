@@ -1,3 +1,5 @@
+#include "number/typed_number.hpp"
+
 #include <mdm/gradation/mass_law.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
@@ -18,13 +20,13 @@ std::optional<Rational> parse_exponent(std::string_view text) {
   const std::size_t slash = text.find('/');
   if (slash == std::string_view::npos) {
     try {
-      return parse_decimal(text);
+      return parse_typed_decimal(text);
     } catch (const InputError &) {
       return std::nullopt;
     }
   }
-  const std::optional<Integer> a = parse_natural(text.substr(0, slash));
-  const std::optional<Integer> b = parse_natural(text.substr(slash + 1));
+  const std::optional<Integer> a = parse_typed_natural(text.substr(0, slash));
+  const std::optional<Integer> b = parse_typed_natural(text.substr(slash + 1));
   if (!a || !b || *b == 0)
     return std::nullopt;
   return ratio(*a, *b);

@@ -1,10 +1,12 @@
 #include "gradation/mastersizer_reader.hpp"
 
 #include "gradation/cell_numbers.hpp"
+#include "gradation/plain_words.hpp"
 #include "gradation/sample_choice.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -57,8 +59,8 @@ private:
     const ColumnUnit unit = unit_of_words(reading_.unit ? *reading_.unit : last);
     if (unit != ColumnUnit::um && unit != ColumnUnit::mm)
       source_.refuse(headers.line,
-                     fmt::format("{} does not name the unit of the sizes: say it with --unit um or mm",
-                                 in_quotes(header)));
+                     fmt::format("{} does not name the unit of the sizes: say it with {} um or mm",
+                                 in_quotes(header), option("unit")));
     table_.unit = unit == ColumnUnit::um ? SizeUnit::um : SizeUnit::mm;
     end_ = begin_ + 1;
     const auto goes_on = [&](std::size_t column) {

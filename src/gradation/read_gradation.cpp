@@ -13,6 +13,9 @@
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -78,11 +81,12 @@ enum class FileKind { sheet, table, other };
 /// Refuses options that such a file has no use for.
 void check_reading(const Reading &reading, const Source &source, FileKind kind) {
   if (reading.describes_table() && kind == FileKind::other)
-    source.refuse(1,
-                  "--columns, --kind, --unit and --skip are for tables, and this file says by itself what it "
-                  "holds: leave them out");
+    source.refuse(1, fmt::format("{}, {}, {}, {} and {} are for tables, and this file says by itself what it "
+                                 "holds: leave them out",
+                                 option("columns"), option("kind"), option("unit"), option("skip"),
+                                 option("loss")));
   if (reading.sheet && kind != FileKind::sheet)
-    source.refuse(1, "--sheet is for workbooks, and this is none: leave it out");
+    source.refuse(1, option("sheet") + " is for workbooks, and this is none: leave it out");
 }
 
 UnderstoodGradation understood_json(std::string_view text, const Source &source, const std::string &id,
@@ -122,10 +126,16 @@ Table text_table(std::string_view text, const Source &source, const std::string 
 void settle_values(Table &table, const Reading &reading) {
   if (table.has_settled_digits)
     return;
-  if (reading.round)
-    for (std::size_t i = 0; i < table.roundings.size(); ++i)
-      table.roundings[i] = std::max<Rational>(
-          table.roundings[i], digit_unit(table.values[i], *reading.round) * 50 / table.column->full);
+  const auto widen = [&](std::vector<Rational> &roundings, const Rational &scale) {
+    for (std::size_t i = 0; i < roundings.size(); ++i)
+      roundings[i] =
+          std::max<Rational>(roundings[i], digit_unit(table.values[i], *reading.round) / 2 * scale);
+  };
+  if (reading.round) {
+    widen(table.mass_roundings, 1);
+    if (!table.roundings.empty())
+      widen(table.roundings, ratio(100, table.column->full));
+  }
   if (const std::optional<std::string> note = settle_digits(table.values, reading.round))
     table.notes.push_back(*note);
 }
@@ -145,15 +155,36 @@ Table table_of(std::string_view content, std::string_view text, const Source &so
   return text_table(text, source, id, reading);
 }
 
+/// Roundings in the order of the sizes.
+std::vector<Rational> by_size(const std::vector<Rational> &roundings, const std::vector<Rational> &sizes) {
+  std::vector<std::pair<Rational, Rational>> rows;
+  for (std::size_t i = 0; i < roundings.size(); ++i)
+    rows.emplace_back(sizes[i], roundings[i]);
+  std::sort(rows.begin(), rows.end());
+  std::vector<Rational> sorted;
+  for (const auto &[size, rounding] : rows)
+    sorted.push_back(rounding);
+  return sorted;
+}
+
 /// \param content the bytes of the file, \param text the same as UTF-8
 UnderstoodGradation understood_table(std::string_view content, std::string_view text, const Source &source,
                                      const std::string &id, const Reading &reading) {
   Table table = table_of(content, text, source, id, reading);
   settle_values(table, reading);
-  const std::string format = table.format, sizes = table.sizes_from, masses = table.masses_from;
+  const std::string format = table.format, sizes = table.sizes_from, masses = table.masses_from,
+                    kind(table.column->name);
   const std::vector<std::string> samples = table.samples;
   const bool is_canonical = table.is_canonical;
-  return {to_gradation(std::move(table), source), format, sizes, masses, samples, is_canonical};
+  std::vector<Rational> roundings = by_size(table.mass_roundings, table.sizes);
+  return {to_gradation(std::move(table), source),
+          format,
+          sizes,
+          masses,
+          samples,
+          is_canonical,
+          kind,
+          std::move(roundings)};
 }
 
 } // namespace
@@ -191,6 +222,27 @@ Gradation read_gradation_file(const std::string &path, const Reading &reading) {
   return read_gradation(content_of(path), path, reading);
 }
 
+namespace {
+
+std::vector<UnreadGradation> sheets_in(std::string content, const std::string &file, const Reading &reading) {
+  const Source source(file);
+  source.check_length(content, max_gradation_bytes);
+  const std::vector<std::string> names = written_sheets(content, source);
+  const auto whole = std::make_shared<const std::string>(std::move(content));
+  std::vector<UnreadGradation> all;
+  for (const std::string &name : names) {
+    Reading one = reading;
+    one.sheet = name;
+    all.push_back({names.size() == 1 ? stem(file) : stem(file) + "/" + name,
+                   [whole, file, one] { return read_gradation(*whole, file, one); }});
+  }
+  if (all.empty())
+    source.refuse(1, "nothing is written in the sheets of this workbook: give one with a gradation");
+  return all;
+}
+
+} // namespace
+
 std::vector<UnreadGradation> gradations_in(std::string content, const std::string &file,
                                            const Reading &reading) {
   if (is_ags4(content) && !reading.specimen) {
@@ -210,6 +262,8 @@ std::vector<UnreadGradation> gradations_in(std::string content, const std::strin
     }
     return all;
   }
+  if (is_workbook(content) && !reading.sheet)
+    return sheets_in(std::move(content), file, reading);
   return {{stem(file),
            [content = std::move(content), file, reading] { return read_gradation(content, file, reading); }}};
 }

@@ -3,6 +3,7 @@
 #include "text/short_list.hpp"
 
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -17,7 +18,8 @@ namespace {
   ShortList names;
   for (const SampleNames &sample : samples)
     names.add(sample.names.front());
-  source.refuse(samples.front().line, fmt::format("{}: {}; choose one by --specimen-id", why, names.text()));
+  source.refuse(samples.front().line,
+                fmt::format("{}: {}; choose one by {}", why, names.text(), option("specimen-id")));
 }
 
 } // namespace

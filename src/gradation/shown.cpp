@@ -10,7 +10,7 @@ std::string shown(const Rational &r) {
   constexpr std::size_t short_bits = 128;
   if (bit_length(numerator(r)) <= short_bits && bit_length(denominator(r)) <= short_bits) {
     const std::optional<std::string> exact = exact_decimal(r);
-    if (exact && exact->size() <= 20)
+    if (exact && exact->size() <= 40)
       return *exact;
   }
   const std::string text = approximate(r, 12);
@@ -25,6 +25,14 @@ std::string shown(const Rational &r) {
 std::string shown(const RootSize &x) {
   const std::optional<Rational> exact = x.fraction();
   return shown(exact ? *exact : nearest_decimal(x));
+}
+
+std::string shown(const Rational &size, SizeUnit unit) {
+  return fmt::format("{} {}", shown(size), name(unit));
+}
+
+std::string shown_hundredths(const Rational &r) {
+  return shown(Rational(Rational(floor(Rational(r * 100 + ratio(1, 2)))) / 100));
 }
 
 } // namespace mdm

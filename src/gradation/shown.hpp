@@ -3,6 +3,7 @@
 /// Numbers and sizes as messages show them.
 
 #include <mdm/gradation/root_size.hpp>
+#include <mdm/gradation/size_unit.hpp>
 
 #include <string>
 
@@ -12,5 +13,9 @@ namespace mdm {
 std::string shown(const Rational &r);
 /// The same of a size that may be irrational: then its first 15 digits, rounded.
 std::string shown(const RootSize &x);
+/// A size with its unit.
+std::string shown(const Rational &size, SizeUnit unit);
+/// r to the nearest hundredth.
+std::string shown_hundredths(const Rational &r);
 
 } // namespace mdm

@@ -105,6 +105,17 @@ void add_openings(const std::array<Sieve, n> &table, std::vector<Rational> &open
     openings.push_back(ratio(sieve->opening, 1000));
 }
 
+/// The number that a name such as `1-1/2` or `0.530` is.
+Rational named_inches(std::string_view name) {
+  const std::size_t slash = name.find('/');
+  if (slash == std::string_view::npos)
+    return parse_decimal(name);
+  const std::size_t dash = name.find('-');
+  const std::size_t from = dash == std::string_view::npos ? 0 : dash + 1;
+  return (from == 0 ? Rational(0) : parse_decimal(name.substr(0, dash))) +
+         parse_decimal(name.substr(from, slash - from)) / parse_decimal(name.substr(slash + 1));
+}
+
 /// A number of `unit` mm.
 Rational metric(std::string_view number, const Rational &unit, char point, std::string_view name) {
   try {
@@ -149,6 +160,12 @@ std::optional<std::string> astm_sieve_name(const Rational &opening) {
   if (inches != astm_inches.end())
     return std::string(inches->name) + " in";
   return std::nullopt;
+}
+
+std::optional<std::string> astm_inch_name(const Rational &inches) {
+  const auto found = std::find_if(astm_inches.begin(), astm_inches.end(),
+                                  [&inches](const Sieve &s) { return named_inches(s.name) == inches; });
+  return found == astm_inches.end() ? std::nullopt : std::optional(std::string(found->name) + " in");
 }
 
 std::vector<Rational> astm_openings() {

@@ -18,6 +18,9 @@ Rational sieve_opening(std::string_view name, char point = '.');
 /// The ASTM E11 name of the sieve with an opening of `opening` mm, such as `3/8 in`, if there is one.
 std::optional<std::string> astm_sieve_name(const Rational &opening);
 
+/// The name of the ASTM E11 sieve of so many inches, such as `1-1/2 in` of 1.5, if there is one.
+std::optional<std::string> astm_inch_name(const Rational &inches);
+
 /// The openings in mm of all sieves of ASTM E11, or Tyler, that have a name, ascending.
 std::vector<Rational> astm_openings();
 std::vector<Rational> tyler_openings();

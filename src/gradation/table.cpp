@@ -3,6 +3,8 @@
 #include "gradation/mass_digits.hpp"
 #include "gradation/shown.hpp"
 
+#include <mdm/text/option_name.hpp>
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -157,7 +159,7 @@ private:
     if (!digits)
       return {};
     return t_.column->form == MassForm::passing
-               ? fmt::format(", or take all values to {} digits with --round {}", *digits, *digits)
+               ? fmt::format(", or take all values to {0} digits with {1} {0}", *digits, option("round"))
                : ", or correct the value to 0 if that is what it means";
   }
 

@@ -30,7 +30,7 @@ inline constexpr std::array<MassColumn, 7> mass_columns = {{
     {"passing_fraction", "fraction passing", MassForm::passing, 1},
 }};
 
-/// Columns of one entry a row, in the order of the file; factors, tolerances and roundings may be empty.
+/// Columns of one entry a row, in the order of the file; all from the factors on may be empty.
 struct Table {
   const MassColumn *column = nullptr;
   std::string id;
@@ -41,8 +41,9 @@ struct Table {
   std::vector<Rational> values;
   std::vector<Rational> factors;
   std::vector<Rational> tolerances;
-  std::vector<Rational> roundings; ///< half a unit of the last digit of each value
-  std::vector<std::size_t> lines;  ///< where each row stands
+  std::vector<Rational> roundings;      ///< half a unit of the last digit of each value
+  std::vector<Rational> mass_roundings; ///< half a unit of the last digit of each share retained
+  std::vector<std::size_t> lines;       ///< where each row stands
   std::vector<std::string> notes;
   std::string format;               ///< of the file, as reports name it
   std::string sizes_from;           ///< where the sizes stand, in which unit

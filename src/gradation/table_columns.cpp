@@ -1,16 +1,19 @@
 #include "gradation/table_columns.hpp"
 
 #include "gradation/cell_numbers.hpp"
+#include "gradation/limit_columns.hpp"
 #include "text/lines.hpp"
 #include "text/nearest_name.hpp"
 
 #include <mdm/number/integer.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace mdm {
 namespace {
@@ -41,7 +44,7 @@ constexpr std::array<Kind, 6> size_units = {{
 }};
 
 template <std::size_t n>
-std::optional<HeaderMeaning> asked(const std::string &option, const std::optional<std::string> &text,
+std::optional<HeaderMeaning> asked(std::string_view name, const std::optional<std::string> &text,
                                    const std::array<Kind, n> &table) {
   if (!text)
     return std::nullopt;
@@ -51,14 +54,15 @@ std::optional<HeaderMeaning> asked(const std::string &option, const std::optiona
       return kind.meaning;
     names.push_back(kind.name);
   }
-  throw InputError(fmt::format("{}: {} is none of {}", option, in_quotes(*text), fmt::join(names, ", ")));
+  throw InputError(
+      fmt::format("{}: {} is none of {}", option(name), in_quotes(*text), fmt::join(names, ", ")));
 }
 
 /// The two names or numbers of `--columns`.
 std::array<std::string_view, 2> asked_names(const std::string &columns) {
   const std::size_t comma = columns.find(',');
   if (comma == std::string::npos || columns.find(',', comma + 1) != std::string::npos)
-    throw InputError("--columns: " + in_quotes(columns) +
+    throw InputError(option("columns") + ": " + in_quotes(columns) +
                      " is not two columns with a comma between them: give names, or numbers such as 1,3");
   const std::string_view all = columns;
   return {without_spaces(all.substr(0, comma)), without_spaces(all.substr(comma + 1))};
@@ -79,6 +83,10 @@ std::optional<std::size_t> named_place(const CellRow &row, std::string_view name
   return static_cast<std::size_t>(found - row.cells.begin());
 }
 
+bool is_share(ColumnUnit unit) {
+  return unit == ColumnUnit::percent || unit == ColumnUnit::fraction;
+}
+
 /// How far a column of that meaning is from what is best taken; the smallest is.
 unsigned rank(const HeaderMeaning &m) {
   switch (m.meaning) {
@@ -87,17 +95,13 @@ unsigned rank(const HeaderMeaning &m) {
   case ColumnMeaning::sieve:
     return m.unit == ColumnUnit::none ? 4 : 1;
   case ColumnMeaning::retained:
-    return m.unit == ColumnUnit::percent || m.unit == ColumnUnit::fraction ? 3 : 0;
+    return is_share(m.unit) ? 4 : 0;
   case ColumnMeaning::passing:
-    return 1;
+    return m.unit == ColumnUnit::mass ? 5 : 1;
   case ColumnMeaning::cumulative:
-    return 2;
+    return is_share(m.unit) ? 3 : 2;
   }
   return 0;
-}
-
-bool holds_sizes(const HeaderMeaning &m) {
-  return m.meaning == ColumnMeaning::size || m.meaning == ColumnMeaning::sieve;
 }
 
 /// A column that a header gives a meaning.
@@ -106,11 +110,22 @@ struct Known {
   HeaderMeaning meaning;
 };
 
-/// Adds the names of the columns that are not used. \pre size and value are set
+/// Adds the columns beside size and value. \pre these are set
 void add_others(TableColumns &columns, const CellRow &header) {
-  for (std::size_t i = 0; i < header.cells.size(); ++i)
-    if (i != columns.size && i != columns.value && !header.cells[i].empty())
+  for (std::size_t i = 0; i < header.cells.size(); ++i) {
+    if (i == columns.size || i == columns.value || header.cells[i].empty())
+      continue;
+    const std::optional<HeaderMeaning> meaning = header_meaning(header.cells[i]);
+    if (meaning && !holds_sizes(*meaning))
+      columns.further.push_back({i, header.cells[i], *meaning});
+    else if (meaning)
+      columns.names.push_back({i, header.cells[i], *meaning});
+    else
       columns.others.push_back(header.cells[i]);
+  }
+  std::stable_sort(
+      columns.further.begin(), columns.further.end(),
+      [](const FurtherColumn &a, const FurtherColumn &b) { return rank(a.meaning) < rank(b.meaning); });
 }
 
 /// The best of several columns with one purpose; its place in `all` is moved to the front.
@@ -118,9 +133,9 @@ void bring_best_to_front(std::vector<Known> &all, const CellRow &row, const Sour
   std::stable_sort(all.begin(), all.end(),
                    [](const Known &a, const Known &b) { return rank(a.meaning) < rank(b.meaning); });
   if (all.size() > 1 && rank(all[0].meaning) == rank(all[1].meaning))
-    source.refuse(row.line,
-                  fmt::format("the columns {} and {} have one meaning: choose with --columns SIZE,VALUE",
-                              in_quotes(row.cell(all[0].place)), in_quotes(row.cell(all[1].place))));
+    source.refuse(row.line, fmt::format("the columns {} and {} have one meaning: choose with {} SIZE,VALUE",
+                                        in_quotes(row.cell(all[0].place)), in_quotes(row.cell(all[1].place)),
+                                        option("columns")));
 }
 
 /// True for a row of units below a header.
@@ -130,43 +145,135 @@ bool is_unit_row(const CellRow &row, std::size_t size, std::size_t value) {
          !number_cell(row.cell(size)) && !number_cell(row.cell(value));
 }
 
+/// What the option says of a column whose words are not known, with the unit that the header has.
+HeaderMeaning with_unit_of(std::string_view header, HeaderMeaning asked) {
+  if (const ColumnUnit unit = unit_in_header(header); unit != ColumnUnit::none && !is_of_sizes(unit))
+    asked.unit = unit;
+  return asked;
+}
+
+std::string_view unit_name(ColumnUnit unit) {
+  switch (unit) {
+  case ColumnUnit::mm:
+    return "mm";
+  case ColumnUnit::um:
+    return "um";
+  case ColumnUnit::m:
+    return "m";
+  case ColumnUnit::inch:
+    return "in";
+  case ColumnUnit::phi:
+    return "phi";
+  case ColumnUnit::percent:
+    return "percent";
+  case ColumnUnit::fraction:
+    return "fractions";
+  case ColumnUnit::mass:
+    return "a mass";
+  case ColumnUnit::none:
+    break;
+  }
+  return "no unit";
+}
+
+std::string_view meaning_name(ColumnMeaning meaning) {
+  switch (meaning) {
+  case ColumnMeaning::retained:
+    return "what each sieve retains";
+  case ColumnMeaning::cumulative:
+    return "what is retained cumulatively";
+  case ColumnMeaning::passing:
+    return "what passes";
+  default:
+    return "sizes";
+  }
+}
+
+/// The unit in a cell below a header, which must not have another.
+void take_unit_below(const CellRow &row, std::size_t column, const std::string &name, ColumnUnit &unit,
+                     const Source &source) {
+  const ColumnUnit below = unit_of_words(row.cell(column));
+  if (below == ColumnUnit::none)
+    return;
+  if (unit != ColumnUnit::none && unit != below)
+    source.refuse(row.line,
+                  fmt::format("below the header {} stands {}, which is another unit: correct one of them",
+                              in_quotes(name), in_quotes(row.cell(column))));
+  unit = below;
+}
+
 /// Takes the units of the row below a header, if there is such a row.
-void take_unit_row(const Cells &cells, TableColumns &columns) {
+void take_unit_row(const Cells &cells, TableColumns &columns, const Source &source) {
   if (columns.first_row >= cells.rows.size() ||
       !is_unit_row(cells.rows[columns.first_row], columns.size, columns.value))
     return;
   const CellRow &row = cells.rows[columns.first_row];
-  if (columns.sizes.unit == ColumnUnit::none)
-    columns.sizes.unit = unit_of_words(row.cell(columns.size));
-  if (columns.values.unit == ColumnUnit::none)
-    columns.values.unit = unit_of_words(row.cell(columns.value));
+  take_unit_below(row, columns.size, columns.size_name, columns.sizes.unit, source);
+  take_unit_below(row, columns.value, columns.value_name, columns.values.unit, source);
+  for (FurtherColumn &further : columns.further)
+    take_unit_below(row, further.place, further.name, further.meaning.unit, source);
   ++columns.first_row;
 }
 
-/// What the options say in place of the header.
-void apply_options(TableColumns &columns, const Reading &reading) {
-  if (const std::optional<HeaderMeaning> kind = asked_kind(reading)) {
-    if (kind->unit != ColumnUnit::none)
-      columns.values.unit = kind->unit;
-    columns.values.meaning = kind->meaning;
-  }
-  if (const std::optional<HeaderMeaning> unit = asked_unit(reading))
-    columns.sizes = *unit;
+/// True for a column that --kind may mean; what is retained may be cumulative, unless the header denies it.
+bool may_be(const HeaderMeaning &column, const HeaderMeaning &asked) {
+  const bool same_unit =
+      column.unit == ColumnUnit::none || asked.unit == ColumnUnit::none || column.unit == asked.unit;
+  return same_unit && (column.meaning == asked.meaning ||
+                       (column.meaning == ColumnMeaning::retained && !column.is_individual &&
+                        asked.meaning == ColumnMeaning::cumulative));
 }
 
-/// What an asked column holds: what its header says, or else the option.
+/// What --unit says where the header says none.
+void apply_unit(TableColumns &columns, const HeaderMeaning &asked, const std::string &word, std::size_t line,
+                const Source &source) {
+  const ColumnUnit stated = columns.sizes.unit;
+  if (stated != ColumnUnit::none && stated != asked.unit)
+    source.refuse(
+        line, fmt::format(
+                  "{} {}: the column {} is in {}: leave the option out, or correct the header if it is wrong",
+                  option("unit"), word, in_quotes(columns.size_name), unit_name(stated)));
+  columns.sizes = asked;
+}
+
+/// What --kind says where the header says none.
+void apply_kind(TableColumns &columns, const HeaderMeaning &asked, const std::string &word, std::size_t line,
+                const Source &source) {
+  if (!may_be(columns.values, asked))
+    source.refuse(line,
+                  fmt::format("{} {}: the column {} is {}, in {}: leave the option out, or choose another "
+                              "column with {} SIZE,VALUE",
+                              option("kind"), word, in_quotes(columns.value_name),
+                              meaning_name(columns.values.meaning), unit_name(columns.values.unit),
+                              option("columns")));
+  columns.values.meaning = asked.meaning;
+  if (asked.unit != ColumnUnit::none)
+    columns.values.unit = asked.unit;
+}
+
+/// What the options say beside the header, which stands in that line.
+/// \throws InputError where they contradict it
+void apply_options(TableColumns &columns, const Reading &reading, std::size_t line, const Source &source) {
+  if (const std::optional<HeaderMeaning> kind = asked_kind(reading))
+    apply_kind(columns, *kind, *reading.kind, line, source);
+  if (const std::optional<HeaderMeaning> unit = asked_unit(reading))
+    apply_unit(columns, *unit, *reading.unit, line, source);
+}
+
+/// What an asked column holds: what its header says, or else the option with the unit of the header.
 HeaderMeaning meaning_of(std::string_view header, bool sizes, const std::optional<HeaderMeaning> &asked,
-                         std::string_view option) {
+                         const std::string &remedy) {
   const std::optional<HeaderMeaning> words = header_meaning(header);
-  if (words && holds_sizes(*words) == sizes)
+  if (words && !words->is_unclear && holds_sizes(*words) == sizes)
     return *words;
-  if (asked)
-    return *asked;
-  if (const ColumnUnit unit = unit_in_header(header); sizes && is_of_sizes(unit))
+  const ColumnUnit unit = unit_in_header(header);
+  if (sizes && is_of_sizes(unit))
     return {ColumnMeaning::size, unit};
-  throw InputError(fmt::format("--columns: {} does not say what the column of {} holds: add {}",
+  if (asked)
+    return sizes ? *asked : with_unit_of(header, *asked);
+  throw InputError(fmt::format("{}: {} does not say what the column of {} holds: add {}", option("columns"),
                                header.empty() ? "no header" : in_quotes(header), sizes ? "sizes" : "masses",
-                               option));
+                               remedy));
 }
 
 TableColumns asked_columns(const CellRow *header, std::size_t size, std::size_t value,
@@ -175,18 +282,18 @@ TableColumns asked_columns(const CellRow *header, std::size_t size, std::size_t 
   columns.size = size;
   columns.value = value;
   if (size == value)
-    throw InputError("--columns: " + in_quotes(*reading.columns) + " names one column twice");
+    throw InputError(option("columns") + ": " + in_quotes(*reading.columns) + " names one column twice");
   if (header != nullptr) {
     columns.size_name = header->cell(size);
     columns.value_name = header->cell(value);
     columns.width = header->cells.size();
     add_others(columns, *header);
   }
-  columns.sizes =
-      meaning_of(columns.size_name, true, asked_unit(reading), "--unit mm, or um, m, in, phi, sieve");
-  columns.values =
-      meaning_of(columns.value_name, false, asked_kind(reading),
-                 "--kind passing, or retained, cumulative, or the name of a column of canonical CSV");
+  columns.sizes = meaning_of(columns.size_name, true, asked_unit(reading),
+                             option("unit") + " mm, or um, m, in, phi, sieve");
+  columns.values = meaning_of(
+      columns.value_name, false, asked_kind(reading),
+      option("kind") + " passing, or retained, cumulative, or the name of a column of canonical CSV");
   return columns;
 }
 
@@ -204,6 +311,7 @@ std::optional<TableColumns> asked_columns(const Cells &cells, std::size_t row, c
       --above;
     TableColumns columns =
         asked_columns(above > 0 ? &cells.rows[above - 1] : nullptr, *first, *second, reading);
+    columns.above = above > 0 ? above - 1 : 0;
     columns.first_row = above;
     return columns;
   }
@@ -212,23 +320,38 @@ std::optional<TableColumns> asked_columns(const Cells &cells, std::size_t row, c
   if (!size || !value)
     return std::nullopt;
   TableColumns columns = asked_columns(&here, *size, *value, reading);
+  columns.above = row;
   columns.first_row = row + 1;
   return columns;
+}
+
+/// Leaves the columns that --kind means, those first that say so themselves. Where none is left, all stay,
+/// and apply_kind refuses.
+void choose_kind(std::vector<Known> &values, const HeaderMeaning &asked) {
+  const auto keep = [&values](const auto &is_meant) {
+    std::vector<Known> kept;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(kept), is_meant);
+    if (!kept.empty())
+      values = std::move(kept);
+  };
+  keep([&asked](const Known &k) { return may_be(k.meaning, asked); });
+  keep([&asked](const Known &k) { return may_be(k.meaning, asked) && k.meaning.meaning == asked.meaning; });
 }
 
 /// The columns by their words; with --kind, a second column of any name may hold the values.
 std::optional<TableColumns> known_columns(const CellRow &row, const Reading &reading, const Source &source) {
   std::vector<Known> sizes, values;
   for (std::size_t i = 0; i < row.cells.size(); ++i)
-    if (const std::optional<HeaderMeaning> meaning = header_meaning(row.cells[i]))
+    if (const std::optional<HeaderMeaning> meaning = header_meaning(row.cells[i]);
+        meaning && !meaning->is_unclear)
       (holds_sizes(*meaning) ? sizes : values).push_back({i, *meaning});
   const std::optional<HeaderMeaning> kind = asked_kind(reading);
   if (kind)
-    values.erase(std::remove_if(values.begin(), values.end(),
-                                [&kind](const Known &k) { return k.meaning.meaning != kind->meaning; }),
-                 values.end());
-  if (kind && values.empty() && sizes.size() == 1 && row.cells.size() == 2)
-    values.push_back({1 - sizes[0].place, *kind});
+    choose_kind(values, *kind);
+  if (kind && values.empty() && sizes.size() == 1 && row.cells.size() == 2) {
+    const std::size_t other = 1 - sizes[0].place;
+    values.push_back({other, with_unit_of(row.cell(other), *kind)});
+  }
   if (sizes.empty() || values.empty())
     return std::nullopt;
   bring_best_to_front(sizes, row, source);
@@ -245,14 +368,41 @@ std::optional<TableColumns> known_columns(const CellRow &row, const Reading &rea
   return columns;
 }
 
+/// True where the header says with some words less, at its beginning or end, what `meaning` is.
+bool has_words_of(std::string_view header, const HeaderMeaning &meaning) {
+  const auto is_it = [&meaning](std::string_view part) {
+    const std::optional<HeaderMeaning> found = header_meaning(part);
+    return found && !found->is_unclear && found->meaning == meaning.meaning && found->unit == meaning.unit;
+  };
+  for (std::size_t i = 0; i < header.size(); ++i)
+    if (header[i] == ' ' && (is_it(header.substr(0, i)) || is_it(header.substr(i + 1))))
+      return true;
+  return false;
+}
+
+/// Refuses a second column of the same values, such as those of another sample; limits are none.
+void refuse_second_sample(const TableColumns &columns, std::size_t line, const Source &source) {
+  for (const std::string &other : columns.others)
+    if (has_words_of(other, columns.values) && !is_limit(other))
+      source.refuse(line, fmt::format("the columns {} and {} may be of two samples: choose one with {} "
+                                      "SIZE,VALUE",
+                                      in_quotes(columns.value_name), in_quotes(other), option("columns")));
+}
+
 } // namespace
 
+std::string column_options() {
+  return fmt::format("say which columns they are with {} SIZE,VALUE (names or numbers), "
+                     "{} passing|retained|cumulative, {} mm and {} N",
+                     option("columns"), option("kind"), option("unit"), option("skip"));
+}
+
 std::optional<HeaderMeaning> asked_kind(const Reading &reading) {
-  return asked("--kind", reading.kind, kinds);
+  return asked("kind", reading.kind, kinds);
 }
 
 std::optional<HeaderMeaning> asked_unit(const Reading &reading) {
-  return asked("--unit", reading.unit, size_units);
+  return asked("unit", reading.unit, size_units);
 }
 
 std::optional<TableColumns> columns_of_row(const Cells &cells, std::size_t row, const Reading &reading,
@@ -262,13 +412,16 @@ std::optional<TableColumns> columns_of_row(const Cells &cells, std::size_t row, 
     columns = asked_columns(cells, row, reading);
   } else {
     columns = known_columns(cells.rows[row], reading, source);
-    if (columns)
+    if (columns) {
+      refuse_second_sample(*columns, cells.rows[row].line, source);
+      columns->above = row;
       columns->first_row = row + 1;
+    }
   }
   if (!columns)
     return std::nullopt;
-  take_unit_row(cells, *columns);
-  apply_options(*columns, reading);
+  take_unit_row(cells, *columns, source);
+  apply_options(*columns, reading, cells.rows[row].line, source);
   return columns;
 }
 

@@ -7,7 +7,19 @@
 
 #include <mdm/gradation/reading.hpp>
 
+#include <string>
+
 namespace mdm {
+
+/// What to do where the columns are not certain.
+std::string column_options();
+
+/// A column of values beside the chosen one.
+struct FurtherColumn {
+  std::size_t place;
+  std::string name;
+  HeaderMeaning meaning;
+};
 
 /// The two columns, and the place of the rows below their header.
 struct TableColumns {
@@ -15,9 +27,12 @@ struct TableColumns {
   std::string size_name, value_name; ///< their headers
   HeaderMeaning sizes{ColumnMeaning::size};
   HeaderMeaning values{ColumnMeaning::retained};
-  std::size_t width = 0;           ///< cells of the header; 0 where there is none
-  std::size_t first_row = 0;       ///< of Cells::rows
-  std::vector<std::string> others; ///< columns that are not used
+  std::size_t width = 0;              ///< cells of the header; 0 where there is none
+  std::size_t above = 0;              ///< rows above the header
+  std::size_t first_row = 0;          ///< of Cells::rows
+  std::vector<FurtherColumn> further; ///< that speak of mass too, the best first
+  std::vector<FurtherColumn> names;   ///< other columns of sizes
+  std::vector<std::string> others;    ///< columns that are not used
 };
 
 /// What --kind and --unit say.

@@ -4,7 +4,10 @@
 #include "gradation/lab_table.hpp"
 #include "gradation/mastersizer_reader.hpp"
 #include "gradation/table_columns.hpp"
+#include "gradation/upright.hpp"
 #include "gradation/workbook.hpp"
+
+#include <mdm/text/option_name.hpp>
 
 #include <algorithm>
 
@@ -12,9 +15,9 @@ namespace mdm {
 
 void check_one_sample(const Reading &reading, const Source &source) {
   if (reading.specimen)
-    source.refuse(
-        1,
-        "--specimen-id is for AGS4 files and others of several samples; this one holds a single gradation");
+    source.refuse(1,
+                  option("specimen-id") +
+                      " is for AGS4 files and others of several samples; this one holds a single gradation");
 }
 
 Table read_text_table(std::string_view text, const Source &source, const std::string &id,
@@ -35,15 +38,18 @@ Table read_text_table(std::string_view text, const Source &source, const std::st
       return read_camsizer(cells, *header, source, id);
     if (find_columns(cells, reading, source))
       return read_lab_table(cells, source, id, reading);
+    if (const std::optional<Cells> turned = upright(cells); turned && find_columns(*turned, reading, source))
+      return read_lab_table(*turned, source, id, reading);
     if (!first)
       first = std::move(cells);
   }
   refuse_table(first ? *first : cells_of_text(text, ',', skip, source), reading, source);
 }
 
-Table read_sheet_table(std::string_view bytes, const Source &source, const std::string &id,
+Table read_sheet_table(std::string_view bytes, const Source &source, const std::string &file_id,
                        const Reading &reading) {
   Cells cells = read_workbook(bytes, reading.sheet, source);
+  const std::string id = cells.sheet.empty() ? file_id : file_id + "/" + cells.sheet;
   if (reading.skip)
     cells.rows.erase(cells.rows.begin(),
                      std::find_if(cells.rows.begin(), cells.rows.end(),
@@ -51,7 +57,9 @@ Table read_sheet_table(std::string_view bytes, const Source &source, const std::
   if (is_mastersizer(cells))
     return read_mastersizer(cells, source, id, reading);
   check_one_sample(reading, source);
-  return read_lab_table(cells, source, id, reading);
+  const std::optional<Cells> turned = find_columns(cells, reading, source) ? std::nullopt : upright(cells);
+  const bool is_turned = turned && find_columns(*turned, reading, source);
+  return read_lab_table(is_turned ? *turned : cells, source, id, reading);
 }
 
 } // namespace mdm

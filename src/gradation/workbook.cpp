@@ -8,6 +8,7 @@
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -69,6 +70,19 @@ public:
     return std::move(cells_);
   }
 
+  std::vector<std::string> written_sheets() {
+    std::vector<std::string> names;
+    for_each_sheet([&](const std::string &name, const std::string &path) {
+      const Part sheet(archive_, path, source_);
+      bool is_written = false;
+      for_each_below(sheet.root(), "c",
+                     [&](pugi::xml_node cell) { is_written |= !cell.first_child().empty(); });
+      if (is_written)
+        names.push_back(name);
+    });
+    return names;
+  }
+
 private:
   /// The path of a sheet that holds cells, by its relationship.
   std::string path_of(pugi::xml_node relations, std::string_view id) const {
@@ -81,21 +95,27 @@ private:
     return path.empty() ? path : path.starts_with('/') ? path.substr(1) : "xl/" + path;
   }
 
-  std::string sheet_path(const std::optional<std::string> &wanted) {
+  /// Calls `visit` with the name and path of every sheet that holds cells.
+  template <class Visit>
+  void for_each_sheet(Visit visit) {
     const Part book(archive_, "xl/workbook.xml", source_);
     const Part relations(archive_, "xl/_rels/workbook.xml.rels", source_);
     if (!book.root() || !relations.root())
       source_.refuse(1, "this zip archive is no workbook (.xlsx): unpack it and give the file in it");
-    std::string found;
-    ShortList names;
     for_each_below(child_of(book.root(), "sheets"), "sheet", [&](pugi::xml_node sheet) {
-      const std::string name = sheet.attribute("name").value();
       std::string path;
       for (const pugi::xml_attribute attribute : sheet.attributes())
         if (local_name(attribute.name()) == "id" && std::string_view(attribute.name()) != "id")
           path = path_of(relations.root(), attribute.value());
-      if (path.empty())
-        return; // a sheet of a chart
+      if (!path.empty()) // else it is a chart
+        visit(std::string(sheet.attribute("name").value()), path);
+    });
+  }
+
+  std::string sheet_path(const std::optional<std::string> &wanted) {
+    std::string found;
+    ShortList names;
+    for_each_sheet([&](const std::string &name, const std::string &path) {
       names.add(name);
       if (found.empty() && (!wanted || *wanted == name)) {
         found = path;
@@ -103,10 +123,12 @@ private:
       }
     });
     if (found.empty())
-      source_.refuse(1, fmt::format("there is no sheet {}: --sheet takes one of {}",
-                                    in_quotes(wanted.value_or("")), names.text()));
-    if (names.size() > 1)
-      cells_.hint = fmt::format("; or choose another sheet with --sheet: {}", names.text());
+      source_.refuse(1, fmt::format("there is no sheet {}: {} takes one of {}",
+                                    in_quotes(wanted.value_or("")), option("sheet"), names.text()));
+    if (names.size() > 1) {
+      cells_.sheet = name_;
+      cells_.hint = fmt::format("; or choose another sheet with {}: {}", option("sheet"), names.text());
+    }
     return found;
   }
 
@@ -156,37 +178,41 @@ private:
                                  "alone",
                                  max_columns));
     row.cells.resize(column);
-    row.cells.push_back(cell_text(cell, row.line, column));
+    row.cells.push_back(cell_text(cell, row));
   }
 
-  std::string cell_text(pugi::xml_node cell, std::size_t row, std::size_t column) {
+  /// The text of the next cell of the row.
+  std::string cell_text(pugi::xml_node cell, CellRow &row) {
     const std::string_view type = cell.attribute("t").value();
     const std::string value = text_below(child_of(cell, "v"));
+    if (type.empty() || type == "n")
+      return number_text(value, cell.attribute("s").as_uint(), row);
+    row.texts.push_back(row.cells.size());
     if (type == "inlineStr")
       return std::string(without_spaces(string_of(child_of(cell, "is"))));
-    if (type == "s") {
-      const std::optional<std::size_t> index = whole(value);
-      if (!index || *index >= strings_.size())
-        source_.refuse(row, "a cell has a text that is not in the workbook: save it again");
-      return std::string(without_spaces(strings_[*index]));
-    }
-    if (!type.empty() && type != "n")
+    if (type == "b") // as the sheet shows it: no number
+      return value == "0" ? "FALSE" : "TRUE";
+    if (type != "s")
       return std::string(without_spaces(value));
-    return number_text(value, cell.attribute("s").as_uint(), row, column);
+    const std::optional<std::size_t> index = whole(value);
+    if (!index || *index >= strings_.size())
+      source_.refuse(row.line, "a cell has a text that is not in the workbook: save it again");
+    return std::string(without_spaces(strings_[*index]));
   }
 
-  std::string number_text(const std::string &value, std::size_t style, std::size_t row, std::size_t column) {
+  /// A number with what its format shows around it: a percent sign, a unit, the sign of a sieve's number.
+  std::string number_text(const std::string &value, std::size_t style, CellRow &row) const {
     const std::optional<CellDouble> number = cell_double(value);
     if (!number)
       return value;
-    const CellStyle shown = style < styles_.size() ? styles_[style] : CellStyle::plain;
-    if (shown == CellStyle::date)
+    const CellStyle shown = style < styles_.size() ? styles_[style] : CellStyle();
+    if (shown.kind == CellKind::date)
       return "(a date)";
     if (!number->is_short)
-      cells_.long_numbers.emplace_back(row, column);
-    if (shown == CellStyle::percent)
-      return to_decimal(parse_decimal(number->text) * 100) + "%";
-    return number->text;
+      row.long_numbers.push_back(row.cells.size());
+    const std::string digits =
+        shown.kind == CellKind::percent ? to_decimal(parse_decimal(number->text) * 100) + "%" : number->text;
+    return std::string(without_spaces(shown.before + digits + shown.behind));
   }
 
   Archive archive_;
@@ -203,6 +229,10 @@ private:
 
 Cells read_workbook(std::string_view bytes, const std::optional<std::string> &sheet, const Source &source) {
   return Workbook(bytes, source).read(sheet);
+}
+
+std::vector<std::string> written_sheets(std::string_view bytes, const Source &source) {
+  return Workbook(bytes, source).written_sheets();
 }
 
 } // namespace mdm

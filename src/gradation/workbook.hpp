@@ -16,4 +16,8 @@ bool is_workbook(std::string_view bytes);
 /// was built without libzip and pugixml, in any case
 Cells read_workbook(std::string_view bytes, const std::optional<std::string> &sheet, const Source &source);
 
+/// The names of the sheets in which something is written, in their order.
+/// \throws InputError as above
+std::vector<std::string> written_sheets(std::string_view bytes, const Source &source);
+
 } // namespace mdm

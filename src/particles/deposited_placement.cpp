@@ -5,6 +5,7 @@
 #include <mdm/number/decimal.hpp>
 #include <mdm/particles/placement.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -37,17 +38,18 @@ Footprint deposit_square(const ParticleSet &set) {
 
 Footprint Placement::deposit_ground(const std::optional<Footprint> &floor) const {
   if (set_->particles() > most_deposited)
-    throw InputError(fmt::format("--start deposit: {} particles are more than the {} that it lays: take "
-                                 "--start layers, or --cut-below",
-                                 to_string(set_->particles()), most_deposited));
+    throw InputError(fmt::format("{0} deposit: {1} particles are more than the {2} that it lays: take "
+                                 "{0} layers, or {3}",
+                                 option("start"), to_string(set_->particles()), most_deposited,
+                                 option("cut-below")));
   if (!floor)
     return deposit_square(*set_);
   const Rational least = least_side(*set_);
   if (std::min(floor->a, floor->b) < least)
-    throw InputError(fmt::format(
-        "--start deposit: the footprint, {} x {}, is narrower than {} of the largest "
-        "particle: give a --box of {} or more, or take --start mixed",
-        set_->length_text(floor->a), set_->length_text(floor->b), least_widths, set_->length_text(least)));
+    throw InputError(fmt::format("{0} deposit: the footprint, {1} x {2}, is narrower than {3} of the largest "
+                                 "particle: give a {4} of {5} or more, or take {0} mixed",
+                                 option("start"), set_->length_text(floor->a), set_->length_text(floor->b),
+                                 least_widths, option("box"), set_->length_text(least)));
   return *floor;
 }
 
@@ -60,10 +62,10 @@ void Placement::choose_deposit_unit(const Footprint &ground) {
     ++places_;
   if (longest * power_of_ten(places_) >= most_sphere_units ||
       smallest * power_of_ten(places_) < 3 * least_radius_units)
-    throw InputError(
-        fmt::format("--start deposit: a length of {} is too far from the smallest size, {}: leave "
-                    "fine classes out with --cut-below, or take --start layers",
-                    set_->length_text(longest), set_->length_text(smallest)));
+    throw InputError(fmt::format("{0} deposit: a length of {1} is too far from the smallest size, {2}: leave "
+                                 "fine classes out with {3}, or take {0} layers",
+                                 option("start"), set_->length_text(longest), set_->length_text(smallest),
+                                 option("cut-below")));
 }
 
 void Placement::list_in_order(std::vector<std::int64_t> &radii) {

@@ -1,5 +1,8 @@
+#include "particles/lammps_units.hpp"
 #include "particles/line_reader.hpp"
 #include "text/lines.hpp"
+
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -28,7 +31,9 @@ public:
       return;
     if (item_ == Item::none)
       source_.refuse("the line is not below an ITEM: begin with ITEM: TIMESTEP");
-    if (item_ == Item::timestep)
+    if (item_ == Item::units)
+      take_units(words_.front(), source_);
+    else if (item_ == Item::timestep)
       begin_timestep();
     else if (item_ == Item::count)
       read_count();
@@ -43,18 +48,21 @@ public:
     const std::optional<Integer> &asked = source_.options().timestep;
     if (timesteps_ == 0)
       source_.refuse("there is no ITEM: TIMESTEP up to here, the end: is it a dump?");
-    if (asked && !found_)
+    if (asked && found_ == 0)
       source_.refuse(fmt::format("there is no timestep {}: there are {}, from {} to {}", to_string(*asked),
                                  timesteps_, to_string(first_), to_string(timestep_)));
+    if (found_ > 1)
+      source_.note(
+          fmt::format("Timestep {} is there {} times; the last was taken.", to_string(*asked), found_));
     if (!asked && timesteps_ > 1)
-      source_.note(fmt::format("The file has {} timesteps; the last, {}, was taken. Use --timestep for "
+      source_.note(fmt::format("The file has {} timesteps; the last, {}, was taken. Use {} for "
                                "another.",
-                               timesteps_, to_string(timestep_)));
+                               timesteps_, to_string(timestep_), option("timestep")));
     source_.check_some();
   }
 
 private:
-  enum class Item { none, timestep, count, box, atoms, other };
+  enum class Item { none, units, timestep, count, box, atoms, other };
 
   void begin_item(std::string_view item) {
     split_words(item, words_);
@@ -73,7 +81,7 @@ private:
       begin_atoms();
     } else {
       check_complete_atoms();
-      item_ = Item::other;
+      item_ = item == "UNITS" ? Item::units : Item::other;
     }
   }
 
@@ -89,8 +97,10 @@ private:
     timestep_ = *number;
     if (++timesteps_ == 1)
       first_ = timestep_;
-    taken_ = !source_.options().timestep || *source_.options().timestep == timestep_;
-    found_ = found_ || taken_;
+    const std::optional<Integer> &asked = source_.options().timestep;
+    taken_ = !asked || *asked == timestep_;
+    if (asked && taken_)
+      ++found_;
     if (taken_)
       source_.restart();
     item_ = Item::other;
@@ -123,15 +133,20 @@ private:
     source_.set_box(bounds_, periodic_);
   }
 
+  /// The column of that name; the width where there is none.
+  std::size_t column(std::string_view name) const {
+    const auto found = std::find(words_.begin() + 1, words_.end(), name);
+    if (found != words_.end() && std::count(found, words_.end(), name) > 1)
+      source_.refuse(fmt::format("there are several columns {}: write one", name));
+    return static_cast<std::size_t>(found - words_.begin() - 1);
+  }
+
   /// The columns x y z of centres, or those of unwrapped ones; nothing where they are not there.
   void find_places() {
     has_places_ = false;
     constexpr std::array<std::array<std::string_view, 3>, 2> sets = {{{"x", "y", "z"}, {"xu", "yu", "zu"}}};
     for (const auto &names : sets) {
-      std::array<std::size_t, 3> at{};
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        at[axis] = static_cast<std::size_t>(std::find(words_.begin() + 1, words_.end(), names[axis]) -
-                                            words_.begin() - 1);
+      const std::array<std::size_t, 3> at = {column(names[0]), column(names[1]), column(names[2])};
       if (!has_places_ && *std::max_element(at.begin(), at.end()) < width_) {
         places_ = at;
         has_places_ = true;
@@ -143,19 +158,16 @@ private:
     if (!atoms_ || complete_)
       source_.refuse("ITEM: ATOMS has no ITEM: TIMESTEP and ITEM: NUMBER OF ATOMS of its own: is the file "
                      "damaged?");
-    const auto column = [this](std::string_view name) {
-      return static_cast<std::size_t>(std::find(words_.begin() + 1, words_.end(), name) - words_.begin() - 1);
-    };
     width_ = words_.size() - 1;
-    for (const std::string_view name : {"radius", "diameter"})
-      if (std::count(words_.begin() + 1, words_.end(), name) > 1)
-        source_.refuse(fmt::format("there are several columns {}: write one", name));
-    const std::size_t radius = column("radius"), diameter = column("diameter");
-    if (radius == width_ && diameter == width_)
+    id_ = column("id");
+    radius_ = column("radius");
+    diameter_ = column("diameter");
+    if (radius_ == width_ && diameter_ == width_)
       source_.refuse("there is no column radius or diameter: add one of them to the dump command");
-    const bool prefers_diameter = source_.options().meaning == SizeMeaning::diameter;
-    const bool by_radius = radius < width_ && !(prefers_diameter && diameter < width_);
-    column_ = by_radius ? radius : diameter;
+    const std::optional<SizeMeaning> &asked = source_.options().meaning;
+    has_both_ = !asked && radius_ < width_ && diameter_ < width_;
+    const bool by_radius = radius_ < width_ && !(asked == SizeMeaning::diameter && diameter_ < width_);
+    column_ = by_radius ? radius_ : diameter_;
     source_.set_defaults(by_radius ? SizeMeaning::radius : SizeMeaning::diameter, LengthUnit::m);
     find_places();
     item_ = Item::atoms;
@@ -169,19 +181,28 @@ private:
     if (words_.size() != width_)
       source_.refuse(fmt::format("the line has {} values, there are {} columns: is the file cut off?",
                                  words_.size(), width_));
-    if (taken_ && has_places_)
-      source_.particle_at({words_[places_[0]], words_[places_[1]], words_[places_[2]]}, words_[column_]);
-    else if (taken_)
-      source_.particle(words_[column_]);
+    if (taken_)
+      take_atom();
     complete_ = ++read_ == *atoms_;
+  }
+
+  void take_atom() {
+    if (id_ < width_)
+      source_.take_id(words_[id_]);
+    if (has_both_)
+      source_.check_agree(words_[radius_], words_[diameter_]);
+    if (has_places_)
+      source_.particle_at({words_[places_[0]], words_[places_[1]], words_[places_[2]]}, words_[column_]);
+    else
+      source_.particle(words_[column_]);
   }
 
   /// A timestep that was not asked for may be cut off.
   void check_complete() const {
     if (!complete_ && taken_)
-      source_.refuse(fmt::format("the timestep ends after {} of {} atoms: is the file cut off? --timestep "
+      source_.refuse(fmt::format("the timestep ends after {} of {} atoms: is the file cut off? {} "
                                  "takes another",
-                                 read_, atoms_ ? std::to_string(*atoms_) : "its"));
+                                 read_, atoms_ ? std::to_string(*atoms_) : "its", option("timestep")));
   }
 
   ParticleSource &source_;
@@ -189,13 +210,16 @@ private:
   Item item_ = Item::none;
   Integer timestep_, first_;
   std::uint64_t timesteps_ = 0;
-  bool taken_ = false; ///< the timestep counts
-  bool found_ = false; ///< one was taken
+  bool taken_ = false;      ///< the timestep counts
+  std::uint64_t found_ = 0; ///< timesteps of the number that was asked for
   std::optional<std::uint64_t> atoms_;
   std::uint64_t read_ = 0;
   bool complete_ = true; ///< all atoms of the timestep were read
-  std::size_t width_ = 0, column_ = 0;
-  std::size_t axis_ = 0; ///< of the bounds that come next
+  std::size_t width_ = 0;
+  /// Columns, of which one that is not there is width_; column_ is that of the sizes.
+  std::size_t id_ = 0, radius_ = 0, diameter_ = 0, column_ = 0;
+  bool has_both_ = false; ///< radius and diameter count, and agree
+  std::size_t axis_ = 0;  ///< of the bounds that come next
   std::array<std::array<std::string, 2>, 3> bounds_;
   std::array<bool, 3> periodic_{};
   bool has_places_ = false;

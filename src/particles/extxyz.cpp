@@ -90,10 +90,23 @@ private:
                      "Properties=species:S:1:pos:R:3:radius:R:1");
     for (std::string_view rest = *properties; !rest.empty();)
       add(take_property(rest));
+    read_unit(text);
     read_box(text);
     if (!radius_)
       source_.refuse(
           fmt::format("there is no radius among the Properties {}: add radius:R:1", in_quotes(*properties)));
+  }
+
+  /// The format has no key for the unit; one that is there is not passed over.
+  void read_unit(std::string_view comment) {
+    for (const std::string_view key : {"unit=", "units="})
+      if (const std::optional<std::string_view> stated = value_of(key, comment)) {
+        const std::optional<LengthUnit> unit = parse_length_unit(*stated);
+        if (!unit)
+          source_.refuse(fmt::format("{}{} is no unit of lengths that is known: write {}mm, um, m or in", key,
+                                     in_quotes(*stated), key));
+        source_.take_unit({name(*unit), in_mm(*unit)}, fmt::format("{}{}", key, *stated));
+      }
   }
 
   /// `Lattice="a 0 0 0 b 0 0 0 c"` is a box from `Origin="x y z"`, or from 0; `pbc="T T F"` says which sides
@@ -140,19 +153,28 @@ private:
 
   /// Gives the property the next columns.
   void add(const Property &property) {
-    if (property.name == "radius") {
-      if (radius_)
-        source_.refuse("property 'radius' is there twice: leave one");
-      if (property.columns != 1 || (property.type != "R" && property.type != "I"))
-        source_.refuse("property 'radius' is not one number a particle: write radius:R:1");
-      radius_ = width_;
-    }
-    if (property.name == "pos" && property.columns == 3 && property.type != "S")
-      place_ = width_;
+    const bool is_one_number = property.columns == 1 && (property.type == "R" || property.type == "I");
+    if ((property.name == "radius" || property.name == "diameter") && !is_one_number)
+      source_.refuse(
+          fmt::format("property '{0}' is not one number a particle: write {0}:R:1", property.name));
+    if (property.name == "radius")
+      set(radius_, property);
+    else if (property.name == "diameter")
+      set(diameter_, property);
+    else if (property.name == "id" && is_one_number)
+      set(id_, property);
+    else if (property.name == "pos" && property.columns == 3 && property.type != "S")
+      set(place_, property);
     width_ += property.columns;
     if (width_ > max_fields)
       source_.refuse(fmt::format("the Properties have more than {} columns, which is not read: write fewer",
                                  max_fields));
+  }
+
+  void set(std::optional<std::uint64_t> &column, const Property &property) const {
+    if (column)
+      source_.refuse(fmt::format("property '{}' is there twice: leave one", property.name));
+    column = width_;
   }
 
   void read_row(std::string_view text) {
@@ -167,10 +189,16 @@ private:
       source_.refuse(fmt::format("the line has {} values, the Properties have {} columns: is the file "
                                  "damaged?",
                                  words_.size(), width_));
+    if (id_)
+      source_.take_id(words_[*id_]);
+    const std::optional<SizeMeaning> &asked = source_.options().meaning;
+    if (diameter_ && !asked)
+      source_.check_agree(words_[*radius_], words_[*diameter_]);
+    const std::string_view size = words_[diameter_ && asked == SizeMeaning::diameter ? *diameter_ : *radius_];
     if (place_)
-      source_.particle_at({words_[*place_], words_[*place_ + 1], words_[*place_ + 2]}, words_[*radius_]);
+      source_.particle_at({words_[*place_], words_[*place_ + 1], words_[*place_ + 2]}, size);
     else
-      source_.particle(words_[*radius_]);
+      source_.particle(size);
     ++read_;
   }
 
@@ -180,7 +208,8 @@ private:
   std::uint64_t read_ = 0;
   std::uint64_t width_ = 0;             ///< columns of a line
   std::optional<std::uint64_t> radius_; ///< its column, from 0
-  std::optional<std::uint64_t> place_;  ///< the first column of pos
+  std::optional<std::uint64_t> diameter_, id_;
+  std::optional<std::uint64_t> place_; ///< the first column of pos
 };
 
 } // namespace

@@ -11,6 +11,7 @@ namespace mdm::gsd {
 
 inline constexpr std::uint64_t magic = 0x65DF65DF65DF65DF;
 inline constexpr std::uint32_t version_1 = 0x00010000, version_2 = 0x00020000;
+inline constexpr const char *hoomd = "hoomd"; ///< the schema
 inline constexpr std::uint32_t hoomd_schema = 0x00010004;
 inline constexpr std::size_t name_bytes = 64; ///< of the namelist, for each allocated entry
 

@@ -3,6 +3,7 @@
 #include "particles/line_reader.hpp"
 
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -34,14 +35,16 @@ public:
     if (header.version < gsd::version_1 || header.version >= gsd::version_2 + gsd::version_1)
       refuse(fmt::format("version {} of the file layer is neither 1 nor 2: write it with such a GSD",
                          header.version >> 16U));
+    check_schema(header);
     const std::vector<std::string> names = names_of(header);
     check_room(header.index_location, header.index_entries, sizeof(Entry));
     for (std::uint64_t i = 0; i < header.index_entries; ++i) {
       const auto entry = at<Entry>(header.index_location + i * sizeof(Entry));
       if (entry.location == 0)
         break;
-      if (entry.name < names.size())
-        chunks_[{entry.frame, names[entry.name]}] = entry;
+      if (entry.name < names.size() && !chunks_.insert({{entry.frame, names[entry.name]}, entry}).second)
+        refuse(fmt::format("frame {} has {} twice: is the file damaged?", entry.frame,
+                           in_quotes(names[entry.name])));
       last_frame_ = std::max(last_frame_.value_or(0), entry.frame);
     }
   }
@@ -52,12 +55,11 @@ public:
 
   /// Nothing if there are no frames.
   const std::optional<std::uint64_t> &last_frame() const { return last_frame_; }
-  /// The first frame, and those that have a chunk of that name.
-  std::set<std::uint64_t> frames_with(std::string_view name) const {
-    std::set<std::uint64_t> frames{0};
+  /// Those that have chunks of their own.
+  std::set<std::uint64_t> frames() const {
+    std::set<std::uint64_t> frames;
     for (const auto &[of, entry] : chunks_)
-      if (of.second == name)
-        frames.insert(of.first);
+      frames.insert(of.first);
     return frames;
   }
 
@@ -89,6 +91,17 @@ public:
   }
 
 private:
+  void check_schema(const gsd::Header &header) const {
+    const std::string_view all(header.schema.data(), header.schema.size());
+    const std::string_view schema = all.substr(0, all.find('\0'));
+    if (schema != gsd::hoomd)
+      refuse(
+          fmt::format("its schema is {}, and not hoomd: its numbers mean something else", in_quotes(schema)));
+    if (header.schema_version >> 16U != gsd::hoomd_schema >> 16U)
+      refuse(fmt::format("version {} of schema hoomd is not 1: write it with such a GSD",
+                         header.schema_version >> 16U));
+  }
+
   void check_room(std::uint64_t location, std::uint64_t n, std::size_t size) const {
     if (location > bytes_.size() || n > (bytes_.size() - location) / size)
       refuse("the file ends before what its index names: is it cut off?");
@@ -132,11 +145,14 @@ std::uint64_t frame_of(const GsdChunks &chunks, const std::optional<Integer> &st
     chunks.refuse("there are no frames: a run has written none yet");
   if (!step)
     return *chunks.last_frame();
-  for (const std::uint64_t frame : chunks.frames_with(gsd::step_name))
+  std::optional<std::uint64_t> found;
+  for (const std::uint64_t frame : chunks.frames())
     if (step_of(chunks, frame) == *step)
-      return frame;
-  chunks.refuse(fmt::format("there is no timestep {}: the last is {}", to_string(*step),
-                            step_of(chunks, *chunks.last_frame())));
+      found = frame;
+  if (!found)
+    chunks.refuse(fmt::format("there is no timestep {}: the last is {}", to_string(*step),
+                              step_of(chunks, *chunks.last_frame())));
+  return *found;
 }
 
 /// The box of HOOMD has its middle at the origin.
@@ -167,7 +183,8 @@ bool is_gsd(std::string_view beginning) {
 ReadParticles read_gsd(std::string_view bytes, const std::string &file, ParticleSink &sink,
                        const ParticleOptions &options) {
   if (!is_gsd(bytes))
-    throw InputError(printable(file) + ": it does not begin as GSD does: say its format by --from");
+    throw InputError(printable(file) + ": it does not begin as GSD does: say its format by " +
+                     option("from"));
   const GsdChunks chunks(bytes, file);
   const std::uint64_t frame = frame_of(chunks, options.timestep);
   ParticleSource source(file, sink, options);

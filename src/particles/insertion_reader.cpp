@@ -1,3 +1,4 @@
+#include "particles/lammps_units.hpp"
 #include "particles/line_reader.hpp"
 
 #include <mdm/text/error.hpp>
@@ -10,10 +11,10 @@
 namespace mdm {
 namespace {
 
-/// A script of LIGGGHTS, of which only three kinds of lines count: `fix ID group particletemplate/sphere ...
-/// radius constant R`, `fix ID group particledistribution/discrete/numberbased seed n ID weight ...` where
-/// one weight alone is not 0, and `fix ID group insert/pack ... distributiontemplate ID ...
-/// particles_in_region N`, N being all particles that are there then.
+/// A script of LIGGGHTS, of which only four kinds of lines count: `units STYLE`, `fix ID group
+/// particletemplate/sphere ... radius constant R`, `fix ID group particledistribution/discrete/numberbased
+/// seed n ID weight ...` where one weight alone is not 0, and `fix ID group insert/pack ...
+/// distributiontemplate ID ... particles_in_region N`, N being all particles that are there then.
 class InsertionReader : public LineReader {
 public:
   explicit InsertionReader(ParticleSource &source) : source_(source) {
@@ -22,6 +23,8 @@ public:
 
   void line(std::string_view text) override {
     split_words(text, words_);
+    if (words_.size() >= 2 && words_[0] == "units")
+      take_units(words_[1], source_);
     constexpr std::size_t style = 3;
     if (words_.size() <= style || words_[0] != "fix")
       return;

@@ -45,6 +45,12 @@ public:
           fmt::format("there are {} particles among the Elements, and {} values of NodalData RADIUS: put "
                       "one of them right",
                       elements_, radii_));
+    for (const auto &[number, of] : nodes_)
+      if (of.has_element && !of.has_radius)
+        source_.refuse(
+            fmt::format("the particle of node {} has no radius, and another node has one: put one of "
+                        "them right",
+                        number));
     source_.check_some();
   }
 
@@ -87,17 +93,20 @@ private:
     const bool has_numbers = words_.size() == 4 && std::all_of(words_.begin(), words_.end(), is_number);
     if (!has_numbers)
       source_.refuse("the line is not a node's number with x y z: is the file damaged?");
-    const std::uint64_t number = number_of_node(0);
-    // A node of several blocks is written several times.
-    nodes_.insert_or_assign(number,
-                            Node{{std::string(words_[1]), std::string(words_[2]), std::string(words_[3])}});
+    const Node read{{std::string(words_[1]), std::string(words_[2]), std::string(words_[3])}};
+    if (!nodes_.emplace(number_of_node(0), read).second)
+      source_.refuse(fmt::format("node {} is there a second time: leave one", words_[0]));
   }
 
   void read_element() {
     if (words_.size() != 3)
       source_.refuse(
           "the line is not a particle's number, its properties and its node: is the file damaged?");
-    node(number_of_node(2));
+    source_.take_id(words_[0]);
+    Node &of = node(number_of_node(2));
+    if (of.has_element)
+      source_.refuse(fmt::format("node {} has a particle above: leave one", words_[2]));
+    of.has_element = true;
     ++elements_;
   }
 
@@ -114,7 +123,7 @@ private:
 
   struct Node {
     std::array<std::string, 3> place;
-    bool has_radius = false;
+    bool has_element = false, has_radius = false;
   };
 
   Node &node(std::uint64_t number) {

@@ -1,3 +1,4 @@
+#include "particles/lammps_units.hpp"
 #include "particles/line_reader.hpp"
 #include "text/lines.hpp"
 
@@ -20,8 +21,10 @@ public:
   }
 
   void line(std::string_view text) override {
-    if (source_.line() == 1)
+    if (source_.line() == 1) {
+      read_title(text);
       return;
+    }
     const std::size_t hash = std::min(text.find('#'), text.size());
     split_words(text.substr(0, hash), words_);
     if (words_.empty())
@@ -50,6 +53,14 @@ private:
   static constexpr std::size_t diameter = 2; ///< its place in a line
 
   enum class Section { header, atoms, other };
+
+  /// write_data ends its title with `units = STYLE`.
+  void read_title(std::string_view title) {
+    split_words(title, words_);
+    for (std::size_t i = 0; i + 2 < words_.size(); ++i)
+      if (words_[i] == "units" && words_[i + 1] == "=")
+        take_units(words_[i + 2].substr(0, words_[i + 2].find(',')), source_);
+  }
 
   void read_count() {
     atoms_ = parse_count(words_[0]);
@@ -107,6 +118,7 @@ private:
     if (read_ == *atoms_)
       source_.refuse(
           fmt::format("there are more atoms than the {} of the header: put one of them right", *atoms_));
+    source_.take_id(words_.front());
     source_.particle_at({words_[4], words_[5], words_[6]}, words_[diameter]);
     ++read_;
   }

@@ -3,6 +3,7 @@
 #include "text/lines.hpp"
 
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -23,8 +24,19 @@ void ParticleSource::refuse(const std::string &what) const {
 void ParticleSource::set_defaults(SizeMeaning meaning, LengthUnit unit) {
   meaning_ = options_.meaning.value_or(meaning);
   unit_ = options_.unit.value_or(unit);
-  length_ = in_mm(unit_) / in_mm(length_unit(options_.target));
+  length_ = (stated_ ? stated_->in_mm : in_mm(unit_)) / in_mm(length_unit(options_.target));
   factor_ = length_ * (meaning_ == SizeMeaning::radius ? 2 : 1);
+}
+
+void ParticleSource::take_unit(const StatedUnit &unit, std::string_view words) {
+  if (options_.unit && in_mm(*options_.unit) != unit.in_mm)
+    refuse(fmt::format("the file says {}, which is lengths in {}, and {} was given: leave that out", words,
+                       unit.name, name(*options_.unit)));
+  if (any_ && (!stated_ || stated_->in_mm != unit.in_mm))
+    refuse(fmt::format("the file says {} below particles in {}: give particles of one unit", words,
+                       stated_ ? stated_->name : name(unit_)));
+  stated_ = unit;
+  set_defaults(meaning_, unit_);
 }
 
 RootSize ParticleSource::diameter(std::string_view text, char point, ReadSize read) const {
@@ -49,6 +61,7 @@ void ParticleSource::particle(std::string_view text, const Integer &quantity, ch
 
 void ParticleSource::particle_at(const SphereSample::Place &place, std::string_view size, char point,
                                  ReadSize read) {
+  check_place(place);
   if (!sink_.wants_places()) {
     particle(size, 1, point, read);
     return;
@@ -65,6 +78,44 @@ void ParticleSource::particle_at(const SphereSample::Place &place, std::string_v
 void ParticleSource::check_number(std::string_view word) const {
   if (!is_number(word))
     refuse(fmt::format("{} is not a number: is the file damaged?", in_quotes(word)));
+}
+
+void ParticleSource::check_place(const SphereSample::Place &place) const {
+  for (const std::string_view word : place) {
+    const std::size_t comma = word.find(',');
+    const bool is_decimal = comma == std::string_view::npos
+                                ? is_number(word)
+                                : is_number(std::string(word).replace(comma, 1, "."));
+    if (!is_decimal)
+      refuse(fmt::format("coordinate {} is not a finite number: a particle has a place; is the file damaged, "
+                         "or did the simulation fail?",
+                         in_quotes(word)));
+  }
+}
+
+Rational ParticleSource::number(const char *what, std::string_view text) const {
+  try {
+    return parse_decimal(text);
+  } catch (const InputError &error) {
+    refuse(fmt::format("{} {}", what, error.what()));
+  }
+}
+
+void ParticleSource::check_agree(std::string_view radius, std::string_view diameter) const {
+  if (2 * number("radius", radius) != number("diameter", diameter))
+    refuse(fmt::format("radius {} is not half of diameter {}: leave one of the two columns out, or say by "
+                       "{} or {} which counts",
+                       in_quotes(radius), in_quotes(diameter), option("radius"), option("diameter")));
+}
+
+void ParticleSource::take_id(std::string_view id) {
+  const std::optional<std::uint64_t> number = parse_count(id);
+  if (!number)
+    refuse(fmt::format("id {} is not a whole number from 0 on: is the file damaged?", in_quotes(id)));
+  if (!ids_.insert(*number))
+    refuse(fmt::format("id {} is there a second time: each particle has an id of its own; was one written "
+                       "twice, and is another one lost?",
+                       *number));
 }
 
 std::size_t ParticleSource::column(const std::vector<std::string> &names, std::string_view name,
@@ -115,13 +166,18 @@ void ParticleSource::particle_between(std::string_view lo, std::string_view hi, 
 
 void ParticleSource::restart() {
   sink_.restart();
+  ids_.clear();
   any_ = false;
 }
 
 std::string ParticleSource::size_note() const {
+  const std::string otherwise = stated_ ? ", as the file says"
+                                : options_.says_otherwise.empty()
+                                    ? ""
+                                    : "; " + options_.says_otherwise + " otherwise";
   return fmt::format("The sizes were taken as {} in {}{}.",
-                     meaning_ == SizeMeaning::radius ? "radii" : "diameters", name(unit_),
-                     options_.says_otherwise.empty() ? "" : "; " + options_.says_otherwise + " otherwise");
+                     meaning_ == SizeMeaning::radius ? "radii" : "diameters",
+                     stated_ ? stated_->name : name(unit_), otherwise);
 }
 
 void ParticleSource::check_some() const {

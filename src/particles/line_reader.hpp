@@ -2,12 +2,19 @@
 /// \file
 /// The parts that all readers of particle files share.
 
+#include "particles/particle_ids.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/particles/particle_reader.hpp>
 
 namespace mdm {
+
+/// A unit of lengths that a file states.
+struct StatedUnit {
+  std::string_view name; ///< a literal
+  Rational in_mm;
+};
 
 /// A reader's place in its file, and the receiver of its particles.
 class ParticleSource {
@@ -22,10 +29,14 @@ public:
   /// Throws the InputError `file:line: what`.
   [[noreturn]] void refuse(const std::string &what) const;
 
-  /// The meaning of sizes and their unit, where the user did not say.
+  /// The meaning of sizes and their unit, where neither the user nor the file did say.
   void set_defaults(SizeMeaning meaning, LengthUnit unit);
+  /// The unit that the file states in these words. \throws InputError if the user said another one, or there
+  /// are particles already, in another one
+  void take_unit(const StatedUnit &unit, std::string_view words);
   SizeMeaning meaning() const { return meaning_; }
-  LengthUnit unit() const { return unit_; }
+  /// Nothing where the file states its unit.
+  std::optional<LengthUnit> unit() const { return stated_ ? std::nullopt : std::optional(unit_); }
 
   /// A function that reads a size; `point` is the decimal sign.
   using ReadSize = RootSize (*)(std::string_view text, char point);
@@ -33,7 +44,7 @@ public:
   /// A particle whose size is written as `text`.
   void particle(std::string_view text, const Integer &quantity = 1, char point = '.',
                 ReadSize read = read_decimal);
-  /// A particle with its place, whose coordinates must be numbers.
+  /// A particle with its place. \throws InputError if a coordinate is no number
   void particle_at(const SphereSample::Place &place, std::string_view size, char point = '.',
                    ReadSize read = read_decimal);
   /// \throws InputError if a word is no number
@@ -41,6 +52,12 @@ public:
   /// The place of the one column of that name. \throws InputError that shows the example if there is none, or
   /// several
   std::size_t column(const std::vector<std::string> &names, std::string_view name, const char *example) const;
+  /// \throws InputError if a coordinate is no decimal, such as nan
+  void check_place(const SphereSample::Place &place) const;
+  /// \throws InputError if a particle's radius is not half the diameter that stands beside it
+  void check_agree(std::string_view radius, std::string_view diameter) const;
+  /// \throws InputError if a particle of the timestep has this id already, or it is no whole number
+  void take_id(std::string_view id);
   bool wants_places() const { return sink_.wants_places(); }
   /// The lower and upper bounds of the box along each axis. \throws InputError if they are none
   void set_box(const std::array<std::array<std::string, 2>, 3> &bounds, const std::array<bool, 3> &periodic);
@@ -60,6 +77,7 @@ public:
 
 private:
   RootSize diameter(std::string_view text, char point, ReadSize read) const;
+  Rational number(const char *what, std::string_view text) const;
 
   std::string file_;
   ParticleSink &sink_;
@@ -69,6 +87,8 @@ private:
   LengthUnit unit_ = LengthUnit::mm;
   Rational length_ = 1; ///< of the file's unit in the asked one
   Rational factor_ = 1; ///< from the file's number to the diameter in the asked unit
+  std::optional<StatedUnit> stated_;
+  ParticleIds ids_;
   bool any_ = false;
   std::vector<std::string> notes_;
 };

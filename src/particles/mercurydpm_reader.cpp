@@ -2,6 +2,7 @@
 #include "text/lines.hpp"
 
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -47,7 +48,7 @@ private:
           "the heading is not 'radius_m,cumulative_number,N particles', which says what the shares are "
           "of");
     if (source_.options().unit)
-      source_.refuse("the heading names the unit: leave out --size-unit");
+      source_.refuse("the heading names the unit: leave out " + option("size-unit"));
     source_.set_defaults(SizeMeaning::radius, *unit);
   }
 

@@ -4,6 +4,7 @@
 
 #include <mdm/particles/placement.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -155,7 +156,8 @@ void Placement::mix() {
     const std::int64_t r = radius(c);
     placed.emplace_back(r, c.quantity().convert_to<std::uint64_t>(), box_);
     if (std::min({box_[0], box_[1], box_[2]}) < 2 * r)
-      throw InputError("the largest particle does not fit into the box: leave the height of --box out");
+      throw InputError("the largest particle does not fit into the box: leave the height of " +
+                       option("box") + " out");
     const auto is_free = [&](const Point &centre) {
       return (sides_ != Sides::cylinder || is_in_circle(centre, r)) &&
              std::all_of(placed.begin(), placed.end(),
@@ -168,9 +170,9 @@ void Placement::mix() {
         do {
           if (failed++ == most_tries)
             throw InputError(
-                fmt::format("class {} found no room at random places: leave the height of --box out, "
-                            "make the box wider, or take --start layers",
-                            c.number));
+                fmt::format("class {} found no room at random places: leave the height of {} out, "
+                            "make the box wider, or take {} layers",
+                            c.number, option("box"), option("start")));
           for (std::size_t axis = 0; axis < 3; ++axis)
             centre[axis] = r + static_cast<std::int64_t>(mixed(mixed(seed_) ^ mixed(tries++)) %
                                                          static_cast<std::uint64_t>(box_[axis] - 2 * r + 1));

@@ -46,12 +46,14 @@ public:
     rest_ = text;
     if (take_word(rest_) != "0")
       return;
-    take_number(); // of the object
+    const std::string_view id = take_number();
     expect("1");
     const bool is_sphere = take_count("the type of an object") == 1;
     expect("5");
-    if (is_sphere)
-      read_sphere();
+    if (!is_sphere)
+      return;
+    source_.take_id(id);
+    read_sphere();
   }
 
   void end() override { source_.check_some(); }

@@ -55,6 +55,8 @@ class Header {
 public:
   void take(std::size_t i, const std::string &written) {
     const std::string name = known_name(written);
+    if (name.empty())
+      throw InputError("a column has no name: give one table alone, and each of its columns a name");
     const auto [stem, kind] = unit_name(name);
     if (name == "sieve")
       set_size(i, name, SizeKind::sieve);
@@ -73,8 +75,10 @@ public:
     else if (is_one_of(name, {"class", "mass"}) || (kind && stem == "upper"))
       of_class_ = name;
     else if (is_one_of(stem, {"x", "y", "z"}))
-      axes_[static_cast<std::size_t>(stem.front() - 'x')] = {i, kind};
-    else if (!is_one_of(name, {"id", "type"}))
+      set_axis(axes_[static_cast<std::size_t>(stem.front() - 'x')], i, name, kind);
+    else if (name == "id")
+      set(columns_.id, i, name);
+    else if (name != "type")
       refuse_unknown(name);
   }
 
@@ -93,6 +97,9 @@ public:
   }
 
 private:
+  /// A column and its unit.
+  using Axis = std::pair<std::size_t, std::optional<SizeKind>>;
+
   [[noreturn]] static void refuse_unknown(const std::string &name) {
     if (find_mass_column(name) != nullptr)
       throw InputError(
@@ -104,10 +111,21 @@ private:
                      "in), size_phi or sieve, and beside it quantity or x,y,z if they are wanted");
   }
 
+  [[noreturn]] static void refuse_second(const std::string &name) {
+    throw InputError("column " + in_quotes(name) + ": there is one of this meaning before: leave one out");
+  }
+
   static void set(std::optional<std::size_t> &column, std::size_t i, const std::string &name) {
     if (column)
-      throw InputError("column " + in_quotes(name) + ": there is one of this meaning before: leave one out");
+      refuse_second(name);
     column = i;
+  }
+
+  static void set_axis(std::optional<Axis> &axis, std::size_t i, const std::string &name,
+                       std::optional<SizeKind> kind) {
+    if (axis)
+      refuse_second(name);
+    axis = {i, kind};
   }
 
   void set_unit(std::optional<SizeKind> kind) {
@@ -136,9 +154,8 @@ private:
   }
 
   ParticleColumns columns_;
-  /// x, y and z: a column and its unit.
-  std::array<std::optional<std::pair<std::size_t, std::optional<SizeKind>>>, 3> axes_;
-  std::string of_class_; ///< a column of what solve and generate say of classes
+  std::array<std::optional<Axis>, 3> axes_; ///< x, y and z
+  std::string of_class_;                    ///< a column of what solve and generate say of classes
 };
 
 } // namespace

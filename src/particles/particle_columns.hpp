@@ -22,6 +22,7 @@ struct ParticleColumns {
   std::optional<std::size_t> size, lo, hi;
   std::optional<std::size_t> lower;    ///< the opening below sizes between lo and hi: they are larger
   std::optional<std::size_t> quantity; ///< open: a particle a row
+  std::optional<std::size_t> id;
   /// x, y and z, in the unit of sizes; open where one is missing or has another unit.
   std::optional<std::array<std::size_t, 3>> place;
 

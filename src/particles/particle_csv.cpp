@@ -1,3 +1,4 @@
+#include "gradation/csv_rows.hpp"
 #include "gradation/phi.hpp"
 #include "gradation/sieve_name.hpp"
 #include "particles/line_reader.hpp"
@@ -6,8 +7,11 @@
 
 #include <mdm/gradation/gradation.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
+
+#include <utility>
 
 namespace mdm {
 namespace {
@@ -30,9 +34,11 @@ public:
 
   void line(std::string_view text) override {
     const std::string_view row = trimmed(text);
-    if (row.empty() || (row.front() == '#' && !is_sieve_row(row)))
+    if (row.empty())
       return;
-    if (has_header_)
+    if (row.front() == '#')
+      read_comment(row);
+    else if (has_header_)
       read_row(row);
     else
       read_header(row);
@@ -60,7 +66,7 @@ private:
       source_.refuse(e.what());
     }
     if (source_.options().unit && columns_.has_unit)
-      source_.refuse("the header names the unit: leave out --size-unit");
+      source_.refuse("the header names the unit: leave out " + option("size-unit"));
     width_ = fields_.size();
     source_.set_defaults(columns_.meaning,
                          columns_.has_unit ? columns_.unit() : length_unit(source_.options().target));
@@ -78,10 +84,12 @@ private:
     }
   }
 
-  /// The one exception to comments: a row of a sieve such as `#200`.
-  bool is_sieve_row(std::string_view row) {
-    return has_header_ && columns_.kind == SizeKind::sieve && split_fields(row, delimiter_, fields_) &&
-           fields_.size() == width_ && is_sieve_number(fields_[*columns_.size]);
+  void read_comment(std::string_view row) const {
+    try {
+      check_comment(row, has_header_ && columns_.kind == SizeKind::sieve);
+    } catch (const InputError &e) {
+      source_.refuse(e.what());
+    }
   }
 
   Integer quantity() const {
@@ -100,20 +108,41 @@ private:
     return delimiter_ != ',' && number.find(',') != std::string::npos ? ',' : '.';
   }
 
+  SphereSample::Place place() const {
+    const auto &[x, y, z] = *columns_.place;
+    return {fields_[x], fields_[y], fields_[z]};
+  }
+
+  /// Ids of particles have a row each; of rows of several an id is that of a class or a sample.
+  void check_id() {
+    if (!columns_.id || columns_.quantity || !columns_.size)
+      return;
+    const std::string &id = fields_[*columns_.id];
+    if (parse_count(id))
+      source_.take_id(id);
+    else if (!std::exchange(has_words_as_ids_, true))
+      source_.note(
+          fmt::format("The column id has words, such as {}: whether one is there twice was not looked "
+                      "at.",
+                      in_quotes(id)));
+  }
+
   void read_row(std::string_view row) {
     split(row);
     if (fields_.size() != width_)
       source_.refuse(fmt::format("the row has {} fields, and the header {}{}", fields_.size(), width_,
                                  delimiter_ == ',' ? " (with decimal commas, put ; between fields)" : ""));
+    check_id();
     const Integer n = quantity();
     if (n == 0)
       return;
     if (columns_.size) {
       const std::string &field = fields_[*columns_.size];
       if (columns_.place && n == 1) {
-        const auto &[x, y, z] = *columns_.place;
-        source_.particle_at({fields_[x], fields_[y], fields_[z]}, field, sign_of(field), reader());
+        source_.particle_at(place(), field, sign_of(field), reader());
       } else {
+        if (columns_.place)
+          source_.check_place(place());
         source_.particle(field, n, sign_of(field), reader());
       }
       return;
@@ -128,6 +157,7 @@ private:
   std::size_t width_ = 0;
   char delimiter_ = ',';
   std::vector<std::string> fields_;
+  bool has_words_as_ids_ = false;
 };
 
 } // namespace

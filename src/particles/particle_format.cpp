@@ -1,3 +1,5 @@
+#include "text/lines.hpp"
+
 #include <mdm/particles/particle_format.hpp>
 
 #include <algorithm>
@@ -20,7 +22,11 @@ std::string_view name(ParticleFormat format) {
 }
 
 std::optional<ParticleFormat> parse_particle_format(std::string_view name) {
-  const auto *const found = std::find(format_names.begin(), format_names.end(), name);
+  const auto is_name = [name](std::string_view known) {
+    return std::equal(name.begin(), name.end(), known.begin(), known.end(),
+                      [](char theirs, char ours) { return lower(theirs) == ours; });
+  };
+  const auto *const found = std::find_if(format_names.begin(), format_names.end(), is_name);
   if (found == format_names.end())
     return std::nullopt;
   return static_cast<ParticleFormat>(found - format_names.begin());

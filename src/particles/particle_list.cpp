@@ -1,6 +1,7 @@
 #include "particles/line_reader.hpp"
 
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -39,7 +40,7 @@ public:
 private:
   void row() override {
     if (words_.size() != 1)
-      source_.refuse("the line is not one number: write a size alone, or give --from");
+      source_.refuse("the line is not one number: write a size alone, or give " + option("from"));
     if (!is_number(words_.front()))
       source_.refuse(
           fmt::format("{} is not a number: write a diameter in each line, below a header diameter_mm "

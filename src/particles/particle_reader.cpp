@@ -2,6 +2,8 @@
 #include "particles/particle_columns.hpp"
 #include "text/lines.hpp"
 
+#include <mdm/text/option_name.hpp>
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -66,9 +68,7 @@ std::vector<std::string> csv_names(std::string_view line) {
 /// quantities.
 bool is_csv_header(std::string_view line) {
   const std::vector<std::string> names = csv_names(line);
-  const auto is_word = [](const std::string &name) {
-    return !name.empty() && name.find_first_of(" \t") == std::string::npos;
-  };
+  const auto is_word = [](const std::string &name) { return name.find_first_of(" \t") == std::string::npos; };
   return std::all_of(names.begin(), names.end(), is_word) && has_particle_column(names);
 }
 
@@ -100,6 +100,29 @@ bool is_place_and_radius(std::string_view line) {
   split_words(line.substr(0, line.find('#')), words);
   constexpr std::size_t numbers = 4;
   return words.size() == numbers;
+}
+
+/// Refuses numbers below a line that names columns of sizes: they are no x y z r.
+void refuse_spaced_table(const std::string &above, const ParticleSource &source) {
+  std::vector<std::string_view> words;
+  split_words(above, words);
+  if (!words.empty() && words.front() == "#")
+    words.erase(words.begin());
+  const bool is_place = !words.empty() && words.front() == "x";
+  if (!is_place && has_particle_column({words.begin(), words.end()}))
+    source.refuse(
+        "the line above names columns that spaces separate: write commas or tabs between them, and one "
+        "table alone");
+}
+
+/// Refuses files that are no text, by their first line.
+void refuse_binary(std::string_view text, const ParticleSource &source) {
+  if (text.starts_with("\x1f\x8b"))
+    source.refuse("the file is packed by gzip: unpack it with gunzip");
+  if (text.find('\0') != std::string_view::npos)
+    source.refuse(
+        "the file is binary, which is not read: write it as text; of a restart file of LAMMPS or LIGGGHTS "
+        "let them read_restart it and write a dump with id x y z radius");
 }
 
 /// The format that the last of the lines at the beginning of a file tells; nothing where the next must be
@@ -151,11 +174,15 @@ std::optional<ParticleFormat> format_of(const std::vector<std::string> &lines, c
   const bool numbers = std::all_of(words.begin(), words.end(), is_number);
   if (numbers && words.size() == 1)
     return ParticleFormat::diameters;
-  if (numbers && words.size() >= 4)
+  if (numbers && words.size() >= 4) {
+    if (!is_first)
+      refuse_spaced_table(lines[lines.size() - 2], source);
     return ParticleFormat::xyzr;
+  }
   if (is_first && !numbers)
     return std::nullopt; // the title of a LAMMPS data file
-  source.refuse("the format is not one that is known: say it with --from, one of " + particle_format_names());
+  source.refuse("the format is not one that is known: say it with " + option("from") + ", one of " +
+                particle_format_names());
 }
 
 } // namespace
@@ -203,7 +230,8 @@ void ParticleReader::begin(ParticleFormat format) {
   format_ = format;
   const bool is_dump = format == ParticleFormat::lammps_dump || format == ParticleFormat::liggghts_dump;
   if (source_->options().timestep && !is_dump)
-    source_->refuse(fmt::format("--timestep is for dumps, and this is {}: leave it out", name(format)));
+    source_->refuse(
+        fmt::format("{} is for dumps, and this is {}: leave it out", option("timestep"), name(format)));
   reader_ = line_reader(format, *source_);
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     source_->set_line(i + 1);
@@ -214,8 +242,10 @@ void ParticleReader::begin(ParticleFormat format) {
 
 void ParticleReader::line(std::string_view text) {
   source_->next_line();
-  if (source_->line() == 1)
+  if (source_->line() == 1) {
+    refuse_binary(text, *source_);
     text = without_byte_order_mark(text);
+  }
   if (text.ends_with('\r'))
     text.remove_suffix(1);
   if (text.find('\r') != std::string_view::npos)
@@ -228,7 +258,8 @@ void ParticleReader::line(std::string_view text) {
   pending_.emplace_back(text);
   const std::optional<ParticleFormat> found = format_of(pending_, *source_);
   if (!found && (pending_.size() == most_pending || text.size() > longest_pending))
-    source_->refuse("the format is not clear by now: say it with --from, one of " + particle_format_names());
+    source_->refuse("the format is not clear by now: say it with " + option("from") + ", one of " +
+                    particle_format_names());
   if (found)
     begin(*found);
 }
@@ -242,7 +273,7 @@ void ParticleReader::end() {
   reader_->end();
 }
 
-LengthUnit ParticleReader::unit() const {
+std::optional<LengthUnit> ParticleReader::unit() const {
   return source_->unit();
 }
 

@@ -5,6 +5,7 @@
 #include <mdm/number/decimal.hpp>
 #include <mdm/particles/particle_set.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -52,10 +53,11 @@ private:
     if (!n)
       throw InputError(fmt::format("class {}, ({}, {}] {}: no {} is in it whose mass is within {} of the "
                                    "exact one: allow a larger "
-                                   "--mass-error, or take another --unit or --scale",
+                                   "{}, or take another {} or {}",
                                    c.number, shown(c.lower), shown(c.upper), name(options_.unit),
                                    options_.has_floats ? "float" : "double",
-                                   approximate(options_.most_mass_error, 3)));
+                                   approximate(options_.most_mass_error, 3), option("mass-error"),
+                                   option("unit"), option("scale")));
     c.mass_error = std::max({c.mass_error, size.error(n->decimal()), size.error(exact_value(n->value))});
     return *std::move(n);
   }
@@ -150,10 +152,9 @@ ParticleSet particle_set(const Match &m, const ParticleSetOptions &options) {
 ParticleSet spread_particle_set(const Match &m, std::uint64_t seed, const ParticleSetOptions &options) {
   assert(m.sample);
   if (*m.particles() > most_sizes)
-    throw InputError(
-        fmt::format("{} particles are more than the {} that can have a size each: leave --spread "
-                    "out, or ask for fewer",
-                    to_string(*m.particles()), most_sizes));
+    throw InputError(fmt::format("{} particles are more than the {} that can have a size each: leave {} "
+                                 "out, or ask for fewer",
+                                 to_string(*m.particles()), most_sizes, option("spread")));
   const Writer writer(length_unit(m.gradation.unit()), m.question.law, m.gradation.root(), options);
   const unsigned p = m.scale_power();
   const Spread spread = mdm::spread(m, seed);

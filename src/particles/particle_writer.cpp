@@ -3,6 +3,7 @@
 #include <mdm/number/decimal.hpp>
 #include <mdm/particles/particle_writer.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 namespace mdm {
 namespace {
@@ -45,8 +46,8 @@ std::string mass_statement(const ParticleSet &set) {
 std::string law_statement(const ParticleSet &set) {
   if (set.law.is_sphere())
     return "";
-  return fmt::format(" Masses are by --law: x^({}) of a size x, not x^3 as of the spheres that engines make.",
-                     set.law.exponent());
+  return fmt::format(" Masses are by {}: x^({}) of a size x, not x^3 as of the spheres that engines make.",
+                     option("law"), set.law.exponent());
 }
 
 std::string comment_lines(const ParticleSet &set) {

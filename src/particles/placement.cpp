@@ -4,6 +4,7 @@
 #include <mdm/number/decimal.hpp>
 #include <mdm/particles/placement.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -28,10 +29,10 @@ const Rational &looseness() {
 
 void check_simulated(const ParticleSet &set) {
   if (set.particles() > most_simulated)
-    throw InputError(
-        fmt::format("{} particles are more than the {} that programs count: take a gradation or a "
-                    "--tolerance that needs fewer, --cut-below, or --to csv",
-                    to_string(set.particles()), most_simulated));
+    throw InputError(fmt::format(
+        "{} particles are more than the {} that programs count: take a gradation or a "
+        "{} that needs fewer, {}, or {} csv",
+        to_string(set.particles()), most_simulated, option("tolerance"), option("cut-below"), option("to")));
 }
 
 Footprint inscribed_square(const Rational &diameter) {
@@ -73,9 +74,9 @@ void Placement::set_height(const Footprint &floor) {
   const std::int64_t height = units(*floor.c);
   if (height < box_[2])
     throw InputError(fmt::format("a start without overlaps on {} x {} is {} high, more than {}: leave the "
-                                 "height of --box out, or make the box wider",
+                                 "height of {} out, or make the box wider",
                                  set_->length_text(floor.a), set_->length_text(floor.b), text(box_[2]),
-                                 set_->length_text(*floor.c)));
+                                 set_->length_text(*floor.c), option("box")));
   box_[2] = height;
 }
 
@@ -84,17 +85,18 @@ void Placement::choose_unit() {
   while (places_ <= most_places && smallest * power_of_ten(places_) < units_of_smallest)
     ++places_;
   if (places_ > most_places)
-    throw InputError(fmt::format("a size of {} is too small a number to be placed: take a smaller --unit",
-                                 set_->length_text(smallest)));
+    throw InputError(fmt::format("a size of {} is too small a number to be placed: take a smaller {}",
+                                 set_->length_text(smallest), option("unit")));
 }
 
 std::int64_t Placement::units(const Rational &length) const {
   const Integer n = floor(Rational(length * power_of_ten(places_)));
   if (n >= most_units)
     throw InputError(fmt::format("a length of {} is too far from the smallest size, {}: are the units right? "
-                                 "Else leave fine classes out with --cut-below",
+                                 "Else leave fine classes out with {}",
                                  set_->length_text(length),
-                                 set_->length_text(set_->smallest().diameter.decimal())));
+                                 set_->length_text(set_->smallest().diameter.decimal()),
+                                 option("cut-below")));
   return n.convert_to<std::int64_t>();
 }
 
@@ -116,9 +118,9 @@ void Placement::choose_floor(const std::optional<Footprint> &floor) {
     if (std::min(box_[0], box_[1]) < widest)
       throw InputError(
           fmt::format("the footprint, {} x {}, is narrower than the largest particle, {}: give a "
-                      "--box that it fits into",
+                      "{} that it fits into",
                       set_->length_text(floor->a), set_->length_text(floor->b),
-                      set_->length_text(set_->largest().diameter.decimal())));
+                      set_->length_text(set_->largest().diameter.decimal()), option("box")));
     return;
   }
   Rational volume = 0;

@@ -5,6 +5,7 @@
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/enclosure.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -28,8 +29,9 @@ WrittenNumber number_in(const SizeRange &x, const ParticleSetOptions &options, R
   }
   if (!n)
     throw InputError(fmt::format("a particle of {} {}: no double has its mass within {} of the exact one: "
-                                 "allow a larger --mass-error, or take another --unit",
-                                 shown(x.hi), name(options.unit), approximate(options.most_mass_error, 3)));
+                                 "allow a larger {}, or take another {}",
+                                 shown(x.hi), name(options.unit), approximate(options.most_mass_error, 3),
+                                 option("mass-error"), option("unit")));
   mass_error = std::max({mass_error, size.error(n->decimal()), size.error(exact_value(n->value))});
   return *std::move(n);
 }

@@ -2,6 +2,7 @@
 
 #include <mdm/particles/particle_writer.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -83,8 +84,8 @@ Settling settling(const SettleModel &model) {
   if (steps > Settling::most_steps)
     throw InputError(
         fmt::format("{:.3g} steps are more than the {} that LAMMPS and LIGGGHTS make in a run: give "
-                    "fewer --steps, a softer --young, or a lower --box",
-                    steps, Settling::most_steps));
+                    "fewer {}, a softer {}, or a lower {}",
+                    steps, Settling::most_steps, option("steps"), option("young"), option("box")));
   s.steps = static_cast<std::uint64_t>(steps);
   const double smallest = model.set.smallest().diameter.value;
   constexpr double part_of_size = 0.1;

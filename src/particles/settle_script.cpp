@@ -2,6 +2,7 @@
 
 #include <mdm/particles/particle_writer.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -70,7 +71,7 @@ SettleScript::SettleScript(const SettleModel &m, const char *ending)
     : model(m), set(m.set), box(m.box), physics(settling(m)), name(file_word(m.name)),
       dump(name + "-settled" + ending), particles(m.set.particles()) {
   if (set.unit != LengthUnit::m)
-    throw InputError("a model is in SI units: leave out --unit");
+    throw InputError("a model is in SI units: leave out " + option("unit"));
 }
 
 bool SettleScript::changes_friction() const {
@@ -88,8 +89,10 @@ std::string SettleScript::verification(const char *engine_options) const {
     return "# mdm verify needs a gradation, and here is a band alone: only the counts are checked, as they "
            "come in.\n";
   std::string text =
-      fmt::format("# Then: mdm verify GRADATION {}{}{}{} --tolerance {}\n", dump, engine_options,
-                  *model.verify_options, reaches_sieve(set) ? " --snap 1e-15" : "", share_tolerance(set));
+      fmt::format("# Then: mdm verify GRADATION {}{}{}{}{} --tolerance {}\n", dump, engine_options,
+                  *model.verify_options, reaches_sieve(set) ? " --snap 1e-15" : "",
+                  model.space == Space::cylinder ? fmt::format(" --specimen cylinder:{}m", box.x) : "",
+                  share_tolerance(set));
   if (!model.question.empty())
     text +=
         fmt::format("# (GRADATION, --pan-size, --cut-below and --size-factor as mdm solve had them: {}.)\n",

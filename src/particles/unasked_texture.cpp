@@ -12,6 +12,8 @@ std::optional<SphereTexture> unasked_texture(const PlacedSink &placed, std::size
   if (placed.has_too_many())
     notes.push_back(
         fmt::format("There are more than {} places: {} judges them.", most_unasked_places, asking));
+  if (!placed.odd().empty())
+    notes.push_back(fmt::format("The places were not judged: one {}.", placed.odd()));
   if (!placed.has_all())
     return std::nullopt;
   try {

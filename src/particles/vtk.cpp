@@ -1,6 +1,7 @@
 #include "particles/line_reader.hpp"
 
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -10,8 +11,8 @@ namespace mdm {
 namespace {
 
 /// Legacy VTK in ASCII: three lines of heading, `DATASET`, then keywords with their numbers below them. The
-/// sizes are the first array named radius or diameter, as `SCALARS radius double [1]` or in a FIELD as
-/// `radius 1 n double`.
+/// sizes are an array named radius or diameter, as `SCALARS radius double [1]` or in a FIELD as `radius 1 n
+/// double`; where there are both, they agree. An array id of whole numbers has each once.
 class VtkReader : public LineReader {
 public:
   explicit VtkReader(ParticleSource &source) : source_(source) {
@@ -74,14 +75,11 @@ private:
       begin_point_data();
     } else if (is(keyword, "cell_data")) {
       data_ = Data::of_cells;
-    } else if (!found_ && is(keyword, "scalars")) {
-      if (words_.size() >= 3 && meaning(words_[1]))
-        begin_array(*meaning(words_[1]), words_.size() == 3 || (words_.size() == 4 && words_[3] == "1"));
-    } else if (!found_ && words_.size() == 4 && meaning(keyword) && parse_count(words_[2])) {
-      if (data_ == Data::of_points && parse_count(words_[2]) != points_)
-        source_.refuse(fmt::format("the array has {} values, there are {} points: is the file damaged?",
-                                   words_[2], *points_));
-      begin_array(*meaning(keyword), words_[1] == "1");
+    } else if (is(keyword, "scalars")) {
+      if (words_.size() >= 3)
+        begin_array(words_[1], words_[2], words_.size() == 3 || (words_.size() == 4 && words_[3] == "1"));
+    } else if (words_.size() == 4 && parse_count(words_[2])) {
+      begin_array(keyword, words_[3], words_[1] == "1", parse_count(words_[2]));
     }
   }
 
@@ -107,7 +105,15 @@ private:
     data_ = Data::of_points;
   }
 
-  void begin_array(SizeMeaning meaning, bool is_single) {
+  /// \param values  that the array is said to have
+  void begin_array(std::string_view array, std::string_view type, bool is_single,
+                   std::optional<std::uint64_t> values = std::nullopt) {
+    const std::optional<SizeMeaning> of_sizes = meaning(array);
+    // Printed floats may be too short to tell ids apart.
+    const bool is_id =
+        is(array, "id") && !is(type, "float") && !is(type, "double") && data_ == Data::of_points && is_single;
+    if (!of_sizes && !is_id)
+      return;
     if (data_ == Data::of_cells) {
       cell_array_line_ = source_.line();
       return;
@@ -116,20 +122,49 @@ private:
       source_.refuse("the array is not below POINT_DATA: is the file damaged?");
     if (!is_single)
       source_.refuse("the array has several values a point: write one");
-    source_.set_defaults(meaning, LengthUnit::m);
-    found_ = true;
-    block_ = Block::sizes;
+    if (values && values != points_)
+      source_.refuse(fmt::format("the array has {} values, there are {} points: is the file damaged?",
+                                 *values, *points_));
     missing_ = *points_;
+    if (of_sizes)
+      begin_sizes(*of_sizes);
+    else
+      begin_ids();
+  }
+
+  void begin_sizes(SizeMeaning meaning) {
+    if (found_ == meaning)
+      source_.refuse("there are several arrays of that name: leave one");
+    if (found_ && source_.options().meaning)
+      source_.refuse(fmt::format("there are arrays radius and diameter, of which {} and {} choose none: "
+                                 "leave one out",
+                                 option("radius"), option("diameter")));
+    block_ = found_ ? Block::other_sizes : Block::sizes;
+    if (found_)
+      return;
+    source_.set_defaults(meaning, LengthUnit::m);
+    found_ = meaning;
+  }
+
+  void begin_ids() {
+    if (has_ids_)
+      source_.refuse("there are several arrays of that name: leave one");
+    has_ids_ = true;
+    block_ = Block::ids;
   }
 
   void read_values(std::string_view text) {
-    if (block_ == Block::sizes && is(words_.front(), "lookup_table") && missing_ == *points_)
+    if (block_ != Block::points && is(words_.front(), "lookup_table") && missing_ == *points_)
       return;
     for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
       if (missing_ == 0)
         refuse_more();
       if (block_ == Block::sizes)
         read_size(word);
+      else if (block_ == Block::other_sizes)
+        compare_size(word);
+      else if (block_ == Block::ids)
+        source_.take_id(word);
       else if (!is_number(word))
         source_.refuse(fmt::format("{} is not a number, but there are {} of {} coordinates: is the file cut "
                                    "off?",
@@ -141,8 +176,17 @@ private:
     }
   }
 
+  void compare_size(std::string_view word) const {
+    const std::string &before = sizes_[static_cast<std::size_t>(*points_ - missing_)];
+    if (found_ == SizeMeaning::radius)
+      source_.check_agree(before, word);
+    else
+      source_.check_agree(word, before);
+  }
+
   void read_size(std::string_view word) {
     const auto point = static_cast<std::size_t>(*points_ - missing_);
+    sizes_.emplace_back(word);
     if (places_.empty())
       source_.particle(word);
     else
@@ -151,7 +195,7 @@ private:
 
   [[noreturn]] void refuse_more() const {
     source_.refuse(
-        block_ == Block::sizes
+        block_ != Block::points
             ? fmt::format("there are more than the {} values of the array: is the file damaged?", *points_)
             : fmt::format("there are more than the {} coordinates of {} points: is the file "
                           "damaged?",
@@ -159,14 +203,14 @@ private:
   }
 
   [[noreturn]] void refuse_fewer() const {
-    const std::uint64_t all = block_ == Block::sizes ? *points_ : coordinates * *points_;
+    const std::uint64_t all = block_ != Block::points ? *points_ : coordinates * *points_;
     source_.refuse(fmt::format("the {} end after {} of {}: is the file cut off?",
-                               block_ == Block::sizes ? "values of the array" : "coordinates", all - missing_,
-                               all));
+                               block_ != Block::points ? "values of the array" : "coordinates",
+                               all - missing_, all));
   }
 
   static constexpr std::uint64_t coordinates = 3; ///< of a point
-  enum class Block { none, points, sizes };
+  enum class Block { none, points, sizes, other_sizes, ids };
   enum class Data { none, of_points, of_cells };
 
   ParticleSource &source_;
@@ -175,8 +219,10 @@ private:
   Block block_ = Block::none; ///< the numbers that are read, or end above this line
   std::uint64_t missing_ = 0; ///< numbers that the block still lacks
   Data data_ = Data::none;
-  std::vector<std::string> places_;   ///< coordinates, where they are wanted
-  bool found_ = false;                ///< the sizes
+  std::vector<std::string> places_;  ///< coordinates, where they are wanted
+  std::vector<std::string> sizes_;   ///< as the array has them
+  std::optional<SizeMeaning> found_; ///< of the array of sizes
+  bool has_ids_ = false;
   std::uint64_t cell_array_line_ = 0; ///< of sizes that are not of points; 0 if there are none
 };
 

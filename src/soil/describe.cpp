@@ -1,5 +1,8 @@
 #include <mdm/number/decimal.hpp>
 #include <mdm/soil/describe.hpp>
+#include <mdm/text/option_name.hpp>
+
+#include <fmt/format.h>
 
 namespace mdm {
 namespace {
@@ -25,7 +28,8 @@ void add_diameter_notes(std::vector<std::string> &notes, const SoilDescription &
   else
     note += d.d10.why().reason + "; C_u and C_c need D10";
   if (!extrapolate)
-    note += " (--extrapolate continues the curve, --pan-size gives the pan a size)";
+    note += fmt::format(" ({} continues the curve, {} gives the pan a size)", option("extrapolate"),
+                        option("pan-size"));
   notes.push_back(std::move(note));
 }
 
@@ -56,14 +60,22 @@ void add_group_notes(std::vector<std::string> &notes, const SoilDescription &d, 
     return;
   }
   if (!limits_given && depends_on_fines(*d.group))
-    notes.emplace_back("the fines are taken as low-plasticity silt (ML); --liquid-limit and --plastic-limit "
-                       "classify them");
+    notes.push_back(fmt::format("the fines are taken as low-plasticity silt (ML); {} and {} "
+                                "classify them",
+                                option("liquid-limit"), option("plastic-limit")));
   if (compare(d.curve.opening(d.curve.shares().size() - 1), RootSize{75}) > 0 &&
       compare(*d.curve.passing(75), Real(1)) == Order::less)
     notes.emplace_back("the USCS group is that of the part that passes 75 mm");
 }
 
 } // namespace
+
+std::vector<std::string> assumptions(const SoilDescription &d, const DescribeOptions &options) {
+  std::vector<std::string> notes;
+  add_diameter_notes(notes, d, options.extrapolate);
+  add_group_notes(notes, d, options.limits.has_value());
+  return notes;
+}
 
 SoilDescription describe(const Gradation &g, const DescribeOptions &options) {
   const GradingCurve curve(g);

@@ -26,7 +26,8 @@ struct Envelope {
 std::optional<std::string> contradiction(const Envelope &envelope);
 
 /// Reads an envelope from the content of a CSV file with a column of sizes as in a gradation file and the
-/// columns passing_min_percent and passing_max_percent. `file` names it in messages.
+/// columns passing_min_percent and passing_max_percent, or of a table with lower and upper limits of the
+/// percent that passes. `file` names it in messages.
 /// \throws InputError `file:line: what is wrong and what to do`
 Envelope read_envelope(std::string_view content, const std::string &file);
 

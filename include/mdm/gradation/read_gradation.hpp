@@ -24,6 +24,9 @@ struct UnderstoodGradation {
   std::string masses;               ///< the same of the masses, with what they are
   std::vector<std::string> samples; ///< of a file with several
   bool is_canonical = true;         ///< the proof checker reads the same gradation from the file as it is
+  std::string kind = "mass";        ///< of the masses: the name of the column of canonical CSV that means it
+  std::vector<Rational> mass_roundings =
+      {}; ///< of shares retained: half a unit of the last digit of each mass
 };
 
 /// Reads a gradation from the content of a file. The format (CSV, JSON, AGS4, a workbook, an instrument's) is
@@ -49,8 +52,8 @@ struct UnreadGradation {
   std::function<Gradation()> read; ///< \throws InputError as read_gradation
 };
 
-/// The gradations of a file: of AGS4 all specimens where `reading` names none, else one. Several threads may
-/// read them.
+/// The gradations of a file: of AGS4 all specimens where `reading` names none, of a workbook all sheets in
+/// which something is written where it names none, else one. Several threads may read them.
 /// \throws InputError where the file does not say which there are
 std::vector<UnreadGradation> gradations_in(std::string content, const std::string &file,
                                            const Reading &reading = {});

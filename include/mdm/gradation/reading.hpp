@@ -2,6 +2,8 @@
 /// \file
 /// What a user says of a gradation file that does not say it itself.
 
+#include <mdm/number/rational.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,9 +28,11 @@ struct Reading {
   std::optional<std::uint64_t> skip = {}; ///< lines (of a workbook: rows) above the table
   std::optional<std::string> sheet = {};  ///< of a workbook
   std::optional<unsigned> round = {};     ///< significant digits of all masses, at least 1
+  /// Percent of a sheet's initial mass that its rows may lack, or exceed; 1 where it is not said
+  std::optional<Rational> loss = {};
 
   /// True where the user says how a table is to be understood.
-  bool describes_table() const { return columns || kind || unit || skip; }
+  bool describes_table() const { return columns || kind || unit || skip || loss; }
 };
 
 } // namespace mdm

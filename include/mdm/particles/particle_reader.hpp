@@ -48,7 +48,7 @@ struct ParticleOptions {
   std::optional<SizeMeaning> meaning;
   /// Unit of the file. Open: what a CSV header says, m in files of LAMMPS, LIGGGHTS and VTK, else `target`.
   std::optional<LengthUnit> unit;
-  /// The timestep of a dump to read. Open: the last.
+  /// The timestep of a dump to read; of several of that number the last counts. Open: the last.
   std::optional<Integer> timestep;
   /// The unit that diameters are handed on in.
   SizeUnit target = SizeUnit::mm;
@@ -63,15 +63,16 @@ std::optional<ParticleFormat> told_format(std::string_view beginning);
 /// What was said and assumed of a file beside its particles.
 struct ReadParticles {
   std::vector<std::string> notes;
-  LengthUnit unit = LengthUnit::mm; ///< of the file
+  std::optional<LengthUnit> unit; ///< of the file; nothing where it states its unit itself
 };
 
 class LineReader;
 class ParticleSource;
 
 /// Reads a particle file of any format but `answer` whose lines it is given one by one; numbers are decimals
-/// as written. Memory does not depend on the length of the file.
-/// All members throw InputError `file:line: what is wrong and what to do`.
+/// as written. Memory does not depend on the length of the file, but for the ids of particles, some 5 bits
+/// each where they mostly follow each other, and the points of VTK and Kratos. All members throw InputError
+/// `file:line: what is wrong and what to do`.
 class ParticleReader {
 public:
   /// \param sink must outlive the reader
@@ -87,8 +88,8 @@ public:
 
   /// The format; after the end, or after enough lines to tell it.
   std::optional<ParticleFormat> format() const { return format_; }
-  /// The unit of the file; after the end.
-  LengthUnit unit() const;
+  /// The unit of the file, unless it states that itself; after the end.
+  std::optional<LengthUnit> unit() const;
   /// The assumptions made, for the report; after the end.
   std::vector<std::string> notes() const;
 

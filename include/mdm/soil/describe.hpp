@@ -32,6 +32,10 @@ struct SoilDescription {
   bool limited() const { return !group && group.why().limited; }
 };
 
+/// What was assumed of D10 to D60 and of the group, or why they are not available: of the notes those that
+/// are about these.
+std::vector<std::string> assumptions(const SoilDescription &d, const DescribeOptions &options);
+
 /// \throws InputError as classify_fines
 SoilDescription describe(const Gradation &g, const DescribeOptions &options);
 

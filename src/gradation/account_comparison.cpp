@@ -1,0 +1,196 @@
+#include "gradation/account_comparison.hpp"
+
+#include "gradation/shown.hpp"
+
+#include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+/// The word of --kind that chooses such a column.
+std::string_view kind_of(const AccountColumn &column) {
+  const bool is_share = column.is_share(), is_fraction = column.meaning.unit == ColumnUnit::fraction;
+  switch (column.meaning.meaning) {
+  case ColumnMeaning::passing:
+    return is_fraction ? "passing_fraction" : "passing_percent";
+  case ColumnMeaning::cumulative:
+    return is_share ? "cumulative_retained_percent" : "cumulative";
+  default:
+    return is_fraction ? "retained_fraction" : is_share ? "retained_percent" : "mass";
+  }
+}
+
+/// What to do where two columns differ.
+std::string remedy(const AccountColumn &first, const AccountColumn &second) {
+  return kind_of(first) == kind_of(second)
+             ? fmt::format("correct one, or choose with {} SIZE,VALUE", option("columns"))
+             : fmt::format("correct one, or choose with {0} {1} or {0} {2}", option("kind"), kind_of(first),
+                           kind_of(second));
+}
+
+/// The sieve where the readings are farthest apart, with the percentages that pass it.
+struct FarthestApart {
+  std::size_t sieve;
+  Rational first, second;
+};
+
+/// Nothing where the percentages are not known, or the same.
+std::optional<FarthestApart> farthest_apart(const AccountColumn &first, const AccountColumn &second) {
+  std::optional<FarthestApart> farthest;
+  Rational most = 0;
+  for (std::size_t i = 0; i < first.sieves.size(); ++i) {
+    const std::optional<Rational> p = first.passing_percent(i), q = second.passing_percent(i);
+    if (!p || !q || abs(Rational(*p - *q)) <= most)
+      continue;
+    most = abs(Rational(*p - *q));
+    farthest = {i, *p, *q};
+  }
+  return farthest;
+}
+
+/// True for shares that say by themselves what passes the finest sieve.
+bool have_rest(const AccountColumn &shares) {
+  return !shares.is_retained() && shares.below && shares.below->value > 0;
+}
+
+/// True where both have one unit that is known.
+bool share_unit(const AccountColumn &first, const AccountColumn &second) {
+  return first.is_share() == second.is_share() && first.meaning.unit != ColumnUnit::none &&
+         second.meaning.unit != ColumnUnit::none && first.grams == second.grams;
+}
+
+class ComparisonOfColumns {
+public:
+  ComparisonOfColumns(const OrderedAccounts &accounts, const Source &source, std::vector<std::string> &notes)
+      : a_(accounts), source_(source), notes_(notes) {}
+
+  ColumnsCompared run() {
+    compare_all();
+    find_deciding();
+    return std::move(result_);
+  }
+
+private:
+  const AccountColumn &column(std::size_t c) const { return a_.columns[c]; }
+  std::string quoted(std::size_t c) const { return in_quotes(column(c).header); }
+  std::string size(std::size_t sieve) const { return shown(a_.rows.sieves[sieve].size, a_.unit); }
+
+  void compare_all() {
+    constexpr std::size_t most = 12;
+    const std::size_t count = a_.columns.size();
+    for (std::size_t a = 0; a < count; ++a)
+      for (std::size_t b = a + 1; b < count; ++b)
+        if (a == 0 || count <= most)
+          compare_pair(a, b);
+    result_.some_agree = !agreeing_.empty();
+    if (result_.some_agree)
+      notes_.push_back(
+          fmt::format("Columns that agree within the rounding of their digits: {}.", agreeing_.text()));
+  }
+
+  void compare_pair(std::size_t a, std::size_t b) {
+    if (column(a).is_share() && !column(b).is_share())
+      std::swap(a, b);
+    const ColumnComparison comparison = compare(column(a), column(b));
+    if (comparison.disagreement)
+      return differ(a, b, *comparison.disagreement);
+    const std::optional<std::string> below =
+        comparison.whole ? difference_of_wholes(a, b, *comparison.whole) : difference_below(a, b);
+    if (below)
+      return say(*below);
+    if (a != 0 && b != 0)
+      return;
+    if (agreeing_.empty())
+      agreeing_.add(column(0).header);
+    agreeing_.add(column(a == 0 ? b : a).header);
+  }
+
+  /// A difference is an error, or a note where the user has chosen.
+  void say(const std::string &difference) {
+    if (!a_.is_asked)
+      source_.refuse(a_.header_line, difference);
+    notes_.push_back(fmt::format("{}; {} was asked for.", difference, quoted(0)));
+  }
+
+  void differ(std::size_t a, std::size_t b, std::size_t sieve) {
+    const std::string what_to_do = remedy(column(a), column(b));
+    if (const std::optional<FarthestApart> f = farthest_apart(column(a), column(b)))
+      return say(fmt::format("at {} {} percent pass by the column {}, {} by {}: {}", size(f->sieve),
+                             shown_hundredths(f->first), quoted(a), shown_hundredths(f->second), quoted(b),
+                             what_to_do));
+    say(fmt::format("the columns {} and {} differ at {}: {}", quoted(a), quoted(b), size(sieve), what_to_do));
+  }
+
+  /// What passes the finest sieve by two columns of one unit.
+  std::optional<std::string> difference_below(std::size_t a, std::size_t b) const {
+    const AccountColumn &first = column(a), &second = column(b);
+    if (!first.below || !second.below || !share_unit(first, second) || !first.whole() ||
+        a_.loss.explains(*first.below, *second.below, first.whole()->value))
+      return std::nullopt;
+    return fmt::format("{} passes the finest sieve by the column {}, {} by {}: {}", shown(first.below->value),
+                       quoted(a), shown(second.below->value), quoted(b), remedy(first, second));
+  }
+
+  /// The sum of the masses in `a`, which is `whole` by the shares in `b`.
+  std::optional<std::string> difference_of_wholes(std::size_t a, std::size_t b, const Interval &whole) {
+    const AccountColumn &masses = column(a);
+    const std::optional<PrintedNumber> sum = masses.whole();
+    if (!sum || agree(*sum, whole))
+      return std::nullopt;
+    if (!a_.rows.have_fines() && sum->range().hi < whole.lo && have_rest(column(b))) {
+      deciding_shares_.push_back(b);
+      result_.whole = whole;
+      return std::nullopt;
+    }
+    for (const std::optional<PrintedNumber> &other :
+         {number_of(a_.rows.total(), a), in_unit_of(masses, a_.stated.initial)})
+      if (other && agree(*other, whole) && a_.loss.explains(*other, *sum))
+        return std::nullopt;
+    return fmt::format("the masses in {} add up to {}, and the percent in {} are of {} to {}: {}", quoted(a),
+                       shown(sum->value), quoted(b), shown_hundredths(whole.lo), shown_hundredths(whole.hi),
+                       remedy(masses, column(b)));
+  }
+
+  /// Masses without a row of the pan give way to shares that say what passes the finest sieve.
+  void find_deciding() {
+    if (a_.is_asked || column(0).is_share() || deciding_shares_.empty())
+      return;
+    const auto is_full = [this](std::size_t c) {
+      return std::all_of(column(c).sieves.begin(), column(c).sieves.end(),
+                         [](const std::optional<PrintedNumber> &n) { return n.has_value(); });
+    };
+    const auto found = std::find_if(deciding_shares_.begin(), deciding_shares_.end(), is_full);
+    if (found == deciding_shares_.end())
+      source_.refuse(
+          a_.header_line,
+          fmt::format("the masses in {} have no row of the pan, and {}, by which something passes the "
+                      "finest sieve, has empty cells: fill them, or write the row of the pan",
+                      quoted(0), quoted(deciding_shares_[0])));
+    result_.deciding = *found;
+    notes_.push_back(fmt::format("The masses in {} have no row of the pan; {} decides, where {} "
+                                 "percent pass the finest sieve, {}.",
+                                 quoted(0), quoted(*found), shown(column(*found).below->value),
+                                 shown(a_.rows.sieves.back().size, a_.unit)));
+  }
+
+  const OrderedAccounts &a_;
+  const Source &source_;
+  std::vector<std::string> &notes_;
+  ColumnsCompared result_;
+  std::vector<std::size_t> deciding_shares_;
+  ShortList agreeing_; ///< with the chosen one
+};
+
+} // namespace
+
+ColumnsCompared compare_columns(const OrderedAccounts &accounts, const Source &source,
+                                std::vector<std::string> &notes) {
+  return ComparisonOfColumns(accounts, source, notes).run();
+}
+
+} // namespace mdm

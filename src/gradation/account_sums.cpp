@@ -1,0 +1,246 @@
+#include "gradation/account_sums.hpp"
+
+#include "gradation/shown.hpp"
+
+#include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+/// A part of a whole in percent.
+PrintedNumber share_of(const PrintedNumber &part, const PrintedNumber &whole) {
+  const Rational low = 100 * part.range().lo / (whole.value + whole.half),
+                 high = 100 * part.range().hi / (whole.value - whole.half);
+  return {(low + high) / 2, (high - low) / 2};
+}
+
+class SumCheck {
+public:
+  SumCheck(const OrderedAccounts &accounts, const ColumnsCompared &compared, const Source &source,
+           std::vector<std::string> &notes)
+      : a_(accounts), rows_(accounts.rows), stated_(accounts.stated), compared_(compared), source_(source),
+        notes_(notes), mass_column_(mass_column()) {}
+
+  bool run() {
+    for (std::size_t c = 0; c < a_.columns.size(); ++c)
+      if (const std::optional<PrintedNumber> total = number_of(rows_.total(), c))
+        check_total(c, *total);
+    if (mass_column_) {
+      check_initial(*mass_column_);
+      check_washed(*mass_column_);
+      check_loss(*mass_column_);
+    }
+    check_percent_of_loss();
+    if (deciding().is_share()) {
+      check_percent_retained();
+      check_percent_washed();
+    }
+    return adds_up_;
+  }
+
+private:
+  const AccountColumn &column(std::size_t c) const { return a_.columns[c]; }
+  const AccountColumn &deciding() const { return column(compared_.deciding); }
+  std::string quoted(std::size_t c) const { return in_quotes(column(c).header); }
+
+  /// The column of masses that is added up: the chosen one, or one beside percent.
+  std::optional<std::size_t> mass_column() const {
+    const auto found = std::find_if(a_.columns.begin(), a_.columns.end(),
+                                    [](const AccountColumn &column) { return column.adds_masses(); });
+    return found == a_.columns.end() ? std::nullopt
+                                     : std::optional(static_cast<std::size_t>(found - a_.columns.begin()));
+  }
+
+  void check_total(std::size_t c, const PrintedNumber &total) {
+    const AccountColumn &here = column(c);
+    if (!here.is_retained() && here.is_share()) {
+      if (total.value != 0 && total.value != 100)
+        notes_.push_back(
+            fmt::format("{} has {} in the column {}, which is no sum of masses and was not compared.",
+                        in_quotes(rows_.total()->label), shown(total.value), quoted(c)));
+      return;
+    }
+    const std::optional<PrintedNumber> whole = here.whole();
+    if (here.meaning.meaning == ColumnMeaning::passing || !whole)
+      return;
+    if (agree(*whole, total)) {
+      adds_up_ = true;
+      notes_.push_back(fmt::format("The rows of {} add up to {} as {} says.", quoted(c), shown(total.value),
+                                   in_quotes(rows_.total()->label)));
+    } else if (!is_sum_of_some(c, *whole, total)) {
+      compare_masses(c, *whole, total, *rows_.total());
+    }
+  }
+
+  /// True for a total without the pan, without the wash loss, or with what was lost, and for one that the
+  /// shares that decide have.
+  bool is_sum_of_some(std::size_t c, const PrintedNumber &whole, const PrintedNumber &total) const {
+    const AccountColumn &here = column(c);
+    const std::optional<PrintedNumber> sieves = here.retained(), wash = in_unit_of(here, stated_.wash_loss),
+                                       row = number_of(rows_.wash(), c), loss = number_of(rows_.loss(), c);
+    return (sieves && agree(*sieves, total)) || (wash && agree(whole - *wash, total)) ||
+           (row && here.is_retained() && agree(whole - *row, total)) ||
+           (loss && agree(whole + *loss, total)) ||
+           (compared_.whole && compared_.deciding != c && agree(total, *compared_.whole));
+  }
+
+  /// Two sums of one sample: a note, or an error beyond what may be lost. `where` has the label and the line.
+  template <typename Where>
+  void compare_masses(std::size_t c, const PrintedNumber &rows, const PrintedNumber &said,
+                      const Where &where) {
+    const Rational difference = said.value - rows.value;
+    const Rational percent = said.value == 0 ? Rational(100) : Rational(100 * abs(difference) / said.value);
+    if (percent <= a_.loss.percent()) {
+      adds_up_ = true;
+      notes_.push_back(fmt::format("The rows of {} add up to {}, {} says {}: {} percent {}; the rows are "
+                                   "used.",
+                                   quoted(c), shown(rows.value), in_quotes(where.label), shown(said.value),
+                                   shown_hundredths(percent), difference > 0 ? "less" : "more"));
+      return;
+    }
+    const std::string_view missing =
+        difference > 0 && !column(c).below
+            ? "write the row 'pan' or 'Wash loss' if the rest passes the finest sieve"
+            : "correct the sheet";
+    source_.refuse(where.line,
+                   fmt::format("the rows of {} add up to {}, and {} says {}, which is {} percent {}: {}, or "
+                               "allow it with {}; {}",
+                               quoted(c), shown(rows.value), in_quotes(where.label), shown(said.value),
+                               shown_hundredths(percent), difference > 0 ? "more" : "less", missing,
+                               option("loss"), split_remedy()));
+  }
+
+  void check_initial(std::size_t c) {
+    const std::optional<PrintedNumber> sum = column(c).whole();
+    if (!sum)
+      return;
+    for (const std::optional<StatedMass> *stated : {&stated_.initial, &stated_.sieved}) {
+      const std::optional<PrintedNumber> mass = in_unit_of(column(c), *stated);
+      if (!mass)
+        continue;
+      if (agree(*sum, *mass))
+        adds_up_ = true;
+      else if (!(stated == &stated_.sieved && is_without_wash(c, *sum, *mass)) &&
+               !is_whole_of_shares(*mass) && !(a_.is_asked && column(0).is_share()))
+        compare_masses(c, *sum, *mass, **stated);
+    }
+  }
+
+  /// True for the mass before sieving of a sample that was washed.
+  bool is_without_wash(std::size_t c, const PrintedNumber &sum, const PrintedNumber &mass) const {
+    const std::optional<PrintedNumber> wash = in_unit_of(column(c), stated_.wash_loss);
+    const std::optional<PrintedNumber> gone = wash ? wash : number_of(rows_.wash(), c);
+    return gone && a_.loss.explains(sum - *gone, mass);
+  }
+
+  bool is_whole_of_shares(const PrintedNumber &mass) const {
+    const std::optional<Interval> &whole = compared_.whole;
+    return whole && a_.loss.explains(mass, {(whole->lo + whole->hi) / 2, (whole->hi - whole->lo) / 2});
+  }
+
+  /// The mass after washing must be that of the rows, and what was washed out must be there.
+  void check_washed(std::size_t c) {
+    const AccountColumn &here = column(c);
+    const std::optional<PrintedNumber> washed = in_unit_of(here, stated_.washed), sum = here.whole();
+    if (!washed || !sum)
+      return;
+    const std::optional<PrintedNumber> stated = in_unit_of(here, stated_.wash_loss);
+    const std::optional<PrintedNumber> row = here.is_retained() ? number_of(rows_.wash(), c) : std::nullopt;
+    if (const std::optional<PrintedNumber> gone = stated ? stated : row) {
+      if (!compared_.whole && !agree(*sum - *gone, *washed))
+        compare_masses(c, *sum - *gone, *washed, *stated_.washed);
+    } else if (!rows_.have_wash() && compared_.deciding == c && !a_.is_asked) {
+      source_.refuse(
+          stated_.washed->line,
+          fmt::format("{} is given, and nothing of what was washed out: write the row 'Wash loss', or "
+                      "'Dry mass before wash' above the table",
+                      in_quotes(stated_.washed->label)));
+    }
+  }
+
+  /// What was lost in sieving belongs to no sieve.
+  void check_loss(std::size_t c) {
+    if (const std::optional<PrintedNumber> loss = number_of(rows_.loss(), c))
+      check_loss(c, *loss, *rows_.loss());
+    else if (stated_.sieve_loss)
+      check_loss(c, *in_unit_of(column(c), stated_.sieve_loss), *stated_.sieve_loss);
+  }
+
+  /// `where` has the label and the line.
+  template <typename Where>
+  void check_loss(std::size_t c, const PrintedNumber &loss, const Where &where) {
+    const std::optional<PrintedNumber> whole = column(c).whole();
+    if (whole && !a_.loss.explains(loss, {0, 0}, whole->value))
+      source_.refuse(where.line, fmt::format("{} is {}, more than {} percent of {}: allow it with {}",
+                                             in_quotes(where.label), shown(loss.value),
+                                             shown(a_.loss.percent()), shown(whole->value), option("loss")));
+    notes_.push_back(
+        fmt::format("{} is {}; it belongs to no sieve.", in_quotes(where.label), shown(loss.value)));
+  }
+
+  void check_percent_of_loss() const {
+    const std::optional<StatedMass> &percent = stated_.sieve_loss_percent;
+    if (percent && !a_.loss.explains(percent->mass, {0, 0}, 100))
+      source_.refuse(percent->line,
+                     fmt::format("{} is {} percent: allow it with {}", in_quotes(percent->label),
+                                 shown(percent->mass.value), option("loss")));
+  }
+
+  /// Percent retained must be of the whole.
+  void check_percent_retained() const {
+    const std::optional<PrintedNumber> sum = deciding().whole();
+    if (deciding().is_retained() && !a_.is_asked && sum && !a_.loss.explains(*sum, {100, 0}))
+      source_.refuse(a_.header_line, fmt::format("percent retained add up to {}: {}", shown(sum->value),
+                                                 remedy_of_retained(*sum)));
+  }
+
+  std::string remedy_of_retained(const PrintedNumber &sum) const {
+    if (sum.value > 100)
+      return fmt::format("if {0} is cumulative, say {1} cumulative, else {1} retained_percent",
+                         quoted(compared_.deciding), option("kind"));
+    return fmt::format(
+        "write the row 'pan' with {} if that passes the finest sieve, or take them as they are "
+        "with {} retained_percent",
+        shown(Rational(100 - sum.value)), option("kind"));
+  }
+
+  /// Percent that pass must have the wash loss.
+  void check_percent_washed() const {
+    const std::optional<StatedMass> &percent = stated_.wash_percent, &loss = stated_.wash_loss,
+                                    &initial = stated_.initial;
+    std::optional<PrintedNumber> washed = percent ? std::optional(percent->mass) : std::nullopt;
+    if (!washed && loss && initial && initial->mass.value > initial->mass.half)
+      washed = share_of(loss->mass, initial->mass);
+    const std::optional<PrintedNumber> &below = deciding().below;
+    if (washed && !a_.is_asked && (below ? below->range().hi : Rational(0)) < washed->range().lo)
+      source_.refuse(
+          (percent ? percent : loss)->line,
+          fmt::format("{} percent were washed out, and only {} pass the finest sieve by the column {}: "
+                      "correct one of them",
+                      shown_hundredths(washed->value), below ? shown(below->value) : "0",
+                      quoted(compared_.deciding)));
+  }
+
+  const OrderedAccounts &a_;
+  const AccountRows &rows_;
+  const StatedMasses &stated_;
+  const ColumnsCompared &compared_;
+  const Source &source_;
+  std::vector<std::string> &notes_;
+  std::optional<std::size_t> mass_column_;
+  bool adds_up_ = false; ///< to a sum that the sheet states
+};
+
+} // namespace
+
+bool check_sums(const OrderedAccounts &accounts, const ColumnsCompared &compared, const Source &source,
+                std::vector<std::string> &notes) {
+  return SumCheck(accounts, compared, source, notes).run();
+}
+
+} // namespace mdm

@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// What may be lost in sieving.
+
+#include "gradation/printed_number.hpp"
+
+#include <mdm/gradation/reading.hpp>
+
+namespace mdm {
+
+/// The part of a mass that sieving may lose: --loss, or 1 percent.
+class AllowedLoss {
+public:
+  explicit AllowedLoss(const Reading &reading) : percent_(reading.loss.value_or(Rational(1))) {}
+
+  const Rational &percent() const { return percent_; }
+  /// True where two parts of `whole` differ by no more than is lost, and what rounding explains.
+  bool explains(const PrintedNumber &a, const PrintedNumber &b, const Rational &whole) const {
+    return abs(Rational(a.value - b.value)) <= percent_ * whole / 100 + a.half + b.half;
+  }
+  /// The same of two masses of the whole.
+  bool explains(const PrintedNumber &a, const PrintedNumber &b) const {
+    return explains(a, b, std::max(a.value, b.value));
+  }
+
+private:
+  Rational percent_;
+};
+
+} // namespace mdm

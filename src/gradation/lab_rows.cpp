@@ -1,0 +1,317 @@
+#include "gradation/lab_rows.hpp"
+
+#include "gradation/cell_numbers.hpp"
+#include "gradation/plain_words.hpp"
+#include "gradation/row_sizes.hpp"
+#include "text/lines.hpp"
+
+#include <mdm/gradation/read_gradation.hpp>
+#include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+std::size_t header_line(const Cells &cells, const TableColumns &columns) {
+  if (cells.rows.empty())
+    return 1;
+  const std::size_t row = columns.first_row == 0 ? 0 : columns.first_row - 1;
+  return cells.rows[std::min(row, cells.rows.size() - 1)].line;
+}
+
+std::vector<MassStatement> statements_above(const Cells &cells, const TableColumns &columns) {
+  std::vector<MassStatement> statements;
+  for (std::size_t i = 0; i < columns.above; ++i)
+    add_statements(cells.rows[i], i + 1 < columns.above ? &cells.rows[i + 1] : nullptr, statements);
+  return statements;
+}
+
+TableSign sign_of(const Cells &cells, const TableColumns &columns,
+                  const std::vector<MassStatement> &statements, const Source &source) {
+  try {
+    return table_sign(cells, columns, statements);
+  } catch (const InputError &error) {
+    source.refuse(header_line(cells, columns), error.what());
+  }
+}
+
+/// `0.063 mm`, `#200 wet`, `No. 4`: what stands behind such a beginning is said of a sieve.
+bool begins_with_sieve(std::string_view cell) {
+  return !cell.empty() &&
+         (is_digit(cell.front()) || cell.front() == '#' || plain_words(cell).starts_with("no "));
+}
+
+/// The row's first cell that has something in it.
+std::string_view first_cell(const CellRow &row) {
+  return *std::find_if(row.cells.begin(), row.cells.end(), [](const std::string &c) { return !c.empty(); });
+}
+
+bool has_number(const CellRow &row) {
+  return std::any_of(row.cells.begin(), row.cells.end(),
+                     [](const std::string &cell) { return number_cell(cell).has_value(); });
+}
+
+/// True for what has a row in the table; other masses stand beside it.
+bool belongs_to_table(RowMeaning meaning) {
+  return meaning == RowMeaning::pan || meaning == RowMeaning::wash_loss ||
+         meaning == RowMeaning::pan_and_wash || meaning == RowMeaning::passing ||
+         meaning == RowMeaning::total || meaning == RowMeaning::sieve_loss;
+}
+
+/// A pass over the rows below the header.
+class RowPass {
+public:
+  RowPass(const Cells &cells, TableColumns columns, const Reading &reading, const Source &source)
+      : cells_(cells), columns_(std::move(columns)), reading_(reading), source_(source),
+        statements_(statements_above(cells_, columns_)),
+        sign_(sign_of(cells_, columns_, statements_, source)), sizes_(columns_, reading, sign_),
+        chosen_(columns_.value_name, columns_.values, sign_), beside_(columns_.further, sign_) {
+    read_.table.unit = sizes_.unit();
+    read_.table.header_line = header_line(cells_, columns_);
+  }
+
+  LabRows run() {
+    for (row_ = columns_.first_row; row_ < cells_.rows.size(); ++row_)
+      read_row();
+    if (read_.table.sizes.empty())
+      source_.refuse(read_.table.header_line,
+                     fmt::format("there is no row with a size and a number below {} and {}: {}",
+                                 in_quotes(columns_.size_name), in_quotes(columns_.value_name),
+                                 column_options()));
+    sizes_.settle(read_.table, chosen_.meaning().meaning == ColumnMeaning::retained, source_);
+    take_stated();
+    columns_.values = chosen_.meaning();
+    read_.columns = columns_;
+    read_.beside = beside_.all();
+    return std::move(read_);
+  }
+
+private:
+  const CellRow &row() const { return cells_.rows[row_]; }
+  std::string_view size_cell() const { return row().cell(columns_.size); }
+  std::string_view value_cell() const { return row().cell(columns_.value); }
+  [[noreturn]] void refuse(const std::string &what) const { source_.refuse(row().line, what); }
+  void leave() { read_.left.add(first_cell(row())); }
+
+  /// What is wrong with a cell is wrong in its line.
+  template <typename Action>
+  auto in_line(Action action) const {
+    try {
+      return action();
+    } catch (const InputError &error) {
+      refuse(error.what());
+    }
+  }
+
+  bool has_number_beside() const {
+    return in_line([this] { return beside_.have_number(row()); });
+  }
+
+  void read_row() {
+    below_gap_ |= row().below_gap && !read_.table.sizes.empty();
+    check_words_of_splitting();
+    if (take_second_header() || take_account())
+      return;
+    if (value_cell().empty() && number_cell(size_cell()))
+      return read_unvalued();
+    if (!take_text())
+      read_sieve();
+  }
+
+  /// A part of the sample that was sieved for the whole must not be added to the rest.
+  void check_words_of_splitting() const {
+    for (const std::string &cell : row().cells)
+      if (speaks_of_splitting(cell) && (!below_gap_ || has_number(row())))
+        refuse(fmt::format("{} may be of a part of the sample that was sieved for the whole ({}), which is "
+                           "not read yet: give percent passing of the whole, or leave the words out",
+                           in_quotes(cell), option("split")));
+  }
+
+  // ---- another header
+
+  /// A header of the same kind below, such as that of a hydrometer's rows.
+  bool take_second_header() {
+    if (number_cell(value_cell()) || size_cell().empty())
+      return false;
+    const std::optional<TableColumns> next = columns_of_row(cells_, row_, further_reading(), source_);
+    if (!next || reading_.columns)
+      return false;
+    const HeaderMeaning &values = chosen_.meaning();
+    if (next->values.meaning != values.meaning || next->values.unit != values.unit)
+      refuse(fmt::format("a second table begins, with {} where the first has {}: leave one of them out",
+                         in_quotes(next->value_name), in_quotes(columns_.value_name)));
+    columns_.size = next->size;
+    columns_.value = next->value;
+    columns_.names = next->names;
+    columns_.sizes = next->sizes;
+    columns_.width = next->width;
+    beside_.go_on(next->further);
+    row_ = next->first_row - 1;
+    below_gap_ = other_header_ = false;
+    return true;
+  }
+
+  /// The unit that was asked for is that of the first header.
+  Reading further_reading() const {
+    Reading reading = reading_;
+    if (!read_.table.sizes.empty())
+      reading.unit.reset();
+    return reading;
+  }
+
+  // ---- pan, losses, sums
+
+  /// A row of the pan, of wash loss, of a sum, or what is said of the sample below the table.
+  bool take_account() {
+    const RowWords known = words();
+    if (known.meaning == RowMeaning::none)
+      return false;
+    const bool are_retained = chosen_.meaning().meaning == ColumnMeaning::retained;
+    const bool may_lack_value = value_cell().empty() && !are_retained;
+    if (belongs_to_table(known.meaning) &&
+        (number_cell(value_cell()) || (may_lack_value && has_number_beside()))) {
+      add_account(known);
+      return true;
+    }
+    if (known.meaning == RowMeaning::pan && !below_gap_ && are_retained)
+      in_line([this] { chosen_.refuse(value_cell()); });
+    const std::size_t before = statements_.size();
+    add_statements(row(), nullptr, statements_);
+    if (belongs_to_table(known.meaning) && known.meaning != RowMeaning::total && !below_gap_ &&
+        statements_.size() > before && has_number_beside())
+      refuse(fmt::format("the row {} has no value in the column {}: write it, or 0",
+                         in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
+    leave();
+    return true;
+  }
+
+  /// The words of a row that is no sieve: those of its first cell, or of the cell of its size.
+  RowWords words() const {
+    for (const std::string_view cell : {first_cell(row()), size_cell()})
+      if (!begins_with_sieve(cell))
+        if (const RowWords known = row_words(cell); known.meaning != RowMeaning::none)
+          return known;
+    return {};
+  }
+
+  void add_account(const RowWords &known) {
+    check_width();
+    AccountRow account{known.meaning, 0, false, std::string(first_cell(row())), row().line, {}};
+    in_line([&] {
+      if (!known.sieve.empty()) {
+        account.size = sizes_.named(known.sieve);
+        account.names_sieve = true;
+      }
+      account.numbers.push_back(value_cell().empty() ? std::nullopt
+                                                     : std::optional(chosen_.read(value_cell())));
+      for (std::optional<PrintedNumber> &number : beside_.numbers(row()))
+        account.numbers.push_back(std::move(number));
+    });
+    read_.accounts.push_back(std::move(account));
+  }
+
+  // ---- words
+
+  /// A size without a value.
+  void read_unvalued() {
+    if (below_gap_)
+      return leave();
+    refuse(
+        fmt::format("the size {} has no value in the column {}: write 0 where nothing was retained, or leave "
+                    "the row out",
+                    in_quotes(size_cell()), in_quotes(columns_.value_name)));
+  }
+
+  /// A row that is none of the curve: words without a value, or anything below an empty row that has no size.
+  bool take_text() {
+    const bool is_size = sizes_.may_be_size(size_cell());
+    if (is_size && number_cell(value_cell()))
+      return false;
+    if (!below_gap_ && (is_size || !value_cell().empty()))
+      return false;
+    if (!below_gap_ && has_number_beside())
+      refuse(
+          fmt::format("the row {} has numbers and no value in the column {}: write it, or leave the row out",
+                      in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
+    if (below_gap_)
+      add_statements(row(), nullptr, statements_);
+    other_header_ |= !size_cell().empty() && !value_cell().empty() && !number_cell(value_cell());
+    leave();
+    return true;
+  }
+
+  /// Numbers beside words that say nothing of masses may be dates.
+  void take_stated() {
+    for (const MassStatement &s : statements_) {
+      try {
+        read_.stated.push_back({s, printed_number(s.digits, sign_.in(s.digits))});
+      } catch (const InputError &error) {
+        if (s.meaning != RowMeaning::none || speaks_of_washing(s.label))
+          source_.refuse(s.line, fmt::format("{}: {}", in_quotes(s.label), error.what()));
+      }
+    }
+  }
+
+  // ---- sieves
+
+  void read_sieve() {
+    Table &table = read_.table;
+    if (table.sizes.size() == max_gradation_rows)
+      refuse(fmt::format("there are more than {} rows: give fewer sieves", max_gradation_rows));
+    if (other_header_)
+      refuse(fmt::format(
+          "the row of {} is below words that may begin another table: leave out what is none of the "
+          "curve",
+          in_quotes(size_cell())));
+    check_width();
+    in_line([&] {
+      table.sizes.push_back(sizes_.next(row()));
+      const PrintedNumber value = chosen_.read(value_cell());
+      table.values.push_back(value.value);
+      table.roundings.push_back(value.half);
+      beside_.take(row());
+    });
+    table.lines.push_back(row().line);
+    for (const std::size_t column : {columns_.size, columns_.value})
+      if (std::binary_search(row().long_numbers.begin(), row().long_numbers.end(), column))
+        read_.long_numbers.add(row().cell(column));
+  }
+
+  /// A cell beyond the header is of no column: the row may be split in wrong places.
+  void check_width() const {
+    const std::vector<std::string> &cells = row().cells;
+    for (std::size_t i = columns_.width; columns_.width != 0 && i < cells.size(); ++i)
+      if (!cells[i].empty())
+        refuse(fmt::format(
+            "the row has more cells than the header, {}: {} is beyond: name its column, or put ; between "
+            "cells where numbers have decimal commas",
+            columns_.width, in_quotes(cells[i])));
+  }
+
+  const Cells &cells_;
+  TableColumns columns_; ///< of the header above the present row
+  const Reading &reading_;
+  const Source &source_;
+  std::vector<MassStatement> statements_;
+  TableSign sign_;
+  RowSizes sizes_;
+  ChosenColumn chosen_;
+  ColumnsBeside beside_;
+  LabRows read_;
+  std::size_t row_ = 0;
+  bool below_gap_ = false;
+  bool other_header_ = false; ///< words below a gap, in both columns
+};
+
+} // namespace
+
+LabRows read_lab_rows(const Cells &cells, TableColumns columns, const Reading &reading,
+                      const Source &source) {
+  return RowPass(cells, std::move(columns), reading, source).run();
+}
+
+} // namespace mdm

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// The rows of a laboratory's table: which is a sieve, which the pan, a loss or a sum, which only words.
+
+#include "gradation/account_rows.hpp"
+#include "gradation/table.hpp"
+#include "gradation/value_columns.hpp"
+#include "text/short_list.hpp"
+
+namespace mdm {
+
+/// What was read of a table and beside it.
+struct LabRows {
+  TableColumns columns;             ///< of the last header; the values with the unit that their cells have
+  Table table;                      ///< sizes, and the values as they stand in the chosen column
+  std::vector<ColumnBeside> beside; ///< the other columns of masses
+  std::vector<AccountRow> accounts; ///< rows of the pan, of losses and of sums
+  std::vector<StatedNumber> stated; ///< above and below the table
+  ShortList left;                   ///< rows that are none of these
+  ShortList long_numbers;           ///< of a workbook: those that have no decimal of at most 15 digits
+};
+
+/// Reads all rows below the header.
+/// \throws InputError with the line where a row is not certain
+LabRows read_lab_rows(const Cells &cells, TableColumns columns, const Reading &reading, const Source &source);
+
+} // namespace mdm

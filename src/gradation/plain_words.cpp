@@ -1,0 +1,66 @@
+#include "gradation/plain_words.hpp"
+
+#include "gradation/plain_spelling.hpp"
+#include "text/lines.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace mdm {
+namespace {
+
+/// Letters with accents, and signs that are words.
+constexpr std::array letters = {
+    Spelling{"ä", "ae"},        Spelling{"Ä", "ae"},       Spelling{"ö", "oe"},       Spelling{"Ö", "oe"},
+    Spelling{"ü", "ue"},        Spelling{"Ü", "ue"},       Spelling{"ß", "ss"},       Spelling{"é", "e"},
+    Spelling{"É", "e"},         Spelling{"è", "e"},        Spelling{"È", "e"},        Spelling{"ê", "e"},
+    Spelling{"à", "a"},         Spelling{"á", "a"},        Spelling{"Á", "a"},        Spelling{"í", "i"},
+    Spelling{"Í", "i"},         Spelling{"ì", "i"},        Spelling{"ó", "o"},        Spelling{"Ó", "o"},
+    Spelling{"ò", "o"},         Spelling{"ú", "u"},        Spelling{"Ú", "u"},        Spelling{"ù", "u"},
+    Spelling{"ñ", "n"},         Spelling{"Ñ", "n"},        Spelling{"ç", "c"},        Spelling{"\u00B5", "u"},
+    Spelling{"\u03BC", "u"},    Spelling{"\u03C6", "phi"}, Spelling{"\u03A6", "phi"}, Spelling{"\u00A0", " "},
+    Spelling{"\u202F", " "},    Spelling{"°", " "},        Spelling{"º", " "},        Spelling{"№", "no "},
+    Spelling{"%", " percent "}, Spelling{"+", " plus "},
+};
+
+/// True for what is a part of a word: letters, digits, and characters beyond ASCII.
+bool is_of_word(char c) {
+  return (c >= 'a' && c <= 'z') || is_digit(c) || static_cast<unsigned char>(c) >= 0x80;
+}
+
+} // namespace
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::string plain = spelled_plainly(text, letters);
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return !is_of_word(c); }, ' ');
+  std::vector<std::string> words;
+  for (std::size_t from = 0; (from = plain.find_first_not_of(' ', from)) < plain.size();) {
+    const std::size_t to = std::min(plain.find(' ', from), plain.size());
+    words.push_back(plain.substr(from, to - from));
+    from = to;
+  }
+  return words;
+}
+
+std::string joined(const std::vector<std::string> &words) {
+  std::string text;
+  for (const std::string &word : words)
+    text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+std::string plain_words(std::string_view text) {
+  return joined(words_of(text));
+}
+
+bool has_word(std::string_view list, std::string_view word) {
+  for (std::size_t at = list.find(word); at != std::string_view::npos; at = list.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || list[at - 1] == ' ') && (end == list.size() || list[end] == ' '))
+      return true;
+  }
+  return false;
+}
+
+} // namespace mdm

@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// The one spelling in which words of a table are compared.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mdm {
+
+/// The words of a header or cell in small letters without accents; what is no letter or digit is a space
+/// between them, but `%` is the word percent and `+` the word plus.
+std::vector<std::string> words_of(std::string_view text);
+
+/// Words with one space between them.
+std::string joined(const std::vector<std::string> &words);
+
+/// The words of `text`, joined.
+std::string plain_words(std::string_view text);
+
+/// True where `word` is one of `list`, which has spaces between its words.
+bool has_word(std::string_view list, std::string_view word);
+
+} // namespace mdm

@@ -1,0 +1,196 @@
+#include "gradation/row_sizes.hpp"
+
+#include "gradation/cell_numbers.hpp"
+#include "gradation/phi.hpp"
+#include "gradation/shown.hpp"
+#include "gradation/sieve_spelling.hpp"
+#include "gradation/unit_break.hpp"
+#include "text/lines.hpp"
+
+#include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
+
+#include <fmt/core.h>
+
+namespace mdm {
+namespace {
+
+/// mm in one of a length unit.
+Rational in_mm(ColumnUnit unit) {
+  switch (unit) {
+  case ColumnUnit::um:
+    return ratio(1, 1000);
+  case ColumnUnit::m:
+    return 1000;
+  case ColumnUnit::inch:
+    return ratio(254, 10);
+  default:
+    return 1;
+  }
+}
+
+SizeUnit table_unit(ColumnUnit unit) {
+  return unit == ColumnUnit::um ? SizeUnit::um : unit == ColumnUnit::m ? SizeUnit::m : SizeUnit::mm;
+}
+
+bool is_above_or_below(std::string_view cell) {
+  return cell.starts_with('<') || cell.starts_with('>') || cell.starts_with("\u2264") ||
+         cell.starts_with("\u2265");
+}
+
+/// The digits of a number alone.
+std::optional<std::string_view> plain_digits(std::string_view cell) {
+  const std::optional<NumberCell> number = number_cell(cell);
+  return number && number->unit == ColumnUnit::none ? std::optional(number->digits) : std::nullopt;
+}
+
+ColumnUnit unit_behind(std::string_view cell) {
+  const std::optional<NumberCell> number = number_cell(cell);
+  return number ? number->unit : ColumnUnit::none;
+}
+
+/// Sieves whose order breaks as where mm become um without a word.
+void check_unit_break(const std::vector<Rational> &sizes, const std::vector<std::size_t> &lines,
+                      const TableColumns &columns, const Source &source) {
+  const ColumnUnit unit = columns.sizes.unit;
+  const std::optional<std::size_t> at =
+      unit == ColumnUnit::mm || unit == ColumnUnit::um ? unit_break(sizes) : std::nullopt;
+  if (at)
+    source.refuse(lines[*at],
+                  fmt::format("the sizes {} and {} follow each other in the column {}: if some are um and "
+                              "others mm, write the unit behind each, else put the rows in order",
+                              shown(sizes[*at - 1]), shown(sizes[*at]), in_quotes(columns.size_name)));
+}
+
+} // namespace
+
+RowSizes::RowSizes(const TableColumns &columns, const Reading &reading, const TableSign &sign)
+    : columns_(columns), reading_(reading), sign_(sign), unit_(table_unit(columns.sizes.unit)) {}
+
+bool RowSizes::may_be_size(std::string_view cell) const {
+  return is_above_or_below(cell) || (!cell.empty() && is_digit(cell.front())) || number_cell(cell) ||
+         is_sieve(cell);
+}
+
+Rational RowSizes::next(const CellRow &row) {
+  const Rational size = row_size(row.cell(columns_.size));
+  check_names(row, size);
+  ++rows_;
+  return size;
+}
+
+Rational RowSizes::named(std::string_view sieve) const {
+  return size_of(sieve, ColumnUnit::none);
+}
+
+void RowSizes::settle(Table &table, bool are_retained, const Source &source) const {
+  std::vector<std::size_t> lines;
+  for (const std::size_t row : plain_rows_)
+    lines.push_back(table.lines[row]);
+  check_unit_break(plain_sizes_, lines, columns_, source);
+  if (columns_.sizes.unit == ColumnUnit::mm && !reading_.unit && may_be_micrometres(plain_sizes_))
+    source.refuse(lines.front(),
+                  fmt::format("the column {} is in mm, and its sizes are those of sieves in um: say {} mm "
+                              "if they are mm, else correct the header",
+                              in_quotes(columns_.size_name), option("unit")));
+  ranges_.settle(table, are_retained, source);
+}
+
+Rational RowSizes::row_size(std::string_view cell) {
+  if (is_above_or_below(cell))
+    throw InputError(
+        fmt::format("the size {} is a range: write pan for what passes the finest sieve, and the opening of "
+                    "the sieve for what stays on it",
+                    in_quotes(cell)));
+  if (const auto ends = range_ends(cell); ends && !is_sieve(cell) && columns_.sizes.unit != ColumnUnit::phi) {
+    const Rational second = size_of(ends->second, ColumnUnit::none);
+    ranges_.add(rows_, size_of(ends->first, unit_behind(ends->second)), second);
+    return ranges_.lower();
+  }
+  const Rational size = size_of(cell, ColumnUnit::none);
+  if (const std::optional<std::string_view> digits = plain_digits(cell)) {
+    plain_rows_.push_back(rows_);
+    plain_sizes_.push_back(sign_.decimal(*digits));
+  }
+  return size;
+}
+
+/// `unit` is that of the other end of a range.
+Rational RowSizes::size_of(std::string_view cell, ColumnUnit unit) const {
+  if (const std::optional<std::string_view> digits = plain_digits(cell))
+    return unit == ColumnUnit::none ? plain_size(*digits) : in_unit(*digits, unit);
+  try {
+    return opening(cell);
+  } catch (const InputError &error) {
+    throw InputError(fmt::format("{}, or leave the row out", error.what()));
+  }
+}
+
+/// A size whose unit the header says.
+Rational RowSizes::plain_size(std::string_view digits) const {
+  const ColumnUnit unit = columns_.sizes.unit;
+  if (unit == ColumnUnit::none && columns_.sizes.meaning == ColumnMeaning::sieve)
+    throw InputError(
+        fmt::format("the sieve {} is a number alone: write No. {} if it is one of ASTM, or say its unit with "
+                    "{} mm (um, m, in, phi)",
+                    in_quotes(digits), printable(digits), option("unit")));
+  if (unit == ColumnUnit::none)
+    throw InputError(
+        fmt::format("the size {} has no unit, and neither has the column {}: say it with {} mm (um, m, "
+                    "in, phi)",
+                    in_quotes(digits), in_quotes(columns_.size_name), option("unit")));
+  if (unit != ColumnUnit::phi)
+    return in_unit(digits, unit);
+  const Rational phi = sign_.decimal(digits);
+  if (denominator(phi) != 1 && reading_.phi == PhiReading::exact)
+    throw InputError(
+        fmt::format("phi {} is no whole number: {}, or write a canonical file with the column size_phi",
+                    in_quotes(digits), convert_remedy));
+  return phi_size(phi) / in_mm(unit_);
+}
+
+/// The size in another column must be of the same sieve: within what nominal openings and inches differ.
+void RowSizes::check_names(const CellRow &row, const Rational &size) const {
+  for (const FurtherColumn &column : columns_.names) {
+    const std::string_view cell = row.cell(column.place);
+    const std::optional<Rational> other = other_size(cell, column.meaning.unit);
+    if (other && size > 0 && abs(Rational(*other - size)) > size * ratio(3, 100))
+      throw InputError(fmt::format("{} in the column {} is another sieve than {} in {}: correct one of them",
+                                   in_quotes(cell), in_quotes(column.name),
+                                   in_quotes(row.cell(columns_.size)), in_quotes(columns_.size_name)));
+  }
+}
+
+/// Nothing where the cell says no size.
+std::optional<Rational> RowSizes::other_size(std::string_view cell, ColumnUnit unit) const {
+  try {
+    const std::optional<std::string_view> digits = plain_digits(cell);
+    if (!digits)
+      return opening(cell);
+    if (is_of_sizes(unit) && unit != ColumnUnit::phi)
+      return in_unit(*digits, unit);
+  } catch (const InputError &) { // a name that is not known says nothing else
+  }
+  return std::nullopt;
+}
+
+bool RowSizes::is_sieve(std::string_view cell) const {
+  try {
+    opening(cell);
+    return true;
+  } catch (const InputError &) {
+    return false;
+  }
+}
+
+/// The opening of a sieve by its name.
+Rational RowSizes::opening(std::string_view cell) const {
+  return spelled_sieve_opening(cell, sign_.in(cell)) / in_mm(unit_);
+}
+
+/// So many of a unit of length.
+Rational RowSizes::in_unit(std::string_view digits, ColumnUnit unit) const {
+  return sign_.decimal(digits) * in_mm(unit) / in_mm(unit_);
+}
+
+} // namespace mdm

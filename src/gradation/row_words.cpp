@@ -1,0 +1,214 @@
+#include "gradation/row_words.hpp"
+
+#include "gradation/header_words.hpp"
+#include "gradation/plain_words.hpp"
+#include "text/lines.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace mdm {
+namespace {
+/// Short names, kept apart from those of other files.
+namespace row_vocabulary {
+
+// Words with spaces between them, in the spelling of plain_words.
+constexpr std::string_view pan =
+    "pan bottom schale bodenschale auffangschale siebboden boden fond fondo receiver "
+    "auffanggefaess bandeja charola cazoleta receptor fondello";
+constexpr std::string_view washing =
+    "auswaschverlust wash washing washed washings washout waschen gewaschen waschverlust ausgewaschen "
+    "ausgewaschenes "
+    "auswaschung abschlaemmen abschlaemmbar abschlaemmbares abschlaemmbare abgeschlaemmt abgeschlaemmtes "
+    "abschlaemmung schlaemmen schlaemmverlust schlaemmanteil decanted decantation elutriation elutriated "
+    "lavage "
+    "lave laves lavee lavees lavado lavados lavada lavadas lavaggio lavato lavati lavata lavate";
+/// Words beside washing that say that its number is what went.
+constexpr std::string_view gone =
+    "loss losses lost verlust waschverlust auswaschverlust eliminees elimines eliminado eliminados eliminada "
+    "eliminati eliminate rimossi asportati schlaemmverlust schlaemmanteil ausgewaschen ausgewaschenes "
+    "auswaschung abschlaemmbar abschlaemmbares abschlaemmbare abgeschlaemmt abgeschlaemmtes abschlaemmung "
+    "perte "
+    "pertes perdida perdidas perdita perdite removed out fines fine finer finos fins fini feinanteil through "
+    "passing silt clay schluff ton finer washout washings elements bestandteile";
+constexpr std::string_view loss =
+    "loss losses lost verlust siebverlust perte pertes perdida perdidas perdita "
+    "perdite";
+constexpr std::string_view total = "total totals sum summe gesamt gesamtmasse gesamtsumme somme suma totale "
+                                   "somma totales sumatoria";
+constexpr std::string_view initial =
+    "initial original starting start anfangsmasse ausgangsmasse einwaage initiale inicial iniziale";
+constexpr std::string_view before = "before vor avant antes prima";
+constexpr std::string_view after = "after nach apres despues dopo";
+constexpr std::string_view dry = "dry dried oven ovendry trocken trockene trockenmasse trockengewicht "
+                                 "trockenprobe seche sec seca seco secca secco essiccato";
+constexpr std::string_view mass = "mass masses weight weights massen masses masas pesos masse gewicht masa "
+                                  "peso massa poids trockenmasse trockengewicht "
+                                  "probenmasse probengewicht wt";
+constexpr std::string_view sample =
+    "sample specimen soil material probe probenmasse probengewicht trockenprobe "
+    "echantillon sol muestra suelo campione terreno materiale materiaux";
+constexpr std::string_view sieving =
+    "sieving sieved sieve siebung sieben tamisage tamizado setacciatura vagliatura";
+constexpr std::string_view passing =
+    "passing passes passed minus finer smaller less below under kleiner unter durchgang passant passants "
+    "pasa "
+    "pasante passante tamisat inferieur inferieure inferior menor inferiore minore undersize";
+constexpr std::string_view container =
+    "container dish tin tare tara beaker bowl can tray recipient recipiente "
+    "behaelter gefaess contenitore capsule capsula";
+constexpr std::string_view moist =
+    "moist wet damp feucht feuchte feuchtmasse nass humide humeda humedo umida umido bulk";
+constexpr std::string_view splitting =
+    "split splits splitting subsample subsamples subsampled riffle riffled riffling riffler quartered "
+    "quartering "
+    "reduced reduction teilprobe teilproben probenteilung probeteilung geteilt riffelteiler quartage quarte "
+    "reduit reduite reduits cuarteo cuarteado cuarteada submuestra reducida reducido quartatura "
+    "sottocampione "
+    "ridotto ridotta";
+/// Words that change nothing.
+constexpr std::string_view filler =
+    "the of in on to by a at an and und et y e con mit plus than as als used taken is from im der die das "
+    "des dem "
+    "de du da la le les l al au aux par por per del della nel nello nella en que collected residue retained "
+    "rest material materials matter p m g gr gram grams kg percent mm um u inch no nr n sieve sieb siebs "
+    "tamis "
+    "tamiz malla setaccio vaglio mesh test us through over ";
+
+class Words {
+public:
+  explicit Words(std::string_view text) : all_(words_of(text)) {}
+  bool empty() const { return all_.empty(); }
+  bool have(std::string_view list) const {
+    return std::any_of(all_.begin(), all_.end(), [list](const std::string &w) { return has_word(list, w); });
+  }
+  /// True where each word is known or has a digit.
+  bool are_known() const {
+    return std::all_of(all_.begin(), all_.end(), [](const std::string &word) {
+      if (std::any_of(word.begin(), word.end(), is_digit))
+        return true;
+      for (const std::string_view list : {pan, washing, gone, loss, total, initial, before, after, dry, mass,
+                                          sample, sieving, passing, container, moist, filler})
+        if (has_word(list, word))
+          return true;
+      return false;
+    });
+  }
+  bool have_two(std::string_view first, std::string_view second) const {
+    for (std::size_t i = 0; i + 1 < all_.size(); ++i)
+      if (all_[i] == first && has_word(second, all_[i + 1]))
+        return true;
+    return false;
+  }
+
+private:
+  std::vector<std::string> all_;
+};
+
+bool is_letter(char c) {
+  return lower(c) >= 'a' && lower(c) <= 'z';
+}
+
+/// The number of a sieve that stands in the text with what belongs to it: `No. 200`, `#200`, `0,063 mm`.
+std::string named_sieve(std::string_view text) {
+  std::size_t digit = std::string_view::npos;
+  for (std::size_t i = 0; i < text.size() && digit == std::string_view::npos; ++i)
+    if (is_digit(text[i]) && (i == 0 || !is_letter(text[i - 1]) || lower(text[i - 1]) == 'o'))
+      digit = i;
+  if (digit == std::string_view::npos)
+    return {};
+  std::size_t end = std::min(text.find_first_not_of("0123456789.,/-", digit), text.size());
+  while (end > digit && (text[end - 1] == '.' || text[end - 1] == ',' || text[end - 1] == '-'))
+    --end;
+  std::string sieve(text.substr(digit, end - digit));
+  const std::size_t before_digit = text.substr(0, digit).find_last_not_of(" .") + 1;
+  const std::string ahead = plain_words(text.substr(0, before_digit));
+  if (before_digit > 0 && text[before_digit - 1] == '#')
+    return "#" + sieve;
+  if (ahead == "no" || ahead == "nr" || ahead.ends_with(" no") || ahead.ends_with(" nr"))
+    return "No. " + sieve;
+  std::size_t unit = std::min(text.find_first_not_of(' ', end), text.size());
+  if (text.substr(unit).starts_with('"'))
+    return sieve + "\"";
+  const std::size_t last = std::min(text.find_first_of(" ,;:()[]", unit), text.size());
+  const std::string_view word = text.substr(unit, last - unit);
+  return is_of_sizes(unit_of_words(word)) ? sieve + " " + std::string(word) : sieve;
+}
+
+/// True for `< 0.063`, `-#200` and `- No. 200`.
+bool has_sign_of_passing(std::string_view text) {
+  if (text.find('<') != std::string_view::npos || text.find("\u2264") != std::string_view::npos)
+    return true;
+  for (const std::string_view minus : {"-", "\u2212", "\u2013"})
+    if (text.starts_with(minus)) {
+      const std::string_view rest = trimmed(text.substr(minus.size()));
+      return rest.starts_with('#') || plain_words(rest).starts_with("no ");
+    }
+  return false;
+}
+
+RowMeaning meaning_of(const Words &words, bool passes) {
+  const bool washes = words.have(washing), dries = words.have(dry), weighs = words.have(mass);
+  if (words.have(after))
+    return washes ? RowMeaning::washed_mass : words.have(sieving) ? RowMeaning::total : RowMeaning::none;
+  if (words.have(container))
+    return words.have(pan) || words.have(moist)          ? RowMeaning::none
+           : dries || words.have("sample soil material") ? RowMeaning::with_container
+                                                         : RowMeaning::container;
+  if (words.have(before))
+    return washes                ? RowMeaning::initial_mass
+           : words.have(sieving) ? RowMeaning::sieved_mass
+                                 : RowMeaning::none;
+  if (words.have(pan) && (washes || !dries))
+    return washes ? RowMeaning::pan_and_wash : RowMeaning::pan;
+  if (washes)
+    return words.have(gone) || (!dries && !weighs) ? RowMeaning::wash_loss
+           : dries                                 ? RowMeaning::washed_mass
+                                                   : RowMeaning::none;
+  if (words.have(moist))
+    return RowMeaning::moist_mass;
+  if (passes || words.have(passing))
+    return RowMeaning::passing;
+  if (words.have(loss))
+    return words.have(total) ? RowMeaning::none : RowMeaning::sieve_loss;
+  if (words.have(initial) || (weighs && (dries || words.have(sample))))
+    return RowMeaning::initial_mass;
+  return words.have(total) ? RowMeaning::total : RowMeaning::none;
+}
+
+} // namespace row_vocabulary
+} // namespace
+
+RowWords row_words(std::string_view label) {
+  using namespace row_vocabulary;
+  const Words words(label);
+  if (words.empty() || !words.are_known())
+    return {};
+  const bool passes = has_sign_of_passing(label);
+  RowWords row{meaning_of(words, passes), named_sieve(label)};
+  if (row.meaning == RowMeaning::passing && row.sieve.empty())
+    row.meaning = RowMeaning::none;
+  return row;
+}
+
+bool speaks_of_washing(std::string_view text) {
+  const std::string plain = plain_words(text);
+  for (const std::string_view stem : {"wash", "wasch", "schlaemm", "lavag", "lavad", "lavat", "decant"})
+    if (plain.find(stem) != std::string::npos)
+      return true;
+  return false;
+}
+
+bool speaks_of_splitting(std::string_view text) {
+  using namespace row_vocabulary;
+  const Words words(text);
+  return (words.have(splitting) && !words.have_two("split", "spoon barrel tube")) ||
+         words.have_two("sub", "sample samples");
+}
+
+bool speaks_of_mass(std::string_view text) {
+  using namespace row_vocabulary;
+  return Words(text).have(mass) || Words(text).have("g gr gram grams kg");
+}
+
+} // namespace mdm

@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// The words that laboratories put beside masses: in rows of a table that are no sieves, above and below it.
+
+#include <string>
+#include <string_view>
+
+namespace mdm {
+
+/// What a number beside such words is.
+enum class RowMeaning {
+  none,           ///< the words are not known, or mean more than one thing
+  pan,            ///< what fell into the pan
+  wash_loss,      ///< what was washed out before sieving
+  pan_and_wash,   ///< both
+  passing,        ///< what passes the sieve that is named, in whichever way
+  total,          ///< of the rows
+  initial_mass,   ///< dry, before washing
+  sieved_mass,    ///< dry, before sieving: of a washed sample without what was washed out
+  washed_mass,    ///< dry, after washing
+  sieve_loss,     ///< what was lost in sieving
+  container,      ///< empty
+  with_container, ///< the dry sample in its container
+  moist_mass
+};
+
+/// Such words with the sieve that they name, if they do: `Passing No. 200`, `Pan (< 0.063 mm)`.
+struct RowWords {
+  RowMeaning meaning = RowMeaning::none;
+  std::string sieve = {};
+};
+
+/// The meaning of a label in English, German, French, Spanish or Italian all of whose words are known.
+RowWords row_words(std::string_view label);
+
+/// True where a word with the stem of washing is in the text.
+bool speaks_of_washing(std::string_view text);
+
+/// True where a word of a part that was sieved for the whole is in the text: split, subsample, riffled,
+/// reduced.
+bool speaks_of_splitting(std::string_view text);
+
+/// True where the text names a mass: mass, weight, g, kg.
+bool speaks_of_mass(std::string_view text);
+
+} // namespace mdm

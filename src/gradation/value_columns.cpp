@@ -1,0 +1,114 @@
+#include "gradation/value_columns.hpp"
+
+#include "gradation/cell_numbers.hpp"
+#include "number/decimal_exponent.hpp"
+
+#include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+std::optional<NumberCell> cell_of(const ColumnBeside &column, const CellRow &row) {
+  return column.place ? number_cell(row.cell(*column.place)) : std::nullopt;
+}
+
+} // namespace
+
+PrintedNumber ChosenColumn::read(std::string_view cell) {
+  const std::optional<NumberCell> number = number_cell(cell);
+  if (!number)
+    refuse(cell);
+  if (number->unit != ColumnUnit::none && number->unit != meaning_.unit)
+    take_unit(cell, number->unit);
+  if (number->unit == ColumnUnit::mass)
+    check_kilograms(cell);
+  const PrintedNumber printed{sign_.decimal(number->digits),
+                              last_digit_unit(number->digits, sign_.in(number->digits)) / 2};
+  has_plain_ |= number->unit == ColumnUnit::none && printed.value != 0;
+  if (unit_is_of_cells_ && has_plain_)
+    throw InputError(fmt::format(
+        "some values in the column {} have a unit, as {} or others above, and some have none: write all "
+        "alike",
+        in_quotes(header_), in_quotes(cell)));
+  return printed;
+}
+
+void ChosenColumn::refuse(std::string_view cell) const {
+  throw InputError(
+      fmt::format("{} in the column {} is not a number: write a decimal, or 0 where nothing was retained",
+                  in_quotes(cell), in_quotes(header_)));
+}
+
+/// The unit of a cell is that of the column where the header has none.
+void ChosenColumn::take_unit(std::string_view cell, ColumnUnit unit) {
+  if (meaning_.unit != ColumnUnit::none || (unit != ColumnUnit::percent && unit != ColumnUnit::mass))
+    throw InputError(fmt::format("{} has another unit than the column {}: say what it is with {}",
+                                 in_quotes(cell), in_quotes(header_), option("kind")));
+  meaning_.unit = unit;
+  unit_is_of_cells_ = true;
+}
+
+/// Masses in g and in kg do not stand in one column.
+void ChosenColumn::check_kilograms(std::string_view cell) {
+  const bool here = names_kilograms(cell);
+  if (!in_kilograms_)
+    in_kilograms_ = unit_is_of_cells_ ? here : names_kilograms(header_);
+  if (*in_kilograms_ != here)
+    throw InputError(
+        fmt::format("{} is in another unit of mass than the column {} or the values above: write all alike",
+                    in_quotes(cell), in_quotes(header_)));
+}
+
+ColumnsBeside::ColumnsBeside(const std::vector<FurtherColumn> &columns, const TableSign &sign) : sign_(sign) {
+  for (const FurtherColumn &column : columns)
+    all_.push_back({column, column.place, {}});
+}
+
+void ColumnsBeside::go_on(const std::vector<FurtherColumn> &next) {
+  for (ColumnBeside &column : all_) {
+    const HeaderMeaning &meaning = column.column.meaning;
+    const auto found = std::find_if(next.begin(), next.end(), [&meaning](const FurtherColumn &c) {
+      return c.meaning.meaning == meaning.meaning && c.meaning.unit == meaning.unit;
+    });
+    column.place = found == next.end() ? std::nullopt : std::optional(found->place);
+  }
+}
+
+bool ColumnsBeside::have_number(const CellRow &row) const {
+  return std::any_of(all_.begin(), all_.end(),
+                     [this, &row](const ColumnBeside &column) { return number(column, row).has_value(); });
+}
+
+std::vector<std::optional<PrintedNumber>> ColumnsBeside::numbers(const CellRow &row) const {
+  std::vector<std::optional<PrintedNumber>> numbers;
+  for (const ColumnBeside &column : all_)
+    numbers.push_back(number(column, row));
+  return numbers;
+}
+
+void ColumnsBeside::take(const CellRow &row) {
+  for (ColumnBeside &column : all_) {
+    column.numbers.push_back(number(column, row));
+    const std::optional<NumberCell> cell = cell_of(column, row);
+    if (cell && cell->unit == ColumnUnit::percent && column.column.meaning.unit == ColumnUnit::none)
+      column.column.meaning.unit = ColumnUnit::percent;
+  }
+}
+
+std::optional<PrintedNumber> ColumnsBeside::number(const ColumnBeside &column, const CellRow &row) const {
+  const std::optional<NumberCell> cell = cell_of(column, row);
+  try {
+    return cell ? std::optional(printed_number(cell->digits, sign_.in(cell->digits))) : std::nullopt;
+  } catch (const InputError &error) {
+    throw InputError(fmt::format("the column {} is compared with the others: {}",
+                                 in_quotes(column.column.name), error.what()));
+  }
+}
+
+} // namespace mdm
