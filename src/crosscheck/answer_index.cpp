@@ -3,6 +3,7 @@
 #include "crosscheck/journal_line.hpp"
 
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -129,14 +130,15 @@ std::vector<std::string> AnswerIndex::notes() const {
                                 strangers.size(),
                                 in_quotes(*std::min_element(strangers.begin(), strangers.end()))));
   if (several > 0)
-    notes.push_back(
-        fmt::format("{} ids have several answers{}; each is a row{}", several, by_ ? " of one setting" : "",
-                    by_ || labels().empty() ? "" : ": tell them apart with --by, by " + labels()));
+    notes.push_back(fmt::format(
+        "{} ids have several answers{}; each is a row{}", several, by_ ? " of one setting" : "",
+        by_ || labels().empty() ? "" : ": tell them apart with " + option("by") + ", by " + labels()));
   if (outdated > 0)
     notes.push_back(
         fmt::format("{} answers of the journal are to other gradations than the suite has under their ids "
-                    "now, such as {}, and are not judged: ask again, with --solver and --journal",
-                    outdated, in_quotes(*std::min_element(corrected.begin(), corrected.end()))));
+                    "now, such as {}, and are not judged: ask again, with {} and {}",
+                    outdated, in_quotes(*std::min_element(corrected.begin(), corrected.end())),
+                    option("solver"), option("journal")));
   return notes;
 }
 

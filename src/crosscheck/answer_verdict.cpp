@@ -6,7 +6,8 @@ namespace mdm {
 
 std::string_view name(AnswerVerdict verdict) {
   static constexpr std::array<std::string_view, answer_verdict_count> names = {
-      "minimal", "larger", "not-a-match", "undecided", "no-answer", "garbage", "crashed", "timeout"};
+      "minimal", "larger",  "not-a-match", "undecided",  "no-answer",
+      "garbage", "crashed", "timeout",     "infeasible", "gave-up"};
   return names.at(static_cast<std::size_t>(verdict));
 }
 

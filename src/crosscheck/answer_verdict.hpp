@@ -18,16 +18,19 @@ enum class AnswerVerdict {
   no_answer,   ///< nothing was answered
   garbage,     ///< the answer cannot be read
   crashed,     ///< the solver ended with a signal or an exit code other than 0
-  timeout      ///< the solver did not end in time
+  timeout,     ///< the solver did not end in time
+  infeasible,  ///< the answer is that there is no match, and there is one
+  gave_up      ///< the solver says that it found nothing
 };
 
 /// The number of verdicts.
-inline constexpr std::size_t answer_verdict_count = 8;
+inline constexpr std::size_t answer_verdict_count = 10;
 
 /// All of them, in the order of reports.
 inline constexpr std::array<AnswerVerdict, answer_verdict_count> answer_verdicts = {
-    AnswerVerdict::minimal,   AnswerVerdict::larger,  AnswerVerdict::not_a_match, AnswerVerdict::undecided,
-    AnswerVerdict::no_answer, AnswerVerdict::garbage, AnswerVerdict::crashed,     AnswerVerdict::timeout};
+    AnswerVerdict::minimal,    AnswerVerdict::larger,  AnswerVerdict::not_a_match, AnswerVerdict::undecided,
+    AnswerVerdict::no_answer,  AnswerVerdict::garbage, AnswerVerdict::crashed,     AnswerVerdict::timeout,
+    AnswerVerdict::infeasible, AnswerVerdict::gave_up};
 
 /// As reports write it, for example `not-a-match`.
 std::string_view name(AnswerVerdict verdict);

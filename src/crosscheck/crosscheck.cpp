@@ -42,6 +42,19 @@ Crosscheck::Crosscheck(Gradation g, Limits limits) : g_(std::move(g)) {
       with_mass_.push_back(j);
 }
 
+Crosscheck::Crosscheck(Gradation g, const Question &question, const Limits &limits)
+    : g_(asked_gradation(std::move(g), question)) {
+  Question rest = question; // what changes the gradation is made
+  rest.pan_size.reset();
+  rest.cut_below.reset();
+  rest.size_factor = 1;
+  SolveOptions options;
+  options.limits = limits;
+  options.limits.keep_proof = false;
+  CountsJudge judge(g_, question);
+  asked_ = std::make_shared<const Asked>(Asked{std::move(judge), solve(g_, rest, options)});
+}
+
 /// `class 2 (0.3, 0.6]`.
 std::string Crosscheck::in_words(std::size_t j) const {
   return fmt::format("class {} ({}, {}]", j + 1, shown(g_.lower(j)), shown(g_.upper(j)));
@@ -164,6 +177,8 @@ std::optional<Rational> Crosscheck::max_error(const OtherAnswer &answer) const {
 
 CrosscheckRow Crosscheck::judge(const OtherAnswer &answer, const Rational &size_tolerance) const {
   assert(size_tolerance >= 0 && size_tolerance < 1);
+  if (asked_)
+    return judge_asked(answer, size_tolerance);
   CrosscheckRow row;
   row.id = g_.id();
   const Integer known = total(least_.q);
@@ -191,6 +206,80 @@ CrosscheckRow Crosscheck::judge(const OtherAnswer &answer, const Rational &size_
     row.reason = "stopped at a limit: the smallest number is " + to_string(known) + " or more";
   }
   return row;
+}
+
+CrosscheckRow Crosscheck::judge_asked(const OtherAnswer &answer, const Rational &size_tolerance) const {
+  const Match &known = asked_->known;
+  CrosscheckRow row;
+  row.id = g_.id();
+  if (known.status == Status::optimal)
+    row.minimum = known.particles();
+  if (answer.failure) {
+    const bool is_none = answer.failure == AnswerVerdict::infeasible && known.status == Status::none;
+    row.verdict = is_none ? AnswerVerdict::minimal : *answer.failure;
+    row.reason = is_none ? "there is no match, as the answer says" : answer.reason;
+    return row;
+  }
+  row.particles = total(answer.quantities);
+  row.max_error = max_error(answer);
+  std::vector<Integer> q;
+  std::vector<std::optional<StatedSize>> sizes;
+  row.reason = spread_over_classes(answer, q, sizes);
+  CountsJudge::Finding finding;
+  if (row.reason.empty())
+    finding = asked_->judge.find(q, sizes, size_tolerance);
+  if (!finding.mismatch.empty())
+    row.reason = finding.mismatch;
+  if (finding.is_undecided)
+    row.verdict = AnswerVerdict::undecided;
+  else if (!row.reason.empty())
+    row.verdict = AnswerVerdict::not_a_match;
+  else
+    compare_with_known(row);
+  return row;
+}
+
+/// One entry a class of what the answer has for each class, or for each with mass.
+std::string Crosscheck::spread_over_classes(const OtherAnswer &answer, std::vector<Integer> &q,
+                                            std::vector<std::optional<StatedSize>> &sizes) const {
+  const std::size_t n = answer.quantities.size();
+  std::vector<std::size_t> with_mass;
+  for (std::size_t j = 0; j < g_.classes(); ++j)
+    if (g_.mass(j) != 0)
+      with_mass.push_back(j);
+  const bool is_all = n == g_.classes();
+  if (!is_all && n != with_mass.size())
+    return fmt::format("there are {} quantities: one for each of the {} classes is right", n, g_.classes());
+  if (!answer.sizes.empty() && answer.sizes.size() != n)
+    return fmt::format("there are {} sizes for {} quantities: write - for the size of a 0",
+                       answer.sizes.size(), n);
+  q.assign(g_.classes(), 0);
+  sizes.assign(g_.classes(), std::nullopt);
+  const std::vector<std::optional<StatedSize>> stated = in_unit_of(g_, answer);
+  for (std::size_t entry = 0; entry < n; ++entry) {
+    const std::size_t j = is_all ? entry : with_mass[entry];
+    q[j] = answer.quantities[entry];
+    if (!stated.empty())
+      sizes[j] = stated[entry];
+  }
+  return {};
+}
+
+/// The verdict on a match.
+void Crosscheck::compare_with_known(CrosscheckRow &row) const {
+  const Match &known = asked_->known;
+  if (*row.particles == known.lower_bound) {
+    row.verdict = AnswerVerdict::minimal;
+    row.minimum = known.lower_bound;
+    row.ratio = 1;
+  } else if (row.minimum) {
+    row.verdict = AnswerVerdict::larger;
+    row.ratio = ratio(*row.particles, *row.minimum);
+  } else {
+    row.verdict = known.sample && *row.particles > *known.particles() ? AnswerVerdict::larger
+                                                                      : AnswerVerdict::undecided;
+    row.reason = "stopped at a limit: the smallest number is " + to_string(known.lower_bound) + " or more";
+  }
 }
 
 } // namespace mdm

@@ -2,8 +2,13 @@
 /// \file
 /// Answers of other solvers, judged.
 
+#include "crosscheck/counts_judge.hpp"
 #include "crosscheck/other_answer.hpp"
 #include "match/least_match.hpp"
+
+#include <mdm/match/solve.hpp>
+
+#include <memory>
 
 namespace mdm {
 
@@ -21,13 +26,18 @@ struct CrosscheckRow {
   std::string reason; ///< why it is no match, or cannot be judged
 };
 
-/// A gradation of spheres with its least match, to judge answers by.
+/// A gradation with the least match for a question, to judge answers by.
 class Crosscheck {
 public:
+  /// Of exact matches of spheres.
   /// \param limits of the search for the least match
   /// \throws InputError if numbers get out of hand
   explicit Crosscheck(Gradation g, Limits limits = {});
+  /// Of any question.
+  /// \throws InputError likewise, or if the law is irrational at an opening
+  Crosscheck(Gradation g, const Question &question, const Limits &limits);
 
+  /// With the pan, the cut and the size factor of the question made.
   const Gradation &gradation() const { return g_; }
 
   /// Judges. A match is a vector of quantities for which one scale s gives every class its mass, and
@@ -39,6 +49,15 @@ public:
 
 private:
   struct Particles;
+  /// A question that is not the plain one, with what is known of its least match.
+  struct Asked {
+    CountsJudge judge;
+    Match known;
+  };
+  CrosscheckRow judge_asked(const OtherAnswer &answer, const Rational &size_tolerance) const;
+  std::string spread_over_classes(const OtherAnswer &answer, std::vector<Integer> &q,
+                                  std::vector<std::optional<StatedSize>> &sizes) const;
+  void compare_with_known(CrosscheckRow &row) const;
   std::string in_words(std::size_t j) const;
   std::string in_words(const Particles &particles, std::size_t i) const;
   std::string take(const OtherAnswer &answer, Particles &particles) const;
@@ -50,6 +69,7 @@ private:
   Gradation g_;
   std::vector<std::size_t> with_mass_; ///< classes with mass
   LeastMatch least_;
+  std::shared_ptr<const Asked> asked_; ///< null: the plain question
 };
 
 } // namespace mdm

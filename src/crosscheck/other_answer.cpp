@@ -110,8 +110,13 @@ void take_failure(const Json &object, OtherAnswer &answer) {
   const std::string error = text_or_empty(object, "error");
   const std::optional<AnswerVerdict> named = answer_verdict_named(status);
   answer.reason = text_or_empty(object, "reason");
-  if (named == AnswerVerdict::crashed || named == AnswerVerdict::timeout || named == AnswerVerdict::garbage) {
+  if (named == AnswerVerdict::crashed || named == AnswerVerdict::timeout || named == AnswerVerdict::garbage ||
+      named == AnswerVerdict::infeasible || named == AnswerVerdict::gave_up) {
     answer.failure = named;
+    return;
+  }
+  if (status == "gave up") {
+    answer.failure = AnswerVerdict::gave_up;
     return;
   }
   const bool says_so = object.contains("status") || object.contains("error") ||

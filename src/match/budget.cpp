@@ -1,3 +1,5 @@
+#include "match/widest_tolerance.hpp"
+
 #include <mdm/match/budget.hpp>
 
 #include <map>
@@ -5,13 +7,13 @@
 namespace mdm {
 namespace {
 
-/// Looks for the least tolerance among 0, grid, 2 grid, ... below 100, and 100, by halves.
+/// Looks for the least tolerance among 0, grid, 2 grid, ... below the widest, and the widest, by halves.
 class BudgetSearch {
 public:
   BudgetSearch(const Gradation &g, const Question &question, const Budget &budget,
                const SolveOptions &options)
       : g_(g), question_(question), budget_(budget), options_(options),
-        last_(ceil(Rational(100 / budget.grid))) {}
+        widest_(widest_tolerance(budget.kind)), last_(ceil(Rational(widest_ / budget.grid))) {}
 
   BudgetMatch run() {
     if (suffices(last_) != true)
@@ -34,7 +36,7 @@ public:
   }
 
 private:
-  Rational percent(const Integer &i) const { return i == last_ ? Rational(100) : Rational(i * budget_.grid); }
+  Rational percent(const Integer &i) const { return i == last_ ? widest_ : Rational(i * budget_.grid); }
 
   Match solved(const Integer &i, const SolveOptions &options) const {
     Question question = question_;
@@ -105,7 +107,8 @@ private:
   const Question &question_;
   const Budget &budget_;
   const SolveOptions &options_;
-  Integer last_; ///< number of the tolerance 100
+  Rational widest_;
+  Integer last_; ///< number of the widest tolerance
   std::map<Integer, std::optional<bool>> known_;
 };
 

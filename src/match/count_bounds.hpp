@@ -2,7 +2,7 @@
 /// \file
 /// Bounds on the counts of consecutive classes.
 
-#include <mdm/number/integer.hpp>
+#include "match/tolerant_problem.hpp"
 
 #include <map>
 #include <optional>
@@ -33,5 +33,13 @@ struct CountBounds {
   }
   CountBound &of(std::size_t i, std::size_t j) { return i == j ? classes[j] : sums[{i, j}]; }
 };
+
+/// Those of the question.
+inline CountBounds least_counts(const TolerantProblem &problem) {
+  CountBounds bounds;
+  for (std::size_t j = 0; j < problem.classes(); ++j)
+    bounds.classes.push_back({problem.least(j), std::nullopt});
+  return bounds;
+}
 
 } // namespace mdm

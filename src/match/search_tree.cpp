@@ -18,15 +18,19 @@ std::optional<SearchTree::Number> SearchTree::next() const {
   return std::prev(end)->second;
 }
 
-void SearchTree::apply_splits(Number node, CountBounds &bounds) const {
-  while (node != 0) {
+void SearchTree::apply_splits(Number node, CountBounds &bounds, MassWindow &window) const {
+  for (; node != 0; node = nodes_[node].parent) {
     const Node &parent = nodes_[nodes_[node].parent];
+    const bool is_first = node == parent.first;
+    if (parent.mass) {
+      window.narrow(*parent.mass, is_first);
+      continue;
+    }
     CountBound &bound = bounds.of(parent.i, parent.j);
-    if (node != parent.first)
+    if (!is_first)
       bound.least = std::max(bound.least, parent.v);
     else if (!bound.most || *bound.most >= parent.v)
       bound.most = parent.v - 1;
-    node = nodes_[node].parent;
   }
 }
 
@@ -53,19 +57,29 @@ void SearchTree::close_without_match(Number node, TreeNode leaf) {
     nodes_[node].leaf = std::make_shared<const TreeNode>(std::move(leaf));
 }
 
-SearchTree::Number SearchTree::split(Number node, std::size_t i, std::size_t j, const Integer &v) {
+SearchTree::Number SearchTree::add_children(Number node) {
   open_.erase({nodes_[node].bound, node});
   const Number first = nodes_.size();
   for (const Number child : {first, first + 1}) {
-    nodes_.push_back({node, nodes_[node].bound, nodes_[node].leaf, 0, 0, 0, 0, true});
+    nodes_.push_back({node, nodes_[node].bound, nodes_[node].leaf, 0, 0, 0, std::nullopt, 0, true});
     open_.insert({nodes_[node].bound, child});
   }
-  Node &of = nodes_[node];
-  of.leaf.reset();
-  of.i = i;
-  of.j = j;
-  of.v = v;
-  of.first = first;
+  nodes_[node].leaf.reset();
+  nodes_[node].first = first;
+  return first;
+}
+
+SearchTree::Number SearchTree::split(Number node, std::size_t i, std::size_t j, const Integer &v) {
+  const Number first = add_children(node);
+  nodes_[node].i = i;
+  nodes_[node].j = j;
+  nodes_[node].v = v;
+  return first;
+}
+
+SearchTree::Number SearchTree::split(Number node, const Rational &mass) {
+  const Number first = add_children(node);
+  nodes_[node].mass = mass;
   return first;
 }
 
@@ -84,7 +98,7 @@ Tree SearchTree::tree(const Integer &bound, std::size_t longest) const {
     const Node &node = nodes_[left.back()];
     left.pop_back();
     if (node.first != 0) {
-      tree.push_back({node.i, node.j, node.v, {}});
+      tree.push_back({node.i, node.j, node.v, {}, node.mass});
       left.push_back(node.first + 1);
       left.push_back(node.first);
     } else if (!node.leaf || (node.has_match && node.bound < bound)) {

@@ -2,7 +2,7 @@
 /// \file
 /// The nodes of a search, with what is certain of each.
 
-#include "match/count_bounds.hpp"
+#include "match/mass_window.hpp"
 
 #include <mdm/match/tree.hpp>
 
@@ -22,7 +22,7 @@ public:
   /// The open node with the least bound, the latest of several.
   std::optional<Number> next() const;
   /// Its splits, in any order, as bounds.
-  void apply_splits(Number node, CountBounds &bounds) const;
+  void apply_splits(Number node, CountBounds &bounds, MassWindow &window) const;
 
   const Integer &bound(Number node) const { return nodes_[node].bound; }
   /// If the bound is greater than what is known.
@@ -32,6 +32,8 @@ public:
   void close_without_match(Number node, TreeNode leaf);
   /// The first of two new nodes: with q_i + ... + q_j < v, then >= v.
   Number split(Number node, std::size_t i, std::size_t j, const Integer &v);
+  /// The same with M <= mass, then M > mass.
+  Number split(Number node, const Rational &mass);
 
   bool has_open() const { return !open_.empty(); }
   /// Least bound of all nodes that are not split and may hold a match; nothing if there are none.
@@ -47,9 +49,11 @@ private:
     std::shared_ptr<const TreeNode> leaf;
     std::size_t i = 0, j = 0;
     Integer v;
-    Number first = 0; ///< of the two children, 0 for none
+    std::optional<Rational> mass; ///< of a split of it
+    Number first = 0;             ///< of the two children, 0 for none
     bool has_match = true;
   };
+  Number add_children(Number node);
   std::vector<Node> nodes_;
   std::set<std::pair<Integer, Number>> open_;
   std::optional<Integer> closed_; ///< least bound of those closed

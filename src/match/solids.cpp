@@ -1,4 +1,5 @@
 #include "number/pi.hpp"
+#include "number/typed_number.hpp"
 
 #include <mdm/gradation/length.hpp>
 #include <mdm/match/solids.hpp>
@@ -21,7 +22,7 @@ std::vector<Rational> lengths(std::string_view text, SizeUnit unit) {
 } // namespace
 
 Solids parse_specimen(std::string_view shape, std::string_view void_ratio, SizeUnit unit) {
-  const Rational e = parse_decimal(void_ratio);
+  const Rational e = parse_typed_decimal(void_ratio);
   if (e < 0)
     throw InputError("the void ratio " + in_quotes(void_ratio) + " is negative");
   const std::size_t colon = shape.find(':');

@@ -8,6 +8,7 @@
 #include <mdm/match/solve.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <algorithm>
 
@@ -123,11 +124,12 @@ void check_no_irrational_size(const Gradation &g, const Problem &problem, const 
     const ProblemClass &c = problem.classes()[i];
     const Rational up_to = ratio(power(q[i], problem.scale_power()) * c.F, c.mass);
     if (up_to * problem.scale_unit() == scale && !g.opening(c.index + 1).fraction())
-      throw InputError("at the upper end of the scales the particles of class " +
-                       std::to_string(c.index + 1) +
-                       " have the size of the opening above, which is irrational: choose another --scale, or "
-                       "convert the file: " +
-                       std::string(convert_remedy));
+      throw InputError(
+          "at the upper end of the scales the particles of class " + std::to_string(c.index + 1) +
+          " have the size of the opening above, which is irrational: choose another " + option("scale") +
+          ", or "
+          "convert the file: " +
+          std::string(convert_remedy));
   }
 }
 
@@ -181,7 +183,7 @@ Match solve_exactly(Match match, const SolveOptions &options, const Limits &limi
   match.complete = found.least.complete || as_few_as_asked;
   if (!limits.max_steps && !match.complete && found.least.steps >= most_steps)
     match.notes.push_back("the search for the smallest match ended after " + std::to_string(most_steps) +
-                          " steps, as its classes are so narrow: --max-steps allows more");
+                          " steps, as its classes are so narrow: " + option("max-steps") + " allows more");
   match.sample = placed(match.gradation, problem, std::move(found.q), start, options);
   set_status(match, options.at_most);
   note_digits(match);
@@ -281,7 +283,7 @@ void note_narrow_specimen(Match &match) {
 
 Match solve(Gradation g, const Question &question, const SolveOptions &options) {
   if (question.solids && !question.law.is_sphere())
-    throw InputError("a specimen or volume of solids needs spheres: leave out --law " +
+    throw InputError("a specimen or volume of solids needs spheres: leave out " + option("law") + " " +
                      question.law.exponent());
   Match match(question, asked_gradation(std::move(g), question));
   match.digits = options.digits;

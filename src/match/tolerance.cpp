@@ -1,4 +1,6 @@
+#include "match/widest_tolerance.hpp"
 #include "number/common_denominator.hpp"
+#include "number/typed_number.hpp"
 
 #include <mdm/match/tolerance.hpp>
 #include <mdm/number/decimal.hpp>
@@ -95,7 +97,7 @@ void narrow_to_envelope(Tolerance &tolerance, const Gradation &g, const Envelope
 /// The number in a text; nothing if it is none.
 std::optional<Rational> decimal_in(std::string_view text) {
   try {
-    return parse_decimal(text);
+    return parse_typed_decimal(text);
   } catch (const InputError &) {
     return std::nullopt;
   }
@@ -123,8 +125,9 @@ AskedTolerance parse_tolerance(std::string_view text) {
     throw InputError(in_quotes(text) +
                      " is no tolerance: write retained:1%, passing:0.5%, total:1%, retained:file, "
                      "passing:file, laboratory or rounding");
-  if (*percent < 0 || *percent > 100)
-    throw InputError(in_quotes(text) + " is not between 0 and 100 percentage points");
+  const Rational widest = widest_tolerance(asked.kind);
+  if (*percent < 0 || *percent > widest)
+    throw InputError(in_quotes(text) + " is not between 0 and " + to_decimal(widest) + " percentage points");
   asked.percent = *percent;
   return asked;
 }

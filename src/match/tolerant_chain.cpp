@@ -20,11 +20,10 @@ TolerantChain::TolerantChain(const TolerantProblem &problem, const ShareClosure 
       V_(intervals_.size()), lo_(intervals_.size()), hi_(intervals_.size()),
       keeps_raises_(limits.keep_proof) {
   for (std::size_t i = 0; i < problem.classes(); ++i)
-    for (std::size_t j = i; j < problem.classes(); ++j)
-      if (intervals_.has(i, j)) {
-        lo_[intervals_.place(i, j)] = shares.lo(i, j);
-        hi_[intervals_.place(i, j)] = shares.hi(i, j);
-      }
+    for (std::size_t j = i; j <= intervals_.last(i); ++j) {
+      lo_[intervals_.place(i, j)] = shares.lo(i, j);
+      hi_[intervals_.place(i, j)] = shares.hi(i, j);
+    }
   start(mass);
   run();
 }
@@ -170,12 +169,12 @@ bool TolerantChain::raise_intervals_from(std::size_t i) {
       missing += (F - problem_.F(j)) * count(j, j);
     }
     const std::size_t place = intervals_.place(i, j);
-    for (std::size_t b = j; b-- > i;)
-      if (intervals_.has(b + 1, j))
-        if (Integer n = count(i, b) + count(b + 1, j); n > V_[place]) {
-          raise(i, j, std::move(n), Reason::sum, static_cast<std::uint32_t>(b));
-          raised = true;
-        }
+    const std::size_t first = intervals_.are_all() ? i : j - 1; // else no other interval ends at j
+    for (std::size_t b = j; b-- > first;)
+      if (Integer n = count(i, b) + count(b + 1, j); n > V_[place]) {
+        raise(i, j, std::move(n), Reason::sum, static_cast<std::uint32_t>(b));
+        raised = true;
+      }
     if (lo_[place] > 0)
       if (Integer n = count_at_level(place, F, missing); n > V_[place]) {
         raise_by_level(i, j, std::move(n));

@@ -17,6 +17,8 @@ public:
 
   std::size_t size() const { return all_ ? k_ * k_ : 2 * k_; }
   bool has(std::size_t i, std::size_t j) const { return all_ || i == 0 || i == j; }
+  /// The intervals that begin at class i end at the classes from i to this one.
+  std::size_t last(std::size_t i) const { return all_ || i == 0 ? k_ - 1 : i; }
   /// The place of an interval in a vector of size() elements.
   std::size_t place(std::size_t i, std::size_t j) const { return all_ ? i * k_ + j : (i == 0 ? j : k_ + j); }
   std::size_t classes() const { return k_; }

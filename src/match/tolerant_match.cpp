@@ -4,7 +4,7 @@
 #include "match/problem.hpp"
 #include "match/simplex.hpp"
 #include "match/tolerant_chain_proof.hpp"
-#include "match/tolerant_climb.hpp"
+#include "match/tolerant_first_match.hpp"
 #include "match/tolerant_search.hpp"
 
 #include <algorithm>
@@ -52,8 +52,10 @@ private:
   }
 
   void search_tree() {
-    TolerantSearch tree(problem_, shares_, root_bounds(), least_, has_chain() ? chain_.get() : nullptr,
-                        result_.best, limits_, watch_);
+    const std::optional<Rational> mass =
+        is_by_windows() ? std::optional<Rational>(least_mass()) : std::nullopt;
+    TolerantSearch tree(problem_, shares_, root_bounds(), least_,
+                        has_chain() && !mass ? chain_.get() : nullptr, result_.best, limits_, watch_, mass);
     tree_ = &tree;
     try {
       tree.run();
@@ -109,9 +111,11 @@ private:
       return;
     const std::optional<Integer> most =
         result_.best ? std::optional<Integer>(total(result_.best->q)) : std::nullopt;
-    std::optional<TolerantMatch> found = neighbouring_match(*chain_, watch_);
+    std::optional<TolerantMatch> found;
+    if (!is_by_windows())
+      found = neighbouring_match(*chain_, watch_);
     if (!found)
-      found = climbed_match(*chain_, most, watch_);
+      found = rounded_match(problem_, least_mass(), most, watch_);
     if (found && (!most || total(found->q) < *most))
       result_.best = std::move(found);
   }
@@ -170,18 +174,34 @@ private:
 
   /// The bounds of single classes that every match keeps.
   CountBounds root_bounds() const {
-    CountBounds bounds;
-    for (std::size_t j = 0; j < problem_.classes(); ++j)
-      bounds.classes.push_back({has_chain() ? chain_->count(j, j) : problem_.least(j), std::nullopt});
+    CountBounds bounds = least_counts(problem_);
+    for (std::size_t j = 0; j < problem_.classes() && has_chain() && !is_by_windows(); ++j)
+      bounds.classes[j].least = chain_->count(j, j);
     return bounds;
   }
 
   /// True if the chain's bounds are rows of the program: they can be proved, if that is asked for.
   bool has_chain() const { return chain_->keeps_raises() || !limits_.keep_proof; }
 
+  /// Searches by windows of the mass begin with the question alone: their proofs are shorter than with the
+  /// chain's bounds. Where what passes alone is bounded, the chain's bounds are nearly all that there is to
+  /// prove; exact programs are quickest where they are small, and with a total linear programs over counts
+  /// up to some 40 classes.
+  bool is_by_windows() const {
+    constexpr std::size_t small_total = 1 << 14;
+    const Tolerance &tolerance = problem_.tolerance();
+    return problem_.table_size() > (tolerance.total ? small_total : exact_table) &&
+           (tolerance.total || !tolerance.retained.empty());
+  }
+
+  /// About the least mass of a match.
+  Rational least_mass() const {
+    return chain_->level() > 0 ? chain_->level() : Rational(problem_.F(problem_.classes() - 1));
+  }
+
   /// The tree below the splits for the chain's bounds that its leaves use; empty if it is too long.
   Tree with_splits(Tree tree) const {
-    if (tree.empty() || !has_chain())
+    if (tree.empty() || !has_chain() || is_by_windows())
       return tree;
     std::vector<ClassInterval> used;
     for (const TreeNode &node : tree)

@@ -6,6 +6,7 @@
 #include "match/problem.hpp"
 #include "match/quick_masses.hpp"
 #include "match/tolerant_relaxation.hpp"
+#include "match/window_evidence.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,8 +50,6 @@ struct Sum {
   }
 };
 
-/// With no more numbers the exact linear program takes less time than doubles and the exact bounds of them.
-constexpr std::size_t exact_table = 1600;
 /// With no more numbers it may decide where doubles find nothing.
 constexpr std::size_t small_table = 4096;
 
@@ -129,9 +128,12 @@ struct TolerantSearch::Steered {
 
 TolerantSearch::TolerantSearch(const TolerantProblem &problem, const ShareClosure &shares, CountBounds bounds,
                                Integer least, const TolerantChain *chain, std::optional<TolerantMatch> &best,
-                               const Limits &limits, const Watch &watch)
+                               const Limits &limits, const Watch &watch, const std::optional<Rational> &mass)
     : problem_(problem), shares_(shares), root_(std::move(bounds)), chain_(chain), best_(best),
-      limits_(limits), watch_(watch), tree_(std::move(least), limits.keep_proof) {}
+      limits_(limits), watch_(watch), tree_(std::move(least), limits.keep_proof) {
+  if (mass)
+    branching_.emplace(problem, *mass);
+}
 
 TolerantSearch::~TolerantSearch() = default;
 
@@ -178,9 +180,74 @@ void TolerantSearch::run() {
     current_.reset();
     ++nodes_;
     bounds_ = root_;
-    tree_.apply_splits(node, bounds_);
-    step(node);
+    window_ = {};
+    tree_.apply_splits(node, bounds_, window_);
+    if (branching_)
+      step_by_windows(node);
+    else
+      step(node);
   }
+}
+
+/// A match is of interest only if it has fewer particles.
+double TolerantSearch::limit() const {
+  return best_ ? near(*most()) + 1 : std::numeric_limits<double>::infinity();
+}
+
+/// Bounds a node, which is split if its bound remains the least one.
+void TolerantSearch::step_by_windows(SearchTree::Number node) {
+  auto known = points_.find(node);
+  if (known == points_.end()) {
+    const WindowPoint found = branching_->minimise(window_, bounds_, limit(), 0);
+    if (bound_window(node, found))
+      return;
+    known = points_.emplace(node, found).first;
+    if (*tree_.next() != node)
+      return;
+  }
+  const WindowPoint point = std::move(known->second);
+  points_.erase(known);
+  if (point.exists())
+    if (std::optional<TolerantMatch> found =
+            branching_->match(window_, bounds_, limit(), point.prices.excess))
+      best_ = std::move(found);
+  if (!best_ && !find_first_match(node))
+    return;
+  if (tree_.bound(node) > *most())
+    return tree_.close(node);
+  const std::optional<WindowBranching::Split> split =
+      branching_->best_split(window_, bounds_, point, limit());
+  if (!split)
+    decide_exactly(node);
+  else if (split->mass)
+    tree_.split(node, *split->mass);
+  else
+    tree_.split(node, split->j, split->j, split->v);
+}
+
+/// Exactly. Closes the node if there is none.
+bool TolerantSearch::find_first_match(SearchTree::Number node) {
+  if (!exact_)
+    exact_ = std::make_unique<ExactNode>(problem_, watch_);
+  if (exact_->find(bounds_, std::nullopt))
+    return try_masses(exact_->masses());
+  tree_.close_without_match(node, exact_->leaf());
+  return false;
+}
+
+/// True if that closes the node.
+bool TolerantSearch::bound_window(SearchTree::Number node, const WindowPoint &point) {
+  const WindowPrices prices = point.exact_prices();
+  const WindowVerdict found = branching_->windows().verdict(window_, bounds_, prices);
+  if (found.is_refuted) {
+    tree_.close_without_match(node, branching_->windows().leaf(prices));
+    return true;
+  }
+  tree_.raise(node, found.particles, branching_->windows().leaf(prices));
+  if (!best_ || tree_.bound(node) <= *most())
+    return false;
+  tree_.close(node);
+  return true;
 }
 
 /// Closes a node, or splits it and goes on with the child that seems better.
@@ -333,7 +400,8 @@ void TolerantSearch::decide_exactly(SearchTree::Number node) {
 }
 
 Tree TolerantSearch::tree() const {
-  return tree_.tree(certain(), longest_tree);
+  const Tree tree = tree_.tree(certain(), longest_tree);
+  return branching_ ? shortened(branching_->windows(), tree, root_, certain()) : tree;
 }
 
 } // namespace mdm

@@ -5,12 +5,18 @@
 #include "match/search_tree.hpp"
 #include "match/tolerant_chain.hpp"
 #include "match/tolerant_match.hpp"
+#include "match/window_branching.hpp"
 
+#include <map>
 #include <memory>
 
 namespace mdm {
 
 class ExactNode;
+
+/// With no more numbers in its table the exact linear program takes less time than doubles and the exact
+/// bounds of them.
+inline constexpr std::size_t exact_table = 1600;
 
 /// Branch and bound. Linear programs in double precision choose the splits, on counts of consecutive classes,
 /// and the multipliers of bounds; exact arithmetic makes bounds of them, or decides a node where they do not
@@ -21,9 +27,11 @@ public:
   /// \param bounds  that every match keeps, by the problem or by the chain, and no match has fewer particles
   /// than `least`; of the chain further ones are taken, unless it is not given
   /// \param best  a match, or nothing; here and after the search
+  /// \param mass  where given, the search is by windows of the mass, and this is about the least mass of a match
   TolerantSearch(const TolerantProblem &problem, const ShareClosure &shares, CountBounds bounds,
                  Integer least, const TolerantChain *chain, std::optional<TolerantMatch> &best,
-                 const Limits &limits, const Watch &watch);
+                 const Limits &limits, const Watch &watch,
+                 const std::optional<Rational> &mass = std::nullopt);
   ~TolerantSearch();
 
   /// Until the best is the smallest, there is no match for certain, or a limit comes.
@@ -43,6 +51,10 @@ private:
   /// What doubles steer, made when it is needed. \pre there is a best
   Steered &steered();
   void step(SearchTree::Number node);
+  void step_by_windows(SearchTree::Number node);
+  bool bound_window(SearchTree::Number node, const WindowPoint &point);
+  bool find_first_match(SearchTree::Number node);
+  double limit() const;
   bool bound_node(SearchTree::Number node);
   void decide_exactly(SearchTree::Number node);
   bool add_cuts();
@@ -60,6 +72,9 @@ private:
   const Limits limits_;
   Watch watch_;
   SearchTree tree_;
+  MassWindow window_;
+  std::optional<WindowBranching> branching_;
+  std::map<SearchTree::Number, WindowPoint> points_; ///< of open nodes whose bounds are theirs
   std::unique_ptr<Steered> steered_;
   std::unique_ptr<ExactNode> exact_;
   std::optional<SearchTree::Number> current_; ///< where the walk goes on

@@ -1,7 +1,10 @@
+#include "proof/certificate_parts.hpp"
+
 #include <mdm/number/decimal.hpp>
 #include <mdm/proof/certificate.hpp>
 #include <mdm/proof/coq_file.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 
@@ -193,6 +196,13 @@ std::string classes(const std::string &range) {
                                    : range.substr(0, dash) + " " + range.substr(dash + 1);
 }
 
+std::string split(const Words &line) {
+  if (line[1] == "M")
+    return fmt::format("SplitMass {}", coq(number(line[2])));
+  return fmt::format("Split {} {}", classes(line[1]), coq_integer(line[2]));
+}
+
+/// A leaf, or one of a window of the mass.
 std::string leaf(const Words &line) {
   std::vector<std::string> multiples;
   for (std::size_t i = 1; i + 1 < line.size(); i += 2) {
@@ -200,20 +210,20 @@ std::string leaf(const Words &line) {
     multiples.push_back(fmt::format("Multiple {} \"{}\" {}", coq_integer(line[i]), condition.front(),
                                     classes(condition.size() == 1 ? "0" : condition.substr(1))));
   }
-  return "Leaf " + joined(multiples);
+  return (line.front() == "leaf" ? "Leaf " : "Window ") + joined(multiples);
 }
 
-std::string evidence(const Match &m, const Certificate &c) {
-  if (!m.tolerance) {
+std::string evidence(const Certificate &c) {
+  if (const std::optional<Words> scale = c.find("scale")) {
     const std::optional<Words> chain = c.find("chain");
-    return fmt::format("Exact {} ({}) ({})", coq(number(c.find("scale")->front())),
-                       optional_number(c, "above"), chain ? "Some " + joined(*chain) : "None");
+    return fmt::format("Exact {} ({}) ({})", coq(number(scale->front())), optional_number(c, "above"),
+                       chain ? "Some " + joined(*chain) : "None");
   }
   std::vector<std::string> nodes;
   for (const Words &line : c.lines())
     if (line.front() == "split")
-      nodes.push_back(fmt::format("Split {} {}", classes(line[1]), coq_integer(line[2])));
-    else if (line.front() == "leaf")
+      nodes.push_back(split(line));
+    else if (line.front() == "leaf" || line.front() == "window")
       nodes.push_back(leaf(line));
   return "Tolerant " + in_lines(nodes);
 }
@@ -285,16 +295,39 @@ std::string theorem(const MassLaw &law, const std::string &particles) {
                      law.a, law.b, claim("f", particles), lemma);
 }
 
+/// Refuses what Coq would take minutes or hours for: it raises openings, masses and sizes to the power e, and
+/// multiplies in quadratic time.
+void check_powers(const Match &m) {
+  const Gradation &g = m.gradation;
+  std::uint64_t bits = std::max({longest_opening(g), longest_part(g.masses()), longest_part(g.factors())});
+  if (m.sample)
+    for (const std::optional<Enclosure> &size : m.sample->sizes)
+      if (size)
+        bits = std::max<std::uint64_t>({bits, longest_part(size->lo), longest_part(size->hi)});
+  const std::uint64_t e = highest_power(m);
+  if (Rational(g.classes()) * Rational(e * bits) * Rational(e * bits) > Rational(max_coq_powers))
+    throw InputError(
+        fmt::format("the theorem needs powers of {} bits for each of {} classes, and Coq takes too "
+                    "long where classes times bits times bits are more than {}: use {} and "
+                    "mdm-check-verified, or leave out {}",
+                    e * bits, g.classes(), max_coq_powers, option("proof"), option("coq")));
+}
+
 } // namespace
+
+std::string coq_evidence(const std::string &certificate) {
+  return evidence(Certificate(certificate));
+}
 
 std::string coq_file(const Gradation &given, const Match &m, std::string_view file_name,
                      std::string_view command) {
   assert(m.complete);
+  check_powers(m);
   const std::string text = certificate(m);
   if (text.size() > max_coq_certificate)
     throw InputError(fmt::format("the certificate has {} bytes, and Coq takes too long for more than {}: use "
-                                 "--proof and mdm-check-verified, or leave out --coq",
-                                 text.size(), max_coq_certificate));
+                                 "{} and mdm-check-verified, or leave out {}",
+                                 text.size(), max_coq_certificate, option("proof"), option("coq")));
   const Certificate c(text);
   const bool is_none = !m.sample;
   const std::string N = is_none ? "none" : coq(*m.particles());
@@ -309,7 +342,7 @@ std::string coq_file(const Gradation &given, const Match &m, std::string_view fi
     file += fmt::format("(* Class, quantity, mass together (0: the gradation's), bounds of the size. *)\n"
                         "Definition classes_of_answer : list witness_line := {}.\n\n",
                         witness(c));
-  file += fmt::format("Definition evidence : proof := {}.\n\n", evidence(m, c));
+  file += fmt::format("Definition evidence : proof := {}.\n\n", evidence(c));
   file += fmt::format(
       "Lemma accepted :\n  judged {} (Certificate asked_question {} evidence) = (Ok tt, Ok sieves).\n"
       "Proof. vm_compute. reflexivity. Qed.\n\n",

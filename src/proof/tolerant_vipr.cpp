@@ -3,6 +3,9 @@
 #include "match/leaf_sum.hpp"
 #include "match/problem_of.hpp"
 
+#include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -150,7 +153,7 @@ private:
   /// Derives d <= 0 in the subtree of the next node, and returns the number of that.
   std::size_t subtree() {
     const TreeNode &node = tree_[node_++];
-    if (!node.leaf.empty())
+    if (!node.is_split())
       return leaf(node.leaf);
     return node.i == node.j ? split(node.j, node.v) : split_sum(node.i, node.j, node.v);
   }
@@ -330,6 +333,11 @@ private:
 
 std::string tolerant_vipr(const Match &m) {
   assert(m.complete && m.tolerance);
+  const Tree &tree = std::get<Tree>(m.evidence().value());
+  if (std::any_of(tree.begin(), tree.end(), [](const TreeNode &node) { return node.mass || node.is_window; }))
+    throw InputError(option("vipr") +
+                     ": the proof is by windows of the total mass, which the format cannot state: use " +
+                     option("proof") + " and mdm-check, or leave it out");
   return TreeVipr(m).text();
 }
 

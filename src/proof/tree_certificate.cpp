@@ -85,6 +85,10 @@ char letter(TolerantCondition condition) {
     return 'S';
   case TolerantCondition::above_lowers:
     return 'd';
+  case TolerantCondition::whole_lo:
+    return 't';
+  case TolerantCondition::whole_hi:
+    return 'T';
   default:
     return 'N';
   }
@@ -103,7 +107,7 @@ std::string classes_text(std::size_t i, std::size_t j) {
 /// The condition with its classes, if it has some.
 std::string name_of(const Multiple &multiple) {
   const char name = letter(multiple.condition);
-  if (std::string_view("EmwnN").find(name) != std::string_view::npos)
+  if (std::string_view("EmwnNtT").find(name) != std::string_view::npos)
     return {name};
   const bool of_sum = std::string_view("sSd").find(name) != std::string_view::npos;
   return name + classes_text(of_sum ? multiple.i : multiple.j, multiple.j);
@@ -112,7 +116,13 @@ std::string name_of(const Multiple &multiple) {
 /// True if the tree needs version 2 of the format.
 bool has_sums(const Tree &tree) {
   return std::any_of(tree.begin(), tree.end(),
-                     [](const TreeNode &node) { return node.leaf.empty() && node.i < node.j; });
+                     [](const TreeNode &node) { return node.is_split() && node.i < node.j; });
+}
+
+/// True if the tree needs version 3 of the format.
+bool has_windows(const Tree &tree) {
+  return std::any_of(tree.begin(), tree.end(),
+                     [](const TreeNode &node) { return node.mass || node.is_window; });
 }
 
 /// Writes witness and tree, and sums up what the checker's work depends on.
@@ -123,9 +133,7 @@ public:
 
   std::string text() {
     const std::string claim = claimed();
-    const bool is_newer =
-        claim.find("..") != std::string::npos || (m_.evidence() && has_sums(std::get<Tree>(*m_.evidence())));
-    std::string text = is_newer ? "mdm-certificate 2\n" : "mdm-certificate 1\n";
+    std::string text = fmt::format("mdm-certificate {}\n", version(claim));
     text += question_lines(m_);
     write_tolerance(text);
     text += "particles " + claim + "\n";
@@ -141,6 +149,12 @@ public:
   }
 
 private:
+  /// The first version of the format that has all that is written.
+  int version(const std::string &claim) const {
+    const Tree none, &tree = m_.evidence() ? std::get<Tree>(*m_.evidence()) : none;
+    return has_windows(tree) ? 3 : has_sums(tree) || claim.find("..") != std::string::npos ? 2 : 1;
+  }
+
   /// `N`, `none`, or what is certain of a search that a limit ended: `B..N`, `B..`.
   std::string claimed() const {
     const std::optional<Integer> n = m_.particles();
@@ -214,7 +228,11 @@ private:
   /// In the problem's units a mass is a multiple of what it is in the format's: so is a condition on masses.
   void write(const TreeNode &node, std::string &text) {
     ++size_;
-    if (node.leaf.empty()) {
+    if (node.mass)
+      return write_mass_split(*node.mass, text);
+    if (node.is_window)
+      return write_window(node.leaf, text);
+    if (node.is_split()) {
       fmt::format_to(Text(text), "split {} {}\n", classes_text(node.i, node.j), to_string(node.v));
       see(node.v);
       return;
@@ -236,6 +254,25 @@ private:
     }
     text += "\n";
     size_ += node.leaf.size();
+  }
+
+  void write_mass_split(const Rational &mass, std::string &text) {
+    const Rational v = mass / problem_.unit();
+    fmt::format_to(Text(text), "split M {}\n", to_string(v));
+    count_ = std::max(count_, longest_part(v));
+  }
+
+  /// Its conditions are on shares and counts, which have no unit. Its work is that of a pass over the
+  /// classes.
+  void write_window(const std::vector<Multiple> &leaf, std::string &text) {
+    text += "window";
+    for (const Multiple &multiple : leaf) {
+      fmt::format_to(Text(text), " {} {}", to_string(multiple.multiplier), name_of(multiple));
+      see(multiple.multiplier);
+    }
+    text += "\n";
+    size_ += leaf.size();
+    window_work_ += 64 * problem_.classes();
   }
 
   void see(const Integer &n) { count_ = std::max<std::size_t>(count_, bit_length(n)); }
@@ -268,13 +305,13 @@ private:
     const std::uint64_t all = 2 * e * (in_gradation + count_) + 2 * masses + share_bits() + witness_unit_;
     return e * in_gradation <= max_power_bits && e * count_ <= max_power_bits &&
            share_bits() <= max_power_bits && witness_unit_ <= max_power_bits && size_ <= longest_tree &&
-           (64 * (g.powers().size() + bands_) + size_) * all <= max_work;
+           (64 * (g.powers().size() + bands_) + size_ + window_work_) * all <= max_work;
   }
 
   const Match &m_;
   const TolerantProblem problem_;
   Integer unit_; ///< a mass of 1 in the problem's units
-  std::size_t count_ = 1, witness_unit_ = 1, size_ = 0, bands_ = 0;
+  std::size_t count_ = 1, witness_unit_ = 1, size_ = 0, window_work_ = 0, bands_ = 0;
 };
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include <mdm/proof/vipr.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 
@@ -16,7 +17,7 @@ namespace mdm {
 namespace {
 
 [[noreturn]] void refuse_length() {
-  throw InputError("--vipr: the proof has too many steps for an export: leave it out");
+  throw InputError(option("vipr") + ": the proof has too many steps for an export: leave it out");
 }
 
 /// A class in integers, to the power 1: q f < s mass <= q F.
@@ -28,7 +29,7 @@ struct LinearClass {
 Rational root_of(const Integer &n, const Integer &unit, const Problem &problem) {
   if (const std::optional<Rational> root = exact_root(ratio(n, unit), problem.scale_power()))
     return *root;
-  throw InputError("--vipr: the mass law x^(" + problem.law().exponent() +
+  throw InputError(option("vipr") + ": the mass law x^(" + problem.law().exponent() +
                    ") is irrational at a sieve, VIPR has rational numbers only" +
                    (problem.root() > 1 ? ": " + std::string(convert_remedy) : ""));
 }
@@ -238,7 +239,8 @@ std::string vipr(const Match &m) {
   const std::vector<Rational> &masses = m.gradation.masses();
   if (static_cast<std::size_t>(std::count_if(masses.begin(), masses.end(), has_mass)) > most_vipr_classes)
     throw InputError(
-        "--vipr: more than 200 classes have mass, the export has a constraint for each pair: leave it out");
+        option("vipr") +
+        ": more than 200 classes have mass, the export has a constraint for each pair: leave it out");
   if (m.tolerance && !m.evidence())
     refuse_length();
   return m.tolerance ? tolerant_vipr(m) : ChainWriter(m).text();

@@ -11,7 +11,7 @@ namespace mdm {
 struct Budget {
   Integer particles;                                          ///< >= 1
   AskedTolerance::Kind kind = AskedTolerance::Kind::retained; ///< retained, passing or total
-  Rational grid = ratio(1, 1000); ///< percentage points > 0: tolerances are multiples of it, and 100
+  Rational grid = ratio(1, 1000); ///< percentage points > 0: tolerances are multiples of it, and the widest
 };
 
 /// The answer to a budget.

@@ -31,7 +31,7 @@ struct AskedTolerance {
 
 /// Reads `retained:1%`, `passing:0.5%`, `total:1%`, `retained:file`, `passing:file`, `laboratory` or
 /// `rounding`. The sign may be left out, and `retained:` too: `1`, `file`.
-/// \throws InputError for anything else, and for percentages not in [0, 100]
+/// \throws InputError for anything else, and for less than 0% or more than 100%, of total 200%
 AskedTolerance parse_tolerance(std::string_view text);
 
 /// `retained:1%` and so on.

@@ -2,8 +2,9 @@
 /// \file
 /// The evidence that no smaller set matches within a tolerance.
 
-#include <mdm/number/integer.hpp>
+#include <mdm/number/rational.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace mdm {
@@ -29,8 +30,10 @@ enum class TolerantCondition {
   fewer,        ///< q_1 + ... + q_k <= N - 1, what is to be refuted
   least_sum,    ///< q_i + ... + q_j >= what a branch demands, else 0
   most_sum,     ///< q_i + ... + q_j <= what a branch allows
-  above_lowers  ///< the sum of t_b - f_b q_b over the classes i to j >= 0, strict where a branch demands q_i
+  above_lowers, ///< the sum of t_b - f_b q_b over the classes i to j >= 0, strict where a branch demands q_i
                 ///< + ... + q_j >= 1
+  whole_lo,     ///< of windows: t_1 + ... + t_k >= M
+  whole_hi      ///< of windows: t_1 + ... + t_k <= M
 };
 
 /// A multiple of a condition in a refutation.
@@ -41,12 +44,18 @@ struct Multiple {
   std::size_t i = 0;  ///< of a sum, the first class
 };
 
-/// A node of a search tree: a split of the count q = q_i + ... + q_j, first into q < v and then q >= v; or a
-/// leaf, where the multiples of conditions add up to a contradiction.
+/// A node of a search tree: a split of the count q = q_i + ... + q_j, first into q < v and then q >= v; a
+/// split of the mass, first into M <= mass and then M > mass; a leaf, where the multiples of conditions add
+/// up to a contradiction; or a leaf of the window of M that these splits leave, where the multiples are of
+/// conditions on the shares t_j / M (proofs/README.md, Theorem 20).
 struct TreeNode {
   std::size_t i = 0, j = 0; ///< i = j: a single class
   Integer v;
-  std::vector<Multiple> leaf; ///< empty: a split
+  std::vector<Multiple> leaf;
+  std::optional<Rational> mass = std::nullopt; ///< in the problem's units
+  bool is_window = false;
+
+  bool is_split() const { return leaf.empty() && !is_window; }
 };
 
 /// Refutes fewer particles than the match has, or any number where there is none. Nodes are in preorder: a

@@ -1,0 +1,134 @@
+#include "match/window_branching.hpp"
+
+#include "match/near.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mdm {
+namespace {
+
+/// Windows that are narrower are not split by doubles.
+constexpr double least_relative_width = 1 + 1e-11;
+/// In wider windows the mass alone is split where shares of single classes alone are bounded: there this has
+/// always been better.
+constexpr double narrow_relative_width = 1 + 1e-6;
+
+double relative_width(const MassWindow &window) {
+  return window.above > 0 && window.up_to ? near(*window.up_to) / near(window.above)
+                                          : std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+WindowBranching::WindowBranching(const TolerantProblem &problem, Rational mass)
+    : problem_(problem), windows_(problem), relaxation_(problem, windows_),
+      rounding_(problem, windows_, relaxation_), mass_(std::move(mass)) {}
+
+std::optional<TolerantMatch> WindowBranching::match(const MassWindow &window, const CountBounds &bounds,
+                                                    double limit, double excess_price) const {
+  std::vector<double> masses;
+  if (window.above > 0 && window.up_to)
+    masses.push_back(std::sqrt(near(window.above) * near(*window.up_to)));
+  if (window.up_to)
+    masses.push_back(near(*window.up_to));
+  if (window.above > 0)
+    masses.push_back(near(window.above) * (1 + 1e-12));
+  std::optional<TolerantMatch> best;
+  for (const double mass : masses)
+    if (std::optional<TolerantMatch> found = rounding_.match(mass, bounds, limit, excess_price)) {
+      limit = 0;
+      for (const Integer &q : found->q)
+        limit += near(q);
+      best = std::move(found);
+    }
+  return best;
+}
+
+/// A short fraction near the middle of the window, in units of the gradation's masses.
+std::optional<Rational> WindowBranching::middle(const MassWindow &window) const {
+  const Rational &unit = problem_.unit();
+  Rational lo = window.above, hi = window.up_to.value_or(Rational(0));
+  if (lo == 0 && !window.up_to) {
+    lo = mass_ * ratio(7, 8);
+    hi = mass_;
+  } else if (!window.up_to) {
+    hi = lo * 4;
+    lo = lo * 2;
+  } else if (lo == 0) {
+    lo = hi / 8;
+    hi = hi / 4;
+  } else if (relative_width(window) < least_relative_width) {
+    return std::nullopt;
+  } else if (relative_width(window) > 4) {
+    const Rational of_lo(std::sqrt(relative_width(window)));
+    hi = lo * of_lo * ratio(5, 4);
+    lo = lo * of_lo * ratio(4, 5);
+  } else {
+    const Rational part = (hi - lo) / 8;
+    lo += 3 * part;
+    hi -= 4 * part;
+  }
+  return unit * simplest_between(Rational(lo / unit), Rational(hi / unit));
+}
+
+/// Of the coarsest classes whose counts are no whole numbers.
+std::vector<WindowBranching::Split> WindowBranching::count_splits(const CountBounds &bounds,
+                                                                  const WindowPoint &point) const {
+  constexpr std::size_t most_splits = 4;
+  constexpr double noise = 1e-7, most_count = 1e6;
+  std::vector<Split> splits;
+  for (std::size_t j = point.counts.size(); j-- > 0 && splits.size() < most_splits;) {
+    const double whole = std::floor(point.counts[j] + noise);
+    if (point.counts[j] - whole < noise || whole > most_count || !bounds.is_inside(j, j, Integer(whole + 1)))
+      continue;
+    splits.push_back({std::nullopt, j, Integer(whole + 1)});
+  }
+  return splits;
+}
+
+/// By how much both branches are above the node.
+double WindowBranching::merit(const Split &split, const MassWindow &window, const CountBounds &bounds,
+                              const WindowPoint &point, double limit) const {
+  const double least = 1e-9 * point.particles, most = 2 * limit;
+  double product = 1;
+  for (const bool is_first : {true, false}) {
+    MassWindow half = window;
+    CountBounds counts = bounds;
+    if (split.mass)
+      half.narrow(*split.mass, is_first);
+    else if (is_first)
+      counts.classes[split.j].most = split.v - 1;
+    else
+      counts.classes[split.j].least = split.v;
+    const double found = minimise(half, counts, most, point.prices.excess).particles;
+    product *= std::max(std::min(found, most) - point.particles, least);
+  }
+  return product;
+}
+
+std::optional<WindowBranching::Split> WindowBranching::best_split(const MassWindow &window,
+                                                                  const CountBounds &bounds,
+                                                                  const WindowPoint &point,
+                                                                  double limit) const {
+  const std::optional<Rational> mass = middle(window);
+  const bool has_sums = problem_.tolerance().total || !problem_.tolerance().passing.empty();
+  const double wide = has_sums ? std::numeric_limits<double>::max() : narrow_relative_width;
+  if (mass && (!point.exists() || relative_width(window) > wide))
+    return Split{mass, 0, 0};
+  std::vector<Split> splits = count_splits(bounds, point);
+  if (mass)
+    splits.insert(splits.begin(), {mass, 0, 0});
+  if (splits.size() == 1)
+    return splits.front();
+  std::optional<Split> best;
+  double most = 0;
+  for (Split &split : splits)
+    if (const double gain = merit(split, window, bounds, point, limit); !best || gain > most) {
+      most = gain;
+      best = std::move(split);
+    }
+  return best;
+}
+
+} // namespace mdm
