@@ -1,0 +1,103 @@
+#pragma once
+/// \file
+/// The question which mix of stockpiles meets a specification.
+
+#include <mdm/gradation/envelope.hpp>
+#include <mdm/gradation/gradation.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mdm {
+
+/// A sieve at which a blend is judged. Percents are of the mass that passes.
+struct BlendSieve {
+  Rational size;                  ///< mm
+  Rational least = 0, most = 100; ///< limits, closed; 0 and 100 are none
+  std::optional<Rational> target; ///< percent
+};
+
+/// A material that a blend may have a share of.
+struct Stockpile {
+  std::string name;
+  std::vector<Rational> passing; ///< percent, at each sieve of the problem
+  Rational least = 0, most = 1;  ///< limits on its share of the mass, closed, from 0 to 1
+  Rational cost = 0;             ///< of a unit of mass, >= 0
+};
+
+/// What a blend has least of. Deviations are those of what passes from the target, in percentage points.
+enum class BlendAim {
+  none,
+  cost,          ///< of a unit of mass
+  deviation,     ///< the sum over all sieves
+  max_deviation, ///< the largest
+  widening       ///< the points by which limits of sieves must be widened, all by the same
+};
+
+/// `none`, `cost`, `deviation`, `max-deviation` or `widening`.
+std::string_view name(BlendAim aim);
+
+/// Shares n_i / steps >= 0 with whole n_i and the sum 1, such that at each sieve the shares of what passes
+/// sum to something within the limits.
+struct BlendProblem {
+  std::vector<Stockpile> stockpiles; ///< at least one
+  std::vector<BlendSieve> sieves;    ///< ascending by size
+  std::uint64_t steps = 100;         ///< from 1 to most_blend_steps
+  BlendAim aim = BlendAim::none;
+  std::optional<std::size_t> at_most; ///< stockpiles that have a share
+  std::vector<std::size_t> widened;   ///< sieves whose limits are widened, of that aim
+  std::vector<std::string> notes;     ///< what the readers assumed, and what was interpolated or left out
+};
+
+/// The most steps that the whole may have.
+inline constexpr std::uint64_t most_blend_steps = 1'000'000'000;
+
+/// A condition on a blend.
+struct BlendLimit {
+  enum class Kind {
+    passing, ///< what passes the sieve `index`
+    target,  ///< the same, of the deviation from its target
+    share,   ///< the share of the stockpile `index`
+    sum      ///< all shares sum to 1
+  };
+  Kind kind;
+  std::size_t index;
+  bool is_upper;
+
+  bool operator==(const BlendLimit &) const = default;
+};
+
+/// The side of the condition that is no variable: percent, or a share.
+Rational value_of(const BlendLimit &limit, const BlendProblem &problem);
+
+/// `at most 90 % passing 12.5 mm`, `at least 10 % of A`, `shares that sum to 100 %`.
+std::string in_words(const BlendLimit &limit, const BlendProblem &problem);
+
+/// What passes a size.
+struct PassingAt {
+  Rational percent;
+  bool interpolated = false; ///< between two sieves, linear in size
+};
+
+/// Percent of the mass of g that passes `size` >= 0 (mm): exact at its sieves, beyond its coarsest and below
+/// a finest that all stays on; between two sieves linear in size, which keeps fractions exact. Nothing where
+/// it falls into a pan that holds mass.
+/// \throws InputError if openings of g are irrational
+std::optional<PassingAt> passing_at(const Gradation &g, const Rational &size);
+
+/// The problem of gradations and the limits of a specification: all sieves of it that limit something, and
+/// the others where all gradations tell what passes. Names are the gradations' ids.
+/// \throws InputError where two have the same name, or a gradation or the target does not tell what passes a
+/// sieve that is needed
+BlendProblem blend_problem(const std::vector<Gradation> &stockpiles, const Envelope &specification,
+                           const std::optional<Gradation> &target = std::nullopt);
+
+/// The sieves of which at least one limit is to be kept.
+std::vector<std::size_t> limited_sieves(const BlendProblem &problem);
+
+/// All limits of sieves from the coarsest on, then those of shares; without those that hold of themselves.
+std::vector<BlendLimit> limits_of(const BlendProblem &problem);
+
+} // namespace mdm

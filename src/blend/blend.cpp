@@ -1,0 +1,202 @@
+#include "blend/contradiction.hpp"
+#include "blend/relaxation.hpp"
+#include "blend/search.hpp"
+
+#include <mdm/blend/blend.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace mdm {
+namespace {
+
+bool aims_at_target(BlendAim aim) {
+  return aim == BlendAim::deviation || aim == BlendAim::max_deviation;
+}
+
+void check_stockpile(const Stockpile &s, const BlendProblem &p) {
+  if (s.passing.size() != p.sieves.size())
+    throw InputError(printable(s.name) + ": it does not say what passes each sieve");
+  if (s.least < 0 || s.most > 1 || s.least > s.most)
+    throw InputError(printable(s.name) + ": the limits of its share are not in order between 0 and 100 %");
+  if (s.cost < 0)
+    throw InputError(printable(s.name) + ": its cost is negative: give one from 0 on");
+}
+
+void check_problem(const BlendProblem &p, const BlendOptions &o) {
+  if (p.stockpiles.empty())
+    throw InputError("there is no stockpile to blend: give one or more");
+  for (const Stockpile &s : p.stockpiles)
+    check_stockpile(s, p);
+  if (p.steps < 1 || p.steps > most_blend_steps)
+    throw InputError(
+        fmt::format("a whole of {} steps is none: give from 1 to {}", p.steps, most_blend_steps));
+  if (p.at_most && *p.at_most == 0)
+    throw InputError("a blend of no stockpiles is none: allow one or more");
+  if (aims_at_target(p.aim))
+    for (const BlendSieve &sieve : p.sieves)
+      if (!sieve.target)
+        throw InputError("a deviation needs a target at each sieve: give one");
+  if (o.best == 0)
+    throw InputError("no blend is asked for: ask for one or more");
+  for (const std::size_t s : p.widened)
+    if (s >= p.sieves.size())
+      throw InputError("there is no such sieve whose limits could be widened");
+  if (o.relaxed && *o.relaxed >= p.sieves.size())
+    throw InputError("there is no such sieve whose limits could be widened");
+}
+
+/// The percents by which a blend is beyond the limits of a sieve; 0 within them.
+Rational excess_at(const BlendSieve &sieve, const Rational &passing) {
+  return std::max({Rational(0), Rational(sieve.least - passing), Rational(passing - sieve.most)});
+}
+
+Rational value_of_aim(const BlendProblem &p, const Blend &blend) {
+  Rational value = 0;
+  if (p.aim == BlendAim::cost)
+    for (std::size_t i = 0; i < p.stockpiles.size(); ++i)
+      value += blend.shares[i] * p.stockpiles[i].cost;
+  if (aims_at_target(p.aim))
+    for (std::size_t s = 0; s < p.sieves.size(); ++s) {
+      const Rational deviation = abs(blend.passing[s] - p.sieves[s].target.value());
+      value = p.aim == BlendAim::deviation ? Rational(value + deviation) : std::max(value, deviation);
+    }
+  if (p.aim == BlendAim::widening)
+    for (const std::size_t s : p.widened)
+      value = std::max(value, excess_at(p.sieves[s], blend.passing[s]));
+  return value;
+}
+
+std::vector<Rational> shares_of(const BlendSearch::Counts &counts, const BlendProblem &p) {
+  std::vector<Rational> shares;
+  for (const std::uint64_t n : counts)
+    shares.push_back(ratio(n, p.steps));
+  return shares;
+}
+
+/// Shares in steps: each is rounded down, and the steps that are missing go to those that lost most, the
+/// first ones of several.
+std::vector<Rational> rounded_shares(const std::vector<Rational> &shares, const BlendProblem &p) {
+  BlendSearch::Counts counts;
+  std::vector<Rational> lost;
+  std::uint64_t missing = p.steps;
+  for (const Rational &share : shares) {
+    const Rational count = share * p.steps;
+    counts.push_back(floor(count).convert_to<std::uint64_t>());
+    lost.push_back(count - Rational(floor(count)));
+    missing -= counts.back();
+  }
+  std::vector<std::size_t> order(counts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&lost](std::size_t a, std::size_t b) { return lost[a] > lost[b]; });
+  for (std::size_t i = 0; i < missing; ++i)
+    ++counts[order[i]];
+  return shares_of(counts, p);
+}
+
+/// The real optimum, its prices, and what rounding makes of it. False if no real shares will do.
+bool solve_real(const BlendProblem &p, const Watch &watch, BlendAnswer &a) {
+  BlendRelaxation relaxation(p, watch);
+  if (!relaxation.least_value())
+    return false;
+  a.real = blend_of(p, relaxation.first_shares());
+  a.rounded = blend_of(p, rounded_shares(a.real->shares, p));
+  a.bound = a.real->value;
+  if (p.aim == BlendAim::none)
+    return true;
+  relaxation.demand_less(a.real->value);
+  relaxation.is_feasible();
+  a.prices = relaxation.multiples();
+  return true;
+}
+
+void solve_in_steps(const BlendProblem &p, const BlendOptions &o, const Watch &watch, BlendAnswer &a) {
+  BlendSearch search(p, watch, o.node_limit);
+  while (a.best.size() < o.best) {
+    const std::optional<BlendSearch::Counts> counts = search.next();
+    if (a.best.empty()) {
+      a.tree = search.tree();
+      a.splits = search.splits();
+    }
+    if (!counts)
+      break;
+    a.best.push_back(blend_of(p, shares_of(*counts, p)));
+  }
+  using Status = BlendAnswer::Status;
+  if (!a.best.empty()) {
+    a.status = Status::optimal;
+    a.bound = a.best.front().value;
+    a.is_all = a.best.size() < o.best && !search.is_limited();
+    return;
+  }
+  a.status = search.is_limited() ? Status::unknown : Status::none;
+  a.bound = search.least_value().value_or(a.bound);
+  if (const std::optional<BlendSearch::Counts> seen = search.seen()) {
+    a.status = Status::feasible;
+    a.best.push_back(blend_of(p, shares_of(*seen, p)));
+  }
+}
+
+void solve_widened(const BlendProblem &p, const BlendOptions &o, const Watch &watch, BlendAnswer &a) {
+  BlendProblem wider = p;
+  wider.aim = BlendAim::widening;
+  wider.widened = o.relaxed ? std::vector<std::size_t>{*o.relaxed} : limited_sieves(p);
+  BlendAnswer of_wider;
+  if (!solve_real(wider, watch, of_wider))
+    return;
+  a.widened_real = of_wider.real;
+  BlendOptions one = o;
+  one.best = 1;
+  solve_in_steps(wider, one, watch, of_wider);
+  if (of_wider.status == BlendAnswer::Status::optimal)
+    a.widened = of_wider.best.front();
+}
+
+} // namespace
+
+Blend blend_of(const BlendProblem &problem, const std::vector<Rational> &shares) {
+  Blend blend{shares, std::vector<Rational>(problem.sieves.size()), 0};
+  for (std::size_t s = 0; s < problem.sieves.size(); ++s)
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      blend.passing[s] += shares[i] * problem.stockpiles[i].passing[s];
+  blend.value = value_of_aim(problem, blend);
+  return blend;
+}
+
+std::vector<BlendLimit> broken_limits(const BlendProblem &problem, const Blend &blend) {
+  std::vector<BlendLimit> broken;
+  for (const BlendLimit &limit : limits_of(problem)) {
+    const Rational &found =
+        limit.kind == BlendLimit::Kind::passing ? blend.passing[limit.index] : blend.shares[limit.index];
+    const Rational bound = value_of(limit, problem);
+    if (limit.is_upper ? found > bound : found < bound)
+      broken.push_back(limit);
+  }
+  return broken;
+}
+
+BlendAnswer solve_blend(const BlendProblem &problem, const BlendOptions &options) {
+  check_problem(problem, options);
+  const Watch watch(options.deadline);
+  BlendAnswer answer;
+  try {
+    const bool has_real = solve_real(problem, watch, answer);
+    if (has_real) {
+      solve_in_steps(problem, options, watch, answer);
+    } else {
+      answer.status = BlendAnswer::Status::none;
+      answer.tree.resize(1);
+      answer.contradiction = contradiction_of(problem, watch);
+    }
+    if (answer.status == BlendAnswer::Status::none)
+      solve_widened(problem, options, watch, answer);
+  } catch (const Simplex::Interrupted &) { // what is known is in the answer
+  }
+  return answer;
+}
+
+} // namespace mdm

@@ -1,0 +1,203 @@
+#include "gradation/shown.hpp"
+
+#include <mdm/blend/blend_problem.hpp>
+#include <mdm/soil/grading_curve.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+
+namespace mdm {
+namespace {
+
+std::string blend_size_text(const Rational &size) {
+  return shown(size) + " mm";
+}
+
+[[noreturn]] void refuse_unknown_passing(const Gradation &g, const Rational &size) {
+  throw InputError(
+      fmt::format("{}: what passes {} is not known, since it lies below its finest sieve: add that "
+                  "sieve to the file, or leave it out of the specification",
+                  printable(g.id()), blend_size_text(size)));
+}
+
+/// The sizes at which a gradation is interpolated, for one note.
+class Interpolations {
+public:
+  explicit Interpolations(const Gradation &g) : g_(g) {}
+
+  Rational passing(const Rational &size, const PassingAt &at) {
+    if (at.interpolated)
+      sizes_ += (sizes_.empty() ? "" : ", ") + shown(size);
+    return at.percent;
+  }
+  void add_note(std::vector<std::string> &notes) const {
+    if (!sizes_.empty())
+      notes.push_back(fmt::format("{}: what passes {} mm is interpolated between its sieves, linear in size",
+                                  printable(g_.id()), sizes_));
+  }
+
+private:
+  const Gradation &g_;
+  std::string sizes_;
+};
+
+void add_notes_of(const Gradation &g, std::vector<std::string> &notes) {
+  for (const std::string &note : g.notes())
+    notes.push_back(printable(g.id()) + ": " + note);
+}
+
+bool limits_something(const BlendSieve &sieve) {
+  return sieve.least > 0 || sieve.most < 100;
+}
+
+bool is_known_everywhere(const std::vector<Gradation> &stockpiles, const Rational &size) {
+  return std::all_of(stockpiles.begin(), stockpiles.end(),
+                     [&size](const Gradation &g) { return passing_at(g, size).has_value(); });
+}
+
+/// The sieves above the pan at which a blend can be judged, ascending.
+std::vector<BlendSieve> judged_sieves(const std::vector<Gradation> &stockpiles, const Envelope &e,
+                                      std::vector<std::string> &notes) {
+  std::vector<BlendSieve> sieves;
+  for (std::size_t i = 0; i < e.sizes.size(); ++i) {
+    BlendSieve sieve{e.sizes[i] * in_mm(e.unit), e.passing_min[i], e.passing_max[i], std::nullopt};
+    if (sieve.size == 0)
+      continue;
+    if (limits_something(sieve) || is_known_everywhere(stockpiles, sieve.size))
+      sieves.push_back(std::move(sieve));
+    else
+      notes.push_back(
+          fmt::format("{} is left out: it has no limits, and not all stockpiles tell what passes it",
+                      blend_size_text(sieve.size)));
+  }
+  return sieves;
+}
+
+} // namespace
+
+std::string_view name(BlendAim aim) {
+  switch (aim) {
+  case BlendAim::none:
+    return "none";
+  case BlendAim::cost:
+    return "cost";
+  case BlendAim::deviation:
+    return "deviation";
+  case BlendAim::max_deviation:
+    return "max-deviation";
+  default:
+    return "widening";
+  }
+}
+
+Rational value_of(const BlendLimit &limit, const BlendProblem &problem) {
+  switch (limit.kind) {
+  case BlendLimit::Kind::passing:
+    return limit.is_upper ? problem.sieves[limit.index].most : problem.sieves[limit.index].least;
+  case BlendLimit::Kind::target:
+    return problem.sieves[limit.index].target.value();
+  case BlendLimit::Kind::share:
+    return limit.is_upper ? problem.stockpiles[limit.index].most : problem.stockpiles[limit.index].least;
+  default:
+    return 1;
+  }
+}
+
+std::string in_words(const BlendLimit &limit, const BlendProblem &problem) {
+  if (limit.kind == BlendLimit::Kind::sum)
+    return "shares that sum to 100 %";
+  const bool is_share = limit.kind == BlendLimit::Kind::share;
+  const Rational percent = is_share ? Rational(100 * value_of(limit, problem)) : value_of(limit, problem);
+  return fmt::format("{} {} % {}", limit.is_upper ? "at most" : "at least", shown(percent),
+                     is_share ? "of " + printable(problem.stockpiles[limit.index].name)
+                              : "passing " + blend_size_text(problem.sieves[limit.index].size));
+}
+
+std::optional<PassingAt> passing_at(const Gradation &g, const Rational &size) {
+  const GradingCurve curve(g);
+  const std::vector<Rational> &sizes = curve.sizes(), &shares = curve.shares();
+  const auto i = static_cast<std::size_t>(std::lower_bound(sizes.begin(), sizes.end(), size) - sizes.begin());
+  if (i == sizes.size())
+    return PassingAt{100};
+  if (sizes[i] == size)
+    return PassingAt{100 * shares[i]};
+  if (i == 0)
+    return PassingAt{0};
+  if (shares[i - 1] == shares[i])
+    return PassingAt{100 * shares[i]};
+  if (sizes[i - 1] == 0)
+    return std::nullopt;
+  const Rational position = (size - sizes[i - 1]) / (sizes[i] - sizes[i - 1]);
+  return PassingAt{100 * (shares[i - 1] + position * curve.mass(i - 1)), true};
+}
+
+BlendProblem blend_problem(const std::vector<Gradation> &stockpiles, const Envelope &specification,
+                           const std::optional<Gradation> &target) {
+  BlendProblem problem;
+  problem.sieves = judged_sieves(stockpiles, specification, problem.notes);
+  if (problem.sieves.empty())
+    throw InputError(printable(specification.id) +
+                     ": no sieve of this specification limits anything: give one with a limit above 0 or "
+                     "below 100");
+  problem.notes.insert(problem.notes.begin(), specification.notes.begin(), specification.notes.end());
+  std::set<std::string> names;
+  for (const Gradation &g : stockpiles) {
+    if (!names.insert(g.id()).second)
+      throw InputError(fmt::format("two stockpiles have the name {}: give their files different names",
+                                   in_quotes(g.id())));
+    add_notes_of(g, problem.notes);
+    Stockpile stockpile;
+    stockpile.name = g.id();
+    Interpolations interpolations(g);
+    for (const BlendSieve &sieve : problem.sieves) {
+      const std::optional<PassingAt> at = passing_at(g, sieve.size);
+      if (!at)
+        refuse_unknown_passing(g, sieve.size);
+      stockpile.passing.push_back(interpolations.passing(sieve.size, *at));
+    }
+    interpolations.add_note(problem.notes);
+    problem.stockpiles.push_back(std::move(stockpile));
+  }
+  if (target) {
+    add_notes_of(*target, problem.notes);
+    Interpolations interpolations(*target);
+    for (BlendSieve &sieve : problem.sieves) {
+      const std::optional<PassingAt> at = passing_at(*target, sieve.size);
+      if (!at)
+        refuse_unknown_passing(*target, sieve.size);
+      sieve.target = interpolations.passing(sieve.size, *at);
+    }
+    interpolations.add_note(problem.notes);
+  }
+  return problem;
+}
+
+std::vector<std::size_t> limited_sieves(const BlendProblem &problem) {
+  std::vector<std::size_t> limited;
+  for (std::size_t s = 0; s < problem.sieves.size(); ++s)
+    if (limits_something(problem.sieves[s]))
+      limited.push_back(s);
+  return limited;
+}
+
+std::vector<BlendLimit> limits_of(const BlendProblem &problem) {
+  std::vector<BlendLimit> limits;
+  for (std::size_t s = problem.sieves.size(); s-- > 0;) {
+    if (problem.sieves[s].least > 0)
+      limits.push_back({BlendLimit::Kind::passing, s, false});
+    if (problem.sieves[s].most < 100)
+      limits.push_back({BlendLimit::Kind::passing, s, true});
+  }
+  for (std::size_t i = 0; i < problem.stockpiles.size(); ++i) {
+    if (problem.stockpiles[i].least > 0)
+      limits.push_back({BlendLimit::Kind::share, i, false});
+    if (problem.stockpiles[i].most < 1)
+      limits.push_back({BlendLimit::Kind::share, i, true});
+  }
+  return limits;
+}
+
+} // namespace mdm
