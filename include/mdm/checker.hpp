@@ -4,6 +4,7 @@
 /// needs nothing but GMP. Its formats and verdicts are those of proofs/certificate-format.md.
 
 #include <string>
+#include <vector>
 
 /// The checker of the proofs of matches, with readers of its own.
 namespace mdm::checker {
@@ -18,13 +19,20 @@ struct Input {
 struct Verdict {
   /// The exit codes of mdm-check.
   enum Code { accepted = 0, refused = 1, malformed = 2 } code;
-  std::string line;   ///< what was proved, with the whole question (section 7); empty if a file is malformed
+  std::string line; ///< what was proved, with the whole question (section 7); empty if a file is malformed
+  std::string
+      question;       ///< of an accepted certificate: what was asked, in words, without numbers of the answer
   std::string reason; ///< `name: ...` or `name:line: ...`; empty if the certificate is accepted
 };
 
 /// Judges a certificate against a gradation: CSV or JSON, or that of a band. Several threads may call it.
 /// Throws std::bad_alloc alone; GMP, where it finds no memory, ends the program (mp_set_memory_functions).
 Verdict check(const Input &gradation, const Input &certificate);
+
+/// Judges a certificate of a blend (section 11) against the specification and the gradations of the
+/// stockpiles, in the order of the certificate. As check() otherwise.
+Verdict check_blend(const Input &specification, const std::vector<Input> &stockpiles,
+                    const Input &certificate);
 
 /// The gradation as it is read, in the lines of canonical CSV (section 8) without the last line end; or
 /// malformed.

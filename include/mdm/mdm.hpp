@@ -4,6 +4,10 @@
 
 #include <mdm/answer/answer.hpp>
 #include <mdm/answer/answer_sample.hpp>
+#include <mdm/blend/blend.hpp>
+#include <mdm/blend/blend_certificate.hpp>
+#include <mdm/blend/blend_problem.hpp>
+#include <mdm/blend/blended_gradation.hpp>
 #include <mdm/gradation/description.hpp>
 #include <mdm/gradation/envelope.hpp>
 #include <mdm/gradation/gradation.hpp>
@@ -67,4 +71,5 @@
 #include <mdm/soil/indices.hpp>
 #include <mdm/soil/uscs.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 #include <mdm/text/sink.hpp>

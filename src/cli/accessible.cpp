@@ -1,11 +1,14 @@
 #include "cli/accessible.hpp"
 
+#include "ask/option_values.hpp"
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
-#include "cli/in_parallel.hpp"
-#include "cli/option_values.hpp"
 #include "cli/picture.hpp"
 #include "cli/progress.hpp"
+#include "cli/whole_number.hpp"
+#include "files/in_parallel.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
+#include "files/standard_streams.hpp"
 #include "papers/accessible_report.hpp"
 
 #include <mdm/text/error.hpp>
@@ -30,13 +33,14 @@ std::vector<std::string> parts(const std::string &text, char separator) {
   return all;
 }
 
-std::vector<Rational> steps(const std::string &option, const std::vector<std::string> &words) {
-  const Rational from = positive(option, words[0]), to = positive(option, words[1]),
-                 step = positive(option, words[2]);
+std::vector<Rational> steps(const std::string &name, const std::vector<std::string> &words) {
+  const Rational from = positive(name, words[0]), to = positive(name, words[1]),
+                 step = positive(name, words[2]);
   if (to < from)
-    throw InputError(option + ": " + in_quotes(words[0] + ":" + words[1]) + " has its end before its start");
+    throw InputError(option(name) + ": " + in_quotes(words[0] + ":" + words[1]) +
+                     " has its end before its start");
   if ((to - from) / step >= Rational(most_numbers))
-    throw InputError(option + ": more than 1000 numbers: take a larger step");
+    throw InputError(option(name) + ": more than 1000 numbers: take a larger step");
   std::vector<Rational> numbers;
   for (Rational at = from; at <= to; at += step)
     numbers.push_back(at);
@@ -52,22 +56,21 @@ void AccessibleFlags::add_to(CLI::App &command) {
   command.add_option("--a", a, "shapes of --accessible: numbers 1,2,5 or FROM:TO:STEP (0.5:10:0.5)")
       ->type_name("LIST");
   command.add_option("--b", b, "the same for b (0.5:10:0.5)")->type_name("LIST");
-  command.add_option("--plot", plot, "the map of --accessible into OUT.svg, .png or .pdf (needs gnuplot)")
-      ->type_name("OUT");
+  command.add_option("--plot", plot, "the map of --accessible into OUT.svg, .png or .pdf")->type_name("OUT");
   command.add_option("-j", threads, "threads of --accessible")
       ->type_name("THREADS")
-      ->check(CLI::Range(1, 1024));
+      ->transform(whole_number(1, 1024));
 }
 
-std::vector<Rational> number_list(const std::string &option, const std::string &text) {
+std::vector<Rational> number_list(const std::string &name, const std::string &text) {
   const std::vector<std::string> words = parts(text, ':');
   if (words.size() == 3)
-    return steps(option, words);
+    return steps(name, words);
   if (words.size() != 1)
-    throw InputError(option + ": " + in_quotes(text) + " is not a list: write 1,2,5 or FROM:TO:STEP");
+    throw InputError(option(name) + ": " + in_quotes(text) + " is not a list: write 1,2,5 or FROM:TO:STEP");
   std::vector<Rational> numbers;
   for (const std::string &word : parts(text, ','))
-    numbers.push_back(positive(option, word));
+    numbers.push_back(positive(name, word));
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers;
@@ -97,7 +100,7 @@ int run_accessible(const AccessibleQuestion &question, const OutputFlags &output
   std::unique_ptr<Output> plot;
   if (picture) {
     plot = std::make_unique<Output>(*flags.plot);
-    plot->write(run_gnuplot(gnuplot_script(accessible_map(question, rows), *picture)));
+    plot->write(picture_of(accessible_map(question, rows), *picture));
   }
   out.write(output.report([&] { return accessible_text(question, rows); },
                           [&] { return accessible_json(question, rows); },

@@ -22,7 +22,7 @@ struct AccessibleFlags {
 
 /// Numbers above 0 as `1,2,5` or `FROM:TO:STEP`, ascending, each once.
 /// \throws InputError that names the option
-std::vector<Rational> number_list(const std::string &option, const std::string &text);
+std::vector<Rational> number_list(const std::string &name, const std::string &text);
 
 /// Works out and reports the grid; returns the exit code: 3 if something was not decided.
 int run_accessible(const AccessibleQuestion &question, const OutputFlags &output,

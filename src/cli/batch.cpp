@@ -1,13 +1,17 @@
 #include "answer/batch_csv.hpp"
+#include "ask/option_values.hpp"
 #include "cli/batch_solver.hpp"
 #include "cli/commands.hpp"
-#include "cli/counted_files.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
-#include "cli/in_parallel.hpp"
-#include "cli/option_values.hpp"
 #include "cli/progress.hpp"
 #include "cli/shard.hpp"
+#include "cli/whole_number.hpp"
+#include "files/byte_source.hpp"
+#include "files/counted_files.hpp"
+#include "files/in_parallel.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
+#include "files/standard_streams.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/text/error.hpp>
@@ -126,31 +130,51 @@ Totals asked_totals(const BatchCommand &c, const Shard &shard) {
   return totals;
 }
 
-/// True if a run with these totals asked the same of the same suite, as far as its length tells.
-bool is_same_run(const Totals &earlier, const Totals &asked, const BatchCommand &c) {
-  const std::optional<std::uint64_t> bytes = c.files.empty() ? std::nullopt : file_bytes(c.files[0]);
-  const bool is_same_suite =
-      c.alone ? !earlier.suite : earlier.suite && (!bytes || *bytes == earlier.suite->bytes);
-  return is_same_suite && earlier.shard == asked.shard && earlier.shards == asked.shards &&
-         earlier.question == asked.question && earlier.versions == asked.versions;
+/// The digest of a regular file; nothing of others.
+std::optional<FileTotals> digest_of(const std::string &path) {
+  const std::optional<std::uint64_t> bytes = file_bytes(path);
+  if (!bytes)
+    return std::nullopt;
+  ByteSource source(path);
+  source.keep_digest();
+  for (std::string text; source.read_some(text); text.clear())
+    ;
+  return FileTotals{source.digest().bytes(), source.digest().sha256()};
+}
+
+/// True if what an earlier run read is certainly what this one would: a file is known by its digest, lines
+/// that mdm suite made by what they were made of. Of other pipes nothing is known before they are read.
+bool is_same_input(const Totals &earlier, const BatchCommand &c, BatchSources &sources) {
+  if (c.alone && sources.made())
+    return earlier.made == sources.made();
+  const std::optional<FileTotals> read = c.alone ? earlier.alone : std::optional<FileTotals>(earlier.suite);
+  return read && !c.files.empty() && file_bytes(c.files[0]) == read->bytes && digest_of(c.files[0]) == read;
+}
+
+/// True if a run with these totals asked the same of the same lines.
+bool is_same_run(const Totals &earlier, const Totals &asked, const BatchCommand &c, BatchSources &sources) {
+  return earlier.shard == asked.shard && earlier.shards == asked.shards &&
+         earlier.question == asked.question && earlier.versions == asked.versions &&
+         is_same_input(earlier, c, sources);
 }
 
 int run_shard(const BatchCommand &c) {
   check_shard(c);
-  const Shard shard = named("--shard", *c.shard, parse_shard);
+  const Shard shard = named("shard", *c.shard, parse_shard);
   const BatchSolver solver(c);
   Totals totals = asked_totals(c, shard);
   CountedFiles files(c.output.path(), c.proofs);
-  if (const std::optional<Totals> earlier = files.complete(); earlier && is_same_run(*earlier, totals, c)) {
+  BatchSources sources(c.files, c.reading, shard, c.alone);
+  if (const std::optional<Totals> earlier = files.complete();
+      earlier && is_same_run(*earlier, totals, c, sources)) {
     if (!c.output.quiet)
       tell(printable(c.output.path()) + ": shard " + *c.shard + " is complete already: nothing was done\n");
     return earlier->exit;
   }
-  BatchSources sources(c.files, c.reading, shard, c.alone);
   files.open();
   BatchReport report(c.output);
   solve_all(c, solver, sources, files.answers(), files.proofs(), report);
-  totals.suite = sources.suite_totals();
+  sources.tell_lines(totals);
   totals.lines = report.lines();
   totals.errors = report.errors();
   totals.exit = report.worst();
@@ -185,10 +209,11 @@ Run add_batch(CLI::App &app) {
   CLI::App &command =
       *app.add_subcommand("batch", "Solves many gradations, an answer each in the same order");
   command.add_option("FILE", c->files,
-                     "JSON Lines, or gradation files, of AGS4 all specimens; - for standard input; without "
+                     "JSON Lines, or gradation files, of AGS4 all specimens, of a workbook all sheets; - for "
+                     "standard input; without "
                      "any, JSON Lines from there");
   c->flags.add_to(command);
-  command.add_option("-j", c->threads, "threads")->type_name("THREADS")->check(CLI::Range(1, 1024));
+  command.add_option("-j", c->threads, "threads")->type_name("THREADS")->transform(whole_number(1, 1024));
   command
       .add_option("--proofs", c->proofs,
                   "write certificates for mdm-check --suite: into the folder NAME, named by the gradation's "
@@ -201,13 +226,15 @@ Run add_batch(CLI::App &app) {
           "solve the shard I of N of one suite: of its lines that are not blank, each N-th from the "
           "I-th on; OUT.totals is written last, and a shard that has it is complete and not solved again")
       ->type_name("I/N");
-  command.add_flag("--alone", c->alone,
-                   "with --shard: FILE has the lines of the shard alone, none of them blank");
+  command.add_flag(
+      "--alone", c->alone,
+      "with --shard: FILE has the lines of the shard alone, none of them blank; those of mdm suite "
+      "--shard say which suite they are of");
   command
       .add_option("--format", c->output.asked_format,
                   "json (a line a gradation) or csv (a row a class); csv if OUT ends so, else json")
       ->check(CLI::IsMember({"json", "csv"}));
-  c->output.add_out(command);
+  c->output.add_out(command, "write", {"jsonl", "ndjson", "json", "csv", "txt"});
   c->output.add_quiet(command, "no progress and no notes on standard error");
   c->reading.add_to(command);
   command.footer(footer("What ends in .zst is read and written compressed. mdm merge joins shards.\n",

@@ -3,9 +3,9 @@
 /// What a batch is asked.
 
 #include "cli/output_flags.hpp"
-#include "cli/proof_stream.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/solve_flags.hpp"
+#include "files/proof_stream.hpp"
 
 namespace mdm::cli {
 

@@ -1,6 +1,7 @@
 #include "cli/batch_solver.hpp"
 
 #include "answer/batch_csv.hpp"
+#include "files/paths.hpp"
 #include "text/json_writer.hpp"
 
 #include <mdm/answer/answer.hpp>
@@ -43,7 +44,7 @@ BatchAnswer csv_answer(const Match &m, const Limits &limits) {
   std::string told = m.status == Status::optimal ? "" : id + ": " + headline(m) + "\n";
   for (const std::string &note : m.notes)
     told += id + ": note: " + note + "\n";
-  return {batch_csv(m), exit_code(m, limits), told, id, std::string(name(m.gradation.unit()))};
+  return {batch_csv(m), exit_code(outcome_of(m, limits)), told, id, std::string(name(m.gradation.unit()))};
 }
 
 } // namespace
@@ -90,9 +91,9 @@ BatchAnswer BatchSolver::solved(Gradation g, const BatchItem &item) const {
   } else if (command_.proofs) {
     m.notes.push_back("no proof was written: the limit came before the end");
   }
-  BatchAnswer answer = command_.output.is_csv()
-                           ? csv_answer(m, options.limits)
-                           : BatchAnswer{answer_json(m, nullptr, proof) + "\n", exit_code(m, options.limits)};
+  BatchAnswer answer = command_.output.is_csv() ? csv_answer(m, options.limits)
+                                                : BatchAnswer{answer_json(m, nullptr, proof) + "\n",
+                                                              exit_code(outcome_of(m, options.limits))};
   answer.certificate = std::move(certified);
   return answer;
 }

@@ -1,9 +1,12 @@
 #include "cli/batch_sources.hpp"
 
+#include "files/paths.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>
@@ -48,10 +51,6 @@ bool is_suite(FileLines &file) {
   }
 }
 
-bool is_blank(const FileLines::Line &line) {
-  return line && line->find_first_not_of(" \t\r") == std::string::npos;
-}
-
 /// \param line without it the line was too long
 BatchItem item_of_line(const FileLines::Line &line, std::uint64_t number, const std::string &where,
                        const std::string &fallback_id) {
@@ -82,6 +81,31 @@ BatchSources::BatchSources(std::vector<std::string> files, ReadingFlags flags, S
     : BatchSources(std::move(files), std::move(flags), true) {
   shard_ = shard;
   is_alone_ = alone;
+  hash_.emplace();
+}
+
+std::optional<MadeSuite> BatchSources::made() {
+  if (is_alone_ && opened_ == 0) {
+    open(files_[opened_++]);
+    std::string_view beginning = suite_->look_further();
+    while (begins_made_shard(beginning) && beginning.find('\n') == std::string_view::npos &&
+           !suite_->is_at_end())
+      beginning = suite_->look_further();
+    if (begins_made_shard(beginning))
+      take_made(suite_->next(1).at(0).value_or(""));
+  }
+  return made_shard_ ? std::optional(made_shard_->suite) : std::nullopt;
+}
+
+void BatchSources::tell_lines(Totals &totals) const {
+  totals.sum = sum_;
+  if (made_shard_)
+    totals.made = made_shard_->suite;
+  const std::string &file = files_[0];
+  if (!is_alone_ && file_totals_)
+    totals.suite = SuiteTotals{*file_totals_, suite_sum_};
+  else if (is_alone_ && file_totals_ && file_bytes(file))
+    totals.alone = file_totals_;
 }
 
 std::vector<BatchItem> BatchSources::next(std::size_t most) {
@@ -108,7 +132,7 @@ std::vector<BatchItem> BatchSources::next(std::size_t most) {
 
 void BatchSources::open(const std::string &file) {
   auto content = std::make_unique<FileLines>(file);
-  if (shard_ && !is_alone_)
+  if (shard_)
     content->bytes().keep_digest();
   if (is_stream_ || is_suite(*content)) {
     if (flags_.is_given())
@@ -143,9 +167,41 @@ void BatchSources::add_gradations(const std::string &file, FileLines &content) {
   }
 }
 
+void BatchSources::take_made(const std::string &line) {
+  const std::string name = line_name(files_[opened_ - 1], 1);
+  made_shard_ = in_file(name, [&line] { return read_made_shard(line); });
+  const std::string shard = fmt::format("{}/{}", made_shard_->shard, made_shard_->shards);
+  if (!is_alone_)
+    throw file_error(name,
+                     "the lines are those of shard " + shard + " alone: give --shard " + shard + " --alone");
+  if (made_shard_->shard != shard_->number || made_shard_->shards != shard_->count)
+    throw file_error(name, fmt::format("the lines are those of shard {}, and --shard is {}/{}: give its own",
+                                       shard, shard_->number, shard_->count));
+}
+
+void BatchSources::count_line(const FileLines::Line &line) {
+  if (FileLines::is_blank(line) || !shard_)
+    return;
+  const std::uint64_t number = is_alone_ ? shard_->number + filled_lines_ * shard_->count : filled_lines_ + 1;
+  const LineSum::Hash hash = hash_->of(number, line);
+  suite_sum_.add(hash);
+  if (is_ours(line))
+    sum_.add(hash);
+}
+
+void BatchSources::end_suite() {
+  if (made_shard_ && filled_lines_ != made_shard_->lines)
+    throw file_error(shown_name(files_[opened_ - 1]),
+                     fmt::format("there are {} lines, and its first line says {}: give all of the shard",
+                                 filled_lines_, made_shard_->lines));
+  if (shard_)
+    file_totals_ = FileTotals{suite_->bytes().digest().bytes(), suite_->bytes().digest().sha256()};
+  suite_.reset();
+}
+
 /// True of the lines that are items.
 bool BatchSources::is_ours(const FileLines::Line &line) {
-  return !is_blank(line) && (!shard_ || is_alone_ || shard_->has(filled_lines_ + 1));
+  return !FileLines::is_blank(line) && (!shard_ || is_alone_ || shard_->has(filled_lines_ + 1));
 }
 
 void BatchSources::add_lines(std::vector<BatchItem> &items, std::size_t most) {
@@ -153,13 +209,13 @@ void BatchSources::add_lines(std::vector<BatchItem> &items, std::size_t most) {
   std::size_t bytes = 0;
   do {
     const std::vector<FileLines::Line> lines = suite_->next(most - items.size());
-    if (lines.empty()) {
-      if (shard_ && !is_alone_)
-        suite_totals_ = FileTotals{suite_->bytes().digest().bytes(), suite_->bytes().digest().sha256()};
-      suite_.reset();
-      return;
-    }
+    if (lines.empty())
+      return end_suite();
     for (const FileLines::Line &line : lines) {
+      if (line_ == 0 && !made_shard_ && line && begins_made_shard(*line)) {
+        take_made(*line);
+        continue;
+      }
       line_ = is_alone_ ? shard_->number + filled_lines_ * shard_->count : line_ + 1;
       count_ = is_alone_ ? line_ : count_ + 1;
       if (is_ours(line)) {
@@ -170,7 +226,8 @@ void BatchSources::add_lines(std::vector<BatchItem> &items, std::size_t most) {
         if (line && files_.size() > 1)
           items.back().checked_as = [text = *line](const Gradation &) { return text; };
       }
-      if (!is_blank(line))
+      count_line(line);
+      if (!FileLines::is_blank(line))
         ++filled_lines_;
     }
   } while (shard_ && !is_alone_ && items.size() < most && bytes < most_bytes); // its lines are far apart

@@ -3,9 +3,10 @@
 /// The gradations of a batch, from suites and from gradation files.
 
 #include "answer/totals.hpp"
-#include "cli/files.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/shard.hpp"
+#include "files/file_lines.hpp"
+#include "files/line_hash.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 
@@ -46,15 +47,22 @@ public:
   /// \throws InputError if a file cannot be opened
   std::vector<BatchItem> next(std::size_t most);
 
-  /// That of a suite of which there was a shard, all of it; nothing where the shard was alone.
+  /// What the lines of a shard that is alone say before them that they are of; nothing where they do not.
+  /// \throws InputError if the file cannot be opened, or they are of another shard
+  std::optional<MadeSuite> made();
+
+  /// What the totals of a shard say of its lines, and of the whole suite where it was read.
   /// \pre next() was empty
-  const std::optional<FileTotals> &suite_totals() const { return suite_totals_; }
+  void tell_lines(Totals &totals) const;
 
 private:
   void open(const std::string &file);
   void add_gradations(const std::string &file, FileLines &content);
   void add_lines(std::vector<BatchItem> &items, std::size_t most);
   bool is_ours(const FileLines::Line &line);
+  void take_made(const std::string &line);
+  void count_line(const FileLines::Line &line);
+  void end_suite();
 
   std::vector<std::string> files_;
   ReadingFlags flags_;
@@ -67,8 +75,12 @@ private:
   std::uint64_t line_ = 0;           ///< of the suite
   std::uint64_t filled_lines_ = 0;   ///< of them that hold something
   std::optional<Shard> shard_;
-  bool is_alone_ = false; ///< the shard
-  std::optional<FileTotals> suite_totals_;
+  bool is_alone_ = false;                 ///< the shard
+  std::optional<MadeShard> made_shard_;   ///< what the first line of a shard that is alone said
+  std::optional<LineHash> hash_;          ///< with a shard
+  LineSum sum_;                           ///< of the lines of the shard
+  LineSum suite_sum_;                     ///< of all lines
+  std::optional<FileTotals> file_totals_; ///< with a shard, at the end of its file
   std::deque<BatchItem> waiting_;
   std::size_t waiting_bytes_ = 0;
 };

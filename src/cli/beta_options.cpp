@@ -1,6 +1,6 @@
 #include "cli/beta_options.hpp"
 
-#include "cli/option_values.hpp"
+#include "ask/option_values.hpp"
 
 #include <mdm/text/error.hpp>
 
@@ -8,8 +8,8 @@ namespace mdm::cli {
 namespace {
 
 /// In mm where it has a unit.
-Rational end(const std::string &option, const std::string &text) {
-  return length(option, text).in(SizeUnit::mm);
+Rational end(const std::string &name, const std::string &text) {
+  return length(name, text).in(SizeUnit::mm);
 }
 
 /// The ends of the curve from two of the four options (Eq. 17).
@@ -19,31 +19,30 @@ std::pair<Rational, Rational> ends(const BetaOptions &c) {
     throw InputError(
         "--beta: two sizes are needed: --dmin and --dmax, or one of them with --span or --ratio");
   if (c.d_min && c.d_max)
-    return {end("--dmin", *c.d_min), end("--dmax", *c.d_max)};
+    return {end("dmin", *c.d_min), end("dmax", *c.d_max)};
   Rational r;
   if (c.span) {
-    const Rational s = positive("--span", *c.span);
+    const Rational s = positive("span", *c.span);
     if (s >= 1)
       throw InputError("--span: " + in_quotes(*c.span) + " is not below 1: then d_min would be 0");
     r = (1 + s) / (1 - s);
   } else {
-    r = positive("--ratio", *c.ratio);
+    r = positive("ratio", *c.ratio);
     if (r <= 1)
       throw InputError("--ratio: " + in_quotes(*c.ratio) + " is not above 1: d_max / d_min is needed");
   }
   if (c.d_min) {
-    const Rational low = end("--dmin", *c.d_min);
+    const Rational low = end("dmin", *c.d_min);
     return {low, low * r};
   }
-  const Rational high = end("--dmax", *c.d_max);
+  const Rational high = end("dmax", *c.d_max);
   return {high / r, high};
 }
 
 } // namespace
 
 std::string beta_unit(const BetaOptions &c) {
-  const bool low = c.d_min && length("--dmin", *c.d_min).unit,
-             high = c.d_max && length("--dmax", *c.d_max).unit;
+  const bool low = c.d_min && length("dmin", *c.d_min).unit, high = c.d_max && length("dmax", *c.d_max).unit;
   if (c.d_min && c.d_max && low != high)
     throw InputError("--dmin and --dmax: one has a unit and one has none: give both a unit, or neither");
   return low || high ? "mm" : "";
@@ -53,10 +52,10 @@ std::shared_ptr<const BetaCurve> beta_curve(const BetaOptions &c) {
   const std::size_t comma = c.beta->find(',');
   if (comma == std::string::npos)
     throw InputError("--beta: " + in_quotes(*c.beta) + " is not A,B: write for example 1,3");
-  const Rational a = positive("--beta", c.beta->substr(0, comma)),
-                 b = positive("--beta", c.beta->substr(comma + 1));
+  const Rational a = positive("beta", c.beta->substr(0, comma)),
+                 b = positive("beta", c.beta->substr(comma + 1));
   const auto [low, high] = ends(c);
-  return named("--beta", *c.beta, [&, l = low, h = high](const std::string &) {
+  return named("beta", *c.beta, [&, l = low, h = high](const std::string &) {
     return std::make_shared<const BetaCurve>(a, b, l, h);
   });
 }

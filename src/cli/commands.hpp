@@ -16,9 +16,11 @@ using Run = std::function<int()>;
 /// Each adds its command with its options to `app` and returns what runs it.
 Run add_solve(CLI::App &app);
 Run add_batch(CLI::App &app);
+Run add_blend(CLI::App &app);
 Run add_convert(CLI::App &app);
 Run add_describe(CLI::App &app);
 Run add_export(CLI::App &app);
+Run add_judge(CLI::App &app);
 Run add_merge(CLI::App &app);
 Run add_pack(CLI::App &app);
 Run add_plot(CLI::App &app);

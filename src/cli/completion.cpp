@@ -1,6 +1,6 @@
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
+#include "files/output.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,11 @@
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
+#include "report/reading_report.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
@@ -21,35 +23,22 @@ struct ConvertCommand {
   bool dry_run = false;
 };
 
-/// What was understood of the file, with the table that would be written.
-std::string understood_text(const ConvertCommand &c, const UnderstoodGradation &u) {
-  const Gradation &g = u.gradation;
-  std::string text = printable(shown_name(c.file)) + ": " + u.format + "\n";
-  text += "  id      " + printable(g.id()) + "\n";
-  text += "  sizes   " + u.sizes + "\n";
-  text += "  masses  " + u.masses + "\n";
-  text += std::string("  pan     ") + (g.has_pan() ? "yes, at size 0" : "none") + "\n";
-  text += std::string("  check   ") +
-          (u.is_canonical ? "mdm-check reads the file as it is" : "mdm-check reads what mdm convert writes") +
-          "\n";
-  for (const std::string &sample : u.samples)
-    text += "  sample  " + printable(sample) + "\n";
-  for (const std::string &note : g.notes())
-    text += "  note    " + note + "\n";
-  return text + "\n" + gradation_csv(g);
-}
-
 std::string converted(const ConvertCommand &c, const UnderstoodGradation &u) {
+  if (c.dry_run && c.output.is_json())
+    return reading_json(u) + "\n";
   if (c.dry_run)
-    return understood_text(c, u);
+    return reading_text(u, printable(shown_name(c.file))) + "\n" + gradation_csv(u.gradation);
   return c.output.is_json() ? gradation_json(u.gradation) : gradation_csv(u.gradation);
 }
 
 int run(const ConvertCommand &c) {
-  if (c.dry_run && (c.output.out || c.output.asked_format))
-    throw InputError("--dry-run: nothing is converted: leave out -o and --format");
+  if (c.dry_run && !c.output.is_json() && (c.output.out || c.output.asked_format))
+    throw InputError("--dry-run: nothing is converted: leave out -o and --format, or ask for what was "
+                     "understood with --format json");
   check_distinct({c.file, c.output.path()});
-  const UnderstoodGradation u = any_gradation(c.file, c.reading, c.output.quiet, PhiReading::rounded);
+  const bool writes_sizes = !(c.dry_run && c.output.is_json());
+  const UnderstoodGradation u = any_gradation(c.file, c.reading, c.output.quiet,
+                                              writes_sizes ? PhiReading::rounded : PhiReading::exact);
   Output out(c.output.path());
   out.write(in_file(c.file, [&] { return converted(c, u); }));
   out.commit();
@@ -69,11 +58,11 @@ Run add_convert(CLI::App &app) {
                   "instrument; or a set of mdm generate or file of particles, whose gradation it is; - for "
                   "standard input")
       ->required();
-  c->output.add_out(command);
+  c->output.add_out(command, "write", {"csv", "txt", "json"});
   command.add_option("--format", c->output.asked_format, "csv or json; json if OUT ends so, else csv")
       ->check(CLI::IsMember({"csv", "json"}));
   command.add_flag("--dry-run", c->dry_run,
-                   "show what was understood: the table, its unit and kind, pan and notes");
+                   "show what was understood: the table, its unit and kind, pan and notes; also as JSON");
   c->output.add_quiet(command, "no notes on standard error");
   c->reading.add_to(command);
   command.footer(footer("", {"mdm convert report.ags --specimen-id BH1 -o sand.csv",

@@ -1,13 +1,20 @@
+#include "ask/option_values.hpp"
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
-#include "cli/in_parallel.hpp"
-#include "cli/option_values.hpp"
+#include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
+#include "cli/solve_flags.hpp"
 #include "cli/solver.hpp"
+#include "cli/whole_number.hpp"
 #include "crosscheck/answer_index.hpp"
 #include "crosscheck/crosscheck_report.hpp"
+#include "files/byte_source.hpp"
+#include "files/file_ending.hpp"
+#include "files/file_lines.hpp"
+#include "files/in_parallel.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
 #include "text/json_writer.hpp"
 #include "text/versions.hpp"
 
@@ -33,6 +40,7 @@ struct CrosscheckCommand {
   std::optional<std::string> answers, solver, by, journal;
   std::string size_tolerance = "1e-9";
   std::optional<std::string> time_limit, max_steps;
+  SolveFlags flags; ///< the question, and --node-limit
   OutputFlags output;
   unsigned threads = 1;
   bool reasons = false;
@@ -70,18 +78,20 @@ std::vector<Entry> read_suite(const std::string &path) {
 /// Rows for a gradation of the suite.
 using Judge = std::function<Rows(const Crosscheck &, std::uint64_t line)>;
 
+/// The gradation of a line with its least match.
+using MakeProblem = std::function<Crosscheck(const Entry &)>;
+
 /// Judges a suite by several threads and gives the rows out in order.
 class Crosschecking {
 public:
-  Crosschecking(const std::vector<Entry> &suite, Judge judge, const Limits &limits)
-      : suite_(suite), judge_(std::move(judge)), limits_(limits) {}
+  Crosschecking(const std::vector<Entry> &suite, Judge judge, MakeProblem make)
+      : suite_(suite), judge_(std::move(judge)), make_(std::move(make)) {}
 
   /// Calls give(rows) for each gradation.
   template <class Give>
   void run(unsigned threads, Give give) {
-    in_parallel(suite_.size(), threads, [this, &give](std::size_t i) {
-      finish(i, judge_(Crosscheck(suite_[i].gradation, limits_), suite_[i].line), give);
-    });
+    in_parallel(suite_.size(), threads,
+                [this, &give](std::size_t i) { finish(i, judge_(make_(suite_[i]), suite_[i].line), give); });
   }
 
   std::size_t done() const { return done_; }
@@ -100,24 +110,23 @@ private:
 
   const std::vector<Entry> &suite_;
   Judge judge_;
-  Limits limits_;
+  MakeProblem make_;
   std::mutex mutex_;
   std::map<std::size_t, Rows> waiting_; ///< for the rows of a gradation before them
   std::atomic<std::size_t> done_ = 0;
 };
 
 Rational read_tolerance(const std::string &text) {
-  const char *const option = "--size-tolerance";
-  Rational r = not_negative(option, text);
+  const Rational r = not_negative("size-tolerance", text);
   if (r >= 1)
-    throw InputError(std::string(option) + ": " + in_quotes(text) +
+    throw InputError(option("size-tolerance") + ": " + in_quotes(text) +
                      " is not below 1: it is a part of the size, such as 1e-9");
   return r;
 }
 
 std::chrono::milliseconds read_time_limit(const std::string &text) {
   const Integer a_year = 366LL * 24 * 3600 * 1000;
-  const Integer limit = ceil(Rational(positive("--time-limit", text) * 1000));
+  const Integer limit = ceil(Rational(positive("time-limit", text) * 1000));
   return std::chrono::milliseconds(static_cast<std::int64_t>(std::min(limit, a_year)));
 }
 
@@ -130,12 +139,28 @@ void check_options(const CrosscheckCommand &c) {
     throw InputError("--by is for a file of ANSWERS: a solver answers once");
   if (c.answers == "-" && c.suite == "-")
     throw InputError("standard input cannot be both SUITE and ANSWERS: name a file for one of them");
+  if (c.output.is_text() && c.output.out)
+    check_ending(*c.output.out, {"csv", "txt"}, "crosscheck", ", or say with --format json what it holds");
   if (c.output.is_text() && c.output.out == "-")
     throw InputError("-o -: standard output has the summary: use --format csv");
   if (c.journal == "-")
     throw InputError("--journal needs a file: name one");
   for (const std::string &input : {c.suite, c.answers.value_or("-")})
     check_distinct({input, c.journal.value_or("-"), c.output.path()});
+}
+
+/// The options of the question as they were given; empty for the plain question.
+std::string question_text(const CrosscheckCommand &c) {
+  std::string text;
+  const auto add = [&text](const std::string &name, const OptionText &value) {
+    if (value && name != "node-limit")
+      text += (text.empty() ? "" : " ") + option(name) + " " + *value;
+  };
+  for (const std::string &tolerance : c.flags.tolerances)
+    add("tolerance", tolerance);
+  add("band", c.flags.band);
+  for_each_option(c.flags, add);
+  return text;
 }
 
 /// Rows as they come, and what stands around them.
@@ -207,6 +232,8 @@ private:
     write_option("answers", command_.answers);
     write_option("solver", command_.solver);
     write_option("by", command_.by);
+    const std::string question = question_text(command_);
+    write_option("question", question.empty() ? std::nullopt : std::optional(question));
     json_.key("size_tolerance").plain(to_string(size_tolerance_)).key("rows").begin_array();
   }
 
@@ -219,8 +246,10 @@ private:
   }
 
   std::string text(std::uint64_t gradations, const std::vector<std::string> &notes) const {
-    std::string text = fmt::format("{}: {} {}\n\n", printable(shown_name(command_.suite)), gradations,
-                                   gradations == 1 ? "gradation" : "gradations") +
+    const std::string question = question_text(command_);
+    std::string text = fmt::format("{}: {} {}{}\n\n", printable(shown_name(command_.suite)), gradations,
+                                   gradations == 1 ? "gradation" : "gradations",
+                                   question.empty() ? "" : ", asked with " + printable(question)) +
                        summary_.text(columns_);
     for (const std::string &note : notes)
       text += "  note: " + note + "\n";
@@ -236,12 +265,26 @@ private:
   CrosscheckSummary summary_;
 };
 
-/// Judges all gradations of the suite.
-void report_suite(const CrosscheckCommand &c, const std::vector<Entry> &suite, Judge judge, Report &report) {
+/// Makes the problem of a line: the plain one, or that of the question that was asked.
+MakeProblem problems(const CrosscheckCommand &c) {
   Limits limits;
   if (c.max_steps)
-    limits.max_steps = natural64("--max-steps", *c.max_steps);
-  Crosschecking crosschecking(suite, std::move(judge), limits);
+    limits.max_steps = natural64("max-steps", *c.max_steps);
+  if (c.flags.node_limit)
+    limits.node_limit = natural64("node-limit", *c.flags.node_limit);
+  if (c.flags.at_most)
+    throw InputError(option("at-most") + ": it is of one search: leave it out");
+  if (question_text(c).empty())
+    return [limits](const Entry &entry) { return Crosscheck(entry.gradation, limits); };
+  return [limits, asked = c.flags.question_of_both(), suite = c.suite](const Entry &entry) {
+    return in_file(line_name(suite, entry.line),
+                   [&] { return Crosscheck(entry.gradation, asked.in(entry.gradation.unit()), limits); });
+  };
+}
+
+/// Judges all gradations of the suite.
+void report_suite(const CrosscheckCommand &c, const std::vector<Entry> &suite, Judge judge, Report &report) {
+  Crosschecking crosschecking(suite, std::move(judge), problems(c));
   Progress progress([&] { return fmt::format("{} of {} gradations", crosschecking.done(), suite.size()); },
                     c.output.quiet);
   crosschecking.run(c.threads, [&report](const Rows &rows) { report.add(rows); });
@@ -251,7 +294,7 @@ AnswerIndex read_index(const CrosscheckCommand &c) {
   constexpr std::size_t most = std::size_t{1} << 30;
   std::vector<OtherAnswer> answers = read_answers(read_file(*c.answers, most), shown_name(*c.answers));
   return in_file(*c.answers, [&] {
-    return named("--by", "", [&](const std::string &) { return AnswerIndex(std::move(answers), c.by); });
+    return named("by", "", [&](const std::string &) { return AnswerIndex(std::move(answers), c.by); });
   });
 }
 
@@ -285,13 +328,21 @@ int run(const CrosscheckCommand &c) {
 
 /// The end of the help.
 std::string about() {
-  return paragraph("A match is a vector of quantities that some sizes make an exact match, and whose sizes, "
-                   "where the answer has them, are right for one such match within --size-tolerance. Its "
-                   "ratio is N over the smallest N; quartiles are the ratios at the places n/4, n/2, 3n/4 "
-                   "(rounded down, counted from 0) of n in ascending order. max_error: the largest error of "
-                   "a class's share in percent, of the sizes as they stand in the answer. Verdicts: minimal, "
-                   "larger; not-a-match (--reasons says why); undecided (stopped at --max-steps); "
-                   "no-answer, garbage, crashed (a signal or an exit code other than 0), timeout.") +
+  return paragraph(
+             "A match is a vector of quantities that some sizes make an exact match, and whose sizes, "
+             "where the answer has them, are right for one such match within --size-tolerance. Its "
+             "ratio is N over the smallest N; quartiles are the ratios at the places n/4, n/2, 3n/4 "
+             "(rounded down, counted from 0) of n in ascending order. max_error: the largest error of "
+             "a class's share in percent, of the sizes as they stand in the answer. Verdicts: minimal, "
+             "larger; not-a-match (--reasons says why); undecided (stopped at --max-steps); "
+             "no-answer, garbage, crashed (a signal or an exit code other than 0), timeout, gave-up (the "
+             "answer's status), infeasible (a status that is wrong: there is a match).") +
+         "\n" +
+         paragraph("With --tolerance, --band, --min-per-class and the like, the quantities are a match if "
+                   "there are sizes in their classes (within --size-tolerance of those that are stated) with "
+                   "which all of the question holds, by an exact linear program; the classes are those of "
+                   "the gradation after --pan-size, --cut-below and --size-factor. That these were asked is "
+                   "yours to tell the solver.") +
          "\n" +
          paragraph(
              "ANSWERS is CSV with a header: id, quantities (separated by spaces; one a class with mass, "
@@ -327,7 +378,7 @@ Run add_crosscheck(CLI::App &app) {
       ->type_name("S");
   command.add_option("-j", c->threads, "threads, and solvers at once")
       ->type_name("THREADS")
-      ->check(CLI::Range(1, 1024));
+      ->transform(whole_number(1, 1024));
   command
       .add_option("--journal", c->journal,
                   "append the solver's answers to FILE as they come (JSON Lines, good as ANSWERS too); a run "
@@ -345,6 +396,10 @@ Run add_crosscheck(CLI::App &app) {
       .add_option("--max-steps", c->max_steps,
                   "stop the search for a smallest match after so many steps (67108864; undecided, exit 3)")
       ->type_name("N");
+  for (const OptionRow<SolveTexts> &row : SolveTexts::limit_options)
+    if (row.text == &SolveTexts::node_limit)
+      add_options(command, std::vector{row}, c->flags);
+  c->flags.add_asked(command);
   c->output.add_format(command, "text (the summary), csv (the rows) or json (both)");
   c->output.out_has_report = false; // with text, it has the rows
   c->output.add_out(command, "write csv or json")
@@ -352,6 +407,7 @@ Run add_crosscheck(CLI::App &app) {
   c->output.add_quiet(command, "no progress and no notes on standard error");
   command.footer(
       footer(about(), {"mdm crosscheck suite.jsonl answers.csv --by x_n_factor",
+                       "mdm crosscheck suite.jsonl answers.csv --tolerance passing:1% --min-per-class 5",
                        "mdm crosscheck suite.jsonl --solver ./my-solver -j 2 -o rows.csv",
                        "mdm crosscheck suite.jsonl --solver './my-solver --json' --journal run.jsonl"}));
   return [c] { return run(*c); };

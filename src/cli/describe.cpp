@@ -1,14 +1,15 @@
+#include "ask/outcome.hpp"
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
-#include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
+#include "cli/soil_flags.hpp"
+#include "cli/whole_number.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
+#include "files/standard_streams.hpp"
 #include "report/description.hpp"
-
-#include <mdm/number/decimal.hpp>
-#include <mdm/text/error.hpp>
 
 #include <memory>
 
@@ -17,37 +18,11 @@ namespace {
 
 struct DescribeCommand {
   std::string file;
-  std::optional<std::string> liquid_limit, plastic_limit, pan_size;
+  SoilFlags soil;
   ReadingFlags reading;
   std::optional<unsigned> digits;
-  bool extrapolate = false;
   OutputFlags output;
 };
-
-Rational number(const char *option, const std::string &text) {
-  return named(option, text, [](const std::string &t) { return parse_decimal(t); });
-}
-
-DescribeOptions options(const DescribeCommand &c) {
-  if (c.liquid_limit.has_value() != c.plastic_limit.has_value())
-    throw InputError("--liquid-limit and --plastic-limit go together: give both, or neither for silt");
-  DescribeOptions o;
-  o.extrapolate = c.extrapolate;
-  if (c.liquid_limit) {
-    o.limits = AtterbergLimits{number("--liquid-limit", *c.liquid_limit),
-                               number("--plastic-limit", *c.plastic_limit)};
-    classify_fines(*o.limits);
-  }
-  return o;
-}
-
-Gradation gradation(const DescribeCommand &c) {
-  Gradation g = any_gradation(c.file, c.reading, c.output.quiet).gradation;
-  if (!c.pan_size)
-    return g;
-  const Rational size = length("--pan-size", *c.pan_size).in(g.unit());
-  return in_file(c.file, [&] { return g.with_pan_size(size); });
-}
 
 std::string report(const DescribeCommand &c, const SoilDescription &d) {
   constexpr unsigned exchanged = 15, read = 4;
@@ -58,13 +33,13 @@ std::string report(const DescribeCommand &c, const SoilDescription &d) {
 
 int run(const DescribeCommand &c) {
   check_distinct({c.file, c.output.path()});
-  const DescribeOptions o = options(c);
-  const SoilDescription d = describe(gradation(c), o);
+  const DescribeOptions o = c.soil.describe_options();
+  const Gradation g = any_gradation(c.file, c.reading, c.output.quiet).gradation;
+  const SoilDescription d = describe(in_file(c.file, [&] { return c.soil.with_pan(g); }), o);
   Output out(c.output.path());
   out.write(report(c, d));
   out.commit();
-  c.output.tell_notes_beside_csv(d.notes);
-  return d.limited() ? Exit::limited : Exit::done;
+  return exit_code(outcome_of(d));
 }
 
 } // namespace
@@ -79,20 +54,13 @@ Run add_describe(CLI::App &app) {
                   "verify reads; - for "
                   "standard input")
       ->required();
-  command
-      .add_option("--liquid-limit", c->liquid_limit,
-                  "of the fines, in percent; without limits they are low-plasticity silt")
-      ->type_name("LL");
-  command.add_option("--plastic-limit", c->plastic_limit, "of the fines, in percent")->type_name("PL");
-  command.add_flag("--extrapolate", c->extrapolate,
-                   "continue the line through the two finest sieves into a pan at size 0");
-  command.add_option("--pan-size", c->pan_size, "take the pan as a sieve of this size")->type_name("SIZE");
+  c->soil.add_to(command);
   command.add_option("--digits", c->digits, "significant digits (15; in the text form 4)")
       ->type_name("D")
-      ->check(CLI::Range(1, 1000));
+      ->transform(whole_number(1, 1000));
   c->output.add_format(command);
   c->output.add_out(command);
-  c->output.add_quiet(command, "no notes on standard error");
+  c->output.add_quiet(command, "no progress on standard error");
   c->reading.add_to(command);
   command.footer(footer(
       paragraph(

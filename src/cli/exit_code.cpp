@@ -9,21 +9,15 @@ int worse_exit(int a, int b) {
   return Exit::done;
 }
 
-Exit exit_code(Status status) {
-  switch (status) {
-  case Status::optimal:
+Exit exit_code(Outcome outcome) {
+  switch (outcome) {
+  case Outcome::done:
     return Exit::done;
-  case Status::none:
+  case Outcome::negative:
     return Exit::negative;
   default:
     return Exit::limited;
   }
-}
-
-Exit exit_code(const Match &match, const Limits &limits) {
-  const bool is_close =
-      match.status == Status::feasible && limits.is_close(*match.particles(), match.lower_bound);
-  return is_close ? Exit::done : exit_code(match.status);
 }
 
 } // namespace mdm::cli

@@ -2,8 +2,7 @@
 /// \file
 /// The exit codes.
 
-#include <mdm/match/limits.hpp>
-#include <mdm/match/match.hpp>
+#include "ask/outcome.hpp"
 
 namespace mdm::cli {
 
@@ -18,9 +17,7 @@ enum Exit : int {
 /// The exit code of a run over many is that of the worst: 2 before 3 before 1.
 int worse_exit(int a, int b);
 
-/// The exit code of an answer: `limited` where a limit came first, whether there is a match or not.
-Exit exit_code(Status status);
-/// The same of a match, of which a gap that was asked for may be enough.
-Exit exit_code(const Match &match, const Limits &limits);
+/// The exit code of a run that had no bad input.
+Exit exit_code(Outcome outcome);
 
 } // namespace mdm::cli

@@ -2,13 +2,18 @@
 #include "cli/export_model.hpp"
 #include "cli/export_packing.hpp"
 #include "cli/export_report.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
 #include "cli/packing_file.hpp"
 #include "cli/progress.hpp"
+#include "files/file_ending.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
+#include "files/standard_streams.hpp"
+#include "text/lines.hpp"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace mdm::cli {
@@ -47,7 +52,8 @@ void write_particles(const ExportCommand &c, const ExportFormat &format,
     return write_model(c, format, *model, found, *start);
   Output out(c.output.path());
   if (!c.output.quiet)
-    tell(cost_guide(format, set, start ? &*start : nullptr, e) + how_to_verify(c, format, found));
+    tell(cost_guide(format, set, start ? &*start : nullptr, e) +
+         how_to_verify(c, format, found, start ? &*start : nullptr));
   Progress progress([] { return std::string("writing"); }, c.output.quiet);
   const Sink sink = [&out](std::string_view text) { out.write(text); };
   if (start && c.types == "class")
@@ -191,6 +197,10 @@ Run add_export(CLI::App &app) {
       .add_option("--to", c->to,
                   "format: " + export_format_names() +
                       "; of a packing lammps, liggghts, yade, lmgc90, vtk or csv")
+      ->transform([](std::string name) { // engines write their names in capitals
+        std::transform(name.begin(), name.end(), name.begin(), lower);
+        return name;
+      })
       ->type_name("FORMAT")
       ->required();
   command.add_option("--unit", c->unit, "unit of lengths in the file: m (default), mm, um or in")
@@ -227,7 +237,7 @@ Run add_export(CLI::App &app) {
   c->solving.push_back(spread);
   for (CLI::Option *const option : c->reading.add_to(command))
     c->solving.push_back(option);
-  c->output.add_out(command, "write the file");
+  c->output.add_out(command, "write the file", text_endings);
   c->output.add_quiet(command, "no progress, costs and notes on standard error");
   command.footer(footer(
       paragraph(

@@ -1,6 +1,6 @@
 #include "cli/export_command.hpp"
 
-#include "cli/option_values.hpp"
+#include "ask/option_values.hpp"
 
 #include <mdm/text/error.hpp>
 
@@ -57,25 +57,26 @@ std::vector<FileBeside> files_beside(const ExportCommand &c, const ExportFormat 
           {(folder / "positions").string(), write_phasicflow_positions}};
 }
 
-Rational physical(const std::string &option, const std::string &text) {
+Rational physical(const std::string &name, const std::string &text) {
   constexpr unsigned most_exponent = 30;
   const Rational most = power_of_ten(most_exponent);
-  const Rational r = positive(option, text);
+  const Rational r = positive(name, text);
   if (r > most || r * most < 1)
-    throw InputError(option + ": " + in_quotes(text) + " is not from 1e-30 to 1e30: give it in SI units");
+    throw InputError(option(name) + ": " + in_quotes(text) +
+                     " is not from 1e-30 to 1e30: give it in SI units");
   return r;
 }
 
 std::uint64_t seed_of(const ExportCommand &c) {
-  return seed64("--seed", c.seed.value_or("1"));
+  return seed64("seed", c.seed.value_or("1"));
 }
 
 Elasticity elasticity(const ExportCommand &c) {
   Elasticity e;
   if (c.young)
-    e.young = physical("--young", *c.young);
+    e.young = physical("young", *c.young);
   if (c.poisson)
-    e.poisson = not_negative("--poisson", *c.poisson);
+    e.poisson = not_negative("poisson", *c.poisson);
   if (e.poisson > ratio(1, 2))
     throw InputError("--poisson: " + in_quotes(*c.poisson) + " is above 0.5, which no material has");
   return e;
@@ -140,8 +141,11 @@ void check_sides(const ExportCommand &c) {
   if (c.sides != "walls" && c.sides != "cylinder" && c.sides != "periodic")
     throw InputError("--sides: " + in_quotes(*c.sides) + " is neither walls nor cylinder nor periodic");
   const bool is_deposit = c.start == "deposit";
-  if (c.sides == "periodic" ? !is_deposit : !is_deposit && c.start != "mixed" && !c.model)
-    throw InputError("--sides: other starts have walls: give --start deposit, or leave it out");
+  if (c.sides == "periodic" && !is_deposit)
+    throw InputError("--sides: a deposit alone can be periodic: give --start deposit, or leave --sides out");
+  if (!is_deposit && c.start != "mixed" && !c.model)
+    throw InputError(
+        "--sides: layers have the walls of a box: give --start mixed or deposit, or leave --sides out");
   if (c.sides == "periodic" && c.model && c.to == "yade")
     throw InputError(
         "--sides: models of YADE have walls on all sides or on none: leave it out, or take lammps or "

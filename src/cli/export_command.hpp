@@ -30,11 +30,11 @@ struct FileBeside {
 };
 
 struct ExportCommand {
-  GradationFlags::Text file; ///< open: the band alone
+  OptionText file; ///< open: the band alone
   SolveFlags flags;
   std::vector<CLI::Option *> solving; ///< options that only a gradation has a use for
-  GradationFlags::Text unit, size_unit, density, mass_error, box, seed, young, poisson, model, steps, start,
-      sides, pressure, tolerance, friction, friction_while_filling, types, material;
+  OptionText unit, size_unit, density, mass_error, box, seed, young, poisson, model, steps, start, sides,
+      pressure, tolerance, friction, friction_while_filling, types, material;
   ReadingFlags reading;
   std::string to;
   OutputFlags output;
@@ -52,7 +52,7 @@ const ExportFormat &export_format(const ExportCommand &c);
 std::vector<FileBeside> files_beside(const ExportCommand &c, const ExportFormat &format);
 
 /// A positive number that engines compute with as a double.
-Rational physical(const std::string &option, const std::string &text);
+Rational physical(const std::string &name, const std::string &text);
 
 std::uint64_t seed_of(const ExportCommand &c);
 Elasticity elasticity(const ExportCommand &c);

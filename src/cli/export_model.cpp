@@ -1,7 +1,9 @@
 #include "cli/export_model.hpp"
 
-#include "cli/files.hpp"
-#include "cli/option_values.hpp"
+#include "ask/option_values.hpp"
+#include "files/byte_source.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
 #include "particles/material_table.hpp"
 #include "text/lines.hpp"
 
@@ -36,13 +38,12 @@ constexpr std::array<ModelEngine, 3> engines = {
 constexpr std::size_t most_material_bytes = 1000000;
 
 /// A coefficient of friction.
-std::optional<double> friction(const char *option, const GradationFlags::Text &text) {
+std::optional<double> friction(const char *name, const OptionText &text) {
   if (!text)
     return std::nullopt;
-  const Rational mu = not_negative(option, *text);
+  const Rational mu = not_negative(name, *text);
   if (mu > 10)
-    throw InputError(std::string(option) + ": " + in_quotes(*text) +
-                     " is no coefficient of friction: give 0 to 10");
+    throw InputError(option(name) + ": " + in_quotes(*text) + " is no coefficient of friction: give 0 to 10");
   return mu.convert_to<double>();
 }
 
@@ -51,14 +52,14 @@ std::optional<DensityTarget> density_target(const ExportCommand &c) {
     return std::nullopt;
   DensityTarget target;
   if (c.flags.void_ratio) {
-    const Rational e = positive("--void-ratio", *c.flags.void_ratio);
+    const Rational e = positive("void-ratio", *c.flags.void_ratio);
     if (e > 100)
       throw InputError("--void-ratio: " + in_quotes(*c.flags.void_ratio) + " is above 100, which no bed has");
     target.void_ratio = e.convert_to<double>();
   } else
-    target.pressure = physical("--stress", *c.pressure).convert_to<double>();
+    target.pressure = physical("stress", *c.pressure).convert_to<double>();
   if (c.tolerance) {
-    const Rational tolerance = positive("--target-tolerance", *c.tolerance);
+    const Rational tolerance = positive("target-tolerance", *c.tolerance);
     if (tolerance >= 1 || tolerance < ratio(1, 1000000))
       throw InputError("--target-tolerance: " + in_quotes(*c.tolerance) + " is not from 1e-6 to below 1");
     target.tolerance = tolerance.convert_to<double>();
@@ -67,7 +68,7 @@ std::optional<DensityTarget> density_target(const ExportCommand &c) {
 }
 
 std::uint64_t steps_of(const std::string &text) {
-  const Integer steps = natural("--steps", text, 0);
+  const Integer steps = natural("steps", text, 0);
   if (steps > Settling::most_steps)
     throw InputError(
         fmt::format("--steps: {} are more than the {} that LAMMPS and LIGGGHTS make in a run: give "
@@ -123,8 +124,8 @@ SettleModel ModelWriter::model(const ExportCommand &c, const ExportedParticles &
   if (c.young)
     model.young = e.young;
   model.poisson = e.poisson;
-  model.friction = friction("--friction", c.friction).value_or(model.friction);
-  model.friction_while_filling = friction("--friction-while-filling", c.friction_while_filling);
+  model.friction = friction("friction", c.friction).value_or(model.friction);
+  model.friction_while_filling = friction("friction-while-filling", c.friction_while_filling);
   model.types_of_classes = c.types == "class" || c.material;
   if (c.material)
     model.materials =

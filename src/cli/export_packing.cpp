@@ -1,7 +1,7 @@
 #include "cli/export_packing.hpp"
 
-#include "cli/files.hpp"
 #include "cli/packing_file.hpp"
+#include "files/output.hpp"
 
 #include <mdm/particles/packing_export.hpp>
 #include <mdm/text/error.hpp>

@@ -1,10 +1,12 @@
 #include "cli/export_particles.hpp"
 
 #include "answer/answer_particles.hpp"
-#include "cli/files.hpp"
-#include "cli/option_values.hpp"
+#include "ask/option_values.hpp"
 #include "cli/progress.hpp"
 #include "cli/sample_file.hpp"
+#include "files/byte_source.hpp"
+#include "files/paths.hpp"
+#include "files/standard_streams.hpp"
 #include "particles/sample_set.hpp"
 #include "text/json_member.hpp"
 #include "text/lines.hpp"
@@ -45,6 +47,7 @@ ExportedParticles answer_particles(const ExportCommand &c, const std::string &co
   refuse_options_of_solving(c, "the answer");
   const AnswerSample answer = read_answer(content, shown_name(*c.file));
   const MassLaw law = c.flags.GradationTexts::question().rest.law;
+  c.output.tell_notes(answer.notes);
   return {in_file(*c.file, [&] { return particle_set(answer, law, options); }), Exit::done, answer.unit,
           answer.question, false};
 }
@@ -58,7 +61,7 @@ ExportedParticles sample_particles(const ExportCommand &c, const ParticleSetOpti
   ParticleOptions reading;
   reading.says_otherwise = "--size-unit says";
   if (c.size_unit)
-    reading.unit = length_unit_of("--size-unit", *c.size_unit);
+    reading.unit = length_unit_of("size-unit", *c.size_unit);
   SampleSet sample;
   c.output.tell_notes(read_sample_file(*c.file, reading, sample, c.output.quiet));
   return {in_file(*c.file, [&] { return sample.set(stem(*c.file), LengthUnit::mm, options); }), Exit::done,
@@ -79,7 +82,7 @@ ExportedParticles solved_particles(const ExportCommand &c, const std::optional<s
   c.output.tell_notes(m.gradation.notes()); // solve's own are of doubles that may leave their class
   if (m.status != Status::optimal)
     tell(printable(m.gradation.id()) + ": " + headline(m) + "\n");
-  const int code = cli::exit_code(m, solve_options.limits);
+  const int code = exit_code(outcome_of(m, solve_options.limits));
   if (!m.has_answer())
     return {std::nullopt, code, m.gradation.unit(), ""};
   const std::uint64_t seed = seed_of(c);
@@ -94,14 +97,14 @@ ExportedParticles solved_particles(const ExportCommand &c, const std::optional<s
 ParticleSetOptions set_options(const ExportCommand &c, bool has_floats) {
   ParticleSetOptions options;
   if (c.unit)
-    options.unit = length_unit_of("--unit", *c.unit);
+    options.unit = length_unit_of("unit", *c.unit);
   if (c.density)
-    options.density = physical("--density", *c.density);
+    options.density = physical("density", *c.density);
   options.has_floats = has_floats;
   if (has_floats)
     options.most_mass_error = ratio(1, 5000000); // of a cube: three times that of a float
   if (c.mass_error)
-    options.most_mass_error = positive("--mass-error", *c.mass_error);
+    options.most_mass_error = positive("mass-error", *c.mass_error);
   return options;
 }
 
@@ -123,7 +126,7 @@ std::optional<std::string> verify_options(const ExportCommand &c) {
   if (!c.file)
     return std::nullopt;
   std::string options;
-  const auto add = [&options](const char *option, const GradationFlags::Text &value) {
+  const auto add = [&options](const char *option, const OptionText &value) {
     if (value)
       options += std::string(" ") + option + " " + *value;
   };

@@ -1,6 +1,6 @@
 #include "cli/export_report.hpp"
 
-#include "cli/files.hpp"
+#include "files/paths.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/number/decimal.hpp>
@@ -154,8 +154,8 @@ std::string cost_guide(const ExportFormat &format, const ParticleSet &set, const
   return text;
 }
 
-std::string how_to_verify(const ExportCommand &c, const ExportFormat &format,
-                          const ExportedParticles &found) {
+std::string how_to_verify(const ExportCommand &c, const ExportFormat &format, const ExportedParticles &found,
+                          const Placement *start) {
   const ParticleSet &set = *found.set;
   const std::optional<std::string> options = verify_options(c);
   if (!options || !found.has_gradation || c.file == "-" || c.output.path() == "-" ||
@@ -163,8 +163,12 @@ std::string how_to_verify(const ExportCommand &c, const ExportFormat &format,
     return "";
   const std::string unit =
       format.write == write_size_csv ? "" : " --size-unit " + std::string(name(set.unit));
-  return fmt::format("check it by: mdm verify {} {}{}{} --tolerance {}\n", shell_word(*c.file),
-                     shell_word(c.output.path()), *options, unit, share_tolerance(set));
+  const std::string specimen =
+      start != nullptr && start->sides() == Sides::cylinder
+          ? fmt::format(" --specimen cylinder:{}{}", start->text(start->box()[0]), name(set.unit))
+          : "";
+  return fmt::format("check it by: mdm verify {} {}{}{}{} --tolerance {}\n", shell_word(*c.file),
+                     shell_word(c.output.path()), *options, unit, specimen, share_tolerance(set));
 }
 
 std::string model_guide(const ExportFormat &format, const SettleModel &model) {

@@ -18,6 +18,7 @@ std::string cost_guide(const ExportFormat &format, const ParticleSet &set, const
 std::string model_guide(const ExportFormat &format, const SettleModel &model);
 
 /// The command that judges the file; empty where there is none to judge, or no exact counts in it.
-std::string how_to_verify(const ExportCommand &c, const ExportFormat &format, const ExportedParticles &found);
+std::string how_to_verify(const ExportCommand &c, const ExportFormat &format, const ExportedParticles &found,
+                          const Placement *start);
 
 } // namespace mdm::cli

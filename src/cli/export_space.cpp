@@ -1,8 +1,8 @@
 #include "cli/export_space.hpp"
 
-#include "cli/files.hpp"
-#include "cli/option_values.hpp"
+#include "ask/option_values.hpp"
 #include "cli/progress.hpp"
+#include "files/standard_streams.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
@@ -15,7 +15,7 @@ namespace mdm::cli {
 namespace {
 
 Footprint parse_box(const std::string &text, SizeUnit unit) {
-  const std::vector<Rational> sides = box_sides("--box", text, unit);
+  const std::vector<Rational> sides = box_sides("box", text, unit);
   return {sides[0], sides[1], sides.size() == 3 ? std::optional(sides[2]) : std::nullopt};
 }
 
@@ -80,7 +80,7 @@ Start start_of_model(const ExportCommand &c, const ExportedParticles &found) {
 std::optional<Solids> specimen(const ExportCommand &c, SizeUnit unit) {
   if (c.box || !c.flags.specimen)
     return std::nullopt;
-  return named("--specimen", *c.flags.specimen, [&c, unit](const std::string &text) {
+  return named("specimen", *c.flags.specimen, [&c, unit](const std::string &text) {
     return parse_specimen(text, c.flags.void_ratio.value_or("0"), unit);
   });
 }

@@ -1,13 +1,16 @@
 #include "answer/generated.hpp"
+#include "ask/option_values.hpp"
 #include "cli/accessible.hpp"
 #include "cli/beta_options.hpp"
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
-#include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
+#include "files/byte_source.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
+#include "files/standard_streams.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/number/decimal.hpp>
@@ -40,6 +43,9 @@ struct GenerateCommand : BetaOptions {
   OutputFlags output;
   AccessibleFlags accessible;
   bool quantiles = false, sizes = false, spread = false;
+
+  /// The sizes of a spread are what it is asked for.
+  bool writes_sizes() const { return sizes || (spread && !output.is_text()); }
 };
 
 std::shared_ptr<const SieveCurve> sieve_curve(const GenerateCommand &c, std::vector<std::string> &notes) {
@@ -58,21 +64,13 @@ std::shared_ptr<const SieveCurve> sieve_curve(const GenerateCommand &c, std::vec
                                                             : Interpolation::stair;
   return in_file(*c.curve, [&] {
     if (c.pan_size)
-      g = g.with_pan_size(length("--pan-size", *c.pan_size).in(g.unit()));
+      g = g.with_pan_size(length("pan-size", *c.pan_size).in(g.unit()));
     return std::make_shared<const SieveCurve>(GradingCurve(g), interpolation);
   });
 }
 
-unsigned small_natural(const char *option, const std::string &text, unsigned least, unsigned most) {
-  const Integer n = natural(option, text, least);
-  if (n > most)
-    throw InputError(std::string(option) + ": " + in_quotes(text) + " is too large: write a number up to " +
-                     std::to_string(most));
-  return static_cast<unsigned>(n);
-}
-
 unsigned class_number(const GenerateCommand &c) {
-  return small_natural("--classes", c.classes.value_or("10"), 1, max_size_classes);
+  return small_natural("classes", c.classes.value_or("10"), 1, max_size_classes);
 }
 
 Classing classing(const std::string &name) {
@@ -82,7 +80,7 @@ Classing classing(const std::string &name) {
 }
 
 std::uint64_t seed_of(const GenerateCommand &c) {
-  return seed64("--seed", c.seed.value_or("1"));
+  return seed64("seed", c.seed.value_or("1"));
 }
 
 Draws draws(const GenerateCommand &c) {
@@ -90,11 +88,11 @@ Draws draws(const GenerateCommand &c) {
 }
 
 unsigned match_digits(const GenerateCommand &c) {
-  return digits_of("--match-digits", c.match_digits.value_or("6"));
+  return digits_of("match-digits", c.match_digits.value_or("6"));
 }
 
 std::chrono::milliseconds time_limit(const GenerateCommand &c) {
-  return duration("--time-limit", c.time_limit.value_or("60"));
+  return duration("time-limit", c.time_limit.value_or("60"));
 }
 
 void check(const GenerateCommand &c) {
@@ -121,13 +119,14 @@ void check(const GenerateCommand &c) {
         "--method match gives a class one size: leave out --seed and --quantiles, or add --spread");
   if (c.method != "match" && (c.match_digits || c.time_limit))
     throw InputError("--match-digits and --time-limit are of --method match: add it or leave them out");
-  if ((c.seed || c.quantiles) && c.output.is_csv() && !c.sizes)
+  if ((c.seed || c.quantiles) && c.output.is_csv() && !c.writes_sizes())
     throw InputError(
         "--seed and --quantiles: CSV has no drawn sizes without --sizes: add it or leave them out");
   if (c.points && c.output.is_csv())
     throw InputError("--points: CSV has no place for the quality of the set; use --format text or json");
-  if (c.sizes && c.table && c.output.is_csv())
-    throw InputError("--sizes and --table: CSV has place for one of them; use --format json");
+  if (c.writes_sizes() && c.table && c.output.is_csv())
+    throw InputError(std::string(c.sizes ? "--sizes" : "--spread") +
+                     " and --table: CSV has place for one of them; use --format json");
 }
 
 /// Particles of sets of which the quality is told without being asked for: a second or so.
@@ -137,7 +136,7 @@ constexpr unsigned usual_points = 100;
 
 /// C_r and the rest of Eq. 18-21 for the particles themselves.
 void add_quality(const GenerateCommand &c, GeneratedSet &set) {
-  set.points = c.points ? small_natural("--points", *c.points, 0, most_points) : usual_points;
+  set.points = c.points ? small_natural("points", *c.points, 0, most_points) : usual_points;
   if (set.points == 1)
     throw InputError("--points: at least 2, or 0 to leave the quality out");
   if (set.points == 0 || c.output.is_csv())
@@ -189,25 +188,25 @@ void add_curve(const GenerateCommand &c, GeneratedSet &set) {
 }
 
 Representativity representativity(const GenerateCommand &c) {
-  return {natural("--min-per-class", c.min_per_class, 1), natural("--at-least", c.at_least, 1),
+  return {natural("min-per-class", c.min_per_class, 1), natural("at-least", c.at_least, 1),
           c.dimension == "2" ? 2U : 3U};
 }
 
 GeneratedSet generated(const GenerateCommand &c) {
   GeneratedSet set;
-  set.digits = digits_of("--digits", c.digits.value_or("15"));
+  set.digits = digits_of("digits", c.digits.value_or("15"));
   set.match_digits = match_digits(c);
   set.wanted = representativity(c);
   if (c.at_most) {
-    set.at_most = natural("--at-most", *c.at_most, 1);
+    set.at_most = natural("at-most", *c.at_most, 1);
     if (*set.at_most < set.wanted.at_least)
       throw InputError("--at-most: fewer than --at-least: no set can have both");
   }
   if (c.table)
-    set.table = small_natural("--table", *c.table, 2, most_table);
+    set.table = small_natural("table", *c.table, 2, most_table);
   add_curve(c, set);
-  set.terms += fmt::format(", at least {} particles in each and {} in all, dimension {}", c.min_per_class,
-                           c.at_least, c.dimension);
+  set.terms += fmt::format(", at least {} particles in each and {} in all, dimension {}",
+                           to_string(set.wanted.min_per_class), to_string(set.wanted.at_least), c.dimension);
   set.counts = class_counts(set.classes, *set.curve, set.wanted);
   std::string empty;
   for (std::size_t j = 0; j < set.classes.size(); ++j)
@@ -235,7 +234,7 @@ GeneratedSet generated(const GenerateCommand &c) {
   return set;
 }
 
-int exit_code(const GeneratedSet &set) {
+int exit_code_of(const GeneratedSet &set) {
   const std::optional<bool> accessible = set.accessible();
   if (accessible == false)
     return Exit::negative;
@@ -243,10 +242,10 @@ int exit_code(const GeneratedSet &set) {
 }
 
 /// Parameters of shapes, as of --beta.
-std::vector<Rational> parameters(const std::string &option, const std::string &text) {
-  std::vector<Rational> all = number_list(option, text);
+std::vector<Rational> parameters(const std::string &name, const std::string &text) {
+  std::vector<Rational> all = number_list(name, text);
   if (all.front() < BetaCurve::least_parameter() || all.back() > BetaCurve::largest_parameter())
-    throw InputError(option + ": " + in_quotes(text) +
+    throw InputError(option(name) + ": " + in_quotes(text) +
                      ": a and b must be from 0.001 to 1000: leave out those that are not");
   return all;
 }
@@ -267,15 +266,15 @@ AccessibleQuestion accessible_question(const GenerateCommand &c) {
   if (c.classing == "sieves")
     throw InputError("--classing: a beta curve has no sieves: use regular, geometric or isochoric");
   AccessibleQuestion q;
-  q.a = parameters("--a", c.accessible.a.value_or("0.5:10:0.5"));
-  q.b = parameters("--b", c.accessible.b.value_or("0.5:10:0.5"));
-  q.spans = number_list("--span", *c.span);
+  q.a = parameters("a", c.accessible.a.value_or("0.5:10:0.5"));
+  q.b = parameters("b", c.accessible.b.value_or("0.5:10:0.5"));
+  q.spans = number_list("span", *c.span);
   if (q.spans.back() >= 1)
     throw InputError("--span: " + to_decimal(q.spans.back()) + " is not below 1: then d_min would be 0");
   q.classing = classing(c.classing.value_or("geometric"));
   q.classes = class_number(c);
   q.wanted = representativity(c);
-  q.at_most = natural("--at-most", c.at_most.value_or("10000"), 1);
+  q.at_most = natural("at-most", c.at_most.value_or("10000"), 1);
   if (q.at_most < q.wanted.at_least)
     throw InputError("--at-most: fewer than --at-least: no set can have both");
   q.match_digits = match_digits(c);
@@ -289,7 +288,7 @@ void check_listed(const GeneratedSet &set, const Integer &particles) {
                      " particles: at most 10^12 can be listed; leave out --sizes or ask for fewer classes");
   if (set.spread && particles > most_spread_particles)
     throw InputError("--spread: " + to_string(particles) +
-                     " particles: at most 10^9 can be spread; leave out --sizes or ask for fewer classes");
+                     " particles: at most 10^9 can be spread; leave out --spread or ask for fewer classes");
 }
 
 int run(const GenerateCommand &c) {
@@ -299,7 +298,7 @@ int run(const GenerateCommand &c) {
     return run_accessible(accessible_question(c), c.output, c.accessible);
   check(c);
   check_distinct({c.curve.value_or("-"), c.output.path()});
-  const std::optional<Draws> how = c.sizes ? std::optional(draws(c)) : std::nullopt;
+  const std::optional<Draws> how = c.writes_sizes() ? std::optional(draws(c)) : std::nullopt;
   std::atomic<std::uint64_t> written = 0;
   Progress progress([&written] { return fmt::format("generating, {} MB written", written / 1000000); },
                     c.output.quiet);
@@ -320,7 +319,7 @@ int run(const GenerateCommand &c) {
     out.write(generated_text(set));
   }
   out.commit();
-  const int code = exit_code(set);
+  const int code = exit_code_of(set);
   // CSV has no place for them.
   if (c.output.is_csv() && code != Exit::done)
     tell(printable(set.id) + ": " + headline(set) + "\n");
@@ -374,7 +373,7 @@ Run add_generate(CLI::App &app) {
   command.add_flag(
       "--spread", c->spread,
       "for --method match: sizes drawn uniform by volume in their class by --seed (1), and enough "
-      "particles for that");
+      "particles for that; JSON and CSV have them, as with --sizes");
   command.add_flag("--quantiles", c->quantiles, "draw sizes without randomness (the default)");
   option("--points", c->points, "K",
          "sizes, equally spaced in log size, at which the set's curve is compared (C_r; 100 for up to "
@@ -387,7 +386,7 @@ Run add_generate(CLI::App &app) {
   c->output.add_quiet(command, "no progress and no notes on standard error");
   c->reading.add_to(command);
   command.footer(footer("", {"mdm generate --beta 1,3 --dmin 0.1 --ratio 20 --sizes --seed 1 --format csv",
-                             "mdm generate --curve sand.csv --method match --spread --sizes --format json",
+                             "mdm generate --curve sand.csv --method match --spread -o set.json",
                              "mdm generate --accessible --span 0.42,0.97 --plot shapes.svg"}));
   return [c] { return run(*c); };
 }

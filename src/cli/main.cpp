@@ -1,11 +1,13 @@
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
-#include "cli/number_pool.hpp"
 #include "cli/usage_error.hpp"
+#include "files/number_pool.hpp"
+#include "files/output.hpp"
+#include "files/standard_streams.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 
@@ -18,12 +20,15 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
 
+using namespace mdm;
 using namespace mdm::cli;
 
 /// A command and what runs it.
@@ -59,8 +64,9 @@ int complain(const std::string &message) {
 std::vector<Command> add_commands(CLI::App &app) {
   std::vector<Command> commands;
   for (Run (*const add)(CLI::App &) :
-       {add_solve, add_batch, add_merge, add_convert, add_describe, add_verify, add_crosscheck, add_published,
-        add_generate, add_suite, add_pack, add_study, add_tradeoff, add_plot, add_export, add_completion}) {
+       {add_solve, add_batch, add_merge, add_convert, add_describe, add_judge, add_verify, add_crosscheck,
+        add_published, add_generate, add_blend, add_suite, add_pack, add_study, add_tradeoff, add_plot,
+        add_export, add_completion}) {
     Run run = add(app);
     commands.push_back({app.get_subcommands({}).back(), std::move(run)});
   }
@@ -94,6 +100,17 @@ std::vector<std::string> arguments(int argc, char **argv) {
     all.emplace_back("--help");
   }
   return all;
+}
+
+/// Who runs this program for Python or JavaScript says so by MDM_OPTION_SPELLING, keyword or member: messages
+/// then name options as these languages do.
+void spell_options_as_asked() {
+  const char *const asked = std::getenv("MDM_OPTION_SPELLING");
+  const std::string_view spelling = asked == nullptr ? "" : asked;
+  if (spelling == "keyword")
+    spell_options(OptionSpelling::keyword);
+  else if (spelling == "member")
+    spell_options(OptionSpelling::member);
 }
 
 int run(std::vector<std::string> words) {
@@ -136,6 +153,7 @@ int run(std::vector<std::string> words) {
 
 int main(int argc, char **argv) {
   occupy_standard_streams();
+  spell_options_as_asked();
   use_number_pool();
   remove_unfinished_at_signals();
   // A closed pipe and a limit of the file size are then errors of write, with a message and an exit code.

@@ -1,6 +1,9 @@
 #include "cli/output_flags.hpp"
 
-#include "cli/files.hpp"
+#include "files/file_ending.hpp"
+#include "files/standard_streams.hpp"
+
+#include <mdm/text/error.hpp>
 
 namespace mdm::cli {
 
@@ -8,8 +11,19 @@ void OutputFlags::add_format(CLI::App &command, const std::string &help) {
   command.add_option("--format", asked_format, help)->check(CLI::IsMember({"text", "json", "csv"}));
 }
 
-CLI::Option *OutputFlags::add_out(CLI::App &command, const std::string &help) {
+CLI::Option *OutputFlags::add_out(CLI::App &command, const std::string &help,
+                                  const std::vector<std::string> &endings) {
+  check_ending_of_out(command, endings);
   return command.add_option("-o", out, help + " to OUT instead of standard output")->type_name("OUT");
+}
+
+void OutputFlags::check_ending_of_out(CLI::App &command, const std::vector<std::string> &endings) {
+  command.callback([this, &command, endings] {
+    const bool has_format = command.get_option_no_throw("--format") != nullptr;
+    if (out && !(asked_format && out_has_report))
+      check_ending(*out, endings, command.get_name(),
+                   has_format && out_has_report ? ", or say with --format what it holds" : "");
+  });
 }
 
 void OutputFlags::add_quiet(CLI::App &command, const std::string &help) {
@@ -19,16 +33,14 @@ void OutputFlags::add_quiet(CLI::App &command, const std::string &help) {
 std::string OutputFlags::format() const {
   if (asked_format)
     return *asked_format;
-  std::string ending = out_has_report ? path() : "";
-  if (names_zstd(ending))
-    ending.resize(ending.rfind('.'));
-  return ending.ends_with(".json") ? "json" : ending.ends_with(".csv") ? "csv" : "text";
+  const std::string ending = out_has_report ? ending_of(path()) : "";
+  return ending == "json" || ending == "csv" ? ending : "text";
 }
 
 void OutputFlags::tell_notes(const std::vector<std::string> &notes) const {
   if (!quiet)
     for (const std::string &note : notes)
-      tell("note: " + note + "\n");
+      tell("note: " + printable(note) + "\n");
 }
 
 void OutputFlags::tell_notes_beside_csv(const std::vector<std::string> &notes) const {

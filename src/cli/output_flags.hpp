@@ -20,7 +20,11 @@ struct OutputFlags {
   void add_format(CLI::App &command,
                   const std::string &help = "text, json or csv; else as OUT ends, else text");
   /// \param help completed by "to OUT instead of standard output"
-  CLI::Option *add_out(CLI::App &command, const std::string &help = "write");
+  CLI::Option *add_out(CLI::App &command, const std::string &help = "write",
+                       const std::vector<std::string> &endings = {"txt", "json", "csv"});
+  /// Refuses, when all options are known, an OUT that ends as another format does; --format says what it
+  /// holds.
+  void check_ending_of_out(CLI::App &command, const std::vector<std::string> &endings);
   void add_quiet(CLI::App &command, const std::string &help);
 
   /// text, json or csv.

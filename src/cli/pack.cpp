@@ -1,11 +1,12 @@
+#include "ask/option_values.hpp"
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
-#include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/pack_apollonian.hpp"
 #include "cli/pack_sizes.hpp"
 #include "cli/progress.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
 #include "report/packing_report.hpp"
 
 #include <mdm/packing/deposit.hpp>
@@ -43,7 +44,7 @@ DepositOptions deposit_options(const PackCommand &c) {
   o.rule = c.rule == "drop" ? DepositRule::drop : DepositRule::lowest;
   o.floor = c.floor == "left" ? FloorRule::left : FloorRule::centred;
   o.periodic = !c.walls;
-  o.seed = seed64("--seed", c.seed);
+  o.seed = seed64("seed", c.seed);
   o.shuffled = c.order == "shuffled";
   return o;
 }
@@ -54,8 +55,9 @@ Packing packed(const PackCommand &c) {
   options.progress = [&lying](std::size_t n) { lying = n; };
   const Progress progress([&lying] { return fmt::format("packing, {} discs lie", lying.load()); },
                           c.output.quiet);
-  const std::optional<Length> width = c.width ? std::optional(length("--width", *c.width)) : std::nullopt;
+  const std::optional<Length> width = c.width ? std::optional(length("width", *c.width)) : std::nullopt;
   const DiscSizes discs = c.sizes.read(options.seed);
+  c.output.tell_notes(discs.notes);
   if (width)
     options.width = width_in(discs.unit, *width);
   return deposit(discs, options);
@@ -124,12 +126,13 @@ Run add_pack(CLI::App &app) {
       ->check(CLI::IsMember({"shuffled", "given"}));
   option("--seed", c->seed, "K", "of drawn sizes, of the order and of random columns (1)");
   c->output.out_has_report = false;
+  c->output.check_ending_of_out(command, {"packing", "txt"});
   c->output.add_format(command, "of the report: text, json or csv");
   command.add_flag("--positions", c->positions, "with --format json: centre and radius of every disc");
   option("-o", c->output.out, "OUT",
          "write the packing to OUT: a header, then x y r left right of each disc; - for standard "
          "output, without the report");
-  c->output.add_quiet(command, "no progress on standard error");
+  c->output.add_quiet(command, "no progress and no notes on standard error");
   command.footer(footer("", {"mdm pack --beta 1,1 --span 0.97 --at-least 25000 --seed 1 -o start.packing",
                              "mdm pack sand.csv --spread --seed 1 --walls --rule drop",
                              "mdm pack --apollonian -1,2,2,3 --smallest 1/1000"}));

@@ -1,9 +1,10 @@
 #include "cli/pack_apollonian.hpp"
 
+#include "ask/option_values.hpp"
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
-#include "cli/option_values.hpp"
 #include "cli/progress.hpp"
+#include "files/output.hpp"
+#include "number/typed_number.hpp"
 #include "report/apollonian_report.hpp"
 
 #include <mdm/number/decimal.hpp>
@@ -20,7 +21,7 @@ namespace {
 /// A whole number with its sign.
 Integer whole(const std::string &text) {
   const bool negative = !text.empty() && text.front() == '-';
-  const std::optional<Integer> n = parse_natural(negative ? std::string_view(text).substr(1) : text);
+  const std::optional<Integer> n = parse_typed_natural(negative ? std::string_view(text).substr(1) : text);
   if (!n)
     throw InputError("--apollonian: " + in_quotes(text) +
                      " is no whole number: write equal, or for example -1,2,2,3");
@@ -41,15 +42,15 @@ ApollonianGasket gasket(const std::string &text) {
     w.at(i) = whole(text.substr(begin, end - begin));
     begin = end + 1;
   }
-  return named("--apollonian", text, [&w](const std::string &) { return ApollonianGasket::integral(w); });
+  return named("apollonian", text, [&w](const std::string &) { return ApollonianGasket::integral(w); });
 }
 
 /// `0.001` or `1/1000`.
 Rational radius(const std::string &text) {
   const std::size_t slash = text.find('/');
   if (slash == std::string::npos)
-    return positive("--smallest", text);
-  return positive("--smallest", text.substr(0, slash)) / positive("--smallest", text.substr(slash + 1));
+    return positive("smallest", text);
+  return positive("smallest", text.substr(0, slash)) / positive("smallest", text.substr(slash + 1));
 }
 
 void print(const std::string &text) {

@@ -1,8 +1,9 @@
 #include "cli/pack_sizes.hpp"
 
-#include "cli/files.hpp"
-#include "cli/option_values.hpp"
+#include "ask/option_values.hpp"
 #include "cli/packing_file.hpp"
+#include "files/byte_source.hpp"
+#include "files/paths.hpp"
 #include "packing/set_discs.hpp"
 #include "sets/matched_set.hpp"
 #include "sets/set_sizes.hpp"
@@ -74,7 +75,7 @@ DiscSizes PackSizes::of_curve(std::uint64_t seed) const {
   const std::string how = classing.value_or("geometric");
   if (how != "regular" && how != "geometric" && how != "isochoric")
     throw InputError("--classing: " + in_quotes(how) + " is unknown: use regular, geometric or isochoric");
-  const Integer n = natural("--classes", classes.value_or("10"), 1);
+  const Integer n = natural("classes", classes.value_or("10"), 1);
   if (n > max_size_classes)
     throw InputError("--classes: " + to_string(n) + " is too large: at most " +
                      std::to_string(max_size_classes));
@@ -85,8 +86,8 @@ DiscSizes PackSizes::of_curve(std::uint64_t seed) const {
                                                                        : Classing::isochoric,
                                                   static_cast<unsigned>(n));
   const ClassCounts counts = class_counts(all, *curve,
-                                          {natural("--min-per-class", min_per_class.value_or("10"), 1),
-                                           natural("--at-least", at_least.value_or("2000"), 1), 2});
+                                          {natural("min-per-class", min_per_class.value_or("10"), 1),
+                                           natural("at-least", at_least.value_or("2000"), 1), 2});
   if (!counts.decided())
     throw InputError("--beta: the numbers of discs are not decided by 4096 bits: change a size a little");
   if (counts.particles() > most_discs)
@@ -111,8 +112,8 @@ DiscSizes PackSizes::of_gradation(const std::string &content, const std::string 
                                   std::uint64_t seed) const {
   const Gradation g = read_gradation(content, name, reading.reading());
   Representativity wanted;
-  wanted.min_per_class = natural("--min-per-class", min_per_class.value_or("1"), 1);
-  wanted.at_least = natural("--at-least", at_least.value_or("1"), 1);
+  wanted.min_per_class = natural("min-per-class", min_per_class.value_or("1"), 1);
+  wanted.at_least = natural("at-least", at_least.value_or("1"), 1);
   wanted.dimension = 2;
   SolveOptions options;
   options.at_most = Integer(most_discs);
@@ -120,8 +121,13 @@ DiscSizes PackSizes::of_gradation(const std::string &content, const std::string 
   if (!m.complete)
     throw InputError(printable(name) + ": its smallest match of discs was not found, or has more than 10^7: "
                                        "leave out fine classes");
-  return set_discs(spread_particles(m, seed), m.gradation.classes(),
-                   std::string(mdm::name(m.gradation.unit())));
+  if (*m.particles() > most_discs)
+    throw InputError(printable(name) + ": its smallest match has " + to_string(*m.particles()) +
+                     " discs, more than 10^7: leave out fine classes");
+  DiscSizes discs =
+      set_discs(spread_particles(m, seed), m.gradation.classes(), std::string(mdm::name(m.gradation.unit())));
+  discs.notes = g.notes();
+  return discs;
 }
 
 } // namespace mdm::cli

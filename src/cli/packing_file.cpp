@@ -1,6 +1,7 @@
 #include "cli/packing_file.hpp"
 
-#include "cli/files.hpp"
+#include "files/byte_source.hpp"
+#include "files/paths.hpp"
 
 #include <mdm/packing/packing_reader.hpp>
 

@@ -1,13 +1,17 @@
+#include "ask/option_values.hpp"
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
-#include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/packing_file.hpp"
 #include "cli/picture.hpp"
 #include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
+#include "cli/soil_flags.hpp"
+#include "cli/solve_flags.hpp"
+#include "files/byte_source.hpp"
+#include "files/paths.hpp"
+#include "files/standard_streams.hpp"
 #include "match/smallest_match.hpp"
 #include "particles/description_sink.hpp"
 #include "particles/placed_sink.hpp"
@@ -38,6 +42,7 @@ struct PlotCommand {
   bool coarse_left = false;
   OutputFlags output;
   PictureFlags picture;
+  SoilFlags soil;
   ReadingFlags reading;
 };
 
@@ -58,7 +63,7 @@ void check(const PlotCommand &c) {
   if (std::count(inputs.begin(), inputs.end(), "-") > 1)
     throw InputError("-: standard input is one file: give the others by name");
   for (const std::string &input : inputs)
-    check_distinct({input, c.picture.out.value_or("-"), c.picture.script.value_or("-")});
+    check_distinct({input, c.picture.out.value_or("-")});
 }
 
 /// The classes of an answer with lengths in the gradation's unit.
@@ -128,7 +133,7 @@ std::optional<SphereSample> add_sample(GradationFigure &what, const Gradation &g
   options.target = g.unit();
   options.says_otherwise = "--size-unit says";
   if (c.size_unit)
-    options.unit = length_unit_of("--size-unit", *c.size_unit);
+    options.unit = length_unit_of("size-unit", *c.size_unit);
   ParticleSink &sink = wants_section(c) ? static_cast<ParticleSink &>(placed) : sample;
   const std::vector<std::string> read = read_sample_file(*c.answer, options, sink, c.output.quiet);
   notes.insert(notes.end(), read.begin(), read.end());
@@ -175,7 +180,7 @@ int limited(const PlotCommand &c, const Match &m) {
 
 int run_packing(const PlotCommand &c, const Packing &packing) {
   if (c.answer || c.match || c.what || c.band || c.bands || c.coarse_left || c.sieve_names ||
-      c.reading.is_given())
+      c.soil.is_given() || c.reading.is_given())
     throw InputError(printable(shown_name(c.file)) +
                      " is a packing: of the options for what is drawn --colour alone is for it: leave out "
                      "the others");
@@ -199,10 +204,12 @@ int run(const PlotCommand &c) {
     return run_packing(c, read_packing(content, shown_name(c.file)));
   if (c.colour)
     throw InputError("--colour is for packings: give a FILE that mdm pack -o wrote");
-  const Gradation g = is_sample ? any_gradation(c.file, c.reading, c.output.quiet).gradation
-                                : read_gradation(content, shown_name(c.file), c.reading.reading());
-  std::vector<std::string> notes = g.notes();
   GradationFigure what;
+  what.soil = c.soil.describe_options();
+  const Gradation read = is_sample ? any_gradation(c.file, c.reading, c.output.quiet).gradation
+                                   : read_gradation(content, shown_name(c.file), c.reading.reading());
+  const Gradation g = in_file(c.file, [&] { return c.soil.with_pan(read); });
+  std::vector<std::string> notes;
   if (c.bands && c.bands != "uscs")
     what.bands = c.bands == "iso" ? Bands::iso_14688 : Bands::none;
   what.coarse_left = c.coarse_left;
@@ -210,7 +217,10 @@ int run(const PlotCommand &c) {
   if (is_sample)
     what.curve_title = "set of particles";
   if (c.band) {
-    what.envelope = read_envelope(read_file(*c.band, max_gradation_bytes), shown_name(*c.band));
+    what.envelope = band_in_file(*c.band);
+    if (const std::optional<std::string> why = contradiction(*what.envelope))
+      throw InputError(shown_name(*c.band) + ": no curve is within this band: " + *why +
+                       ": correct one of them");
     notes.insert(notes.end(), what.envelope->notes.begin(), what.envelope->notes.end());
   }
   std::optional<SphereSample> places;
@@ -238,6 +248,7 @@ int run(const PlotCommand &c) {
   what.counts = panels != "curve";
   what.counts = what.counts && panels != "section";
   Figure figure = gradation_figure(g, what);
+  figure.remarks.insert(figure.remarks.end(), notes.begin(), notes.end());
   if (wants_section(c)) {
     if (!places)
       throw InputError("--what section: there are no places of particles: give a SAMPLE such as a dump");
@@ -245,7 +256,7 @@ int run(const PlotCommand &c) {
     figure.panels.push_back(section_panel(*places, g, figure.panel_height / figure.panel_width));
   }
   draw(figure, c.picture, c.output.quiet);
-  c.output.tell_notes(notes);
+  c.output.tell_notes(figure.remarks);
   return Exit::done;
 }
 
@@ -254,7 +265,7 @@ int run(const PlotCommand &c) {
 Run add_plot(CLI::App &app) {
   const auto c = std::make_shared<PlotCommand>();
   CLI::App &command = *app.add_subcommand("plot", "A gradation as the field draws it with the particles that "
-                                                  "match it, or a packing of discs (gnuplot draws)");
+                                                  "match it, or a packing of discs");
   command
       .add_option("FILE", c->file,
                   "gradation (any that mdm convert reads), set of mdm generate, or file of particles as mdm "
@@ -272,7 +283,11 @@ Run add_plot(CLI::App &app) {
           "curve, counts or both; both where there are particles, else curve; or section: of a SAMPLE with "
           "places, the curve and an upright cut through its middle, coloured by class")
       ->check(CLI::IsMember({"curve", "counts", "both", "section"}));
-  command.add_option("--band", c->band, "show an envelope: CSV with passing_min_percent,passing_max_percent")
+  command
+      .add_option("--band", c->band,
+                  "show an envelope: CSV with passing_min_percent,passing_max_percent, or a table with "
+                  "columns such as "
+                  "Lower and Upper")
       ->type_name("FILE");
   command.add_option("--bands", c->bands, "size bands: uscs, iso (14688) or none (uscs)")
       ->check(CLI::IsMember({"uscs", "iso", "none"}));
@@ -294,6 +309,7 @@ Run add_plot(CLI::App &app) {
       .add_option("--size-unit", c->size_unit,
                   "unit of SAMPLE where it is a file of particles: as in mdm verify")
       ->type_name("UNIT");
+  c->soil.add_to(command);
   c->picture.add_to(command);
   c->output.add_quiet(command, "no progress and no notes on standard error");
   c->reading.add_to(command);

@@ -1,6 +1,6 @@
 #include "cli/progress.hpp"
 
-#include "cli/files.hpp"
+#include "files/standard_streams.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,14 +1,16 @@
 #include "report/published.hpp"
 
+#include "ask/option_values.hpp"
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
-#include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
 #include "cli/solve_flags.hpp"
+#include "files/byte_source.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
 #include "match/fixed_size.hpp"
 #include "match/spanned_integer.hpp"
 
@@ -34,7 +36,7 @@ struct PublishedCommand {
   using Text = std::optional<std::string>;
   std::string algorithm;
   std::string file;
-  GradationFlags flags;
+  GradationTexts flags;
   Text sizes, size_at, rounding, tolerance, max_iterations, start, increments, digits;
   ReadingFlags reading;
   OutputFlags output;
@@ -61,31 +63,31 @@ void check_options(const PublishedCommand &c) {
 }
 
 /// A position in a class: above its lower sieve, 0, and up to its upper one, 1.
-Rational position(const char *option, const std::string &text) {
-  const Rational t = positive(option, text);
+Rational position(const char *name, const std::string &text) {
+  const Rational t = positive(name, text);
   if (t > 1)
-    throw InputError(fmt::format("{}: {} is above 1, the upper sieve", option, in_quotes(text)));
+    throw InputError(fmt::format("{}: {} is above 1, the upper sieve", option(name), in_quotes(text)));
   return t;
 }
 
-std::uint64_t bounded(const char *option, const std::string &text, std::uint64_t most) {
-  const Integer n = natural(option, text, 1);
+std::uint64_t bounded(const char *name, const std::string &text, std::uint64_t most) {
+  const Integer n = natural(name, text, 1);
   if (n > most)
-    throw InputError(fmt::format("{}: at most {}", option, most));
+    throw InputError(fmt::format("{}: at most {}", option(name), most));
   return static_cast<std::uint64_t>(n);
 }
 
 /// `1%` as a fraction.
-Rational share(const char *option, const std::string &text) {
+Rational share(const char *name, const std::string &text) {
   if (text.empty() || text.back() != '%')
     throw InputError(
-        fmt::format("{}: {} has no percent sign: write 1%, for example", option, in_quotes(text)));
-  return not_negative(option, text.substr(0, text.size() - 1)) / 100;
+        fmt::format("{}: {} has no percent sign: write 1%, for example", option(name), in_quotes(text)));
+  return not_negative(name, text.substr(0, text.size() - 1)) / 100;
 }
 
 SizeChoice size_choice(const PublishedCommand &c) {
   if (c.size_at)
-    return {position("--size-at", *c.size_at)};
+    return {position("size-at", *c.size_at)};
   if (c.sizes == "volume")
     return {};
   return {c.sizes == "lower" ? ratio(1, 1000) : c.sizes == "upper" ? Rational(1) : ratio(1, 2)};
@@ -130,9 +132,9 @@ Algorithm fixed_size_of(const PublishedCommand &c) {
     kind = PublishedAlgorithm::rounded;
     o.max_iterations = 1;
   } else {
-    o.tolerance = share("--tolerance", c.tolerance.value_or("1%"));
+    o.tolerance = share("tolerance", c.tolerance.value_or("1%"));
     if (c.max_iterations)
-      o.max_iterations = bounded("--max-iterations", *c.max_iterations, most_iterations);
+      o.max_iterations = bounded("max-iterations", *c.max_iterations, most_iterations);
     settings += fmt::format(", total error up to {} %, at most {} iterations",
                             to_decimal(Rational(100 * o.tolerance)), o.max_iterations);
   }
@@ -142,11 +144,11 @@ Algorithm fixed_size_of(const PublishedCommand &c) {
 Algorithm spanned_integer_of(const PublishedCommand &c) {
   SpannedIntegerOptions o;
   if (c.start)
-    o.start = position("--start", *c.start);
+    o.start = position("start", *c.start);
   if (c.increments)
-    o.increments = bounded("--increments", *c.increments, most_increments);
+    o.increments = bounded("increments", *c.increments, most_increments);
   if (c.max_iterations)
-    o.max_iterations = bounded("--max-iterations", *c.max_iterations, most_iterations);
+    o.max_iterations = bounded("max-iterations", *c.max_iterations, most_iterations);
   return {PublishedAlgorithm::spanned_integer,
           fmt::format("x_nS from {} of its class, {} size{}, at most {} iterations", to_decimal(o.start),
                       o.increments, o.increments == 1 ? "" : "s", o.max_iterations),
@@ -158,7 +160,7 @@ int run(const PublishedCommand &c) {
   check_distinct({c.file, c.output.path()});
   const Algorithm algorithm = c.algorithm == "spanned-integer" ? spanned_integer_of(c) : fixed_size_of(c);
   const AskedQuestion asked = c.flags.question();
-  const unsigned digits = c.digits ? digits_of("--digits", *c.digits) : 15;
+  const unsigned digits = c.digits ? digits_of("digits", *c.digits) : 15;
   refuse_sample(c.file);
   const Gradation read =
       read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
@@ -179,6 +181,7 @@ int run(const PublishedCommand &c) {
   out.write(c.output.report([&] { return published_text(report); }, [&] { return published_json(report); },
                             [&] { return published_csv(report); }));
   out.commit();
+  c.output.tell_notes_beside_csv(report.notes);
   // CSV has no place for the least match.
   if (!c.output.is_csv() && !report.least.is_point())
     return Exit::limited;
@@ -198,7 +201,7 @@ Run add_published(CLI::App &app) {
       .add_option("FILE", c->file,
                   "gradation: CSV, JSON, AGS4, or another file that mdm convert reads; - for standard input")
       ->required();
-  c->flags.add_to(command);
+  add_gradation_options(command, c->flags);
   command
       .add_option(
           "--sizes", c->sizes,

@@ -2,7 +2,7 @@
 /// \file
 /// The options that say how a gradation file is to be read.
 
-#include <mdm/gradation/reading.hpp>
+#include "ask/reading_options.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -13,10 +13,7 @@
 namespace mdm::cli {
 
 /// The options of reading, for every command that reads a gradation.
-struct ReadingFlags {
-  using Text = std::optional<std::string>;
-  Text specimen_id, columns, kind, unit, skip, sheet, round;
-
+struct ReadingFlags : ReadingTexts {
   /// Adds them in a group of their own, after all other options: of a command that has one of the names for
   /// something else, that one is left out.
   /// \return the options that were added
@@ -29,8 +26,6 @@ struct ReadingFlags {
   bool is_unit_at_most() const;
   /// All that are given as words of a command, for sh, with a space before each.
   std::string words() const;
-  /// \throws InputError naming the option where its value does not serve
-  Reading reading(PhiReading phi = PhiReading::exact) const;
 };
 
 } // namespace mdm::cli

@@ -1,9 +1,10 @@
 #include "cli/sample_file.hpp"
 
 #include "answer/generated_reader.hpp"
-#include "cli/option_values.hpp"
+#include "ask/option_values.hpp"
 #include "cli/packing_file.hpp"
 #include "cli/progress.hpp"
+#include "files/paths.hpp"
 #include "particles/gsd.hpp"
 #include "particles/sample_sieves.hpp"
 #include "text/lines.hpp"
@@ -151,7 +152,7 @@ UnderstoodGradation any_gradation(const std::string &path, const ReadingFlags &r
     ParticleOptions options;
     options.says_otherwise = "--unit says";
     if (reading.unit)
-      options.unit = length_unit_of("--unit", *reading.unit);
+      options.unit = length_unit_of("unit", *reading.unit);
     SampleSieves sieves;
     const std::vector<std::string> notes = read_sample_file(path, options, sieves, quiet);
     return {sieves.gradation(stem(path), SizeUnit::mm, notes),

@@ -2,8 +2,8 @@
 /// \file
 /// Files of particles, in all formats, and the gradations that commands take from files of any kind.
 
-#include "cli/files.hpp"
 #include "cli/reading_flags.hpp"
+#include "files/file_lines.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/particles/particle_reader.hpp>

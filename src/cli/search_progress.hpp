@@ -2,8 +2,8 @@
 /// \file
 /// The progress of one search, shown on a terminal, and its end by Ctrl-C.
 
-#include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
+#include "files/interrupt.hpp"
 
 #include <mdm/match/solve.hpp>
 

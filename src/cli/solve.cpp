@@ -1,14 +1,17 @@
+#include "ask/option_values.hpp"
 #include "cli/budget_flags.hpp"
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
-#include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
 #include "cli/search_progress.hpp"
 #include "cli/solve_flags.hpp"
+#include "files/byte_source.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
+#include "files/standard_streams.hpp"
 #include "match/costly_fines.hpp"
 
 #include <mdm/answer/answer.hpp>
@@ -106,12 +109,10 @@ void report(const SolveCommand &c, const Match &m, const Spectrum *spectrum, con
   }
 }
 
-/// The exit code of the match, unless it is done and the spectrum beside it, or the tolerance, is not.
-Exit exit_code(const Match &m, const std::optional<Spectrum> &spectrum, const Limits &limits) {
-  const Exit code = cli::exit_code(m, limits);
-  if (m.budget && !m.budget->is_decided)
-    return Exit::limited;
-  return code == Exit::done && spectrum && !spectrum->complete ? Exit::limited : code;
+/// The exit code of the match, unless it is done and the spectrum beside it is not.
+Exit exit_code_beside(const std::optional<Spectrum> &spectrum, Outcome outcome) {
+  const bool is_cut = outcome == Outcome::done && spectrum && !spectrum->complete;
+  return is_cut ? Exit::limited : exit_code(outcome);
 }
 
 /// True for a name that Coq takes a module from.
@@ -165,7 +166,7 @@ void check_files(const SolveCommand &c) {
 }
 
 std::uint64_t seed_of(const SolveCommand &c) {
-  return seed64("--seed", c.seed.value_or("1"));
+  return seed64("seed", c.seed.value_or("1"));
 }
 
 /// The match, or what is known of it when Ctrl-C is pressed.
@@ -251,7 +252,7 @@ int run(const SolveCommand &c) {
   for (const SideFile &file : files)
     file.output->commit();
   out.commit();
-  return exit_code(m, reachable, options.limits);
+  return exit_code_beside(reachable, outcome_of(m, options.limits));
 }
 
 } // namespace

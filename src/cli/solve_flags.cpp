@@ -1,55 +1,38 @@
 #include "cli/solve_flags.hpp"
 
-#include "cli/files.hpp"
 #include "cli/help.hpp"
+#include "cli/option_tables.hpp"
+#include "files/byte_source.hpp"
+#include "files/paths.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
 
 namespace mdm::cli {
-namespace {
-
-void add_gradation(CLI::App &command, GradationTexts &texts) {
-  const OptionGroup group(command, "The gradation");
-  command
-      .add_option("--law", texts.law, "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5")
-      ->type_name("LAW");
-  command.add_option("--size-factor", texts.size_factor, "multiply every size of the gradation by K")
-      ->type_name("K");
-  command
-      .add_option("--cut-below", texts.cut_below,
-                  "leave out the classes below the sieve SIZE, as 63um or in the file's unit (before "
-                  "--size-factor)")
-      ->type_name("SIZE");
-  command
-      .add_option("--pan-size", texts.pan_size,
-                  "count the pan as SIZE, as 2um or in the file's unit, instead of 0 (before "
-                  "--size-factor)")
-      ->type_name("SIZE");
-}
-
-} // namespace
 
 Envelope band_in_file(const std::string &path) {
   return read_envelope(read_file(path, max_gradation_bytes), shown_name(path));
 }
 
-void GradationFlags::add_to(CLI::App &command) {
-  add_gradation(command, *this);
+void add_gradation_options(CLI::App &command, GradationTexts &texts) {
+  const OptionGroup group(command, "The gradation");
+  add_options(command, GradationTexts::options, texts);
+}
+
+void SolveFlags::add_asked(CLI::App &command) {
+  add_question(command);
+  add_gradation_options(command, *this);
 }
 
 void SolveFlags::add_problem(CLI::App &command) {
-  add_question(command);
-  add_gradation(command, *this);
+  add_asked(command);
   add_limits(command);
 }
 
 void SolveFlags::add_to(CLI::App &command) {
   add_problem(command);
   const OptionGroup group(command, "The answer");
-  command.add_option("--digits", digits, "significant digits of sizes (15)")->type_name("D");
-  command.add_option("--scale", scale, "robust (sizes far from the sieves) or upper (largest sizes)")
-      ->type_name("WHICH");
+  add_options(command, answer_options, *this);
 }
 
 void SolveFlags::add_question(CLI::App &command) {
@@ -64,42 +47,14 @@ void SolveFlags::add_question(CLI::App &command) {
   command
       .add_option("--band", band,
                   "the smallest match within the envelope in FILE: CSV with passing_min_percent and "
-                  "passing_max_percent of each sieve")
+                  "passing_max_percent of each sieve, or a table with columns such as Lower and Upper")
       ->type_name("FILE");
-  command.add_option("--min-per-class", min_per_class, "at least R particles in every class with mass")
-      ->type_name("R");
-  command.add_option("--at-least", at_least, "the smallest match with at least N particles")->type_name("N");
-  command.add_option("--at-most", at_most, "no match if the smallest has more than N particles")
-      ->type_name("N");
-  command
-      .add_option(
-          "--specimen", specimen,
-          "at least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, "
-          "or in the answer's unit (the file's; mm for inches, phi and sieve names)")
-      ->type_name("SHAPE");
-  command.add_option("--void-ratio", void_ratio, "void ratio e of the specimen")->type_name("E");
-  command
-      .add_option("--solids-volume", solids_volume,
-                  "at least this volume of solids, in the cube of the answer's unit")
-      ->type_name("V");
+  add_options(command, question_options, *this);
 }
 
 void SolveFlags::add_limits(CLI::App &command) {
   const OptionGroup group(command, "Limits");
-  command
-      .add_option("--max-steps", max_steps,
-                  "stop after so many steps (67108864), with what is certain (exit 3)")
-      ->type_name("N");
-  command
-      .add_option("--node-limit", node_limit,
-                  "stop after so many nodes of the search for a tolerance (exit 3)")
-      ->type_name("N");
-  command.add_option("--time-limit", time_limit, "stop after so many seconds (exit 3)")->type_name("S");
-  command
-      .add_option("--gap", gap,
-                  "within a tolerance, stop at a match that has at most this part of its particles more than "
-                  "are certain, for example 1e-6 (exit 0)")
-      ->type_name("G");
+  add_options(command, limit_options, *this);
 }
 
 AskedQuestion SolveFlags::question() const {
@@ -110,7 +65,7 @@ AskedQuestion SolveFlags::question_of_both() const {
   return SolveTexts::question_of_both(band_in_file);
 }
 
-void SolveFlags::check_source(const Text &file, const std::string &reading,
+void SolveFlags::check_source(const OptionText &file, const std::string &reading,
                               const std::string &command) const {
   if (!file && !band)
     throw InputError("mdm: FILE is required, or --band; see mdm " + command + " --help");
@@ -122,19 +77,18 @@ void SolveFlags::check_source(const Text &file, const std::string &reading,
 
 std::string SolveFlags::words() const {
   std::string text;
-  const auto add = [&text](const char *option, const Text &value) {
+  const auto add = [&text](const char *name, const OptionText &value) {
     if (value)
-      text += std::string(text.empty() ? "" : " ") + option + " " + *value;
+      text += std::string(text.empty() ? "--" : " --") + name + " " + *value;
   };
   for (const std::string &tolerance : tolerances)
-    add("--tolerance", tolerance);
+    add("tolerance", tolerance);
   if (band) {
     Digest digest;
     digest.add(read_file(*band, max_gradation_bytes));
-    add("--band", "sha256:" + digest.sha256());
+    add("band", "sha256:" + digest.sha256());
   }
-  for (const auto &[option, value] : all)
-    add(option, this->*value);
+  for_each_option(*this, [&add](const char *name, const OptionText &value) { add(name, value); });
   return text;
 }
 

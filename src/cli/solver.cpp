@@ -1,6 +1,6 @@
 #include "cli/solver.hpp"
 
-#include "cli/child_process.hpp"
+#include "files/child_process.hpp"
 
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/number/decimal.hpp>

@@ -2,7 +2,7 @@
 /// \file
 /// Another solver, as a program that is asked.
 
-#include "cli/journal.hpp"
+#include "files/journal.hpp"
 
 #include <mdm/gradation/gradation.hpp>
 

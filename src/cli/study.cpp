@@ -1,10 +1,13 @@
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
 #include "cli/study_files.hpp"
 #include "cli/study_size_models.hpp"
+#include "files/byte_source.hpp"
+#include "files/file_lines.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
 #include "papers/paper_figures.hpp"
 #include "papers/paper_tables.hpp"
 #include "papers/specimens.hpp"
@@ -141,7 +144,7 @@ Run add_study(CLI::App &app) {
                   "write CSV files into the folder DIR, made if need be: table1.csv, figure1.csv, ... "
                   "(figures and voivret need it), or specimens.csv (without it shown as text)")
       ->type_name("DIR");
-  command.add_option("--plots", c->plots, "draw the figures as well, as svg, png or pdf (needs gnuplot)")
+  command.add_option("--plots", c->plots, "draw the figures as well, as svg, png or pdf")
       ->check(CLI::IsMember({"svg", "png", "pdf"}));
   c->size_models.add_to(command);
   c->output.add_quiet(command, "no progress and no notes on standard error");

@@ -1,6 +1,7 @@
 #include "cli/study_files.hpp"
 
-#include "cli/files.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
 
 #include <memory>
 
@@ -10,7 +11,7 @@ StudyFile StudyPictures::drawn(const std::string &name, const Figure &figure) co
   if (!quiet_)
     tell_escapes(figure);
   const Picture picture = format_ == "png" ? Picture::png : format_ == "pdf" ? Picture::pdf : Picture::svg;
-  return {name + "." + format_, run_gnuplot(gnuplot_script(figure, picture))};
+  return {name + "." + format_, picture_of(figure, picture)};
 }
 
 void write_all(const std::string &folder, const std::vector<StudyFile> &files) {

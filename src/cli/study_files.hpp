@@ -14,7 +14,7 @@ struct StudyFile {
   std::string name, text;
 };
 
-/// Figures of a study, drawn by gnuplot.
+/// Figures of a study, drawn in one format.
 class StudyPictures {
 public:
   /// \param format svg, png or pdf

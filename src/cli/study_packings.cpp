@@ -1,9 +1,9 @@
 #include "cli/study_packings.hpp"
 
-#include "cli/files.hpp"
-#include "cli/in_parallel.hpp"
-#include "cli/journal_file.hpp"
 #include "cli/progress.hpp"
+#include "files/in_parallel.hpp"
+#include "files/journal_file.hpp"
+#include "files/paths.hpp"
 #include "papers/deposit_line.hpp"
 #include "papers/packing_figures.hpp"
 #include "papers/packing_tables.hpp"

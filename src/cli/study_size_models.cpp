@@ -1,11 +1,12 @@
 #include "cli/study_size_models.hpp"
 
+#include "ask/option_values.hpp"
 #include "cli/accessible.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/in_parallel.hpp"
-#include "cli/option_values.hpp"
 #include "cli/progress.hpp"
 #include "cli/study_packings.hpp"
+#include "cli/whole_number.hpp"
+#include "files/in_parallel.hpp"
 #include "papers/size_model_figures.hpp"
 #include "papers/size_model_tables.hpp"
 
@@ -22,16 +23,16 @@ PackingStudyOptions packing_options(const SizeModelFlags &flags, bool quiet) {
   constexpr std::uint64_t most_seeds = 1000;
   PackingStudyOptions o;
   if (flags.at_least)
-    o.terms.at_least = natural("--at-least", *flags.at_least, 1);
+    o.terms.at_least = natural("at-least", *flags.at_least, 1);
   if (flags.at_most)
-    o.terms.at_most = natural("--at-most", *flags.at_most, 1);
+    o.terms.at_most = natural("at-most", *flags.at_most, 1);
   if (o.terms.at_most > Integer(most_discs))
     throw InputError("--at-most: a packing has up to 10^7 discs: give fewer");
   if (flags.seeds)
-    o.seeds = natural64("--seeds", *flags.seeds);
+    o.seeds = natural64("seeds", *flags.seeds);
   if (o.seeds < 1 || o.seeds > most_seeds)
     throw InputError("--seeds: " + in_quotes(*flags.seeds) + " is not a whole number from 1 to 1000");
-  o.spans = flags.spans ? number_list("--spans", *flags.spans) : packed_spans();
+  o.spans = flags.spans ? number_list("spans", *flags.spans) : packed_spans();
   for (const Rational &span : o.spans)
     if (span >= 1)
       throw InputError("--spans: a span is between 0 and 1: write for example 0.1,0.4,0.9");
@@ -111,7 +112,7 @@ void SizeModelFlags::add_to(CLI::App &command) {
   option("--spans", spans, "LIST",
          "voivret: spans of Figure 9, numbers 0.1,0.4 or FROM:TO:STEP (0.02, 0.05, 0.1 to 0.9, 0.97)");
   option("-j", threads, "THREADS", "voivret: threads (as many as there are processors)")
-      ->check(CLI::Range(1, 1024));
+      ->transform(whole_number(1, 1024));
 }
 
 int run_size_models(const SizeModelFlags &flags, const std::string &folder,

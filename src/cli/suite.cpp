@@ -1,11 +1,16 @@
+#include "answer/made_suite.hpp"
+#include "ask/option_values.hpp"
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
-#include "cli/in_parallel.hpp"
-#include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
 #include "cli/shard.hpp"
+#include "cli/whole_number.hpp"
+#include "files/byte_source.hpp"
+#include "files/digest.hpp"
+#include "files/in_parallel.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
 
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/sets/suite.hpp>
@@ -41,38 +46,52 @@ struct LineRange {
 LineRange parse_lines(const std::string &text) {
   const std::size_t hyphen = text.find('-');
   if (hyphen != std::string::npos) {
-    const LineRange range{seed64("--lines", text.substr(0, hyphen)),
-                          seed64("--lines", text.substr(hyphen + 1)), 1};
+    const LineRange range{seed64("lines", text.substr(0, hyphen)), seed64("lines", text.substr(hyphen + 1)),
+                          1};
     if (range.first >= 1 && range.first <= range.last)
       return range;
   }
   throw InputError("--lines: " + in_quotes(text) + " is not A-B with A from 1 to B, such as 1001-2000");
 }
 
-/// Those of the lines, one after the other, that the shard has.
-LineRange lines_of(const LineRange &all, const Shard &shard) {
-  const std::uint64_t ahead = (shard.number + shard.count - all.first % shard.count) % shard.count;
-  if (all.last < all.first || all.last - all.first < ahead)
-    return {1, 0, 1};
-  return {all.first + ahead, all.last, shard.count};
-}
-
-LineRange lines_of(const SuiteCommand &c) {
+/// All lines that are asked for, of which a shard has a part.
+LineRange all_lines(const SuiteCommand &c) {
   if (c.count && c.lines)
     throw InputError("--count and --lines: give one of them");
-  const LineRange all =
-      c.lines ? parse_lines(*c.lines) : LineRange{1, c.count ? seed64("--count", *c.count) : 1000, 1};
-  return c.shard ? lines_of(all, named("--shard", *c.shard, parse_shard)) : all;
+  return c.lines ? parse_lines(*c.lines) : LineRange{1, c.count ? seed64("count", *c.count) : 1000, 1};
+}
+
+/// Those of the lines, one after the other, that the shard has.
+LineRange lines_of(const LineRange &all, const Shard &shard) {
+  if (all.count() < shard.number)
+    return {1, 0, 1};
+  return {all.first + (shard.number - 1), all.last, shard.count};
+}
+
+/// The line that says what those of a shard are of.
+std::string shard_line(const std::string &description, std::uint64_t seed, const LineRange &all,
+                       const Shard &shard) {
+  Digest digest;
+  digest.add(description);
+  return made_shard_json({{digest.sha256(), seed, all.first, all.last},
+                          shard.number,
+                          shard.count,
+                          lines_of(all, shard).count()}) +
+         "\n";
 }
 
 int run(const SuiteCommand &c) {
-  const std::uint64_t seed = seed64("--seed", c.seed);
-  const LineRange range = lines_of(c);
+  const std::uint64_t seed = seed64("seed", c.seed);
+  const LineRange all = all_lines(c);
+  const Shard shard = c.shard ? named("shard", *c.shard, parse_shard) : Shard{1, 1};
+  const LineRange range = lines_of(all, shard);
   check_distinct({c.description, c.output.path()});
   const std::string name = shown_name(c.description);
   const std::string text = read_file(c.description, most_description_bytes);
   const Suite suite(text, name);
+  const std::string first_line = c.shard ? shard_line(text, seed, all, shard) : "";
   Output out(c.output.path());
+  out.write(first_line);
   std::atomic<std::uint64_t> written = 0;
   Progress progress([&written] { return fmt::format("{} gradations", written.load()); }, c.output.quiet);
   constexpr std::uint64_t at_once = 512;
@@ -125,10 +144,11 @@ Run add_suite(CLI::App &app) {
   option("--count", c->count, "N", "lines 1 to N (1000)");
   option("--lines", c->lines, "A-B", "lines A to B");
   option("--shard", c->shard, "I/N",
-         "of these lines each N-th from line I on, as mdm batch --shard takes them");
-  option("-j", c->threads, "THREADS", "threads")->check(CLI::Range(1, 1024));
+         "of these lines each N-th from the I-th on, for mdm batch --shard I/N --alone; a line before them "
+         "says which suite they are of");
+  option("-j", c->threads, "THREADS", "threads")->transform(whole_number(1, 1024));
   c->output.out_has_report = false;
-  c->output.add_out(command);
+  c->output.add_out(command, "write", {"jsonl", "ndjson", "json", "txt"});
   c->output.add_quiet(command, "no progress on standard error");
   command.footer(footer(about_suites(), {"mdm suite beta.json --count 1000000 --seed 7 -o suite.jsonl",
                                          "mdm suite beta.json --count 1000000000 --shard 7/1000 | "

@@ -1,13 +1,16 @@
+#include "ask/outcome.hpp"
+#include "ask/tradeoff_options.hpp"
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
 #include "cli/help.hpp"
-#include "cli/option_values.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/picture.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
 #include "cli/search_progress.hpp"
 #include "cli/solve_flags.hpp"
+#include "files/byte_source.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
 #include "plot/tradeoff_figure.hpp"
 #include "report/tradeoff_report.hpp"
 #include "text/lines.hpp"
@@ -43,56 +46,22 @@ std::vector<std::string> listed(const std::string &text) {
   return parts;
 }
 
-/// `0,0.5,1` with or without percent signs.
-std::vector<AskedTolerance> tolerances(const TradeoffCommand &c) {
-  std::vector<AskedTolerance> all;
-  for (const std::string &part : listed(c.tolerances)) {
-    std::string one(trimmed(part));
-    if (!one.ends_with('%'))
-      one += '%';
-    all.push_back(named("--tolerances", c.kind + ":" + one, parse_tolerance));
-  }
-  return all;
-}
-
-/// `100,200` or `all`.
-void read_budgets(const TradeoffCommand &c, TradeoffOptions &o) {
-  if (!c.particles && c.grid)
-    throw InputError("--grid: it is of --particles: add it, or leave --grid out");
-  if (!c.particles)
-    return;
-  if (c.flags.is_tolerant() || c.flags.at_most)
-    throw InputError("--particles: it chooses tolerances: leave out --tolerance, --band and --at-most");
-  if (c.grid)
-    o.grid = positive("--grid", *c.grid);
-  o.all_budgets = *c.particles == "all";
-  if (!o.all_budgets)
-    for (const std::string &part : listed(*c.particles))
-      o.budgets.push_back(natural("--particles", part, 1));
-}
-
-TradeoffOptions options(const TradeoffCommand &c) {
-  TradeoffOptions o;
-  for (const AskedTolerance &t : tolerances(c)) {
-    o.kind = t.kind;
-    o.tolerances.push_back(t.percent);
-  }
-  read_budgets(c, o);
-  o.limits = c.flags.options().limits;
-  if (c.flags.at_most)
-    o.limits.at_most = natural("--at-most", *c.flags.at_most, 0);
-  if (c.flags.time_limit)
-    o.time_limit = duration("--time-limit", *c.flags.time_limit);
-  return o;
+TradeoffTexts texts(const TradeoffCommand &c) {
+  TradeoffTexts t;
+  t.solve = c.flags;
+  t.kind = c.kind;
+  for (const std::string &part : listed(c.tolerances))
+    t.tolerances.emplace_back(trimmed(part));
+  t.all_budgets = c.particles == "all";
+  if (c.particles && !t.all_budgets)
+    t.budgets = listed(*c.particles);
+  t.grid = c.grid;
+  return t;
 }
 
 std::string report(const TradeoffCommand &c, const Tradeoff &t) {
   return c.output.report([&] { return tradeoff_text(t); }, [&] { return tradeoff_json(t); },
                          [&] { return tradeoff_csv(t); });
-}
-
-bool is_complete(const std::vector<TradeoffRow> &rows) {
-  return std::all_of(rows.begin(), rows.end(), [](const TradeoffRow &row) { return row.is_certain(); });
 }
 
 /// Both curves, or what is certain of them when Ctrl-C is pressed.
@@ -112,7 +81,7 @@ int run(const TradeoffCommand &c) {
   const std::optional<Picture> picture = c.plot ? picture_at(*c.plot) : std::nullopt;
   if (c.plot && !picture)
     throw InputError("--plot: " + printable(*c.plot) + ": let OUT end in .svg, .png or .pdf");
-  const TradeoffOptions o = options(c);
+  const TradeoffOptions o = texts(c).options();
   const AskedQuestion asked = c.flags.question_of_both();
   refuse_sample(c.file);
   const Gradation g =
@@ -124,7 +93,7 @@ int run(const TradeoffCommand &c) {
   if (picture) {
     plot = std::make_unique<Output>(*c.plot);
     const Figure figure = tradeoff_figure(t);
-    plot->write(run_gnuplot(gnuplot_script(figure, *picture)));
+    plot->write(picture_of(figure, *picture));
     if (!c.output.quiet)
       tell_escapes(figure);
   }
@@ -133,7 +102,7 @@ int run(const TradeoffCommand &c) {
   if (plot)
     plot->commit();
   out.commit();
-  return is_complete(t.by_tolerance) && is_complete(t.by_sieve) ? Exit::done : Exit::limited;
+  return exit_code(outcome_of(t));
 }
 
 } // namespace
@@ -165,8 +134,7 @@ Run add_tradeoff(CLI::App &app) {
       ->type_name("STEP");
   c->flags.add_problem(command);
   const OptionGroup group(command, "The answer");
-  command.add_option("--plot", c->plot, "draw both into OUT.svg, .png or .pdf (needs gnuplot)")
-      ->type_name("OUT");
+  command.add_option("--plot", c->plot, "draw both into OUT.svg, .png or .pdf")->type_name("OUT");
   c->output.add_format(command);
   c->output.add_out(command, "write the tables");
   c->output.add_quiet(command, "no progress and no notes on standard error");

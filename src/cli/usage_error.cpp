@@ -5,8 +5,10 @@
 
 #include <mdm/text/error.hpp>
 
+#include <algorithm>
 #include <cassert>
 #include <string_view>
+#include <utility>
 
 namespace mdm::cli {
 namespace {
@@ -33,6 +35,21 @@ std::vector<std::string> option_names(const CLI::App &app) {
   return names;
 }
 
+/// What to do with one file more than a command takes.
+std::string one_at_a_time(const std::string &argument, const CLI::App &app) {
+  const std::vector<CLI::App *> commands = app.get_subcommands();
+  if (commands.empty() || argument.starts_with('-'))
+    return "";
+  const std::vector<const CLI::Option *> all = std::as_const(*commands.front()).get_options();
+  const auto is_file = [](const CLI::Option *o) { return o->get_positional() && o->count() > 0; };
+  const auto files = std::count_if(all.begin(), all.end(), is_file);
+  if (files == 0)
+    return "";
+  return ": mdm " + commands.front()->get_name() +
+         (files == 1 ? " takes one file" : " takes one file of each kind") +
+         " at a time (mdm batch solves many)";
+}
+
 } // namespace
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string> &names) {
@@ -51,7 +68,7 @@ std::string usage_error(const CLI::ParseError &error, const CLI::App &app) {
     return list.text() + (list.size() == 1 ? " was" : " were") + " not expected" +
            (unknown.front().starts_with("--")
                 ? did_you_mean(unknown.front().substr(0, unknown.front().find('=')), option_names(app))
-                : "");
+                : one_at_a_time(unknown.front(), app));
   }
   const std::string text = error.what();
   constexpr std::string_view unconverted = "Could not convert: ";
@@ -59,8 +76,6 @@ std::string usage_error(const CLI::ParseError &error, const CLI::App &app) {
     return quoted_between(text.substr(unconverted.size()), " = ", "", " does not serve");
   if (text.ends_with('}') && text.find(" not in {") != std::string::npos)
     return quoted_between(text, ": ", " not in ", " is not in ");
-  if (text.find(": Value ") != std::string::npos && text.find(" not in range ") != std::string::npos)
-    return quoted_between(text, ": Value ", " not in range ", " is not a whole number from ");
   return printable(text);
 }
 

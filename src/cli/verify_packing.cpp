@@ -1,8 +1,10 @@
 #include "cli/verify_packing.hpp"
 
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
 #include "cli/packing_file.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
+#include "files/standard_streams.hpp"
 #include "report/packing_report.hpp"
 
 #include <mdm/packing/packing_verdict.hpp>
@@ -14,7 +16,7 @@ int verify_packing(const std::string &sizes, const std::string &packing, const O
   const Packing p = read_packing_file(packing);
   const PackingTexture texture = packing_texture(p);
   const PackingJudgement judgement{shown_name(sizes), shown_name(packing),
-                                   packing_objections(p, texture.contacts, wanted)};
+                                   packing_objections(p, texture.contacts, wanted), unverified(p)};
   Output file(output.path());
   const Sink sink = [&file](std::string_view text) { file.write(text); };
   if (output.is_json()) {

@@ -19,7 +19,6 @@ set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME exactmdm)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS gnuplot-nox)
 
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The libraries behind mdm and mdm-check with their headers, for find_package(mdm).")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libexactmdm-dev)
@@ -32,6 +31,10 @@ if(Pugixml_FOUND)
   if(Libzip_FOUND)
     string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libzip-dev")
   endif()
+endif()
+
+if(Cairo_FOUND)
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libcairo2-dev")
 endif()
 
 if(MDM_PYTHON)

@@ -3,6 +3,7 @@
 #include <mdm/packing/apollonian.hpp>
 #include <mdm/packing/disc_sizes.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <algorithm>
 
@@ -233,9 +234,8 @@ Interval ApollonianGasket::covered(const ApollonianCensus &census) const {
 Packing ApollonianGasket::packing(const Rational &most) const {
   const std::uint64_t n = census(most).circles;
   if (n > most_discs)
-    throw InputError(std::to_string(n) +
-                     " circles are more than a packing holds, 10^7: give a larger --smallest, "
-                     "or take --format csv");
+    throw InputError(std::to_string(n) + " circles are more than a packing holds, 10^7: give a larger " +
+                     option("smallest") + ", or take " + option("format") + " csv");
   constexpr unsigned bits = 192;
   const auto value = [](const Real &r) -> Rational {
     const Ball b = r.ball(bits);
@@ -249,7 +249,7 @@ Packing ApollonianGasket::packing(const Rational &most) const {
     ++p.places;
   const Rational unit(power_of_ten(p.places));
   if (unit / most < Integer(1) << 16)
-    throw InputError("the smallest circle is too small for the lattice: give a larger --smallest");
+    throw InputError("the smallest circle is too small for the lattice: give a larger " + option("smallest"));
   const Integer half = ceil(Rational(radius * unit));
   p.width = static_cast<std::int64_t>(2 * half);
   const auto nearest = [](const Rational &r) {

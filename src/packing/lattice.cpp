@@ -2,6 +2,7 @@
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <algorithm>
 
@@ -76,7 +77,7 @@ Lattice lattice(const DiscSizes &sizes, const std::optional<Rational> &width) {
   const Rational square = squared_width(sizes);
   const Rational least_width = 3 * largest;
   if (width ? *width < least_width : square < least_width * least_width)
-    throw InputError(width ? "--width: the box is narrower than 3 of the largest discs: make it " +
+    throw InputError(width ? option("width") + ": the box is narrower than 3 of the largest discs: make it " +
                                  approximate(least_width, 6) + " wide or more"
                            : "the discs are too few: a square box would be narrower than 3 of the largest: "
                              "take more discs, or give a width of " +

@@ -1,6 +1,8 @@
+#include "packing/front_height.hpp"
 #include "packing/wide.hpp"
 
 #include <mdm/packing/packing_verdict.hpp>
+#include <mdm/packing/packing_writer.hpp>
 
 #include <fmt/format.h>
 
@@ -28,7 +30,7 @@ public:
     if (!inside || d.y < d.r)
       return "is not inside the box";
     if (p_.rule == DepositRule::apollonian)
-      return "";
+      return d.left == unsupported && d.right == unsupported ? "" : "is carried, as no circle of a gasket is";
     const Direction left = direction(d, d.left), right = direction(d, d.right);
     if (!touches(left) || !touches(right))
       return "does not touch what carries it";
@@ -86,11 +88,31 @@ std::vector<std::int64_t> sorted_radii(const DiscSizes &sizes, unsigned places) 
   return radii;
 }
 
+/// What is wrong with the front of the header, of a packing without other faults; empty if nothing.
+std::string front_objection(const Packing &p) {
+  if (p.discs.empty())
+    return "";
+  if (p.rule == DepositRule::apollonian)
+    return p.front == 0 ? "" : "its front is not 0, as that of a gasket is";
+  const std::optional<std::int64_t> front = packing::front_height(p);
+  if (!front)
+    return "its discs cannot be laid in this order: what carries one is covered by then";
+  return p.front == *front
+             ? ""
+             : fmt::format("its front is {}, and the lowest centre of the discs that nothing covers "
+                           "is at {}",
+                           p.front, *front);
+}
+
 } // namespace
 
 std::vector<std::string> packing_objections(const Packing &p, const PackingContacts &contacts,
                                             const DiscSizes &sizes) {
   std::vector<std::string> all;
+  if (p.unit != sizes.unit)
+    all.push_back(fmt::format("its lengths are in {}, those of the set in {}",
+                              p.unit.empty() ? "any unit" : p.unit,
+                              sizes.unit.empty() ? "any unit" : sizes.unit));
   if (p.discs.size() != sizes.sizes.size())
     all.push_back(fmt::format("it has {} discs, the set {}", p.discs.size(), sizes.sizes.size()));
   else if (sorted_radii(p) != sorted_radii(sizes, p.places))
@@ -107,7 +129,17 @@ std::vector<std::string> packing_objections(const Packing &p, const PackingConta
   if (wrong > 0)
     all.push_back(wrong == 1 ? first
                              : fmt::format("{}, and {} more discs have such faults", first, wrong - 1));
+  if (all.empty())
+    if (const std::string objection = front_objection(p); !objection.empty())
+      all.push_back(objection);
   return all;
+}
+
+std::vector<std::string> unverified(const Packing &p) {
+  const std::string rule = fmt::format("rule {}", name(p.rule));
+  if (p.rule == DepositRule::apollonian)
+    return {rule};
+  return {rule, fmt::format("floor {}", name(p.floor)), fmt::format("seed {}", p.seed)};
 }
 
 } // namespace mdm

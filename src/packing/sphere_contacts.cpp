@@ -4,6 +4,7 @@
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -114,8 +115,8 @@ void NearSpheres::add_images() {
     constexpr double wider = 1 + 1e-9;
     const double reach = (2 * largest_radius_ + gap_) * wider;
     if (!(period > 2 * reach))
-      throw InputError("the box is periodic and narrower than two of the largest diameters: give a wider "
-                       "--box");
+      throw InputError("the box is periodic and narrower than two of the largest diameters: give a wider " +
+                       option("box"));
     const std::size_t before = images_.size();
     for (std::size_t i = 0; i < before; ++i) {
       const double above = images_[i].centre[axis] - low;

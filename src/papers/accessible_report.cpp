@@ -1,7 +1,7 @@
 #include "papers/accessible_report.hpp"
 
 #include "answer/json_values.hpp"
-#include "plot/drawing.hpp"
+#include "plot/ranges.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/number/decimal.hpp>

@@ -8,6 +8,7 @@
 #include <mdm/number/decimal.hpp>
 #include <mdm/packing/packing_writer.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -33,7 +34,7 @@ Counted counted(const DepositQuestion &q, const PackingTerms &terms) {
 DepositFacts facts(const Packing &p, const std::string &what) {
   const PackingTexture t = packing_texture(p);
   if (!t.fraction)
-    throw InputError(what + ": the discs are too few for a packing fraction: raise --at-least");
+    throw InputError(what + ": the discs are too few for a packing fraction: raise " + option("at-least"));
   DepositFacts f;
   f.discs = p.discs.size();
   const Enclosure fraction = enclose(*t.fraction, fraction_digits);

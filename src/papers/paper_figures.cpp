@@ -1,7 +1,7 @@
 #include "papers/paper_figures.hpp"
 
 #include "papers/paper_tables.hpp"
-#include "plot/drawing.hpp"
+#include "plot/ranges.hpp"
 
 #include <fmt/core.h>
 

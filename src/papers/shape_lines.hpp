@@ -3,7 +3,7 @@
 /// Lines of the shapes of the beta model, in the figures of Voivret, Delenne and Radjai.
 
 #include "papers/size_models.hpp"
-#include "plot/drawing.hpp"
+#include "plot/ranges.hpp"
 
 #include <mdm/number/decimal.hpp>
 

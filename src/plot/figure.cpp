@@ -209,6 +209,8 @@ std::vector<std::string> escaped_texts(const Figure &figure) {
   look_at(figure.title);
   for (const std::string &note : figure.notes)
     look_at(note);
+  for (const std::string &remark : figure.remarks)
+    look_at(remark);
   for (const Panel &panel : figure.panels) {
     look_at(panel.title);
     for (const Series &series : panel.series)
@@ -231,6 +233,21 @@ std::string fitted(std::string_view text, double width, double size) {
     rest.remove_prefix(next.size());
   }
   return kept + std::string(dots);
+}
+
+std::vector<std::string> wrapped(std::string_view text, double width) {
+  std::vector<std::string> lines;
+  const std::string clean = drawable(text);
+  for (std::string_view rest = clean; !rest.empty();) {
+    const std::size_t end = rest.find(' ');
+    const std::string word = fitted(rest.substr(0, end), width);
+    if (lines.empty() || text_width(lines.back() + " " + word, letter_size) > width)
+      lines.push_back(word);
+    else
+      lines.back() += " " + word;
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  }
+  return lines;
 }
 
 } // namespace mdm

@@ -118,8 +118,9 @@ struct Figure {
   double panel_height = 380;
   std::size_t columns = 1;
   std::vector<Panel> panels;
-  std::vector<std::string> notes; ///< lines below the panels, or beside a colour bar
-  std::optional<Axis> colors;     ///< scale of Point::value, drawn as a bar
+  std::vector<std::string> notes;   ///< lines below the panels, or beside a colour bar
+  std::vector<std::string> remarks; ///< sentences below all else, as wide as the figure
+  std::optional<Axis> colors;       ///< scale of Point::value, drawn as a bar
 };
 
 /// Width in pt, rather too large than too small, of one line of text in letters of `size` pt.
@@ -129,8 +130,7 @@ double text_width(std::string_view text, double size);
 inline constexpr double letter_size = 11;
 
 /// `text` as it is drawn: in one line, control and non-UTF-8 bytes escaped in hexadecimal, and so the
-/// characters beyond Latin, Greek, Cyrillic and common signs: gnuplot draws one that its font lacks as a
-/// black box as large as the picture.
+/// characters beyond Latin, Greek, Cyrillic and common signs: a font that lacks one draws a box.
 std::string drawable(std::string_view text);
 
 /// Titles and notes of the figure in which drawable() escapes a character that fonts may lack.
@@ -138,5 +138,9 @@ std::vector<std::string> escaped_texts(const Figure &figure);
 
 /// `text` as drawable(), cut to `width` pt, with three dots at its end where it was cut.
 std::string fitted(std::string_view text, double width, double size = letter_size);
+
+/// `text` as drawable() in lines of at most `width` pt, broken at spaces; a word that is longer is cut as by
+/// fitted().
+std::vector<std::string> wrapped(std::string_view text, double width);
 
 } // namespace mdm

@@ -3,9 +3,6 @@
 #include "gradation/sieve_name.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/soil/fractions.hpp>
-#include <mdm/soil/indices.hpp>
-#include <mdm/soil/uscs.hpp>
 
 #include <fmt/core.h>
 
@@ -50,7 +47,8 @@ std::string length_text(const Rational &r) {
 class Drawing {
 public:
   Drawing(const Gradation &g, const GradationFigure &what)
-      : g_(g), what_(what), curve_(g), unit_mm_(in_mm(g.unit())), unit_(name(g.unit())) {
+      : g_(g), what_(what), soil_(describe(g, what.soil)), curve_(soil_.curve), unit_mm_(in_mm(g.unit())),
+        unit_(name(g.unit())) {
     for (std::size_t i = 0; i < curve_.shares().size(); ++i)
       sizes_.push_back(drawn_size(curve_.opening(i)));
   }
@@ -59,6 +57,7 @@ public:
     constexpr double half_height = 290; // of two panels in a figure
     Figure figure;
     figure.title = g_.id();
+    figure.remarks = g_.notes();
     if (what_.curve && what_.counts)
       figure.panel_height = half_height;
     width_ = figure.panel_width;
@@ -67,6 +66,8 @@ public:
     if (what_.curve) {
       figure.panels.push_back(curve_panel());
       add_description(figure.notes);
+      const std::vector<std::string> assumed = assumptions(soil_, what_.soil);
+      figure.remarks.insert(figure.remarks.end(), assumed.begin(), assumed.end());
     }
     if (what_.counts)
       figure.panels.push_back(counts_panel());
@@ -158,9 +159,9 @@ private:
   std::vector<Fraction> fractions() const {
     switch (what_.bands) {
     case Bands::uscs:
-      return uscs_fractions(curve_);
+      return soil_.uscs;
     case Bands::iso_14688:
-      return iso_14688_fractions(curve_);
+      return soil_.iso_14688;
     case Bands::none:
       break;
     }
@@ -282,10 +283,14 @@ private:
     p.series.push_back(s);
   }
 
+  Available<PowerProduct> diameter(int percent) const {
+    return percent == 10 ? soil_.d10 : percent == 30 ? soil_.d30 : soil_.d60;
+  }
+
   /// D_p as a mark on the curve with a line to the axis. Its name stands above the curve, on the finer side,
   /// where there are neither the curve nor such lines; on the other, below, where the frame is too near.
   void add_diameter(Panel &p, int percent) const {
-    const Available<PowerProduct> d = curve_.diameter(ratio(percent, 100));
+    const Available<PowerProduct> d = diameter(percent);
     if (!d)
       return;
     constexpr unsigned bits = 64;
@@ -310,7 +315,7 @@ private:
   void add_description(std::vector<std::string> &notes) const {
     constexpr unsigned digits = 3;
     for (const int percent : {10, 30, 60}) {
-      const Available<PowerProduct> d = curve_.diameter(ratio(percent, 100));
+      const Available<PowerProduct> d = diameter(percent);
       if (d)
         notes.push_back(
             fmt::format("D{} = {} {}", percent, rounded(d->real() * Rational(1 / unit_mm_), digits), unit_));
@@ -321,17 +326,19 @@ private:
       if (index)
         notes.push_back(fmt::format("{} = {}", what, rounded(index->real(), digits)));
     };
-    add_index("Cu", uniformity(curve_));
-    add_index("Cc", curvature(curve_));
+    add_index("Cu", soil_.c_u);
+    add_index("Cc", soil_.c_c);
     if (has_pan())
       notes.push_back(fmt::format("finer than {}: {} %", finest(),
                                   rounded(Real(Rational(100 * curve_.shares()[1])), digits)));
-    if (const Available<UscsGroup> group = classify_uscs(curve_); group) {
-      notes.push_back("USCS " + group->symbol);
-      notes.push_back(group->name);
+    if (soil_.group) {
+      notes.push_back("USCS " + soil_.group->symbol);
+      notes.push_back(soil_.group->name);
     } else {
       notes.push_back("USCS: not available");
     }
+    if (what_.bands != Bands::none)
+      notes.emplace_back(what_.bands == Bands::uscs ? "bands: ASTM D2487" : "bands: ISO 14688");
   }
 
   /// The finest sieve above the pan.
@@ -423,7 +430,8 @@ private:
 
   const Gradation &g_;
   const GradationFigure &what_;
-  GradingCurve curve_;
+  SoilDescription soil_;
+  const GradingCurve &curve_;
   std::vector<Rational> sizes_; ///< of the curve, irrational ones rounded: a picture shows no more
   Rational unit_mm_;
   std::string_view unit_;

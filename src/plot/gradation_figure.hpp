@@ -6,6 +6,7 @@
 
 #include <mdm/gradation/envelope.hpp>
 #include <mdm/gradation/gradation.hpp>
+#include <mdm/soil/describe.hpp>
 
 namespace mdm {
 
@@ -34,6 +35,7 @@ struct GradationFigure {
   Bands bands = Bands::uscs;
   std::string curve_title = "sieve analysis";
   SieveNames sieve_names = SieveNames::iso;
+  DescribeOptions soil; ///< for the index numbers and the group
   bool coarse_left = false;
   bool curve = true;                 ///< percent passing over size
   bool counts = false;               ///< particles of each class over size
@@ -44,8 +46,9 @@ struct GradationFigure {
 };
 
 /// The gradation's curve through its sieves over log size, percent passing and retained; D10, D30, D60, C_u,
-/// C_c and the group; against it the set of particles as the steps of what passes, and their counts. Below
-/// the finest sieve above a pan at 0 the curve is not known: a dashed line shows how much passes it.
+/// C_c and the group, with what reading the file and these numbers assume; against it the set of particles as
+/// the steps of what passes, and their counts. Below the finest sieve above a pan at 0 the curve is not
+/// known: a dashed line shows how much passes it.
 Figure gradation_figure(const Gradation &g, const GradationFigure &what);
 
 } // namespace mdm

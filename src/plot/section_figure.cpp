@@ -1,6 +1,6 @@
 #include "plot/section_figure.hpp"
 
-#include "plot/drawing.hpp"
+#include "plot/ranges.hpp"
 #include "plot/size_colors.hpp"
 
 #include <fmt/core.h>

@@ -2,6 +2,7 @@
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 
@@ -253,7 +254,8 @@ std::string by_sieve_title(const Tradeoff &t) {
 std::vector<TradeoffRow> with_match(std::vector<TradeoffRow> rows) {
   std::erase_if(rows, [](const TradeoffRow &row) { return !row.particles; });
   if (rows.empty())
-    throw InputError("no match of a curve is known: nothing can be drawn: ask for less, or leave out --plot");
+    throw InputError("no match of a curve is known: nothing can be drawn: ask for less, or leave out " +
+                     option("plot"));
   return rows;
 }
 
@@ -275,6 +277,7 @@ Figure tradeoff_figure(const Tradeoff &t) {
   add_lost(right, sieve, by_sieve);
   add_labels(right, sieve, by_sieve, drawn_sieve);
   figure.panels = {std::move(left), std::move(right)};
+  figure.remarks = t.gradation.notes();
   return figure;
 }
 

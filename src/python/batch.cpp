@@ -1,4 +1,4 @@
-#include "cli/in_parallel.hpp"
+#include "files/in_parallel.hpp"
 #include "python/listener.hpp"
 #include "python/module.hpp"
 #include "python/solved.hpp"
@@ -33,7 +33,7 @@ struct BatchGradation {
 /// Its answer, or what is wrong. The match itself where it cannot be found again, or its proof is to be kept.
 struct BatchResult {
   std::string json, error;
-  const char *outcome = "";
+  Outcome outcome = Outcome::done;
   std::shared_ptr<Solved> match;
 };
 
@@ -42,7 +42,7 @@ struct BatchQuestion {
   Words words;
   std::string file; ///< of the lines
   bool keep_proof;
-  cli::AskedQuestion asked = question_of(words);
+  AskedQuestion asked = solve_texts(words).question(band_of(words));
   SolveOptions options = options_of(words, keep_proof);
 
   /// A deadline is one of each gradation's own.
@@ -60,11 +60,11 @@ BatchResult result_of(const BatchGradation &item, const BatchQuestion &question,
     SolveOptions options = question.options;
     options.limits = question.limits();
     options.progress = [&listener](const Progress &) { return !listener.is_stopped(); };
-    const Question asked = question_in(question.asked, g.unit());
+    const Question asked = question.asked.in(g.unit());
     auto match = std::make_shared<Solved>(mdm::solve(std::move(g), asked, options), options.limits);
     result.json = match->json();
     result.outcome = match->outcome();
-    if (question.keep_proof || match->is_limited())
+    if (question.keep_proof || match->outcome() == Outcome::limited)
       result.match = std::move(match);
   } catch (const InputError &e) {
     result.error = e.what();
@@ -135,15 +135,15 @@ private:
   }
 
   void solve_all() {
-    cli::in_parallel(items_.size(), threads_,
-                     [this](std::size_t i) { results_[i] = result_of(items_[i], question_, listener_); });
+    in_parallel(items_.size(), threads_,
+                [this](std::size_t i) { results_[i] = result_of(items_[i], question_, listener_); });
   }
 
   static py::list answers(std::vector<BatchResult> &results) {
     py::list all(results.size());
     for (std::size_t i = 0; i < results.size(); ++i)
-      all[i] =
-          py::make_tuple(results[i].json, results[i].outcome, std::move(results[i].match), results[i].error);
+      all[i] = py::make_tuple(results[i].json, name(results[i].outcome), std::move(results[i].match),
+                              results[i].error);
     return all;
   }
 

@@ -1,6 +1,6 @@
 #include "crosscheck/crosscheck.hpp"
 
-#include "cli/option_values.hpp"
+#include "ask/option_values.hpp"
 #include "python/module.hpp"
 #include "python/numbers.hpp"
 
@@ -21,7 +21,7 @@ public:
 
   /// \param answer  a line of JSON as `mdm crosscheck` reads it
   py::tuple judge(const std::string &answer, const std::string &size_tolerance) const {
-    const Rational tolerance = cli::not_negative("size_tolerance", size_tolerance);
+    const Rational tolerance = not_negative("size-tolerance", size_tolerance);
     if (tolerance >= 1)
       throw InputError("size_tolerance: " + in_quotes(size_tolerance) +
                        " is not below 1: it is a part of the size, such as 1e-9");
@@ -44,7 +44,7 @@ private:
   static Limits limits_of_steps(const std::optional<std::string> &max_steps) {
     Limits limits;
     if (max_steps)
-      limits.max_steps = cli::natural64("max_steps", *max_steps);
+      limits.max_steps = natural64("max-steps", *max_steps);
     return limits;
   }
 

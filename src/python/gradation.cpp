@@ -1,8 +1,10 @@
-#include "cli/option_values.hpp"
+#include "ask/option_values.hpp"
+#include "ask/reading_options.hpp"
 #include "particles/gsd.hpp"
 #include "particles/sample_sieves.hpp"
 #include "python/module.hpp"
 #include "python/numbers.hpp"
+#include "python/question.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -52,10 +54,10 @@ void make_masses_decimal(Gradation::Data &data) {
                        ", which makes decimals of them");
 }
 
-void require_decimal_sizes(const Gradation::Data &data) {
-  for (const Rational &size : data.sizes)
-    if (undecimal_part(denominator(size)) != 1)
-      throw InputError("size " + to_string(size) +
+void require_decimals(const std::string &name, const std::vector<Rational> &numbers) {
+  for (const Rational &number : numbers)
+    if (undecimal_part(denominator(number)) != 1)
+      throw InputError(name + " " + to_string(number) +
                        " is no decimal: write one, as files and proofs have them");
 }
 
@@ -83,7 +85,9 @@ Gradation gradation_from(const Texts &sizes, const Texts &masses, const std::str
   data.root = root;
   make_ascending(data);
   make_masses_decimal(data);
-  require_decimal_sizes(data);
+  require_decimals("size", data.sizes);
+  require_decimals("factors:", data.factors);
+  require_decimals("tolerances:", data.tolerances);
   return Gradation(std::move(data));
 }
 
@@ -113,21 +117,9 @@ std::vector<std::pair<std::string, std::string>> openings(const Gradation &g) {
 using ReadingWords = std::map<std::string, std::string>;
 
 Reading reading_of(const ReadingWords &words) {
-  Reading r;
-  const auto take = [&words](const char *name) -> std::optional<std::string> {
-    const auto found = words.find(name);
-    return found == words.end() ? std::nullopt : std::optional(found->second);
-  };
-  r.specimen = take("specimen_id");
-  r.columns = take("columns");
-  r.kind = take("kind");
-  r.unit = take("unit");
-  r.sheet = take("sheet");
-  if (const std::optional<std::string> skip = take("skip"))
-    r.skip = cli::natural64("skip", *skip);
-  if (const std::optional<std::string> digits = take("round"))
-    r.round = cli::digits_of("round", *digits);
-  return r;
+  ReadingTexts texts;
+  take_words({words, {}}, ReadingTexts::options, texts);
+  return texts.reading();
 }
 
 /// True for the beginning of a file of particles.
@@ -168,9 +160,9 @@ Gradation read_line(const py::bytes &line, const std::string &where, const std::
 Gradation read_sample(const py::bytes &content, const std::string &file,
                       const std::optional<std::string> &unit) {
   ParticleOptions options;
-  options.says_otherwise = "unit says";
+  options.says_otherwise = option("unit") + " says";
   if (unit)
-    options.unit = cli::length_unit_of("unit", *unit);
+    options.unit = length_unit_of("unit", *unit);
   const std::string_view text(content);
   const py::gil_scoped_release unlocked;
   SampleSieves sieves;

@@ -1,3 +1,4 @@
+#include "ask/outcome.hpp"
 #include "python/listener.hpp"
 #include "python/module.hpp"
 #include "python/numbers.hpp"
@@ -16,14 +17,6 @@ namespace py = pybind11;
 namespace mdm::python {
 namespace {
 
-const char *outcome_of(const Match &m, const Limits &limits) {
-  if (m.budget && !m.budget->is_decided)
-    return "limited";
-  if (m.status == Status::feasible && limits.is_close(*m.particles(), m.lower_bound))
-    return "done";
-  return m.status == Status::optimal ? "done" : m.status == Status::none ? "negative" : "limited";
-}
-
 /// A match, that of the next finer tolerance where a budget chose one, and the exception that ended the
 /// search.
 py::tuple answer(std::shared_ptr<Solved> found, std::shared_ptr<Solved> finer, py::object error) {
@@ -40,11 +33,11 @@ py::tuple solve_exact_or_tolerant(const std::optional<Gradation> &g, const Words
   Listener listener(progress);
   const auto search = [&] {
     const py::gil_scoped_release unlocked;
-    const cli::AskedQuestion stated = question_of(words);
+    const AskedQuestion stated = solve_texts(words).question(band_of(words));
     if (!g && !stated.rest.band)
       throw InputError("a gradation is missing: give one, or a band alone");
     const Gradation target = g ? *g : middle_of(*stated.rest.band);
-    Question question = question_in(stated, target.unit());
+    Question question = stated.in(target.unit());
     question.band_alone = !g;
     SolveOptions options = options_of(words, keep_proof);
     options.progress = listener.call();
@@ -61,8 +54,10 @@ py::tuple solve_budget(const Gradation &g, const Words &words, bool keep_proof, 
   std::shared_ptr<Solved> found, finer;
   {
     const py::gil_scoped_release unlocked;
-    const Budget budget = budget_of(words);
-    const Question question = question_in(question_beside_budget(words), g.unit());
+    const SolveTexts others = solve_texts(words);
+    const BudgetTexts asked = budget_texts(words);
+    const Budget budget = asked.budget(others);
+    const Question question = asked.question(others, band_of(words)).in(g.unit());
     SolveOptions options = options_of(words, keep_proof);
     options.progress = listener.call();
     BudgetMatch both = solve_within_budget(g, question, budget, options);
@@ -132,7 +127,7 @@ Solved::Solved(Match match, const Limits &limits)
 void add_match(py::module_ &module) {
   py::class_<Solved, std::shared_ptr<Solved>>(module, "Match")
       .def("json", &Solved::json)
-      .def("outcome", &Solved::outcome)
+      .def("outcome", [](const Solved &s) { return name(s.outcome()); })
       .def("csv", unlocked_text([](const Solved &s) { return answer_csv(s.match()); }))
       .def("text", unlocked_text([](const Solved &s) { return answer_text(s.match()); }))
       .def("certificate", unlocked_text([](const Solved &s) {

@@ -7,6 +7,7 @@
 #include "text/versions.hpp"
 
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 namespace py = pybind11;
 
@@ -33,6 +34,7 @@ py::dict version_dict() {
 } // namespace
 
 PYBIND11_MODULE(_core, module) {
+  mdm::spell_options(mdm::OptionSpelling::keyword);
   module.doc() = "The library behind exactmdm; use the package.";
   py::register_exception_translator(translate);
   module.def("versions", version_dict);

@@ -1,11 +1,10 @@
 #pragma once
 /// \file
-/// A question and its limits in the words of the command line.
+/// A question and its limits in the keywords of the package.
 
-#include "cli/asked_question.hpp"
+#include "ask/solve_options.hpp"
 
-#include <mdm/match/budget.hpp>
-#include <mdm/match/solve.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <map>
 #include <optional>
@@ -14,36 +13,35 @@
 
 namespace mdm::python {
 
-/// The options of `mdm solve` by their names, with `_` for `-` and numbers as texts. `band` is the content of
-/// the file, `band_name` its name.
+/// Options by their keywords, with numbers as texts. `band` is the content of the file, `band_name` its name.
 struct Words {
   std::map<std::string, std::string> values;
   std::vector<std::string> tolerances;
 
   /// The value of an option, or nothing.
-  const std::string *find(const std::string &name) const;
-  bool has(const std::string &name) const { return find(name) != nullptr; }
+  OptionText find(const std::string &keyword) const;
+  bool has(const std::string &keyword) const { return find(keyword).has_value(); }
   bool is_tolerant() const { return !tolerances.empty() || has("band"); }
 };
 
-/// How a gradation is taken: law, pan_size, cut_below and size_factor. Errors name the option.
-cli::AskedQuestion question_of_gradation(const Words &words);
+/// Fills the texts of a table with the values of its keywords.
+template <class Row, class Texts>
+void take_words(const Words &words, const std::vector<Row> &rows, Texts &texts) {
+  for (const Row &row : rows)
+    texts.*row.text = words.find(option(row.name));
+}
 
-/// What a gradation is asked. Errors name the option.
-/// \throws InputError where a value does not serve, or options do not go together
-cli::AskedQuestion question_of(const Words &words);
-/// The same for a trade-off, which looks for matches of both kinds: limits of either serve.
-cli::AskedQuestion question_of_both(const Words &words);
-
-/// The question with its lengths in the gradation's unit.
-Question question_in(const cli::AskedQuestion &asked, SizeUnit unit);
+/// All options of solving.
+SolveTexts solve_texts(const Words &words);
+/// A budget of particles. \pre words.has("particles")
+BudgetTexts budget_texts(const Words &words);
+/// How the band is read; `words` must outlive it.
+ReadBand band_of(const Words &words);
+/// The envelope of the band, if there is one.
+std::optional<Envelope> envelope_of(const Words &words);
 
 /// The limits, and how sizes are shown. The deadline counts from this call. With a limit of more steps than a
 /// proof can have none is kept.
 SolveOptions options_of(const Words &words, bool keep_proof);
-
-/// A budget of particles, and the question beside it. \pre words.has("particles")
-Budget budget_of(const Words &words);
-cli::AskedQuestion question_beside_budget(const Words &words);
 
 } // namespace mdm::python

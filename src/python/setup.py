@@ -12,8 +12,11 @@ from pathlib import Path
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+from setuptools.command.sdist import sdist
 
-SOURCE = Path(__file__).resolve().parents[2]
+HERE = Path(__file__).resolve().parent
+#: The project of CMake: around this folder, or in an archive of sources within it.
+SOURCE = HERE / "project" if (HERE / "project").is_dir() else HERE.parents[1]
 
 
 def version():
@@ -44,4 +47,17 @@ class BuildWithCMake(build_ext):
         shutil.copy(build / "bin/mdm", target.parent / "bin/mdm")
 
 
-setup(version=version(), ext_modules=[Extension("exactmdm._core", [])], cmdclass={"build_ext": BuildWithCMake})
+class SdistWithProject(sdist):
+    """An archive of sources has what CMake needs, too."""
+
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, files)
+        project = Path(base_dir, "project")
+        no_sources = shutil.ignore_patterns(Path(base_dir).name, "__pycache__", "*.egg-info", "build", "dist", "node_modules")
+        for folder in ("include", "src"):
+            shutil.copytree(SOURCE / folder, project / folder, ignore=no_sources)
+        for file in ("CMakeLists.txt", "LICENSE"):
+            shutil.copy(SOURCE / file, project)
+
+
+setup(version=version(), ext_modules=[Extension("exactmdm._core", [])], cmdclass={"build_ext": BuildWithCMake, "sdist": SdistWithProject})

@@ -2,6 +2,7 @@
 /// \file
 /// A match as Python holds it.
 
+#include "ask/outcome.hpp"
 #include "python/question.hpp"
 
 #include <mdm/match/solve.hpp>
@@ -21,16 +22,14 @@ public:
   const Match &match() const { return match_; }
   /// mdm-answer-1.
   const std::string &json() const { return json_; }
-  /// `done`, `negative`, or `limited` where a limit came before the end.
-  const char *outcome() const { return outcome_; }
-  bool is_limited() const { return outcome_ == std::string_view("limited"); }
+  Outcome outcome() const { return outcome_; }
   /// True if what a proof is written from was to be kept.
   bool keeps_proof() const { return keeps_proof_; }
 
 private:
   Match match_;
   std::string json_;
-  const char *outcome_;
+  Outcome outcome_;
   bool keeps_proof_;
 };
 

@@ -166,6 +166,8 @@ std::string description_csv(const SoilDescription &d, unsigned digits) {
   for (const auto &[system, fractions] : {std::pair("USCS", &d.uscs), std::pair("ISO 14688", &d.iso_14688)})
     for (const Fraction &f : *fractions)
       add_csv_row(out, fmt::format("{} {}", system, f.name), "percent", percent(f), digits);
+  for (const std::string &note : d.notes)
+    add(out, "note,,,,{}\n", csv_field(note));
   return fmt::to_string(out);
 }
 

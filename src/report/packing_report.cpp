@@ -106,7 +106,7 @@ void write_positions(JsonWriter &json, const Packing &p) {
 void write_judgement(JsonWriter &json, const PackingJudgement &j) {
   json.begin_object().key("sizes").string(j.sizes).key("packing").string(j.packing);
   json.key("verdict").plain(j.is_accepted() ? "accepted" : "refused");
-  json.key("objections").strings(j.objections).end_object();
+  json.key("objections").strings(j.objections).key("not_verified").strings(j.unverified).end_object();
 }
 
 std::string coordination_table(const PackingTexture &t) {
@@ -132,7 +132,12 @@ std::string mean_text(const Coordination &c) {
 
 std::string packing_judgement_text(const PackingJudgement &j) {
   const std::string name = printable(j.packing);
-  std::string text = j.is_accepted() ? name + ": accepted: a packing of the set's discs\n" : "";
+  std::string text =
+      j.is_accepted()
+          ? fmt::format(
+                "{}: accepted: a packing of the set's discs (not verified: that they came there by {})\n",
+                name, fmt::join(j.unverified, ", "))
+          : "";
   for (const std::string &objection : j.objections)
     text += name + ": refused: " + objection + "\n";
   return text;

@@ -11,6 +11,7 @@ namespace mdm {
 struct PackingJudgement {
   std::string sizes, packing;          ///< names of the files
   std::vector<std::string> objections; ///< packing_objections()
+  std::vector<std::string> unverified; ///< mdm::unverified()
 
   bool is_accepted() const { return objections.empty(); }
 };

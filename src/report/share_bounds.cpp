@@ -16,13 +16,13 @@ std::optional<bool> lies_within(const Interval &y, const ShareBounds &bounds) {
   return std::nullopt;
 }
 
-/// Keeps the first bound that is broken, or else the first that is open.
+/// Keeps all bounds that are broken, or else all that are open.
 void note(BoundsVerdict &verdict, std::optional<bool> holds, const std::string &reason) {
   const bool is_worse = (holds == false && verdict.holds != false) || (!holds && verdict.holds == true);
-  if (!is_worse)
-    return;
-  verdict.holds = holds;
-  verdict.reason = reason;
+  if (is_worse)
+    verdict = {holds, reason};
+  else if (holds != true && holds == verdict.holds)
+    verdict.reason += "; " + reason;
 }
 
 std::string percent_text(const Rational &share, unsigned digits) {

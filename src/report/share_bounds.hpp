@@ -13,7 +13,7 @@ namespace mdm {
 /// The outcome of a comparison.
 struct BoundsVerdict {
   std::optional<bool> holds; ///< nothing: the enclosures of shares do not tell
-  std::string reason;        ///< the first bound that is broken, or open; empty if all hold
+  std::string reason;        ///< all bounds that are broken, else all that are open; empty if all hold
 };
 
 /// True if all shares that e found lie within the bounds, which are closed.

@@ -12,6 +12,7 @@
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 
@@ -182,7 +183,7 @@ std::string headline(const Verification &v) {
             : v.description.knows_sizes()
                 ? "undecided: 4096 bits do not tell whether it matches" + tolerance
                 : "undecided: the ranges that are known of the sizes do not tell whether it matches" +
-                      tolerance + " (a --tolerance of 1e-6 or so does)") +
+                      tolerance + " (a " + option("tolerance") + " of 1e-6 or so does)") +
            ": " + worst;
   default:
     if (!v.objections.empty())

@@ -7,6 +7,9 @@
 #include <mdm/match/solve.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -18,8 +21,9 @@ Rational decimal(const Real &y, unsigned digits) {
     return parse_decimal(rounded(y, digits));
   } catch (const InputError &) {
     throw InputError(
-        "a bound or volume of a class has no decimal of up to 1000 digits and exponent 400 to be "
-        "matched: give fewer --match-digits, or use fewer or isochoric classes");
+        fmt::format("a bound or volume of a class has no decimal of up to 1000 digits and exponent 400 to be "
+                    "matched: give fewer {}, or use fewer or isochoric classes",
+                    option("match-digits")));
   }
 }
 
@@ -98,7 +102,7 @@ Gradation rounded_gradation(const std::vector<SizeClass> &classes, unsigned digi
     data.sizes.push_back(decimal(c.upper.real, digits));
     if (*(data.sizes.end() - 2) >= data.sizes.back())
       throw InputError("bounds of classes become the same with " + std::to_string(digits) +
-                       " digits: give more with --match-digits");
+                       " digits: give more with " + option("match-digits"));
     data.masses.push_back(c.is_empty() ? Rational(0) : decimal(c.volume_fraction, digits));
   }
   data.masses.emplace_back(0);

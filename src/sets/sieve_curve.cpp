@@ -1,6 +1,7 @@
 #include "sets/sieve_curve.hpp"
 
 #include <mdm/text/error.hpp>
+#include <mdm/text/option_name.hpp>
 
 #include <algorithm>
 
@@ -28,8 +29,8 @@ Gradation by_volume(const Gradation &g) {
 SieveCurve::SieveCurve(GradingCurve curve, Interpolation interpolation)
     : curve_(std::move(curve)), interpolation_(interpolation) {
   if (curve_.sizes().front() == 0)
-    throw InputError("the finest sieve is a pan at size 0: particles have a size; give the pan one with "
-                     "--pan-size");
+    throw InputError("the finest sieve is a pan at size 0: particles have a size; give the pan one with " +
+                     option("pan-size"));
 }
 
 std::size_t SieveCurve::piece(const CurveSize &d) const {

@@ -25,6 +25,7 @@ struct DiscSize {
 struct DiscSizes {
   std::string unit; ///< empty: any
   std::vector<DiscSize> sizes;
+  std::vector<std::string> notes = {}; ///< of the gradation that they match
 
   /// Adds the upper end of an enclosure, rounded up to 18 digits.
   /// \throws InputError if there are more than most_discs, or the size is 0 or beyond 10^18

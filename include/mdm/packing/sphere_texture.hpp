@@ -13,6 +13,7 @@ namespace mdm {
 struct SampleSpace {
   std::optional<SpaceBox> box; ///< open: the smallest around all spheres
   bool to_top = true;          ///< it ends at the top of the highest sphere, and not at the box's
+  bool has_top = true;         ///< of the box; without one its upper bound says nothing
   bool is_cylinder = false;    ///< upright, and as wide as the box, which is as long as wide
   std::array<bool, 3> periodic{};
 };

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import operator
+import sys
 from collections.abc import Iterable
-from decimal import Decimal
+from decimal import Context, Decimal
 from fractions import Fraction
 from typing import Any, Union
 
@@ -17,17 +18,18 @@ Number = Union[str, int, Decimal, Fraction]
 _MOST_BITS = 4000
 
 
-def text_of(value: object, name: str, exact: bool = False) -> str:
+def text_of(value: object, name: str, exact: bool = False, takes_exact: bool = False) -> str:
     """A number as exact text: a decimal, or `p/q` where it is none.
 
-    A float is refused, as its decimal is not what it holds: with `exact` its binary value itself is taken.
+    A float is refused, as its decimal is not what it holds: with `exact` its binary value itself is taken. `takes_exact`
+    says that who calls has such a keyword, for the message.
 
     >>> text_of(Fraction(1, 8), "size"), text_of(Fraction(1, 3), "size"), text_of("0.1", "size")
     ('0.125', '1/3', '0.1')
     >>> text_of(0.1, "size")
     Traceback (most recent call last):
         ...
-    exactmdm.errors.InputError: size: 0.1 is a float: write repr(x) for the decimal that is shown, or exact=True ...
+    exactmdm.errors.InputError: size: 0.1 is a float: write repr(x) for the decimal that is shown, or Fraction(x) ...
     """
     if isinstance(value, str):
         if valid_text(value) != value:
@@ -49,8 +51,9 @@ def text_of(value: object, name: str, exact: bool = False) -> str:
     if ratio is None:
         raise InputError(f"{name}: {type(value).__name__} is no number: give str, int, Decimal or Fraction")
     if not exact:
-        raise InputError(f"{name}: {value} is a float: write repr(x) for the decimal that is shown, or exact=True "
-                         "for the binary number itself")
+        itself = "exact=True" if takes_exact else "Fraction(x)"
+        raise InputError(f"{name}: {value} is a float: write repr(x) for the decimal that is shown, or {itself} for the "
+                         "binary number itself")
     try:
         return _text_of_fraction(Fraction(*ratio()))
     except (ValueError, OverflowError):
@@ -68,9 +71,9 @@ def texts_of(values: Iterable[object], name: str, exact: bool = False) -> list[s
         raise InputError(f"{name}: a text is no list of numbers: give a list")
     try:
         entries = list(values)
-    except TypeError:
+    except (TypeError, NotImplementedError):  # the second is of views with several dimensions
         raise InputError(f"{name}: {type(values).__name__} is no list of numbers: give a list") from None
-    return [text_of(value, f"{name}[{i}]", exact) for i, value in enumerate(entries)]
+    return [text_of(value, f"{name}[{i}]", exact, True) for i, value in enumerate(entries)]
 
 
 def _text_of_fraction(value: Fraction) -> str:
@@ -106,6 +109,43 @@ def optional_int(text: str | None) -> int | None:
     return None if text is None else int(text)
 
 
-def shown(value: Any) -> str:
-    """A number for people, in at most some ten characters."""
-    return f"{float(value):.4g}"
+def middle(value: Any) -> Fraction:
+    """A number as a fraction, an Enclosure by its middle."""
+    return Fraction(getattr(value, "mid", value))
+
+
+def fits_float(value: Any) -> bool:
+    """True if a float has the number to the digits that floats have: it is neither too large nor too near to 0.
+
+    >>> fits_float(Fraction(1, 3)), fits_float(Decimal("1e400")), fits_float(Decimal("1e-400"))
+    (True, False, False)
+    """
+    try:
+        number = float(value)
+    except OverflowError:
+        return False
+    return middle(value) == 0 or sys.float_info.min <= abs(number) <= sys.float_info.max
+
+
+def column(values: Iterable[Any]) -> list[Any]:
+    """Numbers for a table, None for none: floats, or the exact numbers themselves where floats cannot have all of them."""
+    entries = list(values)
+    if all(value is None or fits_float(value) for value in entries):
+        return [float("nan") if value is None else float(value) for value in entries]
+    return entries
+
+
+def decimal_of(value: Any, digits: int) -> Decimal:
+    """A number, rounded to so many significant digits."""
+    exact = middle(value)
+    return Context(prec=digits).divide(Decimal(exact.numerator), Decimal(exact.denominator))
+
+
+def shown(value: Any, digits: int = 4) -> str:
+    """A number for people, in at most some ten characters.
+
+    >>> shown(Fraction(1, 3)), shown(Decimal("1e400")), shown(Decimal("1e-400"))
+    ('0.3333', '1e+400', '1e-400')
+    """
+    number = float(value) if fits_float(value) else decimal_of(value, digits).normalize()
+    return f"{number:.{digits}g}"

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 from exactmdm import _core
 from exactmdm.enclosure import Enclosure
-from exactmdm.exact import shown, text_of, texts_of
+from exactmdm.exact import column, shown, text_of, texts_of
 from exactmdm.figures import curve_figure, html_table
 from exactmdm.value import Value
 
@@ -23,10 +23,11 @@ class Gradation(Value):
     """A grain size distribution: sieves, and the mass retained on each (Arnold, Eq. 5 to 8).
 
     Class j holds the particles with sizes[j] < x <= sizes[j + 1] and has the mass masses[j]. The sizes ascend or
-    descend; a size 0 is the pan; the largest sieve must retain nothing. Only the ratios of the masses count.
+    descend; a size 0 is the pan; the largest sieve must retain nothing. Only the ratios of the masses count: where one is
+    no decimal, such as 1/3, all are multiplied by the least whole number that makes them decimals, and a note says so.
 
     Args:
-        sizes: n openings, in `unit`.
+        sizes: n openings, in `unit`, decimals as in files and proofs: Fraction(1, 3) is refused.
         masses: n masses, in any unit; that of the largest size is 0.
         unit: "mm", "um" or "m".
         id: a name for reports.
@@ -131,13 +132,13 @@ class Gradation(Value):
         return self._handle.json()
 
     def to_frame(self) -> pandas.DataFrame:
-        """A pandas DataFrame with a row a class: lower, upper, mass, share, as floats."""
+        """A pandas DataFrame with a row a class: lower, upper, mass, share, as floats, or as exact numbers in a column that
+        floats cannot have."""
         import pandas
 
-        sizes = [float(size) for size in self.sizes]
-        return pandas.DataFrame({"lower": sizes[:-1], "upper": sizes[1:],
-                                 "mass": [float(mass) for mass in self.masses[:-1]],
-                                 "share": [float(share) for share in self.shares]})
+        sizes = column(self.sizes)
+        return pandas.DataFrame({"lower": sizes[:-1], "upper": sizes[1:], "mass": column(self.masses[:-1]),
+                                 "share": column(self.shares)})
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Gradation) and self._parts == other._parts
@@ -154,7 +155,7 @@ class Gradation(Value):
         header = [f"sizes, {self.unit} (above, up to]", "mass", "passes, %"]
         rows = [[f"({shown(self.sizes[j])}, {shown(self.sizes[j + 1])}]", shown(self.masses[j]),
                  shown(self.passing[j + 1])] for j in range(len(self))]
-        curves = [("#1f5fa8", list(zip(map(float, self.sizes), map(float, self.passing))))]
+        curves = [("#1f5fa8", list(zip(self.sizes, self.passing)))]
         return f"<p><b>{escape(self.id)}</b></p>{html_table(header, rows)}{curve_figure(curves, self.unit)}"
 
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Union
 from exactmdm import _core
 from exactmdm.batches import suite
 from exactmdm.errors import InputError
-from exactmdm.exact import Number, text_of
+from exactmdm.exact import Number, column, text_of
 from exactmdm.figures import html_table
 from exactmdm.gradation import Gradation
 from exactmdm.match import Match
@@ -54,17 +54,15 @@ class Crosscheck:
         return all(row.verdict in ("minimal", "larger") for row in self.rows)
 
     def to_frame(self) -> pandas.DataFrame:
-        """A pandas DataFrame with a row an answer; ratio and max_error as floats."""
+        """A pandas DataFrame with a row an answer; ratio and max_error as floats, or exact where those
+        cannot have them."""
         import pandas
-
-        def number(value: Fraction | None) -> float:
-            return float("nan") if value is None else float(value)
 
         return pandas.DataFrame({
             "id": [row.id for row in self.rows], "verdict": [row.verdict for row in self.rows],
             "particles": [row.particles for row in self.rows], "minimum": [row.minimum for row in self.rows],
-            "ratio": [number(row.ratio) for row in self.rows],
-            "max_error": [number(row.max_error) for row in self.rows], "reason": [row.reason for row in self.rows]})
+            "ratio": column(row.ratio for row in self.rows),
+            "max_error": column(row.max_error for row in self.rows), "reason": [row.reason for row in self.rows]})
 
     def __repr__(self) -> str:
         return f"<Crosscheck: {', '.join(f'{count} {verdict}' for verdict, count in self.counts.items())}>"
@@ -88,12 +86,15 @@ def crosscheck(gradations: Union[Iterable[Gradation], str, "os.PathLike[str]"], 
         max_steps: of the search for the smallest match; then the verdict is "undecided".
 
     Raises:
-        InputError: a gradation or an option is wrong.
+        InputError: a gradation or an option is wrong, or the solver is no function.
 
     >>> sand = exactmdm.Gradation(["1", "2", "3"], [2, 1, 0], id="sand")
     >>> exactmdm.crosscheck([sand], lambda gradation: [3, 1]).rows[0].verdict
     'minimal'
     """
+    if not callable(solver):
+        raise InputError(f"solver: {type(solver).__name__} is no function: give one that is called with a Gradation; "
+                         "exactmdm.program.run(\"crosscheck\", SUITE, solver=COMMAND) judges programs")
     steps = None if max_steps is None else text_of(max_steps, "max_steps")
     tolerance = text_of(size_tolerance, "size_tolerance")
     return Crosscheck(tuple(_judged(gradation, solver, tolerance, steps) for gradation in suite(gradations)))

@@ -16,7 +16,7 @@ from exactmdm import _core
 from exactmdm.checking import Verdict, check
 from exactmdm.enclosure import Enclosure, optional_enclosure
 from exactmdm.errors import InputError
-from exactmdm.exact import optional_int, shown
+from exactmdm.exact import column, middle, optional_int, shown
 from exactmdm.figures import curve_figure, html_table
 from exactmdm.gradation import Gradation, read_line
 from exactmdm.options import Words
@@ -275,13 +275,14 @@ class Match(Value):
         return Spread(self, seed)
 
     def to_frame(self) -> pandas.DataFrame:
-        """A pandas DataFrame with a row a class: lower, upper, mass, quantity, size; floats but for the quantity."""
+        """A pandas DataFrame with a row a class: lower, upper, mass, quantity, size; floats but for the quantity, and exact
+        numbers in a column that floats cannot have."""
         import pandas
 
         return pandas.DataFrame({
-            "lower": [float(c.lower) for c in self.classes], "upper": [float(c.upper) for c in self.classes],
-            "mass": [float(c.mass) for c in self.classes], "quantity": list(self.quantities),
-            "size": [float("nan") if c.size is None else float(c.size) for c in self.classes]})
+            "lower": column(c.lower for c in self.classes), "upper": column(c.upper for c in self.classes),
+            "mass": column(c.mass for c in self.classes), "quantity": list(self.quantities),
+            "size": column(c.size for c in self.classes)})
 
     def _key(self) -> tuple[Any, ...]:
         return self.gradation, self._words.values, self._words.tolerances, self._json
@@ -308,14 +309,7 @@ class Match(Value):
         header = [f"sizes, {self.unit} (above, up to]", "mass", "quantity", f"size, {self.unit}"]
         rows = [[f"({c.lower}, {c.upper}]", shown(c.mass), str(c.quantity), "" if c.size is None else shown(c.size)]
                 for c in self.classes]
-        total = sum(c.mass for c in self.classes)
-        passing = [Fraction(0)]
-        for c in self.classes:
-            passing.append(passing[-1] + 100 * c.mass / total)
-        points = [(float(self.classes[0].lower), 0.0)]
-        points += [(float(c.upper), float(percent)) for c, percent in zip(self.classes, passing[1:])]
-        curves = [("#1f5fa8", points)]
-        curves.append(("#c0562b", list(stairs(self))))
+        curves = [("#1f5fa8", list(curve(self))), ("#c0562b", list(stairs(self)))]
         title = escape(repr(self)[1:-1])
         return f"<p><b>{title}</b></p>{html_table(header, rows)}{curve_figure(curves, self.unit)}"
 
@@ -369,16 +363,26 @@ def _short(count: int) -> str:
     return str(count) if digits < 18 else f"about 10^{digits}"
 
 
-def stairs(match: Match) -> Iterator[tuple[float, float]]:
+def curve(match: Match) -> Iterator[tuple[Fraction, Fraction]]:
+    """The curve of the gradation of a match: size and percent passing."""
+    total = sum(c.mass for c in match.classes)
+    percent = Fraction(0)
+    yield Fraction(match.classes[0].lower), percent
+    for c in match.classes:
+        percent += 100 * c.mass / total
+        yield Fraction(c.upper), percent
+
+
+def stairs(match: Match) -> Iterator[tuple[Fraction, Fraction]]:
     """The curve of the particles of a match, (size, percent): it rises at their sizes. Nothing without a match."""
     if match.particles is None:
         return
     total = sum(c.mass for c in match.classes)
     shares = match.achieved or tuple(c.mass / total for c in match.classes)
     percent = Fraction(0)
-    yield float(match.classes[0].lower), 0.0
+    yield Fraction(match.classes[0].lower), percent
     for c, share in zip(match.classes, shares):
         if c.size is not None:
-            yield float(c.size), float(percent)
+            yield middle(c.size), percent
             percent += 100 * share
-            yield float(c.size), float(percent)
+            yield middle(c.size), percent

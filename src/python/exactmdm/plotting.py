@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, Union
 
+from exactmdm.errors import InputError
+from exactmdm.exact import fits_float, middle, shown
 from exactmdm.gradation import Gradation
-from exactmdm.match import Match, stairs
+from exactmdm.match import Match, curve, stairs
 from exactmdm.trade import Tradeoff, TradeoffRow
 
 if TYPE_CHECKING:
@@ -24,13 +27,14 @@ def plot(what: Union[Gradation, Match, Tradeoff], ax: Axes | None = None, **styl
         The axes.
 
     Raises:
-        ModuleNotFoundError: matplotlib is not installed: `picture` draws with gnuplot.
+        InputError: a size or a number of particles is beyond floats, which are what matplotlib draws.
+        ModuleNotFoundError: matplotlib is not installed: `picture` draws without it.
     """
     if ax is None:
         try:
             from matplotlib import pyplot
         except ModuleNotFoundError:
-            raise ModuleNotFoundError("matplotlib is not installed: exactmdm.picture draws with gnuplot") from None
+            raise ModuleNotFoundError("matplotlib is not installed: exactmdm.picture draws without it") from None
         ax = pyplot.gca()
     if isinstance(what, Gradation):
         _curve(what, ax, style)
@@ -49,21 +53,28 @@ def _size_axes(ax: Axes, unit: str) -> None:
     ax.set_ylabel("percent passing")
 
 
+def _drawn(points: Iterable[tuple[Any, Any]], unit: str) -> list[tuple[float, float]]:
+    """Points (size, percent) as floats, without those at size 0."""
+    exact = [(middle(size), percent) for size, percent in points if middle(size) > 0]
+    return list(zip(_floats([size for size, _ in exact], unit), [float(percent) for _, percent in exact]))
+
+
+def _floats(values: Iterable[Any], what: str) -> list[float]:
+    for value in (entries := list(values)):
+        if not fits_float(value):
+            raise InputError(f"{shown(value)} {what} is beyond what matplotlib draws: choose another unit")
+    return [float(value) for value in entries]
+
+
 def _curve(gradation: Gradation, ax: Axes, style: dict[str, Any]) -> None:
-    points = [(float(size), float(percent)) for size, percent in zip(gradation.sizes, gradation.passing)
-              if float(size) > 0]
+    points = _drawn(zip(gradation.sizes, gradation.passing), gradation.unit)
     ax.plot(*zip(*points), marker="o", **{"label": gradation.id or "gradation", **style})
     _size_axes(ax, gradation.unit)
 
 
 def _match(match: Match, ax: Axes, style: dict[str, Any]) -> None:
-    percent, curve = 0.0, [(float(match.classes[0].lower), 0.0)]
-    total = sum(float(c.mass) for c in match.classes)
-    for c in match.classes:
-        percent += 100 * float(c.mass) / total
-        curve.append((float(c.upper), percent))
-    ax.plot(*zip(*[(size, y) for size, y in curve if size > 0]), marker="o", label=match.id or "gradation")
-    drawn = [(size, y) for size, y in stairs(match) if size > 0]
+    ax.plot(*zip(*_drawn(curve(match), match.unit)), marker="o", label=match.id or "gradation")
+    drawn = _drawn(stairs(match), match.unit)
     if drawn:
         ax.plot(*zip(*drawn), **{"label": f"{match.particles} particles", **style})
     _size_axes(ax, match.unit)
@@ -75,7 +86,8 @@ def _tradeoff(tradeoff: Tradeoff, ax: Axes, style: dict[str, Any]) -> None:
         return row.particles is not None
 
     rows = [row for row in tradeoff.by_tolerance if known(row)]
-    ax.step([float(row.tolerance) for row in rows], [float(row.particles or 0) for row in rows],
+    ax.step(_floats([row.tolerance for row in rows], "percentage points"),
+            _floats([row.particles for row in rows], "particles"),
             **{"where": "post", "marker": "o", "label": tradeoff.id, **style})
     ax.set_yscale("log")
     ax.set_xlabel(f"tolerance on what is {tradeoff.kind}, percentage points")

@@ -51,8 +51,17 @@ def run(command: str, *arguments: str) -> tuple[int, str]:
         InputError: exit code 2, with the program's message.
         LimitReached: exit code 3; `known` is the output.
     """
+    return _done(command, arguments, None)
+
+
+def _called(command: str, *arguments: str) -> tuple[int, str]:
+    """The same for a function of this package: messages name keywords, `void_ratio`, and no `--void-ratio`."""
+    return _done(command, arguments, {**os.environ, "MDM_OPTION_SPELLING": "keyword"})
+
+
+def _done(command: str, arguments: tuple[str, ...], environment: dict[str, str] | None) -> tuple[int, str]:
     done = subprocess.run([program(), command, *arguments], stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                          encoding="utf-8", errors="replace")
+                          encoding="utf-8", errors="replace", env=environment)
     if done.returncode == _BAD_INPUT:
         raise InputError(done.stderr.strip())
     if done.returncode == _LIMITED:
@@ -131,7 +140,7 @@ class GeneratedSet(Value):
 
     @cached_property
     def sizes(self) -> tuple[Enclosure, ...]:
-        """The sizes of all particles, with sizes=True; else none."""
+        """The sizes of all particles, with sizes=True or spread=True; else none."""
         return tuple(enclosure_of(size) if isinstance(size, list) else enclosure_of([size, size])
                      for size in self._set_in_json.get("sizes") or ())
 
@@ -160,10 +169,10 @@ def generate(*, curve: Source | None = None, **options: Any) -> GeneratedSet:
     <GeneratedSet: 9939 particles in 4 classes>
     """
     if curve is None:
-        code, text = run("generate", *flags_of(options), "--format", "json", "--quiet")
+        code, text = _called("generate", *flags_of(options), "--format", "json", "--quiet")
     else:
         with file_of(curve) as path:
-            code, text = run("generate", "--curve", path, *flags_of(options), "--format", "json", "--quiet")
+            code, text = _called("generate", "--curve", path, *flags_of(options), "--format", "json", "--quiet")
     return GeneratedSet._of(text.rstrip("\n"), code == 0)
 
 
@@ -198,8 +207,8 @@ def export(source: Source, to: str, out: Union[str, "os.PathLike[str]"], **optio
 
 
 def picture(source: Source, out: Union[str, "os.PathLike[str]"], **options: Any) -> Written:
-    """A picture of a gradation or of a packing, written to `out` (.svg, .png or .pdf). Runs `mdm plot`, which needs
-    gnuplot; `plot` draws with matplotlib."""
+    """A picture of a gradation or of a packing, written to `out` (.svg, .png or .pdf). Runs `mdm plot`; `plot`
+    draws with matplotlib."""
     return _written("plot", source, out, options)
 
 
@@ -208,9 +217,9 @@ def _written(command: str, source: Source | None, out: Union[str, "os.PathLike[s
     path = Path(out)
     arguments = [*flags_of(options), "-o", os.fspath(out)]
     if source is None:
-        return Written(path, run(command, *arguments)[1])
+        return Written(path, _called(command, *arguments)[1])
     with file_of(source) as file:
-        return Written(path, run(command, file, *arguments)[1])
+        return Written(path, _called(command, file, *arguments)[1])
 
 
 def _word(value: object, name: str) -> str:

@@ -14,14 +14,14 @@ from exactmdm.options import read_file, words_of
 #: A path of a file.
 Path = Union[str, "os.PathLike[str]"]
 
-_NAMES = ("specimen_id", "columns", "kind", "unit", "skip", "sheet", "round")
+_NAMES = ("specimen_id", "columns", "kind", "unit", "skip", "sheet", "loss", "round")
 _MOST_BYTES = 64 << 20  # as the command line
 _BEGINNING = 1 << 16
 
 
 def read(path: Path, *, specimen_id: str | None = None, columns: str | None = None, kind: str | None = None,
          unit: str | None = None, skip: int | None = None, sheet: str | None = None,
-         round: int | None = None) -> Gradation:
+         loss: str | None = None, round: int | None = None) -> Gradation:
     """The gradation in a file of any format that `mdm convert` reads: CSV, JSON, AGS4, DIGGS, a table or workbook of a
     laboratory, a file of an instrument. The format is told by the content; numbers are read exactly.
 
@@ -33,6 +33,7 @@ def read(path: Path, *, specimen_id: str | None = None, columns: str | None = No
         unit: what the sizes are: "mm", "um", "m", "in", "phi" or "sieve".
         skip: lines or rows above the table.
         sheet: of a workbook.
+        loss: percent of a sheet's initial mass that its rows may lack, such as "2%"; 1 % where it is not given.
         round: significant digits that all masses are taken to.
 
     Raises:
@@ -40,7 +41,7 @@ def read(path: Path, *, specimen_id: str | None = None, columns: str | None = No
     """
     name, content = _content(path)
     words = words_of({"specimen_id": specimen_id, "columns": columns, "kind": kind, "unit": unit, "skip": skip,
-                      "sheet": sheet, "round": round}, _NAMES)
+                      "sheet": sheet, "loss": loss, "round": round}, _NAMES)
     with in_file(name):
         if _core.is_sample(content[:_BEGINNING]):
             raise InputError(f"{name}: it holds particles, no gradation: read_sample makes one of them", name)

@@ -40,7 +40,8 @@ def solve(gradation: Union[Gradation, str, "os.PathLike[str]", None] = None, *,
         tolerance: "retained:1%", "passing:0.5%", "total:1%" (percentage points), "retained:file", "passing:file",
             "laboratory", "rounding", or percentage points of what is retained; of several all hold. With `particles`
             its kind alone: "retained", "passing" or "total".
-        band: path of an envelope, CSV with passing_min_percent and passing_max_percent of each sieve.
+        band: path of an envelope, CSV with passing_min_percent and passing_max_percent of each sieve, or a
+            table with columns such as Lower and Upper.
         particles: a budget: the least tolerance with which so many particles suffice, on a `grid` of percentage points.
         min_per_class: particles in every class with mass, at least.
         at_least: particles in all, at least.

@@ -11,7 +11,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Union
 
 from exactmdm import _core
-from exactmdm.exact import Number, optional_int, shown, text_of
+from exactmdm.exact import Number, column, optional_int, shown, text_of
 from exactmdm.figures import html_table
 from exactmdm.gradation import Gradation
 from exactmdm.options import words_of
@@ -60,8 +60,8 @@ class Tradeoff:
 
         rows = [("tolerance", row) for row in self.by_tolerance] + [("sieve", row) for row in self.by_sieve]
         return pandas.DataFrame({
-            "by": [by for by, _ in rows], "tolerance": [float(row.tolerance) for _, row in rows],
-            "smallest": [float(row.smallest) for _, row in rows], "lost": [float(row.lost) for _, row in rows],
+            "by": [by for by, _ in rows], "tolerance": column(row.tolerance for _, row in rows),
+            "smallest": column(row.smallest for _, row in rows), "lost": column(row.lost for _, row in rows),
             "particles": [row.particles for _, row in rows], "lower_bound": [row.lower_bound for _, row in rows],
             "status": [row.status for _, row in rows]})
 

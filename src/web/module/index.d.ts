@@ -46,7 +46,7 @@ export interface AnswerClass {
 export interface Answer {
   schema: "mdm-answer-1";
   id: string;
-  status: "optimal" | "limit" | "none" | (string & {});
+  status: "optimal" | "feasible" | "unknown" | "none" | (string & {});
   particles: string | null;
   lower_bound: string | null;
   unit: string;
@@ -71,7 +71,7 @@ export interface Run {
   files: Record<string, Uint8Array>;
 }
 
-/** The program's message for an input that it cannot take. */
+/** The program's message for an input that it cannot take; it names options as they are written here, `minPerClass`. */
 export class InputError extends Error {}
 
 /** The smallest match. Rejects with InputError. Blocks its thread while it searches: use a worker for long searches. */

@@ -47,16 +47,23 @@ function words(options) {
   });
 }
 
+/** Files by name, each with its bytes. */
+const inBytes = (files) => Object.fromEntries(Object.entries(files).map(([name, content]) => [name, bytes(content)]));
+
 /** Runs a program as on the command line. */
 export async function run(commandLine, files = {}, onProgress = undefined) {
-  const contents = Object.fromEntries(Object.entries(files).map(([name, content]) => [name, bytes(content)]));
-  return (await programOf("mdm", createMdm)).run(commandLine, contents, onProgress);
+  return (await programOf("mdm", createMdm)).run(commandLine, inBytes(files), onProgress);
+}
+
+/** The same for a function of this module: messages name its options as its callers write them, `minPerClass`. */
+async function runCommand(commandLine, files, onProgress = undefined) {
+  const environment = { MDM_OPTION_SPELLING: "member" };
+  return (await programOf("mdm", createMdm)).run(commandLine, inBytes(files), onProgress, environment);
 }
 
 /** The same for mdm-check. */
 export async function runCheck(commandLine, files = {}) {
-  const contents = Object.fromEntries(Object.entries(files).map(([name, content]) => [name, bytes(content)]));
-  return (await programOf("mdm-check", createMdmCheck)).run(commandLine, contents);
+  return (await programOf("mdm-check", createMdmCheck)).run(commandLine, inBytes(files));
 }
 
 /** What a run printed, unless it refused its input. */
@@ -71,7 +78,7 @@ export async function solve(gradation, { name, proof = false, onProgress, ...opt
   const file = fileName(gradation, name, "gradation");
   const commandLine = ["solve", ...words(options), "--format=json", "--quiet", file];
   if (proof) commandLine.splice(1, 0, `--proof=${proofName}`);
-  const result = await run(commandLine, { [file]: gradation }, onProgress);
+  const result = await runCommand(commandLine, { [file]: gradation }, onProgress);
   const answer = JSON.parse(printed(result));
   const written = result.files[proofName];
   return { answer, proof: written ? decoder.decode(written) : null };
@@ -86,30 +93,30 @@ export async function check(gradation, proof, { name } = {}) {
 export async function batch(gradations, options = {}) {
   const lines = gradations.map((gradation) => (typeof gradation === "string" ? gradation : JSON.stringify(gradation)));
   const file = "suite.jsonl";
-  const result = await run(["batch", ...words(options), "--quiet", file], { [file]: lines.join("\n") + "\n" });
+  const result = await runCommand(["batch", ...words(options), "--quiet", file], { [file]: lines.join("\n") + "\n" });
   return printed(result).trim().split("\n").map((line) => JSON.parse(line));
 }
 
 export async function describe(gradation, { name, ...options } = {}) {
   const file = fileName(gradation, name, "gradation");
-  const result = await run(["describe", ...words(options), "--format=json", file], { [file]: gradation });
+  const result = await runCommand(["describe", ...words(options), "--format=json", file], { [file]: gradation });
   return JSON.parse(printed(result));
 }
 
 export async function convert(gradation, { name, ...options } = {}) {
   const file = fileName(gradation, name, "gradation");
-  return printed(await run(["convert", ...words(options), file], { [file]: gradation }));
+  return printed(await runCommand(["convert", ...words(options), file], { [file]: gradation }));
 }
 
 export async function verify(gradation, sample, { name, sampleName = "sample.txt", ...options } = {}) {
   const file = fileName(gradation, name, "gradation");
   const files = { [file]: gradation, [sampleName]: sample };
-  const result = await run(["verify", ...words(options), "--format=json", file, sampleName], files);
+  const result = await runCommand(["verify", ...words(options), "--format=json", file, sampleName], files);
   return JSON.parse(printed(result));
 }
 
 export async function tradeoff(gradation, { name, onProgress, ...options } = {}) {
   const file = fileName(gradation, name, "gradation");
   const commandLine = ["tradeoff", ...words(options), "--format=json", file];
-  return JSON.parse(printed(await run(commandLine, { [file]: gradation }, onProgress)));
+  return JSON.parse(printed(await runCommand(commandLine, { [file]: gradation }, onProgress)));
 }

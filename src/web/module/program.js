@@ -51,10 +51,11 @@ export async function loadProgram({ glue, wasm }) {
    * @param {string[]} words the command line, without the program's name
    * @param {Object<string, Uint8Array>} files those that are there before, by name
    * @param {(bounds: {least: string, particles: string | null}) => void} [onProgress] called now and then during a search
+   * @param {Object<string, string>} [environment] variables of the environment
    * @returns {Promise<{code: number, out: string, err: string, files: Object<string, Uint8Array>}>} exit code, standard
    * output and error, and the files that were written
    */
-  async function run(words, files = {}, onProgress) {
+  async function run(words, files = {}, onProgress, environment = {}) {
     const out = new Bytes();
     const err = new Bytes();
     const instance = await glue({
@@ -62,7 +63,12 @@ export async function loadProgram({ glue, wasm }) {
         WebAssembly.instantiate(module, imports).then(done);
         return {};
       },
-      preRun: [({ FS }) => FS.init(() => null, (byte) => out.add(byte), (byte) => err.add(byte))],
+      preRun: [
+        ({ FS, ENV }) => {
+          FS.init(() => null, (byte) => out.add(byte), (byte) => err.add(byte));
+          Object.assign(ENV, environment);
+        },
+      ],
       onProgress: onProgress && ((least, particles) => onProgress({ least, particles: particles || null })),
     });
     const { FS } = instance;

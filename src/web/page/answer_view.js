@@ -3,6 +3,7 @@
 import { curveChart } from "./curve_chart.js";
 import { byId, fill, make } from "./dom.js";
 import { enclosed, grouped, rounded, roundedEnclosure, unitName } from "./numbers.js";
+import { noteList } from "./reading_view.js";
 import { pagedTable } from "./table.js";
 import { text } from "./texts.js";
 
@@ -44,15 +45,22 @@ export function startBar() {
   observer.observe(byId("headline"));
 }
 
+/** Whose limits the chart's bands have. */
+export const bandSystem = () => byId("bands").value;
+
 export function showCurve(answer, description) {
   const place = byId("curve");
   const width = Math.round(place.clientWidth);
-  if (width > 0) fill(place, curveChart({ answer, description, width, text }));
+  if (width > 0) fill(place, curveChart({ answer, description, system: bandSystem(), width, text }));
 }
 
-/** The soil's numbers; what the gradation does not reach is left out. */
-export function showIndices(description) {
+/** The notes of a description that the answer does not have. */
+export const soilNotes = (description, answer) => description.notes.filter((note) => !answer.notes.includes(note));
+
+/** The soil's numbers with what they assume, or why there are none; what the gradation does not reach is left out. */
+export function showIndices({ description, message }, answer) {
   const place = byId("indices");
+  if (message) return fill(place, make("pre", { class: "message", lang: "en" }, message));
   if (description === null) return fill(place);
   const list = make("dl", { class: "indices" });
   for (const [key, name] of INDICES) {
@@ -66,7 +74,9 @@ export function showIndices(description) {
     const words = make("span", { class: "hint", lang: "en" }, name);
     list.append(make("div", { class: "wide" }, make("dt", {}, "USCS"), make("dd", {}, symbol, " ", words)));
   }
-  fill(place, make("h3", { class: "away" }, text("indices")), list);
+  const notes = noteList(soilNotes(description, answer));
+  if (notes) notes.className = "hint";
+  fill(place, make("h3", { class: "away" }, text("indices")), list, notes);
 }
 
 /** The columns of the table of classes. */
@@ -98,10 +108,4 @@ export function showClasses(answer, fetchRows) {
   const volume = answer.solidsVolume;
   const words = volume && text("volume", { volume: enclosed(volume), unit: unitName(answer.unit) });
   byId("volume-of-set").textContent = words ?? "";
-}
-
-export function showNotes(notes) {
-  if (notes.length === 0) return fill(byId("notes"));
-  const list = make("ul", { lang: "en" }, ...notes.slice(0, 20).map((note) => make("li", {}, note)));
-  fill(byId("notes"), make("h3", {}, text("notes")), list);
 }

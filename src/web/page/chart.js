@@ -141,28 +141,52 @@ export class Chart {
   }
 }
 
-/** The chart as the text of an SVG file. */
-export function svgFile(svg) {
+const LINE = 16;
+
+/** A text in lines of at most so many letters. */
+function inLines(text, letters) {
+  const lines = [];
+  for (const word of text.split(" ")) {
+    if (lines.length > 0 && lines.at(-1).length + word.length < letters) lines.push(`${lines.pop()} ${word}`);
+    else lines.push(word);
+  }
+  return lines;
+}
+
+/** A copy of the chart for a file, with remarks below it. */
+function printedCopy(svg, remarks) {
+  const [width, height] = [svg.width.baseVal.value, svg.height.baseVal.value];
+  const lines = remarks.flatMap((remark) => inLines(remark, Math.floor(width / 7)));
   const copy = svg.cloneNode(true);
+  const whole = height + (lines.length > 0 ? (lines.length + 1) * LINE : 0);
   copy.setAttribute("xmlns", SVG);
+  copy.setAttribute("height", whole);
+  copy.setAttribute("viewBox", `0 0 ${width} ${whole}`);
   copy.insertBefore(element("rect", { width: "100%", height: "100%", fill: "#ffffff" }), copy.firstChild);
+  lines.forEach((line, i) => copy.append(element("text", { class: "chart-text", x: LINE, y: height + (i + 1) * LINE }, line)));
   for (const one of copy.querySelectorAll("[class]")) {
     for (const [key, value] of Object.entries(PRINTED[one.getAttribute("class")])) one.setAttribute(key, value);
     one.removeAttribute("class");
   }
-  return new XMLSerializer().serializeToString(copy);
+  return copy;
 }
 
-/** The chart as a PNG, with so many pixels for each of the chart's. */
-export async function pngFile(svg, scale = 3) {
-  const url = URL.createObjectURL(new Blob([svgFile(svg)], { type: "image/svg+xml" }));
+const asText = (svg) => new XMLSerializer().serializeToString(svg);
+
+/** The chart as the text of an SVG file, with remarks below it. */
+export const svgFile = (svg, remarks) => asText(printedCopy(svg, remarks));
+
+/** The same as a PNG, with so many pixels for each of the chart's. */
+export async function pngFile(svg, remarks, scale = 3) {
+  const copy = printedCopy(svg, remarks);
+  const url = URL.createObjectURL(new Blob([asText(copy)], { type: "image/svg+xml" }));
   try {
     const image = new Image();
     image.src = url;
     await image.decode();
     const canvas = document.createElement("canvas");
-    canvas.width = svg.width.baseVal.value * scale;
-    canvas.height = svg.height.baseVal.value * scale;
+    canvas.width = copy.width.baseVal.value * scale;
+    canvas.height = copy.height.baseVal.value * scale;
     canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
     return await new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
   } finally {

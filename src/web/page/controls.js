@@ -1,13 +1,13 @@
 // The controls of the question.
 
 import { byId } from "./dom.js";
-import { DEFAULTS, KINDS_WITH_VALUE, READING, lengthInWords } from "./question.js";
+import { DEFAULTS, KINDS_WITH_VALUE, READING, SOIL, lengthInWords } from "./question.js";
 import { text } from "./texts.js";
 
 const form = () => byId("question");
 
 /** What a decimal comma's user means. */
-const NUMBERS = ["tolerance", "diameter", "height", "boxLength", "boxWidth", "voidRatio", "volume", "timeLimit"];
+const NUMBERS = ["tolerance", "diameter", "height", "boxLength", "boxWidth", "voidRatio", "volume", "timeLimit", ...SOIL];
 
 let sieves = { sizes: [], unit: "mm" };
 
@@ -33,7 +33,9 @@ export function writeOptions(options) {
     form().elements[name].value = typeof given === "string" ? given : value;
   }
   for (const slider of form().querySelectorAll("[data-for]")) followField(slider);
-  if (Object.keys(changedOptions(readOptions())).some((name) => READING.includes(name))) byId("reading").open = true;
+  const changed = Object.keys(changedOptions(readOptions()));
+  byId("reading").open = changed.some((name) => READING.includes(name));
+  byId("soil").open = changed.some((name) => SOIL.includes(name));
   showParts();
   showCut();
 }
@@ -79,9 +81,21 @@ export function takeSieves(found) {
   return isDropped;
 }
 
-/** A cut is at a sieve of one gradation: another one begins without. */
-export function forgetCut() {
+/**
+ * What is said of one gradation is not said of another: how its file is read, the limits of its fines, and a cut at one
+ * of its sieves.
+ */
+export function forgetFile() {
+  for (const name of [...READING, ...SOIL]) form().elements[name].value = DEFAULTS[name];
+  byId("reading").open = byId("soil").open = false;
   takeSieves({ sizes: [], unit: "mm" });
+}
+
+/** Takes options of reading as if they were set by hand. */
+export function takeReading(values) {
+  for (const [name, value] of Object.entries(values)) form().elements[name].value = value;
+  byId("reading").open = true;
+  form().elements[READING[0]].dispatchEvent(new Event("input", { bubbles: true }));
 }
 
 export const writeControlTexts = showCut;

@@ -6,24 +6,23 @@ import { unitName } from "./numbers.js";
 const PERCENTS = [0, 20, 40, 60, 80, 100];
 const MILLIMETRES = { mm: 1, um: 1e-3, m: 1e3, in: 25.4 };
 
-/** The names of ISO 14688 and the sizes, in mm, up to which they reach. */
-const SOILS = [["clay", 0.002], ["silt", 0.063], ["sand", 2], ["gravel", 63], ["cobbles", 200], ["boulders", 630]];
+/** The bands of both systems that are not parts of others. */
+const MAIN_BANDS = ["clay", "silt", "fines", "sand", "gravel", "cobbles", "boulders", "large boulders"];
 
 const MOST_CIRCLES = 60;
 
-function soilNames(chart, low, high, unit, text) {
+/** The bands of a classification, {name, above, up_to} in mm, with their names above the chart. */
+function drawBands(chart, bands, low, high, unit, text) {
   const scale = MILLIMETRES[unit];
   const { top, bottom } = chart.area;
-  let from = low * scale;
-  for (const [name, limit] of SOILS) {
-    if (limit <= from) continue;
-    const to = Math.min(limit, high * scale);
-    const [x1, x2] = [chart.x.at(from / scale), chart.x.at(to / scale)];
+  for (const { name, above, up_to } of bands.filter((band) => MAIN_BANDS.includes(band.name))) {
+    const from = Math.max(low, Number(above) / scale);
+    const to = up_to === null ? high : Math.min(high, Number(up_to) / scale);
+    if (to <= from) continue;
+    const [x1, x2] = [chart.x.at(from), chart.x.at(to)];
     const label = text(`soil.${name}`);
     if (x2 - x1 > 7 * label.length + 8) chart.text((x1 + x2) / 2, top - 7, label, "middle");
-    if (limit >= high * scale) return;
-    chart.line(x2, top - 20, x2, bottom, "chart-guide");
-    from = to;
+    if (to < high) chart.line(x2, top - 20, x2, bottom, "chart-guide");
   }
 }
 
@@ -34,15 +33,20 @@ function guide(chart, size, percent) {
   if (x - chart.area.left > 40) chart.text(chart.area.left + 6, y - 5, `D${percent}`);
 }
 
-/** The chart of an answer's curve and steps; `description` may be null. */
-export function curveChart({ answer, description, width, text }) {
+/**
+ * The chart of an answer's curve and steps; `description` may be null, and then there are no bands. `system` says whose
+ * limits these have: `iso`, `uscs`, or `none` for no bands.
+ */
+export function curveChart({ answer, description, system, width, text }) {
   const height = Math.round(Math.min(430, Math.max(280, width * 0.6)));
   const sizes = [...answer.curve, ...answer.steps].map(([size]) => size);
   const low = Math.min(...sizes) / 1.15, high = Math.max(...sizes) * 1.15;
+  const bands = description?.bands[system] ?? [];
+  const xTitle = text("chart.size", { unit: unitName(answer.unit) });
   const chart = new Chart({
     width, height,
     label: text("chart.label", { id: answer.id }),
-    xTitle: text("chart.size", { unit: unitName(answer.unit) }),
+    xTitle: bands.length > 0 ? `${xTitle}; ${text("chart.bands", { system: text(`bands.${system}`) })}` : xTitle,
     yTitle: text("chart.passing"),
     margin: { top: 24 },
     axes: ({ left, right, top, bottom }) => ({
@@ -50,7 +54,7 @@ export function curveChart({ answer, description, width, text }) {
       y: linearAxis(0, 100, bottom, top, PERCENTS),
     }),
   });
-  soilNames(chart, low, high, answer.unit, text);
+  drawBands(chart, bands, low, high, answer.unit, text);
   if (description && description.unit === answer.unit) {
     for (const percent of [10, 30, 60]) {
       const size = description[`D${percent}`];

@@ -8,6 +8,7 @@ import { download, stem } from "./files.js";
 import { currentGradation } from "./gradation_input.js";
 import { fragmentOf } from "./link.js";
 import { readingFlags, specimenFlags } from "./question.js";
+import { readInWords } from "./reading_view.js";
 import { writeReport } from "./report.js";
 import { text } from "./texts.js";
 import { checkers, helper, reader } from "./workers.js";
@@ -30,6 +31,12 @@ async function saveGradation() {
   else note(make("pre", {}, err));
 }
 
+/** What a picture says below its curve: how its file was read, and the program's notes. */
+function remarks() {
+  const { answer, reading } = page.state.solution;
+  return [readInWords(reading), ...answer.notes];
+}
+
 const chart = () => byId("curve").querySelector("svg");
 const base = () => stem(page.state.solution.gradation.name);
 
@@ -38,8 +45,8 @@ const downloads = {
   csv: async () => download(`${base()}.answer.csv`, await reader.ask({ operation: "csv" })),
   proof: () => download(page.state.solution.proof.name, page.state.solution.proof.blob),
   gradation: saveGradation,
-  svg: () => download(`${base()}.svg`, svgFile(chart())),
-  png: async () => download(`${base()}.png`, await pngFile(chart())),
+  svg: () => download(`${base()}.svg`, svgFile(chart(), remarks())),
+  png: async () => download(`${base()}.png`, await pngFile(chart(), remarks())),
 };
 
 /** Writes a model by mdm export and offers its files. */
@@ -72,7 +79,8 @@ async function digestOf({ name, blob }) {
 }
 
 async function printReport() {
-  const { solution, options, verdict, description } = page.state;
+  const { solution, options, verdict } = page.state;
+  const { description } = page.soil();
   const { gradation, checked, proof, flags } = solution;
   const files = [gradation, ...(checked === gradation ? [] : [checked]), ...(proof ? [proof] : [])];
   const digests = [];
@@ -85,7 +93,7 @@ async function printReport() {
     checkedName: checked.name,
   });
   await writeReport({
-    answer: solution.answer, description, verdict, digests, command, checkerVersion,
+    answer: solution.answer, reading: solution.reading, options, description, verdict, digests, command, checkerVersion,
     fetchRows: page.fetchRows,
     ...page.words(options),
   });
@@ -110,7 +118,7 @@ async function copyLink() {
   field.select();
 }
 
-/** Makes the buttons work; `given` has state, words(options), fetchRows and options(). */
+/** Makes the buttons work; `given` has state, soil(), words(options), fetchRows and options(). */
 export function startDownloads(given) {
   page = given;
   for (const button of document.querySelectorAll("[data-download]")) {

@@ -1,9 +1,11 @@
 // What can be asked beside the answer: the trade-off, a sample, a proof.
 
+import { readingCommand } from "./answer.js";
 import { byId, fill, make } from "./dom.js";
 import { endInWords } from "./ends.js";
 import { onChoice, onDrop, plainName } from "./files.js";
-import { KINDS_WITH_VALUE, conditionFlags } from "./question.js";
+import { DEFAULTS, KINDS_WITH_VALUE, conditionFlags } from "./question.js";
+import { notesWith, readingView } from "./reading_view.js";
 import { showSample } from "./sample_view.js";
 import { text } from "./texts.js";
 import { showTradeoff } from "./tradeoff_view.js";
@@ -11,8 +13,11 @@ import { judge, showVerdict } from "./verdict.js";
 import { checkers, helper, reader, rowsOf } from "./workers.js";
 
 let state;
-const shown = { tradeoff: null, sample: null, verdict: null };
-const chosen = { gradation: null, proof: null };
+const shown = { tradeoff: null, sample: null, verdict: null, reading: null };
+const chosen = { gradation: null, proof: null, sample: null };
+
+/** What is said of a file of particles, which goes with it. */
+const SAMPLE_CONTROLS = ["sample-unit", "sample-measure"];
 
 const message = (words) => make("pre", { class: "message", lang: "en" }, words.trim());
 
@@ -39,7 +44,7 @@ async function report({ place, key, argv, files, operation, show }) {
 
 function computeTradeoff() {
   if (state.solution === null) return;
-  const { checked } = state.solution;
+  const { checked, reading } = state.solution;
   const { toleranceKind } = state.options;
   const kind = KINDS_WITH_VALUE.includes(toleranceKind) ? toleranceKind : "retained";
   report({
@@ -48,13 +53,23 @@ function computeTradeoff() {
     argv: ["tradeoff", checked.name, "--kind", kind, ...conditionFlags(state.options)],
     files: { [checked.name]: checked.blob },
     operation: "tradeoff",
-    show: (tradeoff) => showTradeoff((shown.tradeoff = tradeoff), rowsOf("sieves")),
+    show: (found) => {
+      shown.tradeoff = { ...found, notes: notesWith(found.notes, reading) };
+      showTradeoff(shown.tradeoff, rowsOf("sieves"));
+    },
   });
 }
 
-function judgeSample(file) {
-  if (state.solution === null) return;
-  const { checked } = state.solution;
+function takeSample(file) {
+  if (chosen.sample !== null) for (const id of SAMPLE_CONTROLS) byId(id).value = "";
+  chosen.sample = file;
+  judgeSample();
+}
+
+function judgeSample() {
+  const file = chosen.sample;
+  if (state.solution === null || file === null) return;
+  const { checked, reading } = state.solution;
   const sample = plainName(file.name);
   const name = sample === checked.name ? `sample-${sample}` : sample;
   const unit = byId("sample-unit").value;
@@ -72,7 +87,10 @@ function judgeSample(file) {
     ],
     files: { [checked.name]: checked.blob, [name]: file },
     operation: "verification",
-    show: (found) => showSample((shown.sample = found), rowsOf("sample")),
+    show: (found) => {
+      shown.sample = { ...found, notes: notesWith(found.notes, reading) };
+      showSample(shown.sample, rowsOf("sample"));
+    },
   });
 }
 
@@ -91,6 +109,20 @@ async function takeDropped(files) {
   if (chosen.gradation && chosen.proof) checkChosen();
 }
 
+/** What is read of the gradation whose proof is checked; null if it is none. */
+async function readingOf(gradation) {
+  const output = `${gradation.name}.reading.json`;
+  const { files } = await helper.run(readingCommand(gradation.name, [], output), { [gradation.name]: gradation.blob });
+  if (files[output] === undefined) return null;
+  return { name: gradation.name, ...(await reader.ask({ operation: "reading", blob: files[output] })) };
+}
+
+function showChecked() {
+  const { verdict, reading } = shown;
+  const read = reading ? readingView(reading, DEFAULTS, reading.notes) : make("p", {}, text("read.nothing"));
+  showVerdict(byId("proof-result"), verdict, read);
+}
+
 async function checkChosen() {
   const place = byId("proof-result");
   place.className = "";
@@ -101,8 +133,10 @@ async function checkChosen() {
   const proof = { name: plain === gradation.name ? `${plain}.proof` : plain, blob: chosen.proof };
   fill(place, make("p", {}, text("verdict.checking")));
   try {
-    shown.verdict = await judge(checkers, gradation, proof);
-    showVerdict(place, shown.verdict);
+    const reading = await readingOf(gradation);
+    const verdict = await judge(checkers, gradation, proof);
+    Object.assign(shown, { reading, verdict });
+    showChecked();
   } catch (error) {
     fill(place, make("p", {}, endInWords(error)));
   }
@@ -113,13 +147,14 @@ export function writeFurtherTexts() {
   writeNames();
   if (shown.tradeoff) showTradeoff(shown.tradeoff, rowsOf("sieves"));
   if (shown.sample) showSample(shown.sample, rowsOf("sample"));
-  if (shown.verdict) showVerdict(byId("proof-result"), shown.verdict);
+  if (shown.verdict) showChecked();
 }
 
 /** Forgets what was found about another gradation. */
 export function forgetFindings() {
   helper.stop();
   Object.assign(shown, { tradeoff: null, sample: null });
+  chosen.sample = null;
   fill(byId("tradeoff-result"));
   fill(byId("sample-result"));
 }
@@ -128,8 +163,9 @@ export function forgetFindings() {
 export function startFurther(given) {
   state = given.state;
   byId("tradeoff-run").addEventListener("click", computeTradeoff);
-  onChoice(byId("sample-file"), judgeSample);
-  onDrop(byId("sample-drop"), ([file]) => judgeSample(file));
+  onChoice(byId("sample-file"), takeSample);
+  onDrop(byId("sample-drop"), ([file]) => takeSample(file));
+  for (const id of [...SAMPLE_CONTROLS, "sample-tolerance"]) byId(id).addEventListener("change", judgeSample);
   onChoice(byId("proof-gradation-file"), (file) => {
     chosen.gradation = file;
     writeNames();

@@ -13,9 +13,14 @@ const TYPING_PAUSE = 350;
 let gradation = null;
 let changed = () => {};
 let typing = null;
+/** Whether nothing is left of the table that was there before it was edited. */
+let isReplaced = false;
 
-/** The gradation {name, blob}. */
+/** The gradation {name, blob, isTyped, isWorkbook}. */
 export const currentGradation = () => gradation;
+
+/** Workbooks are ZIP archives. */
+const isWorkbook = (bytes) => [0x50, 0x4b, 3, 4].every((byte, i) => bytes[i] === byte);
 
 function isText(bytes) {
   try {
@@ -30,6 +35,7 @@ async function show(blob) {
   const table = byId("table");
   const start = new Uint8Array(await blob.slice(0, LONGEST_SHOWN).arrayBuffer());
   if (gradation.blob !== blob) return;
+  gradation.isWorkbook = isWorkbook(start);
   const isEditable = blob.size <= LONGEST_SHOWN && isText(start);
   table.readOnly = !isEditable;
   table.value = new TextDecoder().decode(isEditable ? start : start.subarray(0, BEGINNING));
@@ -47,6 +53,7 @@ export function writeFileName() {
 /** Takes a gradation and shows it. */
 export async function takeGradation(name, blob) {
   clearTimeout(typing);
+  isReplaced = false;
   gradation = { name: plainName(name), blob, isTyped: false };
   writeFileName();
   await show(blob);
@@ -61,10 +68,14 @@ function takeTyped() {
   const blob = new Blob([byId("table").value]);
   gradation = { name: "gradation.csv", blob, isTyped: true };
   writeFileName();
-  changed(false);
+  changed(isReplaced);
+  isReplaced = false;
 }
 
-/** Makes the inputs work; `onChange(isAnother)` is told of each change; an edited table is no other one. */
+/**
+ * Makes the inputs work; `onChange(isAnother)` is told of each change; an edited table is no other one, but one that is
+ * pasted in the place of all that was there is.
+ */
 export function startGradationInput(onChange) {
   changed = onChange;
   for (const { title, name, text: content } of EXAMPLES) {
@@ -75,7 +86,11 @@ export function startGradationInput(onChange) {
   onChoice(byId("gradation-file"), (file) => takeAndTell(file.name, file));
   onDrop(document.body, ([file]) => takeAndTell(file.name, file));
   onDrop(byId("gradation-drop"), ([file]) => takeAndTell(file.name, file));
-  byId("table").addEventListener("input", () => {
+  byId("table").addEventListener("paste", ({ target }) => {
+    isReplaced ||= target.value.slice(0, target.selectionStart).trim() + target.value.slice(target.selectionEnd).trim() === "";
+  });
+  byId("table").addEventListener("input", ({ target }) => {
+    isReplaced ||= target.value.trim() === "";
     clearTimeout(typing);
     typing = setTimeout(takeTyped, TYPING_PAUSE);
   });

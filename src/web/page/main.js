@@ -1,8 +1,11 @@
 // The page: what is asked is answered at once, and the proof of the answer is checked.
 
 import { solve } from "./answer.js";
-import { numberInWords, numberMeaning, showClasses, showCurve, showIndices, showNotes, showNumber, startBar } from "./answer_view.js";
-import { changedOptions, forgetCut, readOptions, startControls, takeSieves, writeControlTexts, writeOptions } from "./controls.js";
+import { numberInWords, numberMeaning, showClasses, showCurve, showIndices, showNumber, startBar } from "./answer_view.js";
+import { askedOptions, askingForm } from "./asking.js";
+import {
+  changedOptions, forgetFile, readOptions, startControls, takeReading, takeSieves, writeControlTexts, writeOptions,
+} from "./controls.js";
 import { byId, fill, make } from "./dom.js";
 import { startDownloads } from "./downloads.js";
 import { forgetFindings, startFurther, writeFurtherTexts } from "./further.js";
@@ -10,7 +13,8 @@ import { currentGradation, firstExample, startGradationInput, takeGradation, wri
 import { Latest } from "./latest.js";
 import { questionOf } from "./link.js";
 import { Stopped } from "./programs.js";
-import { READING, READING_FLAGS, inWords, readingFlags } from "./question.js";
+import { READING, SOIL, inWords, readingFlags, soilFlags } from "./question.js";
+import { readInWords, readingView } from "./reading_view.js";
 import { choose, currentLanguage, text, writeTexts } from "./texts.js";
 import { judge, showVerdict } from "./verdict.js";
 import { checkers, helper, reader, rowsOf, solver } from "./workers.js";
@@ -20,7 +24,17 @@ const SOON = 250;
 const PATIENCE = 400;
 
 /** What the page shows: the last solution, its question, verdict and soil; and what the last search knew. */
-const state = { solution: null, options: null, verdict: null, description: null, problem: null };
+const state = { solution: null, options: null, verdict: null, described: null, problem: null };
+
+/** What the soil of a gradation depends on beside it. */
+const soilWords = (options) => [...readingFlags(options), ...soilFlags(options)].join(" ");
+
+/** The soil of what the page shows, {description, message}: not that of another file, or of one that was read otherwise. */
+function soil() {
+  const { solution, described } = state;
+  const isOfAnswer = described?.gradation === solution.gradation && described.words === soilWords(readOptions());
+  return isOfAnswer ? described : { description: null, message: "" };
+}
 
 const words = (options) => inWords(options, text);
 const fetchRows = rowsOf("classes");
@@ -29,17 +43,27 @@ function showQuestion(options) {
   byId("asked").textContent = words(options).asked;
 }
 
-/** Shows the program's message; where it asks for an option of reading, the controls of these open. */
+/** What helps with a message: a way for workbooks, or a question for what the file does not say and nobody has said. */
+function helpWith(message) {
+  if (currentGradation().isWorkbook) return make("p", {}, text("workbook"));
+  const options = readOptions();
+  const asked = askedOptions(message);
+  if (asked.some((name) => options[name].trim())) {
+    byId("reading").open = true;
+    return make("p", { class: "hint" }, text("reading.see"));
+  }
+  return askingForm({ asked, content: byId("table").value, take: takeReading });
+}
+
 function showMessage(message) {
   if (!message) return fill(byId("message"));
-  const isAboutReading = READING_FLAGS.some((flag) => message.includes(flag));
-  if (isAboutReading) byId("reading").open = true;
-  fill(
-    byId("message"),
-    make("h3", {}, text("refused")),
-    make("pre", { lang: "en" }, message),
-    isAboutReading ? make("p", { class: "hint" }, text("reading.see")) : null,
-  );
+  fill(byId("message"), helpWith(message), make("h3", {}, text("refused")), make("pre", { lang: "en" }, message));
+}
+
+/** What was read for the answer, as it stands beside its verdict. */
+function readOfAnswer() {
+  const { solution, options } = state;
+  return readingView(solution.reading, options, solution.answer.notes);
 }
 
 function announce(sentence) {
@@ -47,7 +71,7 @@ function announce(sentence) {
 }
 
 function showSolution() {
-  const { solution, options, description } = state;
+  const { solution, options } = state;
   const { answer } = solution;
   showQuestion(options);
   showNumber(numberInWords(answer), answer.status === "none" ? "" : undefined);
@@ -56,10 +80,14 @@ function showSolution() {
   byId("details").hidden = false;
   byId("model-download").hidden = answer.particles === null;
   byId("proof-download").hidden = solution.proof === null;
-  showCurve(answer, description);
-  showIndices(description);
+  showSoil();
   showClasses(answer, fetchRows);
-  showNotes(answer.notes);
+}
+
+function showSoil() {
+  const { answer } = state.solution;
+  showCurve(answer, soil().description);
+  showIndices(soil(), answer);
 }
 
 /** Shows that there is no answer, and why; the page goes on. */
@@ -141,16 +169,16 @@ async function checkProof(isOutdated) {
   const place = byId("verdict");
   place.className = "verdict";
   if (solution.proof === null) {
-    fill(place, make("p", {}, text("verdict.none")));
+    fill(place, make("p", {}, text("verdict.none")), readOfAnswer());
     return;
   }
-  fill(place, make("p", {}, text("verdict.checking")));
+  fill(place, make("p", {}, text("verdict.checking")), readOfAnswer());
   try {
     const verdict = await judge(checkers, solution.checked, solution.proof);
     if (isOutdated() || state.solution !== solution) return;
     state.verdict = verdict;
-    showVerdict(place, verdict);
-    announce(`${numberInWords(solution.answer)} ${text("particles")}. ${text(`verdict.${verdict.outcome}`)}.`);
+    showVerdict(place, verdict, readOfAnswer());
+    announce(`${numberInWords(solution.answer)} ${text("particles")}. ${text(`verdict.${verdict.outcome}`)}. ${readInWords(solution.reading)}`);
   } catch (error) {
     if (!(error instanceof Stopped)) fill(place, make("p", {}, text("ended", { message: error.message })));
   }
@@ -176,25 +204,23 @@ const checking = new Latest({
 /** Describes the gradation and finds its sieves, beside the answer. */
 async function describeGradation() {
   const gradation = currentGradation();
-  const flags = readingFlags(readOptions());
+  const options = readOptions();
   const files = { [gradation.name]: gradation.blob };
-  const run = async (command, operation) => {
+  const run = async (command, flags, operation) => {
     const output = `${gradation.name}.${command}.json`;
-    const { files: written } = await helper.run([command, gradation.name, ...flags, "--format", "json", "-o", output], files);
-    return written[output] ? reader.ask({ operation, blob: written[output] }) : null;
+    const argv = [command, gradation.name, ...readingFlags(options), ...flags, "--format", "json", "-o", output];
+    const { files: written, err } = await helper.run(argv, files);
+    const blob = written[output];
+    return { err, found: blob ? await reader.ask({ operation, blob }) : null };
   };
-  state.description = null;
   try {
-    const sieves = await run("convert", "sieves");
+    const { found: sieves } = await run("convert", [], "sieves");
     if (gradation !== currentGradation()) return;
     if (takeSieves(sieves ?? { sizes: [], unit: "mm" })) answering.request();
-    const description = await run("describe", "description");
+    const { found: description, err } = await run("describe", soilFlags(options), "description");
     if (gradation !== currentGradation()) return;
-    state.description = description;
-    if (state.solution) {
-      showCurve(state.solution.answer, description);
-      showIndices(description);
-    }
+    state.described = { gradation, words: soilWords(options), description, message: description ? "" : err.trim() };
+    if (state.solution) showSoil();
   } catch {
     // The answer stands without a description.
   }
@@ -209,7 +235,7 @@ const describing = new Latest({
 
 function onGradation(isAnother) {
   if (isAnother) {
-    forgetCut();
+    forgetFile();
     fill(byId("link-note"));
   }
   forgetFindings();
@@ -218,8 +244,9 @@ function onGradation(isAnother) {
 }
 
 function onControls({ target }) {
-  answering.request();
-  if (READING.includes(target.name)) describing.request();
+  const isSoil = SOIL.includes(target.name);
+  if (!isSoil) answering.request();
+  if (isSoil || READING.includes(target.name)) describing.request();
 }
 
 function writeAll() {
@@ -233,7 +260,7 @@ function writeAll() {
   if (state.problem) showProblem();
   if (state.solution) {
     showSolution();
-    if (state.verdict) showVerdict(byId("verdict"), state.verdict);
+    if (state.verdict) showVerdict(byId("verdict"), state.verdict, readOfAnswer());
   }
 }
 
@@ -261,7 +288,7 @@ async function start() {
   startBar();
   startControls(onControls);
   startGradationInput(onGradation);
-  startDownloads({ state, words, fetchRows, options: () => changedOptions(readOptions()) });
+  startDownloads({ state, soil, words, fetchRows, options: () => changedOptions(readOptions()) });
   startFurther({ state });
   byId("stop").addEventListener("click", () => solver.stop());
   for (const button of document.querySelectorAll("[data-language]")) {
@@ -276,8 +303,11 @@ async function start() {
   if (!(await takeLink())) await takeExample();
   writeAll();
   onGradation(false);
+  byId("bands").addEventListener("change", () => {
+    if (state.solution) showSoil();
+  });
   new ResizeObserver(() => {
-    if (state.solution) showCurve(state.solution.answer, state.description);
+    if (state.solution) showCurve(state.solution.answer, soil().description);
   }).observe(byId("curve"));
 }
 

@@ -20,16 +20,22 @@ export const DEFAULTS = {
   kind: "",
   unit: "",
   skip: "",
+  loss: "",
+  liquidLimit: "",
+  plasticLimit: "",
 };
 
 /** The kinds of tolerance that have a value in percentage points. */
 export const KINDS_WITH_VALUE = ["retained", "passing", "total"];
 
 /** The controls that say how the file is read. */
-export const READING = ["sample", "columns", "kind", "unit", "skip"];
+export const READING = ["sample", "columns", "kind", "unit", "skip", "loss"];
 
 /** Their options of the program, in the same order. */
-export const READING_FLAGS = ["--specimen-id", "--columns", "--kind", "--unit", "--skip"];
+export const READING_FLAGS = ["--specimen-id", "--columns", "--kind", "--unit", "--skip", "--loss"];
+
+/** The controls about the soil of the file. */
+export const SOIL = ["liquidLimit", "plasticLimit"];
 
 const isZero = (text) => /^[+-]?0*[.,]?0*$/.test(text.trim());
 
@@ -68,6 +74,14 @@ export function specimenFlags(options) {
 /** The options that say how the file is read. */
 export function readingFlags(options) {
   return READING.flatMap((name, i) => (options[name].trim() ? [READING_FLAGS[i], options[name].trim()] : []));
+}
+
+/** The options of describe about the soil. */
+export function soilFlags({ liquidLimit, plasticLimit }) {
+  return [
+    ...(liquidLimit.trim() ? ["--liquid-limit", liquidLimit.trim()] : []),
+    ...(plasticLimit.trim() ? ["--plastic-limit", plasticLimit.trim()] : []),
+  ];
 }
 
 /** The options of the question but its tolerance, of which tradeoff has its own. */

@@ -118,8 +118,14 @@ const operations = {
   },
 
   async description({ blob }) {
-    const { D10, D30, D60, Cu, Cc, uscs, unit } = await json(blob);
-    return { D10, D30, D60, Cu, Cc, uscs, unit };
+    const { D10, D30, D60, Cu, Cc, uscs, unit, notes, ...fractions } = await json(blob);
+    const bands = { uscs: fractions.uscs_fractions, iso: fractions.iso_14688_fractions };
+    return { D10, D30, D60, Cu, Cc, uscs, unit, notes, bands };
+  },
+
+  async reading({ blob }) {
+    const { format, sizes, masses, unit, kind, classes, pan, canonical, samples, notes } = await json(blob);
+    return { format, sizes, masses, unit, kind, classes, pan, canonical, samples, notes };
   },
 
   /** The sieves of a gradation, ascending. */
@@ -130,9 +136,9 @@ const operations = {
 
   async tradeoff({ blob }) {
     tradeoff = await json(blob);
-    const { kind, question, unit, by_tolerance, by_sieve } = tradeoff;
+    const { kind, question, unit, by_tolerance, by_sieve, notes } = tradeoff;
     return {
-      kind, question, unit,
+      kind, question, unit, notes,
       byTolerance: by_tolerance.map(tradeoffRow),
       sieves: by_sieve.length,
       bySieve: tables.sieves(0, ROWS),

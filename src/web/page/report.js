@@ -1,9 +1,10 @@
 // The report: one page for printing, with all that is needed to do it again.
 
-import { classColumns, numberInWords, numberMeaning } from "./answer_view.js";
+import { bandSystem, classColumns, numberInWords, numberMeaning, soilNotes } from "./answer_view.js";
 import { curveChart } from "./curve_chart.js";
 import { byId, fill, make } from "./dom.js";
 import { roundedEnclosure, unitName } from "./numbers.js";
+import { noteList, readingEntries } from "./reading_view.js";
 import { checkersInWords } from "./verdict.js";
 import { text } from "./texts.js";
 
@@ -43,10 +44,11 @@ function soilLine({ D10, D30, D60, Cu, Cc, uscs, unit }) {
 
 /** Writes the report of an answer; `verdict` and `description` may be null. */
 export async function writeReport({
-  answer, description, verdict, asked, meaning, digests, command, checkerVersion, fetchRows,
+  answer, reading, options, description, verdict, asked, meaning, digests, command, checkerVersion, fetchRows,
 }) {
   const versions = [...Object.entries(answer.versions).map((one) => one.join(" ")), checkerVersion.trim()].join(", ");
-  const entry = (key, ...value) => make("div", {}, make("dt", {}, text(key)), make("dd", {}, ...value));
+  const titled = (title, ...value) => make("div", {}, make("dt", {}, title), make("dd", {}, ...value));
+  const entry = (key, ...value) => titled(text(key), ...value);
   const isSolved = answer.status === "optimal";
   const facts = make(
     "dl", {},
@@ -57,14 +59,18 @@ export async function writeReport({
       ? `${text(`verdict.${verdict.outcome}`)}, ${checkersInWords(verdict.checkers)}: ${verdict.line}`
       : text("verdict.none")),
   );
-  if (description) facts.append(entry("report.soil", soilLine(description)));
+  facts.append(...readingEntries(reading, options, answer.notes).map((row) => titled(...row)));
+  if (description) {
+    const assumed = noteList(soilNotes(description, answer));
+    facts.append(entry("report.soil", soilLine(description), ...(assumed ? [assumed] : [])));
+  }
   const sources = make(
     "dl", { class: "sources" },
     entry("report.digests", ...digests.flatMap(({ name, digest }) => [make("code", {}, `${digest}  ${name}`), make("br")])),
     entry("report.command", make("code", {}, command)),
     entry("report.versions", versions),
   );
-  const chart = curveChart({ answer, description, width: CHART_WIDTH, text });
+  const chart = curveChart({ answer, description, system: bandSystem(), width: CHART_WIDTH, text });
   chart.removeAttribute("width");
   chart.removeAttribute("height");
   fill(

@@ -2,6 +2,7 @@
 
 import { byId, fill, make } from "./dom.js";
 import { grouped, rounded, unitName } from "./numbers.js";
+import { noteList } from "./reading_view.js";
 import { pagedTable } from "./table.js";
 import { text } from "./texts.js";
 
@@ -26,11 +27,12 @@ export function showSample(report, fetchRows) {
   const head = make("p", { class: "verdict-head" },
     make("span", { class: "sign", "aria-hidden": "true" }, isMatch ? "✓" : "✗"),
     make("strong", {}, text(VERDICTS[report.verdict])), `: ${report.sample}`);
-  const notes = report.notes.map((note) => make("li", {}, note));
+  const notes = noteList(report.notes);
+  if (notes) notes.className = "hint";
   fill(
     byId("sample-result"),
     make("div", { class: `verdict ${isMatch ? "accepted" : "rejected"}`, role: "status" }, head, make("p", {}, line)),
     pagedTable({ caption: text("sample.caption"), columns, rows: report.rows, count: report.classes, fetchRows }),
-    notes.length > 0 ? make("ul", { class: "hint", lang: "en" }, ...notes) : null,
+    notes,
   );
 }

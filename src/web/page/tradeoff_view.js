@@ -2,6 +2,7 @@
 
 import { byId, fill, make } from "./dom.js";
 import { grouped, rounded, unitName } from "./numbers.js";
+import { noteList } from "./reading_view.js";
 import { pagedTable } from "./table.js";
 import { text } from "./texts.js";
 import { sieveChart, toleranceChart } from "./tradeoff_chart.js";
@@ -26,6 +27,8 @@ export function showTradeoff(tradeoff, fetchRows) {
   const number = { title: text("class.quantity"), value: particles };
   const kind = text(`tolerance.${tradeoff.kind}`);
   const chartOf = (draw, rows, options) => (rows.length > 1 ? draw(rows, { width: each, text, ...options }) : null);
+  const notes = noteList(tradeoff.notes);
+  if (notes) notes.className = "hint";
   fill(
     place,
     tradeoff.question ? make("p", { class: "hint", lang: "en" }, tradeoff.question) : null,
@@ -49,5 +52,6 @@ export function showTradeoff(tradeoff, fetchRows) {
         fetchRows,
       }),
     ),
+    notes,
   );
 }

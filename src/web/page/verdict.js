@@ -35,8 +35,8 @@ export function checkersInWords(names) {
   return text("verdict.by", { checkers: names.map(nameInWords).join(text("verdict.and")) });
 }
 
-/** Shows a verdict: a sign, a word and the checker's own line. */
-export function showVerdict(place, verdict) {
+/** Shows a verdict: a sign, a word, the checker's own line, and `read`, an element that says what it is about. */
+export function showVerdict(place, verdict, read) {
   place.className = `verdict ${verdict.outcome}`;
   const sign = make("span", { class: "sign", "aria-hidden": "true" }, verdict.outcome === "accepted" ? "✓" : "✗");
   const by = verdict.outcome === "malformed" ? "" : ", " + checkersInWords(verdict.checkers);
@@ -49,5 +49,6 @@ export function showVerdict(place, verdict) {
     make("p", { class: "verdict-head" }, sign, make("strong", {}, text(`verdict.${verdict.outcome}`)), by),
     make("p", { class: "verdict-line", lang: "en" }, verdict.line),
     ...reservations,
+    read,
   );
 }

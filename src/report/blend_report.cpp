@@ -1,0 +1,404 @@
+#include "report/blend_report.hpp"
+
+#include "answer/json_values.hpp"
+#include "text/text_table.hpp"
+#include "text/versions.hpp"
+
+#include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+using BlendStatus = BlendAnswer::Status;
+
+const char *status_of_blend(BlendStatus status) {
+  switch (status) {
+  case BlendStatus::optimal:
+    return "optimal";
+  case BlendStatus::feasible:
+    return "feasible";
+  case BlendStatus::none:
+    return "none";
+  default:
+    return "unknown";
+  }
+}
+
+/// Exact if it is a short decimal, else its first digits.
+std::string short_value(const Rational &r) {
+  constexpr unsigned digits = 6;
+  const std::optional<std::string> exact = exact_decimal(r);
+  return exact && exact->size() <= digits + 2 ? *exact : approximate(r, digits);
+}
+
+/// The same, and behind it the fraction where that is no short decimal.
+std::string value_with_fraction(const Rational &r) {
+  const std::string text = short_value(r);
+  const std::optional<std::string> exact = exact_decimal(r);
+  return exact == text ? text : fmt::format("{} ({})", text, to_string(r));
+}
+
+std::string percent_of_share(const Rational &share) {
+  return short_value(100 * share);
+}
+
+std::string step_in_words(const BlendReport &r) {
+  const Rational part = ratio(1, r.problem.steps);
+  return r.mass ? fmt::format("steps of {} {} of {} {}", short_value(r.mass->value * part),
+                              printable(r.mass->unit), short_value(r.mass->value), printable(r.mass->unit))
+                : fmt::format("steps of {} %", short_value(100 * part));
+}
+
+/// `61 % A, 11 % B`, without those that have no share.
+std::string shares_in_words(const BlendProblem &p, const Blend &blend) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < p.stockpiles.size(); ++i)
+    if (blend.shares[i] != 0)
+      parts.push_back(
+          fmt::format("{} % {}", percent_of_share(blend.shares[i]), printable(p.stockpiles[i].name)));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// What the value of the aim is.
+std::string_view aim_in_words(BlendAim aim) {
+  switch (aim) {
+  case BlendAim::cost:
+    return "cost";
+  case BlendAim::deviation:
+    return "sum of all deviations from the target (points)";
+  case BlendAim::max_deviation:
+    return "largest deviation from the target (points)";
+  default:
+    return "widening of the limits (points)";
+  }
+}
+
+std::string blend_headline(const BlendReport &r) {
+  const BlendProblem &p = r.problem;
+  const std::string limits = printable(r.specification);
+  const BlendAnswer &a = r.answer;
+  if (a.status == BlendStatus::none)
+    return fmt::format("no blend of these {} stockpiles keeps the limits of {}{}\n", p.stockpiles.size(),
+                       limits, a.contradiction ? "" : " in " + step_in_words(r));
+  if (a.status == BlendStatus::unknown)
+    return fmt::format("a limit came before a blend within {} was found\n", limits);
+  std::string text = fmt::format("{}: within {}\n", shares_in_words(p, a.best.front()), limits);
+  if (p.aim == BlendAim::none)
+    return text + fmt::format("  the first in {} in the order of shares\n", step_in_words(r));
+  text += fmt::format("  {}: {}", aim_in_words(p.aim), value_with_fraction(a.best.front().value));
+  return text + (a.status == BlendStatus::optimal
+                     ? fmt::format(", the least in {}\n", step_in_words(r))
+                     : fmt::format("; a limit came before all were searched, and none has less than {}\n",
+                                   short_value(a.bound)));
+}
+
+/// Without an aim no real shares are the best.
+bool shows_real(const BlendReport &r) {
+  return r.answer.real && r.problem.aim != BlendAim::none;
+}
+
+std::string stockpile_table(const BlendReport &r) {
+  const BlendProblem &p = r.problem;
+  const BlendAnswer &a = r.answer;
+  const bool has_cost = p.aim == BlendAim::cost;
+  TextTable table;
+  table.add_column("stockpile", '<');
+  table.add_column("share (%)", '>');
+  if (r.mass)
+    table.add_column("mass (" + printable(r.mass->unit) + ")", '>');
+  if (has_cost)
+    table.add_column("cost", '>');
+  if (shows_real(r)) {
+    table.add_column("real optimum (%)", '>');
+    table.add_column("rounded (%)", '>');
+  }
+  for (std::size_t i = 0; i < p.stockpiles.size(); ++i) {
+    table.add_line();
+    table.add(printable(p.stockpiles[i].name));
+    table.add(percent_of_share(a.best.front().shares[i]));
+    if (r.mass)
+      table.add(short_value(r.mass->value * a.best.front().shares[i]));
+    if (has_cost)
+      table.add(short_value(p.stockpiles[i].cost));
+    if (shows_real(r)) {
+      table.add(percent_of_share(a.real->shares[i]));
+      table.add(percent_of_share(a.rounded->shares[i]));
+    }
+  }
+  return table.text();
+}
+
+/// The distance of what passes from its nearest limit; nothing where there is none.
+std::optional<Rational> slack_at(const BlendSieve &sieve, const Rational &passing) {
+  std::optional<Rational> slack;
+  if (sieve.least > 0)
+    slack = passing - sieve.least;
+  if (sieve.most < 100)
+    slack = slack ? std::min(*slack, Rational(sieve.most - passing)) : Rational(sieve.most - passing);
+  return slack;
+}
+
+/// What a point more room at a sieve saves of the value, at the real optimum; nothing where it saves nothing.
+std::optional<Rational> price_at(const BlendAnswer &a, std::size_t sieve) {
+  for (const BlendMultiple &m : a.prices)
+    if (m.limit.kind == BlendLimit::Kind::passing && m.limit.index == sieve)
+      return m.multiplier;
+  return std::nullopt;
+}
+
+std::string sieve_table(const BlendReport &r, const Blend &blend) {
+  const BlendProblem &p = r.problem;
+  const bool has_target = !p.sieves.empty() && p.sieves.front().target;
+  TextTable table;
+  for (const char *title : {"sieve (mm)", "at least", "passing", "at most", "slack"})
+    table.add_column(title, '>');
+  if (has_target)
+    table.add_column("target", '>');
+  if (!r.answer.prices.empty())
+    table.add_column("price of a point", '>');
+  for (std::size_t s = p.sieves.size(); s-- > 0;) {
+    const BlendSieve &sieve = p.sieves[s];
+    const std::optional<Rational> slack = slack_at(sieve, blend.passing[s]);
+    const std::optional<Rational> price = price_at(r.answer, s);
+    table.add_line();
+    table.add(short_value(sieve.size));
+    table.add(sieve.least > 0 ? short_value(sieve.least) : "-");
+    table.add(short_value(blend.passing[s]));
+    table.add(sieve.most < 100 ? short_value(sieve.most) : "-");
+    table.add(slack ? short_value(*slack) : "-");
+    if (has_target)
+      table.add(short_value(*sieve.target));
+    if (!r.answer.prices.empty())
+      table.add(price ? short_value(*price) : "-");
+  }
+  return table.text();
+}
+
+std::string limits_in_words(const std::vector<BlendLimit> &limits, const BlendProblem &p) {
+  std::vector<std::string> words;
+  for (const BlendLimit &limit : limits)
+    words.push_back(in_words(limit, p));
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
+/// The real optimum beside the blend in steps, and what its rounding would break.
+std::string real_text(const BlendReport &r) {
+  if (!shows_real(r))
+    return "";
+  const BlendAnswer &a = r.answer;
+  std::string text =
+      fmt::format("\n  of any real shares{} the least is {}\n",
+                  r.problem.at_most ? ", of all stockpiles," : "", value_with_fraction(a.real->value));
+  const std::vector<BlendLimit> broken = broken_limits(r.problem, *a.rounded);
+  return text + (broken.empty() ? fmt::format("  rounded to steps the real optimum keeps all limits: {}\n",
+                                              value_with_fraction(a.rounded->value))
+                                : fmt::format("  rounded to steps the real optimum breaks {} {}: {}\n",
+                                              broken.size(), broken.size() == 1 ? "limit" : "limits",
+                                              limits_in_words(broken, r.problem)));
+}
+
+std::string further_blends(const BlendReport &r) {
+  const BlendAnswer &a = r.answer;
+  std::string text;
+  if (a.best.size() > 1) {
+    text += "\n";
+    TextTable table;
+    table.add_column("rank", '>');
+    if (r.problem.aim != BlendAim::none)
+      table.add_column(std::string(name(r.problem.aim)), '>');
+    for (const Stockpile &s : r.problem.stockpiles)
+      table.add_column(printable(s.name) + " (%)", '>');
+    for (std::size_t b = 0; b < a.best.size(); ++b) {
+      table.add_line();
+      table.add(std::to_string(b + 1));
+      if (r.problem.aim != BlendAim::none)
+        table.add(short_value(a.best[b].value));
+      for (const Rational &share : a.best[b].shares)
+        table.add(percent_of_share(share));
+    }
+    text += table.text();
+  }
+  if (a.is_all)
+    text += fmt::format("\n  {} the limits in {}\n",
+                        a.best.size() == 1 ? "no other blend keeps"
+                                           : fmt::format("these {} are all blends that keep", a.best.size()),
+                        step_in_words(r));
+  return text;
+}
+
+std::string contradiction_text(const BlendProblem &p, const BlendContradiction &c) {
+  std::vector<std::string> words;
+  for (const BlendMultiple &m : c.limits)
+    words.push_back(in_words(m.limit, p));
+  std::string text = fmt::format("  the stockpiles cannot have {}{}:\n", fmt::join(words, " and "),
+                                 words.size() > 1 ? " together" : "");
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += fmt::format("    {} x ({})\n", to_string(c.limits[i].multiplier), words[i]);
+  if (c.sum != 0)
+    text += fmt::format("    {} x (shares sum to 1)\n", to_string(c.sum));
+  return text + fmt::format(
+                    "  add up to 0 >= {}, as no share is negative; each of these limits is needed for that\n",
+                    to_string(c.excess));
+}
+
+std::string widening_text(const BlendReport &r) {
+  const BlendAnswer &a = r.answer;
+  const std::string what =
+      r.relaxed ? fmt::format("the limits at {} mm alone", short_value(*r.relaxed)) : "all limits of sieves";
+  if (!a.widened_real)
+    return fmt::format("  no widening of {} leaves a blend\n", what);
+  std::string text =
+      fmt::format("  {} must be widened by {} points for a blend: {}\n", what,
+                  value_with_fraction(a.widened_real->value), shares_in_words(r.problem, *a.widened_real));
+  if (a.widened)
+    text += fmt::format("  in {} by {} points: {}\n", step_in_words(r), value_with_fraction(a.widened->value),
+                        shares_in_words(r.problem, *a.widened));
+  return text;
+}
+
+std::string notes_text(const BlendProblem &p) {
+  std::string text;
+  for (const std::string &note : p.notes)
+    text += "  note: " + note + "\n";
+  return text.empty() ? "" : "\n" + text;
+}
+
+void write_limit(JsonWriter &json, const BlendMultiple &m, const BlendProblem &p) {
+  const char *const of[] = {"passing", "target", "share", "sum"};
+  json.begin_object().key("of").plain(of[static_cast<std::size_t>(m.limit.kind)]);
+  json.key("name");
+  if (m.limit.kind == BlendLimit::Kind::share)
+    json.string(p.stockpiles[m.limit.index].name);
+  else if (m.limit.kind == BlendLimit::Kind::sum)
+    json.null();
+  else
+    json.plain(to_string(p.sieves[m.limit.index].size));
+  json.key("side").plain(m.limit.kind == BlendLimit::Kind::sum ? "equal"
+                         : m.limit.is_upper                    ? "most"
+                                                               : "least");
+  write(json.key("value"), value_of(m.limit, p));
+  write(json.key("multiplier"), m.multiplier).end_object();
+}
+
+void write_limits(JsonWriter &json, const std::vector<BlendMultiple> &multiples, const BlendProblem &p) {
+  json.begin_array();
+  for (const BlendMultiple &m : multiples)
+    write_limit(json, m, p);
+  json.end_array();
+}
+
+void write_rationals(JsonWriter &json, const std::vector<Rational> &numbers) {
+  json.begin_array();
+  for (const Rational &n : numbers)
+    write(json, n);
+  json.end_array();
+}
+
+void write_blend(JsonWriter &json, const Blend &blend, const BlendProblem &p) {
+  write_rationals(json.begin_object().key("shares"), blend.shares);
+  write_rationals(json.key("passing"), blend.passing);
+  write(json.key("value"), blend.value).key("broken").begin_array();
+  for (const BlendLimit &limit : broken_limits(p, blend))
+    json.string(in_words(limit, p));
+  json.end_array().end_object();
+}
+
+void write_blend(JsonWriter &json, const std::optional<Blend> &blend, const BlendProblem &p) {
+  if (blend)
+    write_blend(json, *blend, p);
+  else
+    json.null();
+}
+
+void write_problem(JsonWriter &json, const BlendProblem &p) {
+  json.key("stockpiles").begin_array();
+  for (const Stockpile &s : p.stockpiles) {
+    json.begin_object().key("name").string(s.name);
+    write_rationals(json.key("passing"), s.passing);
+    write(json.key("least"), s.least);
+    write(json.key("most"), s.most);
+    write(json.key("cost"), s.cost).end_object();
+  }
+  json.end_array().key("sieves").begin_array();
+  for (const BlendSieve &s : p.sieves) {
+    write(json.begin_object().key("size"), s.size);
+    write(json.key("least"), s.least);
+    write(json.key("most"), s.most);
+    write(json.key("target"), s.target).end_object();
+  }
+  json.end_array().key("steps").number(p.steps).key("at_most");
+  if (p.at_most)
+    json.number(*p.at_most);
+  else
+    json.null();
+  json.key("aim").plain(name(p.aim));
+}
+
+} // namespace
+
+std::string blend_json(const BlendReport &r) {
+  const BlendAnswer &a = r.answer;
+  JsonWriter json;
+  json.begin_object().key("schema").plain("mdm-blend-1").key("specification").string(r.specification);
+  json.key("status").plain(status_of_blend(a.status)).key("unit").plain("mm");
+  write_problem(json, r.problem);
+  json.key("blends").begin_array();
+  for (const Blend &blend : a.best)
+    write_blend(json, blend, r.problem);
+  json.end_array().key("all").boolean(a.is_all).key("bound");
+  if (a.status == BlendStatus::none)
+    json.null();
+  else
+    write(json, a.bound);
+  json.key("splits").number(a.splits);
+  write_blend(json.key("real"), a.real, r.problem);
+  write_limits(json.key("prices"), a.prices, r.problem);
+  write_blend(json.key("rounded"), a.rounded, r.problem);
+  json.key("contradiction");
+  if (a.contradiction) {
+    write_limits(json.begin_object().key("limits"), a.contradiction->limits, r.problem);
+    write(json.key("sum"), a.contradiction->sum);
+    write(json.key("excess"), a.contradiction->excess).end_object();
+  } else {
+    json.null();
+  }
+  write_blend(json.key("widened_real"), a.widened_real, r.problem);
+  write_blend(json.key("widened"), a.widened, r.problem);
+  json.key("notes").strings(r.problem.notes).key("versions").raw(versions_json()).end_object();
+  return json.take();
+}
+
+std::string blend_csv(const BlendReport &r) {
+  std::string text = "rank,value";
+  for (const Stockpile &s : r.problem.stockpiles)
+    text += "," + csv_field(s.name + " percent");
+  text += "\n";
+  const auto field = [](const Rational &value) { return exact_decimal(value).value_or(to_string(value)); };
+  for (std::size_t b = 0; b < r.answer.best.size(); ++b) {
+    text += fmt::format("{},{}", b + 1, field(r.answer.best[b].value));
+    for (const Rational &share : r.answer.best[b].shares)
+      text += "," + field(100 * share);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string blend_text(const BlendReport &r) {
+  const BlendAnswer &a = r.answer;
+  std::string text = blend_headline(r);
+  if (!a.best.empty())
+    text += "\n" + stockpile_table(r) + "\n" + sieve_table(r, a.best.front());
+  if (a.status == BlendStatus::none) {
+    if (a.contradiction)
+      text += contradiction_text(r.problem, *a.contradiction);
+    text += widening_text(r);
+  }
+  return text + real_text(r) + further_blends(r) + notes_text(r.problem);
+}
+
+} // namespace mdm
