@@ -14,7 +14,8 @@ Totals some_totals() {
   t.shard = 7;
   t.shards = 100;
   t.question = "--tolerance retained:1%";
-  t.suite = FileTotals{12, std::string(64, 'a')};
+  t.suite = SuiteTotals{{12, std::string(64, 'a')}, LineSum::parse(std::string(64, 'e')).value()};
+  t.sum = LineSum::parse(std::string(64, 'f')).value();
   t.lines = 18446744073709551615u;
   t.errors = 3;
   t.exit = 2;
@@ -48,12 +49,17 @@ TEST_CASE("totals are read as they were written", "[answer]") {
   CHECK(alone.suite == t.suite);
   CHECK_FALSE(alone.proofs);
   t.suite.reset();
+  t.made = MadeSuite{std::string(64, '1'), 7, 1, 1000};
+  t.alone = FileTotals{90, std::string(64, '2')};
   t.proofs = {{56, std::string(64, 'c')}, "7.proofs"};
   t.index = {{78, std::string(64, 'd')}, "7.proofs.index"};
   const Totals with_proofs = read_totals(totals_json(t), "");
   CHECK(totals_json(with_proofs) == totals_json(t));
   CHECK(with_proofs.index->bytes == 78);
   CHECK_FALSE(with_proofs.suite);
+  CHECK(with_proofs.made == t.made);
+  CHECK(with_proofs.alone == t.alone);
+  CHECK(with_proofs.sum == t.sum);
 }
 
 TEST_CASE("what is no totals is refused", "[answer]") {
@@ -69,6 +75,8 @@ TEST_CASE("what is no totals is refused", "[answer]") {
            {"\"errors\":\"3\"", "\"errors\":\"\""},
            {"\"errors\"", "\"error\""},
            {"\"suite\":{", "\"suite\":[{"},
+           {std::string(64, 'e'), std::string(63, 'e')},
+           {std::string(64, 'f'), std::string(63, 'f') + "g"},
            {"\"answers\"", "\"proofs\""},
            {"\"versions\"", "\"version\""},
            {"\"gmp\":\"6\"", "\"gmp\":{}"},

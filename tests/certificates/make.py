@@ -13,6 +13,7 @@ from itertools import count
 
 from exact import decimal, enclose, floor_root, root
 from trees import Tree
+from windows import WindowTree
 
 HERE = pathlib.Path(__file__).parent
 PI = ("3.14159265358979323846", "3.14159265358979323847")
@@ -289,9 +290,11 @@ phi("everything", ["pan", *PHIS], ["2", *PHI_M], pan="0.15", cut="0.15", factor=
 phi("pan_factor_cylinder", ["pan", "1.5", "1", "0.5"], ["2", "1", "3", "0"], pan="0.25", factor="1.5", cylinder="1 2 0.7")
 phi("pan_cut_volume", ["pan", "1.5", "1", "0.5", "0"], ["2", "1", "3", "1", "0"], pan="0.15", cut="0.353553390593274",
     volume="0.5")
-accept("sieve_names", "sieve,mass\npan,1\nNo. 200,2\n# a comment, no row\n#100,3\n# 50,4\nno 30,5\n1.18 MM,6\n"
+accept("sieve_names", "sieve,mass\npan,1\nNo. 200,2\n# a comment, no row\n\"#100\",3\n\" # 50 \",4\nno 30,5\n1.18 MM,6\n"
        "2360 \u00b5m,1\n4750\u03bcm,1\n3/8\",1\n 0.530 in.,1\n5/8 Inch,2\n1 1/2 inches,1\n0.05 m,0\n",
        Case("0 0.075 0.15 0.3 0.6 1.18 2.36 4.75 9.5 13.2 16 37.5 50".split(), "1 2 3 4 5 6 1 1 1 1 2 1 0".split()))
+accept("comments_with_numbers", "# 4 sands of 2024\nsize_mm,mass\n1,2\n # 12 g were lost\n#no. 4,1\n#\n#-4\n2,1\n3,0\n",
+       Case(TRIPLE_X, TRIPLE_M))
 accept("sieve_names_tyler", 'sieve;mass\n"tyler 200 mesh";1\nTyler 100;2\n"1,18 mm";3\n"3/8""";0\n',
        Case(["0.075", "0.15", "1.18", "9.5"], ["1", "2", "3", "0"]))
 accept("json_id_of_another_format", '{"id": "ITEM:", "sizes": [1, 2, 3], "masses": [2, 1, 0]}', Case(TRIPLE_X, TRIPLE_M))
@@ -323,6 +326,7 @@ tree("spheres_retained", 3, OPEN_X, OPEN_M, "retained 25")
 tree("spheres_total", 2, ["1", "2", "3"], ["2", "8", "0"], "total 10")
 tree("one_class", 1, ["1", "2"], ["5", "0"], "passing 0")
 tree("any_sample", 1, OPEN_X, OPEN_M, "total 100", "band 20 100 100")
+tree("total_above_100", 1, OPEN_X, OPEN_M, "total 150.5")
 tree("no_tolerance_is_exact", 4, TRIPLE_X, TRIPLE_M, "retained 0")
 tree("class_without_mass_holds_a_particle", 2, ["1", "2", "3", "4"], ["1", "0", "2", "0"], "retained 40", "passing 20",
      **LINEAR)
@@ -347,6 +351,8 @@ tree("factors", 3, ["0", "2", "3"], ["1", "1", "0"], "passing 10", c=["2", "0.5"
 tree("law_3_2", 2, ["1", "4", "9"], ["1", "2", "0"], "retained 12.5", law=(3, 2))
 tree("pan_cut_factor", 3, ["0", "1", "2", "4"], ["1", "2", "3", "0"], "total 20", "band 0.5 0 50", "band 2 0 60",
      "band 7 0 100", pan="0.5", cut="0.5", factor="2.5")
+tree("passing_each_cut_factor", 3, ["0", "1", "2", "4", "8"], ["1", "2", "3", "2", "0"], "passing-each 20 15.5", pan="0.5", cut="1",
+     factor="2.5", **LINEAR)
 tree("none_of_a_band", None, OPEN_X, OPEN_M, "band 2 50 60", "band 5 20 40", **LINEAR)
 tree("none_of_retained_and_passing", None, OPEN_X, OPEN_M, "retained 1", "band 5 0 70")
 tree("none_of_an_empty_class", None, ["1", "2", "4"], ["1", "1", "0"], "band 2 0 0", least="2", **LINEAR)
@@ -373,10 +379,47 @@ tree("bound_alone", None, OPEN_X, OPEN_M, "passing 5", sums=[(1, 3, 3)], avoid="
 tree("bound_alone_of_all", None, OPEN_X, OPEN_M, "passing 5", below=6, with_witness=False, **LINEAR)
 tree("bound_alone_at_least", None, OPEN_X, OPEN_M, "passing 5", at_least="3", below=6, with_witness=False, **LINEAR)
 
+
+def windows(name, N, x, m, *tolerance, header="size_mm,mass", columns=(), **question):
+    """Version 3: the same with splits of the mass at `masses`."""
+    case = WindowTree(x, m, tolerance, **question)
+    assert N == case.N, (name, case.N)
+    accept("tree_windows_" + name, rows(header, x, m, *columns), case)
+
+
+windows("retained", 3, OPEN_X, OPEN_M, "retained 25", masses=["4", "8"], **LINEAR)
+windows("tied", 3, ["1", "2", "3"], ["2", "8", "0"], "total 10", masses=["4", "5"], **LINEAR)
+windows("between_two_classes", 3, ["1", "2", "4"], ["1", "1", "0"], "retained 0", masses=["4"], **LINEAR)
+windows("passing", 6, OPEN_X, OPEN_M, "passing 5", masses=["10", "15", "20"], **LINEAR)
+windows("passing_each_and_more", 6, OPEN_X, OPEN_M, "retained 12", "passing 15", "passing-each 10 4", "total 20.5",
+        masses=["31/2", "18", "61/3"], **LINEAR)
+windows("total", 5, OPEN_X, OPEN_M, "total 20", masses=["12", "15", "18"], **LINEAR)
+windows("total_100", 3, OPEN_X, OPEN_M, "total 100", masses=["9"], at_least="3", **LINEAR)
+windows("band", 3, ["1", "2", "3"], ["1", "1", "0"], "band 1 0 0", "band 2 20.5 21", masses=["5", "6"], **LINEAR)
+windows("class_without_mass", 2, ["1", "2", "3", "4"], ["1", "0", "2", "0"], "retained 40", "passing 20", masses=["4"],
+        **LINEAR)
+windows("min_per_class", 7, OPEN_X, OPEN_M, "retained 25", least="2", masses=["14", "18"], **LINEAR)
+windows("at_least", 5, OPEN_X, OPEN_M, "retained 25", at_least="5", masses=["8"], **LINEAR)
+windows("spheres", 3, OPEN_X, OPEN_M, "retained 25", masses=["100", "500"])
+windows("cylinder", 3, ["0", "2", "3"], ["1", "1", "0"], "retained 40", cylinder="4 3.5 0.5", masses=["30", "59.5"])
+windows("solids_volume", 3, ["0", "2", "3"], ["1", "1", "0"], "retained 40", volume="30", masses=["57", "59"])
+windows("factors", 3, ["0", "2", "3"], ["1", "1", "0"], "passing 10", c=["2", "0.5", "1"], volume="20",
+        header="size_mm,mass,factor", columns=(["2", "0.5", "1"],), masses=["20", "40"])
+windows("law_3_2", 2, ["1", "4", "9"], ["1", "2", "0"], "retained 12.5", law=(3, 2), masses=["24"])
+windows("sums", 6, OPEN_X, OPEN_M, "passing 5", sums=[(2, 3, 2), (1, 3, 5)], **LINEAR)
+windows("bounds", 6, OPEN_X, OPEN_M, "passing 5", masses=["12", "20"], below=5, **LINEAR)
+windows("bound_alone", None, OPEN_X, OPEN_M, "passing 5", masses=["12", "20"], below=4, with_witness=False, **LINEAR)
+windows("beside_leaves", 6, OPEN_X, OPEN_M, "passing 5", masses=["12"], plain=True, **LINEAR)
+windows("none", None, OPEN_X, OPEN_M, "band 2 50 60", "band 5 20 40", masses=["10"], **LINEAR)
+x, d = half("1.5", "1", "0.5")
+case = WindowTree(x, ["3", "1", "0"], ["retained 5"], law=(2, 1), degree=d, masses=["1"])
+accept("tree_windows_half_phi", rows("size_phi,mass", ["1.5", "1", "0.5"], ["3", "1", "0"]), case)
+
 x, d = half("1.5", "1", "0.5")
 case = Tree(x, ["3", "1", "0"], ["retained 5"], law=(2, 1), degree=d, sums=[(1, 2, 3)], below=3, avoid="f")
 accept("tree_sums_half_phi", rows("size_phi,mass", ["1.5", "1", "0.5"], ["3", "1", "0"]), case)
 for name, N, options, *tolerance in (("retained", 4, {}, "retained 5"), ("total", 5, {"at_least": "5"}, "total 20"),
+                                     ("passing_each", 4, {}, "passing-each 5"),
                                      ("band", None, {"most": 4}, "passing 5", "band 0.25 0 0", "band 0.5 41 45")):
     case = Tree(x, ["3", "1", "0"], tolerance, law=(2, 1), degree=d, **options)
     assert N == case.N, (name, case.N)
@@ -680,6 +723,129 @@ accepted["tree_bounds_by_hand"] = (WIDE, CLOSED.replace("particles 5", "particle
 accepted["tree_bound_alone_by_hand"] = (WIDE, CLOSED.replace("particles 5", "particles 4..").replace(CLASSES, ""))
 rejected["tree_sums_by_hand_closed"] = (WIDE, CLOSED)
 rejected["tree_bound_alone_by_hand_closed"] = (WIDE, CLOSED.replace("particles 5", "particles 5..").replace(CLASSES, ""))
+# Version 3 by hand: certificate-format.md, section 9.
+WINDOWS = """mdm-certificate 3
+law 1
+retained 25
+particles 3
+class 1 2 4 2 2
+class 2 1 4 4 4
+split M 8
+split M 4
+window 1 t
+window 3 N 8 t
+window 1 N 2 t
+end
+"""
+OPEN_TABLE = rows("size_mm,mass", OPEN_X, OPEN_M)
+accepted["tree_windows_by_hand"] = (OPEN_TABLE, WINDOWS)
+accepted["tree_version_3_without_need"] = (BY_HAND, HAND.replace("mdm-certificate 1", "mdm-certificate 3"))
+accepted["tree_windows_bounds_by_hand"] = (OPEN_TABLE, WINDOWS.replace("particles 3", "particles 2..3"))
+# M <= 7 is refuted in two halves of which one has no mass at all.
+accepted["tree_windows_that_contradict"] = (OPEN_TABLE, WINDOWS.replace("split M 4", "split M 9\nsplit M 4").replace(
+    "window 3 N 8 t\n", "window 3 N 8 t\nwindow 3 N 8 t\n"))
+# A window in which a class that must hold particles can hold none.
+accepted["tree_windows_without_room"] = (rows("size_mm,mass", ["2", "5", "9"], ["1", "1", "0"]), """mdm-certificate 3
+law 1
+retained 0
+particles 2..
+split M 4
+window
+window 1 N
+end
+""")
+# Volume 9 needs M > 8: the coarse class holds at most three quarters, and one of the fine one 2.
+FULL = """mdm-certificate 3
+law 3
+cylinder 2 2.26 0.5
+retained 25
+particles 3..
+split M 8
+window 1 T 1 w
+window 1 N
+end
+"""
+FULL_TABLE = "size_mm,mass,factor\n0,1,2\n1,1,0.75\n2,0,1\n"
+accepted["tree_windows_volume_by_hand"] = (FULL_TABLE, FULL)
+# Exactly full at M = 8, where the share of class 1 is at its lower end, 1/4, which is its own: two particles are enough.
+rejected["tree_windows_at_a_lower_end_of_a_share"] = (FULL_TABLE, FULL.replace("2.26", "2.25"))
+# M <= 114 has too little volume. Above, two particles of class 2 and one of class 1 are a match: two are the last count
+# before class 2 has its greatest share.
+BEFORE_AN_END = """mdm-certificate 3
+law 3
+cylinder 2 14.25 0.5
+band 2 4 90
+particles 3..
+split M 114
+window 2 T 5 w
+window 1 N 4 t
+end
+"""
+BEFORE_TABLE = "size_mm,mass,factor\n0,1,3\n2,1,2\n3,0,1\n"
+accepted["tree_windows_of_a_count_before_an_end"] = (BEFORE_TABLE, BEFORE_AN_END)
+rejected["tree_windows_of_a_count_before_an_end"] = (BEFORE_TABLE, BEFORE_AN_END.replace("3..", "4.."))
+# Class 2 adds most with three particles, which bring it to its share of the gradation; two do not, and 0, 1, 5 and 6, at the
+# ends of its counts and where it comes to the greatest share, add less.
+AT_ITS_SHARE = """mdm-certificate 3
+law 3
+cylinder 2 15 0.5
+total 80
+particles 3..
+split M 59
+window 1 T 1 w
+window 29 E 1 N 29 t
+end
+"""
+SHARE_TABLE = "size_mm,mass\n0,4\n1,4\n2,3\n4,0\n"
+accepted["tree_windows_of_a_count_at_its_share"] = (SHARE_TABLE, AT_ITS_SHARE)
+rejected["tree_windows_of_a_count_at_its_share"] = (SHARE_TABLE, AT_ITS_SHARE.replace("3..", "5.."))
+# Ten particles match. In each class most particles fit beside the excess where the lightest ones have its share: three, or
+# two; with one particle, and with as many as the window holds, the sum would be less than the right side.
+rejected["tree_windows_of_a_count_of_the_lightest"] = ("size_mm,mass\n10,1\n11,1\n12,1\n13,1\n14,0\n", """mdm-certificate 3
+law 1
+at-least 10
+total 40
+particles 11..
+split M 140
+window 28 E 1 n
+window 1 N 10 t
+end
+""")
+# One particle of class 1 is enough; class 2 is empty.
+EMPTY_CLASS = "size_mm,mass\n0,2\n2,1\n5,0\n"
+QUESTION = "mdm-certificate 3\nlaw 1\n"
+rejected["tree_windows_of_an_empty_class"] = (EMPTY_CLASS, QUESTION + "retained 40\nparticles 2..\nwindow 1 N 1 t\nend\n")
+# Any number of particles fit without an upper end of the window.
+rejected["tree_windows_without_greatest_counts"] = (
+    EMPTY_CLASS, QUESTION + "at-least 5\nretained 40\nparticles 9..\nwindow 1 n\nend\n")
+for name, old, new in (
+        ("one_more_than_least", "particles 3\n", "particles 4\n"),
+        ("bound_one_more", WINDOWS[WINDOWS.index("particles"):WINDOWS.index("split M 8")], "particles 4..\n"),
+        ("claims_none", WINDOWS[WINDOWS.index("particles"):WINDOWS.index("split M 8")], "particles none\n"),
+        ("split_too_low", "split M 4", "split M 3"),
+        ("split_a_little_too_low", "split M 4", "split M 3999999999/1000000000"),
+        ("split_too_high", "split M 4", "split M 5"),
+        ("outer_split_too_low", "split M 8", "split M 2"),
+        ("split_of_counts", "split M 8", "split 1 8"),
+        ("subtrees_exchanged", "window 1 t\nwindow 3 N 8 t", "window 3 N 8 t\nwindow 1 t"),
+        ("another_sign", "window 1 t\n", "window 1 T\n"),
+        ("multiplier_less", "3 N 8 t", "2 N 8 t"),
+        ("multiplier_more", "3 N 8 t", "5 N 8 t"),
+        ("without_multiples", "window 3 N 8 t", "window"),
+        ("without_the_number", "window 1 N 2 t", "window 2 t"),
+        ("of_a_class_beyond", "window 1 t", "window 1 t 1 P4"),
+        ("of_a_class_far_beyond", "window 1 t", "window 1 t 1 P4294967297"),
+        ("of_classes_beyond", "window 1 t", "window 1 t 1 s2-4"),
+        ("with_a_sum_without_bound", "window 1 t", "window 1 t 1 S1-2"),
+        ("tighter", "retained 25", "retained 24"),
+        ("looser", "retained 25", "retained 26"),
+        ("of_passing", "retained 25", "passing 25"),
+        ("of_another_law", "law 1", "law 2"),
+        ("with_at_least", "retained 25", "at-least 4\nretained 25"),
+        ("with_min_per_class", "retained 25", "min-per-class 2\nretained 25"),
+        ("of_a_leaf_instead", "window 3 N 8 t", "leaf 3 N 8 m")):
+    assert WINDOWS.count(old) == 1, name
+    rejected["tree_windows_" + name] = (OPEN_TABLE, WINDOWS.replace(old, new))
 SUM, SUM_BOUND = "tree_sum_is_strict_where_occupied", "tree_bounds"
 STRICT_LEAF = "leaf 4 F1 3 F3 8 N 3 P2 12 d2-3 16 p1 32 s2-3"
 edit("tree_sum_one_more_than_least", SUM, ("particles", "particles 6"))
@@ -720,7 +886,9 @@ def garble(name, *changes, base="sphere_two_classes"):
     edit(name, base, *changes, into=unparsable)
 
 
-garble("unknown_version", ("mdm-certificate", "mdm-certificate 3"))
+garble("unknown_version", ("mdm-certificate", "mdm-certificate 4"))
+garble("version_3_of_an_exact_match", ("mdm-certificate", "mdm-certificate 3"))
+garble("version_3_of_bounds_of_an_exact_match", ("mdm-certificate", "mdm-certificate 3"), base="bounds_of_some_steps")
 garble("version_2_of_an_exact_match", ("mdm-certificate", "mdm-certificate 2"))
 garble("version_1_with_bounds", ("mdm-certificate", "mdm-certificate 1"), base="bounds_of_some_steps")
 garble("bounds_that_are_the_same", ("particles", "particles 5..5"), base="bounds_of_a_whole_chain")
@@ -801,7 +969,8 @@ for name, old, new in (
         ("no_particles_in_a_class", "class 1 1 3/2 1.5 1.5", "class 1 0 3/2 1.5 1.5"),
         ("none_with_a_witness", "particles 3\n", "particles none\n"),
         ("particles_zero", "particles 3\n", "particles 0\n"),
-        ("tolerance_above_100", "total 10", "total 100.1"),
+        ("tolerance_above_100", "total 10", "retained 100.1"),
+        ("total_above_200", "total 10", "total 200.1"),
         ("tolerance_negative", "total 10", "total -1"),
         ("tolerance_twice", "total 10", "total 10\ntotal 10"),
         ("tolerances_out_of_order", "total 10", "total 10\nretained 5"),
@@ -814,6 +983,34 @@ for name, old, new in (
         ("no_tolerance", "total 10\n", "")):
     assert HAND.count(old) == 1, name
     unparsable["tree_" + name] = (BY_HAND, HAND.replace(old, new))
+for name, old, new in (
+        ("in_version_2", "mdm-certificate 3", "mdm-certificate 2"),
+        ("in_version_1", "mdm-certificate 3", "mdm-certificate 1"),
+        ("split_at_0", "split M 4", "split M 0"),
+        ("split_at_a_decimal", "split M 4", "split M 4.5"),
+        ("split_not_in_lowest_terms", "split M 4", "split M 8/2"),
+        ("split_below_0", "split M 4", "split M -4"),
+        ("split_without_a_mass", "split M 4", "split M"),
+        ("split_of_two_masses", "split M 4", "split M 4 5"),
+        ("split_of_a_class_of_mass", "split M 4", "split M1 4"),
+        ("multiplier_0", "window 1 t", "window 0 t"),
+        ("multiplier_fraction", "window 1 t", "window 1/2 t"),
+        ("condition_twice", "window 1 t", "window 1 t 1 t"),
+        ("condition_of_leaves", "window 1 t", "window 1 m"),
+        ("condition_of_a_class", "window 1 t", "window 1 t 1 q1"),
+        ("condition_of_a_share", "window 1 t", "window 1 t 1 r1"),
+        ("condition_of_class_0", "window 1 t", "window 1 t 1 P0"),
+        ("condition_d", "window 1 t", "window 1 t 1 d1-2"),
+        ("sum_of_one_class", "window 1 t", "window 1 t 1 s2"),
+        ("condition_t_of_a_class", "window 1 t", "window 1 t1"),
+        ("leaf_with_a_condition_of_windows", "window 1 t", "leaf 1 t"),
+        ("leaf_without_conditions", "window 1 t", "leaf"),
+        ("window_breaks_off", "window 1 t", "window 1"),
+        ("one_window_short", "window 1 t\n", "")):
+    assert WINDOWS.count(old) == 1, name
+    unparsable["tree_windows_" + name] = (OPEN_TABLE, WINDOWS.replace(old, new))
+unparsable["tree_windows_of_mass_alone_in_version_2"] = (
+    BY_HAND, HAND.replace("mdm-certificate 1", "mdm-certificate 2").replace("split 2 1", "split M 1"))
 for name, particles in (("the_same", "4..4"), ("that_descend", "6..4"), ("from_zero", "0..6"), ("from_nothing", "..6"),
                         ("of_three", "4..5..6"), ("with_three_points", "4...6"), ("with_one_point", "4.6"), ("in_two_words", "4.. 6"),
                         ("with_a_leading_zero", "04..6"), ("with_a_sign", "-4..6"), ("of_nothing", ".."), ("of_none", "4..none"),
@@ -871,6 +1068,16 @@ for name, text in {
         "comma_and_point": "size_mm;mass\n1,0;2\n2.0;1\n3;0\n", "comma_with_comma": "size_mm,mass\n1,0,2\n2,0,1\n3,0,0\n",
         "open_quote": "size_mm,mass\n\"1,2\n2,1\n3,0\n", "text_behind_a_quote": "size_mm,mass\n\"1\"x,2\n2,1\n3,0\n",
         "lone_carriage_return": "size_mm,mass\n1,2\r2,1\n3,0\n", "control_character": "size_mm,mass\n1,2\n2,1\n3,0\n\x01\n",
+        "number_behind_a_hash": "size_mm,mass\n#4,50\n1,2\n2,1\n3,0\n",
+        "number_behind_a_hash_before_the_header": "#4 sands\nsize_mm,mass\n1,2\n2,1\n3,0\n",
+        "number_behind_a_hash_behind_blanks": "size_mm,mass\n1,2\n2,1\n \t#10 US\n3,0\n",
+        "number_behind_a_hash_of_sieves": "sieve,mass\n#12,1\nNo. 10,2\nNo. 8,1\nNo. 4,0\n",
+        "number_behind_a_hash_and_blanks_of_sieves": "sieve,mass\n# \t12,1\nNo. 10,2\nNo. 8,1\nNo. 4,0\n",
+        "line_separator": "# note\u20281,500\nsize_mm,mass\n1,2\n2,1\n3,0\n",
+        "paragraph_separator": "size_mm,mass\n1,2\n2,1\n3,0\n#\u2029",
+        "next_line": "# note\u00851,500\nsize_mm,mass\n1,2\n2,1\n3,0\n",
+        **{f"direction_{code:04X}": f"size_mm,mass\n1,2\n2,1\n3,0\n# {chr(code)}"
+           for code in (0x61C, 0x200E, 0x200F, 0x202A, 0x202E, 0x2066, 0x2069)},
         "carriage_return_in_a_comment": "# lab 7\r1,40\nsize_mm,mass\n1,2\n2,1\n3,0\n",
         "carriage_return_at_the_end": "size_mm,mass\n1,2\n2,1\n3,0\r",
         "carriage_return_twice": "size_mm,mass\r\r\n1,2\r\n2,1\r\n3,0\r\n",
@@ -904,6 +1111,7 @@ for name, text in {
         "key_of_another_case": '{"Sizes": [1, 2, 3], "sizes": [1, 2, 3], "masses": [2, 1, 0]}',
         "id_1e309": '{"id": 1e309, "sizes": [1, 2, 3], "masses": [2, 1, 0]}',
         "id_of_1001_digits": '{"id": 1.' + "0" * 1000 + ', "sizes": [1, 2, 3], "masses": [2, 1, 0]}',
+        "id_of_another_direction": '{"id": "a\u202e", "sizes": [1, 2, 3], "masses": [2, 1, 0]}',
         "id_null": '{"id": null, "sizes": [1, 2, 3], "masses": [2, 1, 0]}',
         "lone_carriage_return": '{"sizes": [1, 2, 3],\r"masses": [2, 1, 0]}',
         "lengths_differ": '{"sizes": [1, 2, 3], "masses": [2, 0]}', "unit_unknown":

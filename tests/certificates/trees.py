@@ -9,9 +9,9 @@ from exact import decimal, enclose
 PI = ("3.14159265358979323846", "3.14159265358979323847")
 
 
-def solution(columns, right):
-    """Some y >= 0 with sum y_i columns_i = right, or None: the first phase of the simplex method, with Bland's rule
-    where the steepest takes long."""
+def first_phase(columns, right):
+    """Some y >= 0 with sum y_i columns_i = right and None; or None and some z with z columns_i <= 0 < z right. The first
+    phase of the simplex method, with Bland's rule where the steepest takes long."""
     rows, n = len(right), len(columns)
     sign = [-1 if b < 0 else 1 for b in right]
     table = [[sign[i] * columns[j][i] for j in range(n)] + [F(i == k) for k in range(rows)] + [sign[i] * right[i]]
@@ -33,11 +33,23 @@ def solution(columns, right):
                 row[:] = [v - factor * w for v, w in zip(row, table[leave])]
         basis[leave] = enter
     if cost[-1] != 0:
-        return None
+        return None, [sign[i] * (cost[n + i] + 1) for i in range(rows)]
     y = [F(0)] * (n + rows)
     for i in range(rows):
         y[basis[i]] = table[i][-1]
-    return y[:n]
+    return y[:n], None
+
+
+def solution(columns, right):
+    """Some y >= 0 with sum y_i columns_i = right, or None."""
+    return first_phase(columns, right)[0]
+
+
+def whole(values, names):
+    """Multiples in integers: pairs with the names of those above 0."""
+    scale = math.lcm(*(v.denominator for v in values))
+    scale = F(scale, math.gcd(*(int(v * scale) for v in values)))
+    return [(int(v * scale), n) for v, n in zip(values, names) if v]
 
 
 class Tree:
@@ -180,9 +192,7 @@ class Tree:
             columns = [rows[n][0] + [F(rows[n][1])] + ([F(rows[n][2])] if strict else []) for n in names]
             y = solution(columns, right)
             if y:
-                scale = math.lcm(*(v.denominator for v in y))
-                scale = F(scale, math.gcd(*(int(v * scale) for v in y)))
-                return [(int(v * scale), n) for v, n in zip(y, names) if v]
+                return whole(y, names)
         return None
 
     def grow(self, least, most, of_sums, sums):
@@ -229,8 +239,11 @@ class Tree:
                 return y[:self.k]
         return None
 
+    def version(self):
+        return 2 if self.second else 1
+
     def proof(self):
-        lines = [f"mdm-certificate {2 if self.second else 1}", f"law {F(*self.law)}", *self.options,
+        lines = [f"mdm-certificate {self.version()}", f"law {F(*self.law)}", *self.options,
                  *(line for line in self.tolerance if not (self.band_file and line.startswith("band"))),
                  *(["band file"] if self.band_file else [])]
         bound = f"{self.B}.." if self.B != self.N else ""
@@ -240,5 +253,5 @@ class Tree:
                       for j in range(self.k) if self.q[j]]
         for kind, *values in self.nodes:
             lines.append(f"split {values[0]} {values[1]}" if kind == "split" else
-                         " ".join(["leaf", *(f"{m} {name}" for m, name in values[0])]))
+                         " ".join([kind, *(f"{m} {name}" for m, name in values[0])]))
         return "\n".join(lines + ["end", ""])

@@ -77,11 +77,12 @@ std::string printed(const std::string &gradation) {
 } // namespace
 
 TEST_CASE("the verdict repeats the whole question", "[checker]") {
-  CHECK(verdict("at_least_everything") ==
-        "accepted: N = 60 is the smallest number of particles, 60 or more, that matches \"standard input\" "
-        "exactly (mass law x^3; sizes in mm; at least 2 particles in each class with mass; solids of a "
-        "cylinder of diameter 6 mm and height 5 mm at void ratio 0.5; openings multiplied by 1.5; classes "
-        "below 1 mm left out; the pan counted as 0.9 mm)\n");
+  CHECK(
+      verdict("at_least_everything") ==
+      "accepted: N = 60 is the smallest number of particles, 60 or more, that matches \"standard input\" "
+      "exactly (mass law x^3; sizes in mm; the pan counted as 0.9 mm of the file; classes below 1 mm of the "
+      "file left out; openings of the file multiplied by 1.5; at least 2 particles in each class with "
+      "mass; solids of a cylinder of diameter 6 mm and height 5 mm at void ratio 0.5)\n");
   CHECK(verdict("box") ==
         smallest("5122", "mass law x^3; sizes in mm; solids of a box of 3 x 2.5 x 2 mm at void ratio 0.7"));
   CHECK(verdict("power_5_2") == smallest("167", "mass law x^(5/2); sizes in mm"));
@@ -89,7 +90,7 @@ TEST_CASE("the verdict repeats the whole question", "[checker]") {
       verdict("tree_passing_each_and_more") ==
       smallest("6",
                "retained within 12% of the total mass; passing within 15% of the total mass; passing within "
-               "10%, 4% of the total mass from the finest sieve up; total deviation within 20.5% of the "
+               "10% of the total mass at 2 mm, 4% at 5 mm of the file; total deviation within 20.5% of the "
                "total mass; mass law x^1; sizes in mm",
                "within a tolerance"));
   CHECK(verdict("tree_passing_file") ==
@@ -99,12 +100,28 @@ TEST_CASE("the verdict repeats the whole question", "[checker]") {
                  "within a tolerance"));
   CHECK(verdict("tree_none_of_a_band") ==
         "accepted: no number of particles matches \"standard input\" within a tolerance (50 to 60% of the "
-        "total mass passing 2 mm; 20 to 40% of the total mass passing 5 mm; mass law x^1; sizes in mm)\n");
+        "total mass passing 2 mm of the file; 20 to 40% of the total mass passing 5 mm of the file; mass law "
+        "x^1; sizes in mm)\n");
+}
+
+TEST_CASE("a percentage stands beside its opening of the file, whatever is left out or multiplied",
+          "[checker]") {
+  const std::string tolerance = "within a tolerance";
+  CHECK(verdict("tree_passing_each_cut_factor") ==
+        smallest("3",
+                 "passing within 20% of the total mass at 2 mm, 15.5% at 4 mm of the file; mass law x^1; "
+                 "sizes in mm; the pan counted as 0.5 mm of the file; classes below 1 mm of the file left "
+                 "out; openings of the file multiplied by 2.5",
+                 tolerance));
+  CHECK(verdict("tree_half_phi_passing_each") ==
+        smallest("4", "passing within 5% of the total mass at phi 1 of the file; mass law x^2; sizes in phi",
+                 tolerance));
 }
 
 TEST_CASE("the verdict says what bounds are proved", "[checker]") {
   const std::string how = " \"standard input\" within a tolerance";
-  const std::string band = " (75 to 85% of the total mass passing 2 mm; mass law x^1; sizes in mm)\n";
+  const std::string band =
+      " (75 to 85% of the total mass passing 2 mm of the file; mass law x^1; sizes in mm)\n";
   const std::string passing = " (passing within 5% of the total mass; mass law x^1; sizes in mm)\n";
   CHECK(verdict("tree_sums_by_hand") ==
         "accepted: N = 5 is the smallest number of particles that matches" + how + band);

@@ -227,10 +227,10 @@ inline void change_leaves(const std::string &text, std::set<std::string> &mutant
       words.push_back(word);
     const std::string after = joined(Words(lines.begin() + static_cast<std::ptrdiff_t>(i) + 1, lines.end()));
     rearrange(words, " ", before, "\n" + after, mutants);
-    if (words[0] != "leaf")
+    if (words[0] != "leaf" && words[0] != "window")
       continue;
     for (std::size_t w = 2; w < words.size(); w += 2)
-      for (const char letter : std::string("fFqQrRpPexEmwnNsSd")) {
+      for (const char letter : std::string("fFqQrRpPexEmwnNsSdtT")) {
         Words changed = words;
         changed[w][0] = letter;
         mutants.insert(before + joined(changed, " ") + "\n" + after);
@@ -239,8 +239,8 @@ inline void change_leaves(const std::string &text, std::set<std::string> &mutant
     for (std::size_t w = 1; w < words.size(); w += 2)
       scaled[w] = mpz_class(3 * mpz_class(words[w], 10)).get_str();
     mutants.insert(before + joined(scaled, " ") + "\n" + after);
-    for (const std::string condition :
-         {"m", "n", "N", "w", "E", "r1", "R1", "p2", "P2", "x1", "q1", "f1", "F1", "s1-2", "S1-2", "d1-2"})
+    for (const std::string condition : {"m", "n", "N", "w", "E", "r1", "R1", "p2", "P2", "x1", "q1", "f1",
+                                        "F1", "s1-2", "S1-2", "d1-2", "t", "T", "P1"})
       mutants.insert(before + joined(words, " ") + " 1 " + condition + "\n" + after);
   }
 }

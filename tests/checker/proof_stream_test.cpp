@@ -34,7 +34,11 @@ struct Streamed {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments);
   }
-  std::string summary(const std::string &counts) const { return suite + ": " + counts + "\n"; }
+  /// The last line.
+  std::string summary(const std::string &counts) const {
+    return suite + ": " + counts + "; " + counts.substr(0, counts.find(' ')) +
+           " accepted as the smallest number of particles that matches exactly (mass law x^3)\n";
+  }
 };
 
 /// Exit code 2, and the one certificate that counts as malformed has this reason.

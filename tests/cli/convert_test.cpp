@@ -72,7 +72,7 @@ TEST_CASE("every column of sizes and masses survives conversion", "[cli]") {
        {"size_um,retained_g\n75,1.5\n150,2.25\n300,0\n",
         "size_m,retained_fraction\n0.001,0.25\n0.002,0.75\n0.004,0\n",
         "size_in,retained_percent\n0.375,40\n0.75,60\n1,0\n", "size_phi,mass\n2,3\n1,2\n0,1\n-1,0\n",
-        "sieve,passing_percent\n3/8\",100\n#4,80\nNo. 200,10\npan,0\n",
+        "sieve,passing_percent\n3/8\",100\n\"#4\",80\nNo. 200,10\npan,0\n",
         "sieve,passing_percent\nTyler 65 mesh,20\nTyler 28,100\n",
         "size_mm,cumulative_retained_percent\n1,100\n2,60\n3,0\n", "size_mm,passing_fraction\n1,0.125\n2,1\n",
         "\xEF\xBB\xBFsize_mm;mass\r\n1,5;2,25\r\n2,5;0\r\n", "size_mm,mass,factor\n1,2,2.65\n2,1,1\n3,0,1\n",
@@ -149,6 +149,28 @@ TEST_CASE("convert --dry-run shows what was understood and writes nothing", "[cl
             .out.find("mdm-check reads the file as it is") != std::string::npos);
   check_refused(mdm({"convert", path, "--dry-run", "-o", folder / "x.csv"}), "--dry-run");
   CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("convert --dry-run says in JSON what was understood", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("sand.txt", "Siebweite [um];Durchgang [%]\n2000;100\n63;4,5\n");
+  const Json read = Json::parse(mdm({"convert", path, "--dry-run", "--format", "json"}).out);
+  CHECK(read.at("schema") == "mdm-reading-1");
+  CHECK(read.at("unit") == "um");
+  CHECK(read.at("kind") == "passing_percent");
+  CHECK(read.at("sizes") == "column 'Siebweite [um]', in um");
+  CHECK(read.at("classes") == "2");
+  CHECK(read.at("pan") == true);
+  CHECK(read.at("canonical") == false);
+  CHECK(read.at("notes").dump().find("A pan of size 0 was added") != std::string::npos);
+  CHECK(mdm({"convert", path, "--dry-run", "-o", folder / "read.json"}).exit_code == 0);
+  CHECK(Json::parse(read_file(folder / "read.json")) == read);
+  // Half phi are no decimals, and are not rounded for it.
+  const std::string phi = folder.write("phi.csv", "size_phi,mass\n-1,0\n-0.5,1\n0,2\n");
+  const Json half = Json::parse(mdm({"convert", phi, "--dry-run", "--format", "json"}).out);
+  CHECK(half.at("kind") == "mass");
+  CHECK(half.at("notes").dump().find("rounded") == std::string::npos);
+  check_refused(mdm({"convert", path, "--dry-run", "--format", "csv"}), "--dry-run");
 }
 
 TEST_CASE("every command reads a table with the options that say what it is", "[cli]") {

@@ -92,7 +92,7 @@ TEST_CASE("a model lies beside the files that it reads", "[cli]") {
   CHECK(folder.entries() == 3);
   CHECK(read_file(folder / "a.in").find(" file a-lid.stl ") != std::string::npos);
   CHECK(read_file(folder / "a-lid.stl").find("endsolid") != std::string::npos);
-  CHECK(export_model("lammps", folder / "b.in").exit_code == 0);
+  CHECK(export_model("LAMMPS", folder / "b.in").exit_code == 0);
   CHECK(folder.entries() == 5);
   CHECK(read_file(folder / "b.in").find("\"read_data b.data\"") != std::string::npos);
   CHECK(read_file(folder / "b.data").find("\n141 atoms\n") != std::string::npos);
@@ -128,6 +128,14 @@ TEST_CASE("a cylinder stays one, and its start is inside", "[cli]") {
     for (double id, type, d, density, x, y, z; rows >> id >> type >> d >> density >> x >> y >> z; ++n)
       CHECK(std::hypot(x - 0.002, y - 0.002) + d / 2 <= 0.002);
     CHECK(n == 141);
+    // The command that the model gives judges the cylinder, up to its highest grain, and not the box around
+    // it.
+    Arguments verifying = verification(read_file(folder / "a.in"), "a-settled.dump", sand, folder / "a.data");
+    verifying.insert(verifying.end(), {"--format", "json"});
+    const Json packing = Json::parse(mdm(verifying).out).at("packing");
+    CHECK(packing.at("shape") == "cylinder");
+    CHECK(packing.at("space").at("high").at(0) == "4");
+    CHECK(packing.at("outside") == "0");
   }
   check_refused(export_model("lammps", folder / "a.in", {"--specimen", "cylinder:4x4", "--start", "layers"}),
                 "take mixed or deposit");
@@ -296,6 +304,8 @@ TEST_CASE("a deposit has walls, a cylinder or periodic sides", "[cli]") {
   CHECK(data().find("\n# Cylinder: diameter 0.003, height ") != std::string::npos);
   REQUIRE(exported({"--specimen", "cylinder:4x8", "--void-ratio", "0.7"}).exit_code == 0);
   CHECK(data().find("\n# Cylinder: diameter 0.004, height ") != std::string::npos);
+  CHECK(exported({"--specimen", "cylinder:4x8", "--void-ratio", "0.7"})
+            .err.find(" --specimen cylinder:0.004m ") != std::string::npos);
   REQUIRE(exported({"--sides", "periodic"}).exit_code == 0);
   CHECK(data().find(", from the origin, repeated in x and y;") != std::string::npos);
   check_refused(exported({"--sides", "cylinder", "--box", "3x2.5"}), "its diameter twice");

@@ -62,7 +62,7 @@ TEST_CASE("the exact alternative matches what was rounded", "[generate]") {
 }
 
 TEST_CASE("a spread of the exact alternative has every class's volume exactly", "[generate]") {
-  const Arguments match = with(two, {"--method", "match"}), spread = with(match, {"--spread", "--sizes"});
+  const Arguments match = with(two, {"--method", "match"}), spread = with(match, {"--spread"});
   const Json set = json(spread);
   CHECK((set.at("sizes") == json(with(spread, {"--seed", "1"})).at("sizes")));
   CHECK((set.at("sizes") != json(with(spread, {"--seed", "2"})).at("sizes")));
@@ -89,6 +89,9 @@ TEST_CASE("a spread of the exact alternative has every class's volume exactly", 
   CHECK(high[0] - low[0] < high[0] / 1000000000);
   check_refused(mdm(with(two, {"--spread"})), "--method match");
   check_refused(mdm(with(spread, {"--format", "csv", "--quantiles"})), "--quantiles");
+  check_refused(mdm(with(spread, {"--format", "csv", "--table", "5"})), "--spread and --table");
+  CHECK(json(with(spread, {"--sizes"})) == set);
+  CHECK(lines_of(mdm(with(spread, {"--format", "csv"})).out).size() == i + 1);
 }
 
 TEST_CASE("a spread of a real sand has the curve as well as sizes drawn by the paper", "[generate]") {
@@ -116,8 +119,9 @@ TEST_CASE("of a spread as of drawn sizes, the quality of large sets is told if a
   CHECK(few.at("notes").size() == 1);
   CHECK_FALSE(few.at("quality").at("match").is_null());
   // Too many even if asked for; and none of them can be listed.
-  CHECK_FALSE(json(spread("1000000001", {"--points", "2"})).contains("quality"));
-  check_refused(mdm(spread("1000000001", {"--sizes", "--format", "csv"})), "10^9");
+  CHECK(mdm(spread("1000000001", {"--points", "2"})).out.find("the match, spread") == std::string::npos);
+  for (const char *format : {"json", "csv"})
+    check_refused(mdm(spread("1000000001", {"--format", format})), "10^9");
 }
 
 TEST_CASE("a match has no error, whatever its rounded volumes add up to", "[generate]") {
@@ -441,7 +445,7 @@ TEST_CASE("numbers of generate are worded as they are, and time limits are decim
   CHECK(mdm({"generate", "--accessible", "--span", "0.5", "--a", "1", "--b", "1", "--classes", "1"})
             .out.find("  1 geometric class, at least") != std::string::npos);
   check_refused(mdm({"generate", "--beta", "1,1", "--dmin", "1", "--ratio", "2", "--classes", "10001"}),
-                "write a number up to 10000");
+                "is above 10000");
   CHECK(mdm(with(one, {"--method", "match", "--time-limit", "7.5"})).exit_code == 0);
   check_refused(mdm(with(one, {"--method", "match", "--time-limit", "-1"})), "--time-limit");
 }

@@ -19,6 +19,23 @@ std::string mixed_lines() {
 
 const Arguments limit = {"--max-steps", "1000"};
 
+/// The lines of a shard, without blank ones among them all.
+std::string part_of(const std::string &lines, int shard, int of) {
+  std::string own;
+  int number = 0;
+  for (const std::string &line : lines_of(lines))
+    if (number++ % of == shard - 1)
+      own += line + "\n";
+  return own;
+}
+
+/// Solves a shard of lines that come alone, by a pipe.
+Outcome solve_alone(const ShardFolder &s, int shard, int of, const std::string &lines) {
+  Arguments words = s.words(shard, of, {"--alone"});
+  words[1] = "-";
+  return mdm(words, lines);
+}
+
 void change_byte(const std::string &path, std::size_t at) {
   std::string text = read_file(path);
   text.at(at) ^= 1;
@@ -59,23 +76,38 @@ TEST_CASE("shards whose lines come alone are those of the whole suite", "[cli]")
       suite_lines(30) + "nonsense\n" + R"({"sizes":[1,2],"masses":[1,0]})" + "\n" + slow + "\n";
   const ShardFolder s(lines);
   CHECK(mdm({"batch", "-o", s.answers("whole"), "--proofs", s.proofs("whole")}, lines).exit_code == 2);
-  for (int shard = 1; shard <= 4; ++shard) {
-    std::string own;
-    int number = 0;
-    for (const std::string &line : lines_of(lines))
-      if (number++ % 4 == shard - 1)
-        own += line + "\n";
-    Arguments words = s.words(shard, 4, {"--alone"});
-    words[1] = "-";
-    CHECK(mdm(words, own).signal == 0);
-    CHECK(mdm(words, own).err.find("complete already") != std::string::npos);
-  }
-  CHECK(s.merge({1, 2, 3, 4}).exit_code == 0);
+  for (int shard = 1; shard <= 4; ++shard)
+    CHECK(solve_alone(s, shard, 4, part_of(lines, shard, 4)).signal == 0);
+  check_refused(s.merge({1, 2, 3, 4}),
+                "do not say which suite they are of: name the whole suite with --suite");
+  CHECK(s.merge({1, 2, 3, 4}, {"--suite", s.suite}).exit_code == 0);
   s.check_merged();
-  CHECK_FALSE(Json::parse(read_file(s.totals("merged"))).contains("suite"));
-  CHECK(s.solve(2, 4).signal == 0); // of the whole
-  check_refused(s.merge({1, 2, 3, 4}), "the suite is not that of");
+  CHECK(Json::parse(read_file(s.totals("merged"))).at("suite").at("bytes") == std::to_string(lines.size()));
+  CHECK_FALSE(Json::parse(read_file(s.totals("merged"))).contains("alone"));
+  check_refused(s.merge({1, 2, 3, 4}, {"--suite", s.folder.write("other.jsonl", lines + good)}),
+                "the suite of --suite does not have there");
+  check_refused(s.merge({1, 2, 3, 4}, {"--suite", s.folder / "missing.jsonl"}), "missing.jsonl");
   check_refused(mdm({"batch", "--alone", s.suite}), "--alone: ");
+}
+
+TEST_CASE("a shard that was alone stands beside others of its suite, and of no other", "[cli]") {
+  const std::string lines = suite_lines(31);
+  const ShardFolder s(lines);
+  s.solve_whole();
+  CHECK(s.solve(1, 3).exit_code == 0);
+  CHECK(s.solve(3, 3).exit_code == 0);
+  CHECK(solve_alone(s, 2, 3, part_of(lines, 2, 3)).exit_code == 0);
+  CHECK(s.merge({1, 2, 3}).exit_code == 0);
+  s.check_merged();
+  CHECK(Json::parse(read_file(s.totals("merged"))).at("suite") ==
+        Json::parse(read_file(s.totals("1"))).at("suite"));
+  for (const std::string &other : {part_of(lines, 3, 3), part_of(suite_lines(62), 2, 6)}) {
+    CHECK(solve_alone(s, 2, 3, other).exit_code == 0);
+    check_refused(s.merge({1, 2, 3}), "of the shards that were solved alone ('" + s.answers("2") + "')");
+  }
+  CHECK(solve_alone(s, 2, 3, good + "\n").exit_code == 0);
+  check_refused(s.merge({1, 2, 3}), "shard 2/3 has 1 lines, and 1/3 11: of one suite that cannot be: solve "
+                                    "shard 2/3 again, with all of its lines");
 }
 
 TEST_CASE("a suite that is made shard by shard has the answers of the whole", "[cli]") {
@@ -91,14 +123,49 @@ TEST_CASE("a suite that is made shard by shard has the answers of the whole", "[
   s.folder.write("suite.jsonl", made({}));
   s.solve_whole();
   for (int shard = 1; shard <= 3; ++shard) {
-    Arguments words = s.words(shard, 3, {"--alone"});
-    words[1] = "-";
-    CHECK(mdm(words, made({"--shard", std::to_string(shard) + "/3"})).exit_code == 0);
+    const std::string which = std::to_string(shard) + "/3";
+    CHECK(solve_alone(s, shard, 3, made({"--shard", which})).exit_code == 0);
+    CHECK(solve_alone(s, shard, 3, made({"--shard", which})).err.find("complete already") !=
+          std::string::npos);
   }
   CHECK(s.merge({1, 2, 3}).exit_code == 0);
   s.check_merged();
   CHECK(lines_of(read_file(s.answers("merged"))).size() == 50);
   CHECK(Process(MDM_CHECK_PROGRAM, {"--suite", s.suite, s.proofs("merged")}).end().exit_code == 0);
+}
+
+TEST_CASE("shards of suites that were made of other things are not joined", "[cli]") {
+  const ShardFolder s("");
+  const std::string kind =
+      R"({"schema":"mdm-suite-1","classes":4,"sieves":{"from":1,"ratio":2},"masses":{"kind":)";
+  const auto made = [&](const std::string &masses, const Arguments &more) {
+    Arguments words = {"suite", "-"};
+    words.insert(words.end(), more.begin(), more.end());
+    return mdm(words, kind + masses).out;
+  };
+  const std::string random = R"("random"}})";
+  const Arguments second = {"--count", "10", "--shard", "2/2"};
+  CHECK(solve_alone(s, 1, 2, made(random, {"--count", "10", "--shard", "1/2"})).exit_code == 0);
+  CHECK(solve_alone(s, 2, 2, made(random, second)).exit_code == 0);
+  CHECK(s.merge({1, 2}).exit_code == 0);
+  CHECK(Json::parse(read_file(s.totals("merged"))).at("made").at("to") == "10");
+  for (const std::string &other :
+       {made(random, {"--count", "10", "--shard", "2/2", "--seed", "2"}), made(R"("ties"}})", second),
+        made(random, {"--count", "11", "--shard", "2/2"})}) {
+    CHECK(solve_alone(s, 2, 2, other).exit_code == 0);
+    check_refused(s.merge({1, 2}), "(description, seed and lines)");
+  }
+  const std::string lines = made(random, second);
+  const auto refused = [&](const std::string &text, const std::string &why) {
+    const auto before = s.contents();
+    check_refused(solve_alone(s, 2, 2, text), why);
+    CHECK(s.contents() == before);
+  };
+  refused(lines.substr(0, lines.rfind('{')), "there are 4 lines, and its first line says 5");
+  refused(lines + good + "\n", "there are 6 lines, and its first line says 5");
+  refused(made(random, {"--count", "10", "--shard", "1/2"}), "those of shard 1/2, and --shard is 2/2");
+  refused(R"({"schema":"mdm-shard-9"})", "is not mdm-shard-1");
+  check_refused(mdm({"batch", "-", "-o", s.answers("2")}, lines), "give --shard 2/2 --alone");
 }
 
 TEST_CASE("the totals of a merged set are those of one shard of all", "[cli]") {
@@ -254,7 +321,8 @@ TEST_CASE("merged proofs are accepted with the suite", "[cli]") {
   const Outcome checked =
       Process(MDM_CHECK_PROGRAM, {"--suite", s.suite, s.proofs("merged"), "-j", "2"}).end();
   CHECK(checked.exit_code == 0);
-  CHECK(checked.out.find(": 100 accepted, 0 refused, 0 malformed, 0 missing\n") != std::string::npos);
+  CHECK(checked.out.find(": 100 accepted, 0 refused, 0 malformed, 0 missing; 100 accepted as the smallest") !=
+        std::string::npos);
 }
 
 #if !MDM_KEEPS_FREED_MEMORY

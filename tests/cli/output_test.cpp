@@ -48,6 +48,57 @@ TEST_CASE("the ending of -o tells the format where --format does not", "[cli]") 
   }
 }
 
+TEST_CASE("an ending of -o that is another format's is refused with those that there are", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string suite = folder.write("suite.jsonl", R"({"sizes":["1","2"],"masses":["1","0"]})");
+  const std::string answers = folder.write("answers.csv", "id,quantities\n1,1\n");
+  const Arguments commands[] = {
+      {"solve", athabasca},
+      {"describe", athabasca},
+      {"tradeoff", athabasca},
+      {"verify", athabasca, athabasca},
+      {"published", "rounded", athabasca},
+      {"generate", "--curve", athabasca, "--at-most", "2000"},
+      {"convert", athabasca},
+      {"batch", suite},
+      {"crosscheck", suite, answers},
+      {"suite", suite},
+      {"merge", suite},
+      {"export", athabasca, "--to", "csv"},
+      {"pack", athabasca, "--spread"},
+      {"plot", athabasca},
+  };
+  for (const Arguments &command : commands)
+    for (const std::string ending : {"html", "HTML", "docx", "xlsx", "gz", "md"}) {
+      Arguments words = command;
+      words.insert(words.end(), {"-o", folder / ("answer." + ending)});
+      INFO(command.front() << " " << ending);
+      const Outcome outcome = mdm(words);
+      check_refused(outcome, "OUT end in .");
+      CHECK(outcome.err.find("answer." + ending) != std::string::npos);
+    }
+  CHECK(folder.entries() == 2);
+  check_refused(
+      mdm({"describe", athabasca, "-o", "a.html"}),
+      "a.html: mdm describe writes no .html: let OUT end in .txt, .json or .csv, or say with --format");
+  check_refused(mdm({"describe", athabasca, "-o", "a.svg"}), "writes no .svg");
+  check_refused(mdm({"describe", athabasca, "-o", "a.jsonl"}), "writes no .jsonl");
+  check_refused(mdm({"describe", athabasca, "-o", "a.html.zst"}), "writes no .html");
+  check_refused(mdm({"crosscheck", suite, answers, "-o", "a.json"}), "writes no .json");
+}
+
+TEST_CASE("an ending that stands for no format is taken, and --format decides for any", "[cli]") {
+  const TemporaryFolder folder;
+  for (const std::string name : {"answer", "answer.out", "answer.v1.2", "answer.TXT", ".answer"}) {
+    CHECK(mdm({"solve", athabasca, "-o", folder / name}).exit_code == 0);
+    CHECK(read_file(folder / name) == mdm({"solve", athabasca}).out);
+  }
+  CHECK(mdm({"solve", athabasca, "-o", folder / "answer.JSON"}).exit_code == 0);
+  CHECK(read_file(folder / "answer.JSON") == mdm({"solve", athabasca, "--format", "json"}).out);
+  CHECK(mdm({"solve", athabasca, "--format", "text", "-o", folder / "answer.html"}).exit_code == 0);
+  CHECK(read_file(folder / "answer.html") == mdm({"solve", athabasca}).out);
+}
+
 TEST_CASE("option -o replaces a file and keeps its mode", "[cli]") {
   const TemporaryFolder folder;
   const std::string path = folder.write("answer.txt", "old");

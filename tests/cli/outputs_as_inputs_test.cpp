@@ -18,7 +18,7 @@ public:
     make({"solve", path("sand.csv"), "--spread", "-o", path("spread.csv")});
     generate("set", {});
     generate("sizes", {"--sizes"});
-    generate("match", {"--sizes", "--method", "match", "--spread"});
+    generate("match", {"--method", "match", "--spread"});
     generate("discs", {"--sizes", "--dimension", "2"});
     make({"pack", path("discs.csv"), "-o", path("discs.packing"), "--quiet"});
     for (const char *format : {"csv", "lammps", "liggghts", "vtk", "diameters"})
@@ -175,7 +175,7 @@ TEST_CASE("Outputs as inputs: what is drawn") {
     Arguments command = {"plot"};
     for (const std::string &file : files)
       command.push_back(o.path(file));
-    command.insert(command.end(), {"--script", o.path("out.gp"), "--quiet"});
+    command.insert(command.end(), {"-o", o.path("out.svg"), "--quiet"});
     const Outcome outcome = mdm(command);
     INFO(files.back() << ": " << outcome.err);
     CHECK(outcome.exit_code == exit_code);

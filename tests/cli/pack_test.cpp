@@ -87,6 +87,52 @@ TEST_CASE("verify refuses a packing whose discs were moved") {
   CHECK(has(loose.out, "does not touch"));
 }
 
+TEST_CASE("verify derives the front of a packing, and names what of its header it does not look at") {
+  const TemporaryFolder folder;
+  const std::string sizes = folder / "sizes.csv", packing = folder / "a.packing";
+  REQUIRE(mdm({"generate", "--beta", "1,1", "--dmin", "1", "--span", "0.5", "--at-least", "300",
+               "--dimension", "2", "--sizes", "--format", "csv", "-o", sizes})
+              .exit_code == 0);
+  for (const Arguments &how : {Arguments{},
+                               {"--walls"},
+                               {"--rule", "drop"},
+                               {"--walls", "--rule", "drop"},
+                               {"--floor", "left"},
+                               {"--walls", "--floor", "left", "--width", "9"}}) {
+    Arguments pack{"pack", sizes, "-o", packing};
+    pack.insert(pack.end(), how.begin(), how.end());
+    REQUIRE(mdm(pack).exit_code == 0);
+    const Outcome accepted = mdm({"verify", sizes, packing});
+    INFO(accepted.out.substr(0, 200));
+    CHECK(accepted.exit_code == 0);
+    CHECK(has(accepted.out, "(not verified: that they came there by rule "));
+    CHECK(has(accepted.out, ", seed 1)\n"));
+    const std::string text = read_file(packing);
+    const std::size_t at = text.find("\nfront ") + 7, end = text.find('\n', at);
+    const long long front = std::stoll(text.substr(at, end - at));
+    for (const long long wrong : {2 * front, front - 1, 0LL}) {
+      std::string changed = text;
+      changed.replace(at, end - at, std::to_string(wrong));
+      const Outcome refused = mdm({"verify", sizes, folder.write("front.packing", changed)});
+      CHECK(refused.exit_code == 1);
+      CHECK(has(refused.out, "its front is " + std::to_string(wrong)));
+    }
+  }
+  std::string gasket = read_file(packing);
+  gasket.replace(gasket.find("rule lowest"), 11, "rule apollonian");
+  CHECK(has(mdm({"verify", sizes, folder.write("gasket.packing", gasket)}).out, "is carried, as no circle"));
+  std::string metres = read_file(packing);
+  metres.replace(metres.find("unit any"), 8, "unit m");
+  CHECK(has(mdm({"verify", sizes, folder.write("metres.packing", metres)}).out, "its lengths are in m"));
+}
+
+TEST_CASE("pack says at once that the match of a sheet has too many discs", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string clay =
+      folder.write("clay.csv", "size_mm,retained_percent\n0.0001,20\n0.0005,20\n0.063,30\n2,30\n20,0\n");
+  check_refused({clay, "--spread", "-o", folder / "a.packing"}, "more than 10^7");
+}
+
 TEST_CASE("export writes packings in every format for them, and mdm verify reads the sizes back") {
   const TemporaryFolder folder;
   const std::string packing = folder / "a.packing";

@@ -114,7 +114,7 @@ TEST_CASE("phi: descriptions, pictures and the trade-off take irrational opening
   CHECK(json.at("passing").at(0).at("size") == "1");
   CHECK(json.at("passing").at(1).at("size") == Json({"1.41421356237309", "1.4142135623731"}));
   CHECK(json.at("D50").is_array());
-  CHECK(mdm({"plot", sand, "--match", "--script", folder / "x.gp"}).exit_code == 0);
+  CHECK(mdm({"plot", sand, "--match", "-o", folder / "x.svg"}).exit_code == 0);
   const Outcome tradeoff = mdm({"tradeoff", sand, "--tolerances", "0"});
   CHECK(contains(tradeoff.out, "2.82842712474619"));
 }

@@ -1,31 +1,12 @@
-// mdm plot. Pictures are drawn where there is gnuplot; scripts need none.
+// mdm plot: the command; what stands where in a picture is in tests/plot.
 
 #include "run.hpp"
-#include "tools.hpp"
-
-#include <cstdlib>
 
 using namespace cli_test;
 
 namespace {
 
 const std::string sand = example("athabasca-sand");
-
-bool can_draw() {
-  return mdm_test::has_tool("gnuplot", "gnuplot-nox");
-}
-
-/// A PATH for the programs that are started, as long as it lives.
-class Path {
-public:
-  explicit Path(const std::string &path) : before_(std::getenv("PATH")) { setenv("PATH", path.c_str(), 1); }
-  ~Path() { setenv("PATH", before_.c_str(), 1); }
-  Path(const Path &) = delete;
-  Path &operator=(const Path &) = delete;
-
-private:
-  std::string before_;
-};
 
 bool contains(const std::string &text, const std::string &part) {
   return text.find(part) != std::string::npos;
@@ -45,8 +26,6 @@ std::string drawn(const TemporaryFolder &folder, const std::string &name, Argume
 } // namespace
 
 TEST_CASE("the ending of the file chooses the format of the picture", "[cli]") {
-  if (!can_draw())
-    return;
   const TemporaryFolder folder;
   CHECK(drawn(folder, "a.svg", {sand}).substr(0, 5) == "<?xml");
   CHECK(drawn(folder, "a.png", {sand}).substr(0, 8) == "\x89PNG\r\n\x1a\n");
@@ -56,8 +35,6 @@ TEST_CASE("the ending of the file chooses the format of the picture", "[cli]") {
 }
 
 TEST_CASE("a picture goes to standard output, and is the same each time", "[cli]") {
-  if (!can_draw())
-    return;
   const TemporaryFolder folder;
   for (const std::string &format : Arguments{"svg", "png", "pdf"}) {
     const Outcome outcome = mdm({"plot", sand, "--match", "--format", format, "-o", "-"});
@@ -67,8 +44,6 @@ TEST_CASE("a picture goes to standard output, and is the same each time", "[cli]
 }
 
 TEST_CASE("the picture has the sieves, the indices, the bands and the counts", "[cli]") {
-  if (!can_draw())
-    return;
   const TemporaryFolder folder;
   const std::string svg = drawn(folder, "a.svg", {sand, "--match", "--sieve-names", "astm"});
   for (const char *text :
@@ -84,16 +59,41 @@ TEST_CASE("the picture has the sieves, the indices, the bands and the counts", "
   CHECK(contains(band, "silt"));
 }
 
+TEST_CASE("limits of the fines and the pan are taken as describe takes them", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string silty =
+      folder.write("silty.csv", "size_mm,passing_percent\n4.75,100\n0.425,60\n0.075,20\n");
+  const auto svg = [&](Arguments more) {
+    Arguments words = {"plot", silty, "--format", "svg", "-o", "-"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = mdm(words);
+    INFO(outcome.err);
+    CHECK(outcome.exit_code == 0);
+    return outcome.out;
+  };
+  CHECK(contains(svg({}), ">USCS SM<"));
+  CHECK(contains(svg({}), "low-plasticity silt"));
+  const std::string clayey = svg({"--liquid-limit", "40", "--plastic-limit", "20"});
+  CHECK(contains(clayey, ">USCS SC<"));
+  CHECK_FALSE(contains(clayey, "low-plasticity silt"));
+  CHECK(contains(svg({"--pan-size", "0.01"}), ">D10 = 0.0274 mm<"));
+  CHECK(contains(svg({"--extrapolate"}), "D10 = "));
+  check_refused(mdm({"plot", silty, "--liquid-limit", "40", "--format", "svg", "-o", "-"}), "go together");
+  check_refused(
+      mdm({"plot", silty, "--liquid-limit", "40", "--plastic-limit", "50", "--format", "svg", "-o", "-"}));
+  check_refused(mdm({"plot", silty, "--pan-size", "1", "--format", "svg", "-o", "-"}));
+}
+
 TEST_CASE("an answer is drawn as --match draws it", "[cli]") {
   const TemporaryFolder folder;
   CHECK(mdm({"solve", sand, "--format", "json", "-o", folder / "answer.json"}).exit_code == 0);
-  CHECK(mdm({"plot", sand, folder / "answer.json", "--script", folder / "a"}).exit_code == 0);
-  CHECK(mdm({"plot", sand, "--match", "--script", folder / "b"}).exit_code == 0);
-  CHECK(read_file(folder / "a") == read_file(folder / "b"));
+  CHECK(mdm({"plot", sand, folder / "answer.json", "-o", folder / "a.svg"}).exit_code == 0);
+  CHECK(mdm({"plot", sand, "--match", "-o", folder / "b.svg"}).exit_code == 0);
+  CHECK(read_file(folder / "a.svg") == read_file(folder / "b.svg"));
   CHECK(
       mdm({"solve", sand, "--size-factor", "2", "--format", "json", "-o", folder / "other.json"}).exit_code ==
       0);
-  const Outcome other = mdm({"plot", sand, folder / "other.json", "--script", folder / "c"});
+  const Outcome other = mdm({"plot", sand, folder / "other.json", "-o", folder / "c.svg"});
   CHECK(other.exit_code == 0);
   CHECK(contains(other.err, "its classes are not all of"));
 }
@@ -103,10 +103,6 @@ TEST_CASE("names in a figure are shown as they are and never executed", "[cli]")
   const std::string mark = folder / "executed";
   const std::string gradation = folder.write("g.json", R"({"id":"x\n!touch )" + mark +
                                                            R"(\nx","sizes":["0.1","1"],"masses":["1","0"]})");
-  CHECK(mdm({"plot", gradation, "--script", folder / "script"}).exit_code == 0);
-  CHECK_FALSE(contains(read_file(folder / "script"), "\n!touch"));
-  if (!can_draw())
-    return;
   for (const std::string &name :
        {"`touch " + mark + "`", std::string("a_b^2{x} @y &amp;"), std::string("it's \"\\n %d"),
         std::string("'.system('touch x').'"), std::string("<b>")}) {
@@ -118,7 +114,7 @@ TEST_CASE("names in a figure are shown as they are and never executed", "[cli]")
     std::string svg = drawn(folder, "h.svg", {g});
     std::string shown;
     for (const char c : name)
-      shown += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+      shown += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
     INFO(shown);
     CHECK(contains(svg, shown));
     CHECK_FALSE(std::filesystem::exists(mark));
@@ -131,46 +127,17 @@ TEST_CASE("what fonts may lack is escaped, and said", "[cli]") {
   const TemporaryFolder folder;
   const std::string file =
       folder.write("g.json", R"({"id":"sand \u4e2d","sizes":["0.1","1"],"masses":["1","0"]})");
-  const Outcome outcome = mdm({"plot", file, "--script", "-"});
+  const Outcome outcome = mdm({"plot", file, "--format", "svg", "-o", "-"});
   CHECK(outcome.exit_code == 0);
-  CHECK(contains(outcome.out, R"("sand \134u4e2d")"));
-  CHECK(outcome.err ==
-        "note: 'sand \u4E2D' is drawn as 'sand \\u4e2d': gnuplot's fonts may lack its characters\n");
-  CHECK(mdm({"plot", file, "--quiet", "--script", "-"}).err.empty());
-}
-
-TEST_CASE("without gnuplot there is a remedy, and the script", "[cli]") {
-  const TemporaryFolder folder;
-  const Path empty("/nonexistent");
-  check_refused(mdm({"plot", sand, "-o", folder / "a.svg"}), "gnuplot-nox");
-  CHECK(folder.entries() == 0);
-  CHECK(mdm({"plot", sand, "--script", folder / "a.gp"}).exit_code == 0);
-  CHECK(contains(read_file(folder / "a.gp"), "set terminal svg"));
-  CHECK(mdm({"plot", sand, "--format", "pdf", "--script", "-"}).exit_code == 0);
-}
-
-TEST_CASE("a gnuplot that fails leaves no file", "[cli]") {
-  const TemporaryFolder folder;
-  const TemporaryFolder programs;
-  const auto install = [&programs](const std::string &what) {
-    std::filesystem::permissions(programs.write("gnuplot", "#!/bin/sh\n" + what + "\n"),
-                                 std::filesystem::perms::owner_all);
-  };
-  const Path path((programs / "") + ":/usr/bin:/bin");
-  install("echo half a picture; echo 'line 3: unknown terminal' >&2; exit 1");
-  check_refused(mdm({"plot", sand, "-o", folder / "a.svg"}), "unknown terminal");
-  install("exit 0");
-  check_refused(mdm({"plot", sand, "-o", folder / "a.png"}), "gnuplot");
-  install("kill -9 $$");
-  check_refused(mdm({"plot", sand, "-o", folder / "a.pdf"}), "gnuplot");
-  CHECK(folder.entries() == 0);
+  CHECK(contains(outcome.out, ">sand \\u4e2d<"));
+  CHECK(outcome.err == "note: 'sand \u4E2D' is drawn as 'sand \\u4e2d': fonts may lack its characters\n");
+  CHECK(mdm({"plot", file, "--quiet", "--format", "svg", "-o", "-"}).err.empty());
 }
 
 TEST_CASE("what makes no picture is refused", "[cli]") {
   const TemporaryFolder folder;
   const std::string svg = folder / "a.svg";
   check_refused(mdm({"plot", sand}), "-o OUT.svg");
-  check_refused(mdm({"plot", sand, "-o", svg, "--script", folder / "b"}), "--script");
   check_refused(mdm({"plot", sand, "-o", folder / "a.jpg"}), ".svg, .png or .pdf");
   check_refused(mdm({"plot", sand, "-o", "-"}), "--format");
   check_refused(mdm({"plot", sand, "--what", "counts", "-o", svg}), "--match");
@@ -178,34 +145,37 @@ TEST_CASE("what makes no picture is refused", "[cli]") {
   check_refused(mdm({"plot", sand, sand, "--match", "-o", svg}), "one of them");
   check_refused(mdm({"plot", "-", "-", "-o", svg}), "standard input");
   check_refused(mdm({"plot", sand, "--band", sand, "-o", svg}), "a band has the columns");
+  const std::string crossed =
+      folder.write("crossed.csv", "size_mm,passing_min_percent,passing_max_percent\n1,60,50\n");
+  check_refused(
+      mdm({"plot", sand, "--band", crossed, "-o", svg}),
+      "no curve is within this band: at least 60 percent must pass 1 mm, but at most 50 may pass 1 mm");
   check_refused(mdm({"plot", folder / "none.csv", "-o", svg}), "none.csv");
   check_refused(mdm({"plot", sand, "-o", sand + "/x.svg"}), "x.svg");
   const std::string copy = folder.write("copy.svg", read_file(sand));
   check_refused(mdm({"plot", copy, "-o", copy}), "overwritten");
-  CHECK(folder.entries() == 1);
+  CHECK(folder.entries() == 2); // the two that the test wrote
 }
 
 TEST_CASE("a packing is drawn by the size of its discs, their contacts or its cells", "[cli]") {
   const TemporaryFolder folder;
   const std::string packing = folder / "a.packing";
   CHECK(mdm({"pack", "--beta", "1,1", "--span", "0.5", "--at-least", "200", "-o", packing}).exit_code == 0);
-  const auto script = [&](const Arguments &more) {
-    Arguments arguments = {"plot", packing, "--script", "-"};
+  const auto picture = [&](const Arguments &more) {
+    Arguments arguments = {"plot", packing, "--format", "svg", "-o", "-"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = mdm(arguments);
     CHECK(outcome.exit_code == 0);
     return outcome.out;
   };
-  CHECK(contains(script({}), "discs by their diameter"));
-  CHECK(script({}) == script({"--colour", "size"}));
-  CHECK(contains(script({"--colour", "contacts"}), "touches 4 others: "));
-  CHECK(contains(script({"--colour", "cells"}), "quadrangles: "));
-  CHECK(mdm({"plot", "-", "--script", "-"}, read_file(packing)).out == script({}));
+  CHECK(contains(picture({}), "discs by their diameter"));
+  CHECK(picture({}) == picture({"--colour", "size"}));
+  CHECK(contains(picture({"--colour", "contacts"}), "touches 4 others: "));
+  CHECK(contains(picture({"--colour", "cells"}), "quadrangles: "));
+  CHECK(mdm({"plot", "-", "--format", "svg", "-o", "-"}, read_file(packing)).out == picture({}));
   const std::string gasket = folder / "gasket.packing";
   CHECK(mdm({"pack", "--apollonian", "equal", "--smallest", "1/20", "-o", gasket}).exit_code == 0);
-  CHECK(contains(mdm({"plot", gasket, "--script", "-"}).out, "circles by their diameter"));
-  if (!can_draw())
-    return;
+  CHECK(contains(mdm({"plot", gasket, "--format", "svg", "-o", "-"}).out, "circles by their diameter"));
   CHECK(contains(drawn(folder, "a.svg", {packing, "--colour", "cells"}), "triangles: "));
   CHECK(drawn(folder, "a.png", {gasket}).substr(0, 8) == "\x89PNG\r\n\x1a\n");
 }
@@ -232,20 +202,20 @@ TEST_CASE("plot draws a section of a sample with places beside the curve", "[cli
   const std::string gradation = folder.write("g.csv", "size_mm,mass\n1,2\n2,2\n3,0\n");
   const std::string grains = folder.write("grains.txt", "0 0 0.5 0.75\n1.5 0 0.5 1\n1.5 0.5 2 1.2\n");
   const std::string sizes = folder.write("sizes.csv", "size_mm\n1.5\n");
-  const Outcome drawn = mdm({"plot", gradation, grains, "--what", "section", "--script", "-"});
+  const Outcome drawn = mdm({"plot", gradation, grains, "--what", "section", "--format", "svg", "-o", "-"});
   CHECK(drawn.exit_code == 0);
   CHECK(drawn.out.find("section at y = 0.25 mm") != std::string::npos);
   CHECK(drawn.out.find("1 to 2 mm") != std::string::npos);
   CHECK(drawn.out.find("percent passing") != std::string::npos);
   CHECK(
-      mdm({"plot", gradation, grains, "--what", "section", "--size-unit", "um", "--script", "-"}).exit_code ==
-      2);
-  check_refused(mdm({"plot", gradation, sizes, "--what", "section", "--script", "-"}),
+      mdm({"plot", gradation, grains, "--what", "section", "--size-unit", "um", "--format", "svg", "-o", "-"})
+          .exit_code == 2);
+  check_refused(mdm({"plot", gradation, sizes, "--what", "section", "--format", "svg", "-o", "-"}),
                 "a place of their own");
-  check_refused(mdm({"plot", gradation, "--match", "--what", "section", "--script", "-"}),
+  check_refused(mdm({"plot", gradation, "--match", "--what", "section", "--format", "svg", "-o", "-"}),
                 "no places of particles");
-  check_refused(mdm({"plot", gradation, "--what", "section", "--script", "-"}),
+  check_refused(mdm({"plot", gradation, "--what", "section", "--format", "svg", "-o", "-"}),
                 "--what section: give a SAMPLE");
-  check_refused(mdm({"plot", gradation, "--match", "--size-unit", "m", "--script", "-"}),
+  check_refused(mdm({"plot", gradation, "--match", "--size-unit", "m", "--format", "svg", "-o", "-"}),
                 "--size-unit: it is of a SAMPLE");
 }

@@ -47,8 +47,52 @@ TEST_CASE("answers beside a stream of proofs are those without proofs", "[cli]")
   const Outcome alone = mdm({"batch", suite});
   CHECK(mdm({"batch", suite, "--proofs", folder / "all.proofs", "-j", "2"}).out == alone.out);
   CHECK(check(suite, folder / "all.proofs").out ==
-        suite + ": 2750 accepted, 0 refused, 0 malformed, 0 missing\n");
+        suite + ": 2750 accepted, 0 refused, 0 malformed, 0 missing; 2750 accepted as the smallest number of "
+                "particles that matches exactly (mass law x^3)\n");
   CHECK(folder.entries() == 2);
+}
+
+TEST_CASE("answers of every kind say what their proofs do", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string suite = folder.write(
+      "suite.jsonl",
+      R"({"unit": "um", "sizes": [0, 1, 2, 4, 8], "masses": [1, 3, 2, 5, 0], "tolerances_percent": [2, 3, 4, 5, 6], )"
+      R"("factors": [1, 2, 1, 3, 1]})"
+      "\n\n"
+      R"({"id": "b; at least 2 particles", "unit": "um", "sizes": [0, 1, 2, 3, 8], )"
+      R"("masses": [2, 3, 0.125, 5, 0], "tolerances_percent": [2, 3, 4, 5, 6]})"
+      "\n");
+  const std::vector<Arguments> questions = {
+      {},
+      {"--at-least", "300", "--law", "power:5/2", "--min-per-class", "2"},
+      {"--pan-size", "0.5", "--cut-below", "1", "--size-factor", "2.5"},
+      {"--specimen", "cylinder:20x30", "--void-ratio", "0.6"},
+      {"--specimen", "box:20x30x10", "--void-ratio", "0.6", "--tolerance", "retained:2%"},
+      {"--solids-volume", "1000", "--max-steps", "1"},
+      {"--tolerance", "retained:file", "--tolerance", "total:9%", "--min-per-class", "1"},
+      {"--tolerance", "passing:file", "--at-least", "20", "--law", "power:1"},
+      {"--tolerance", "passing:1%", "--node-limit", "1"},
+      {"--tolerance", "retained:0.5%", "--at-most", "3"}};
+  const std::string answers = folder / "answers.jsonl", proofs = folder / "proofs",
+                    table = folder / "answers.csv";
+  for (Arguments options : questions) {
+    std::filesystem::remove_all(proofs);
+    Arguments batch = {"batch", suite, "--quiet"};
+    batch.insert(batch.end(), options.begin(), options.end());
+    Arguments in_csv = batch;
+    batch.insert(batch.end(), {"-o", answers, "--proofs", proofs});
+    in_csv.insert(in_csv.end(), {"--format", "csv", "-o", table});
+    const Outcome solved = mdm(batch);
+    INFO(solved.err << (options.empty() ? "" : options[0]) << read_file(answers));
+    const Outcome checked =
+        Process(MDM_CHECK_PROGRAM, {"--suite", suite, proofs, "--answers", answers}).end();
+    INFO(checked.out << checked.err);
+    CHECK(checked.exit_code == 0);
+    CHECK(checked.out.find(" 0 missing, 0 different; ") != std::string::npos);
+    mdm(in_csv);
+    CHECK(Process(MDM_CHECK_PROGRAM, {"--suite", suite, proofs, "--answers", table}).end().exit_code ==
+          (options.size() == 4 && options[2] == "--at-most" ? 1 : 0));
+  }
 }
 
 TEST_CASE("a stream of proofs is of one suite", "[cli]") {

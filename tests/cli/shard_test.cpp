@@ -21,6 +21,11 @@ std::string ids(const std::string &answers) {
   return all;
 }
 
+std::string replaced(std::string text, const std::string &from, const std::string &to) {
+  REQUIRE(text.find(from) != std::string::npos);
+  return text.replace(text.find(from), from.size(), to);
+}
+
 /// Runs `program` with `arguments` under a limit of the file size, in blocks of 512 bytes or 1 KiB.
 Outcome with_small_disk(const Arguments &arguments) {
   std::string command = "ulimit -f 8; exec '" MDM_PROGRAM "'";
@@ -125,6 +130,29 @@ TEST_CASE("a shard is solved again where the suite has another length", "[cli]")
   s.folder.write("suite.jsonl", good + "\n" + good + "\n");
   CHECK(s.solve(1, 1).err.empty());
   CHECK(lines_of(read_file(s.answers("1"))).size() == 2);
+}
+
+TEST_CASE("a shard is solved again where the suite has other lines of the same length", "[cli]") {
+  const ShardFolder s(good + "\n" + slow + "\n");
+  CHECK(s.solve(1, 1).exit_code == 0);
+  s.folder.write("suite.jsonl", slow + "\n" + good + "\n");
+  CHECK(s.solve(1, 1).err.empty());
+  CHECK(lines_of(read_file(s.answers("1")))[0].find("1.000001") != std::string::npos);
+}
+
+TEST_CASE("a shard that is alone is complete for the same lines alone", "[cli]") {
+  const ShardFolder s(good + "\n");
+  CHECK(s.solve(2, 2, {"--alone"}).exit_code == 0);
+  CHECK(s.solve(2, 2, {"--alone"}).err.find("complete already") != std::string::npos);
+  CHECK(s.solve(2, 2).err.empty()); // of a suite of which they are no lines
+  CHECK(s.solve(2, 2, {"--alone"}).err.empty());
+  s.folder.write("suite.jsonl", replaced(good, "[\"2\"", "[\"3\"") + "\n");
+  CHECK(s.solve(2, 2, {"--alone"}).err.empty());
+  CHECK(read_file(s.answers("2")).find(R"("mass":"3")") != std::string::npos);
+  Arguments piped = s.words(2, 2, {"--alone"});
+  piped[1] = "-";
+  CHECK(mdm(piped, good + "\n").err.empty());
+  CHECK(mdm(piped, good + "\n").err.empty()); // nothing is known of a pipe before it is read
 }
 
 TEST_CASE("shards of standard input and with threads are the same", "[cli]") {

@@ -44,10 +44,11 @@ struct ShardFolder {
     for (int shard = of; shard >= 1; --shard) // in any order
       CHECK(solve(shard, of, more).signal == 0);
   }
-  Outcome merge(const std::vector<int> &shards) const {
+  Outcome merge(const std::vector<int> &shards, const Arguments &more = {}) const {
     Arguments all = {"merge", "-o", answers("merged"), "--proofs", proofs("merged")};
     for (const int shard : shards)
       all.push_back(answers(std::to_string(shard)));
+    all.insert(all.end(), more.begin(), more.end());
     return mdm(all);
   }
   /// What batch without --shard writes: `whole`.

@@ -257,7 +257,7 @@ TEST_CASE("the spectrum is all numbers with a match", "[cli]") {
 TEST_CASE("values of options that make no sense are refused and name the option", "[cli]") {
   for (const char *option :
        {"--min-per-class", "--at-least", "--at-most", "--max-steps", "--node-limit", "--digits"})
-    for (const char *value : {"x", "-1", "1.5", "1e3", "", " 1", "0x10", "nan", "inf"})
+    for (const char *value : {"x", "-1", "1.5", "1e-3", "", " 1", "0x10", "nan", "inf"})
       check_refused_option({std::string(option) + "=" + value}, option);
   for (const char *option : {"--solids-volume", "--size-factor", "--cut-below", "--pan-size"})
     for (const char *value : {"x", "-1", "0", "nan", "inf", "1e999999999", "1,5", "0x10", "--1"})

@@ -31,17 +31,23 @@ TEST_CASE("ranges and shards of a suite are its lines, whatever the threads", "[
   CHECK(made({"--count", "1500", "--seed", "5", "-j", "3"}) == whole);
   CHECK(made({"--lines", "42-42", "--seed", "5"}) == lines[41] + "\n");
   const auto shard = [](const std::string &which) {
-    return lines_of(made({"--count", "1500", "--seed", "5", "--shard", which}));
+    std::vector<std::string> all = lines_of(made({"--count", "1500", "--seed", "5", "--shard", which}));
+    CHECK(Json::parse(all.at(0)).at("schema") == "mdm-shard-1");
+    CHECK(Json::parse(all.at(0)).at("lines") == std::to_string(all.size() - 1));
+    all.erase(all.begin());
+    return all;
   };
   const std::vector<std::vector<std::string>> shards = {shard("1/4"), shard("2/4"), shard("3/4"),
                                                         shard("4/4")};
   for (std::size_t i = 0; i < lines.size(); ++i)
     CHECK(shards[i % 4].at(i / 4) == lines[i]);
   CHECK(shards[0].size() + shards[1].size() + shards[2].size() + shards[3].size() == 1500);
-  CHECK(made({"--lines", "11-13", "--shard", "2/3"}) == made({"--lines", "11-11"}));
-  CHECK(made({"--lines", "12-13", "--shard", "2/3"}).empty());
-  CHECK(made({"--count", "2", "--shard", "3/3"}).empty());
-  CHECK(made({"--count", "0", "--shard", "1/3"}).empty());
+  const auto behind_first = [](const std::string &text) { return text.substr(text.find('\n') + 1); };
+  CHECK(behind_first(made({"--lines", "11-13", "--shard", "2/3"})) == made({"--lines", "12-12"}));
+  CHECK(behind_first(made({"--lines", "12-16", "--shard", "2/3"})) ==
+        made({"--lines", "13-13"}) + made({"--lines", "16-16"}));
+  CHECK(behind_first(made({"--count", "2", "--shard", "3/3"})).empty());
+  CHECK(behind_first(made({"--count", "0", "--shard", "1/3"})).empty());
   CHECK(made({"--count", "1500", "--seed", "6"}) != whole);
   CHECK(lines_of(made({})).size() == 1000);
 }
@@ -51,7 +57,7 @@ TEST_CASE("lines near the end of all numbers are made as the others", "[suite]")
   CHECK(lines_of(last).size() == 2);
   CHECK(last.find("mixed-18446744073709551615") != std::string::npos);
   CHECK(lines_of(made({"--lines", "18446744072709551616-18446744073709551615", "--shard", "7/1000000000"}))
-            .size() == 1);
+            .size() == 2);
 }
 
 TEST_CASE("batch reads and solves every line of a suite", "[suite]") {

@@ -59,8 +59,8 @@ TEST_CASE("the proof of a band alone is checked with the band's own file", "[cli
                                                     "2000,40,60\n5000,60,80.5\n9000,100,100\n");
   const std::string file = folder.write("file.csv", file_with_tolerances);
   CHECK(contains(verdict(file, {"--band", band}),
-                 "(40 to 60% of the total mass passing 2 mm; 60 to 80.5% of the total "
-                 "mass passing 5 mm; 100 to 100% of the total mass passing 9 mm; "
+                 "(40 to 60% of the total mass passing 2 mm of the file; 60 to 80.5% of the total "
+                 "mass passing 5 mm of the file; 100 to 100% of the total mass passing 9 mm of the file; "
                  "mass law x^3; sizes in mm)"));
   const std::string proof = folder / "proof";
   CHECK(mdm({"solve", "--band", band, "--proof", proof}).exit_code == 0);

@@ -193,8 +193,6 @@ TEST_CASE("the trade-off refuses what makes no sense, and leaves no file", "[cli
 }
 
 TEST_CASE("the trade-off is drawn beside its tables", "[cli]") {
-  if (!mdm_test::has_tool("gnuplot", "gnuplot-nox"))
-    return;
   const TemporaryFolder folder;
   const Outcome outcome = tradeoff({sand, "--tolerances", "0,1,5", "--plot", folder / "t.svg"});
   CHECK(outcome.exit_code == 0);

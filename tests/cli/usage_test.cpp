@@ -6,9 +6,9 @@ using namespace cli_test;
 
 namespace {
 
-constexpr const char *commands[] = {"solve",  "batch",      "merge",     "convert",  "describe",
-                                    "verify", "crosscheck", "published", "generate", "pack",
-                                    "study",  "tradeoff",   "plot",      "export",   "completion"};
+constexpr const char *commands[] = {"solve",      "batch",     "merge",    "convert",   "describe", "verify",
+                                    "crosscheck", "published", "generate", "blend",     "pack",     "study",
+                                    "tradeoff",   "plot",      "export",   "completion"};
 
 /// The length of the longest line.
 std::size_t columns(const std::string &text) {
@@ -128,6 +128,10 @@ TEST_CASE("words of the user are quoted, escaped and cut", "[cli]") {
   check_refused(mdm({"solve", "a", "--format", "json not in {text}"}),
                 "'json not in {text}' is not in {text,");
   check_refused(mdm({"solve", "a", "b", "-z", "--c=d"}), "'b', '-z', '--c=d' were not expected");
+  check_refused(mdm({"solve", "a", "b.csv"}),
+                "'b.csv' was not expected: mdm solve takes one file at a time (mdm batch solves many); see");
+  check_refused(mdm({"verify", "a", "b", "c"}),
+                "'c' was not expected: mdm verify takes one file of each kind");
   check_refused(mdm({"--nosuch", "solve", "a"}), "'--nosuch'");
   check_refused(mdm({"batch", "-j", "1.5"}), "-j: '1.5' is not a whole number from 1 to 1024");
 }

@@ -278,9 +278,9 @@ TEST_CASE("verify: particle files of the engines", "[cli]") {
                     "LOOKUP_TABLE default\n" +
                     particle_lines(answer),
                 with({"--size-unit", "mm"})) == 0);
-  const std::string dump = "ITEM: TIMESTEP\n9\nITEM: NUMBER OF ATOMS\n31\nITEM: ATOMS id diameter\n" +
+  const std::string dump = "ITEM: TIMESTEP\n9\nITEM: NUMBER OF ATOMS\n31\nITEM: ATOMS type diameter\n" +
                            particle_lines(answer, "1 ");
-  for (const char *format : {"lammps-dump", "liggghts-dump"})
+  for (const char *format : {"lammps-dump", "LIGGGHTS-dump"})
     CHECK(exit_of(sand, dump, with({"--size-unit", "mm", "--from", format, "--timestep", "9"})) == 0);
   const Outcome metres = verify(sand, dump, within);
   CHECK(metres.exit_code == 1);
@@ -371,7 +371,7 @@ TEST_CASE("an answer with more than 1000 digits is read back", "[cli]") {
   REQUIRE(mdm({"convert", sand, "-o", gradation}).exit_code == 0);
   CHECK(mdm({"crosscheck", gradation, answer, "--require-minimal"}).exit_code == 0);
   CHECK(mdm({"export", answer, "--to", "diameters"}).exit_code == 0);
-  CHECK(mdm({"plot", sand, answer, "--script", folder / "script"}).exit_code == 0);
+  CHECK(mdm({"plot", sand, answer, "-o", folder / "answer.svg"}).exit_code == 0);
 }
 
 TEST_CASE("an answer of one line that ends too early names line 1", "[cli]") {
@@ -415,4 +415,51 @@ TEST_CASE("verify judges places unasked up to 20000, and says where more or odd 
   const Json far = report("0 0 0 0.3\n0 0 1e99 0.3\n");
   CHECK(far.at("packing").is_null());
   check_refused(mdm({"verify", sand, folder / "grains", "--from", "xyzr", "--packing"}), "1e60");
+}
+
+TEST_CASE("verify: what is no number, outside, doubled or in another unit than it says never matches",
+          "[cli]") {
+  const TemporaryFolder folder;
+  const std::string sand = folder.write("g.csv", "size_mm,mass\n1,1\n2,0\n");
+  const auto dump = [](const std::string &head, const std::string &rows) {
+    return head +
+           "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n"
+           "ITEM: ATOMS id x y z diameter\n" +
+           rows;
+  };
+  const auto judged = [&](const std::string &content, const Arguments &more = {}) {
+    Arguments arguments{"verify", sand, folder.write("s.dump", content)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return mdm(arguments);
+  };
+  const std::string first = "1 0.5 0.5 0.1 0.0015\n";
+  CHECK(judged(dump("", first + "2 0.5 0.5 0.9 0.0015\n")).exit_code == 0);
+  check_refused(judged(dump("", first + "2 nan 0.5 0.9 0.0015\n")), "s.dump:11: coordinate 'nan'");
+  check_refused(judged(dump("", first + first)), "s.dump:11: id 1 is there a second time");
+  const Outcome fallen = judged(dump("", first + "2 0.5 0.5 -5 0.0015\n"));
+  CHECK(fallen.exit_code == 1);
+  CHECK(fallen.out.find("does not match: the centre of 1 particle is outside the space") !=
+        std::string::npos);
+  CHECK(judged(dump("", first + "2 0.5 0.5 -5 0.0015\n"), {"--periodic", "z"}).exit_code == 0);
+  CHECK(judged(dump("", first + "2 0.5 0.5 0.9 0.0015\n"), {"--specimen", "cylinder:500mm"}).exit_code == 1);
+  CHECK(judged(dump("", first + "2 0.5 0.5 0.9 0.0015\n"), {"--specimen", "cylinder:1m"}).exit_code == 0);
+  CHECK(judged(dump("", first + "2 0.5 0.5 0.9 0.0015\n"), {"--specimen", "cylinder:1mx0.8m"}).exit_code ==
+        1);
+  // 0.0015 cm are no 1.5 mm.
+  const std::string centimetres = dump("ITEM: UNITS\ncgs\n", first + "2 0.5 0.5 0.9 0.0015\n");
+  CHECK(judged(centimetres).exit_code == 1);
+  check_refused(judged(centimetres, {"--size-unit", "m"}), "s.dump:2: the file says units cgs");
+}
+
+TEST_CASE("verify: all openings at which a band is left are named", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string sand = folder.write("g.csv", "size_mm,mass\n1,1\n2,1\n4,2\n8,0\n"),
+                    sizes = folder.write("s.csv", "size_mm\n2\n4\n8\n"),
+                    band = folder.write("b.csv",
+                                        "size_mm,passing_min_percent,passing_max_percent\n1,0,0\n2,20,30\n"
+                                        "4,45,55\n8,100,100\n");
+  const Outcome outcome = mdm({"verify", sand, sizes, "--band", band});
+  CHECK(outcome.exit_code == 1);
+  CHECK(outcome.out.find("what passes 2 mm is ") != std::string::npos);
+  CHECK(outcome.out.find("; what passes 4 mm is ") != std::string::npos);
 }

@@ -9,6 +9,7 @@ memory. Exits with 77 where a reader is missing, unless MDM_REQUIRE_TOOLS is set
 import csv
 import decimal
 import io
+import json
 import os
 import pathlib
 import resource
@@ -189,6 +190,74 @@ def sheet(rows):
             "</sheetData></worksheet>")
 
 
+def cells(rows):
+    """A sheet of rows of cells: numbers, texts, True and False, or (number, index of a style)."""
+    def cell(value):
+        if isinstance(value, bool):
+            return f"<c t='b'><v>{int(value)}</v></c>"
+        if isinstance(value, str):
+            return f"<c t='inlineStr'><is><t>{value}</t></is></c>"
+        number, style = value if isinstance(value, tuple) else (value, 0)
+        return f"<c s='{style}'><v>{number}</v></c>"
+    return sheet("".join("<row>" + "".join(map(cell, row)) + "</row>" for row in rows))
+
+
+def formats(*codes):
+    """Styles 1, 2, ... with these formats."""
+    numbered = list(enumerate(codes, 200))
+    escaped = lambda code: code.replace("<", "&lt;").replace('"', "&quot;")
+    return ("<styleSheet><numFmts>" + "".join(f'<numFmt numFmtId="{i}" formatCode="{escaped(c)}"/>' for i, c in numbered) +
+            '</numFmts><cellXfs><xf numFmtId="0"/>' + "".join(f'<xf numFmtId="{i}"/>' for i, _ in numbered) +
+            "</cellXfs></styleSheet>")
+
+
+def test_cells_of_workbooks(folder):
+    """A text, a truth value and a format say what the sheet shows."""
+    header = ["Size (mm)", "Mass (g)"]
+    first = "xl/worksheets/sheet1.xml"
+    path = folder / "cells.xlsx"
+    write = lambda rows, *codes: workbook_with(path, {first: cells([header, *rows]), "xl/styles.xml": formats(*codes)})
+    table = lambda rows, *codes: converted(write(rows, *codes))
+    refused(write([[4, 0], [2, "1.250"], [1, 850]]), "the number '1.250' may have a decimal point or thousands")
+    refused(write([[4, 0], [2, "1.250"], [1, 0.5]]), "the number '1.250' may have a decimal point or thousands")
+    check(table([[4, 0], [2, "1.25"], [1, 850]]) == {D(4): D(0), D(2): D("1.25"), D(1): D(850)}, "a text with a point")
+    check(table([[4, 0], [0.5, "1,25"], [0.25, 8.5]]) == {D(4): D(0), D("0.5"): D("1.25"), D("0.25"): D("8.5")},
+          "a text with a comma beside numbers")
+    refused(write([[4, 0], [2, True], [1, 3]]), "'TRUE' in the column 'Mass (g)' is not a number")
+    refused(write([[4, 0], [True, 2], [0.5, 3]]), "'TRUE' is no sieve")
+    um = '0.0" um"'
+    check(table([[2, 0], [1.18, 2], [(75, 1), 3]], um) == {D(2): D(0), D("1.18"): D(2), D("0.075"): D(3)}, "um of a format")
+    check(table([[(2, 1), 0], [(1, 1), 2]], "0.00 \\m\\m") == {D(2): D(0), D(1): D(2)}, "mm of a format")
+    check(table([[2, 0], [1, (2.5, 1)]], '#,##0.00_-" g";-#,##0.00') == {D(2): D(0), D(1): D("2.5")}, "g of a format")
+    check(table([[2, 0], [1, (2.5, 1)]], "[Red]0.00E+00") == {D(2): D(0), D(1): D("2.5")}, "a colour")
+    refused(write([[2, 0], [1, (2.5, 1)]], '0.0"%"'), "'2.5%' has another unit than the column 'Mass (g)'")
+    refused(write([[2, 0], [(1, 1), 2]], '"<"0'), "'<1' is of what passes 1 mm, and the finest sieve is 2 mm")
+    refused(write([[2, 0], [1, (2500, 1)]], "0.0,"), "'2500 in thousands' in the column")
+    refused(write([[2, 0], [1, (2.5, 1)]], '[<1]0.0" g";0.0" kg"'), "on a condition g' in the column")
+    named = [["Sieve", "Mass (g)"], [(4, 1), 0], [(10, 1), 2]]
+    workbook_with(path, {first: cells(named), "xl/styles.xml": formats('"No. "0')})
+    check(converted(path) == {D("4.75"): D(0), D(2): D(2)}, "numbers of sieves")
+
+
+def test_sheets_have_ids(folder):
+    path = workbook_with(folder / "two.xlsx", {"xl/worksheets/sheet2.xml": cells([["Size (mm)", "Mass (g)"], [2, 0], [1, 3]])})
+    for name in ("Grain size", "Remarks"):
+        run = mdm("convert", path, "--sheet", name, "--format", "json")
+        check(f'"id": "two/{name}"' in run.stdout or f'"id":"two/{name}"' in run.stdout, f"{name}: {run.stdout}{run.stderr}")
+
+
+def test_a_batch_has_all_written_sheets(folder):
+    second = "xl/worksheets/sheet2.xml"
+    table = cells([["Size (mm)", "Mass (g)"], [2, 0], [1, 3]])
+    for rows, more, ids in ((table, [], ["two/Grain size", "two/Remarks"]), (sheet(""), [], ["two/Grain size"]),
+                            (table, ["--sheet", "Remarks"], ["two/Remarks"])):
+        run = mdm("batch", workbook_with(folder / "two.xlsx", {second: rows}), *more)
+        check([json.loads(line)["id"] for line in run.stdout.splitlines()] == ids, f"{ids}: {run.stdout}{run.stderr}")
+    run = mdm("batch", workbook_with(folder / "two.xlsx", {second: cells([["Remarks"], ["none"]])}))
+    statuses = [json.loads(line)["status"] for line in run.stdout.splitlines()]
+    check(run.returncode == 2 and statuses == ["optimal", "error"], f"a sheet of remarks: {run.stdout}{run.stderr}")
+
+
 def test_hostile_workbooks(folder):
     first = "xl/worksheets/sheet1.xml"
     cases = {
@@ -244,6 +313,9 @@ with tempfile.TemporaryDirectory() as name:
     test_instruments()
     test_ground_investigations()
     test_proofs(work)
+    test_cells_of_workbooks(work)
+    test_sheets_have_ids(work)
+    test_a_batch_has_all_written_sheets(work)
     test_hostile_workbooks(work)
     test_hostile_texts(work)
 print("failures:", len(failures))

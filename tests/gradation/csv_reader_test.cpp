@@ -67,15 +67,23 @@ TEST_CASE("CSV: semicolons with decimal commas or decimal points, not with both"
                  "sand.csv:2: the row has 3 fields, the header has 2 fields"));
 }
 
-TEST_CASE("CSV: below a sieve header, a sieve number is a row and not a comment") {
-  CHECK(
-      text(read("sieve,mass\n# 4: see the note, please\n#200,4.1\n # 3-1/2 ,1\n#4,0,1\n3/8\",0\n").sizes()) ==
-      "0.075 5.6 9.5");
-  CHECK(text(read("size_mm,mass\n#200,4.1\n1,1\n2,0\n").sizes()) == "1 2");
-  CHECK(text(read("sieve,mass\n#,4.1\n#\t4,1\n#4,\"1\"x\n1 mm,1\n2 mm,0\n").sizes()) == "1 2");
-  CHECK(contains(refusal("sieve,mass\n# 4, see the note\n1 mm,0\n"),
-                 "sand.csv:2: mass 'see the note' is not a number"));
-  CHECK(contains(refusal("sieve,mass\n#201,4.1\n1 mm,1\n2 mm,0\n"), "sand.csv:2: sieve '#201' is no sieve"));
+TEST_CASE("CSV: a number behind # may be a sieve and is refused, under every header and above it") {
+  for (const std::string header : {"size_mm", "size_um", "size_m", "size_in", "size_phi", "sieve"})
+    CHECK(contains(refusal(header + ",mass\n#4,50\n"), "sand.csv:2: '#4,50' may be a sieve or a comment: "));
+  CHECK(refusal("\n \t#4 sands\nsize_mm,mass\n1,1\n2,0\n") ==
+        "sand.csv:2: '#4 sands' may be a sieve or a comment: write '# ' before a comment, No. 4 for a sieve");
+  CHECK(contains(refusal("size_mm,mass\n1,1\n2,0\n#10*"), "sand.csv:4: '#10*' may be"));
+  CHECK(text(read("# 4 sands\nsize_mm,mass\n# 4,50\n#x 4\n#\n#-4\n1,1\n2,0\n").sizes()) == "1 2");
+}
+
+TEST_CASE("CSV: below a sieve header, blanks between # and a number make no comment of it") {
+  CHECK(refusal("sieve,mass\n# \t3-1/2,1\n") ==
+        "sand.csv:2: '# \\x093-1/2,1' may be a sieve or a comment: write No. 4 for a sieve, begin a comment "
+        "with a word");
+  CHECK(text(read("# 4 sands\nsieve,mass\n# No. 4: see the note\n\"#200\",4.1\n\" # 4 \",0\n").sizes()) ==
+        "0.075 4.75");
+  CHECK(contains(refusal("sieve,mass\n\"#201\",4.1\n1 mm,1\n2 mm,0\n"),
+                 "sand.csv:2: sieve '#201' is no sieve"));
 }
 
 TEST_CASE("CSV: quotes inside a quoted field are doubled") {
@@ -219,6 +227,11 @@ TEST_CASE("CSV: only clean UTF-8 text") {
   CHECK(
       contains(refusal("size_mm,mass\n#\xC2\x85\n1,1\n"), "sand.csv:2: the control character '\\xc2\\x85'"));
   CHECK(contains(refusal("\x89PNG\r\n\x1A\n"), "sand.csv:1: the text is not UTF-8"));
+  for (const char *mark :
+       {"\u2028", "\u2029", "\u061C", "\u200E", "\u200F", "\u202A", "\u202E", "\u2066", "\u2069"})
+    CHECK(contains(refusal("size_mm,mass\n# note" + std::string(mark) + "1,500\n1,1\n2,0\n"),
+                   "sand.csv:2: the character '\\x"));
+  CHECK(text(read("size_mm,mass\n# \u2027 \u202F \u2065 \u061B \u2070\n1,1\n2,0\n").masses()) == "1 0");
   CHECK(text(read("size_mm,mass\n# Sand \xC3\xA4 \xF0\x9F\x8F\x96\n1,1\n2,0\n").masses()) == "1 0");
 }
 

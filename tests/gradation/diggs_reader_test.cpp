@@ -47,6 +47,16 @@ TEST_CASE("DIGGS: one of several tests by its id, or that of the Test around it,
   CHECK(contains(message_of([&] { read_sample(two, "p3"); }), "'p3' does not name one specimen of"));
 }
 
+TEST_CASE("DIGGS: a second size or percentage of one Grading is refused") {
+  const std::string size = "<particleSize uom=\"mm\">2</particleSize>",
+                    passing = "<percentPassing>100</percentPassing>";
+  CHECK(contains(refusal(file(size_test("1", "<Grading>" + size + passing +
+                                                 "\n<percentPassing>50</percentPassing></Grading>"))),
+                 "sand.csv:4: a second percentPassing of the same Grading: leave one out"));
+  CHECK(contains(refusal(file(size_test("1", "<Grading>" + size + size + passing + "</Grading>"))),
+                 "a second particleSize of the same Grading"));
+}
+
 TEST_CASE("DIGGS: what is wrong is refused with its line") {
   CHECK(contains(refusal("<Diggs/>"), "sand.csv:1: this XML has no ParticleSizeTest"));
   CHECK(contains(refusal(file(size_test("1", grading("2", "100", "ft")))),

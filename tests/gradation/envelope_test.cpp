@@ -33,7 +33,7 @@ TEST_CASE("an envelope ascends by size whatever the order of its rows") {
 
 TEST_CASE("an envelope has the sizes of gradation files") {
   const Envelope names = read_envelope(
-      "\uFEFFsieve;passing_min_percent;passing_max_percent\r\n#200;0,5;3\r\n3/8 in;100;100\r\n", "x.csv");
+      "\uFEFFsieve;passing_min_percent;passing_max_percent\r\n\"#200\";0,5;3\r\n3/8 in;100;100\r\n", "x.csv");
   CHECK(names.sizes == std::vector<Rational>{ratio(3, 40), ratio(19, 2)});
   CHECK(names.passing_min[0] == ratio(1, 2));
   CHECK(read_envelope("size_um,passing_min_percent,passing_max_percent\n75,0,3\n", "x").unit == SizeUnit::um);
@@ -55,6 +55,44 @@ TEST_CASE("bounds that are no percentages, and what is no envelope, are refused 
   CHECK(contains(refusal_of("size_mm,passing_percent\n1,0\n2,100\n"), "band.csv:1: a band has the columns"));
   CHECK(contains(refusal_of("size_mm,passing_min_percent,passing_max_percent,factor\n1,0,1,1\n"),
                  "band.csv:1:"));
+}
+
+TEST_CASE("an envelope of a specification has its limits in columns of its own words") {
+  for (const std::string headers :
+       {"Sieve size (mm),Lower,Upper", "Sieve (mm),Min,Max", "Size (mm),Lower limit (%),Upper limit (%)",
+        "Opening (mm),% passing min,% passing max", "Sieve size (mm),Min. % passing,Max. % passing",
+        "size_mm,Lower,Upper", "Siebweite [mm],untere Grenze,obere Grenze", "Tamis (mm),Minimum,Maximum"}) {
+    INFO(headers);
+    const Envelope e =
+        read_envelope("Specification C33\n" + headers + "\n9.5,100,100\n1.18,50,85\n0.15,0,10\n", "x.csv");
+    CHECK(text(e.sizes) == "0.15 1.18 9.5");
+    CHECK(text(e.passing_min) == "0 50 100");
+    CHECK(text(e.passing_max) == "10 85 100");
+    CHECK(contains(e.notes.at(0), "the percent that passes from columns"));
+  }
+  const Envelope named = read_envelope("Sieve;Upper;Lower\n3/8 in.;100;100\nNo. 200;3,5;0\n", "x.csv");
+  CHECK(text(named.sizes) == "0.075 9.5");
+  CHECK(text(named.passing_max) == "3.5 100");
+}
+
+TEST_CASE("lower limits may all be 0") {
+  CHECK(text(read_envelope("Sieve (mm),Lower,Upper\n1,0,60\n0.5,0,30\n", "x.csv").passing_min) == "0 0");
+}
+
+TEST_CASE("limits that may be of something else are refused") {
+  const std::string h = "Sieve size (mm),Lower,Upper\n";
+  CHECK(contains(refusal_of(h + "1,0,1\n0.5,0,0.4\n"),
+                 "band.csv:1: no limit is above 1, so they may be fractions"));
+  CHECK(contains(refusal_of(h + "1,0,10\n0.5,5,40\n"),
+                 "band.csv:2: the limit 0 is below 5 of the next finer sieve"));
+  CHECK(contains(refusal_of(h + "1,0,101\n"), "band.csv:2: the limit 101 is no percent"));
+  CHECK(contains(refusal_of(h + "2,50,60\n1,50,\n"),
+                 "band.csv:3: the size '1' has no value in the column 'Upper'"));
+  CHECK(contains(refusal_of("Sieve size,Lower,Upper\n1,50,60\n"), "the size '1' has no unit"));
+  for (const std::string headers :
+       {"Sieve (mm),Lower (mm),Upper (mm)", "Sieve (mm),Min % retained,Max % retained",
+        "Sieve (mm),Lower,Mean", "Sieve (mm),Lower,Lower,Upper", "Sieve (mm),Lower (g),Upper (g)"})
+    CHECK(contains(refusal_of(headers + "\n1,50,60,70\n"), "band.csv:1: first column"));
 }
 
 TEST_CASE("an envelope that contradicts itself is read, and says where") {

@@ -28,7 +28,7 @@ TEST_CASE("All columns and formats give the same sizes in mm and the same shares
       "sieve,retained_fraction\n2 mm,0.5\n500 um,0.4\n4 mm,0\nPan,.1\n",
       "size_phi,passing_percent\n-2,100\n-1,50\n1,10\n",
       "size_phi,passing_fraction\n-2,1\n-1,0.5\n1,0.1\npan,0\n",
-      "sieve,cumulative_retained_percent\nNo. 5,0\n#10,50\nTyler 32 mesh,90\n",
+      "sieve,cumulative_retained_percent\nNo. 5,0\n\"#10\",50\nTyler 32 mesh,90\n",
       "{\"sizes\":[4,2,0.5,0],\"masses\":[0,5,4,1]}",
       "{\"masses\":[\"1\",\"4\",\"5\",\"0\"],\"sizes\":[\"0\",\"0.5\",\"2\",\"4\"],\"unit\":\"mm\"}",
       "\"GROUP\",\"GRAT\"\n\"HEADING\",\"LOCA_ID\",\"GRAT_SIZE\",\"GRAT_PERP\"\n\"UNIT\",\"\",\"mm\",\"%\"\n"

@@ -40,8 +40,9 @@ TEST_CASE("A German sieving: titles, semicolons, decimal commas, pan and sum") {
   CHECK(g.notes()[0] ==
         "Read as text with ; between cells: sizes from column 'Siebweite [mm]', in mm; masses from "
         "column 'Rückstand [g]': mass.");
-  CHECK(g.notes()[1] == "Columns that were not used: 'Bemerkung'; --columns chooses others.");
-  CHECK(g.notes()[2] == "Rows that are no sizes were left out: 'Summe'.");
+  CHECK(g.notes()[1] == "The rows of 'Rückstand [g]' add up to 50 as 'Summe' says.");
+  CHECK(g.notes()[2] == "Columns that were not used: 'Bemerkung'; --columns chooses others.");
+  CHECK(g.notes().size() == 3);
 }
 
 TEST_CASE("An English sieving with tabs, percent signs and quoted cells") {
@@ -83,21 +84,29 @@ TEST_CASE("A column that is named needs no known header where this has a unit of
                  "does not say what the column of sizes"));
 }
 
-TEST_CASE("Masses that never fall towards the fines get a note that they may be cumulative") {
+TEST_CASE("Masses that never fall towards the fines are cumulative, or confirmed by something else") {
   const std::string rows = "\n4,0\n2,5\n1,9\n0.5,20\n0.25,31\n0.125,40\n";
-  CHECK(
-      has_note(read("Opening (mm),Retained (g)" + rows),
-               "No sieve retains less than the next coarser one: if 'Retained (g)' is cumulative, say --kind "
-               "cumulative."));
+  CHECK(contains(
+      refusal("Opening (mm),Retained (g)" + rows),
+      "no sieve retains less than the next coarser one, as in a cumulative column: say --kind cumulative if "
+      "'Retained (g)' is one, else --kind retained"));
+  CHECK(text(read("Opening (mm),Retained (g)" + rows + "Total,105\n").masses()) == "40 31 20 9 5 0");
   CHECK(read("Opening (mm),Retained (g)\n4,0\n2,5\n1,9\n0.5,20\n0.25,31\n0.125,30\n").notes().size() == 1);
+}
+
+TEST_CASE("A name and an opening of one row are of one sieve") {
+  CHECK(text(read("Sieve,Opening (mm),Retained (g)\n1/2 in,12.7,0\nNo. 4,4.76,3\nNo. 200,0.074,1\n")
+                 .masses()) == "1 3 0");
+  CHECK(contains(
+      refusal("Sieve,Opening (mm),Retained (g)\nNo. 4,4.75,0\nNo. 200,0.106,1\n"),
+      "sand.csv:3: 'No. 200' in the column 'Sieve' is another sieve than '0.106' in 'Opening (mm)'"));
 }
 
 TEST_CASE("Of several columns mass retained comes first, and the note names the others") {
   const Gradation g = read("Sieve,Opening (mm),Retained (g),% retained,% passing\nNo. 4,4.75,0,0,100\n"
                            "No. 200,0.075,30,60,40\nPan,,20,40,\n");
   CHECK(text(g.masses()) == "20 30 0");
-  CHECK(has_note(
-      g, "Columns that were not used: 'Sieve', '% retained', '% passing'; --columns chooses others."));
+  CHECK(has_note(g, "Columns that were not used: 'Sieve'; --columns chooses others."));
   CHECK(text(read_with("Opening (mm),Retained (g),% passing\n4.75,0,100\n0.075,30,40\n", columns("1,3"))
                  .masses()) == "40 60 0");
   CHECK(contains(refusal("Size (mm),Passing (%),Finer (%)\n1,100,100\n0.5,3,4\n"),
@@ -185,7 +194,8 @@ TEST_CASE("Options that do not serve are refused") {
 TEST_CASE("Rows that are wrong are refused with their line and what to do") {
   const std::string head = "Size (mm),Mass (g)\n4,0\n";
   CHECK(contains(refusal(head + "<0.1,5\n"),
-                 "sand.csv:3: the size '<0.1' is a range: write pan for what passes"));
+                 "sand.csv:3: the row '<0.1' is of what passes 0.1 mm, and the finest sieve is 4 mm"));
+  CHECK(contains(refusal(head + ">0.1,5\n"), "sand.csv:3: the size '>0.1' is a range"));
   CHECK(contains(refusal(head + "1,\n"),
                  "sand.csv:3: the size '1' has no value in the column 'Mass (g)': write 0"));
   CHECK(
@@ -213,7 +223,7 @@ TEST_CASE("A table of something else below is not taken for a part of the curve"
 
 TEST_CASE("Below an empty row, too, nothing that looks like a size is left") {
   const std::string table = "Size (mm),Mass (g)\n2,0\n1,5\n\n";
-  CHECK(contains(refusal(table + "<0.063,2\n"), "sand.csv:5: the size '<0.063' is a range"));
+  CHECK(contains(refusal(table + "<0.063,2\n"), "sand.csv:5: the row '<0.063' is of what passes 0.063 mm"));
   CHECK(contains(refusal(table + "0.02*,2\n"), "sand.csv:5: '0.02*' is no sieve"));
 }
 
@@ -224,15 +234,26 @@ TEST_CASE("Cumulative masses are rounded before they are taken apart") {
         "90 10 0");
 }
 
+TEST_CASE("Grams and kilograms do not go together") {
+  CHECK(contains(refusal("Size (mm),Mass (g)\n2,0\n1,1.2 kg\n0.5,300 g\n"),
+                 "sand.csv:3: '1.2 kg' is in another unit of mass than the column 'Mass (g)'"));
+  CHECK(contains(refusal("Size (mm),Mass\n2,0\n1,1.2 kg\n0.5,300 g\n"),
+                 "sand.csv:4: '300 g' is in another unit"));
+  CHECK(text(read("Size (mm),Mass (kg)\n2,0\n1,1.2 kg\n0.5,3 kg\n").masses()) == "3 1.2 0");
+}
+
 TEST_CASE("Values with and without a unit do not go together") {
   CHECK(contains(refusal("Size (mm),Retained\n2,0\n1,0.45\n0.5,55%\n"),
                  "sand.csv:4: some values in the column"));
   CHECK(text(read("Size (mm),Retained\n2,0\n1,45%\n0.5,55%\n").masses()) == "55 45 0");
 }
 
-TEST_CASE("A total that the rows do not add up to is noted") {
-  CHECK(has_note(read("Size (mm),Mass (g)\n2,0\n1,5\nTotal,6\n"),
-                 "The file's total is 6, the rows add up to 5"));
+TEST_CASE("A total that the rows do not add up to is noted, or refused") {
+  CHECK(has_note(
+      read("Size (mm),Mass (g)\n2,0\n1,500.0\nTotal,501.0\n"),
+      "The rows of 'Mass (g)' add up to 500, 'Total' says 501: 0.2 percent less; the rows are used."));
+  CHECK(contains(refusal("Size (mm),Mass (g)\n2,0\n1,5.0\nTotal,6.0\n"),
+                 "the rows of 'Mass (g)' add up to 5, and 'Total' says 6"));
 }
 
 TEST_CASE("Latin-1 and UTF-16 are read, and mdm-check reads neither") {
@@ -262,4 +283,133 @@ TEST_CASE("Rounding takes the masses before anything else") {
       "add a row for a larger sieve with fraction passing 1, or take all values to 15 digits with --round "
       "15"));
   CHECK(contains(refusal("size_mm,passing_percent\n1,50\n2,99.99\n"), "--round 3"));
+}
+
+TEST_CASE("An option that says otherwise than the header is refused") {
+  Reading um, mm, passing, cumulative, percent, sieve;
+  um.unit = "um";
+  mm.unit = "mm";
+  sieve.unit = "sieve";
+  passing.kind = "passing";
+  cumulative.kind = "cumulative";
+  percent.kind = "retained_percent";
+  const std::string rows = "\n2,0\n1,60\n0.5,40\n";
+  for (const std::string header :
+       {"Size (mm),Mass (g)", "size_mm,mass", "Siebweite in mm,Masse", "sieve (mm),retained_g"}) {
+    CHECK(contains(refusal_with(header + rows, um), "sand.csv:1: --unit um: the column"));
+    CHECK(contains(refusal_with(header + rows, um), "is in mm: leave the option out"));
+    CHECK(text(read_with(header + rows, mm).masses()) == "40 60 0");
+  }
+  CHECK(contains(refusal_with("size_um,mass" + rows, mm), "--unit mm: the column 'size_um' is in um"));
+  CHECK(contains(refusal_with("size_in,mass" + rows, mm), "--unit mm: the column 'size_in' is in in"));
+  CHECK(contains(refusal_with("Size (mm),Mass (g)" + rows, sieve), "--unit sieve: the column"));
+  CHECK(contains(refusal_with("Size,Mass\nmm,g" + rows, um), "is in mm: leave the option out"));
+  CHECK(contains(refusal_with("Size (mm),Mass (g)" + rows, passing),
+                 "sand.csv:1: --kind passing: the column 'Mass (g)' is what each sieve retains, in a mass"));
+  CHECK(contains(refusal_with("size_mm,mass" + rows, passing), "--kind passing: the column 'mass'"));
+  CHECK(contains(refusal_with("Size (mm),Mass (g)" + rows, percent), "--kind retained_percent"));
+  CHECK(contains(refusal_with("Size (mm),Individual retained (g)" + rows, cumulative), "--kind cumulative"));
+  CHECK(contains(refusal_with("Size (mm),Foo (g)" + rows, percent), "--kind retained_percent"));
+  CHECK(text(read_with("Size (mm),Retained (g)\n2,0\n1,40\n0.5,60\n", cumulative).masses()) == "20 40 0");
+  CHECK(text(read_with("Size (mm),Retained (g),Note\n2,0,a\n1,40,b\n0.5,60,c\n", cumulative).masses()) ==
+        "20 40 0");
+  Reading named = columns("D [mm],Foo");
+  named.unit = "um";
+  named.kind = "mass";
+  CHECK(contains(refusal_with("D [mm],Foo" + rows, named), "--unit um: the column 'D [mm]' is in mm"));
+}
+
+TEST_CASE("A row of units that says otherwise than the header is refused") {
+  CHECK(contains(refusal("Size (mm),Mass (g)\num,\n2,0\n1,60\n"),
+                 "sand.csv:2: below the header 'Size (mm)' stands 'um', which is another unit"));
+  CHECK(text(read("Size (mm),Mass (g)\nmm,g\n2,0\n1,60\n").masses()) == "60 0");
+}
+
+TEST_CASE("Micrometres below millimetres in one column are refused, with a hint") {
+  const std::string hint = "if some are um and others mm, write the unit behind each";
+  CHECK(contains(refusal("BS test sieve (mm),Mass retained (g)\n2,0\n1.18,5\n600,9\n300,20\n63,8\npan,1\n"),
+                 "sand.csv:4: the sizes 1.18 and 600 follow each other in the column 'BS test sieve (mm)': " +
+                     hint));
+  CHECK(contains(refusal("Size (mm),Mass (g)\n63,1\n600,8\n1.18,20\n2,0\n"), hint));
+  CHECK(text(read("BS test sieve (mm),Mass retained (g)\n2,0\n1.18,5\n600 um,9\n63 \u00B5m,8\n").sizes()) ==
+        "0.063 0.6 1.18 2");
+  CHECK(text(read("Size (mm),Mass (g)\n1,5\n4,0\n2,3\n0.5,1\n").sizes()) == "0.5 1 2 4");
+  CHECK(text(read("Size (mm),Mass (g)\n31.5,5\n63,0\n16,3\n").sizes()) == "16 31.5 63");
+  CHECK(text(read("Size (mm),Mass (g)\n63,0\n31.5,3\n2,4\n1,5\n").sizes()) == "1 2 31.5 63");
+}
+
+TEST_CASE("Ranges of sizes hold what their lower sieve retains") {
+  const std::string h = "Sieve size (mm),Mass retained (g)\n";
+  for (const std::string rows :
+       {"4.75-2.36,10\n2.36-1.18,20\nPan,5\n", "2.36 - 4.75,10\n1.18 - 2.36,20\npan,5\n",
+        "4.75 mm - 2.36 mm,10\n2.36 to 1.18 mm,20\n0-1.18,5\n",
+        "4.75,0\n4.75\u20132.36,10\n2.36\u20131.18,20\npan,5\n"}) {
+    INFO(rows);
+    const Gradation g = read(h + rows);
+    CHECK(text(g.sizes()) == "0 1.18 2.36 4.75");
+    CHECK(text(g.masses()) == "5 20 10 0");
+    CHECK(has_note(g, "Sizes are ranges: each mass stays on the lower sieve."));
+  }
+  CHECK(contains(refusal(h + "4.75-2.36,10\n2-1.18,20\n"),
+                 "the range from 2.36 does not begin where the next finer one ends, at 2"));
+  CHECK(contains(refusal(h + "4.75-2.36,10\n1.18,20\n"), "some sizes are ranges and this is none"));
+  CHECK(contains(refusal("Sieve size (mm),% passing\n4.75-2.36,100\n2.36-1.18,20\n"),
+                 "the sizes are ranges, but the values"));
+  CHECK(contains(refusal("Siebweite (\u00B5m);Masse (g)\n4.750-2.360;10\n2.360-1.180;20\n"),
+                 "may have a decimal point or thousands"));
+  CHECK(text(read("Sieve,Mass (g)\nNo. 3-1/2,0\n#4,3\n").sizes()) == "4.75 5.6");
+}
+
+TEST_CASE("A table with its sieves in a row") {
+  const Gradation g =
+      read("Sample 7\nSieve size (mm),4.75,2.36,1.18,Pan\nMass retained (g),0,10,20.5,5\nNote,a\n");
+  CHECK(text(g.sizes()) == "0 1.18 2.36 4.75");
+  CHECK(text(g.masses()) == "5 20.5 10 0");
+  CHECK(has_note(
+      g, "Read as text with , between cells, sieves in a row: sizes from column 'Sieve size (mm)', in mm"));
+  CHECK(text(read("Siebweite;mm;2,0;0,63;0,063\nDurchgang;%;100;40,5;3\n").masses()) == "3 37.5 59.5 0");
+  CHECK(contains(
+      refusal("Sieve size (mm),4.75,2.36\nMass retained (g),0,10\nSieve size (mm),1.18,0.6\nMass (g),3,4\n"),
+      "sand.csv:1: the columns 'Sieve size (mm)' and 'Sieve size (mm)' have one meaning"));
+  CHECK(contains(refusal("Sieve size (mm),4.75,2.36\nMass retained (g),0,10,20\n"),
+                 "sand.csv:1: '' is no sieve"));
+  CHECK(contains(refusal("Sieve size,4.75,2.36\nMass retained (g),0,10\n"), "the size '4.75' has no unit"));
+}
+
+TEST_CASE("Names of sieves as laboratories spell them") {
+  const Gradation g = read("Sieve,Mass retained (g)\n1-in.,0\n3/4-in.,1\n\"3/8\"\"\",2\nNo. 4 "
+                           "(4.75mm),3\nNo.10,5\n75 microns,4\n");
+  CHECK(text(g.sizes()) == "0.075 2 4.75 9.5 19 25");
+  CHECK(contains(refusal("Sieve,Mass retained (g)\n1-in.,0\nNo. 4 (2 mm),1\n"), "sand.csv:3: the names in"));
+}
+
+TEST_CASE("Masses under Ri that never fall may be cumulative") {
+  const std::string h = "Sieve size (mm),Ri (g)\n4,0\n";
+  CHECK(text(read(h + "2,10\n1,30\n0.5,20\n").masses()) == "20 30 10 0");
+  CHECK(contains(refusal(h + "2,10\n1,30\n0.5,40\n"), "say --kind retained or --kind cumulative"));
+  Reading retained;
+  retained.kind = "retained";
+  CHECK(text(read_with(h + "2,10\n1,30\n0.5,40\n", retained).masses()) == "40 30 10 0");
+}
+
+TEST_CASE("A header of mm above sieves in um is refused, unless --unit mm says it is right") {
+  const std::string sheet = "Sieve size (mm),Mass retained (g)\n600,0\n300,10\n63,20\nPan,5\n";
+  CHECK(
+      contains(refusal(sheet), "sand.csv:2: the column 'Sieve size (mm)' is in mm, and its sizes are those"));
+  Reading mm;
+  mm.unit = "mm";
+  CHECK(text(read_with(sheet, mm).sizes()) == "0 63 300 600");
+  CHECK(text(read("Sieve size (mm),Mass retained (g)\n300,0\n75,10\n4.75,20\nPan,5\n").sizes()) ==
+        "0 4.75 75 300");
+}
+
+TEST_CASE("A second column of the same words is another sample, and must be chosen") {
+  const auto sheet = [](const std::string &headers) {
+    return "Sieve size (mm)," + headers + "\n2,100,100\n1,50,40\n0.5,10,5\n";
+  };
+  for (const char *headers :
+       {"% passing A,% passing B", "% passing,% passing B", "% passing,BH2 3.5 m % passing"})
+    CHECK(contains(refusal(sheet(headers)), "may be of two samples"));
+  CHECK(text(read_with(sheet("% passing,% passing B"), columns("1,2")).masses()) == "10 40 50 0");
+  CHECK(text(read(sheet("% passing,Min % passing")).masses()) == "10 40 50 0");
 }

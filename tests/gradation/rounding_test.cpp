@@ -20,7 +20,7 @@ const std::vector<Rounding> roundings = {
     {"PhiReading::rounded", {"cli/convert.cpp", "gradation/csv_reader.cpp"}, "mdm convert alone asks for it"},
     {"phi_size(",
      {"gradation/phi.hpp", "gradation/phi.cpp", "gradation/csv_rows.cpp", "gradation/envelope.cpp",
-      "gradation/lab_table.cpp", "gradation/sieve_series.cpp"},
+      "gradation/row_sizes.cpp", "gradation/sieve_series.cpp"},
      "whole phi, what mdm convert writes, the remedy in a message, and generated sieves"},
     {"nearest_decimal(",
      {"gradation/root_size.hpp", "gradation/root_size.cpp", "gradation/shown.cpp"},
@@ -40,7 +40,7 @@ const std::vector<Rounding> roundings = {
       "packing/apollonian_walk.hpp", "packing/lattice.cpp", "particles/gsd_writer.cpp",
       "particles/material_table.cpp", "particles/mixed_placement.cpp", "particles/model_lammps.cpp",
       "particles/model_liggghts.cpp", "particles/model_yade.cpp", "particles/settle_model.cpp",
-      "particles/settle_script.cpp", "plot/gradation_figure.cpp", "plot/drawing.hpp",
+      "particles/settle_script.cpp", "plot/gradation_figure.cpp", "plot/ranges.hpp",
       "plot/tradeoff_figure.cpp"},
      "lengths of boxes, times, forces and materials in engines, and pictures; bounds of packings, and what "
      "steers "
@@ -52,7 +52,7 @@ const std::vector<Rounding> roundings = {
     {"mpz_get_d(", {"match/sweep_problem.cpp"}, "bounds of the sweep, with an exact fallback"},
     {"to_double(",
      {"match/sweep_problem.hpp", "match/sweep_problem.cpp", "match/least_match.cpp", "number/int128.hpp",
-      "papers/accessible_report.cpp", "papers/packing_figures.cpp", "plot/drawing.hpp",
+      "papers/accessible_report.cpp", "papers/packing_figures.cpp", "plot/ranges.hpp",
       "papers/paper_figures.cpp", "papers/size_model_figures.cpp"},
      "bounds of the sweep, with an exact fallback, and pictures"},
     {"strtod(",

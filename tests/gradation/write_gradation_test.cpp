@@ -8,7 +8,7 @@ const Reading rounded_phi{.phi = PhiReading::rounded};
 } // namespace
 
 TEST_CASE("Canonical CSV and JSON") {
-  const Gradation g = read("sieve,passing_percent\nNo. 4,100\n#200,4.10\n");
+  const Gradation g = read("sieve,passing_percent\nNo. 4,100\n\"#200\",4.10\n");
   CHECK(gradation_csv(g) == "size_mm,mass\n0,4.1\n0.075,95.9\n4.75,0\n");
   CHECK(gradation_json(g) ==
         "{\"id\": \"sand\", \"unit\": \"mm\", \"sizes\": [\"0\", \"0.075\", \"4.75\"], \"masses\": [\"4.1\", "

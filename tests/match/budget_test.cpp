@@ -2,6 +2,7 @@
 #include "match/brute_force.hpp"
 #include "plain_gradation.hpp"
 
+#include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/budget.hpp>
 
 using namespace mdm;
@@ -40,15 +41,16 @@ TEST_CASE("the tolerance of a budget is the first on the grid that suffices") {
     const BudgetMatch found = solve_within_budget(g, question, budget);
     const MatchBudget &known = found.match.budget.value();
     CHECK(known.is_decided);
+    const Rational widest = budget.kind == Kind::total ? 200 : 100;
     std::optional<Rational> first, before;
     for (Rational percent = 0;; percent += budget.grid) {
-      const Rational cut = std::min(percent, Rational(100));
+      const Rational cut = std::min(percent, widest);
       if (suffices(g, question, budget, cut)) {
         first = cut;
         break;
       }
       before = cut;
-      if (cut == 100)
+      if (cut == widest)
         break;
     }
     CHECK(known.tolerance == first);
@@ -71,6 +73,21 @@ TEST_CASE("the tolerance of a budget is the first on the grid that suffices") {
   CHECK(none >= 5);
   CHECK(exact >= 5);
   CHECK(between >= 50);
+}
+
+TEST_CASE("a sum of deviations may need more than 100 points") {
+  const Gradation g = gradation_of({"1", "4", "5.5", "7.5", "9.5"}, {"1000000", "18", "19", "3", "0"});
+  Question question;
+  question.min_per_class = 1;
+  question.law = {2, 1};
+  const BudgetMatch found = solve_within_budget(g, question, {4, Kind::total});
+  const MatchBudget &known = found.match.budget.value();
+  REQUIRE(known.tolerance.has_value());
+  CHECK(*known.tolerance > 100);
+  CHECK(*known.tolerance < 200);
+  CHECK(known.is_decided);
+  CHECK(*found.match.particles() == 4);
+  CHECK(solve_within_budget(g, question, {3, Kind::total}).match.status == Status::none);
 }
 
 TEST_CASE("the step from 10 to 10.001 percentage points can be the one that matters") {

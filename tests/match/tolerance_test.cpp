@@ -56,6 +56,7 @@ TEST_CASE("a tolerance is read with its unit") {
   CHECK(parse_tolerance("retained:1%") == AskedTolerance{Kind::retained, 1});
   CHECK(parse_tolerance("passing:0.5%") == AskedTolerance{Kind::passing, ratio(1, 2)});
   CHECK(parse_tolerance("total:100%") == AskedTolerance{Kind::total, 100});
+  CHECK(parse_tolerance("total:200%") == AskedTolerance{Kind::total, 200});
   CHECK(parse_tolerance("retained:0%") == AskedTolerance{Kind::retained, 0});
   CHECK(parse_tolerance("retained:1e-2%") == AskedTolerance{Kind::retained, ratio(1, 100)});
   for (const char *words : {"retained:file", "passing:file", "laboratory", "rounding", "retained:0.25%"})
@@ -66,6 +67,7 @@ TEST_CASE("a tolerance without a word is of what is retained, and its sign may b
   CHECK(parse_tolerance("1%") == AskedTolerance{Kind::retained, 1});
   CHECK(parse_tolerance("0.5") == AskedTolerance{Kind::retained, ratio(1, 2)});
   CHECK(parse_tolerance("passing:1") == AskedTolerance{Kind::passing, 1});
+  CHECK(parse_tolerance("2_0e-1") == AskedTolerance{Kind::retained, 2});
   CHECK(parse_tolerance("file") == AskedTolerance{Kind::retained_file, 0});
 }
 
@@ -77,6 +79,8 @@ TEST_CASE("what is no tolerance is refused with what to write") {
   CHECK(contains(refusal_of("1 %"), "is no tolerance"));
   CHECK(contains(refusal_of("retained:-1%"), "is not between 0 and 100"));
   CHECK(contains(refusal_of("passing:100.1%"), "is not between 0 and 100"));
+  CHECK(contains(refusal_of("total:200.1%"), "is not between 0 and 200"));
+  CHECK(contains(refusal_of("200.1%"), "is not between 0 and 100"));
   CHECK(contains(refusal_of("retained:nan%"), "is no tolerance"));
   CHECK(contains(refusal_of("retained:%"), "is no tolerance"));
   CHECK(contains(refusal_of("retained:1%%"), "is no tolerance"));

@@ -7,6 +7,8 @@
 
 #include <mdm/match/solve.hpp>
 
+#include <ctime>
+
 using namespace mdm;
 using namespace tolerant_twins;
 
@@ -200,6 +202,27 @@ TEST_CASE("a tolerance of nothing needs no search, however many classes there ar
     CHECK(refutes(twins, again));
     CHECK(TreeReader(twins, std::get<Tree>(*m.evidence()), *m.particles()).holds());
   }
+}
+
+TEST_CASE("the time for many classes grows as their number") {
+  const auto seconds = [](int classes) {
+    std::vector<Rational> sizes = {1}, masses;
+    for (int j = 1; j <= classes; ++j) {
+      sizes.emplace_back(j + 1);
+      masses.emplace_back(1 + j % 7);
+    }
+    masses.emplace_back(0);
+    Question question;
+    question.tolerances = {{AskedTolerance::Kind::retained, 1}};
+    const std::clock_t start = std::clock();
+    SolveOptions options;
+    options.limits.max_steps = 100;
+    options.limits.node_limit = 0;
+    CHECK_FALSE(solve(gradation(sizes, masses), question, options).complete);
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  };
+  const double once = seconds(4000);
+  CHECK(seconds(32000) < 24 * once + 1); // the square is 64
 }
 
 TEST_CASE("a deadline ends a search before its first node is done") {

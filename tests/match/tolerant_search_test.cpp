@@ -5,22 +5,31 @@
 using namespace mdm;
 using namespace tolerant_twins;
 
-TEST_CASE("a search without the chain's bounds has the least number of enumeration, and proves it") {
-  std::mt19937_64 random(48);
+namespace {
+
+struct Counts {
   int decided = 0, split = 0;
-  for (int i = 0; i < 800; ++i) {
+};
+
+/// Searches random problems, by windows from a mass on if that is given.
+Counts search_all(unsigned seed, int problems, const std::optional<Rational> &mass) {
+  std::mt19937_64 random(seed);
+  int decided = 0, split = 0;
+  for (int i = 0; i < problems; ++i) {
     const Twins twins = random_twins(random, i % 4 == 0 ? 4 : 3);
     const ShareClosure shares(twins.problem);
     if (shares.contradicts())
       continue;
-    CountBounds bounds;
-    for (std::size_t j = 0; j < twins.problem.classes(); ++j)
-      bounds.classes.push_back({twins.problem.least(j), std::nullopt});
     std::optional<TolerantMatch> best;
-    TolerantSearch search(twins.problem, shares, bounds, 0, nullptr, best, {}, {});
+    Limits limits;
+    limits.node_limit = 5000;
+    TolerantSearch search(twins.problem, shares, least_counts(twins.problem), 0, nullptr, best, limits, {},
+                          mass);
     search.run();
     INFO("problem " << i);
-    REQUIRE(search.is_complete());
+    CHECK(search.is_complete());
+    if (!search.is_complete())
+      continue;
     split += search.nodes() > 1 ? 1 : 0;
     const int limit = twins.brute.classes.size() == 4 ? 7 : 11;
     const std::optional<int> least = tolerant_brute::least_particles(twins.brute, limit);
@@ -36,6 +45,25 @@ TEST_CASE("a search without the chain's bounds has the least number of enumerati
     CHECK((least ? n == *least : n > limit));
     decided += least ? 1 : 0;
   }
-  CHECK(decided >= 650);
-  CHECK(split >= 200);
+  return {decided, split};
+}
+
+} // namespace
+
+TEST_CASE("a search without the chain's bounds has the least number of enumeration, and proves it") {
+  const Counts found = search_all(48, 800, std::nullopt);
+  CHECK(found.decided >= 650);
+  CHECK(found.split >= 200);
+}
+
+TEST_CASE("a search by windows of the mass has the least number of enumeration, and proves it") {
+  for (const Rational &mass : {Rational(1), ratio(1, 7), Rational(400)}) {
+    const Counts found = search_all(49, 300, mass);
+    CHECK(found.decided >= 240);
+    CHECK(found.split >= 75);
+  }
+}
+
+TEST_CASE("searches by windows of ten thousand problems agree with enumeration", "[.long]") {
+  CHECK(search_all(50, 10000, Rational(1)).decided >= 8000);
 }

@@ -162,8 +162,12 @@ private:
     if (next_ == tree_.size())
       return false;
     const TreeNode &node = tree_[next_++];
-    if (!node.leaf.empty())
+    if (node.is_window)
+      return is_without_match(node.leaf);
+    if (!node.is_split())
       return is_contradiction(node.leaf);
+    if (node.mass)
+      return windows(*node.mass / twins_.problem.unit());
     const std::optional<Integer> most = most_of(node.i, node.j);
     const Integer least = least_of(node.i, node.j);
     most_of(node.i, node.j) = node.v - 1;
@@ -174,6 +178,167 @@ private:
     const bool second = subtree();
     least_of(node.i, node.j) = least;
     return second;
+  }
+
+  /// Both cases of a split of M.
+  bool windows(const Rational &mass) {
+    const Rational above = above_;
+    const std::optional<Rational> up_to = up_to_;
+    up_to_ = up_to ? std::min(*up_to, mass) : mass;
+    if (!subtree())
+      return false;
+    up_to_ = up_to;
+    above_ = std::max(above, mass);
+    const bool second = subtree();
+    above_ = above;
+    return second;
+  }
+
+  /// The sum of a window's conditions: sum (c_j y_j + e_j q_j) - mu sum (y_j - g_j)^+ >= right.
+  struct WindowSum {
+    std::vector<Rational> c, e;
+    Rational mu = 0, right = 0;
+  };
+
+  WindowSum window_sum(const std::vector<Multiple> &leaf) const {
+    const tolerant_brute::Problem &problem = twins_.brute;
+    WindowSum sum{std::vector<Rational>(k_), std::vector<Rational>(k_)};
+    for (const Multiple &m : leaf) {
+      const Rational n(m.multiplier);
+      const auto shares = [&](std::size_t last, const Rational &by, const Rational &right) {
+        for (std::size_t j = 0; j <= last; ++j)
+          sum.c[j] += by;
+        sum.right += by * right;
+      };
+      const auto counts = [&](const Rational &by, const Rational &right) {
+        for (Rational &e : sum.e)
+          e += by;
+        sum.right += by * right;
+      };
+      switch (m.condition) {
+      case TolerantCondition::whole_lo:
+        shares(k_ - 1, n, 1);
+        break;
+      case TolerantCondition::whole_hi:
+        shares(k_ - 1, -n, 1);
+        break;
+      case TolerantCondition::passing_lo:
+        shares(m.j, n, problem.tolerance.passing.empty() ? Rational(0) : problem.tolerance.passing[m.j].lo);
+        break;
+      case TolerantCondition::passing_hi:
+        shares(m.j, -n, problem.tolerance.passing.empty() ? Rational(1) : problem.tolerance.passing[m.j].hi);
+        break;
+      case TolerantCondition::excess_total:
+        sum.mu += n;
+        sum.right -= n * problem.tolerance.total.value() / 2;
+        break;
+      case TolerantCondition::weight:
+        for (std::size_t j = 0; j < k_; ++j)
+          sum.c[j] += n / problem.classes[j].factor;
+        if (up_to_)
+          sum.right += n * problem.demands.weight.value() / *up_to_;
+        break;
+      case TolerantCondition::at_least:
+        counts(n, Rational(std::max(problem.demands.at_least, Integer(1))));
+        break;
+      case TolerantCondition::fewer:
+        counts(-n, Rational(Integer(n_.value() - 1)));
+        break;
+      default:
+        FAIL("a condition of leaves in a window");
+      }
+    }
+    return sum;
+  }
+
+  /// Bounds on the shares of single classes, one after the other from both ends.
+  std::vector<ShareBounds> single_shares() const {
+    const tolerant_brute::Problem &problem = twins_.brute;
+    const Rational half = problem.tolerance.total.value_or(Rational(2)) / 2;
+    std::vector<ShareBounds> of(k_), sums(k_ + 1);
+    sums[0] = {0, 0};
+    Rational target = 0;
+    for (std::size_t j = 0; j < k_; ++j) {
+      target += problem.target[j];
+      if (!problem.tolerance.retained.empty())
+        of[j] = problem.tolerance.retained[j];
+      if (!problem.tolerance.passing.empty())
+        sums[j + 1] = problem.tolerance.passing[j];
+      of[j] = {std::max(of[j].lo, Rational(problem.target[j] - half)),
+               std::min(of[j].hi, Rational(problem.target[j] + half))};
+      sums[j + 1] = {std::max(sums[j + 1].lo, Rational(target - half)),
+                     std::min(sums[j + 1].hi, Rational(target + half))};
+    }
+    sums[k_] = {1, 1};
+    for (std::size_t j = 0; j < k_; ++j)
+      sums[j + 1] = {std::max(sums[j + 1].lo, Rational(sums[j].lo + of[j].lo)),
+                     std::min(sums[j + 1].hi, Rational(sums[j].hi + of[j].hi))};
+    for (std::size_t j = k_; j-- > 1;)
+      sums[j] = {std::max(sums[j].lo, Rational(sums[j + 1].lo - of[j].hi)),
+                 std::min(sums[j].hi, Rational(sums[j + 1].hi - of[j].lo))};
+    for (std::size_t j = 0; j < k_; ++j)
+      of[j] = {std::max(of[j].lo, Rational(sums[j + 1].lo - sums[j].hi)),
+               std::min(of[j].hi, Rational(sums[j + 1].hi - sums[j].lo))};
+    return of;
+  }
+
+  /// Tries all counts that a class can have, up to some beyond which its ends are constant or its value
+  /// falls.
+  bool is_without_match(const std::vector<Multiple> &leaf) {
+    const WindowSum sum = window_sum(leaf);
+    const std::vector<ShareBounds> shares = single_shares();
+    Rational greatest = 0;
+    bool is_reached = true;
+    for (std::size_t j = 0; j < k_; ++j) {
+      const tolerant_brute::Class &c = twins_.brute.classes[j];
+      const Rational &l = shares[j].lo, &h = shares[j].hi, &g = twins_.brute.target[j];
+      const Rational fall = up_to_ ? c.f / *up_to_ : Rational(0),
+                     rise = above_ > 0 ? c.F / above_ : Rational(0);
+      Integer q = least_[j], last = most_[j].value_or(Integer(-1));
+      if (h <= 0)
+        last = 0;
+      std::optional<Rational> best;
+      bool has_best = false, had_points = false;
+      const int beyond = 3;
+      for (int constant = 0; last < 0 || q <= last; ++q) {
+        const bool is_above = q >= 1 && fall > 0 && q * fall >= h;
+        const bool is_below = l > 0 && (q == 0 || (rise > 0 && q * rise <= l));
+        if (is_above)
+          break;
+        if (is_below)
+          continue;
+        had_points = true;
+        const Rational low = q == 0 ? Rational(0) : std::max(l, Rational(q * fall));
+        const Rational high = q == 0 ? Rational(0) : rise > 0 ? std::min(h, Rational(q * rise)) : h;
+        const bool low_is_open = q >= 1 && q * fall >= l, high_is_open = q >= 1 && rise > 0 && q * rise <= h;
+        const auto see = [&](const Rational &y, bool is_in) {
+          const Rational value =
+              sum.c[j] * y + sum.e[j] * Rational(q) - sum.mu * std::max(Rational(0), Rational(y - g));
+          has_best = best && value == *best ? has_best || is_in : !best || value > *best ? is_in : has_best;
+          best = best ? std::max(*best, value) : value;
+        };
+        see(low, !low_is_open);
+        see(high, !high_is_open);
+        if (low < g && g < high)
+          see(g, true);
+        if (low < high)
+          see((low + high) / 2, true);
+        if (low < g && low < high)
+          see((low + std::min(g, high)) / 2, true);
+        if (high > g && low < high)
+          see((high + std::max(g, low)) / 2, true);
+        if (last < 0 && fall == 0 && (rise == 0 || q * rise > h) && q >= 1 && ++constant > beyond) {
+          if (sum.e[j] > 0)
+            return false;
+          break;
+        }
+      }
+      if (!had_points)
+        return true;
+      greatest += *best;
+      is_reached = is_reached && has_best;
+    }
+    return greatest < sum.right || (greatest == sum.right && !is_reached);
   }
 
   bool is_contradiction(const std::vector<Multiple> &leaf) {
@@ -291,6 +456,9 @@ private:
         q(j) -= n;
       right_ -= n * Rational(Integer(n_.value() - 1));
       break;
+    case TolerantCondition::whole_lo:
+    case TolerantCondition::whole_hi:
+      FAIL("a condition of windows in a leaf");
     }
   }
 
@@ -302,6 +470,8 @@ private:
   std::vector<std::optional<Integer>> most_;
   std::map<std::pair<std::size_t, std::size_t>, Integer> least_sum_; ///< of classes i to j, i < j
   std::map<std::pair<std::size_t, std::size_t>, std::optional<Integer>> most_sum_;
+  Rational above_ = 0; ///< the window of M, in the gradation's masses
+  std::optional<Rational> up_to_;
   std::vector<Rational> left_; ///< coefficients of q, t and p
   Rational right_;
   std::size_t next_ = 0;

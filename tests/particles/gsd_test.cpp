@@ -49,7 +49,8 @@ public:
     names.resize(64 * 16);
     const std::uint64_t index = 256 + names.size(), entries = chunks_.size() + 2;
     std::string head = bytes<std::uint64_t>({0x65DF65DF65DF65DF, index, entries, 256, 16}) +
-                       bytes<std::uint32_t>({0x10004, version_ << 16U});
+                       bytes<std::uint32_t>({schema_version, version_ << 16U}) + std::string(64, '\0') +
+                       schema;
     head.resize(256);
     head += names;
     std::string numbers;
@@ -62,6 +63,9 @@ public:
     head.resize(index + 32 * entries);
     return head + numbers;
   }
+
+  std::string schema = "hoomd";
+  std::uint32_t schema_version = 0x10004;
 
 private:
   struct Chunk {
@@ -167,6 +171,30 @@ TEST_CASE("GSD: a damaged file is refused") {
                                  .chunk<float>(0, "particles/diameter", f32, UINT32_MAX, 1, {1})
                                  .text()),
                  "the file ends before what its index names"));
+}
+
+TEST_CASE("GSD: of a timestep that is there several times the last counts") {
+  const std::string text = two_grains()
+                               .chunk<std::uint64_t>(1, "configuration/step", u64, 1, 1, {20})
+                               .chunk<float>(1, "particles/diameter", f32, 2, 1, {2, 1})
+                               .chunk<std::uint64_t>(2, "configuration/step", u64, 1, 1, {20})
+                               .chunk<float>(2, "particles/diameter", f32, 2, 1, {4, 1})
+                               .chunk<std::uint64_t>(3, "configuration/step", u64, 1, 1, {30})
+                               .text();
+  ParticleOptions options;
+  options.timestep = 20;
+  CHECK(read_file_of(text, options).particles == "4000 1000");
+}
+
+TEST_CASE("GSD: another schema, and a chunk that a frame has twice, are refused") {
+  File other = two_grains();
+  other.schema = "custom";
+  CHECK(contains(gsd_refusal(other.text()), "file: its schema is 'custom', and not hoomd"));
+  File later = two_grains();
+  later.schema_version = 0x20000;
+  CHECK(contains(gsd_refusal(later.text()), "file: version 2 of schema hoomd is not 1"));
+  CHECK(contains(gsd_refusal(two_grains().chunk<float>(0, "particles/diameter", f32, 2, 1, {2, 1}).text()),
+                 "file: frame 0 has 'particles/diameter' twice"));
 }
 
 TEST_CASE("GSD is no text") {

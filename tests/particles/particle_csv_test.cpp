@@ -12,7 +12,7 @@ TEST_CASE("CSV of particles: sizes and quantities, in the unit of the header") {
   CHECK(read("size_phi,quantity\n-1,3\n2,1\n").notes.empty());
   CHECK(read("size_phi;quantity\n-0,5;3\n-1,5;3\n").particles == "1.4142135623731*3 2.82842712474619*3");
   CHECK(read("size_phi;quantity\n-0,5;3\n-1,5;3\n").notes.empty());
-  const char *const sieves = "sieve,quantity\nNo. 200,2\n#4,1\n# a comment\n3/8 in,7\n1.18 mm,1\n";
+  const char *const sieves = "sieve,quantity\nNo. 200,2\n\"#4\",1\n# a comment\n3/8 in,7\n1.18 mm,1\n";
   CHECK(read(sieves).particles == "0.075*2 4.75 9.5*7 1.18");
   CHECK(read("size_mm,quantity\n1,2\n").format == ParticleFormat::csv);
   CHECK(read("size_mm,quantity\n1,2\n").notes.empty());
@@ -81,4 +81,28 @@ TEST_CASE("CSV of particles: what is wrong is refused with its line") {
   ParticleOptions unit;
   unit.unit = LengthUnit::m;
   CHECK(contains(refusal("size_mm,quantity\n1,2\n", unit), "leave out --size-unit"));
+}
+
+TEST_CASE("a comment of a sample that may be a sieve is refused") {
+  CHECK(
+      contains(refusal("size_mm,quantity\n4.75,2\n#4,50\n"), "file:3: '#4,50' may be a sieve or a comment"));
+  CHECK(contains(refusal("#4,50\nsize_mm,quantity\n4.75,2\n"), "write '# ' before a comment"));
+  CHECK(contains(refusal("sieve,quantity\n#200,2\n"), "write No. 4 for a sieve"));
+  CHECK(contains(refusal("sieve,quantity\nNo. 200,2\n# 4,50\n"), "begin a comment with a word"));
+  CHECK(read("size_mm,quantity\n# 4 boxes\n#of sand\n4.75,2\n").particles == "4.75*2");
+}
+
+TEST_CASE("a comment that names the columns of a list of spheres is no table") {
+  CHECK(read("# x y z r in m\n0 0 0.1 0.002\n").particles == "0.004");
+}
+
+TEST_CASE("two tables of particles side by side are refused as such") {
+  CHECK(contains(refusal("size_mm,quantity,,size_mm,quantity\n1,2,,3,4\n"),
+                 "file:1: a column has no name: give one"));
+  CHECK(contains(refusal("size_mm,quantity,size_mm,quantity\n1,2,3,4\n"),
+                 "file:1: column 'size_mm': there is one"));
+  CHECK(contains(refusal("size_mm\tquantity\tsize_mm\tquantity\n1\t2\t3\t4\n"),
+                 "file:1: column 'size_mm': there"));
+  CHECK(contains(refusal("size_mm quantity size_mm quantity\n1 2 3 4\n"),
+                 "file:2: the line above names columns"));
 }

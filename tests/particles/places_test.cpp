@@ -118,3 +118,64 @@ TEST_CASE("particles in no class are in no group, on a sieve in the finer one") 
   CHECK(places("0 0 0 0.5\n0 0 0 1\n0 0 0 1.0000001\n0 0 0 3\n") ==
         "0 0 0 1 0; 0 0 0 2 1; 0 0 0 2.0000002 2; 0 0 0 6 0");
 }
+
+TEST_CASE(
+    "a coordinate that is no finite number is refused with its line, whether places are wanted or not") {
+  const auto dump = [](const std::string &x) {
+    return "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS x y z radius\n" + x + " 0 0 1\n";
+  };
+  for (const char *x : {"nan", "-nan", "inf", "-inf", "NaN", "1,5,2", "0x1p3", ""})
+    if (*x != '\0')
+      CHECK(contains(refusal(dump(x)), "file:6: coordinate '" + std::string(x) + "' is not a finite number"));
+  CHECK(read(dump("-1.5e-3")).particles == "2000");
+  CHECK(contains(refusal("x,y,z,r\n0,0,0,1\n0,nan,0,1\n"), "file:3: coordinate 'nan' is not a finite"));
+  CHECK(contains(refusal("x,y,z,r,quantity\n0,nan,0,1,2\n"), "file:2: coordinate 'nan' is not a finite"));
+  CHECK(
+      contains(refusal("0 0 0 1\ninf 0 0 1\n", from(ParticleFormat::xyzr)), "file:2: 'inf' is not a number"));
+}
+
+TEST_CASE("centres outside the box of a file are counted, also beyond the places that are kept") {
+  const auto dump = [](const std::string &sides, const std::string &atoms, int n) {
+    return "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n" + std::to_string(n) + "\nITEM: BOX BOUNDS " + sides +
+           "\n0 3e-3\n0 3e-3\n0 3e-3\nITEM: ATOMS x y z radius\n" + atoms;
+  };
+  const auto objection = [](const std::string &content, std::optional<std::size_t> most = std::nullopt) {
+    Recorder recorder;
+    PlacedSink sink(two_classes(), recorder, most);
+    ParticleReader reader("file", sink, {});
+    for (std::size_t begin = 0; begin < content.size(); begin = content.find('\n', begin) + 1)
+      reader.line(std::string_view(content).substr(begin, content.find('\n', begin) - begin));
+    reader.end();
+    return sink.objection("--periodic").value_or("");
+  };
+  const std::string inside = "0.001 0.001 0.001 1e-3\n";
+  CHECK(objection(dump("ff ff ff", inside, 1)).empty());
+  CHECK(objection(dump("ff ff ff", "0 0.003 0.003 1e-3\n", 1)).empty()); // on the sides
+  CHECK(contains(objection(dump("ff ff ff", inside + "0.001 0.001 -5 1e-3\n", 2)),
+                 "the centre of 1 particle is outside the space of the sample, the first at 0.001 0.001 -5"));
+  CHECK(
+      contains(objection(dump("ff ff ff", "0.001 0.001 0.00300000000000000000001 1e-3\n", 1)), "1 particle"));
+  CHECK(objection(dump("ff ff pp", "0.001 0.001 -5 1e-3\n", 1)).empty());
+  CHECK(contains(objection(dump("pp ff pp", "1 -1 1 1e-3\n1 1 1 1e-3\n", 2)),
+                 "the centres of 2 particles are"));
+  CHECK(contains(objection(dump("ff ff ff", inside + inside + "0 0 9 1e-3\n", 3), 1), "the first at 0 0 9"));
+  // A timestep that is not the last does not count.
+  CHECK(objection(dump("ff ff ff", "9 9 9 1e-3\n", 1) + dump("ff ff ff", inside, 1)).empty());
+}
+
+TEST_CASE("a cylinder holds what lies in its circle; a box without a top what lies high") {
+  SampleSpace space;
+  space.box = SpaceBox{{0, 0, 0}, {2, 2, 5}};
+  const auto holds = [&space](const char *x, const char *y, const char *z) {
+    return Container(space).holds({x, y, z}, 1);
+  };
+  CHECK(holds("0.1", "0.1", "5"));
+  CHECK_FALSE(holds("0.1", "0.1", "5.1"));
+  space.has_top = false;
+  CHECK(holds("0.1", "0.1", "5.1"));
+  CHECK_FALSE(holds("0.1", "0.1", "-0.1"));
+  space.is_cylinder = true;
+  CHECK_FALSE(holds("0.1", "0.1", "1"));
+  CHECK(holds("0", "1", "1"));
+  CHECK_FALSE(holds("-0.0000000000000000001", "1", "1"));
+}

@@ -1,18 +1,13 @@
-// Figures and their scripts; gnuplot itself draws in tests/cli/plot_test.cpp.
+// Axes and texts of figures; the pictures are in picture_test.cpp.
 
 #include "catch.hpp"
-#include "plot/gnuplot_script.hpp"
+#include "plot/figure.hpp"
 
 #include <cmath>
-#include <limits>
 
 using namespace mdm;
 
 namespace {
-
-bool contains(const std::string &text, const std::string &part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::vector<std::string> labels(const Axis &axis) {
   std::vector<std::string> all;
@@ -65,15 +60,6 @@ TEST_CASE("a text that is too wide is cut between characters", "[figure]") {
   CHECK(fitted("a\nb", 100) == "a\\x0ab");
 }
 
-TEST_CASE("a text in a script is a string in one line that nothing of it can end", "[figure]") {
-  CHECK(gnuplot_string("No. 200") == R"("No. 200")");
-  CHECK(gnuplot_string("it's \"q\"") == R"("it\047s \042q\042")");
-  CHECK(gnuplot_string("`x` @y $z {a}^b") == R"("\140x\140 \100y \044z \173a\175\136b")");
-  CHECK(gnuplot_string("\\n1") == R"("\134n1")");
-  CHECK(gnuplot_string("a\nb\r\xFF") == R"("a\134x0ab\134x0d\134xff")");
-  CHECK(gnuplot_string("\u00E4 \u00B2") == "\"\u00E4 \u00B2\"");
-}
-
 TEST_CASE("characters that fonts may lack are drawn as their numbers", "[figure]") {
   CHECK(drawable("sand \u4E2D") == "sand \\u4e2d");
   CHECK(drawable("\U0001F600\u200B\u202E\u0301\u0378") ==
@@ -82,7 +68,6 @@ TEST_CASE("characters that fonts may lack are drawn as their numbers", "[figure]
       "\u00E9\u0159\u00DF\u03B1\u03A9\u0416\u044F \u2013\u201C\u2026\u2264\u00B5m\u00B3";
   CHECK(drawable(common) == common);
   CHECK(drawable("a\n\xFF") == "a\\x0a\\xff");
-  CHECK(gnuplot_string("\u4E2D") == R"("\134u4e2d")");
   Figure figure;
   figure.title = "sand \u4E2D";
   figure.notes = {"\u00E4", "a\nb"};
@@ -92,66 +77,17 @@ TEST_CASE("characters that fonts may lack are drawn as their numbers", "[figure]
   figure.panels[1].series[0].title = "\u77F3";
   figure.panels[1].series[0].points = {{0, 0}};
   CHECK(escaped_texts(figure) == std::vector<std::string>{"sand \u4E2D", "\u6C99", "\u77F3"});
-  const std::string script = gnuplot_script(figure, Picture::png);
-  CHECK(contains(script, R"("sand \134u4e2d")"));
-  CHECK(contains(script, R"("\134u6c99")"));
-  CHECK(contains(script, R"(title "\134u77f3")"));
-  CHECK_FALSE(contains(script, "\u4E2D"));
 }
 
-TEST_CASE("a scatter with a colour bar and a line in a script", "[figure]") {
-  Panel panel;
-  panel.x = log_axis("share", -3, 0);
-  panel.y = log_axis("particles", 1, 10);
-  Series scatter;
-  scatter.title = "least match";
-  scatter.points = {{-2, 3, 5}, {-1, 4, 6}};
-  scatter.stroke = Stroke::none;
-  scatter.mark = Mark::disc;
-  scatter.by_value = true;
-  Series curves;
-  const double gap = std::numeric_limits<double>::quiet_NaN();
-  curves.points = {{-3, 1}, {-2, 2}, {gap, gap}, {-3, 4}, {-1, 8}};
-  panel.series = {scatter, curves};
-  Figure figure;
-  figure.title = "Figure 3";
-  figure.panels = {panel, panel};
-  figure.columns = 2;
-  figure.colors = linear_axis("log volume ratio", 0, 12);
-  const std::string script = gnuplot_script(figure, Picture::svg);
-  CHECK(contains(script, "$panel1_series1 << EOD\n-2 3 5\n-1 4 6\nEOD\n"));
-  CHECK(contains(script, "$panel2_series2 << EOD\n-3 1\n-2 2\n\n-3 4\n-1 8\nEOD\n"));
-  CHECK(contains(script, "set terminal svg "));
-  CHECK(contains(script, "\"Figure 3\""));
-  CHECK(contains(script, "\"log volume ratio\""));
-  CHECK(contains(script, "linecolor palette"));
-  const std::size_t legend = script.find("title \"least match\"");
-  REQUIRE(legend != std::string::npos);
-  CHECK(script.find("title \"least match\"", legend + 1) == std::string::npos);
-  CHECK(script == gnuplot_script(figure, Picture::svg));
-  CHECK(contains(gnuplot_script(figure, Picture::png), "set terminal pngcairo "));
-  CHECK(contains(gnuplot_script(figure, Picture::pdf), "set terminal pdfcairo "));
-}
-
-TEST_CASE("labels of the upper side keep their distance and both ends", "[figure]") {
-  Panel panel;
-  panel.x = log_axis("size", 0, 1);
-  panel.y = linear_axis("percent passing", 0, 100);
-  for (int i = 0; i <= 200; ++i)
-    panel.top.push_back({i / 200.0, "s" + std::to_string(i) + "."});
-  Figure figure;
-  figure.panels = {panel};
-  const std::string script = gnuplot_script(figure, Picture::svg);
-  CHECK(contains(script, "\"s0.\""));
-  CHECK(contains(script, "\"s200.\""));
-  double last = -1;
-  std::size_t shown = 0;
-  for (int i = 0; i <= 200; ++i)
-    if (contains(script, "\"s" + std::to_string(i) + ".\"")) {
-      const double at = figure.panel_width * i / 200;
-      CHECK((last < 0 || at - last >= letter_size));
-      last = at;
-      ++shown;
-    }
-  CHECK(shown > 30);
+TEST_CASE("sentences are broken at spaces, and words that are too long are cut", "[figure]") {
+  using Lines = std::vector<std::string>;
+  const double wide = text_width("one two", letter_size) + 1;
+  CHECK(wrapped("one two one two one", wide) == Lines{"one two", "one two", "one"});
+  CHECK(wrapped("one two", 1000) == Lines{"one two"});
+  CHECK(wrapped("", wide).empty());
+  const Lines cut = wrapped("a " + std::string(80, 'x'), wide);
+  REQUIRE(cut.size() == 2);
+  CHECK(cut[1].ends_with("..."));
+  for (const std::string &line : cut)
+    CHECK(text_width(line, letter_size) <= wide);
 }

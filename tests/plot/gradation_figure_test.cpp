@@ -1,8 +1,8 @@
 // The figure of a gradation: what stands where.
 
 #include "catch.hpp"
-#include "plot/gnuplot_script.hpp"
 #include "plot/gradation_figure.hpp"
+#include "plot/picture.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 
@@ -109,6 +109,50 @@ TEST_CASE("what is finer than the finest sieve is dashed and told", "[figure]") 
   CHECK(texts(p) == Lines{"D30", "D60"});
 }
 
+TEST_CASE("what reading and the group assume is remarked", "[figure]") {
+  const Gradation silty = read("size_mm,passing_percent\n4.75,100\n0.425,60\n0.075,20\n");
+  const auto remarks = [&silty](const GradationFigure &what) {
+    Lines lines = gradation_figure(silty, what).remarks;
+    return lines;
+  };
+  const auto some = [](const Lines &lines, const std::string &part) {
+    return std::any_of(lines.begin(), lines.end(),
+                       [&part](const std::string &l) { return l.find(part) != std::string::npos; });
+  };
+  const Lines assumed = remarks({});
+  CHECK(some(assumed, "A pan of size 0 was added"));
+  CHECK(some(assumed, "the fines are taken as low-plasticity silt (ML)"));
+  CHECK(some(assumed, "D10: below 0.075 mm"));
+  GradationFigure clayey;
+  clayey.soil.limits = AtterbergLimits{40, 20};
+  CHECK_FALSE(some(remarks(clayey), "low-plasticity silt"));
+  CHECK(has(gradation_figure(silty, clayey).notes, "USCS SC"));
+  CHECK(has(gradation_figure(silty, {}).notes, "USCS SM"));
+  GradationFigure counts;
+  counts.curve = false;
+  counts.counts = true;
+  counts.particles = {{Rational(0), ratio(75, 1000), 20, 3, ratio(6, 100)}};
+  CHECK(remarks(counts) == silty.notes());
+}
+
+TEST_CASE("the curve is continued into the pan where that is asked for", "[figure]") {
+  const Gradation fine = read("size_mm,mass\npan,20\n0.25,30\n1,50\n4,0\n");
+  GradationFigure what;
+  what.soil.extrapolate = true;
+  // 0.25 / 4^(1/3)
+  CHECK(has(gradation_figure(fine, what).notes, "D10 = 0.157 mm"));
+}
+
+TEST_CASE("the figure says whose bands it has", "[figure]") {
+  GradationFigure what;
+  CHECK(has(gradation_figure(sand(), what).notes, "bands: ASTM D2487"));
+  what.bands = Bands::iso_14688;
+  CHECK(has(gradation_figure(sand(), what).notes, "bands: ISO 14688"));
+  what.bands = Bands::none;
+  for (const std::string &note : gradation_figure(sand(), what).notes)
+    CHECK(note.rfind("bands", 0) != 0);
+}
+
 TEST_CASE("bands of two classifications, or none", "[figure]") {
   const auto main_bands = [](Bands bands) {
     GradationFigure what;
@@ -213,9 +257,9 @@ TEST_CASE("figures of extreme gradations have axes of numbers", "[figure]") {
     const Figure figure = gradation_figure(g, what);
     INFO(csv);
     CHECK(figure.panels[0].x.span() > 0);
-    const std::string script = gnuplot_script(figure, Picture::svg);
-    CHECK(script.find("nan") == std::string::npos);
-    CHECK(script.find("inf") == std::string::npos);
+    const std::string svg = picture_of(figure, Picture::svg);
+    CHECK(svg.find("nan") == std::string::npos);
+    CHECK(svg.find("inf") == std::string::npos);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <mdm/match/solve.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/proof/certificate.hpp>
+#include <mdm/proof/vipr.hpp>
 #include <mdm/text/error.hpp>
 
 #include <sstream>
@@ -218,4 +219,54 @@ TEST_CASE("a search that a limit ends has a certificate of its bounds, and no hi
   CHECK(between >= 200);
   CHECK(below >= 20);
   CHECK(higher >= 20);
+}
+
+namespace {
+
+/// A lognormal curve of 24 classes.
+Gradation curve_of_many_classes() {
+  const char *const rows[][2] = {
+      {"2.6265", "0"},       {"3.463", "0.0001"},  {"4.5658", "0.0004"},  {"6.0199", "0.0019"},
+      {"7.937", "0.0077"},   {"10.465", "0.0277"}, {"13.797", "0.0878"},  {"18.191", "0.2473"},
+      {"23.985", "0.6183"},  {"31.623", "1.3716"}, {"41.694", "2.7001"},  {"54.971", "4.717"},
+      {"72.478", "7.3131"},  {"95.56", "10.0613"}, {"125.99", "12.2843"}, {"166.12", "13.31"},
+      {"219.02", "12.7977"}, {"288.77", "10.92"},  {"380.73", "8.2689"},  {"501.98", "5.5566"},
+      {"661.84", "3.3135"},  {"872.62", "1.7536"}, {"1150.5", "0.8235"},  {"1516.9", "0.3432"},
+      {"2000", "0"}};
+  Gradation::Data data;
+  for (const auto &[size, mass] : rows) {
+    data.sizes.push_back(parse_decimal(size));
+    data.masses.push_back(parse_decimal(mass));
+  }
+  return Gradation(std::move(data));
+}
+
+} // namespace
+
+TEST_CASE("a proof by windows of the mass is accepted in version 3, and what does not have that refuses it") {
+  const Gradation g = curve_of_many_classes();
+  Question q;
+  q.tolerances = {{Kind::retained, 1}};
+  const Match m = solve(g, q);
+  REQUIRE(m.complete);
+  const std::string text = certificate(m);
+  CHECK(text.starts_with("mdm-certificate 3\n"));
+  CHECK(text.find("\nwindow ") != std::string::npos);
+  CHECK(is_accepted(g, text));
+  CHECK_FALSE(is_accepted(g, with_word(text, "particles", 1, one_more(to_string(*m.particles())))));
+  CHECK_THROWS_AS(vipr(m), InputError);
+}
+
+TEST_CASE("a search by windows that a limit ends proves what is certain") {
+  const Gradation g = curve_of_many_classes();
+  Question q;
+  q.tolerances = {{Kind::retained, 1}};
+  SolveOptions options;
+  options.limits.node_limit = 4;
+  const Match m = solve(g, q, options);
+  REQUIRE_FALSE(m.complete);
+  const std::string text = certificate(m);
+  CHECK(is_accepted(g, text));
+  const std::string higher = to_string(Integer(m.lower_bound + 1)) + ".." + to_string(*m.particles());
+  CHECK_FALSE(is_accepted(g, with_word(text, "particles", 1, higher)));
 }

@@ -59,6 +59,11 @@ def test_the_words_of_reading_are_keywords(tmp_path):
     assert mdm.read(file, columns="1,3", kind="retained", unit="mm").masses == (30, 20, 0)
     with pytest.raises(mdm.InputError):
         mdm.read(file)
+    file.write_text("Size (mm),Mass (g)\n0.1,30\n0.2,20\n0.4,0\n")
+    with pytest.raises(mdm.InputError, match=":1: unit um: the column 'Size \\(mm\\)' is in mm"):
+        mdm.read(file, unit="um")
+    with pytest.raises(mdm.InputError, match=":1: kind passing: the column 'Mass \\(g\\)' is what each sieve retains"):
+        mdm.read(file, kind="passing")
     with pytest.raises(TypeError, match="unexpected keyword"):
         mdm.read(file, colums="1,3")
 

@@ -22,19 +22,47 @@ assert match.check() and match.particles == 1485 and mdm.__version__
 print(mdm.generate(beta="1,3", dmin="0.1", ratio=20).particles)
 """
 
+needs_build = pytest.mark.skipif(not (BUILD / "CMakeCache.txt").exists(), reason="the module is none of a build folder")
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
 
-@pytest.mark.skipif(not (BUILD / "CMakeCache.txt").exists(), reason="the module is none of a build folder")
-def test_pip_installs_the_module(tmp_path):
-    pytest.importorskip("setuptools")
-    # Where setuptools leaves its own files; the build itself is there already.
-    project = tmp_path / "src/python"
-    shutil.copytree(SOURCE / "src/python", project)
-    shutil.copy(SOURCE / "CMakeLists.txt", tmp_path)
-    venv.create(tmp_path / "venv", system_site_packages=True, with_pip=True)
-    python = tmp_path / "venv/bin/python"
-    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-    subprocess.run([python, "-m", "pip", "install", "--quiet", "--no-build-isolation", "--no-index", "--no-deps", project],
-                   check=True, env={**environment, "EXACTMDM_BUILD": str(BUILD)})
-    done = subprocess.run([python, "-c", SCRIPT, SAND], cwd=tmp_path, env=environment, capture_output=True, text=True)
+
+def project_in(folder):
+    """The project's sources, where setuptools leaves files of its own."""
+    for name in ("include", "src"):
+        shutil.copytree(SOURCE / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "node_modules"))
+    for name in ("CMakeLists.txt", "LICENSE"):
+        shutil.copy(SOURCE / name, folder)
+    return folder / "src/python"
+
+
+def check_installed(source, folder):
+    """pip installs the source without a network; what it would build is there already."""
+    venv.create(folder / "venv", system_site_packages=True, with_pip=True)
+    python = folder / "venv/bin/python"
+    subprocess.run([python, "-m", "pip", "install", "--quiet", "--no-build-isolation", "--no-index", "--no-deps", source],
+                   check=True, env={**ENVIRONMENT, "EXACTMDM_BUILD": str(BUILD)})
+    done = subprocess.run([python, "-c", SCRIPT, SAND], cwd=folder, env=ENVIRONMENT, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     assert int(done.stdout) > 0 and sys.version_info >= (3, 11)
+
+
+@needs_build
+def test_pip_installs_the_module(tmp_path):
+    pytest.importorskip("setuptools")
+    check_installed(project_in(tmp_path), tmp_path)
+
+
+@needs_build
+def test_pip_installs_an_archive_of_sources(tmp_path):
+    pytest.importorskip("setuptools")
+    (tmp_path / "project").mkdir()
+    folder = project_in(tmp_path / "project")
+    subprocess.run([sys.executable, "setup.py", "-q", "sdist", "-d", tmp_path], cwd=folder, env=ENVIRONMENT, check=True)
+    archive, = tmp_path.glob("exactmdm-*.tar.gz")
+    shutil.rmtree(tmp_path / "project")
+    check_installed(archive, tmp_path)
+    # All that CMake builds the module of is in it.
+    shutil.unpack_archive(archive, tmp_path / "unpacked")
+    source, = (tmp_path / "unpacked").glob("exactmdm-*/project")
+    subprocess.run(["cmake", "-S", source, "-B", tmp_path / "build", "-G", "Ninja", "-D", "MDM_PYTHON=ON", "-D",
+                    "MDM_TESTS=OFF", "-D", "MDM_BENCHMARKS=OFF"], check=True, stdout=subprocess.DEVNULL)

@@ -45,6 +45,12 @@ def test_none_is_no_answer_and_an_exception_a_crash():
     assert row.verdict == "crashed" and row.reason == "ZeroDivisionError: division by zero"
 
 
+@pytest.mark.parametrize("solver", ["./solver", None, 3])
+def test_what_is_no_function_is_refused(solver):
+    with pytest.raises(mdm.InputError, match="is no function: give one"):
+        mdm.crosscheck([sand()], solver)
+
+
 def test_ctrl_c_in_a_solver_is_no_crash():
     def solver(gradation):
         raise KeyboardInterrupt

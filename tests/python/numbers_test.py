@@ -20,6 +20,34 @@ def test_a_float_is_refused_with_the_remedies():
         mdm.Gradation(["1", "2"], [0.1, 0])
 
 
+def test_a_float_in_an_option_is_refused_with_remedies_that_there_are():
+    gradation = mdm.Gradation(["1", "2", "3"], [2, 1, 0])
+    with pytest.raises(mdm.InputError, match=r"tolerance: 0.1 is a float: write repr.* or Fraction\(x\)"):
+        mdm.solve(gradation, tolerance=0.1)
+    assert mdm.solve(gradation, tolerance=Fraction(0.1)).particles == mdm.solve(gradation, tolerance="0.1").particles
+
+
+def test_numbers_of_options_are_those_of_the_command_line():
+    gradation = mdm.Gradation(["1", "2", "3"], [2, 1, 0])
+    for number in (10000, "10000", "1e4", "10_000", Decimal("1E4")):
+        assert mdm.solve(gradation, at_least=number).particles == mdm.solve(gradation, at_least=10000).particles
+    for number in ("1_", "1__0", "1.5", "ten"):
+        with pytest.raises(mdm.InputError, match="at_least: .* is not a whole number"):
+            mdm.solve(gradation, at_least=number)
+
+
+def test_views_with_two_dimensions_are_no_lists():
+    view = memoryview(bytes(4 * 8)).cast("d", (2, 2))
+    with pytest.raises(mdm.InputError, match="sizes: memoryview is no list of numbers"):
+        mdm.Gradation(view, [1, 0], exact=True)
+
+
+def test_factors_and_tolerances_that_are_no_decimals_are_refused():
+    for name in ("factors", "tolerances"):
+        with pytest.raises(mdm.InputError, match=f"{name}.*1/3 is no decimal"):
+            mdm.Gradation(["1", "2"], [1, 0], **{name: [Fraction(1, 3), 1]})
+
+
 def test_exact_takes_the_double_itself():
     assert mdm.Gradation(["1", "2"], [0.1, 0], exact=True).masses[0] == Fraction(0.1) != Fraction(1, 10)
 

@@ -36,7 +36,7 @@ def python(script):
 
 def test_they_are_not_needed():
     frame, plot = python(SCRIPT)
-    assert "pandas" in frame and plot == "matplotlib is not installed: exactmdm.picture draws with gnuplot"
+    assert "pandas" in frame and plot == "matplotlib is not installed: exactmdm.picture draws without it"
 
 
 def test_they_are_imported_when_used():

@@ -47,7 +47,7 @@ def test_a_packing_is_written_and_drawn(tmp_path):
     assert "<svg" in mdm.picture(disc.path, tmp_path / "discs.svg").path.read_text()
 
 
-def test_a_picture_is_drawn_by_gnuplot(tmp_path):
+def test_a_picture_is_drawn(tmp_path):
     assert "<svg" in mdm.picture(sand(), tmp_path / "sand.svg", match=True).path.read_text()
 
 

@@ -17,9 +17,9 @@ SUITE = SOURCE / "examples/reference/average/suite-2750.jsonl"
 
 
 def mdm(*arguments, stdin=None):
-    """Exit code, standard output and standard error of the program."""
+    """Exit code, standard output and standard error of the program, whose messages name options as keywords."""
     done = subprocess.run([exactmdm.program.program(), *map(str, arguments)], input=stdin, capture_output=True, text=True,
-                          encoding="utf-8")
+                          encoding="utf-8", env={**os.environ, "MDM_OPTION_SPELLING": "keyword"})
     return done.returncode, done.stdout, done.stderr
 
 

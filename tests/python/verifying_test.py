@@ -21,8 +21,8 @@ def without_names(text):
 
 
 def notes(text):
-    """Its notes, with the module's words for options."""
-    return json.loads(text.replace("--radius, --diameter and --size-unit", "radius, diameter and size_unit"))["notes"]
+    """The notes of a report."""
+    return json.loads(text)["notes"]
 
 
 @pytest.mark.parametrize("sample", [[2, 3], ["2", "3.0"], [Decimal(2), Fraction(3)], (2.0, 3.0), iter([3, 2]), {2, 3}],
@@ -68,7 +68,7 @@ def test_radii_and_units():
 
 
 def test_sizes_in_another_unit_are_suspected():
-    assert 'with size_unit="m" the first would' in mdm.verify(G, ["0.002", "0.003"]).notes[0]
+    assert 'with size_unit m the first would' in mdm.verify(G, ["0.002", "0.003"]).notes[0]
     assert mdm.verify(G, [2, 7]).notes == ()
 
 
@@ -82,6 +82,11 @@ def test_laws_and_changes_of_the_gradation():
 def test_what_is_no_sample_is_refused(sample):
     with pytest.raises(mdm.InputError):
         mdm.verify(G, sample)
+
+
+def test_a_view_with_two_dimensions_is_no_sample():
+    with pytest.raises(mdm.InputError, match="one dimension, this memoryview 2"):
+        mdm.verify(sand(), memoryview(bytes(4 * 8)).cast("d", (2, 2)))
 
 
 def test_an_empty_sample_does_not_match():
@@ -182,8 +187,18 @@ def test_places_are_judged_as_by_the_command_line(tmp_path):
     assert without_names(found.json()) == without_names(text)
     assert found.packing["contacts"] == "1"
     assert mdm.verify(sand(), [0.1]).packing is None
-    with pytest.raises(mdm.InputError, match="packing"):
-        mdm.verify(gradation, file, box="10x10")
+    assert mdm.verify(gradation, file, box="10x10").packing is not None
+
+
+def test_places_outside_do_not_match_and_those_that_are_no_numbers_are_refused(tmp_path):
+    gradation, file = tmp_path / "sand.csv", tmp_path / "packing.txt"
+    gradation.write_text(sand().csv())
+    file.write_text("0 0 0 0.1\n0 0 -5 0.1\n")
+    found = mdm.verify(gradation, file, box="10x10")
+    assert found.verdict == "no match" and "outside the space" in found.objections[0]
+    file.write_text("0 0 0 0.1\n0 0 nan 0.1\n")
+    with pytest.raises(mdm.InputError, match=":2: 'nan'"):
+        mdm.verify(gradation, file, from_format="xyzr")
 
 
 def test_gsd_is_read_as_by_the_command_line(tmp_path):

@@ -58,12 +58,27 @@ COMMANDS = {
         ["batch", "lines.jsonl", "--shard", "1/2", "-o", "shard.jsonl"],
         ["batch", "lines.jsonl", "--shard", "2/2", "-o", "shard.jsonl", "--proofs", "shard.proofs"],
         ["batch", "lines.jsonl", "--shard", "2/2", "--alone", "-o", "shard.jsonl"],
+        ["batch", "made.jsonl", "--shard", "1/1", "--alone", "-o", "shard.jsonl"],
     ],
+    "mdm-shard-1": [["suite", "some.json", "--count", "5", "--shard", "2/3"]],
     "mdm-describe-1": [
         *(["describe", sand] for sand in SANDS),
         ["describe", "half_phi.csv"],
         ["describe", "pan.csv"],
         ["describe", "pan.csv", "--extrapolate", "--liquid-limit", "30", "--plastic-limit", "22"],
+    ],
+    "mdm-judge-1": [
+        ["judge", *SANDS, "--spec", "astm-c33-fine"],
+        ["judge", SAND, "--spec", LIMITS, "--rounding", "1"],
+        ["judge", "half_phi.csv", "--spec", "band.csv", "--rounding", "5"],
+        ["judge", "pan.csv", "--spec", "finer.csv"],
+        ["judge", "pan.csv", "--spec", "edge.csv"],
+    ],
+    "mdm-reading-1": [
+        *(["convert", "--dry-run", sand] for sand in SANDS),
+        ["convert", "--dry-run", "half_phi.csv"],
+        ["convert", "--dry-run", "pan.csv"],
+        ["convert", "--dry-run", SAND.parent / "formats/mastersizer.csv", "--specimen-id", "Silt B"],
     ],
     "mdm-generate-1": [
         ["generate", "--beta", "3,3", "--dmin", "0.02", "--dmax", "1.98", "--dimension", "2", "--classes", "6"],
@@ -73,6 +88,14 @@ COMMANDS = {
         ["generate", "--curve", SAND, "--method", "match", "--sizes", "--table", "5"],
         ["generate", "--curve", SAND, "--method", "match", "--spread", "--sizes", "--at-most", "2001"],
         ["generate", "--curve", SAND, "--between", "stair", "--points", "0", "--at-most", "1000000"],
+    ],
+    "mdm-blend-1": [
+        ["blend", "a.csv", "b.csv", "--spec", "band.csv"],
+        ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--cost", "a=1,b=2", "--share", "a=..60%", "--all", "5"],
+        ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--target", "a.csv", "--at-most-stockpiles", "1", "--step", "10%"],
+        ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--target", "a.csv", "--minimise", "max-deviation"],
+        ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--share", "a=95..100%"],
+        ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--node-limit", "0", "--step", "3kg of 102kg", "--cost", "a=1,b=2"],
     ],
     "mdm-packing-1": [
         ["pack", "--beta", "1,1", "--span", "0.5", "--at-least", "200"],
@@ -128,15 +151,20 @@ OPTIONAL = {
     "mdm-generate-1": {"quality", "curve", "sizes"},
     "mdm-packing-1": {"positions", "judgement"},
     "mdm-crosscheck-1": {"setting"},
-    "mdm-totals-1": {"proofs", "index", "suite"},
+    "mdm-totals-1": {"proofs", "index", "suite", "made", "alone"},
     "mdm-gradation": {"id", "unit", "factors", "tolerances_percent"},
 }
 
 FILES = {
+    "some.json": '{"schema": "mdm-suite-1", "sieves": {"from": 1, "ratio": 2}, "classes": 3, "masses": {"kind": "random"}}',
     "discs.csv": "class,size_lo,size_hi\n1,1,1\n1,1,1\n2,2,2\n",
     "half_phi.csv": "size_phi,mass\n-2,0\n-1.5,1\n-1,0\n-0.5,0\n0,1\n",
     "pan.csv": "size_mm,passing_percent\n4.75,100\n2,80\n0.425,45\n0.075,12\n",
+    "a.csv": "size_mm,passing_percent\n1,100\n0.25,80\n0.1,0\n",
+    "b.csv": "size_mm,passing_percent\n1,100\n0.25,31\n0.1,0\n",
     "factors.csv": "size_um,mass,factor,tolerance_percent\n2000,0,1,1\n1000,5,1.5,0.5\n500,3,2,0.5\n",
+    "finer.csv": "size_mm,passing_min_percent,passing_max_percent\n0.02,0,5\n",
+    "edge.csv": "size_mm,passing_min_percent,passing_max_percent\n0.425,45,60\n",
     "band.csv": "size_mm,passing_min_percent,passing_max_percent\n0.25,50,70\n",
     "places.txt": "1 1 1 0.1\n1 1 1.19 0.1\n5 5 0.25 0.25\n9 9 12 0.4\n9 9.7 12 0.3\n3 3 3 0.06\n",
     "sample.csv": "size_mm,quantity\n0.05,3000\n0.1,300\n0.12,100\n0.13,200\n0.2,250\n0.4,20\n0.8,2\n0.9,1\n3,1\n",
@@ -198,13 +226,15 @@ def shown(command):
 
 
 def values_of(command):
-    """The JSON values that a command writes: of batch one a line, of a shard its totals. Exit codes 1 and 3 come with a
+    """The JSON values that a command writes: of batch one a line, of a shard its totals, of suite the line before those of a shard. Exit codes 1 and 3 come with a
     report too."""
-    options = [] if command[0] == "batch" else ["--format", "json"]
+    options = [] if command[0] in ("batch", "suite") else ["--format", "json"]
     run = subprocess.run([MDM, *map(str, command), *options], capture_output=True, text=True, timeout=120)
     bad_line = command[0] == "batch" and run.returncode == 2
     check(run.returncode in (0, 1, 3) or bad_line, f"{shown(command)}: exit {run.returncode}: {run.stderr}")
     try:
+        if command[0] == "suite":
+            return [json.loads(run.stdout.splitlines()[0])]
         if "--shard" in command:
             return [json.loads(pathlib.Path("shard.jsonl.totals").read_text(encoding="utf-8"))]
         texts = run.stdout.splitlines() if command[0] == "batch" else [run.stdout]
@@ -290,6 +320,8 @@ def main():
     for options in (["discs.csv", "--width", "10", "-o", "discs.packing"],
                     ["--apollonian", "equal", "--smallest", "1/9", "-o", "gasket.packing"]):
         subprocess.run([MDM, "pack", *options], capture_output=True, check=True)
+
+    subprocess.run([MDM, "suite", "some.json", "--count", "5", "--shard", "1/1", "-o", "made.jsonl"], check=True)
 
     documents, forms = 0, set()
     for name, commands in COMMANDS.items():

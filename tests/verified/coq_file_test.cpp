@@ -78,6 +78,22 @@ TEST_CASE("Coq accepts the theorem of a gradation in half-phi") {
   CHECK(theorem.check_with("sieves 10", "sieves 9").exit_code != 0);
 }
 
+TEST_CASE("a theorem whose powers would take Coq minutes is refused, and nothing is written") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "phi.csv") << "size_phi,mass\n-2,0\n-1.501,1\n-1,0\n0,1\n";
+  for (const Arguments &question :
+       std::vector<Arguments>{{folder / "phi.csv"}, {example("athabasca-sand"), "--law", "power:1000/999"}}) {
+    Arguments words = {"solve", "--quiet", "--coq", folder / "theorem.v"};
+    words.insert(words.end(), question.begin(), question.end());
+    const Outcome outcome = mdm(words);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("and Coq takes too long where classes times bits times bits") !=
+          std::string::npos);
+    CHECK(folder.entries() == 1);
+  }
+  check_accepted({example("athabasca-sand"), "--law", "power:30"});
+}
+
 TEST_CASE("Coq accepts the theorem of every kind of tolerance") {
   check_accepted({example("athabasca-sand"), "--tolerance", "retained:1%"});
   check_accepted({example("athabasca-sand"), "--tolerance", "laboratory", "--tolerance", "total:8%"});
@@ -85,6 +101,22 @@ TEST_CASE("Coq accepts the theorem of every kind of tolerance") {
                   "--tolerance", "retained:file", "--tolerance", "passing:20%", "--at-least", "8"});
   check_accepted({"--band", example("c33-fine-aggregate-limits")});
   check_accepted({accepted("tree_none_of_a_band.csv"), "--tolerance", "total:0%", "--law", "power:2"});
+}
+
+TEST_CASE("Coq accepts the theorem of a proof by windows of the mass, and none of it changed") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "curve.csv") << [] {
+    std::string rows = "size_mm,mass\n";
+    for (int j = 1; j <= 20; ++j)
+      rows += std::to_string(j) + "," + std::to_string(j * (20 - j)) + "\n";
+    return rows;
+  }();
+  const Theorem theorem({folder / "curve.csv", "--tolerance", "retained:1%"});
+  const std::string text = theorem.text();
+  CHECK(text.find("SplitMass ") != std::string::npos);
+  CHECK(text.find("Window [Multiple ") != std::string::npos);
+  CHECK(theorem.check().exit_code == 0);
+  CHECK(theorem.check_with("Window [Multiple ", "Window [Multiple 1").exit_code != 0);
 }
 
 TEST_CASE("Coq accepts the theorem that no sample is within a tolerance") {

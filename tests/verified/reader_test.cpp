@@ -48,7 +48,7 @@ TEST_CASE("a gradation is printed as canonical CSV") {
   const Folder folder;
   CHECK(folder.printed("a.csv", "size_in;retained_percent\n2;0,50\n\n# comment\n1;1e1\n3;0\n") ==
         "size_mm,mass\n25.4,10\n50.8,0.5\n76.2,0\n");
-  CHECK(folder.printed("a.csv", "sieve,passing_percent\n#200,4.1\n3/8 in,100\n") ==
+  CHECK(folder.printed("a.csv", "sieve,passing_percent\n\"#200\",4.1\n3/8 in,100\n") ==
         "size_mm,mass\n0,4.1\n0.075,95.9\n9.5,0\n");
   CHECK(folder.printed("a.csv", "size_um,mass,factor,tolerance_percent\n20,0,1,0\n10,5,0.5,2.50\n") ==
         "size_um,mass,tolerance_percent,factor\n10,5,2.5,0.5\n20,0,0,1\n");
@@ -58,6 +58,28 @@ TEST_CASE("a gradation is printed as canonical CSV") {
         "size_m,mass\n0.001,2\n0.002,1\n0.003,0\n");
   CHECK(folder.printed("a.csv", "size_mm,passing_min_percent,passing_max_percent\n2,100,100\n1,5,10\n") ==
         "size_mm,passing_min_percent,passing_max_percent\n1,5,10\n2,100,100\n");
+}
+
+TEST_CASE("a number behind # is neither a comment nor a sieve") {
+  const Folder folder;
+  const std::string remedy = "may be a sieve or a comment: write No. 4 for a sieve";
+  CHECK(contains(folder.printed("a.csv", "size_mm,mass\n#4,50\n1,2\n2,0\n"), "a.csv:2: a number behind #"));
+  CHECK(contains(folder.printed("a.csv", "#4\nsize_mm,mass\n1,2\n2,0\n"), remedy));
+  CHECK(contains(folder.printed("a.csv", "sieve,mass\n# 12,1\nNo. 8,1\nNo. 4,0\n"), remedy));
+  CHECK(folder.printed("a.csv", "# 4\nsize_mm,mass\n# 4,50\n#x\n#\n1,2\n2,0\n") ==
+        "size_mm,mass\n1,2\n2,0\n");
+}
+
+TEST_CASE("a character that turns lines or their direction is refused") {
+  const Folder folder;
+  for (const char *mark :
+       {"\u2028", "\u2029", "\u061C", "\u200E", "\u200F", "\u202A", "\u202E", "\u2066", "\u2069"})
+    CHECK(contains(folder.printed("a.csv", "size_mm,mass\n# note" + std::string(mark) + "1,500\n1,2\n2,0\n"),
+                   "a.csv:2: a line separator or a mark of the direction of writing"));
+  CHECK(contains(folder.printed("a.csv", "# note\u00851,500\nsize_mm,mass\n1,2\n2,0\n"),
+                 "a.csv:1: a control character"));
+  CHECK(folder.printed("a.csv", "# \u2027 \u202F \u2065 \u061B\nsize_mm,mass\n1,2\n2,0\n") ==
+        "size_mm,mass\n1,2\n2,0\n");
 }
 
 TEST_CASE("what is printed is read as the same") {

@@ -64,7 +64,7 @@ async function otherFormatsAreRead({ expect, open, url, mdm }) {
     expect(`${name}: ${await tab.number()}, not ${wanted}`, (await tab.number()) === wanted);
   }
   await tab.gradation(folder + "mastersizer.csv");
-  expect("a sample is asked for", (await tab.text("#message")).includes("How the file is read"));
+  expect("a sample is asked for", (await tab.text("#message")).includes("What the file does not say"));
   await tab.change(() => tab.set("#sample-id", "Silt B"));
   const wanted = particles(nativeAnswer(mdm, folder + "mastersizer.csv", ["--specimen-id", "Silt B"]));
   expect(`Silt B: ${await tab.number()}, not ${wanted}`, (await tab.number()) === wanted);

@@ -3,6 +3,7 @@
 import { createHash } from "node:crypto";
 
 import { commandLine } from "../../../src/web/page/command_line.js";
+import { columnsWithoutHeader } from "../../../src/web/page/header.js";
 import { fragmentOf, questionOf } from "../../../src/web/page/link.js";
 import { enclosed, grouped, rounded, toDouble } from "../../../src/web/page/numbers.js";
 import { sha256 } from "../../../src/web/page/sha256.js";
@@ -49,6 +50,15 @@ async function commandsAreQuoted(expect) {
   expect(command, command === `mdm solve 'a b'\\''c.csv' --tolerance retained:1% --proof p && mdm-check '$x' p`);
 }
 
+async function headersAreTold(expect) {
+  const without = ["4.75\t100\n2\t80", "4,75;100\n", "\r\n0.075;12\n", "No. 4,100", "#10,80", '"3/8","99"', "pan,3", "<0.063\t4"];
+  for (const content of without) expect(`${content}: none`, columnsWithoutHeader(content) === 2);
+  expect("three columns", columnsWithoutHeader("4.75\t12.5\t100") === 3);
+  const others = ["size_mm,mass\n1,2", "Sieve\tPassing", "", "4.75", "0.075 12\n", "2024 report of the laboratory", '{"sizes":[1,2]}', "# a,b"];
+  for (const content of others) expect(`${content}: no such table`, columnsWithoutHeader(content) === 0);
+}
+
 export const alone = [
   bothLanguagesHaveTheSameTexts, digestsAreThoseOfNode, linksAreReadAgain, numbersAreShownAsTheyAre, commandsAreQuoted,
+  headersAreTold,
 ];

@@ -1,0 +1,228 @@
+// mdm blend as a whole program.
+
+#include "answer.hpp"
+
+using namespace cli_test;
+
+namespace {
+
+bool contains(const std::string &text, const std::string &part) {
+  UNSCOPED_INFO(text);
+  return text.find(part) != std::string::npos;
+}
+
+/// Two stockpiles and limits: at 4 mm 100 and 40 percent pass, at 1 mm 60 and 0.
+class Stockpiles {
+public:
+  explicit Stockpiles(const std::string &limits = "4,60,70\n1,10,30\n") {
+    folder_.write("fine.csv", "size_mm,passing_percent\n8,100\n4,100\n1,60\n0.5,0\n");
+    folder_.write("coarse.csv", "size_mm,passing_percent\n8,100\n4,40\n2,0\n");
+    folder_.write("limits.csv", "size_mm,passing_min_percent,passing_max_percent\n" + limits);
+  }
+
+  Outcome blend(const Arguments &options = {}) const {
+    Arguments all{"blend", folder_ / "fine.csv", folder_ / "coarse.csv", "--spec", folder_ / "limits.csv"};
+    all.insert(all.end(), options.begin(), options.end());
+    return mdm(all);
+  }
+  Json json(Arguments options, int exit_code = 0) const {
+    options.insert(options.end(), {"--format", "json"});
+    const Outcome outcome = blend(options);
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == exit_code);
+    return Json::parse(outcome.out);
+  }
+  const TemporaryFolder &folder() const { return folder_; }
+
+private:
+  TemporaryFolder folder_;
+};
+
+std::vector<Rational> shares(const Json &blend) {
+  std::vector<Rational> all;
+  for (const Json &share : blend.at("shares"))
+    all.push_back(rational(share));
+  return all;
+}
+
+} // namespace
+
+TEST_CASE("a blend as text: shares, sieves, slack, prices, and what rounding would break", "[cli]") {
+  // 40 + 60 f >= 60, so f >= 1/3; the cost falls with f.
+  const Outcome outcome = Stockpiles().blend({"--cost", "fine=10,coarse=4"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  CHECK(outcome.out == "34 % fine, 66 % coarse: within limits\n"
+                       "  cost: 6.04, the least in steps of 1 %\n\n"
+                       "  stockpile  share (%)  cost  real optimum (%)  rounded (%)\n"
+                       "  fine              34    10           33.3333           33\n"
+                       "  coarse            66     4           66.6666           67\n\n"
+                       "  sieve (mm)  at least  passing  at most  slack  price of a point\n"
+                       "           4        60     60.4       70    0.4               0.1\n"
+                       "           1        10     20.4       30    9.6                 -\n\n"
+                       "  of any real shares the least is 6\n"
+                       "  rounded to steps the real optimum breaks 1 limit: at least 60 % passing 4 mm\n");
+}
+
+TEST_CASE("without blends the limits that contradict each other are told, exit 1", "[cli]") {
+  const Outcome outcome = Stockpiles("4,60,70\n1,0,10\n").blend();
+  CHECK(outcome.exit_code == 1);
+  CHECK(contains(outcome.out, "no blend of these 2 stockpiles keeps the limits of limits\n"));
+  CHECK(contains(
+      outcome.out,
+      "the stockpiles cannot have at least 60 % passing 4 mm and at most 10 % passing 1 mm together:\n"
+      "    1 x (at least 60 % passing 4 mm)\n"
+      "    1 x (at most 10 % passing 1 mm)\n"
+      "    -40 x (shares sum to 1)\n"
+      "  add up to 0 >= 10"));
+  CHECK(contains(outcome.out,
+                 "all limits of sieves must be widened by 5 points for a blend: 25 % fine, 75 % coarse"));
+  const Outcome one = Stockpiles("4,60,70\n1,0,10\n").blend({"--relax", "4mm"});
+  CHECK(
+      contains(one.out, "the limits at 4 mm alone must be widened by 10 points for a blend: 16.6666 % fine"));
+  CHECK(contains(one.out, "in steps of 1 % by 10.4 points: 16 % fine"));
+}
+
+TEST_CASE("where real shares keep limits that none in steps keep, that is told", "[cli]") {
+  const Stockpiles stockpiles("4,60,60.1\n1,0,100\n");
+  const Json none = stockpiles.json({}, 1);
+  CHECK(none.at("status") == "none");
+  CHECK(none.at("contradiction").is_null());
+  CHECK(none.at("real").is_object());
+  CHECK(none.at("widened").at("value") == "1/5"); // 33 %: 59.8
+  CHECK(contains(stockpiles.blend().out, "keeps the limits of limits in steps of 1 %"));
+  CHECK(stockpiles.json({"--step", "1kg of 3kg"}).at("status") == "optimal");
+}
+
+TEST_CASE("all blends in steps, in their order", "[cli]") {
+  const Json all = Stockpiles("4,52,70\n1,0,30\n").json({"--step", "5%", "--all", "100"});
+  CHECK(all.at("all") == true);
+  std::vector<Rational> fine;
+  for (const Json &blend : all.at("blends"))
+    fine.push_back(shares(blend).at(0));
+  CHECK(fine == std::vector<Rational>{Rational(1, 5), Rational(1, 4), Rational(3, 10), Rational(7, 20),
+                                      Rational(2, 5), Rational(9, 20), Rational(1, 2)});
+  const Json two = Stockpiles("4,52,70\n1,0,30\n").json({"--step", "5", "--all", "2"});
+  CHECK(two.at("blends").size() == 2);
+  CHECK(two.at("all") == false);
+}
+
+TEST_CASE("limits of shares, targets, and the number of stockpiles", "[cli]") {
+  const Stockpiles stockpiles;
+  CHECK(shares(stockpiles.json({"--share", "fine=45..60%"}).at("blends").at(0)).at(0) == Rational(45, 100));
+  CHECK(shares(stockpiles.json({"--share", "coarse=55%"}).at("blends").at(0)).at(1) == Rational(55, 100));
+  CHECK(stockpiles.json({"--share", "fine=..20%"}, 1).at("contradiction").at("limits").size() == 2);
+  CHECK(stockpiles.json({"--at-most-stockpiles", "1"}, 1).at("contradiction").is_null());
+  const std::string curve =
+      stockpiles.folder().write("curve.csv", "size_mm,passing_percent\n8,100\n4,65\n1,20\n0.5,0\n");
+  const Json sum = stockpiles.json({"--target", curve});
+  CHECK(sum.at("aim") == "deviation");
+  // 60 f - 25 and 60 f - 20: together least from f = 1/3 to 5/12, 5 points.
+  CHECK(sum.at("blends").at(0).at("value") == "5");
+  CHECK(shares(sum.at("blends").at(0)).at(0) == Rational(34, 100));
+  const Json largest = stockpiles.json({"--target", curve, "--minimise", "max-deviation"});
+  CHECK(largest.at("real").at("value") == "5/2"); // f = 3/8
+  CHECK(largest.at("blends").at(0).at("value") ==
+        "14/5"); // f = 37/100 or 38/100: |22.2 - 25| and |22.8 - 20|
+  CHECK(shares(largest.at("blends").at(0)).at(0) == Rational(37, 100));
+}
+
+TEST_CASE("the gradation of a blend is a file that other commands read", "[cli]") {
+  const Stockpiles stockpiles;
+  const std::string mix = stockpiles.folder() / "mix.csv";
+  const Outcome outcome = stockpiles.blend({"--step", "5kg of 100kg", "--blended", mix});
+  CHECK(outcome.exit_code == 0);
+  CHECK(contains(outcome.out, "steps of 5 kg of 100 kg"));
+  // 35 % fine: at 8, 4, 2 (fine: interpolated, so no sieve), 1 and 0.5 mm pass 100, 61, -, 21 and 0 percent.
+  CHECK(read_file(mix) == "size_mm,mass\n0.5,21\n1,40\n4,39\n8,0\n");
+  CHECK(mdm({"solve", mix}).exit_code == 0);
+  const std::string json = stockpiles.folder() / "mix.json";
+  CHECK(stockpiles.blend({"--blended", json}).exit_code == 0);
+  CHECK(Json::parse(read_file(json)).at("sizes").size() == 4);
+}
+
+TEST_CASE("blends as CSV have a row each, and notes on standard error", "[cli]") {
+  const Stockpiles stockpiles("4,52,70\n3,0,90\n");
+  const Outcome outcome = stockpiles.blend({"--step", "20%", "--all", "9", "--format", "csv"});
+  CHECK(outcome.out == "rank,value,fine percent,coarse percent\n1,0,20,80\n2,0,40,60\n");
+  CHECK(contains(outcome.err, "what passes 3 mm is interpolated between its sieves, linear in size"));
+}
+
+TEST_CASE("a limit of the search is exit 3", "[cli]") {
+  const Outcome outcome = Stockpiles().blend({"--cost", "fine=10,coarse=4", "--node-limit", "0"});
+  CHECK(outcome.exit_code == 3);
+  CHECK(contains(outcome.out, "a limit came before a blend"));
+}
+
+TEST_CASE("what is wrong with a question of blends is refused", "[cli]") {
+  const Stockpiles stockpiles;
+  const auto refuses = [&stockpiles](const Arguments &options, const std::string &why) {
+    check_refused(stockpiles.blend(options), why);
+  };
+  refuses({"--cost", "fine=1"}, "--cost: the cost of 'coarse' is missing: add coarse=COST");
+  refuses({"--cost", "fine=1,coarse=2,fine=3"}, "--cost: 'fine' has two costs");
+  refuses({"--cost", "fine=-1,coarse=2"}, "--cost");
+  refuses({"--cost", "sand=1"}, "--cost: there is no stockpile 'sand'; there are 'fine', 'coarse'");
+  refuses({"--cost", "12"}, "--cost: '12' is no value of a stockpile: write NAME=VALUE");
+  refuses({"--share", "fine=.."}, "limits nothing");
+  refuses({"--share", "fine=40..30%"}, "exchange them");
+  refuses({"--share", "fine=40..130%"}, "--share");
+  refuses({"--step", "0"}, "--step");
+  refuses({"--step", "3%"}, "--step: '3%': the whole is 33.3333 steps");
+  refuses({"--step", "5kg"}, "--step: '5kg' is no step");
+  refuses({"--step", "5kg of 1000g"}, "--step: '5kg of 1000g' is no step");
+  refuses({"--minimise", "price"}, "--minimise: 'price' is none of cost, deviation, max-deviation and none");
+  refuses({"--minimise", "cost"}, "--minimise cost: it needs --cost");
+  refuses({"--minimise", "deviation"}, "--minimise deviation: it needs --target");
+  refuses({"--relax", "3mm"}, "--relax: '3mm' is no sieve with limits; there are 1, 4 mm");
+  refuses({"--all", "0"}, "--all");
+  refuses({"--at-most-stockpiles", "0"}, "--at-most-stockpiles");
+  refuses({"--blended", "-"}, "--blended needs a file");
+  refuses({"--blended", stockpiles.folder() / "limits.csv"}, "would be overwritten");
+  check_refused(mdm({"blend", stockpiles.folder() / "fine.csv"}), "--spec");
+}
+
+TEST_CASE("a limit below the finest sieve of a stockpile, and factors in a blend, are refused", "[cli]") {
+  const Stockpiles stockpiles;
+  const TemporaryFolder &folder = stockpiles.folder();
+  const std::string open = folder.write("open.csv", "size_mm,passing_percent\n8,100\n4,40\n2,10\n");
+  check_refused(mdm({"blend", open, "--spec", folder / "limits.csv"}),
+                "open: what passes 1 mm is not known, since it lies below its finest sieve");
+  const std::string dense =
+      folder.write("dense.csv", "size_mm,mass,factor\n8,0,1\n4,35,2.65\n1,45,2.65\n0.5,20,2.65\n");
+  CHECK(mdm({"blend", dense, "--spec", folder / "limits.csv"}).exit_code == 0);
+  check_refused(mdm({"blend", dense, "--spec", folder / "limits.csv", "--blended", folder / "mix.csv"}),
+                "dense: it has a column factor");
+}
+
+TEST_CASE("the proof of a blend is accepted, and so is that of none", "[cli]") {
+  const auto proved = [](const Stockpiles &stockpiles, Arguments options, int exit_code) {
+    const std::string proof = stockpiles.folder() / "mix.proof";
+    options.insert(options.end(), {"--proof", proof});
+    CHECK(stockpiles.blend(options).exit_code == exit_code);
+    const TemporaryFolder &folder = stockpiles.folder();
+    const Outcome verdict =
+        Process(MDM_CHECK_PROGRAM, {folder / "limits.csv", folder / "fine.csv", folder / "coarse.csv", proof})
+            .end();
+    INFO(verdict.out << verdict.err);
+    CHECK(verdict.exit_code == 0);
+    return verdict.out;
+  };
+  const std::string limits = "8,100,100\n4,60,70\n1,10,30\n";
+  CHECK(contains(proved(Stockpiles(limits), {"--cost", "fine=10,coarse=4"}, 0),
+                 "none has a lower cost than its 151/25"));
+  CHECK(contains(proved(Stockpiles("8,100,100\n4,60,70\n1,0,10\n"), {}, 1), "accepted: no blend"));
+  CHECK(contains(proved(Stockpiles("8,100,100\n4,60,60.1\n"), {}, 1), "accepted: no blend"));
+  proved(Stockpiles(limits), {"--at-most-stockpiles", "1", "--share", "fine=..90%"}, 1);
+}
+
+TEST_CASE("a proof of files that mdm-check does not read is refused", "[cli]") {
+  const Stockpiles open; // its largest sieve lets 70 percent pass at most
+  const std::string proof = open.folder() / "mix.proof";
+  check_refused(open.blend({"--proof", proof}), "largest sieve that lets 100 percent pass");
+  CHECK_FALSE(std::filesystem::exists(proof));
+  const Stockpiles stockpiles("8,100,100\n4,60,70\n");
+  stockpiles.folder().write("fine.csv", "Sieve size (mm),Cumulative % passing\n8,100\n4,100\n1,60\n0.5,0\n");
+  CHECK(stockpiles.blend().exit_code == 0);
+  check_refused(stockpiles.blend({"--proof", proof}), "--proof: mdm-check does not read");
+}

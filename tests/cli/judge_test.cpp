@@ -1,0 +1,110 @@
+// mdm judge: verdicts on samples as a user sees them.
+
+#include "answer.hpp"
+
+using namespace cli_test;
+
+namespace {
+
+const std::string good =
+    "size_mm,passing_percent\n9.5,100\n4.75,97.3\n2.36,88\n1.18,70\n0.6,45\n0.3,18\n0.15,4\n";
+const std::string bad =
+    "size_mm,passing_percent\n9.5,100\n4.75,93\n2.36,91\n1.18,90\n0.6,45\n0.3,18\n0.15,4\n";
+const std::string edge =
+    "size_mm,passing_percent\n9.5,100\n4.75,95\n2.36,88\n1.18,70\n0.6,45\n0.3,18\n0.15,4\n";
+
+bool has(const std::string &text, const std::string &part) {
+  return text.find(part) != std::string::npos;
+}
+
+Outcome judged(const std::string &sample, Arguments more = {}) {
+  Arguments arguments = {"judge", "-", "--spec", "astm-c33-fine"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return mdm(arguments, sample);
+}
+
+} // namespace
+
+TEST_CASE("a sample passes", "[judge]") {
+  const Outcome outcome = judged(good);
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.rfind("stdin: PASS of astm-c33-fine\n", 0) == 0);
+  CHECK(has(outcome.out, "97.25 to 97.35"));
+  CHECK(has(outcome.out, "note: astm-c33-fine: Fine aggregate for concrete, ASTM C33/C33M-18"));
+  CHECK_FALSE(has(outcome.out, " \n"));
+}
+
+TEST_CASE("a sample fails, at all sieves that it fails at", "[judge]") {
+  const Outcome outcome = judged(bad, {"--format", "json"});
+  CHECK(outcome.exit_code == 1);
+  const Json j = Json::parse(outcome.out);
+  CHECK(j.at("schema") == "mdm-judge-1");
+  CHECK(j.at("verdict") == "fail");
+  std::vector<std::string> failing;
+  for (const Json &sieve : j.at("samples")[0].at("sieves"))
+    if (sieve.at("verdict") == "fail")
+      failing.push_back(sieve.at("size"));
+  CHECK(failing == std::vector<std::string>{"1.18", "4.75"});
+}
+
+TEST_CASE("a verdict that hangs on the rounding is no pass and has a curve on either side", "[judge]") {
+  const Outcome outcome = judged(edge, {"--format", "json"});
+  CHECK(outcome.exit_code == 1);
+  const Json sample = Json::parse(outcome.out).at("samples")[0];
+  CHECK(sample.at("verdict") == "hangs");
+  CHECK(sample.at("rounded") == true);
+  CHECK(sample.at("within")[5] == Json({{"size", "4.75"}, {"percent", "95"}}));
+  CHECK(sample.at("outside")[5] == Json({{"size", "4.75"}, {"percent", "189/2"}}));
+  CHECK(has(judged(edge).out, "stdin: HANGS"));
+  CHECK(judged(edge, {"--rounding", "none"}).exit_code == 0);
+  CHECK(judged(good, {"--rounding", "10"}).exit_code == 1);
+}
+
+TEST_CASE("masses are exact", "[judge]") {
+  const std::string masses = "size_mm,mass\n9.5,0\n4.75,5\n2.36,7\n1.18,18\n0.6,25\n0.3,27\n0.15,14\n0,4\n";
+  CHECK(judged(masses).exit_code == 0);
+  CHECK(judged(masses, {"--rounding", "0.1"}).exit_code == 1);
+}
+
+TEST_CASE("several samples have a column each", "[judge]") {
+  const TemporaryFolder folder;
+  const std::string first = folder.write("good.csv", good), second = folder.write("bad.csv", bad);
+  const Outcome outcome = mdm({"judge", first, second, "--spec", "astm-c33-fine"});
+  INFO(outcome.out);
+  CHECK(outcome.exit_code == 1);
+  CHECK(has(outcome.out, "93 fail"));
+  CHECK(has(outcome.out, "90 fail"));
+  const Outcome csv = mdm({"judge", first, second, "--spec", "astm-c33-fine", "--format", "csv"});
+  CHECK(has(csv.out, "good,,,,,,,,pass\n"));
+  CHECK(has(csv.out, "bad,,,,,,,,fail\n"));
+  CHECK(has(csv.out, "bad,4.75,95,100,93,93,92.5,93.5,fail\n"));
+}
+
+TEST_CASE("a size without a sieve is interpolated and noted", "[judge]") {
+  const TemporaryFolder folder;
+  const std::string spec = folder.write("spec.csv", "Sieve (mm),Lower,Upper\n2,50,50\n4,100,100\n");
+  // 2 mm is halfway from 1 to 4 mm.
+  const Outcome outcome =
+      mdm({"judge", "-", "--spec", spec, "--rounding", "none"}, "size_mm,passing_percent\n4,100\n1,0\n");
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(has(outcome.out, "no sieve of 2 mm: what passes is interpolated"));
+}
+
+TEST_CASE("what cannot be judged is refused", "[judge]") {
+  const auto refused = [](const Arguments &arguments, const std::string &input, const std::string &why) {
+    const Outcome outcome = mdm(arguments, input);
+    INFO(outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(has(outcome.err, why));
+  };
+  refused({"judge", "-"}, good, "--spec is missing");
+  refused({"judge", "-", "--spec", "astm-c33-fin"}, good, "specifications that come with mdm: astm-c33-57");
+  refused({"judge", "-", "--spec", "-"}, good, "standard input is one file");
+  refused({"judge", "-", "--spec", "astm-c33-fine", "--rounding", "-1"}, good, "--rounding");
+  refused({"judge", "-", "--spec", "astm-c33-fine", "--rounding", "coarse"}, good, "--rounding");
+  refused({"judge", "-", "--spec", "astm-c33-fine"}, "size_mm,retained_percent\n4,0\n2,20.0\npan,79.5\n",
+          "stdin: the percents retained do not add up to 100");
+}

@@ -1,0 +1,72 @@
+#!/usr/bin/python3
+"""messages_test.py SOURCE: no text of the library names an option as the command line has it: option("name") does that,
+in the spelling of the front end that speaks.
+
+SOURCE is the top folder of the project. A command of the program that is quoted, `mdm convert --help`, stays one.
+"""
+
+import pathlib
+import re
+import sys
+
+SOURCE = pathlib.Path(sys.argv[1]).resolve()
+
+# The rooms above the program, which it shares with Python and JavaScript.
+ROOMS = ("text", "number", "gradation", "soil", "judge", "match", "proof", "sets", "blend", "packing", "particles", "answer", "report", "plot", "crosscheck", "papers", "files", "ask")
+
+# Parts of commands, of the models that export writes, and of helps, by file.
+EXCEPTIONS = {
+    "src/particles/model_yade.cpp": {"--size-unit"},  # of the mdm verify of a model's head
+    "src/particles/settle_script.cpp": {"--snap", "--specimen", "--pan-size", "--cut-below", "--size-factor"},
+    "src/particles/settle_phases.cpp": {"--start"},  # a model's own message
+    "src/particles/yade_course.cpp": {"--start"},  # the same of YADE
+    "src/ask/solve_options.cpp": {"--size-factor"},  # in the help of the program
+    "src/papers/deposit_line.hpp": {"--out"},  # of mdm study
+}
+
+LITERAL = r'"(?:[^"\\\n]|\\.)*"'
+TEXTS = re.compile(rf'//[^\n]*|/\*.*?\*/|^\s*#[^\n]*|R"(\w*)\((.*?)\)\1"|\'(?:[^\'\\]|\\.)+\'|{LITERAL}(?:\s+{LITERAL})*',
+                   re.DOTALL | re.MULTILINE)
+COMMAND = re.compile(r"\bmdm [a-z][^;:,()]*")
+OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
+
+
+def texts(source):
+    """The literals of a file, those that stand beside each other as one."""
+    for found in TEXTS.finditer(source):
+        if found[2] is not None:
+            yield found[2]
+        elif found[0].startswith('"'):
+            yield "".join(part[1:-1] for part in re.findall(LITERAL, found[0]))
+
+
+def options_of(source):
+    return [option for text in texts(source) for option in OPTION.findall(COMMAND.sub("", text))]
+
+
+def check_reader():
+    """The test finds what it is about, and that alone."""
+    found = options_of('// "--a"\nf("leave out "\n  "--law; see mdm solve --help", R"x(--raw)x", \'"\', "a--b", "--"); --i;')
+    assert found == ["--law", "--raw"], found
+
+
+def main():
+    check_reader()
+    failures, used, files = [], {name: set() for name in EXCEPTIONS}, 0
+    for room in ROOMS:
+        for folder in (SOURCE / "src" / room, SOURCE / "include/mdm" / room):
+            for path in sorted(folder.glob("*.[ch]pp")):
+                files += 1
+                name = path.relative_to(SOURCE).as_posix()
+                for option in options_of(path.read_text(encoding="utf-8")):
+                    if option in EXCEPTIONS.get(name, ()):
+                        used[name].add(option)
+                    else:
+                        failures.append(f'{name}: {option}: write option("{option[2:]}")')
+    failures += [f"{name}: no exception any more: {option}" for name, all_of_it in EXCEPTIONS.items()
+                 for option in sorted(all_of_it - used[name])]
+    print(f"{files} files, {len(failures)} failures", *failures, sep="\n")
+    return 1 if failures or files < 300 else 0
+
+
+sys.exit(main())
