@@ -1,9 +1,11 @@
-"""The batches of the reference set, their gradations, proofs and answers."""
+"""The batches of the reference set, their gradations, proofs, questions and answers."""
 
+import collections
 import csv
 import itertools
 import os
 import pathlib
+import re
 import shutil
 import sys
 
@@ -48,3 +50,29 @@ def witness(proof):
     """The same of the sample in a proof."""
     words = [line.split() for line in proof.splitlines() if line.startswith("class ")]
     return [(w[1], w[2], w[-2], w[-1]) for w in words]
+
+
+def questions(row):
+    """The questions of a batch as a verdict says them, and how many proofs are of each."""
+    with open(HOME / "questions.csv", encoding="utf-8") as table:
+        return collections.Counter({q["question"]: int(q["proofs"]) for q in csv.DictReader(table)
+                                    if q["batch"] == row["batch"]})
+
+
+def compare(row, verdicts):
+    """What is wrong with the verdicts on the proofs of a batch, in their order: each is of the number of its answer, which is
+    the sample in its proof, and all are of the questions of the batch."""
+    asked = collections.Counter()
+    wrong = []
+    for number, (verdict, answer, (_, proof)) in enumerate(zip(verdicts, answers(row), proofs(row)), 1):
+        said = re.fullmatch(r'accepted: N = (\d+) is (.* that matches) "[^"]*" (.*)', verdict)
+        if said is None:
+            wrong.append(f"answer {number}: {verdict}")
+            continue
+        asked[f"{said[2]} {said[3]}"] += 1
+        if int(said[1]) != sum(int(quantity) for _, quantity, _, _ in answer) or answer != witness(proof):
+            wrong.append(f"answer {number}: it is not what its proof says")
+    if not len(verdicts) == asked.total() == int(row["lines"]):
+        wrong.append(f"{asked.total()} proofs accepted of {row['lines']}")
+    wrong += [f"{count} proofs of another question: {question}" for question, count in (asked - questions(row)).items()]
+    return wrong
