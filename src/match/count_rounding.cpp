@@ -10,11 +10,11 @@
 namespace mdm {
 namespace {
 
-constexpr double noise = 1e-9;
+constexpr double rounding_noise = 1e-9;
 
 /// Least whole number that is at least x, but for noise.
 double up(double x) {
-  return std::ceil(x - noise * std::max(1.0, x));
+  return std::ceil(x - rounding_noise * std::max(1.0, x));
 }
 
 bool is_held(double x) {

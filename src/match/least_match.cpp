@@ -7,9 +7,9 @@
 namespace mdm {
 namespace {
 
-/// Relative margin for the doubles below: 32u. A level is off by at most 8u, a quotient by at most 14u (lower
-/// 5u, count 2u, per_upper 5u, an operation u each) plus terms in u^2, with 1/2 added by u more.
-constexpr double margin = 0x1p-48;
+/// Relative margin for the doubles below: 32u. A level is off by at most 8u, a quotient by at most 14u
+/// (lower 5u, count 2u, per_upper 5u, an operation u each) plus terms in u^2, with 1/2 added by u more.
+constexpr double level_margin = 0x1p-48;
 
 /// Below this adding 2^52 rounds to an integer.
 constexpr double largest_quotient = 0x1p50;
@@ -75,7 +75,7 @@ private:
       // floor(y) + 1 is the integer nearest to y + 1/2, and has neither a call nor a branch.
       const double middle = y + 0.5;
       const double n = (middle + 0x1p52) - 0x1p52;
-      if (std::abs(middle - n) < 0.5 - middle * margin)
+      if (std::abs(middle - n) < 0.5 - middle * level_margin)
         return at_least_floor(c, {Int(static_cast<std::int64_t>(n)), n});
     }
     const Int n = exact_count_below(c) + Int(1);
@@ -88,9 +88,9 @@ private:
 
   /// True if n^b f / mass > L; `approx` is its double.
   bool rises(const Class &c, const Int &n, double approx) const {
-    if (approx < level_.approx * (1 - margin))
+    if (approx < level_.approx * (1 - level_margin))
       return false;
-    return approx > level_.approx * (1 + margin) || exactly_above(c, n);
+    return approx > level_.approx * (1 + level_margin) || exactly_above(c, n);
   }
 
   bool exactly_above(const Class &c, const Int &n) const {

@@ -6,7 +6,7 @@ namespace mdm::packing {
 namespace {
 
 /// Computed places are within a few units of the true ones; bounds are lower by much more than that.
-constexpr double slack = 1024;
+constexpr double place_slack = 1024;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 /// The radii of a class are within this factor: with fewer classes more places are looked at, with more of
 /// them more bounds are brought up to date. Factors from 1.3 to 2 take much the same time.
@@ -56,7 +56,7 @@ Rest LowestPlace::find(double r) {
       break;
     if (c.stale[block] != 0) {
       const double q = c.radius + usual_gap;
-      *least = look(block, q).y - q - slack;
+      *least = look(block, q).y - q - place_slack;
       c.stale[block] = 0;
       continue;
     }
@@ -132,7 +132,7 @@ void LowestPlace::split(std::size_t block, Id separator) {
     make_stale(block);
   }
   for (Class &c : classes_) {
-    c.bound.push_back(added == 0 ? -slack : c.bound[block]);
+    c.bound.push_back(added == 0 ? -place_slack : c.bound[block]);
     c.stale.push_back(1);
   }
 }

@@ -15,7 +15,7 @@
 namespace mdm {
 namespace {
 
-constexpr unsigned classes = 10;
+constexpr unsigned classes_of_paper = 10;
 constexpr unsigned size_digits = 15;
 constexpr unsigned fraction_digits = 15;
 
@@ -26,7 +26,7 @@ struct Counted {
 
 Counted counted(const DepositQuestion &q, const PackingTerms &terms) {
   const BetaCurve curve = spanned_curve(q.shape, q.span);
-  Counted c{size_classes(curve, q.classing, classes), {}};
+  Counted c{size_classes(curve, q.classing, classes_of_paper), {}};
   c.counts = class_counts(c.classes, curve, {10, terms.at_least, 2});
   return c;
 }
@@ -50,7 +50,7 @@ DepositFacts facts(const Packing &p, const std::string &what) {
 } // namespace
 
 std::string PackingTerms::text() const {
-  return fmt::format("mdm {}, N_c = {}, N_pc = 10, N_min = {}", versions().front().second, classes,
+  return fmt::format("mdm {}, N_c = {}, N_pc = 10, N_min = {}", versions().front().second, classes_of_paper,
                      to_string(at_least));
 }
 

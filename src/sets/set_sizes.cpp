@@ -71,8 +71,8 @@ std::uint64_t Draws::bits(std::uint64_t j, std::uint64_t i, std::uint64_t q) con
   assert(philox_ || i < q);
   if (philox_)
     return (*philox_)(j, i);
-  __extension__ typedef unsigned __int128 Wide;
-  return static_cast<std::uint64_t>(((Wide{2} * i + 1) << 63) / q);
+  __extension__ typedef unsigned __int128 Product;
+  return static_cast<std::uint64_t>(((Product{2} * i + 1) << 63) / q);
 }
 
 ParticlesOf drawn_particles(const std::vector<SizeClass> &classes, const std::vector<Integer> &numbers,
