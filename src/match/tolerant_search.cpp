@@ -31,7 +31,8 @@ struct Candidate {
   double down, up; ///< by how much the number of particles rises at least
 };
 
-/// By how much both branches are narrower than the node.
+/// By how much both branches are above the node: the product rule of reliability branching (Achterberg 2007).
+/// A branch that gains nothing has a least part, so that what the other one gains still counts.
 double merit(const Candidate &c, double room) {
   constexpr double least = 1e-6;
   const auto rise = [&](double by) { return std::max(std::min(by, room), least); };
@@ -50,10 +51,11 @@ struct Sum {
   }
 };
 
-/// With no more numbers it may decide where doubles find nothing.
+/// With no more numbers in its table the exact program is worth its time where doubles find nothing.
 constexpr std::size_t small_table = 4096;
 
-/// What a count may be wrong by, relative to typical counts, and at most.
+/// What a count may be wrong by, relative to typical counts, and at most: a count that is nearer to a whole
+/// number is one, and is not split.
 constexpr double relative_noise = 1e-9, most_noise = 0.05;
 
 /// A bound of the chain, and by which part of itself a sum is too small.

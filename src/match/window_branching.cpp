@@ -87,10 +87,12 @@ std::vector<WindowBranching::Split> WindowBranching::count_splits(const CountBou
   return splits;
 }
 
-/// By how much both branches are above the node.
+/// By how much both branches are above the node, which are solved for it (strong branching), by the product
+/// rule.
 double WindowBranching::merit(const Split &split, const MassWindow &window, const CountBounds &bounds,
                               const WindowPoint &point, double limit) const {
-  const double least = 1e-9 * point.particles, most = 2 * limit;
+  constexpr double least_gain = 1e-9; // so that a branch which gains nothing does not hide the other's gain
+  const double least = least_gain * point.particles, most = 2 * limit;
   double product = 1;
   for (const bool is_first : {true, false}) {
     MassWindow half = window;
