@@ -1,3 +1,18 @@
+// The tree of a search within a tolerance (Theorems 14 and 20; README.md here). What comes in are bounds on
+// counts that every match keeps, and maybe a match; what goes out is the smallest match or that there is
+// none, with a tree that proves it, or at a limit both bounds.
+//
+// Branch and bound. Each open node is a box of counts and a window of the mass, with a bound on the
+// particles of every match in it that exact numbers have proved. Invariant: every match with fewer
+// particles than the best is in an open node. The node with the least bound is taken: it is bounded anew by
+// what doubles propose and exact arithmetic proves, closed if the bound leaves nothing better than the
+// best, or split so that the two children hold all its matches. On the way counts are rounded and tested
+// exactly, which may give a better best.
+//
+// It ends because the best bounds all counts: in a node in which every count is fixed, which exact numbers
+// decide, nothing can be split (Theorem 13). The search stops when the least bound of all open nodes has
+// reached the best.
+
 #include "match/tolerant_search.hpp"
 
 #include "match/count_rounding.hpp"

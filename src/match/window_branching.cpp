@@ -1,3 +1,9 @@
+// How the search goes on in a window of the mass. The split of the mass is a short fraction near the middle
+// of the window, as its digits stand in the certificate. In a narrow window counts of the coarsest classes
+// that are not whole are candidates too: all are tried, both branches of each are solved, and the product
+// of their gains decides (README.md here, "Rules that have names elsewhere"). Matches are looked for at the
+// ends and the middle. Nothing here is a decision: any split is right, and matches are tested exactly.
+
 #include "match/window_branching.hpp"
 
 #include "match/near.hpp"
