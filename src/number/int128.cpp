@@ -1,3 +1,7 @@
+// Integers of 128 bits that are exact or throw. The compiler's overflow checks guard every operation; a
+// caller that catches Int128Overflow begins again with integers of any length, so that nothing but time
+// depends on which is used. Roots begin with a double and are corrected in integers.
+
 #include "number/int128.hpp"
 
 #include "number/words.hpp"

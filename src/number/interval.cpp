@@ -1,3 +1,7 @@
+// Intervals with fractions at their ends. Sums, products and quotients are exact at both ends, so an
+// interval grows by nothing but its arguments' widths; a root is a fraction where it is one, and else
+// between two fractions 2^-bits apart, found by integers.
+
 #include <mdm/number/interval.hpp>
 
 #include <algorithm>
