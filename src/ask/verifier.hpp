@@ -47,7 +47,7 @@ public:
   ParticleSink &sizes() { return sizes_; }
   /// What the reader of particles() says at their end.
   void end(const ReadParticles &read);
-  /// The same of sizes().
+  /// Takes the notes that belong to what sizes() was given.
   void note(const std::vector<std::string> &notes) {
     notes_.insert(notes_.end(), notes.begin(), notes.end());
   }

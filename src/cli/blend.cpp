@@ -207,7 +207,7 @@ Gradation stockpile_in(const std::string &file, const BlendCommand &c) {
   return std::move(g.gradation);
 }
 
-/// The same of the specification.
+/// The limits of the specification; where there is to be a proof, of a file that mdm-check reads as it is.
 Envelope specification_in(const BlendCommand &c) {
   const std::string content = read_file(c.specification, max_gradation_bytes);
   Envelope e = read_envelope(content, shown_name(c.specification));

@@ -1,3 +1,8 @@
+// The stages of a search within a tolerance, in their order: closure, chain, a first match, the tree. Each
+// may end it (README.md here tells how). Invariant: no match has fewer than `least_` particles, and
+// result_.best, if there is one, is a match that was tested exactly. It ends when the two meet, when there
+// is certainly no match, or at a limit; then what is certain is kept, with the proof of it.
+
 #include "match/tolerant_match.hpp"
 
 #include "match/central_masses.hpp"

@@ -1,3 +1,9 @@
+// How the search goes on in a window of the mass. The split of the mass is a short fraction near the middle
+// of the window, as its digits stand in the certificate. In a narrow window counts of the coarsest classes
+// that are not whole are candidates too: all are tried, both branches of each are solved, and the product
+// of their gains decides (README.md here, "Rules that have names elsewhere"). Matches are looked for at the
+// ends and the middle. Nothing here is a decision: any split is right, and matches are tested exactly.
+
 #include "match/window_branching.hpp"
 
 #include "match/near.hpp"
@@ -87,10 +93,12 @@ std::vector<WindowBranching::Split> WindowBranching::count_splits(const CountBou
   return splits;
 }
 
-/// By how much both branches are above the node.
+/// By how much both branches are above the node, which are solved for it (strong branching), by the product
+/// rule.
 double WindowBranching::merit(const Split &split, const MassWindow &window, const CountBounds &bounds,
                               const WindowPoint &point, double limit) const {
-  const double least = 1e-9 * point.particles, most = 2 * limit;
+  constexpr double least_gain = 1e-9; // so that a branch which gains nothing does not hide the other's gain
+  const double least = least_gain * point.particles, most = 2 * limit;
   double product = 1;
   for (const bool is_first : {true, false}) {
     MassWindow half = window;

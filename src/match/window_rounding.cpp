@@ -1,3 +1,10 @@
+// Matches of a given mass near what the relaxation of a window has found. The relaxation is solved at this
+// mass alone. Its counts are rounded up to what their shares need and tested exactly, at the mass and a
+// little beside it. Then the coarsest class whose count is no whole number is fixed at the nearest one, and
+// the rest is solved again: particles of coarse classes are few and heavy, and those of fine ones make up
+// for what is lost. It ends when all counts are whole, when no better match is to be expected, or after 40
+// classes.
+
 #include "match/window_rounding.hpp"
 
 #include "match/near.hpp"

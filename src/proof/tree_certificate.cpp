@@ -1,3 +1,13 @@
+// The certificate of a match within a tolerance as text (certificate-format.md, section 6). What comes in
+// is a match with its tree; what goes out are the tolerance's lines, the witness with exact masses, and the
+// tree in preorder.
+//
+// The problem's masses are in a unit in which all f and F are integers, the format's are those of the
+// gradation: multiples of conditions on masses are those of the problem times the unit, and each leaf is
+// divided by what its multiples have in common. The version is the least that has all that is written: 2
+// for sums of classes, 3 for windows. What the checker's work depends on is summed up on the way, and a
+// certificate beyond the format's limits is not written.
+
 #include "match/problem_of.hpp"
 #include "match/sizes.hpp"
 #include "number/common_denominator.hpp"

@@ -56,7 +56,7 @@ public:
     }
   }
 
-  /// The same of decimals or fractions.
+  /// Adds sizes that are texts: decimals or fractions.
   void add_texts(const std::vector<std::string> &sizes) {
     const py::gil_scoped_release unlocked;
     for (const std::string &text : sizes)

@@ -22,10 +22,6 @@ struct Row {
   Place place;
 };
 
-bool contains(const std::string &text, const std::string &part) {
-  return text.find(part) != std::string::npos;
-}
-
 std::string shown(const Arguments &command) {
   std::string text;
   for (const std::string &word : command)

@@ -27,11 +27,6 @@ std::string verdict(const std::string &gradation, const Arguments &options, int 
   return checked.out;
 }
 
-bool contains(const std::string &text, const std::string &part) {
-  UNSCOPED_INFO(text);
-  return text.find(part) != std::string::npos;
-}
-
 } // namespace
 
 TEST_CASE("every kind of tolerance has a proof whose verdict repeats it", "[cli]") {
