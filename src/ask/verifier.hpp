@@ -19,9 +19,12 @@ namespace mdm {
 struct VerifyTexts {
   GradationTexts gradation;
   std::vector<std::string> tolerances;
-  OptionText snap, digits;
+  OptionText band, snap, digits; ///< band: the name of what the judge gets as an envelope
   ParticleTexts particles;
   PlaceTexts places;
+
+  /// All but those of particles, places and gradation.
+  static const std::vector<OptionRow<VerifyTexts>> options, answer_options;
 };
 
 /// The judge of one sample, which is handed on to its sinks while it is read, or taken as an answer. One

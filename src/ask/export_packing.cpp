@@ -1,7 +1,4 @@
-#include "cli/export_packing.hpp"
-
-#include "cli/packing_file.hpp"
-#include "files/output.hpp"
+#include "ask/export_packing.hpp"
 
 #include <mdm/particles/packing_export.hpp>
 #include <mdm/text/error.hpp>
@@ -9,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace mdm::cli {
+namespace mdm {
 namespace {
 
 struct PackingFormat {
@@ -26,17 +23,14 @@ constexpr std::array<PackingFormat, 6> packing_formats = {{{"lammps", write_pack
 
 } // namespace
 
-void export_packing(const std::string &packing, const std::string &format, LengthUnit unit,
-                    const Rational &density, const std::string &out) {
+void export_packing(const Packing &packing, const std::string &format, LengthUnit unit,
+                    const Rational &density, const Sink &sink) {
   const auto found = std::find_if(packing_formats.begin(), packing_formats.end(),
                                   [&format](const PackingFormat &f) { return format == f.name; });
   if (found == packing_formats.end())
-    throw InputError("--to: " + in_quotes(format) +
+    throw InputError(option("to") + ": " + in_quotes(format) +
                      " takes no packings of discs: use lammps, liggghts, yade, lmgc90, vtk or csv");
-  const Packing p = read_packing_file(packing);
-  Output file(out);
-  found->write(p, unit, density, [&file](std::string_view text) { file.write(text); });
-  file.commit();
+  found->write(packing, unit, density, sink);
 }
 
-} // namespace mdm::cli
+} // namespace mdm

@@ -2,12 +2,12 @@
 /// \file
 /// What mdm export says about the file, the model and the simulation.
 
-#include "cli/export_space.hpp"
+#include "ask/export_space.hpp"
 
-namespace mdm::cli {
+namespace mdm {
 
 /// Warnings about what a user may not have meant. \param start none yet: null
-void check_wanted(const ExportCommand &c, const ExportFormat &format, const ParticleSet &set,
+void check_wanted(const ExportTexts &c, const ExportFormat &format, const ParticleSet &set,
                   const Placement *start);
 
 /// The cost of a step, and the start of the particles.
@@ -18,7 +18,7 @@ std::string cost_guide(const ExportFormat &format, const ParticleSet &set, const
 std::string model_guide(const ExportFormat &format, const SettleModel &model);
 
 /// The command that judges the file; empty where there is none to judge, or no exact counts in it.
-std::string how_to_verify(const ExportCommand &c, const ExportFormat &format, const ExportedParticles &found,
+std::string how_to_verify(const ExportTexts &c, const ExportFormat &format, const ExportedParticles &found,
                           const Placement *start);
 
-} // namespace mdm::cli
+} // namespace mdm

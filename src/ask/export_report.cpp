@@ -1,6 +1,6 @@
-#include "cli/export_report.hpp"
+#include "ask/export_report.hpp"
 
-#include "files/paths.hpp"
+#include "text/file_names.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/number/decimal.hpp>
@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 
-namespace mdm::cli {
+namespace mdm {
 namespace {
 
 /// Above this number, --yes-huge is required.
@@ -28,11 +28,11 @@ const Rational &smallest_size() {
 }
 
 /// \throws InputError if a side of that many metres looks like a mistake
-void check_side(const ExportCommand &c, const Rational &side) {
+void check_side(const ExportTexts &c, const Rational &side) {
   if (!c.yes_units && side > largest_box())
-    throw InputError(fmt::format("the particles need a box of {} m, more than 100 m: is the unit of the "
-                                 "gradation right, and --box wide enough? --yes-units if they are",
-                                 approximate(side, 3)));
+    throw InputError("the particles need a box of " + approximate(side, 3) +
+                     " m, more than 100 m: is the unit of the gradation right, and " + option("box") +
+                     " wide enough? " + option("yes-units") + " if they are");
 }
 
 /// `1.5 MB`, three digits of it.
@@ -79,14 +79,12 @@ std::string cheaper(const ExportFormat &format, const SettleModel &model, double
   constexpr double tenfold = 10;
   std::string text = fmt::format("shorter: {} FILE;", parallel);
   if (model.materials.empty())
-    text += fmt::format(" --young {} takes {}, with overlaps 4.6 times as large;",
+    text += fmt::format(" {} {} takes {}, with overlaps 4.6 times as large;", option("young"),
                         short_decimal(Rational(settling(model).elasticity.young / 10)),
                         time_text(seconds / std::sqrt(tenfold)));
-  return text + " a larger smallest sieve (--cut-below) or a --tolerance needs fewer grains and longer "
-                "steps, see mdm "
-                "tradeoff; in quasi-static runs a --density 100 times as high takes a tenth of the steps, "
-                "and weighs "
-                "100 times as much\n";
+  return text + " a larger smallest sieve (" + option("cut-below") + ") or a " + option("tolerance") +
+         " needs fewer grains and longer steps, see mdm tradeoff; in quasi-static runs a " +
+         option("density") + " 100 times as high takes a tenth of the steps, and weighs 100 times as much\n";
 }
 
 /// True if files of the format have no room for a statement about masses.
@@ -98,21 +96,22 @@ bool has_no_comments(const ExportFormat &format) {
 
 } // namespace
 
-void check_wanted(const ExportCommand &c, const ExportFormat &format, const ParticleSet &set,
+void check_wanted(const ExportTexts &c, const ExportFormat &format, const ParticleSet &set,
                   const Placement *start) {
   if (!c.yes_huge && set.particles() > huge && format.write != write_size_csv)
-    throw InputError(fmt::format("{} particles are more than {}: --yes-huge if that is wanted; else a "
-                                 "--tolerance or --cut-below needs fewer, and --to csv writes counts alone",
-                                 to_string(set.particles()), huge));
+    throw InputError(fmt::format("{} particles are more than {}: {} if that is wanted; else a {} or {} needs "
+                                 "fewer, and {} csv writes counts alone",
+                                 to_string(set.particles()), huge, option("yes-huge"), option("tolerance"),
+                                 option("cut-below"), option("to")));
   if (format.bytes > 0)
     check_simulated(set);
   if (c.yes_units)
     return;
   const Rational smallest = in_metres(set, set.smallest().diameter.decimal());
   if (smallest < smallest_size())
-    throw InputError(fmt::format("particles of {} m are below 1 um: is the unit of the gradation right? "
-                                 "--yes-units if it is, --cut-below leaves fine classes out",
-                                 approximate(smallest, 3)));
+    throw InputError("particles of " + approximate(smallest, 3) +
+                     " m are below 1 um: is the unit of the gradation right? " + option("yes-units") +
+                     " if it is, " + option("cut-below") + " leaves fine classes out");
   Rational side = loose_side(set);
   if (start)
     for (const std::int64_t length : start->box())
@@ -154,12 +153,11 @@ std::string cost_guide(const ExportFormat &format, const ParticleSet &set, const
   return text;
 }
 
-std::string how_to_verify(const ExportCommand &c, const ExportFormat &format, const ExportedParticles &found,
+std::string how_to_verify(const ExportTexts &c, const ExportFormat &format, const ExportedParticles &found,
                           const Placement *start) {
   const ParticleSet &set = *found.set;
   const std::optional<std::string> options = verify_options(c);
-  if (!options || !found.has_gradation || c.file == "-" || c.output.path() == "-" ||
-      format.write == write_mercurydpm)
+  if (!options || !found.has_gradation || c.file == "-" || c.out == "-" || format.write == write_mercurydpm)
     return "";
   const std::string unit =
       format.write == write_size_csv ? "" : " --size-unit " + std::string(name(set.unit));
@@ -168,7 +166,7 @@ std::string how_to_verify(const ExportCommand &c, const ExportFormat &format, co
           ? fmt::format(" --specimen cylinder:{}{}", start->text(start->box()[0]), name(set.unit))
           : "";
   return fmt::format("check it by: mdm verify {} {}{}{}{} --tolerance {}\n", shell_word(*c.file),
-                     shell_word(c.output.path()), *options, unit, specimen, share_tolerance(set));
+                     shell_word(c.out), *options, unit, specimen, share_tolerance(set));
 }
 
 std::string model_guide(const ExportFormat &format, const SettleModel &model) {
@@ -195,4 +193,4 @@ std::string model_guide(const ExportFormat &format, const SettleModel &model) {
   return text + "its first lines say how to run it and to verify what it leaves\n";
 }
 
-} // namespace mdm::cli
+} // namespace mdm
