@@ -55,15 +55,7 @@ std::vector<double> WindowRounding::rounded(const WindowPoint &point, double mas
   return counts;
 }
 
-/// At the mass, or near it: a little less or more is often what makes room for all.
 std::optional<TolerantMatch> WindowRounding::tested(const std::vector<double> &counts, double mass) const {
-  for (const double part : {0.0, -1e-9, -1e-6, -1e-4, 1e-9, 1e-6, 1e-4})
-    if (std::optional<TolerantMatch> found = tested_at(counts, mass * (1 + part)))
-      return found;
-  return std::nullopt;
-}
-
-std::optional<TolerantMatch> WindowRounding::tested_at(const std::vector<double> &counts, double mass) const {
   const std::vector<double> shares = relaxation_.shares_of(counts, mass);
   if (shares.empty())
     return std::nullopt;
