@@ -1,6 +1,6 @@
-#include "blend/relaxation.hpp"
+#include "blend/blend_certificate.hpp"
 
-#include <mdm/blend/blend_certificate.hpp>
+#include "blend/relaxation.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "gradation/shown.hpp"
+#include "soil/grading_curve.hpp"
 
 #include <mdm/blend/blend_problem.hpp>
-#include <mdm/soil/grading_curve.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>

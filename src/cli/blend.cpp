@@ -1,4 +1,6 @@
 #include "ask/option_values.hpp"
+#include "blend/blend_certificate.hpp"
+#include "blend/blended_gradation.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/output_flags.hpp"
@@ -11,8 +13,6 @@
 #include "report/blend_report.hpp"
 #include "text/lines.hpp"
 
-#include <mdm/blend/blend_certificate.hpp>
-#include <mdm/blend/blended_gradation.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/number/decimal.hpp>

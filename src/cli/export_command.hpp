@@ -6,22 +6,11 @@
 #include "cli/reading_flags.hpp"
 #include "cli/solve_flags.hpp"
 #include "particles/cost.hpp"
-
-#include <mdm/particles/particle_writer.hpp>
+#include "particles/export_format.hpp"
 
 #include <vector>
 
 namespace mdm::cli {
-
-/// A format that export writes: sizes alone, or particles in their places.
-struct ExportFormat {
-  const char *name;
-  void (*write)(const ParticleSet &, const Sink &);
-  void (*write_placed)(const Placement &, const Sink &);
-  unsigned bytes;          ///< of the engine's memory for a particle; 0: not known
-  double rate;             ///< grains by steps that the engine makes in a second of one core; 0: not known
-  bool has_floats = false; ///< sizes are read as floats, not as doubles
-};
 
 /// A file that lies in the folder of the one that was asked for.
 struct FileBeside {
@@ -44,7 +33,6 @@ struct ExportCommand {
   bool yes_units = false;
 };
 
-std::string export_format_names();
 /// \throws InputError if --to is none
 const ExportFormat &export_format(const ExportCommand &c);
 

@@ -5,9 +5,9 @@
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "particles/material_table.hpp"
+#include "particles/particle_writer.hpp"
 #include "text/lines.hpp"
 
-#include <mdm/particles/particle_writer.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>

@@ -2,8 +2,8 @@
 
 #include "cli/packing_file.hpp"
 #include "files/output.hpp"
+#include "particles/packing_export.hpp"
 
-#include <mdm/particles/packing_export.hpp>
 #include <mdm/text/error.hpp>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 /// \file
 /// Packings written for engines by mdm export.
 
-#include <mdm/particles/particle_format.hpp>
+#include "particles/particle_format.hpp"
 
 #include <string>
 

@@ -7,10 +7,9 @@
 #include "cli/progress.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "packing/deposit.hpp"
+#include "packing/packing_writer.hpp"
 #include "report/packing_report.hpp"
-
-#include <mdm/packing/deposit.hpp>
-#include <mdm/packing/packing_writer.hpp>
 
 #include <fmt/core.h>
 

@@ -5,10 +5,10 @@
 #include "cli/progress.hpp"
 #include "files/output.hpp"
 #include "number/typed_number.hpp"
+#include "packing/packing_writer.hpp"
 #include "report/apollonian_report.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/packing/packing_writer.hpp>
 
 #include <fmt/core.h>
 

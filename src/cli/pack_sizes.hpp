@@ -4,8 +4,7 @@
 
 #include "cli/beta_options.hpp"
 #include "cli/reading_flags.hpp"
-
-#include <mdm/packing/disc_sizes.hpp>
+#include "packing/disc_sizes.hpp"
 
 #include <CLI/CLI.hpp>
 

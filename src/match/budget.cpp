@@ -1,6 +1,6 @@
-#include "match/widest_tolerance.hpp"
+#include "match/budget.hpp"
 
-#include <mdm/match/budget.hpp>
+#include "match/widest_tolerance.hpp"
 
 #include <map>
 

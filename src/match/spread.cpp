@@ -1,9 +1,10 @@
+#include "match/spread.hpp"
+
 #include "match/mass_draw.hpp"
 #include "match/problem_of.hpp"
 #include "match/sizes.hpp"
 #include "number/philox.hpp"
 
-#include <mdm/match/spread.hpp>
 #include <mdm/text/error.hpp>
 
 #include <cassert>

@@ -1,8 +1,7 @@
-#include "match/tradeoff.hpp"
-
+#include "match/budget.hpp"
 #include "number/common_denominator.hpp"
 
-#include <mdm/match/budget.hpp>
+#include <mdm/match/tradeoff.hpp>
 
 #include <algorithm>
 #include <cassert>

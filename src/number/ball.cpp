@@ -1,4 +1,4 @@
-#include <mdm/number/ball.hpp>
+#include "number/ball.hpp"
 
 #if __has_include(<flint/arb.h>)
 #include <flint/arb.h>

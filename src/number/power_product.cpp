@@ -1,4 +1,4 @@
-#include <mdm/number/power_product.hpp>
+#include "number/power_product.hpp"
 
 #include <cassert>
 #include <vector>

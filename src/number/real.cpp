@@ -1,9 +1,10 @@
+#include "number/real.hpp"
+
 #include "number/decimal_exponent.hpp"
+#include "number/power_product.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/interval.hpp>
-#include <mdm/number/power_product.hpp>
-#include <mdm/number/real.hpp>
 
 #include <algorithm>
 #include <cassert>

@@ -1,9 +1,10 @@
-#include "packing/apollonian_walk.hpp"
+#include "packing/apollonian.hpp"
 
-#include <mdm/packing/apollonian.hpp>
-#include <mdm/packing/disc_sizes.hpp>
+#include "packing/apollonian_walk.hpp"
+#include "packing/disc_sizes.hpp"
+#include "text/option_name.hpp"
+
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <algorithm>
 

@@ -1,6 +1,5 @@
+#include "packing/contacts.hpp"
 #include "packing/wide.hpp"
-
-#include <mdm/packing/contacts.hpp>
 
 #include <algorithm>
 

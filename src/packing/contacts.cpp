@@ -1,7 +1,7 @@
+#include "packing/contacts.hpp"
+
 #include "packing/disc_grid.hpp"
 #include "packing/wide.hpp"
-
-#include <mdm/packing/contacts.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,7 @@
 #include "packing/cut_sphere.hpp"
 
+#include "number/ball.hpp"
 #include "number/pi.hpp"
-
-#include <mdm/number/ball.hpp>
 
 #include <algorithm>
 #include <vector>

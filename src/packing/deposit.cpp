@@ -1,10 +1,11 @@
+#include "packing/deposit.hpp"
+
 #include "packing/lattice.hpp"
 #include "packing/lowest_place.hpp"
 #include "packing/roll.hpp"
 #include "packing/shuffled.hpp"
 #include "packing/wide.hpp"
 
-#include <mdm/packing/deposit.hpp>
 #include <mdm/text/error.hpp>
 
 #include <algorithm>

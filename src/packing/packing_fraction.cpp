@@ -1,7 +1,7 @@
-#include "number/pi.hpp"
+#include "packing/packing_fraction.hpp"
 
-#include <mdm/number/ball.hpp>
-#include <mdm/packing/packing_fraction.hpp>
+#include "number/ball.hpp"
+#include "number/pi.hpp"
 
 namespace mdm {
 namespace {

@@ -1,8 +1,8 @@
-#include "packing/front_height.hpp"
-#include "packing/wide.hpp"
+#include "packing/packing_verdict.hpp"
 
-#include <mdm/packing/packing_verdict.hpp>
-#include <mdm/packing/packing_writer.hpp>
+#include "packing/front_height.hpp"
+#include "packing/packing_writer.hpp"
+#include "packing/wide.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,12 @@
+#include "proof/vipr.hpp"
+
 #include "match/at_least.hpp"
 #include "match/problem_of.hpp"
 #include "number/common_denominator.hpp"
 #include "proof/tolerant_vipr.hpp"
+#include "text/option_name.hpp"
 
-#include <mdm/proof/vipr.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
-#include "crosscheck/crosscheck.hpp"
-
 #include "ask/option_values.hpp"
+#include "crosscheck/other_answer.hpp"
 #include "python/module.hpp"
 #include "python/numbers.hpp"
 
+#include <mdm/crosscheck/crosscheck.hpp>
 #include <mdm/text/error.hpp>
 
 #include <pybind11/stl.h>

@@ -4,10 +4,10 @@
 
 #include "python/module.hpp"
 
+#include "text/option_name.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 namespace py = pybind11;
 
