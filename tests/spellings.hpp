@@ -3,9 +3,9 @@
 /// Messages that name options, as each front end spells them.
 
 #include "catch.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <cctype>
 #include <string>

@@ -1,8 +1,7 @@
+#include "answer/answer.hpp"
 #include "answer/answer_rows.hpp"
 #include "text/long_text.hpp"
 #include "text/text_buffer.hpp"
-
-#include <mdm/answer/answer.hpp>
 
 namespace mdm {
 

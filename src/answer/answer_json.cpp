@@ -1,9 +1,9 @@
+#include "answer/answer.hpp"
 #include "answer/answer_rows.hpp"
 #include "answer/answer_schema.hpp"
 #include "answer/json_values.hpp"
 #include "text/versions.hpp"
 
-#include <mdm/answer/answer.hpp>
 #include <mdm/number/decimal.hpp>
 
 #include <array>

@@ -1,7 +1,8 @@
 #include "answer/answer_particles.hpp"
 
+#include "text/option_name.hpp"
+
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

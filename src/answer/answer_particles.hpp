@@ -2,8 +2,8 @@
 /// \file
 /// The particles of an answer.
 
-#include <mdm/answer/answer_sample.hpp>
-#include <mdm/particles/particle_set.hpp>
+#include "answer/answer_sample.hpp"
+#include "particles/particle_set.hpp"
 
 namespace mdm {
 

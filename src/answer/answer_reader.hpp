@@ -2,9 +2,8 @@
 /// \file
 /// The one reader of answers in JSON.
 
+#include "answer/answer_sample.hpp"
 #include "answer/answer_schema.hpp"
-
-#include <mdm/answer/answer_sample.hpp>
 
 #include <nlohmann/json.hpp>
 

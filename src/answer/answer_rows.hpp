@@ -2,8 +2,9 @@
 /// \file
 /// What the forms of an answer share: the texts of its classes.
 
+#include "match/spread.hpp"
+
 #include <mdm/match/match.hpp>
-#include <mdm/match/spread.hpp>
 
 #include <string>
 #include <vector>

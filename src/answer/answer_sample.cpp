@@ -1,11 +1,12 @@
+#include "answer/answer_sample.hpp"
+
 #include "gradation/shown.hpp"
 #include "number/common_denominator.hpp"
+#include "particles/particle_format.hpp"
+#include "text/option_name.hpp"
 
-#include <mdm/answer/answer_sample.hpp>
 #include <mdm/number/interval.hpp>
-#include <mdm/particles/particle_format.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
+#include "answer/answer.hpp"
 #include "answer/answer_rows.hpp"
 #include "number/counted.hpp"
 #include "text/text_buffer.hpp"
 #include "text/text_table.hpp"
 
-#include <mdm/answer/answer.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 

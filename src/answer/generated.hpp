@@ -4,8 +4,7 @@
 
 #include "sets/matched_set.hpp"
 #include "sets/set_sizes.hpp"
-
-#include <mdm/text/sink.hpp>
+#include "text/sink.hpp"
 
 namespace mdm {
 

@@ -3,11 +3,11 @@
 #include "text/json_member.hpp"
 #include "text/json_tree.hpp"
 #include "text/lines.hpp"
+#include "text/option_name.hpp"
 #include "text/source.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -2,8 +2,9 @@
 /// \file
 /// The reader of sets that mdm generate wrote.
 
+#include "gradation/size_range.hpp"
+
 #include <mdm/gradation/gradation.hpp>
-#include <mdm/gradation/size_range.hpp>
 
 #include <optional>
 #include <string>

@@ -2,7 +2,8 @@
 /// \file
 /// A question as its options state it, before the gradation is read.
 
-#include <mdm/gradation/length.hpp>
+#include "gradation/length.hpp"
+
 #include <mdm/match/question.hpp>
 
 #include <optional>

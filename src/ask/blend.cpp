@@ -1,9 +1,9 @@
 #include "ask/blend.hpp"
 
 #include "ask/option_values.hpp"
+#include "blend/blended_gradation.hpp"
 #include "text/lines.hpp"
 
-#include <mdm/blend/blended_gradation.hpp>
 #include <mdm/number/decimal.hpp>
 
 #include <fmt/format.h>

@@ -4,9 +4,9 @@
 
 #include "ask/option_row.hpp"
 #include "ask/outcome.hpp"
+#include "blend/blend_certificate.hpp"
 #include "report/blend_report.hpp"
 
-#include <mdm/blend/blend_certificate.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 
 #include <vector>

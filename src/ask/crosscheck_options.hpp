@@ -3,7 +3,8 @@
 /// What is asked about the answers of other solvers.
 
 #include "ask/solve_options.hpp"
-#include "crosscheck/crosscheck.hpp"
+
+#include <mdm/crosscheck/crosscheck.hpp>
 
 #include <string>
 #include <vector>

@@ -2,10 +2,10 @@
 
 #include "ask/option_values.hpp"
 #include "particles/material_table.hpp"
+#include "particles/particle_writer.hpp"
 #include "text/file_names.hpp"
 #include "text/lines.hpp"
 
-#include <mdm/particles/particle_writer.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>

@@ -12,47 +12,16 @@
 #include <filesystem>
 
 namespace mdm {
-namespace {
-
-/// Bytes were measured with 97,336 particles of one size in contact with six others each, and rounded up.
-/// Rates by tests/benchmark/engine_rates.py.
-constexpr std::array<ExportFormat, 16> formats = {{{"liggghts", write_liggghts, nullptr, 1000, 5.4e6},
-                                                   {"lammps", nullptr, write_lammps_data, 1000, 4.7e6},
-                                                   {"yade", nullptr, write_xyzr, 10000, 6.4e5},
-                                                   {"mercurydpm", write_mercurydpm, nullptr, 0, 0},
-                                                   {"vtk", nullptr, write_vtk, 0, 0},
-                                                   {"esys", nullptr, write_esys, 0, 0},
-                                                   {"lethe", nullptr, write_lethe, 0, 0},
-                                                   {"kratos", nullptr, write_kratos, 0, 0},
-                                                   {"dem-engine", nullptr, write_dem_engine, 0, 0, true},
-                                                   {"musen", nullptr, write_musen, 0, 0},
-                                                   {"phasicflow", nullptr, write_phasicflow, 0, 0},
-                                                   {"gsd", nullptr, write_gsd, 0, 0, true},
-                                                   {"extxyz", nullptr, write_extxyz, 0, 0},
-                                                   {"pfc", nullptr, write_pfc, 0, 0},
-                                                   {"csv", write_size_csv, nullptr, 0, 0},
-                                                   {"diameters", write_diameters, nullptr, 0, 0}}};
-
-} // namespace
-
-std::string export_format_names() {
-  std::string text;
-  for (const ExportFormat &format : formats)
-    text += (text.empty() ? "" : ", ") + std::string(format.name);
-  return text;
-}
-
 const ExportFormat &export_format(const ExportTexts &c) {
-  const auto found = std::find_if(formats.begin(), formats.end(),
-                                  [&c](const ExportFormat &format) { return c.to == format.name; });
-  if (found == formats.end())
+  const ExportFormat *const found = find_export_format(c.to);
+  if (found == nullptr)
     throw InputError(option("to") + ": " + in_quotes(c.to) + " is no format: use one of " +
                      export_format_names());
   return *found;
 }
 
 std::vector<FileBeside> files_beside(const ExportTexts &c, const ExportFormat &format) {
-  if (format.write_placed != write_phasicflow)
+  if (format.id != ExportTo::phasicflow)
     return {};
   if (c.out == "-")
     throw InputError("-o: PhasicFlow reads two more files, which lie beside it: say where with -o FILE");

@@ -6,22 +6,11 @@
 #include "ask/reading_options.hpp"
 #include "ask/solve_options.hpp"
 #include "particles/cost.hpp"
-
-#include <mdm/particles/particle_writer.hpp>
+#include "particles/export_format.hpp"
 
 #include <vector>
 
 namespace mdm {
-
-/// A format that export writes: sizes alone, or particles in their places.
-struct ExportFormat {
-  const char *name;
-  void (*write)(const ParticleSet &, const Sink &);
-  void (*write_placed)(const Placement &, const Sink &);
-  unsigned bytes;          ///< of the engine's memory for a particle; 0: not known
-  double rate;             ///< grains by steps that the engine makes in a second of one core; 0: not known
-  bool has_floats = false; ///< sizes are read as floats, not as doubles
-};
 
 /// A file that lies in the folder of the one that was asked for.
 struct FileBeside {
@@ -54,7 +43,6 @@ struct ExportedParticles {
   bool has_gradation = true;    ///< FILE is one, by which the particles can be judged
 };
 
-std::string export_format_names();
 /// \throws InputError if --to is none
 const ExportFormat &export_format(const ExportTexts &c);
 

@@ -1,6 +1,7 @@
 #include "ask/export_packing.hpp"
 
-#include <mdm/particles/packing_export.hpp>
+#include "particles/packing_export.hpp"
+
 #include <mdm/text/error.hpp>
 
 #include <algorithm>

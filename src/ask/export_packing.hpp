@@ -2,9 +2,9 @@
 /// \file
 /// Packings written for engines by mdm export.
 
-#include <mdm/packing/packing.hpp>
-#include <mdm/particles/particle_format.hpp>
-#include <mdm/text/sink.hpp>
+#include "packing/packing.hpp"
+#include "particles/particle_format.hpp"
+#include "text/sink.hpp"
 
 #include <string>
 

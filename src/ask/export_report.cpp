@@ -73,8 +73,8 @@ std::string time_text(double seconds) {
 
 /// What makes a long run shorter.
 std::string cheaper(const ExportFormat &format, const SettleModel &model, double seconds) {
-  const std::string parallel = format.write_placed == write_xyzr ? "yade -n -j 4"
-                               : format.write == write_liggghts  ? "mpirun -np 4 liggghts -in"
+  const std::string parallel = format.id == ExportTo::yade       ? "yade -n -j 4"
+                               : format.id == ExportTo::liggghts ? "mpirun -np 4 liggghts -in"
                                                                  : "mpirun -np 4 lmp -in";
   constexpr double tenfold = 10;
   std::string text = fmt::format("shorter: {} FILE;", parallel);
@@ -87,18 +87,11 @@ std::string cheaper(const ExportFormat &format, const SettleModel &model, double
          option("density") + " 100 times as high takes a tenth of the steps, and weighs 100 times as much\n";
 }
 
-/// True if files of the format have no room for a statement about masses.
-bool has_no_comments(const ExportFormat &format) {
-  constexpr std::array writers = {write_esys,       write_lethe, write_pfc,
-                                  write_dem_engine, write_musen, write_gsd};
-  return std::find(writers.begin(), writers.end(), format.write_placed) != writers.end();
-}
-
 } // namespace
 
 void check_wanted(const ExportTexts &c, const ExportFormat &format, const ParticleSet &set,
                   const Placement *start) {
-  if (!c.yes_huge && set.particles() > huge && format.write != write_size_csv)
+  if (!c.yes_huge && set.particles() > huge && format.id != ExportTo::csv)
     throw InputError(fmt::format("{} particles are more than {}: {} if that is wanted; else a {} or {} needs "
                                  "fewer, and {} csv writes counts alone",
                                  to_string(set.particles()), huge, option("yes-huge"), option("tolerance"),
@@ -128,20 +121,20 @@ std::string cost_guide(const ExportFormat &format, const ParticleSet &set, const
   if (format.bytes > 0)
     text += fmt::format("memory of {}: some {} ({} bytes a particle, more where sizes are far apart)\n",
                         format.name, bytes_text(Integer(set.particles() * format.bytes)), format.bytes);
-  if (format.write == write_mercurydpm)
+  if (format.id == ExportTo::mercurydpm)
     text += "MercuryDPM draws sizes at random from the shares: its counts are not exact\n";
   if (format.has_floats)
     text += fmt::format("sizes are floats, each in its class; masses are within {} of the exact ones, places "
                         "as near as floats are\n",
                         stated_error(set));
-  if (format.write_placed == write_phasicflow)
+  if (format.id == ExportTo::phasicflow)
     text +=
         "it goes into settings of the case, shapes beside it into caseSetup, positions into the case itself; "
         "the material is called grains\n";
-  if (format.write_placed == write_dem_engine)
+  if (format.id == ExportTo::dem_engine)
     text += "each clump_type is r and a radius: give it to DEM-Engine by LoadSphereType(mass, radius, "
             "material)->AssignName(clump_type)\n";
-  if (has_no_comments(format) && !set.law.is_sphere())
+  if (!format.has_comments && !set.law.is_sphere())
     text += law_statement(set).substr(1) + "\n";
   if (start)
     text +=
@@ -157,10 +150,9 @@ std::string how_to_verify(const ExportTexts &c, const ExportFormat &format, cons
                           const Placement *start) {
   const ParticleSet &set = *found.set;
   const std::optional<std::string> options = verify_options(c);
-  if (!options || !found.has_gradation || c.file == "-" || c.out == "-" || format.write == write_mercurydpm)
+  if (!options || !found.has_gradation || c.file == "-" || c.out == "-" || format.id == ExportTo::mercurydpm)
     return "";
-  const std::string unit =
-      format.write == write_size_csv ? "" : " --size-unit " + std::string(name(set.unit));
+  const std::string unit = format.id == ExportTo::csv ? "" : " --size-unit " + std::string(name(set.unit));
   const std::string specimen =
       start != nullptr && start->sides() == Sides::cylinder
           ? fmt::format(" --specimen cylinder:{}{}", start->text(start->box()[0]), name(set.unit))

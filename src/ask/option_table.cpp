@@ -6,8 +6,7 @@
 #include "ask/solve_options.hpp"
 #include "ask/verifier.hpp"
 #include "text/json_writer.hpp"
-
-#include <mdm/text/option_name.hpp>
+#include "text/option_name.hpp"
 
 #include <algorithm>
 

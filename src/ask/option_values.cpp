@@ -1,9 +1,9 @@
 #include "ask/option_values.hpp"
 
 #include "number/typed_number.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <algorithm>
 #include <limits>

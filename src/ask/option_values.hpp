@@ -3,10 +3,11 @@
 /// Values of options, read exactly. All take the name of the option, without hyphens before it, and throw an
 /// InputError that names it.
 
-#include <mdm/gradation/length.hpp>
+#include "gradation/length.hpp"
+#include "text/option_name.hpp"
+
 #include <mdm/number/rational.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <chrono>
 #include <string>

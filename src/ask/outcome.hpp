@@ -2,12 +2,12 @@
 /// \file
 /// How a run ended.
 
-#include "match/tradeoff.hpp"
 #include "report/verification.hpp"
+#include "soil/describe.hpp"
 
 #include <mdm/match/limits.hpp>
 #include <mdm/match/match.hpp>
-#include <mdm/soil/describe.hpp>
+#include <mdm/match/tradeoff.hpp>
 
 namespace mdm {
 

@@ -4,10 +4,9 @@
 
 #include "ask/beta_options.hpp"
 #include "ask/reading_options.hpp"
-
-#include <mdm/packing/apollonian.hpp>
-#include <mdm/packing/deposit.hpp>
-#include <mdm/packing/disc_sizes.hpp>
+#include "packing/apollonian.hpp"
+#include "packing/deposit.hpp"
+#include "packing/disc_sizes.hpp"
 
 #include <functional>
 #include <string>

@@ -3,8 +3,7 @@
 /// The options that say how a file of particles is to be read, as texts.
 
 #include "ask/option_row.hpp"
-
-#include <mdm/particles/particle_reader.hpp>
+#include "particles/particle_reader.hpp"
 
 #include <vector>
 

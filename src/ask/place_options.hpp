@@ -3,9 +3,8 @@
 /// What is asked about the places of particles.
 
 #include "ask/option_row.hpp"
-
-#include <mdm/packing/sphere_texture.hpp>
-#include <mdm/particles/particle_reader.hpp>
+#include "packing/sphere_texture.hpp"
+#include "particles/particle_reader.hpp"
 
 #include <vector>
 

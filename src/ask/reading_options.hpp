@@ -4,7 +4,7 @@
 
 #include "ask/option_row.hpp"
 
-#include <mdm/gradation/reading.hpp>
+#include <mdm/gradation/read_gradation.hpp>
 
 #include <string>
 #include <vector>

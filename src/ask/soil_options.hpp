@@ -3,8 +3,7 @@
 /// The options of what soil mechanics says of a gradation, as texts.
 
 #include "ask/option_row.hpp"
-
-#include <mdm/soil/describe.hpp>
+#include "soil/describe.hpp"
 
 #include <vector>
 

@@ -4,8 +4,8 @@
 
 #include "ask/asked_question.hpp"
 #include "ask/option_row.hpp"
+#include "match/budget.hpp"
 
-#include <mdm/match/budget.hpp>
 #include <mdm/match/solve.hpp>
 
 #include <functional>

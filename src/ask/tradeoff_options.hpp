@@ -3,7 +3,8 @@
 /// The options of a trade-off as texts.
 
 #include "ask/solve_options.hpp"
-#include "match/tradeoff.hpp"
+
+#include <mdm/match/tradeoff.hpp>
 
 #include <string>
 #include <vector>

@@ -1,10 +1,10 @@
 #include "ask/verifier.hpp"
 
+#include "answer/answer_sample.hpp"
 #include "ask/option_values.hpp"
 #include "gradation/likelier_unit.hpp"
 #include "particles/unasked_texture.hpp"
 
-#include <mdm/answer/answer_sample.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>

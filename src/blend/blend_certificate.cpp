@@ -4,9 +4,9 @@
 // they do not need the aim, else `leaf`. What the checker can see by itself, a box whose counts cannot sum
 // to the whole, needs none.
 
-#include "blend/relaxation.hpp"
+#include "blend/blend_certificate.hpp"
 
-#include <mdm/blend/blend_certificate.hpp>
+#include "blend/relaxation.hpp"
 
 #include <fmt/format.h>
 

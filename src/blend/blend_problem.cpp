@@ -4,9 +4,9 @@
 // finest sieve nothing is known, and a limit there is refused.
 
 #include "gradation/shown.hpp"
+#include "soil/grading_curve.hpp"
 
 #include <mdm/blend/blend_problem.hpp>
-#include <mdm/soil/grading_curve.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>

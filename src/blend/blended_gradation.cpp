@@ -1,9 +1,10 @@
+#include "blend/blended_gradation.hpp"
+
 #include "number/common_denominator.hpp"
+#include "soil/grading_curve.hpp"
 
 #include <mdm/blend/blend_problem.hpp>
-#include <mdm/blend/blended_gradation.hpp>
 #include <mdm/number/decimal.hpp>
-#include <mdm/soil/grading_curve.hpp>
 #include <mdm/text/error.hpp>
 
 #include <algorithm>

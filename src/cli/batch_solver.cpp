@@ -1,10 +1,10 @@
 #include "cli/batch_solver.hpp"
 
+#include "answer/answer.hpp"
 #include "answer/batch_csv.hpp"
 #include "files/paths.hpp"
 #include "text/json_writer.hpp"
 
-#include <mdm/answer/answer.hpp>
 #include <mdm/proof/certificate.hpp>
 #include <mdm/text/error.hpp>
 

@@ -1,6 +1,8 @@
 #include "cli/export_particles.hpp"
 
+#include "answer/answer.hpp"
 #include "answer/answer_particles.hpp"
+#include "answer/answer_sample.hpp"
 #include "ask/option_values.hpp"
 #include "cli/export_command.hpp"
 #include "cli/progress.hpp"
@@ -12,8 +14,6 @@
 #include "text/json_member.hpp"
 #include "text/lines.hpp"
 
-#include <mdm/answer/answer.hpp>
-#include <mdm/answer/answer_sample.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
 

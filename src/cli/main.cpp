@@ -4,10 +4,10 @@
 #include "files/number_pool.hpp"
 #include "files/output.hpp"
 #include "files/standard_streams.hpp"
+#include "text/option_name.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 

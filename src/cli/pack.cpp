@@ -11,10 +11,9 @@
 #include "files/byte_source.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "packing/deposit.hpp"
+#include "packing/packing_writer.hpp"
 #include "report/packing_report.hpp"
-
-#include <mdm/packing/deposit.hpp>
-#include <mdm/packing/packing_writer.hpp>
 
 #include <fmt/core.h>
 

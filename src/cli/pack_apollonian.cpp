@@ -3,11 +3,11 @@
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "files/output.hpp"
+#include "packing/packing_writer.hpp"
 #include "report/apollonian_report.hpp"
+#include "text/option_name.hpp"
 
-#include <mdm/packing/packing_writer.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -2,8 +2,7 @@
 
 #include "files/byte_source.hpp"
 #include "files/paths.hpp"
-
-#include <mdm/packing/packing_reader.hpp>
+#include "packing/packing_reader.hpp"
 
 namespace mdm::cli {
 namespace {

@@ -2,8 +2,8 @@
 /// \file
 /// Files of packings and of the sizes of their discs.
 
-#include <mdm/packing/disc_sizes.hpp>
-#include <mdm/packing/packing.hpp>
+#include "packing/disc_sizes.hpp"
+#include "packing/packing.hpp"
 
 #include <string>
 

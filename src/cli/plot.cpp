@@ -1,3 +1,4 @@
+#include "answer/answer_sample.hpp"
 #include "ask/option_values.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
@@ -13,6 +14,7 @@
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
 #include "match/smallest_match.hpp"
+#include "packing/packing_reader.hpp"
 #include "particles/description_sink.hpp"
 #include "particles/placed_sink.hpp"
 #include "particles/sample_sieves.hpp"
@@ -20,10 +22,8 @@
 #include "plot/packing_figure.hpp"
 #include "plot/section_figure.hpp"
 
-#include <mdm/answer/answer_sample.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
-#include <mdm/packing/packing_reader.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>

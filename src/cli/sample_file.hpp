@@ -4,9 +4,9 @@
 
 #include "cli/reading_flags.hpp"
 #include "files/file_lines.hpp"
+#include "particles/particle_reader.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
-#include <mdm/particles/particle_reader.hpp>
 
 #include <string>
 #include <vector>

@@ -1,3 +1,4 @@
+#include "answer/answer.hpp"
 #include "ask/option_values.hpp"
 #include "cli/budget_flags.hpp"
 #include "cli/commands.hpp"
@@ -13,14 +14,13 @@
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
 #include "match/costly_fines.hpp"
+#include "proof/coq_file.hpp"
+#include "proof/vipr.hpp"
 
-#include <mdm/answer/answer.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/proof/certificate.hpp>
-#include <mdm/proof/coq_file.hpp>
-#include <mdm/proof/vipr.hpp>
 #include <mdm/text/error.hpp>
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+#include "sets/suite.hpp"
+
 #include "answer/made_suite.hpp"
 #include "ask/option_values.hpp"
 #include "cli/commands.hpp"
@@ -13,7 +15,6 @@
 #include "files/paths.hpp"
 
 #include <mdm/gradation/write_gradation.hpp>
-#include <mdm/sets/suite.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>

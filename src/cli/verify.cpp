@@ -14,11 +14,11 @@
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
+#include "particles/particle_reader.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
-#include <mdm/particles/particle_reader.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 

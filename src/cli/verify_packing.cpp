@@ -5,9 +5,8 @@
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
+#include "packing/packing_verdict.hpp"
 #include "report/packing_report.hpp"
-
-#include <mdm/packing/packing_verdict.hpp>
 
 namespace mdm::cli {
 

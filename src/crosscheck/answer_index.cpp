@@ -7,9 +7,9 @@
 #include "crosscheck/answer_index.hpp"
 
 #include "crosscheck/journal_line.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

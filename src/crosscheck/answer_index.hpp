@@ -2,7 +2,9 @@
 /// \file
 /// The answers of a file, by the gradation that they are for.
 
-#include "crosscheck/crosscheck.hpp"
+#include "crosscheck/other_answer.hpp"
+
+#include <mdm/crosscheck/crosscheck.hpp>
 
 #include <atomic>
 #include <unordered_map>

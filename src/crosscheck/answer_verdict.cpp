@@ -1,4 +1,4 @@
-#include "crosscheck/answer_verdict.hpp"
+#include <mdm/crosscheck/answer_verdict.hpp>
 
 #include <algorithm>
 

@@ -8,12 +8,14 @@
 // compared with the proved minimum, or with its bounds where a limit ended that search. Questions with a
 // tolerance, floors or a volume go to CountsJudge.
 
-#include "crosscheck/crosscheck.hpp"
-
+#include "crosscheck/counts_judge.hpp"
+#include "crosscheck/other_answer.hpp"
+#include "gradation/description.hpp"
 #include "gradation/shown.hpp"
+#include "match/least_match.hpp"
 #include "number/counted.hpp"
 
-#include <mdm/gradation/description.hpp>
+#include <mdm/crosscheck/crosscheck.hpp>
 #include <mdm/number/decimal.hpp>
 
 #include <fmt/core.h>
@@ -26,9 +28,7 @@ namespace {
 
 /// The sizes in the unit of g.
 std::vector<std::optional<StatedSize>> in_unit_of(const Gradation &g, const OtherAnswer &answer) {
-  const Rational mm =
-      g.unit() == SizeUnit::um ? ratio(1, 1000) : Rational(g.unit() == SizeUnit::m ? 1000 : 1);
-  const Rational factor = answer.unit_mm / mm;
+  const Rational factor = answer.unit_mm / in_mm(g.unit());
   std::vector<std::optional<StatedSize>> sizes = answer.sizes;
   for (std::optional<StatedSize> &x : sizes)
     if (x)
@@ -38,13 +38,44 @@ std::vector<std::optional<StatedSize>> in_unit_of(const Gradation &g, const Othe
 
 } // namespace
 
-/// An answer's particles, one entry for each class with mass.
-struct Crosscheck::Particles {
-  std::vector<Integer> q;
-  std::vector<std::optional<StatedSize>> sizes;
+/// The gradation with its least match, and the judging.
+class Crosscheck::State {
+public:
+  State(Gradation g, Limits limits);
+  State(Gradation g, const Question &question, const Limits &limits);
+  const Gradation &gradation() const { return g_; }
+  CrosscheckRow judge(const OtherAnswer &answer, const Rational &size_tolerance) const;
+
+private:
+  /// An answer's particles, one entry for each class with mass.
+  struct Particles {
+    std::vector<Integer> q;
+    std::vector<std::optional<StatedSize>> sizes;
+  };
+  /// A question that is not the plain one, with what is known of its least match.
+  struct Asked {
+    CountsJudge judge;
+    Match known;
+  };
+  CrosscheckRow judge_asked(const OtherAnswer &answer, const Rational &size_tolerance) const;
+  std::string spread_over_classes(const OtherAnswer &answer, std::vector<Integer> &q,
+                                  std::vector<std::optional<StatedSize>> &sizes) const;
+  void compare_with_known(CrosscheckRow &row) const;
+  std::string in_words(std::size_t j) const;
+  std::string in_words(const Particles &particles, std::size_t i) const;
+  std::string take(const OtherAnswer &answer, Particles &particles) const;
+  Rational scale_at(const Particles &particles, std::size_t i, const Rational &size) const;
+  std::string mismatch(const OtherAnswer &answer, const Rational &size_tolerance) const;
+  std::string mismatch_of_sizes(const Particles &particles, const Rational &size_tolerance) const;
+  std::optional<Rational> max_error(const OtherAnswer &answer) const;
+
+  Gradation g_;
+  std::vector<std::size_t> with_mass_; ///< classes with mass
+  LeastMatch least_;
+  std::optional<Asked> asked_; ///< nothing: the plain question
 };
 
-Crosscheck::Crosscheck(Gradation g, Limits limits) : g_(std::move(g)) {
+Crosscheck::State::State(Gradation g, Limits limits) : g_(std::move(g)) {
   limits.keep_proof = false;
   least_ = least_match(Problem(g_, MassLaw{}, 1), limits);
   for (std::size_t j = 0; j < g_.classes(); ++j)
@@ -52,7 +83,7 @@ Crosscheck::Crosscheck(Gradation g, Limits limits) : g_(std::move(g)) {
       with_mass_.push_back(j);
 }
 
-Crosscheck::Crosscheck(Gradation g, const Question &question, const Limits &limits)
+Crosscheck::State::State(Gradation g, const Question &question, const Limits &limits)
     : g_(asked_gradation(std::move(g), question)) {
   Question rest = question; // what changes the gradation is made
   rest.pan_size.reset();
@@ -62,22 +93,22 @@ Crosscheck::Crosscheck(Gradation g, const Question &question, const Limits &limi
   options.limits = limits;
   options.limits.keep_proof = false;
   CountsJudge judge(g_, question);
-  asked_ = std::make_shared<const Asked>(Asked{std::move(judge), solve(g_, rest, options)});
+  asked_.emplace(Asked{std::move(judge), solve(g_, rest, options)});
 }
 
 /// `class 2 (0.3, 0.6]`.
-std::string Crosscheck::in_words(std::size_t j) const {
+std::string Crosscheck::State::in_words(std::size_t j) const {
   return fmt::format("class {} ({}, {}]", j + 1, shown(g_.lower(j)), shown(g_.upper(j)));
 }
 
 /// `class 2 (0.3, 0.6] with 5 particles`.
-std::string Crosscheck::in_words(const Particles &particles, std::size_t i) const {
+std::string Crosscheck::State::in_words(const Particles &particles, std::size_t i) const {
   return in_words(with_mass_[i]) + " with " + counted(particles.q[i]);
 }
 
 /// Takes the entries of the classes with mass. Returns what is wrong with their number or with a zero, or
 /// nothing.
-std::string Crosscheck::take(const OtherAnswer &answer, Particles &particles) const {
+std::string Crosscheck::State::take(const OtherAnswer &answer, Particles &particles) const {
   const std::size_t n = answer.quantities.size();
   const bool all = n == g_.classes();
   if (!all && n != with_mass_.size()) {
@@ -108,12 +139,13 @@ std::string Crosscheck::take(const OtherAnswer &answer, Particles &particles) co
 }
 
 /// The scale at which the particles of a class have the size: q c x^3 / m.
-Rational Crosscheck::scale_at(const Particles &particles, std::size_t i, const Rational &size) const {
+Rational Crosscheck::State::scale_at(const Particles &particles, std::size_t i, const Rational &size) const {
   const std::size_t j = with_mass_[i];
   return Rational(particles.q[i]) * g_.factor(j) * power(size, 3) / g_.mass(j);
 }
 
-std::string Crosscheck::mismatch_of_sizes(const Particles &particles, const Rational &size_tolerance) const {
+std::string Crosscheck::State::mismatch_of_sizes(const Particles &particles,
+                                                 const Rational &size_tolerance) const {
   /// An end of the scales that a class allows.
   struct End {
     Rational scale;
@@ -151,7 +183,7 @@ std::string Crosscheck::mismatch_of_sizes(const Particles &particles, const Rati
                      in_words(particles, to->of), shown(to->scale));
 }
 
-std::string Crosscheck::mismatch(const OtherAnswer &answer, const Rational &size_tolerance) const {
+std::string Crosscheck::State::mismatch(const OtherAnswer &answer, const Rational &size_tolerance) const {
   Particles particles;
   if (std::string wrong = take(answer, particles); !wrong.empty())
     return wrong;
@@ -170,7 +202,7 @@ std::string Crosscheck::mismatch(const OtherAnswer &answer, const Rational &size
   return mismatch_of_sizes(particles, size_tolerance);
 }
 
-std::optional<Rational> Crosscheck::max_error(const OtherAnswer &answer) const {
+std::optional<Rational> Crosscheck::State::max_error(const OtherAnswer &answer) const {
   if (answer.sizes.size() != answer.quantities.size())
     return std::nullopt;
   const std::vector<std::optional<StatedSize>> sizes = in_unit_of(g_, answer);
@@ -185,7 +217,7 @@ std::optional<Rational> Crosscheck::max_error(const OtherAnswer &answer) const {
   return sample.error().maximum.hi; // spheres: exact
 }
 
-CrosscheckRow Crosscheck::judge(const OtherAnswer &answer, const Rational &size_tolerance) const {
+CrosscheckRow Crosscheck::State::judge(const OtherAnswer &answer, const Rational &size_tolerance) const {
   assert(size_tolerance >= 0 && size_tolerance < 1);
   if (asked_)
     return judge_asked(answer, size_tolerance);
@@ -218,7 +250,8 @@ CrosscheckRow Crosscheck::judge(const OtherAnswer &answer, const Rational &size_
   return row;
 }
 
-CrosscheckRow Crosscheck::judge_asked(const OtherAnswer &answer, const Rational &size_tolerance) const {
+CrosscheckRow Crosscheck::State::judge_asked(const OtherAnswer &answer,
+                                             const Rational &size_tolerance) const {
   const Match &known = asked_->known;
   CrosscheckRow row;
   row.id = g_.id();
@@ -250,8 +283,8 @@ CrosscheckRow Crosscheck::judge_asked(const OtherAnswer &answer, const Rational 
 }
 
 /// One entry a class of what the answer has for each class, or for each with mass.
-std::string Crosscheck::spread_over_classes(const OtherAnswer &answer, std::vector<Integer> &q,
-                                            std::vector<std::optional<StatedSize>> &sizes) const {
+std::string Crosscheck::State::spread_over_classes(const OtherAnswer &answer, std::vector<Integer> &q,
+                                                   std::vector<std::optional<StatedSize>> &sizes) const {
   const std::size_t n = answer.quantities.size();
   std::vector<std::size_t> with_mass;
   for (std::size_t j = 0; j < g_.classes(); ++j)
@@ -276,7 +309,7 @@ std::string Crosscheck::spread_over_classes(const OtherAnswer &answer, std::vect
 }
 
 /// The verdict on a match.
-void Crosscheck::compare_with_known(CrosscheckRow &row) const {
+void Crosscheck::State::compare_with_known(CrosscheckRow &row) const {
   const Match &known = asked_->known;
   if (*row.particles == known.lower_bound) {
     row.verdict = AnswerVerdict::minimal;
@@ -290,6 +323,24 @@ void Crosscheck::compare_with_known(CrosscheckRow &row) const {
                                                                       : AnswerVerdict::undecided;
     row.reason = "stopped at a limit: the smallest number is " + to_string(known.lower_bound) + " or more";
   }
+}
+
+Crosscheck::Crosscheck(Gradation g, const Limits &limits)
+    : state_(std::make_shared<const State>(std::move(g), limits)) {}
+
+Crosscheck::Crosscheck(Gradation g, const Question &question, const Limits &limits)
+    : state_(std::make_shared<const State>(std::move(g), question, limits)) {}
+
+const Gradation &Crosscheck::gradation() const {
+  return state_->gradation();
+}
+
+CrosscheckRow Crosscheck::judge(const OtherAnswer &answer, const Rational &size_tolerance) const {
+  return state_->judge(answer, size_tolerance);
+}
+
+CrosscheckRow Crosscheck::judge(std::string_view answer, const Rational &size_tolerance) const {
+  return state_->judge(json_answer(answer), size_tolerance);
 }
 
 } // namespace mdm

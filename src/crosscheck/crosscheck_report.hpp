@@ -2,8 +2,9 @@
 /// \file
 /// Rows and summary of a cross-check as text, CSV and JSON.
 
-#include "crosscheck/crosscheck.hpp"
 #include "text/json_writer.hpp"
+
+#include <mdm/crosscheck/crosscheck.hpp>
 
 namespace mdm {
 

@@ -7,6 +7,7 @@
 
 #include "answer/answer_reader.hpp"
 #include "number/long_decimal.hpp"
+#include "particles/particle_format.hpp"
 #include "text/json_tree.hpp"
 #include "text/json_writer.hpp"
 #include "text/lines.hpp"
@@ -14,7 +15,6 @@
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/number/decimal.hpp>
-#include <mdm/particles/particle_format.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>

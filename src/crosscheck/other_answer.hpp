@@ -2,8 +2,7 @@
 /// \file
 /// Answers of other solvers, as read.
 
-#include "crosscheck/answer_verdict.hpp"
-
+#include <mdm/crosscheck/answer_verdict.hpp>
 #include <mdm/number/rational.hpp>
 
 #include <map>

@@ -2,9 +2,9 @@
 
 #include "files/byte_source.hpp"
 #include "files/paths.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <sys/stat.h>
 #include <unistd.h>

@@ -4,8 +4,7 @@
 
 #include "answer/totals.hpp"
 #include "files/byte_source.hpp"
-
-#include <mdm/text/sink.hpp>
+#include "text/sink.hpp"
 
 namespace mdm {
 

@@ -2,7 +2,7 @@
 /// \file
 /// Compression by Zstandard, of files whose names end in .zst.
 
-#include <mdm/text/sink.hpp>
+#include "text/sink.hpp"
 
 #include <memory>
 #include <string>

@@ -1,9 +1,9 @@
 #include "gradation/account_comparison.hpp"
 
 #include "gradation/shown.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

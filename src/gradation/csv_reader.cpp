@@ -4,10 +4,10 @@
 #include "gradation/phi.hpp"
 #include "gradation/shown.hpp"
 #include "gradation/table.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

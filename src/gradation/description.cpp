@@ -1,6 +1,7 @@
+#include "gradation/description.hpp"
+
 #include "gradation/shown.hpp"
 
-#include <mdm/gradation/description.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>

@@ -4,10 +4,10 @@
 #include "gradation/plain_words.hpp"
 #include "gradation/row_sizes.hpp"
 #include "text/lines.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -3,9 +3,9 @@
 #include "gradation/csv_rows.hpp"
 #include "gradation/lab_accounts.hpp"
 #include "gradation/lab_values.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

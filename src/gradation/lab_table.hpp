@@ -5,7 +5,7 @@
 #include "gradation/cells.hpp"
 #include "gradation/table.hpp"
 
-#include <mdm/gradation/reading.hpp>
+#include <mdm/gradation/read_gradation.hpp>
 
 namespace mdm {
 

@@ -2,9 +2,9 @@
 
 #include "gradation/mass_digits.hpp"
 #include "gradation/shown.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -1,6 +1,7 @@
+#include "gradation/length.hpp"
+
 #include "number/typed_number.hpp"
 
-#include <mdm/gradation/length.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 

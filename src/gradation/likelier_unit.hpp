@@ -2,8 +2,8 @@
 /// \file
 /// The unit that a sample's sizes may have had.
 
-#include <mdm/gradation/description.hpp>
-#include <mdm/gradation/length.hpp>
+#include "gradation/description.hpp"
+#include "gradation/length.hpp"
 
 namespace mdm {
 

@@ -2,10 +2,10 @@
 
 #include "gradation/shown.hpp"
 #include "number/decimal_exponent.hpp"
+#include "text/option_name.hpp"
 #include "text/short_list.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -3,10 +3,10 @@
 #include "gradation/cell_numbers.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/sample_choice.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
 #include "gradation/phi.hpp"
 
 #include "gradation/shown.hpp"
+#include "number/ball.hpp"
 #include "number/decimal_exponent.hpp"
 
-#include <mdm/number/ball.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>

@@ -9,11 +9,11 @@
 #include "gradation/workbook.hpp"
 #include "text/json_member.hpp"
 #include "text/lines.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 

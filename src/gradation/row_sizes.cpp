@@ -6,9 +6,9 @@
 #include "gradation/sieve_spelling.hpp"
 #include "gradation/unit_break.hpp"
 #include "text/lines.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

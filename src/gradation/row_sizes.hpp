@@ -3,7 +3,7 @@
 /// The sizes of a table's rows: numbers in the unit of their column, numbers with units, names of sieves,
 /// ranges between two sieves.
 
-#include "gradation/size_range.hpp"
+#include "gradation/row_ranges.hpp"
 #include "gradation/table_sign.hpp"
 
 namespace mdm {

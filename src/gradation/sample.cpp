@@ -1,6 +1,7 @@
+#include "gradation/sample.hpp"
+
 #include "gradation/shown.hpp"
 
-#include <mdm/gradation/sample.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>

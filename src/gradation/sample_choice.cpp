@@ -1,9 +1,9 @@
 #include "gradation/sample_choice.hpp"
 
+#include "text/option_name.hpp"
 #include "text/short_list.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

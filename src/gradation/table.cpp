@@ -2,8 +2,7 @@
 
 #include "gradation/mass_digits.hpp"
 #include "gradation/shown.hpp"
-
-#include <mdm/text/option_name.hpp>
+#include "text/option_name.hpp"
 
 #include <fmt/core.h>
 

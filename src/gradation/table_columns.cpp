@@ -4,10 +4,10 @@
 #include "gradation/limit_columns.hpp"
 #include "text/lines.hpp"
 #include "text/nearest_name.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/number/integer.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 

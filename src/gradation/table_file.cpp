@@ -6,8 +6,7 @@
 #include "gradation/table_columns.hpp"
 #include "gradation/upright.hpp"
 #include "gradation/workbook.hpp"
-
-#include <mdm/text/option_name.hpp>
+#include "text/option_name.hpp"
 
 #include <algorithm>
 

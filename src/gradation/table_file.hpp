@@ -4,7 +4,7 @@
 
 #include "gradation/table.hpp"
 
-#include <mdm/gradation/reading.hpp>
+#include <mdm/gradation/read_gradation.hpp>
 
 namespace mdm {
 

@@ -1,7 +1,7 @@
 #include "gradation/table_sign.hpp"
 
 #include "gradation/cell_numbers.hpp"
-#include "gradation/size_range.hpp"
+#include "gradation/row_ranges.hpp"
 
 #include <mdm/number/decimal.hpp>
 

@@ -2,10 +2,10 @@
 
 #include "gradation/cell_numbers.hpp"
 #include "number/decimal_exponent.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

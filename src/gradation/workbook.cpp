@@ -4,11 +4,11 @@
 #include "gradation/cell_double.hpp"
 #include "gradation/workbook_styles.hpp"
 #include "gradation/xml_tree.hpp"
+#include "text/option_name.hpp"
 #include "text/short_list.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -13,8 +13,7 @@
 
 #include "gradation/shown.hpp"
 #include "judge/decided.hpp"
-
-#include <mdm/text/option_name.hpp>
+#include "text/option_name.hpp"
 
 #include <fmt/format.h>
 

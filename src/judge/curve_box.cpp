@@ -9,10 +9,11 @@
 
 #include "judge/curve_box.hpp"
 
+#include "soil/grading_curve.hpp"
+#include "text/option_name.hpp"
+
 #include <mdm/number/decimal.hpp>
-#include <mdm/soil/grading_curve.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <algorithm>
 

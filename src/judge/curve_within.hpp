@@ -4,8 +4,7 @@
 
 #include "judge/interpolation.hpp"
 #include "judge/specification.hpp"
-
-#include <mdm/soil/available.hpp>
+#include "soil/available.hpp"
 
 namespace mdm {
 

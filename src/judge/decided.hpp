@@ -2,8 +2,8 @@
 /// \file
 /// Comparisons that are decided or end the work.
 
-#include <mdm/number/real.hpp>
-#include <mdm/soil/available.hpp>
+#include "number/real.hpp"
+#include "soil/available.hpp"
 
 namespace mdm {
 

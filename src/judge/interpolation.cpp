@@ -5,7 +5,7 @@
 
 #include "judge/interpolation.hpp"
 
-#include <mdm/number/power_product.hpp>
+#include "number/power_product.hpp"
 
 namespace mdm {
 namespace {

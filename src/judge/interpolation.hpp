@@ -3,8 +3,7 @@
 /// The place of a size between the sieves of a box.
 
 #include "judge/curve_box.hpp"
-
-#include <mdm/number/real.hpp>
+#include "number/real.hpp"
 
 namespace mdm {
 

@@ -7,9 +7,9 @@
 // what is known not to, and the answer is a bracket. In the end the two neighbours are solved with their
 // proofs.
 
-#include "match/widest_tolerance.hpp"
+#include "match/budget.hpp"
 
-#include <mdm/match/budget.hpp>
+#include "match/widest_tolerance.hpp"
 
 #include <map>
 

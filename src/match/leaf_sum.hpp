@@ -2,7 +2,7 @@
 /// \file
 /// A sum of conditions as the leaf of a tree.
 
-#include <mdm/match/tree.hpp>
+#include <mdm/match/evidence.hpp>
 #include <mdm/number/rational.hpp>
 
 #include <map>

@@ -5,7 +5,7 @@
 #include "match/sweep_problem.hpp"
 #include "match/watch.hpp"
 
-#include <mdm/match/chain.hpp>
+#include <mdm/match/evidence.hpp>
 #include <mdm/match/limits.hpp>
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include "match/count_bounds.hpp"
 #include "match/tolerant_problem.hpp"
 
-#include <mdm/match/tree.hpp>
+#include <mdm/match/evidence.hpp>
 
 namespace mdm {
 

@@ -3,9 +3,8 @@
 /// All numbers of particles that solve an integer problem.
 
 #include "match/problem.hpp"
+#include "match/spectrum.hpp"
 #include "match/watch.hpp"
-
-#include <mdm/match/spectrum.hpp>
 
 namespace mdm {
 

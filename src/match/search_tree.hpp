@@ -4,7 +4,7 @@
 
 #include "match/mass_window.hpp"
 
-#include <mdm/match/tree.hpp>
+#include <mdm/match/evidence.hpp>
 
 #include <memory>
 #include <set>

@@ -2,9 +2,10 @@
 /// \file
 /// The smallest exact match beside something else, in bounded time.
 
+#include "number/real.hpp"
+
 #include <mdm/gradation/gradation.hpp>
 #include <mdm/gradation/mass_law.hpp>
-#include <mdm/number/real.hpp>
 
 #include <cstdint>
 #include <string>

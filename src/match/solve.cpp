@@ -13,11 +13,11 @@
 #include "match/tolerant_answer.hpp"
 #include "match/watch.hpp"
 #include "number/pi.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/match/solve.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <algorithm>
 

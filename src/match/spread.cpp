@@ -10,12 +10,13 @@
 // A first pass over the draws finds A, a second one hands the n_i out: memory does not grow with the
 // particles.
 
+#include "match/spread.hpp"
+
 #include "match/mass_draw.hpp"
 #include "match/problem_of.hpp"
 #include "match/sizes.hpp"
 #include "number/philox.hpp"
 
-#include <mdm/match/spread.hpp>
 #include <mdm/text/error.hpp>
 
 #include <cassert>

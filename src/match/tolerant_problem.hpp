@@ -3,8 +3,8 @@
 /// The integer problem of a match within a tolerance.
 
 #include <mdm/gradation/mass_law.hpp>
+#include <mdm/match/evidence.hpp>
 #include <mdm/match/tolerance.hpp>
-#include <mdm/match/tree.hpp>
 
 #include <utility>
 #include <vector>

@@ -5,11 +5,10 @@
 // (budget.cpp). Without its finest classes an exact match is still one of what is kept, which gives the
 // other curve the same order.
 
-#include "match/tradeoff.hpp"
-
+#include "match/budget.hpp"
 #include "number/common_denominator.hpp"
 
-#include <mdm/match/budget.hpp>
+#include <mdm/match/tradeoff.hpp>
 
 #include <algorithm>
 #include <cassert>

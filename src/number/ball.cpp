@@ -3,7 +3,7 @@
 // the result is not finite, and every comparison with it is undecided: a caller asks again with more bits.
 // ball_mpfr.cpp does the same for some functions where there is no Arb.
 
-#include <mdm/number/ball.hpp>
+#include "number/ball.hpp"
 
 #if __has_include(<flint/arb.h>)
 #include <flint/arb.h>

@@ -1,7 +1,8 @@
 // Balls where there is no Arb: intervals of MPFR's numbers. The functions of the beta distribution are not
 // there.
 
-#include <mdm/number/ball.hpp>
+#include "number/ball.hpp"
+
 #include <mdm/text/error.hpp>
 
 #include <mpfr.h>

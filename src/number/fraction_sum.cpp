@@ -1,4 +1,4 @@
-#include <mdm/number/fraction_sum.hpp>
+#include "number/fraction_sum.hpp"
 
 namespace mdm {
 

@@ -5,7 +5,7 @@
 // for common factors ends, because each division makes the product of all smaller; with more than 1,000
 // bases it gives up and says so.
 
-#include <mdm/number/power_product.hpp>
+#include "number/power_product.hpp"
 
 #include <cassert>
 #include <vector>

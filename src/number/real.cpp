@@ -4,12 +4,13 @@
 // known; at most_bits, some 1,200 digits, what is not told is undecided. Every caller has an answer for
 // that. Whatever is decided is certain, since balls never lose the number.
 
+#include "number/real.hpp"
+
 #include "number/decimal_exponent.hpp"
+#include "number/power_product.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/interval.hpp>
-#include <mdm/number/power_product.hpp>
-#include <mdm/number/real.hpp>
 
 #include <algorithm>
 #include <cassert>

@@ -2,7 +2,7 @@
 /// \file
 /// Exact arithmetic with one irrational root.
 
-#include <mdm/number/power_product.hpp>
+#include "number/power_product.hpp"
 
 #include <map>
 

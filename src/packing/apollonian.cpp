@@ -12,12 +12,13 @@
 // error allows it and in integers elsewhere; the sum of 1 / k^2 is enclosed by a bound on all its
 // roundings.
 
-#include "packing/apollonian_walk.hpp"
+#include "packing/apollonian.hpp"
 
-#include <mdm/packing/apollonian.hpp>
-#include <mdm/packing/disc_sizes.hpp>
+#include "packing/apollonian_walk.hpp"
+#include "packing/disc_sizes.hpp"
+#include "text/option_name.hpp"
+
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <algorithm>
 

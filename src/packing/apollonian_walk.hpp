@@ -2,7 +2,7 @@
 /// \file
 /// A walk over the circles of an Apollonian gasket.
 
-#include <mdm/packing/apollonian.hpp>
+#include "packing/apollonian.hpp"
 
 #include <cmath>
 

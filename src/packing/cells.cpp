@@ -7,9 +7,8 @@
 // clockwise is the outside of a part of the graph, or what is open to the floor, a wall or above, and is
 // none.
 
+#include "packing/contacts.hpp"
 #include "packing/wide.hpp"
-
-#include <mdm/packing/contacts.hpp>
 
 #include <algorithm>
 

@@ -6,10 +6,10 @@
 // comparing d^2 with (r + r')^2 and (r + r' + tolerance)^2 in 128-bit integers; the gap itself is enclosed
 // to thousandths of a unit by an integer root.
 
+#include "packing/contacts.hpp"
+
 #include "packing/disc_grid.hpp"
 #include "packing/wide.hpp"
-
-#include <mdm/packing/contacts.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -9,9 +9,8 @@
 
 #include "packing/cut_sphere.hpp"
 
+#include "number/ball.hpp"
 #include "number/pi.hpp"
-
-#include <mdm/number/ball.hpp>
 
 #include <algorithm>
 #include <vector>

@@ -10,13 +10,14 @@
 // Invariant: no two discs that lie overlap, with radii 2 units larger than written, and the front is the
 // chain of discs that bounds them from above. src/packing/README.md has the pictures.
 
+#include "packing/deposit.hpp"
+
 #include "packing/lattice.hpp"
 #include "packing/lowest_place.hpp"
 #include "packing/roll.hpp"
 #include "packing/shuffled.hpp"
 #include "packing/wide.hpp"
 
-#include <mdm/packing/deposit.hpp>
 #include <mdm/text/error.hpp>
 
 #include <algorithm>

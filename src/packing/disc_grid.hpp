@@ -2,7 +2,7 @@
 /// \file
 /// All discs of a packing by their places.
 
-#include <mdm/packing/packing.hpp>
+#include "packing/packing.hpp"
 
 #include <algorithm>
 

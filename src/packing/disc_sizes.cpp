@@ -1,10 +1,11 @@
+#include "packing/disc_sizes.hpp"
+
 #include "text/json_member.hpp"
 #include "text/json_tree.hpp"
 #include "text/lines.hpp"
 #include "text/source.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/packing/disc_sizes.hpp>
 #include <mdm/text/error.hpp>
 
 namespace mdm {

@@ -2,8 +2,9 @@
 /// \file
 /// Sums of doubles with their errors.
 
+#include "packing/sphere_sample.hpp"
+
 #include <mdm/number/interval.hpp>
-#include <mdm/packing/sphere_sample.hpp>
 
 #include <cmath>
 #include <cstdint>

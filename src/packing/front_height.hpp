@@ -2,7 +2,7 @@
 /// \file
 /// The front of a deposit that lies already.
 
-#include <mdm/packing/packing.hpp>
+#include "packing/packing.hpp"
 
 #include <optional>
 

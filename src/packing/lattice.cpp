@@ -5,9 +5,10 @@
 
 #include "packing/lattice.hpp"
 
+#include "text/option_name.hpp"
+
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <algorithm>
 

@@ -2,8 +2,9 @@
 /// \file
 /// The integer lattice of a deposit.
 
+#include "packing/disc_sizes.hpp"
+
 #include <mdm/number/rational.hpp>
-#include <mdm/packing/disc_sizes.hpp>
 
 #include <optional>
 

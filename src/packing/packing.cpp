@@ -1,5 +1,6 @@
+#include "packing/packing.hpp"
+
 #include <mdm/number/decimal.hpp>
-#include <mdm/packing/packing.hpp>
 
 #include <fmt/format.h>
 

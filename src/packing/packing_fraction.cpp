@@ -6,10 +6,10 @@
 // top), where A(a, b) is the area with x >= a and y >= b, a sector and two triangles, or segments. Which of
 // these it is depends on integers alone; the angles are computed in balls, by the incomplete beta function.
 
-#include "number/pi.hpp"
+#include "packing/packing_fraction.hpp"
 
-#include <mdm/number/ball.hpp>
-#include <mdm/packing/packing_fraction.hpp>
+#include "number/ball.hpp"
+#include "number/pi.hpp"
 
 namespace mdm {
 namespace {

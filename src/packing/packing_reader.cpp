@@ -1,9 +1,9 @@
+#include "packing/packing_reader.hpp"
+
+#include "packing/disc_sizes.hpp"
+#include "packing/packing_writer.hpp"
 #include "text/lines.hpp"
 #include "text/source.hpp"
-
-#include <mdm/packing/disc_sizes.hpp>
-#include <mdm/packing/packing_reader.hpp>
-#include <mdm/packing/packing_writer.hpp>
 
 #include <algorithm>
 #include <array>

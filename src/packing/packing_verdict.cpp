@@ -4,11 +4,11 @@
 // their order (front_height.cpp) they have the front that the file says. What cannot be seen from places,
 // such as the seed, is named as not verified.
 
-#include "packing/front_height.hpp"
-#include "packing/wide.hpp"
+#include "packing/packing_verdict.hpp"
 
-#include <mdm/packing/packing_verdict.hpp>
-#include <mdm/packing/packing_writer.hpp>
+#include "packing/front_height.hpp"
+#include "packing/packing_writer.hpp"
+#include "packing/wide.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include <mdm/packing/packing_writer.hpp>
+#include "packing/packing_writer.hpp"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,8 @@
 /// \file
 /// The discs of a representative set.
 
+#include "packing/disc_sizes.hpp"
 #include "sets/set_quality.hpp"
-
-#include <mdm/packing/disc_sizes.hpp>
 
 namespace mdm {
 

@@ -2,9 +2,8 @@
 /// \file
 /// The sides of a space as planes.
 
+#include "packing/sphere_deposit.hpp"
 #include "packing/vector3.hpp"
-
-#include <mdm/packing/sphere_deposit.hpp>
 
 namespace mdm::packing {
 

@@ -11,10 +11,10 @@
 #include "packing/sphere_contacts.hpp"
 
 #include "packing/sphere_grid.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 /// \file
 /// The pairs of spheres that are near each other.
 
-#include <mdm/packing/sphere_texture.hpp>
+#include "packing/sphere_texture.hpp"
 
 #include <functional>
 

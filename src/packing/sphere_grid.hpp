@@ -2,9 +2,8 @@
 /// \file
 /// The spheres of a deposit by their places.
 
+#include "packing/sphere_deposit.hpp"
 #include "packing/vector3.hpp"
-
-#include <mdm/packing/sphere_deposit.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,8 @@
+#include "packing/sphere_sample.hpp"
+
 #include "text/lines.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/packing/sphere_sample.hpp>
 #include <mdm/text/error.hpp>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 /// \file
 /// The space that the spheres of a sample fill, and the part of it away from its sides.
 
-#include <mdm/packing/sphere_texture.hpp>
+#include "packing/sphere_texture.hpp"
 
 namespace mdm::packing {
 

@@ -3,8 +3,7 @@
 /// The lowest place on the surface of a deposit.
 
 #include "packing/front.hpp"
-
-#include <mdm/packing/packing.hpp>
+#include "packing/packing.hpp"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include <mdm/packing/texture.hpp>
+#include "packing/texture.hpp"
 
 namespace mdm {
 namespace {

@@ -1,14 +1,14 @@
 #include "papers/packing_study.hpp"
 
 #include "packing/lattice.hpp"
+#include "packing/packing_writer.hpp"
 #include "packing/set_discs.hpp"
 #include "sets/set_sizes.hpp"
+#include "text/option_name.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/packing/packing_writer.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

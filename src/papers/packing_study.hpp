@@ -2,10 +2,9 @@
 /// \file
 /// Deposits of the six shapes of Voivret, Delenne and Radjai over the span: Figure 9 and what it rests on.
 
+#include "packing/deposit.hpp"
+#include "packing/texture.hpp"
 #include "papers/size_models.hpp"
-
-#include <mdm/packing/deposit.hpp>
-#include <mdm/packing/texture.hpp>
 
 namespace mdm {
 

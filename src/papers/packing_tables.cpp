@@ -1,9 +1,9 @@
 #include "papers/packing_tables.hpp"
 
+#include "packing/contacts.hpp"
 #include "text/text_table.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/packing/contacts.hpp>
 
 #include <fmt/format.h>
 

@@ -2,10 +2,9 @@
 /// \file
 /// The numbers of the figures with packings as CSV.
 
+#include "packing/apollonian.hpp"
 #include "papers/packing_statements.hpp"
 #include "papers/packing_study.hpp"
-
-#include <mdm/packing/apollonian.hpp>
 
 namespace mdm {
 

@@ -3,10 +3,10 @@
 /// The numbers of one gradation in Arnold's table and figures.
 
 #include "match/published.hpp"
+#include "soil/indices.hpp"
+#include "soil/uscs.hpp"
 
 #include <mdm/gradation/gradation.hpp>
-#include <mdm/soil/indices.hpp>
-#include <mdm/soil/uscs.hpp>
 
 namespace mdm {
 

@@ -2,7 +2,7 @@
 /// \file
 /// The space that the centres of particles are to lie in.
 
-#include <mdm/packing/sphere_texture.hpp>
+#include "packing/sphere_texture.hpp"
 
 namespace mdm {
 

@@ -2,7 +2,7 @@
 /// \file
 /// The rough cost of a simulation of a set.
 
-#include <mdm/particles/particle_set.hpp>
+#include "particles/particle_set.hpp"
 
 namespace mdm {
 

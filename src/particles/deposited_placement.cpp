@@ -1,11 +1,11 @@
 // Places of a deposited start.
 
 #include "packing/shuffled.hpp"
+#include "particles/placement.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/particles/placement.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -2,8 +2,8 @@
 /// \file
 /// The particles of a file as a gradation describes them.
 
-#include <mdm/gradation/description.hpp>
-#include <mdm/particles/particle_reader.hpp>
+#include "gradation/description.hpp"
+#include "particles/particle_reader.hpp"
 
 namespace mdm {
 

@@ -1,8 +1,7 @@
 #include "particles/lammps_units.hpp"
 #include "particles/line_reader.hpp"
 #include "text/lines.hpp"
-
-#include <mdm/text/option_name.hpp>
+#include "text/option_name.hpp"
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 /// \file
 /// GSD, the binary format of HOOMD-blue: its file layer 2.0, schema hoomd 1.4.
 
-#include <mdm/particles/particle_reader.hpp>
+#include "particles/particle_reader.hpp"
 
 #include <string>
 #include <string_view>

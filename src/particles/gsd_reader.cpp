@@ -1,9 +1,9 @@
 #include "particles/gsd.hpp"
 #include "particles/gsd_layer.hpp"
 #include "particles/line_reader.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -1,6 +1,5 @@
 #include "particles/gsd_layer.hpp"
-
-#include <mdm/particles/particle_writer.hpp>
+#include "particles/particle_writer.hpp"
 
 #include <cstdlib>
 #include <numbers>

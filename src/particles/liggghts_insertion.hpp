@@ -1,9 +1,8 @@
 #pragma once
 // Lines that LIGGGHTS' models and files for inclusion share.
 
+#include "particles/particle_writer.hpp"
 #include "text/long_text.hpp"
-
-#include <mdm/particles/particle_writer.hpp>
 
 #include <cstdint>
 

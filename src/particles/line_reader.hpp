@@ -3,10 +3,10 @@
 /// The parts that all readers of particle files share.
 
 #include "particles/particle_ids.hpp"
+#include "particles/particle_reader.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/particles/particle_reader.hpp>
 
 namespace mdm {
 

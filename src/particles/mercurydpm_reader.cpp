@@ -1,8 +1,8 @@
 #include "particles/line_reader.hpp"
 #include "text/lines.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -1,10 +1,10 @@
 // Places of a mixed start.
 
+#include "particles/placement.hpp"
 #include "particles/shuffle.hpp"
+#include "text/option_name.hpp"
 
-#include <mdm/particles/placement.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

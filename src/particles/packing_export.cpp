@@ -1,7 +1,9 @@
+#include "particles/packing_export.hpp"
+
+#include "packing/packing_writer.hpp"
+#include "particles/written_number.hpp"
+
 #include <mdm/number/decimal.hpp>
-#include <mdm/packing/packing_writer.hpp>
-#include <mdm/particles/packing_export.hpp>
-#include <mdm/particles/written_number.hpp>
 
 #include <fmt/format.h>
 

@@ -3,8 +3,7 @@
 /// The columns of a CSV file of particles.
 
 #include "gradation/csv_rows.hpp"
-
-#include <mdm/particles/particle_format.hpp>
+#include "particles/particle_format.hpp"
 
 #include <array>
 #include <optional>

@@ -4,10 +4,10 @@
 #include "particles/line_reader.hpp"
 #include "particles/particle_columns.hpp"
 #include "text/lines.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/gradation.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
-#include "text/lines.hpp"
+#include "particles/particle_format.hpp"
 
-#include <mdm/particles/particle_format.hpp>
+#include "text/lines.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,7 @@
 #include "particles/line_reader.hpp"
 #include "particles/particle_columns.hpp"
 #include "text/lines.hpp"
-
-#include <mdm/text/option_name.hpp>
+#include "text/option_name.hpp"
 
 #include <fmt/core.h>
 

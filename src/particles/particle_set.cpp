@@ -1,11 +1,12 @@
+#include "particles/particle_set.hpp"
+
 #include "gradation/shown.hpp"
 #include "match/problem_of.hpp"
+#include "match/spread.hpp"
+#include "text/option_name.hpp"
 
-#include <mdm/match/spread.hpp>
 #include <mdm/number/decimal.hpp>
-#include <mdm/particles/particle_set.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

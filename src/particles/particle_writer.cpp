@@ -1,9 +1,10 @@
+#include "particles/particle_writer.hpp"
+
 #include "text/long_text.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/particles/particle_writer.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 namespace mdm {
 namespace {

@@ -1,8 +1,8 @@
 #include "particles/line_reader.hpp"
+#include "particles/particle_writer.hpp"
 #include "text/lines.hpp"
 #include "text/long_text.hpp"
 
-#include <mdm/particles/particle_writer.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>

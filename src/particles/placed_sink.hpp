@@ -2,11 +2,11 @@
 /// \file
 /// The places of the particles of a file.
 
+#include "packing/sphere_sample.hpp"
 #include "particles/container.hpp"
+#include "particles/particle_reader.hpp"
 
 #include <mdm/gradation/gradation.hpp>
-#include <mdm/packing/sphere_sample.hpp>
-#include <mdm/particles/particle_reader.hpp>
 
 #include <functional>
 

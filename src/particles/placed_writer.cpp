@@ -1,6 +1,5 @@
+#include "particles/particle_writer.hpp"
 #include "text/long_text.hpp"
-
-#include <mdm/particles/particle_writer.hpp>
 
 #include <fmt/compile.h>
 

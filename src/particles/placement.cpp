@@ -1,10 +1,11 @@
+#include "particles/placement.hpp"
+
 #include "number/pi.hpp"
 #include "particles/shuffle.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/particles/placement.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -1,11 +1,11 @@
 #include "particles/sample_set.hpp"
 
 #include "gradation/shown.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/enclosure.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -2,8 +2,8 @@
 /// \file
 /// The particles of a file as they are written into files of other formats.
 
-#include <mdm/particles/particle_reader.hpp>
-#include <mdm/particles/particle_set.hpp>
+#include "particles/particle_reader.hpp"
+#include "particles/particle_set.hpp"
 
 #include <map>
 

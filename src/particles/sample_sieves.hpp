@@ -2,8 +2,9 @@
 /// \file
 /// A sample of particles as its own gradation.
 
+#include "particles/particle_reader.hpp"
+
 #include <mdm/gradation/gradation.hpp>
-#include <mdm/particles/particle_reader.hpp>
 
 #include <map>
 

@@ -1,8 +1,9 @@
 #include "particles/settle_model.hpp"
 
-#include <mdm/particles/particle_writer.hpp>
+#include "particles/particle_writer.hpp"
+#include "text/option_name.hpp"
+
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -3,8 +3,7 @@
 /// Complete models of LIGGGHTS, LAMMPS and YADE that let a set settle in a specimen, and compact it.
 
 #include "particles/cost.hpp"
-
-#include <mdm/particles/placement.hpp>
+#include "particles/placement.hpp"
 
 #include <cstdint>
 

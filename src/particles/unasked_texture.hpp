@@ -2,9 +2,8 @@
 /// \file
 /// What places say of a sample that nobody asked about.
 
+#include "packing/sphere_texture.hpp"
 #include "particles/placed_sink.hpp"
-
-#include <mdm/packing/sphere_texture.hpp>
 
 #include <string>
 #include <vector>

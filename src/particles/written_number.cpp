@@ -1,8 +1,9 @@
+#include "particles/written_number.hpp"
+
 #include "number/nearest_double.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/number/enclosure.hpp>
-#include <mdm/particles/written_number.hpp>
 
 #include <fmt/format.h>
 

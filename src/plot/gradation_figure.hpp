@@ -3,10 +3,10 @@
 /// The figure of a gradation as the field draws it, and of a set of particles that matches it.
 
 #include "plot/figure.hpp"
+#include "soil/describe.hpp"
 
 #include <mdm/gradation/envelope.hpp>
 #include <mdm/gradation/gradation.hpp>
-#include <mdm/soil/describe.hpp>
 
 namespace mdm {
 

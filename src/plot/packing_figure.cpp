@@ -1,11 +1,10 @@
 #include "plot/packing_figure.hpp"
 
+#include "number/real.hpp"
+#include "packing/contacts.hpp"
+#include "packing/packing_fraction.hpp"
+#include "packing/packing_writer.hpp"
 #include "plot/size_colors.hpp"
-
-#include <mdm/number/real.hpp>
-#include <mdm/packing/contacts.hpp>
-#include <mdm/packing/packing_fraction.hpp>
-#include <mdm/packing/packing_writer.hpp>
 
 #include <fmt/core.h>
 

@@ -2,9 +2,8 @@
 /// \file
 /// Packings of discs as figures.
 
+#include "packing/packing.hpp"
 #include "plot/figure.hpp"
-
-#include <mdm/packing/packing.hpp>
 
 #include <limits>
 

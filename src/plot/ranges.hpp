@@ -2,9 +2,8 @@
 /// \file
 /// Parts of the studies' figures.
 
+#include "number/real.hpp"
 #include "plot/figure.hpp"
-
-#include <mdm/number/real.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 /// \file
 /// A section through spheres in their places.
 
+#include "packing/sphere_sample.hpp"
 #include "plot/figure.hpp"
 
 #include <mdm/gradation/gradation.hpp>
-#include <mdm/packing/sphere_sample.hpp>
 
 namespace mdm {
 

@@ -1,8 +1,9 @@
 #include "plot/tradeoff_figure.hpp"
 
+#include "text/option_name.hpp"
+
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/core.h>
 

@@ -2,8 +2,9 @@
 /// \file
 /// A trade-off as a figure.
 
-#include "match/tradeoff.hpp"
 #include "plot/figure.hpp"
+
+#include <mdm/match/tradeoff.hpp>
 
 namespace mdm {
 

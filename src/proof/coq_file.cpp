@@ -4,13 +4,14 @@
 // digits are hexadecimal, because Coq reads decimals in quadratic time; what it would take minutes for is
 // refused with the reason.
 
+#include "proof/coq_file.hpp"
+
 #include "proof/certificate_parts.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/proof/certificate.hpp>
-#include <mdm/proof/coq_file.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 

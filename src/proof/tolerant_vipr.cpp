@@ -11,9 +11,9 @@
 
 #include "match/leaf_sum.hpp"
 #include "match/problem_of.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 

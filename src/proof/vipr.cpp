@@ -7,14 +7,15 @@
 // adds them up to sum q >= N. With at least M particles two assumptions split the cases (Theorem 7). There
 // is a constraint for every pair of classes, so that the file grows with their square.
 
+#include "proof/vipr.hpp"
+
 #include "match/at_least.hpp"
 #include "match/problem_of.hpp"
 #include "number/common_denominator.hpp"
 #include "proof/tolerant_vipr.hpp"
+#include "text/option_name.hpp"
 
-#include <mdm/proof/vipr.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 

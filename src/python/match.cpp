@@ -1,13 +1,13 @@
+#include "answer/answer.hpp"
 #include "ask/outcome.hpp"
+#include "proof/vipr.hpp"
 #include "python/listener.hpp"
 #include "python/module.hpp"
 #include "python/numbers.hpp"
 #include "python/solved.hpp"
 
-#include <mdm/answer/answer.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/proof/certificate.hpp>
-#include <mdm/proof/vipr.hpp>
 #include <mdm/text/error.hpp>
 
 #include <pybind11/stl.h>

@@ -5,10 +5,10 @@
 #include "python/module.hpp"
 
 #include "ask/option_table.hpp"
+#include "text/option_name.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 namespace py = pybind11;
 

@@ -3,8 +3,7 @@
 /// A question and its limits in the keywords of the package.
 
 #include "ask/solve_options.hpp"
-
-#include <mdm/text/option_name.hpp>
+#include "text/option_name.hpp"
 
 #include <map>
 #include <optional>

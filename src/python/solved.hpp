@@ -3,10 +3,10 @@
 /// A match as Python holds it.
 
 #include "ask/outcome.hpp"
+#include "match/spread.hpp"
 #include "python/question.hpp"
 
 #include <mdm/match/solve.hpp>
-#include <mdm/match/spread.hpp>
 
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
-#include "python/module.hpp"
+#include "sets/suite.hpp"
 
-#include <mdm/sets/suite.hpp>
+#include "python/module.hpp"
 
 namespace py = pybind11;
 

@@ -2,8 +2,8 @@
 /// \file
 /// What is known of an Apollonian packing, as text, JSON and CSV.
 
-#include <mdm/packing/apollonian.hpp>
-#include <mdm/text/sink.hpp>
+#include "packing/apollonian.hpp"
+#include "text/sink.hpp"
 
 namespace mdm {
 

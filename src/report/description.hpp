@@ -2,7 +2,7 @@
 /// \file
 /// The description of a gradation as text, JSON and CSV.
 
-#include <mdm/soil/describe.hpp>
+#include "soil/describe.hpp"
 
 namespace mdm {
 

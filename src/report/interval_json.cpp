@@ -1,7 +1,8 @@
 #include "report/interval_json.hpp"
 
+#include "number/real.hpp"
+
 #include <mdm/number/decimal.hpp>
-#include <mdm/number/real.hpp>
 
 namespace mdm {
 

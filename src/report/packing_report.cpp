@@ -1,11 +1,11 @@
 #include "report/packing_report.hpp"
 
 #include "answer/json_values.hpp"
+#include "packing/packing_writer.hpp"
 #include "text/text_table.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/packing/packing_writer.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/format.h>

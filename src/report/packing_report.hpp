@@ -2,8 +2,8 @@
 /// \file
 /// What is known of a packing, as text, JSON and CSV.
 
-#include <mdm/packing/texture.hpp>
-#include <mdm/text/sink.hpp>
+#include "packing/texture.hpp"
+#include "text/sink.hpp"
 
 namespace mdm {
 

@@ -2,7 +2,8 @@
 /// \file
 /// The shares of a sample against bounds on them.
 
-#include <mdm/gradation/description.hpp>
+#include "gradation/description.hpp"
+
 #include <mdm/match/tolerance.hpp>
 
 #include <optional>

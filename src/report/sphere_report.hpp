@@ -2,10 +2,10 @@
 /// \file
 /// What is known of the places of a sample, as text and JSON.
 
+#include "packing/sphere_texture.hpp"
 #include "text/json_writer.hpp"
 
 #include <mdm/gradation/gradation.hpp>
-#include <mdm/packing/sphere_texture.hpp>
 
 namespace mdm {
 

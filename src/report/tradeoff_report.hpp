@@ -2,7 +2,7 @@
 /// \file
 /// A trade-off as text, JSON and CSV.
 
-#include "match/tradeoff.hpp"
+#include <mdm/match/tradeoff.hpp>
 
 namespace mdm {
 

@@ -6,13 +6,13 @@
 #include "report/interval_json.hpp"
 #include "report/share_bounds.hpp"
 #include "report/sphere_report.hpp"
+#include "text/option_name.hpp"
 #include "text/text_buffer.hpp"
 #include "text/text_table.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 

@@ -2,12 +2,12 @@
 /// \file
 /// Whether a sample matches a gradation, as text, JSON and CSV.
 
+#include "gradation/description.hpp"
 #include "match/smallest_match.hpp"
+#include "packing/sphere_texture.hpp"
 
-#include <mdm/gradation/description.hpp>
 #include <mdm/match/solve.hpp>
 #include <mdm/match/tolerance.hpp>
-#include <mdm/packing/sphere_texture.hpp>
 
 namespace mdm {
 

@@ -12,11 +12,11 @@
 #include "match/exact_sample.hpp"
 #include "number/common_denominator.hpp"
 #include "sets/uniform_counts.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/match/solve.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 

@@ -2,11 +2,11 @@
 /// \file
 /// The smallest representative set whose class masses are exact.
 
+#include "match/spread.hpp"
 #include "sets/class_counts.hpp"
 #include "sets/set_quality.hpp"
 
 #include <mdm/match/solve.hpp>
-#include <mdm/match/spread.hpp>
 
 namespace mdm {
 

@@ -1,7 +1,8 @@
 #include "sets/sieve_curve.hpp"
 
+#include "text/option_name.hpp"
+
 #include <mdm/text/error.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <algorithm>
 

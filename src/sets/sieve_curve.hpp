@@ -3,8 +3,7 @@
 /// A measured grading curve as a model.
 
 #include "sets/model_curve.hpp"
-
-#include <mdm/soil/grading_curve.hpp>
+#include "soil/grading_curve.hpp"
 
 namespace mdm {
 

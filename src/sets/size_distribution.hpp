@@ -2,7 +2,7 @@
 /// \file
 /// Number density f, partition function F, volume fraction V and grading curve h of one set of particles.
 
-#include <mdm/number/real.hpp>
+#include "number/real.hpp"
 
 #include <map>
 #include <memory>

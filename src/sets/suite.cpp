@@ -1,7 +1,7 @@
+#include "sets/suite.hpp"
+
 #include "sets/suite_masses.hpp"
 #include "sets/suite_sieves.hpp"
-
-#include <mdm/sets/suite.hpp>
 
 namespace mdm {
 

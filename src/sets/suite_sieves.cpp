@@ -1,7 +1,8 @@
 #include "sets/suite_sieves.hpp"
 
+#include "number/power_product.hpp"
+
 #include <mdm/number/decimal.hpp>
-#include <mdm/number/power_product.hpp>
 
 namespace mdm {
 

@@ -2,7 +2,7 @@
 /// \file
 /// Sizes of which equal intervals hold equal volumes.
 
-#include <mdm/number/real.hpp>
+#include "number/real.hpp"
 
 namespace mdm {
 

@@ -1,6 +1,8 @@
+#include "soil/describe.hpp"
+
+#include "text/option_name.hpp"
+
 #include <mdm/number/decimal.hpp>
-#include <mdm/soil/describe.hpp>
-#include <mdm/text/option_name.hpp>
 
 #include <fmt/format.h>
 

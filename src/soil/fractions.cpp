@@ -1,5 +1,6 @@
+#include "soil/fractions.hpp"
+
 #include <mdm/number/decimal.hpp>
-#include <mdm/soil/fractions.hpp>
 
 #include <algorithm>
 #include <array>

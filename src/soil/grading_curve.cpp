@@ -1,7 +1,8 @@
+#include "soil/grading_curve.hpp"
+
 #include "number/common_denominator.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/soil/grading_curve.hpp>
 #include <mdm/text/error.hpp>
 
 #include <algorithm>

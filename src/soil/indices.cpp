@@ -1,4 +1,4 @@
-#include <mdm/soil/indices.hpp>
+#include "soil/indices.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,8 @@
-#include <mdm/soil/fractions.hpp>
-#include <mdm/soil/indices.hpp>
-#include <mdm/soil/uscs.hpp>
+#include "soil/uscs.hpp"
+
+#include "soil/fractions.hpp"
+#include "soil/indices.hpp"
+
 #include <mdm/text/error.hpp>
 
 #include <vector>

@@ -2,7 +2,7 @@
 /// \file
 /// JSON, written value by value.
 
-#include <mdm/text/sink.hpp>
+#include "text/sink.hpp"
 
 #include <cstdint>
 #include <string>

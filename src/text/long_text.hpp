@@ -2,7 +2,7 @@
 /// \file
 /// Long files in pieces.
 
-#include <mdm/text/sink.hpp>
+#include "text/sink.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include <mdm/text/option_name.hpp>
+#include "text/option_name.hpp"
 
 #include <algorithm>
 #include <atomic>

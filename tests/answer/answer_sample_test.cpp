@@ -1,7 +1,7 @@
 #include "../particles/support.hpp"
+#include "answer/answer_sample.hpp"
 #include "replaced.hpp"
 
-#include <mdm/answer/answer_sample.hpp>
 #include <mdm/number/decimal.hpp>
 
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
+#include "answer/answer.hpp"
 #include "catch.hpp"
 
-#include <mdm/answer/answer.hpp>
 #include <mdm/match/solve.hpp>
 
 #include <nlohmann/json.hpp>

@@ -1,11 +1,11 @@
 /// \file
 /// Speed, as ratios measured in one run. The suite is that of the paper's study, 2,750 gradations.
 
+#include "answer/answer.hpp"
 #include "match/least_match.hpp"
 #include "match/problem_of.hpp"
 #include "match/tolerant_match.hpp"
 
-#include <mdm/answer/answer.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
 #include <mdm/proof/certificate.hpp>

@@ -1,8 +1,8 @@
 /// \file
 /// Packings: the search by blocks against the walk along all of the surface, and the count of a gasket.
 
-#include <mdm/packing/apollonian.hpp>
-#include <mdm/packing/deposit.hpp>
+#include "packing/apollonian.hpp"
+#include "packing/deposit.hpp"
 
 #include <benchmark/benchmark.h>
 

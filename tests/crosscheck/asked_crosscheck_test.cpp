@@ -1,8 +1,9 @@
 // Verdicts on answers to questions with a tolerance or other demands, on both sides of every bound.
 
 #include "catch.hpp"
-#include "crosscheck/crosscheck.hpp"
+#include "crosscheck/other_answer.hpp"
 
+#include <mdm/crosscheck/crosscheck.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 
 #include <algorithm>

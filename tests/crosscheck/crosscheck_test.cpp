@@ -1,8 +1,9 @@
 // Verdicts on hand-made gradations, on both sides of every bound.
 
 #include "catch.hpp"
-#include "crosscheck/crosscheck.hpp"
+#include "crosscheck/other_answer.hpp"
 
+#include <mdm/crosscheck/crosscheck.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 
 using namespace mdm;
@@ -194,4 +195,14 @@ TEST_CASE("without a certain minimum a match is undecided unless it meets the bo
   CHECK(judge(easy, "1,1").verdict == AnswerVerdict::minimal);
   CHECK(judge(easy, "1,1").minimum == Integer(2));
   CHECK(judge(easy, "2,1").verdict == AnswerVerdict::undecided);
+}
+
+TEST_CASE("an answer is judged from its JSON, and garbage is told") {
+  const Crosscheck crosscheck(gradation_of({"1", "2", "3"}, {"2", "1", "0"}));
+  const Integer least = *crosscheck.judge(R"({"quantities": ["1", "1"]})").minimum;
+  CHECK(least > 2);
+  CHECK(crosscheck.judge(R"({"quantities": ["1", "1"]})").verdict == AnswerVerdict::not_a_match);
+  CHECK(crosscheck.judge(R"({"quantities": ["3", "1"]})").verdict == AnswerVerdict::minimal);
+  CHECK(crosscheck.judge(R"({"quantities": ["6", "2"]})").verdict == AnswerVerdict::larger);
+  CHECK(crosscheck.judge("none").verdict == AnswerVerdict::garbage);
 }

@@ -1,11 +1,10 @@
 /// \file
 /// libFuzzer target: particle files of every format, and answers.
 
+#include "answer/answer_sample.hpp"
 #include "gradation_property.hpp"
 #include "particles/gsd.hpp"
-
-#include <mdm/answer/answer_sample.hpp>
-#include <mdm/particles/particle_reader.hpp>
+#include "particles/particle_reader.hpp"
 
 #include <cmath>
 

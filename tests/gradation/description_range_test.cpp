@@ -1,6 +1,5 @@
 #include "catch.hpp"
-
-#include <mdm/gradation/description.hpp>
+#include "gradation/description.hpp"
 
 using namespace mdm;
 

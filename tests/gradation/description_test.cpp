@@ -1,6 +1,5 @@
+#include "gradation/description.hpp"
 #include "support.hpp"
-
-#include <mdm/gradation/description.hpp>
 
 #include <random>
 

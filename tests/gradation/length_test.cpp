@@ -1,6 +1,5 @@
+#include "gradation/length.hpp"
 #include "support.hpp"
-
-#include <mdm/gradation/length.hpp>
 
 using namespace mdm;
 using namespace mdm::test;

@@ -53,6 +53,36 @@ if(NOT output MATCHES "^4 particles\n[0-9] of size .* mm in \\(1, 2]\n[0-9] of s
   message(FATAL_ERROR "the program of the README printed '${output}'")
 endif()
 
+# The programs of examples/library print what is on its page.
+run(${CMAKE_COMMAND} -S ${source}/examples/library -B ${work}/library -G ${generator} -D CMAKE_BUILD_TYPE=${config}
+  -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_PREFIX_PATH=${prefix})
+run(${CMAKE_COMMAND} --build ${work}/library)
+file(CREATE_LINK ${prefix}/bin/mdm ${work}/library/mdm SYMBOLIC)
+run(${source}/tests/examples/compare ${source}/examples/library ${work}/library)
+
+# Two of them by pkg-config, where it is.
+find_program(pkg_config NAMES pkg-config pkgconf)
+if(pkg_config)
+  set(ENV{PKG_CONFIG_PATH} ${prefix}/${libdir}/pkgconfig)
+  foreach(packages "exactmdm" "exactmdm exactmdm-checker")
+    separate_arguments(names UNIX_COMMAND ${packages})
+    run(${pkg_config} --static --cflags --libs ${names})
+    separate_arguments(flags UNIX_COMMAND ${output})
+    set(program judge_solver)
+    if(packages MATCHES checker)
+      set(program solve_and_check)
+    endif()
+    run(${compiler} -std=c++20 ${source}/examples/library/${program}.cpp -o ${work}/${program} ${flags})
+  endforeach()
+  run(${work}/solve_and_check ${sand})
+  if(NOT output MATCHES "accepted: N = 1485 ")
+    message(FATAL_ERROR "the program made by pkg-config printed '${output}'")
+  endif()
+  run(${pkg_config} --static --cflags --libs exactmdm-checker)
+  separate_arguments(flags UNIX_COMMAND ${output})
+  run(${compiler} -std=c++20 ${source}/tests/install/checker/main.cpp -o ${work}/check ${flags})
+endif()
+
 run(${prefix}/bin/mdm solve ${sand} --proof ${work}/sand.proof)
 run(${prefix}/bin/mdm-check ${sand} ${work}/sand.proof)
 message("${output}")

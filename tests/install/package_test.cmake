@@ -21,7 +21,8 @@ foreach(package exactmdm libexactmdm-dev)
 endforeach()
 foreach(file bin/mdm bin/mdm-check share/man/man1/mdm.1 share/man/man1/mdm-solve.1
     share/exactmdm/schemas/mdm-answer-1.schema.json share/doc/exactmdm/copyright include/mdm/match/solve.hpp
-    include/mdm/checker.hpp lib/libmdm_checker.a lib/cmake/mdm/mdmConfig.cmake)
+    include/mdm/checker.hpp lib/libmdm_checker.a lib/cmake/mdm/mdmConfig.cmake lib/pkgconfig/exactmdm.pc
+    lib/pkgconfig/exactmdm-checker.pc)
   if(NOT EXISTS ${root}/usr/${file})
     message(FATAL_ERROR "no package has /usr/${file}")
   endif()

@@ -1,9 +1,9 @@
 #include "catch.hpp"
 #include "match/brute_force.hpp"
+#include "match/budget.hpp"
 #include "plain_gradation.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
-#include <mdm/match/budget.hpp>
 
 using namespace mdm;
 

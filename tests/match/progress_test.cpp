@@ -1,9 +1,8 @@
 // What a caller is told while a search goes on, and that the caller can end it.
 
 #include "catch.hpp"
+#include "match/spectrum.hpp"
 #include "plain_gradation.hpp"
-
-#include <mdm/match/spectrum.hpp>
 
 #include <algorithm>
 

@@ -2,10 +2,10 @@
 
 #include "catch.hpp"
 #include "match/problem_spectrum.hpp"
+#include "match/spread.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
-#include <mdm/match/spread.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 

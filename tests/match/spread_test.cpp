@@ -3,11 +3,11 @@
 #include "brute_force.hpp"
 #include "catch.hpp"
 #include "match/mass_draw.hpp"
+#include "match/spread.hpp"
 #include "plain_gradation.hpp"
 #include "sets/uniform_by_volume.hpp"
 
 #include <mdm/match/solve.hpp>
-#include <mdm/match/spread.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 

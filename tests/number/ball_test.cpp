@@ -1,8 +1,7 @@
 // Balls hold the exact results, and say only what is certain.
 
 #include "catch.hpp"
-
-#include <mdm/number/ball.hpp>
+#include "number/ball.hpp"
 
 #include <mpfr.h>
 

@@ -1,6 +1,5 @@
 #include "catch.hpp"
-
-#include <mdm/number/fraction_sum.hpp>
+#include "number/fraction_sum.hpp"
 
 #include <random>
 

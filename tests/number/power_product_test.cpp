@@ -1,8 +1,7 @@
 // Products of rational powers: whether they are fractions is known exactly.
 
 #include "catch.hpp"
-
-#include <mdm/number/power_product.hpp>
+#include "number/power_product.hpp"
 
 #include <random>
 

@@ -1,9 +1,9 @@
 // Real numbers are enclosed and rounded with certain digits, whether or not they are decimals.
 
 #include "catch.hpp"
+#include "number/real.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/number/real.hpp>
 
 #include <mpfr.h>
 

@@ -1,7 +1,6 @@
+#include "packing/apollonian.hpp"
+#include "packing/contacts.hpp"
 #include "packing/support.hpp"
-
-#include <mdm/packing/apollonian.hpp>
-#include <mdm/packing/contacts.hpp>
 
 #include <algorithm>
 #include <cmath>

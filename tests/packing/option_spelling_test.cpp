@@ -1,6 +1,5 @@
+#include "packing/deposit.hpp"
 #include "spellings.hpp"
-
-#include <mdm/packing/deposit.hpp>
 
 using namespace mdm;
 using namespace mdm_test;

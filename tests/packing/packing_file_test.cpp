@@ -1,7 +1,6 @@
+#include "packing/packing_reader.hpp"
 #include "packing/support.hpp"
 #include "replaced.hpp"
-
-#include <mdm/packing/packing_reader.hpp>
 
 using namespace mdm;
 using namespace packing_test;

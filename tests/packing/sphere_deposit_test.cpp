@@ -1,6 +1,5 @@
+#include "packing/sphere_deposit.hpp"
 #include "packing/support.hpp"
-
-#include <mdm/packing/sphere_deposit.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include "catch.hpp"
 #include "files.hpp"
 #include "packing/cut_sphere.hpp"
+#include "packing/sphere_texture.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/packing/sphere_texture.hpp>
 #include <mdm/text/error.hpp>
 
 #include <cstdlib>

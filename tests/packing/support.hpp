@@ -4,9 +4,9 @@
 
 #include "catch.hpp"
 #include "files.hpp"
+#include "packing/deposit.hpp"
+#include "packing/packing_writer.hpp"
 
-#include <mdm/packing/deposit.hpp>
-#include <mdm/packing/packing_writer.hpp>
 #include <mdm/text/error.hpp>
 
 #include <cstdlib>

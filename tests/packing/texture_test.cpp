@@ -1,6 +1,5 @@
 #include "packing/support.hpp"
-
-#include <mdm/packing/texture.hpp>
+#include "packing/texture.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // What the readers and writers of particles say of options, as each front end spells them.
 
+#include "particles/particle_writer.hpp"
 #include "plain_gradation.hpp"
 #include "spellings.hpp"
 #include "support.hpp"
 
 #include <mdm/match/solve.hpp>
-#include <mdm/particles/particle_writer.hpp>
 
 using namespace mdm;
 using namespace mdm_test;

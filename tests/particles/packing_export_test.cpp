@@ -1,7 +1,7 @@
 #include "catch.hpp"
+#include "particles/packing_export.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/particles/packing_export.hpp>
 
 #include <sstream>
 #include <string>

@@ -1,10 +1,10 @@
+#include "answer/answer.hpp"
 #include "answer/answer_particles.hpp"
+#include "particles/particle_set.hpp"
 #include "support.hpp"
 
-#include <mdm/answer/answer.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
-#include <mdm/particles/particle_set.hpp>
 
 #include <cmath>
 #include <cstdlib>

@@ -1,8 +1,8 @@
+#include "particles/particle_writer.hpp"
 #include "support.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
-#include <mdm/particles/particle_writer.hpp>
 
 #include <cmath>
 #include <cstdlib>

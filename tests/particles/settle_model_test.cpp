@@ -1,9 +1,9 @@
+#include "particles/particle_writer.hpp"
 #include "particles/settle_model.hpp"
 #include "support.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
-#include <mdm/particles/particle_writer.hpp>
 
 #include <cmath>
 #include <random>

@@ -3,9 +3,9 @@
 /// What the tests of this folder share.
 
 #include "catch.hpp"
+#include "particles/particle_reader.hpp"
 
 #include <mdm/number/decimal.hpp>
-#include <mdm/particles/particle_reader.hpp>
 #include <mdm/text/error.hpp>
 
 namespace mdm::test {

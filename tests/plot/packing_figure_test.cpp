@@ -1,11 +1,10 @@
 // Packings as figures: discs at scale, their images, colours with words.
 
+#include "packing/apollonian.hpp"
 #include "packing/support.hpp"
+#include "packing/texture.hpp"
 #include "plot/packing_figure.hpp"
 #include "plot/picture.hpp"
-
-#include <mdm/packing/apollonian.hpp>
-#include <mdm/packing/texture.hpp>
 
 #include <cmath>
 #include <set>

@@ -1,6 +1,6 @@
+#include "blend/blend_certificate.hpp"
 #include "catch.hpp"
 
-#include <mdm/blend/blend_certificate.hpp>
 #include <mdm/checker.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 

@@ -1,12 +1,12 @@
 #include "catch.hpp"
 #include "match/brute_force.hpp"
+#include "proof/vipr.hpp"
 #include "vipr_checker.hpp"
 
 #include <mdm/checker.hpp>
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/match/solve.hpp>
 #include <mdm/proof/certificate.hpp>
-#include <mdm/proof/vipr.hpp>
 #include <mdm/text/error.hpp>
 
 using namespace mdm;

@@ -1,8 +1,8 @@
 #include "plain_gradation.hpp"
+#include "proof/vipr.hpp"
 #include "spellings.hpp"
 
 #include <mdm/match/solve.hpp>
-#include <mdm/proof/vipr.hpp>
 
 using namespace mdm;
 using namespace mdm_test;

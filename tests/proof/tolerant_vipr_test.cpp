@@ -2,10 +2,10 @@
 #include "match/brute_force.hpp"
 #include "match/problem_of.hpp"
 #include "match/tolerant_match.hpp"
+#include "proof/vipr.hpp"
 #include "vipr_checker.hpp"
 
 #include <mdm/match/solve.hpp>
-#include <mdm/proof/vipr.hpp>
 
 using namespace mdm;
 

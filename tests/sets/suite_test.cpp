@@ -2,9 +2,9 @@
 // refused.
 
 #include "catch.hpp"
+#include "sets/suite.hpp"
 
 #include <mdm/gradation/write_gradation.hpp>
-#include <mdm/sets/suite.hpp>
 #include <mdm/text/error.hpp>
 
 #include <algorithm>

@@ -2,8 +2,7 @@
 
 #include "catch.hpp"
 #include "soil.hpp"
-
-#include <mdm/soil/fractions.hpp>
+#include "soil/fractions.hpp"
 
 #include <algorithm>
 

@@ -2,9 +2,9 @@
 
 #include "catch.hpp"
 #include "soil.hpp"
+#include "soil/indices.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
-#include <mdm/soil/indices.hpp>
 
 #include <cmath>
 #include <fstream>

@@ -1,7 +1,6 @@
 #include "soil.hpp"
+#include "soil/describe.hpp"
 #include "spellings.hpp"
-
-#include <mdm/soil/describe.hpp>
 
 #include <fmt/format.h>
 

@@ -2,8 +2,9 @@
 /// \file
 /// Gradations as a test writes them.
 
+#include "soil/grading_curve.hpp"
+
 #include <mdm/number/decimal.hpp>
-#include <mdm/soil/grading_curve.hpp>
 
 #include <string>
 #include <utility>

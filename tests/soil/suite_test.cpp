@@ -1,10 +1,10 @@
 // Table 1 of Arnold's paper comes out of its 2,750 gradations.
 
 #include "catch.hpp"
+#include "soil/indices.hpp"
+#include "soil/uscs.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
-#include <mdm/soil/indices.hpp>
-#include <mdm/soil/uscs.hpp>
 
 #include <fstream>
 #include <map>

@@ -2,8 +2,8 @@
 
 #include "catch.hpp"
 #include "soil.hpp"
+#include "soil/uscs.hpp"
 
-#include <mdm/soil/uscs.hpp>
 #include <mdm/text/error.hpp>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include "../gradation/support.hpp"
-
-#include <mdm/text/option_name.hpp>
+#include "text/option_name.hpp"
 
 using namespace mdm;
 

@@ -2,8 +2,7 @@
 
 #include "catch.hpp"
 #include "checker/mutants.hpp"
-
-#include <mdm/proof/coq_file.hpp>
+#include "proof/coq_file.hpp"
 
 #include <cstdlib>
 #include <filesystem>

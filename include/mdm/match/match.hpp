@@ -3,13 +3,11 @@
 /// The answer: the smallest match, or what is known of it.
 
 #include <mdm/gradation/root_size.hpp>
-#include <mdm/match/chain.hpp>
+#include <mdm/match/evidence.hpp>
 #include <mdm/match/question.hpp>
-#include <mdm/match/tree.hpp>
 #include <mdm/number/enclosure.hpp>
 
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace mdm {
@@ -64,10 +62,6 @@ struct MatchSample {
   std::optional<MatchScale> scale; ///< nothing within a tolerance: there is no single one
 };
 
-/// The reason why there is no match with fewer particles: the chain of an exact match, the tree of one within
-/// a tolerance.
-using Evidence = std::variant<Chain, Tree>;
-
 /// The parts of a proof.
 struct MatchProof {
   std::optional<Evidence> evidence;
@@ -77,7 +71,7 @@ struct MatchProof {
   std::optional<Enclosure> pi; ///< bounds that a demanded volume was decided with, if it needed any
 };
 
-/// The tolerance of a match that a budget of particles chose, in percentage points (budget.hpp).
+/// The tolerance of a match that a budget of particles chose, in percentage points (match/budget.hpp).
 struct MatchBudget {
   Integer particles;                  ///< the budget
   std::optional<Rational> tolerance;  ///< with which it suffices; nothing if there is none
