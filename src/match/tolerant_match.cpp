@@ -44,7 +44,7 @@ private:
     if (shares_.contradicts())
       return end(share_contradiction(problem_, shares_));
     for (const bool all_intervals : {false, true})
-      if (!all_intervals || problem_.classes() <= most_classes_of_all_intervals)
+      if (!all_intervals || problem_.classes() <= most_classes_in_intervals())
         if (is_closed_by(std::make_unique<TolerantChain>(problem_, shares_, all_intervals, limits_, watch_)))
           return;
     find_first_match();
@@ -54,6 +54,13 @@ private:
     if (result_.too_large || interrupted())
       return stop();
     search_tree();
+  }
+
+  /// Where what passes alone is bounded, single classes may need no particles though several together do.
+  std::size_t most_classes_in_intervals() const {
+    constexpr std::size_t most_of_passing = 400;
+    const Tolerance &tolerance = problem_.tolerance();
+    return tolerance.total || !tolerance.retained.empty() ? most_classes_of_all_intervals : most_of_passing;
   }
 
   void search_tree() {
@@ -118,7 +125,8 @@ private:
     const std::optional<Integer> most =
         result_.best ? std::optional<Integer>(total(result_.best->q)) : std::nullopt;
     std::optional<TolerantMatch> found;
-    if (!suits_windows())
+    // Of more classes the neighbours take longer than all the rest.
+    if (!suits_windows() && problem_.classes() <= most_classes_of_all_intervals)
       found = neighbouring_match(*chain_, watch_);
     if (!found)
       found = rounded_match(problem_, least_mass(), most, watch_);
