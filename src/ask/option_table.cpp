@@ -4,6 +4,7 @@
 #include "ask/reading_options.hpp"
 #include "ask/soil_options.hpp"
 #include "ask/solve_options.hpp"
+#include "ask/tradeoff_options.hpp"
 #include "ask/verifier.hpp"
 #include "text/json_writer.hpp"
 
@@ -64,6 +65,7 @@ const std::vector<OptionsOfCommand> &option_table() {
       {"crosscheck", without("at-most", rows_of(CrosscheckTexts::options, SolveTexts::tolerance_options,
                                                 SolveTexts::question_options, GradationTexts::options,
                                                 CrosscheckTexts::limit_options))},
+      {"tradeoff", rows_of(TradeoffTexts::options)}, // and those of solve
       {"describe", rows_of(SoilTexts::options)},
       {"convert", rows_of(ReadingTexts::options)}};
   return table;

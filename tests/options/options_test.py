@@ -18,7 +18,7 @@ TABLE, PROGRAM, SOURCE = sys.argv[1:]
 WRITE = pathlib.Path(SOURCE, "src/ask/write_modules")
 FUNCTIONS = {"solve": ("solving.py", "solve"), "crosscheck": ("judging.py", "crosscheck"),
              "verify": ("verifying.py", "verify"),
-             "describe": ("description.py", "describe"), "convert": ("reading.py", "read")}
+             "tradeoff": ("trade.py", "tradeoff"), "describe": ("description.py", "describe"), "convert": ("reading.py", "read")}
 
 
 def written(table, source, *options):
