@@ -21,7 +21,7 @@ std::vector<TableOption> rows_of(const std::vector<OptionRow<Texts>> &...tables)
   std::vector<TableOption> all;
   const auto add = [&all](const auto &table) {
     for (const auto &row : table)
-      all.push_back({row.name, row.values, row.kind, row.help});
+      all.push_back({row.name, row.values, row.kind, row.help, row.choices});
   };
   (add(tables), ...);
   return all;
@@ -80,7 +80,8 @@ std::string option_table_json() {
       json.begin_object().key("name").plain(o.name);
       json.key("keyword").plain(option(o.name, OptionSpelling::keyword));
       json.key("member").plain(option(o.name, OptionSpelling::member));
-      json.key("kind").plain(name(o.kind)).key("values").plain(o.values).key("help").string(o.help);
+      json.key("kind").plain(name(o.kind)).key("values").plain(o.values);
+      json.key("choices").strings(o.choices).key("help").string(o.help);
       json.end_object();
     }
     json.end_array();

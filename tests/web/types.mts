@@ -18,6 +18,8 @@ const code: number = result.code;
 const number: number = answer.particles;
 // @ts-expect-error a gradation is needed
 await solve();
+// @ts-expect-error there is no such kind
+await tradeoff("", { kind: "mostly" });
 // @ts-expect-error a tolerance is a text or a number, or several
 await solve("", { tolerance: true });
 await solve("", { tolerance: ["retained:1%", "passing:2%"], band: new Uint8Array(), specimen: "box:1x2x3", voidRatio: "0.6" });

@@ -196,7 +196,7 @@ export interface TradeoffWords {
    * What the tolerances are of: retained (percent in each class), passing (percent passing each sieve) or total (the
    * sum of all deviations of percent retained).
    */
-  kind?: string;
+  kind?: "retained" | "passing" | "total";
   /** Tolerances in percentage points (0,0.1,0.2,0.5,1,2,5); 0 is the exact match. */
   tolerances?: string;
   /**
@@ -323,7 +323,7 @@ export function verify(
 export interface TradeoffOptions
   extends Options,
     Omit<SolveWords, "particles" | "digits" | "scale">,
-    ConvertWords,
+    Omit<ConvertWords, "kind">,
     TradeoffWords {
   /** Called some ten times a second during a long search. */
   onProgress?: (bounds: Bounds) => void;
