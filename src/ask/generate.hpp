@@ -24,7 +24,7 @@ struct GenerateTexts : BetaTexts {
   ReadingTexts reading;
   std::string format = "text"; ///< of the report: text, json or csv
 
-  /// All but those of reading; those after accessible's own.
+  /// All but those of reading: of a set, of accessible alone, and of what is told.
   static const std::vector<OptionRow<GenerateTexts>> options, accessible_options, answer_options;
 
   bool is_text() const { return format == "text"; }

@@ -4,6 +4,7 @@
 #include "ask/reading_options.hpp"
 #include "ask/soil_options.hpp"
 #include "ask/solve_options.hpp"
+#include "ask/tradeoff_options.hpp"
 #include "ask/verifier.hpp"
 #include "text/json_writer.hpp"
 #include "text/option_name.hpp"
@@ -19,7 +20,7 @@ std::vector<TableOption> rows_of(const std::vector<OptionRow<Texts>> &...tables)
   std::vector<TableOption> all;
   const auto add = [&all](const auto &table) {
     for (const auto &row : table)
-      all.push_back({row.name, row.values, row.kind, row.help});
+      all.push_back({row.name, row.values, row.kind, row.help, row.choices});
   };
   (add(tables), ...);
   return all;
@@ -63,6 +64,7 @@ const std::vector<OptionsOfCommand> &option_table() {
       {"crosscheck", without("at-most", rows_of(CrosscheckTexts::options, SolveTexts::tolerance_options,
                                                 SolveTexts::question_options, GradationTexts::options,
                                                 CrosscheckTexts::limit_options))},
+      {"tradeoff", rows_of(TradeoffTexts::options)}, // and those of solve
       {"describe", rows_of(SoilTexts::options)},
       {"convert", rows_of(ReadingTexts::options)}};
   return table;
@@ -77,7 +79,8 @@ std::string option_table_json() {
       json.begin_object().key("name").plain(o.name);
       json.key("keyword").plain(option(o.name, OptionSpelling::keyword));
       json.key("member").plain(option(o.name, OptionSpelling::member));
-      json.key("kind").plain(name(o.kind)).key("values").plain(o.values).key("help").string(o.help);
+      json.key("kind").plain(name(o.kind)).key("values").plain(o.values);
+      json.key("choices").strings(o.choices).key("help").string(o.help);
       json.end_object();
     }
     json.end_array();

@@ -14,6 +14,7 @@ struct TableOption {
   const char *name, *values;
   OptionKind kind;
   const char *help;
+  std::vector<std::string> choices; ///< all that it takes; empty: what its reader says
 };
 
 /// The options that a command of the program and a function of the modules have in common.
@@ -25,8 +26,8 @@ struct OptionsOfCommand {
 /// \copydoc OptionsOfCommand
 const std::vector<OptionsOfCommand> &option_table();
 
-/// The table for who writes the modules' keywords: {"solve": [{"name": "law", "keyword": "law", "member":
-/// "law", "kind": "text", "values": "LAW", "help": "..."}, ...], ...}.
+/// The table for who writes the modules' keywords: {"solve": [{"name": "law", "keyword": "law",
+/// "member": "law", "kind": "text", "values": "LAW", "choices": [], "help": "..."}, ...], ...}.
 std::string option_table_json();
 
 } // namespace mdm

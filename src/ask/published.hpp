@@ -23,7 +23,7 @@ struct PublishedTexts {
 /// The algorithm that is asked for, ready to be run.
 class PublishedRun {
 public:
-  /// \throws InputError naming the option where its value does not serve, or where the algorithm has no use for it
+  /// \throws InputError naming the option where its value does not serve, or the algorithm has no use for it
   explicit PublishedRun(const PublishedTexts &asked);
 
   /// \throws InputError where the question does not fit the gradation

@@ -15,6 +15,8 @@ struct SoilTexts {
 
   static const std::vector<OptionRow<SoilTexts>> options;
 
+  /// True if one of them is given.
+  bool is_given() const { return liquid_limit || plastic_limit || pan_size || extrapolate; }
   /// \throws InputError naming the option where its value does not serve, or one limit without the other
   DescribeOptions describe_options() const;
   /// The gradation with the pan that was asked for. \throws InputError where that cannot be

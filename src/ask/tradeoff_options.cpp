@@ -1,21 +1,35 @@
 #include "ask/tradeoff_options.hpp"
 
 #include "ask/option_values.hpp"
+#include "text/lines.hpp"
 
 namespace mdm {
 namespace {
 
+/// The parts of a text between commas.
+std::vector<std::string> listed(const std::string &text) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    parts.push_back(text.substr(from, to - from));
+    from = to + 1;
+  }
+  return parts;
+}
+
 void add_tolerances(const TradeoffTexts &asked, TradeoffOptions &o) {
-  for (const std::string &text : asked.tolerances) {
+  for (const std::string &part : listed(asked.tolerances.value_or("0,0.1,0.2,0.5,1,2,5"))) {
+    const std::string text(trimmed(part));
     const AskedTolerance t =
-        named("tolerances", asked.kind + ":" + text + (text.ends_with('%') ? "" : "%"), parse_tolerance);
+        named("tolerances", asked.kind.value_or("retained") + ":" + text + (text.ends_with('%') ? "" : "%"),
+              parse_tolerance);
     o.kind = t.kind;
     o.tolerances.push_back(t.percent);
   }
 }
 
 void add_budgets(const TradeoffTexts &asked, TradeoffOptions &o) {
-  if (asked.budgets.empty() && !asked.all_budgets) {
+  if (!asked.particles) {
     if (asked.grid)
       throw InputError(option("grid") + ": it is of " + option("particles") + ": add it, or leave " +
                        option("grid") + " out");
@@ -26,14 +40,33 @@ void add_budgets(const TradeoffTexts &asked, TradeoffOptions &o) {
                      ", " + option("band") + " and " + option("at-most"));
   if (asked.grid)
     o.grid = positive("grid", *asked.grid);
-  o.all_budgets = asked.all_budgets;
-  for (const std::string &text : asked.budgets)
-    o.budgets.push_back(natural("particles", text, 1));
+  o.all_budgets = asked.particles == "all";
+  if (!o.all_budgets)
+    for (const std::string &text : listed(*asked.particles))
+      o.budgets.push_back(natural("particles", text, 1));
 }
 
 } // namespace
 
-TradeoffOptions TradeoffTexts::options() const {
+const std::vector<OptionRow<TradeoffTexts>> TradeoffTexts::options = {
+    {"kind",
+     "TEXT",
+     OptionKind::text,
+     "what the tolerances are of: retained (percent in each class), passing (percent passing "
+     "each sieve) or total (the sum of all deviations of percent retained)",
+     &TradeoffTexts::kind,
+     {"retained", "passing", "total"}},
+    {"tolerances", "LIST", OptionKind::text,
+     "tolerances in percentage points (0,0.1,0.2,0.5,1,2,5); 0 is the exact match",
+     &TradeoffTexts::tolerances},
+    {"particles", "LIST", OptionKind::text,
+     "also the least tolerances with which so many particles suffice: a list as 100,1000, or all "
+     "for 1, 2, 5, 10, 20, ...",
+     &TradeoffTexts::particles},
+    {"grid", "STEP", OptionKind::number, "the steps of those tolerances in percentage points (0.001)",
+     &TradeoffTexts::grid}};
+
+TradeoffOptions TradeoffTexts::tradeoff_options() const {
   TradeoffOptions o;
   add_tolerances(*this, o);
   add_budgets(*this, o);

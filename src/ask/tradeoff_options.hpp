@@ -13,14 +13,16 @@ namespace mdm {
 
 struct TradeoffTexts {
   SolveTexts solve; ///< what holds in all rows
-  std::string kind = "retained";
-  std::vector<std::string> tolerances; ///< in percentage points, with a percent sign or without
-  std::vector<std::string> budgets;    ///< numbers of particles
-  bool all_budgets = false;            ///< 1, 2, 5, 10, ...
+  OptionText kind;
+  OptionText tolerances; ///< in percentage points, with a percent sign or without, between commas
+  OptionText particles;  ///< numbers of particles between commas, or `all` for 1, 2, 5, 10, ...
   OptionText grid;
 
+  /// Those that solving does not have.
+  static const std::vector<OptionRow<TradeoffTexts>> options;
+
   /// The deadline counts from this call. \throws InputError naming the option where its value does not serve
-  TradeoffOptions options() const;
+  TradeoffOptions tradeoff_options() const;
 };
 
 } // namespace mdm

@@ -39,18 +39,18 @@ void write_whole_file(const std::string &path, const std::string &text) {
 }
 
 /// CSV has no place for a verdict and for notes.
-BatchAnswer csv_answer(const Match &m, const Limits &limits) {
+BatchAnswer csv_answer(const Match &m, Outcome outcome) {
   const std::string id = printable(m.gradation.id());
   std::string told = m.status == Status::optimal ? "" : id + ": " + headline(m) + "\n";
   for (const std::string &note : m.notes)
     told += id + ": note: " + note + "\n";
-  return {batch_csv(m), exit_code(outcome_of(m, limits)), told, id, std::string(name(m.gradation.unit()))};
+  return {batch_csv(m), exit_code(outcome), told, id, std::string(name(m.gradation.unit()))};
 }
 
 } // namespace
 
 BatchSolver::BatchSolver(const BatchCommand &command)
-    : command_(command), asked_(command.flags.question()), options_(solve_options()) {}
+    : command_(command), question_(command.flags, band_in_file, command.proofs.has_value()) {}
 
 BatchAnswer BatchSolver::answer(const BatchItem &item) const {
   try {
@@ -60,11 +60,6 @@ BatchAnswer BatchSolver::answer(const BatchItem &item) const {
   } catch (const std::bad_alloc &) { // the others are none the worse for it
     return error(item.id(), printable(item.where) + ": out of memory: give it more, or a --max-steps");
   }
-}
-
-/// The proof of each gradation is kept where it is to be written.
-SolveOptions BatchSolver::solve_options() const {
-  return command_.flags.options(command_.proofs.has_value());
 }
 
 BatchAnswer BatchSolver::error(const std::string &id, const std::string &message) const {
@@ -77,12 +72,9 @@ BatchAnswer BatchSolver::error(const std::string &id, const std::string &message
 }
 
 BatchAnswer BatchSolver::solved(Gradation g, const BatchItem &item) const {
-  SolveOptions options = options_;
-  if (command_.flags.time_limit)
-    options.limits = solve_options().limits; // a deadline of its own for each gradation
   const std::string checked = command_.has_proof_folder() && item.checked_as ? item.checked_as(g) : "";
-  const Question question = asked_.in(g.unit());
-  Match m = in_file(item.where, [&] { return solve(std::move(g), question, options); });
+  BatchMatch answered = in_file(item.where, [&] { return question_.ask(std::move(g)); });
+  Match &m = answered.match;
   std::string proof, certified;
   if (command_.proofs && has_certificate(m)) {
     certified = in_file(item.where, [&] { return certificate(m); });
@@ -91,9 +83,9 @@ BatchAnswer BatchSolver::solved(Gradation g, const BatchItem &item) const {
   } else if (command_.proofs) {
     m.notes.push_back("no proof was written: the limit came before the end");
   }
-  BatchAnswer answer = command_.output.is_csv() ? csv_answer(m, options.limits)
-                                                : BatchAnswer{answer_json(m, nullptr, proof) + "\n",
-                                                              exit_code(outcome_of(m, options.limits))};
+  BatchAnswer answer = command_.output.is_csv()
+                           ? csv_answer(m, answered.outcome)
+                           : BatchAnswer{answer_json(m, nullptr, proof) + "\n", exit_code(answered.outcome)};
   answer.certificate = std::move(certified);
   return answer;
 }

@@ -2,6 +2,7 @@
 /// \file
 /// The answers of a batch, one by one.
 
+#include "ask/batch_question.hpp"
 #include "cli/batch_command.hpp"
 #include "cli/batch_sources.hpp"
 #include "cli/exit_code.hpp"
@@ -30,15 +31,13 @@ public:
   BatchAnswer answer(const BatchItem &item) const;
 
 private:
-  SolveOptions solve_options() const;
   BatchAnswer error(const std::string &id, const std::string &message) const;
   BatchAnswer solved(Gradation g, const BatchItem &item) const;
   std::string write_proof(const std::string &certificate, const BatchItem &item, const std::string &id,
                           const std::string &checked) const;
 
   const BatchCommand &command_;
-  AskedQuestion asked_;
-  SolveOptions options_;
+  BatchQuestion question_;
 };
 
 } // namespace mdm::cli

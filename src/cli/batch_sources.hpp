@@ -3,8 +3,8 @@
 /// The gradations of a batch, from suites and from gradation files.
 
 #include "answer/totals.hpp"
+#include "ask/shard.hpp"
 #include "cli/reading_flags.hpp"
-#include "cli/shard.hpp"
 #include "files/file_lines.hpp"
 #include "files/line_hash.hpp"
 

@@ -1,12 +1,12 @@
 #include "sets/suite.hpp"
 
 #include "answer/made_suite.hpp"
-#include "ask/option_values.hpp"
+#include "ask/suite_lines.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
+#include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
-#include "cli/shard.hpp"
 #include "cli/whole_number.hpp"
 #include "files/byte_source.hpp"
 #include "files/digest.hpp"
@@ -30,67 +30,27 @@ constexpr std::size_t most_description_bytes = std::size_t{1} << 20;
 
 struct SuiteCommand {
   std::string description;
-  std::string seed = "1";
-  std::optional<std::string> count, lines, shard;
+  SuiteTexts asked;
   unsigned threads = 1;
   OutputFlags output;
 };
 
-/// Lines first, first + step, ..., up to last.
-struct LineRange {
-  std::uint64_t first, last, step;
-
-  /// How many there are.
-  std::uint64_t count() const { return last < first ? 0 : (last - first) / step + 1; }
-};
-
-LineRange parse_lines(const std::string &text) {
-  const std::size_t hyphen = text.find('-');
-  if (hyphen != std::string::npos) {
-    const LineRange range{seed64("lines", text.substr(0, hyphen)), seed64("lines", text.substr(hyphen + 1)),
-                          1};
-    if (range.first >= 1 && range.first <= range.last)
-      return range;
-  }
-  throw InputError("--lines: " + in_quotes(text) + " is not A-B with A from 1 to B, such as 1001-2000");
-}
-
-/// All lines that are asked for, of which a shard has a part.
-LineRange all_lines(const SuiteCommand &c) {
-  if (c.count && c.lines)
-    throw InputError("--count and --lines: give one of them");
-  return c.lines ? parse_lines(*c.lines) : LineRange{1, c.count ? seed64("count", *c.count) : 1000, 1};
-}
-
-/// Those of the lines, one after the other, that the shard has.
-LineRange lines_of(const LineRange &all, const Shard &shard) {
-  if (all.count() < shard.number)
-    return {1, 0, 1};
-  return {all.first + (shard.number - 1), all.last, shard.count};
-}
-
-/// The line that says what those of a shard are of.
-std::string shard_line(const std::string &description, std::uint64_t seed, const LineRange &all,
-                       const Shard &shard) {
+std::string sha256_of(const std::string &text) {
   Digest digest;
-  digest.add(description);
-  return made_shard_json({{digest.sha256(), seed, all.first, all.last},
-                          shard.number,
-                          shard.count,
-                          lines_of(all, shard).count()}) +
-         "\n";
+  digest.add(text);
+  return digest.sha256();
 }
 
 int run(const SuiteCommand &c) {
-  const std::uint64_t seed = seed64("seed", c.seed);
-  const LineRange all = all_lines(c);
-  const Shard shard = c.shard ? named("shard", *c.shard, parse_shard) : Shard{1, 1};
+  const std::uint64_t seed = c.asked.asked_seed();
+  const LineRange all = c.asked.all_lines();
+  const Shard shard = c.asked.asked_shard();
   const LineRange range = lines_of(all, shard);
   check_distinct({c.description, c.output.path()});
   const std::string name = shown_name(c.description);
   const std::string text = read_file(c.description, most_description_bytes);
   const Suite suite(text, name);
-  const std::string first_line = c.shard ? shard_line(text, seed, all, shard) : "";
+  const std::string first_line = c.asked.shard ? shard_line(sha256_of(text), seed, all, shard) : "";
   Output out(c.output.path());
   out.write(first_line);
   std::atomic<std::uint64_t> written = 0;
@@ -138,16 +98,8 @@ Run add_suite(CLI::App &app) {
       *app.add_subcommand("suite", "Gradations made of a description and a seed, a line each");
   command.add_option("DESCRIPTION", c->description, "what they are to be, in JSON; - for standard input")
       ->required();
-  const auto option = [&command](const char *name, auto &value, const char *type, const char *help) {
-    return command.add_option(name, value, help)->type_name(type);
-  };
-  option("--seed", c->seed, "S", "0 to 2^64 - 1 (1); another seed, other gradations");
-  option("--count", c->count, "N", "lines 1 to N (1000)");
-  option("--lines", c->lines, "A-B", "lines A to B");
-  option("--shard", c->shard, "I/N",
-         "of these lines each N-th from the I-th on, for mdm batch --shard I/N --alone; a line before them "
-         "says which suite they are of");
-  option("-j", c->threads, "THREADS", "threads")->transform(whole_number(1, 1024));
+  add_options(command, SuiteTexts::options, c->asked);
+  command.add_option("-j", c->threads, "threads")->type_name("THREADS")->transform(whole_number(1, 1024));
   c->output.out_has_report = false;
   c->output.add_out(command, "write", {"jsonl", "ndjson", "json", "txt"});
   c->output.add_quiet(command, "no progress on standard error");

@@ -2,6 +2,7 @@
 #include "ask/tradeoff_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
+#include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/picture.hpp"
 #include "cli/reading_flags.hpp"
@@ -13,7 +14,6 @@
 #include "files/paths.hpp"
 #include "plot/tradeoff_figure.hpp"
 #include "report/tradeoff_report.hpp"
-#include "text/lines.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
@@ -25,39 +25,13 @@ namespace mdm::cli {
 namespace {
 
 struct TradeoffCommand {
-  using Text = std::optional<std::string>;
   std::string file;
   SolveFlags flags;
-  std::string kind = "retained";
-  std::string tolerances = "0,0.1,0.2,0.5,1,2,5";
-  Text plot, particles, grid;
+  TradeoffTexts own; ///< but for those of solving
+  OptionText plot;
   ReadingFlags reading;
   OutputFlags output;
 };
-
-/// The parts of a text between commas.
-std::vector<std::string> listed(const std::string &text) {
-  std::vector<std::string> parts;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(',', from), text.size());
-    parts.push_back(text.substr(from, to - from));
-    from = to + 1;
-  }
-  return parts;
-}
-
-TradeoffTexts texts(const TradeoffCommand &c) {
-  TradeoffTexts t;
-  t.solve = c.flags;
-  t.kind = c.kind;
-  for (const std::string &part : listed(c.tolerances))
-    t.tolerances.emplace_back(trimmed(part));
-  t.all_budgets = c.particles == "all";
-  if (c.particles && !t.all_budgets)
-    t.budgets = listed(*c.particles);
-  t.grid = c.grid;
-  return t;
-}
 
 std::string report(const TradeoffCommand &c, const Tradeoff &t) {
   return c.output.report([&] { return tradeoff_text(t); }, [&] { return tradeoff_json(t); },
@@ -81,7 +55,9 @@ int run(const TradeoffCommand &c) {
   const std::optional<Picture> picture = c.plot ? picture_at(*c.plot) : std::nullopt;
   if (c.plot && !picture)
     throw InputError("--plot: " + printable(*c.plot) + ": let OUT end in .svg, .png or .pdf");
-  const TradeoffOptions o = texts(c).options();
+  TradeoffTexts texts = c.own;
+  texts.solve = c.flags;
+  const TradeoffOptions o = texts.tradeoff_options();
   const AskedQuestion asked = c.flags.question_of_both();
   refuse_sample(c.file);
   const Gradation g =
@@ -115,23 +91,7 @@ Run add_tradeoff(CLI::App &app) {
       .add_option("FILE", c->file,
                   "gradation: CSV, JSON, AGS4, or another file that mdm convert reads; - for standard input")
       ->required();
-  command
-      .add_option("--kind", c->kind,
-                  "what the tolerances are of: retained (percent in each class), passing (percent passing "
-                  "each sieve) or total (the sum of all deviations of percent retained)")
-      ->check(CLI::IsMember({"retained", "passing", "total"}));
-  command
-      .add_option("--tolerances", c->tolerances,
-                  "tolerances in percentage points (0,0.1,0.2,0.5,1,2,5); 0 is the exact match")
-      ->type_name("LIST");
-  command
-      .add_option(
-          "--particles", c->particles,
-          "also the least tolerances with which so many particles suffice: a list as 100,1000, or all "
-          "for 1, 2, 5, 10, 20, ...")
-      ->type_name("LIST");
-  command.add_option("--grid", c->grid, "the steps of those tolerances in percentage points (0.001)")
-      ->type_name("STEP");
+  add_options(command, TradeoffTexts::options, c->own);
   c->flags.add_problem(command);
   const OptionGroup group(command, "The answer");
   command.add_option("--plot", c->plot, "draw both into OUT.svg, .png or .pdf")->type_name("OUT");

@@ -1,3 +1,4 @@
+#include "ask/batch_question.hpp"
 #include "files/in_parallel.hpp"
 #include "python/listener.hpp"
 #include "python/module.hpp"
@@ -38,37 +39,32 @@ struct BatchResult {
 };
 
 /// What a batch asks of each gradation.
-struct BatchQuestion {
-  Words words;
+struct AskedBatch {
+  AskedBatch(const Words &words, std::string file_name, bool keep)
+      : file(std::move(file_name)), keep_proof(keep),
+        question(solve_texts(words), band_of(words), keeps_proof(words, keep)) {}
+
   std::string file; ///< of the lines
   bool keep_proof;
-  AskedQuestion asked = solve_texts(words).question(band_of(words));
-  SolveOptions options = options_of(words, keep_proof);
-
-  /// A deadline is one of each gradation's own.
-  Limits limits() const {
-    return words.has("time_limit") ? options_of(words, keep_proof).limits : options.limits;
-  }
+  BatchQuestion question;
 };
 
-BatchResult result_of(const BatchGradation &item, const BatchQuestion &question, Listener &listener) {
+BatchResult result_of(const BatchGradation &item, const AskedBatch &batch, Listener &listener) {
   BatchResult result;
   if (listener.is_stopped())
     return result;
   try {
-    Gradation g = item.read(question.file);
-    SolveOptions options = question.options;
-    options.limits = question.limits();
-    options.progress = [&listener](const Progress &) { return !listener.is_stopped(); };
-    const Question asked = question.asked.in(g.unit());
-    auto match = std::make_shared<Solved>(mdm::solve(std::move(g), asked, options), options.limits);
+    Gradation g = item.read(batch.file);
+    BatchMatch found =
+        batch.question.ask(std::move(g), [&listener](const Progress &) { return !listener.is_stopped(); });
+    auto match = std::make_shared<Solved>(std::move(found.match), found.limits);
     result.json = match->json();
     result.outcome = match->outcome();
-    if (question.keep_proof || match->outcome() == Outcome::limited)
+    if (batch.keep_proof || match->outcome() == Outcome::limited)
       result.match = std::move(match);
   } catch (const InputError &e) {
     result.error = e.what();
-    const std::string where = question.file + ":" + std::to_string(item.number);
+    const std::string where = batch.file + ":" + std::to_string(item.number);
     if (item.gradation == nullptr && !result.error.starts_with(where))
       result.error = where + ": " + result.error;
   } catch (const std::bad_alloc &) { // the others are none the worse for it
@@ -97,7 +93,7 @@ class BatchRun {
 public:
   BatchRun(const std::string &file, const std::map<std::string, std::string> &values,
            const std::vector<std::string> &tolerances, bool keep_proof, unsigned threads)
-      : question_{{values, tolerances}, file, keep_proof}, threads_(threads), listener_(py::none{}) {}
+      : batch_({values, tolerances}, file, keep_proof), threads_(threads), listener_(py::none{}) {}
 
   ~BatchRun() {
     listener_.stop();
@@ -136,7 +132,7 @@ private:
 
   void solve_all() {
     in_parallel(items_.size(), threads_,
-                [this](std::size_t i) { results_[i] = result_of(items_[i], question_, listener_); });
+                [this](std::size_t i) { results_[i] = result_of(items_[i], batch_, listener_); });
   }
 
   static py::list answers(std::vector<BatchResult> &results) {
@@ -147,7 +143,7 @@ private:
     return all;
   }
 
-  BatchQuestion question_;
+  AskedBatch batch_;
   unsigned threads_;
   Listener listener_;
   py::list held_; ///< the owner of the items

@@ -32,11 +32,12 @@ std::optional<Envelope> envelope_of(const Words &words) {
   return band ? std::optional(band_of(words)(*band)) : std::nullopt;
 }
 
+bool keeps_proof(const Words &words, bool keep_proof) {
+  return keep_proof && solve_texts(words).options().limits.max_steps.value_or(0) <= most_steps;
+}
+
 SolveOptions options_of(const Words &words, bool keep_proof) {
-  SolveOptions o = solve_texts(words).options(keep_proof);
-  // More steps than a proof can have: they are for the answer alone.
-  o.limits.keep_proof = keep_proof && o.limits.max_steps.value_or(0) <= most_steps;
-  return o;
+  return solve_texts(words).options(keeps_proof(words, keep_proof));
 }
 
 } // namespace mdm::python

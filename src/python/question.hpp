@@ -50,6 +50,8 @@ ReadBand band_of(const Words &words);
 /// The envelope of the band, if there is one.
 std::optional<Envelope> envelope_of(const Words &words);
 
+/// False with a limit of more steps than a proof can have: they are for the answer alone.
+bool keeps_proof(const Words &words, bool keep_proof);
 /// The limits, and how sizes are shown. The deadline counts from this call. With a limit of more steps than a
 /// proof can have none is kept.
 SolveOptions options_of(const Words &words, bool keep_proof);

@@ -26,18 +26,24 @@ std::string describe_json(const Gradation &given, const std::map<std::string, st
   return description_json(describe(texts.with_pan(given), options), digits);
 }
 
-/// mdm-tradeoff-1, and the exception that ended it.
+/// mdm-tradeoff-1, and the exception that ended it. \param own  the options that solving does not have
 py::tuple tradeoff_of(const Gradation &g, const std::map<std::string, std::string> &values,
-                      const std::vector<std::string> &asked_tolerances, const std::string &kind,
-                      const std::vector<std::string> &tolerances, const std::vector<std::string> &budgets,
-                      bool all_budgets, const py::object &progress) {
+                      const std::vector<std::string> &asked_tolerances,
+                      const std::map<std::string, std::string> &own, const py::object &progress) {
   const Words words{values, asked_tolerances};
   Listener listener(progress);
   std::string json;
   {
     const py::gil_scoped_release unlocked;
-    const TradeoffTexts asked{solve_texts(words), kind, tolerances, budgets, all_budgets, words.find("grid")};
-    TradeoffOptions options = asked.options();
+    TradeoffTexts asked;
+    take_words({own, {}}, TradeoffTexts::options, asked);
+    asked.solve = solve_texts(words);
+    const bool is_empty = asked.tolerances == ""; // an empty list, which the program cannot be given
+    if (is_empty)
+      asked.tolerances.reset();
+    TradeoffOptions options = asked.tradeoff_options();
+    if (is_empty)
+      options.tolerances.clear();
     options.progress = listener.call();
     json =
         tradeoff_json(mdm::tradeoff(g, asked.solve.question_of_both(band_of(words)).in(g.unit()), options));

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """options_test.py TABLE PROGRAM SOURCE: the table of options is what the program and the modules have.
 
-TABLE prints the table in JSON, PROGRAM is mdm, SOURCE the top folder of the project. A row that is added to the table reaches
-Python's keywords and JavaScript's types; that it reaches the program is in tests/cli/option_tables_test.cpp.
+TABLE prints the table in JSON, PROGRAM is mdm, SOURCE the top folder of the project. A row that is added to the table
+reaches Python's keywords and JavaScript's types; that it reaches the program is in tests/cli/option_tables_test.cpp.
 """
 
 import ast
@@ -17,12 +17,13 @@ import tempfile
 TABLE, PROGRAM, SOURCE = sys.argv[1:]
 WRITE = pathlib.Path(SOURCE, "src/ask/write_modules")
 FUNCTIONS = {"solve": ("solving.py", "solve"), "crosscheck": ("judging.py", "crosscheck"),
-             "verify": ("verifying.py", "verify"),
+             "verify": ("verifying.py", "verify"), "tradeoff": ("trade.py", "tradeoff"),
              "describe": ("description.py", "describe"), "convert": ("reading.py", "read")}
 
 
 def written(table, source, *options):
-    return subprocess.run([sys.executable, WRITE, *options, source], input=json.dumps(table), capture_output=True, text=True)
+    return subprocess.run([sys.executable, WRITE, *options, source], input=json.dumps(table), capture_output=True,
+                          text=True)
 
 
 def keywords(source, command):
@@ -53,17 +54,20 @@ def check_modules(table, source):
 def check_program(table):
     """Each row is an option of its command, with its value and its help."""
     for command, rows in table.items():
-        help_text = " ".join(subprocess.run([PROGRAM, command, "--help"], capture_output=True, text=True, check=True).stdout.split())
+        told = subprocess.run([PROGRAM, command, "--help"], capture_output=True, text=True, check=True)
+        help_text = " ".join(told.stdout.split())
         for row in rows:
-            # What it excludes may stand before its help.
+            # Its choices, and what it excludes, may stand before its help.
             name = f"--{row['name']} {row['values']}".strip()
-            words = re.escape(name) + "( [.]{3})?( Excludes: --[a-z]+)? " + re.escape(" ".join(row["help"].split()))
+            between = "(:{[^}]*})?( [.]{3})?( Excludes: --[a-z]+)? "
+            words = re.escape(name) + between + re.escape(" ".join(row["help"].split()))
             assert re.search(words, help_text), (command, words)
 
 
 def check_added_row(table):
     """One more row is one more keyword and one more member, with their types and their help."""
     row = {"name": "mystery-gap", "keyword": "mystery_gap", "member": "mysteryGap", "kind": "number", "values": "G",
+           "choices": [],
            "help": "a gap beside --at-least (exit 3)"}
     with tempfile.TemporaryDirectory() as folder:
         for part in ("src/python/exactmdm", "src/web/module"):

@@ -200,6 +200,14 @@ test("a long search tells its bounds, and ends at its limit with them", async ()
   }
 });
 
+test("an envelope is given as its text or its bytes", async () => {
+  const gradation = "size_mm,mass\n0.1,20\n0.2,30\n0.4,50\n0.8,0\n";
+  const band = "size_mm,passing_min_percent,passing_max_percent\n0.1,0,0\n0.2,10,30\n0.4,40,60\n0.8,100,100\n";
+  assert.strictEqual((await solve(gradation)).answer.particles, "6");
+  assert.strictEqual((await solve(gradation, { band })).answer.particles, "4");
+  assert.strictEqual((await solve(gradation, { band: new TextEncoder().encode(band) })).answer.particles, "4");
+});
+
 test("the types take what they should, and no more", () => {
   const project = mkdtempSync(join(tmpdir(), "mdm-types-"));
   mkdirSync(join(project, "node_modules"));

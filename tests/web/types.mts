@@ -1,5 +1,5 @@
 // What the types of the JavaScript module allow; each @ts-expect-error is a mistake that they find.
-import { InputError, batch, check, run, solve } from "exactmdm";
+import { InputError, batch, check, describe, run, solve, tradeoff, verify } from "exactmdm";
 
 const { answer, proof } = await solve("size_mm,mass\n1,2\n2,0\n", { tolerance: "retained:1%", minPerClass: 2, proof: true });
 const particles: string | null = answer.particles;
@@ -18,4 +18,12 @@ const code: number = result.code;
 const number: number = answer.particles;
 // @ts-expect-error a gradation is needed
 await solve();
+// @ts-expect-error there is no such kind
+await tradeoff("", { kind: "mostly" });
+// @ts-expect-error a tolerance is a text or a number, or several
+await solve("", { tolerance: true });
+await solve("", { tolerance: ["retained:1%", "passing:2%"], band: new Uint8Array(), specimen: "box:1x2x3", voidRatio: "0.6" });
+await verify("", "", { contactGap: 0, from: "xyzr", packing: true, unit: "um" });
+await tradeoff("", { kind: "passing", tolerances: "0,1", onProgress: ({ least }) => least.length });
+await describe("", { liquidLimit: 30, plasticLimit: 22, extrapolate: true, digits: 4 });
 const error: Error = new InputError("a.csv:1: ...");

@@ -80,7 +80,7 @@ class Tradeoff:
 
 def tradeoff(gradation: Union[Gradation, str, "os.PathLike[str]"], *, kind: str = "retained",
              tolerances: Iterable[Number] = ("0", "0.1", "0.2", "0.5", "1", "2", "5"),
-             particles: Union[Iterable[Number], str] = (), progress: Progress | None = None,
+             particles: Union[Iterable[Number], str] = (), grid: Number | None = None, progress: Progress | None = None,
              **options: Any) -> Tradeoff:
     """The smallest number of particles over the tolerance, and over the smallest sieve that is kept.
 
@@ -88,6 +88,7 @@ def tradeoff(gradation: Union[Gradation, str, "os.PathLike[str]"], *, kind: str 
         kind: what the tolerances are of: "retained", "passing" or "total".
         tolerances: percentage points; 0 is the exact match.
         particles: budgets, of each of which the least tolerance is added; "all": 1, 2, 5, 10, ...
+        grid: the steps of those tolerances in percentage points (0.001).
         options: others of `solve`; limits are of each row. Rows that a limit ends say so.
 
     Raises:
@@ -99,13 +100,13 @@ def tradeoff(gradation: Union[Gradation, str, "os.PathLike[str]"], *, kind: str 
     [6, 5, 5]
     """
     words = words_of(options)
-    all_budgets = particles == "all"
-    budgets = [] if all_budgets else [text_of(value, "particles") for value in particles]
-    texts = [text_of(value, "tolerances") for value in tolerances]
-    report, error = _core.tradeoff(gradation_of(gradation)._handle, words.values, words.tolerances,
-                                   text_of(kind, "kind"),
-                                   [text if text.endswith("%") else text + "%" for text in texts], budgets,
-                                   all_budgets, progress)
+    budgets = "all" if particles == "all" else ",".join(text_of(value, "particles") for value in particles)
+    own = {"kind": text_of(kind, "kind"), "tolerances": ",".join(text_of(value, "tolerances") for value in tolerances)}
+    if budgets:
+        own["particles"] = budgets
+    if grid is not None:
+        own["grid"] = text_of(grid, "grid")
+    report, error = _core.tradeoff(gradation_of(gradation)._handle, words.values, words.tolerances, own, progress)
     found = _read(report)
     raise_ended(found, error, False)
     return found

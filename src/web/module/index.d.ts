@@ -190,6 +190,24 @@ export interface CrosscheckWords {
   nodeLimit?: number | string;
 }
 
+/** Options of `mdm tradeoff`. */
+export interface TradeoffWords {
+  /**
+   * What the tolerances are of: retained (percent in each class), passing (percent passing each sieve) or total (the
+   * sum of all deviations of percent retained).
+   */
+  kind?: "retained" | "passing" | "total";
+  /** Tolerances in percentage points (0,0.1,0.2,0.5,1,2,5); 0 is the exact match. */
+  tolerances?: string;
+  /**
+   * Also the least tolerances with which so many particles suffice: a list as 100,1000, or all for 1, 2, 5, 10, 20,
+   * ....
+   */
+  particles?: string;
+  /** The steps of those tolerances in percentage points (0.001). */
+  grid?: number | string;
+}
+
 /** Options of `mdm describe`. */
 export interface DescribeWords {
   /** Of the fines, in percent; without limits they are low-plasticity silt. */
@@ -302,14 +320,11 @@ export function verify(
   options?: Options & VerifyWords & ConvertWords & { sampleName?: string },
 ): Promise<Record<string, unknown>>;
 
-/** What a trade-off alone is asked. */
-export interface TradeoffWords {
-  /** What the tolerances are of: "retained", "passing" or "total". */
-  kind?: string;
-  /** Percentage points, such as "0,0.5,1"; 0 is the exact match. */
-  tolerances?: string;
-  /** Numbers of particles, such as "100,1000", or "all". */
-  particles?: string;
+export interface TradeoffOptions
+  extends Options,
+    Omit<SolveWords, "particles" | "digits" | "scale">,
+    Omit<ConvertWords, "kind">,
+    TradeoffWords {
   /** Called some ten times a second during a long search. */
   onProgress?: (bounds: Bounds) => void;
 }
@@ -317,7 +332,7 @@ export interface TradeoffWords {
 /** The smallest number of particles for each of some tolerances. */
 export function tradeoff(
   gradation: GradationInput,
-  options?: Options & Omit<SolveWords, "particles" | "digits" | "scale"> & ConvertWords & TradeoffWords,
+  options?: TradeoffOptions,
 ): Promise<Record<string, unknown>>;
 
 /** Runs `mdm` as on the command line, with these files in its folder. */

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace mdm::cli {
+namespace mdm {
 
 /// The shard `number` of `count`: of the lines of a suite that hold something, counted from 1, those whose
 /// number leaves the same remainder by `count` as `number`. So a suite needs no first pass to be divided,
@@ -20,4 +20,4 @@ struct Shard {
 /// `I/N`. \throws InputError if it is not that, with 1 <= I <= N <= 10^9
 Shard parse_shard(const std::string &text);
 
-} // namespace mdm::cli
+} // namespace mdm

@@ -1,10 +1,10 @@
-#include "cli/shard.hpp"
+#include "ask/shard.hpp"
 
 #include "number/typed_number.hpp"
 
 #include <mdm/text/error.hpp>
 
-namespace mdm::cli {
+namespace mdm {
 
 Shard parse_shard(const std::string &text) {
   const Integer most = 1'000'000'000;
@@ -18,4 +18,4 @@ Shard parse_shard(const std::string &text) {
   throw InputError(in_quotes(text) + " is not I/N with I from 1 to N, such as 7/100");
 }
 
-} // namespace mdm::cli
+} // namespace mdm
