@@ -320,6 +320,17 @@ void check_powers(const Match &m) {
                     e * bits, g.classes(), max_coq_powers, option("proof"), option("coq")));
 }
 
+/// Refuses what Coq would take minutes for: it goes over the classes in each window.
+void check_windows(const Match &m, const Certificate &c) {
+  const auto windows = static_cast<std::uint64_t>(std::count_if(
+      c.lines().begin(), c.lines().end(), [](const Words &line) { return line.front() == "window"; }));
+  if (windows * m.gradation.classes() > max_coq_windows)
+    throw InputError(fmt::format(
+        "the proof has {} windows of {} classes, and Coq takes too long where windows times classes "
+        "are more than {}: use {} and mdm-check-verified, or leave out {}",
+        windows, m.gradation.classes(), max_coq_windows, option("proof"), option("coq")));
+}
+
 } // namespace
 
 std::string coq_evidence(const std::string &certificate) {
@@ -336,6 +347,7 @@ std::string coq_file(const Gradation &given, const Match &m, std::string_view fi
                                  "{} and mdm-check-verified, or leave out {}",
                                  text.size(), max_coq_certificate, option("proof"), option("coq")));
   const Certificate c(text);
+  check_windows(m, c);
   const bool is_none = !m.sample;
   const std::string N = is_none ? "none" : coq(*m.particles());
   const bool is_changed = m.question.pan_size || m.question.cut_below || m.question.size_factor != 1;

@@ -68,6 +68,17 @@ TEST_CASE("a proof that is too long for Coq is refused, and nothing is written")
   CHECK(!std::filesystem::exists(folder / "answer"));
 }
 
+TEST_CASE("a proof with too many windows for Coq is refused, and nothing is written") {
+  const TemporaryFolder folder;
+  std::string rows = "size_mm,mass\n";
+  for (int x = 100; x < 200; ++x)
+    rows += std::to_string(x) + ",1\n";
+  const std::string flat = folder.write("flat.csv", rows + "200,0\n");
+  check_refused(mdm({"solve", flat, "--tolerance", "retained:0.1%", "--quiet", "--coq", folder / "sand.v"}),
+                "where windows times classes are more than 4000");
+  CHECK(!std::filesystem::exists(folder / "sand.v"));
+}
+
 TEST_CASE("no theorem is written where a limit comes first") {
   const TemporaryFolder folder;
   const Outcome outcome = mdm({"solve", long_proof(folder), "--tolerance", "retained:0.4%", "--node-limit",
