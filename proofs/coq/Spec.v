@@ -6,7 +6,7 @@
    The files of phi with fractions have openings that are irrational, such as 2^0.5 mm. A gradation gives them exactly,
    by their power x_j^d = 2 with one whole d for all of its openings, its root. d is 1 for every other gradation. *)
 
-From Coq Require Import ZArith QArith Reals Qreals Rpower List.
+From Coq Require Import ZArith QArith Reals Qreals Rpower List Lra.
 From Mdm Require Import Gradation Certificate.
 Import ListNotations.
 Open Scope R_scope.
@@ -170,3 +170,53 @@ Definition allowed (f : R -> R) (q : question) (G : gradation) (S : sample) : Pr
 Definition least_number (f : R -> R) (q : question) (G : gradation) (n : Z) : Prop :=
   (exists S, allowed f q G S /\ Z.of_nat (length S) = n) /\
   forall S, allowed f q G S -> (n <= Z.of_nat (length S))%Z.
+
+(* ---- A worked sample ----------------------------------------------------------------------------- *)
+
+(* Three sieves of 1, 2 and 3; 8 is retained on the first and 27 on the second: the classes (1, 2] and (2, 3]. *)
+Module Sample.
+
+Definition sieves : list row := [Row 1 8 1 0; Row 2 27 1 0; Row 3 0 1 0].
+
+(* An opening of a gradation with the root 1 is its number. *)
+Lemma size_1 y : 0 <= Q2R y -> size_of 1 y = Q2R y.
+Proof.
+  intros P. unfold size_of, nth_root. destruct (Rlt_dec 0 (Q2R y)) as [L|L]; [|lra].
+  rewrite Rinv_1. apply Rpower_1. exact L.
+Qed.
+
+(* Puts numbers in the place of openings, and decides which particles are in which class. *)
+Ltac numbers := unfold least_opening, largest_opening, lower_size, upper_size in *; simpl in *;
+  repeat rewrite size_1 in * by (unfold Q2R; simpl; lra); unfold Q2R in *; simpl in *.
+Ltac decide_classes := unfold held, inside; simpl;
+  repeat (destruct (in_class_dec 1 _ _) as [I|I]; unfold in_class in I; numbers; try (exfalso; lra); clear I);
+  unfold sphere; simpl; lra.
+
+(* Spheres of sizes 2 and 3: each is as large as its upper sieve, which it passes. One has the mass 2^3 = 8, the other
+   3^3 = 27, and there is one size a class: Conditions 1 to 4 hold, the last at the scale 1. *)
+Example matches : describes_articulately 1 sieves [2; 3] /\ describes_accurately 1 sphere sieves [2; 3].
+Proof.
+  assert (describes 1 sieves [2; 3]) as D.
+  { split; [reflexivity|]. intros x [<-|[<-|[]]]; numbers; lra. }
+  split; [split; [exact D|] | exists 1; split; [lra|]; split; [exact D|]].
+  - intros x y X Y L. exists (Row 2 27 1 0). split; [simpl; auto|].
+    destruct X as [<-|[<-|[]]], Y as [<-|[<-|[]]]; numbers; lra.
+  - intros j [<-|[<-|[]]]; decide_classes.
+Qed.
+
+(* A sphere of size 1 does not lie on the sieve of that size: Condition 2 fails. *)
+Example outside : ~ describes 1 sieves [1; 3].
+Proof. intros (_ & I). specialize (I 1 (or_introl eq_refl)). numbers. lra. Qed.
+
+(* With two spheres of size 2 the first class has 16 beside 27. The second one asks for the scale 1, at which the first
+   has 8: Condition 4 fails at every scale. *)
+Example no_match : ~ describes_accurately 1 sphere sieves [2; 2; 3].
+Proof.
+  intros (s & _ & _ & M).
+  assert (held 1 sphere (Class 1 2 8 1) [2; 2; 3] = 16) as One by decide_classes.
+  assert (held 1 sphere (Class 2 3 27 1) [2; 2; 3] = 27) as Two by decide_classes.
+  pose proof (M _ (or_introl eq_refl)) as First. pose proof (M _ (or_intror (or_introl eq_refl))) as Second.
+  simpl in First, Second. rewrite One in First. rewrite Two in Second. unfold Q2R in *. simpl in *. lra.
+Qed.
+
+End Sample.

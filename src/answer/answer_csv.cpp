@@ -6,7 +6,7 @@
 namespace mdm {
 
 std::string answer_csv(const Match &m) {
-  Buffer out;
+  TextBuffer out;
   const std::string_view unit = name(m.gradation.unit());
   add(out, "lower_{0},upper_{0},mass,quantity,size_lo_{0},size_hi_{0}\n", unit);
   for (const AnswerRow &r : answer_rows(m))
@@ -16,7 +16,7 @@ std::string answer_csv(const Match &m) {
 }
 
 void spread_csv(const Match &m, const Spread &spread, const Sink &sink) {
-  TextBuffer out(sink);
+  LongText out(sink);
   out.add("lower_{0},upper_{0},size_lo_{0},size_hi_{0}\n", name(m.gradation.unit()));
   const std::vector<AnswerRow> all = answer_rows(m);
   for (const ClassSpread &c : spread.classes)

@@ -69,7 +69,7 @@ Rational total_deviation(const Match &m) {
 }
 
 /// The volume of solids, of spheres.
-void add_text_volume(Buffer &out, const Match &m) {
+void add_text_volume(TextBuffer &out, const Match &m) {
   if (const std::optional<Enclosure> volume = m.solids_volume())
     add(out, "  volume of the particles: {} {}^3\n", volume->text(), name(m.gradation.unit()));
 }
@@ -113,7 +113,7 @@ std::vector<Column> tolerant_columns(const Match &m) {
   return columns;
 }
 
-void add_table(Buffer &out, const Match &m) {
+void add_table(TextBuffer &out, const Match &m) {
   const std::vector<AnswerRow> rows = answer_rows(m);
   const std::vector<Column> columns = m.tolerance ? tolerant_columns(m) : exact_columns(rows);
   const std::string unit(name(m.gradation.unit()));
@@ -136,7 +136,7 @@ void add_table(Buffer &out, const Match &m) {
   add(out, "{}", table.text());
 }
 
-void add_total_deviation(Buffer &out, const Match &m) {
+void add_total_deviation(TextBuffer &out, const Match &m) {
   add(out, "  sum of all deviations: {} of {} percentage points\n", percent_text(total_deviation(m)),
       percent_text(*m.tolerance->total));
 }
@@ -150,7 +150,7 @@ std::string start_text(const Interval &s, unsigned digits) {
       .text();
 }
 
-void add_text_scale(Buffer &out, const MatchScale &scale, const Match &m) {
+void add_text_scale(TextBuffer &out, const MatchScale &scale, const Match &m) {
   const unsigned p = m.scale_power();
   const std::string s = p == 1 ? "s" : "s^" + std::to_string(p);
   add(out, "  scale: {} above {} and up to {}", s, to_string(scale.window.above),
@@ -161,7 +161,7 @@ void add_text_scale(Buffer &out, const MatchScale &scale, const Match &m) {
       to_string(scale.chosen), margin_text(scale));
 }
 
-void add_text_spectrum(Buffer &out, const Spectrum &s) {
+void add_text_spectrum(TextBuffer &out, const Spectrum &s) {
   add(out, "\n  numbers of particles that have an exact match:\n");
   for (const auto &[from, to] : s.intervals) {
     if (from == to)
@@ -175,7 +175,7 @@ void add_text_spectrum(Buffer &out, const Spectrum &s) {
     add(out, "    from {} on it is open: a limit was reached\n", to_string(s.all_from));
 }
 
-void add_text_spread(Buffer &out, const Match &m, const Spread &spread) {
+void add_text_spread(TextBuffer &out, const Match &m, const Spread &spread) {
   add(out, "\n  a spread with every class's mass exactly, seed {}:\n\n", spread.seed);
   const std::string unit(name(m.gradation.unit()));
   TextTable table;
@@ -243,7 +243,7 @@ std::string headline(const Match &m) {
 }
 
 std::string answer_text(const Match &m, const Spectrum *spectrum, const Spread *spread, bool with_scale) {
-  Buffer out;
+  TextBuffer out;
   add(out, "{}: {}\n", printable(m.gradation.id()), headline(m));
   if (m.budget)
     add(out, "  {}\n", budget_text(*m.budget));

@@ -18,7 +18,7 @@ std::string batch_csv(const Match &m) {
   const std::vector<Rational> achieved =
       m.has_answer() && m.sample->shares ? *m.sample->shares : shares(m.gradation);
   const std::string id = csv_field(m.gradation.id());
-  Buffer out;
+  TextBuffer out;
   for (std::size_t j = 0; j < rows.size(); ++j) {
     const AnswerRow &r = rows[j];
     add(out, "{},{},{},{},{},{},{},{}\n", id, j + 1, r.lower, r.upper,

@@ -56,12 +56,12 @@ private:
 
 class CsvSizes : public SizeWriter {
 public:
-  explicit CsvSizes(TextBuffer &out) : out_(out) {}
+  explicit CsvSizes(LongText &out) : out_(out) {}
   void begin_class(std::size_t j) override { number_ = j + 1; }
   void bounds(std::string_view lo, std::string_view hi) override { out_.add("{},{},{}\n", number_, lo, hi); }
 
 private:
-  TextBuffer &out_;
+  LongText &out_;
   std::size_t number_ = 0;
 };
 
@@ -116,7 +116,7 @@ void write_classes(const GeneratedSet &set, const Draws &draws, SizeWriter &out)
 } // namespace
 
 void write_sizes_csv(const GeneratedSet &set, const Draws &draws, const Sink &sink) {
-  TextBuffer out(sink);
+  LongText out(sink);
   out.add("class,size_lo,size_hi\n");
   CsvSizes rows(out);
   write_classes(set, draws, rows);

@@ -5,6 +5,7 @@
 
 #include <mdm/text/error.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace mdm {
@@ -12,6 +13,32 @@ namespace {
 
 /// Digits beyond this are of no use, and cost.
 constexpr unsigned most_digits = 1000;
+
+constexpr std::size_t most_numbers = 1000;
+
+std::vector<std::string> parts_between(const std::string &text, char separator) {
+  std::vector<std::string> all;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(separator, from), text.size());
+    all.push_back(text.substr(from, to - from));
+    from = to + 1;
+  }
+  return all;
+}
+
+std::vector<Rational> number_steps(const std::string &name, const std::vector<std::string> &words) {
+  const Rational from = positive(name, words[0]), to = positive(name, words[1]),
+                 step = positive(name, words[2]);
+  if (to < from)
+    throw InputError(option(name) + ": " + in_quotes(words[0] + ":" + words[1]) +
+                     " has its end before its start");
+  if ((to - from) / step >= Rational(most_numbers))
+    throw InputError(option(name) + ": more than 1000 numbers: take a larger step");
+  std::vector<Rational> numbers;
+  for (Rational at = from; at <= to; at += step)
+    numbers.push_back(at);
+  return numbers;
+}
 
 } // namespace
 
@@ -92,6 +119,20 @@ std::vector<Rational> box_sides(const std::string &name, const std::string &text
     throw InputError(option(name) + ": " + in_quotes(text) +
                      " is neither AxB nor AxBxC: write for example 50x50");
   return sides;
+}
+
+std::vector<Rational> number_list(const std::string &name, const std::string &text) {
+  const std::vector<std::string> words = parts_between(text, ':');
+  if (words.size() == 3)
+    return number_steps(name, words);
+  if (words.size() != 1)
+    throw InputError(option(name) + ": " + in_quotes(text) + " is not a list: write 1,2,5 or FROM:TO:STEP");
+  std::vector<Rational> numbers;
+  for (const std::string &word : parts_between(text, ','))
+    numbers.push_back(positive(name, word));
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
 }
 
 LengthUnit length_unit_of(const std::string &name, const std::string &text) {

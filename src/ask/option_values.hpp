@@ -45,6 +45,8 @@ Rational percent_of(const std::string &name, const std::string &text);
 std::chrono::milliseconds duration(const std::string &name, const std::string &text);
 /// Significant digits, 1 to 1000.
 unsigned digits_of(const std::string &name, const std::string &text);
+/// Numbers above 0 as `1,2,5` or `FROM:TO:STEP`, ascending, each once; at most 1000.
+std::vector<Rational> number_list(const std::string &name, const std::string &text);
 
 /// A length above 0, with a unit or without one.
 Length length(const std::string &name, const std::string &text);

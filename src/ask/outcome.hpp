@@ -23,7 +23,7 @@ const char *name(Outcome outcome);
 
 /// `limited` where a limit came first, whether there is a match or not.
 Outcome outcome_of(Status status);
-/// The same of a match, of which a gap that was asked for may be enough, and whose budget is decided.
+/// That of a match: a gap that was asked for may be enough, and a budget must be decided.
 Outcome outcome_of(const Match &match, const Limits &limits);
 Outcome outcome_of(Verdict verdict);
 Outcome outcome_of(const Tradeoff &tradeoff);

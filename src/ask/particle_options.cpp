@@ -4,7 +4,28 @@
 
 namespace mdm {
 
-ParticleOptions ParticleTexts::options(SizeUnit target) const {
+const std::vector<OptionRow<ParticleTexts>> ParticleTexts::options = {
+    {"from", "FORMAT", OptionKind::text,
+     "format of SAMPLE: csv (size_mm,quantity; also size_um, size_m, size_in, size_phi or sieve), "
+     "answer (JSON of mdm solve), xyzr (x y z r a line), lammps-data, lammps-dump, liggghts-dump, vtk, "
+     "diameters (one a line), liggghts-insertion, mercurydpm (scripts and distributions of mdm export), "
+     "extxyz (extended XYZ of ASE and OVITO with radius among its Properties), esys (geometry or snapshot "
+     "of ESyS-Particle with one worker), lethe (insertion file), kratos (mdpa), musen (scene as text), gsd "
+     "(HOOMD-blue), phasicflow (particlesDict of mdm export) or dem-engine (CSV of spheres, or of clumps "
+     "whose types are named r and the radius, as r0.00025); told by the content if left out",
+     &ParticleTexts::from},
+    {"radius", "", OptionKind::flag, "sizes are radii, whatever their name", &ParticleTexts::radius},
+    {"diameter", "", OptionKind::flag, "sizes are diameters, whatever their name", &ParticleTexts::diameter},
+    {"size-unit", "UNIT", OptionKind::text,
+     "unit of SAMPLE: mm, um, m or in; if left out what the file states, else m for LAMMPS, LIGGGHTS, "
+     "VTK, ESyS-Particle, Lethe, Kratos, MUSEN, GSD, PhasicFlow and DEM-Engine if left out, for xyzr, "
+     "extxyz and diameters that of the gradation (mm for size_in, size_phi and sieve)",
+     &ParticleTexts::size_unit},
+    {"timestep", "T", OptionKind::number,
+     "the timestep of a dump or of GSD, instead of the last; of several of that number the last",
+     &ParticleTexts::timestep}};
+
+ParticleOptions ParticleTexts::reading(SizeUnit target) const {
   ParticleOptions o;
   o.target = target;
   o.says_otherwise = option("radius") + ", " + option("diameter") + " and " + option("size-unit") + " say";

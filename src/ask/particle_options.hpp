@@ -5,16 +5,20 @@
 #include "ask/option_row.hpp"
 #include "particles/particle_reader.hpp"
 
+#include <vector>
+
 namespace mdm {
 
 struct ParticleTexts {
   OptionText from, size_unit, timestep;
   bool radius = false, diameter = false;
 
+  static const std::vector<OptionRow<ParticleTexts>> options;
+
   bool say_sizes() const { return radius || diameter || size_unit; }
   /// \param target  the unit that sizes are wanted in
   /// \throws InputError naming the option where its value does not serve
-  ParticleOptions options(SizeUnit target) const;
+  ParticleOptions reading(SizeUnit target) const;
 };
 
 } // namespace mdm

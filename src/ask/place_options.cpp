@@ -57,27 +57,27 @@ Rational distance(const char *name, const std::string &text, SizeUnit unit) {
 
 } // namespace
 
-const char *const PlaceTexts::packing_help =
-    "what the places of the particles say too: void ratio, contacts, overlaps, floating particles, heights "
-    "of "
-    "the classes; for files with x y z, of up to 20000 particles without this; the options below ask for it "
-    "too";
-
 const std::vector<OptionRow<PlaceTexts>> PlaceTexts::options = {
-    {"box", "AxB[xC]",
+    {"packing", "", OptionKind::flag,
+     "what the places of the particles say too: void ratio, contacts, overlaps, floating particles, heights "
+     "of the classes; for files with x y z, of up to 20000 particles without this; the options below ask "
+     "for it too",
+     &PlaceTexts::packing},
+    {"box", "AxB[xC]", OptionKind::text,
      "the space, from the origin, in the gradation's unit; without a height it ends at the top of the "
      "highest "
      "particle, as the file's box does, which is taken without this",
      &PlaceTexts::box},
-    {"specimen", "SHAPE",
+    {"specimen", "SHAPE", OptionKind::text,
      "the same as cylinder:DxH, or cylinder:D up to the top of the highest particle, which touches the axes' "
      "planes as that of export does, or box:AxBxC",
      &PlaceTexts::specimen},
-    {"periodic", "AXES", "the axes that are periodic, such as xyz, or none; told by dumps and extended XYZ",
+    {"periodic", "AXES", OptionKind::text,
+     "the axes that are periodic, such as xyz, or none; told by dumps and extended XYZ",
      &PlaceTexts::periodic},
-    {"contact-gap", "GAP", "the gap up to which two particles touch, in the gradation's unit (0)",
-     &PlaceTexts::contact_gap},
-    {"margin", "LENGTH",
+    {"contact-gap", "GAP", OptionKind::number,
+     "the gap up to which two particles touch, in the gradation's unit (0)", &PlaceTexts::contact_gap},
+    {"margin", "LENGTH", OptionKind::number,
      "what the inner part keeps away from walls, floor and top, in the gradation's unit (two largest "
      "diameters)",
      &PlaceTexts::margin}};

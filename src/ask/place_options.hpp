@@ -15,8 +15,6 @@ struct PlaceTexts {
   bool packing = false;
   OptionText box, specimen, periodic, contact_gap, margin;
 
-  static const char *const packing_help;
-  /// All but packing.
   static const std::vector<OptionRow<PlaceTexts>> options;
 
   /// True if places are to be looked at: each of the options asks for it.

@@ -4,14 +4,13 @@
 
 namespace mdm {
 
-const char *const SoilTexts::extrapolate_help =
-    "continue the line through the two finest sieves into a pan at size 0";
-
 const std::vector<OptionRow<SoilTexts>> SoilTexts::options = {
-    {"liquid-limit", "LL", "of the fines, in percent; without limits they are low-plasticity silt",
-     &SoilTexts::liquid_limit},
-    {"plastic-limit", "PL", "of the fines, in percent", &SoilTexts::plastic_limit},
-    {"pan-size", "SIZE", "take the pan as a sieve of this size", &SoilTexts::pan_size}};
+    {"liquid-limit", "LL", OptionKind::number,
+     "of the fines, in percent; without limits they are low-plasticity silt", &SoilTexts::liquid_limit},
+    {"plastic-limit", "PL", OptionKind::number, "of the fines, in percent", &SoilTexts::plastic_limit},
+    {"pan-size", "SIZE", OptionKind::number, "take the pan as a sieve of this size", &SoilTexts::pan_size},
+    {"extrapolate", "", OptionKind::flag,
+     "continue the line through the two finest sieves into a pan at size 0", &SoilTexts::extrapolate}};
 
 DescribeOptions SoilTexts::describe_options() const {
   if (liquid_limit.has_value() != plastic_limit.has_value())

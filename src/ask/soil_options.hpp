@@ -13,8 +13,6 @@ struct SoilTexts {
   OptionText liquid_limit, plastic_limit, pan_size;
   bool extrapolate = false;
 
-  static const char *const extrapolate_help;
-  /// All but extrapolate.
   static const std::vector<OptionRow<SoilTexts>> options;
 
   /// \throws InputError naming the option where its value does not serve, or one limit without the other

@@ -23,42 +23,65 @@ std::string kind_of(const SolveTexts &others) {
 } // namespace
 
 const std::vector<OptionRow<GradationTexts>> GradationTexts::options = {
-    {"law", "LAW", "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5",
+    {"law", "LAW", OptionKind::text, "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5",
      &GradationTexts::law},
-    {"size-factor", "K", "multiply every size of the gradation by K", &GradationTexts::size_factor},
-    {"cut-below", "SIZE",
+    {"size-factor", "K", OptionKind::number, "multiply every size of the gradation by K",
+     &GradationTexts::size_factor},
+    {"cut-below", "SIZE", OptionKind::number,
      "leave out the classes below the sieve SIZE, as 63um or in the file's unit (before --size-factor)",
      &GradationTexts::cut_below},
-    {"pan-size", "SIZE",
+    {"pan-size", "SIZE", OptionKind::number,
      "count the pan as SIZE, as 2um or in the file's unit, instead of 0 (before --size-factor)",
      &GradationTexts::pan_size}};
 
+const std::vector<OptionRow<SolveTexts>> SolveTexts::tolerance_options = {
+    {"tolerance", "WHICH", OptionKind::tolerances,
+     "the smallest match within a tolerance: retained:1%, passing:0.5%, total:1% (percentage points), "
+     "retained:file, passing:file (column tolerance_percent), laboratory, rounding; may be repeated",
+     &SolveTexts::tolerances},
+    {"band", "FILE", OptionKind::file,
+     "the smallest match within the envelope in FILE: CSV with passing_min_percent and passing_max_percent "
+     "of each sieve, or a table with columns such as Lower and Upper",
+     &SolveTexts::band}};
+
 const std::vector<OptionRow<SolveTexts>> SolveTexts::question_options = {
-    {"min-per-class", "R", "at least R particles in every class with mass", &SolveTexts::min_per_class},
-    {"at-least", "N", "the smallest match with at least N particles", &SolveTexts::at_least},
-    {"at-most", "N", "no match if the smallest has more than N particles", &SolveTexts::at_most},
-    {"specimen", "SHAPE",
+    {"min-per-class", "R", OptionKind::number, "at least R particles in every class with mass",
+     &SolveTexts::min_per_class},
+    {"at-least", "N", OptionKind::number, "the smallest match with at least N particles",
+     &SolveTexts::at_least},
+    {"at-most", "N", OptionKind::number, "no match if the smallest has more than N particles",
+     &SolveTexts::at_most},
+    {"specimen", "SHAPE", OptionKind::text,
      "at least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, "
      "or in the answer's unit (the file's; mm for inches, phi and sieve names)",
      &SolveTexts::specimen},
-    {"void-ratio", "E", "void ratio e of the specimen", &SolveTexts::void_ratio},
-    {"solids-volume", "V", "at least this volume of solids, in the cube of the answer's unit",
-     &SolveTexts::solids_volume}};
+    {"void-ratio", "E", OptionKind::number, "void ratio e of the specimen", &SolveTexts::void_ratio},
+    {"solids-volume", "V", OptionKind::number,
+     "at least this volume of solids, in the cube of the answer's unit", &SolveTexts::solids_volume}};
 
 const std::vector<OptionRow<SolveTexts>> SolveTexts::answer_options = {
-    {"digits", "D", "significant digits of sizes (15)", &SolveTexts::digits},
-    {"scale", "WHICH", "robust (sizes far from the sieves) or upper (largest sizes)", &SolveTexts::scale}};
+    {"digits", "D", OptionKind::number, "significant digits of sizes (15)", &SolveTexts::digits},
+    {"scale", "WHICH", OptionKind::text, "robust (sizes far from the sieves) or upper (largest sizes)",
+     &SolveTexts::scale}};
 
 const std::vector<OptionRow<SolveTexts>> SolveTexts::limit_options = {
-    {"max-steps", "N", "stop after so many steps (67108864), with what is certain (exit 3)",
-     &SolveTexts::max_steps},
-    {"node-limit", "N", "stop after so many nodes of the search for a tolerance (exit 3)",
+    {"max-steps", "N", OptionKind::number,
+     "stop after so many steps (67108864), with what is certain (exit 3)", &SolveTexts::max_steps},
+    {"node-limit", "N", OptionKind::number, "stop after so many nodes of the search for a tolerance (exit 3)",
      &SolveTexts::node_limit},
-    {"time-limit", "S", "stop after so many seconds (exit 3)", &SolveTexts::time_limit},
-    {"gap", "G",
+    {"time-limit", "S", OptionKind::seconds, "stop after so many seconds (exit 3)", &SolveTexts::time_limit},
+    {"gap", "G", OptionKind::number,
      "within a tolerance, stop at a match that has at most this part of its particles more than are "
      "certain, for example 1e-6 (exit 0)",
      &SolveTexts::gap}};
+
+const std::vector<OptionRow<BudgetTexts>> BudgetTexts::options = {
+    {"particles", "N", OptionKind::number,
+     "the least tolerance with which N particles suffice, of the kind that --tolerance names without a "
+     "value: retained (as without it), passing or total",
+     &BudgetTexts::particles},
+    {"grid", "STEP", OptionKind::number, "the steps of that tolerance in percentage points (0.001)",
+     &BudgetTexts::grid}};
 
 AskedQuestion GradationTexts::question() const {
   AskedQuestion asked;
@@ -71,6 +94,17 @@ AskedQuestion GradationTexts::question() const {
   if (size_factor)
     asked.rest.size_factor = positive("size-factor", *size_factor);
   return asked;
+}
+
+void SolveTexts::check_source(const OptionText &file, const std::string &reading,
+                              const std::string &command) const {
+  if (!file && !band)
+    throw InputError("mdm: FILE is required, or " + option("band") + "; see mdm " + command + " " +
+                     option("help"));
+  if (!file && !reading.empty())
+    throw InputError(reading + ": it is of the gradation's FILE, and there is none: leave it out");
+  if (file == "-" && band == "-")
+    throw InputError(option("band") + ": standard input is the gradation already: give one of them by name");
 }
 
 AskedQuestion SolveTexts::question(const ReadBand &read_band) const {

@@ -35,9 +35,15 @@ struct SolveTexts : GradationTexts {
   OptionText digits, scale;
   OptionText max_steps, node_limit, time_limit, gap;
 
-  /// All but tolerance, band and those of GradationTexts, by what they are about.
-  static const std::vector<OptionRow<SolveTexts>> question_options, answer_options, limit_options;
+  /// All but those of GradationTexts, by what they are about.
+  static const std::vector<OptionRow<SolveTexts>> tolerance_options, question_options, answer_options,
+      limit_options;
 
+  /// The source of the gradation: FILE, or else the band alone.
+  const std::string &source(const OptionText &file) const { return file ? *file : *band; }
+  /// \param reading an option of reading that is given, or an empty text
+  /// \throws InputError if there is neither, or if they do not go together
+  void check_source(const OptionText &file, const std::string &reading, const std::string &command) const;
   bool is_tolerant() const { return !tolerances.empty() || band; }
   AskedQuestion question(const ReadBand &read_band) const;
   /// The same for a command that looks for exact matches and for those within a tolerance: limits of either
@@ -51,17 +57,19 @@ struct SolveTexts : GradationTexts {
 template <class Texts, class Visit>
 void for_each_option(Texts &texts, Visit visit) {
   for (const OptionRow<SolveTexts> &row : SolveTexts::question_options)
-    visit(row.name, texts.*row.text);
+    visit(row.name, texts.*row.text());
   for (const OptionRow<GradationTexts> &row : GradationTexts::options)
-    visit(row.name, texts.*row.text);
+    visit(row.name, texts.*row.text());
   for (const auto *const rows : {&SolveTexts::answer_options, &SolveTexts::limit_options})
     for (const OptionRow<SolveTexts> &row : *rows)
-      visit(row.name, texts.*row.text);
+      visit(row.name, texts.*row.text());
 }
 
 /// A number of particles that chooses the tolerance, likewise.
 struct BudgetTexts {
   OptionText particles, grid;
+
+  static const std::vector<OptionRow<BudgetTexts>> options;
 
   /// The budget; its kind is the one tolerance of the other options, or retained. \pre particles
   Budget budget(const SolveTexts &others) const;

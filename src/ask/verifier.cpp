@@ -48,6 +48,21 @@ std::optional<std::string> unit_note(const Description &d, const std::optional<L
 
 } // namespace
 
+const std::vector<OptionRow<VerifyTexts>> VerifyTexts::options = {
+    {"tolerance", "WHICH", OptionKind::tolerances,
+     "what shares may differ by: retained:1% or 1% (percentage points, of each class), passing:0.5%, "
+     "total:1%, retained:file, passing:file, laboratory, rounding; none is 0; may be repeated, and all hold",
+     &VerifyTexts::tolerances},
+    {"band", "FILE", OptionKind::file, "what passes lies within the envelope in FILE, as for solve",
+     &VerifyTexts::band},
+    {"snap", "EPS", OptionKind::number,
+     "take a size within EPS times an opening of it as that opening (0), for sizes computed in double: "
+     "1e-12",
+     &VerifyTexts::snap}};
+
+const std::vector<OptionRow<VerifyTexts>> VerifyTexts::answer_options = {
+    {"digits", "D", OptionKind::number, "significant digits of percents (6)", &VerifyTexts::digits}};
+
 Verifier::Verifier(Gradation g, const std::string &source, const VerifyTexts &asked,
                    const std::optional<Envelope> &band)
     : snap_(asked.snap ? not_negative("snap", *asked.snap) : Rational(0)),
@@ -59,7 +74,7 @@ Verifier::Verifier(Gradation g, const std::string &source, const VerifyTexts &as
                      [&, tolerances = asked_tolerances(asked)] {
                        return allowed_error(gradation_, tolerances, band, question_.size_factor);
                      })),
-      reading_(asked.particles.options(gradation_.unit())), said_(asked.particles),
+      reading_(asked.particles.reading(gradation_.unit())), said_(asked.particles),
       places_(checked(asked.places, gradation_.unit())),
       sizes_(Description(gradation_, {question_.law, snap_, 1, 1})),
       placed_(gradation_, sizes_, places_.are_asked() ? std::nullopt : std::optional(most_unasked_places),

@@ -19,9 +19,12 @@ namespace mdm {
 struct VerifyTexts {
   GradationTexts gradation;
   std::vector<std::string> tolerances;
-  OptionText snap, digits;
+  OptionText band, snap, digits; ///< band: the name of what the judge gets as an envelope
   ParticleTexts particles;
   PlaceTexts places;
+
+  /// All but those of particles, places and gradation.
+  static const std::vector<OptionRow<VerifyTexts>> options, answer_options;
 };
 
 /// The judge of one sample, which is handed on to its sinks while it is read, or taken as an answer. One
@@ -47,7 +50,7 @@ public:
   ParticleSink &sizes() { return sizes_; }
   /// What the reader of particles() says at their end.
   void end(const ReadParticles &read);
-  /// The same of sizes().
+  /// Takes the notes that belong to what sizes() was given.
   void note(const std::vector<std::string> &notes) {
     notes_.insert(notes_.end(), notes.begin(), notes.end());
   }

@@ -1,3 +1,12 @@
+// The best blend in steps, or why there is none (proofs/README.md, Theorem 22). What comes in are
+// stockpiles, limits, an aim and a number of steps; what goes out are the best blends in order, the best
+// one of real shares with the price of each limit, or limits that contradict each other.
+//
+// Real shares come first: a linear program decides exactly whether there are any. Without real shares there
+// are none in steps, and the contradiction says why. With them the search over steps (search.cpp) begins at
+// their value, which no blend in steps is below. Where there is none, the limits may be widened: the aim is
+// then the widest excess over a limit.
+
 #include "blend/contradiction.hpp"
 #include "blend/relaxation.hpp"
 #include "blend/search.hpp"

@@ -1,3 +1,9 @@
+// The certificate of a blend (certificate-format.md, section 11). The search leaves its splits; here each
+// leaf of the tree gets its multipliers. The box of a leaf is set in the relaxation with less demanded of
+// the aim than the claim, which it cannot have, and the contradiction's multiples are written: `none` where
+// they do not need the aim, else `leaf`. What the checker can see by itself, a box whose counts cannot sum
+// to the whole, needs none.
+
 #include "blend/blend_certificate.hpp"
 
 #include "blend/relaxation.hpp"

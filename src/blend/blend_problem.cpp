@@ -1,3 +1,8 @@
+// The problem of a blend from gradations and a specification (Theorem 22). What comes in are files of
+// stockpiles and limits at sieves; what goes out is what passes each sieve of each stockpile, as fractions.
+// A sieve that a stockpile does not have is interpolated, linear in size, so that it is rational; below its
+// finest sieve nothing is known, and a limit there is refused.
+
 #include "gradation/shown.hpp"
 #include "soil/grading_curve.hpp"
 

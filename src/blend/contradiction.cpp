@@ -1,3 +1,10 @@
+// As few limits as contradict each other. What comes in is a problem without real shares; what goes out are
+// limits of which none can be spared, with multipliers.
+//
+// Each limit in turn is left out: if the others can be kept then, it is needed and comes back. One pass is
+// enough, because what was needed beside more limits is needed beside fewer. The order says which of
+// several contradictions is told: what users would rather give up comes last.
+
 #include "blend/contradiction.hpp"
 
 #include "blend/relaxation.hpp"

@@ -1,3 +1,13 @@
+// Blends with real shares: the linear program of Theorem 22 in fractions. What comes in are bounds on
+// shares that a search changes; what goes out is the least value, shares that have it, or multiples that
+// add up to a contradiction (Farkas).
+//
+// Variables are the shares, and for aims at targets one deviation a sieve, or one for all. A deviation is
+// at least the difference from the target in both directions. first_shares() makes one share after the
+// other as small as it can be while the value stays the least. What the simplex method gives as a
+// contradiction are the numbers lambda, mu, alpha and beta of the theorem; those of bounds on shares follow
+// from them and are left out.
+
 #include "blend/relaxation.hpp"
 
 #include <algorithm>

@@ -1,3 +1,16 @@
+// The search for the best blends in steps (Theorem 22 (c)). What comes in is the problem; what goes out,
+// one at a call, are blends in the stated order, and the tree of all splits, which is the proof.
+//
+// Branch and bound over boxes of counts l <= n <= u. Each open box has the least value that real shares
+// allow in it, by an exact linear program. Invariant: every blend that was not given out is in an open box.
+// The box that comes first is taken; if its shares are whole steps, nothing can be better, and it is a
+// blend. Else it is split at a share that is no whole step, or, where too many stockpiles have a share, at
+// one that need not. A blend that was given out is cut out of its box.
+//
+// Boxes with the value of a known blend are put in order by their first shares, so that of several best
+// blends the stated one comes first. It ends because there are finitely many counts, and each split parts
+// them.
+
 #include "blend/search.hpp"
 
 #include <algorithm>

@@ -16,7 +16,8 @@ namespace mdm::checker {
 int check_suite(const std::string &suite, const std::string &proofs, const Manner &manner,
                 const std::optional<std::string> &answers = {});
 
-/// The same of each NAME.proof of a folder against the gradation file NAME.gradation beside it.
+/// Judges each NAME.proof of a folder against the gradation file NAME.gradation beside it, a line a verdict.
+/// Returns the worst code.
 int check_folder(const std::string &folder, const Manner &manner);
 
 } // namespace mdm::checker

@@ -246,19 +246,15 @@ private:
   /// and D_{i-1}.
   Condition condition_of_sum(char letter, const ClassRange &classes) const {
     const Bounds bounds = counts_.of(classes);
-    Condition c;
-    if (letter == 'd') { // sum of t - f q >= 0, strict where there are particles
-      c.D = 1;
-      c.strict = bounds.least >= 1;
-    } else if (letter == 's') { // sum of q >= the bound in force
-      c.N = problem_.mass_unit;
-      c.constant = bounds.least;
-    } else { // S: minus the sum of q >= minus the bound in force
+    switch (letter) {
+    case 'd': // sum of t - f q >= 0, strict where there are particles
+      return {.strict = bounds.least >= 1, .D = 1};
+    case 's': // sum of q >= the bound in force
+      return {.constant = bounds.least, .N = problem_.mass_unit};
+    default: // S: minus the sum of q >= minus the bound in force
       demand(bounds.most >= 0, "leaf: S where the sum is bounded", classes.j);
-      c.N = -problem_.mass_unit;
-      c.constant = -bounds.most;
+      return {.constant = -bounds.most, .N = -problem_.mass_unit};
     }
-    return c;
   }
 
   /// The condition of class j, or for j = 0 of all.
@@ -268,36 +264,36 @@ private:
     const mpz_class &unit = problem_.mass_unit;
     switch (letter) {
     case 'f': // t_j - f_j q_j >= 0, strict where q_j >= 1
-      return {-c.f, 1, 0, 0, 0, 0, 0, bounds.least >= 1};
+      return {.q = -c.f, .t = 1, .strict = bounds.least >= 1};
     case 'F': // F_j q_j - t_j >= 0
-      return {c.F, -1};
+      return {.q = c.F, .t = -1};
     case 'q': // q_j >= the bound in force
-      return {unit, 0, 0, 0, 0, 0, bounds.least};
+      return {.q = unit, .constant = bounds.least};
     case 'Q': // -q_j >= minus the bound in force
       demand(bounds.most >= 0, "leaf: Q where q is bounded", j);
-      return {-unit, 0, 0, 0, 0, 0, -bounds.most};
+      return {.q = -unit, .constant = -bounds.most};
     case 'r': // t_j - lo_j M >= 0
-      return {0, 1, 0, 0, -c.share[r]};
+      return {.t = 1, .M = -c.share[r]};
     case 'R': // hi_j M - t_j >= 0
-      return {0, -1, 0, 0, c.share[R]};
+      return {.t = -1, .M = c.share[R]};
     case 'p': // P_j - lo_j M >= 0
-      return {0, 0, 1, 0, -c.share[p]};
+      return {.P = 1, .M = -c.share[p]};
     case 'P': // hi_j M - P_j >= 0
-      return {0, 0, -1, 0, c.share[P]};
+      return {.P = -1, .M = c.share[P]};
     case 'e': // p_j - t_j + g_j M >= 0
-      return {0, -1, 0, 1, c.share[g]};
+      return {.t = -1, .p = 1, .M = c.share[g]};
     case 'x': // p_j >= 0
-      return {0, 0, 0, 1};
+      return {.p = 1};
     case 'E': // (e / 2) M - sum p >= 0
-      return {0, 0, 0, -1, problem_.half_total};
+      return {.p = -1, .M = problem_.half_total};
     case 'm': // M > 0
-      return {0, 1, 0, 0, 0, 0, 0, true};
+      return {.t = 1, .strict = true};
     case 'w': // sum t / c >= w; the constant is added at the end
-      return {0, 0, 0, 0, 0, 1};
+      return {.weight = 1};
     case 'n': // sum q >= max(1, M)
-      return {unit, 0, 0, 0, 0, 0, least_of_all(certificate_)};
+      return {.q = unit, .constant = least_of_all(certificate_)};
     default: // N: -sum q >= -(N - 1), of bounds -(B - 1)
-      return {-unit, 0, 0, 0, 0, 0, minus_most_of_all(certificate_)};
+      return {.q = -unit, .constant = minus_most_of_all(certificate_)};
     }
   }
 

@@ -1,3 +1,4 @@
+#include "ask/crosscheck_options.hpp"
 #include "ask/option_values.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
@@ -38,9 +39,8 @@ namespace {
 struct CrosscheckCommand {
   std::string suite;
   std::optional<std::string> answers, solver, by, journal;
-  std::string size_tolerance = "1e-9";
-  std::optional<std::string> time_limit, max_steps;
-  SolveFlags flags; ///< the question, and --node-limit
+  std::optional<std::string> time_limit; ///< of a solver
+  CrosscheckTexts asked;
   OutputFlags output;
   unsigned threads = 1;
   bool reasons = false;
@@ -78,25 +78,30 @@ std::vector<Entry> read_suite(const std::string &path) {
 /// Rows for a gradation of the suite.
 using Judge = std::function<Rows(const Crosscheck &, std::uint64_t line)>;
 
-/// The gradation of a line with its least match.
-using MakeProblem = std::function<Crosscheck(const Entry &)>;
-
 /// Judges a suite by several threads and gives the rows out in order.
 class Crosschecking {
 public:
-  Crosschecking(const std::vector<Entry> &suite, Judge judge, MakeProblem make)
-      : suite_(suite), judge_(std::move(judge)), make_(std::move(make)) {}
+  Crosschecking(const std::vector<Entry> &suite, const std::string &name, Judge judge,
+                const CrosscheckQuestion &question)
+      : suite_(suite), name_(name), judge_(std::move(judge)), question_(question) {}
 
   /// Calls give(rows) for each gradation.
   template <class Give>
   void run(unsigned threads, Give give) {
-    in_parallel(suite_.size(), threads,
-                [this, &give](std::size_t i) { finish(i, judge_(make_(suite_[i]), suite_[i].line), give); });
+    in_parallel(suite_.size(), threads, [this, &give](std::size_t i) {
+      finish(i, judge_(problem(suite_[i]), suite_[i].line), give);
+    });
   }
 
   std::size_t done() const { return done_; }
 
 private:
+  Crosscheck problem(const Entry &entry) const {
+    if (question_.is_plain())
+      return question_.problem(entry.gradation);
+    return in_file(line_name(name_, entry.line), [&] { return question_.problem(entry.gradation); });
+  }
+
   template <class Give>
   void finish(std::size_t i, Rows rows, Give &give) {
     const std::lock_guard lock(mutex_);
@@ -109,20 +114,13 @@ private:
   }
 
   const std::vector<Entry> &suite_;
+  const std::string &name_; ///< of the suite
   Judge judge_;
-  MakeProblem make_;
+  const CrosscheckQuestion &question_;
   std::mutex mutex_;
   std::map<std::size_t, Rows> waiting_; ///< for the rows of a gradation before them
   std::atomic<std::size_t> done_ = 0;
 };
-
-Rational read_tolerance(const std::string &text) {
-  const Rational r = not_negative("size-tolerance", text);
-  if (r >= 1)
-    throw InputError(option("size-tolerance") + ": " + in_quotes(text) +
-                     " is not below 1: it is a part of the size, such as 1e-9");
-  return r;
-}
 
 std::chrono::milliseconds read_time_limit(const std::string &text) {
   const Integer a_year = 366LL * 24 * 3600 * 1000;
@@ -147,20 +145,6 @@ void check_options(const CrosscheckCommand &c) {
     throw InputError("--journal needs a file: name one");
   for (const std::string &input : {c.suite, c.answers.value_or("-")})
     check_distinct({input, c.journal.value_or("-"), c.output.path()});
-}
-
-/// The options of the question as they were given; empty for the plain question.
-std::string question_text(const CrosscheckCommand &c) {
-  std::string text;
-  const auto add = [&text](const std::string &name, const OptionText &value) {
-    if (value && name != "node-limit")
-      text += (text.empty() ? "" : " ") + option(name) + " " + *value;
-  };
-  for (const std::string &tolerance : c.flags.tolerances)
-    add("tolerance", tolerance);
-  add("band", c.flags.band);
-  for_each_option(c.flags, add);
-  return text;
 }
 
 /// Rows as they come, and what stands around them.
@@ -232,7 +216,7 @@ private:
     write_option("answers", command_.answers);
     write_option("solver", command_.solver);
     write_option("by", command_.by);
-    const std::string question = question_text(command_);
+    const std::string question = command_.asked.question_words();
     write_option("question", question.empty() ? std::nullopt : std::optional(question));
     json_.key("size_tolerance").plain(to_string(size_tolerance_)).key("rows").begin_array();
   }
@@ -246,7 +230,7 @@ private:
   }
 
   std::string text(std::uint64_t gradations, const std::vector<std::string> &notes) const {
-    const std::string question = question_text(command_);
+    const std::string question = command_.asked.question_words();
     std::string text = fmt::format("{}: {} {}{}\n\n", printable(shown_name(command_.suite)), gradations,
                                    gradations == 1 ? "gradation" : "gradations",
                                    question.empty() ? "" : ", asked with " + printable(question)) +
@@ -265,26 +249,10 @@ private:
   CrosscheckSummary summary_;
 };
 
-/// Makes the problem of a line: the plain one, or that of the question that was asked.
-MakeProblem problems(const CrosscheckCommand &c) {
-  Limits limits;
-  if (c.max_steps)
-    limits.max_steps = natural64("max-steps", *c.max_steps);
-  if (c.flags.node_limit)
-    limits.node_limit = natural64("node-limit", *c.flags.node_limit);
-  if (c.flags.at_most)
-    throw InputError(option("at-most") + ": it is of one search: leave it out");
-  if (question_text(c).empty())
-    return [limits](const Entry &entry) { return Crosscheck(entry.gradation, limits); };
-  return [limits, asked = c.flags.question_of_both(), suite = c.suite](const Entry &entry) {
-    return in_file(line_name(suite, entry.line),
-                   [&] { return Crosscheck(entry.gradation, asked.in(entry.gradation.unit()), limits); });
-  };
-}
-
 /// Judges all gradations of the suite.
 void report_suite(const CrosscheckCommand &c, const std::vector<Entry> &suite, Judge judge, Report &report) {
-  Crosschecking crosschecking(suite, std::move(judge), problems(c));
+  const CrosscheckQuestion question(c.asked, band_in_file);
+  Crosschecking crosschecking(suite, c.suite, std::move(judge), question);
   Progress progress([&] { return fmt::format("{} of {} gradations", crosschecking.done(), suite.size()); },
                     c.output.quiet);
   crosschecking.run(c.threads, [&report](const Rows &rows) { report.add(rows); });
@@ -300,7 +268,7 @@ AnswerIndex read_index(const CrosscheckCommand &c) {
 
 int run(const CrosscheckCommand &c) {
   check_options(c);
-  const Rational size_tolerance = read_tolerance(c.size_tolerance);
+  const Rational size_tolerance = c.asked.most_size_error();
   const std::vector<Entry> suite = read_suite(c.suite);
   if (c.answers) {
     const AnswerIndex index = read_index(c);
@@ -384,22 +352,13 @@ Run add_crosscheck(CLI::App &app) {
                   "append the solver's answers to FILE as they come (JSON Lines, good as ANSWERS too); a run "
                   "that was interrupted goes on from there when it is started again with the same command")
       ->type_name("FILE");
-  command
-      .add_option("--size-tolerance", c->size_tolerance,
-                  "how far sizes may be off, as a part of the size as stated (1e-9)")
-      ->type_name("EPS");
+  add_options(command, CrosscheckTexts::options, c->asked);
   command.add_option("--by", c->by, "summary and missing answers by each value of a column of ANSWERS")
       ->type_name("COLUMN");
   command.add_flag("--reasons", c->reasons, "a last column `reason` in CSV rows");
   command.add_flag("--require-minimal", c->require_minimal, "exit 1 also if a match is larger than needed");
-  command
-      .add_option("--max-steps", c->max_steps,
-                  "stop the search for a smallest match after so many steps (67108864; undecided, exit 3)")
-      ->type_name("N");
-  for (const OptionRow<SolveTexts> &row : SolveTexts::limit_options)
-    if (row.text == &SolveTexts::node_limit)
-      add_options(command, std::vector{row}, c->flags);
-  c->flags.add_asked(command);
+  add_options(command, CrosscheckTexts::limit_options, c->asked);
+  add_asked_options(command, c->asked);
   c->output.add_format(command, "text (the summary), csv (the rows) or json (both)");
   c->output.out_has_report = false; // with text, it has the rows
   c->output.add_out(command, "write csv or json")

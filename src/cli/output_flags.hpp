@@ -41,7 +41,7 @@ struct OutputFlags {
   }
   /// Shows notes on standard error, unless --quiet.
   void tell_notes(const std::vector<std::string> &notes) const;
-  /// The same of a CSV report, which has no place for them.
+  /// Shows them where the report is CSV, which has no place for them.
   void tell_notes_beside_csv(const std::vector<std::string> &notes) const;
 };
 

@@ -2,24 +2,12 @@
 /// \file
 /// The Apollonian packings of mdm pack.
 
+#include "ask/pack.hpp"
 #include "cli/output_flags.hpp"
-
-#include <CLI/CLI.hpp>
-
-#include <optional>
-#include <string>
 
 namespace mdm::cli {
 
-/// What is asked about a gasket.
-struct ApollonianFlags {
-  std::optional<std::string> gasket, smallest;
-  bool count_only = false;
-
-  void add_to(CLI::App &command);
-};
-
 /// Counts, writes or describes a gasket. \param output its `-o` is for the packing, beside the report
-int run_apollonian(const ApollonianFlags &flags, const OutputFlags &output);
+int run_apollonian(const PackTexts &asked, const OutputFlags &output);
 
 } // namespace mdm::cli

@@ -18,14 +18,6 @@ struct ReadingFlags : ReadingTexts {
   /// something else, that one is left out.
   /// \return the options that were added
   std::vector<CLI::Option *> add_to(CLI::App &command);
-
-  /// The first of them that is given, such as `--sheet`; empty if there is none.
-  std::string given() const;
-  bool is_given() const { return !given().empty(); }
-  /// True if none but --unit is given, or none.
-  bool is_unit_at_most() const;
-  /// All that are given as words of a command, for sh, with a space before each.
-  std::string words() const;
 };
 
 } // namespace mdm::cli

@@ -16,7 +16,7 @@ namespace mdm::cli {
 /// True for a file that begins as files of particles do, or is a set of mdm generate; standard input is not
 /// looked at.
 bool is_sample_file(const std::string &path);
-/// The same of a content, such as that of standard input.
+/// True for a content that begins so, such as that of standard input.
 bool is_sample(const std::string &content);
 
 /// True for a file of GSD; standard input is not looked at.

@@ -6,7 +6,6 @@ namespace mdm::cli {
 
 void SoilFlags::add_to(CLI::App &command) {
   add_options(command, options, *this);
-  command.add_flag("--extrapolate", extrapolate, extrapolate_help);
 }
 
 } // namespace mdm::cli

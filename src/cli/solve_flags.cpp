@@ -19,13 +19,17 @@ void add_gradation_options(CLI::App &command, GradationTexts &texts) {
   add_options(command, GradationTexts::options, texts);
 }
 
-void SolveFlags::add_asked(CLI::App &command) {
-  add_question(command);
-  add_gradation_options(command, *this);
+void add_asked_options(CLI::App &command, SolveTexts &texts) {
+  {
+    const OptionGroup group(command, "The question");
+    add_options(command, SolveTexts::tolerance_options, texts);
+    add_options(command, SolveTexts::question_options, texts);
+  }
+  add_gradation_options(command, texts);
 }
 
 void SolveFlags::add_problem(CLI::App &command) {
-  add_asked(command);
+  add_asked_options(command, *this);
   add_limits(command);
 }
 
@@ -33,23 +37,6 @@ void SolveFlags::add_to(CLI::App &command) {
   add_problem(command);
   const OptionGroup group(command, "The answer");
   add_options(command, answer_options, *this);
-}
-
-void SolveFlags::add_question(CLI::App &command) {
-  const OptionGroup group(command, "The question");
-  command
-      .add_option(
-          "--tolerance", tolerances,
-          "the smallest match within a tolerance: retained:1%, passing:0.5%, total:1% (percentage points), "
-          "retained:file, passing:file (column tolerance_percent), laboratory, rounding; may be repeated")
-      ->type_name("WHICH")
-      ->allow_extra_args(false);
-  command
-      .add_option("--band", band,
-                  "the smallest match within the envelope in FILE: CSV with passing_min_percent and "
-                  "passing_max_percent of each sieve, or a table with columns such as Lower and Upper")
-      ->type_name("FILE");
-  add_options(command, question_options, *this);
 }
 
 void SolveFlags::add_limits(CLI::App &command) {
@@ -63,16 +50,6 @@ AskedQuestion SolveFlags::question() const {
 
 AskedQuestion SolveFlags::question_of_both() const {
   return SolveTexts::question_of_both(band_in_file);
-}
-
-void SolveFlags::check_source(const OptionText &file, const std::string &reading,
-                              const std::string &command) const {
-  if (!file && !band)
-    throw InputError("mdm: FILE is required, or --band; see mdm " + command + " --help");
-  if (!file && !reading.empty())
-    throw InputError(reading + ": it is of the gradation's FILE, and there is none: leave it out");
-  if (file == "-" && band == "-")
-    throw InputError("--band: standard input is the gradation already: give one of them by name");
 }
 
 std::string SolveFlags::words() const {

@@ -13,6 +13,9 @@ namespace mdm::cli {
 /// Adds the options that say how a gradation is to be taken, for every command that weighs particles.
 void add_gradation_options(CLI::App &command, GradationTexts &texts);
 
+/// Adds what is asked alone, without limits.
+void add_asked_options(CLI::App &command, SolveTexts &texts);
+
 /// The envelope in a file. \throws InputError naming it
 Envelope band_in_file(const std::string &path);
 
@@ -21,14 +24,7 @@ struct SolveFlags : SolveTexts {
   void add_to(CLI::App &command);
   /// Without those that only change the sizes of an answer.
   void add_problem(CLI::App &command);
-  /// What is asked alone, without limits.
-  void add_asked(CLI::App &command);
 
-  /// The source of the gradation: FILE, or else the band alone.
-  const std::string &source(const OptionText &file) const { return file ? *file : *band; }
-  /// \param reading an option of reading that is given, or an empty text
-  /// \throws InputError if there is neither, or if they do not go together
-  void check_source(const OptionText &file, const std::string &reading, const std::string &command) const;
   /// Those of the texts, with the band read from its file.
   AskedQuestion question() const;
   AskedQuestion question_of_both() const;
@@ -37,7 +33,6 @@ struct SolveFlags : SolveTexts {
   std::string words() const;
 
 private:
-  void add_question(CLI::App &command);
   void add_limits(CLI::App &command);
 };
 

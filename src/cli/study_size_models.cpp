@@ -1,7 +1,6 @@
 #include "cli/study_size_models.hpp"
 
 #include "ask/option_values.hpp"
-#include "cli/accessible.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/progress.hpp"
 #include "cli/study_packings.hpp"

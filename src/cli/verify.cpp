@@ -30,7 +30,6 @@ namespace {
 struct VerifyCommand {
   std::string gradation, sample;
   VerifyTexts asked;
-  OptionText band;
   ReadingFlags reading;
   OutputFlags output;
 };
@@ -90,8 +89,8 @@ int run(const VerifyCommand &c) {
     throw InputError("GRADATION and SAMPLE cannot both be standard input: give one of them as a file");
   check_distinct({c.gradation, c.output.path()});
   check_distinct({c.sample, c.output.path()});
-  if (c.band)
-    check_distinct({*c.band, c.output.path()});
+  if (c.asked.band)
+    check_distinct({*c.asked.band, c.output.path()});
   if (is_disc_sizes_file(c.gradation))
     return verify_packing(c.gradation, c.sample, c.output);
   static_cast<void>(c.asked.gradation.question()); // what is wrong is said before a file is read
@@ -99,8 +98,8 @@ int run(const VerifyCommand &c) {
   Gradation g = read_gradation(read_file(c.gradation, max_gradation_bytes), shown_name(c.gradation),
                                c.reading.reading());
   std::optional<Envelope> band;
-  if (c.band)
-    band = band_in_file(*c.band);
+  if (c.asked.band)
+    band = band_in_file(*c.asked.band);
   Verifier verifier(std::move(g), shown_name(c.gradation), c.asked, band);
   Output out(c.output.path());
   read_sample(c, verifier);
@@ -129,55 +128,12 @@ Run add_verify(CLI::App &app) {
       ->required();
   command.add_option("SAMPLE", c->sample, "particles, in one of the formats of --from; - for standard input")
       ->required();
-  command
-      .add_option(
-          "--from", c->asked.particles.from,
-          "format of SAMPLE: csv (size_mm,quantity; also size_um, size_m, size_in, size_phi or sieve), "
-          "answer (JSON of mdm solve), xyzr (x y z r a "
-          "line), lammps-data, lammps-dump, liggghts-dump, vtk, diameters (one a line), liggghts-insertion, "
-          "mercurydpm (scripts and distributions of mdm export), extxyz (extended XYZ of ASE and OVITO "
-          "with radius among its Properties), esys (geometry or snapshot of ESyS-Particle with one worker), "
-          "lethe (insertion file), kratos (mdpa), musen (scene as text), gsd (HOOMD-blue), phasicflow "
-          "(particlesDict of mdm export) or dem-engine (CSV "
-          "of spheres, or of "
-          "clumps whose types are named r and the radius, as r0.00025); told by the content if left out")
-      ->type_name("FORMAT");
-  CLI::Option *const radius =
-      command.add_flag("--radius", c->asked.particles.radius, "sizes are radii, whatever their name");
-  command.add_flag("--diameter", c->asked.particles.diameter, "sizes are diameters, whatever their name")
-      ->excludes(radius);
-  command
-      .add_option(
-          "--size-unit", c->asked.particles.size_unit,
-          "unit of SAMPLE: mm, um, m or in; if left out what the file states, else m for LAMMPS, LIGGGHTS, "
-          "VTK, ESyS-Particle, Lethe, Kratos, "
-          "MUSEN, GSD, PhasicFlow and DEM-Engine if left out, for xyzr, extxyz and diameters that of the "
-          "gradation "
-          "(mm for size_in, size_phi and sieve)")
-      ->type_name("UNIT");
-  command
-      .add_option("--timestep", c->asked.particles.timestep,
-                  "the timestep of a dump or of GSD, instead of the last; of several of that number the last")
-      ->type_name("T");
-  command
-      .add_option(
-          "--tolerance", c->asked.tolerances,
-          "what shares may differ by: retained:1% or 1% (percentage points, of each class), passing:0.5%, "
-          "total:1%, "
-          "retained:file, passing:file, laboratory, rounding; none is 0; may be repeated, and all hold")
-      ->type_name("WHICH")
-      ->allow_extra_args(false);
-  command.add_option("--band", c->band, "what passes lies within the envelope in FILE, as for solve")
-      ->type_name("FILE");
-  command
-      .add_option("--snap", c->asked.snap,
-                  "take a size within EPS times an opening of it as that opening (0), for sizes computed in "
-                  "double: 1e-12")
-      ->type_name("EPS");
-  command.add_flag("--packing", c->asked.places.packing, PlaceTexts::packing_help);
+  add_options(command, ParticleTexts::options, c->asked.particles);
+  command.get_option("--diameter")->excludes(command.get_option("--radius"));
+  add_options(command, VerifyTexts::options, c->asked);
   add_options(command, PlaceTexts::options, c->asked.places);
   add_gradation_options(command, c->asked.gradation);
-  command.add_option("--digits", c->asked.digits, "significant digits of percents (6)")->type_name("D");
+  add_options(command, VerifyTexts::answer_options, c->asked);
   c->output.add_format(command);
   c->output.add_out(command, "write the report");
   c->output.add_quiet(command, "no progress and no notes on standard error");

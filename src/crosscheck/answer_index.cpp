@@ -1,3 +1,9 @@
+// The answers of a file by the id of their gradation. Settings, the values of a label that users group by,
+// are found in one pass; then each gradation asks for its answers and gets a row for each setting,
+// `no-answer` where it has none. What was asked is noted in flags that several threads may set, so that in
+// the end answers to nothing, ids with several answers, and answers to gradations that were corrected since
+// can be told.
+
 #include "crosscheck/answer_index.hpp"
 
 #include "crosscheck/journal_line.hpp"

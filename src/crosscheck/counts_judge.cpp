@@ -1,3 +1,9 @@
+// Whether counts, and sizes where they are stated, are a match for a question with a tolerance or other
+// demands (Theorem 12). With counts alone an exact linear program asks whether there are masses for them;
+// its contradiction is the reason of a refusal, put into words. With sizes each class's mass lies in an
+// interval, of the sizes as stated, which is one more condition. A volume of solids is irrational through
+// pi: the weight is tried at an upper and a lower bound of it, and what lies between is undecided.
+
 #include "crosscheck/counts_judge.hpp"
 
 #include "gradation/shown.hpp"

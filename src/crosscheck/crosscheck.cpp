@@ -1,3 +1,13 @@
+// Answers of other solvers to one gradation, judged. What comes in is the gradation, its least match, and
+// an answer with counts and maybe sizes; what goes out is a verdict: a match that is minimal, one that is
+// not, or no match, with the reason.
+//
+// Counts are a match if and only if max q_j f_j / m_j < min q_j F_j / m_j (Theorem 1), decided in
+// fractions. Stated sizes x must belong to one scale s: for spheres each class allows an interval of s, x
+// within its tolerance, and all of them and the window of the counts must meet. The number of particles is
+// compared with the proved minimum, or with its bounds where a limit ended that search. Questions with a
+// tolerance, floors or a volume go to CountsJudge.
+
 #include "crosscheck/counts_judge.hpp"
 #include "crosscheck/other_answer.hpp"
 #include "gradation/description.hpp"

@@ -1,3 +1,8 @@
+// Answers of other solvers as they write them: JSON Lines in several forms, and CSV. What comes in is a
+// line; what goes out are counts, sizes where they are stated, an id and labels, or the reason why there
+// are none. Nothing is judged here: a line that cannot be read is an answer that failed, with its id where
+// that is known, and the run goes on.
+
 #include "crosscheck/other_answer.hpp"
 
 #include "answer/answer_reader.hpp"

@@ -4,13 +4,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <set>
-#include <string_view>
 
 namespace mdm {
 namespace {
@@ -39,31 +37,6 @@ std::string behind_links(std::filesystem::path path) {
 }
 
 } // namespace
-
-std::string shown_name(const std::string &path) {
-  return path == "-" ? "stdin" : path;
-}
-
-std::string shell_word(const std::string &path) {
-  const auto is_plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           std::string_view("/._-+").find(c) != std::string_view::npos;
-  };
-  if (!path.empty() && std::all_of(path.begin(), path.end(), is_plain))
-    return path;
-  std::string word = "'";
-  for (const char c : path)
-    word += c == '\'' ? "'\\''" : std::string(1, c);
-  return printable(word + "'");
-}
-
-std::string line_name(const std::string &path, std::uint64_t line) {
-  return shown_name(path) + ":" + std::to_string(line);
-}
-
-InputError file_error(const std::string &path, const std::string &what) {
-  return InputError((path.empty() ? "''" : printable(shown_name(path))) + ": " + what);
-}
 
 void refuse_file(const std::string &path, const std::string &what, int error, const std::string &remedy) {
   throw file_error(path, what + ": " + std::strerror(error) + ": " + remedy);

@@ -1,6 +1,8 @@
 #pragma once
 /// \file
-/// Paths of files, and how messages name them.
+/// Paths of files.
+
+#include "text/file_names.hpp"
 
 #include <mdm/text/error.hpp>
 
@@ -11,32 +13,12 @@
 
 namespace mdm {
 
-/// A path as messages name it: `stdin` for `-`.
-std::string shown_name(const std::string &path);
-/// A path as a word of a command in a message, for sh: in single quotes, unless it is of letters, digits and
-/// `/._-+` alone.
-std::string shell_word(const std::string &path);
-/// A line of a file as messages name it: `stdin:3`.
-std::string line_name(const std::string &path, std::uint64_t line);
-
-/// The error `path: what`.
-InputError file_error(const std::string &path, const std::string &what);
 /// Throws the error `path: what: <the system's words>: remedy`. \param error errno
 [[noreturn]] void refuse_file(const std::string &path, const std::string &what, int error,
                               const std::string &remedy);
 
 /// The error of a file that cannot be read. \param error errno
 [[noreturn]] void cannot_read(const std::string &path, int error);
-
-/// Calls action() and names the file, or the line of it, in what it throws.
-template <class Action>
-auto in_file(const std::string &path, Action action) {
-  try {
-    return action();
-  } catch (const InputError &e) {
-    throw file_error(path, e.what());
-  }
-}
 
 /// The absolute path without symbolic links of a file or of a file that is to be.
 std::string canonical_path(const std::string &path);

@@ -27,7 +27,8 @@ public:
   /// \param number the gradation's line in the suite; above that of the certificate before
   /// \throws InputError if it cannot be written
   void add(std::uint64_t number, std::string_view certificate);
-  /// The same of a certificate that stands in the stream already.
+  /// Adds a certificate that stands in the stream already to the index.
+  /// \throws InputError likewise
   void add(std::uint64_t number, std::uint64_t length);
   /// \throws InputError if that fails
   void commit();

@@ -18,7 +18,7 @@ public:
   bool explains(const PrintedNumber &a, const PrintedNumber &b, const Rational &whole) const {
     return abs(Rational(a.value - b.value)) <= percent_ * whole / 100 + a.half + b.half;
   }
-  /// The same of two masses of the whole.
+  /// True where two masses of the whole differ by no more than that.
   bool explains(const PrintedNumber &a, const PrintedNumber &b) const {
     return explains(a, b, std::max(a.value, b.value));
   }

@@ -11,7 +11,7 @@ namespace mdm {
 
 /// r as a message shows it: exact if it is short, else its first digits.
 std::string shown(const Rational &r);
-/// The same of a size that may be irrational: then its first 15 digits, rounded.
+/// A size as a message shows it: a fraction as above; what is irrational by its first 15 digits, rounded.
 std::string shown(const RootSize &x);
 /// A size with its unit.
 std::string shown(const Rational &size, SizeUnit unit);

@@ -1,3 +1,14 @@
+// Whether a sample keeps a specification, whatever was rounded in its report. What comes in are the report
+// and limits at sieves; what goes out is a verdict for each sieve and one for all: holds, fails, hangs, or
+// undecided.
+//
+// A report stands for all curves that round to it (curve_box.cpp). At each sieve these pass a least and a
+// greatest percent: both within the limits, it holds; both beyond the same limit, it fails; else it hangs
+// on digits that were not reported. That every sieve might be kept does not mean that one curve keeps all,
+// so a verdict that hangs is decided by curve_within.cpp, and two curves show it: one that keeps all limits
+// and one that does not. Comparisons of logarithms are decided by refining; what 1,200 digits do not tell
+// is undecided, never guessed.
+
 #include "judge/conformity.hpp"
 
 #include "gradation/shown.hpp"

@@ -1,3 +1,12 @@
+// All grading curves that round to one report. What comes in are printed percents with a unit of the last
+// digit; what goes out is a box: an interval for what passes each sieve, and one for what each class
+// retains.
+//
+// narrow() makes the intervals as tight as the curves are: upwards, what passes a sieve is at least what
+// passes the one below plus the least retained, and so on in both directions. One pass up and one down are
+// enough, since the conditions tie neighbours alone; then the lower ends are a curve of the box, and so are
+// the upper ends. An interval that is empty shows that no curve rounds to the report.
+
 #include "judge/curve_box.hpp"
 
 #include "soil/grading_curve.hpp"

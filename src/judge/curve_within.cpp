@@ -1,3 +1,13 @@
+// Whether one curve of a box keeps all limits together. What comes in are the box, narrowed, and limits at
+// sieves or between them; what goes out is yes or no, and a curve.
+//
+// From the finest sieve up: R_i is the set of what may pass sieve i on a curve that keeps everything up to
+// there. Conditions tie x at sieve i with y at the next one alone, so R_{i+1} is the projection of a
+// polygon: each pair of a lower and an upper bound on x gives a bound on y (Fourier, Motzkin). R_i is an
+// interval, since all conditions are linear. If none is empty there is a curve; it is chosen from the
+// coarsest sieve down, in short decimals near the report, where each choice is certain to have one below
+// it. Bounds with logarithms are compared by refining.
+
 #include "judge/curve_within.hpp"
 
 #include "judge/decided.hpp"

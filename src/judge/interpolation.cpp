@@ -1,3 +1,8 @@
+// The place of a size between the sieves of a box. At a sieve it is that sieve; between two it is at the
+// part (log size - log x_i) / (log x_{i+1} - log x_i) of the way, a quotient of logarithms of fractions,
+// which is irrational in general and refined when it is compared. What passes there is linear in what
+// passes the two sieves, with a part of exactly 0 left out, so that a curve which is flat there is exact.
+
 #include "judge/interpolation.hpp"
 
 #include "number/power_product.hpp"

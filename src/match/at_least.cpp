@@ -1,3 +1,14 @@
+// The smallest match with at least n particles (Theorem 7). What comes in is the problem and n; what goes
+// out is the match, and z with the chain above it, which prove it.
+//
+// If the least match has n particles, it is the answer. Else every match with n has a scale above z, the
+// n-th smallest of all q^p f_j / m_j, since so many particles fit into no lower scale. The counts that a
+// sweep finds above z are the fewest there; if they are fewer than n, particles are added at the least
+// scale of theirs, the finest class first, and n is reached.
+//
+// z is found without walking over n values: about n / (sum of m_j / f_j) of them are below a first guess
+// from below, cut to integers, and the at most 2 k that are missing are taken one by one.
+
 #include "match/at_least.hpp"
 
 #include <algorithm>

@@ -1,3 +1,12 @@
+// The least tolerance on a grid with which a number of particles suffices (Theorem 21). Matches within a
+// tolerance are matches within every greater one, so on the grid there is a first value that suffices; it
+// is found by halving.
+//
+// Invariant: with `above` particles suffice, with `below` they do not. Where a limit ends a search, what it
+// was asked is open: then two boundaries are found by halving, that of what is known to suffice and that of
+// what is known not to, and the answer is a bracket. In the end the two neighbours are solved with their
+// proofs.
+
 #include "match/budget.hpp"
 
 #include "match/widest_tolerance.hpp"

@@ -1,3 +1,9 @@
+// Masses for given counts that are far from all bounds. Whether counts are a match is a linear program in
+// the masses; here its least distance to any bound, each by the width between it and its opposite, is made
+// as great as can be, so that sizes are not at sieves and shares not at their limits. Doubles find such
+// masses mostly, and what they find is tested exactly; where they do not tell, the same program is solved
+// in fractions with strict bounds.
+
 #include "match/central_masses.hpp"
 
 #include "match/problem.hpp"

@@ -1,3 +1,12 @@
+// Exact bounds from multipliers that doubles have found (Theorem 14, "Or doubles propose multiples"). What
+// comes in are conditions with doubles beside them; what goes out is a leaf in integers and the number of
+// particles that it proves.
+//
+// Multipliers of conditions on shares and on sums of counts are rounded to integers over a power of two and
+// kept. What is then left of each mass is cancelled exactly by one of the conditions q f < t <= q F, of
+// each excess by its sign, and of each count by N and by the bounds on it. What remains says N >= R / n. So
+// it is true whatever the doubles were; good doubles make it a good bound.
+
 #include "match/certain_bound.hpp"
 
 #include "match/leaf_sum.hpp"

@@ -1,3 +1,10 @@
+// Whole counts near a point of the linear program, for which an exact test is worth its time. Counts are
+// made in three ways, from the finest class on: as few as let what passes each sieve be what it is at the
+// point, the same with counts that are whole already held, and as few as the least shares of all sums of
+// consecutive classes demand. For each the masses M are worked out with which every such sum can have its
+// share. If there are none, the mass that the counts need is taken and they are made again, eight times at
+// most. Doubles do it: the test that follows is exact.
+
 #include "match/count_rounding.hpp"
 
 #include "match/near.hpp"

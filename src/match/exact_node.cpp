@@ -1,3 +1,10 @@
+// A node of the search decided in exact numbers: the linear program of Theorem 12 with the bounds in force,
+// t_j > f_j q_j strict where q_j >= 1, by a simplex method in fractions with an infinitesimal. Three
+// answers: it has no solution, and the multiples of its contradiction are the leaf; or the least number of
+// particles has masses that round to a match (Theorem 13); or some count is no whole number, or a class
+// without a least count has particles whose bound should be strict, and is split there. With every count
+// whole and every strict bound in force a solution is a match, so one of the three is always there.
+
 #include "match/exact_node.hpp"
 
 #include "match/leaf_sum.hpp"

@@ -1,3 +1,9 @@
+// Why given counts are no match: the linear program of Theorem 12 with all counts fixed, in exact numbers.
+// If it has a solution, that is the masses of a match. If not, the conditions of its contradiction (Farkas)
+// are the reasons, which a report puts into words. Where sizes are stated, bounds on the mass of each class
+// are conditions too, and may be among the reasons. The program is solved once and has no splits, so that
+// it ends with the simplex method.
+
 #include "match/fixed_counts.hpp"
 
 #include "match/simplex.hpp"

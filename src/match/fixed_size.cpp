@@ -1,3 +1,9 @@
+// The approximate match (Eq. 18) and the fixed size algorithm of Arnold's paper, as printed. Sizes are
+// chosen beforehand, one a class, so that every particle stays in its class. For i = 1, 2, ... the
+// reference class has i particles and the others int(i K_j); the first i whose largest error of shares in
+// sum is within the tolerance ends it, or the last one that is allowed. Errors are exact fractions. It
+// never claims a match: what comes out is as near as rounding gets.
+
 #include "match/fixed_size.hpp"
 
 #include "number/common_denominator.hpp"

@@ -1,3 +1,8 @@
+// Conditions that are added up as a leaf of a tree. Each condition is there once, with the sum of what it
+// is taken. In the end multipliers are made integers without a common divisor: the same contradiction
+// (Theorem 14) in the fewest digits, which is what a certificate has. The leaves of chains, windows and
+// exact programs all end here, so that the same multiples are written in the same way.
+
 #include "match/leaf_sum.hpp"
 
 #include "number/common_denominator.hpp"

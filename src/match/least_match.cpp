@@ -1,3 +1,19 @@
+// The sweep: the least match, class by class. What comes in is the integer problem; what goes out are the
+// least counts and the chain, the steps that prove them.
+//
+// Kept is a lower bound L on the scale of every match. Class j needs at least the count q_j(L) above L, and
+// q_j(L) particles weigh more than q_j(L) f_j: if that is above L m_j, L rises to it. Invariant: no match
+// has a scale up to L, so none has fewer than q_j(L) particles in class j (Theorem 3 (a)). When no class
+// raises L, these counts are a match, and hence the least (Theorem 3 (b)).
+//
+// It ends because a class with q (F - f) >= f, a settled one, raises no more: there are at most 1 + sum
+// (ceil(f / (F - f)) - r) steps, whatever the masses are (Theorem 3 (d)). Settled classes leave the list,
+// so that rounds become short.
+//
+// Doubles decide a comparison where their error allows it, integers of 128 bits elsewhere, and where these
+// overflow the sweep starts again in integers of any length (Lemma 11). Which of them decides never changes
+// a step.
+
 #include "match/least_match.hpp"
 
 #include <algorithm>

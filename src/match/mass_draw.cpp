@@ -1,3 +1,9 @@
+// One particle's mass, drawn uniform by volume: intervals of sizes of the same width hold the same mass in
+// the mean, so that small particles are drawn more often. What comes in are the ends of a class in parts,
+// and 64 random bits, the value of the partition function; what goes out is a number of parts from the
+// least to the most. Its inverse is taken by integer roots, never by doubles: the draw is the same on every
+// machine.
+
 #include "match/mass_draw.hpp"
 
 #include <algorithm>

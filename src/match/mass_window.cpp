@@ -1,3 +1,15 @@
+// Leaves of windows of the mass, exactly (Theorem 20; certificate-format.md, section 6). What comes in is a
+// window s < M <= S, bounds on counts, and prices for shares, excess, weight and particles; what goes out
+// is how many particles the prices prove.
+//
+// The classes are independent once prices are fixed: for each, the greatest value V_j of its part over its
+// points (q, y) is taken at one of a few counts (Theorem 20 (c)), and sum V_j < d, or = d where some class
+// cannot have its V_j, refutes. The number of particles enters d alone, so the greatest number that is
+// refuted is a quotient, rounded.
+//
+// shortened() looks for the fewest decimal digits of the prices that still prove the same number:
+// certificates are shorter, and a checker works less.
+
 #include "match/mass_window.hpp"
 
 #include "match/leaf_sum.hpp"

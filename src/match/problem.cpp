@@ -1,3 +1,13 @@
+// The integer problem of an exact match (proofs/README.md, Theorem 1). What comes in are a gradation, a
+// mass law x^(a/b) and floors; what goes out are integers f_j, F_j, m_j so that q particles of class j hold
+// its mass at the scale s if and only if q^p f_j < S m_j <= q^p F_j for S = s^p: all are to the power p = b
+// d, where openings to the power d are rational, so that nothing is irrational.
+//
+// Common denominators are cleared here, once, and what is common to all f and F, or to all m, is taken out.
+// Searches then compare products of integers and never take a greatest common divisor. Scales that go in
+// and come out are in units (scale_unit) that this leaves behind. A start of the scales becomes floors
+// (Theorem 6).
+
 #include "match/problem.hpp"
 
 #include "number/common_denominator.hpp"

@@ -1,3 +1,8 @@
+// Masses for given counts in doubles, as far from all bounds as can be: the linear program of
+// central_masses.cpp, with masses as parts of the way from q f to q F, so that numbers are near 1. What it
+// finds is moved to short fractions and tested by is_match(), exactly. Where it finds nothing, the distance
+// to a solution says whether that is clear or so close that exact numbers have to tell.
+
 #include "match/quick_masses.hpp"
 
 #include "match/near.hpp"

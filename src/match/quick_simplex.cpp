@@ -1,3 +1,9 @@
+// The dual simplex method in doubles: a guide for exact arithmetic. A basic variable beyond its bound
+// leaves the basis, and the one enters that makes the aim rise least (the ratio test), so that reduced
+// costs keep their signs. Bounds that change leave the costs right, so that a search goes on from the last
+// basis. Numbers below a tolerance are taken for 0; after some hundred pivots the table is made anew from
+// the forms. It may be wrong, and may give up: what it finds is proved or tested by others.
+
 #include "match/quick_simplex.hpp"
 
 #include <algorithm>

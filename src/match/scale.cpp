@@ -1,3 +1,9 @@
+// The scale in a match's window (above, up_to]. The robust one keeps all sizes as far from the sieves as
+// can be: their least relative distance is greatest at the geometric middle (proofs/README.md, Theorem 9,
+// "Robust scale"). The middle is irrational in general and its digits are of no use to anybody, so the
+// simplest rational in the next 1/128 of the width is taken: integer roots enclose the middle, and a walk
+// down the continued fraction finds the simplest between two ends.
+
 #include "match/scale.hpp"
 
 #include <algorithm>

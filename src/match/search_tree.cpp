@@ -1,3 +1,11 @@
+// The nodes of a search with their bounds and leaves. A node knows its parent and the split that leads to
+// it, so that the bounds in force are had by walking up; only open nodes are in a queue, the least bound
+// first. Bounds of a child begin with that of its parent, and its leaf: what was proved of all is true of a
+// part.
+//
+// The tree for the certificate is made at the end: a subtree whose root already has the bound that is to be
+// proved is its leaf, so that splits which were of no use are not in it.
+
 #include "match/search_tree.hpp"
 
 #include <algorithm>

@@ -1,3 +1,17 @@
+// What all bounds of a tolerance say together of the shares of consecutive classes (Theorem 17). What comes
+// in are bounds on single shares, on what passes, and on the total; what goes out is the least and the
+// greatest share of any classes i to j, with the conditions that add up to it, or conditions that
+// contradict each other.
+//
+// Sieves are the nodes of a graph: P_b - P_a >= w M is an edge from a to b of the length w, and bounds that
+// follow are longest paths. Most edges lie between neighbours; all others touch one of two hubs, the finest
+// sieve for what passes, and one that a total has. So a longest path is one along neighbours, with a hub or
+// two on it: sums along the neighbours and the paths from and to each hub are made in a few passes over the
+// classes, and each question is answered from them.
+//
+// If paths still grow after as many passes as there are nodes, there is a cycle of positive length: no
+// shares meet all bounds, and the cycle's edges are the proof.
+
 #include "match/share_closure.hpp"
 
 #include "number/common_denominator.hpp"

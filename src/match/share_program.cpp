@@ -1,3 +1,13 @@
+// Shares y_j with sum 1 whose convex costs are least, in doubles, with bounds on the sums of the first j.
+// What comes in are pieces of constant slope; what goes out are shares, and prices that show that none are
+// cheaper.
+//
+// One sweep over the classes. Of the classes so far the pieces that are open, neither taken nor given up,
+// are kept sorted by slope, between the least and the greatest sum that they allow. Where that sum must be
+// greater the cheapest of them are taken, where it must be smaller the dearest are given up, and the slope
+// at which that ends is a bound on the price there. At the end, where the sum is 1, nothing is open;
+// walking back through these bounds gives each class its price.
+
 #include "match/share_program.hpp"
 
 #include <algorithm>

@@ -1,3 +1,12 @@
+// The general simplex method in fractions, with bounds on variables and on linear forms of them (Dutertre,
+// de Moura 2006). Every basic variable is kept as a form of the others. find() moves one that is beyond its
+// bound to it, by a pivot with the variable that raises the aim least; if none can give way, the row itself
+// is the contradiction, and its coefficients are the multipliers of a leaf (Farkas). minimise() goes on
+// from there. It ends because after some pivots, and always in minimise(), the candidate of the least
+// number is taken (Bland's rule), with which no basis comes twice. Rows are integers over one scale each,
+// so that a pivot takes no fractions. Strict bounds are values with a multiple of an infinitesimal, for
+// which concrete_values puts a number that is small enough.
+
 #include "match/simplex.hpp"
 
 #include "number/common_denominator.hpp"

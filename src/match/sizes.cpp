@@ -1,3 +1,12 @@
+// From the mass of a particle to its size, x = f^-1(s m_j / (c_j q_j)) (Theorem 9). What comes in is a
+// fraction n / d with x^degree = n / d; what goes out are two decimals around x that lie inside of its
+// class.
+//
+// The decimals are those below and above the root, found by integers: floor(10^places x). Windows are
+// narrow, so at the digits that were asked for the enclosure may reach over a sieve; then digits are added
+// until it does not. That ends: x is above the lower opening, and it is below the upper one or is that
+// decimal itself, which is given exactly. An opening that is no decimal and is met exactly is refused.
+
 #include "match/sizes.hpp"
 
 #include <mdm/text/error.hpp>

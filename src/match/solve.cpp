@@ -1,3 +1,12 @@
+// From a question to its answer. What comes in are a gradation and what is asked; what goes out is a Match:
+// a sample, or none, what is certain of the smallest, and the proof.
+//
+// An exact question becomes a problem with floors (problem.cpp; a volume of solids is a start of the
+// scales, whose pi is refined until it decides), its match is found (at_least.cpp), and a scale and sizes
+// are chosen. A question with a tolerance first takes the exact match, within a small share of the limits,
+// as a first answer; then the search begins (tolerant_answer.cpp). At a limit the answer has both bounds,
+// and the proof is that of the lower one.
+
 #include "match/at_least.hpp"
 #include "match/exact_sample.hpp"
 #include "match/scale.hpp"

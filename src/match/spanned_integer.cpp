@@ -1,3 +1,16 @@
+// The spanned integer algorithm of Arnold's paper, steps 1 to 6, as printed. What comes in is a gradation
+// and the sizes that are to be tried in the reference class, the coarsest with mass; what goes out are all
+// its tries and the last one's sample.
+//
+// For i = 1, 2, ... particles in the reference class, and for each size x_nS of them, every other class
+// needs between a_j and b_j particles. The first pair for which ceil(a_j) <= floor(b_j) everywhere gives
+// q_j = ceil(a_j). That ends: once i is large enough all intervals are wider than 1; but not with the
+// smallest i, as only finitely many sizes are tried (proofs/README.md, "Example: a window between two
+// increments").
+//
+// All is decided in integers, over one denominator for all sizes. Its sample is judged as it is: the
+// printed test lets particles have the size of the lower sieve, which is not in the class.
+
 #include "match/spanned_integer.hpp"
 
 #include "match/problem.hpp"

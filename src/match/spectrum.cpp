@@ -1,3 +1,14 @@
+// All numbers of particles that have an exact match (Theorem 8). What comes in is the problem; what goes
+// out are intervals, ascending, and a number from which on there is a match of every number.
+//
+// Invariant: of the numbers below `all_from` those in the intervals are reached, and no others. In a step,
+// the least match above the scale at which all_from - 1 particles are crowded has counts q. From it on
+// every number up to the greatest of the stretch is reached: while q stays the lower ends or, from the
+// gapless scale on, while every class is feasible. The next step begins behind that.
+//
+// It ends when every class is settled at a scale without gaps, which is so from some scale on; with a class
+// that begins at size 0, at once.
+
 #include "match/at_least.hpp"
 #include "match/problem_of.hpp"
 #include "match/problem_spectrum.hpp"

@@ -1,3 +1,15 @@
+// A match whose particles have many sizes, with exactly the mass of each class (Theorem 16). What comes in
+// is a match and a seed; what goes out, for each class, are integers n_i that sum to the parts of its mass,
+// each in the range that keeps particle i in the class.
+//
+// Masses are drawn uniform by volume, particle i of class j from number i of stream j, so that nothing need
+// be kept. Their sum A is not the parts D. So all are pulled towards one end e of the class, by the factor
+// |D - q e| / |A - q e|, which is at most 1: none leaves the class. Rounding is done on running sums, which
+// makes the sum exact whatever is rounded.
+//
+// A first pass over the draws finds A, a second one hands the n_i out: memory does not grow with the
+// particles.
+
 #include "match/spread.hpp"
 
 #include "match/mass_draw.hpp"

@@ -1,3 +1,8 @@
+// The problem as the sweep needs it: integers of 128 bits, if all fit, or of any length, and beside them
+// the doubles f / m and m / F. Ranges are cut so that no product of doubles overflows or loses digits; what
+// is outside of them is NaN, with which every comparison is false, and false leads to the exact decision
+// (Lemma 11). settled_count is the least count from which on a class raises no more (Theorem 3 (c)).
+
 #include "match/sweep_problem.hpp"
 
 #include <cmath>

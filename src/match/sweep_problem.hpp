@@ -48,7 +48,7 @@ Integer settled_count(const ProblemClass &c, unsigned b);
 inline double to_double(Int128 n) {
   return n.to_double();
 }
-/// The same of an integer of any length.
+/// An integer of any length as a double, within 2u, or NaN from 2^500 on.
 double to_double(const Integer &n);
 
 } // namespace mdm

@@ -1,3 +1,16 @@
+// The chain of a tolerance (Theorem 17). What comes in are the problem and its closure; what goes out are
+// counts V_ij that every match has at least in classes i to j, a mass that every match exceeds, and the
+// raises that led there.
+//
+// Three steps are repeated in rounds: Share, the classes hold at least l_ij of the mass M_0, for which they
+// need so many particles; Sum, they hold what their parts hold; Mass, so many particles weigh more than f
+// each, and are at most h_ij of all. Invariant: every match has the counts and the mass. Every step keeps
+// it, and only raises, so that the last values do not depend on the order.
+//
+// The steps may have no end where there is no match (a positive cycle is looked for first, and other cases
+// are not known); then limits end them, and what they reached is true. If the differences of V_1j are a
+// match, it is the smallest (Theorem 17 (b)).
+
 #include "match/tolerant_chain.hpp"
 
 #include "number/common_denominator.hpp"

@@ -1,3 +1,9 @@
+// The chain of a tolerance as a tree for the certificate (Theorem 17 (d)). Each raise is a split of N_ij
+// whose first branch is a leaf, and the leaf's multiples are those of the theorem's proof: they need the
+// bounds that were known, not their values. Of all raises those are written that the last bound comes from,
+// found backwards from it; a bound that is a sum of two others needs no split of its own, since a leaf can
+// name its parts.
+
 #include "match/tolerant_chain_proof.hpp"
 
 #include "match/leaf_sum.hpp"

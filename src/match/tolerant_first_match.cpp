@@ -1,3 +1,8 @@
+// A first match near the chain's bound, before a tree is begun. Two ways: counts that differ from the
+// chain's by one particle in one class or two neighbours, those with as few particles first, each tested;
+// and counts rounded at masses a little above the chain's, at steps that grow by 4 from a millionth.
+// Whatever is found has been tested exactly. That nothing is found means nothing: the tree begins without.
+
 #include "match/tolerant_first_match.hpp"
 
 #include "match/near.hpp"

@@ -1,3 +1,8 @@
+// The stages of a search within a tolerance, in their order: closure, chain, a first match, the tree. Each
+// may end it (README.md here tells how). Invariant: no match has fewer than `least_` particles, and
+// result_.best, if there is one, is a match that was tested exactly. It ends when the two meet, when there
+// is certainly no match, or at a limit; then what is certain is kept, with the proof of it.
+
 #include "match/tolerant_match.hpp"
 
 #include "match/central_masses.hpp"
@@ -52,8 +57,9 @@ private:
   }
 
   void search_tree() {
+    is_by_windows_ = suits_windows();
     const std::optional<Rational> mass =
-        is_by_windows() ? std::optional<Rational>(least_mass()) : std::nullopt;
+        is_by_windows_ ? std::optional<Rational>(least_mass()) : std::nullopt;
     TolerantSearch tree(problem_, shares_, root_bounds(), least_,
                         has_chain() && !mass ? chain_.get() : nullptr, result_.best, limits_, watch_, mass);
     tree_ = &tree;
@@ -112,7 +118,7 @@ private:
     const std::optional<Integer> most =
         result_.best ? std::optional<Integer>(total(result_.best->q)) : std::nullopt;
     std::optional<TolerantMatch> found;
-    if (!is_by_windows())
+    if (!suits_windows())
       found = neighbouring_match(*chain_, watch_);
     if (!found)
       found = rounded_match(problem_, least_mass(), most, watch_);
@@ -175,7 +181,7 @@ private:
   /// The bounds of single classes that every match keeps.
   CountBounds root_bounds() const {
     CountBounds bounds = least_counts(problem_);
-    for (std::size_t j = 0; j < problem_.classes() && has_chain() && !is_by_windows(); ++j)
+    for (std::size_t j = 0; j < problem_.classes() && has_chain() && !is_by_windows_; ++j)
       bounds.classes[j].least = chain_->count(j, j);
     return bounds;
   }
@@ -185,13 +191,17 @@ private:
 
   /// Searches by windows of the mass begin with the question alone: their proofs are shorter than with the
   /// chain's bounds. Where what passes alone is bounded, the chain's bounds are nearly all that there is to
-  /// prove; exact programs are quickest where they are small, and with a total linear programs over counts
-  /// up to some 40 classes.
-  bool is_by_windows() const {
+  /// prove; exact programs are quickest where they are small. With a total linear programs over counts prove
+  /// small numbers of particles sooner, up to some 40 classes.
+  bool suits_windows() const {
     constexpr std::size_t small_total = 1 << 14;
+    constexpr unsigned few_particles = 1 << 18;
     const Tolerance &tolerance = problem_.tolerance();
-    return problem_.table_size() > (tolerance.total ? small_total : exact_table) &&
-           (tolerance.total || !tolerance.retained.empty());
+    if (problem_.table_size() <= exact_table)
+      return false;
+    if (!tolerance.total)
+      return !tolerance.retained.empty();
+    return problem_.table_size() > small_total || (result_.best && total(result_.best->q) > few_particles);
   }
 
   /// About the least mass of a match.
@@ -201,7 +211,7 @@ private:
 
   /// The tree below the splits for the chain's bounds that its leaves use; empty if it is too long.
   Tree with_splits(Tree tree) const {
-    if (tree.empty() || !has_chain() || is_by_windows())
+    if (tree.empty() || !has_chain() || is_by_windows_)
       return tree;
     std::vector<ClassInterval> used;
     for (const TreeNode &node : tree)
@@ -249,6 +259,7 @@ private:
   const Watch watch_;
   ShareClosure shares_;
   std::unique_ptr<TolerantChain> chain_;
+  bool is_by_windows_ = false; ///< the search
   const TolerantSearch *tree_ = nullptr;
   Integer least_; ///< no match has fewer particles
   TolerantResult result_;

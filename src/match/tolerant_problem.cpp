@@ -1,3 +1,9 @@
+// The problem within a tolerance in integers (Theorem 12). What comes in are a gradation, a law that is
+// rational at the openings, and bounds on shares; what goes out are f_j and F_j as integers in one unit of
+// mass, and all conditions as linear rows in counts q, masses t and excesses p. Bounds on shares are
+// multiplied by the total mass M = sum of t, so that they are linear. is_match() decides whether counts and
+// masses are a match: it alone says so, whoever proposes them.
+
 #include "match/tolerant_problem.hpp"
 
 #include "number/common_denominator.hpp"

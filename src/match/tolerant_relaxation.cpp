@@ -1,3 +1,8 @@
+// The linear program of a match within a tolerance in doubles (Theorem 12 without whole numbers): counts
+// and masses, with the number of particles least. Variables are scaled to be about 1, and strict bounds are
+// kept by a small margin. What it finds, a point, multipliers, and what a split would gain, steers;
+// certain_bound.cpp and exact tests decide.
+
 #include "match/tolerant_relaxation.hpp"
 
 #include "match/near.hpp"

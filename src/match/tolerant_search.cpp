@@ -1,3 +1,18 @@
+// The tree of a search within a tolerance (Theorems 14 and 20; README.md here). What comes in are bounds on
+// counts that every match keeps, and maybe a match; what goes out is the smallest match or that there is
+// none, with a tree that proves it, or at a limit both bounds.
+//
+// Branch and bound. Each open node is a box of counts and a window of the mass, with a bound on the
+// particles of every match in it that exact numbers have proved. Invariant: every match with fewer
+// particles than the best is in an open node. The node with the least bound is taken: it is bounded anew by
+// what doubles propose and exact arithmetic proves, closed if the bound leaves nothing better than the
+// best, or split so that the two children hold all its matches. On the way counts are rounded and tested
+// exactly, which may give a better best.
+//
+// It ends because the best bounds all counts: in a node in which every count is fixed, which exact numbers
+// decide, nothing can be split (Theorem 13). The search stops when the least bound of all open nodes has
+// reached the best.
+
 #include "match/tolerant_search.hpp"
 
 #include "match/count_rounding.hpp"
@@ -31,7 +46,8 @@ struct Candidate {
   double down, up; ///< by how much the number of particles rises at least
 };
 
-/// By how much both branches are narrower than the node.
+/// By how much both branches are above the node: the product rule of reliability branching (Achterberg 2007).
+/// A branch that gains nothing has a least part, so that what the other one gains still counts.
 double merit(const Candidate &c, double room) {
   constexpr double least = 1e-6;
   const auto rise = [&](double by) { return std::max(std::min(by, room), least); };
@@ -50,10 +66,11 @@ struct Sum {
   }
 };
 
-/// With no more numbers it may decide where doubles find nothing.
+/// With no more numbers in its table the exact program is worth its time where doubles find nothing.
 constexpr std::size_t small_table = 4096;
 
-/// What a count may be wrong by, relative to typical counts, and at most.
+/// What a count may be wrong by, relative to typical counts, and at most: a count that is nearer to a whole
+/// number is one, and is not split.
 constexpr double relative_noise = 1e-9, most_noise = 0.05;
 
 /// A bound of the chain, and by which part of itself a sum is too small.

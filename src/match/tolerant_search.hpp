@@ -14,10 +14,6 @@ namespace mdm {
 
 class ExactNode;
 
-/// With no more numbers in its table the exact linear program takes less time than doubles and the exact
-/// bounds of them.
-inline constexpr std::size_t exact_table = 1600;
-
 /// Branch and bound. Linear programs in double precision choose the splits, on counts of consecutive classes,
 /// and the multipliers of bounds; exact arithmetic makes bounds of them, or decides a node where they do not
 /// serve. Nodes of the least bound come first, each followed by one of its children down to an end; on the

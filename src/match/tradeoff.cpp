@@ -1,3 +1,10 @@
+// N against the tolerance and against the smallest sieve that is kept. Each row is a match of its own with
+// its own bounds, and rows help each other: what matches within a tolerance matches within a wider one, so
+// that an upper bound is one for all rows behind it and a lower bound one for all before. A number of
+// particles that is given as a budget adds the row of the least tolerance that it suffices for
+// (budget.cpp). Without its finest classes an exact match is still one of what is kept, which gives the
+// other curve the same order.
+
 #include "match/budget.hpp"
 #include "number/common_denominator.hpp"
 

@@ -1,3 +1,9 @@
+// How the search goes on in a window of the mass. The split of the mass is a short fraction near the middle
+// of the window, as its digits stand in the certificate. In a narrow window counts of the coarsest classes
+// that are not whole are candidates too: all are tried, both branches of each are solved, and the product
+// of their gains decides (README.md here, "Rules that have names elsewhere"). Matches are looked for at the
+// ends and the middle. Nothing here is a decision: any split is right, and matches are tested exactly.
+
 #include "match/window_branching.hpp"
 
 #include "match/near.hpp"
@@ -10,13 +16,15 @@ namespace {
 
 /// Windows that are narrower are not split by doubles.
 constexpr double least_relative_width = 1 + 1e-11;
-/// In wider windows the mass alone is split where shares of single classes alone are bounded: there this has
-/// always been better.
-constexpr double narrow_relative_width = 1 + 1e-6;
 
 double relative_width(const MassWindow &window) {
   return window.above > 0 && window.up_to ? near(*window.up_to) / near(window.above)
                                           : std::numeric_limits<double>::infinity();
+}
+
+/// The number of particles grows with the mass: to split a narrow window's mass gains less than a particle.
+bool is_narrow(const MassWindow &window, double particles) {
+  return relative_width(window) * particles < particles + 1;
 }
 
 } // namespace
@@ -27,22 +35,9 @@ WindowBranching::WindowBranching(const TolerantProblem &problem, Rational mass)
 
 std::optional<TolerantMatch> WindowBranching::match(const MassWindow &window, const CountBounds &bounds,
                                                     double limit, double excess_price) const {
-  std::vector<double> masses;
-  if (window.above > 0 && window.up_to)
-    masses.push_back(std::sqrt(near(window.above) * near(*window.up_to)));
-  if (window.up_to)
-    masses.push_back(near(*window.up_to));
-  if (window.above > 0)
-    masses.push_back(near(window.above) * (1 + 1e-12));
-  std::optional<TolerantMatch> best;
-  for (const double mass : masses)
-    if (std::optional<TolerantMatch> found = rounding_.match(mass, bounds, limit, excess_price)) {
-      limit = 0;
-      for (const Integer &q : found->q)
-        limit += near(q);
-      best = std::move(found);
-    }
-  return best;
+  if (window.above == 0 || !window.up_to)
+    return std::nullopt;
+  return rounding_.match(std::sqrt(near(window.above) * near(*window.up_to)), bounds, limit, excess_price);
 }
 
 /// A short fraction near the middle of the window, in units of the gradation's masses.
@@ -87,10 +82,12 @@ std::vector<WindowBranching::Split> WindowBranching::count_splits(const CountBou
   return splits;
 }
 
-/// By how much both branches are above the node.
+/// By how much both branches are above the node, which are solved for it (strong branching), by the product
+/// rule.
 double WindowBranching::merit(const Split &split, const MassWindow &window, const CountBounds &bounds,
                               const WindowPoint &point, double limit) const {
-  const double least = 1e-9 * point.particles, most = 2 * limit;
+  constexpr double least_gain = 1e-9; // so that a branch which gains nothing does not hide the other's gain
+  const double least = least_gain * point.particles, most = 2 * limit;
   double product = 1;
   for (const bool is_first : {true, false}) {
     MassWindow half = window;
@@ -113,11 +110,13 @@ std::optional<WindowBranching::Split> WindowBranching::best_split(const MassWind
                                                                   double limit) const {
   const std::optional<Rational> mass = middle(window);
   const bool has_sums = problem_.tolerance().total || !problem_.tolerance().passing.empty();
-  const double wide = has_sums ? std::numeric_limits<double>::max() : narrow_relative_width;
-  if (mass && (!point.exists() || relative_width(window) > wide))
+  const bool narrow = is_narrow(window, point.particles);
+  // Where shares of single classes alone are bounded, a wide window's mass has always been better to split.
+  if (mass && (!point.exists() || !(has_sums || narrow)))
     return Split{mass, 0, 0};
   std::vector<Split> splits = count_splits(bounds, point);
-  if (mass)
+  const bool decides_exactly = narrow && splits.empty() && problem_.table_size() <= exact_table;
+  if (mass && !decides_exactly)
     splits.insert(splits.begin(), {mass, 0, 0});
   if (splits.size() == 1)
     return splits.front();

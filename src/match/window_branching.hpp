@@ -17,7 +17,7 @@ public:
                        double excess_price) const {
     return relaxation_.minimise(NearWindow(window, bounds), enough, excess_price);
   }
-  /// A match in the window with fewer particles than `limit`, if one is found.
+  /// A match in the middle of the window with fewer particles than `limit`, if one is found.
   std::optional<TolerantMatch> match(const MassWindow &window, const CountBounds &bounds, double limit,
                                      double excess_price) const;
 
@@ -31,7 +31,8 @@ public:
     std::size_t j = 0;
     Integer v;
   };
-  /// Nothing if the window is too narrow for doubles and all counts are whole.
+  /// Nothing if all counts are whole, and the window is too narrow for doubles, or narrow where the exact
+  /// program is small.
   std::optional<Split> best_split(const MassWindow &window, const CountBounds &bounds,
                                   const WindowPoint &point, double limit) const;
 

@@ -1,3 +1,8 @@
+// Shortens the tree of windows before it is written. Walking it from the leaves up, with the bounds in
+// force: a leaf's prices lose all digits that it can do without, and where one of two branches is a leaf
+// that refutes the whole node, it takes the node's place. What is kept is tested with MassWindows::verdict,
+// so that the tree proves what it did.
+
 #include "match/window_evidence.hpp"
 
 #include <iterator>

@@ -1,3 +1,13 @@
+// The fewest particles in a window of the mass, without whole numbers, in doubles. Each class is the convex
+// hull of its points (share, count): of a count q, shares between q f / S and q F / s. A total and a
+// demanded weight tie the classes together in one more condition each; with a price on that condition
+// (Lagrange) what is left is to share out 1 among convex costs with bounds on partial sums, which
+// share_program.cpp does by sorting slopes.
+//
+// The best price of the excess is where the dual function has its greatest value. It is concave and
+// piecewise linear: the tangents at two prices on either side of it meet at the next price, until that
+// gains no more. What is found is a proposal: mass_window.cpp says what its prices prove.
+
 #include "match/window_relaxation.hpp"
 
 #include "match/near.hpp"

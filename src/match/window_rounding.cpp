@@ -1,3 +1,10 @@
+// Matches of a given mass near what the relaxation of a window has found. The relaxation is solved at this
+// mass alone. Its counts are rounded up to what their shares need and tested exactly, at the mass and a
+// little beside it. Then the coarsest class whose count is no whole number is fixed at the nearest one, and
+// the rest is solved again: particles of coarse classes are few and heavy, and those of fine ones make up
+// for what is lost. It ends when all counts are whole, when no better match is to be expected, or after 40
+// classes.
+
 #include "match/window_rounding.hpp"
 
 #include "match/near.hpp"
@@ -48,15 +55,7 @@ std::vector<double> WindowRounding::rounded(const WindowPoint &point, double mas
   return counts;
 }
 
-/// At the mass, or near it: a little less or more is often what makes room for all.
 std::optional<TolerantMatch> WindowRounding::tested(const std::vector<double> &counts, double mass) const {
-  for (const double part : {0.0, -1e-9, -1e-6, -1e-4, 1e-9, 1e-6, 1e-4})
-    if (std::optional<TolerantMatch> found = tested_at(counts, mass * (1 + part)))
-      return found;
-  return std::nullopt;
-}
-
-std::optional<TolerantMatch> WindowRounding::tested_at(const std::vector<double> &counts, double mass) const {
   const std::vector<double> shares = relaxation_.shares_of(counts, mass);
   if (shares.empty())
     return std::nullopt;

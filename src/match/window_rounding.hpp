@@ -22,8 +22,6 @@ public:
 private:
   std::vector<double> rounded(const WindowPoint &point, double mass) const;
   std::optional<TolerantMatch> tested(const std::vector<double> &counts, double mass) const;
-  std::optional<TolerantMatch> tested_at(const std::vector<double> &counts, double mass) const;
-
   std::vector<Rational> exact_shares(const std::vector<double> &near_shares) const;
 
   const TolerantProblem &problem_;

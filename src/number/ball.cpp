@@ -1,3 +1,8 @@
+// Enclosures of real numbers by Arb. A ball is a midpoint and a radius; every operation gives a ball that
+// contains the results for all numbers of its arguments. Where an operation has no value for some of them
+// the result is not finite, and every comparison with it is undecided: a caller asks again with more bits.
+// ball_mpfr.cpp does the same for some functions where there is no Arb.
+
 #include "number/ball.hpp"
 
 #if __has_include(<flint/arb.h>)

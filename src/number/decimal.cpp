@@ -1,3 +1,8 @@
+// Decimals, read and printed exactly. What comes in is text such as `+.5` or `1.2e-3`; what goes out is a
+// fraction over a power of ten. Only one form is accepted, and digits and exponents are limited before any
+// power is computed, so that a short text cannot ask for a long number. Printing goes the other way without
+// rounding; where a number is shown to people and cut, the function says so.
+
 #include "number/short_digits.hpp"
 #include "text/lines.hpp"
 

@@ -1,3 +1,11 @@
+// Proved decimals around roots (Theorem 9). What comes in is n / d, a degree and a number of digits; what
+// goes out are lo 10^-places <= y <= hi 10^-places, one unit apart, or equal where y is that decimal.
+//
+// lo = floor of the root of floor(n 10^(places degree) / d), in integers, so nothing is rounded unseen.
+// Whether y is a decimal is asked of the fraction: n / d must be the power of one, and that a decimal. For
+// cube roots of few digits pairs of doubles are tried first (quick_cube_root.cpp); where they do not
+// decide, integers do.
+
 #include "number/quick_cube_root.hpp"
 
 #include <mdm/number/decimal.hpp>

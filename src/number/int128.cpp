@@ -1,3 +1,8 @@
+// Integers of 128 bits that are exact or throw. The compiler's overflow checks guard every operation; a
+// caller that catches Int128Overflow begins again with integers of any length, so that nothing but time
+// depends on which is used. Here are the ways to these integers and back, whole words at a time; the
+// operations themselves, which have to be quick, are in the header.
+
 #include "number/int128.hpp"
 
 #include "number/words.hpp"

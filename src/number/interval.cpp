@@ -1,3 +1,9 @@
+// Intervals with fractions at their ends. Sums, products and quotients are exact at both ends, so an
+// interval grows by nothing but its arguments' widths; a root is a fraction where it is one, and else
+// between two fractions 2^-bits apart, found by integers. Where the sign of an argument matters the ends
+// are chosen by it. They are used where numbers are not refined on demand (real.hpp), as in sums over many
+// particles.
+
 #include <mdm/number/interval.hpp>
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// pi between two decimals, one unit apart. MPFR rounds pi to so many bits downwards and upwards; both are
+// cut to the decimal places that are asked for. If these agree, pi is between that decimal and the next
+// one. If not, more bits are taken; that ends, because pi is irrational and so at some distance from every
+// decimal. The checkers have a pi of their own, by Machin's formula, so that nothing rests on this one.
+
 #include "number/pi.hpp"
 
 #include <mpfr.h>

@@ -1,3 +1,10 @@
+// Products of rational powers, about which everything can be decided. The bases are written over integers
+// without common factors, found by greatest common divisors of all pairs until none is left: no prime needs
+// to be known. Over these the exponents are unique as far as 0 is concerned: a product is 1 only if all of
+// them are 0 (powers of different ones share no prime), and a fraction only if each factor is. The search
+// for common factors ends, because each division makes the product of all smaller; with more than 1,000
+// bases it gives up and says so.
+
 #include "number/power_product.hpp"
 
 #include <cassert>

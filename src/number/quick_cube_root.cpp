@@ -1,3 +1,12 @@
+// Cube roots in pairs of doubles (Lemma 18, which has the proof of all bounds here). A quotient is cut to
+// 106 bits, its root found in double precision, and corrected once by Newton's step with the remainder
+// computed exactly by fma: the pair is then right to 2^-97 of itself. If the product with 10^places is
+// farther from every integer than that error, the integer below it is certain, and is the answer; else
+// there is none, and the caller goes to integers.
+//
+// may_be_cube takes the remainders by eight numbers: of 3,000 fractions that are no cubes all but one are
+// told at once.
+
 #include "number/quick_cube_root.hpp"
 
 #include "number/words.hpp"

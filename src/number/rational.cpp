@@ -1,3 +1,9 @@
+// Fractions beyond what Boost has. floor and ceil divide integers, since a cast would go through double;
+// exact_root takes the roots of numerator and denominator, which are powers if the fraction in lowest terms
+// is. simplest_between walks down the continued fractions of both ends while they agree: where they part,
+// the least integer between is the last digit of the fraction with the least denominator. It ends as
+// Euclid's algorithm does.
+
 #include "number/words.hpp"
 
 #include <mdm/number/rational.hpp>

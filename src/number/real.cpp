@@ -1,3 +1,9 @@
+// Real numbers to any precision. A Real is a computation: asked for so many bits it gives a ball that
+// contains the number. Comparisons ask for 128, 256, ... bits until the balls do not meet. Two equal
+// numbers would be refined for ever, so from some point on the exact values are asked, where they are
+// known; at most_bits, some 1,200 digits, what is not told is undecided. Every caller has an answer for
+// that. Whatever is decided is certain, since balls never lose the number.
+
 #include "number/real.hpp"
 
 #include "number/decimal_exponent.hpp"

@@ -1,3 +1,8 @@
+// Exact arithmetic in the field of one root t = base^(1/m), as polynomials in t below t^m. Because base is
+// no p-th power for any prime p that divides m, x^m - base is irreducible, so a number is 0 if and only if
+// all coefficients are: equality, which refining never decides, is seen at once. A product is multiplied
+// out and t^m replaced by base. Bounds of size classes in geometric steps are such numbers.
+
 #include "number/surd.hpp"
 
 #include <cassert>

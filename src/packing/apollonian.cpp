@@ -1,3 +1,17 @@
+// Gaskets. What comes in are four circles that touch each other, the outermost among them, and a bound on
+// the curvature k; what goes out are all circles of the gasket up to it, or their number, with the sums of
+// 1 / k^2.
+//
+// Of four circles that touch, any one can be reflected in the other three: w' = 2 (w1 + w2 + w3) - w for
+// its curvature, and for the curvature times each coordinate of the centre (Descartes; Lagarias, Mallows,
+// Wilks 2002). From a reduced root every circle comes once, by reflections of which none is undone by the
+// next, and the new circle is always the smallest of its four. So what is beyond the bound has nothing
+// within it behind, and a walk in depth (apollonian_walk.hpp) ends with memory for a path alone.
+//
+// Numbers are p + q sqrt 3 with 64-bit integers, all below 2^58. k <= T is decided in doubles where their
+// error allows it and in integers elsewhere; the sum of 1 / k^2 is enclosed by a bound on all its
+// roundings.
+
 #include "packing/apollonian.hpp"
 
 #include "packing/apollonian_walk.hpp"

@@ -1,3 +1,12 @@
+// The cells of the contact graph. What comes in are discs and their contacts; what goes out is each least
+// polygon of discs that touch one after the other, with its corners counterclockwise.
+//
+// The edges at each disc are sorted counterclockwise, exactly, by the signs of cross products. Along an
+// edge the next one of the cell on its left is the edge at its end that comes just before the way back.
+// Each directed edge is in one cell, and is passed once: the walk ends when all are. A cell that is passed
+// clockwise is the outside of a part of the graph, or what is open to the floor, a wall or above, and is
+// none.
+
 #include "packing/contacts.hpp"
 #include "packing/wide.hpp"
 

@@ -1,3 +1,11 @@
+// Which discs touch. What comes in is a packing and a tolerance in units; what goes out are the pairs whose
+// gap is from 0 to the tolerance, the pairs that overlap, and the largest gap of the ones and the smallest
+// of the others.
+//
+// A grid of cells for each octave of radii hands on all pairs that are near enough. A pair is decided by
+// comparing d^2 with (r + r')^2 and (r + r' + tolerance)^2 in 128-bit integers; the gap itself is enclosed
+// to thousandths of a unit by an integer root.
+
 #include "packing/contacts.hpp"
 
 #include "packing/disc_grid.hpp"

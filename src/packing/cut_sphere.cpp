@@ -1,3 +1,12 @@
+// The part of a sphere that lies on one side of up to three planes at right angles, as needed where the
+// inner space cuts it. What comes in are the depths of the planes in radii; what goes out is an enclosure
+// of the part's share of the volume.
+//
+// A plane beyond the centre is replaced by its mirror image: the whole less what is beyond that. What is
+// left are caps, wedges and corners with all distances from 0 to 1. A cap is a polynomial; the others
+// integrate the area of a slice over its height, which has an antiderivative of roots and angles. All is
+// computed in balls, so that the result encloses it whatever cancels.
+
 #include "packing/cut_sphere.hpp"
 
 #include "number/ball.hpp"

@@ -1,3 +1,15 @@
+// A deposit of discs. What comes in are radii on the lattice, in an order of their own or shuffled; what
+// goes out is a centre for each, and the two that carry it.
+//
+// Each disc gets a place by the rule, the lowest one or one that it rolls to, on the front of those that
+// lie, with a gap of 4 units to all that it touches. The place is rounded to the lattice, and whether the
+// disc overlaps with any is decided in 128-bit integers. If it does, rounding took more than the gap, and
+// the place is sought again with a gap twice as wide: a wider gap leaves more room, so this ends. Then the
+// disc joins the front.
+//
+// Invariant: no two discs that lie overlap, with radii 2 units larger than written, and the front is the
+// chain of discs that bounds them from above. src/packing/README.md has the pictures.
+
 #include "packing/deposit.hpp"
 
 #include "packing/lattice.hpp"

@@ -1,3 +1,14 @@
+// Which way a body goes down. What comes in are the normals n of all that it touches; what goes out is the
+// direction d of length 1 nearest to straight down among those with d . n >= 0 for each, or that there is
+// none.
+//
+// The nearest point of a cone is on one of its faces, and a face is what some of the contacts leave. So all
+// sets of none, one and two contacts are tried in this order: the way is what they leave of straight down,
+// they have to press, and it must lead into no other contact. The first that does is the nearest, as each
+// further contact takes more of the way. If none does, three contacts whose pressures are not negative hold
+// the body: it rests. On the top of one, or of the edge between two, pressures balance and nothing holds it
+// to the side: there it tips off.
+
 #include "packing/descent.hpp"
 
 namespace mdm::packing {

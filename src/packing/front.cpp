@@ -1,3 +1,11 @@
+// The front of a deposit: the discs that bound it from above as a chain from wall to wall, or around one
+// period, with a note where the floor is bare behind one. A disc that is laid on two members is linked
+// between them, and what was between is taken out: nothing can reach it any more. Each disc comes in once
+// and goes out once.
+//
+// To find what is near a place, members stand in buckets by x, in one row of buckets for radii within a
+// factor of 2, so that a search looks at some of each row, however different the radii are.
+
 #include "packing/front.hpp"
 
 #include <algorithm>

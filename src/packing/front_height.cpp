@@ -1,3 +1,13 @@
+// The front of a deposit that is read from a file. What comes in are discs in the order of their deposit
+// with what carries each; what goes out is the height of the lowest centre that nothing covers.
+//
+// The discs are laid again in their order. Invariant: the surface is the chain of those that nothing
+// covers, from wall to wall or around one period. A disc comes behind the one on its left and before the
+// one on its right, and what is between them is covered for good. Each disc comes in once and goes out
+// once, so the cost is some steps a disc, plus the search for a bare piece of the floor. A support that is
+// covered, or that does not come before the other, ends it without an answer: the file is no deposit in
+// this order.
+
 #include "packing/front_height.hpp"
 
 #include <algorithm>

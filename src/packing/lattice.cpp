@@ -1,3 +1,8 @@
+// The lattice of a deposit: the finest decimal unit in which the width of the box and the greatest height
+// that a deposit can have are below 2^52 units, so that doubles hold all places exactly. No deposit is
+// higher than 4/3 of the area of its discs by the width, and four of the largest discs: it fills more than
+// 0.6 of its box. The smallest disc must have 2^24 units, so that gaps of a few units do not count.
+
 #include "packing/lattice.hpp"
 
 #include "text/option_name.hpp"

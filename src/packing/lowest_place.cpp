@@ -1,3 +1,18 @@
+// The lowest place without a walk along all of the surface (src/packing/README.md, second picture). What
+// comes in is the front, which grows, and the radius of the next disc; what goes out is the place that
+// lowest_on_whole_surface has.
+//
+// Separators, discs on whose tops every disc of the set can lie, cut the surface into blocks, and no place
+// in a block depends on what is beyond its ends. For each block and each class of radii, within a factor of
+// 1.4, there is a bound. Invariant: no disc of the class can have its bottom lower in the block. It holds
+// when it is made, of the least radius of the class, because a smaller disc fits into a larger one at its
+// bottom; and it stays true, because discs that are added only take room.
+//
+// To find a place, the block with the least bound is taken: if something has changed in it, its bound is
+// made anew by a walk for the least radius of the class, else a walk for the disc finds its place there.
+// That ends when the least bound is above the bottom of the best place. A disc that is laid may be a new
+// separator, which splits its block, and may hide others, whose blocks are joined with those before them.
+
 #include "packing/lowest_place.hpp"
 
 #include <algorithm>

@@ -1,3 +1,11 @@
+// The share of a window that discs cover. What comes in is a packing without overlaps and a rectangle; what
+// goes out is a real number that is enclosed as closely as is asked for.
+//
+// Discs inside of the window count r^2, an integer, together times pi. Of a disc that a side cuts, the part
+// inside is had from areas beyond corners: A(left, bottom) - A(right, bottom) - A(left, top) + A(right,
+// top), where A(a, b) is the area with x >= a and y >= b, a sector and two triangles, or segments. Which of
+// these it is depends on integers alone; the angles are computed in balls, by the incomplete beta function.
+
 #include "packing/packing_fraction.hpp"
 
 #include "number/ball.hpp"

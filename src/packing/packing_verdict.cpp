@@ -1,3 +1,9 @@
+// Whether a packing that is read is a deposit of a set. Decided in integers, and independent of how the
+// packing came to be: radii are those of the set, each as often; no two discs overlap; all are in the box;
+// each touches its two supports within the tolerance and has its centre between them; and laid again in
+// their order (front_height.cpp) they have the front that the file says. What cannot be seen from places,
+// such as the seed, is named as not verified.
+
 #include "packing/packing_verdict.hpp"
 
 #include "packing/front_height.hpp"

@@ -1,3 +1,13 @@
+// A disc that is dropped (Visscher, Bolsterli 1972). What comes in is the front, the disc's radius with its
+// gap, and the column; what goes out is where it rests and on what.
+//
+// It falls straight down to the first disc that it meets. On that it rolls down, its centre on the offset
+// circle, until the arc ends: at another disc, between which and the first it rests if its centre is
+// farther on, and over which it rolls on if not; at a wall or the floor, where it rests; or at the side of
+// the disc, where it falls again. Each arc leads down, so none is passed twice, and their number is bounded
+// by the discs of the front. Where it rolls to the left the picture is turned over, so that there is one
+// way to roll.
+
 #include "packing/roll.hpp"
 
 #include "packing/offset_circle.hpp"

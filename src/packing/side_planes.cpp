@@ -1,3 +1,8 @@
+// The sides of a space as planes that touch it from within. A box has four. A cylinder has 256, whose edges
+// are on it: what is inside of all planes is inside of the cylinder, and spheres roll on planes as they do
+// in a box. Directions are made by halving angles with square roots, so that they are the same on every
+// machine.
+
 #include "packing/side_planes.hpp"
 
 namespace mdm::packing {

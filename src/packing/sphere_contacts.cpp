@@ -1,3 +1,13 @@
+// Spheres that are near each other. What comes in are spheres with exact centres and diameters, their box
+// and its periods, and a gap; what goes out are all pairs that may touch within it, and the means to decide
+// each.
+//
+// Centres are moved into the first period, and what is in reach of a periodic side has images beyond the
+// other. All are put on a coarse lattice, whose map brings no two spheres farther apart, and sorted into a
+// SphereGrid; from each sphere those in its reach are looked at. Invariant: no pair that touches is left
+// out. r + r' - d is within error() in doubles; where that does not decide, sign_of_reach() compares
+// squares of fractions.
+
 #include "packing/sphere_contacts.hpp"
 
 #include "packing/sphere_grid.hpp"

@@ -1,3 +1,14 @@
+// A deposit of spheres. What comes in are radii on the lattice in their order, and the space; what goes out
+// is a centre for each, and the three that carry it.
+//
+// Each sphere is dropped in a random column and rolls to rest (sphere_roll.cpp) with a gap of 4 units to
+// all that it touches. Its place is rounded to the lattice and moved by units to where it is inside the
+// sides, both decided in integers. If it overlaps with another there, exactly, it is raised by units until
+// it does not; if that takes more than 63, or it has not come to rest, it is dropped again, eight times at
+// most. Then it is raised as far as it takes, which ends above all others.
+//
+// Invariant: no two spheres overlap, and all are inside the space.
+
 #include "packing/shuffled.hpp"
 #include "packing/sphere_roll.hpp"
 #include "packing/wide.hpp"

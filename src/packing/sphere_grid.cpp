@@ -1,3 +1,9 @@
+// Spheres by their places, for a deposit that grows. Radii within a factor of 2 share a level with cells of
+// about their size, so that small spheres among large ones are found as quickly as among themselves. To
+// find what is near a sphere, each level looks at the columns of cells in its reach, and leaves out those
+// rows that hold no centre since it would be too near: centres are in a shell. Invariant: every sphere of
+// the shell is handed on, and each of its images where the space is periodic.
+
 #include "packing/sphere_grid.hpp"
 
 namespace mdm::packing {

@@ -25,8 +25,9 @@ public:
   template <class Take>
   void each_near(const Vector3 &p, double q, double near, double slack, const Take &take) const;
 
-  /// The same for all whose upper side a sphere of radius q at height z or below may touch that falls
-  /// in the column (x, y). `take` gives the height from which on what it touches is of interest.
+  /// Calls take(id, centre) for all spheres whose upper side a sphere of radius q at height z or below may
+  /// touch that falls in the column (x, y). `take` gives the height from which on what it touches is of
+  /// interest.
   template <class Take>
   void each_below(const Vector3 &p, double q, const Take &take) const;
 

@@ -1,3 +1,19 @@
+// The way of one sphere that is dropped (src/packing/README.md, third picture). What comes in are the
+// spheres that lie, in a grid, the sides, the radius q with its gap, and the column; what goes out is where
+// it rests and on which three.
+//
+// It falls to the first that it meets. Then, turn by turn: descent() says which way it goes down and which
+// of those that it touches carry it, one or two. Its centre moves on a circle: around the centre of one, or
+// around the line between the centres of two (or of one and along a plane). The turn ends at the first of:
+// it meets another sphere, a side, or the floor; one of those that carry presses no more, as the component
+// of its weight towards that is 0; or a stride of the way is over, so that only spheres nearby need be
+// looked at. All three are where a cos + b sin reaches a number, which a square root answers. With nothing
+// that carries it falls again.
+//
+// Each turn leads down, but for rounding, so that no place comes back. 20,000 turns, some hundred times as
+// many as a sphere takes, are a way that rounding does not let end: the sphere has no place then, and is
+// dropped again.
+
 #include "packing/sphere_roll.hpp"
 
 #include <optional>

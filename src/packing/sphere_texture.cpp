@@ -1,3 +1,12 @@
+// What is known of spheres in their places: void ratio, contacts, overlaps, heights of groups. What comes
+// in is a sample and its space; what goes out are counts that are exact and numbers that are enclosed.
+//
+// One pass over the spheres sums their volumes and those of their parts in the inner space, and one over
+// all pairs that are near (sphere_contacts.cpp) counts contacts. Whether two spheres touch, whether a
+// centre is inside and in which band it lies are decisions: doubles make them where they are farther from
+// the bound than their proved error, and fractions elsewhere. Sums of doubles carry a bound on their errors
+// into the enclosure.
+
 #include "number/pi.hpp"
 #include "packing/cut_sphere.hpp"
 #include "packing/enclosed_sum.hpp"

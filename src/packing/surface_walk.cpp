@@ -1,3 +1,16 @@
+// The walk along the surface (src/packing/README.md, first picture). What comes in is the front, the radius
+// q of a disc with its gap, and where to begin and to end; what goes out is the lowest place between.
+//
+// The centre of a disc that touches disc j of the front is on the circle of radius r_j + q around it, its
+// offset circle. The walk keeps to the outer arcs of these circles: it is on one of them, with free space
+// on its left hand, and goes clockwise. The arc ends at the first of: another offset circle, the line q
+// above the floor, the line q before the right wall, the end that was given. There it changes over. On the
+// way it notes every vertex at which the disc is above and between the two that it touches, and every bare
+// piece of the floor. The least height is at one of them: from any other place the disc can go down.
+//
+// Each arc is passed once, as the boundary of the free space is a simple curve; there are some two for a
+// disc of the front. A walk that takes ten times as many is a fault of the program, and says so.
+
 #include "packing/surface_walk.hpp"
 
 #include "packing/offset_circle.hpp"

@@ -17,7 +17,7 @@ struct Elasticity {
 /// \pre E > 0, -1 < nu <= 1/2
 Rational rayleigh_time(const ParticleSet &set, const Elasticity &elasticity = {});
 
-/// The same of a class alone, which may have a material of its own.
+/// The Rayleigh time of a class alone, which may have a material of its own.
 Rational rayleigh_time(const ParticleSet &set, const ParticleClass &c, const Elasticity &elasticity);
 
 /// Side of a cube that holds all of them loosely, (2 sum q x^3)^(1/3) in m, rounded down to um.

@@ -79,7 +79,7 @@ std::unique_ptr<LineReader> read_dem_engine(ParticleSource &source) {
 }
 
 void write_dem_engine(const Placement &start, const Sink &out) {
-  TextBuffer text(out);
+  LongText text(out);
   text.add("X,Y,Z,Qw,Qx,Qy,Qz,clump_type\n");
   start.each([&](const Placement::Sphere &s) {
     text.add("{},{},{},1,0,0,0,r{}\n", start.text(s.at[0]), start.text(s.at[1]), start.text(s.at[2]),

@@ -128,7 +128,7 @@ void write_esys(const Placement &start, const Sink &out) {
   const ParticleSet &set = start.set();
   const auto &[a, b, height] = start.box();
   const char *const periodic = start.sides() == Sides::periodic ? "1 1 0" : "0 0 0";
-  TextBuffer text(out);
+  LongText text(out);
   text.add("LSMGeometry 1.2\nBoundingBox 0 0 0 {} {} {}\nPeriodicBoundaries {}\nDimension 3D\n",
            start.text(a), start.text(b), start.text(height), periodic);
   text.add("BeginParticles\nSimple\n{}\n", to_string(set.particles()));

@@ -47,7 +47,7 @@ void each_size(const ParticleSet &set, Take take) {
 
 } // namespace
 
-void add_liggghts_insertion(const ParticleSet &set, std::uint64_t seed, TextBuffer &text) {
+void add_liggghts_insertion(const ParticleSet &set, std::uint64_t seed, LongText &text) {
   check_simulated(set);
   // LIGGGHTS refuses volumes below 1e-12, sizes below 0.124 mm, unless told otherwise.
   const std::string limit = approximate(Rational(power(set.smallest().diameter.decimal(), 3) / 1000), 2);
@@ -79,7 +79,7 @@ void add_liggghts_insertion(const ParticleSet &set, std::uint64_t seed, TextBuff
 }
 
 void write_liggghts(const ParticleSet &set, const Sink &out) {
-  TextBuffer text(out);
+  LongText text(out);
   text.add("# {}\n# {}\n", script_words(title(set)), mass_statement(set));
   text.add(R"(#
 # Insertion for LIGGGHTS, to be included where a model without particles has a region called mdm_region:
@@ -94,7 +94,7 @@ void write_liggghts(const ParticleSet &set, const Sink &out) {
 
 void write_mercurydpm(const ParticleSet &set, const Sink &out) {
   const Integer all = set.particles();
-  TextBuffer text(out);
+  LongText text(out);
   text.add(
       "radius_{},cumulative_number,{} particles: {}. {} MercuryDPM draws sizes at random from these shares: "
       "its counts "

@@ -149,7 +149,7 @@ std::unique_ptr<LineReader> read_kratos(ParticleSource &source) {
 
 void write_kratos(const Placement &start, const Sink &out) {
   const ParticleSet &set = start.set();
-  TextBuffer text(out);
+  LongText text(out);
   text.add("// {}\n// {}\nBegin ModelPartData\nEnd ModelPartData\n\nBegin Properties 0\nEnd "
            "Properties\n\nBegin Nodes\n",
            title(set), mass_statement(set));

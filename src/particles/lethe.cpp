@@ -74,7 +74,7 @@ std::unique_ptr<LineReader> read_lethe(ParticleSource &source) {
 }
 
 void write_lethe(const Placement &start, const Sink &out) {
-  TextBuffer text(out);
+  LongText text(out);
   text.add("p_x; p_y; p_z; v_x; v_y; v_z; w_x; w_y; w_z; diameters;\n");
   start.each([&](const Placement::Sphere &s) {
     text.add("{}; {}; {}; 0; 0; 0; 0; 0; 0; {};\n", start.text(s.at[0]), start.text(s.at[1]),

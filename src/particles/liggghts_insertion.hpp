@@ -12,6 +12,6 @@ namespace mdm {
 /// message where a count is not reached. Afterwards `mdm_count` is the number of particles.
 /// \param seed each has other seeds
 /// \throws InputError if there are more particles than LIGGGHTS counts
-void add_liggghts_insertion(const ParticleSet &set, std::uint64_t seed, TextBuffer &text);
+void add_liggghts_insertion(const ParticleSet &set, std::uint64_t seed, LongText &text);
 
 } // namespace mdm

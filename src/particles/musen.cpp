@@ -144,7 +144,7 @@ std::unique_ptr<LineReader> read_musen(ParticleSource &source) {
 void write_musen(const Placement &start, const Sink &out) {
   const ParticleSet &set = start.set();
   const auto &[a, b, height] = start.box();
-  TextBuffer text(out);
+  LongText text(out);
   std::uint64_t id = 0;
   start.each([&](const Placement::Sphere &s) {
     const std::string &radius = s.size->radius.text;

@@ -56,7 +56,7 @@ std::string comment_lines(const ParticleSet &set) {
 }
 
 void write_size_csv(const ParticleSet &set, const Sink &out) {
-  TextBuffer text(out);
+  LongText text(out);
   text.add("{}size_{},quantity\n", comment_lines(set), name(set.unit));
   for (const ParticleClass &c : set.classes)
     for (const ParticleSize &size : c.sizes)
@@ -65,7 +65,7 @@ void write_size_csv(const ParticleSet &set, const Sink &out) {
 }
 
 void write_diameters(const ParticleSet &set, const Sink &out) {
-  TextBuffer text(out);
+  LongText text(out);
   text.add("{}", comment_lines(set));
   for (auto c = set.classes.rbegin(); c != set.classes.rend(); ++c)
     for (auto size = c->sizes.rbegin(); size != c->sizes.rend(); ++size)

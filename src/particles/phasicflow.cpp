@@ -104,7 +104,7 @@ std::unique_ptr<LineReader> read_phasicflow(ParticleSource &source) {
 }
 
 void write_phasicflow(const Placement &start, const Sink &out) {
-  TextBuffer text(out);
+  LongText text(out);
   text.add("{}", head("particlesDict", start.set()));
   // Sorted, ranges would not be those of sizes.
   text.add(
@@ -127,7 +127,7 @@ void write_phasicflow(const Placement &start, const Sink &out) {
 }
 
 void write_phasicflow_shapes(const Placement &start, const Sink &out) {
-  TextBuffer text(out);
+  LongText text(out);
   text.add("{}names (", head("shapes", start.set()));
   std::size_t number = 0;
   each_size(start,
@@ -143,7 +143,7 @@ void write_phasicflow_shapes(const Placement &start, const Sink &out) {
 }
 
 void write_phasicflow_positions(const Placement &start, const Sink &out) {
-  TextBuffer text(out);
+  LongText text(out);
   start.each([&](const Placement::Sphere &s) {
     text.add("{} {} {}\n", start.text(s.at[0]), start.text(s.at[1]), start.text(s.at[2]));
   });

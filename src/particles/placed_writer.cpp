@@ -25,7 +25,7 @@ std::string box_line(const Placement &start) {
 /// \param is_typed each class has a type of its own, from 1 on, and there is one more for walls
 void write_data(const Placement &start, bool is_typed, const Sink &out) {
   const ParticleSet &set = start.set();
-  TextBuffer text(out);
+  LongText text(out);
   text.add("{}\n# {}\n# {}\n", title(set), mass_statement(set), box_line(start));
   if (is_typed)
     text.add("# Type {} is of walls; the others are the classes:\n", set.classes.size() + 1);
@@ -59,7 +59,7 @@ void write_lammps_data_of_classes(const Placement &start, const Sink &out) {
 }
 
 void write_xyzr(const Placement &start, const Sink &out) {
-  TextBuffer text(out);
+  LongText text(out);
   // Without an empty line: YADE's reader takes the first word of every line.
   text.add(
       "#format x_y_z_r\n{}# {}\n# YADE: O.bodies.append(ymport.text('FILE')) with FILE, the name of this "
@@ -74,7 +74,7 @@ void write_xyzr(const Placement &start, const Sink &out) {
 
 void write_pfc(const Placement &start, const Sink &out) {
   const ParticleSet &set = start.set();
-  TextBuffer text(out);
+  LongText text(out);
   text.add("EVENT_LABEL,PFC_BALL_LOCX,PFC_BALL_LOCY,PFC_BALL_LOCZ,PFC_BALL_RADIUS,PFC_BALL_ATTR\n");
   std::uint64_t id = 0;
   start.each([&](const Placement::Sphere &s) {
@@ -87,7 +87,7 @@ void write_pfc(const Placement &start, const Sink &out) {
 void write_extxyz(const Placement &start, const Sink &out) {
   const ParticleSet &set = start.set();
   const auto &[a, b, height] = start.box();
-  TextBuffer text(out);
+  LongText text(out);
   std::string heading = title(set) + ". " + mass_statement(set);
   std::replace(heading.begin(), heading.end(), '"', '\'');
   std::replace(heading.begin(), heading.end(), '\\', '/');
@@ -115,7 +115,7 @@ void write_vtk(const Placement &start, const Sink &out) {
       ++cut;
     heading.erase(0, cut);
   }
-  TextBuffer text(out);
+  LongText text(out);
   text.add("# vtk DataFile Version 3.0\n{}\nASCII\nDATASET POLYDATA\nPOINTS {} double\n", heading, n);
   start.each([&](const Placement::Sphere &s) {
     text.add("{} {} {}\n", start.text(s.at[0]), start.text(s.at[1]), start.text(s.at[2]));

@@ -1,3 +1,12 @@
+// The certificate of an exact match as text (certificate-format.md, sections 1 to 3). What comes in is a
+// match with its chain; what goes out are the question, the claim, the counts, sizes and scale, and the
+// chain.
+//
+// Nothing is decided here but what fits: the format limits the work of a checker, so the steps that may be
+// written are estimated from above, and where a sweep was longer, or was ended by a limit, its first steps
+// are replayed for the bound that they prove (Theorem 5). Sizes are enclosed anew where the match's are too
+// wide or too long for the format. A text whose numbers no checker would read is refused with what to do.
+
 #include "match/least_match.hpp"
 #include "match/problem_of.hpp"
 #include "match/sizes.hpp"

@@ -21,7 +21,7 @@ inline constexpr std::size_t max_digits = 100000;
 std::size_t longest_part(const Rational &r);
 std::size_t longest_part(const std::vector<Rational> &numbers);
 
-/// The same of the openings, each counted with the d-th part of the bits of its d-th power.
+/// Bits of the longest opening, each counted with the d-th part of the bits of its d-th power.
 std::size_t longest_opening(const Gradation &g);
 /// The exponent that numbers are raised to at most: max(a, b) d.
 std::uint64_t highest_power(const MassLaw &law, unsigned root);

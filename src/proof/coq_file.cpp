@@ -1,3 +1,9 @@
+// A file for Coq that states one answer as a theorem and has Coq's kernel check its evidence
+// (proofs/README.md, "A theorem for one answer"). The certificate's own lines are read and written again as
+// terms of Certificate.v, so that what Coq checks is what the certificate says. Numbers of more than 20
+// digits are hexadecimal, because Coq reads decimals in quadratic time; what it would take minutes for is
+// refused with the reason.
+
 #include "proof/coq_file.hpp"
 
 #include "proof/certificate_parts.hpp"

@@ -1,3 +1,12 @@
+// The proof within a tolerance for VIPR checkers (Theorem 15). VIPR has no strict inequalities, so one
+// variable d stands for what all strict conditions exceed their bounds by, and the claim is d <= 0 for
+// fewer than N particles; y_j says that class j is not empty.
+//
+// The derivation follows the tree: `asm` lines for the two cases of a split, `lin` lines for its leaves,
+// `uns` lines where both cases are done. Behind a split at which a class becomes certain to hold a
+// particle, its strict condition is derived once and used below. Where only some class of several is, that
+// is shown class by class. Subtrees come in the order of the tree, so that a walk over it writes the file.
+
 #include "proof/tolerant_vipr.hpp"
 
 #include "match/leaf_sum.hpp"

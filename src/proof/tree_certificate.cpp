@@ -1,3 +1,13 @@
+// The certificate of a match within a tolerance as text (certificate-format.md, section 6). What comes in
+// is a match with its tree; what goes out are the tolerance's lines, the witness with exact masses, and the
+// tree in preorder.
+//
+// The problem's masses are in a unit in which all f and F are integers, the format's are those of the
+// gradation: multiples of conditions on masses are those of the problem times the unit, and each leaf is
+// divided by what its multiples have in common. The version is the least that has all that is written: 2
+// for sums of classes, 3 for windows. What the checker's work depends on is summed up on the way, and a
+// certificate beyond the format's limits is not written.
+
 #include "match/problem_of.hpp"
 #include "match/sizes.hpp"
 #include "number/common_denominator.hpp"
@@ -302,9 +312,13 @@ private:
     std::uint64_t masses = bit_length(unit_);
     for (std::size_t j = 0; j < g.classes(); ++j)
       masses = std::max<std::uint64_t>(masses, bit_length(problem_.F(j)));
-    const std::uint64_t all = 2 * e * (in_gradation + count_) + 2 * masses + share_bits() + witness_unit_;
-    return e * in_gradation <= max_power_bits && e * count_ <= max_power_bits &&
-           share_bits() <= max_power_bits && witness_unit_ <= max_power_bits && size_ <= longest_tree &&
+    const std::uint64_t count =
+        std::max({count_, bit_length(m_.question.at_least), bit_length(m_.question.min_per_class)});
+    const std::uint64_t of_shares = share_bits(), of_weight = m_.question.solids ? 2 * masses + count : 1;
+    const std::uint64_t all =
+        std::max({e * (in_gradation + count), of_shares + of_weight, std::uint64_t{witness_unit_}});
+    return e * in_gradation <= max_power_bits && e * count <= max_power_bits && of_shares <= max_power_bits &&
+           witness_unit_ <= max_power_bits && size_ <= longest_tree &&
            (64 * (g.powers().size() + bands_) + size_ + window_work_) * all <= max_work;
   }
 

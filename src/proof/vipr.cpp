@@ -1,3 +1,12 @@
+// The proof of an exact match for VIPR checkers (Theorem 10). What comes in is a match with its chain, its
+// law rational at the openings; what goes out is a file with the integer program A q_j - B q_i >= 1, the
+// solution, and the derivation.
+//
+// A raise of class j by the level of class i is one rounding (`rnd`) of the constraint of i and j, with the
+// bound of q_i that is known: this replays the chain. From the last level each class has a bound, and `lin`
+// adds them up to sum q >= N. With at least M particles two assumptions split the cases (Theorem 7). There
+// is a constraint for every pair of classes, so that the file grows with their square.
+
 #include "proof/vipr.hpp"
 
 #include "match/at_least.hpp"

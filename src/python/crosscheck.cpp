@@ -1,9 +1,9 @@
-#include "ask/option_values.hpp"
+#include "ask/crosscheck_options.hpp"
 #include "crosscheck/other_answer.hpp"
 #include "python/module.hpp"
 #include "python/numbers.hpp"
+#include "python/question.hpp"
 
-#include <mdm/crosscheck/crosscheck.hpp>
 #include <mdm/text/error.hpp>
 
 #include <pybind11/stl.h>
@@ -13,22 +13,25 @@ namespace py = pybind11;
 namespace mdm::python {
 namespace {
 
+CrosscheckTexts crosscheck_texts(const Words &words) {
+  CrosscheckTexts texts;
+  static_cast<SolveTexts &>(texts) = solve_texts(words);
+  take_words(words, CrosscheckTexts::options, texts);
+  return texts;
+}
+
 /// Judges one solver's answers to one gradation.
 class Judge {
 public:
-  Judge(const Gradation &g, const std::optional<std::string> &max_steps)
-      : problem_(g, limits_of_steps(max_steps)) {}
+  Judge(Crosscheck problem, Rational size_tolerance)
+      : problem_(std::move(problem)), size_tolerance_(std::move(size_tolerance)) {}
 
   /// \param answer  a line of JSON as `mdm crosscheck` reads it
-  py::tuple judge(const std::string &answer, const std::string &size_tolerance) const {
-    const Rational tolerance = not_negative("size-tolerance", size_tolerance);
-    if (tolerance >= 1)
-      throw InputError("size_tolerance: " + in_quotes(size_tolerance) +
-                       " is not below 1: it is a part of the size, such as 1e-9");
+  py::tuple judge(const std::string &answer) const {
     CrosscheckRow row;
     {
       const py::gil_scoped_release unlocked;
-      row = problem_.judge(json_answer(answer), tolerance);
+      row = problem_.judge(json_answer(answer), size_tolerance_);
     }
     return as_tuple(row);
   }
@@ -41,13 +44,6 @@ public:
   }
 
 private:
-  static Limits limits_of_steps(const std::optional<std::string> &max_steps) {
-    Limits limits;
-    if (max_steps)
-      limits.max_steps = natural64("max-steps", *max_steps);
-    return limits;
-  }
-
   static py::tuple as_tuple(const CrosscheckRow &row) {
     const auto text = [](const std::optional<Rational> &r) {
       return r ? std::optional(to_string(*r)) : std::nullopt;
@@ -58,16 +54,33 @@ private:
   }
 
   Crosscheck problem_;
+  Rational size_tolerance_;
+};
+
+/// The question that a solver is judged on.
+class JudgedQuestion {
+public:
+  JudgedQuestion(const std::map<std::string, std::string> &values, const std::vector<std::string> &tolerances)
+      : JudgedQuestion(Words{values, tolerances}) {}
+
+  Judge judge_of(const Gradation &g) const { return {question_.problem(g), size_tolerance_}; }
+
+private:
+  explicit JudgedQuestion(const Words &words)
+      : question_(crosscheck_texts(words), band_of(words)),
+        size_tolerance_(crosscheck_texts(words).most_size_error()) {}
+
+  CrosscheckQuestion question_;
+  Rational size_tolerance_;
 };
 
 } // namespace
 
 void add_crosscheck(py::module_ &module) {
-  py::class_<Judge>(module, "Judge")
-      .def(py::init<const Gradation &, const std::optional<std::string> &>(),
-           py::call_guard<py::gil_scoped_release>())
-      .def("judge", &Judge::judge)
-      .def("failed", &Judge::failed);
+  py::class_<Judge>(module, "Judge").def("judge", &Judge::judge).def("failed", &Judge::failed);
+  py::class_<JudgedQuestion>(module, "JudgedQuestion")
+      .def(py::init<const std::map<std::string, std::string> &, const std::vector<std::string> &>())
+      .def("judge_of", &JudgedQuestion::judge_of, py::call_guard<py::gil_scoped_release>());
 }
 
 } // namespace mdm::python

@@ -4,6 +4,7 @@
 
 #include "python/module.hpp"
 
+#include "ask/option_table.hpp"
 #include "text/option_name.hpp"
 #include "text/versions.hpp"
 
@@ -38,6 +39,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The library behind exactmdm; use the package.";
   py::register_exception_translator(translate);
   module.def("versions", version_dict);
+  module.def("option_table", mdm::option_table_json);
   mdm::python::add_gradation(module);
   mdm::python::add_match(module);
   mdm::python::add_spread(module);

@@ -14,7 +14,7 @@ namespace mdm::python {
 /// The value of a decimal or of a fraction `p/q`.
 /// \throws InputError if `text` is neither
 Rational rational_of(const std::string &text);
-/// The same of a list; errors name it and the place.
+/// The values of a list of such texts; errors name it and the place.
 std::vector<Rational> rationals_of(const std::string &name, const std::vector<std::string> &texts);
 
 /// `p/q` or `p`, one a number.

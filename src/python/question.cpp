@@ -11,14 +11,15 @@ OptionText Words::find(const std::string &keyword) const {
 
 SolveTexts solve_texts(const Words &words) {
   SolveTexts texts;
-  texts.tolerances = words.tolerances;
-  texts.band = words.find("band");
+  take_words(words, SolveTexts::tolerance_options, texts);
   for_each_option(texts, [&words](const char *name, OptionText &text) { text = words.find(option(name)); });
   return texts;
 }
 
 BudgetTexts budget_texts(const Words &words) {
-  return {words.find("particles"), words.find("grid")};
+  BudgetTexts texts;
+  take_words(words, BudgetTexts::options, texts);
+  return texts;
 }
 
 ReadBand band_of(const Words &words) {

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace mdm::python {
@@ -26,8 +27,18 @@ struct Words {
 /// Fills the texts of a table with the values of its keywords.
 template <class Row, class Texts>
 void take_words(const Words &words, const std::vector<Row> &rows, Texts &texts) {
-  for (const Row &row : rows)
-    texts.*row.text = words.find(option(row.name));
+  for (const Row &row : rows) {
+    const auto take = [&](auto place) {
+      using Value = std::remove_reference_t<decltype(texts.*place)>;
+      if constexpr (std::is_same_v<Value, bool>)
+        texts.*place = words.has(option(row.name));
+      else if constexpr (std::is_same_v<Value, OptionText>)
+        texts.*place = words.find(option(row.name));
+      else
+        texts.*place = words.tolerances;
+    };
+    std::visit(take, row.place);
+  }
 }
 
 /// All options of solving.

@@ -16,17 +16,12 @@ namespace py = pybind11;
 namespace mdm::python {
 namespace {
 
-/// mdm-describe-1. \param limits  liquid and plastic limit, or empty
-std::string describe_json(const Gradation &given, const std::vector<std::string> &limits,
-                          const std::optional<std::string> &pan_size, bool extrapolate, unsigned digits) {
+/// mdm-describe-1.
+std::string describe_json(const Gradation &given, const std::map<std::string, std::string> &values,
+                          unsigned digits) {
   const py::gil_scoped_release unlocked;
   SoilTexts texts;
-  texts.extrapolate = extrapolate;
-  texts.pan_size = pan_size;
-  if (!limits.empty()) {
-    texts.liquid_limit = limits.at(0);
-    texts.plastic_limit = limits.at(1);
-  }
+  take_words({values, {}}, SoilTexts::options, texts);
   const DescribeOptions options = texts.describe_options();
   return description_json(describe(texts.with_pan(given), options), digits);
 }

@@ -24,12 +24,9 @@ VerifyTexts verify_texts(const Words &words) {
   VerifyTexts texts;
   take_words(words, GradationTexts::options, texts.gradation);
   take_words(words, PlaceTexts::options, texts.places);
-  texts.places.packing = words.has("packing");
-  texts.tolerances = words.tolerances;
-  texts.snap = words.find("snap");
-  texts.digits = words.find("digits");
-  texts.particles = {words.find("from_format"), words.find("size_unit"), words.find("timestep"),
-                     words.find("meaning") == "radius", words.find("meaning") == "diameter"};
+  take_words(words, ParticleTexts::options, texts.particles);
+  take_words(words, VerifyTexts::options, texts);
+  take_words(words, VerifyTexts::answer_options, texts);
   return texts;
 }
 
@@ -56,7 +53,7 @@ public:
     }
   }
 
-  /// The same of decimals or fractions.
+  /// Adds sizes that are texts: decimals or fractions.
   void add_texts(const std::vector<std::string> &sizes) {
     const py::gil_scoped_release unlocked;
     for (const std::string &text : sizes)

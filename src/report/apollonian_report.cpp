@@ -80,7 +80,7 @@ std::string apollonian_json(const ApollonianReport &r) {
 void apollonian_csv(const std::string &name, const ApollonianGasket &gasket, const Rational &most,
                     const Sink &sink) {
   const bool surd = name == "equal";
-  TextBuffer text(sink);
+  LongText text(sink);
   text.add("# Apollonian packing {}: curvature k = p{}, centre ({}), the outer circle's is 0\n"
            "p,q,x,y\n",
            name, surd ? " + q sqrt 3" : "",

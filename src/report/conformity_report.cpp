@@ -103,7 +103,7 @@ std::string sieve_table(const Conformity &c, unsigned digits) {
   return text_table(lines, c.is_exact ? ">>>><>" : ">>>>><>");
 }
 
-void add_witness(Buffer &out, const char *what, const std::optional<WitnessCurve> &witness) {
+void add_witness(TextBuffer &out, const char *what, const std::optional<WitnessCurve> &witness) {
   if (!witness)
     return;
   std::vector<std::string> points;
@@ -112,7 +112,7 @@ void add_witness(Buffer &out, const char *what, const std::optional<WitnessCurve
   add(out, "  {}: percent passing {} mm\n", what, fmt::join(points, ", "));
 }
 
-void add_details(Buffer &out, const Conformity &c) {
+void add_details(TextBuffer &out, const Conformity &c) {
   add_witness(out, "a curve of this report that keeps the limits", c.within);
   add_witness(out, "one that does not", c.outside);
 }
@@ -137,7 +137,7 @@ std::string matrix(const ConformityReport &r, unsigned digits) {
   return text_table(lines, ">>>>");
 }
 
-void add_notes(Buffer &out, const std::vector<std::string> &notes, const std::string &of) {
+void add_notes(TextBuffer &out, const std::vector<std::string> &notes, const std::string &of) {
   for (const std::string &note : notes)
     add(out, "  note: {}{}\n", of, printable(note));
 }
@@ -169,7 +169,7 @@ std::string conformity_json(const ConformityReport &r, unsigned digits) {
 }
 
 std::string conformity_csv(const ConformityReport &r, unsigned digits) {
-  Buffer out;
+  TextBuffer out;
   add(out,
       "sample,size_mm,passing_min_percent,passing_max_percent,passing_lo,passing_hi,least,most,verdict\n");
   for (const Conformity &c : r.samples) {
@@ -188,7 +188,7 @@ std::string conformity_csv(const ConformityReport &r, unsigned digits) {
 }
 
 std::string conformity_text(const ConformityReport &r, unsigned digits) {
-  Buffer out;
+  TextBuffer out;
   if (r.samples.size() == 1) {
     const Conformity &c = r.samples.front();
     add(out, "{}: {} of {}\n\n{}", printable(c.id), headline(c.verdict), printable(r.specification.id),

@@ -76,7 +76,7 @@ void write_fractions(JsonWriter &json, const std::vector<Fraction> &fractions, u
   json.end_array();
 }
 
-void add_csv_row(Buffer &out, const std::string &item, const char *unit, const std::optional<Real> &value,
+void add_csv_row(TextBuffer &out, const std::string &item, const char *unit, const std::optional<Real> &value,
                  unsigned digits) {
   if (!value) {
     add(out, "{},{},,,\n", item, unit);
@@ -102,7 +102,7 @@ std::string range(const Fraction &f) {
 }
 
 /// A line a band; parts without a value, parts of empty bands, and empty bands coarser than all are left out.
-void add_text_fractions(Buffer &out, const char *system, const std::vector<Fraction> &fractions,
+void add_text_fractions(TextBuffer &out, const char *system, const std::vector<Fraction> &fractions,
                         unsigned digits) {
   add(out, "\n  percent of the mass, {}\n", system);
   std::vector<Line> lines;
@@ -157,7 +157,7 @@ std::string description_json(const SoilDescription &d, unsigned digits) {
 }
 
 std::string description_csv(const SoilDescription &d, unsigned digits) {
-  Buffer out;
+  TextBuffer out;
   add(out, "item,unit,lo,hi,text\n");
   for (const Item &item : items(d))
     add_csv_row(out, item.key, item.unit, item.value, digits);
@@ -172,7 +172,7 @@ std::string description_csv(const SoilDescription &d, unsigned digits) {
 }
 
 std::string description_text(const SoilDescription &d, unsigned digits) {
-  Buffer out;
+  TextBuffer out;
   add(out, "{}\n\n", headline(d));
   for (const Item &item : items(d))
     add(out, "  {:<6}  {}{}{}\n", item.name, item.value ? rounded(*item.value, digits) : "not available",

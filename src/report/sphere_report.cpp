@@ -75,7 +75,7 @@ void write_or_null(JsonWriter &json, const std::optional<Interval> &y) {
 } // namespace
 
 std::string sphere_texture_text(const SphereTexture &t, const Gradation &g) {
-  Buffer out;
+  TextBuffer out;
   const std::string_view unit = name(g.unit());
   const std::string periodic = of_axes(t.periodic);
   add(out, "\n  packing, lengths in {}\n", unit);

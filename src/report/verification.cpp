@@ -140,7 +140,7 @@ std::array<ConditionReport, 4> conditions(const Verification &v) {
           describes(v.description), articulately(v.description), accurately(v)};
 }
 
-void add_table(Buffer &out, const Verification &v) {
+void add_table(TextBuffer &out, const Verification &v) {
   using Cells = std::vector<std::string>;
   const Gradation &g = v.description.gradation();
   std::vector<Cells> lines = {Cells{"class", fmt::format("sizes, {} (above, up to]", name(g.unit())),
@@ -195,7 +195,7 @@ std::string headline(const Verification &v) {
 }
 
 std::string verification_text(const Verification &v) {
-  Buffer out;
+  TextBuffer out;
   const std::string words = in_words(v.question, v.description.gradation().unit());
   add(out, "{} against {}: {}{}\n\n", printable(v.sample), printable(v.description.gradation().id()),
       headline(v), words.empty() ? "" : " (" + words + ")");
@@ -228,7 +228,7 @@ std::string verification_text(const Verification &v) {
 }
 
 std::string verification_csv(const Verification &v) {
-  Buffer out;
+  TextBuffer out;
   const Gradation &g = v.description.gradation();
   add(out, "lower_{0},upper_{0},quantity,target_percent,found_percent,error_percent\n", name(g.unit()));
   for (std::size_t j = 0; j < g.classes(); ++j)

@@ -1,3 +1,9 @@
+// The cumulative beta model h(d) = I_x(a, b) of a grading curve. Its values are enclosed by Arb, and exact
+// where a or b is an integer or the curve has a known value; its inverse is found by bisection, near 0 and
+// 1 of the exponent of x, and then by interval Newton steps, which keep the solution enclosed and square
+// the error. If a step gains nothing, as where the density is 0 or infinite, bisection goes on. It ends at
+// some 2^-bits.
+
 #include "sets/beta_curve.hpp"
 
 #include <mdm/number/decimal.hpp>

@@ -1,3 +1,12 @@
+// Numbers of particles by the paper's method (Voivret, Delenne, Radjai, Eq. 7-9). What comes in are size
+// classes with shares f_v and the least number N_pc; what goes out is N_j = floor(N_pc n_j / min n) for n =
+// f_v / V(median size), raised in proportion where the sum is below N_min.
+//
+// Floors are decisions: a count next to an integer is refined, and where refining leaves two integers the
+// field of the bounds (Surd) says whether it is exactly the upper one, to the power D - 1 so that no second
+// root comes in. Which class is the scarcest is a decision as well; several that 4096 bits do not tell
+// apart are all tried, and a count is given only if they agree.
+
 #include "sets/class_counts.hpp"
 
 #include <mdm/number/interval.hpp>

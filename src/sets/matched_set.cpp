@@ -1,3 +1,12 @@
+// The smallest representative set whose class masses are exact. Bounds and shares of the classes are
+// rounded to decimals, and from there on these decimals are a gradation and the set is its least match,
+// with the proof of any match (Theorems 1 to 7).
+//
+// With room for a spread, each class is cut at two sizes so that the mean particle can be that of sizes
+// uniform by volume (Theorem 16, "Room"). The match of the cut classes has the fewest particles N that
+// allow it; these N are then shared out again so that the means are as near as whole numbers let them be.
+// Three ways are compared, and the best is taken.
+
 #include "sets/matched_set.hpp"
 
 #include "match/exact_sample.hpp"

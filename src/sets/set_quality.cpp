@@ -1,3 +1,8 @@
+// How near a set of particles is to its grading curve. The volumes of its sizes, enclosed, are added up
+// class by class, and the curve that they make is compared with the model at given sizes. One pass over the
+// classes in ascending order is enough, with memory for the sizes of one class. What is told is an
+// interval, as wide as the enclosures of the sizes make it.
+
 #include "sets/set_quality.hpp"
 
 #include <algorithm>

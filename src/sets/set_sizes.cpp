@@ -1,3 +1,9 @@
+// Sizes of particles drawn in one class by inverse sampling. What comes in is a number y in (0, 1), of
+// Philox or in equal steps; what goes out are decimals around F^-1(y), inside the class. Sizes that 64-bit
+// integers decide come from quick_sizes.cpp. Else F^-1, which grows with both bounds of the class, is
+// enclosed at the bounds rounded down and rounded up; digits are added until the enclosure lies inside the
+// class.
+
 #include "sets/set_sizes.hpp"
 
 #include <algorithm>

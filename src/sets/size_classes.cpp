@@ -1,3 +1,8 @@
+// Size classes of a curve: bounds by a rule, and the share f_v = h(upper) - h(lower) of each. Bounds of
+// regular classes are fractions, those of geometric ones powers of one root, kept as such (Surd), and those
+// of isochoric ones the inverse of the curve at i / N: a real number that is refined when it is needed. So
+// shares are exact wherever the model is, and ties between classes are seen.
+
 #include "sets/size_classes.hpp"
 
 #include <mdm/text/error.hpp>

@@ -1,3 +1,9 @@
+// Number density, partition function, volume fraction and grading curve of one set, each from another
+// (Voivret, Delenne, Radjai, Eq. 2-5). Within a class sizes are uniform by volume, so that all four have
+// closed forms between the bounds: what is kept are shares of classes by volume and by number, and sums of
+// them up to each bound, which are worked out once for each precision. They are exact where bounds and
+// shares are fractions.
+
 #include "sets/size_distribution.hpp"
 
 #include <algorithm>

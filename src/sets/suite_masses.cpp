@@ -1,3 +1,11 @@
+// The masses of a line of a suite. What comes in is a kind (random, with gaps, of a beta or a lognormal
+// curve, tied) and the numbers of one stream; what goes out are masses, the same on every machine.
+//
+// Random masses are parts of the whole between random cuts, each above 0: percentages that sum to 100
+// exactly. Curves are rounded at each sieve, halves up, by refining, and the differences are the masses, so
+// that these sum to 100 as well. Ties are masses that q particles of the size of the lower or the upper
+// sieve have, so that ends of classes meet at one scale: the cases in which an open bound decides.
+
 #include "sets/suite_masses.hpp"
 
 #include "sets/beta_curve.hpp"

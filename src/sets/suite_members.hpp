@@ -31,7 +31,7 @@ public:
   Rational positive(const char *key, const nlohmann::json &number) const;
   /// A number, or [from, to] with from <= to, all from `least` to `most`.
   NumberRange numbers(const char *key, const Rational &least, const Rational &most);
-  /// The same of whole numbers.
+  /// A whole number, or [from, to] of such with from <= to, all from `least` to `most`.
   CountRange counts(const char *key, std::uint32_t least, std::uint32_t most);
   std::uint32_t count(const char *key, std::uint32_t least, std::uint32_t most);
 

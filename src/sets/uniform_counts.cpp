@@ -1,3 +1,9 @@
+// Counts whose mean particles are nearly those of sizes uniform by volume. With the scale s class j wants s
+// m_j / mu_j particles. s is where these, or the floor where that is more, sum to n: classes at their
+// floors are set aside, the rest share what is left, and that is repeated while more come to their floors,
+// at most once for each class. The numbers are rounded down, and the particles that are missing go where
+// most was cut off. If the mean of a class would lie outside it, there is no answer.
+
 #include "sets/uniform_counts.hpp"
 
 #include <algorithm>

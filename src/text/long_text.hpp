@@ -11,9 +11,9 @@
 namespace mdm {
 
 /// Hands text on in pieces of some 64 KiB; finish() hands on the last.
-class TextBuffer {
+class LongText {
 public:
-  explicit TextBuffer(const Sink &out) : out_(out) {}
+  explicit LongText(const Sink &out) : out_(out) {}
 
   template <class... Args>
   void add(fmt::format_string<Args...> format, Args &&...args) {

@@ -25,8 +25,12 @@ void spell_options(OptionSpelling spelling) {
 }
 
 std::string option(std::string_view name) {
+  return option(name, chosen.load());
+}
+
+std::string option(std::string_view name, OptionSpelling spelling) {
   std::string text(name);
-  switch (chosen.load()) {
+  switch (spelling) {
   case OptionSpelling::keyword:
     if (text == "from") // a word of the language itself
       return "from_format";

@@ -21,5 +21,7 @@ void spell_options(OptionSpelling spelling);
 /// An option in a message: option("contact-gap") is `--contact-gap`, or what was chosen.
 /// \param name as the command line has it, without hyphens before it
 std::string option(std::string_view name);
+/// The same in a spelling that need not be the chosen one.
+std::string option(std::string_view name, OptionSpelling spelling);
 
 } // namespace mdm

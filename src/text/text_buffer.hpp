@@ -10,10 +10,10 @@
 
 namespace mdm {
 
-using Buffer = fmt::memory_buffer;
+using TextBuffer = fmt::memory_buffer;
 
 template <class... Args>
-void add(Buffer &out, fmt::format_string<Args...> format, Args &&...args) {
+void add(TextBuffer &out, fmt::format_string<Args...> format, Args &&...args) {
   fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
 }
 

@@ -1,15 +1,12 @@
 #!/usr/bin/python3
-"""Writes the certificates of blends in this folder, blends/VERDICT/NAME, with a solver of its own in fractions.
+"""Certificates of blends, VERDICT/NAME in a folder that make.py gives, with a solver of its own in fractions.
 
-Each folder has the specification limits.csv, the stockpiles 1.csv, 2.csv, ..., and the certificate proof. The solver is for
+Each has the specification limits.csv, the stockpiles 1.csv, 2.csv, ..., and the certificate proof. The solver is for
 two stockpiles, of which the second has n of M steps: a leaf needs one multiplier, or two of limits that contradict each other.
 """
-import pathlib
 import shutil
 from fractions import Fraction as F
 from itertools import product
-
-HERE = pathlib.Path(__file__).parent / "blends"
 
 
 class Problem:
@@ -126,8 +123,7 @@ def csv(rows, header):
     return "\n".join([header] + [",".join(map(str, row)) for row in rows]) + "\n"
 
 
-def write(verdict, name, problem, lines, ending="\n"):
-    folder = HERE / verdict / name
+def write_pair(folder, problem, lines, ending="\n"):
     folder.mkdir(parents=True)
     (folder / "limits.csv").write_text(csv(problem.limits, "size_mm,passing_min_percent,passing_max_percent"))
     for i, rows in enumerate(problem.stockpiles, 1):
@@ -175,8 +171,12 @@ def changed(lines, old, new):
     return [line.replace(old, new) for line in lines]
 
 
-def main():
-    shutil.rmtree(HERE, ignore_errors=True)
+def main(blends):
+    """Writes them to the folder blends."""
+    def write(verdict, name, *pair, **how):
+        write_pair(blends / verdict / name, *pair, **how)
+
+    shutil.rmtree(blends, ignore_errors=True)
     for name, problem in ACCEPTED.items():
         write("accepted", name, problem, problem.certificate())
     cost, impossible, best = ACCEPTED["cost"], ACCEPTED["impossible"], ACCEPTED["cost"].best()[1]
@@ -237,6 +237,3 @@ def main():
     for name, lines in unparsable.items():
         write("unparsable", name, cost, lines)
     write("unparsable", "no-line-end", cost, good, ending="")
-
-
-main()

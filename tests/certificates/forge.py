@@ -160,7 +160,7 @@ def verdicts_of(program, folder, pairs):
 
 
 def verified_verdicts_of(program, folder, pairs, at_once=1000):
-    """The same of a program that takes pairs of files and says the reason of a refusal in another line."""
+    """The verdicts of a program that takes pairs of files and says the reason of a refusal in another line."""
     verdicts = []
     for begin in range(0, len(pairs), at_once):
         names = []

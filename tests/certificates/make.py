@@ -1,21 +1,27 @@
 #!/usr/bin/python3
-"""Writes the certificates of this folder, with a solver of its own in fractions.
+"""make.py FOLDER: writes the certificates that the checkers are tested with to the folder, with a solver of its own in
+fractions: what is tested has no part in them. The build makes them, in tests/certificates of its folder.
 
-Each test is a gradation (.csv or .json) and a certificate (.proof); the folder says the verdict.
+Each test is a gradation (.csv or .json) and a certificate (.proof); the folder says the verdict: accepted, rejected or
+unparsable. The folder blends has those of blends, by blends.py.
 """
 import heapq
 import math
 import pathlib
 import shutil
+import sys
 from decimal import Decimal, localcontext
 from fractions import Fraction as F
 from itertools import count
 
+import blends
 from exact import decimal, enclose, floor_root, root
 from trees import Tree
 from windows import WindowTree
 
-HERE = pathlib.Path(__file__).parent
+if len(sys.argv) != 2:
+    sys.exit("make.py FOLDER")
+FOLDER = pathlib.Path(sys.argv[1])
 PI = ("3.14159265358979323846", "3.14159265358979323847")
 
 
@@ -1127,10 +1133,12 @@ for name, text in {
 }.items():
     unparsable["json_" + name] = (text, base_proof)
 
-for folder, tests in (("accepted", accepted), ("rejected", rejected), ("unparsable", unparsable)):
-    shutil.rmtree(HERE / folder, ignore_errors=True)
-    (HERE / folder).mkdir()
+for verdict, tests in (("accepted", accepted), ("rejected", rejected), ("unparsable", unparsable)):
+    folder = FOLDER / verdict
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
     for name, (gradation, proof) in tests.items():
         json = gradation.lstrip().startswith("{")
-        (HERE / folder / (name + (".json" if json else ".csv"))).write_bytes(gradation.encode())
-        (HERE / folder / (name + ".proof")).write_bytes(proof.encode())
+        (folder / (name + (".json" if json else ".csv"))).write_bytes(gradation.encode())
+        (folder / (name + ".proof")).write_bytes(proof.encode())
+blends.main(FOLDER / "blends")

@@ -26,11 +26,11 @@ def first_phase(columns, right):
         enter = rising[0] if step > 200 else max(rising, key=lambda j: cost[j])
         leave = min((table[i][-1] / table[i][enter], basis[i], i) for i in range(rows) if table[i][enter] > 0)[2]
         pivot = table[leave][enter]
-        table[leave] = [v / pivot for v in table[leave]]
+        table[leave] = [v and v / pivot for v in table[leave]]
         for row in [*(table[i] for i in range(rows) if i != leave), cost]:
             if row[enter]:
                 factor = row[enter]
-                row[:] = [v - factor * w for v, w in zip(row, table[leave])]
+                row[:] = [v - factor * w if w else v for v, w in zip(row, table[leave])]
         basis[leave] = enter
     if cost[-1] != 0:
         return None, [sign[i] * (cost[n + i] + 1) for i in range(rows)]

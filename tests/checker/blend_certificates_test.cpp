@@ -1,5 +1,5 @@
-// Every folder of tests/certificates/blends is a test: a specification, stockpiles and a certificate; the
-// folder above says the verdict.
+// Every folder that tests/certificates/blends.py writes is a test: a specification, stockpiles and a
+// certificate; the folder above says the verdict.
 
 #include "catch.hpp"
 #include "program.hpp"

@@ -1,4 +1,4 @@
-// Every pair of files in tests/certificates is a test: the folder says the verdict.
+// Every pair of files that tests/certificates/make.py writes is a test: the folder says the verdict.
 
 #include "catch.hpp"
 #include "program.hpp"

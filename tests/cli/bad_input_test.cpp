@@ -186,3 +186,14 @@ TEST_CASE("messages name the file and say what to do", "[cli]") {
       folder.write("inches.csv", "size_in,mass\n0." + std::string(999, '7') + ",1\n2,0\n");
   check_refused(mdm({"convert", inches}), inches + ": a number of this gradation has no decimal of at most");
 }
+
+TEST_CASE("a carriage return without a line feed hides no particle", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string small = R"({"id":"small","sizes":[1,2,3],"masses":[2,1,0]})";
+  const std::string gradation = folder.write("g.json", small);
+  const std::string message = "a carriage return (CR) is there that no line feed (LF) follows";
+  check_refused(mdm({"verify", gradation, "-"}, "size_mm,quantity\n# lab 7\r1.5,40\n2,1\n"),
+                ":2: " + message);
+  const std::string answers = folder.write("a.csv", "id,quantities\n# x\rsmall,6 2\nsmall,3 1\n");
+  check_refused(mdm({"crosscheck", "-", answers}, small), ":2: " + message);
+}

@@ -6,11 +6,6 @@ using namespace cli_test;
 
 namespace {
 
-bool contains(const std::string &text, const std::string &part) {
-  UNSCOPED_INFO(text);
-  return text.find(part) != std::string::npos;
-}
-
 /// Two stockpiles and limits: at 4 mm 100 and 40 percent pass, at 1 mm 60 and 0.
 class Stockpiles {
 public:

@@ -392,3 +392,59 @@ TEST_CASE("a run that is interrupted takes its solvers with it, which is no answ
       CHECK(folder.entries() == files);
   }
 }
+
+TEST_CASE("a CSV answer leaves the size of no particles out", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string suite = R"({"id":"gap","sizes":[1,2,3,4],"masses":[2,0,1,0]})";
+  const Json best = Json::parse(mdm({"solve", "-", "--format", "json"}, suite).out);
+  std::string sizes, counts;
+  for (const Json &c : best.at("classes")) {
+    counts += c.at("quantity").get<std::string>() + " ";
+    sizes += c.at("size").is_null() ? "- " : c.at("size").at(1).get<std::string>() + " ";
+  }
+  const auto judge = [&](const std::string &of) {
+    const std::string answers =
+        folder.write("a.csv", "id,sizes_mm,quantities\ngap," + of + "," + counts + "\n");
+    return mdm({"crosscheck", "-", answers, "--require-minimal", "--format", "csv", "--reasons"}, suite);
+  };
+  CHECK(judge(sizes).exit_code == 0);
+  CHECK(contains(judge(sizes.substr(0, sizes.find('-'))).out, "write - for the size of a 0"));
+}
+
+TEST_CASE("a journal knows what was asked, not the id alone", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string journal = folder / "j", log = folder / "log";
+  const std::string solver = "echo x >> '" + log + R"('; echo '{"quantities":[3,1]}')";
+  const auto crosscheck = [&](const std::string &suite) {
+    return mdm({"crosscheck", "-", "--solver", solver, "--journal", journal, "--format", "csv"}, suite);
+  };
+  CHECK(crosscheck(small).exit_code == 0);
+  CHECK(crosscheck(small).exit_code == 0);
+  CHECK(lines_of(read_file(log)).size() == 1);
+  // The suite is corrected under the same id: the solver is asked anew.
+  const std::string corrected = R"({"id":"small","sizes":[1,2,3],"masses":[9,1,0]})";
+  CHECK(crosscheck(corrected).exit_code == 1);
+  CHECK(lines_of(read_file(log)).size() == 2);
+  CHECK(crosscheck(corrected).exit_code == 1);
+  CHECK(lines_of(read_file(log)).size() == 2);
+  // As ANSWERS each of its answers is judged against what was asked alone.
+  const auto judged = [&](const std::string &suite) {
+    return mdm({"crosscheck", "-", journal, "--format", "csv", "--reasons"}, suite);
+  };
+  const Outcome now = judged(corrected);
+  CHECK(now.exit_code == 1);
+  CHECK(lines_of(now.out).size() == 2);
+  CHECK(contains(now.out, "small,not-a-match,4,"));
+  CHECK(contains(now.err, "note: 1 answers of the journal are to other gradations"));
+  CHECK(judged(small).exit_code == 0);
+  const Outcome third = judged(R"({"id":"small","sizes":[1,2,3],"masses":[8,1,0]})");
+  CHECK(third.exit_code == 1);
+  CHECK(lines_of(third.out).size() == 2);
+  CHECK(contains(third.out, "small,no-answer,,"));
+  CHECK(contains(third.out, "the journal's answer is to another gradation with this id: ask again"));
+  CHECK(contains(third.err, "note: 2 answers of the journal"));
+  // A journal that does not say what was asked is no basis.
+  folder.write("j", R"({"solver":"x","line":"1","id":"small","quantities":["3","1"],"sizes":[],"unit":"mm"})"
+                    "\n");
+  check_refused(crosscheck(small), "does not say which gradation was asked");
+}

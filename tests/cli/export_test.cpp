@@ -333,3 +333,15 @@ TEST_CASE("export: PhasicFlow has three files, of the same particles", "[cli]") 
                      folder / "dict"}),
                 "positions");
 }
+
+TEST_CASE("a box that is rounded is told", "[cli]") {
+  const TemporaryFolder folder;
+  const auto told = [&](const std::string &box) {
+    const Outcome outcome = mdm({"export", "-", "--to", "lammps", "--box", box, "-o", folder / "x"},
+                                R"({"id":"small","sizes":[1,2,3],"masses":[2,1,0]})");
+    CHECK(outcome.exit_code == 0);
+    return outcome.err;
+  };
+  CHECK(contains(told("50.00000123x60"), "note: the box's side of 0.05000000123 m was rounded down to 0.05"));
+  CHECK_FALSE(contains(told("50x60"), "rounded"));
+}

@@ -8,7 +8,7 @@ TEST_CASE("a gap that is reached ends a search with bounds, their proof and exit
   const TemporaryFolder folder;
   const std::string sand = example("ottawa-f65-sand");
   const Json answer =
-      solve_json({sand, "--tolerance", "passing:2%", "--gap", "0.5", "--proof", folder / "proof"});
+      solve_json({sand, "--tolerance", "total:1%", "--gap", "0.5", "--proof", folder / "proof"});
   CHECK(answer.at("status") == "feasible");
   const Integer least(answer.at("lower_bound").get<std::string>());
   const Integer found(answer.at("particles").get<std::string>());
@@ -28,7 +28,7 @@ TEST_CASE("a gap is of matches within a tolerance, and not negative", "[cli]") {
 TEST_CASE("a gap that is reached is enough in batch and export as well", "[cli]") {
   const TemporaryFolder folder;
   const std::string sand = example("ottawa-f65-sand");
-  const Arguments gap = {"--tolerance", "passing:2%", "--gap", "0.5"};
+  const Arguments gap = {"--tolerance", "total:1%", "--gap", "0.5"};
   const auto with_gap = [&gap](Arguments arguments) {
     arguments.insert(arguments.end(), gap.begin(), gap.end());
     return mdm(arguments);

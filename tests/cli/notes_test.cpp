@@ -22,10 +22,6 @@ struct Row {
   Place place;
 };
 
-bool contains(const std::string &text, const std::string &part) {
-  return text.find(part) != std::string::npos;
-}
-
 std::string shown(const Arguments &command) {
   std::string text;
   for (const std::string &word : command)
@@ -38,6 +34,9 @@ std::string shown(const Arguments &command) {
 std::vector<Row> rows(const TemporaryFolder &folder) {
   const std::string file = sheet(folder);
   const std::string sample = folder.write("sample.csv", "size_mm,quantity\n0.2,9\n0.4,90\n0.8,20\n1.5,3\n");
+  const std::string limits =
+      folder.write("limits.csv", "size_mm,passing_min_percent,passing_max_percent\n1,50,90\n0.5,10,30\n");
+  const std::string fine = folder.write("fine.csv", "size_mm,mass\n1,0\n0.5,3\n0.25,4\n");
   const std::string answer = folder / "sheet.answer.json";
   REQUIRE(mdm({"solve", file, "-o", answer}).exit_code == 0);
   std::vector<Row> all;
@@ -52,6 +51,8 @@ std::vector<Row> rows(const TemporaryFolder &folder) {
   add_forms({"solve", file, "--tolerance", "retained:2%"}, Place::err);
   add_forms({"solve", file, "--spread"}, Place::err);
   add_forms({"describe", file}, Place::out);
+  add_forms({"judge", file, "--spec", limits}, Place::err);
+  add_forms({"blend", file, fine, "--spec", limits}, Place::err);
   add_forms({"tradeoff", file}, Place::err);
   add_forms({"verify", file, sample, "--tolerance", "100%"}, Place::err);
   add_forms({"published", "rounded", file}, Place::err);

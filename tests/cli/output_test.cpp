@@ -12,15 +12,13 @@ namespace {
 
 const std::string athabasca = example("athabasca-sand");
 
-/// A hundred classes of a lognormal curve.
-std::string lognormal_csv() {
-  constexpr int classes = 100;
+/// Three hundred classes of uneven masses, which no search ends on within seconds.
+std::string uneven_csv() {
+  constexpr int classes = 300;
   std::string csv = "size_um,mass\n";
-  for (int j = 0; j <= classes; ++j) {
-    const double decades = 3.0 * j / classes, deviation = (decades - 1.6) / 0.5;
-    csv += std::to_string(std::pow(10, decades)) + ',' +
-           std::to_string(j < classes ? std::lround(10000 * std::exp(-deviation * deviation / 2)) : 0) + '\n';
-  }
+  for (int j = 0; j <= classes; ++j)
+    csv += std::to_string(std::pow(10, 3.0 * j / classes)) + ',' +
+           std::to_string(j < classes ? 100 + j * 7919 % 1901 : 0) + '\n';
   return csv;
 }
 
@@ -217,9 +215,9 @@ TEST_CASE("a closed pipe ends the program silently with exit 2", "[cli]") {
 
 TEST_CASE("Ctrl-C ends a search with what is certain", "[cli]") {
   const TemporaryFolder folder;
-  const std::string file = folder.write("many.csv", lognormal_csv());
+  const std::string file = folder.write("many.csv", uneven_csv());
   for (const std::string format : {"text", "json"}) {
-    Process search(MDM_PROGRAM, {"solve", file, "--tolerance", "retained:0.5%", "--format", format, "--proof",
+    Process search(MDM_PROGRAM, {"solve", file, "--tolerance", "total:0.2%", "--format", format, "--proof",
                                  folder / "proof"});
     std::this_thread::sleep_for(std::chrono::seconds(3)); // it is searching by now
     search.signal(SIGINT);
@@ -233,8 +231,8 @@ TEST_CASE("Ctrl-C ends a search with what is certain", "[cli]") {
 
 TEST_CASE("Ctrl-C ends a trade-off with the rows so far and brackets around the others", "[cli]") {
   const TemporaryFolder folder;
-  const std::string file = folder.write("many.csv", lognormal_csv());
-  Process search(MDM_PROGRAM, {"tradeoff", file, "--kind", "retained", "--tolerances", "0,0.5"});
+  const std::string file = folder.write("many.csv", uneven_csv());
+  Process search(MDM_PROGRAM, {"tradeoff", file, "--kind", "total", "--tolerances", "0,0.2"});
   std::this_thread::sleep_for(std::chrono::seconds(3)); // it is searching by now
   search.signal(SIGINT);
   const Outcome outcome = search.end();

@@ -211,3 +211,30 @@ TEST_CASE("Outputs as inputs: the gradation of a sample has a sieve of each size
   CHECK(converted.out == "size_mm,mass\n0,8\n1,24\n2,0\n");
   CHECK(converted.err.find("a sample of 11 spheres") != std::string::npos);
 }
+
+TEST_CASE("what mdm writes it reads, whatever the id", "[cli]") {
+  const TemporaryFolder folder;
+  for (const std::string id :
+       {"ITEM: TIMESTEP", "size_a,b", "{", "fix x", "variable", "vtk DataFile Version 3.0",
+        "radius_m,cumulative_number", "lower_mm,q", "12", "12 atoms", "#", ""}) {
+    INFO(id);
+    const std::string gradation =
+        folder.write("g.json", R"({"id":")" + id + R"(","sizes":[1,2,3],"masses":[2,1,0]})");
+    const std::string answer = folder.write("a.json", mdm({"solve", gradation, "--format", "json"}).out);
+    CHECK(mdm({"verify", gradation, answer}).exit_code == 0);
+    const std::string spread =
+        folder.write("s.json", mdm({"solve", gradation, "--spread", "--format", "json"}).out);
+    CHECK(mdm({"verify", gradation, spread}).exit_code == 0);
+    for (const std::string format : {"csv", "lammps", "vtk", "yade", "diameters", "liggghts", "mercurydpm"}) {
+      INFO(format);
+      const Outcome file = mdm({"export", gradation, "--to", format, "--yes-units", "--quiet"});
+      CHECK(file.exit_code == 0);
+      Arguments verify = {"verify", gradation, folder.write("p", file.out), "--tolerance", "1%"};
+      if (format == "yade" || format == "diameters")
+        verify.insert(verify.end(), {"--size-unit", "m"});
+      const Outcome verified = mdm(verify);
+      INFO(file.out.substr(0, 300) << verified.err);
+      CHECK(verified.exit_code == 0);
+    }
+  }
+}

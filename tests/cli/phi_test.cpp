@@ -9,11 +9,6 @@ namespace {
 
 const std::string tied = "size_phi,mass\n-2,0\n-1.5,1\n-1,0\n-0.5,0\n0,1\n";
 
-bool contains(const std::string &text, const std::string &part) {
-  UNSCOPED_INFO("text: " << text << "\nexpected: " << part);
-  return text.find(part) != std::string::npos;
-}
-
 } // namespace
 
 TEST_CASE("phi: the exact answer has the exact openings, and mdm reads what it wrote") {

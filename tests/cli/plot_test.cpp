@@ -8,10 +8,6 @@ namespace {
 
 const std::string sand = example("athabasca-sand");
 
-bool contains(const std::string &text, const std::string &part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// Done, with nothing but notes said.
 std::string drawn(const TemporaryFolder &folder, const std::string &name, Arguments arguments) {
   arguments.insert(arguments.begin(), "plot");

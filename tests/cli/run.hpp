@@ -197,6 +197,12 @@ inline std::vector<std::string> lines_of(const std::string &text) {
   return lines;
 }
 
+/// True if the part is in the text; a check that fails shows both.
+inline bool contains(const std::string &text, const std::string &part) {
+  UNSCOPED_INFO("text: " << text.substr(0, 2000) << "\nexpected: " << part);
+  return text.find(part) != std::string::npos;
+}
+
 /// The path of one of the real gradations.
 inline std::string example(const std::string &name) {
   return std::string(MDM_SOURCE_DIR) + "/examples/gradations/" + name + ".csv";

@@ -155,3 +155,19 @@ TEST_CASE("options of a spread that make no sense are refused", "[cli]") {
   check_refused(mdm({"solve", athabasca, "--spread", "--seed", "18446744073709551616"}), "--seed");
   check_refused(mdm({"solve", athabasca, "--spread", "--at-least", "2000000000"}), "1000000000");
 }
+
+TEST_CASE("no particle of a spread is on the open lower sieve", "[cli]") {
+  // The mass 152 = 27 + 125 leaves the first size no place but 3.
+  const TemporaryFolder folder;
+  const std::string gradation = folder.write("g.csv", "size_mm,mass\n3,152\n9,0\n");
+  const auto verify = [&](const std::string &first) {
+    const std::string answer =
+        R"({"schema":"mdm-answer-1","id":"g","status":"optimal","unit":"mm","particles":"2",)"
+        R"("scale":{"chosen":"1"},"classes":[{"lower":"3","upper":"9","mass":"152","quantity":"2",)"
+        R"("size":["4.2","4.3"],"sizes":[)" +
+        first + R"(,["5","5"]]}]})";
+    return mdm({"verify", gradation, "-"}, answer);
+  };
+  CHECK(verify(R"(["3","3.5"])").exit_code == 1);
+  CHECK(contains(verify(R"(["3","3.5"])").out, "its sizes do not have its mass together"));
+}

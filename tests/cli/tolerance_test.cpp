@@ -11,11 +11,6 @@ namespace {
 const std::string halves = "size_mm,mass\n1,1\n2,1\n3,0\n";
 const std::string percents = "passing_min_percent,passing_max_percent\n";
 
-bool contains(const std::string &text, const std::string &part) {
-  UNSCOPED_INFO(text);
-  return text.find(part) != std::string::npos;
-}
-
 /// All that a match of spheres within a tolerance owes its reader.
 void check_tolerant(const Json &answer) {
   INFO(answer.dump());
@@ -313,4 +308,21 @@ TEST_CASE("a batch within a tolerance answers each line", "[cli]") {
   const Outcome with_band = mdm({"batch", "--band", band}, lines);
   CHECK(with_band.exit_code == 0);
   CHECK(contains(with_band.out, R"("band":"b")"));
+}
+
+TEST_CASE("a lower bound above --at-most is an answer, also where no match was found", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string band =
+      folder.write("b.csv", "size_mm,passing_min_percent,passing_max_percent\n2,20,30\n4,40,60\n");
+  const std::string gradation = folder.write("g.csv", "size_mm,passing_percent\n1,0\n2,60\n4,90\n8,100\n");
+  const Arguments question = {"solve", gradation, "--band", band, "--law", "power:2", "--at-most", "3"};
+  Arguments as_json = question;
+  as_json.insert(as_json.end(), {"--format", "json"});
+  const Outcome none = mdm(as_json);
+  INFO(none.out << none.err);
+  CHECK(none.exit_code == 1);
+  const Json answer = Json::parse(none.out);
+  CHECK(answer.at("status") == "none");
+  CHECK(Integer(answer.at("lower_bound").get<std::string>()) > 3);
+  CHECK(contains(mdm(question).out, "no match within the limit on N"));
 }

@@ -10,11 +10,6 @@ namespace {
 const std::string sand = example("athabasca-sand");
 const std::string halves = "size_mm,mass\n1,1\n2,1\n3,0\n";
 
-bool contains(const std::string &text, const std::string &part) {
-  UNSCOPED_INFO(text);
-  return text.find(part) != std::string::npos;
-}
-
 Outcome tradeoff(Arguments arguments, const std::string &standard_input = "") {
   arguments.insert(arguments.begin(), "tradeoff");
   return mdm(arguments, standard_input);

@@ -463,3 +463,13 @@ TEST_CASE("verify: all openings at which a band is left are named", "[cli]") {
   CHECK(outcome.out.find("what passes 2 mm is ") != std::string::npos);
   CHECK(outcome.out.find("; what passes 4 mm is ") != std::string::npos);
 }
+
+TEST_CASE("a LAMMPS data file has comments behind its counts", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string gradation = folder.write("g.csv", "size_m,mass\n1,1\n2,0\n");
+  const Outcome outcome = mdm(
+      {"verify", gradation, "-"},
+      "title\n\n2 atoms # of glass\n1 atom types\n\nAtoms # sphere\n\n1 1 1.5 1 0 0 0\n2 1 1.5 1 2 0 0\n");
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+}

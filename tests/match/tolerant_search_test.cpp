@@ -64,6 +64,35 @@ TEST_CASE("a search by windows of the mass has the least number of enumeration, 
   }
 }
 
+/// Openings with masses, factors of their classes, and f(x) = x times the factor.
+TolerantProblem linear_problem(const std::vector<std::array<int, 3>> &rows, const Tolerance &tolerance) {
+  Gradation::Data data;
+  for (const auto &[opening, mass, factor] : rows) {
+    data.sizes.emplace_back(opening);
+    data.masses.emplace_back(mass);
+    data.factors.emplace_back(factor);
+  }
+  return TolerantProblem(Gradation(std::move(data)), MassLaw{1, 1}, tolerance, {});
+}
+
+TEST_CASE("a search by windows ends soon where fewer particles would do at an excluded mass alone") {
+  Tolerance passing, retained;
+  passing.passing = {{ratio(3, 10), ratio(9, 10)}, {ratio(3, 5), ratio(9, 10)}, {1, 1}};
+  retained.retained = {{ratio(2, 21), ratio(16, 21)}, {0, ratio(23, 42)}, {ratio(1, 42), ratio(29, 42)}};
+  for (const TolerantProblem &problem :
+       {linear_problem({{5, 2, 1}, {6, 5, 1}, {8, 0, 1}, {9, 0, 1}}, passing),
+        linear_problem({{0, 6, 1}, {2, 3, 4}, {4, 5, 3}, {8, 0, 1}}, retained)}) {
+    const ShareClosure shares(problem);
+    std::optional<TolerantMatch> best;
+    Limits limits;
+    limits.node_limit = 200;
+    TolerantSearch search(problem, shares, least_counts(problem), 0, nullptr, best, limits, {}, Rational(1));
+    search.run();
+    CHECK(search.is_complete());
+    CHECK(search.certain() == 4);
+  }
+}
+
 TEST_CASE("searches by windows of ten thousand problems agree with enumeration", "[.long]") {
   CHECK(search_all(50, 10000, Rational(1)).decided >= 8000);
 }

@@ -103,3 +103,39 @@ def test_a_table_has_a_row_an_answer():
     assert found._repr_html_().count("<tr>") == 3 and repr(found) == "<Crosscheck: 2 no-answer>"
     pytest.importorskip("pandas")
     assert list(found.to_frame()["verdict"]) == ["no-answer"] * 2
+
+
+def test_an_answer_within_a_tolerance_is_judged_by_the_question():
+    gradation = mdm.Gradation(["0.1", "0.2", "0.4", "0.8"], [20, 30, 50, 0], id="sand")
+    asked = {"tolerance": "retained:2%"}
+    minimal = mdm.solve(gradation, **asked)
+    assert minimal.particles == 5
+    assert mdm.crosscheck([gradation], lambda _: minimal.quantities).rows[0].verdict == "not-a-match"
+    row = mdm.crosscheck([gradation], lambda _: minimal.quantities, **asked).rows[0]
+    assert (row.verdict, row.particles, row.minimum) == ("minimal", 5, 5)
+    exact = mdm.solve(gradation)
+    row = mdm.crosscheck([gradation], lambda _: exact.quantities, **asked).rows[0]
+    assert (row.verdict, row.particles, row.minimum) == ("larger", 6, 5)
+
+
+def test_other_parts_of_the_question_are_judged_too(tmp_path):
+    gradation = mdm.Gradation(["1", "2", "3"], [2, 1, 0], id="sand")
+    band = tmp_path / "band.csv"
+    band.write_text("size_mm,passing_min_percent,passing_max_percent\n1,0,0\n2,40,60\n3,100,100\n")
+    for asked in ({"min_per_class": 5}, {"at_least": 12}, {"band": band}, {"size_factor": 2}, {"law": "power:2"}):
+        match = mdm.solve(gradation, **asked)
+        row = mdm.crosscheck([gradation], lambda _, match=match: match.quantities, **asked).rows[0]
+        assert (row.verdict, row.minimum) == ("minimal", match.particles), asked
+
+
+def test_a_solver_may_say_that_there_is_no_match():
+    gradation = mdm.Gradation(["1", "2", "3"], [2, 1, 0], id="sand")
+    row = mdm.crosscheck([gradation], lambda _: {"status": "infeasible"}).rows[0]
+    assert row.verdict == "infeasible"
+
+
+@pytest.mark.parametrize("asked, keyword", [({"tolerance": "often"}, "tolerance"), ({"specimen": "box:1x2x3"}, "void_ratio"),
+                                            ({"size_tolerance": 2}, "size_tolerance"), ({"node_limit": "x"}, "node_limit")])
+def test_a_wrong_question_is_refused_by_its_keyword(asked, keyword):
+    with pytest.raises(mdm.InputError, match=keyword):
+        mdm.crosscheck([mdm.Gradation(["1", "2", "3"], [2, 1, 0])], lambda _: [3, 1], **asked)

@@ -3,7 +3,7 @@
 
 SOURCE is the top folder of the project. A room is a folder of src and of include/mdm; a file that stands in neither's
 folders is a room of its own, by its name without an ending. The table has a row a room, from the bottom of the house's
-dependencies up: `| number | ... |`. `checker` includes no room but itself; of it `python` alone includes the installed
+dependencies up: `| number | ... |`. Nobody includes `cli`, which alone includes CLI11. `checker` includes no room but itself; of it `python` alone includes the installed
 header. What is installed is complete: a header of include/mdm includes none of src, and include/mdm/mdm.hpp includes all others but that of the checker, a library apart.
 """
 
@@ -78,12 +78,14 @@ def main():
             found.add(room)
             text = path.read_text(encoding="utf-8")
             for quote, name in re.findall(r'^\s*#\s*include\s*(["<])([^">]+)[">]', text, re.MULTILINE):
+                if name.startswith("CLI/") and room != "cli":
+                    failures.append(f"{path.relative_to(SOURCE)} includes {name}: CLI11 is of cli alone")
                 other = included(path, quote, name)
                 if other is None or room_of(other) is None:
                     continue
                 includes += 1
                 what = (str(path.relative_to(SOURCE)), str(other.relative_to(SOURCE)))
-                apart = "checker" in (room, room_of(other)) and room != room_of(other)
+                apart = room != room_of(other) and ("checker" in (room, room_of(other)) or room_of(other) == "cli")
                 if room == "python" and other == CHECKER:
                     continue
                 if not apart and level.get(room_of(other), 0) <= level.get(room, 0):

@@ -75,7 +75,7 @@ inline Agreement compare(const std::string &program, const std::vector<Pair> &pa
   return agreement;
 }
 
-/// The pairs of a folder of tests/certificates, by the certificate's name.
+/// The pairs of a folder that tests/certificates/make.py writes, by the certificate's name.
 inline std::map<std::string, Pair> certificates(const std::string &folder) {
   std::map<std::string, Pair> pairs;
   for (const auto &entry :

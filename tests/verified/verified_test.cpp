@@ -87,7 +87,7 @@ mdm::Question random_question(const mdm::Gradation &g, bool tolerant, std::mt199
 
 } // namespace
 
-TEST_CASE("both checkers agree on the certificates of tests/certificates") {
+TEST_CASE("both checkers agree on all certificates that tests/certificates makes") {
   std::vector<Pair> pairs;
   for (const char *folder : {"accepted", "rejected", "unparsable"})
     for (const auto &named : certificates(folder))

@@ -1,4 +1,4 @@
-// module_test.mjs MODULE MDM MDM-CHECK SOURCE: the JavaScript module in Node says what the native programs say.
+// module_test.mjs MODULE MDM MDM-CHECK SOURCE CERTIFICATES: the JavaScript module in Node says what the native programs say.
 
 import assert from "node:assert";
 import { spawnSync } from "node:child_process";
@@ -8,7 +8,7 @@ import { join, resolve } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 
-const [folder, mdm, mdmCheck, source] = process.argv.slice(2).map((name) => resolve(name));
+const [folder, mdm, mdmCheck, source, certificates] = process.argv.slice(2).map((name) => resolve(name));
 const { InputError, batch, check, convert, describe, run, runCheck, solve, tradeoff, verify } = await import(
   pathToFileURL(join(folder, "index.js"))
 );
@@ -57,7 +57,7 @@ test("answers within a tolerance, of bands, solids and laws are the native ones"
 test("all pairs of certificates have the native verdict and message", async () => {
   let compared = 0;
   for (const kind of ["accepted", "rejected", "unparsable"]) {
-    const cwd = join(source, "tests/certificates", kind);
+    const cwd = join(certificates, kind);
     const files = readdirSync(cwd);
     for (const proof of files.filter((name) => name.endsWith(".proof"))) {
       const stem = proof.slice(0, -".proof".length);

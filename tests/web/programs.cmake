@@ -18,7 +18,6 @@ function(mdm_add_wasm_tests folder)
   target_include_directories(${folder}_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src)
   target_compile_definitions(${folder}_tests PRIVATE
     MDM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-    MDM_CERTIFICATES_DIR="${CMAKE_CURRENT_SOURCE_DIR}/certificates"
     MDM_DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data"
     MDM_SUITE="${PROJECT_SOURCE_DIR}/examples/reference/average/suite-2750.jsonl")
   target_link_libraries(${folder}_tests PRIVATE ${ARGN} catch_main)

@@ -68,7 +68,7 @@ UnderstoodGradation understand_gradation(std::string_view content, const std::st
 /// \throws InputError as above
 Gradation read_gradation(std::string_view content, const std::string &file, const Reading &reading = {});
 
-/// The same of the file with that path.
+/// The gradation of the file with that path.
 /// \throws InputError naming the file, also where it cannot be read
 Gradation read_gradation_file(const std::string &path, const Reading &reading = {});
 

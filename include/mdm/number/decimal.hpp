@@ -8,7 +8,7 @@ namespace mdm {
 
 /// Limits on decimals in input: what is longer is refused with a message.
 inline constexpr std::size_t max_decimal_digits = 1000;
-/// The same for the absolute value of an exponent.
+/// The greatest absolute value of an exponent.
 inline constexpr unsigned max_decimal_exponent = 400;
 
 /// The value of a decimal such as `3.86`, `+.5` or `1.2e-3`, exactly; `point` is the decimal sign.

@@ -12,9 +12,10 @@ from typing import Any, Union
 from exactmdm import _core
 from exactmdm.enclosure import Enclosure, enclosure_of, optional_enclosure
 from exactmdm.errors import InputError
-from exactmdm.exact import Number, shown, text_of
+from exactmdm.exact import Number, shown
 from exactmdm.figures import html_table
 from exactmdm.gradation import Gradation
+from exactmdm.options import given_of, words_of
 from exactmdm.reading import gradation_of
 
 
@@ -66,8 +67,11 @@ class Description:
         return html_table(["index", "value"], rows)
 
 
-def describe(gradation: Union[Gradation, str, "os.PathLike[str]"], *, liquid_limit: Number | None = None,
-             plastic_limit: Number | None = None, pan_size: Number | None = None, extrapolate: bool = False,
+def describe(gradation: Union[Gradation, str, "os.PathLike[str]"], *,
+             # Options of describe, by src/ask/write_modules.
+             liquid_limit: Number | None = None, plastic_limit: Number | None = None, pan_size: Number | None = None,
+             extrapolate: bool = False,
+             # End of the options.
              digits: int = 15) -> Description:
     """Index numbers, fractions and the soil group of a gradation, as `mdm describe`.
 
@@ -82,15 +86,10 @@ def describe(gradation: Union[Gradation, str, "os.PathLike[str]"], *, liquid_lim
     >>> exactmdm.describe(exactmdm.Gradation(["0.1", "0.2", "0.4"], [1, 1, 0])).d50
     Enclosure(Decimal('0.2'), Decimal('0.2'))
     """
-    if (liquid_limit is None) != (plastic_limit is None):
-        raise InputError("liquid_limit and plastic_limit go together: give both, or neither for silt")
+    words = words_of(given_of("describe", locals()), "describe")
     if not 1 <= operator.index(digits) <= 1000:
         raise InputError(f"digits: {digits} is not from 1 to 1000")
-    limits = [] if liquid_limit is None else [text_of(liquid_limit, "liquid_limit"),
-                                              text_of(plastic_limit, "plastic_limit")]
-    report = _core.describe(gradation_of(gradation)._handle, limits,
-                            None if pan_size is None else text_of(pan_size, "pan_size"), extrapolate, digits)
-    return _read(report)
+    return _read(_core.describe(gradation_of(gradation)._handle, words.values, digits))
 
 
 def _read(report: str) -> Description:

@@ -17,6 +17,8 @@ from exactmdm.exact import Number, column, text_of
 from exactmdm.figures import html_table
 from exactmdm.gradation import Gradation
 from exactmdm.match import Match
+from exactmdm.options import given_of, words_of
+from exactmdm.solving import Tolerance
 
 if TYPE_CHECKING:
     import pandas
@@ -31,7 +33,7 @@ class JudgedAnswer:
     """The judgement of one answer."""
 
     id: str
-    verdict: str  #: "minimal", "larger", "not-a-match", "undecided", "no-answer", "garbage" or "crashed"
+    verdict: str  #: "minimal", "larger", "not-a-match", "undecided", "no-answer", "garbage", "crashed", ...
     particles: int | None  #: of the answer
     minimum: int | None  #: the smallest number of any match
     ratio: Fraction | None  #: particles over minimum, of a match
@@ -74,16 +76,41 @@ class Crosscheck:
 
 
 def crosscheck(gradations: Union[Iterable[Gradation], str, "os.PathLike[str]"], solver: Solver, *,
-               size_tolerance: Number = "1e-9", max_steps: int | None = None) -> Crosscheck:
-    """Judges a solver, a Python callable, on gradations of spheres, as `mdm crosscheck` judges programs.
+               # Options of crosscheck, by src/ask/write_modules.
+               size_tolerance: Number | None = None, tolerance: Tolerance = None,
+               band: Union[str, "os.PathLike[str]", None] = None, min_per_class: Number | None = None,
+               at_least: Number | None = None, specimen: str | None = None, void_ratio: Number | None = None,
+               solids_volume: Number | None = None, law: str | None = None, size_factor: Number | None = None,
+               cut_below: Number | None = None, pan_size: Number | None = None, max_steps: Number | None = None,
+               node_limit: Number | None = None,
+               # End of the options.
+               ) -> Crosscheck:
+    """Judges a solver, a Python callable, on gradations, as `mdm crosscheck` judges programs: on exact matches of spheres,
+    or on any question of `solve`. That the question was asked is yours to tell the solver.
 
     An Exception that the solver raises is the verdict "crashed" of that gradation; None is "no-answer". Sizes that are
     floats count as the decimals that are printed of them; they are in the gradation's unit.
 
     Args:
         gradations: any iterable, or the path of a suite: JSON Lines, a gradation each.
-        size_tolerance: how far sizes may be off, as a part of the size as stated.
-        max_steps: of the search for the smallest match; then the verdict is "undecided".
+        size_tolerance: how far sizes may be off, as a part of the size as stated (1e-9).
+        tolerance, band, min_per_class, at_least, specimen, void_ratio, solids_volume, law, size_factor, cut_below,
+            pan_size: the question, as in `solve`.
+        max_steps, node_limit: of the search for the smallest match; then the verdict is "undecided".
+        tolerance: the smallest match within a tolerance: retained:1%, passing:0.5%, total:1% (percentage points),
+            retained:file, passing:file (column tolerance_percent), laboratory, rounding; may be repeated.
+        band: the smallest match within the envelope in FILE: CSV with passing_min_percent and passing_max_percent of
+            each sieve, or a table with columns such as Lower and Upper.
+        min_per_class: at least R particles in every class with mass.
+        at_least: the smallest match with at least N particles.
+        specimen: at least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, or in
+            the answer's unit (the file's; mm for inches, phi and sieve names).
+        void_ratio: void ratio e of the specimen.
+        solids_volume: at least this volume of solids, in the cube of the answer's unit.
+        law: mass of a particle of size x: sphere (x^3), power:a/b or power:2.5.
+        size_factor: multiply every size of the gradation by K.
+        cut_below: leave out the classes below the sieve SIZE, as 63um or in the file's unit (before size_factor).
+        pan_size: count the pan as SIZE, as 2um or in the file's unit, instead of 0 (before size_factor).
 
     Raises:
         InputError: a gradation or an option is wrong, or the solver is no function.
@@ -91,17 +118,19 @@ def crosscheck(gradations: Union[Iterable[Gradation], str, "os.PathLike[str]"], 
     >>> sand = exactmdm.Gradation(["1", "2", "3"], [2, 1, 0], id="sand")
     >>> exactmdm.crosscheck([sand], lambda gradation: [3, 1]).rows[0].verdict
     'minimal'
+    >>> exactmdm.crosscheck([sand], lambda gradation: [1, 1], tolerance="retained:20%").rows[0].verdict
+    'minimal'
     """
+    words = words_of(given_of("crosscheck", locals()), "crosscheck")
     if not callable(solver):
         raise InputError(f"solver: {type(solver).__name__} is no function: give one that is called with a Gradation; "
                          "exactmdm.program.run(\"crosscheck\", SUITE, solver=COMMAND) judges programs")
-    steps = None if max_steps is None else text_of(max_steps, "max_steps")
-    tolerance = text_of(size_tolerance, "size_tolerance")
-    return Crosscheck(tuple(_judged(gradation, solver, tolerance, steps) for gradation in suite(gradations)))
+    question = _core.JudgedQuestion(words.values, words.tolerances)
+    return Crosscheck(tuple(_judged(question.judge_of(gradation._handle), gradation, solver)
+                            for gradation in suite(gradations)))
 
 
-def _judged(gradation: Gradation, solver: Solver, size_tolerance: str, max_steps: str | None) -> JudgedAnswer:
-    judge = _core.Judge(gradation._handle, max_steps)
+def _judged(judge: _core.Judge, gradation: Gradation, solver: Solver) -> JudgedAnswer:
     try:
         answer = solver(gradation)
     except Exception as error:
@@ -112,7 +141,7 @@ def _judged(gradation: Gradation, solver: Solver, size_tolerance: str, max_steps
         line = _line(answer, gradation.unit)
     except (InputError, TypeError, ValueError) as error:
         return _row(judge.failed("garbage", str(error)))
-    return _row(judge.judge(line, size_tolerance))
+    return _row(judge.judge(line))
 
 
 def _row(row: tuple[str, str, int | None, int | None, str | None, str | None, str]) -> JudgedAnswer:

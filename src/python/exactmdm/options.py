@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import json
 import os
 from collections.abc import Iterable
 from decimal import Decimal
@@ -10,19 +11,20 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple, Union
 
+from exactmdm import _core
 from exactmdm.errors import InputError, cannot_read
 from exactmdm.exact import text_of, valid_text
 
 #: A value of an option.
 Option = Union[str, int, Decimal, Fraction, float, "os.PathLike[str]", Iterable[Any], None]
 
-#: The options of `solve` but `progress`. Each is that of `mdm solve` with `_` for `-`.
-NAMES = ("tolerance", "band", "particles", "grid", "min_per_class", "at_least", "at_most", "specimen", "void_ratio",
-         "solids_volume", "law", "size_factor", "cut_below", "pan_size", "digits", "scale", "max_steps", "node_limit",
-         "time_limit", "gap")
+_TABLE: dict[str, list[dict[str, str]]] = json.loads(_core.option_table())
 
-#: Seconds are no part of the question: floats will do.
-_FLOATS = ("time_limit",)
+
+def kinds_of(command: str) -> dict[str, str]:
+    """The keywords of the options of a command, each that of `mdm COMMAND` with `_` for `-`, and what their values are:
+    "text", "number", "seconds", "file", "tolerances" or "flag"."""
+    return {row["keyword"]: row["kind"] for row in _TABLE[command]}
 
 
 class Words(NamedTuple):
@@ -32,8 +34,13 @@ class Words(NamedTuple):
     tolerances: list[str]
 
 
-def words_of(options: dict[str, Any], names: Iterable[str] = NAMES) -> Words:
-    """The options that are given as texts.
+def given_of(command: str, arguments: dict[str, Any]) -> dict[str, Any]:
+    """The options of a command among the arguments of a function."""
+    return {name: arguments[name] for name in kinds_of(command)}
+
+
+def words_of(options: dict[str, Any], command: str = "solve") -> Words:
+    """The options of a command that are given as texts.
 
     Raises:
         TypeError: an option is unknown.
@@ -44,20 +51,25 @@ def words_of(options: dict[str, Any], names: Iterable[str] = NAMES) -> Words:
     """
     values: dict[str, str] = {}
     tolerances: list[str] = []
-    known = tuple(names)
+    known = kinds_of(command)
     for name, value in options.items():
         if name not in known:
             near = difflib.get_close_matches(name, known, 1)
             raise TypeError(f"there is no option {name!r}" + (f": did you mean {near[0]!r}?" if near else ""))
         if value is None:
             continue
-        if name == "tolerance":
+        kind = known[name]
+        if kind == "flag":
+            if value:
+                values[name] = "yes"
+        elif kind == "tolerances":
             single = isinstance(value, str) or not hasattr(value, "__iter__")
             tolerances = [text_of(one, name) for one in ([value] if single else value)]
-        elif name == "band":
+        elif kind == "file":
             values.update(_band(value))
         else:
-            is_seconds = name in _FLOATS and isinstance(value, float)
+            # Seconds are no part of the question: floats will do.
+            is_seconds = kind == "seconds" and isinstance(value, float)
             values[name] = repr(value) if is_seconds else text_of(value, name)
     return Words(values, tolerances)
 

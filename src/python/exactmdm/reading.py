@@ -7,21 +7,23 @@ from typing import Any, Union
 
 from exactmdm import _core
 from exactmdm.errors import InputError, in_file
-from exactmdm.exact import text_of, valid_text
+from exactmdm.exact import Number, text_of, valid_text
 from exactmdm.gradation import Gradation
-from exactmdm.options import read_file, words_of
+from exactmdm.options import given_of, read_file, words_of
 
 #: A path of a file.
 Path = Union[str, "os.PathLike[str]"]
 
-_NAMES = ("specimen_id", "columns", "kind", "unit", "skip", "sheet", "loss", "round")
 _MOST_BYTES = 64 << 20  # as the command line
 _BEGINNING = 1 << 16
 
 
-def read(path: Path, *, specimen_id: str | None = None, columns: str | None = None, kind: str | None = None,
-         unit: str | None = None, skip: int | None = None, sheet: str | None = None,
-         loss: str | None = None, round: int | None = None) -> Gradation:
+def read(path: Path, *,
+         # Options of convert, by src/ask/write_modules.
+         specimen_id: str | None = None, columns: str | None = None, kind: str | None = None, unit: str | None = None,
+         skip: Number | None = None, sheet: str | None = None, loss: Number | None = None, round: Number | None = None,
+         # End of the options.
+         ) -> Gradation:
     """The gradation in a file of any format that `mdm convert` reads: CSV, JSON, AGS4, DIGGS, a table or workbook of a
     laboratory, a file of an instrument. The format is told by the content; numbers are read exactly.
 
@@ -39,9 +41,8 @@ def read(path: Path, *, specimen_id: str | None = None, columns: str | None = No
     Raises:
         InputError: with the file and, where there is one, the line.
     """
+    words = words_of(given_of("convert", locals()), "convert")
     name, content = _content(path)
-    words = words_of({"specimen_id": specimen_id, "columns": columns, "kind": kind, "unit": unit, "skip": skip,
-                      "sheet": sheet, "loss": loss, "round": round}, _NAMES)
     with in_file(name):
         if _core.is_sample(content[:_BEGINNING]):
             raise InputError(f"{name}: it holds particles, no gradation: read_sample makes one of them", name)
@@ -53,7 +54,7 @@ def read_all(path: Path, **reading: Any) -> tuple[Gradation, ...]:
     """All gradations of a file, such as the specimens in AGS4; the keywords are those of `read`."""
     name, content = _content(path)
     with in_file(name):
-        return tuple(Gradation._of(core) for core in _core.read_all(content, name, words_of(reading, _NAMES).values))
+        return tuple(Gradation._of(core) for core in _core.read_all(content, name, words_of(reading, "convert").values))
 
 
 def read_sample(path: Path, *, unit: str | None = None) -> Gradation:

@@ -11,7 +11,7 @@ from exactmdm.errors import Interrupted, LimitReached
 from exactmdm.exact import Number
 from exactmdm.gradation import Gradation
 from exactmdm.match import Match
-from exactmdm.options import words_of
+from exactmdm.options import given_of, words_of
 from exactmdm.reading import gradation_of
 
 #: Called some times a second while a search goes on, with its steps, a lower bound on the particles, and the particles
@@ -23,14 +23,15 @@ Tolerance = Union[Number, Iterable[Number], None]
 
 
 def solve(gradation: Union[Gradation, str, "os.PathLike[str]", None] = None, *,
+          # Options of solve, by src/ask/write_modules.
           tolerance: Tolerance = None, band: Union[str, "os.PathLike[str]", None] = None,
-          particles: Number | None = None, grid: Number | None = None,
-          min_per_class: Number | None = None, at_least: Number | None = None, at_most: Number | None = None,
-          specimen: str | None = None, void_ratio: Number | None = None, solids_volume: Number | None = None,
-          law: str | None = None, size_factor: Number | None = None, cut_below: Number | None = None,
-          pan_size: Number | None = None, digits: int | None = None, scale: str | None = None,
-          max_steps: int | None = None, node_limit: int | None = None,
-          time_limit: Union[Number, float, None] = None, gap: Number | None = None,
+          particles: Number | None = None, grid: Number | None = None, min_per_class: Number | None = None,
+          at_least: Number | None = None, at_most: Number | None = None, specimen: str | None = None,
+          void_ratio: Number | None = None, solids_volume: Number | None = None, law: str | None = None,
+          size_factor: Number | None = None, cut_below: Number | None = None, pan_size: Number | None = None,
+          digits: Number | None = None, scale: str | None = None, max_steps: Number | None = None,
+          node_limit: Number | None = None, time_limit: Union[Number, float, None] = None, gap: Number | None = None,
+          # End of the options.
           progress: Progress | None = None) -> Match:
     """The smallest set of particles that matches a gradation: exactly, or within a tolerance. Each keyword is an option
     of `mdm solve`.
@@ -42,12 +43,13 @@ def solve(gradation: Union[Gradation, str, "os.PathLike[str]", None] = None, *,
             its kind alone: "retained", "passing" or "total".
         band: path of an envelope, CSV with passing_min_percent and passing_max_percent of each sieve, or a
             table with columns such as Lower and Upper.
-        particles: a budget: the least tolerance with which so many particles suffice, on a `grid` of percentage points.
+        particles, grid: a budget: the least tolerance with which so many particles suffice, in steps of so many percentage
+            points (0.001).
         min_per_class: particles in every class with mass, at least.
         at_least: particles in all, at least.
         at_most: more particles are no match: the status is "none".
-        specimen: "cylinder:DxH" or "box:AxBxC", lengths as "50mm" or in the unit of the gradation: with `void_ratio`
-            the least volume of solids.
+        specimen, void_ratio: "cylinder:DxH" or "box:AxBxC", lengths as "50mm" or in the unit of the gradation, and the
+            void ratio e in it: the least volume of solids.
         solids_volume: that volume itself, in the cube of the gradation's unit.
         law: mass of a particle of size x: "sphere" (x^3), "power:a/b".
         size_factor: multiplies every size of the gradation.
@@ -75,12 +77,7 @@ def solve(gradation: Union[Gradation, str, "os.PathLike[str]", None] = None, *,
     >>> exactmdm.solve(sand, tolerance="retained:2%").particles
     5
     """
-    words = words_of({
-        "tolerance": tolerance, "band": band, "particles": particles, "grid": grid, "min_per_class": min_per_class,
-        "at_least": at_least, "at_most": at_most, "specimen": specimen, "void_ratio": void_ratio,
-        "solids_volume": solids_volume, "law": law, "size_factor": size_factor, "cut_below": cut_below,
-        "pan_size": pan_size, "digits": digits, "scale": scale, "max_steps": max_steps, "node_limit": node_limit,
-        "time_limit": time_limit, "gap": gap})
+    words = words_of(given_of("solve", locals()))
     of = None if gradation is None else gradation_of(gradation)
     core, finer_core, error = _core.solve(None if of is None else of._handle, words.values, words.tolerances, True,
                                           progress)

@@ -21,7 +21,7 @@ from exactmdm.exact import Number, column, middle, shown, text_of, valid_text
 from exactmdm.figures import html_table
 from exactmdm.gradation import Gradation
 from exactmdm.match import Match
-from exactmdm.options import words_of
+from exactmdm.options import given_of, words_of
 from exactmdm.reading import gradation_of
 from exactmdm.solving import Tolerance
 from exactmdm.value import Value
@@ -29,8 +29,6 @@ from exactmdm.value import Value
 if TYPE_CHECKING:
     import pandas
 
-_NAMES = ("tolerance", "band", "snap", "law", "size_factor", "cut_below", "pan_size", "digits", "from_format",
-          "meaning", "size_unit", "timestep", "packing", "box", "specimen", "periodic", "contact_gap", "margin")
 _AT_ONCE = 1 << 16
 
 
@@ -160,14 +158,16 @@ class Verification(Value):
         return f"<p><b>{escape(repr(self)[1:-1])}</b></p>{html_table(header, rows)}"
 
 
-def verify(gradation: Union[Gradation, str, "os.PathLike[str]"], sample: Any, *, tolerance: Tolerance = None,
-           band: Union[str, "os.PathLike[str]", None] = None, snap: Number | None = None, radius: bool = False,
-           diameter: bool = False, size_unit: str | None = None, from_format: str | None = None,
-           timestep: int | None = None,
-           law: str | None = None, size_factor: Number | None = None, cut_below: Number | None = None,
-           pan_size: Number | None = None, digits: int | None = None,
+def verify(gradation: Union[Gradation, str, "os.PathLike[str]"], sample: Any, *,
+           # Options of verify, by src/ask/write_modules.
+           tolerance: Tolerance = None, band: Union[str, "os.PathLike[str]", None] = None, snap: Number | None = None,
+           from_format: str | None = None, radius: bool = False, diameter: bool = False, size_unit: str | None = None,
+           timestep: Number | None = None, law: str | None = None, size_factor: Number | None = None,
+           cut_below: Number | None = None, pan_size: Number | None = None, digits: Number | None = None,
            packing: bool = False, box: str | None = None, specimen: str | None = None, periodic: str | None = None,
-           contact_gap: Number | None = None, margin: Number | None = None) -> Verification:
+           contact_gap: Number | None = None, margin: Number | None = None,
+           # End of the options.
+           ) -> Verification:
     """Whether particles match a gradation, as `mdm verify` judges. Memory does not grow with their number, but
     for ids, some 5 bits each where they mostly follow each other.
 
@@ -201,12 +201,9 @@ def verify(gradation: Union[Gradation, str, "os.PathLike[str]"], sample: Any, *,
     >>> exactmdm.verify(sand, [2.0, 3.0, 3.0]).classes[0].error
     Fraction(108, 1085)
     """
-    words = words_of({
-        "tolerance": tolerance, "band": band, "snap": snap, "law": law, "size_factor": size_factor,
-        "cut_below": cut_below, "pan_size": pan_size, "digits": digits, "from_format": from_format,
-        "meaning": _meaning(radius, diameter), "size_unit": size_unit, "timestep": timestep,
-        "packing": "yes" if packing else None, "box": box, "specimen": specimen, "periodic": periodic,
-        "contact_gap": contact_gap, "margin": margin}, _NAMES)
+    words = words_of(given_of("verify", locals()), "verify")
+    if radius and diameter:
+        raise InputError("radius and diameter: give one of them")
     verifier = _core.Verifier(gradation_of(gradation)._handle, words.values, words.tolerances)
     if isinstance(sample, Match):
         name = "match"
@@ -223,12 +220,6 @@ def verify(gradation: Union[Gradation, str, "os.PathLike[str]"], sample: Any, *,
             else:
                 verifier.add_doubles(chunk)
     return Verification._of(*verifier.result(name))
-
-
-def _meaning(radius: bool, diameter: bool) -> str | None:
-    if radius and diameter:
-        raise InputError("radius and diameter: give one of them")
-    return "radius" if radius else "diameter" if diameter else None
 
 
 def _chunks(sample: Any) -> Iterator[Any]:

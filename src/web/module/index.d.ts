@@ -7,7 +7,10 @@ export type GradationInput = string | Uint8Array | object;
 /** An interval around an irrational number, or twice an exact one. */
 export type Enclosure = [lower: string, upper: string];
 
-/** Options in the words of the command line: `minPerClass: 2` is `--min-per-class 2`, `true` is an option alone. */
+/**
+ * Options in the words of the command line: `minPerClass: 2` is `--min-per-class 2`, `true` is an option alone. A file, such
+ * as that of `band`, is its text or its bytes.
+ */
 export interface Options {
   /** The name of the file, if the gradation is in a format that its ending tells. */
   name?: string;
@@ -20,13 +23,207 @@ export interface Bounds {
   particles: string | null;
 }
 
-export interface SolveOptions extends Options {
-  /** Such as `"retained:1%"`. */
-  tolerance?: string;
-  /** At least so many particles in each class. */
+// Options of commands, by src/ask/write_modules.
+/** Options of `mdm solve`. */
+export interface SolveWords {
+  /**
+   * The smallest match within a tolerance: retained:1%, passing:0.5%, total:1% (percentage points), retained:file,
+   * passing:file (column tolerance_percent), laboratory, rounding; may be repeated.
+   */
+  tolerance?: string | number | (string | number)[];
+  /**
+   * The smallest match within the envelope in FILE: CSV with passing_min_percent and passing_max_percent of each
+   * sieve, or a table with columns such as Lower and Upper.
+   */
+  band?: string | Uint8Array;
+  /**
+   * The least tolerance with which N particles suffice, of the kind that tolerance names without a value: retained
+   * (as without it), passing or total.
+   */
+  particles?: number | string;
+  /** The steps of that tolerance in percentage points (0.001). */
+  grid?: number | string;
+  /** At least R particles in every class with mass. */
   minPerClass?: number | string;
-  /** The search ends after so many seconds; the answer then has bounds. */
+  /** The smallest match with at least N particles. */
+  atLeast?: number | string;
+  /** No match if the smallest has more than N particles. */
+  atMost?: number | string;
+  /**
+   * At least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, or in the
+   * answer's unit (the file's; mm for inches, phi and sieve names).
+   */
+  specimen?: string;
+  /** Void ratio e of the specimen. */
+  voidRatio?: number | string;
+  /** At least this volume of solids, in the cube of the answer's unit. */
+  solidsVolume?: number | string;
+  /** Mass of a particle of size x: sphere (x^3), power:a/b or power:2.5. */
+  law?: string;
+  /** Multiply every size of the gradation by K. */
+  sizeFactor?: number | string;
+  /** Leave out the classes below the sieve SIZE, as 63um or in the file's unit (before sizeFactor). */
+  cutBelow?: number | string;
+  /** Count the pan as SIZE, as 2um or in the file's unit, instead of 0 (before sizeFactor). */
+  panSize?: number | string;
+  /** Significant digits of sizes (15). */
+  digits?: number | string;
+  /** Robust (sizes far from the sieves) or upper (largest sizes). */
+  scale?: string;
+  /** Stop after so many steps (67108864), with what is certain. */
+  maxSteps?: number | string;
+  /** Stop after so many nodes of the search for a tolerance. */
+  nodeLimit?: number | string;
+  /** Stop after so many seconds. */
   timeLimit?: number | string;
+  /**
+   * Within a tolerance, stop at a match that has at most this part of its particles more than are certain, for
+   * example 1e-6.
+   */
+  gap?: number | string;
+}
+
+/** Options of `mdm verify`. */
+export interface VerifyWords {
+  /**
+   * What shares may differ by: retained:1% or 1% (percentage points, of each class), passing:0.5%, total:1%,
+   * retained:file, passing:file, laboratory, rounding; none is 0; may be repeated, and all hold.
+   */
+  tolerance?: string | number | (string | number)[];
+  /** What passes lies within the envelope in FILE, as for solve. */
+  band?: string | Uint8Array;
+  /** Take a size within EPS times an opening of it as that opening (0), for sizes computed in double: 1e-12. */
+  snap?: number | string;
+  /**
+   * Format of SAMPLE: csv (size_mm,quantity; also size_um, size_m, size_in, size_phi or sieve), answer (JSON of mdm
+   * solve), xyzr (x y z r a line), lammps-data, lammps-dump, liggghts-dump, vtk, diameters (one a line),
+   * liggghts-insertion, mercurydpm (scripts and distributions of mdm export), extxyz (extended XYZ of ASE and OVITO
+   * with radius among its Properties), esys (geometry or snapshot of ESyS-Particle with one worker), lethe
+   * (insertion file), kratos (mdpa), musen (scene as text), gsd (HOOMD-blue), phasicflow (particlesDict of mdm
+   * export) or dem-engine (CSV of spheres, or of clumps whose types are named r and the radius, as r0.00025); told
+   * by the content if left out.
+   */
+  from?: string;
+  /** Sizes are radii, whatever their name. */
+  radius?: boolean;
+  /** Sizes are diameters, whatever their name. */
+  diameter?: boolean;
+  /**
+   * Unit of SAMPLE: mm, um, m or in; if left out what the file states, else m for LAMMPS, LIGGGHTS, VTK,
+   * ESyS-Particle, Lethe, Kratos, MUSEN, GSD, PhasicFlow and DEM-Engine if left out, for xyzr, extxyz and diameters
+   * that of the gradation (mm for size_in, size_phi and sieve).
+   */
+  sizeUnit?: string;
+  /** The timestep of a dump or of GSD, instead of the last; of several of that number the last. */
+  timestep?: number | string;
+  /** Mass of a particle of size x: sphere (x^3), power:a/b or power:2.5. */
+  law?: string;
+  /** Multiply every size of the gradation by K. */
+  sizeFactor?: number | string;
+  /** Leave out the classes below the sieve SIZE, as 63um or in the file's unit (before sizeFactor). */
+  cutBelow?: number | string;
+  /** Count the pan as SIZE, as 2um or in the file's unit, instead of 0 (before sizeFactor). */
+  panSize?: number | string;
+  /** Significant digits of percents (6). */
+  digits?: number | string;
+  /**
+   * What the places of the particles say too: void ratio, contacts, overlaps, floating particles, heights of the
+   * classes; for files with x y z, of up to 20000 particles without this; the options below ask for it too.
+   */
+  packing?: boolean;
+  /**
+   * The space, from the origin, in the gradation's unit; without a height it ends at the top of the highest
+   * particle, as the file's box does, which is taken without this.
+   */
+  box?: string;
+  /**
+   * The same as cylinder:DxH, or cylinder:D up to the top of the highest particle, which touches the axes' planes as
+   * that of export does, or box:AxBxC.
+   */
+  specimen?: string;
+  /** The axes that are periodic, such as xyz, or none; told by dumps and extended XYZ. */
+  periodic?: string;
+  /** The gap up to which two particles touch, in the gradation's unit (0). */
+  contactGap?: number | string;
+  /** What the inner part keeps away from walls, floor and top, in the gradation's unit (two largest diameters). */
+  margin?: number | string;
+}
+
+/** Options of `mdm crosscheck`. */
+export interface CrosscheckWords {
+  /** How far sizes may be off, as a part of the size as stated (1e-9). */
+  sizeTolerance?: number | string;
+  /**
+   * The smallest match within a tolerance: retained:1%, passing:0.5%, total:1% (percentage points), retained:file,
+   * passing:file (column tolerance_percent), laboratory, rounding; may be repeated.
+   */
+  tolerance?: string | number | (string | number)[];
+  /**
+   * The smallest match within the envelope in FILE: CSV with passing_min_percent and passing_max_percent of each
+   * sieve, or a table with columns such as Lower and Upper.
+   */
+  band?: string | Uint8Array;
+  /** At least R particles in every class with mass. */
+  minPerClass?: number | string;
+  /** The smallest match with at least N particles. */
+  atLeast?: number | string;
+  /**
+   * At least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, or in the
+   * answer's unit (the file's; mm for inches, phi and sieve names).
+   */
+  specimen?: string;
+  /** Void ratio e of the specimen. */
+  voidRatio?: number | string;
+  /** At least this volume of solids, in the cube of the answer's unit. */
+  solidsVolume?: number | string;
+  /** Mass of a particle of size x: sphere (x^3), power:a/b or power:2.5. */
+  law?: string;
+  /** Multiply every size of the gradation by K. */
+  sizeFactor?: number | string;
+  /** Leave out the classes below the sieve SIZE, as 63um or in the file's unit (before sizeFactor). */
+  cutBelow?: number | string;
+  /** Count the pan as SIZE, as 2um or in the file's unit, instead of 0 (before sizeFactor). */
+  panSize?: number | string;
+  /** Stop the search for a smallest match after so many steps (67108864; undecided, exit 3). */
+  maxSteps?: number | string;
+  /** Stop after so many nodes of the search for a tolerance. */
+  nodeLimit?: number | string;
+}
+
+/** Options of `mdm describe`. */
+export interface DescribeWords {
+  /** Of the fines, in percent; without limits they are low-plasticity silt. */
+  liquidLimit?: number | string;
+  /** Of the fines, in percent. */
+  plasticLimit?: number | string;
+  /** Take the pan as a sieve of this size. */
+  panSize?: number | string;
+  /** Continue the line through the two finest sieves into a pan at size 0. */
+  extrapolate?: boolean;
+}
+
+/** Options of `mdm convert`. */
+export interface ConvertWords {
+  /** The sample of a file with several: of AGS4 its LOCA_ID, SAMP_ID, SAMP_REF or all of them. */
+  specimenId?: string;
+  /** The columns of sizes and masses: names, or numbers from 1 on. */
+  columns?: string;
+  /** What the values are: passing, retained, cumulative, or a name as in canonical CSV. */
+  kind?: string;
+  /** What the sizes are: mm, um, m, in, phi or sieve. */
+  unit?: string;
+  /** Leave out the first N lines or rows. */
+  skip?: number | string;
+  /** The sheet of a workbook (the first). */
+  sheet?: string;
+  /** What the rows of a sheet may lack of its initial mass (1%). */
+  loss?: number | string;
+  /** Take all masses to D significant digits before anything else. */
+  round?: number | string;
+}
+// End of the options.
+
+export interface SolveOptions extends Options, SolveWords, ConvertWords {
   /** With the proof of the answer. */
   proof?: boolean;
   /** Called some ten times a second during a long search. */
@@ -84,25 +281,43 @@ export function solve(
 export function check(gradation: GradationInput, proof: string | Uint8Array, options?: Options): Promise<Verdict>;
 
 /** The answers of many JSON gradations, in their order. */
-export function batch(gradations: (string | object)[], options?: Options): Promise<Answer[]>;
+export function batch(
+  gradations: (string | object)[],
+  options?: Options & Omit<SolveWords, "particles" | "grid">,
+): Promise<Answer[]>;
 
 /** Sizes D10 to D60, coefficients, classification and more, as mdm-describe-1 has them. */
-export function describe(gradation: GradationInput, options?: Options): Promise<Record<string, unknown>>;
+export function describe(
+  gradation: GradationInput,
+  options?: Options & DescribeWords & ConvertWords & { digits?: number },
+): Promise<Record<string, unknown>>;
 
 /** The gradation in its canonical form. */
-export function convert(gradation: GradationInput, options?: Options): Promise<string>;
+export function convert(gradation: GradationInput, options?: Options & ConvertWords): Promise<string>;
 
 /** How far a sample of particles is from a gradation, as mdm-verify-1 has it. */
 export function verify(
   gradation: GradationInput,
   sample: string | Uint8Array,
-  options?: Options & { sampleName?: string },
+  options?: Options & VerifyWords & ConvertWords & { sampleName?: string },
 ): Promise<Record<string, unknown>>;
+
+/** What a trade-off alone is asked. */
+export interface TradeoffWords {
+  /** What the tolerances are of: "retained", "passing" or "total". */
+  kind?: string;
+  /** Percentage points, such as "0,0.5,1"; 0 is the exact match. */
+  tolerances?: string;
+  /** Numbers of particles, such as "100,1000", or "all". */
+  particles?: string;
+  /** Called some ten times a second during a long search. */
+  onProgress?: (bounds: Bounds) => void;
+}
 
 /** The smallest number of particles for each of some tolerances. */
 export function tradeoff(
   gradation: GradationInput,
-  options?: Options & { onProgress?: (bounds: Bounds) => void },
+  options?: Options & Omit<SolveWords, "particles" | "digits" | "scale"> & ConvertWords & TradeoffWords,
 ): Promise<Record<string, unknown>>;
 
 /** Runs `mdm` as on the command line, with these files in its folder. */

@@ -47,6 +47,14 @@ function words(options) {
   });
 }
 
+const bandName = "band.csv";
+
+/** The same with an envelope, which is given as its content: the words, and the files that they name. */
+function asked({ band, ...options }) {
+  if (band === undefined) return { words: words(options), files: {} };
+  return { words: words({ ...options, band: bandName }), files: { [bandName]: band } };
+}
+
 /** Files by name, each with its bytes. */
 const inBytes = (files) => Object.fromEntries(Object.entries(files).map(([name, content]) => [name, bytes(content)]));
 
@@ -76,9 +84,10 @@ const proofName = "proof.mdm";
 
 export async function solve(gradation, { name, proof = false, onProgress, ...options } = {}) {
   const file = fileName(gradation, name, "gradation");
-  const commandLine = ["solve", ...words(options), "--format=json", "--quiet", file];
+  const { words, files } = asked(options);
+  const commandLine = ["solve", ...words, "--format=json", "--quiet", file];
   if (proof) commandLine.splice(1, 0, `--proof=${proofName}`);
-  const result = await runCommand(commandLine, { [file]: gradation }, onProgress);
+  const result = await runCommand(commandLine, { ...files, [file]: gradation }, onProgress);
   const answer = JSON.parse(printed(result));
   const written = result.files[proofName];
   return { answer, proof: written ? decoder.decode(written) : null };
@@ -93,7 +102,9 @@ export async function check(gradation, proof, { name } = {}) {
 export async function batch(gradations, options = {}) {
   const lines = gradations.map((gradation) => (typeof gradation === "string" ? gradation : JSON.stringify(gradation)));
   const file = "suite.jsonl";
-  const result = await runCommand(["batch", ...words(options), "--quiet", file], { [file]: lines.join("\n") + "\n" });
+  const { words, files } = asked(options);
+  const content = lines.join("\n") + "\n";
+  const result = await runCommand(["batch", ...words, "--quiet", file], { ...files, [file]: content });
   return printed(result).trim().split("\n").map((line) => JSON.parse(line));
 }
 
@@ -110,13 +121,15 @@ export async function convert(gradation, { name, ...options } = {}) {
 
 export async function verify(gradation, sample, { name, sampleName = "sample.txt", ...options } = {}) {
   const file = fileName(gradation, name, "gradation");
-  const files = { [file]: gradation, [sampleName]: sample };
-  const result = await runCommand(["verify", ...words(options), "--format=json", file, sampleName], files);
+  const { words, files } = asked(options);
+  const all = { ...files, [file]: gradation, [sampleName]: sample };
+  const result = await runCommand(["verify", ...words, "--format=json", file, sampleName], all);
   return JSON.parse(printed(result));
 }
 
 export async function tradeoff(gradation, { name, onProgress, ...options } = {}) {
   const file = fileName(gradation, name, "gradation");
-  const commandLine = ["tradeoff", ...words(options), "--format=json", file];
-  return JSON.parse(printed(await runCommand(commandLine, { [file]: gradation }, onProgress)));
+  const { words, files } = asked(options);
+  const commandLine = ["tradeoff", ...words, "--format=json", file];
+  return JSON.parse(printed(await runCommand(commandLine, { ...files, [file]: gradation }, onProgress)));
 }

@@ -1,0 +1,231 @@
+#include "ask/blend.hpp"
+
+#include "ask/option_values.hpp"
+#include "blend/blended_gradation.hpp"
+#include "text/lines.hpp"
+
+#include <mdm/number/decimal.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace mdm {
+namespace {
+
+/// The parts of a text between commas.
+std::vector<std::string> between_commas(const std::vector<std::string> &texts) {
+  std::vector<std::string> parts;
+  for (const std::string &text : texts)
+    for (std::size_t from = 0; from <= text.size();) {
+      const std::size_t to = std::min(text.find(',', from), text.size());
+      parts.emplace_back(trimmed(std::string_view(text).substr(from, to - from)));
+      from = to + 1;
+    }
+  return parts;
+}
+
+/// The stockpile of `NAME=VALUE`, and the value.
+std::pair<Stockpile *, std::string> of_stockpile(const std::string &of, const std::string &text,
+                                                 BlendProblem &p) {
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos)
+    throw InputError(option(of) + ": " + in_quotes(text) + " is no value of a stockpile: write NAME=VALUE");
+  const std::string name = text.substr(0, sign);
+  std::vector<std::string> names;
+  for (Stockpile &s : p.stockpiles) {
+    if (s.name == name)
+      return {&s, text.substr(sign + 1)};
+    names.push_back(in_quotes(s.name));
+  }
+  throw InputError(fmt::format("{}: there is no stockpile {}; there are {}", option(of), in_quotes(name),
+                               fmt::join(names, ", ")));
+}
+
+void take_costs(const std::vector<std::string> &texts, BlendProblem &p) {
+  if (texts.empty())
+    return;
+  std::vector<const Stockpile *> known;
+  for (const std::string &text : between_commas(texts)) {
+    const auto [stockpile, value] = of_stockpile("cost", text, p);
+    if (std::find(known.begin(), known.end(), stockpile) != known.end())
+      throw InputError(option("cost") + ": " + in_quotes(stockpile->name) + " has two costs: give one");
+    known.push_back(stockpile);
+    stockpile->cost = not_negative("cost", value);
+  }
+  for (const Stockpile &s : p.stockpiles)
+    if (std::find(known.begin(), known.end(), &s) == known.end())
+      throw InputError(option("cost") + ": the cost of " + in_quotes(s.name) + " is missing: add " +
+                       printable(s.name) + "=COST");
+}
+
+/// `10..40%`, `..40%`, `10..` or `25%`.
+void take_share(const std::string &text, BlendProblem &p) {
+  const auto [stockpile, value] = of_stockpile("share", text, p);
+  const std::size_t dots = value.find("..");
+  const std::string from = value.substr(0, dots);
+  const std::string to = dots == std::string::npos ? from : value.substr(dots + 2);
+  if (from.empty() && (to.empty() || to == "%"))
+    throw InputError(option("share") + ": " + in_quotes(text) +
+                     " limits nothing: write 10..40%, 10.. or ..40%");
+  if (!from.empty())
+    stockpile->least = std::max(stockpile->least, Rational(percent_of("share", from) / 100));
+  if (!to.empty() && to != "%")
+    stockpile->most = std::min(stockpile->most, Rational(percent_of("share", to) / 100));
+  if (stockpile->least > stockpile->most)
+    throw InputError(option("share") + ": " + in_quotes(text) +
+                     ": no share is from the first to the second number: exchange them");
+}
+
+/// A number and the letters behind it: `5kg`.
+NamedMass mass_in(const std::string &text) {
+  const std::string_view all = trimmed(text);
+  const auto letter = std::find_if(all.begin(), all.end(), [](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '%';
+  });
+  const auto digits = static_cast<std::size_t>(letter - all.begin());
+  return {positive("step", std::string(trimmed(all.substr(0, digits)))), std::string(all.substr(digits))};
+}
+
+/// `1%`, `0.5` or `5kg of 1000kg`. \return the mass of a blend, if there is one
+std::optional<NamedMass> take_step(const std::string &text, BlendProblem &p) {
+  const std::size_t of = text.find(" of ");
+  const NamedMass step = mass_in(text.substr(0, of));
+  const NamedMass whole = of == std::string::npos ? NamedMass{100, "%"} : mass_in(text.substr(of + 4));
+  const bool is_percent = of == std::string::npos && (step.unit.empty() || step.unit == "%");
+  if (!is_percent && (of == std::string::npos || step.unit != whole.unit || step.unit == "%"))
+    throw InputError(option("step") + ": " + in_quotes(text) +
+                     " is no step: write 1%, 0.5% or 5kg of 1000kg");
+  const Rational steps = whole.value / step.value;
+  if (denominator(steps) != 1 || steps > most_blend_steps)
+    throw InputError(
+        fmt::format("{}: {}: the whole is {} steps: it is to be a whole number of them, at most {}",
+                    option("step"), in_quotes(text), approximate(steps, 6), most_blend_steps));
+  p.steps = numerator(steps).convert_to<std::uint64_t>();
+  return is_percent ? std::nullopt : std::optional<NamedMass>(whole);
+}
+
+/// The sieve whose limits alone may be widened.
+std::size_t relaxed_sieve(const std::string &text, const BlendProblem &p, SizeUnit unit) {
+  const Rational size = length("relax", text).in(unit)*in_mm(unit);
+  std::vector<std::string> sizes;
+  for (const std::size_t s : limited_sieves(p)) {
+    if (p.sieves[s].size == size)
+      return s;
+    sizes.push_back(to_decimal(p.sieves[s].size));
+  }
+  throw InputError(fmt::format("{}: {} is no sieve with limits; there are {} mm", option("relax"),
+                               in_quotes(text), fmt::join(sizes, ", ")));
+}
+
+BlendOptions blend_search(const BlendTexts &c) {
+  constexpr unsigned most_blends = 1'000'000;
+  BlendOptions o;
+  if (c.all)
+    o.best = small_natural("all", *c.all, 1, most_blends);
+  if (c.node_limit)
+    o.node_limit = natural64("node-limit", *c.node_limit);
+  if (c.time_limit)
+    o.deadline = std::chrono::steady_clock::now() + duration("time-limit", *c.time_limit);
+  return o;
+}
+
+} // namespace
+
+const std::vector<OptionRow<BlendTexts>> BlendTexts::question_options = {
+    {"minimise", "WHAT", OptionKind::text,
+     "what a blend is to have least of: cost, deviation (the sum of the distances from the target), "
+     "max-deviation (the largest of them) or none; without it cost where there is --cost, deviation "
+     "where there is --target",
+     &BlendTexts::minimise},
+    {"cost", "NAME=COST,...", OptionKind::texts,
+     "the cost of a unit of mass of each stockpile, as A=12.5,B=9", &BlendTexts::costs},
+    {"target", "CURVE", OptionKind::file, "the curve that is wished for: a gradation", &BlendTexts::target},
+    {"step", "STEP", OptionKind::text,
+     "shares are whole numbers of steps: 1% (without this option), 0.5%, or masses as '5kg of 1000kg'",
+     &BlendTexts::step},
+    {"share", "NAME=SHARE,...", OptionKind::texts,
+     "limits of a stockpile's share: A=10..40%, A=10.., A=..40%, or A=25%", &BlendTexts::shares},
+    {"at-most-stockpiles", "N", OptionKind::number, "so many stockpiles at most have a share",
+     &BlendTexts::at_most}};
+
+const std::vector<OptionRow<BlendTexts>> BlendTexts::answer_options = {
+    {"all", "N", OptionKind::number, "the N best blends", &BlendTexts::all},
+    {"relax", "SIZE", OptionKind::number,
+     "where there is no blend, by how much the limits of the sieve SIZE alone must be widened; without "
+     "it all limits by the same",
+     &BlendTexts::relax}};
+
+const std::vector<OptionRow<BlendTexts>> BlendTexts::limit_options = {
+    {"node-limit", "N", OptionKind::number, "stop after so many splits of the search (1000000; exit 3)",
+     &BlendTexts::node_limit},
+    {"time-limit", "S", OptionKind::seconds, "stop after so many seconds (exit 3)", &BlendTexts::time_limit}};
+
+BlendAim BlendTexts::aim() const {
+  if (!minimise) {
+    if (!costs.empty() && target)
+      throw InputError(option("cost") + " and " + option("target") + " are both given: say by " +
+                       option("minimise") + " what a blend is to have least of");
+    return !costs.empty() ? BlendAim::cost : target ? BlendAim::deviation : BlendAim::none;
+  }
+  for (const BlendAim aim : {BlendAim::none, BlendAim::cost, BlendAim::deviation, BlendAim::max_deviation})
+    if (*minimise == name(aim)) {
+      if (aim == BlendAim::cost && costs.empty())
+        throw InputError(option("minimise") + " cost: it needs " + option("cost"));
+      if ((aim == BlendAim::deviation || aim == BlendAim::max_deviation) && !target)
+        throw InputError(option("minimise") + " " + *minimise + ": it needs " + option("target"));
+      return aim;
+    }
+  throw InputError(option("minimise") + ": " + in_quotes(*minimise) +
+                   " is none of cost, deviation, max-deviation and none");
+}
+
+Blending::Blending(const BlendTexts &asked, std::vector<Gradation> stockpiles, const Envelope &specification,
+                   const std::optional<Gradation> &target)
+    : stockpiles_(std::move(stockpiles)), specification_(specification.id),
+      problem_(blend_problem(stockpiles_, specification, target)) {
+  problem_.aim = asked.aim();
+  take_costs(asked.costs, problem_);
+  for (const std::string &share : between_commas(asked.shares))
+    take_share(share, problem_);
+  if (asked.step)
+    mass_ = take_step(*asked.step, problem_);
+  if (asked.at_most)
+    problem_.at_most = small_natural("at-most-stockpiles", *asked.at_most, 1, 1'000'000);
+  options_ = blend_search(asked);
+  if (asked.relax)
+    options_.relaxed = relaxed_sieve(*asked.relax, problem_, specification.unit);
+}
+
+BlendReport Blending::report() const {
+  return {problem_, answer_, specification_, mass_,
+          options_.relaxed ? std::optional<Rational>(problem_.sieves[*options_.relaxed].size) : std::nullopt};
+}
+
+Outcome Blending::outcome() const {
+  switch (answer_.status) {
+  case BlendAnswer::Status::optimal:
+    return Outcome::done;
+  case BlendAnswer::Status::none:
+    return Outcome::negative;
+  default:
+    return Outcome::limited;
+  }
+}
+
+std::optional<Gradation> Blending::blended() const {
+  if (answer_.best.empty())
+    return std::nullopt;
+  std::vector<Rational> sieves;
+  for (const BlendSieve &s : problem_.sieves)
+    sieves.push_back(s.size);
+  return blended_gradation(stockpiles_, answer_.best.front().shares, sieves, "blend");
+}
+
+std::optional<std::string> Blending::proof() const {
+  const bool has_ended = outcome() != Outcome::limited;
+  return has_ended ? std::optional<std::string>(blend_certificate(problem_, answer_)) : std::nullopt;
+}
+
+} // namespace mdm

@@ -1,0 +1,57 @@
+#pragma once
+/// \file
+/// The best mix of stockpiles: what is asked, and the blend.
+
+#include "ask/option_row.hpp"
+#include "ask/outcome.hpp"
+#include "blend/blend_certificate.hpp"
+#include "report/blend_report.hpp"
+
+#include <mdm/gradation/read_gradation.hpp>
+
+#include <vector>
+
+namespace mdm {
+
+/// What is asked of a blend, as texts.
+struct BlendTexts {
+  OptionText target; ///< its name
+  OptionText minimise, step, at_most, all, relax, node_limit, time_limit;
+  std::vector<std::string> costs, shares;
+
+  static const std::vector<OptionRow<BlendTexts>> question_options, answer_options, limit_options;
+
+  /// What is asked for, or what the options that are given have a use for.
+  /// \throws InputError naming the option where its value does not serve
+  BlendAim aim() const;
+};
+
+/// A blend of stockpiles, or why there is none.
+class Blending {
+public:
+  /// A time limit counts from this call.
+  /// \throws InputError naming the option where its value does not serve
+  Blending(const BlendTexts &asked, std::vector<Gradation> stockpiles, const Envelope &specification,
+           const std::optional<Gradation> &target);
+
+  /// Searches. Cost: exponential in the stockpiles at worst.
+  void search() { answer_ = solve_blend(problem_, options_); }
+
+  const BlendProblem &problem() const { return problem_; }
+  BlendReport report() const;
+  Outcome outcome() const;
+  /// The gradation of the best blend; nothing where there is none.
+  std::optional<Gradation> blended() const;
+  /// Nothing where the search did not come to its end.
+  std::optional<std::string> proof() const;
+
+private:
+  std::vector<Gradation> stockpiles_;
+  std::string specification_; ///< its name
+  BlendProblem problem_;
+  BlendOptions options_;
+  std::optional<NamedMass> mass_; ///< of a blend, where its steps are masses
+  BlendAnswer answer_;
+};
+
+} // namespace mdm

@@ -1,0 +1,148 @@
+#include "ask/export_model.hpp"
+
+#include "ask/option_values.hpp"
+#include "particles/material_table.hpp"
+#include "particles/particle_writer.hpp"
+#include "text/file_names.hpp"
+#include "text/lines.hpp"
+
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+
+namespace mdm {
+
+struct ModelEngine {
+  const char *name;
+  std::string (*script)(const SettleModel &);
+  void (*write_particles)(const Placement &, const Sink &);
+  void (*write_classes)(const Placement &, const Sink &); ///< with a type a class
+  const char *particles_ending;
+  bool reads_lid;
+};
+
+namespace {
+
+constexpr std::array<ModelEngine, 3> engines = {
+    {{"liggghts", liggghts_model, write_lammps_data, write_lammps_data_of_classes, ".data", true},
+     {"lammps", lammps_model, write_lammps_data, write_lammps_data_of_classes, ".data", false},
+     {"yade", yade_model, write_xyzr, write_xyzr, ".xyzr", false}}};
+
+/// A coefficient of friction.
+std::optional<double> friction_of(const char *name, const OptionText &text) {
+  if (!text)
+    return std::nullopt;
+  const Rational mu = not_negative(name, *text);
+  if (mu > 10)
+    throw InputError(option(name) + ": " + in_quotes(*text) + " is no coefficient of friction: give 0 to 10");
+  return mu.convert_to<double>();
+}
+
+std::optional<DensityTarget> density_target(const ExportTexts &c) {
+  if (!c.solve.void_ratio && !c.pressure)
+    return std::nullopt;
+  DensityTarget target;
+  if (c.solve.void_ratio) {
+    const Rational e = positive("void-ratio", *c.solve.void_ratio);
+    if (e > 100)
+      throw InputError(option("void-ratio") + ": " + in_quotes(*c.solve.void_ratio) +
+                       " is above 100, which no bed has");
+    target.void_ratio = e.convert_to<double>();
+  } else
+    target.pressure = physical("stress", *c.pressure).convert_to<double>();
+  if (c.tolerance) {
+    const Rational tolerance = positive("target-tolerance", *c.tolerance);
+    if (tolerance >= 1 || tolerance < ratio(1, 1000000))
+      throw InputError(option("target-tolerance") + ": " + in_quotes(*c.tolerance) +
+                       " is not from 1e-6 to below 1");
+    target.tolerance = tolerance.convert_to<double>();
+  }
+  return target;
+}
+
+std::uint64_t steps_of(const std::string &text) {
+  const Integer steps = natural("steps", text, 0);
+  if (steps > Settling::most_steps)
+    throw InputError(
+        fmt::format("{0}: {1} are more than the {2} that LAMMPS and LIGGGHTS make in a run: give "
+                    "fewer {0}",
+                    option("steps"), in_quotes(text), Settling::most_steps));
+  return static_cast<std::uint64_t>(steps);
+}
+
+} // namespace
+
+ModelWriter::ModelWriter(const std::string &model, const std::string &to, std::string out)
+    : engine_(std::find_if(engines.begin(), engines.end(),
+                           [&to](const ModelEngine &engine) { return to == engine.name; })),
+      out_(std::move(out)) {
+  if (model != "settle")
+    throw InputError(option("model") + ": " + in_quotes(model) + " is none: there is settle");
+  if (engine_ == engines.end())
+    throw InputError(option("model") + ": there is none for " + to + ": use " + option("to") +
+                     " liggghts, lammps or yade");
+  if (out_ == "-")
+    throw InputError(option("model") + ": what it reads and writes lies beside it: say where with -o FILE");
+  if (engine_->script == yade_model && std::filesystem::path(out_).extension() != ".py")
+    throw InputError("-o: YADE runs models that end in .py: give it such a name");
+  std::error_code none;
+  if (const auto type = std::filesystem::status(out_, none).type();
+      type != std::filesystem::file_type::not_found && type != std::filesystem::file_type::regular)
+    throw InputError("-o: " + printable(out_) +
+                     " is no regular file, beside which a model's other files could lie: give another name");
+}
+
+std::vector<std::string> ModelWriter::other_files() const {
+  const std::filesystem::path out(out_);
+  std::vector<std::string> files{
+      std::filesystem::path(out).replace_extension(engine_->particles_ending).string()};
+  if (engine_->reads_lid)
+    files.push_back((out.parent_path() / (out.stem().string() + "-lid.stl")).string());
+  return files;
+}
+
+SettleModel ModelWriter::model(const ExportTexts &c, const ExportedParticles &found, const Placement &start,
+                               const ReadMaterial &read) const {
+  const auto length = [&start](std::size_t axis) {
+    return std::strtod(start.text(start.box()[axis]).c_str(), nullptr);
+  };
+  SettleModel model{*found.set,
+                    {length(0), length(1), length(2)},
+                    std::filesystem::path(other_files().front()).filename().string(),
+                    std::filesystem::path(out_).stem().string()};
+  model.space = asked_space(c);
+  model.target = density_target(c);
+  if (c.steps)
+    model.steps = steps_of(*c.steps);
+  const Elasticity e = elasticity(c);
+  if (c.young)
+    model.young = e.young;
+  model.poisson = e.poisson;
+  model.friction = friction_of("friction", c.friction).value_or(model.friction);
+  model.friction_while_filling = friction_of("friction-while-filling", c.friction_while_filling);
+  model.types_of_classes = c.types == "class" || c.material;
+  if (c.material)
+    model.materials = read_materials(read(*c.material), shown_name(*c.material), *found.set,
+                                     {settling(model).elasticity, Settling::restitution, model.friction});
+  model.verify_options = verify_options(c);
+  model.question = found.question;
+  return model;
+}
+
+void ModelWriter::write(const SettleModel &model, const Placement &start, const WriteFiles &write) const {
+  const std::vector<std::string> files = other_files();
+  std::vector<ModelFile> all = {{out_, [&](const Sink &sink) { sink(engine_->script(model)); }}};
+  all.push_back({files.front(), [&](const Sink &sink) {
+                   (model.types_of_classes ? engine_->write_classes : engine_->write_particles)(start, sink);
+                 }});
+  if (engine_->reads_lid)
+    all.push_back({files.back(), [&](const Sink &sink) { sink(lid_stl(model.box)); }});
+  write(all);
+}
+
+} // namespace mdm

@@ -1,0 +1,290 @@
+#include "ask/export_options.hpp"
+
+#include "ask/option_values.hpp"
+#include "text/file_names.hpp"
+
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+namespace mdm {
+
+const ExportFormat &export_format(const ExportTexts &c) {
+  const ExportFormat *const found = find_export_format(c.to);
+  if (found == nullptr)
+    throw InputError(option("to") + ": " + in_quotes(c.to) + " is no format: use one of " +
+                     export_format_names());
+  return *found;
+}
+
+std::vector<FileBeside> files_beside(const ExportTexts &c, const ExportFormat &format) {
+  if (format.id != ExportTo::phasicflow)
+    return {};
+  if (c.out == "-")
+    throw InputError("-o: PhasicFlow reads two more files, which lie beside it: say where with -o FILE");
+  const std::filesystem::path folder = std::filesystem::path(c.out).parent_path();
+  return {{(folder / "shapes").string(), write_phasicflow_shapes},
+          {(folder / "positions").string(), write_phasicflow_positions}};
+}
+
+Rational physical(const std::string &name, const std::string &text) {
+  constexpr unsigned most_exponent = 30;
+  const Rational most = power_of_ten(most_exponent);
+  const Rational r = positive(name, text);
+  if (r > most || r * most < 1)
+    throw InputError(option(name) + ": " + in_quotes(text) +
+                     " is not from 1e-30 to 1e30: give it in SI units");
+  return r;
+}
+
+std::uint64_t export_seed(const ExportTexts &c) {
+  return seed64("seed", c.seed.value_or("1"));
+}
+
+Elasticity elasticity(const ExportTexts &c) {
+  Elasticity e;
+  if (c.young)
+    e.young = physical("young", *c.young);
+  if (c.poisson)
+    e.poisson = not_negative("poisson", *c.poisson);
+  if (e.poisson > ratio(1, 2))
+    throw InputError(option("poisson") + ": " + in_quotes(*c.poisson) +
+                     " is above 0.5, which no material has");
+  return e;
+}
+
+namespace {
+
+/// True if a model takes the option, too: the specimen's shape and void ratio.
+bool is_of_model(const ExportTexts &c, const std::string &name) {
+  return c.model && (name == "specimen" || name == "void-ratio");
+}
+
+bool is_cylinder_asked(const ExportTexts &c) {
+  return c.sides == "cylinder" || (!c.box && c.solve.specimen && c.solve.specimen->rfind("cylinder", 0) == 0);
+}
+
+/// An option that a model alone takes, if one is given.
+const char *option_of_model(const ExportTexts &c) {
+  const std::array<std::pair<bool, const char *>, 7> options = {
+      {{c.steps.has_value(), "steps"},
+       {c.pressure.has_value(), "stress"},
+       {c.tolerance.has_value(), "target-tolerance"},
+       {c.friction.has_value(), "friction"},
+       {c.friction_while_filling.has_value(), "friction-while-filling"},
+       {c.material.has_value(), "material"},
+       {c.periodic, "periodic"}}};
+  const auto *const found =
+      std::find_if(options.begin(), options.end(), [](const auto &given) { return given.first; });
+  return found == options.end() ? nullptr : found->second;
+}
+
+void check_model(const ExportTexts &c) {
+  if (c.unit && c.unit != "m")
+    throw InputError(option("unit") + ": models are in SI units: leave it out");
+  const bool has_target = c.solve.void_ratio || c.pressure;
+  if (c.solve.void_ratio && c.pressure)
+    throw InputError(option("void-ratio") + " and " + option("stress") +
+                     ": the density follows from either: give one of them");
+  if (c.tolerance && !has_target)
+    throw InputError(option("target-tolerance") + ": it is of " + option("void-ratio") + " or " +
+                     option("stress") + ": give one of them");
+  if (c.solve.specimen && c.solve.solids_volume)
+    throw InputError(option("specimen") + " and " + option("solids-volume") + ": give one of them");
+  if (c.material && c.young)
+    throw InputError(option("young") + ": " + option("material") + " has that of each class: leave it out");
+  if (c.start == "layers" && is_cylinder_asked(c))
+    throw InputError(option("start") +
+                     " layers: they have walls, and the specimen is a cylinder: take mixed or deposit");
+}
+
+void check_periodic(const ExportTexts &c) {
+  if (c.to == "liggghts")
+    throw InputError(option("periodic") + ": LIGGGHTS has no model of such a box: use " + option("to") +
+                     " lammps or yade");
+  if (is_cylinder_asked(c))
+    throw InputError(option("periodic") + ": a cylinder cannot be repeated: give " + option("specimen") +
+                     " box:AxBxC, or leave it out");
+  if (c.sides)
+    throw InputError(option("periodic") + ": it is periodic on all sides: leave " + option("sides") + " out");
+  if (c.start && c.start != "mixed")
+    throw InputError(option("periodic") + ": grains start mixed, and nothing settles: leave " +
+                     option("start") + " out");
+  if (!c.solve.void_ratio && !c.pressure)
+    throw InputError(option("periodic") + ": nothing settles without gravity: say by " +
+                     option("void-ratio") + " or " + option("stress") + " how far the box is compressed");
+}
+
+void check_sides(const ExportTexts &c) {
+  if (!c.sides)
+    return;
+  if (c.sides != "walls" && c.sides != "cylinder" && c.sides != "periodic")
+    throw InputError(option("sides") + ": " + in_quotes(*c.sides) +
+                     " is neither walls nor cylinder nor periodic");
+  const bool is_deposit = c.start == "deposit";
+  if (c.sides == "periodic" && !is_deposit)
+    throw InputError(option("sides") + ": a deposit alone can be periodic: give " + option("start") +
+                     " deposit, or leave " + option("sides") + " out");
+  if (!is_deposit && c.start != "mixed" && !c.model)
+    throw InputError(option("sides") + ": layers have the walls of a box: give " + option("start") +
+                     " mixed or deposit, or leave " + option("sides") + " out");
+  if (c.sides == "periodic" && c.model && c.to == "yade")
+    throw InputError(
+        option("sides") +
+        ": models of YADE have walls on all sides or on none: leave it out, or take lammps or liggghts");
+}
+
+} // namespace
+
+void check_export(const ExportTexts &c, const ExportFormat &format) {
+  c.solve.check_source(c.file, c.reading.given(), "export");
+  if (const char *const name = option_of_model(c); name != nullptr && !c.model)
+    throw InputError(option(name) + " is for a model: give " + option("model") + " settle too");
+  if (c.model)
+    check_model(c);
+  if (c.periodic)
+    check_periodic(c);
+  if (c.start && c.start != "layers" && c.start != "mixed" && c.start != "deposit")
+    throw InputError(option("start") + ": " + in_quotes(*c.start) +
+                     " is neither layers nor mixed nor deposit");
+  if (c.types && c.types != "class" && c.types != "one")
+    throw InputError(option("types") + ": " + in_quotes(*c.types) + " is neither one nor class");
+  if (c.types == "class" && c.to != "lammps" && !c.model)
+    throw InputError(option("types") + ": " + std::string(format.name) + " has no types here: leave it out");
+  if (format.write_placed == nullptr && c.start && !c.model)
+    throw InputError(std::string(option("start") + ": ") + format.name + " has no places here: leave it out");
+  check_sides(c);
+  const bool has_no_places = format.write_placed == nullptr && !c.model;
+  if (has_no_places && (c.box || (c.seed && !c.spread)))
+    throw InputError(std::string(c.box ? option("box") : option("seed")) + ": " + format.name +
+                     " has sizes without places: leave it out");
+}
+
+void check_export_of_packing(const ExportTexts &c) {
+  if (c.box || c.seed || c.start || c.sides || c.model || option_of_model(c) != nullptr || c.types ||
+      c.young || c.poisson || c.mass_error || c.spread || c.reading.is_given() || !c.solving.empty())
+    throw InputError("a packing has its places and sizes: leave out options but " + option("to") + ", " +
+                     option("unit") + ", " + option("density") + " and -o");
+}
+
+ParticleSetOptions set_options(const ExportTexts &c, bool has_floats) {
+  ParticleSetOptions options;
+  if (c.unit)
+    options.unit = length_unit_of("unit", *c.unit);
+  if (c.density)
+    options.density = physical("density", *c.density);
+  options.has_floats = has_floats;
+  if (has_floats)
+    options.most_mass_error = ratio(1, 5000000); // of a cube: three times that of a float
+  if (c.mass_error)
+    options.most_mass_error = positive("mass-error", *c.mass_error);
+  return options;
+}
+
+/// A specimen sets the number of particles where its void ratio is known; a model takes either alone.
+SolveTexts texts_of_solving(const ExportTexts &c) {
+  SolveTexts flags = c.solve;
+  if (c.model && !(flags.specimen && flags.void_ratio))
+    flags.specimen = flags.void_ratio = std::nullopt;
+  return flags;
+}
+
+void refuse_options_of_solving(const ExportTexts &c, const char *what) {
+  for (const std::string &name : c.solving)
+    if (name != "law" && !is_of_model(c, name))
+      throw InputError(fmt::format("{}: {} in {} is solved already: leave it out, or export the gradation",
+                                   option(name), what, printable(shown_name(*c.file))));
+}
+
+std::optional<std::string> verify_options(const ExportTexts &c) {
+  if (!c.file)
+    return std::nullopt;
+  std::string options;
+  const auto add = [&options](const char *name, const OptionText &value) {
+    if (value)
+      options += std::string(" --") + name + " " + *value;
+  };
+  add("law", c.solve.law);
+  add("size-factor", c.solve.size_factor);
+  add("cut-below", c.solve.cut_below);
+  add("pan-size", c.solve.pan_size);
+  return options + c.reading.words();
+}
+
+const std::vector<OptionRow<ExportTexts>> ExportTexts::options = {
+    {"unit", "UNIT", OptionKind::text, "unit of lengths in the file: m (default), mm, um or in",
+     &ExportTexts::unit},
+    {"size-unit", "UNIT", OptionKind::text, "unit of FILE where it is a file of particles: as in mdm verify",
+     &ExportTexts::size_unit},
+    {"density", "RHO", OptionKind::number,
+     "of the grains in kg/m^3 (2650); a class's factor, where there is one, multiplies it",
+     &ExportTexts::density},
+    {"mass-error", "EPS", OptionKind::number,
+     "relative error of the mass of a class that rounded sizes may make (1e-9; 2e-7 for gsd and "
+     "dem-engine, "
+     "which have floats)",
+     &ExportTexts::mass_error},
+    {"yes-huge", "", OptionKind::flag, "more than 10000000 particles are wanted", &ExportTexts::yes_huge},
+    {"yes-units", "", OptionKind::flag,
+     "sizes below 1 um and boxes above 100 m are right: the units are no mistake", &ExportTexts::yes_units}};
+
+const std::vector<OptionRow<ExportTexts>> ExportTexts::start_options = {
+    {"box", "AxB[xC]", OptionKind::text,
+     "footprint of the start, and its height, in the answer's unit (lammps, yade, vtk, models); without "
+     "it the specimen's, a square in it for a cylinder, or a square that makes the start as high "
+     "as wide",
+     &ExportTexts::box},
+    {"start", "START", OptionKind::text,
+     "layers, a slab for each class; mixed, at random places of a higher box; or deposit, a dense "
+     "one, dropped and rolled to rest (lammps, yade, vtk, models; layers, but mixed for a model of up "
+     "to 1000000 particles, and a deposit for one with a density to reach)",
+     &ExportTexts::start},
+    {"sides", "SIDES", OptionKind::text,
+     "of the start's box: walls; cylinder, in a --box as long as wide, the default for such a "
+     "specimen but "
+     "in layers; or periodic, of a deposit, repeated in x and y (models: lammps, liggghts)",
+     &ExportTexts::sides},
+    {"seed", "K", OptionKind::number, "of the places of the start, and of a spread's sizes (1)",
+     &ExportTexts::seed}};
+
+const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
+    {"model", "MODEL", OptionKind::text,
+     "settle: a complete model that lets the particles settle in the specimen, for liggghts, lammps or "
+     "yade, and beside it the files that it reads; with --void-ratio or --stress it compacts them",
+     &ExportTexts::model},
+    {"steps", "N", OptionKind::number,
+     "time steps of the model while particles settle, at most; without it three times as long as a "
+     "fall from the top of the box",
+     &ExportTexts::steps},
+    {"stress", "S", OptionKind::number,
+     "pressure in Pa to which the model compacts the particles, by a lid or the faces of a "
+     "--periodic box; --void-ratio is another such target",
+     &ExportTexts::pressure},
+    {"target-tolerance", "T", OptionKind::number, "of --void-ratio, or of --stress as a part of it (0.01)",
+     &ExportTexts::tolerance},
+    {"friction", "MU", OptionKind::number, "coefficient of friction of a model's particles (0.5)",
+     &ExportTexts::friction},
+    {"friction-while-filling", "MU", OptionKind::number,
+     "the same while they settle and are compacted, and of walls: less makes denser beds (--friction)",
+     &ExportTexts::friction_while_filling},
+    {"periodic", "", OptionKind::flag,
+     "a model in a box that is repeated on all sides: nothing settles, its faces compress it to "
+     "--void-ratio or --stress (lammps, yade)",
+     &ExportTexts::periodic},
+    {"types", "TYPES", OptionKind::text,
+     "class: each class has a type of its own, walls the next; else one (lammps, models; YADE has "
+     "a material a class)",
+     &ExportTexts::types},
+    {"material", "FILE", OptionKind::file,
+     "CSV: the material of each class in a model: columns class (number) or lower_mm, and some of "
+     "young_modulus, poisson, friction, restitution; implies --types class",
+     &ExportTexts::material},
+    {"young", "E", OptionKind::number,
+     "Young's modulus for the time step, in Pa (7e10; a model is softer, and says so)", &ExportTexts::young},
+    {"poisson", "NU", OptionKind::number, "Poisson's ratio for the time step (0.25)", &ExportTexts::poisson}};
+
+} // namespace mdm

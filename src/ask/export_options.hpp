@@ -1,0 +1,72 @@
+#pragma once
+/// \file
+/// Particles for DEM codes: what is asked.
+
+#include "ask/outcome.hpp"
+#include "ask/reading_options.hpp"
+#include "ask/solve_options.hpp"
+#include "particles/cost.hpp"
+#include "particles/export_format.hpp"
+
+#include <vector>
+
+namespace mdm {
+
+/// A file that lies in the folder of the one that was asked for.
+struct FileBeside {
+  std::string path;
+  void (*write)(const Placement &, const Sink &);
+};
+
+/// What is asked of the particles, as texts.
+struct ExportTexts {
+  OptionText file; ///< open: the band alone
+  SolveTexts solve;
+  std::vector<std::string> solving; ///< the options that are given that only a gradation has a use for
+  OptionText unit, size_unit, density, mass_error, box, seed, young, poisson, model, steps, start, sides,
+      pressure, tolerance, friction, friction_while_filling, types, material;
+  ReadingTexts reading;
+  std::string to, out = "-";
+  bool spread = false;
+  bool periodic = false; ///< on all sides
+  bool yes_huge = false, yes_units = false;
+
+  static const std::vector<OptionRow<ExportTexts>> options, start_options, model_options;
+};
+
+/// The particles to export, and how the search for them ended.
+struct ExportedParticles {
+  std::optional<ParticleSet> set; ///< nothing: there is no match
+  Outcome outcome = Outcome::done;
+  SizeUnit unit = SizeUnit::mm; ///< of lengths in options
+  std::string question;         ///< of an answer, in words
+  bool has_gradation = true;    ///< FILE is one, by which the particles can be judged
+};
+
+/// \throws InputError if --to is none
+const ExportFormat &export_format(const ExportTexts &c);
+
+/// Those that the format has, a model's aside. \throws InputError if it has some and -o is no file
+std::vector<FileBeside> files_beside(const ExportTexts &c, const ExportFormat &format);
+
+/// A positive number that engines compute with as a double.
+Rational physical(const std::string &name, const std::string &text);
+
+ParticleSetOptions set_options(const ExportTexts &c, bool has_floats);
+/// The options of solving as far as a model does not take them for itself.
+SolveTexts texts_of_solving(const ExportTexts &c);
+/// Refuses the options of solving, of which there is no more to ask. \param what  the particles
+void refuse_options_of_solving(const ExportTexts &c, const char *what);
+/// The options with which mdm verify takes the gradation as it was asked for; nothing where there is a band
+/// alone.
+std::optional<std::string> verify_options(const ExportTexts &c);
+
+std::uint64_t export_seed(const ExportTexts &c);
+Elasticity elasticity(const ExportTexts &c);
+
+/// Refuses options that do not go together, or that the format has no use for.
+void check_export(const ExportTexts &c, const ExportFormat &format);
+/// Refuses options that only particles of a gradation have a use for.
+void check_export_of_packing(const ExportTexts &c);
+
+} // namespace mdm

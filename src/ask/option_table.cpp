@@ -1,0 +1,88 @@
+#include "ask/option_table.hpp"
+
+#include "ask/crosscheck_options.hpp"
+#include "ask/reading_options.hpp"
+#include "ask/soil_options.hpp"
+#include "ask/solve_options.hpp"
+#include "ask/verifier.hpp"
+#include "text/json_writer.hpp"
+#include "text/option_name.hpp"
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+/// The rows of some tables, one table after the other.
+template <class... Texts>
+std::vector<TableOption> rows_of(const std::vector<OptionRow<Texts>> &...tables) {
+  std::vector<TableOption> all;
+  const auto add = [&all](const auto &table) {
+    for (const auto &row : table)
+      all.push_back({row.name, row.values, row.kind, row.help});
+  };
+  (add(tables), ...);
+  return all;
+}
+
+std::vector<TableOption> without(const std::string &name, std::vector<TableOption> rows) {
+  rows.erase(
+      std::remove_if(rows.begin(), rows.end(), [&](const TableOption &row) { return row.name == name; }),
+      rows.end());
+  return rows;
+}
+
+const char *name(OptionKind kind) {
+  switch (kind) {
+  case OptionKind::text:
+    return "text";
+  case OptionKind::number:
+    return "number";
+  case OptionKind::seconds:
+    return "seconds";
+  case OptionKind::file:
+    return "file";
+  case OptionKind::tolerances:
+    return "tolerances";
+  case OptionKind::texts:
+    return "texts";
+  default:
+    return "flag";
+  }
+}
+
+} // namespace
+
+const std::vector<OptionsOfCommand> &option_table() {
+  static const std::vector<OptionsOfCommand> table = {
+      {"solve", rows_of(SolveTexts::tolerance_options, BudgetTexts::options, SolveTexts::question_options,
+                        GradationTexts::options, SolveTexts::answer_options, SolveTexts::limit_options)},
+      {"verify", rows_of(VerifyTexts::options, ParticleTexts::options, GradationTexts::options,
+                         VerifyTexts::answer_options, PlaceTexts::options)},
+      // The largest match that is wanted is of a search.
+      {"crosscheck", without("at-most", rows_of(CrosscheckTexts::options, SolveTexts::tolerance_options,
+                                                SolveTexts::question_options, GradationTexts::options,
+                                                CrosscheckTexts::limit_options))},
+      {"describe", rows_of(SoilTexts::options)},
+      {"convert", rows_of(ReadingTexts::options)}};
+  return table;
+}
+
+std::string option_table_json() {
+  JsonWriter json;
+  json.begin_object();
+  for (const OptionsOfCommand &of : option_table()) {
+    json.key(of.command).begin_array();
+    for (const TableOption &o : of.options) {
+      json.begin_object().key("name").plain(o.name);
+      json.key("keyword").plain(option(o.name, OptionSpelling::keyword));
+      json.key("member").plain(option(o.name, OptionSpelling::member));
+      json.key("kind").plain(name(o.kind)).key("values").plain(o.values).key("help").string(o.help);
+      json.end_object();
+    }
+    json.end_array();
+  }
+  return json.end_object().take() + "\n";
+}
+
+} // namespace mdm

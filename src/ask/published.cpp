@@ -1,0 +1,193 @@
+#include "ask/published.hpp"
+
+#include "ask/option_values.hpp"
+#include "match/fixed_size.hpp"
+#include "match/spanned_integer.hpp"
+
+#include <mdm/number/decimal.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+
+namespace mdm {
+namespace {
+
+/// The most iterations: more are of no use, and each is reported.
+constexpr std::uint64_t most_iterations = 100'000;
+constexpr std::uint64_t most_increments = 1'000'000'000;
+
+/// Refuses the option where the algorithm does not know it.
+void check_knows(const PublishedTexts &c, const char *name, const OptionText &value, const char *algorithms) {
+  if (value && std::string(algorithms).find(c.algorithm) == std::string::npos)
+    throw InputError(fmt::format("{}: not an option of {}: leave it out (it is one of {})", option(name),
+                                 c.algorithm, algorithms));
+}
+
+/// A position in a class: above its lower sieve, 0, and up to its upper one, 1.
+Rational class_position(const char *name, const std::string &text) {
+  const Rational t = positive(name, text);
+  if (t > 1)
+    throw InputError(fmt::format("{}: {} is above 1, the upper sieve", option(name), in_quotes(text)));
+  return t;
+}
+
+std::uint64_t bounded(const char *name, const std::string &text, std::uint64_t most) {
+  const Integer n = natural(name, text, 1);
+  if (n > most)
+    throw InputError(fmt::format("{}: at most {}", option(name), most));
+  return static_cast<std::uint64_t>(n);
+}
+
+/// `1%` as a fraction.
+Rational share(const char *name, const std::string &text) {
+  if (text.empty() || text.back() != '%')
+    throw InputError(
+        fmt::format("{}: {} has no percent sign: write 1%, for example", option(name), in_quotes(text)));
+  return not_negative(name, text.substr(0, text.size() - 1)) / 100;
+}
+
+SizeChoice size_choice(const PublishedTexts &c) {
+  if (c.size_at)
+    return {class_position("size-at", *c.size_at)};
+  if (c.sizes == "volume")
+    return {};
+  return {c.sizes == "lower" ? ratio(1, 1000) : c.sizes == "upper" ? Rational(1) : ratio(1, 2)};
+}
+
+std::string size_choice_words(const SizeChoice &sizes) {
+  return sizes.position ? "sizes at " + to_decimal(*sizes.position) + " of their classes"
+                        : std::string("sizes of the mean volume of their classes' bounds");
+}
+
+struct NamedRounding {
+  const char *name;
+  Rounding rounding;
+  const char *words;
+};
+
+constexpr NamedRounding roundings[] = {{"nearest", Rounding::nearest, "to nearest, a half up"},
+                                       {"even", Rounding::even, "to nearest, a half to even"},
+                                       {"up", Rounding::up, "up"},
+                                       {"down", Rounding::down, "down"}};
+
+const NamedRounding &rounding_named(const std::string &name) {
+  return *std::find_if(std::begin(roundings), std::end(roundings) - 1,
+                       [&name](const NamedRounding &r) { return r.name == name; });
+}
+
+/// The algorithm that the user chose.
+struct ChosenAlgorithm {
+  PublishedAlgorithm kind;
+  std::string settings; ///< in words
+  std::function<Published(const Gradation &, const MassLaw &)> run;
+};
+
+ChosenAlgorithm fixed_size_of(const PublishedTexts &c) {
+  FixedSizeOptions o;
+  o.sizes = size_choice(c);
+  const NamedRounding &rounding = rounding_named(c.rounding.value_or("nearest"));
+  o.rounding = rounding.rounding;
+  std::string settings = fmt::format("{}, rounded {}", size_choice_words(o.sizes), rounding.words);
+  PublishedAlgorithm kind = PublishedAlgorithm::fixed_size;
+  if (c.algorithm == "rounded") {
+    kind = PublishedAlgorithm::rounded;
+    o.max_iterations = 1;
+  } else {
+    o.tolerance = share("tolerance", c.tolerance.value_or("1%"));
+    if (c.max_iterations)
+      o.max_iterations = bounded("max-iterations", *c.max_iterations, most_iterations);
+    settings += fmt::format(", total error up to {} %, at most {} iterations",
+                            to_decimal(Rational(100 * o.tolerance)), o.max_iterations);
+  }
+  return {kind, settings, [o](const Gradation &g, const MassLaw &law) { return fixed_size(g, law, o); }};
+}
+
+ChosenAlgorithm spanned_integer_of(const PublishedTexts &c) {
+  SpannedIntegerOptions o;
+  if (c.start)
+    o.start = class_position("start", *c.start);
+  if (c.increments)
+    o.increments = bounded("increments", *c.increments, most_increments);
+  if (c.max_iterations)
+    o.max_iterations = bounded("max-iterations", *c.max_iterations, most_iterations);
+  return {PublishedAlgorithm::spanned_integer,
+          fmt::format("x_nS from {} of its class, {} size{}, at most {} iterations", to_decimal(o.start),
+                      o.increments, o.increments == 1 ? "" : "s", o.max_iterations),
+          [o](const Gradation &g, const MassLaw &law) { return spanned_integer(g, law, o); }};
+}
+
+/// Refuses options that do not go together.
+void check_published(const PublishedTexts &c) {
+  check_knows(c, "sizes", c.sizes, "rounded, fixed-size");
+  check_knows(c, "size-at", c.size_at, "rounded, fixed-size");
+  check_knows(c, "rounding", c.rounding, "rounded, fixed-size");
+  check_knows(c, "tolerance", c.tolerance, "fixed-size");
+  check_knows(c, "max-iterations", c.max_iterations, "fixed-size, spanned-integer");
+  check_knows(c, "start", c.start, "spanned-integer");
+  check_knows(c, "increments", c.increments, "spanned-integer");
+  if (c.sizes && c.size_at)
+    throw InputError(option("sizes") + " and " + option("size-at") + ": give one of them");
+}
+
+ChosenAlgorithm algorithm_of(const PublishedTexts &c) {
+  check_published(c);
+  return c.algorithm == "spanned-integer" ? spanned_integer_of(c) : fixed_size_of(c);
+}
+
+} // namespace
+
+const std::vector<OptionRow<PublishedTexts>> PublishedTexts::options = {
+    {"sizes",
+     "TEXT",
+     OptionKind::text,
+     "rounded, fixed-size: the size of each class: middle (default), upper (the "
+     "sieve), volume (with the mean of the bounds' volumes) or lower (0.001 of the class above its "
+     "open end)",
+     &PublishedTexts::sizes,
+     {"lower", "middle", "upper", "volume"}},
+    {"size-at", "T", OptionKind::number,
+     "rounded, fixed-size: the size as a part T of the class, 0 < T <= 1: lower + T (upper - "
+     "lower)",
+     &PublishedTexts::size_at},
+    {"rounding",
+     "TEXT",
+     OptionKind::text,
+     "rounded, fixed-size: nearest (default, a half up), even (a half to even), up or down",
+     &PublishedTexts::rounding,
+     {"nearest", "even", "up", "down"}},
+    {"tolerance", "P%", OptionKind::number, "fixed-size: the total error that is enough (1%)",
+     &PublishedTexts::tolerance},
+    {"start", "T", OptionKind::number,
+     "spanned-integer: the first x_nS as a part T of its class, 0 < T <= 1 (0.001)", &PublishedTexts::start},
+    {"increments", "N", OptionKind::number,
+     "spanned-integer: so many x_nS, evenly from the first to the upper sieve (100); 1: the "
+     "first alone",
+     &PublishedTexts::increments},
+    {"max-iterations", "N", OptionKind::number,
+     "fixed-size, spanned-integer: give up after so many (999), exit 1", &PublishedTexts::max_iterations},
+    {"digits", "D", OptionKind::number, "significant digits of sizes (15)", &PublishedTexts::digits}};
+
+PublishedRun::PublishedRun(const PublishedTexts &asked) {
+  ChosenAlgorithm algorithm = algorithm_of(asked);
+  kind_ = algorithm.kind;
+  settings_ = std::move(algorithm.settings);
+  run_ = std::move(algorithm.run);
+  question_ = asked.gradation.question();
+  digits_ = asked.digits ? digits_of("digits", *asked.digits) : 15;
+}
+
+PublishedReport PublishedRun::report(const Gradation &read) const {
+  const Question question = question_.in(read.unit());
+  const Gradation g = asked_gradation(read, question);
+  return {kind_,   settings_, g, question.law, run_(g, question.law), smallest_match(g, question.law),
+          digits_, g.notes()};
+}
+
+Outcome outcome_of(const PublishedReport &report) {
+  return succeeded(report) ? Outcome::done : Outcome::negative;
+}
+
+} // namespace mdm
