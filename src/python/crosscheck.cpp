@@ -1,4 +1,5 @@
 #include "ask/crosscheck_options.hpp"
+#include "crosscheck/other_answer.hpp"
 #include "python/module.hpp"
 #include "python/numbers.hpp"
 #include "python/question.hpp"
