@@ -66,7 +66,7 @@ export async function loadProgram({ glue, wasm }) {
       preRun: [
         ({ FS, ENV }) => {
           FS.init(() => null, (byte) => out.add(byte), (byte) => err.add(byte));
-          Object.assign(ENV, environment);
+          if (ENV) Object.assign(ENV, environment);
         },
       ],
       onProgress: onProgress && ((least, particles) => onProgress({ least, particles: particles || null })),
