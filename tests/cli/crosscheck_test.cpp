@@ -395,8 +395,8 @@ TEST_CASE("a run that is interrupted takes its solvers with it, which is no answ
 
 TEST_CASE("a CSV answer leaves the size of no particles out", "[cli]") {
   const TemporaryFolder folder;
-  const std::string suite = R"({"id":"gap","sizes":[1,2,3,4],"masses":[2,0,1,0]})";
-  const Json best = Json::parse(mdm({"solve", "-", "--format", "json"}, suite).out);
+  const std::string gapped = R"({"id":"gap","sizes":[1,2,3,4],"masses":[2,0,1,0]})";
+  const Json best = Json::parse(mdm({"solve", "-", "--format", "json"}, gapped).out);
   std::string sizes, counts;
   for (const Json &c : best.at("classes")) {
     counts += c.at("quantity").get<std::string>() + " ";
@@ -405,7 +405,7 @@ TEST_CASE("a CSV answer leaves the size of no particles out", "[cli]") {
   const auto judge = [&](const std::string &of) {
     const std::string answers =
         folder.write("a.csv", "id,sizes_mm,quantities\ngap," + of + "," + counts + "\n");
-    return mdm({"crosscheck", "-", answers, "--require-minimal", "--format", "csv", "--reasons"}, suite);
+    return mdm({"crosscheck", "-", answers, "--require-minimal", "--format", "csv", "--reasons"}, gapped);
   };
   CHECK(judge(sizes).exit_code == 0);
   CHECK(contains(judge(sizes.substr(0, sizes.find('-'))).out, "write - for the size of a 0"));
@@ -415,8 +415,8 @@ TEST_CASE("a journal knows what was asked, not the id alone", "[cli]") {
   const TemporaryFolder folder;
   const std::string journal = folder / "j", log = folder / "log";
   const std::string solver = "echo x >> '" + log + R"('; echo '{"quantities":[3,1]}')";
-  const auto crosscheck = [&](const std::string &suite) {
-    return mdm({"crosscheck", "-", "--solver", solver, "--journal", journal, "--format", "csv"}, suite);
+  const auto crosscheck = [&](const std::string &lines) {
+    return mdm({"crosscheck", "-", "--solver", solver, "--journal", journal, "--format", "csv"}, lines);
   };
   CHECK(crosscheck(small).exit_code == 0);
   CHECK(crosscheck(small).exit_code == 0);
@@ -428,8 +428,8 @@ TEST_CASE("a journal knows what was asked, not the id alone", "[cli]") {
   CHECK(crosscheck(corrected).exit_code == 1);
   CHECK(lines_of(read_file(log)).size() == 2);
   // As ANSWERS each of its answers is judged against what was asked alone.
-  const auto judged = [&](const std::string &suite) {
-    return mdm({"crosscheck", "-", journal, "--format", "csv", "--reasons"}, suite);
+  const auto judged = [&](const std::string &lines) {
+    return mdm({"crosscheck", "-", journal, "--format", "csv", "--reasons"}, lines);
   };
   const Outcome now = judged(corrected);
   CHECK(now.exit_code == 1);
