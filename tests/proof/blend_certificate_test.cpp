@@ -142,7 +142,7 @@ TEST_CASE("a proof does not serve a blend of greater value, nor that there is no
 TEST_CASE("a proof whose multipliers are gone proves nothing where they were needed") {
   std::mt19937_64 random(7);
   int refused = 0;
-  for (int trial = 0; trial < 100; ++trial) {
+  for (int trial = 0; trial < 400; ++trial) {
     const BlendFiles files = random_files(random);
     const BlendProblem p = problem_of(files, random);
     const BlendAnswer a = solve_blend(p);
