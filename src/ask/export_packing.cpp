@@ -1,6 +1,7 @@
 #include "ask/export_packing.hpp"
 
 #include "particles/packing_export.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
 

@@ -2,6 +2,7 @@
 
 #include "text/file_names.hpp"
 #include "text/lines.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>

@@ -2,6 +2,8 @@
 /// \file
 /// The rows of the tables of options.
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -32,10 +34,15 @@ struct OptionRow {
   OptionKind kind;
   const char *help;
   std::variant<OptionText Texts::*, std::vector<std::string> Texts::*, bool Texts::*> place;
-  std::vector<std::string> choices = {}; ///< all that it takes; empty: what its reader says
+  std::array<const char *, 4> words = {}; ///< all that it takes, as far as they are not null
 
   /// Where its text is. \pre it has one, neither none nor several
   OptionText Texts::*text() const { return std::get<OptionText Texts::*>(place); }
+
+  /// All that it takes; empty: what its reader says.
+  std::vector<std::string> choices() const {
+    return {words.begin(), std::find(words.begin(), words.end(), nullptr)};
+  }
 };
 
 } // namespace mdm

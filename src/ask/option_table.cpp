@@ -20,7 +20,7 @@ std::vector<TableOption> rows_of(const std::vector<OptionRow<Texts>> &...tables)
   std::vector<TableOption> all;
   const auto add = [&all](const auto &table) {
     for (const auto &row : table)
-      all.push_back({row.name, row.values, row.kind, row.help, row.choices});
+      all.push_back({row.name, row.values, row.kind, row.help, row.choices()});
   };
   (add(tables), ...);
   return all;

@@ -28,8 +28,8 @@ void add_options(CLI::App &command, const std::vector<Row> &rows, Texts &texts) 
       added->allow_extra_args(false);
     if (*row.values != '\0')
       added->type_name(row.values);
-    if (!row.choices.empty())
-      added->check(CLI::IsMember(row.choices));
+    if (const std::vector<std::string> choices = row.choices(); !choices.empty())
+      added->check(CLI::IsMember(choices));
   }
 }
 
