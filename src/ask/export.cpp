@@ -8,12 +8,6 @@
 namespace mdm {
 namespace {
 
-/// The relative error that masses may have because sizes are floats.
-const Rational &error_of_floats() {
-  static const Rational error = ratio(2, 10000000);
-  return error;
-}
-
 /// PhasicFlow reads two files more.
 bool is_one_file(const ExportFormat &format) {
   return format.id != ExportTo::phasicflow;
@@ -50,7 +44,7 @@ void export_particles(const Match &m, std::string_view format, std::ostream &out
   numbers.density = options.density;
   if (to.has_floats) {
     numbers.has_floats = true;
-    numbers.most_mass_error = error_of_floats();
+    numbers.most_mass_error = mass_error_of_floats();
   }
   const ParticleSet set = particle_set(m, numbers);
   const Sink sink = [&out](std::string_view text) {

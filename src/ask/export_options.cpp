@@ -178,7 +178,7 @@ ParticleSetOptions set_options(const ExportTexts &c, bool has_floats) {
     options.density = physical("density", *c.density);
   options.has_floats = has_floats;
   if (has_floats)
-    options.most_mass_error = ratio(1, 5000000); // of a cube: three times that of a float
+    options.most_mass_error = mass_error_of_floats();
   if (c.mass_error)
     options.most_mass_error = positive("mass-error", *c.mass_error);
   return options;

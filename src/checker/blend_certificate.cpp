@@ -1,6 +1,6 @@
 #include "blend_certificate.hpp"
 
-#include "text.hpp"
+#include "certificate_lines.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -14,30 +14,10 @@ namespace {
 constexpr std::uint64_t most_terms = std::uint64_t{1} << 22U, most_numbers = std::uint64_t{1} << 20U;
 constexpr std::uint64_t most_steps = 1'000'000'000;
 
-/// Walks over the lines of a certificate and over the words of each.
-class BlendLines {
+/// The lines of a certificate of a blend, or of none.
+class BlendLines : public CertificateLines {
 public:
-  explicit BlendLines(std::string_view text) : rest_(text) { next(); }
-
-  void check(bool holds, const char *what) const { demand_form(holds, line_, what); }
-  bool more() const { return !line_.empty(); }
-  /// Whether the line begins with these words; if so, steps behind them.
-  bool take(std::string_view words) {
-    const bool yes = line_.starts_with(words) && (line_.size() == words.size() || line_[words.size()] == ' ');
-    line_.remove_prefix(yes ? words.size() : 0);
-    return yes;
-  }
-  void demand(std::string_view words) {
-    if (!take(words))
-      throw Malformed(line_, quoted(line_) + " instead of the line " + quoted(words) +
-                                 ": let mdm blend --proof write it again");
-  }
-  /// The line must be used up; steps to the next one.
-  void end() {
-    check(line_.empty(), "too much on this line: drop what follows its numbers");
-    next();
-  }
-  void end_file() const { check(line_.empty() && rest_.empty(), "something follows `end`: drop it"); }
+  explicit BlendLines(std::string_view text) : CertificateLines(text, "mdm blend") {}
 
   std::uint64_t count(std::uint64_t least) {
     const std::string_view text = word();
@@ -78,13 +58,6 @@ public:
   std::uint64_t longest_bits() const { return longest_bits_; }
 
 private:
-  std::string_view word() {
-    check(more(), "the line is too short: give all its numbers");
-    line_.remove_prefix(1);
-    const std::string_view word = line_.substr(0, line_.find(' '));
-    line_.remove_prefix(word.size());
-    return word;
-  }
   mpz_class natural(std::string_view text) const {
     const bool digits =
         !text.empty() && text.size() <= 100'000 && std::all_of(text.begin(), text.end(), is_digit);
@@ -104,14 +77,6 @@ private:
     longest_bits_ = std::max(longest_bits_, bits(value));
     return value;
   }
-  void next() {
-    const std::size_t end = rest_.find('\n');
-    line_ = rest_.substr(0, end);
-    demand_form(end != std::string_view::npos, rest_, "the certificate breaks off: end it with a line `end`");
-    rest_.remove_prefix(end + 1);
-  }
-
-  std::string_view rest_, line_;
   std::uint64_t longest_bits_ = 1;
 };
 

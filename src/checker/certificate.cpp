@@ -1,6 +1,6 @@
 #include "certificate.hpp"
 
-#include "text.hpp"
+#include "certificate_lines.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -15,39 +15,13 @@ namespace {
 // Limit 5.
 constexpr std::size_t most_classes = std::size_t{1} << 20U, most_of_tree = std::size_t{1} << 22U;
 
-/// Walks over the lines of a certificate and over the words of each.
-class Lines {
+/// The lines of a certificate of a match, or of none.
+class Lines : public CertificateLines {
 public:
-  explicit Lines(std::string_view text) : rest_(text) { next(); }
+  explicit Lines(std::string_view text) : CertificateLines(text, "mdm solve") {}
 
   /// The bits of the longest number so far that the limits 1 and 2 count.
   std::uint64_t longest_count() const { return longest_count_; }
-
-  void check(bool holds, const char *what) const { demand_form(holds, line_, what); }
-  /// The number of the line that was read last.
-  void check_before(bool holds, const char *what) const { demand_form(holds, before_, what); }
-  const char *here() const { return line_.data(); }
-  bool more() const { return !line_.empty(); }
-  bool begins_with(std::string_view words) const {
-    return line_.starts_with(words) && (line_.size() == words.size() || line_[words.size()] == ' ');
-  }
-  /// Whether the line begins with these words; if so, steps behind them.
-  bool take(std::string_view words) {
-    const bool yes = begins_with(words);
-    line_.remove_prefix(yes ? words.size() : 0);
-    return yes;
-  }
-  void demand(std::string_view words) {
-    if (!take(words))
-      throw Malformed(line_, quoted(line_) + " instead of the line " + quoted(words) +
-                                 ": let mdm solve --proof write it again");
-  }
-  /// The line must be used up; steps to the next one.
-  void end() {
-    check(line_.empty(), "too much on this line: drop what follows its numbers");
-    next();
-  }
-  void end_file() const { check(line_.empty() && rest_.empty(), "something follows `end`: drop it"); }
 
   /// Reads a line: its name and a number of each kind, which may repeat. The kind `f` is the word `file`.
   void read(std::string_view name, std::string_view kinds, Numbers &numbers, bool repeat = false) {
@@ -137,20 +111,6 @@ private:
     demand_form(i < j, line_, "are no classes i-j with i < j: write a single class once", text);
     return {i, j};
   }
-  void next() {
-    const std::size_t end = rest_.find('\n');
-    before_ = std::exchange(begin_, rest_);
-    line_ = rest_.substr(0, end);
-    demand_form(end != std::string_view::npos, rest_, "the certificate breaks off: end it with a line `end`");
-    rest_.remove_prefix(end + 1);
-  }
-  std::string_view word() {
-    check(more(), "the line is too short: give all its numbers");
-    line_.remove_prefix(1);
-    const std::string_view word = line_.substr(0, line_.find(' '));
-    line_.remove_prefix(word.size());
-    return word;
-  }
   std::uint64_t index(std::string_view text) const {
     std::uint64_t value = 0;
     const char *const end = text.data() + text.size();
@@ -170,8 +130,6 @@ private:
     return read_decimal(text, line_, 100'000);
   }
 
-  std::string_view rest_, line_;
-  std::string_view begin_, before_; ///< of this line and the one before
   std::uint64_t longest_count_ = 0;
 };
 

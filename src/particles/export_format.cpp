@@ -37,6 +37,10 @@ const ExportFormat *find_export_format(std::string_view name) {
   return found == writers.end() ? nullptr : found;
 }
 
+Rational mass_error_of_floats() {
+  return ratio(1, 5000000);
+}
+
 std::string export_format_names() {
   std::string text;
   for (const ExportFormat &format : writers)

@@ -49,6 +49,10 @@ const std::array<ExportFormat, export_format_count> &all_export_formats();
 /// The format of that name, or null.
 const ExportFormat *find_export_format(std::string_view name);
 
+/// The relative error that masses may have where sizes are floats: that of a cube, three times that of a
+/// float.
+Rational mass_error_of_floats();
+
 /// All names, separated by commas.
 std::string export_format_names();
 

@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "mutants.hpp"
+#include "sanitizers.hpp"
 #include "window_judge.hpp"
 
 #include <mdm/checker.hpp>
@@ -554,14 +555,6 @@ const char *const names[] = {"by_hand",
                              "windows_total",
                              "windows_cylinder",
                              "windows_sums"};
-
-#if defined(__SANITIZE_ADDRESS__)
-#define MDM_IS_SANITIZED 1
-#elif defined(__has_feature)
-#define MDM_IS_SANITIZED __has_feature(address_sanitizer)
-#else
-#define MDM_IS_SANITIZED 0
-#endif
 
 /// All of them; with sanitizers, which take eight times as long, every eighth.
 std::set<std::string> judged_of(const std::set<std::string> &mutants) {

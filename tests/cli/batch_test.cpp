@@ -387,7 +387,7 @@ TEST_CASE("batch takes the options of solving", "[cli]") {
   CHECK(wrong[0].at("status") == "error");
 }
 
-#if !MDM_KEEPS_FREED_MEMORY
+#if !MDM_IS_SANITIZED
 TEST_CASE("memory does not grow with the number of lines", "[cli]") {
   const auto most_kib = [chunk = suite(2750)](int chunks, const char *threads) {
     Process batch(MDM_PROGRAM, {"batch", "-j", threads}, "/dev/null");

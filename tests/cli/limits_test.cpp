@@ -34,10 +34,10 @@ TEST_CASE("a sweep ends at a stated size, with its bounds", "[cli]") {
 TEST_CASE("a chain that is kept stays bounded", "[cli]") {
   const TemporaryFolder folder;
   // With sanitizers the sweeps to the stated size take minutes.
-  const std::string steps = MDM_KEEPS_FREED_MEMORY != 0 ? "1000000" : "1000000000000";
+  const std::string steps = MDM_IS_SANITIZED ? "1000000" : "1000000000000";
   const Outcome outcome = mdm({"solve", "-", "--proof", folder / "p", "--max-steps", steps}, endless());
   CHECK(outcome.exit_code == 3);
-  CHECK((MDM_KEEPS_FREED_MEMORY != 0 || outcome.max_rss_kib < 800 * megabyte));
+  CHECK((MDM_IS_SANITIZED || outcome.max_rss_kib < 800 * megabyte));
   CHECK(contains(outcome.out, "the proof is of the bounds: at least "));
   CHECK(folder.entries() == 1);
   CHECK(std::filesystem::file_size(folder / "p") < (std::uintmax_t{250} << 20));
@@ -59,11 +59,11 @@ TEST_CASE("the lines beside an endless one are written in batch, crosscheck and 
   CHECK(judged.max_rss_kib < 100 * megabyte);
 
   Arguments tradeoff{"tradeoff", "-", "--tolerances", "1", "--format", "csv"};
-  if (MDM_KEEPS_FREED_MEMORY != 0) // with sanitizers the sweeps to the stated size take minutes
+  if (MDM_IS_SANITIZED) // with sanitizers the sweeps to the stated size take minutes
     tradeoff.insert(tradeoff.end(), {"--max-steps", "1000000"});
   const Outcome rows = mdm(tradeoff, endless());
   CHECK(rows.exit_code == 3);
-  CHECK((MDM_KEEPS_FREED_MEMORY != 0 || rows.max_rss_kib < 100 * megabyte));
+  CHECK((MDM_IS_SANITIZED || rows.max_rss_kib < 100 * megabyte));
 }
 
 TEST_CASE("within a tolerance the exact match takes a small share of the limits", "[cli]") {
@@ -74,7 +74,7 @@ TEST_CASE("within a tolerance the exact match takes a small share of the limits"
 }
 
 TEST_CASE("a line that takes too much memory leaves the other lines of a batch alone", "[cli]") {
-  if (MDM_KEEPS_FREED_MEMORY != 0)
+  if (MDM_IS_SANITIZED)
     return;
   const TemporaryFolder folder;
   const std::string suite = folder.write("s.jsonl", small + "\n" + endless() + "\n" + small + "\n");
@@ -90,7 +90,7 @@ TEST_CASE("a line that takes too much memory leaves the other lines of a batch a
 }
 
 TEST_CASE("where memory ends no file is left", "[cli]") {
-  if (MDM_KEEPS_FREED_MEMORY != 0)
+  if (MDM_IS_SANITIZED)
     return;
   const TemporaryFolder folder;
   std::string sand = "size_mm,mass\n";

@@ -325,7 +325,7 @@ TEST_CASE("merged proofs are accepted with the suite", "[cli]") {
         std::string::npos);
 }
 
-#if !MDM_KEEPS_FREED_MEMORY
+#if !MDM_IS_SANITIZED
 TEST_CASE("memory of a shard and of a merge does not grow with the number of lines", "[cli]") {
   const auto most_kib = [](int times) {
     const ShardFolder s(suite_lines(2750, times));

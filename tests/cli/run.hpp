@@ -4,6 +4,7 @@
 
 #include "catch.hpp"
 #include "files.hpp"
+#include "sanitizers.hpp"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -23,15 +24,6 @@
 #include <string>
 #include <thread>
 #include <vector>
-
-// AddressSanitizer keeps freed memory.
-#if defined(__SANITIZE_ADDRESS__)
-#define MDM_KEEPS_FREED_MEMORY 1
-#elif defined(__has_feature)
-#define MDM_KEEPS_FREED_MEMORY __has_feature(address_sanitizer)
-#else
-#define MDM_KEEPS_FREED_MEMORY 0
-#endif
 
 namespace cli_test {
 

@@ -106,7 +106,7 @@ TEST_CASE("study draws its figures", "[cli]") {
 }
 
 TEST_CASE("study --paper voivret writes the numbers of its figures on size distributions", "[cli]") {
-  if (MDM_KEEPS_FREED_MEMORY) // all of them: a minute there
+  if (MDM_IS_SANITIZED) // all of them: a minute there
     return;
   const TemporaryFolder folder;
   const Outcome outcome = mdm({"study", "--paper", "voivret", "--only", "models", "--out", folder / "study"});

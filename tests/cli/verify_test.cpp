@@ -329,7 +329,7 @@ TEST_CASE("verify: reports as text and CSV, to a file or standard output", "[cli
   check_refused(mdm({"verify", g, s}, "", "/dev/full"), "No space left");
 }
 
-#if !MDM_KEEPS_FREED_MEMORY
+#if !MDM_IS_SANITIZED
 TEST_CASE("verify: memory does not grow with the number of particles", "[cli]") {
   std::string chunk;
   for (int i = 0; i < 5000; ++i)
