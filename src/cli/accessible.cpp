@@ -10,6 +10,7 @@
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
 #include "papers/accessible_report.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
 
@@ -28,10 +29,10 @@ void AccessibleFlags::add_to(CLI::App &command) {
 int run_accessible(const AccessibleQuestion &question, const OutputFlags &output,
                    const AccessibleFlags &flags) {
   if (flags.plot == "-")
-    throw InputError("--plot needs a file: standard output has the answer");
+    throw InputError(option("plot") + " needs a file: standard output has the answer");
   const std::optional<Picture> picture = flags.plot ? picture_at(*flags.plot) : std::nullopt;
   if (flags.plot && !picture)
-    throw InputError("--plot: " + printable(*flags.plot) + ": let OUT end in .svg, .png or .pdf");
+    throw InputError(option("plot") + ": " + printable(*flags.plot) + ": let OUT end in .svg, .png or .pdf");
   check_distinct({output.path(), flags.plot.value_or("-")});
   std::vector<AccessibleRow> rows = accessible_grid(question);
   Output out(output.path());

@@ -42,10 +42,10 @@ ExportedParticles sample_particles(const ExportTexts &c, const OutputFlags &outp
   ParticleOptions reading;
   reading.says_otherwise = option("size-unit") + " says";
   if (c.size_unit)
-    reading.unit = length_unit_of("size-unit", *c.size_unit);
+    reading.unit = size_unit_of("size-unit", *c.size_unit);
   SampleSet sample;
   output.tell_notes(read_sample_file(*c.file, reading, sample, output.quiet));
-  return {in_file(*c.file, [&] { return sample.set(stem(*c.file), LengthUnit::mm, options); }), Outcome::done,
+  return {in_file(*c.file, [&] { return sample.set(stem(*c.file), SizeUnit::mm, options); }), Outcome::done,
           SizeUnit::mm, "", false};
 }
 

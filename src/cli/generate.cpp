@@ -11,6 +11,7 @@
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 
@@ -42,7 +43,8 @@ std::string read_curve(const std::string &path) {
 int run(const GenerateCommand &c) {
   const GenerateTexts asked = c.asked();
   if (!c.accessible && (c.a || c.b || c.accessible_flags.is_given()))
-    throw InputError("--a, --b, --plot and -j are of --accessible: add it or leave them out");
+    throw InputError(option("a") + ", " + option("b") + ", " + option("plot") + " and -j are of " +
+                     option("accessible") + ": add it or leave them out");
   if (c.accessible)
     return run_accessible(accessible_question(asked), c.output, c.accessible_flags);
   check_generate(asked);

@@ -11,6 +11,7 @@
 #include "papers/paper_figures.hpp"
 #include "papers/paper_tables.hpp"
 #include "papers/specimens.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
@@ -75,7 +76,7 @@ int run_figures(const StudyCommand &c) {
   if (c.files.size() != 1)
     throw InputError("study figures takes one file, the suite: mdm study figures SUITE --out DIR");
   if (!c.out)
-    throw InputError("--out is missing: name the folder for the files");
+    throw InputError(option("out") + " is missing: name the folder for the files");
   const Survey survey = survey_of(c);
   std::vector<StudyFile> files = tables(survey);
   if (c.plots) {
@@ -92,9 +93,10 @@ int run_figures(const StudyCommand &c) {
 
 int run_voivret(const StudyCommand &c) {
   if (!c.what.empty() || !c.files.empty())
-    throw InputError("--paper voivret is without WHAT and FILE: mdm study --paper voivret --out DIR");
+    throw InputError(option("paper") +
+                     " voivret is without WHAT and FILE: mdm study --paper voivret --out DIR");
   if (!c.out)
-    throw InputError("--out is missing: name the folder for the files");
+    throw InputError(option("out") + " is missing: name the folder for the files");
   return run_size_models(c.size_models, *c.out, c.plots, c.output.quiet);
 }
 
@@ -102,7 +104,7 @@ int run_specimens(const StudyCommand &c) {
   if (c.files.size() != 2)
     throw InputError("study specimens takes two files: mdm study specimens GRADATION SPECIMENS");
   if (c.plots)
-    throw InputError("--plots: not an option of specimens: leave it out");
+    throw InputError(option("plots") + ": not an option of specimens: leave it out");
   check_distinct(c.files);
   const std::string &file = c.files[0];
   const Gradation g = read_gradation(read_file(file, max_gradation_bytes), shown_name(file));
@@ -158,10 +160,13 @@ Run add_study(CLI::App &app) {
     if (c->paper == "voivret")
       return run_voivret(*c);
     if (c->size_models.is_given())
-      throw InputError("--only, --at-least, --at-most, --seeds, --spans and -j are of --paper voivret: add "
+      throw InputError(option("only") + ", " + option("at-least") + ", " + option("at-most") + ", " +
+                       option("seeds") + ", " + option("spans") + " and -j are of " + option("paper") +
+                       " voivret: add "
                        "it or leave them out");
     if (c->what.empty())
-      throw InputError("WHAT is missing: figures or specimens, or --paper voivret; see mdm study --help");
+      throw InputError("WHAT is missing: figures or specimens, or " + option("paper") +
+                       " voivret; see mdm study --help");
     return c->what == "figures" ? run_figures(*c) : run_specimens(*c);
   };
 }

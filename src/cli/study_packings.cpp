@@ -7,6 +7,7 @@
 #include "papers/deposit_line.hpp"
 #include "papers/packing_figures.hpp"
 #include "papers/packing_tables.hpp"
+#include "text/option_name.hpp"
 
 #include <fmt/core.h>
 
@@ -57,7 +58,7 @@ private:
     if (terms != terms_)
       throw file_error(where, "has the deposits of a study with " + in_quotes(terms) + ", not " +
                                   in_quotes(terms_) +
-                                  ": ask for the same, remove the file, or name another --out");
+                                  ": ask for the same, remove the file, or name another " + option("out"));
   }
 
   JournalFile file_;

@@ -26,15 +26,16 @@ PackingStudyOptions packing_options(const SizeModelFlags &flags, bool quiet) {
   if (flags.at_most)
     o.terms.at_most = natural("at-most", *flags.at_most, 1);
   if (o.terms.at_most > Integer(most_discs))
-    throw InputError("--at-most: a packing has up to 10^7 discs: give fewer");
+    throw InputError(option("at-most") + ": a packing has up to 10^7 discs: give fewer");
   if (flags.seeds)
     o.seeds = natural64("seeds", *flags.seeds);
   if (o.seeds < 1 || o.seeds > most_seeds)
-    throw InputError("--seeds: " + in_quotes(*flags.seeds) + " is not a whole number from 1 to 1000");
+    throw InputError(option("seeds") + ": " + in_quotes(*flags.seeds) +
+                     " is not a whole number from 1 to 1000");
   o.spans = flags.spans ? number_list("spans", *flags.spans) : packed_spans();
   for (const Rational &span : o.spans)
     if (span >= 1)
-      throw InputError("--spans: a span is between 0 and 1: write for example 0.1,0.4,0.9");
+      throw InputError(option("spans") + ": a span is between 0 and 1: write for example 0.1,0.4,0.9");
   o.threads = flags.threads.value_or(std::max(1U, std::thread::hardware_concurrency()));
   o.quiet = quiet;
   return o;

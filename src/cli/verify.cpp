@@ -4,7 +4,6 @@
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
-#include "cli/packing_file.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
 #include "cli/solve_flags.hpp"
@@ -12,6 +11,7 @@
 #include "files/byte_source.hpp"
 #include "files/file_lines.hpp"
 #include "files/output.hpp"
+#include "files/packing_file.hpp"
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
 #include "particles/particle_reader.hpp"
@@ -100,7 +100,8 @@ int run(const VerifyCommand &c) {
   std::optional<Envelope> band;
   if (c.asked.band)
     band = band_in_file(*c.asked.band);
-  Verifier verifier(std::move(g), shown_name(c.gradation), c.asked, band);
+  const SizeUnit unit = g.unit();
+  Verifier verifier(std::move(g), shown_name(c.gradation), c.asked.question(unit, band));
   Output out(c.output.path());
   read_sample(c, verifier);
   const Verification v = verifier.verification(shown_name(c.sample));

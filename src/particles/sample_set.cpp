@@ -56,8 +56,7 @@ void SampleSet::add(const SizeRange &diameter, const Integer &quantity) {
         fmt::format("more than the {} sizes that a set can hold: leave particles out", most_sizes));
 }
 
-ParticleSet SampleSet::set(const std::string &name, LengthUnit from,
-                           const ParticleSetOptions &options) const {
+ParticleSet SampleSet::set(const std::string &name, SizeUnit from, const ParticleSetOptions &options) const {
   if (sizes_.empty())
     throw InputError("there are no particles: give a file that has some");
   const Rational unit = in_mm(from) / in_mm(options.unit);

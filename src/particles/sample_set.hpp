@@ -21,7 +21,7 @@ public:
 
   /// The set. \param from  the unit that the reader handed on
   /// \throws InputError if a size has no double close enough to it, or there are no particles
-  ParticleSet set(const std::string &name, LengthUnit from, const ParticleSetOptions &options) const;
+  ParticleSet set(const std::string &name, SizeUnit from, const ParticleSetOptions &options) const;
 
 private:
   std::map<std::pair<Rational, Rational>, Integer> sizes_; ///< lo and hi, ascending

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace mdm::cli {
+namespace mdm {
 
 /// A line has some sixty characters, and there are up to most_discs of them.
 inline constexpr std::size_t most_packing_bytes = std::size_t{1} << 30;
@@ -17,9 +17,9 @@ bool is_packing_file(const std::string &path);
 /// The same for files of sizes of discs.
 bool is_disc_sizes_file(const std::string &path);
 
-/// \throws InputError as read_file() and mdm::read_packing()
+/// \throws InputError as read_file() and read_packing()
 Packing read_packing_file(const std::string &path);
-/// \throws InputError as read_file() and mdm::read_disc_sizes()
+/// \throws InputError as read_file() and read_disc_sizes()
 DiscSizes read_disc_sizes_file(const std::string &path);
 
-} // namespace mdm::cli
+} // namespace mdm

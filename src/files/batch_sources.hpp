@@ -2,9 +2,8 @@
 /// \file
 /// The gradations of a batch, from suites and from gradation files.
 
+#include "answer/shard.hpp"
 #include "answer/totals.hpp"
-#include "ask/shard.hpp"
-#include "cli/reading_flags.hpp"
 #include "files/file_lines.hpp"
 #include "files/line_hash.hpp"
 
@@ -17,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace mdm::cli {
+namespace mdm {
 
 /// A gradation of a batch, which is still to be read.
 struct BatchItem {
@@ -34,13 +33,15 @@ struct BatchItem {
 /// gradation file with one gradation or many. Without files, standard input is JSON Lines.
 class BatchSources {
 public:
-  /// \param flags  of gradation files: JSON Lines, which say what they hold, are refused with them
+  /// \param reading  of gradation files
+  /// \param asked  the option of reading that is given, with which JSON Lines, which say what they hold, are refused;
+  /// empty: none
   /// \param only_suites gradation files are refused
-  BatchSources(std::vector<std::string> files, ReadingFlags flags, bool only_suites = false);
+  BatchSources(std::vector<std::string> files, Reading reading, std::string asked, bool only_suites = false);
   /// The lines of a shard of one suite, or of standard input.
   /// \param alone there are no other lines; they have the numbers that they have in a whole suite without
   /// blank lines
-  BatchSources(std::vector<std::string> files, ReadingFlags flags, Shard shard, bool alone);
+  BatchSources(std::vector<std::string> files, Reading reading, std::string asked, Shard shard, bool alone);
 
   /// The gradations that are there, at least one and at most `most`; empty at the end. Of a suite it waits
   /// only for the first. Memory: that of the lines, or some 64 MiB of gradation files.
@@ -65,8 +66,8 @@ private:
   void end_suite();
 
   std::vector<std::string> files_;
-  ReadingFlags flags_;
   Reading reading_;
+  std::string asked_;
   bool only_suites_;
   bool is_stream_;         ///< there were no files
   std::size_t opened_ = 0; ///< of the files
@@ -85,4 +86,4 @@ private:
   std::size_t waiting_bytes_ = 0;
 };
 
-} // namespace mdm::cli
+} // namespace mdm

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a specification asks of the percent that passes its sieves.
+/// What a specification asks of the percent that passes its sieves, and what is certain of it.
 
 #include <mdm/gradation/envelope.hpp>
 
@@ -10,6 +10,13 @@
 #include <vector>
 
 namespace mdm {
+
+/// A requirement holds for all curves that a report may mean, fails for all of them, or holds for some and
+/// fails for others. Undecided where a limit of precision came first.
+enum class Compliance { holds, fails, hangs, undecided };
+
+/// `pass`, `fail`, `hangs`, `undecided`.
+std::string_view name(Compliance verdict);
 
 /// The limits at one sieve: least <= percent passing <= most.
 struct PassingLimits {

@@ -1,4 +1,4 @@
-#include "ask/shard.hpp"
+#include "answer/shard.hpp"
 
 #include "number/typed_number.hpp"
 

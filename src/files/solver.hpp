@@ -9,7 +9,7 @@
 #include <chrono>
 #include <memory>
 
-namespace mdm::cli {
+namespace mdm {
 
 /// A program that reads a gradation as JSON and writes its answer as JSON; its journal remembers answers.
 class Solver {
@@ -32,4 +32,4 @@ private:
   std::unique_ptr<Journal> journal_;
 };
 
-} // namespace mdm::cli
+} // namespace mdm

@@ -1,7 +1,8 @@
-#include "cli/batch_sources.hpp"
+#include "files/batch_sources.hpp"
 
 #include "files/paths.hpp"
 #include "text/lines.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/text/error.hpp>
@@ -11,7 +12,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace mdm::cli {
+namespace mdm {
 namespace {
 
 constexpr std::string_view white_space = " \t\r\n";
@@ -70,15 +71,17 @@ BatchItem item_of_line(const FileLines::Line &line, std::uint64_t number, const 
 
 } // namespace
 
-BatchSources::BatchSources(std::vector<std::string> files, ReadingFlags flags, bool only_suites)
-    : files_(std::move(files)), flags_(std::move(flags)), reading_(flags_.reading()),
+BatchSources::BatchSources(std::vector<std::string> files, Reading reading, std::string asked,
+                           bool only_suites)
+    : files_(std::move(files)), reading_(std::move(reading)), asked_(std::move(asked)),
       only_suites_(only_suites), is_stream_(files_.empty()) {
   if (is_stream_)
     files_.emplace_back("-");
 }
 
-BatchSources::BatchSources(std::vector<std::string> files, ReadingFlags flags, Shard shard, bool alone)
-    : BatchSources(std::move(files), std::move(flags), true) {
+BatchSources::BatchSources(std::vector<std::string> files, Reading reading, std::string asked, Shard shard,
+                           bool alone)
+    : BatchSources(std::move(files), std::move(reading), std::move(asked), true) {
   shard_ = shard;
   is_alone_ = alone;
   hash_.emplace();
@@ -135,14 +138,14 @@ void BatchSources::open(const std::string &file) {
   if (shard_)
     content->bytes().keep_digest();
   if (is_stream_ || is_suite(*content)) {
-    if (flags_.is_given())
-      throw file_error(shown_name(file), flags_.given() +
-                                             " is of gradation files, and this is JSON Lines, which "
-                                             "say what they hold: leave it out");
+    if (!asked_.empty())
+      throw file_error(shown_name(file), asked_ + " is of gradation files, and this is JSON Lines, which "
+                                                  "say what they hold: leave it out");
     suite_ = std::move(content);
     line_ = 0;
   } else if (only_suites_) {
-    throw file_error(shown_name(file), "no suite in JSON Lines: name one, or give --proofs a folder");
+    throw file_error(shown_name(file),
+                     "no suite in JSON Lines: name one, or give " + option("proofs") + " a folder");
   } else {
     add_gradations(shown_name(file), *content);
   }
@@ -172,11 +175,11 @@ void BatchSources::take_made(const std::string &line) {
   made_shard_ = in_file(name, [&line] { return read_made_shard(line); });
   const std::string shard = fmt::format("{}/{}", made_shard_->shard, made_shard_->shards);
   if (!is_alone_)
-    throw file_error(name,
-                     "the lines are those of shard " + shard + " alone: give --shard " + shard + " --alone");
+    throw file_error(name, "the lines are those of shard " + shard + " alone: give " + option("shard") + " " +
+                               shard + " " + option("alone"));
   if (made_shard_->shard != shard_->number || made_shard_->shards != shard_->count)
-    throw file_error(name, fmt::format("the lines are those of shard {}, and --shard is {}/{}: give its own",
-                                       shard, shard_->number, shard_->count));
+    throw file_error(name, fmt::format("the lines are those of shard {}, and {} is {}/{}: give its own",
+                                       shard, option("shard"), shard_->number, shard_->count));
 }
 
 void BatchSources::count_line(const FileLines::Line &line) {
@@ -233,4 +236,4 @@ void BatchSources::add_lines(std::vector<BatchItem> &items, std::size_t most) {
   } while (shard_ && !is_alone_ && items.size() < most && bytes < most_bytes); // its lines are far apart
 }
 
-} // namespace mdm::cli
+} // namespace mdm

@@ -1,4 +1,4 @@
-#include "cli/solver.hpp"
+#include "files/solver.hpp"
 
 #include "files/child_process.hpp"
 
@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-namespace mdm::cli {
+namespace mdm {
 namespace {
 
 /// The exit code of /bin/sh for a command that is not there.
@@ -68,4 +68,4 @@ OtherAnswer Solver::ask(const Gradation &g) const {
   return answer;
 }
 
-} // namespace mdm::cli
+} // namespace mdm

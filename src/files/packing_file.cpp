@@ -1,10 +1,10 @@
-#include "cli/packing_file.hpp"
+#include "files/packing_file.hpp"
 
 #include "files/byte_source.hpp"
 #include "files/paths.hpp"
 #include "packing/packing_reader.hpp"
 
-namespace mdm::cli {
+namespace mdm {
 namespace {
 
 constexpr std::size_t looked_at = 256;
@@ -27,4 +27,4 @@ DiscSizes read_disc_sizes_file(const std::string &path) {
   return read_disc_sizes(read_file(path, most_packing_bytes), shown_name(path));
 }
 
-} // namespace mdm::cli
+} // namespace mdm
