@@ -179,7 +179,7 @@ const std::vector<OptionRow<GenerateTexts>> GenerateTexts::options = {
     {"at-most", "N", OptionKind::number, "more are not accessible: exit 1", &GenerateTexts::at_most},
     {"dimension",
      "D",
-     OptionKind::text,
+     OptionKind::number,
      "2, discs, or 3, spheres (3)",
      &GenerateTexts::dimension,
      {"2", "3"}},
