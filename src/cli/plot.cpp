@@ -21,6 +21,7 @@
 #include "plot/gradation_figure.hpp"
 #include "plot/packing_figure.hpp"
 #include "plot/section_figure.hpp"
+#include "plot/tradeoff_figure.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
@@ -95,7 +96,7 @@ int limited(const PlotCommand &c, const Match &m) {
 }
 
 int run_packing(const PlotCommand &c, const Packing &packing) {
-  if (c.asked.is_of_gradation() || c.reading.is_given())
+  if (c.asked.is_of_gradation() || c.asked.has_form() || c.reading.is_given())
     throw InputError(printable(shown_name(c.file)) + " is a packing: of the options for what is drawn " +
                      option("colour") +
                      " alone is for it: leave out "
@@ -104,6 +105,21 @@ int run_packing(const PlotCommand &c, const Packing &packing) {
     throw file_error(c.file, "a packing of no disc: there is nothing to draw");
   draw(packing_figure(packing, c.asked.packing_colour()), c.picture, c.output.quiet);
   return Exit::done;
+}
+
+/// \param figure  to which the caption is added
+int run_figure(const PlotCommand &c, Figure figure) {
+  if (c.asked.caption)
+    figure.remarks.insert(figure.remarks.begin(), *c.asked.caption);
+  draw(figure, c.picture, c.output.quiet);
+  return Exit::done;
+}
+
+int run_tradeoff(const PlotCommand &c, const StatedTradeoff &tradeoff) {
+  if (c.asked.is_of_gradation() || c.asked.colour || c.reading.is_given())
+    throw InputError(printable(shown_name(c.file)) + " is a trade-off: of the options for what is drawn " +
+                     "--width, --language, --caption and --bare are for it: leave out the others");
+  return run_figure(c, tradeoff_figure(tradeoff, c.asked.form()));
 }
 
 int run(const PlotCommand &command) {
@@ -116,6 +132,8 @@ int run(const PlotCommand &command) {
   const std::string content = is_sample ? "" : read_file(c.file, max_gradation_bytes);
   if (is_packing(content))
     return run_packing(c, read_packing(content, shown_name(c.file)));
+  if (is_tradeoff(content))
+    return run_tradeoff(c, read_tradeoff(content, shown_name(c.file)));
   if (c.asked.colour)
     throw InputError(option("colour") + " is for packings: give a FILE that mdm pack -o wrote");
   GradationFigure what = c.asked.figure(is_sample);
@@ -164,9 +182,8 @@ int run(const PlotCommand &command) {
     figure.columns = 2;
     figure.panels.push_back(section_panel(*places, g, figure.panel_height / figure.panel_width));
   }
-  draw(figure, c.picture, c.output.quiet);
   c.output.tell_notes(figure.remarks);
-  return Exit::done;
+  return run_figure(c, std::move(figure));
 }
 
 } // namespace
@@ -174,12 +191,12 @@ int run(const PlotCommand &command) {
 Run add_plot(CLI::App &app) {
   const auto c = std::make_shared<PlotCommand>();
   CLI::App &command = *app.add_subcommand("plot", "A gradation as the field draws it with the particles that "
-                                                  "match it, or a packing of discs");
+                                                  "match it, a trade-off, or a packing of discs");
   command
       .add_option("FILE", c->file,
                   "gradation (any that mdm convert reads), set of mdm generate, or file of particles as mdm "
-                  "verify reads; or a "
-                  "packing that mdm pack -o wrote; - for standard input")
+                  "verify reads; or a packing that mdm pack -o wrote, or a trade-off in JSON; - for standard "
+                  "input")
       ->required();
   command.add_option(
       "SAMPLE", c->asked.sample,
@@ -195,7 +212,8 @@ Run add_plot(CLI::App &app) {
              {"mdm plot sand.csv --match -o sand.svg",
               "mdm plot sand.csv settled.dump --what section -o settled.png",
               "mdm plot sand.csv --band limits.csv -o sand.pdf",
-              "mdm plot start.packing --colour contacts -o start.png"}));
+              "mdm plot start.packing --colour contacts -o start.png",
+              "mdm plot tradeoff.json --language de --width 500 -o tradeoff.svg"}));
   return [c] { return run(*c); };
 }
 
