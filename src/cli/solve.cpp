@@ -134,7 +134,8 @@ bool is_coq_file(const std::string &path) {
 std::string theorem(const SolveCommand &c, const Target &asked, const Match &m,
                     const std::string &certificate) {
   const std::string file = std::filesystem::path(*c.coq).filename().string();
-  const std::string name = printable(shown_name(c.flags.source(c.file)));
+  const std::string source = c.flags.source(c.file);
+  const std::string name = source == "-" ? "standard input" : printable(source);
   const bool is_readable = asked.unreadable.empty();
   return coq_file(m, {is_readable ? name : name + " as canonical CSV",
                       is_readable ? asked.bytes : gradation_csv(asked.gradation), certificate,
