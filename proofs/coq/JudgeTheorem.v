@@ -184,9 +184,6 @@ Proof.
   - injection H2 as <-. rewrite map_map. reflexivity.
 Qed.
 
-Lemma nth_root_1 y : 0 <= y -> nth_root 1 y = y.
-Proof. intro Y. rewrite <- (pow_1 y) at 1. exact (nth_root_unique (d := 1) y Y). Qed.
-
 Lemma power_of_two_real n : Q2R (power_of_two n) = Rpower 2 (IZR n).
 Proof.
   assert (forall m, (0 <= m)%Z -> IZR (2 ^ m) = Rpower 2 (IZR m)) as P.

@@ -145,8 +145,9 @@ TEST_CASE("Coq accepts the theorem that no sample is within a tolerance") {
 TEST_CASE("Coq accepts the theorem of bounds, where a limit ended the search") {
   const TemporaryFolder folder;
   std::ofstream(folder / "sand.csv")
-      << "size_mm,mass\n0.05,1.1\n0.07,18.3\n0.084,16.8\n0.109,16.6\n0.142,17.1\n0.169,"
-         "25.6\n0.219,10.0\n0.261,14.1\n0.311,0\n";
+      << "size_mm,mass\n0.05,1.1\n0.07,18.3\n0.084,16.8\n0.109,16.6\n0.142,17.1\n0.169,25.6\n0.219,10.0\n"
+         "0.261,14.1\n0.311,19.3\n0.404,1.9\n0.569,22.4\n0.74,20.2\n1.044,1.4\n1.357,3.3\n1.913,10.2\n"
+         "2.697,11.0\n3.21,13.5\n4.173,18.6\n5.883,19.1\n8.295,13.8\n10.784,0\n";
   const Theorem theorem({folder / "sand.csv", "--tolerance", "retained:0.4%", "--node-limit", "1"});
   CHECK(theorem.exit_code == 3);
   const Outcome outcome = theorem.check();
