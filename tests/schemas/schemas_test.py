@@ -67,6 +67,12 @@ COMMANDS = {
         ["describe", "pan.csv"],
         ["describe", "pan.csv", "--extrapolate", "--liquid-limit", "30", "--plastic-limit", "22"],
     ],
+    "mdm-sediment-1": [
+        *(["describe", sand, "--sediment"] for sand in SANDS),
+        ["describe", "half_phi.csv", "--sediment"],
+        ["describe", "pan.csv", "--sediment"],
+        ["describe", "pan.csv", "--sediment", "--pan-size", "0.002"],
+    ],
     "mdm-judge-1": [
         ["judge", *SANDS, "--spec", "astm-c33-fine"],
         ["judge", SAND, "--spec", LIMITS, "--rounding", "1"],
