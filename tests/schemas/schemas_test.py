@@ -74,6 +74,12 @@ COMMANDS = {
         ["judge", "pan.csv", "--spec", "finer.csv"],
         ["judge", "pan.csv", "--spec", "edge.csv"],
     ],
+    "mdm-rule-1": [
+        *(["judge", *SANDS, "--stability", rule] for rule in ("kenney-lau", "kezdi", "burenkova")),
+        ["judge", "pan.csv", "--stability", "burenkova"],
+        *(["judge", SAND, "--filter-for", "pan.csv", "--rule", rule] for rule in ("terzaghi", "usbr", "nrcs", "fema")),
+        ["judge", *SANDS, "--filter-for", SAND, "--rule", "nrcs-1994", "--dispersive", "--no-regrade"],
+    ],
     "mdm-reading-1": [
         *(["convert", "--dry-run", sand] for sand in SANDS),
         ["convert", "--dry-run", "half_phi.csv"],
