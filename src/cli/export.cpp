@@ -139,6 +139,8 @@ int run(const ExportCommand &command) {
     paths.push_back(file.path);
   if (c.material)
     paths.push_back(*c.material);
+  if (c.gradation)
+    paths.push_back(*c.gradation);
   check_distinct(paths);
   if (c.solve.band) { // FILE may be the band
     paths.front() = *c.solve.band;

@@ -58,8 +58,8 @@ TEST_CASE("settling: the time step from the smallest grain, computed by hand") {
   CHECK(s.elasticity.young == 5000000);
   CHECK(s.rayleigh / radius == Approx(3.14159265 * 0.03640055 / (0.1631 * 0.25 + 0.8766)));
   CHECK(s.step == Approx(s.rayleigh / 5));
-  // A fall from 1 cm takes 0.0451524 s.
-  CHECK(static_cast<double>(s.steps) == Approx(3 * 0.0451524 / s.step).epsilon(2e-4));
+  // A fall from 1 cm takes 0.0451524 s; five are given.
+  CHECK(static_cast<double>(s.steps) == Approx(5 * 0.0451524 / s.step).epsilon(2e-4));
   // Below 1 m of sand 10^4 times its weight is more than 5 MPa.
   model.box.z = 1;
   CHECK(settling(model).elasticity.young == 259965000);
