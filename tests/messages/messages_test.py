@@ -22,6 +22,9 @@ EXCEPTIONS = {
     "src/particles/yade_course.cpp": {"--start"},  # the same of YADE
     "src/ask/export_report.cpp": {"--size-unit", "--specimen"},  # of the mdm verify that it quotes
     "src/papers/deposit_line.hpp": {"--out"},  # of mdm study
+    # Of the commands beside statements, behind a comma in them.
+    "src/papers/model_statements.cpp": {"--dmin", "--dmax", "--span", "--dimension", "--table", "--classes", "--sizes", "--format"},
+    "src/papers/shape_statements.cpp": {"--dmin", "--dmax", "--table"},
 }
 
 LITERAL = r'"(?:[^"\\\n]|\\.)*"'
