@@ -14,6 +14,10 @@ enum class Compliance { holds, fails, hangs, undecided };
 /// `pass`, `fail`, `hangs`, `undecided`.
 std::string_view name(Compliance verdict);
 
+/// For people: `PASS`, `FAIL`, `HANGS on what the report does not tell`, `UNDECIDED: a limit of precision was
+/// reached`.
+std::string_view headline(Compliance verdict);
+
 /// That of all requirements together: undecided, else fails, else hangs, else holds.
 Compliance worst(const std::vector<Compliance> &verdicts);
 
