@@ -9,6 +9,7 @@
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "papers/paper_figures.hpp"
+#include "papers/paper_statements.hpp"
 #include "papers/paper_tables.hpp"
 #include "papers/specimens.hpp"
 #include "text/option_name.hpp"
@@ -67,9 +68,13 @@ Survey survey_of(const StudyCommand &c) {
 }
 
 std::vector<StudyFile> tables(const Survey &s) {
-  return {{"table1.csv", table1_csv(s.rows)},   {"figure1.csv", figure1_csv(s.rows)},
-          {"figure2.csv", figure2_csv(s.runs)}, {"figure3.csv", figure3_csv(s.rows)},
-          {"figure4.csv", figure4_csv(s.rows)}, {"figure5.csv", figure5_csv(s.rows)}};
+  return {{"table1.csv", table1_csv(s.rows)},
+          {"figure1.csv", figure1_csv(s.rows)},
+          {"figure2.csv", figure2_csv(s.runs)},
+          {"figure3.csv", figure3_csv(s.rows)},
+          {"figure4.csv", figure4_csv(s.rows)},
+          {"figure5.csv", figure5_csv(s.rows)},
+          {"statements.csv", statements_table(paper_statements(s.rows, s.runs))}};
 }
 
 int run_figures(const StudyCommand &c) {

@@ -139,8 +139,7 @@ std::vector<StudyFile> packing_files(const PackingStudy &study,
                                   {"figure9-deposits.csv", deposits_table(study.points)},
                                   {"figure10.csv", discs_table({narrow})},
                                   {"figure10-cells.csv", cells_table(narrow.packing)},
-                                  {"figure11.csv", discs_table(wide)},
-                                  {"statements.csv", statements_table(packing_statements(study))}};
+                                  {"figure11.csv", discs_table(wide)}};
   if (pictures) {
     files.push_back(pictures->drawn("figure2", gasket_figure(gasket.packing(most), most)));
     files.push_back(pictures->drawn("figure9", fraction_figure(study)));
