@@ -218,13 +218,13 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Bud
       files.push_back(std::move(*csv));
   if (c.proof && found.finer && has_certificate(*found.finer))
     add(finer_proof(c), true, [&] {
-      Certified made = certified(*found.finer);
-      if (made.bound && *made.bound <= c.budget.budget(c.flags).particles)
+      Certified finer = certified(*found.finer);
+      if (finer.bound && *finer.bound <= c.budget.budget(c.flags).particles)
         m.notes.push_back(
             "the proof for the next finer tolerance would be too long: the one that is written is "
             "of " +
-            to_string(*made.bound) + " particles");
-      return std::move(made.text);
+            to_string(*finer.bound) + " particles");
+      return std::move(finer.text);
     });
   add(c.vipr, m.complete, [&] { return vipr(m); });
   add(c.coq, has_certificate(m), [&] { return theorem(c, asked, m, made.text); });
