@@ -126,7 +126,7 @@ ParticleSet SampleSet::set(const std::string &name, SizeUnit from, const Particl
     openings.clear();
     for (std::size_t j = 0; j <= sieves->classes(); ++j) {
       const Interval x = bounds(sieves->opening(j));
-      openings.push_back((j == 0 ? x.hi : x.lo) * in_mm(length_unit(sieves->unit())) / in_mm(options.unit));
+      openings.push_back((j == 0 ? x.hi : x.lo) * in_mm(sieves->unit()) / in_mm(options.unit));
     }
   } else {
     std::vector<Rational> sizes;
