@@ -118,7 +118,8 @@ int run_figure(const PlotCommand &c, Figure figure) {
 int run_tradeoff(const PlotCommand &c, const StatedTradeoff &tradeoff) {
   if (c.asked.is_of_gradation() || c.asked.colour || c.reading.is_given())
     throw InputError(printable(shown_name(c.file)) + " is a trade-off: of the options for what is drawn " +
-                     "--width, --language, --caption and --bare are for it: leave out the others");
+                     option("width") + ", " + option("language") + ", " + option("caption") + " and " +
+                     option("bare") + " are for it: leave out the others");
   return run_figure(c, tradeoff_figure(tradeoff, c.asked.form()));
 }
 
