@@ -169,13 +169,13 @@ def generate(*, curve: Source | None = None,
              beta: str | None = None, dmin: Number | None = None, dmax: Number | None = None,
              span: Number | None = None, ratio: Number | None = None, between: str | None = None,
              pan_size: Number | None = None, classes: Number | None = None, classing: str | None = None,
-             min_per_class: Number | None = None, at_least: Number | None = None, at_most: Number | None = None,
-             dimension: Number | None = None, method: str | None = None, match_digits: Number | None = None,
-             time_limit: Union[Number, float, None] = None, sizes: bool = False, seed: Number | None = None,
-             spread: bool = False, quantiles: bool = False, points: Number | None = None, table: Number | None = None,
-             digits: Number | None = None, specimen_id: str | None = None, columns: str | None = None,
-             kind: str | None = None, unit: str | None = None, skip: Number | None = None, sheet: str | None = None,
-             loss: Number | None = None, round: Number | None = None,
+             min_per_class: Number | None = None, largest_share: Number | None = None, at_least: Number | None = None,
+             at_most: Number | None = None, dimension: Number | None = None, method: str | None = None,
+             match_digits: Number | None = None, time_limit: Union[Number, float, None] = None, sizes: bool = False,
+             seed: Number | None = None, spread: bool = False, quantiles: bool = False, points: Number | None = None,
+             table: Number | None = None, digits: Number | None = None, specimen_id: str | None = None,
+             columns: str | None = None, kind: str | None = None, unit: str | None = None, skip: Number | None = None,
+             sheet: str | None = None, loss: Number | None = None, round: Number | None = None,
              # End of the options.
              ) -> GeneratedSet:
     """A representative set of particles from a grading curve. Runs `mdm generate`.
@@ -197,6 +197,8 @@ def generate(*, curve: Source | None = None,
             with a or b near 0.001 some 0.2 s a class), or between the sieves (sieves, the default of curve without
             classes).
         min_per_class: particles in the scarcest class (10).
+        largest_share: no particle has more than P % of the volume of its class, counted with its median size (the paper's
+            second criterion).
         at_least: particles in all (2000).
         dimension: 2, discs, or 3, spheres (3).
         method: counts by rounding (paper), or the smallest set whose class volumes are exact (match).
