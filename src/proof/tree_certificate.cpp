@@ -340,7 +340,7 @@ Certified tree_certificate(const Match &m) {
       return {std::move(*text), m.proof.bound};
   if (has_windows(tree) && m.particles()) {
     const MassWindows windows(problem);
-    const Integer &most = *m.particles();
+    const Integer most = *m.particles();
     constexpr unsigned finest = 1 << 20; // part of the particles that is given up first
     Integer less = std::max(Integer(most - m.proof.bound.value_or(most)), Integer(most / finest));
     while ((less = 2 * less + 1) < most - problem.at_least()) {
