@@ -306,18 +306,19 @@ def pack(sizes: Source | None, out: Path, *,
 
 def export(source: Source | None, to: str, out: Path, *,
            # Options of export, by src/ask/write_modules.
-           unit: str | None = None, size_unit: str | None = None, density: Number | None = None,
+           unit: str | None = None, size_unit: str | None = None,
+           gradation: Union[str, "os.PathLike[str]", None] = None, density: Number | None = None,
            mass_error: Number | None = None, yes_huge: bool = False, yes_units: bool = False, box: str | None = None,
            start: str | None = None, sides: str | None = None, seed: Number | None = None, model: str | None = None,
            steps: Number | None = None, stress: Number | None = None, target_tolerance: Number | None = None,
            friction: Number | None = None, friction_while_filling: Number | None = None, periodic: bool = False,
-           types: str | None = None, material: Union[str, "os.PathLike[str]", None] = None, young: Number | None = None,
-           poisson: Number | None = None, spread: bool = False, tolerance: Tolerance = None,
-           band: Union[str, "os.PathLike[str]", None] = None, min_per_class: Number | None = None,
-           at_least: Number | None = None, at_most: Number | None = None, specimen: str | None = None,
-           void_ratio: Number | None = None, solids_volume: Number | None = None, law: str | None = None,
-           size_factor: Number | None = None, cut_below: Number | None = None, pan_size: Number | None = None,
-           max_steps: Number | None = None, node_limit: Number | None = None,
+           unjammed: bool = False, types: str | None = None, material: Union[str, "os.PathLike[str]", None] = None,
+           young: Number | None = None, poisson: Number | None = None, spread: bool = False,
+           tolerance: Tolerance = None, band: Union[str, "os.PathLike[str]", None] = None,
+           min_per_class: Number | None = None, at_least: Number | None = None, at_most: Number | None = None,
+           specimen: str | None = None, void_ratio: Number | None = None, solids_volume: Number | None = None,
+           law: str | None = None, size_factor: Number | None = None, cut_below: Number | None = None,
+           pan_size: Number | None = None, max_steps: Number | None = None, node_limit: Number | None = None,
            time_limit: Union[Number, float, None] = None, gap: Number | None = None, scale: str | None = None,
            specimen_id: str | None = None, columns: str | None = None, kind: str | None = None,
            skip: Number | None = None, sheet: str | None = None, loss: Number | None = None,
@@ -393,6 +394,10 @@ def export(source: Source | None, to: str, out: Path, *,
         sheet: the sheet of a workbook (the first).
         loss: what the rows of a sheet may lack of its initial mass (1%).
         round: take all masses to D significant digits before anything else.
+        gradation: whose classes the particles of FILE are in, where it is a file of particles: their numbers, materials
+            and densities; without it a class has sizes up to 1.41 times its smallest.
+        unjammed: a model's result may be grains that are not at rest, or that do not carry each other; without it the
+            engine stops there with what it measures.
 
     Raises:
         InputError: an option or the source is wrong, or it cannot be written in that format.
@@ -405,11 +410,12 @@ def picture(source: Source, out: Path, *,
             # Options of plot, by src/ask/write_modules.
             match: bool = False, what: str | None = None, band: Union[str, "os.PathLike[str]", None] = None,
             bands: str | None = None, sieve_names: str | None = None, coarse_left: bool = False,
-            colour: str | None = None, size_unit: str | None = None, liquid_limit: Number | None = None,
-            plastic_limit: Number | None = None, pan_size: Number | None = None, extrapolate: bool = False,
-            specimen_id: str | None = None, columns: str | None = None, kind: str | None = None,
-            unit: str | None = None, skip: Number | None = None, sheet: str | None = None, loss: Number | None = None,
-            round: Number | None = None,
+            colour: str | None = None, size_unit: str | None = None, width: Number | None = None,
+            language: str | None = None, caption: str | None = None, bare: bool = False,
+            liquid_limit: Number | None = None, plastic_limit: Number | None = None, pan_size: Number | None = None,
+            extrapolate: bool = False, specimen_id: str | None = None, columns: str | None = None,
+            kind: str | None = None, unit: str | None = None, skip: Number | None = None, sheet: str | None = None,
+            loss: Number | None = None, round: Number | None = None,
             # End of the options.
             sample: Source | None = None, format: str | None = None) -> Written:
     """A picture of a gradation or of a packing, written to `out` (.svg, .png or .pdf). Runs `mdm plot`; `plot`
@@ -444,6 +450,10 @@ def picture(source: Source, out: Path, *,
         sheet: the sheet of a workbook (the first).
         loss: what the rows of a sheet may lack of its initial mass (1%).
         round: take all masses to D significant digits before anything else.
+        width: width of the picture in pt, from 200 to 5000; letters stay as large as they are.
+        language: language of the picture's own words: en (the default) or de; names and notes stay as they are.
+        caption: a sentence to stand below the picture, before the notes.
+        bare: the diagram with its legend alone, without title, index numbers and notes: for a page that has them.
 
     Raises:
         InputError: an option or a file is wrong, or neither `out` nor `format` says what it is to be.
