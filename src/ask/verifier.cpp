@@ -9,6 +9,8 @@
 
 #include <fmt/core.h>
 
+#include <stdexcept>
+
 namespace mdm {
 namespace {
 
@@ -27,6 +29,17 @@ std::vector<AskedTolerance> asked_tolerances(const VerifyTexts &asked) {
   for (const std::string &text : asked.tolerances)
     tolerances.push_back(named("tolerance", text, parse_tolerance));
   return tolerances;
+}
+
+/// What a certificate states.
+Question certified_question(Question question, const VerifyTexts &asked,
+                            const std::optional<Envelope> &band) {
+  if (asked.snap)
+    throw InputError(option("snap") + ": a certificate is of sizes as they are: leave it out, or " +
+                     option("proof"));
+  question.tolerances = asked_tolerances(asked);
+  question.band = band;
+  return question;
 }
 
 /// The places' options, when what is wrong with them is found before a file is read.
@@ -64,7 +77,7 @@ const std::vector<OptionRow<VerifyTexts>> VerifyTexts::answer_options = {
     {"digits", "D", OptionKind::number, "significant digits of percents (6)", &VerifyTexts::digits}};
 
 Verifier::Verifier(Gradation g, const std::string &source, const VerifyTexts &asked,
-                   const std::optional<Envelope> &band)
+                   const std::optional<Envelope> &band, const std::optional<AskedProof> &proof)
     : snap_(asked.snap ? not_negative("snap", *asked.snap) : Rational(0)),
       digits_(asked.digits ? digits_of("digits", *asked.digits) : 6),
       question_(asked.gradation.question().in(g.unit())),
@@ -77,7 +90,11 @@ Verifier::Verifier(Gradation g, const std::string &source, const VerifyTexts &as
       reading_(asked.particles.reading(gradation_.unit())), said_(asked.particles),
       places_(checked(asked.places, gradation_.unit())),
       sizes_(Description(gradation_, {question_.law, snap_, 1, 1})),
-      placed_(gradation_, sizes_, places_.are_asked() ? std::nullopt : std::optional(most_unasked_places),
+      certifier_(proof ? std::optional<SampleCertifier>(std::in_place, gradation_,
+                                                        certified_question(question_, asked, band),
+                                                        proof->begin, &sizes_)
+                       : std::nullopt),
+      placed_(gradation_, sizes(), places_.are_asked() ? std::nullopt : std::optional(most_unasked_places),
               [this](const std::optional<ParticleBox> &box) { return places_.space(box, unit()); }) {}
 
 void Verifier::end(const ReadParticles &read) {
@@ -93,6 +110,10 @@ void Verifier::take_answer(const std::string &json, const std::string &file) {
       throw InputError("an answer of mdm says what its sizes are: leave out " + option("radius") + ", " +
                        option("diameter") + ", " + option("size-unit") + " and " + option("timestep"));
     AnswerDescription described = describe_answer(answer, gradation_, question_.law, snap_);
+    if (certifier_)
+      for (const auto &[size, quantity] : described.particles)
+        certifier_->add(size, quantity);
+    is_spread_ = described.is_spread;
     answer_ = std::move(described.description);
     objections_ = std::move(described.objections);
     note(described.notes);
@@ -133,6 +154,24 @@ Verification Verifier::verification(const std::string &sample) {
                     "sizes as near as that as the sieve.",
                     to_string(v.description.hair_above()), option("snap")));
   return v;
+}
+
+Verifier::Proof Verifier::proof(const Verification &v) {
+  const std::optional<CertifiedSample> made = certifier_->certified();
+  if (!v.objections.empty())
+    return {"", v.objections.front()};
+  if (is_spread_)
+    return {"",
+            "the answer is a spread, of which certificates say nothing: verify what mdm export --spread --to "
+            "csv writes"};
+  const Verdict verdict = v.verdict();
+  if (!made || verdict == Verdict::undecided)
+    return {"", v.description.knows_sizes()
+                    ? "30 digits of the masses do not tell whether it matches"
+                    : "the ranges that are known of the sizes do not tell whether it matches"};
+  if (made->matches != (verdict == Verdict::match))
+    throw std::logic_error("certificate and verdict differ: please report this file");
+  return {made->text, ""};
 }
 
 } // namespace mdm

@@ -180,6 +180,11 @@ inline Outcome mdm_check(const std::string &gradation, const std::string &proof)
   return Process(MDM_CHECK_PROGRAM, {gradation, proof}).end();
 }
 
+/// The same of a gradation, a sample and its certificate.
+inline Outcome mdm_check(const Arguments &files) {
+  return Process(MDM_CHECK_PROGRAM, files).end();
+}
+
 /// The lines of a text, without their ends.
 inline std::vector<std::string> lines_of(const std::string &text) {
   std::vector<std::string> lines;
