@@ -113,7 +113,7 @@ AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const
   const unsigned p = answer.scale_power;
   check_power(answer, law);
   const unsigned degree = law.a * (p / law.b);
-  const Rational unit = in_mm(length_unit(answer.unit)) / in_mm(length_unit(g.unit()));
+  const Rational unit = in_mm(answer.unit) / in_mm(g.unit());
   const Rational scale = answer.scale * power(unit, degree); // with sizes in the unit of g
   AnswerDescription result{Description(std::move(g), {law, snap, scale, p}), {}, {}, {}};
   Integer particles = 0;

@@ -26,9 +26,14 @@ void check_knows(const PublishedTexts &c, const char *name, const OptionText &va
                                  c.algorithm, algorithms));
 }
 
-/// A position in a class: above its lower sieve, 0, and up to its upper one, 1.
+/// A position in a class: above its lower sieve, 0, and up to its upper one, 1; a decimal or a fraction as
+/// 1/127.
 Rational class_position(const char *name, const std::string &text) {
-  const Rational t = positive(name, text);
+  const std::size_t slash = text.find('/');
+  const Rational t =
+      slash == std::string::npos
+          ? positive(name, text)
+          : Rational(positive(name, text.substr(0, slash)) / positive(name, text.substr(slash + 1)));
   if (t > 1)
     throw InputError(fmt::format("{}: {} is above 1, the upper sieve", option(name), in_quotes(text)));
   return t;
@@ -57,8 +62,13 @@ SizeChoice size_choice(const PublishedTexts &c) {
   return {c.sizes == "lower" ? ratio(1, 1000) : c.sizes == "upper" ? Rational(1) : ratio(1, 2)};
 }
 
+/// A decimal, or the fraction that it is.
+std::string position_text(const Rational &t) {
+  return exact_decimal(t).value_or(to_string(t));
+}
+
 std::string size_choice_words(const SizeChoice &sizes) {
-  return sizes.position ? "sizes at " + to_decimal(*sizes.position) + " of their classes"
+  return sizes.position ? "sizes at " + position_text(*sizes.position) + " of their classes"
                         : std::string("sizes of the mean volume of their classes' bounds");
 }
 
@@ -116,7 +126,7 @@ ChosenAlgorithm spanned_integer_of(const PublishedTexts &c) {
   if (c.max_iterations)
     o.max_iterations = bounded("max-iterations", *c.max_iterations, most_iterations);
   return {PublishedAlgorithm::spanned_integer,
-          fmt::format("x_nS from {} of its class, {} size{}, at most {} iterations", to_decimal(o.start),
+          fmt::format("x_nS from {} of its class, {} size{}, at most {} iterations", position_text(o.start),
                       o.increments, o.increments == 1 ? "" : "s", o.max_iterations),
           [o](const Gradation &g, const MassLaw &law) { return spanned_integer(g, law, o); }, std::nullopt};
 }
@@ -163,7 +173,8 @@ const std::vector<OptionRow<PublishedTexts>> PublishedTexts::options = {
     {"tolerance", "P%", OptionKind::number, "fixed-size: the total error that is enough (1%)",
      &PublishedTexts::tolerance},
     {"start", "T", OptionKind::number,
-     "spanned-integer: the first x_nS as a part T of its class, 0 < T <= 1 (0.001)", &PublishedTexts::start},
+     "spanned-integer: the first x_nS as a part T of its class, 0 < T <= 1, as 0.5 or 1/127 (0.001)",
+     &PublishedTexts::start},
     {"increments", "N", OptionKind::number,
      "spanned-integer: so many x_nS, evenly from the first to the upper sieve (100); 1: the "
      "first alone",

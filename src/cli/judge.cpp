@@ -1,4 +1,5 @@
 #include "ask/option_values.hpp"
+#include "ask/outcome.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/output_flags.hpp"
@@ -8,7 +9,10 @@
 #include "files/byte_source.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "judge/filter.hpp"
+#include "judge/stability.hpp"
 #include "report/conformity_report.hpp"
+#include "report/rule_report.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 
@@ -22,7 +26,8 @@ namespace {
 
 struct JudgeCommand {
   std::vector<std::string> files;
-  std::optional<std::string> spec, rounding;
+  std::optional<std::string> spec, stability, base, rule, rounding;
+  bool dispersive = false, no_regrade = false;
   ReadingFlags reading;
   std::optional<unsigned> digits;
   OutputFlags output;
@@ -37,7 +42,7 @@ Specification specification(const std::string &name) {
   } catch (const InputError &e) {
     if (file_bytes(name) || name == "-")
       throw;
-    throw InputError(fmt::format("--spec: {}; specifications that come with mdm: {}", e.what(),
+    throw InputError(fmt::format("{}: {}; specifications that come with mdm: {}", option("spec"), e.what(),
                                  fmt::join(shipped_specifications(), ", ")));
   }
 }
@@ -50,52 +55,108 @@ std::optional<Rational> rounding(const JudgeCommand &c) {
 }
 
 void check(const JudgeCommand &c) {
-  if (!c.spec)
-    throw InputError(fmt::format("--spec is missing: give a file of limits, or one of {}",
+  if (int{c.spec.has_value()} + int{c.stability.has_value()} + int{c.base.has_value()} != 1)
+    throw InputError(fmt::format("one of {}, {} and {} says what is judged: give a file of "
+                                 "limits or one of {}; a rule of stability; or the base that a filter is for",
+                                 option("spec"), option("stability"), option("filter-for"),
                                  fmt::join(shipped_specifications(), ", ")));
+  if (!c.base && (c.rule || c.dispersive || c.no_regrade))
+    throw InputError(option("rule") + ", " + option("dispersive") + " and " + option("no-regrade") +
+                     " are about filters: give " + option("filter-for") + " too");
   std::vector<std::string> inputs = c.files;
-  inputs.push_back(*c.spec);
+  for (const std::optional<std::string> &more : {c.spec, c.base})
+    if (more)
+      inputs.push_back(*more);
   if (std::count(inputs.begin(), inputs.end(), "-") > 1)
     throw InputError("-: standard input is one file: give the others by name");
   for (const std::string &input : inputs)
     check_distinct({input, c.output.path()});
 }
 
-std::string report(const JudgeCommand &c, const ConformityReport &r) {
-  constexpr unsigned exchanged = 15, read = 6;
-  return c.output.report([&] { return conformity_text(r, c.digits.value_or(read)); },
-                         [&] { return conformity_json(r, c.digits.value_or(exchanged)); },
-                         [&] { return conformity_csv(r, c.digits.value_or(exchanged)); });
+constexpr unsigned exchanged_digits = 15, read_digits = 6;
+
+/// The report in the form that was asked for.
+template <class Report>
+std::string report(const JudgeCommand &c, const Report &r, std::string (&text)(const Report &, unsigned),
+                   std::string (&json)(const Report &, unsigned),
+                   std::string (&csv)(const Report &, unsigned)) {
+  return c.output.report([&] { return text(r, c.digits.value_or(read_digits)); },
+                         [&] { return json(r, c.digits.value_or(exchanged_digits)); },
+                         [&] { return csv(r, c.digits.value_or(exchanged_digits)); });
 }
 
-std::vector<std::string> all_notes(const ConformityReport &r) {
-  std::vector<std::string> notes = r.specification.notes;
-  for (const Conformity &c : r.samples)
-    for (const std::string &note : c.notes)
-      notes.push_back(c.id + ": " + note);
+/// Notes of the rule or the specification, then of each sample with its name.
+template <class Judgement>
+std::vector<std::string> all_notes(std::vector<std::string> notes, const std::vector<Judgement> &samples) {
+  for (const Judgement &s : samples)
+    for (const std::string &note : s.notes)
+      notes.push_back(s.id + ": " + note);
   return notes;
+}
+
+/// What was judged, by whatever it was judged.
+struct Judged {
+  std::string report;
+  std::vector<std::string> notes;
+  Compliance verdict;
+};
+
+UnderstoodGradation sample_in(const JudgeCommand &c, const std::string &file) {
+  return any_gradation(file, c.reading, c.output.quiet);
+}
+
+Judged by_specification(const JudgeCommand &c) {
+  const std::optional<Rational> unit = rounding(c);
+  ConformityReport r{specification(*c.spec), {}};
+  for (const std::string &file : c.files) {
+    const UnderstoodGradation g = sample_in(c, file);
+    r.samples.push_back(in_file(file, [&] { return judge(g, r.specification, unit); }));
+  }
+  return {report(c, r, conformity_text, conformity_json, conformity_csv),
+          all_notes(r.specification.notes, r.samples), r.verdict()};
+}
+
+Judged by_rule(const JudgeCommand &c, const RuleReport &r) {
+  return {report(c, r, rule_text, rule_json, rule_csv), all_notes(r.notes, r.samples), r.verdict()};
+}
+
+Judged by_stability(const JudgeCommand &c) {
+  const std::optional<StabilityRule> rule = stability_rule(*c.stability);
+  if (!rule)
+    throw InputError(fmt::format("{}: {} is none of {}", option("stability"), in_quotes(*c.stability),
+                                 stability_rule_names()));
+  const std::optional<Rational> unit = rounding(c);
+  RuleReport r{std::string(name(*rule)), std::string(about(*rule)), {}, {}, {}};
+  for (const std::string &file : c.files) {
+    const UnderstoodGradation g = sample_in(c, file);
+    r.samples.push_back(in_file(file, [&] { return judge_stability(g, *rule, unit); }));
+  }
+  return by_rule(c, r);
+}
+
+Judged by_filter_rule(const JudgeCommand &c) {
+  if (!c.rule)
+    throw InputError(option("filter-for") + ": " + option("rule") + " is missing: give one of " +
+                     filter_rule_names());
+  const std::optional<FilterRule> rule = filter_rule(*c.rule);
+  if (!rule)
+    throw InputError(
+        fmt::format("{}: {} is none of {}", option("rule"), in_quotes(*c.rule), filter_rule_names()));
+  std::vector<UnderstoodGradation> filters;
+  for (const std::string &file : c.files)
+    filters.push_back(sample_in(c, file));
+  const UnderstoodGradation base = sample_in(c, *c.base);
+  return by_rule(c, judge_filters(filters, base, {*rule, c.dispersive, !c.no_regrade}, rounding(c)));
 }
 
 int run(const JudgeCommand &c) {
   check(c);
-  const std::optional<Rational> unit = rounding(c);
-  ConformityReport r{specification(*c.spec), {}};
-  for (const std::string &file : c.files) {
-    const UnderstoodGradation g = any_gradation(file, c.reading, c.output.quiet);
-    r.samples.push_back(in_file(file, [&] { return judge(g, r.specification, unit); }));
-  }
+  const Judged judged = c.spec ? by_specification(c) : c.stability ? by_stability(c) : by_filter_rule(c);
   Output out(c.output.path());
-  out.write(report(c, r));
+  out.write(judged.report);
   out.commit();
-  c.output.tell_notes_beside_csv(all_notes(r));
-  switch (r.verdict()) {
-  case Compliance::holds:
-    return Exit::done;
-  case Compliance::undecided:
-    return Exit::limited;
-  default:
-    return Exit::negative;
-  }
+  c.output.tell_notes_beside_csv(judged.notes);
+  return exit_code(outcome_of(judged.verdict));
 }
 
 } // namespace
@@ -103,7 +164,7 @@ int run(const JudgeCommand &c) {
 Run add_judge(CLI::App &app) {
   const auto c = std::make_shared<JudgeCommand>();
   CLI::App &command = *app.add_subcommand(
-      "judge", "Whether samples keep a specification, whatever was rounded in their reports");
+      "judge", "Whether samples keep a specification, are stable, or filter a base, whatever was rounded");
   command
       .add_option(
           "SAMPLE", c->files,
@@ -118,6 +179,17 @@ Run add_judge(CLI::App &app) {
                       "of {}",
                       fmt::join(shipped_specifications(), ", ")))
       ->type_name("FILE|NAME");
+  command
+      .add_option("--stability", c->stability,
+                  fmt::format("judge internal stability by a rule: {}", stability_rule_names()))
+      ->type_name("RULE");
+  command.add_option("--filter-for", c->base, "judge the samples as filters for this base: a gradation")
+      ->type_name("BASE");
+  command.add_option("--rule", c->rule, fmt::format("the rule for filters: {}", filter_rule_names()))
+      ->type_name("RULE");
+  command.add_flag("--dispersive", c->dispersive, "the base is a dispersive clay");
+  command.add_flag("--no-regrade", c->no_regrade,
+                   "take the base with its grains above 4.75 mm, which the rules leave out");
   command
       .add_option(
           "--rounding", c->rounding,
@@ -139,12 +211,20 @@ Run add_judge(CLI::App &app) {
           "interpolated, linear in log size, and decided exactly. Of several samples there is a table with a "
           "column each.") +
           "\n" +
+          paragraph("--stability judges one soil: kenney-lau, H/F at all sizes; kezdi, all splits; "
+                    "burenkova, d90/d60. "
+                    "--filter-for judges retention and permeability, and by all rules but terzaghi fines, "
+                    "largest size and "
+                    "segregation. Sizes between sieves are linear in percent over log size, and compared "
+                    "exactly.") +
+          "\n" +
           paragraph(
               "Exit code 0: all samples pass. 1: one fails, or hangs, which is no pass. 3: 1,200 digits do "
               "not tell a percent from its limit. --spec NAME has grading limits alone: what else the "
               "standard asks is not judged."),
       {"mdm judge sand.csv --spec astm-c33-fine", "mdm judge a.csv b.csv --spec limits.csv --format csv",
-       "mdm judge base.csv --spec superpave-19 --rounding 0.1"}));
+       "mdm judge base.csv --spec superpave-19 --rounding 0.1", "mdm judge fill.csv --stability kenney-lau",
+       "mdm judge sand.csv --filter-for core.csv --rule fema"}));
   return [c] { return run(*c); };
 }
 

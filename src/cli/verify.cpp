@@ -4,7 +4,6 @@
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
-#include "cli/packing_file.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
 #include "cli/sample_proof_files.hpp"
@@ -13,6 +12,7 @@
 #include "files/byte_source.hpp"
 #include "files/file_lines.hpp"
 #include "files/output.hpp"
+#include "files/packing_file.hpp"
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
 #include "particles/particle_reader.hpp"
@@ -124,7 +124,8 @@ int run(const VerifyCommand &c) {
   if (c.proof)
     files.emplace(*c.proof, c.gradation, read,
                   is_canonical_sample(c) ? std::optional(c.sample) : std::nullopt);
-  Verifier verifier(std::move(read.gradation), shown_name(c.gradation), c.asked, band,
+  const SizeUnit unit = read.gradation.unit();
+  Verifier verifier(std::move(read.gradation), shown_name(c.gradation), c.asked.question(unit, band),
                     files ? std::optional(Verifier::AskedProof{files->begin()}) : std::nullopt);
   Output out(c.output.path());
   read_sample(c, verifier);

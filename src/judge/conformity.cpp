@@ -13,7 +13,7 @@
 
 #include "gradation/shown.hpp"
 #include "judge/decided.hpp"
-#include "text/option_name.hpp"
+#include "judge/requirement.hpp"
 
 #include <fmt/format.h>
 
@@ -58,7 +58,7 @@ public:
 
   Conformity run() {
     result_.verdict = verdict();
-    note_rounding();
+    result_.notes.push_back(rounding_note(result_.is_exact));
     note_sizes();
     return std::move(result_);
   }
@@ -147,18 +147,6 @@ private:
   WitnessCurve witness(const CurvePercents &percents) const {
     return {{std::next(box_.openings.begin()), box_.openings.end()},
             {std::next(percents.begin()), percents.end()}};
-  }
-
-  void note_rounding() {
-    const std::string rounding = option("rounding");
-    result_.notes.push_back(
-        result_.is_exact
-            ? fmt::format("The report is taken as exact; {} 0.1 judges every curve that rounds to it.",
-                          rounding)
-            : fmt::format(
-                  "Each percent stands for all numbers that round to it, within half a unit of its last "
-                  "digit; 100 at the largest sieve is exact. {} none takes the report as exact.",
-                  rounding));
   }
 
   void note_sizes() {

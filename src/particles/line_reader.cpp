@@ -14,17 +14,17 @@ namespace mdm {
 
 ParticleSource::ParticleSource(std::string file, ParticleSink &sink, const ParticleOptions &options)
     : file_(std::move(file)), sink_(sink), options_(options) {
-  set_defaults(SizeMeaning::diameter, length_unit(options.target));
+  set_defaults(SizeMeaning::diameter, options.target);
 }
 
 void ParticleSource::refuse(const std::string &what) const {
   throw InputError(fmt::format("{}:{}: {}", printable(file_), std::max<std::uint64_t>(line_, 1), what));
 }
 
-void ParticleSource::set_defaults(SizeMeaning meaning, LengthUnit unit) {
+void ParticleSource::set_defaults(SizeMeaning meaning, SizeUnit unit) {
   meaning_ = options_.meaning.value_or(meaning);
   unit_ = options_.unit.value_or(unit);
-  length_ = (stated_ ? stated_->in_mm : in_mm(unit_)) / in_mm(length_unit(options_.target));
+  length_ = (stated_ ? stated_->in_mm : in_mm(unit_)) / in_mm(options_.target);
   factor_ = length_ * (meaning_ == SizeMeaning::radius ? 2 : 1);
 }
 

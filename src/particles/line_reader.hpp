@@ -32,13 +32,13 @@ public:
   [[noreturn]] void refuse(const std::string &what) const;
 
   /// The meaning of sizes and their unit, where neither the user nor the file did say.
-  void set_defaults(SizeMeaning meaning, LengthUnit unit);
+  void set_defaults(SizeMeaning meaning, SizeUnit unit);
   /// The unit that the file states in these words. \throws InputError if the user said another one, or there
   /// are particles already, in another one
   void take_unit(const StatedUnit &unit, std::string_view words);
   SizeMeaning meaning() const { return meaning_; }
   /// Nothing where the file states its unit.
-  std::optional<LengthUnit> unit() const { return stated_ ? std::nullopt : std::optional(unit_); }
+  std::optional<SizeUnit> unit() const { return stated_ ? std::nullopt : std::optional(unit_); }
 
   /// A function that reads a size; `point` is the decimal sign.
   using ReadSize = std::function<RootSize(std::string_view text, char point)>;
@@ -86,7 +86,7 @@ private:
   ParticleOptions options_;
   std::uint64_t line_ = 0;
   SizeMeaning meaning_ = SizeMeaning::diameter;
-  LengthUnit unit_ = LengthUnit::mm;
+  SizeUnit unit_ = SizeUnit::mm;
   Rational length_ = 1; ///< of the file's unit in the asked one
   Rational factor_ = 1; ///< from the file's number to the diameter in the asked unit
   std::optional<StatedUnit> stated_;

@@ -179,16 +179,16 @@ private:
 
 } // namespace
 
-LengthUnit ParticleColumns::unit() const {
+SizeUnit ParticleColumns::unit() const {
   switch (kind) {
   case SizeKind::um:
-    return LengthUnit::um;
+    return SizeUnit::um;
   case SizeKind::m:
-    return LengthUnit::m;
+    return SizeUnit::m;
   case SizeKind::inch:
-    return LengthUnit::in;
+    return SizeUnit::in;
   default:
-    return LengthUnit::mm;
+    return SizeUnit::mm;
   }
 }
 

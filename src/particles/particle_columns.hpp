@@ -27,7 +27,7 @@ struct ParticleColumns {
   std::optional<std::array<std::size_t, 3>> place;
 
   /// The unit of sizes; mm for phi and sieves, which are turned into it.
-  LengthUnit unit() const;
+  SizeUnit unit() const;
 };
 
 /// The columns of a header: a size (`size_mm`, `diameter_um`, `radius_m`, `size_phi`, `sieve`, or without a

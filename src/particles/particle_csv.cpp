@@ -79,8 +79,7 @@ private:
     if (source_.options().unit && columns_.has_unit)
       source_.refuse("the header names the unit: leave out " + option("size-unit"));
     width_ = fields_.size();
-    source_.set_defaults(columns_.meaning,
-                         columns_.has_unit ? columns_.unit() : length_unit(source_.options().target));
+    source_.set_defaults(columns_.meaning, columns_.has_unit ? columns_.unit() : source_.options().target);
     has_header_ = true;
   }
 

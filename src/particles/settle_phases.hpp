@@ -18,6 +18,10 @@ struct PhaseCommands {
 /// `lid_height` (or of the cell its `volume`), `top`, the highest point of a grain, and `pressure`.
 std::string phase_variables(const SettleScript &s);
 
+/// The friction of a pair of materials, as the words of a variable: the lesser of both once grains have their
+/// own.
+std::string friction_of_pair(const SettleScript &s, const GrainMaterial &a, const GrainMaterial &b);
+
 /// Phases fill, compact, hold: each runs some steps, looks, and decides.
 std::string phase_loops(const SettleScript &s, const PhaseCommands &commands);
 

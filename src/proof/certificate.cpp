@@ -285,7 +285,7 @@ void check_certifiable(const Gradation &asked, const Question &question) {
 
 Certified certified(const Match &m) {
   assert(has_certificate(m));
-  Certified made = m.tolerance ? Certified{tree_certificate(m), m.proof.bound} : exact_certificate(m);
+  Certified made = m.tolerance ? tree_certificate(m) : exact_certificate(m);
   check_short_numbers(made.text);
   return made;
 }

@@ -2,7 +2,7 @@
 /// \file
 /// Lines that the certificates of exact matches and of matches within a tolerance share.
 
-#include <mdm/match/match.hpp>
+#include <mdm/proof/certificate.hpp>
 
 #include <string>
 #include <vector>
@@ -37,6 +37,6 @@ void check_short_numbers(const std::string &text);
 std::string question_lines(const Match &m);
 
 /// The certificate of a match within a tolerance.
-std::string tree_certificate(const Match &m);
+Certified tree_certificate(const Match &m);
 
 } // namespace mdm

@@ -5,11 +5,14 @@
 // The problem's masses are in a unit in which all f and F are integers, the format's are those of the
 // gradation: multiples of conditions on masses are those of the problem times the unit, and each leaf is
 // divided by what its multiples have in common. The version is the least that has all that is written: 2
-// for sums of classes, 3 for windows. What the checker's work depends on is summed up on the way, and a
-// certificate beyond the format's limits is not written.
+// for sums of classes, 3 for windows. What the checker's work depends on is summed up on the way. Where a
+// certificate is beyond the format's limits, less is proved: fewer windows show a smaller bound, and that a
+// match has as many particles as were asked for is shown by nothing.
 
 #include "match/problem_of.hpp"
 #include "match/sizes.hpp"
+#include "match/tolerant_chain_proof.hpp"
+#include "match/window_evidence.hpp"
 #include "number/common_denominator.hpp"
 #include "proof/certificate_parts.hpp"
 #include "proof/question_text.hpp"
@@ -115,37 +118,33 @@ bool has_windows(const Tree &tree) {
 /// Writes witness and tree, and sums up what the checker's work depends on.
 class TreeWriter {
 public:
-  explicit TreeWriter(const Match &m)
-      : m_(m), problem_(tolerant_problem_of(m)), unit_(numerator(problem_.unit())) {}
+  TreeWriter(const Match &m, const TolerantProblem &problem)
+      : m_(m), problem_(problem), unit_(numerator(problem_.unit())) {}
 
-  std::string text() {
-    const std::string claim = claimed();
-    std::string text = fmt::format("mdm-certificate {}\n", version(claim));
+  /// \param bound  that the tree proves; nothing: all that the match says
+  /// \return nothing if it is beyond the format's limits
+  std::optional<std::string> text(const Tree &tree, const std::optional<Integer> &bound) {
+    const std::string claim = claimed(bound);
+    std::string text = fmt::format("mdm-certificate {}\n", version(tree, claim));
     text += question_lines(m_);
     write_tolerance(text);
     text += "particles " + claim + "\n";
     if (m_.sample)
       write_witness(text);
-    if (!m_.evidence())
-      refuse_long_numbers();
-    for (const TreeNode &node : std::get<Tree>(*m_.evidence()))
+    for (const TreeNode &node : tree)
       write(node, text);
-    if (!within_limits())
-      refuse_long_numbers();
-    return text + "end\n";
+    return within_limits() ? std::optional<std::string>(text + "end\n") : std::nullopt;
   }
 
 private:
   /// The first version of the format that has all that is written.
-  int version(const std::string &claim) const {
-    const Tree none, &tree = m_.evidence() ? std::get<Tree>(*m_.evidence()) : none;
+  static int version(const Tree &tree, const std::string &claim) {
     return has_windows(tree) ? 3 : has_sums(tree) || claim.find("..") != std::string::npos ? 2 : 1;
   }
 
   /// `N`, `none`, or what is certain of a search that a limit ended: `B..N`, `B..`.
-  std::string claimed() const {
+  std::string claimed(const std::optional<Integer> &bound) const {
     const std::optional<Integer> n = m_.particles();
-    const std::optional<Integer> &bound = m_.proof.bound;
     if (bound && bound != n)
       return to_string(*bound) + ".." + (n ? to_string(*n) : "");
     return n ? to_string(*n) : "none";
@@ -265,15 +264,38 @@ private:
   }
 
   const Match &m_;
-  const TolerantProblem problem_;
+  const TolerantProblem &problem_;
   Integer unit_; ///< a mass of 1 in the problem's units
   std::size_t count_ = 1, witness_unit_ = 1, size_ = 0, window_work_ = 0, bands_ = 0;
 };
 
 } // namespace
 
-std::string tree_certificate(const Match &m) {
-  return TreeWriter(m).text();
+Certified tree_certificate(const Match &m) {
+  const TolerantProblem problem = tolerant_problem_of(m);
+  const auto proof = [&](const Tree &tree, const std::optional<Integer> &bound) {
+    return TreeWriter(m, problem).text(tree, bound);
+  };
+  Tree tree = m.evidence() ? std::get<Tree>(*m.evidence()) : Tree();
+  if (!tree.empty())
+    if (std::optional<std::string> text = proof(tree, m.proof.bound))
+      return {std::move(*text), m.proof.bound};
+  if (has_windows(tree) && m.particles()) {
+    const MassWindows windows(problem);
+    const Integer &most = *m.particles();
+    constexpr unsigned finest = 1 << 20; // part of the particles that is given up first
+    Integer less = std::max(Integer(most - m.proof.bound.value_or(most)), Integer(most / finest));
+    while ((less = 2 * less + 1) < most - problem.at_least()) {
+      const Integer bound = most - less;
+      tree = shortened(windows, tree, least_counts(problem), bound);
+      if (std::optional<std::string> text = proof(tree, bound))
+        return {std::move(*text), bound};
+    }
+  }
+  const Integer &asked = problem.at_least();
+  if (std::optional<std::string> text = proof(tree_of_question(), asked))
+    return {std::move(*text), asked};
+  refuse_long_numbers();
 }
 
 } // namespace mdm

@@ -65,19 +65,6 @@ void write_sample(JsonWriter &json, const Conformity &c, unsigned digits) {
   json.key("notes").strings(c.notes).end_object();
 }
 
-std::string headline(const Compliance verdict) {
-  switch (verdict) {
-  case Compliance::holds:
-    return "PASS";
-  case Compliance::fails:
-    return "FAIL";
-  case Compliance::hangs:
-    return "HANGS on what the report does not tell";
-  default:
-    return "UNDECIDED: a limit of precision was reached";
-  }
-}
-
 /// What may have been rounded, where it is no point.
 std::string range(const SieveVerdict &s, unsigned digits) {
   return rounded(s.least, digits) + " to " + rounded(s.most, digits);

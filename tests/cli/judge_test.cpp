@@ -108,3 +108,53 @@ TEST_CASE("what cannot be judged is refused", "[judge]") {
   refused({"judge", "-", "--spec", "astm-c33-fine"}, "size_mm,retained_percent\n4,0\n2,20.0\npan,79.5\n",
           "stdin: the percents retained do not add up to 100");
 }
+
+TEST_CASE("internal stability is judged, with the size at which it is least", "[judge]") {
+  const std::string gap =
+      "size_mm,passing_percent\n64,100\n32,85\n16,60\n8,40\n4,30\n2,22\n1,20\n0.5,18\n0.25,10\n0.125,0\n";
+  const Outcome fails = mdm({"judge", "-", "--stability", "kenney-lau", "--rounding", "none"}, gap);
+  INFO(fails.out << fails.err);
+  CHECK(fails.exit_code == 1);
+  CHECK(fails.out.rfind("stdin: FAIL of kenney-lau\n", 0) == 0);
+  // 18 % pass 0.5 mm, 22 % pass 2 mm: H/F = 4/18. At 1 mm 30 % pass 4 mm: H/F = 10/20.
+  CHECK(has(fails.out, "H/F  0.222222  at least 1"));
+  CHECK(has(fails.out, "D: 0.5 mm"));
+  const Json j = Json::parse(
+      mdm({"judge", "-", "--stability", "kezdi", "--rounding", "none", "--format", "json"}, gap).out);
+  CHECK(j.at("schema") == "mdm-rule-1");
+  CHECK(j.at("verdict") == "fail");
+  CHECK(j.at("samples")[0].at("requirements")[0].at("limit") == Json({"4", "4"}));
+}
+
+TEST_CASE("filters are judged for a base by a rule", "[judge]") {
+  const TemporaryFolder folder;
+  folder.write("base.csv", "size_mm,passing_percent\n0.3,100\n0.15,85\n0.075,15\n0.02,0\n");
+  folder.write("filter.csv", "size_mm,passing_percent\n4,100\n0.6,15\n0.1,0\n");
+  const Arguments ask = {"judge", folder / "filter.csv", "--filter-for", folder / "base.csv", "--rule"};
+  const auto by = [&ask](Arguments more) {
+    more.insert(more.begin(), ask.begin(), ask.end());
+    return mdm(more);
+  };
+  const Outcome passes = by({"terzaghi", "--rounding", "none", "--format", "csv"});
+  INFO(passes.out << passes.err);
+  CHECK(passes.exit_code == 0);
+  CHECK(has(passes.out, "filter,retention,D15,mm,0.6,0.6,most,0.6,0.6,pass\n"));
+  CHECK(by({"terzaghi"}).exit_code == 1); // the percents may be rounded: it hangs
+  CHECK(has(by({"fema", "--rounding", "none"}).out, "category of the base: 3"));
+  CHECK(by({"terzaghi", "--dispersive"}).exit_code == 2);
+}
+
+TEST_CASE("what is judged is asked for once, and rules have names", "[judge]") {
+  const auto refused = [](const Arguments &arguments, const std::string &why) {
+    const Outcome outcome = mdm(arguments, good);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(has(outcome.err, why));
+  };
+  refused({"judge", "-"}, "one of --spec, --stability and --filter-for");
+  refused({"judge", "-", "--spec", "astm-c33-fine", "--stability", "kezdi"}, "one of --spec");
+  refused({"judge", "-", "--stability", "kenney"}, "'kenney' is none of kenney-lau, kezdi, burenkova");
+  refused({"judge", "-", "--stability", "kezdi", "--dispersive"}, "give --filter-for too");
+  refused({"judge", "-", "--filter-for", "base.csv"}, "--rule is missing");
+  refused({"judge", "-", "--filter-for", "base.csv", "--rule", "bs"}, "'bs' is none of terzaghi");
+}
