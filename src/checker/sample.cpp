@@ -234,7 +234,7 @@ mpq_class FractionSum::value() const {
 }
 
 SampleTally::SampleTally(const Gradation &gradation, const SampleCertificate &certificate, unsigned long N)
-    : root_(gradation.root), N_(N), question_(certificate.question),
+    : root_(gradation.root), question_(certificate.question),
       mass_(question_, N, integer_of(certificate.places).get_ui()), classes_(gradation.openings.size() - 1) {
   for (const mpq_class &Y : gradation.openings)
     opening_bits_ = std::max(opening_bits_, N * bits(Y));

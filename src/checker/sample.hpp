@@ -79,7 +79,7 @@ private:
   static void see(Class &in, const SampleRow &row);
   SampleMass::Mass weighed(const mpq_class &z);
 
-  unsigned long root_, N_;
+  unsigned long root_;
   const Certificate &question_;
   SampleMass mass_;
   Rationals openings_; ///< Y_j^N

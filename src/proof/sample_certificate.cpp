@@ -1,5 +1,6 @@
 #include "proof/sample_certificate.hpp"
 
+#include "match/problem.hpp"
 #include "proof/certificate_parts.hpp"
 #include "proof/question_text.hpp"
 

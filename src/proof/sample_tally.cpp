@@ -5,7 +5,7 @@
 
 #include "proof/sample_tally.hpp"
 
-#include "number/common_denominator.hpp"
+#include "match/problem.hpp"
 #include "proof/certificate_parts.hpp"
 
 #include <mdm/match/tolerance.hpp>

@@ -1,5 +1,5 @@
-// libFuzzer: the input is a gradation, a line `---` and a certificate; or a gradation, a sample and its certificate, with
-// such a line between them.
+// libFuzzer: the input is a gradation, a line `---` and a certificate; or a gradation, a sample and its
+// certificate, with such a line between them.
 
 #include <mdm/checker.hpp>
 
