@@ -93,6 +93,7 @@ struct ChosenAlgorithm {
   PublishedAlgorithm kind;
   std::string settings; ///< in words
   std::function<Published(const Gradation &, const MassLaw &)> run;
+  std::optional<Rational> total_error; ///< that is enough
 };
 
 ChosenAlgorithm fixed_size_of(const PublishedTexts &c) {
@@ -112,7 +113,8 @@ ChosenAlgorithm fixed_size_of(const PublishedTexts &c) {
     settings += fmt::format(", total error up to {} %, at most {} iterations",
                             to_decimal(Rational(100 * o.tolerance)), o.max_iterations);
   }
-  return {kind, settings, [o](const Gradation &g, const MassLaw &law) { return fixed_size(g, law, o); }};
+  return {kind, settings, [o](const Gradation &g, const MassLaw &law) { return fixed_size(g, law, o); },
+          kind == PublishedAlgorithm::fixed_size ? std::optional(o.tolerance) : std::nullopt};
 }
 
 ChosenAlgorithm spanned_integer_of(const PublishedTexts &c) {
@@ -126,7 +128,7 @@ ChosenAlgorithm spanned_integer_of(const PublishedTexts &c) {
   return {PublishedAlgorithm::spanned_integer,
           fmt::format("x_nS from {} of its class, {} size{}, at most {} iterations", position_text(o.start),
                       o.increments, o.increments == 1 ? "" : "s", o.max_iterations),
-          [o](const Gradation &g, const MassLaw &law) { return spanned_integer(g, law, o); }};
+          [o](const Gradation &g, const MassLaw &law) { return spanned_integer(g, law, o); }, std::nullopt};
 }
 
 /// Refuses options that do not go together.
@@ -186,6 +188,7 @@ PublishedRun::PublishedRun(const PublishedTexts &asked) {
   kind_ = algorithm.kind;
   settings_ = std::move(algorithm.settings);
   run_ = std::move(algorithm.run);
+  total_error_ = std::move(algorithm.total_error);
   question_ = asked.gradation.question();
   digits_ = asked.digits ? digits_of("digits", *asked.digits) : 15;
 }
@@ -195,6 +198,25 @@ PublishedReport PublishedRun::report(const Gradation &read) const {
   const Gradation g = asked_gradation(read, question);
   return {kind_,   settings_, g, question.law, run_(g, question.law), smallest_match(g, question.law),
           digits_, g.notes()};
+}
+
+std::optional<CertifiedSample> PublishedRun::certified(const PublishedReport &report,
+                                                       const SampleCertifier::Begin &begin) const {
+  Question question = question_.in(report.gradation.unit());
+  if (total_error_)
+    question.tolerances.push_back({AskedTolerance::Kind::total, Rational(100 * *total_error_)});
+  SampleCertifier certifier(report.gradation, question, begin);
+  const unsigned a = report.law.a;
+  bool has_particles = false;
+  for (std::size_t j = 0; j < report.run.powers.size(); ++j) {
+    const Integer &quantity = report.run.result().q[j];
+    if (quantity == 0)
+      continue;
+    const Rational &power = report.run.powers[j]; // x^a; a square where that is no power
+    certifier.add(a > 1 ? RootSize{power, a} : RootSize{mdm::power(power, 2), 2}, quantity);
+    has_particles = true;
+  }
+  return has_particles ? certifier.certified() : std::nullopt;
 }
 
 Outcome outcome_of(const PublishedReport &report) {

@@ -9,6 +9,8 @@
 
 #include <fmt/core.h>
 
+#include <stdexcept>
+
 namespace mdm {
 namespace {
 
@@ -27,6 +29,14 @@ VerifyQuestion checked(VerifyQuestion asked, SizeUnit unit) {
   asked.places.check();
   asked.places.space(std::nullopt, unit);
   return asked;
+}
+
+/// What a certificate states.
+Question certified_question(const VerifyQuestion &asked) {
+  if (asked.snap > 0)
+    throw InputError(option("snap") + ": a certificate is of sizes as they are: leave it out, or " +
+                     option("proof"));
+  return asked.question;
 }
 
 /// The question in which shares are measured, for the report: what they may differ by is told apart.
@@ -81,7 +91,8 @@ VerifyQuestion VerifyTexts::question(SizeUnit unit, const std::optional<Envelope
   return q;
 }
 
-Verifier::Verifier(Gradation g, const std::string &source, VerifyQuestion asked)
+Verifier::Verifier(Gradation g, const std::string &source, VerifyQuestion asked,
+                   const std::optional<AskedProof> &proof)
     : asked_(checked(std::move(asked), g.unit())),
       gradation_(about(source, [&] { return asked_gradation(std::move(g), asked_.question); })),
       smallest_(about(source, [&] { return smallest_match(gradation_, asked_.question.law); })),
@@ -92,7 +103,10 @@ Verifier::Verifier(Gradation g, const std::string &source, VerifyQuestion asked)
                      })),
       reading_(asked_.particles.reading(gradation_.unit())),
       sizes_(Description(gradation_, {asked_.question.law, asked_.snap, 1, 1})),
-      placed_(gradation_, sizes_, are_places_asked() ? std::nullopt : std::optional(most_unasked_places),
+      certifier_(proof ? std::optional<SampleCertifier>(std::in_place, gradation_, certified_question(asked_),
+                                                        proof->begin, &sizes_)
+                       : std::nullopt),
+      placed_(gradation_, sizes(), are_places_asked() ? std::nullopt : std::optional(most_unasked_places),
               [this](const std::optional<ParticleBox> &box) { return asked_.places.space(box, unit()); }) {}
 
 void Verifier::end(const ReadParticles &read) {
@@ -108,6 +122,10 @@ void Verifier::take_answer(const std::string &json, const std::string &file) {
       throw InputError("an answer of mdm says what its sizes are: leave out " + option("radius") + ", " +
                        option("diameter") + ", " + option("size-unit") + " and " + option("timestep"));
     AnswerDescription described = describe_answer(answer, gradation_, asked_.question.law, asked_.snap);
+    if (certifier_)
+      for (const auto &[size, quantity] : described.particles)
+        certifier_->add(size, quantity);
+    is_spread_ = described.is_spread;
     answer_ = std::move(described.description);
     objections_ = std::move(described.objections);
     note(described.notes);
@@ -148,6 +166,29 @@ Verification Verifier::verification(const std::string &sample) const {
                     "sizes as near as that as the sieve.",
                     to_string(v.description.hair_above()), option("snap")));
   return v;
+}
+
+Verifier::Proof Verifier::proof(const Verification &v) {
+  const std::optional<CertifiedSample> made = certifier_->certified();
+  if (!v.objections.empty())
+    return {"", v.objections.front()};
+  if (is_spread_)
+    return {"",
+            "the answer is a spread, of which certificates say nothing: verify what mdm export --spread --to "
+            "csv writes"};
+  const Verdict verdict = v.verdict();
+  if (verdict == Verdict::undecided)
+    return {"", v.description.knows_sizes()
+                    ? "4096 bits do not tell whether it matches"
+                    : "the ranges that are known of the sizes do not tell whether it matches"};
+  if (!made)
+    return {
+        "",
+        "the enclosures of the shares that certificates have, of ranges or of an irrational law, do not tell "
+        "whether it matches"};
+  if (made->matches != (verdict == Verdict::match))
+    throw std::logic_error("certificate and verdict differ: please report this file");
+  return {made->text, ""};
 }
 
 } // namespace mdm

@@ -7,6 +7,7 @@
 #include "ask/solve_options.hpp"
 #include "particles/description_sink.hpp"
 #include "particles/placed_sink.hpp"
+#include "particles/sample_certifier.hpp"
 #include "report/allowed_error.hpp"
 #include "report/verification.hpp"
 
@@ -44,10 +45,16 @@ struct VerifyTexts {
 /// thread at a time. Memory: that of the classes, and of the places that are kept.
 class Verifier {
 public:
+  /// A certificate that is asked for, with the canonical sample that goes with it; without `begin` none does.
+  struct AskedProof {
+    SampleCertifier::Begin begin;
+  };
+
   /// \param g  as it was read; its smallest match is found here
   /// \param source  names it in messages; empty: not
   /// \throws InputError naming the option where its value does not serve, or the gradation
-  Verifier(Gradation g, const std::string &source, VerifyQuestion asked);
+  Verifier(Gradation g, const std::string &source, VerifyQuestion asked,
+           const std::optional<AskedProof> &proof = std::nullopt);
   Verifier(const Verifier &) = delete;
   Verifier &operator=(const Verifier &) = delete;
 
@@ -59,7 +66,7 @@ public:
   /// Takes particles whose places, if they have some, are judged too.
   ParticleSink &particles() { return placed_; }
   /// Takes sizes alone.
-  ParticleSink &sizes() { return sizes_; }
+  ParticleSink &sizes() { return certifier_ ? static_cast<ParticleSink &>(*certifier_) : sizes_; }
   /// What the reader of particles() says at their end.
   void end(const ReadParticles &read);
   /// Takes the notes that belong to what sizes() was given.
@@ -73,6 +80,14 @@ public:
   /// \throws InputError naming the sample where its places are not what was asked about
   Verification verification(const std::string &sample) const;
 
+  /// The certificate of what was verified, or why there is none.
+  struct Proof {
+    std::string text, missing;
+  };
+  /// \pre a certificate was asked for, and all particles are in
+  /// \throws InputError if it is beyond the limits of the format
+  Proof proof(const Verification &v);
+
 private:
   VerifyQuestion asked_;
   Gradation gradation_;
@@ -80,10 +95,12 @@ private:
   AllowedError allowed_;
   ParticleOptions reading_;
   DescriptionSink sizes_;
+  std::optional<SampleCertifier> certifier_;
   PlacedSink placed_;
   bool has_particles_ = false;
   std::optional<SizeUnit> read_unit_;
   std::optional<Description> answer_;
+  bool is_spread_ = false; ///< the answer
   std::vector<std::string> objections_, notes_;
 
   std::optional<SphereTexture> texture(std::vector<std::string> &notes) const;

@@ -9,6 +9,7 @@
 #include "cli/solve_flags.hpp"
 #include "cli/whole_number.hpp"
 #include "crosscheck/answer_index.hpp"
+#include "crosscheck/answer_proof.hpp"
 #include "crosscheck/crosscheck_report.hpp"
 #include "files/byte_source.hpp"
 #include "files/file_ending.hpp"
@@ -21,6 +22,7 @@
 #include "text/versions.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
+#include <mdm/gradation/write_gradation.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 
@@ -37,7 +39,7 @@ namespace {
 
 struct CrosscheckCommand {
   std::string suite;
-  std::optional<std::string> answers, solver, by, journal;
+  std::optional<std::string> answers, solver, by, journal, proofs;
   std::optional<std::string> time_limit; ///< of a solver
   CrosscheckTexts asked;
   OutputFlags output;
@@ -48,8 +50,68 @@ struct CrosscheckCommand {
 
 using Rows = std::vector<CrosscheckRow>;
 
+/// Writes the certificates of answers to a folder, by several threads: NUMBER.proof, NUMBER.sample.csv and
+/// NUMBER.gradation.json for the line NUMBER of the suite, NUMBER-2 and so on for more answers to it.
+class AnswerProofs {
+public:
+  /// \throws InputError if the folder cannot be made
+  AnswerProofs(std::string folder, const CrosscheckQuestion &question, Rational size_tolerance)
+      : folder_(std::move(folder)), question_(question), size_tolerance_(std::move(size_tolerance)) {
+    make_folder(folder_);
+  }
+
+  /// \param number  of the answers to the gradation, from 1
+  void add(const SuiteLine &entry, const Gradation &asked, const OtherAnswer &answer, unsigned number) {
+    if (answer.failure)
+      return;
+    ++answers_;
+    const std::optional<AnswerProof> proof = made(asked, answer);
+    if (!proof)
+      return;
+    ++proofs_;
+    const std::string name =
+        folder_ + "/" + std::to_string(entry.line) + (number > 1 ? "-" + std::to_string(number) : "");
+    write(name + ".gradation.json", gradation_json(entry.gradation));
+    write(name + ".sample.csv", proof->sample);
+    write(name + ".proof", proof->certificate);
+  }
+
+  std::string note() const {
+    const std::uint64_t missing = answers_ - proofs_;
+    return fmt::format(
+        "{} certificates are in {}; check one with: mdm-check NUMBER.gradation.json NUMBER.sample.csv "
+        "NUMBER.proof{}",
+        proofs_.load(), printable(folder_),
+        missing > 0 ? fmt::format("; of {} answers there is none: sizes that are not stated, or have "
+                                  "a tolerance, leave it open whether they match",
+                                  missing)
+                    : "");
+  }
+
+private:
+  /// Nothing also where numbers are beyond the limits of the format.
+  std::optional<AnswerProof> made(const Gradation &asked, const OtherAnswer &answer) const {
+    try {
+      return answer_proof(asked, question_.question(asked.unit()), answer, size_tolerance_);
+    } catch (const InputError &) {
+      return std::nullopt;
+    }
+  }
+
+  static void write(const std::string &path, const std::string &text) {
+    Output file(path);
+    file.write(text);
+    file.commit();
+  }
+
+  std::string folder_;
+  const CrosscheckQuestion &question_;
+  Rational size_tolerance_;
+  std::atomic<std::uint64_t> answers_ = 0, proofs_ = 0;
+};
+
 /// Rows for a gradation of the suite.
-using Judge = std::function<Rows(const Crosscheck &, std::uint64_t line)>;
+using Judge = std::function<Rows(const Crosscheck &, const SuiteLine &)>;
 
 std::chrono::milliseconds read_time_limit(const std::string &text) {
   const Integer a_year = 366LL * 24 * 3600 * 1000;
@@ -173,16 +235,15 @@ private:
 };
 
 /// Judges all gradations of the suite.
-void report_suite(const CrosscheckCommand &c, const std::vector<SuiteLine> &suite, const Judge &judge,
-                  Report &report) {
-  const CrosscheckQuestion question(c.asked, band_in_file);
+void report_suite(const CrosscheckCommand &c, const CrosscheckQuestion &question,
+                  const std::vector<SuiteLine> &suite, const Judge &judge, Report &report) {
   std::atomic<std::size_t> done = 0;
   Progress progress([&] { return fmt::format("{} of {} gradations", done.load(), suite.size()); },
                     c.output.quiet);
   const auto rows = [&](std::size_t i) {
     const SuiteLine &of = suite[i];
     const auto problem = [&] { return question.problem(of.gradation); };
-    return judge(question.is_plain() ? problem() : in_file(line_name(c.suite, of.line), problem), of.line);
+    return judge(question.is_plain() ? problem() : in_file(line_name(c.suite, of.line), problem), of);
   };
   in_order<Rows>(suite.size(), c.threads, rows, [&](const Rows &judged) {
     report.add(judged);
@@ -202,27 +263,41 @@ int run(const CrosscheckCommand &c) {
   check_options(c);
   const Rational size_tolerance = c.asked.most_size_error();
   const std::vector<SuiteLine> suite = read_suite(c.suite);
+  const CrosscheckQuestion question(c.asked, band_in_file);
+  std::optional<AnswerProofs> proofs;
+  if (c.proofs)
+    proofs.emplace(*c.proofs, question, size_tolerance);
+  const auto with_note = [&proofs](std::vector<std::string> notes) {
+    if (proofs)
+      notes.push_back(proofs->note());
+    return notes;
+  };
   if (c.answers) {
     const AnswerIndex index = read_index(c);
     Report report(c, size_tolerance);
-    report_suite(
-        c, suite,
-        [&](const Crosscheck &problem, std::uint64_t) { return index.judge(problem, size_tolerance); },
-        report);
+    const Judge judge = [&](const Crosscheck &problem, const SuiteLine &entry) {
+      unsigned number = 0;
+      return index.judge(problem, size_tolerance, [&](const OtherAnswer &answer) {
+        if (proofs)
+          proofs->add(entry, problem.gradation(), answer, ++number);
+      });
+    };
+    report_suite(c, question, suite, judge, report);
     report.add(index.rows_without_id());
-    report.end(suite.size(), index.notes());
+    report.end(suite.size(), with_note(index.notes()));
     return exit_code(report.outcome());
   }
   const std::string limit = c.time_limit.value_or("60");
   Solver solver(*c.solver, read_time_limit(limit), c.journal);
   Report report(c, size_tolerance);
-  report_suite(
-      c, suite,
-      [&](const Crosscheck &problem, std::uint64_t line) {
-        return Rows{problem.judge(solver.answer(problem.gradation(), line), size_tolerance)};
-      },
-      report);
-  report.end(suite.size(), {});
+  const Judge judge = [&](const Crosscheck &problem, const SuiteLine &entry) {
+    const OtherAnswer answer = solver.answer(problem.gradation(), entry.line);
+    if (proofs)
+      proofs->add(entry, problem.gradation(), answer, 1);
+    return Rows{problem.judge(answer, size_tolerance)};
+  };
+  report_suite(c, question, suite, judge, report);
+  report.end(suite.size(), with_note({}));
   return exit_code(report.outcome());
 }
 
@@ -289,6 +364,12 @@ Run add_crosscheck(CLI::App &app) {
       ->type_name("COLUMN");
   command.add_flag("--reasons", c->reasons, "a last column `reason` in CSV rows");
   command.add_flag("--require-minimal", c->require_minimal, "exit 1 also if a match is larger than needed");
+  command
+      .add_option(
+          "--proofs", c->proofs,
+          "write to the folder a certificate of each answer, that it matches or does not, with its sample in "
+          "canonical CSV and its gradation, for mdm-check")
+      ->type_name("FOLDER");
   add_options(command, CrosscheckTexts::limit_options, c->asked);
   add_asked_options(command, c->asked);
   c->output.add_format(command, "text (the summary), csv (the rows) or json (both)");

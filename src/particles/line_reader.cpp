@@ -39,7 +39,7 @@ void ParticleSource::take_unit(const StatedUnit &unit, std::string_view words) {
   set_defaults(meaning_, unit_);
 }
 
-RootSize ParticleSource::diameter(std::string_view text, char point, ReadSize read) const {
+RootSize ParticleSource::diameter(std::string_view text, char point, const ReadSize &read) const {
   const char *const what = meaning_ == SizeMeaning::radius ? "radius" : "diameter";
   RootSize size;
   try {
@@ -54,13 +54,14 @@ RootSize ParticleSource::diameter(std::string_view text, char point, ReadSize re
   return size;
 }
 
-void ParticleSource::particle(std::string_view text, const Integer &quantity, char point, ReadSize read) {
+void ParticleSource::particle(std::string_view text, const Integer &quantity, char point,
+                              const ReadSize &read) {
   sink_.add(diameter(text, point, read), quantity);
   any_ = true;
 }
 
 void ParticleSource::particle_at(const SphereSample::Place &place, std::string_view size, char point,
-                                 ReadSize read) {
+                                 const ReadSize &read) {
   check_place(place);
   if (!sink_.wants_places()) {
     particle(size, 1, point, read);

@@ -8,6 +8,8 @@
 
 #include <mdm/number/decimal.hpp>
 
+#include <functional>
+
 namespace mdm {
 
 /// A unit of lengths that a file states.
@@ -39,14 +41,14 @@ public:
   std::optional<SizeUnit> unit() const { return stated_ ? std::nullopt : std::optional(unit_); }
 
   /// A function that reads a size; `point` is the decimal sign.
-  using ReadSize = RootSize (*)(std::string_view text, char point);
+  using ReadSize = std::function<RootSize(std::string_view text, char point)>;
   static RootSize read_decimal(std::string_view text, char point) { return {parse_decimal(text, point)}; }
   /// A particle whose size is written as `text`.
   void particle(std::string_view text, const Integer &quantity = 1, char point = '.',
-                ReadSize read = read_decimal);
+                const ReadSize &read = read_decimal);
   /// A particle with its place. \throws InputError if a coordinate is no number
   void particle_at(const SphereSample::Place &place, std::string_view size, char point = '.',
-                   ReadSize read = read_decimal);
+                   const ReadSize &read = read_decimal);
   /// \throws InputError if a word is no number
   void check_number(std::string_view word) const;
   /// The place of the one column of that name. \throws InputError that shows the example if there is none, or
@@ -76,7 +78,7 @@ public:
   std::string size_note() const;
 
 private:
-  RootSize diameter(std::string_view text, char point, ReadSize read) const;
+  RootSize diameter(std::string_view text, char point, const ReadSize &read) const;
   Rational number(const char *what, std::string_view text) const;
 
   std::string file_;

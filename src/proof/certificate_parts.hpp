@@ -31,6 +31,8 @@ std::uint64_t highest_power(const Match &m);
 bool is_precise(const Match &m, const Enclosure &size);
 
 [[noreturn]] void refuse_long_numbers();
+/// \throws InputError if the text has a number of more digits than the format allows
+void check_short_numbers(const std::string &text);
 /// The lines from `law` to `at-least`.
 std::string question_lines(const Match &m);
 

@@ -15,8 +15,7 @@
 #include "match/window_evidence.hpp"
 #include "number/common_denominator.hpp"
 #include "proof/certificate_parts.hpp"
-
-#include <mdm/number/decimal.hpp>
+#include "proof/question_text.hpp"
 
 #include <fmt/format.h>
 
@@ -26,29 +25,7 @@
 namespace mdm {
 namespace {
 
-using Kind = AskedTolerance::Kind;
 using Text = std::back_insert_iterator<std::string>;
-
-/// The least percent that was asked for in this way; nothing if it was not.
-std::optional<Rational> asked(const Question &q, Kind kind) {
-  std::optional<Rational> least;
-  for (const AskedTolerance &tolerance : q.tolerances)
-    if (tolerance.kind == kind)
-      least = std::min(least.value_or(tolerance.percent), tolerance.percent);
-  return least;
-}
-
-/// The tolerances of `laboratory` and `rounding`: the least of each sieve, in percent.
-std::vector<Rational> passing_each(const Match &m) {
-  std::vector<Rational> least(m.gradation.classes() - 1, Rational(100));
-  for (const Kind kind : {Kind::laboratory, Kind::rounding})
-    if (asked(m.question, kind)) {
-      const std::vector<Rational> percent = passing_tolerances(m.gradation, kind);
-      for (std::size_t j = 0; j < least.size(); ++j)
-        least[j] = std::min(least[j], percent[j]);
-    }
-  return least;
-}
 
 /// The match's size of class j, precise enough for the format.
 Enclosure certified_size(const Match &m, std::size_t j, const Rational &mass) {
@@ -173,46 +150,11 @@ private:
     return n ? to_string(*n) : "none";
   }
 
-  /// The lines from `retained` to `band`.
   void write_tolerance(std::string &text) {
-    const Question &q = m_.question;
-    const auto add = [&](const char *name, Kind percent, Kind file) {
-      if (const std::optional<Rational> least = asked(q, percent))
-        text += fmt::format("{} {}\n", name, decimal(*least));
-      if (asked(q, file))
-        text += fmt::format("{} file\n", name);
-    };
-    add("retained", Kind::retained, Kind::retained_file);
-    const bool one_class = m_.gradation.classes() == 1;
-    const bool each = asked(q, Kind::laboratory) || asked(q, Kind::rounding);
-    if (each && one_class) // nothing passes below the only sieve
-      text += "passing 0\n";
-    else
-      add("passing", Kind::passing, Kind::passing_file);
-    if (each && !one_class) {
-      text += "passing-each";
-      for (const Rational &percent : passing_each(m_))
-        text += " " + decimal(percent);
-      text += "\n";
-    }
-    if (const std::optional<Rational> least = asked(q, Kind::total))
-      text += fmt::format("total {}\n", decimal(*least));
-    if (!q.band)
-      return;
-    bands_ = q.band->sizes.size();
-    if (q.band_alone) {
-      text += "band file\n";
-      return;
-    }
-    const Rational unit = in_mm(q.band->unit) / in_mm(m_.gradation.unit());
-    for (std::size_t i = 0; i < q.band->sizes.size(); ++i)
-      text += fmt::format("band {} {} {}\n", decimal(Rational(q.band->sizes[i] * unit)),
-                          decimal(q.band->passing_min[i]), decimal(q.band->passing_max[i]));
-  }
-
-  std::string decimal(const Rational &r) {
-    count_ = std::max(count_, longest_part(r));
-    return to_decimal(r);
+    const ToleranceLines lines = tolerance_lines(m_.question, m_.gradation);
+    text += lines.text;
+    count_ = std::max(count_, lines.longest);
+    bands_ = lines.bands;
   }
 
   void write_witness(std::string &text) {

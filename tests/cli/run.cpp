@@ -138,6 +138,10 @@ Outcome mdm_check(const std::string &gradation, const std::string &proof) {
   return Process(MDM_CHECK_PROGRAM, {gradation, proof}).end();
 }
 
+Outcome mdm_check(const Arguments &files) {
+  return Process(MDM_CHECK_PROGRAM, files).end();
+}
+
 std::vector<std::string> lines_of(const std::string &text) {
   std::vector<std::string> lines;
   std::istringstream in(text);

@@ -67,6 +67,8 @@ private:
 Outcome mdm(const Arguments &arguments, const std::string &standard_input = "",
             const std::string &output = "", const std::string &errors = "");
 Outcome mdm_check(const std::string &gradation, const std::string &proof);
+/// The same of a gradation, a sample and its certificate.
+Outcome mdm_check(const Arguments &files);
 /// The lines of a text, without their ends.
 std::vector<std::string> lines_of(const std::string &text);
 /// True if the part is in the text; a check that fails shows both.
