@@ -36,7 +36,9 @@ timestep @dt@
 fix lid all mesh/surface/stress file @base@-lid.stl type @wall_type@ move 0 0 ${lid_now}
 fix lids @wall@ mesh n_meshes 1 meshes lid
 variable lid_start equal ${lid_now}
-variable lid equal v_lid_start+f_lid[9]
+# Its way since then: a restart has the way that it had before.
+variable lid_moved equal f_lid[9]
+variable lid equal v_lid_start+f_lid[9]-v_lid_offset
 variable area equal @area@
 variable volume equal v_area*v_lid
 variable pressure equal abs(f_lid[3])/v_area
@@ -155,6 +157,7 @@ std::string liggghts_model(const SettleModel &model) {
   check_simulated(model.set);
   const SettleScript s(model, ".dump");
   PhaseCommands commands;
+  commands.keeps_lid_offset = true;
   commands.contact = "unfix friction\n" + friction_of_pairs(s);
   commands.move =
       "variable speed equal -${rate}*${lid}\nfix sinking all move/mesh mesh lid linear 0 0 ${speed}\n";

@@ -41,6 +41,7 @@ variable own equal 0   # 1: grains have their own friction
 variable held equal 0  # looks since compaction has ended
 variable rate equal 0  # 1/s, of compaction
 variable looks equal 0
+variable lid_offset equal 0
 variable is_time equal "v_looks == 20*floor(v_looks/20)"
 variable look equal "(v_steps < @look@)*v_steps+(v_steps >= @look@)*@look@"
 variable look equal ${look}
@@ -111,7 +112,7 @@ print "SETTLED after ${now} steps: void ratio ${void_ratio_at_top} below the hig
 )script";
 
 /// Both engines write a line of a file by a fix alone, while they run.
-std::string course_save(const SettleScript &s) {
+std::string course_save(const SettleScript &s, bool keeps_lid_offset) {
   std::string text;
   std::vector<std::pair<const char *, const char *>> kept = {{"phase string", "phase"},
                                                              {"mu equal", "mu"},
@@ -120,6 +121,8 @@ std::string course_save(const SettleScript &s) {
                                                              {"lid_now equal", "lid"}};
   if (s.seeks_jamming())
     kept.insert(kept.end(), {{"loose_z equal", "loose_z"}, {"loose_pressure equal", "loose_pressure"}});
+  if (keeps_lid_offset)
+    kept.emplace_back("lid_offset equal", "lid_moved");
   for (const auto &[variable, value] : kept)
     text += fmt::format("fix state all print 1 \"variable {} ${{{}}}\" {} {}.restart.state screen no\n"
                         "run 1\nunfix state\n",
@@ -258,7 +261,7 @@ std::string phase_variables(const SettleScript &s) {
 std::string phase_loops(const SettleScript &s, const PhaseCommands &c) {
   const std::optional<DensityTarget> &target = s.model.target;
   const bool to_density = target && target->void_ratio;
-  const std::string saving = course_save(s);
+  const std::string saving = course_save(s, c.keeps_lid_offset);
   std::string text = begin_of_loop;
   if (s.has_lid())
     text += target ? settle_nearly : settle_wholly;

@@ -7,11 +7,11 @@ namespace mdm {
 
 /// What the engines do in words of their own.
 struct PhaseCommands {
-  std::string contact;   ///< gives grains and walls the friction of each type
-  std::string move;      ///< moves the lid, or the faces of the cell, at the strain rate `rate`
-  std::string lower_lid; ///< puts the lid on the highest grain
-  std::string save;      ///< what the restart needs to know beside the variables, as words of `if`
-  const char *quit;      ///< ends with an error
+  std::string contact;           ///< gives grains and walls the friction of each type
+  std::string move;              ///< moves the lid, or the faces of the cell, at the strain rate `rate`
+  std::string lower_lid;         ///< puts the lid on the highest grain
+  bool keeps_lid_offset = false; ///< the way of the lid before a restart, `lid_moved`, is told after it
+  const char *quit;              ///< ends with an error
 };
 
 /// The variables that may be changed, those of the course, and what is computed at each look. The engine adds
