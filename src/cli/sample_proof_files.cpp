@@ -2,6 +2,7 @@
 
 #include "files/paths.hpp"
 #include "text/lines.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/write_gradation.hpp>
 
@@ -16,7 +17,7 @@ constexpr const char *sample_ending = ".sample.csv", *gradation_ending = ".grada
 
 void SampleProofFiles::check(const std::string &proof, const std::vector<std::string> &others) {
   if (proof == "-")
-    throw InputError("--proof needs a file: standard output has the report");
+    throw InputError(option("proof") + " needs a file: standard output has the report");
   for (const char *const ending : {"", sample_ending, gradation_ending})
     for (const std::string &other : others)
       check_distinct({other, proof + ending});

@@ -109,8 +109,8 @@ int run(const VerifyCommand &c) {
   if (c.proof)
     SampleProofFiles::check(*c.proof, {c.gradation, c.sample, c.output.path(), c.asked.band.value_or("-")});
   if (is_disc_sizes_file(c.gradation) && c.proof)
-    throw file_error(c.gradation,
-                     "it has sizes of discs, and certificates are of gradations: leave out --proof");
+    throw file_error(c.gradation, "it has sizes of discs, and certificates are of gradations: leave out " +
+                                      option("proof"));
   if (is_disc_sizes_file(c.gradation))
     return verify_packing(c.gradation, c.sample, c.output);
   static_cast<void>(c.asked.gradation.question()); // what is wrong is said before a file is read

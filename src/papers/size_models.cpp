@@ -66,13 +66,13 @@ std::vector<DistributionRow> figure1_rows() {
 }
 
 std::vector<PassingRow> figure3_rows() {
-  constexpr unsigned steps = 200;
+  constexpr unsigned pieces = 200;
   std::vector<PassingRow> rows;
   for (const Shape &shape :
        std::vector<Shape>{{1, 1}, {1, 3}, {3, 1}, {3, 3}, {2, 4}, {4, 2}, {ratio(1, 10), ratio(1, 10)}}) {
     const BetaCurve curve(shape.a, shape.b, 1, 2);
-    for (unsigned i = 0; i <= steps; ++i) {
-      const Rational t = ratio(i, steps), reduced = power(t, 3) * (10 - 15 * t + 6 * t * t);
+    for (unsigned i = 0; i <= pieces; ++i) {
+      const Rational t = ratio(i, pieces), reduced = power(t, 3) * (10 - 15 * t + 6 * t * t);
       rows.push_back({shape, reduced, curve.passing(Real(Rational(1 + reduced)))});
     }
   }

@@ -30,7 +30,7 @@ const std::vector<Rounding> roundings = {
      "--round, the user's own word"},
     {"drawn_size(",
      {"gradation/root_size.hpp", "gradation/root_size.cpp", "ask/plot.cpp", "plot/gradation_figure.cpp",
-      "plot/tradeoff_figure.cpp", "sets/inverse_model.cpp"},
+      "plot/tradeoff_figure.cpp"},
      "pictures"},
     {"parse_decimal(rounded(",
      {"sets/matched_set.cpp", "sets/suite_sieves.cpp"},
