@@ -125,6 +125,7 @@ SettleModel ModelWriter::model(const ExportTexts &c, const ExportedParticles &fo
   model.poisson = e.poisson;
   model.friction = friction_of("friction", c.friction).value_or(model.friction);
   model.friction_while_filling = friction_of("friction-while-filling", c.friction_while_filling);
+  model.unjammed = c.unjammed;
   model.types_of_classes = c.types == "class" || c.material;
   if (c.material)
     model.materials = read_materials(read(*c.material), shown_name(*c.material), *found.set,

@@ -69,14 +69,15 @@ bool is_cylinder_asked(const ExportTexts &c) {
 
 /// An option that a model alone takes, if one is given.
 const char *option_of_model(const ExportTexts &c) {
-  const std::array<std::pair<bool, const char *>, 7> options = {
+  const std::array<std::pair<bool, const char *>, 8> options = {
       {{c.steps.has_value(), "steps"},
        {c.pressure.has_value(), "stress"},
        {c.tolerance.has_value(), "target-tolerance"},
        {c.friction.has_value(), "friction"},
        {c.friction_while_filling.has_value(), "friction-while-filling"},
        {c.material.has_value(), "material"},
-       {c.periodic, "periodic"}}};
+       {c.periodic, "periodic"},
+       {c.unjammed, "unjammed"}}};
   const auto *const found =
       std::find_if(options.begin(), options.end(), [](const auto &given) { return given.first; });
   return found == options.end() ? nullptr : found->second;
@@ -110,7 +111,7 @@ void check_periodic(const ExportTexts &c) {
                      " box:AxBxC, or leave it out");
   if (c.sides)
     throw InputError(option("periodic") + ": it is periodic on all sides: leave " + option("sides") + " out");
-  if (c.start && c.start != "mixed")
+  if (c.start && c.start != "mixed" && c.start != "as-is")
     throw InputError(option("periodic") + ": grains start mixed, and nothing settles: leave " +
                      option("start") + " out");
   if (!c.solve.void_ratio && !c.pressure)
@@ -124,7 +125,7 @@ void check_sides(const ExportTexts &c) {
   if (c.sides != "walls" && c.sides != "cylinder" && c.sides != "periodic")
     throw InputError(option("sides") + ": " + in_quotes(*c.sides) +
                      " is neither walls nor cylinder nor periodic");
-  const bool is_deposit = c.start == "deposit";
+  const bool is_deposit = c.start == "deposit" || c.start == "as-is";
   if (c.sides == "periodic" && !is_deposit)
     throw InputError(option("sides") + ": a deposit alone can be periodic: give " + option("start") +
                      " deposit, or leave " + option("sides") + " out");
@@ -147,9 +148,12 @@ void check_export(const ExportTexts &c, const ExportFormat &format) {
     check_model(c);
   if (c.periodic)
     check_periodic(c);
-  if (c.start && c.start != "layers" && c.start != "mixed" && c.start != "deposit")
+  if (c.start && c.start != "layers" && c.start != "mixed" && c.start != "deposit" && c.start != "as-is")
     throw InputError(option("start") + ": " + in_quotes(*c.start) +
-                     " is neither layers nor mixed nor deposit");
+                     " is neither layers nor mixed nor deposit nor as-is");
+  if (c.start == "as-is" && (c.box || c.solve.specimen))
+    throw InputError(option(c.box ? "box" : "specimen") + ": " + option("start") +
+                     " as-is has the box of its file: leave it out");
   if (c.types && c.types != "class" && c.types != "one")
     throw InputError(option("types") + ": " + in_quotes(*c.types) + " is neither one nor class");
   if (c.types == "class" && c.to != "lammps" && !c.model)
@@ -173,7 +177,7 @@ void check_export_of_packing(const ExportTexts &c) {
 ParticleSetOptions set_options(const ExportTexts &c, bool has_floats) {
   ParticleSetOptions options;
   if (c.unit)
-    options.unit = length_unit_of("unit", *c.unit);
+    options.unit = size_unit_of("unit", *c.unit);
   if (c.density)
     options.density = physical("density", *c.density);
   options.has_floats = has_floats;
@@ -219,6 +223,11 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::options = {
      &ExportTexts::unit},
     {"size-unit", "UNIT", OptionKind::text, "unit of FILE where it is a file of particles: as in mdm verify",
      &ExportTexts::size_unit},
+    {"gradation", "GRADATION", OptionKind::file,
+     "whose classes the particles of FILE are in, where it is a file of particles: their numbers, materials "
+     "and "
+     "densities; without it a class has sizes up to 1.41 times its smallest",
+     &ExportTexts::gradation},
     {"density", "RHO", OptionKind::number,
      "of the grains in kg/m^3 (2650); a class's factor, where there is one, multiplies it",
      &ExportTexts::density},
@@ -240,7 +249,8 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::start_options = {
     {"start", "START", OptionKind::text,
      "layers, a slab for each class; mixed, at random places of a higher box; or deposit, a dense "
      "one, dropped and rolled to rest (lammps, yade, vtk, models; layers, but mixed for a model of up "
-     "to 1000000 particles, and a deposit for one with a density to reach)",
+     "to 1000000 particles, and a deposit for one with a density to reach); as-is, where the particles of "
+     "FILE lie, the default where it has their places",
      &ExportTexts::start},
     {"sides", "SIDES", OptionKind::text,
      "of the start's box: walls; cylinder, in a --box as long as wide, the default for such a "
@@ -256,7 +266,7 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
      "yade, and beside it the files that it reads; with --void-ratio or --stress it compacts them",
      &ExportTexts::model},
     {"steps", "N", OptionKind::number,
-     "time steps of the model while particles settle, at most; without it three times as long as a "
+     "time steps of the model while particles settle, at most; without it five times as long as a "
      "fall from the top of the box",
      &ExportTexts::steps},
     {"stress", "S", OptionKind::number,
@@ -274,6 +284,10 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
      "a model in a box that is repeated on all sides: nothing settles, its faces compress it to "
      "--void-ratio or --stress (lammps, yade)",
      &ExportTexts::periodic},
+    {"unjammed", "", OptionKind::flag,
+     "a model's result may be grains that are not at rest, or that do not carry each other; without it the "
+     "engine stops there with what it measures",
+     &ExportTexts::unjammed},
     {"types", "TYPES", OptionKind::text,
      "class: each class has a type of its own, walls the next; else one (lammps, models; YADE has "
      "a material a class)",
@@ -285,5 +299,10 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
     {"young", "E", OptionKind::number,
      "Young's modulus for the time step, in Pa (7e10; a model is softer, and says so)", &ExportTexts::young},
     {"poisson", "NU", OptionKind::number, "Poisson's ratio for the time step (0.25)", &ExportTexts::poisson}};
+
+const std::vector<OptionRow<ExportTexts>> ExportTexts::size_options = {
+    {"spread", "", OptionKind::flag,
+     "sizes for all particles, as solve --spread gives them: exact masses of the classes",
+     &ExportTexts::spread}};
 
 } // namespace mdm

@@ -7,6 +7,7 @@
 #include "ask/solve_options.hpp"
 #include "particles/cost.hpp"
 #include "particles/export_format.hpp"
+#include "particles/kept_places.hpp"
 
 #include <vector>
 
@@ -24,23 +25,25 @@ struct ExportTexts {
   SolveTexts solve;
   std::vector<std::string> solving; ///< the options that are given that only a gradation has a use for
   OptionText unit, size_unit, density, mass_error, box, seed, young, poisson, model, steps, start, sides,
-      pressure, tolerance, friction, friction_while_filling, types, material;
+      pressure, tolerance, friction, friction_while_filling, types, material, gradation;
   ReadingTexts reading;
   std::string to, out = "-";
   bool spread = false;
   bool periodic = false; ///< on all sides
+  bool unjammed = false; ///< a model's result may be
   bool yes_huge = false, yes_units = false;
 
-  static const std::vector<OptionRow<ExportTexts>> options, start_options, model_options;
+  static const std::vector<OptionRow<ExportTexts>> options, start_options, model_options, size_options;
 };
 
 /// The particles to export, and how the search for them ended.
 struct ExportedParticles {
   std::optional<ParticleSet> set; ///< nothing: there is no match
   Outcome outcome = Outcome::done;
-  SizeUnit unit = SizeUnit::mm; ///< of lengths in options
-  std::string question;         ///< of an answer, in words
-  bool has_gradation = true;    ///< FILE is one, by which the particles can be judged
+  SizeUnit unit = SizeUnit::mm;          ///< of lengths in options
+  std::string question;                  ///< of an answer, in words
+  bool has_gradation = true;             ///< FILE is one, by which the particles can be judged
+  std::optional<KeptPlaces> places = {}; ///< that a file of particles has
 };
 
 /// \throws InputError if --to is none

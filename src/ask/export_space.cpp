@@ -7,6 +7,9 @@
 
 #include <fmt/core.h>
 
+#include <array>
+#include <cmath>
+
 namespace mdm {
 namespace {
 
@@ -107,7 +110,7 @@ std::optional<Footprint> footprint(const ExportTexts &c, const ExportedParticles
     throw InputError(option("sides") + " cylinder: its box is as long as wide: give " + option("box") +
                      " its diameter twice");
   floor->sides = sides_of(asked_space(c));
-  const Rational unit = in_mm(length_unit(found.unit)) / in_mm(found.set->unit);
+  const Rational unit = in_mm(found.unit) / in_mm(found.set->unit);
   floor->a *= unit;
   floor->b *= unit;
   if (floor->c)
@@ -115,9 +118,47 @@ std::optional<Footprint> footprint(const ExportTexts &c, const ExportedParticles
   return floor;
 }
 
+namespace {
+
+/// True if the places of the file have the space that is asked for.
+bool keeps_places(const ExportTexts &c, const ExportedParticles &found) {
+  if (!found.places || c.box || c.solve.specimen)
+    return false;
+  return !c.periodic || found.places->periodic == std::array<bool, 3>{true, true, true};
+}
+
+Placement kept(const ExportTexts &c, const ExportedParticles &found) {
+  const KeptPlaces &places = *found.places;
+  if (c.periodic && !keeps_places(c, found))
+    throw InputError(option("start") + " as-is: the file has no box that is repeated on all sides: leave " +
+                     option("periodic") + " out, or take " + option("start") + " mixed");
+  const bool is_cell = places.periodic == std::array<bool, 3>{true, true, true};
+  const bool is_pillar = places.periodic == std::array<bool, 3>{true, true, false};
+  if (c.model && ((is_cell && !c.periodic) || (is_pillar && asked_space(c) != Space::pillar)))
+    throw InputError(fmt::format("FILE's box is repeated: give {} too, or {} mixed",
+                                 is_cell ? option("periodic") : option("sides") + " periodic",
+                                 option("start")));
+  if (asked_space(c) == Space::cylinder && std::abs(places.box[0] - places.box[1]) > 1e-9 * places.box[0])
+    throw InputError(option("sides") + " cylinder: the file's box is not as long as wide: leave it out");
+  const Sides sides = asked_space(c) == Space::box && !c.sides && !c.model && is_pillar
+                          ? Sides::periodic
+                          : sides_of(asked_space(c));
+  return {*found.set, places, sides};
+}
+
+} // namespace
+
 Start start_of(const ExportTexts &c, const ExportedParticles &found) {
+  if (!c.start && keeps_places(c, found))
+    return Start::as_is;
   if (!c.start)
     return c.model ? start_of_model(c, found) : Start::layers;
+  if (*c.start == "as-is") {
+    if (!found.places)
+      throw InputError(option("start") +
+                       " as-is: FILE has no place of each particle: take layers, mixed or deposit");
+    return Start::as_is;
+  }
   if (*c.start == "deposit")
     return Start::deposit;
   return *c.start == "mixed" ? Start::mixed : Start::layers;
@@ -125,12 +166,29 @@ Start start_of(const ExportTexts &c, const ExportedParticles &found) {
 
 Placement placed(const ExportTexts &c, const ExportedParticles &found,
                  const std::function<void(std::size_t)> &lying) {
-  return {*found.set, footprint(c, found), export_seed(c), start_of(c, found), lying};
+  const Start start = start_of(c, found);
+  if (start == Start::as_is)
+    return kept(c, found);
+  return {*found.set, footprint(c, found), export_seed(c), start, lying};
 }
 
 std::vector<std::string> rounding_notes(const ExportTexts &c, const ExportedParticles &found,
                                         const Placement &start) {
   std::vector<std::string> notes;
+  if (start.is_kept()) {
+    notes.push_back("the particles stay where they lie in FILE, from the lower corner of " +
+                    std::string(found.places->has_box ? "its box" : "the smallest box around them") +
+                    " on; " + option("start") + " mixed draws new places");
+    return notes;
+  }
+  if (found.places)
+    notes.push_back("the places in FILE are left out; " + option("start") + " as-is keeps them, in its box");
+  if (c.model && !c.start && (c.solve.void_ratio || c.pressure) && !c.periodic &&
+      start_of(c, found) != Start::deposit)
+    notes.push_back(
+        fmt::format("the grains start mixed, not as a deposit: the specimen is narrower than {} of the "
+                    "largest, or they are too many",
+                    least_widths));
   const std::optional<Footprint> asked = footprint(c, found);
   const std::optional<Solids> shape = asked_specimen(c, SizeUnit::mm);
   if (shape && std::holds_alternative<Cylinder>(*shape) && asked_space(c) == Space::box)

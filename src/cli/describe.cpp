@@ -11,6 +11,7 @@
 #include "files/standard_streams.hpp"
 #include "report/description.hpp"
 #include "report/sediment_report.hpp"
+#include "text/option_name.hpp"
 
 #include <memory>
 
@@ -52,7 +53,7 @@ Gradation gradation(const DescribeCommand &c) {
 
 int describe_as_sediment(const DescribeCommand &c) {
   if (c.soil.liquid_limit || c.soil.plastic_limit)
-    throw InputError("--sediment has no use for Atterberg limits: leave them out");
+    throw InputError(option("sediment") + " has no use for Atterberg limits: leave them out");
   const SedimentDescription s = describe_sediment(gradation(c), c.soil.extrapolate);
   write(c, report(c, s, sediment_text, sediment_json, sediment_csv));
   return s.limited() ? Exit::limited : Exit::done;

@@ -42,11 +42,21 @@ ExportedParticles sample_particles(const ExportTexts &c, const OutputFlags &outp
   ParticleOptions reading;
   reading.says_otherwise = option("size-unit") + " says";
   if (c.size_unit)
-    reading.unit = length_unit_of("size-unit", *c.size_unit);
+    reading.unit = size_unit_of("size-unit", *c.size_unit);
   SampleSet sample;
   output.tell_notes(read_sample_file(*c.file, reading, sample, output.quiet));
-  return {in_file(*c.file, [&] { return sample.set(stem(*c.file), LengthUnit::mm, options); }), Outcome::done,
-          SizeUnit::mm, "", false};
+  std::optional<Gradation> sieves;
+  if (c.gradation)
+    sieves = any_gradation(*c.gradation, ReadingFlags{}, output.quiet).gradation;
+  else if (is_generated_file(*c.file)) // it has its classes
+    sieves = any_gradation(*c.file, ReadingFlags{}, output.quiet).gradation;
+  ExportedParticles found{
+      in_file(*c.file,
+              [&] { return sample.set(stem(*c.file), SizeUnit::mm, options, sieves ? &*sieves : nullptr); }),
+      Outcome::done, SizeUnit::mm, "", false};
+  if (!c.start || c.start == "as-is")
+    found.places = in_file(*c.file, [&] { return sample.places(*found.set, SizeUnit::mm); });
+  return found;
 }
 
 /// \param content of FILE; open: there is the band alone
@@ -80,6 +90,8 @@ ExportedParticles exported_particles(const ExportTexts &c, const OutputFlags &ou
                                      const ParticleSetOptions &options) {
   if (c.file && is_sample_file(*c.file))
     return sample_particles(c, output, options);
+  if (c.gradation)
+    throw InputError(option("gradation") + ": it is of files of particles, and FILE is none: leave it out");
   if (c.size_unit)
     throw InputError(option("size-unit") + ": it is of files of particles, and FILE is none: leave it out");
   std::optional<std::string> content;

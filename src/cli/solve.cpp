@@ -145,19 +145,25 @@ std::string theorem(const SolveCommand &c, const Target &asked, const Match &m,
 void check_files(const SolveCommand &c) {
   c.flags.check_source(c.file, c.reading.given(), "solve");
   if (c.spectrum && c.flags.is_tolerant())
-    throw InputError("--spectrum: it is of exact matches: leave it out, or --tolerance and --band");
+    throw InputError(option("spectrum") + ": it is of exact matches: leave it out, or " +
+                     option("tolerance") + " and " + option("band"));
   if (c.spectrum && c.output.is_csv())
-    throw InputError("--spectrum: CSV has no place for it: use --format text or json");
+    throw InputError(option("spectrum") + ": CSV has no place for it: use " + option("format") +
+                     " text or json");
   if (c.budget.grid && !c.budget.is_asked())
-    throw InputError("--grid: it is of a budget: add --particles, or leave it out");
+    throw InputError(option("grid") + ": it is of a budget: add " + option("particles") +
+                     ", or leave it out");
   if (c.spectrum && c.budget.is_asked())
-    throw InputError("--spectrum: it is of exact matches: leave it out, or --particles");
+    throw InputError(option("spectrum") + ": it is of exact matches: leave it out, or " +
+                     option("particles"));
   if (c.seed && !c.spread)
-    throw InputError("--seed: it is of a spread: add --spread, or leave it out");
+    throw InputError(option("seed") + ": it is of a spread: add " + option("spread") + ", or leave it out");
   if (c.proof == "-" || c.vipr == "-")
-    throw InputError("--proof and --vipr need a file: standard output has the answer");
+    throw InputError(option("proof") + " and " + option("vipr") +
+                     " need a file: standard output has the answer");
   if (c.coq && !is_coq_file(*c.coq))
-    throw InputError("--coq: Coq takes file names of letters, digits and _ that end in .v: give for example "
+    throw InputError(option("coq") +
+                     ": Coq takes file names of letters, digits and _ that end in .v: give for example "
                      "sand.v");
   std::vector<std::string> paths = {c.flags.source(c.file)};
   for (const std::optional<std::string> &path : {c.proof, c.vipr, c.coq, c.output.out})
@@ -211,7 +217,15 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Bud
     if (std::optional<SideFile> csv = readable_gradation(c, asked, m.notes))
       files.push_back(std::move(*csv));
   if (c.proof && found.finer && has_certificate(*found.finer))
-    add(finer_proof(c), true, [&] { return certificate(*found.finer); });
+    add(finer_proof(c), true, [&] {
+      Certified finer = certified(*found.finer);
+      if (finer.bound && *finer.bound <= c.budget.budget(c.flags).particles)
+        m.notes.push_back(
+            "the proof for the next finer tolerance would be too long: the one that is written is "
+            "of " +
+            to_string(*finer.bound) + " particles");
+      return std::move(finer.text);
+    });
   add(c.vipr, m.complete, [&] { return vipr(m); });
   add(c.coq, has_certificate(m), [&] { return theorem(c, asked, m, made.text); });
   if (made.bound)

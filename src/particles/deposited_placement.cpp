@@ -53,13 +53,18 @@ Footprint Placement::deposit_ground(const std::optional<Footprint> &floor) const
   return *floor;
 }
 
-void Placement::choose_deposit_unit(const Footprint &ground) {
+/// What choose_unit() found is coarse; finer units as far as there is room.
+void Placement::refine_unit(const Rational &longest) {
   const Rational smallest = set_->smallest().diameter.decimal();
-  const Rational longest = std::max({ground.a, ground.b, ground.c.value_or(0), highest(*set_, ground)});
-  // What choose_unit() found is coarse; finer units as far as there is room.
   while (places_ < most_places && smallest * power_of_ten(places_) < fine_units &&
          longest * power_of_ten(places_ + 1) < most_sphere_units)
     ++places_;
+}
+
+void Placement::choose_deposit_unit(const Footprint &ground) {
+  const Rational smallest = set_->smallest().diameter.decimal();
+  const Rational longest = std::max({ground.a, ground.b, ground.c.value_or(0), highest(*set_, ground)});
+  refine_unit(longest);
   if (longest * power_of_ten(places_) >= most_sphere_units ||
       smallest * power_of_ten(places_) < 3 * least_radius_units)
     throw InputError(fmt::format("{0} deposit: a length of {1} is too far from the smallest size, {2}: leave "

@@ -1,4 +1,5 @@
 #include "particles/settle_phases.hpp"
+#include "particles/settle_state.hpp"
 
 #include <fmt/core.h>
 
@@ -48,13 +49,13 @@ variable area equal @area@
 variable volume equal v_area*v_lid)";
 
 const char *const begin_lid =
-    R"(if "${begun} == 0" then "compute push all reduce sum f_lid[4]" "variable pressure equal (0-c_push)/v_area" "thermo_style custom step atoms ke c_least c_top c_push v_void_ratio v_pressure v_mu" "thermo_modify lost error norm no" "variable begun equal 1"
+    R"(if "${begun} == 0" then "compute push all reduce sum f_lid[4]" "variable pressure equal (0-c_push)/v_area" "thermo_style custom step atoms ke c_least c_top c_push v_void_ratio v_pressure v_mu@columns@" "thermo_modify lost error norm no" "variable begun equal 1"
 )";
 
 const char *const begin_cell = R"(
 compute stress all pressure NULL virial
 variable pressure equal c_stress
-thermo_style custom step atoms ke c_least c_stress v_void_ratio v_mu
+thermo_style custom step atoms ke c_least c_stress v_void_ratio v_mu@columns@
 thermo_modify lost error norm no
 )";
 
@@ -67,7 +68,7 @@ std::string lammps_walls(const SettleScript &s) {
             "fix y all wall/gran granular ${wall} yplane 0 $(yhi:%.17g)\n";
   if (s.model.space == Space::cylinder)
     text += "fix side all wall/gran/region granular ${wall} region inside\n";
-  return text + begin_lid;
+  return text + filled(begin_lid, {{"columns", state_columns()}});
 }
 
 std::string contact_of(const GrainMaterial &m, const std::string &friction) {
@@ -90,9 +91,9 @@ std::string contacts_of_classes(const SettleScript &s) {
       both.elasticity = {Rational(2 * young_a * young_b / (young_a + young_b)),
                          mean(a.elasticity.poisson, b.elasticity.poisson)};
       both.restitution = (a.restitution + b.restitution) / 2;
-      text += fmt::format("variable grip equal ${{own}}*{}+(1-${{own}})*${{mu}}\n"
-                          "variable contact string {}\npair_coeff {} {} ${{contact}}\n",
-                          digits6(std::min(a.friction, b.friction)), contact_of(both, "${grip}"), i, j);
+      text +=
+          fmt::format("variable grip equal {}\nvariable contact string {}\npair_coeff {} {} ${{contact}}\n",
+                      friction_of_pair(s, a, b), contact_of(both, "${grip}"), i, j);
     }
   return text;
 }
@@ -179,6 +180,7 @@ std::string lammps_model(const SettleModel &model) {
                has_lid ? fmt::format("fix gravity all gravity {} vector 0 0 -1", Settling::gravity) : ""}});
   if (has_lid)
     text += filled(lammps_lid, {{"round", round_wall(s)}}) + "variable begun equal 0\n";
+  text += state_measures(s, "all stress/atom NULL pair");
   PhaseCommands commands;
   commands.contact = lammps_contact(s);
   commands.quit = "\"quit 1\"";
@@ -190,7 +192,7 @@ std::string lammps_model(const SettleModel &model) {
   } else {
     commands.move = "variable strain equal -${rate}\n"
                     "fix faces all deform 1 x trate ${strain} y trate ${strain} z trate ${strain} remap x\n";
-    text += begin_cell;
+    text += filled(begin_cell, {{"columns", state_columns()}});
   }
   // The first contact, for the lammps_counts; the loop repeats it.
   text += "\nvariable grip equal ${mu}\n" + commands.contact;

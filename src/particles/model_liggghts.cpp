@@ -1,4 +1,5 @@
 #include "particles/settle_phases.hpp"
+#include "particles/settle_state.hpp"
 
 #include <fmt/core.h>
 
@@ -35,7 +36,9 @@ timestep @dt@
 fix lid all mesh/surface/stress file @base@-lid.stl type @wall_type@ move 0 0 ${lid_now}
 fix lids @wall@ mesh n_meshes 1 meshes lid
 variable lid_start equal ${lid_now}
-variable lid equal v_lid_start+f_lid[9]
+# Its way since then: a restart has the way that it had before.
+variable lid_moved equal f_lid[9]
+variable lid equal v_lid_start+f_lid[9]-v_lid_offset
 variable area equal @area@
 variable volume equal v_area*v_lid
 variable pressure equal abs(f_lid[3])/v_area
@@ -46,7 +49,7 @@ compute d all property/atom diameter
 variable up atom z+c_d/2
 compute top all reduce max v_up
 variable top equal c_top
-thermo_style custom step atoms ke c_top f_lid[3] f_lid[9]
+@state@thermo_style custom step atoms ke c_top f_lid[3] f_lid[9]@columns@
 thermo 0
 thermo_modify lost error norm no
 )";
@@ -89,8 +92,8 @@ std::string friction_of_pairs(const SettleScript &s) {
   std::size_t n = 0;
   for (std::size_t i = 1; i <= s.types(); ++i)
     for (std::size_t j = 1; j <= s.types(); ++j)
-      text += fmt::format("variable grip{} equal ${{own}}*{}+(1-${{own}})*${{mu}}\n", ++n,
-                          digits6(std::min(s.material(i).friction, s.material(j).friction)));
+      text +=
+          fmt::format("variable grip{} equal {}\n", ++n, friction_of_pair(s, s.material(i), s.material(j)));
   text += fmt::format("fix friction all property/global coefficientFriction peratomtypepair {}", s.types());
   for (std::size_t i = 1; i <= n; ++i)
     text += fmt::format(" ${{grip{}}}", i);
@@ -134,11 +137,8 @@ variable n delete
                         fmt::arg("number", c->number), fmt::arg("least", c->sizes.front().diameter.text),
                         fmt::arg("most", c->sizes.back().diameter.text),
                         fmt::arg("quantity", to_string(c->quantity())), fmt::arg("class_", class_name(*c)));
-  return text + R"(
-thermo_style custom step atoms ke c_top f_lid[3] f_lid[9]
-thermo_modify lost error norm no
-variable n equal atoms
-)";
+  return text + "\nthermo_style custom step atoms ke c_top f_lid[3] f_lid[9]" + state_columns() +
+         "\nthermo_modify lost error norm no\nvariable n equal atoms\n";
 }
 
 const char *const liggghts_ending =
@@ -157,6 +157,7 @@ std::string liggghts_model(const SettleModel &model) {
   check_simulated(model.set);
   const SettleScript s(model, ".dump");
   PhaseCommands commands;
+  commands.keeps_lid_offset = true;
   commands.contact = "unfix friction\n" + friction_of_pairs(s);
   commands.move =
       "variable speed equal -${rate}*${lid}\nfix sinking all move/mesh mesh lid linear 0 0 ${speed}\n";
@@ -178,6 +179,8 @@ std::string liggghts_model(const SettleModel &model) {
                                    {"wall", liggghts_wall},
                                    {"wall_type", types},
                                    {"base", s.name},
+                                   {"state", state_measures(s, "all stress/atom pair")},
+                                   {"columns", state_columns()},
                                    {"area", model.space == Space::cylinder ? "PI*xhi^2/4" : "xhi*yhi"},
                                    {"gravity", fmt::format("{}", Settling::gravity)}}) +
          liggghts_counts(s) + phase_loops(s, commands) +

@@ -1,3 +1,4 @@
+#include "particles/settle_state.hpp"
 #include "particles/yade_course.hpp"
 
 #include <fmt/core.h>
@@ -8,17 +9,15 @@ namespace {
 const char *const yade_begin = R"(
 import json
 import sys
-from math import atan, cos, pi, tan
+from math import atan, cos, hypot, pi, tan
 
 from yade import export, geom
 
 # What may be changed.
 steps = int(sys.argv[1]) if len(sys.argv) > 1 else @steps@  # while the grains settle, at most, in whole looks
 go_on = sys.argv[2] if len(sys.argv) > 2 else None  # restart file
-friction_while_filling = @filling@  # and while they are compacted; of the walls, too
-at_rest = @at_rest@  # kinetic energy, J
-most_unbalanced = 0.01  # at rest: mean force on a grain by mean contact force
-look = min(steps, @look@)  # steps between two looks
+friction_while_filling = @filling@  # @filling_means@
+@limits@look = min(steps, @look@)  # steps between two looks
 @target@solids = @solids@  # m^3
 x, y, z = @x@, @y@, @z@  # of the start
 
@@ -34,20 +33,20 @@ def stop(message):
     sys.exit('STOP: ' + message)
 
 
+def friction_of(row):
+    """Of a class: its own, or that of the state."""
+    return row[7] if state['own'] else @while_filling@
+
+
 def set_friction():
-    """Gives each class its own friction, or all grains that of the state."""
     for number, row in enumerate(classes):
-        O.materials[number + 1].frictionAngle = atan(row[7] if state['own'] else state['friction'])
+        O.materials[number + 1].frictionAngle = atan(friction_of(row))
     for contact in O.interactions:
         pair = (O.bodies[contact.id1].material, O.bodies[contact.id2].material)
         contact.phys.tangensOfFrictionAngle = tan(min(material.frictionAngle for material in pair))
 
 
-def is_at_rest(times=1):
-    return kineticEnergy() < times * at_rest and unbalancedForce() < times * most_unbalanced
-
-
-def save():
+@measures@def save():
     O.tags['state'] = json.dumps(state).replace(' ', '')
     O.save('@base@.restart.gz')
 
@@ -64,8 +63,7 @@ def rest(last, times=1):
     """Runs until the grains are at rest, or so many times above it, but no further than the step last."""
     while O.iter < last and (state['looks'] == 0 or not is_at_rest(times)):
         run(look)
-    if not is_at_rest(times):
-        print('NOTE: not at rest yet after %d steps' % O.iter, flush=True)
+    return is_at_rest(times)
 
 
 @pairs@def build():
@@ -74,9 +72,10 @@ def rest(last, times=1):
     O.materials.append(FrictMat(young=@young@, poisson=@nu@, frictionAngle=atan(friction_while_filling), density=@density@))
 @walls@    without_grains = len(O.bodies)
     found = 0
-    for number, (name, density, least, most, count, young, poisson, friction, _) in enumerate(classes):
+    for number, row in enumerate(classes):
+        name, density, least, most, count, young, poisson = row[:7]
         material = O.materials.append(FrictMat(
-            young=young, poisson=poisson, frictionAngle=atan(friction_while_filling), density=density, label=name))
+            young=young, poisson=poisson, frictionAngle=atan(friction_of(row)), density=density, label=name))
         color = (1 - number / len(classes), 0.5, number / len(classes))
         O.bodies.append([
             sphere((x, y, z), r, material=material, color=color) for x, y, z, r in grains if least <= r <= most])
@@ -99,8 +98,8 @@ if go_on:
     O.load(go_on)
     state = json.loads(O.tags['state'])
 else:
-    build()
     state = dict(phase='@phase@', friction=friction_while_filling, own=False, looks=0)
+    build()
 )";
 
 /// Where classes have materials of their own.
@@ -152,12 +151,13 @@ def compact(rate):
 )";
 
 const char *const yade_ending = R"(
-print('RESULT after %d steps: void ratio %g, pressure %g Pa' % (O.iter, @result@), flush=True)
+found = measured()
+print('RESULT after %d steps: void ratio %g, pressure %g Pa, %s' % (O.iter, @result@, words(found)), flush=True)
 settled = [body for body in O.bodies if isinstance(body.shape, Sphere)]
 @inside@if len(inside) != total:
     stop('%d grains are in the box at the end, not %d' % (len(inside), total))
 with open('@dump@', 'w') as file:
-    file.write('# x y z r in m\n')
+    file.write('# x y z r in m; box %r %r %r\n' % (@box@))
     for body in settled:
         file.write('%r %r %r %r\n' % (*@position@, body.shape.radius))
 save()
@@ -242,7 +242,11 @@ std::string yade_model(const SettleModel &model) {
   return filled(
       text, {{"steps", std::to_string(s.physics.steps)},
              {"filling", digits6(s.friction_while_filling())},
-             {"at_rest", digits6(s.physics.rest_energy)},
+             {"limits", yade_limits(s)},
+             {"measures", yade_measures(s)},
+             {"filling_means", s.keeps_friction() ? "and at most while they are compacted; of the walls"
+                                                  : "and while they are compacted; of the walls, too"},
+             {"while_filling", s.keeps_friction() ? "min(row[7], state['friction'])" : "state['friction']"},
              {"look", std::to_string(s.physics.look)},
              {"target", target_lines(s)},
              {"solids", digits17(s.physics.solids)},
@@ -251,7 +255,6 @@ std::string yade_model(const SettleModel &model) {
              {"z", fmt::format("{}", s.box.z)},
              {"classes", class_rows(s)},
              {"base", s.name},
-             {"calm", is_compacted ? ", 10" : ""},
              {"show", is_compacted ? ", void ratio %g at %g Pa" : ""},
              {"shown", is_compacted ? ", *density()" : ""},
              {"space", has_lid ? "" : "    O.periodic = True\n    O.cell.setBox(x, y, z)\n"},
@@ -275,9 +278,11 @@ std::string yade_model(const SettleModel &model) {
              {"area", area},
              {"axes", has_lid ? "1" : "3"},
              {"compaction_look", std::to_string(compaction_look)},
-             {"result", is_compacted ? "*density()" : "void_ratio(top()), density()[1]"},
+             {"result", is_compacted ? "*density()"
+                                     : "void_ratio(top()), found['pv'] / ((void_ratio(top()) + 1) * solids)"},
              {"inside", has_lid ? inside_walls : "inside = settled\n"},
              {"dump", s.dump},
+             {"box", has_lid ? "x, y, z" : "*O.cell.size,"},
              {"position", has_lid ? "body.state.pos" : "O.cell.wrap(body.state.pos)"}});
 }
 

@@ -13,13 +13,13 @@ constexpr std::size_t longest_title = 255;
 
 std::string box_line(const Placement &start) {
   const auto &[a, b, height] = start.box();
+  const char *const how = start.is_kept() ? "the particles are where they were" : "no two particles overlap";
   if (start.sides() == Sides::cylinder)
-    return fmt::format("Cylinder: diameter {}, height {}, in the box of that width from the origin; no two "
-                       "particles overlap.",
-                       start.text(a), start.text(height));
-  return fmt::format("Box: {} x {} x {}, from the origin{}; no two particles overlap.", start.text(a),
-                     start.text(b), start.text(height),
-                     start.sides() == Sides::periodic ? ", repeated in x and y" : "");
+    return fmt::format("Cylinder: diameter {}, height {}, in the box of that width from the origin; {}.",
+                       start.text(a), start.text(height), how);
+  return fmt::format("Box: {} x {} x {}, from the origin{}; {}.", start.text(a), start.text(b),
+                     start.text(height), start.sides() == Sides::periodic ? ", repeated in x and y" : "",
+                     how);
 }
 
 /// \param is_typed each class has a type of its own, from 1 on, and there is one more for walls

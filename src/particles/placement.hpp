@@ -3,6 +3,7 @@
 /// A start for a simulation: places for all particles of a set, none of which overlap.
 
 #include "packing/sphere_deposit.hpp"
+#include "particles/kept_places.hpp"
 #include "particles/particle_set.hpp"
 
 #include <array>
@@ -44,9 +45,10 @@ Footprint deposit_square(const ParticleSet &set);
 
 /// The arrangement in which particles start.
 enum class Start {
-  layers, ///< a slab for each class
-  mixed,  ///< at random places of the whole box, inserted the largest first
-  deposit ///< dropped in random order and columns, and rolled to rest: see deposit_spheres()
+  layers,  ///< a slab for each class
+  mixed,   ///< at random places of the whole box, inserted the largest first
+  deposit, ///< dropped in random order and columns, and rolled to rest: see deposit_spheres()
+  as_is    ///< where the particles of a file lie
 };
 
 /// Is told how many particles of a deposit lie.
@@ -94,12 +96,17 @@ public:
   Placement(const ParticleSet &set, const std::optional<Footprint> &floor, std::uint64_t seed,
             Start start = Start::layers, const StartProgress &progress = {});
   Placement(ParticleSet &&set, const std::optional<Footprint> &floor, std::uint64_t seed) = delete;
+  /// The places of a file, rounded to some 10^-9 of the smallest size or less; they may overlap.
+  /// \throws InputError as above
+  Placement(const ParticleSet &set, const KeptPlaces &places, Sides sides);
 
   const ParticleSet &set() const { return *set_; }
   /// The box is [0, a] x [0, b] x [0, height], in units.
   const std::array<std::int64_t, 3> &box() const { return box_; }
   /// The box's sides; a cylinder stands in the box and touches its sides.
   Sides sides() const { return sides_; }
+  /// True if the places are those of a file.
+  bool is_kept() const { return is_kept_; }
   unsigned places() const { return places_; }
   /// A length in units as a decimal.
   std::string text(std::int64_t units) const;
@@ -132,6 +139,7 @@ private:
   void mix();
   Footprint deposit_ground(const std::optional<Footprint> &floor) const;
   void choose_deposit_unit(const Footprint &ground);
+  void refine_unit(const Rational &longest);
   void list_in_order(std::vector<std::int64_t> &radii);
   void deposit(const std::optional<Footprint> &floor, const StartProgress &progress);
   void add_slab(std::size_t class_index);
@@ -142,8 +150,9 @@ private:
   unsigned places_ = 0;
   std::array<std::int64_t, 3> box_{};
   Sides sides_ = Sides::walls;
+  bool is_kept_ = false;
   std::vector<Slab> slabs_;     ///< of layers
-  std::vector<Sphere> spheres_; ///< of a mixed start or a deposit
+  std::vector<Sphere> spheres_; ///< of all starts but layers
 };
 
 } // namespace mdm

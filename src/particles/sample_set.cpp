@@ -15,11 +15,17 @@ namespace mdm {
 namespace {
 
 /// A size as a number of a file, with the greatest error of the mass of it.
-WrittenNumber number_in(const SizeRange &x, const ParticleSetOptions &options, Rational &mass_error) {
+/// \param of_diameter  the part of the diameter that it is
+WrittenNumber number_in(const SizeRange &x, const ParticleSetOptions &options, ParticleClass &c,
+                        const Rational &of_diameter) {
   constexpr unsigned cube = 3;
   const Rational middle = (x.lo + x.hi) / 2;
   // Around a size that is known its mass sets the limits.
-  const Rational lower = x.is_point() ? Rational(0) : x.lo, upper = x.is_point() ? Rational(2 * x.hi) : x.hi;
+  Rational lower = x.is_point() ? Rational(0) : x.lo, upper = x.is_point() ? Rational(2 * x.hi) : x.hi;
+  if (c.lower * of_diameter < middle && middle <= c.upper * of_diameter) {
+    lower = std::max(lower, Rational(c.lower * of_diameter));
+    upper = std::min(upper, Rational(c.upper * of_diameter));
+  }
   SizeToWrite size{power(middle, cube), cube, lower, upper, options.most_mass_error};
   std::optional<WrittenNumber> n = shortest_number(size);
   if (!n) { // the range is narrower than doubles are apart
@@ -32,49 +38,175 @@ WrittenNumber number_in(const SizeRange &x, const ParticleSetOptions &options, R
                                  "allow a larger {}, or take another {}",
                                  shown(x.hi), name(options.unit), approximate(options.most_mass_error, 3),
                                  option("mass-error"), option("unit")));
-  mass_error = std::max({mass_error, size.error(n->decimal()), size.error(exact_value(n->value))});
+  c.mass_error = std::max({c.mass_error, size.error(n->decimal()), size.error(exact_value(n->value))});
   return *std::move(n);
+}
+
+/// Upper bounds of groups with sizes up to sqrt(2) times their smallest, between sizes that are no less than
+/// a millionth apart. \param sizes  the upper ends, ascending
+std::vector<Rational> group_bounds(const std::vector<Rational> &sizes) {
+  const Rational apart = ratio(1000001, 1000000);
+  std::vector<Rational> bounds;
+  Rational smallest = sizes.front();
+  for (std::size_t i = 1; i < sizes.size(); ++i)
+    if (sizes[i] * sizes[i] > 2 * smallest * smallest && sizes[i] > apart * sizes[i - 1]) {
+      bounds.push_back((sizes[i - 1] + sizes[i]) / 2);
+      smallest = sizes[i];
+    }
+  bounds.push_back(2 * sizes.back());
+  return bounds;
 }
 
 } // namespace
 
-void SampleSet::add(const RootSize &diameter, const Integer &quantity) {
-  constexpr unsigned digits = 20;
-  if (diameter.degree == 1) {
-    add(SizeRange{diameter.power, diameter.power}, quantity);
-    return;
-  }
-  const Enclosure x =
-      enclose_root(numerator(diameter.power), denominator(diameter.power), diameter.degree, digits);
-  add(SizeRange{x.lower(), x.upper()}, quantity);
+void SampleSet::restart() {
+  sizes_.clear();
+  placed_.clear();
+  box_.reset();
+  lacks_places_ = false;
 }
 
-void SampleSet::add(const SizeRange &diameter, const Integer &quantity) {
-  sizes_[{diameter.lo, diameter.hi}] += quantity;
+namespace {
+
+/// The size, enclosed where it is irrational.
+SizeRange range_of(const RootSize &diameter) {
+  constexpr unsigned digits = 20;
+  if (diameter.degree == 1)
+    return {diameter.power, diameter.power};
+  const Enclosure x =
+      enclose_root(numerator(diameter.power), denominator(diameter.power), diameter.degree, digits);
+  return {x.lower(), x.upper()};
+}
+
+} // namespace
+
+SampleSet::Sizes::const_iterator SampleSet::gather(const SizeRange &diameter, const Integer &quantity) {
+  const auto at = sizes_.try_emplace({diameter.lo, diameter.hi}, 0).first;
+  at->second += quantity;
   if (sizes_.size() > most_sizes)
     throw InputError(
         fmt::format("more than the {} sizes that a set can hold: leave particles out", most_sizes));
+  return at;
 }
 
-ParticleSet SampleSet::set(const std::string &name, LengthUnit from,
-                           const ParticleSetOptions &options) const {
+void SampleSet::add(const RootSize &diameter, const Integer &quantity) {
+  add(range_of(diameter), quantity);
+}
+
+void SampleSet::add(const SizeRange &diameter, const Integer &quantity) {
+  lacks_places_ = true;
+  gather(diameter, quantity);
+}
+
+void SampleSet::add_at(const SphereSample::Place &place, const Rational &unit, const RootSize &diameter) {
+  Placed placed{gather(range_of(diameter), 1), {}};
+  if (lacks_places_)
+    return;
+  try {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::string decimal(place[axis]);
+      std::replace(decimal.begin(), decimal.end(), ',', '.');
+      placed.at[axis] = parse_decimal(decimal) * unit;
+    }
+    placed_.push_back(std::move(placed));
+  } catch (const InputError &) { // such as nan
+    lacks_places_ = true;
+  }
+}
+
+ParticleSet SampleSet::set(const std::string &name, SizeUnit from, const ParticleSetOptions &options,
+                           const Gradation *sieves) const {
   if (sizes_.empty())
     throw InputError("there are no particles: give a file that has some");
   const Rational unit = in_mm(from) / in_mm(options.unit);
-  ParticleClass all;
-  all.number = 1;
-  all.lower = 0;
-  all.density = options.density * power(Rational(in_mm(options.unit) / 1000), 3);
-  for (const auto &[range, quantity] : sizes_) {
-    const SizeRange diameter{range.first * unit, range.second * unit};
-    const SizeRange radius{diameter.lo / 2, diameter.hi / 2};
-    all.upper = std::max(all.upper, Rational(2 * diameter.hi));
-    all.sizes.push_back(
-        {number_in(diameter, options, all.mass_error), number_in(radius, options, all.mass_error), quantity});
+  const Rational density = options.density * power(Rational(in_mm(options.unit) / 1000), 3);
+  // Bounds of the classes: above the first, up to the second, and so on.
+  std::vector<Rational> openings{0};
+  if (sieves != nullptr) {
+    openings.clear();
+    for (std::size_t j = 0; j <= sieves->classes(); ++j) {
+      const Interval x = bounds(sieves->opening(j));
+      openings.push_back((j == 0 ? x.hi : x.lo) * in_mm(sieves->unit()) / in_mm(options.unit));
+    }
+  } else {
+    std::vector<Rational> sizes;
+    for (const auto &size : sizes_)
+      sizes.push_back(size.first.second * unit);
+    const std::vector<Rational> groups = group_bounds(sizes);
+    openings.insert(openings.end(), groups.begin(), groups.end());
   }
   ParticleSet set{name, options.unit, {}, {}, 0};
-  set.classes.push_back(std::move(all));
+  for (const auto &[range, quantity] : sizes_) {
+    const SizeRange diameter{range.first * unit, range.second * unit};
+    const auto upper = std::lower_bound(openings.begin(), openings.end(), diameter.hi);
+    if (upper == openings.begin() || upper == openings.end())
+      throw InputError(fmt::format(
+          "a particle of {} {} is outside of all classes of the gradation of {}: were sizes "
+          "multiplied by {}, or is a unit wrong?",
+          shown(diameter.hi), mdm::name(options.unit), option("gradation"), option("size-factor")));
+    const auto number = static_cast<std::size_t>(upper - openings.begin());
+    if (set.classes.empty() || set.classes.back().number != number) {
+      const Rational factor = sieves != nullptr ? sieves->factor(number - 1) : Rational(1);
+      set.classes.push_back({number, *(upper - 1), *upper, density * factor, {}, 0});
+    }
+    ParticleClass &c = set.classes.back();
+    const SizeRange radius{diameter.lo / 2, diameter.hi / 2};
+    c.sizes.push_back(
+        {number_in(diameter, options, c, 1), number_in(radius, options, c, ratio(1, 2)), quantity});
+  }
   return set;
+}
+
+std::optional<KeptPlaces> SampleSet::places(const ParticleSet &set, SizeUnit from) const {
+  if (lacks_places_ || placed_.empty())
+    return std::nullopt;
+  const Rational unit = in_mm(from) / in_mm(set.unit);
+  std::array<Rational, 3> low{}, high{};
+  KeptPlaces kept;
+  if (box_) {
+    kept.has_box = true;
+    kept.periodic = box_->periodic;
+    low = box_->sides.low;
+    high = box_->sides.high;
+  } else
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto end = [axis](const Placed &p, int side) {
+        return Rational(p.at[axis] + side * p.size->first.second / 2);
+      };
+      low[axis] = end(placed_.front(), -1);
+      high[axis] = end(placed_.front(), 1);
+      for (const Placed &p : placed_) {
+        low[axis] = std::min(low[axis], end(p, -1));
+        high[axis] = std::max(high[axis], end(p, 1));
+      }
+    }
+  // The map's sizes are those of the classes, in their order.
+  std::map<const Rational *, std::pair<std::size_t, std::size_t>> index;
+  auto size = sizes_.begin();
+  for (std::size_t i = 0; i < set.classes.size(); ++i)
+    for (std::size_t j = 0; j < set.classes[i].sizes.size(); ++j)
+      index[&(size++)->first.first] = {i, j};
+  std::array<Rational, 3> side;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    side[axis] = high[axis] - low[axis];
+    kept.box[axis] = Rational(side[axis] * unit).convert_to<double>();
+  }
+  for (const Placed &p : placed_) {
+    const auto &[i, j] = index.at(&p.size->first.first);
+    KeptPlace place{i, j, {}};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Rational x = p.at[axis] - low[axis];
+      if (kept.periodic[axis] && side[axis] > 0)
+        x -= side[axis] * floor(Rational(x / side[axis]));
+      if (x < 0 || x > side[axis])
+        throw InputError(
+            "a particle has its centre outside of the file's box: it has no place to keep: take " +
+            option("start") + " mixed");
+      place.at[axis] = Rational(x * unit).convert_to<double>();
+    }
+    kept.particles.push_back(place);
+  }
+  return kept;
 }
 
 } // namespace mdm

@@ -1,6 +1,7 @@
 #include "particles/settle_model.hpp"
 
 #include "particles/particle_writer.hpp"
+#include "particles/settle_state.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
@@ -51,6 +52,7 @@ double softest(const SettleModel &model, const Elasticity &elasticity) {
 void set_compaction(const SettleModel &model, double softest_young, Settling &s) {
   const DensityTarget &target = *model.target;
   s.most_pressure = target.void_ratio ? softest_young / stiffness_by_pressure : target.pressure;
+  s.least_pressure = SettleLimits::stiffness_share * softest_young;
   const double size = std::cbrt(6 / std::numbers::pi * s.solids / model.set.particles().convert_to<double>());
   const double density = mass(model.set) / s.solids;
   constexpr double inertial_number = 0.003;
@@ -79,7 +81,7 @@ Settling settling(const SettleModel &model) {
   s.elasticity.poisson = model.poisson;
   s.rayleigh = rayleigh_of(model, s.elasticity);
   s.step = s.part_of_rayleigh * s.rayleigh;
-  constexpr double falls = 3;
+  constexpr double falls = 5;
   const double steps = model.steps ? static_cast<double>(*model.steps)
                                    : std::ceil(falls * std::sqrt(2 * model.box.z / s.gravity) / s.step);
   if (steps > Settling::most_steps)
@@ -93,7 +95,7 @@ Settling settling(const SettleModel &model) {
   s.look = static_cast<std::uint64_t>(
       std::clamp<double>(std::ceil(std::sqrt(2 * part_of_size * smallest / s.gravity) / s.step), 100, 1e8));
   s.solids = std::numbers::pi / 6 * model.set.cubes().convert_to<double>();
-  s.rest_energy = s.part_at_rest * mass(model.set) * s.gravity * smallest;
+  s.floor_moment = mass(model.set) * s.gravity * smallest / 2;
   if (model.target)
     set_compaction(model, softest(model, s.elasticity), s);
   return s;

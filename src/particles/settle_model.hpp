@@ -53,6 +53,7 @@ struct SettleModel {
   std::vector<GrainMaterial> materials = {};
   /// Each class has a type of its own, 1 for the smallest, and walls the next; else all are of type 1.
   bool types_of_classes = false;
+  bool unjammed = false; ///< what is not at rest or not jammed is a result, too
   /// The options with which `mdm verify` takes the gradation as it was asked for, for example ` --law
   /// power:2`; nothing: there is none, but a band.
   std::optional<std::string> verify_options = "";
@@ -65,9 +66,6 @@ struct Settling {
   static constexpr double restitution = 0.5, gravity = 9.81;
   /// The time step is this part of the Rayleigh time.
   static constexpr double part_of_rayleigh = 0.2;
-  /// At rest the kinetic energy is below this part of the weight times the smallest size: of 10,000 grains
-  /// one may fall by its size still. Grains are compacted from ten times that on.
-  static constexpr double part_at_rest = 1e-4;
   /// LAMMPS and LIGGGHTS refuse longer runs.
   static constexpr std::uint32_t most_steps = 2147483647;
 
@@ -76,12 +74,12 @@ struct Settling {
   Elasticity elasticity;
   double rayleigh = 0; ///< of the set, s
   double step = 0;     ///< s
-  /// While settling at most: three times as many as for a fall from the top of the box; of a deposit, as
-  /// many.
+  /// While settling at most: five times as many as for a fall from the top of the box.
   std::uint64_t steps = 0;
   std::uint64_t look = 0;        ///< steps between two looks: a fall by a tenth of the smallest size
   double solids = 0;             ///< volume of the grains, m^3
-  double rest_energy = 0;        ///< kinetic energy at rest, J
+  double floor_moment = 0;       ///< weight by the smallest radius, J
+  double least_pressure = 0;     ///< of jammed grains in a cell, Pa
   double most_pressure = 0;      ///< while compacting, Pa: overlaps of a percent
   double rate = 0;               ///< of compaction at most, 1/s: inertial number 0.003 at that pressure
   std::uint64_t compacting = 0;  ///< steps of compaction that are expected
@@ -101,8 +99,8 @@ double specimen_height(const SettleModel &model, double void_ratio);
 /// what to give to `mdm verify --tolerance`.
 std::string share_tolerance(const ParticleSet &set);
 
-/// Each is an input script that is run in its folder; it stops with a message where a count is wrong or the
-/// density that is asked for cannot be reached.
+/// Each is an input script that is run in its folder; it stops with a message where a count is wrong, the
+/// density that is asked for cannot be reached, or the grains are not at rest or not jammed at the end.
 /// \throws InputError if the set is not in m, a file's name has characters that scripts could take for their
 /// own, the engine has no such space, or there are more steps than most_steps
 std::string liggghts_model(const SettleModel &model);

@@ -1,48 +1,47 @@
 #include "particles/settle_phases.hpp"
 
+#include "particles/settle_state.hpp"
+
 #include <fmt/core.h>
 
 namespace mdm {
 namespace {
 
-/// `variable steps index 300      # at most`
-std::string setting(const char *name, const std::string &value, const std::string &meaning) {
-  return fmt::format("{:<46}# {}\n", fmt::format("variable {} index {}", name, value), meaning);
-}
-
 std::string settings_of_all(const SettleScript &s) {
   return "\n# What may be changed, here or behind the command as -var NAME VALUE.\n" +
-         setting("go_on", "0", "1: from " + s.name + ".restart") +
-         setting("steps", std::to_string(s.physics.steps),
-                 "while the grains settle, at most, in whole looks") +
-         setting("friction", digits6(s.model.friction), "of the grains at the end") +
-         setting("friction_while_filling", digits6(s.friction_while_filling()),
-                 "and while they are compacted; of the walls, too") +
-         setting("at_rest", digits6(s.physics.rest_energy), "kinetic energy, J");
+         script_setting("go_on", "0", "1: from " + s.name + ".restart") +
+         script_setting("steps", std::to_string(s.physics.steps),
+                        "while the grains settle, at most, in whole looks") +
+         script_setting("friction", digits6(s.model.friction), "of the grains at the end") +
+         script_setting("friction_while_filling", digits6(s.friction_while_filling()),
+                        s.keeps_friction() ? "and at most while they are compacted; of the walls"
+                                           : "and while they are compacted; of the walls, too") +
+         state_settings(s);
 }
 
 std::string settings_of_target(const SettleScript &s, const DensityTarget &target) {
   const bool to_density = target.void_ratio.has_value();
-  return setting("target", digits6(to_density ? *target.void_ratio : target.pressure),
-                 to_density ? "void ratio" : "Pa") +
-         setting("tolerance", digits6(target.tolerance), to_density ? "of it" : "of it, a part") +
-         setting("most_pressure", digits6(s.physics.most_pressure),
-                 to_density ? "Pa: overlaps of a percent; where it comes near, the friction is lowered"
-                            : "Pa") +
-         setting("most_rate", digits6(s.physics.rate),
-                 "1/s, of the strain: inertial number 0.003 at that pressure") +
-         setting("most_compacting", std::to_string(s.physics.most_compacting), "steps");
+  return script_setting("target", digits6(to_density ? *target.void_ratio : target.pressure),
+                        to_density ? "void ratio" : "Pa") +
+         script_setting("tolerance", digits6(target.tolerance), to_density ? "of it" : "of it, a part") +
+         script_setting("most_pressure", digits6(s.physics.most_pressure),
+                        to_density ? "Pa: overlaps of a percent; where it comes near, the friction is lowered"
+                                   : "Pa") +
+         script_setting("most_rate", digits6(s.physics.rate),
+                        "1/s, of the strain: inertial number 0.003 at that pressure") +
+         script_setting("most_compacting", std::to_string(s.physics.most_compacting), "steps");
 }
 
 const char *const looks_at = R"script(
 # What is found at each look. Phases: fill, compact, hold.
 variable now equal step
-variable agitation equal ke/v_at_rest
 variable void_ratio equal v_volume/@solids@-1
 variable mu equal ${friction_while_filling}
 variable own equal 0   # 1: grains have their own friction
+variable held equal 0  # looks since compaction has ended
 variable rate equal 0  # 1/s, of compaction
 variable looks equal 0
+variable lid_offset equal 0
 variable is_time equal "v_looks == 20*floor(v_looks/20)"
 variable look equal "(v_steps < @look@)*v_steps+(v_steps >= @look@)*@look@"
 variable look equal ${look}
@@ -76,7 +75,7 @@ variable next_rate equal "(v_wish < v_room)*v_wish+(v_wish >= v_room)*v_room"
 )script";
 
 const char *const to_pressure = R"script(variable missing equal 1-v_pressure/v_target
-variable is_there equal "(v_missing < v_tolerance)*(v_missing > -v_tolerance)*(v_agitation < 1)"
+variable is_there equal "(v_missing < v_tolerance)*(v_missing > -v_tolerance)*(v_restless < 1)"
 variable slower equal "(v_missing > -1)*v_missing-(v_missing <= -1)"
 variable faster equal "1+4*(v_pressure < 0.01*v_target)"
 variable next_rate equal v_most_rate*v_faster*v_slower
@@ -97,25 +96,38 @@ run ${look}
 jump SELF ${phase}
 )script";
 
-const char *const course_settle = R"script(
+/// Where a density is asked for, it is enough that grains are nearly at rest.
+const char *const settle_nearly = R"script(
 label fill
-if "${agitation} > @calm@ && ${now} < ${last}" then "jump SELF look"
-if "${agitation} > @calm@" then "print 'NOTE: not at rest yet after ${now} steps: the kinetic energy is ${agitation} times that at rest'"
+if "${restless} > 10 && ${now} < ${last}" then "jump SELF look"
+if "${restless} > 10" then "print 'NOTE: not nearly at rest after ${now} steps: kinetic energy ${energy} of p V, unbalanced force ${unbalanced} of the contact force'"
+print "SETTLED after ${now} steps: void ratio ${void_ratio_at_top} below the highest grain"
+)script";
+
+const char *const settle_wholly = R"script(
+label fill
+if "${restless} > 1 && ${now} < ${last}" then "jump SELF look"
+if "${restless} > 1 && ${unjammed} < 1" then "jump SELF restless"
 print "SETTLED after ${now} steps: void ratio ${void_ratio_at_top} below the highest grain"
 )script";
 
 /// Both engines write a line of a file by a fix alone, while they run.
-std::string course_save(const std::string &name) {
+std::string course_save(const SettleScript &s, bool keeps_lid_offset) {
   std::string text;
-  for (const auto &[variable, value] : {std::pair("phase string", "phase"),
-                                        {"mu equal", "mu"},
-                                        {"own equal", "own"},
-                                        {"look equal", "look"},
-                                        {"lid_now equal", "lid"}})
+  std::vector<std::pair<const char *, const char *>> kept = {{"phase string", "phase"},
+                                                             {"mu equal", "mu"},
+                                                             {"own equal", "own"},
+                                                             {"look equal", "look"},
+                                                             {"lid_now equal", "lid"}};
+  if (s.seeks_jamming())
+    kept.insert(kept.end(), {{"loose_z equal", "loose_z"}, {"loose_pressure equal", "loose_pressure"}});
+  if (keeps_lid_offset)
+    kept.emplace_back("lid_offset equal", "lid_moved");
+  for (const auto &[variable, value] : kept)
     text += fmt::format("fix state all print 1 \"variable {} ${{{}}}\" {} {}.restart.state screen no\n"
                         "run 1\nunfix state\n",
-                        variable, value, text.empty() ? "file" : "append", name);
-  return text + "write_restart " + name + ".restart\n";
+                        variable, value, text.empty() ? "file" : "append", s.name);
+  return text + "write_restart " + s.name + ".restart\n";
 }
 
 const char *const refuse_loosest =
@@ -157,6 +169,7 @@ const char *const course_reached = R"script(
 label reached
 variable rate equal 0
 variable own equal 1
+variable held equal 0
 variable last equal ${now}+@more@
 variable phase delete
 variable phase string hold
@@ -165,23 +178,64 @@ jump SELF contact
 
 const char *const hold_still = R"script(
 label hold
-if "${agitation} > 1 && ${now} < ${last}" then "jump SELF look"
-if "${agitation} > 1" then "print 'NOTE: not at rest yet after ${now} steps: the kinetic energy is ${agitation} times that at rest'"
+variable held equal ${held}+1
+if "${restless} > 1 && ${now} < ${last}@is_carried@" then "jump SELF look"
+if "${restless} > 1 && ${unjammed} < 1@is_carried@" then "jump SELF restless"
 )script";
 
 const char *const hold_pressure = R"script(
 label hold
 variable rate equal ${next_rate}
 if "${is_there} < 1 && ${now} < ${last}" then "jump SELF look"
-if "${is_there} < 1" then "print 'STOP: ${target} Pa are not held after ${now} steps: ${pressure} Pa at void ratio ${void_ratio}'" @quit@
+if "${is_there} < 1" then "print 'STOP: ${target} Pa are not held after ${now} steps: ${pressure} Pa at void ratio ${void_ratio}: @state@'" @quit@
 )script";
+
+const char *const judge_rest = R"script(
+label restless
+print "STOP: not at rest after ${now} steps: @state@; go on with -var go_on 1, or take it as it is with -var unjammed 1"
+@save@@stop@)script";
+
+const char *const judge = R"script(
+label judge
+if "${jammed} > 0 || ${unjammed} > 0" then "jump SELF end"
+)script";
+
+const char *const not_jammed =
+    R"script(print "STOP: not jammed at void ratio ${@void_ratio@}: ${carrying} contacts of a grain that is carried, fewer than ${isostatic}; @state@; take it as it is with -var unjammed 1"
+@stop@)script";
+
+/// The cell is compressed on, until its grains carry each other.
+const char *const seek_jamming = R"script(variable loose_z equal ${carrying}
+variable loose_pressure equal ${pressure}
+variable last equal ${now}+@more@
+variable phase delete
+variable phase string seek
+label seek
+variable carries equal "(v_carrying >= v_isostatic)*(v_pressure > 0.01*v_most_pressure)"
+if "${carries} > 0" then "print 'STOP: @loose@: with friction ${grip} they jam at void ratio ${void_ratio}, compressed on: ask for that or less, or take it as it is with -var unjammed 1'" @quit@
+if "${now} >= ${last}" then "print 'STOP: @loose@, nor do they jam in as many steps at void ratio ${void_ratio}: take it as it is with -var unjammed 1'" @quit@
+variable rate equal v_most_rate*(1+4*(v_pressure<0.01*v_most_pressure))
+jump SELF look
+)script";
+
+/// What a cell at the void ratio that is asked for lacks.
+const char *const loose =
+    "of void ratio ${target} the grains are not jammed: ${loose_z} contacts of a grain that is no "
+    "rattler, jammed ${isostatic} or more, and ${loose_pressure} Pa, jammed ${least_pressure} Pa or more";
 
 const char *const course_end = R"script(
 label end
-print "RESULT after ${now} steps: void ratio ${@void_ratio@}, pressure ${pressure} Pa"
+print "RESULT after ${now} steps: void ratio ${@void_ratio@}, pressure ${@pressure@} Pa, @state@"
 )script";
 
 } // namespace
+
+std::string friction_of_pair(const SettleScript &s, const GrainMaterial &a, const GrainMaterial &b) {
+  const std::string own = digits6(std::min(a.friction, b.friction));
+  const std::string on_the_way =
+      s.keeps_friction() ? fmt::format("(({0}<${{mu}})*{0}+({0}>=${{mu}})*${{mu}})", own) : "${mu}";
+  return fmt::format("${{own}}*{}+(1-${{own}})*{}", own, on_the_way);
+}
 
 std::string phase_variables(const SettleScript &s) {
   const Settling &p = s.physics;
@@ -196,6 +250,8 @@ std::string phase_variables(const SettleScript &s) {
     text += "variable too_dense equal \"v_void_ratio_at_top < v_target-v_tolerance\"\n";
   if (target)
     text += filled(target->void_ratio ? to_void_ratio : to_pressure, {{"axes", s.has_lid() ? "1" : "3"}});
+  if (s.seeks_jamming())
+    text += "variable loose_z equal 0\nvariable loose_pressure equal 0\n";
   text += filled(start_of_course, {{"anew", s.has_lid() ? anew_filling : anew_compacting},
                                    {"look", std::to_string(compaction_look)},
                                    {"base", s.name}});
@@ -205,30 +261,39 @@ std::string phase_variables(const SettleScript &s) {
 std::string phase_loops(const SettleScript &s, const PhaseCommands &c) {
   const std::optional<DensityTarget> &target = s.model.target;
   const bool to_density = target && target->void_ratio;
-  const std::string saving = course_save(s.name);
+  const std::string saving = course_save(s, c.keeps_lid_offset);
   std::string text = begin_of_loop;
   if (s.has_lid())
-    text += course_settle;
+    text += target ? settle_nearly : settle_wholly;
   if (target && s.has_lid()) {
     text += to_density ? refuse_loosest : "";
     text += begin_compaction;
   }
   if (!target)
-    text += s.changes_friction() ? "jump SELF reached\n" : "jump SELF end\n";
+    text += s.changes_friction() ? "jump SELF reached\n" : "jump SELF judge\n";
   if (target)
     text += to_density ? compact_to_void_ratio : compact_to_pressure;
   if (s.changes_friction()) {
     text += course_reached;
     text += target && !to_density ? hold_pressure : hold_still;
   }
+  text += judge;
+  text += s.seeks_jamming() ? seek_jamming : not_jammed;
+  if (!target || to_density)
+    text += judge_rest;
   text += course_end;
-  return filled(text, {{"contact", c.contact},
+  return filled(text, {{"loose", loose},
+                       {"contact", c.contact},
                        {"move", target ? c.move : ""},
                        {"lower", c.lower_lid},
                        {"save", saving},
                        {"base", s.name},
                        {"quit", c.quit},
-                       {"calm", target ? "10" : "1"},
+                       {"state", state_words(s)},
+                       {"stop", std::string(c.quit) == "quit" ? "quit\n" : "quit 1\n"},
+                       {"pressure", s.has_lid() && !target ? "mean_pressure" : "pressure"},
+                       {"is_carried",
+                        s.seeks_jamming() ? " && (${held} < 20 || ${pressure} >= ${least_pressure})" : ""},
                        {"look", std::to_string(compaction_look)},
                        {"more", target ? "${most_compacting}" : "${steps}"},
                        {"void_ratio", s.has_lid() && !target ? "void_ratio_at_top" : "void_ratio"}});

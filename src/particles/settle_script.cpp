@@ -1,6 +1,7 @@
 #include "particles/settle_script.hpp"
 
 #include "particles/particle_writer.hpp"
+#include "particles/settle_state.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
@@ -50,6 +51,10 @@ std::string class_name(const ParticleClass &c) {
   return fmt::format("class {} ({}, {}]", c.number, short_decimal(c.lower), short_decimal(c.upper));
 }
 
+std::string script_setting(const char *name, const std::string &value, const std::string &meaning) {
+  return fmt::format("{:<46}# {}\n", fmt::format("variable {} index {}", name, value), meaning);
+}
+
 std::string digits6(double x) {
   return fmt::format("{:.6g}", x);
 }
@@ -71,12 +76,28 @@ std::string filled(std::string text,
 SettleScript::SettleScript(const SettleModel &m, const char *ending)
     : model(m), set(m.set), box(m.box), physics(settling(m)), name(file_word(m.name)),
       dump(name + "-settled" + ending), particles(m.set.particles()) {
-  if (set.unit != LengthUnit::m)
+  if (set.unit != SizeUnit::m)
     throw InputError("a model is in SI units: leave out " + option("unit"));
 }
 
 bool SettleScript::changes_friction() const {
   return model.target.has_value() || model.friction_while_filling.has_value();
+}
+
+double SettleScript::friction_while_filling() const {
+  if (!keeps_friction())
+    return model.friction_while_filling.value_or(model.friction);
+  double most = model.friction;
+  for (const GrainMaterial &m : model.materials)
+    most = std::max(most, m.friction);
+  return most;
+}
+
+bool SettleScript::is_frictionless() const {
+  if (model.materials.empty())
+    return model.friction == 0;
+  return std::all_of(model.materials.begin(), model.materials.end(),
+                     [](const GrainMaterial &m) { return m.friction == 0; });
 }
 
 GrainMaterial SettleScript::material(std::size_t type) const {
@@ -138,9 +159,22 @@ std::string height_line(const SettleScript &s) {
                      *s.model.target->void_ratio, specimen_height(s.model, *s.model.target->void_ratio));
 }
 
+/// Nothing settles without gravity.
+std::string settling_line(const SettleScript &s) {
+  if (!s.has_lid())
+    return "";
+  const Settling &p = s.physics;
+  return fmt::format(
+      "# {} step{} at most while settling: {:.3g} s; a fall from the top of the box takes {:.3g} s.\n",
+      p.steps, p.steps == 1 ? "" : "s", static_cast<double>(p.steps) * p.step,
+      std::sqrt(2 * s.box.z / p.gravity));
+}
+
 std::string material_lines(const SettleScript &s) {
   if (!s.model.materials.empty())
-    return "# Material: of each class its own, see below; walls have restitution 0.5";
+    return fmt::format(
+        "# Material: of each class its own, see below; walls have restitution {} and friction {}.",
+        Settling::restitution, digits6(s.friction_while_filling()));
   return fmt::format("# Material: E = {:.4g} Pa, nu = {}, restitution {}, friction {}.{}",
                      s.physics.elasticity.young.convert_to<double>(),
                      s.physics.elasticity.poisson.convert_to<double>(), Settling::restitution,
@@ -163,8 +197,8 @@ std::string SettleScript::head(const RunCommands &c) const {
 @material@
 # Time step: a fifth of the Rayleigh time of the smallest grain,
 # pi R sqrt(rho/G) / (0.1631 nu + 0.8766) = @rayleigh@ s with G = E / (2 (1 + nu)).
-# @steps@ step@plural@ at most while settling: @time@ s; a fall from the top of the box takes @fall@ s. At rest the kinetic
-# energy is below a ten-thousandth of the grains' weight times the smallest size.
+@settling@# At rest the kinetic energy of the grains is below @at_rest@ of p V, and the mean net force on one below @unbalanced@ of the
+# mean contact force@without@. What is not at rest, or has fewer contacts than carry it, is no result: it ends with STOP.
 @height@)",
                 {{"name", set.name.empty() ? "grains" : comment_word(set.name)},
                  {"n", to_string(particles)},
@@ -179,10 +213,10 @@ std::string SettleScript::head(const RunCommands &c) const {
                  {"verification", verification(c.verify_options)},
                  {"material", material_lines(*this)},
                  {"rayleigh", fmt::format("{:.4g}", physics.rayleigh)},
-                 {"steps", std::to_string(physics.steps)},
-                 {"plural", physics.steps == 1 ? "" : "s"},
-                 {"time", fmt::format("{:.3g}", static_cast<double>(physics.steps) * physics.step)},
-                 {"fall", fmt::format("{:.3g}", std::sqrt(2 * box.z / physics.gravity))},
+                 {"settling", settling_line(*this)},
+                 {"at_rest", digits6(energy_at_rest(*this))},
+                 {"unbalanced", digits6(SettleLimits::unbalanced)},
+                 {"without", has_lid() ? "" : ", without rattlers"},
                  {"height", height_line(*this)},
                  {"base", name}});
 }

@@ -24,6 +24,9 @@ std::string digits6(double x);
 /// With 17, from which the same double is read.
 std::string digits17(double x);
 
+/// `variable steps index 300      # at most`, of LIGGGHTS and LAMMPS.
+std::string script_setting(const char *name, const std::string &value, const std::string &meaning);
+
 /// The text with each `@name@` replaced.
 std::string filled(std::string text,
                    std::initializer_list<std::pair<const char *, std::string>> replacements);
@@ -46,7 +49,15 @@ struct SettleScript {
   std::string verification(const char *engine_options) const;
 
   bool has_lid() const { return model.space != Space::periodic_cell; }
-  double friction_while_filling() const { return model.friction_while_filling.value_or(model.friction); }
+  /// Of the grains while they settle and are compacted, and of walls; where classes have their own friction
+  /// and nothing is asked for, it is the most that any has.
+  double friction_while_filling() const;
+  /// True if classes keep their own friction while they settle, and it is lowered where it hinders
+  /// compaction.
+  bool keeps_friction() const { return !model.materials.empty() && !model.friction_while_filling; }
+  bool is_frictionless() const;
+  /// True if it is not certain that grains carry each other at the void ratio that is asked for.
+  bool seeks_jamming() const { return !has_lid() && model.target && model.target->void_ratio; }
   /// True if grains have another friction at the end than while they settle.
   bool changes_friction() const;
   std::size_t types() const { return model.types_of_classes ? set.classes.size() + 1 : 1; }

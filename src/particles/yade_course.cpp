@@ -3,9 +3,17 @@
 namespace mdm {
 namespace {
 
-const char *const yade_settle = R"(
+/// Where a density is asked for, it is enough that grains are nearly at rest.
+const char *const yade_settle_nearly = R"(
 if state['phase'] == 'fill':
-    rest(steps@calm@)
+    if not rest(steps, 10):
+        print('NOTE: not nearly at rest after %d steps: %s' % (O.iter, words(measured())), flush=True)
+    print('SETTLED after %d steps: void ratio %g below the highest grain' % (O.iter, void_ratio(top())), flush=True)
+)";
+
+const char *const yade_settle_wholly = R"(
+if state['phase'] == 'fill':
+    stay(steps)
     print('SETTLED after %d steps: void ratio %g below the highest grain' % (O.iter, void_ratio(top())), flush=True)
 )";
 
@@ -41,7 +49,30 @@ while state['phase'] == 'compact':
     compact(min(most_rate * (5 if pressure < 0.01 * most_pressure else 1) * slower, room))
     run(@compaction_look@)
 compact(0)
-rest(O.iter + most_compacting)
+)";
+
+const char *const yade_hold_still = R"(stay(O.iter + most_compacting)
+judge()
+)";
+
+/// The cell is compressed on, until its grains carry each other.
+const char *const yade_seek_jamming = R"(last, held = O.iter + most_compacting, 0
+while O.iter < last and not is_at_rest() and (held < 20 or density()[1] >= least_pressure):
+    run(@compaction_look@)
+    held += 1
+if not is_at_rest() and density()[1] >= least_pressure:
+    stay(last)
+if not unjammed and not is_jammed():
+    loose = 'of void ratio %g the grains are not jammed: %g contacts of a grain that is no rattler, jammed %g or more, and %g Pa, jammed %g Pa or more' % (
+        target, measured()['carrying'], isostatic, density()[1], least_pressure)
+    last = O.iter + most_compacting
+    while O.iter < last and not (measured()['carrying'] >= isostatic and density()[1] > 0.01 * most_pressure):
+        compact(most_rate * (5 if density()[1] < 0.01 * most_pressure else 1))
+        run(@compaction_look@)
+    if O.iter >= last:
+        stop('%s, nor do they jam in as many steps at void ratio %g: take it as it is with unjammed = True' % (loose, density()[0]))
+    stop('%s: with friction %g they jam at void ratio %g, compressed on: ask for that or less, or take it as it is with unjammed = True' % (
+        loose, friction_of(classes[0]), density()[0]))
 )";
 
 const char *const yade_to_pressure = R"(
@@ -57,17 +88,19 @@ for phase in ['hold'] if state['phase'] == 'hold' else ['compact', 'hold']:
     while not holds():
         found, pressure = density()
         if O.iter >= last:
-            stop('%g Pa are not reached after %d steps: %g Pa at void ratio %g' % (target, O.iter, pressure, found))
+            stop('%g Pa are not reached after %d steps: %g Pa at void ratio %g: %s' % (
+                target, O.iter, pressure, found, words(measured())))
         missing = max(-1, 1 - pressure / target)
         compact(most_rate * (5 if pressure < 0.01 * target else 1) * missing)
         run(@compaction_look@)
     compact(0)
+judge()
 )";
 
 const char *const friction_at_end = R"(    state.update(phase='hold', own=True)
     set_friction()
 if state['phase'] == 'hold':
-    rest(O.iter + steps)
+    stay(O.iter + steps)
 )";
 
 } // namespace
@@ -76,7 +109,7 @@ std::string yade_course(const SettleScript &s) {
   const std::optional<DensityTarget> &target = s.model.target;
   std::string text;
   if (s.has_lid())
-    text += yade_settle;
+    text += target ? yade_settle_nearly : yade_settle_wholly;
   if (s.has_lid() && target) {
     text += target->void_ratio ? yade_loosest : "";
     text += yade_compaction;
@@ -85,6 +118,12 @@ std::string yade_course(const SettleScript &s) {
     text += target->void_ratio ? yade_to_void_ratio : yade_to_pressure;
   else if (s.changes_friction())
     text += friction_at_end;
+  if (s.seeks_jamming())
+    text += yade_seek_jamming;
+  else if (target && target->void_ratio)
+    text += yade_hold_still;
+  else if (!target)
+    text += "judge()\n";
   return text;
 }
 

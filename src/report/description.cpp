@@ -20,7 +20,7 @@ namespace {
 /// An index number as all three forms show it.
 struct Item {
   const char *key;  // in JSON and CSV
-  const char *name; // in text
+  const char *name; // in text; null: a note says it there
   const char *unit;
   std::optional<Real> value;
 };
@@ -33,12 +33,17 @@ std::optional<Real> real(const Available<Real> &value) {
   return value ? std::optional(*value) : std::nullopt;
 }
 
+std::optional<Real> over_d50(const SoilDescription &d) {
+  return d.d50 ? std::optional((d.d_max / *d.d50).real()) : std::nullopt;
+}
+
 std::vector<Item> items(const SoilDescription &d) {
-  return {{"D10", "D10", "mm", real(d.d10)},    {"D30", "D30", "mm", real(d.d30)},
-          {"D50", "D50", "mm", real(d.d50)},    {"D60", "D60", "mm", real(d.d60)},
-          {"Cu", "C_u", "", real(d.c_u)},       {"Cc", "C_c", "", real(d.c_c)},
-          {"IGS", "I_GS", "", real(d.i_gs)},    {"IC", "I_C", "", real(d.i_c)},
-          {"phi1", "phi_1", "", Real(d.phi_1)}, {"zeta1", "zeta_1", "", d.zeta_1.real()}};
+  return {{"D10", "D10", "mm", real(d.d10)},       {"D30", "D30", "mm", real(d.d30)},
+          {"D50", "D50", "mm", real(d.d50)},       {"D60", "D60", "mm", real(d.d60)},
+          {"Cu", "C_u", "", real(d.c_u)},          {"Cc", "C_c", "", real(d.c_c)},
+          {"IGS", "I_GS", "", real(d.i_gs)},       {"IC", "I_C", "", real(d.i_c)},
+          {"phi1", "phi_1", "", Real(d.phi_1)},    {"zeta1", "zeta_1", "", d.zeta_1.real()},
+          {"dmax", nullptr, "mm", d.d_max.real()}, {"dmaxD50", nullptr, "", over_d50(d)}};
 }
 
 const char *name(Fines fines) {
@@ -109,8 +114,9 @@ std::string description_text(const SoilDescription &d, unsigned digits) {
   TextBuffer out;
   add(out, "{}\n\n", headline(d));
   for (const Item &item : items(d))
-    add(out, "  {:<6}  {}{}{}\n", item.name, item.value ? rounded(*item.value, digits) : "not available",
-        item.value && *item.unit != 0 ? " " : "", item.value ? item.unit : "");
+    if (item.name != nullptr)
+      add(out, "  {:<6}  {}{}{}\n", item.name, item.value ? rounded(*item.value, digits) : "not available",
+          item.value && *item.unit != 0 ? " " : "", item.value ? item.unit : "");
   add_text_fractions(out, "ASTM D2487", d.uscs, digits);
   add_text_fractions(out, "ISO 14688", d.iso_14688, digits);
   if (!d.notes.empty())

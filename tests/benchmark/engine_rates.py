@@ -25,7 +25,7 @@ def cpu_time(engine, steps):
     command, model, _ = ENGINES[engine]
     with tempfile.TemporaryDirectory() as folder:
         log = subprocess.run([MDM, "export", SAND, "--at-least", str(GRAINS), "--to", engine, "--model", "settle", "--start",
-                              "deposit", "--steps", str(steps), "-o", os.path.join(folder, model)],
+                              "deposit", "--steps", str(steps), "--unjammed", "-o", os.path.join(folder, model)],
                              check=True, capture_output=True, text=True).stderr
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
         out = subprocess.run([*command, model], cwd=folder, check=True, capture_output=True, text=True).stdout

@@ -194,6 +194,13 @@ TEST_CASE("a model takes the material of each class from a file", "[cli]") {
   const std::string model = folder / "a.in";
   REQUIRE(export_model("lammps", model, {"--material", material}).exit_code == 0);
   CHECK(read_file(folder / "a.data").find("\n6 atom types\n") != std::string::npos);
+  // The classes keep their friction, but for what hinders compaction.
+  CHECK(read_file(model).find(
+            "\nvariable grip equal ${own}*0.3+(1-${own})*((0.3<${mu})*0.3+(0.3>=${mu})*${mu})\n") !=
+        std::string::npos);
+  REQUIRE(
+      export_model("lammps", model, {"--material", material, "--friction-while-filling", "0.1"}).exit_code ==
+      0);
   CHECK(read_file(model).find("\nvariable grip equal ${own}*0.3+(1-${own})*${mu}\n") != std::string::npos);
   check_refused(export_model("lammps", model, {"--material", material, "--young", "1e6"}), "--young");
   check_refused(export_model("lammps", model, {"--material", folder / "none"}), "none");

@@ -136,7 +136,7 @@ TEST_CASE("LAMMPS brings a cylinder of 2,000 grains to void ratio 0.65, in two p
 TEST_CASE("LIGGGHTS settles in two processes", "[engines]") {
   if (!is_there(liggghts) || !mdm_test::has_tool("mpirun", "mpi-default-bin"))
     return;
-  const Model model(liggghts, c778(), {"--at-least", "1000", "--steps", "2000"});
+  const Model model(liggghts, c778(), {"--at-least", "1000", "--steps", "2000", "--unjammed"});
   const Outcome outcome = model.run("mpirun --allow-run-as-root --oversubscribe -np 2 ");
   INFO(end_of(outcome));
   REQUIRE(outcome.exit_code == 0);
@@ -221,7 +221,7 @@ TEST_CASE("LIGGGHTS reads a spread of 20,000 sizes, with a type for each class",
     return;
   const Arguments question{"--at-least", "20000"};
   const Model model(liggghts, c778(),
-                    {"--at-least", "20000", "--spread", "--types", "class", "--steps", "100"});
+                    {"--at-least", "20000", "--spread", "--types", "class", "--steps", "100", "--unjammed"});
   CHECK(std::filesystem::file_size(model.path("sand.in")) < 20000);
   model.check_settles(question);
   // The classes are there to follow: the type of the last grain is that of the finest, of the first the
@@ -238,7 +238,8 @@ TEST_CASE("each class has its own material in the engines", "[engines]") {
     const std::string material =
         folder.write("material.csv", "class,young_modulus,friction,restitution\n1,5e6,0.3,0.3\n2,5e6,0.4,0."
                                      "4\n3,6e6,0.5,0.5\n4,5e6,0.6,0.6\n5,7e6,0.7,0.7\n");
-    Model(engine, c778(), {"--material", material, "--steps", "500", "--friction-while-filling", "0.1"})
+    Model(engine, c778(),
+          {"--material", material, "--steps", "500", "--unjammed", "--friction-while-filling", "0.1"})
         .check_settles();
   }
 }

@@ -65,7 +65,7 @@ TEST_CASE("all engines settle a silt given in micrometres", "[engines]") {
 TEST_CASE("all engines settle a deposit", "[engines]") {
   for (const Engine &engine : {liggghts, lammps, yade})
     if (is_there(engine))
-      Model(engine, c778(), {"--start", "deposit", "--steps", "300"}).check_settles();
+      Model(engine, c778(), {"--start", "deposit", "--steps", "300", "--unjammed"}).check_settles();
 }
 
 TEST_CASE("LIGGGHTS and LAMMPS settle a deposit in a cylinder and in a periodic box", "[engines]") {
@@ -73,9 +73,9 @@ TEST_CASE("LIGGGHTS and LAMMPS settle a deposit in a cylinder and in a periodic 
     for (const std::string sides : {"cylinder", "periodic"}) {
       if (!is_there(engine))
         continue;
-      const Model model(
-          engine, c778(),
-          {"--start", "deposit", "--sides", sides, "--box", "2x2", "--at-least", "300", "--steps", "2000"});
+      const Model model(engine, c778(),
+                        {"--start", "deposit", "--sides", sides, "--box", "2x2", "--at-least", "300",
+                         "--steps", "2000", "--unjammed"});
       model.check_settles({"--at-least", "300"});
       if (sides == "cylinder")
         for (const Grain &g : grains(read_file(model.dump())))
@@ -99,7 +99,7 @@ TEST_CASE("LIGGGHTS stops where a grain of a deposit is missing", "[engines]") {
 TEST_CASE("a start without steps has no overlaps", "[engines]") {
   if (!is_there(liggghts))
     return;
-  const Model model(liggghts, athabasca(), {"--steps", "0"});
+  const Model model(liggghts, athabasca(), {"--steps", "0", "--unjammed"});
   REQUIRE(model.run().exit_code == 0);
   const std::vector<Grain> all = grains(read_file(model.dump()));
   REQUIRE(all.size() == 1485);
@@ -140,7 +140,7 @@ TEST_CASE("another seed puts the grains elsewhere, the same does not", "[engines
     return;
   std::vector<std::string> dumps;
   for (const char *seed : {"1", "1", "2"}) {
-    const Model model(liggghts, c778(), {"--steps", "0", "--seed", seed});
+    const Model model(liggghts, c778(), {"--steps", "0", "--unjammed", "--seed", seed});
     REQUIRE(model.run().exit_code == 0);
     dumps.push_back(read_file(model.dump()));
   }

@@ -29,7 +29,7 @@ inline bool is_there(const Engine &engine) {
 /// A folder with a gradation and its model.
 class Model {
 public:
-  Model(Engine engine, const std::string &gradation, const Arguments &more = {"--steps", "300"})
+  Model(Engine engine, const std::string &gradation, const Arguments &more = {"--steps", "300", "--unjammed"})
       : engine_(std::move(engine)), gradation_(folder_.write("sand.csv", gradation)) {
     Arguments arguments{"export",  gradation_, "--to", engine_.name,
                         "--model", "settle",   "-o",   folder_ / engine_.model};

@@ -58,8 +58,8 @@ TEST_CASE("settling: the time step from the smallest grain, computed by hand") {
   CHECK(s.elasticity.young == 5000000);
   CHECK(s.rayleigh / radius == Approx(3.14159265 * 0.03640055 / (0.1631 * 0.25 + 0.8766)));
   CHECK(s.step == Approx(s.rayleigh / 5));
-  // A fall from 1 cm takes 0.0451524 s.
-  CHECK(static_cast<double>(s.steps) == Approx(3 * 0.0451524 / s.step).epsilon(2e-4));
+  // A fall from 1 cm takes 0.0451524 s; five are given.
+  CHECK(static_cast<double>(s.steps) == Approx(5 * 0.0451524 / s.step).epsilon(2e-4));
   // Below 1 m of sand 10^4 times its weight is more than 5 MPa.
   model.box.z = 1;
   CHECK(settling(model).elasticity.young == 259965000);
@@ -236,7 +236,7 @@ TEST_CASE("models: a bounded number of steps") {
 
 TEST_CASE("models: the error that they state is not below the one that there is") {
   for (const unsigned places : {3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U}) {
-    const ParticleSet set = set_of(sand, {LengthUnit::m, 2650, ratio(1, power_of_ten(places))});
+    const ParticleSet set = set_of(sand, {SizeUnit::m, 2650, ratio(1, power_of_ten(places))});
     const std::vector<std::string> stated = found(lammps_model(model_of(set)), "is exact to ([0-9.e-]+) of");
     REQUIRE(stated.size() == 1);
     CHECK(parse_decimal(stated[0]) >= set.mass_error());
@@ -273,7 +273,7 @@ TEST_CASE("models: refusals") {
       CHECK(contains(refusal_of(model, script), "letters, digits"));
     }
     model.name = "ok";
-    CHECK(contains(refusal_of(model_of(set_of(sand, {LengthUnit::mm, 2650, ratio(1, 1000)})), script),
+    CHECK(contains(refusal_of(model_of(set_of(sand, {SizeUnit::mm, 2650, ratio(1, 1000)})), script),
                    "leave out --unit"));
   }
   ParticleSet many = set;

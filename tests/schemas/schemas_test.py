@@ -124,6 +124,10 @@ COMMANDS = {
     "mdm-accessible-1": [
         ["generate", "--accessible", "--span", "0.97", "--a", "1:4:1", "--b", "1,2", "--dimension", "2"],
     ],
+    "mdm-inverse-1": [
+        ["generate", "--cu", "4", "--cc", "2", "--span", "0.95"],
+        ["generate", "--cu", "6", "--cc", "7", "--span", "0.5,0.9"],
+    ],
     "mdm-verify-1": [
         ["verify", SAND, "answer.json"],
         ["verify", SAND, "sample.csv", "--tolerance", "1%"],

@@ -1,0 +1,195 @@
+#include "particles/settle_state.hpp"
+
+#include <fmt/core.h>
+
+namespace mdm {
+namespace {
+
+/// Sums over the grains, in the order of `c_sums`.
+constexpr int sums = 12;
+
+/// `counted`: 1 for the grains that are to be at rest. `bearing`: 1 for those that the count of contacts is
+/// of.
+const char *const measures = R"script(
+# The state at a look: rest, jamming.
+compute touch all contact/atom
+compute stresses @stress@
+variable walls atom @walls@
+variable counted atom @counted@
+variable several atom "c_touch > 1"
+variable of_several atom c_touch*v_several
+variable kinetic atom 0.5*mass*(vx^2+vy^2+vz^2)*v_counted
+variable net atom sqrt(fx^2+fy^2+fz^2)*c_d/2*v_counted
+variable width atom c_d/2*v_counted
+variable ends atom "c_d/2*(c_touch+v_walls)"
+variable bearing atom "(c_touch+v_walls) > (1+2*@frictionless@)"
+variable of_bearing atom "(c_touch+2*v_walls)*v_bearing"
+compute sums all reduce sum c_touch v_several v_of_several v_kinetic v_net v_width v_ends c_stresses[1] c_stresses[2] c_stresses[3] v_bearing v_of_bearing
+variable fl equal -(c_sums[8]+c_sums[9]+c_sums[10])
+variable pv equal "((v_fl > 0)*v_fl@floor@)/3"
+variable z equal c_sums[1]/atoms
+variable z_others equal "c_sums[3]/(c_sums[2]+(c_sums[2] == 0))"
+variable rattlers equal 1-c_sums[2]/atoms
+variable energy equal c_sums[4]/(v_pv+1e-200)
+variable unbalanced equal c_sums[5]*c_sums[7]/(3*v_pv*c_sums[6]+1e-200)
+variable restless_energy equal v_energy/v_at_rest
+variable restless_force equal v_unbalanced/v_most_unbalanced
+variable restless equal "(v_restless_energy > v_restless_force)*v_restless_energy+(v_restless_energy <= v_restless_force)*v_restless_force"
+variable isostatic equal "4+2*@frictionless@"
+variable carrying equal "c_sums[12]/(c_sums[11]+(c_sums[11] == 0))"
+variable jammed equal "@jammed@"
+@mean@)script";
+
+const char *const yade_functions = R"script(def measured():
+    """The state at a look: rest, jamming."""
+    grains = [body for body in O.bodies if isinstance(body.shape, Sphere)]
+    touch = {body.id: 0 for body in grains}
+    walls = dict.fromkeys(touch, 0)
+    fl = length = 0
+    for contact in O.interactions:
+        if not contact.isReal:
+            continue
+        pair = contact.id1, contact.id2
+        if all(i in touch for i in pair):
+            distance = sum(O.bodies[i].shape.radius for i in pair) - contact.geom.penetrationDepth
+            fl += contact.phys.normalForce.norm() * distance
+            for i in pair:
+                touch[i] += 1
+        else:
+            walls[max(pair, key=lambda i: i in touch)] += 1
+    energy = net = width = 0
+    for body in grains:
+        length += body.shape.radius * (touch[body.id] + walls[body.id])
+        if @counted@:
+            energy += 0.5 * body.state.mass * (body.state.vel@velocity@).squaredNorm()
+            net += (O.forces.f(body.id)@weight@).norm() * body.shape.radius
+            width += body.shape.radius
+    several = [n for n in touch.values() if n > 1]
+    held = [touch[i] + 2 * walls[i] for i in touch if touch[i] + walls[i] > @least@]
+    pv = (fl@floor@) / 3
+    return dict(
+        pv=pv, z=sum(touch.values()) / total, z_others=sum(several) / max(1, len(several)),
+        rattlers=1 - len(several) / total, energy=energy / (pv + 1e-200),
+        unbalanced=net * length / (3 * pv * width + 1e-200), carrying=sum(held) / max(1, len(held)))
+
+
+def words(found):
+    return ('Z %g, without rattlers %g, rattlers %g of the grains, unbalanced force %g of the contact force, kinetic '
+            'energy %g of p V, friction @friction@' % (
+                found['z'], found['z_others'], found['rattlers'], found['unbalanced'], found['energy']@values@))
+
+
+def is_at_rest(times=1):
+    found = measured()
+    return found['energy'] < times * at_rest and found['unbalanced'] < times * most_unbalanced
+
+
+def is_jammed():
+    return measured()['carrying'] >= isostatic@pressed@
+
+
+def judge():
+    """Stops where the grains are not jammed."""
+    if unjammed or is_jammed():
+        return
+    found = measured()
+    stop('not jammed: %g contacts of a grain that is carried, fewer than %g; %s; take it as it is with unjammed = True' % (
+        found['carrying'], isostatic, words(found)))
+
+
+def stay(last):
+    """Runs until the grains are at rest, but no further than the step last: then it is no result."""
+    if not rest(last) and not unjammed:
+        save()
+        stop('not at rest after %d steps: %s; go on from @base@.restart.gz, or take it as it is with unjammed = True' % (
+            O.iter, words(measured())))
+
+
+)script";
+
+std::string walls_touched(const SettleScript &s) {
+  if (!s.has_lid())
+    return "0";
+  std::string text = "(z-c_d/2 < 0)+(z+c_d/2 > v_lid)";
+  if (s.model.space == Space::box)
+    text += "+(x-c_d/2 < 0)+(x+c_d/2 > xhi)+(y-c_d/2 < 0)+(y+c_d/2 > yhi)";
+  if (s.model.space == Space::cylinder)
+    text += "+(sqrt((x-v_half)^2+(y-v_half)^2)+c_d/2 > v_half)";
+  return "\"" + text + "\"";
+}
+
+} // namespace
+
+double energy_at_rest(const SettleScript &s) {
+  return s.has_lid() ? SettleLimits::at_rest_on_floor : SettleLimits::at_rest_in_cell;
+}
+
+std::string state_settings(const SettleScript &s) {
+  std::string text = script_setting("at_rest", digits6(energy_at_rest(s)), "kinetic energy by p V") +
+                     script_setting("most_unbalanced", digits6(SettleLimits::unbalanced),
+                                    "at rest: net force on a grain by contact force") +
+                     script_setting("unjammed", s.model.unjammed ? "1" : "0",
+                                    "1: what is not at rest, or not jammed, is a result too");
+  if (s.seeks_jamming())
+    text += script_setting("least_pressure", digits6(s.physics.least_pressure), "Pa, of jammed grains");
+  return text;
+}
+
+std::string state_measures(const SettleScript &s, const char *stress) {
+  return filled(measures, {{"stress", stress},
+                           {"mean", s.has_lid() ? "variable mean_pressure equal v_pv/(v_area*v_top)\n" : ""},
+                           {"walls", walls_touched(s)},
+                           {"frictionless", s.model.materials.empty() ? "(v_friction == 0)"
+                                            : s.is_frictionless()     ? "1"
+                                                                      : "0"},
+                           {"counted", s.has_lid() ? "1" : "\"c_touch > 1\""},
+                           {"floor", s.has_lid() ? "+" + digits6(s.physics.floor_moment) : ""},
+                           {"jammed", std::string("(v_carrying >= v_isostatic)") +
+                                          (s.seeks_jamming() ? "*(v_pressure >= v_least_pressure)" : "")}});
+}
+
+std::string state_columns() {
+  std::string text;
+  for (int i = 1; i <= sums; ++i)
+    text += fmt::format(" c_sums[{}]", i);
+  return text;
+}
+
+std::string yade_limits(const SettleScript &s) {
+  std::string text = fmt::format("at_rest = {}  # kinetic energy by p V\n"
+                                 "most_unbalanced = {}  # at rest: net force on a grain by contact force\n"
+                                 "unjammed = {}  # what is not at rest, or not jammed, is a result too\n"
+                                 "isostatic = {}  # contacts of a grain that carry it\n",
+                                 digits6(energy_at_rest(s)), digits6(SettleLimits::unbalanced),
+                                 s.model.unjammed ? "True" : "False", s.is_frictionless() ? 6 : 4);
+  if (s.seeks_jamming())
+    text += fmt::format("least_pressure = {}  # Pa, of jammed grains\n", digits6(s.physics.least_pressure));
+  return text;
+}
+
+std::string yade_measures(const SettleScript &s) {
+  const bool has_lid = s.has_lid(), of_classes = !s.model.materials.empty();
+  return filled(
+      yade_functions,
+      {{"counted", has_lid ? "True" : "touch[body.id] > 1"},
+       {"velocity", has_lid ? "" : " - O.cell.velGrad * body.state.pos"},
+       {"weight", has_lid ? fmt::format(" + body.state.mass * Vector3(0, 0, -{})", Settling::gravity) : ""},
+       {"least", s.is_frictionless() ? "3" : "1"},
+       {"floor", has_lid ? " + " + digits6(s.physics.floor_moment) : ""},
+       {"friction",
+        std::string(of_classes ? "of each class" : "%g") + (s.model.target ? " (%g while compacted)" : "")},
+       {"values", std::string(of_classes ? "" : ", friction_of(classes[0])") +
+                      (s.model.target ? ", state['friction']" : "")},
+       {"pressed", s.seeks_jamming() ? " and density()[1] >= least_pressure" : ""},
+       {"base", s.name}});
+}
+
+std::string state_words(const SettleScript &s) {
+  std::string text =
+      "Z ${z}, without rattlers ${z_others}, rattlers ${rattlers} of the grains, unbalanced force "
+      "${unbalanced} of the contact force, kinetic energy ${energy} of p V, friction ";
+  text += s.model.materials.empty() ? "${grip}" : "of each class";
+  return text + (s.model.target ? " (${mu} while compacted)" : "");
+}
+
+} // namespace mdm

@@ -1,0 +1,79 @@
+#!/usr/bin/python3
+"""state.py DUMP LOG YOUNG POISSON [--wall box] [--unjammed]: holds the RESULT line of a model's log against the grains that it left.
+
+Contacts, void ratio and pressure are found anew from places and radii, by numpy: contacts are overlaps, periodic ones too,
+and Hertz's law has their normal forces. Without walls the box is repeated on all sides. Ends with 1 where the line says
+something else, or says that grains carry each other that do not.
+"""
+
+import re
+import sys
+
+import numpy as np
+
+dump, log, young, poisson = sys.argv[1], sys.argv[2], float(sys.argv[3]), float(sys.argv[4])
+has_walls = "--wall" in sys.argv and sys.argv[sys.argv.index("--wall") + 1] == "box"
+with open(log, encoding="utf-8", errors="replace") as file:
+    line = re.findall(r"^RESULT .*$", file.read(), re.MULTILINE)[-1]
+print(line)
+
+
+def number(pattern):
+    return float(re.search(pattern, line)[1])
+
+
+with open(dump, encoding="ascii") as file:
+    text = file.read()
+if text.startswith("#"):  # YADE
+    box = np.array([float(word) for word in text.splitlines()[0].rpartition("box ")[2].split()])
+    low = np.zeros(3)
+    grains = np.loadtxt(dump)
+else:
+    bounds = np.array([row.split() for row in text.partition("BOX BOUNDS")[2].splitlines()[1:4]], dtype=float)
+    low, box = bounds[:, 0], bounds[:, 1] - bounds[:, 0]
+    grains = np.array([row.split()[2:6] for row in text.partition("ITEM: ATOMS")[2].splitlines()[1:]], dtype=float)
+at, r = grains[:, :3] - low, grains[:, 3]
+n = len(r)
+
+fl, z = 0.0, np.zeros(n)
+modulus = young / (2 * (1 - poisson ** 2))
+for i in range(n - 1):
+    step = at[i + 1:] - at[i]
+    if not has_walls:
+        step -= box * np.round(step / box)
+    distance = np.sqrt((step ** 2).sum(axis=1))
+    overlap = r[i] + r[i + 1:] - distance
+    touching = overlap > 0
+    z[i] += touching.sum()
+    z[i + 1:][touching] += 1
+    other = r[i + 1:][touching]
+    force = 4 / 3 * modulus * np.sqrt(r[i] * other / (r[i] + other)) * overlap[touching] ** 1.5
+    fl += (force * distance[touching]).sum()
+
+solids = 4 / 3 * np.pi * (r ** 3).sum()
+volume = box[0] * box[1] * ((at[:, 2] + r).max() if has_walls else box[2])
+floor = 2650 * 9.81 * solids * r.min() if has_walls else 0
+several = z > 1
+found = {"void ratio": (volume / solids - 1, number(r"void ratio ([^,]+),"), 1e-3),
+         "Z": (z.mean(), number(r" Z ([^,]+),"), 0.03),
+         "Z without rattlers": (z[several].mean() if several.any() else 0, number(r"without rattlers ([^,]+),"), 0.05),
+         "rattlers": (1 - several.mean(), number(r"rattlers ([^ ]+) of the grains"), 0.03)}
+pressure = (fl + floor) / 3 / volume
+said = number(r"pressure ([^ ]+) Pa")
+# The damping of contacts adds to what the engine says of grains that move: it is most of it in a gas.
+if "--unjammed" not in sys.argv:
+    found["pressure"] = (pressure / max(pressure, said), said / max(pressure, said), 0.03)
+worst = [f"{name}: {said:.6g} is said, {here:.6g} is found" for name, (here, said, within) in found.items()
+         if abs(here - said) > within]
+# Of walls each contact counts twice: two grains share the others.
+at_walls = np.zeros(n)
+if has_walls:
+    at_walls += (at[:, 2] < r)
+    for axis in (0, 1):
+        at_walls += (at[:, axis] < r).astype(int) + (at[:, axis] > box[axis] - r)
+carried = z + at_walls > 1
+carrying = (z + 2 * at_walls)[carried].mean() if carried.any() else 0
+if carrying < 3.95 and "--unjammed" not in sys.argv:
+    worst.append(f"{carrying:.4g} contacts of a grain that is carried")
+print(*worst, sep="\n")
+sys.exit(bool(worst))
