@@ -63,7 +63,7 @@ void check_bytes(const CoqSource &source) {
   const std::size_t bytes = source.gradation.size() + source.certificate.size();
   if (bytes > max_coq_bytes)
     throw InputError(
-        fmt::format("gradation and certificate have {} bytes, and Coq takes too long for more than {}: "
+        fmt::format("gradation and certificate have {} bytes, and Coq's stack holds no more than {}: "
                     "use {} and mdm-check-verified, or leave out {}",
                     bytes, max_coq_bytes, option("proof"), option("coq")));
 }

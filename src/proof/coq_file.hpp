@@ -10,9 +10,9 @@
 
 namespace mdm {
 
-/// The most bytes of gradation and certificate together that a Coq file is written for: Coq needs some 10 s
-/// for them.
-inline constexpr std::size_t max_coq_bytes = 100'000;
+/// The most bytes of gradation and certificate together that a Coq file is written for: Coq's stack does not
+/// hold a string of twice as many.
+inline constexpr std::size_t max_coq_bytes = 30'000;
 
 /// The most that classes times the square of the bits of their powers may be: Coq needs some 16 s for it.
 inline constexpr std::uint64_t max_coq_powers = 1'000'000'000;
