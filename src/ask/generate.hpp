@@ -20,7 +20,7 @@ struct GenerateTexts : BetaTexts {
   OptionText match_digits, time_limit, seed, points, table, digits;
   bool sizes = false, spread = false, quantiles = false;
   bool accessible = false;
-  OptionText a, b; ///< shapes of accessible
+  OptionText a, b;                  ///< shapes of accessible
   OptionText c_u, c_c, fit, within; ///< of the shapes with a C_u and a C_c (ask/inverse.hpp)
   ReadingTexts reading;
   std::string format = "text"; ///< of the report: text, json or csv

@@ -228,7 +228,8 @@ private:
       bool all = true;
       for (unsigned i = 0; i < pieces && all; ++i) {
         const InverseSizes d = over(piece(side, i, pieces));
-        const Interval value = product_of(equation[0], d[0]) + product_of(equation[1], d[1]) + product_of(equation[2], d[2]);
+        const Interval value =
+            product_of(equation[0], d[0]) + product_of(equation[1], d[1]) + product_of(equation[2], d[2]);
         all = positive ? value.lo > 0 : value.hi < 0;
       }
       if (all)
