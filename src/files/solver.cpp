@@ -13,7 +13,7 @@ namespace {
 
 /// The exit code of /bin/sh for a command that is not there.
 constexpr int not_found = 127;
-constexpr std::size_t most_output = std::size_t{64} << 20;
+constexpr std::size_t most_answer_bytes = std::size_t{64} << 20;
 
 /// The last words of the program on its standard error.
 std::string said(const ChildEnd &end) {
@@ -44,13 +44,13 @@ OtherAnswer Solver::ask(const Gradation &g) const {
   const auto failed = [](AnswerVerdict failure, const std::string &reason) {
     return failed_answer("", failure, reason);
   };
-  const ChildEnd end = run_child(command_, gradation_json(g), time_limit_, most_output);
+  const ChildEnd end = run_child(command_, gradation_json(g), time_limit_, most_answer_bytes);
   switch (end.how) {
   case ChildEnd::How::timed_out:
     return failed(AnswerVerdict::timeout,
                   fmt::format("no end within {} s", decimal_string(time_limit_.count(), 3)));
   case ChildEnd::How::too_much_output:
-    return failed(AnswerVerdict::garbage, fmt::format("more than {} MiB of output", most_output >> 20));
+    return failed(AnswerVerdict::garbage, fmt::format("more than {} MiB of output", most_answer_bytes >> 20));
   case ChildEnd::How::signalled:
     return failed(AnswerVerdict::crashed, fmt::format("signal {}{}", end.code, said(end)));
   case ChildEnd::How::exited:
