@@ -3,7 +3,9 @@
 /// The checker of certificates as a library of its own, mdm::checker: it shares no code with the solver, and
 /// needs nothing but GMP. Its formats and verdicts are those of proofs/certificate-format.md.
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// The checker of the proofs of matches, with readers of its own.
@@ -33,6 +35,19 @@ Verdict check(const Input &gradation, const Input &certificate);
 /// stockpiles, in the order of the certificate. As check() otherwise.
 Verdict check_blend(const Input &specification, const std::vector<Input> &stockpiles,
                     const Input &certificate);
+
+/// Gives the next piece of a text, as long as the one before is no longer needed; an empty one at the end.
+using Pieces = std::function<std::string_view()>;
+
+/// Judges a certificate of a sample (section 12) against a gradation and the sample, which is read once,
+/// piece by piece: memory does not depend on its length. As check() otherwise; what `sample` throws is passed
+/// on.
+/// \param sample_name  under which messages and the line speak of it
+Verdict check_sample(const Input &gradation, const std::string &sample_name, const Pieces &sample,
+                     const Input &certificate);
+
+/// True if the text begins as certificates of samples do.
+bool is_sample_certificate(std::string_view text);
 
 /// The gradation as it is read, in the lines of canonical CSV (section 8) without the last line end; or
 /// malformed.

@@ -3,6 +3,7 @@
 /// All headers of the library.
 
 #include <mdm/ask/export.hpp>
+#include <mdm/ask/judge.hpp>
 #include <mdm/ask/verify.hpp>
 #include <mdm/blend/blend.hpp>
 #include <mdm/blend/blend_problem.hpp>
@@ -15,6 +16,7 @@
 #include <mdm/gradation/root_size.hpp>
 #include <mdm/gradation/size_unit.hpp>
 #include <mdm/gradation/write_gradation.hpp>
+#include <mdm/judge/specification.hpp>
 #include <mdm/match/evidence.hpp>
 #include <mdm/match/limits.hpp>
 #include <mdm/match/match.hpp>

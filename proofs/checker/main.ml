@@ -82,7 +82,7 @@ let demand_arguments arguments is_right =
     (fun argument -> fail Program.name ("no option '" ^ argument ^ "'" ^ see_help))
     (List.find_opt is_option arguments);
   if (not is_right) || List.length (List.filter (String.equal "-") arguments) > 1 then
-    fail Program.name ("give one gradation and one certificate, or several pairs" ^ see_help)
+    fail Program.name ("give one gradation and one certificate, or several pairs; mdm-check judges samples" ^ see_help)
 
 let run arguments =
   match arguments with

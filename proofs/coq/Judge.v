@@ -18,12 +18,34 @@ Definition check_document (R : reading) (w : string) : result document :=
     "band file: an envelope as the gradation file" ;;
   check_certificate (gradation_of R) (certificate_of D) ;; Ok D.
 
+(* Where a percentage is meant for each opening: that the openings are those that their phi give, or that each is its own
+   power. *)
+Definition gives_openings (R : reading) (q : question) : bool :=
+  let G := reduced (gradation_of R) in
+  match tolerances_of q with
+  | Some t =>
+    match passing_each t, sizes_in R with
+    | [], _ => true
+    | _, Phi => forallb (fun y => same_number y (power_of_two (exponent_of_two y))) (upper_openings G q)
+    | _, _ => (root G =? 1)%Z && forallb (at_most 0) (upper_openings G q)
+    end
+  | None => true
+  end.
+
+(* What is proved, as a statement of which its line says all. It always can: with these tests no theorem is about the
+   readers of the numbers. *)
+Definition check_statement (name : string) (R : reading) (w : string) : result statement :=
+  let* D := check_document R w in
+  let s := statement_of name R D in
+  demand_form (gives_openings R (asked (certificate_of D)) && plain_statement s) "a number that the verdict cannot say" ;;
+  Ok s.
+
 Definition judge (gradation certificate : file) : judgement :=
   match read_gradation (bytes gradation) with
   | Refused what | Malformed what => Unreadable (printable (name gradation) ++ ":" ++ what)
   | Ok R =>
-    match check_document R (bytes certificate) with
-    | Ok D => Proved (accepted_line (statement_of (name gradation) R D))
+    match check_statement (name gradation) R (bytes certificate) with
+    | Ok s => Proved (accepted_line s)
     | Refused what =>
       Unproved (refused_line (name gradation)) (printable (name certificate) ++ ": " ++ what ++ " fails")
     | Malformed what =>

@@ -8,14 +8,14 @@ Open Scope Z_scope.
 
 (* ---- What a line says -------------------------------------------------------------------------------- *)
 
-(* A part of what is between its brackets. [PassingEach] has each percentage with the opening that it is meant for, to
-   the power of the root. Openings and lengths are those of the file, but for solids. *)
+(* A part of what is between its brackets. [PassingEach] has each percentage with the opening that it is meant for, a phi
+   or a length. Openings and lengths are those of the file, but for solids. *)
 Inductive part :=
 | RetainedWithin (e : Q)
 | RetainedAsInFile
 | PassingWithin (e : Q)
 | PassingAsInFile
-| PassingEach (root : Z) (each : list (Q * Q))
+| PassingEach (each : list (Q * Q))
 | TotalWithin (e : Q)
 | BandAt (x least most : Q)
 | BandOfFile
@@ -50,12 +50,20 @@ Definition upper_openings (G : gradation) (q : question) : list Q :=
   | _ => []
   end.
 
-Definition tolerance_parts (G : gradation) (q : question) (t : tolerances) (band_of_file : bool) : list part :=
+(* An opening as the file has it: a phi, or a length. It is known by its power. *)
+Definition as_in_file (unit : size_unit) (root : Z) (y : Q) : Q :=
+  match unit with Phi => fraction (- exponent_of_two y) root | _ => y end.
+
+Definition tolerance_parts (unit : size_unit) (G : gradation) (q : question) (t : tolerances) (band_of_file : bool)
+  : list part :=
   if_some (retained_each t) RetainedWithin ++
   if_true (retained_file t) RetainedAsInFile ++
   if_some (passing_all t) PassingWithin ++
   if_true (passing_file t) PassingAsInFile ++
-  match passing_each t with [] => [] | es => [PassingEach (root G) (combine es (upper_openings G q))] end ++
+  match passing_each t with
+  | [] => []
+  | es => [PassingEach (combine es (map_all (as_in_file unit (root G)) (upper_openings G q)))]
+  end ++
   if_some (total t) TotalWithin ++
   if band_of_file then [BandOfFile] else rev' (map_onto (fun '(x, least, most) => BandAt x least most) (band t) []).
 
@@ -67,14 +75,21 @@ Definition solid_parts (s : solids) (box : option (Q * Q * Q * Q)) : list part :
   | Volume v _ _, None => [VolumeOfSolids v]
   end.
 
-Definition parts_of (R : reading) (D : document) : list part :=
-  let q := asked (certificate_of D) in
-  match tolerances_of q with Some t => tolerance_parts (reduced (gradation_of R)) q t (band_of_file D) | None => [] end ++
-  [Law (a q) (b q); SizesIn (sizes_in R)] ++
+(* What is said of the gradation file. *)
+Definition file_parts (R : reading) : list part :=
+  [SizesIn (sizes_in R)] ++
   if_true (has_factors R) FactorsOfFile ++
   if_true (implied_pan R) PanImplied ++
   if_some (sum_to R) (fun '(share, total) => SumsTo share total) ++
-  if_some (limits R) (fun _ => MiddleOfLimits) ++
+  if_some (limits R) (fun _ => MiddleOfLimits).
+
+Definition parts_of (R : reading) (D : document) : list part :=
+  let q := asked (certificate_of D) in
+  match tolerances_of q with
+  | Some t => tolerance_parts (sizes_in R) (reduced (gradation_of R)) q t (band_of_file D)
+  | None => []
+  end ++
+  [Law (a q) (b q)] ++ file_parts R ++
   if_some (pan_size q) PanCountedAs ++
   if_some (cut_below q) LeftOutBelow ++
   if_some (size_factor q) OpeningsTimes ++
@@ -103,15 +118,14 @@ Definition sizes_phrase (unit : size_unit) : string :=
 
 Definition of_total : string := "% of the total mass".
 
-(* An opening as the file has it. *)
-Definition opening_phrase (unit : size_unit) (root : Z) (y : Q) : string :=
+Definition opening_phrase (unit : size_unit) (x : Q) : string :=
   match unit with
-  | Phi => "phi " ++ show_size unit root y
-  | _ => show_size unit root y ++ " " ++ unit_name unit
+  | Phi => "phi " ++ (if less x 0 then String "-" (show_decimal (Qopp x)) else show_decimal x)
+  | _ => show_decimal x ++ " " ++ unit_name unit
   end.
 
-Definition each_phrase (unit : size_unit) (root : Z) (each : list (Q * Q)) : string :=
-  match map_all (fun '(e, y) => (show_decimal e ++ "%", " at " ++ opening_phrase unit root y)) each with
+Definition each_phrase (unit : size_unit) (each : list (Q * Q)) : string :=
+  match map_all (fun '(e, x) => (show_decimal e ++ "%", " at " ++ opening_phrase unit x)) each with
   | [] => ""
   | (percent, at_) :: rest =>
     joined ", " ((percent ++ " of the total mass" ++ at_) :: map_all (fun '(percent, at_) => percent ++ at_) rest)
@@ -127,7 +141,7 @@ Definition phrase (unit : size_unit) (p : part) : string :=
   | RetainedAsInFile => "retained within the file's tolerances"
   | PassingWithin e => "passing within " ++ d e ++ of_total
   | PassingAsInFile => "passing within the file's tolerances"
-  | PassingEach root each => "passing within " ++ each_phrase unit root each ++ of_file
+  | PassingEach each => "passing within " ++ each_phrase unit each ++ of_file
   | TotalWithin e => "total deviation within " ++ d e ++ of_total
   | BandAt x least most => d least ++ " to " ++ d most ++ of_total ++ " passing " ++ d x ++ u ++ of_file
   | BandOfFile => "passing within the file's limits"
@@ -150,8 +164,10 @@ Definition phrase (unit : size_unit) (p : part) : string :=
   | VolumeOfSolids v => "solids of at least " ++ d v ++ u ++ "^3"
   end.
 
+Definition or_more_phrase (n : Z) : string := if 0 <? n then ", " ++ show_integer n ++ " or more," else "".
+
 Definition accepted_line (s : statement) : string :=
-  let or_more := if 0 <? or_more s then ", " ++ show_integer (or_more s) ++ " or more," else "" in
+  let or_more := or_more_phrase (or_more s) in
   "accepted: " ++
   match claim_of s with
   | Smallest N => "N = " ++ show_integer N ++ " is the smallest number of particles" ++ or_more ++ " that matches "
@@ -168,3 +184,37 @@ Definition accepted_line (s : statement) : string :=
 
 Definition refused_line (name : string) : string :=
   "refused: the certificate does not prove its claim about " ++ in_quotes name.
+
+(* ---- What a line can say ----------------------------------------------------------------------------- *)
+
+(* A number whose text is that of no other number. *)
+Definition plain (x : Q) : bool := match decimal (show_decimal x) with Some y => same_number x y | None => false end.
+Definition plain_integer (n : Z) : bool := match whole most_digits (show_integer n) with Some m => n =? m | None => false end.
+Definition plain_opening (unit : size_unit) (x : Q) : bool :=
+  match unit with Phi => if less x 0 then plain (Qopp x) else plain x | _ => plain x end.
+
+Definition same_unit (u v : size_unit) : bool := String.eqb (sizes_phrase u) (sizes_phrase v).
+
+Definition plain_part (unit : size_unit) (p : part) : bool :=
+  match p with
+  | RetainedWithin x | PassingWithin x | TotalWithin x | SumsTo _ x | PanCountedAs x | LeftOutBelow x | OpeningsTimes x
+  | VolumeOfSolids x => plain x
+  | PassingEach [] => false
+  | PassingEach each => forallb (fun '(e, x) => plain e && plain_opening unit x) each
+  | BandAt x least most => plain x && plain least && plain most
+  | Law a b => plain_integer a && plain_integer b
+  | SizesIn u => same_unit u unit
+  | AtLeastInEachClass r => plain_integer r
+  | CylinderFilled diameter height e => plain diameter && plain height && plain e
+  | BoxFilled x y z e => plain x && plain y && plain z && plain e
+  | RetainedAsInFile | PassingAsInFile | BandOfFile | FactorsOfFile | PanImplied | MiddleOfLimits => true
+  end.
+
+(* Statements of which each has a line of its own. *)
+Definition plain_statement (s : statement) : bool :=
+  match claim_of s with
+  | Smallest N | NoneBelow N => plain_integer N
+  | Between B N => plain_integer B && plain_integer N
+  | NoMatch => true
+  end && (plain_integer (or_more s) && (0 <=? or_more s)) &&
+  forallb (plain_part (unit_of s)) (parts s) && existsb (fun p => match p with SizesIn _ => true | _ => false end) (parts s).

@@ -113,9 +113,9 @@ AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const
   const unsigned p = answer.scale_power;
   check_power(answer, law);
   const unsigned degree = law.a * (p / law.b);
-  const Rational unit = in_mm(length_unit(answer.unit)) / in_mm(length_unit(g.unit()));
+  const Rational unit = in_mm(answer.unit) / in_mm(g.unit());
   const Rational scale = answer.scale * power(unit, degree); // with sizes in the unit of g
-  AnswerDescription result{Description(std::move(g), {law, snap, scale, p}), {}, {}};
+  AnswerDescription result{Description(std::move(g), {law, snap, scale, p}), {}, {}, {}};
   Integer particles = 0;
   std::vector<std::size_t> wrong; // classes whose size is not in its enclosure
   for (const AnswerSample::Class &c : answer.classes) {
@@ -131,6 +131,7 @@ AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const
         result.objections.push_back(fmt::format("class {} of the answer: {}", c.number, objection));
     }
     result.description.add(size, c.quantity);
+    result.particles.emplace_back(size, c.quantity);
     particles += c.quantity;
   }
   if (!wrong.empty())
@@ -139,8 +140,9 @@ AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const
                     "x^({})",
                     wrong.front(), wrong.size() > 1 ? fmt::format(" and {} more", wrong.size() - 1) : "",
                     law.exponent()));
-  if (std::any_of(answer.classes.begin(), answer.classes.end(),
-                  [](const auto &c) { return !c.sizes.empty(); }))
+  result.is_spread = std::any_of(answer.classes.begin(), answer.classes.end(),
+                                 [](const auto &c) { return !c.sizes.empty(); });
+  if (result.is_spread)
     result.notes.emplace_back("The answer is a spread: the particles of a class are judged by their mass "
                               "together, and condition 3 is that of particles of one size with this mass.");
   if (particles != answer.particles)

@@ -52,6 +52,9 @@ struct AnswerDescription {
   std::vector<std::string> objections;
   /// Other mistakes of the answer: its N.
   std::vector<std::string> notes;
+  /// The particles of each class, as if they had one size.
+  std::vector<std::pair<RootSize, Integer>> particles;
+  bool is_spread = false; ///< their sizes differ
 };
 
 /// The description of the answer's sample by g, exactly: a size is judged by its power x^(a d) = (s m / (c

@@ -34,6 +34,8 @@ public:
   bool is_plain() const { return !asked_; }
   /// The gradation with its least match. \throws InputError where the question does not fit it
   Crosscheck problem(const Gradation &g) const;
+  /// What is asked about a gradation in that unit.
+  Question question(SizeUnit unit) const { return asked_ ? asked_->in(unit) : Question(); }
 
 private:
   Limits limits_;

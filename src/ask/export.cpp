@@ -40,7 +40,7 @@ void export_particles(const Match &m, std::string_view format, std::ostream &out
   if (options.density <= 0)
     throw InputError("the density is not above 0: give it in kg/m^3");
   ParticleSetOptions numbers;
-  numbers.unit = length_unit(options.unit);
+  numbers.unit = options.unit;
   numbers.density = options.density;
   if (to.has_floats) {
     numbers.has_floats = true;

@@ -177,7 +177,7 @@ void check_export_of_packing(const ExportTexts &c) {
 ParticleSetOptions set_options(const ExportTexts &c, bool has_floats) {
   ParticleSetOptions options;
   if (c.unit)
-    options.unit = length_unit_of("unit", *c.unit);
+    options.unit = size_unit_of("unit", *c.unit);
   if (c.density)
     options.density = physical("density", *c.density);
   options.has_floats = has_floats;
@@ -299,5 +299,10 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
     {"young", "E", OptionKind::number,
      "Young's modulus for the time step, in Pa (7e10; a model is softer, and says so)", &ExportTexts::young},
     {"poisson", "NU", OptionKind::number, "Poisson's ratio for the time step (0.25)", &ExportTexts::poisson}};
+
+const std::vector<OptionRow<ExportTexts>> ExportTexts::size_options = {
+    {"spread", "", OptionKind::flag,
+     "sizes for all particles, as solve --spread gives them: exact masses of the classes",
+     &ExportTexts::spread}};
 
 } // namespace mdm

@@ -33,7 +33,7 @@ struct ExportTexts {
   bool unjammed = false; ///< a model's result may be
   bool yes_huge = false, yes_units = false;
 
-  static const std::vector<OptionRow<ExportTexts>> options, start_options, model_options;
+  static const std::vector<OptionRow<ExportTexts>> options, start_options, model_options, size_options;
 };
 
 /// The particles to export, and how the search for them ended.

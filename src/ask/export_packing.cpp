@@ -13,7 +13,7 @@ namespace {
 
 struct PackingFormat {
   const char *name;
-  void (*write)(const Packing &, LengthUnit, const Rational &, const Sink &);
+  void (*write)(const Packing &, SizeUnit, const Rational &, const Sink &);
 };
 
 constexpr std::array<PackingFormat, 6> packing_formats = {{{"lammps", write_packing_lammps},
@@ -25,8 +25,8 @@ constexpr std::array<PackingFormat, 6> packing_formats = {{{"lammps", write_pack
 
 } // namespace
 
-void export_packing(const Packing &packing, const std::string &format, LengthUnit unit,
-                    const Rational &density, const Sink &sink) {
+void export_packing(const Packing &packing, const std::string &format, SizeUnit unit, const Rational &density,
+                    const Sink &sink) {
   const auto found = std::find_if(packing_formats.begin(), packing_formats.end(),
                                   [&format](const PackingFormat &f) { return format == f.name; });
   if (found == packing_formats.end())

@@ -12,7 +12,7 @@ namespace mdm {
 
 /// Writes the packing in a format: lammps, liggghts, yade, lmgc90, vtk or csv.
 /// \throws InputError naming the option
-void export_packing(const Packing &packing, const std::string &format, LengthUnit unit,
-                    const Rational &density, const Sink &sink);
+void export_packing(const Packing &packing, const std::string &format, SizeUnit unit, const Rational &density,
+                    const Sink &sink);
 
 } // namespace mdm

@@ -110,7 +110,7 @@ std::optional<Footprint> footprint(const ExportTexts &c, const ExportedParticles
     throw InputError(option("sides") + " cylinder: its box is as long as wide: give " + option("box") +
                      " its diameter twice");
   floor->sides = sides_of(asked_space(c));
-  const Rational unit = in_mm(length_unit(found.unit)) / in_mm(found.set->unit);
+  const Rational unit = in_mm(found.unit) / in_mm(found.set->unit);
   floor->a *= unit;
   floor->b *= unit;
   if (floor->c)

@@ -57,6 +57,11 @@ Classing classing_named(const std::string &name) {
                                : Classing::isochoric;
 }
 
+/// The least P: what asks for more particles than that is a slip.
+Rational least_largest_share() {
+  return ratio(1, power_of_ten(8));
+}
+
 std::uint64_t set_seed(const GenerateTexts &c) {
   return seed64("seed", c.seed.value_or("1"));
 }
@@ -111,7 +116,8 @@ void add_curve(const GenerateTexts &c, const ReadCurve &read, GeneratedSet &set)
     const std::string how = c.classing.value_or("geometric");
     set.curve = curve;
     set.unit = beta_unit(c);
-    set.id = "beta curve (" + to_decimal(curve->a()) + ", " + to_decimal(curve->b()) + "), " + curve->shape();
+    set.id = fmt::format("beta curve ({}, {}): volume density {}; grading curve {}", to_decimal(curve->a()),
+                         to_decimal(curve->b()), curve->shape(), curve->course());
     set.terms = classes_in_words(n, how);
     set.classes = size_classes(*curve, classing_named(how), n);
     return;
@@ -129,8 +135,26 @@ void add_curve(const GenerateTexts &c, const ReadCurve &read, GeneratedSet &set)
 }
 
 Representativity representativity(const GenerateTexts &c) {
-  return {natural("min-per-class", c.min_per_class.value_or("10"), 1),
-          natural("at-least", c.at_least.value_or("2000"), 1), c.dimension == "2" ? 2U : 3U};
+  Representativity wanted{natural("min-per-class", c.min_per_class.value_or("10"), 1),
+                          natural("at-least", c.at_least.value_or("2000"), 1), c.dimension == "2" ? 2U : 3U};
+  if (c.largest_share) {
+    wanted.largest_share = percent_of("largest-share", *c.largest_share) / 100;
+    if (*wanted.largest_share < least_largest_share())
+      throw InputError(option("largest-share") + ": " + in_quotes(*c.largest_share) +
+                       " is not from 1e-6 to 100 %: then a class "
+                       "would take more than 10^8 particles");
+  }
+  return wanted;
+}
+
+/// Notes the classes whose drawn particles have more than that: they may be smaller than the median size.
+void note_large_particles(GeneratedSet &set) {
+  if (!set.wanted.largest_share || !set.drawn_quality)
+    return;
+  for (std::size_t j = 0; j < set.classes.size(); ++j)
+    if (set.drawn_quality->largest[j].lo > *set.wanted.largest_share)
+      set.notes.push_back(fmt::format("class {}: its largest particle as drawn has {} % of its volume", j + 1,
+                                      approximate(Rational(100 * set.drawn_quality->largest[j].lo), 3)));
 }
 
 /// Parameters of shapes, as of --beta.
@@ -175,11 +199,16 @@ const std::vector<OptionRow<GenerateTexts>> GenerateTexts::options = {
      {"regular", "geometric", "isochoric", "sieves"}},
     {"min-per-class", "N", OptionKind::number, "particles in the scarcest class (10)",
      &GenerateTexts::min_per_class},
+    {"largest-share", "P%", OptionKind::number,
+     "no particle has more than P % of the volume of its class, counted with its median size (the paper's "
+     "second "
+     "criterion)",
+     &GenerateTexts::largest_share},
     {"at-least", "N", OptionKind::number, "particles in all (2000)", &GenerateTexts::at_least},
     {"at-most", "N", OptionKind::number, "more are not accessible: exit 1", &GenerateTexts::at_most},
     {"dimension",
      "D",
-     OptionKind::text,
+     OptionKind::number,
      "2, discs, or 3, spheres (3)",
      &GenerateTexts::dimension,
      {"2", "3"}},
@@ -219,6 +248,20 @@ const std::vector<OptionRow<GenerateTexts>> GenerateTexts::accessible_options = 
     {"a", "LIST", OptionKind::text, "shapes of --accessible: numbers 1,2,5 or FROM:TO:STEP (0.5:10:0.5)",
      &GenerateTexts::a},
     {"b", "LIST", OptionKind::text, "the same for b (0.5:10:0.5)", &GenerateTexts::b}};
+
+const std::vector<OptionRow<GenerateTexts>> GenerateTexts::inverse_options = {
+    {"cu", "CU", OptionKind::number,
+     "instead of a set: the shapes a, b of the beta curve with this C_u = d_60 / d_10 and the C_c of --cc, "
+     "at the --span (one "
+     "or several, as the shapes of --accessible; 0.05 to 0.99)",
+     &GenerateTexts::c_u},
+    {"cc", "CC", OptionKind::number, "the same of C_c = d_30^2 / (d_60 d_10)", &GenerateTexts::c_c},
+    {"fit", "FILE", OptionKind::file,
+     "the same with the C_u and C_c of a gradation, and without --span with that of its sieves; - for "
+     "standard input",
+     &GenerateTexts::fit},
+    {"within", "FROM:TO", OptionKind::text,
+     "the range of a and of b that is searched, from 0.001 to 1000 (0.1:20)", &GenerateTexts::within}};
 
 const std::vector<OptionRow<GenerateTexts>> GenerateTexts::answer_options = {
     {"digits", "D", OptionKind::number, "significant digits of enclosures (15)", &GenerateTexts::digits}};
@@ -285,6 +328,9 @@ GeneratedSet generated(const GenerateTexts &c, const ReadCurve &read) {
   set.terms +=
       fmt::format(", at least {} particles in each and {} in all, dimension {}",
                   to_string(set.wanted.min_per_class), to_string(set.wanted.at_least), set.wanted.dimension);
+  if (set.wanted.largest_share)
+    set.terms += fmt::format(", no particle above {} % of its class",
+                             to_decimal(Rational(100 * *set.wanted.largest_share)));
   set.counts = class_counts(set.classes, *set.curve, set.wanted);
   std::string empty;
   for (std::size_t j = 0; j < set.classes.size(); ++j)
@@ -298,8 +344,9 @@ GeneratedSet generated(const GenerateTexts &c, const ReadCurve &read) {
     options.at_most = set.at_most;
     options.limits.deadline = std::chrono::steady_clock::now() + match_time(c);
     const Gradation rounded = rounded_gradation(set.classes, set.match_digits, set.id);
-    set.match = c.spread ? roomy_set(rounded, set.wanted, options, set.match_digits)
-                         : matched_set(rounded, set.wanted, options);
+    const Representativity wanted = of_match(set.wanted, rounded, c.spread);
+    set.match = c.spread ? roomy_set(rounded, wanted, options, set.match_digits)
+                         : matched_set(rounded, wanted, options);
     set.notes.insert(set.notes.end(), set.match->notes.begin(), set.match->notes.end());
     if (c.spread)
       set.spread = set_seed(c);
@@ -309,6 +356,7 @@ GeneratedSet generated(const GenerateTexts &c, const ReadCurve &read) {
   if (c.seed)
     set.seed = set_seed(c);
   add_quality(c, set);
+  note_large_particles(set);
   return set;
 }
 

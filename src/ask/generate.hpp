@@ -16,16 +16,18 @@ namespace mdm {
 /// What is asked of a set, as texts.
 struct GenerateTexts : BetaTexts {
   OptionText curve, between, pan_size;
-  OptionText classes, classing, min_per_class, at_least, at_most, dimension, method;
+  OptionText classes, classing, min_per_class, largest_share, at_least, at_most, dimension, method;
   OptionText match_digits, time_limit, seed, points, table, digits;
   bool sizes = false, spread = false, quantiles = false;
   bool accessible = false;
-  OptionText a, b; ///< shapes of accessible
+  OptionText a, b;                  ///< shapes of accessible
+  OptionText c_u, c_c, fit, within; ///< of the shapes with a C_u and a C_c (ask/inverse.hpp)
   ReadingTexts reading;
   std::string format = "text"; ///< of the report: text, json or csv
 
-  /// All but those of reading: of a set, of accessible alone, and of what is told.
-  static const std::vector<OptionRow<GenerateTexts>> options, accessible_options, answer_options;
+  /// All but those of reading: of a set, of accessible alone, of shapes, and of what is told.
+  static const std::vector<OptionRow<GenerateTexts>> options, accessible_options, inverse_options,
+      answer_options;
 
   bool is_text() const { return format == "text"; }
   bool is_csv() const { return format == "csv"; }

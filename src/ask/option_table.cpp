@@ -1,9 +1,14 @@
 #include "ask/option_table.hpp"
 
 #include "ask/crosscheck_options.hpp"
+#include "ask/export_options.hpp"
+#include "ask/generate.hpp"
+#include "ask/pack.hpp"
+#include "ask/plot.hpp"
 #include "ask/reading_options.hpp"
 #include "ask/soil_options.hpp"
 #include "ask/solve_options.hpp"
+#include "ask/suite_lines.hpp"
 #include "ask/tradeoff_options.hpp"
 #include "ask/verifier.hpp"
 #include "text/json_writer.hpp"
@@ -14,13 +19,15 @@
 namespace mdm {
 namespace {
 
-/// The rows of some tables, one table after the other.
+/// The rows of some tables, one table after the other; of those with one name the first.
 template <class... Texts>
 std::vector<TableOption> rows_of(const std::vector<OptionRow<Texts>> &...tables) {
   std::vector<TableOption> all;
   const auto add = [&all](const auto &table) {
     for (const auto &row : table)
-      all.push_back({row.name, row.values, row.kind, row.help, row.choices()});
+      if (std::none_of(all.begin(), all.end(),
+                       [&row](const TableOption &o) { return o.name == std::string_view(row.name); }))
+        all.push_back({row.name, row.values, row.kind, row.help, row.choices()});
   };
   (add(tables), ...);
   return all;
@@ -66,7 +73,21 @@ const std::vector<OptionsOfCommand> &option_table() {
                                                 CrosscheckTexts::limit_options))},
       {"tradeoff", rows_of(TradeoffTexts::options)}, // and those of solve
       {"describe", rows_of(SoilTexts::options)},
-      {"convert", rows_of(ReadingTexts::options)}};
+      {"convert", rows_of(ReadingTexts::options)},
+      // What a set, a packing or an export is of is no option of a module.
+      {"generate", without("curve", rows_of(GenerateTexts::options, GenerateTexts::answer_options,
+                                            ReadingTexts::options))},
+      {"pack",
+       without("sizes", rows_of(PackTexts::disc_options, ReadingTexts::options, PackTexts::gasket_options,
+                                PackTexts::place_options, PackTexts::answer_options))},
+      // Sizes in a file of particles have as many digits as its masses need.
+      {"export", without("digits", rows_of(ExportTexts::options, ExportTexts::start_options,
+                                           ExportTexts::model_options, ExportTexts::size_options,
+                                           SolveTexts::tolerance_options, SolveTexts::question_options,
+                                           GradationTexts::options, SolveTexts::limit_options,
+                                           SolveTexts::answer_options, ReadingTexts::options))},
+      {"plot", rows_of(PlotTexts::options, SoilTexts::options, ReadingTexts::options)},
+      {"suite", without("shard", rows_of(SuiteTexts::options))}}; // lines with a step are a shard
   return table;
 }
 

@@ -135,8 +135,8 @@ std::vector<Rational> number_list(const std::string &name, const std::string &te
   return numbers;
 }
 
-LengthUnit length_unit_of(const std::string &name, const std::string &text) {
-  const std::optional<LengthUnit> unit = parse_length_unit(text);
+SizeUnit size_unit_of(const std::string &name, const std::string &text) {
+  const std::optional<SizeUnit> unit = parse_size_unit(text);
   if (!unit)
     throw InputError(option(name) + ": " + in_quotes(text) + " is unknown: use mm, um, m or in");
   return *unit;

@@ -53,6 +53,6 @@ Length length(const std::string &name, const std::string &text);
 /// The sides of a box, `AxB` or `AxBxC`. \param unit  of lengths without one, and of the result
 std::vector<Rational> box_sides(const std::string &name, const std::string &text, SizeUnit unit);
 /// \throws InputError naming the option if it is no unit of length
-LengthUnit length_unit_of(const std::string &name, const std::string &text);
+SizeUnit size_unit_of(const std::string &name, const std::string &text);
 
 } // namespace mdm

@@ -38,6 +38,27 @@ Outcome outcome_of(Verdict verdict) {
   }
 }
 
+Outcome outcome_of(Compliance verdict) {
+  switch (verdict) {
+  case Compliance::holds:
+    return Outcome::done;
+  case Compliance::undecided:
+    return Outcome::limited;
+  default:
+    return Outcome::negative;
+  }
+}
+
+Outcome outcome_of(const CrosscheckSummary &summary, bool must_be_minimal) {
+  if (summary.count(AnswerVerdict::undecided) > 0)
+    return Outcome::limited;
+  const bool is_good = std::all_of(answer_verdicts.begin(), answer_verdicts.end(), [&](AnswerVerdict v) {
+    return v == AnswerVerdict::minimal || (v == AnswerVerdict::larger && !must_be_minimal) ||
+           summary.count(v) == 0;
+  });
+  return is_good ? Outcome::done : Outcome::negative;
+}
+
 Outcome outcome_of(const Tradeoff &tradeoff) {
   const auto is_certain = [](const TradeoffRow &row) { return row.is_certain(); };
   return std::all_of(tradeoff.by_tolerance.begin(), tradeoff.by_tolerance.end(), is_certain) &&

@@ -82,7 +82,7 @@ const std::vector<OptionRow<PackTexts>> PackTexts::gasket_options = {
      "no deposit: the Apollonian packing around three circles of radius 1 (equal), or of the four "
      "whole curvatures, the outer circle's below 0",
      &PackTexts::gasket},
-    {"smallest", "R", OptionKind::text,
+    {"smallest", "R", OptionKind::number,
      "radius of the smallest circles of an Apollonian packing, as 0.001 or "
      "1/1000; the outer circle is not counted",
      &PackTexts::smallest},
@@ -229,7 +229,7 @@ std::optional<Rational> PackTexts::width_in(const std::string &unit) const {
   if (!width)
     return std::nullopt;
   const Length asked = length("width", *width);
-  const std::optional<LengthUnit> of_discs = parse_length_unit(unit);
+  const std::optional<SizeUnit> of_discs = parse_size_unit(unit);
   if (asked.unit && !of_discs)
     throw InputError(option("width") + ": the discs have no unit: write the number alone");
   return asked.unit ? Rational(asked.value * in_mm(*asked.unit) / in_mm(*of_discs)) : asked.value;

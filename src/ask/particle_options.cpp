@@ -37,7 +37,7 @@ ParticleOptions ParticleTexts::reading(SizeUnit target) const {
   if (radius || diameter)
     o.meaning = radius ? SizeMeaning::radius : SizeMeaning::diameter;
   if (size_unit)
-    o.unit = length_unit_of("size-unit", *size_unit);
+    o.unit = size_unit_of("size-unit", *size_unit);
   if (timestep)
     o.timestep = natural("timestep", *timestep, 0);
   return o;

@@ -1,5 +1,6 @@
 #include "ask/plot.hpp"
 
+#include "ask/option_values.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
@@ -46,7 +47,20 @@ const std::vector<OptionRow<PlotTexts>> PlotTexts::options = {
      &PlotTexts::colour,
      {"size", "contacts", "cells"}},
     {"size-unit", "UNIT", OptionKind::text,
-     "unit of SAMPLE where it is a file of particles: as in mdm verify", &PlotTexts::size_unit}};
+     "unit of SAMPLE where it is a file of particles: as in mdm verify", &PlotTexts::size_unit},
+    {"width", "PT", OptionKind::number,
+     "width of the picture in pt, from 200 to 5000; letters stay as large as they are", &PlotTexts::width},
+    {"language",
+     "TEXT",
+     OptionKind::text,
+     "language of the picture's own words: en (the default) or de; names and notes stay as they are",
+     &PlotTexts::language,
+     {"en", "de"}},
+    {"caption", "TEXT", OptionKind::text, "a sentence to stand below the picture, before the notes",
+     &PlotTexts::caption},
+    {"bare", "", OptionKind::flag,
+     "the diagram with its legend alone, without title, index numbers and notes: for a page that has them",
+     &PlotTexts::bare}};
 
 void PlotTexts::check() const {
   if (sample && match)
@@ -73,9 +87,22 @@ GradationFigure PlotTexts::figure(bool is_sample) const {
     figure.bands = bands == "iso" ? Bands::iso_14688 : Bands::none;
   figure.coarse_left = coarse_left;
   figure.sieve_names = names_of_sieves(is_sample);
-  if (is_sample)
-    figure.curve_title = "set of particles";
+  figure.of_particles = is_sample;
+  figure.form = form();
   return figure;
+}
+
+FigureForm PlotTexts::form() const {
+  FigureForm form;
+  form.bare = bare;
+  if (language == "de")
+    form.language = FigureLanguage::german;
+  constexpr unsigned least_width = 200, most_width = 5000;
+  if (width)
+    form.width = small_natural("width", *width, least_width, most_width);
+  if (wants_section()) // two panels side by side
+    form.width /= 2;
+  return form;
 }
 
 PackingColour PlotTexts::packing_colour() const {

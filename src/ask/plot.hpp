@@ -22,6 +22,8 @@ struct PlotTexts {
   OptionText sample; ///< its name: an answer, or another file of particles
   bool match = false, coarse_left = false;
   OptionText what, band, bands, sieve_names, colour, size_unit;
+  bool bare = false;
+  OptionText language, width, caption;
   SoilTexts soil;
 
   /// All but those of the soil.
@@ -33,8 +35,12 @@ struct PlotTexts {
   /// The figure as far as options say it. \param is_sample  the curve is that of particles
   GradationFigure figure(bool is_sample) const;
   PackingColour packing_colour() const;
-  /// True if one of the options is given that a picture of a packing has no use for.
+  /// What is said of the figure's form.
+  FigureForm form() const;
+  /// True if one of the options is given that only a picture of a gradation has a use for.
   bool is_of_gradation() const;
+  /// True if something is said of the form.
+  bool has_form() const { return bare || language || width || caption; }
 
 private:
   SieveNames names_of_sieves(bool is_sample) const;

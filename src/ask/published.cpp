@@ -26,9 +26,14 @@ void check_knows(const PublishedTexts &c, const char *name, const OptionText &va
                                  c.algorithm, algorithms));
 }
 
-/// A position in a class: above its lower sieve, 0, and up to its upper one, 1.
+/// A position in a class: above its lower sieve, 0, and up to its upper one, 1; a decimal or a fraction as
+/// 1/127.
 Rational class_position(const char *name, const std::string &text) {
-  const Rational t = positive(name, text);
+  const std::size_t slash = text.find('/');
+  const Rational t =
+      slash == std::string::npos
+          ? positive(name, text)
+          : Rational(positive(name, text.substr(0, slash)) / positive(name, text.substr(slash + 1)));
   if (t > 1)
     throw InputError(fmt::format("{}: {} is above 1, the upper sieve", option(name), in_quotes(text)));
   return t;
@@ -57,8 +62,13 @@ SizeChoice size_choice(const PublishedTexts &c) {
   return {c.sizes == "lower" ? ratio(1, 1000) : c.sizes == "upper" ? Rational(1) : ratio(1, 2)};
 }
 
+/// A decimal, or the fraction that it is.
+std::string position_text(const Rational &t) {
+  return exact_decimal(t).value_or(to_string(t));
+}
+
 std::string size_choice_words(const SizeChoice &sizes) {
-  return sizes.position ? "sizes at " + to_decimal(*sizes.position) + " of their classes"
+  return sizes.position ? "sizes at " + position_text(*sizes.position) + " of their classes"
                         : std::string("sizes of the mean volume of their classes' bounds");
 }
 
@@ -83,6 +93,7 @@ struct ChosenAlgorithm {
   PublishedAlgorithm kind;
   std::string settings; ///< in words
   std::function<Published(const Gradation &, const MassLaw &)> run;
+  std::optional<Rational> total_error; ///< that is enough
 };
 
 ChosenAlgorithm fixed_size_of(const PublishedTexts &c) {
@@ -102,7 +113,8 @@ ChosenAlgorithm fixed_size_of(const PublishedTexts &c) {
     settings += fmt::format(", total error up to {} %, at most {} iterations",
                             to_decimal(Rational(100 * o.tolerance)), o.max_iterations);
   }
-  return {kind, settings, [o](const Gradation &g, const MassLaw &law) { return fixed_size(g, law, o); }};
+  return {kind, settings, [o](const Gradation &g, const MassLaw &law) { return fixed_size(g, law, o); },
+          kind == PublishedAlgorithm::fixed_size ? std::optional(o.tolerance) : std::nullopt};
 }
 
 ChosenAlgorithm spanned_integer_of(const PublishedTexts &c) {
@@ -114,9 +126,9 @@ ChosenAlgorithm spanned_integer_of(const PublishedTexts &c) {
   if (c.max_iterations)
     o.max_iterations = bounded("max-iterations", *c.max_iterations, most_iterations);
   return {PublishedAlgorithm::spanned_integer,
-          fmt::format("x_nS from {} of its class, {} size{}, at most {} iterations", to_decimal(o.start),
+          fmt::format("x_nS from {} of its class, {} size{}, at most {} iterations", position_text(o.start),
                       o.increments, o.increments == 1 ? "" : "s", o.max_iterations),
-          [o](const Gradation &g, const MassLaw &law) { return spanned_integer(g, law, o); }};
+          [o](const Gradation &g, const MassLaw &law) { return spanned_integer(g, law, o); }, std::nullopt};
 }
 
 /// Refuses options that do not go together.
@@ -161,7 +173,8 @@ const std::vector<OptionRow<PublishedTexts>> PublishedTexts::options = {
     {"tolerance", "P%", OptionKind::number, "fixed-size: the total error that is enough (1%)",
      &PublishedTexts::tolerance},
     {"start", "T", OptionKind::number,
-     "spanned-integer: the first x_nS as a part T of its class, 0 < T <= 1 (0.001)", &PublishedTexts::start},
+     "spanned-integer: the first x_nS as a part T of its class, 0 < T <= 1, as 0.5 or 1/127 (0.001)",
+     &PublishedTexts::start},
     {"increments", "N", OptionKind::number,
      "spanned-integer: so many x_nS, evenly from the first to the upper sieve (100); 1: the "
      "first alone",
@@ -175,6 +188,7 @@ PublishedRun::PublishedRun(const PublishedTexts &asked) {
   kind_ = algorithm.kind;
   settings_ = std::move(algorithm.settings);
   run_ = std::move(algorithm.run);
+  total_error_ = std::move(algorithm.total_error);
   question_ = asked.gradation.question();
   digits_ = asked.digits ? digits_of("digits", *asked.digits) : 15;
 }
@@ -184,6 +198,25 @@ PublishedReport PublishedRun::report(const Gradation &read) const {
   const Gradation g = asked_gradation(read, question);
   return {kind_,   settings_, g, question.law, run_(g, question.law), smallest_match(g, question.law),
           digits_, g.notes()};
+}
+
+std::optional<CertifiedSample> PublishedRun::certified(const PublishedReport &report,
+                                                       const SampleCertifier::Begin &begin) const {
+  Question question = question_.in(report.gradation.unit());
+  if (total_error_)
+    question.tolerances.push_back({AskedTolerance::Kind::total, Rational(100 * *total_error_)});
+  SampleCertifier certifier(report.gradation, question, begin);
+  const unsigned a = report.law.a;
+  bool has_particles = false;
+  for (std::size_t j = 0; j < report.run.powers.size(); ++j) {
+    const Integer &quantity = report.run.result().q[j];
+    if (quantity == 0)
+      continue;
+    const Rational &power = report.run.powers[j]; // x^a; a square where that is no power
+    certifier.add(a > 1 ? RootSize{power, a} : RootSize{mdm::power(power, 2), 2}, quantity);
+    has_particles = true;
+  }
+  return has_particles ? certifier.certified() : std::nullopt;
 }
 
 Outcome outcome_of(const PublishedReport &report) {

@@ -4,6 +4,7 @@
 
 #include "ask/outcome.hpp"
 #include "ask/solve_options.hpp"
+#include "particles/sample_certifier.hpp"
 #include "report/published.hpp"
 
 #include <vector>
@@ -29,11 +30,19 @@ public:
   /// \throws InputError where the question does not fit the gradation
   PublishedReport report(const Gradation &g) const;
 
+  /// The certificate of the report's sample: that it matches exactly, or within the total error that is
+  /// enough for fixed-size, or that it does not; nothing where the sample is empty.
+  /// \param begin  takes the canonical sample
+  /// \throws InputError if it is beyond the limits of the format
+  std::optional<CertifiedSample> certified(const PublishedReport &report,
+                                           const SampleCertifier::Begin &begin) const;
+
 private:
   PublishedAlgorithm kind_;
   std::string settings_; ///< in words
   std::function<Published(const Gradation &, const MassLaw &)> run_;
   AskedQuestion question_;
+  std::optional<Rational> total_error_; ///< that is enough
   unsigned digits_;
 };
 

@@ -2,8 +2,8 @@
 /// \file
 /// Which lines of a suite are made.
 
+#include "answer/shard.hpp"
 #include "ask/option_row.hpp"
-#include "ask/shard.hpp"
 
 #include <cstdint>
 #include <string>

@@ -9,6 +9,8 @@
 
 #include <fmt/core.h>
 
+#include <stdexcept>
+
 namespace mdm {
 namespace {
 
@@ -22,23 +24,34 @@ auto about(const std::string &source, Action action) {
   }
 }
 
-std::vector<AskedTolerance> asked_tolerances(const VerifyTexts &asked) {
-  std::vector<AskedTolerance> tolerances;
-  for (const std::string &text : asked.tolerances)
-    tolerances.push_back(named("tolerance", text, parse_tolerance));
-  return tolerances;
+/// What is wrong with the options about places is found before a file is read.
+VerifyQuestion checked(VerifyQuestion asked, SizeUnit unit) {
+  asked.places.check();
+  asked.places.space(std::nullopt, unit);
+  return asked;
 }
 
-/// The places' options, when what is wrong with them is found before a file is read.
-PlaceTexts checked(const PlaceTexts &places, SizeUnit unit) {
-  places.check();
-  places.space(std::nullopt, unit);
-  return places;
+/// What a certificate states.
+Question certified_question(const VerifyQuestion &asked) {
+  if (asked.snap > 0)
+    throw InputError(option("snap") + ": a certificate is of sizes as they are: leave it out, or " +
+                     option("proof"));
+  return asked.question;
+}
+
+/// The question in which shares are measured, for the report: what they may differ by is told apart.
+Question measured(const Question &asked) {
+  Question q;
+  q.law = asked.law;
+  q.pan_size = asked.pan_size;
+  q.cut_below = asked.cut_below;
+  q.size_factor = asked.size_factor;
+  return q;
 }
 
 /// A note where the sizes may have another unit.
-std::optional<std::string> unit_note(const Description &d, const std::optional<LengthUnit> &unit) {
-  const std::optional<LengthUnit> other = unit ? likelier_unit(d, *unit) : std::nullopt;
+std::optional<std::string> unit_note(const Description &d, const std::optional<SizeUnit> &unit) {
+  const std::optional<SizeUnit> other = unit ? likelier_unit(d, *unit) : std::nullopt;
   if (!other)
     return std::nullopt;
   return fmt::format("The sizes were read in {}, and no particle lies in a class (the pan's aside); with "
@@ -63,22 +76,38 @@ const std::vector<OptionRow<VerifyTexts>> VerifyTexts::options = {
 const std::vector<OptionRow<VerifyTexts>> VerifyTexts::answer_options = {
     {"digits", "D", OptionKind::number, "significant digits of percents (6)", &VerifyTexts::digits}};
 
-Verifier::Verifier(Gradation g, const std::string &source, const VerifyTexts &asked,
-                   const std::optional<Envelope> &band)
-    : snap_(asked.snap ? not_negative("snap", *asked.snap) : Rational(0)),
-      digits_(asked.digits ? digits_of("digits", *asked.digits) : 6),
-      question_(asked.gradation.question().in(g.unit())),
-      gradation_(about(source, [&] { return asked_gradation(std::move(g), question_); })),
-      smallest_(about(source, [&] { return smallest_match(gradation_, question_.law); })),
+VerifyQuestion VerifyTexts::question(SizeUnit unit, const std::optional<Envelope> &envelope) const {
+  VerifyQuestion q;
+  if (snap)
+    q.snap = not_negative("snap", *snap);
+  if (digits)
+    q.digits = digits_of("digits", *digits);
+  q.question = gradation.question().in(unit);
+  for (const std::string &text : tolerances)
+    q.question.tolerances.push_back(named("tolerance", text, parse_tolerance));
+  q.question.band = envelope;
+  q.particles = particles;
+  q.places = places;
+  return q;
+}
+
+Verifier::Verifier(Gradation g, const std::string &source, VerifyQuestion asked,
+                   const std::optional<AskedProof> &proof)
+    : asked_(checked(std::move(asked), g.unit())),
+      gradation_(about(source, [&] { return asked_gradation(std::move(g), asked_.question); })),
+      smallest_(about(source, [&] { return smallest_match(gradation_, asked_.question.law); })),
       allowed_(about(source,
-                     [&, tolerances = asked_tolerances(asked)] {
-                       return allowed_error(gradation_, tolerances, band, question_.size_factor);
+                     [&] {
+                       const Question &q = asked_.question;
+                       return allowed_error(gradation_, q.tolerances, q.band, q.size_factor);
                      })),
-      reading_(asked.particles.reading(gradation_.unit())), said_(asked.particles),
-      places_(checked(asked.places, gradation_.unit())),
-      sizes_(Description(gradation_, {question_.law, snap_, 1, 1})),
-      placed_(gradation_, sizes_, places_.are_asked() ? std::nullopt : std::optional(most_unasked_places),
-              [this](const std::optional<ParticleBox> &box) { return places_.space(box, unit()); }) {}
+      reading_(asked_.particles.reading(gradation_.unit())),
+      sizes_(Description(gradation_, {asked_.question.law, asked_.snap, 1, 1})),
+      certifier_(proof ? std::optional<SampleCertifier>(std::in_place, gradation_, certified_question(asked_),
+                                                        proof->begin, &sizes_)
+                       : std::nullopt),
+      placed_(gradation_, sizes(), are_places_asked() ? std::nullopt : std::optional(most_unasked_places),
+              [this](const std::optional<ParticleBox> &box) { return asked_.places.space(box, unit()); }) {}
 
 void Verifier::end(const ReadParticles &read) {
   has_particles_ = true;
@@ -89,10 +118,14 @@ void Verifier::end(const ReadParticles &read) {
 void Verifier::take_answer(const std::string &json, const std::string &file) {
   const AnswerSample answer = read_answer(json, file);
   about(file, [&] {
-    if (said_.say_sizes() || said_.timestep)
+    if (asked_.particles.say_sizes() || asked_.particles.timestep)
       throw InputError("an answer of mdm says what its sizes are: leave out " + option("radius") + ", " +
                        option("diameter") + ", " + option("size-unit") + " and " + option("timestep"));
-    AnswerDescription described = describe_answer(answer, gradation_, question_.law, snap_);
+    AnswerDescription described = describe_answer(answer, gradation_, asked_.question.law, asked_.snap);
+    if (certifier_)
+      for (const auto &[size, quantity] : described.particles)
+        certifier_->add(size, quantity);
+    is_spread_ = described.is_spread;
     answer_ = std::move(described.description);
     objections_ = std::move(described.objections);
     note(described.notes);
@@ -101,24 +134,24 @@ void Verifier::take_answer(const std::string &json, const std::string &file) {
 
 std::optional<SphereTexture> Verifier::texture(std::vector<std::string> &notes) const {
   if (!has_particles_) {
-    if (places_.are_asked())
+    if (are_places_asked())
       throw InputError("it has no places of particles: leave out " + option("packing") +
                        " and the options about places");
     return std::nullopt;
   }
-  const SphereTextureOptions options = places_.texture(placed_.box(), unit());
-  return places_.are_asked()
+  const SphereTextureOptions options = asked_.places.texture(placed_.box(), unit());
+  return are_places_asked()
              ? sphere_texture(placed_.sample(), gradation_.classes(), options)
              : unasked_texture(placed_, gradation_.classes(), options, option("packing").c_str(), notes);
 }
 
-Verification Verifier::verification(const std::string &sample) {
-  Verification v(answer_ ? *answer_ : sizes_.description(), question_, allowed_.most);
+Verification Verifier::verification(const std::string &sample) const {
+  Verification v(answer_ ? *answer_ : sizes_.description(), measured(asked_.question), allowed_.most);
   v.bounds = allowed_.bounds;
   v.within = allowed_.within;
   v.smallest = smallest_;
   v.sample = sample;
-  v.digits = digits_;
+  v.digits = asked_.digits;
   v.objections = objections_;
   v.notes = gradation_.notes();
   v.notes.insert(v.notes.end(), notes_.begin(), notes_.end());
@@ -133,6 +166,29 @@ Verification Verifier::verification(const std::string &sample) {
                     "sizes as near as that as the sieve.",
                     to_string(v.description.hair_above()), option("snap")));
   return v;
+}
+
+Verifier::Proof Verifier::proof(const Verification &v) {
+  const std::optional<CertifiedSample> made = certifier_->certified();
+  if (!v.objections.empty())
+    return {"", v.objections.front()};
+  if (is_spread_)
+    return {"",
+            "the answer is a spread, of which certificates say nothing: verify what mdm export --spread --to "
+            "csv writes"};
+  const Verdict verdict = v.verdict();
+  if (verdict == Verdict::undecided)
+    return {"", v.description.knows_sizes()
+                    ? "4096 bits do not tell whether it matches"
+                    : "the ranges that are known of the sizes do not tell whether it matches"};
+  if (!made)
+    return {
+        "",
+        "the enclosures of the shares that certificates have, of ranges or of an irrational law, do not tell "
+        "whether it matches"};
+  if (made->matches != (verdict == Verdict::match))
+    throw std::logic_error("certificate and verdict differ: please report this file");
+  return {made->text, ""};
 }
 
 } // namespace mdm

@@ -7,6 +7,7 @@
 #include "ask/solve_options.hpp"
 #include "particles/description_sink.hpp"
 #include "particles/placed_sink.hpp"
+#include "particles/sample_certifier.hpp"
 #include "report/allowed_error.hpp"
 #include "report/verification.hpp"
 
@@ -15,7 +16,16 @@
 
 namespace mdm {
 
-/// What is asked of a sample, as texts.
+/// What is asked of a sample.
+struct VerifyQuestion {
+  Question question; ///< its law, pan, cut, size factor, tolerances and band; what else it has is not judged
+  Rational snap = 0;
+  unsigned digits = 6;
+  ParticleTexts particles = {};
+  PlaceTexts places = {};
+};
+
+/// The same as texts.
 struct VerifyTexts {
   GradationTexts gradation;
   std::vector<std::string> tolerances;
@@ -25,29 +35,38 @@ struct VerifyTexts {
 
   /// All but those of particles, places and gradation.
   static const std::vector<OptionRow<VerifyTexts>> options, answer_options;
+
+  /// The question to a gradation in this unit. \throws InputError naming the option where its value does not
+  /// serve
+  VerifyQuestion question(SizeUnit unit, const std::optional<Envelope> &envelope) const;
 };
 
 /// The judge of one sample, which is handed on to its sinks while it is read, or taken as an answer. One
 /// thread at a time. Memory: that of the classes, and of the places that are kept.
 class Verifier {
 public:
+  /// A certificate that is asked for, with the canonical sample that goes with it; without `begin` none does.
+  struct AskedProof {
+    SampleCertifier::Begin begin;
+  };
+
   /// \param g  as it was read; its smallest match is found here
   /// \param source  names it in messages; empty: not
   /// \throws InputError naming the option where its value does not serve, or the gradation
-  Verifier(Gradation g, const std::string &source, const VerifyTexts &asked,
-           const std::optional<Envelope> &band);
+  Verifier(Gradation g, const std::string &source, VerifyQuestion asked,
+           const std::optional<AskedProof> &proof = std::nullopt);
   Verifier(const Verifier &) = delete;
   Verifier &operator=(const Verifier &) = delete;
 
   /// How particles are to be read.
   const ParticleOptions &reading() const { return reading_; }
-  bool are_places_asked() const { return places_.are_asked(); }
+  bool are_places_asked() const { return asked_.places.are_asked(); }
   SizeUnit unit() const { return gradation_.unit(); }
 
   /// Takes particles whose places, if they have some, are judged too.
   ParticleSink &particles() { return placed_; }
   /// Takes sizes alone.
-  ParticleSink &sizes() { return sizes_; }
+  ParticleSink &sizes() { return certifier_ ? static_cast<ParticleSink &>(*certifier_) : sizes_; }
   /// What the reader of particles() says at their end.
   void end(const ReadParticles &read);
   /// Takes the notes that belong to what sizes() was given.
@@ -59,23 +78,29 @@ public:
 
   /// The verdict. \param sample  its name
   /// \throws InputError naming the sample where its places are not what was asked about
-  Verification verification(const std::string &sample);
+  Verification verification(const std::string &sample) const;
+
+  /// The certificate of what was verified, or why there is none.
+  struct Proof {
+    std::string text, missing;
+  };
+  /// \pre a certificate was asked for, and all particles are in
+  /// \throws InputError if it is beyond the limits of the format
+  Proof proof(const Verification &v);
 
 private:
-  Rational snap_;
-  unsigned digits_;
-  Question question_;
+  VerifyQuestion asked_;
   Gradation gradation_;
   SmallestMatch smallest_;
   AllowedError allowed_;
   ParticleOptions reading_;
-  ParticleTexts said_;
-  PlaceTexts places_;
   DescriptionSink sizes_;
+  std::optional<SampleCertifier> certifier_;
   PlacedSink placed_;
   bool has_particles_ = false;
-  std::optional<LengthUnit> read_unit_;
+  std::optional<SizeUnit> read_unit_;
   std::optional<Description> answer_;
+  bool is_spread_ = false; ///< the answer
   std::vector<std::string> objections_, notes_;
 
   std::optional<SphereTexture> texture(std::vector<std::string> &notes) const;

@@ -1,10 +1,8 @@
 #include "certificate.hpp"
 
-#include "certificate_lines.hpp"
+#include "question_lines.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <set>
 #include <string>
 #include <utility>
@@ -13,59 +11,13 @@ namespace mdm::checker {
 namespace {
 
 // Limit 5.
-constexpr std::size_t most_classes = std::size_t{1} << 20U, most_of_tree = std::size_t{1} << 22U;
+constexpr std::size_t most_of_tree = std::size_t{1} << 22U;
 
 /// The lines of a certificate of a match, or of none.
-class Lines : public CertificateLines {
+class Lines : public QuestionLines {
 public:
-  explicit Lines(std::string_view text) : CertificateLines(text, "mdm solve") {}
+  explicit Lines(std::string_view text) : QuestionLines(text, "mdm solve") {}
 
-  /// The bits of the longest number so far that the limits 1 and 2 count.
-  std::uint64_t longest_count() const { return longest_count_; }
-
-  /// Reads a line: its name and a number of each kind, which may repeat. The kind `f` is the word `file`.
-  void read(std::string_view name, std::string_view kinds, Numbers &numbers, bool repeat = false) {
-    demand(name);
-    do
-      for (const char kind : kinds)
-        numbers.push_back(kind == 'f' ? Number{0, word()} : number(kind));
-    while (repeat && more());
-    check(numbers.size() <= 3 * most_classes, "more numbers than there are sieves: give fewer");
-    end();
-  }
-  /// The same if the line is there.
-  void read_if_there(std::string_view name, std::string_view kinds, Numbers &numbers, bool repeat = false) {
-    if (begins_with(name) && begins_with(std::string(name) + " file") == (kinds == "f"))
-      read(name, kinds, numbers, repeat);
-  }
-
-  /// `1` and `2` are integers from 1 and 2 up, `d` is a decimal above 0, `z` one from 0 up, `p` one from 0 to
-  /// 100, `t` one to 200, `r` a rational above 0. The limits 1 and 2 count what a digit or a capital stands
-  /// for.
-  Number number(char kind) { return number(kind, word()); }
-  Number number(char kind, std::string_view text) {
-    const auto form = static_cast<char>(std::tolower(kind));
-    const std::size_t slash = form == 'r' ? text.find('/') : std::string_view::npos;
-    mpq_class value =
-        canonical(text.substr(0, slash), form == 'd' || form == 'z' || form == 'p' || form == 't');
-    if (slash != std::string_view::npos) {
-      const mpz_class numerator = value.get_num();
-      const mpz_class denominator = canonical(text.substr(slash + 1), false).get_num();
-      demand_form(denominator >= 2 && gcd(numerator, denominator) == 1, line_,
-                  "is not in lowest terms: write it like 3/2", text);
-      value = mpq_class(numerator, denominator);
-    }
-    const bool enough =
-        is_digit(kind) ? value >= kind - '0' : value > 0 || form == 'z' || form == 'p' || form == 't';
-    demand_form(enough, line_, "is too small: raise it, or leave out a line that says nothing", text);
-    demand_form(form != 'p' || value <= 100, line_, "is more than 100 percentage points: lower it", text);
-    demand_form(form != 't' || value <= 200, line_, "is more than 200 percentage points: lower it", text);
-    if (kind != form || is_digit(kind))
-      longest_count_ = std::max(longest_count_, bits(value));
-    return {value, text};
-  }
-  mpz_class integer() { return number('1').value.get_num(); }
-  std::uint64_t index() { return index(word()); }
   /// One class, or with version 2 those from i to j, written i-j.
   ClassRange classes(unsigned version) { return classes(word(), version); }
   /// The letters of conditions of all classes, of single ones, and of several.
@@ -111,26 +63,6 @@ private:
     demand_form(i < j, line_, "are no classes i-j with i < j: write a single class once", text);
     return {i, j};
   }
-  std::uint64_t index(std::string_view text) const {
-    std::uint64_t value = 0;
-    const char *const end = text.data() + text.size();
-    const bool read = std::from_chars(text.data(), end, value).ptr == end;
-    demand_form(read && (text.size() == 1 || (!text.empty() && text[0] != '0')) && text.size() <= 18, line_,
-                "is no index: write an integer of at most 18 digits", text);
-    return value;
-  }
-  /// An integer, or a decimal, in its only form.
-  mpq_class canonical(std::string_view text, bool decimal) const {
-    const Decimal d = split_decimal(text);
-    const bool whole = d.whole == "0" || (!d.whole.empty() && d.whole[0] != '0');
-    const bool fraction = d.point.empty() || (decimal && !d.fraction.empty() && d.fraction.back() != '0');
-    demand_form(whole && fraction && text.size() == d.whole.size() + d.point.size() + d.fraction.size(),
-                line_, "is no number of a certificate: write it like 75, or 0.75 where decimals may be",
-                text);
-    return read_decimal(text, line_, 100'000);
-  }
-
-  std::uint64_t longest_count_ = 0;
 };
 
 void read_question(Lines &lines, Certificate &c) {
@@ -138,23 +70,13 @@ void read_question(Lines &lines, Certificate &c) {
   if (c.version == 1)
     lines.demand("mdm-certificate 1");
   lines.end();
-  lines.read("law", "r", c.law);
-  const mpq_class &law = c.law[0].value;
-  lines.check_before(law.get_num() <= 1000 && law.get_den() <= 1000,
-                     "a law with numbers above 1000: choose a simpler one");
-  c.a = law.get_num().get_ui();
-  c.b = law.get_den().get_ui();
-  lines.read_if_there("pan-size", "d", c.pan_size);
-  lines.read_if_there("cut-below", "d", c.cut_below);
-  lines.read_if_there("size-factor", "d", c.size_factor);
-  lines.check_before(c.size_factor.empty() || c.size_factor[0].value != 1,
-                     "a factor of 1 says nothing: leave it out");
+  read_law_and_openings(lines, c);
   lines.read_if_there("min-per-class", "1", c.min_per_class);
   lines.read_if_there("cylinder", "ddz", c.cylinder);
   lines.read_if_there("box", "dddz", c.box);
   lines.read_if_there("solids-volume", "d", c.solids_volume);
   const auto absent = c.cylinder.empty() + c.box.empty() + c.solids_volume.empty();
-  lines.check_before(absent == 3 || (absent == 2 && law == 3),
+  lines.check_before(absent == 3 || (absent == 2 && c.law[0].value == 3),
                      "solids need `law 3` and one line alone: drop the others");
   lines.read_if_there("pi", "dd", c.pi);
   lines.check_before(c.pi.empty() == (c.box.empty() && c.solids_volume.empty()),
@@ -164,24 +86,6 @@ void read_question(Lines &lines, Certificate &c) {
                            std::max(c.pi[0].text.size(), c.pi[1].text.size()) <= 1002,
                        "bounds of pi must be 3 <= p < r <= 4 with at most 1000 digits after the point");
   lines.read_if_there("at-least", "2", c.at_least);
-}
-
-/// Returns whether there is a tolerance.
-bool read_tolerance(Lines &lines, Certificate &c) {
-  const char *const begin = lines.here();
-  lines.read_if_there("retained", "P", c.retained);
-  lines.read_if_there("retained", "f", c.retained_file);
-  lines.read_if_there("passing", "P", c.passing);
-  lines.read_if_there("passing", "f", c.passing_file);
-  lines.read_if_there("passing-each", "P", c.passing_each, true);
-  lines.read_if_there("total", "T", c.total);
-  lines.read_if_there("band", "f", c.band_file);
-  for (std::size_t i = 0; c.band_file.empty() && lines.begins_with("band"); i += 3) {
-    lines.read("band", "ZZZ", c.band);
-    lines.check_before(i == 0 || c.band[i - 3].value < c.band[i].value,
-                       "sieves of a band that do not ascend: sort them");
-  }
-  return lines.here() != begin;
 }
 
 void read_classes(Lines &lines, std::vector<ClassWitness> &classes, bool with_masses) {

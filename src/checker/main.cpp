@@ -18,6 +18,7 @@ namespace {
 using namespace mdm::checker;
 
 constexpr const char *help = R"(mdm-check GRADATION CERTIFICATE
+mdm-check GRADATION SAMPLE CERTIFICATE
 mdm-check SPECIFICATION STOCKPILE STOCKPILE ... CERTIFICATE
 mdm-check --print GRADATION [CERTIFICATE]
 mdm-check --suite [SUITE] FOLDER [--answers ANSWERS] [-j THREADS] [--verbose]
@@ -27,7 +28,10 @@ Checks the proof that a number of particles is the smallest that matches a grada
 or within a tolerance, or the proof of bounds on the smallest.
 GRADATION is the gradation file (CSV or JSON; or that of a band) and CERTIFICATE what
 mdm solve --proof wrote; one of them may be - for standard input.
-With more files than two the first is the specification of a blend, the limits of what passes, and
+Three files are also a gradation, a sample of particles in canonical CSV, and what mdm verify --proof
+or mdm published --proof wrote of them: counts, shares, errors, and whether the sample matches. A
+verdict that it does not match is accepted too, where it is true: the line says so.
+With other files than these, more than two, the first is the specification of a blend, the limits of what passes, and
 CERTIFICATE what mdm blend --proof wrote of the stockpiles, in their order.
 SUITE has a gradation in JSON a line and FOLDER what mdm batch --proofs wrote of it: each
 certificate is checked against the line whose number its name begins with. Without SUITE,
@@ -42,6 +46,7 @@ Examples:
   mdm solve sand.csv --proof sand.proof
   mdm-check sand.csv sand.proof
   mdm-check limits.csv A.csv B.csv mix.proof
+  mdm-check sand.csv sizes.csv sizes.proof
   mdm-check --print sand.csv
   mdm batch suite.jsonl --proofs proofs && mdm-check --suite suite.jsonl proofs
   mdm batch suite.jsonl --proofs a.proofs && mdm-check --suite suite.jsonl a.proofs -j 2
@@ -153,15 +158,37 @@ int run_suite(const Words &words) {
                            : check_suite(files[0], files[1], words.manner, words.answers);
 }
 
-/// The specification, the stockpiles and the certificate of a blend.
-Verdict check_blend_files(const std::vector<std::string> &files) {
+/// A gradation, a sample that is read as it is judged, and its certificate.
+Verdict check_sample_files(const std::vector<std::string> &files, const Input &certificate) {
+  const Input gradation = read_input(files[0], most_gradation_bytes);
+  InputBytes sample(files[1]);
+  std::size_t taken = 0;
+  return check_sample(
+      gradation, sample.name(),
+      [&] {
+        sample.take(taken);
+        const std::string_view piece = sample.some();
+        taken = piece.size();
+        return piece;
+      },
+      certificate);
+}
+
+/// The specification, the stockpiles and the certificate of a blend; or the three files of a sample.
+Verdict check_several_files(const std::vector<std::string> &files) {
   if (std::count(files.begin(), files.end(), "-") > 1)
     fail("mdm-check", "standard input can be one file alone: see mdm-check --help");
+  const Input certificate = read_input(files.back(), most_certificate_bytes);
+  if (is_sample_certificate(certificate.text)) {
+    if (files.size() != 3)
+      fail(certificate.name, "it is a certificate of a sample: give a gradation, a sample and it");
+    return check_sample_files(files, certificate);
+  }
   const Input specification = read_input(files.front(), most_gradation_bytes);
   std::vector<Input> stockpiles;
   for (std::size_t i = 1; i + 1 < files.size(); ++i)
     stockpiles.push_back(read_input(files[i], most_gradation_bytes));
-  return check_blend(specification, stockpiles, read_input(files.back(), most_certificate_bytes));
+  return check_blend(specification, stockpiles, certificate);
 }
 
 int run(const std::vector<std::string> &arguments) {
@@ -178,7 +205,7 @@ int run(const std::vector<std::string> &arguments) {
   if (words.has_suite)
     return run_suite(words);
   if (!words.prints && files.size() > 2)
-    return report(check_blend_files(files));
+    return report(check_several_files(files));
   const bool printing_alone = words.prints && files.size() == 1;
   if ((files.size() != 2 && !printing_alone) || std::count(files.begin(), files.end(), "-") > 1)
     fail("mdm-check", "give one gradation and one certificate: see mdm-check --help");
@@ -186,6 +213,9 @@ int run(const std::vector<std::string> &arguments) {
   if (printing_alone)
     return report(print(gradation));
   const Input certificate = read_input(files[1], most_certificate_bytes);
+  if (is_sample_certificate(certificate.text))
+    fail(certificate.name, "it is a certificate of a sample: give the sample before it, mdm-check GRADATION "
+                           "SAMPLE CERTIFICATE");
   std::string csv;
   if (words.prints) {
     const Verdict printed = print(gradation);

@@ -164,6 +164,27 @@ mpq_class read_decimal(std::string_view text, std::string_view place, std::size_
   return (d.sign == "-" ? mpz_class(-value) : value) * ten_to(exponent);
 }
 
+mpq_class read_canonical(std::string_view text, std::string_view place, bool may_be_decimal) {
+  const Decimal d = split_decimal(text);
+  const bool whole = d.whole == "0" || (!d.whole.empty() && d.whole[0] != '0');
+  const bool fraction =
+      d.point.empty() || (may_be_decimal && !d.fraction.empty() && d.fraction.back() != '0');
+  demand_form(whole && fraction && text.size() == d.whole.size() + d.point.size() + d.fraction.size(), place,
+              "is no number of a certificate: write it like 75, or 0.75 where decimals may be", text);
+  return read_decimal(text, place, 100'000);
+}
+
+mpq_class read_rational(std::string_view text, std::string_view place) {
+  const std::size_t slash = text.find('/');
+  const mpz_class numerator = read_canonical(text.substr(0, slash), place, false).get_num();
+  if (slash == std::string_view::npos)
+    return numerator;
+  const mpz_class denominator = read_canonical(text.substr(slash + 1), place, false).get_num();
+  demand_form(denominator >= 2 && gcd(numerator, denominator) == 1, place,
+              "is not in lowest terms: write it like 3/2", text);
+  return {numerator, denominator};
+}
+
 std::string plain_decimal(const mpq_class &value) {
   mpz_class rest;
   const mpz_class five = 5;

@@ -43,6 +43,11 @@ Decimal split_decimal(std::string_view text);
 /// The exact value of a decimal of section 4. The place is for messages.
 mpq_class read_decimal(std::string_view text, std::string_view place, std::size_t most_digits = 1000);
 
+/// An integer of section 1, or also a decimal. The place is for messages.
+mpq_class read_canonical(std::string_view text, std::string_view place, bool may_be_decimal);
+/// A rational of section 1.
+mpq_class read_rational(std::string_view text, std::string_view place);
+
 /// A decimal fraction in its only form without an exponent: 75, 0.75, -1.5.
 std::string plain_decimal(const mpq_class &value);
 

@@ -119,17 +119,57 @@ void add_law(Parts &parts, const Certificate &c) {
   parts.add(c.law[0].value.get_den() == 1 ? "mass law x^#" : "mass law x^(#)", c.law);
 }
 
+std::string in_parts(const Gradation &gradation, const Certificate &c) {
+  Parts parts;
+  add_tolerances(parts, c, gradation);
+  add_law(parts, c);
+  add_gradation(parts, gradation);
+  add_question(parts, c, gradation.unit());
+  return " (" + parts.text() + ")";
+}
+
+std::string percents(const Percents &p) {
+  const std::string lo(p.lo.text), hi(p.hi.text);
+  return (lo == hi ? lo : lo + " to " + hi) + " %";
+}
+
+std::string how(const SampleCertificate &c) {
+  return c.is_tolerant ? " within a tolerance" : " exactly";
+}
+
+/// Why a sample does not match.
+std::string reason(const SampleCertificate &c) {
+  const SampleVerdict &v = c.verdict;
+  if (v.kind == SampleVerdict::outside) {
+    mpz_class outside = 0;
+    for (const Numbers *side : {&c.below, &c.above})
+      outside += side->empty() ? mpz_class(0) : mpz_class((*side)[0].value);
+    return outside.get_str() + " outside all classes";
+  }
+  const std::string found = percents(v.found), j = std::to_string(v.index);
+  const std::string what = v.kind == SampleVerdict::of_class ? "class " + j + " holds " + found
+                           : v.kind == SampleVerdict::passing
+                               ? found + " pass the upper opening of class " + j
+                               : "all errors together are " + found;
+  return what + ", and at " + (v.is_least ? "least " : "most ") + std::string(v.asked.text) +
+         " % are asked for";
+}
+
+std::string largest_errors(const SampleCertificate &c) {
+  std::string text = "; the largest error of a share is " + percents(c.retained.percents) + ", in class " +
+                     std::to_string(c.retained.index);
+  if (c.passing.index > 0)
+    text += "; of what passes " + percents(c.passing.percents) + ", at the upper opening of class " +
+            std::to_string(c.passing.index);
+  return text + "; all together " + percents(c.total);
+}
+
 } // namespace
 
 std::string accepted_line(const Gradation &gradation, const Certificate &certificate,
                           const std::string &file) {
-  Parts parts;
-  add_tolerances(parts, certificate, gradation);
-  add_law(parts, certificate);
-  add_gradation(parts, gradation);
-  add_question(parts, certificate, gradation.unit());
-  return "accepted: " + claim(certificate, " matches " + quoted_name(file) + how(certificate)) + " (" +
-         parts.text() + ")";
+  return "accepted: " + claim(certificate, " matches " + quoted_name(file) + how(certificate)) +
+         in_parts(gradation, certificate);
 }
 
 std::string question_in_words(const Gradation &gradation, const Certificate &certificate) {
@@ -138,6 +178,37 @@ std::string question_in_words(const Gradation &gradation, const Certificate &cer
   add_law(parts, certificate);
   add_question(parts, certificate, gradation.unit());
   return kind_of_claim(certificate) + " (" + parts.text() + ")";
+}
+
+std::string accepted_sample_line(const Gradation &gradation, const SampleCertificate &c,
+                                 const std::string &file, const std::string &sample) {
+  const std::string n(c.particles[0].text);
+  const bool is_one = n == "1", matches = c.verdict.kind == SampleVerdict::match;
+  std::string line =
+      "accepted: the " + n + (is_one ? " particle of " : " particles of ") + quoted_name(sample);
+  line += matches ? (is_one ? " matches " : " match ") : (is_one ? " does not match " : " do not match ");
+  line += quoted_name(file) + how(c);
+  if (!matches)
+    line += ": " + reason(c);
+  if (!matches || c.is_tolerant)
+    line += largest_errors(c);
+  line += "; conditions ";
+  for (std::size_t i = 0; i < c.conditions.size(); ++i)
+    line += (i > 0 ? ", " : "") + std::to_string(i + 1) + " " + std::string(c.conditions[i]);
+  return line + in_parts(gradation, c.question);
+}
+
+std::string question_in_words(const Gradation &gradation, const SampleCertificate &c) {
+  Parts parts;
+  add_tolerances(parts, c.question, gradation);
+  add_law(parts, c.question);
+  add_question(parts, c.question, gradation.unit());
+  return "whether the particles match" + how(c) + " (" + parts.text() + ")";
+}
+
+std::string refused_sample_line(const std::string &file, const std::string &sample) {
+  return "refused: the certificate does not prove its claim about " + quoted_name(sample) + " and " +
+         quoted_name(file);
 }
 
 std::string refused_line(const std::string &file) {

@@ -10,6 +10,7 @@
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
 #include "papers/accessible_report.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
 
@@ -19,19 +20,25 @@
 
 namespace mdm::cli {
 void AccessibleFlags::add_to(CLI::App &command) {
-  command.add_option("--plot", plot, "the map of --accessible into OUT.svg, .png or .pdf")->type_name("OUT");
-  command.add_option("-j", threads, "threads of --accessible")
+  command.add_option("--plot", plot, "the map of --accessible, --cu or --fit into OUT.svg, .png or .pdf")
+      ->type_name("OUT");
+  command.add_option("-j", threads, "threads of --accessible, --cu or --fit")
       ->type_name("THREADS")
       ->transform(whole_number(1, 1024));
 }
 
+std::optional<Picture> AccessibleFlags::picture() const {
+  if (plot == "-")
+    throw InputError(option("plot") + " needs a file: standard output has the answer");
+  const std::optional<Picture> asked = plot ? picture_at(*plot) : std::nullopt;
+  if (plot && !asked)
+    throw InputError(option("plot") + ": " + printable(*plot) + ": let OUT end in .svg, .png or .pdf");
+  return asked;
+}
+
 int run_accessible(const AccessibleQuestion &question, const OutputFlags &output,
                    const AccessibleFlags &flags) {
-  if (flags.plot == "-")
-    throw InputError("--plot needs a file: standard output has the answer");
-  const std::optional<Picture> picture = flags.plot ? picture_at(*flags.plot) : std::nullopt;
-  if (flags.plot && !picture)
-    throw InputError("--plot: " + printable(*flags.plot) + ": let OUT end in .svg, .png or .pdf");
+  const std::optional<Picture> picture = flags.picture();
   check_distinct({output.path(), flags.plot.value_or("-")});
   std::vector<AccessibleRow> rows = accessible_grid(question);
   Output out(output.path());

@@ -1,6 +1,6 @@
 #include "answer/batch_csv.hpp"
+#include "answer/shard.hpp"
 #include "ask/option_values.hpp"
-#include "ask/shard.hpp"
 #include "cli/batch_solver.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
@@ -8,6 +8,7 @@
 #include "cli/whole_number.hpp"
 #include "files/byte_source.hpp"
 #include "files/counted_files.hpp"
+#include "files/file_totals.hpp"
 #include "files/in_parallel.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
@@ -76,15 +77,15 @@ void check_files(const BatchCommand &c) {
     check_readable(file);
   }
   if (c.alone && !c.shard)
-    throw InputError("--alone: it is of a shard: say with --shard which");
+    throw InputError(option("alone") + ": it is of a shard: say with " + option("shard") + " which");
   const bool reads_stdin = c.files.empty() || std::count(c.files.begin(), c.files.end(), "-") > 0;
   if (reads_stdin && c.flags.band == "-")
-    throw InputError("--band: standard input has the gradations: give the band by name");
+    throw InputError(option("band") + ": standard input has the gradations: give the band by name");
   if (c.flags.band)
     check_distinct({*c.flags.band, c.output.path()});
   if (c.has_proof_stream() && c.files.size() > 1)
-    throw InputError(
-        "--proofs: a stream of proofs is that of one suite: give one, or a folder for the proofs");
+    throw InputError(option("proofs") +
+                     ": a stream of proofs is that of one suite: give one, or a folder for the proofs");
   if (c.has_proof_stream())
     check_distinct({c.files.empty() ? "-" : c.files[0], c.output.path(), *c.proofs,
                     proof_index_path(*c.proofs), totals_path(c.output.path())});
@@ -92,12 +93,12 @@ void check_files(const BatchCommand &c) {
 
 void check_shard(const BatchCommand &c) {
   if (!c.output.out)
-    throw InputError("--shard: answers and totals are files: name the answers with -o");
+    throw InputError(option("shard") + ": answers and totals are files: name the answers with -o");
   if (c.output.is_csv())
-    throw InputError(
-        "--shard: the answers of shards are JSON Lines: leave out --format csv and names in .csv");
+    throw InputError(option("shard") + ": the answers of shards are JSON Lines: leave out " +
+                     option("format") + " csv and names in .csv");
   if (c.files.size() > 1)
-    throw InputError("--shard: it is of one suite: give one");
+    throw InputError(option("shard") + ": it is of one suite: give one");
 }
 
 /// Solves what the sources have.
@@ -130,25 +131,13 @@ Totals asked_totals(const BatchCommand &c, const Shard &shard) {
   return totals;
 }
 
-/// The digest of a regular file; nothing of others.
-std::optional<FileTotals> digest_of(const std::string &path) {
-  const std::optional<std::uint64_t> bytes = file_bytes(path);
-  if (!bytes)
-    return std::nullopt;
-  ByteSource source(path);
-  source.keep_digest();
-  for (std::string text; source.read_some(text); text.clear())
-    ;
-  return FileTotals{source.digest().bytes(), source.digest().sha256()};
-}
-
 /// True if what an earlier run read is certainly what this one would: a file is known by its digest, lines
 /// that mdm suite made by what they were made of. Of other pipes nothing is known before they are read.
 bool is_same_input(const Totals &earlier, const BatchCommand &c, BatchSources &sources) {
   if (c.alone && sources.made())
     return earlier.made == sources.made();
   const std::optional<FileTotals> read = c.alone ? earlier.alone : std::optional<FileTotals>(earlier.suite);
-  return read && !c.files.empty() && file_bytes(c.files[0]) == read->bytes && digest_of(c.files[0]) == read;
+  return read && !c.files.empty() && file_bytes(c.files[0]) == read->bytes && file_totals(c.files[0]) == read;
 }
 
 /// True if a run with these totals asked the same of the same lines.
@@ -164,7 +153,7 @@ int run_shard(const BatchCommand &c) {
   const BatchSolver solver(c);
   Totals totals = asked_totals(c, shard);
   CountedFiles files(c.output.path(), c.proofs);
-  BatchSources sources(c.files, c.reading, shard, c.alone);
+  BatchSources sources(c.files, c.reading.reading(), c.reading.given(), shard, c.alone);
   if (const std::optional<Totals> earlier = files.complete();
       earlier && is_same_run(*earlier, totals, c, sources)) {
     if (!c.output.quiet)
@@ -189,7 +178,7 @@ int run(const BatchCommand &c) {
   if (c.has_proof_folder())
     make_folder(*c.proofs);
   const BatchSolver solver(c);
-  BatchSources sources(c.files, c.reading, c.has_proof_stream());
+  BatchSources sources(c.files, c.reading.reading(), c.reading.given(), c.has_proof_stream());
   Output out(c.output.path());
   std::optional<ProofStream> proofs;
   if (c.has_proof_stream())

@@ -4,6 +4,7 @@
 #include "answer/batch_csv.hpp"
 #include "files/paths.hpp"
 #include "text/json_writer.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/proof/certificate.hpp>
 #include <mdm/text/error.hpp>
@@ -58,7 +59,8 @@ BatchAnswer BatchSolver::answer(const BatchItem &item) const {
   } catch (const InputError &e) {
     return error(item.id(), e.what());
   } catch (const std::bad_alloc &) { // the others are none the worse for it
-    return error(item.id(), printable(item.where) + ": out of memory: give it more, or a --max-steps");
+    return error(item.id(),
+                 printable(item.where) + ": out of memory: give it more, or a " + option("max-steps"));
   }
 }
 

@@ -4,8 +4,8 @@
 
 #include "ask/batch_question.hpp"
 #include "cli/batch_command.hpp"
-#include "cli/batch_sources.hpp"
 #include "cli/exit_code.hpp"
+#include "files/batch_sources.hpp"
 
 namespace mdm::cli {
 

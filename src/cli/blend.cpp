@@ -10,6 +10,7 @@
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "gradation/csv_reader.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
@@ -49,7 +50,7 @@ void write_beside(const std::optional<std::string> &path, const std::optional<st
 Gradation stockpile_in(const std::string &file, const BlendCommand &c) {
   UnderstoodGradation g = any_gradation(file, c.reading, c.output.quiet);
   if (c.proof && (!g.is_canonical || c.reading.is_given()))
-    throw InputError("--proof: mdm-check does not read " + shown_name(file) +
+    throw InputError(option("proof") + ": mdm-check does not read " + shown_name(file) +
                      " as it was read: let mdm convert write it, and give that");
   return std::move(g.gradation);
 }
@@ -60,7 +61,7 @@ Envelope specification_in(const BlendCommand &c) {
   Envelope e = read_envelope(content, shown_name(c.specification));
   if (c.proof && (!is_canonical_csv(content) || e.passing_max.back() != 100))
     throw InputError(
-        "--proof: mdm-check does not read " + shown_name(c.specification) +
+        option("proof") + ": mdm-check does not read " + shown_name(c.specification) +
         ": give size_mm,passing_min_percent,passing_max_percent, with a largest sieve that lets 100 "
         "percent pass");
   return e;
@@ -74,9 +75,9 @@ void check_files(const BlendCommand &c) {
   if (std::count(paths.begin(), paths.end(), "-") > 1)
     throw InputError("standard input can be one file alone: give the others by name");
   if (c.proof == "-")
-    throw InputError("--proof needs a file: standard output has the report");
+    throw InputError(option("proof") + " needs a file: standard output has the report");
   if (c.blended == "-")
-    throw InputError("--blended needs a file: standard output has the report");
+    throw InputError(option("blended") + " needs a file: standard output has the report");
   for (const std::string &path : paths) // the target may be a stockpile
     check_distinct({path, c.output.path(), c.blended.value_or("-"), c.proof.value_or("-")});
 }

@@ -10,8 +10,4 @@ void BudgetFlags::add_to(CLI::App &command) {
   add_options(command, options, *this);
 }
 
-AskedQuestion BudgetFlags::question(const SolveFlags &others) const {
-  return BudgetTexts::question(others, band_in_file);
-}
-
 } // namespace mdm::cli

@@ -10,8 +10,6 @@ namespace mdm::cli {
 struct BudgetFlags : BudgetTexts {
   void add_to(CLI::App &command);
   bool is_asked() const { return particles.has_value(); }
-  /// That of the texts, with the band read from its file.
-  AskedQuestion question(const SolveFlags &others) const;
 };
 
 } // namespace mdm::cli

@@ -6,6 +6,7 @@
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "report/reading_report.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
@@ -33,8 +34,10 @@ std::string converted(const ConvertCommand &c, const UnderstoodGradation &u) {
 
 int run(const ConvertCommand &c) {
   if (c.dry_run && !c.output.is_json() && (c.output.out || c.output.asked_format))
-    throw InputError("--dry-run: nothing is converted: leave out -o and --format, or ask for what was "
-                     "understood with --format json");
+    throw InputError(option("dry-run") + ": nothing is converted: leave out -o and " + option("format") +
+                     ", or ask for what was "
+                     "understood with " +
+                     option("format") + " json");
   check_distinct({c.file, c.output.path()});
   const bool writes_sizes = !(c.dry_run && c.output.is_json());
   const UnderstoodGradation u = any_gradation(c.file, c.reading, c.output.quiet,

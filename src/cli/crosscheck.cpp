@@ -1,25 +1,28 @@
 #include "ask/crosscheck_options.hpp"
 #include "ask/option_values.hpp"
+#include "ask/outcome.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
 #include "cli/solve_flags.hpp"
-#include "cli/solver.hpp"
 #include "cli/whole_number.hpp"
 #include "crosscheck/answer_index.hpp"
+#include "crosscheck/answer_proof.hpp"
 #include "crosscheck/crosscheck_report.hpp"
 #include "files/byte_source.hpp"
 #include "files/file_ending.hpp"
-#include "files/file_lines.hpp"
 #include "files/in_parallel.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "files/solver.hpp"
+#include "files/suite_lines.hpp"
 #include "text/json_writer.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
+#include <mdm/gradation/write_gradation.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 
@@ -29,16 +32,14 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
-#include <map>
 #include <memory>
-#include <mutex>
 
 namespace mdm::cli {
 namespace {
 
 struct CrosscheckCommand {
   std::string suite;
-  std::optional<std::string> answers, solver, by, journal;
+  std::optional<std::string> answers, solver, by, journal, proofs;
   std::optional<std::string> time_limit; ///< of a solver
   CrosscheckTexts asked;
   OutputFlags output;
@@ -49,78 +50,68 @@ struct CrosscheckCommand {
 
 using Rows = std::vector<CrosscheckRow>;
 
-/// A gradation in a line of a suite.
-struct Entry {
-  std::uint64_t line;
-  Gradation gradation;
-};
-
-/// All of a suite, so that nothing is run or written where a line is bad.
-std::vector<Entry> read_suite(const std::string &path) {
-  std::vector<Entry> suite;
-  FileLines lines(path);
-  std::uint64_t number = 0;
-  for (std::vector<FileLines::Line> next = lines.next(1); !next.empty(); next = lines.next(1)) {
-    const FileLines::Line &line = next.front();
-    const std::string fallback_id = std::to_string(++number);
-    const std::string where = line_name(path, number);
-    if (!line)
-      throw file_error(where, FileLines::too_long("the line") + ": write one gradation a line");
-    if (line->find_first_not_of(" \t\r") != std::string::npos)
-      suite.push_back({number, read_json_gradation(*line, where, fallback_id)});
-  }
-  if (suite.empty())
-    throw file_error(line_name(path, std::max<std::uint64_t>(number, 1)),
-                     "there are no gradations up to here, the end: write one a line, as JSON");
-  return suite;
-}
-
-/// Rows for a gradation of the suite.
-using Judge = std::function<Rows(const Crosscheck &, std::uint64_t line)>;
-
-/// Judges a suite by several threads and gives the rows out in order.
-class Crosschecking {
+/// Writes the certificates of answers to a folder, by several threads: NUMBER.proof, NUMBER.sample.csv and
+/// NUMBER.gradation.json for the line NUMBER of the suite, NUMBER-2 and so on for more answers to it.
+class AnswerProofs {
 public:
-  Crosschecking(const std::vector<Entry> &suite, const std::string &name, Judge judge,
-                const CrosscheckQuestion &question)
-      : suite_(suite), name_(name), judge_(std::move(judge)), question_(question) {}
-
-  /// Calls give(rows) for each gradation.
-  template <class Give>
-  void run(unsigned threads, Give give) {
-    in_parallel(suite_.size(), threads, [this, &give](std::size_t i) {
-      finish(i, judge_(problem(suite_[i]), suite_[i].line), give);
-    });
+  /// \throws InputError if the folder cannot be made
+  AnswerProofs(std::string folder, const CrosscheckQuestion &question, Rational size_tolerance)
+      : folder_(std::move(folder)), question_(question), size_tolerance_(std::move(size_tolerance)) {
+    make_folder(folder_);
   }
 
-  std::size_t done() const { return done_; }
+  /// \param number  of the answers to the gradation, from 1
+  void add(const SuiteLine &entry, const Gradation &asked, const OtherAnswer &answer, unsigned number) {
+    if (answer.failure)
+      return;
+    ++answers_;
+    const std::optional<AnswerProof> proof = made(asked, answer);
+    if (!proof)
+      return;
+    ++proofs_;
+    const std::string name =
+        folder_ + "/" + std::to_string(entry.line) + (number > 1 ? "-" + std::to_string(number) : "");
+    write(name + ".gradation.json", gradation_json(entry.gradation));
+    write(name + ".sample.csv", proof->sample);
+    write(name + ".proof", proof->certificate);
+  }
+
+  std::string note() const {
+    const std::uint64_t missing = answers_ - proofs_;
+    return fmt::format(
+        "{} certificates are in {}; check one with: mdm-check NUMBER.gradation.json NUMBER.sample.csv "
+        "NUMBER.proof{}",
+        proofs_.load(), printable(folder_),
+        missing > 0 ? fmt::format("; of {} answers there is none: sizes that are not stated, or have "
+                                  "a tolerance, leave it open whether they match",
+                                  missing)
+                    : "");
+  }
 
 private:
-  Crosscheck problem(const Entry &entry) const {
-    if (question_.is_plain())
-      return question_.problem(entry.gradation);
-    return in_file(line_name(name_, entry.line), [&] { return question_.problem(entry.gradation); });
-  }
-
-  template <class Give>
-  void finish(std::size_t i, Rows rows, Give &give) {
-    const std::lock_guard lock(mutex_);
-    waiting_.emplace(i, std::move(rows));
-    for (auto next = waiting_.begin(); next != waiting_.end() && next->first == done_;
-         next = waiting_.erase(next)) {
-      give(next->second);
-      ++done_;
+  /// Nothing also where numbers are beyond the limits of the format.
+  std::optional<AnswerProof> made(const Gradation &asked, const OtherAnswer &answer) const {
+    try {
+      return answer_proof(asked, question_.question(asked.unit()), answer, size_tolerance_);
+    } catch (const InputError &) {
+      return std::nullopt;
     }
   }
 
-  const std::vector<Entry> &suite_;
-  const std::string &name_; ///< of the suite
-  Judge judge_;
+  static void write(const std::string &path, const std::string &text) {
+    Output file(path);
+    file.write(text);
+    file.commit();
+  }
+
+  std::string folder_;
   const CrosscheckQuestion &question_;
-  std::mutex mutex_;
-  std::map<std::size_t, Rows> waiting_; ///< for the rows of a gradation before them
-  std::atomic<std::size_t> done_ = 0;
+  Rational size_tolerance_;
+  std::atomic<std::uint64_t> answers_ = 0, proofs_ = 0;
 };
+
+/// Rows for a gradation of the suite.
+using Judge = std::function<Rows(const Crosscheck &, const SuiteLine &)>;
 
 std::chrono::milliseconds read_time_limit(const std::string &text) {
   const Integer a_year = 366LL * 24 * 3600 * 1000;
@@ -130,19 +121,21 @@ std::chrono::milliseconds read_time_limit(const std::string &text) {
 
 void check_options(const CrosscheckCommand &c) {
   if (c.answers.has_value() == c.solver.has_value())
-    throw InputError("crosscheck: give either a file of ANSWERS or a program with --solver");
+    throw InputError("crosscheck: give either a file of ANSWERS or a program with " + option("solver"));
   if (c.answers && (c.journal || c.time_limit))
-    throw InputError("--journal and --time-limit are for --solver: a file is judged in one go");
+    throw InputError(option("journal") + " and " + option("time-limit") + " are for " + option("solver") +
+                     ": a file is judged in one go");
   if (c.solver && c.by)
-    throw InputError("--by is for a file of ANSWERS: a solver answers once");
+    throw InputError(option("by") + " is for a file of ANSWERS: a solver answers once");
   if (c.answers == "-" && c.suite == "-")
     throw InputError("standard input cannot be both SUITE and ANSWERS: name a file for one of them");
   if (c.output.is_text() && c.output.out)
-    check_ending(*c.output.out, {"csv", "txt"}, "crosscheck", ", or say with --format json what it holds");
+    check_ending(*c.output.out, {"csv", "txt"}, "crosscheck",
+                 ", or say with " + option("format") + " json what it holds");
   if (c.output.is_text() && c.output.out == "-")
-    throw InputError("-o -: standard output has the summary: use --format csv");
+    throw InputError("-o -: standard output has the summary: use " + option("format") + " csv");
   if (c.journal == "-")
-    throw InputError("--journal needs a file: name one");
+    throw InputError(option("journal") + " needs a file: name one");
   for (const std::string &input : {c.suite, c.answers.value_or("-")})
     check_distinct({input, c.journal.value_or("-"), c.output.path()});
 }
@@ -186,15 +179,7 @@ public:
       rows_to_->commit();
   }
 
-  int exit_code() const {
-    if (summary_.count(AnswerVerdict::undecided) > 0)
-      return Exit::limited;
-    for (const AnswerVerdict v : answer_verdicts)
-      if (v != AnswerVerdict::minimal && (v != AnswerVerdict::larger || command_.require_minimal) &&
-          summary_.count(v) > 0)
-        return Exit::negative;
-    return Exit::done;
-  }
+  Outcome outcome() const { return outcome_of(summary_, command_.require_minimal); }
 
 private:
   bool json() const { return command_.output.is_json(); }
@@ -250,12 +235,20 @@ private:
 };
 
 /// Judges all gradations of the suite.
-void report_suite(const CrosscheckCommand &c, const std::vector<Entry> &suite, Judge judge, Report &report) {
-  const CrosscheckQuestion question(c.asked, band_in_file);
-  Crosschecking crosschecking(suite, c.suite, std::move(judge), question);
-  Progress progress([&] { return fmt::format("{} of {} gradations", crosschecking.done(), suite.size()); },
+void report_suite(const CrosscheckCommand &c, const CrosscheckQuestion &question,
+                  const std::vector<SuiteLine> &suite, const Judge &judge, Report &report) {
+  std::atomic<std::size_t> done = 0;
+  Progress progress([&] { return fmt::format("{} of {} gradations", done.load(), suite.size()); },
                     c.output.quiet);
-  crosschecking.run(c.threads, [&report](const Rows &rows) { report.add(rows); });
+  const auto rows = [&](std::size_t i) {
+    const SuiteLine &of = suite[i];
+    const auto problem = [&] { return question.problem(of.gradation); };
+    return judge(question.is_plain() ? problem() : in_file(line_name(c.suite, of.line), problem), of);
+  };
+  in_order<Rows>(suite.size(), c.threads, rows, [&](const Rows &judged) {
+    report.add(judged);
+    ++done;
+  });
 }
 
 AnswerIndex read_index(const CrosscheckCommand &c) {
@@ -269,29 +262,43 @@ AnswerIndex read_index(const CrosscheckCommand &c) {
 int run(const CrosscheckCommand &c) {
   check_options(c);
   const Rational size_tolerance = c.asked.most_size_error();
-  const std::vector<Entry> suite = read_suite(c.suite);
+  const std::vector<SuiteLine> suite = read_suite(c.suite);
+  const CrosscheckQuestion question(c.asked, band_in_file);
+  std::optional<AnswerProofs> proofs;
+  if (c.proofs)
+    proofs.emplace(*c.proofs, question, size_tolerance);
+  const auto with_note = [&proofs](std::vector<std::string> notes) {
+    if (proofs)
+      notes.push_back(proofs->note());
+    return notes;
+  };
   if (c.answers) {
     const AnswerIndex index = read_index(c);
     Report report(c, size_tolerance);
-    report_suite(
-        c, suite,
-        [&](const Crosscheck &problem, std::uint64_t) { return index.judge(problem, size_tolerance); },
-        report);
+    const Judge judge = [&](const Crosscheck &problem, const SuiteLine &entry) {
+      unsigned number = 0;
+      return index.judge(problem, size_tolerance, [&](const OtherAnswer &answer) {
+        if (proofs)
+          proofs->add(entry, problem.gradation(), answer, ++number);
+      });
+    };
+    report_suite(c, question, suite, judge, report);
     report.add(index.rows_without_id());
-    report.end(suite.size(), index.notes());
-    return report.exit_code();
+    report.end(suite.size(), with_note(index.notes()));
+    return exit_code(report.outcome());
   }
   const std::string limit = c.time_limit.value_or("60");
   Solver solver(*c.solver, read_time_limit(limit), c.journal);
   Report report(c, size_tolerance);
-  report_suite(
-      c, suite,
-      [&](const Crosscheck &problem, std::uint64_t line) {
-        return Rows{problem.judge(solver.answer(problem.gradation(), line), size_tolerance)};
-      },
-      report);
-  report.end(suite.size(), {});
-  return report.exit_code();
+  const Judge judge = [&](const Crosscheck &problem, const SuiteLine &entry) {
+    const OtherAnswer answer = solver.answer(problem.gradation(), entry.line);
+    if (proofs)
+      proofs->add(entry, problem.gradation(), answer, 1);
+    return Rows{problem.judge(answer, size_tolerance)};
+  };
+  report_suite(c, question, suite, judge, report);
+  report.end(suite.size(), with_note({}));
+  return exit_code(report.outcome());
 }
 
 /// The end of the help.
@@ -357,6 +364,12 @@ Run add_crosscheck(CLI::App &app) {
       ->type_name("COLUMN");
   command.add_flag("--reasons", c->reasons, "a last column `reason` in CSV rows");
   command.add_flag("--require-minimal", c->require_minimal, "exit 1 also if a match is larger than needed");
+  command
+      .add_option(
+          "--proofs", c->proofs,
+          "write to the folder a certificate of each answer, that it matches or does not, with its sample in "
+          "canonical CSV and its gradation, for mdm-check")
+      ->type_name("FOLDER");
   add_options(command, CrosscheckTexts::limit_options, c->asked);
   add_asked_options(command, c->asked);
   c->output.add_format(command, "text (the summary), csv (the rows) or json (both)");

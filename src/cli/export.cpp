@@ -6,14 +6,15 @@
 #include "cli/export_particles.hpp"
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
-#include "cli/packing_file.hpp"
 #include "cli/progress.hpp"
 #include "files/byte_source.hpp"
 #include "files/file_ending.hpp"
 #include "files/output.hpp"
+#include "files/packing_file.hpp"
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
 #include "text/lines.hpp"
+#include "text/option_name.hpp"
 
 #include <fmt/core.h>
 
@@ -59,7 +60,8 @@ void write_model(const ExportTexts &c, bool quiet, const ExportFormat &format, c
   if (quiet)
     return;
   if (c.solve.specimen && !c.box && !c.solve.void_ratio)
-    tell("note: without --void-ratio the gradation sets the number of particles, and they the specimen's "
+    tell("note: without " + option("void-ratio") +
+         " the gradation sets the number of particles, and they the specimen's "
          "height\n");
   tell(cost_guide(format, *found.set, &start, settling(model).elasticity) + model_guide(format, model));
 }
@@ -180,9 +182,7 @@ Run add_export(CLI::App &app) {
     const OptionGroup group(command, "The model");
     add_options(command, ExportTexts::model_options, c->own);
   }
-  CLI::Option *const spread =
-      command.add_flag("--spread", c->own.spread,
-                       "sizes for all particles, as solve --spread gives them: exact masses of the classes");
+  add_options(command, ExportTexts::size_options, c->own);
   const std::size_t before = command.get_options().size();
   c->flags.add_to(command);
   command.get_option("--digits")
@@ -190,7 +190,7 @@ Run add_export(CLI::App &app) {
                     "--mass-error says");
   c->solving = command.get_options();
   c->solving.erase(c->solving.begin(), c->solving.begin() + static_cast<std::ptrdiff_t>(before));
-  c->solving.push_back(spread);
+  c->solving.push_back(command.get_option("--spread"));
   for (CLI::Option *const option : c->reading.add_to(command))
     c->solving.push_back(option);
   c->output.add_out(command, "write the file", text_endings);

@@ -42,7 +42,7 @@ ExportedParticles sample_particles(const ExportTexts &c, const OutputFlags &outp
   ParticleOptions reading;
   reading.says_otherwise = option("size-unit") + " says";
   if (c.size_unit)
-    reading.unit = length_unit_of("size-unit", *c.size_unit);
+    reading.unit = size_unit_of("size-unit", *c.size_unit);
   SampleSet sample;
   output.tell_notes(read_sample_file(*c.file, reading, sample, output.quiet));
   std::optional<Gradation> sieves;
@@ -50,14 +50,12 @@ ExportedParticles sample_particles(const ExportTexts &c, const OutputFlags &outp
     sieves = any_gradation(*c.gradation, ReadingFlags{}, output.quiet).gradation;
   else if (is_generated_file(*c.file)) // it has its classes
     sieves = any_gradation(*c.file, ReadingFlags{}, output.quiet).gradation;
-  ExportedParticles found{in_file(*c.file,
-                                  [&] {
-                                    return sample.set(stem(*c.file), LengthUnit::mm, options,
-                                                      sieves ? &*sieves : nullptr);
-                                  }),
-                          Outcome::done, SizeUnit::mm, "", false};
+  ExportedParticles found{
+      in_file(*c.file,
+              [&] { return sample.set(stem(*c.file), SizeUnit::mm, options, sieves ? &*sieves : nullptr); }),
+      Outcome::done, SizeUnit::mm, "", false};
   if (!c.start || c.start == "as-is")
-    found.places = in_file(*c.file, [&] { return sample.places(*found.set, LengthUnit::mm); });
+    found.places = in_file(*c.file, [&] { return sample.places(*found.set, SizeUnit::mm); });
   return found;
 }
 

@@ -1,8 +1,8 @@
-#include "ask/generate.hpp"
-
+#include "ask/inverse.hpp"
 #include "cli/accessible.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
+#include "cli/inverse.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
@@ -11,6 +11,7 @@
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 
@@ -41,8 +42,14 @@ std::string read_curve(const std::string &path) {
 
 int run(const GenerateCommand &c) {
   const GenerateTexts asked = c.asked();
+  if (asks_for_shapes(asked)) {
+    check_distinct({c.fit.value_or("-"), c.output.path()});
+    return run_inverse(inverse_task(asked, read_curve), c.output, c.accessible_flags);
+  }
   if (!c.accessible && (c.a || c.b || c.accessible_flags.is_given()))
-    throw InputError("--a, --b, --plot and -j are of --accessible: add it or leave them out");
+    throw InputError(option("a") + ", " + option("b") + ", " + option("plot") + " and -j are of " +
+                     option("accessible") + ", " + option("plot") + " and -j of " + option("cu") + " and " +
+                     option("fit") + ", too: add one or leave them out");
   if (c.accessible)
     return run_accessible(accessible_question(asked), c.output, c.accessible_flags);
   check_generate(asked);
@@ -84,6 +91,7 @@ Run add_generate(CLI::App &app) {
       *app.add_subcommand("generate", "A representative set of particles from a grading curve");
   add_options(command, GenerateTexts::options, *c);
   add_options(command, GenerateTexts::accessible_options, *c);
+  add_options(command, GenerateTexts::inverse_options, *c);
   c->accessible_flags.add_to(command);
   add_options(command, GenerateTexts::answer_options, *c);
   c->output.add_format(command);
@@ -92,7 +100,8 @@ Run add_generate(CLI::App &app) {
   c->reading_flags.add_to(command);
   command.footer(footer("", {"mdm generate --beta 1,3 --dmin 0.1 --ratio 20 --sizes --seed 1 --format csv",
                              "mdm generate --curve sand.csv --method match --spread -o set.json",
-                             "mdm generate --accessible --span 0.42,0.97 --plot shapes.svg"}));
+                             "mdm generate --accessible --span 0.42,0.97 --plot shapes.svg",
+                             "mdm generate --cu 6 --cc 1.2 --span 0.95"}));
   return [c] { return run(*c); };
 }
 

@@ -1,4 +1,5 @@
 #include "ask/option_values.hpp"
+#include "ask/outcome.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/output_flags.hpp"
@@ -41,7 +42,7 @@ Specification specification(const std::string &name) {
   } catch (const InputError &e) {
     if (file_bytes(name) || name == "-")
       throw;
-    throw InputError(fmt::format("--spec: {}; specifications that come with mdm: {}", e.what(),
+    throw InputError(fmt::format("{}: {}; specifications that come with mdm: {}", option("spec"), e.what(),
                                  fmt::join(shipped_specifications(), ", ")));
   }
 }
@@ -55,12 +56,13 @@ std::optional<Rational> rounding(const JudgeCommand &c) {
 
 void check(const JudgeCommand &c) {
   if (int{c.spec.has_value()} + int{c.stability.has_value()} + int{c.base.has_value()} != 1)
-    throw InputError(
-        fmt::format("one of --spec, --stability and --filter-for says what is judged: give a file of "
-                    "limits or one of {}; a rule of stability; or the base that a filter is for",
-                    fmt::join(shipped_specifications(), ", ")));
+    throw InputError(fmt::format("one of {}, {} and {} says what is judged: give a file of "
+                                 "limits or one of {}; a rule of stability; or the base that a filter is for",
+                                 option("spec"), option("stability"), option("filter-for"),
+                                 fmt::join(shipped_specifications(), ", ")));
   if (!c.base && (c.rule || c.dispersive || c.no_regrade))
-    throw InputError("--rule, --dispersive and --no-regrade are about filters: give --filter-for too");
+    throw InputError(option("rule") + ", " + option("dispersive") + " and " + option("no-regrade") +
+                     " are about filters: give " + option("filter-for") + " too");
   std::vector<std::string> inputs = c.files;
   for (const std::optional<std::string> &more : {c.spec, c.base})
     if (more)
@@ -121,8 +123,8 @@ Judged by_rule(const JudgeCommand &c, const RuleReport &r) {
 Judged by_stability(const JudgeCommand &c) {
   const std::optional<StabilityRule> rule = stability_rule(*c.stability);
   if (!rule)
-    throw InputError(
-        fmt::format("--stability: {} is none of {}", in_quotes(*c.stability), stability_rule_names()));
+    throw InputError(fmt::format("{}: {} is none of {}", option("stability"), in_quotes(*c.stability),
+                                 stability_rule_names()));
   const std::optional<Rational> unit = rounding(c);
   RuleReport r{std::string(name(*rule)), std::string(about(*rule)), {}, {}, {}};
   for (const std::string &file : c.files) {
@@ -134,10 +136,12 @@ Judged by_stability(const JudgeCommand &c) {
 
 Judged by_filter_rule(const JudgeCommand &c) {
   if (!c.rule)
-    throw InputError("--filter-for: --rule is missing: give one of " + filter_rule_names());
+    throw InputError(option("filter-for") + ": " + option("rule") + " is missing: give one of " +
+                     filter_rule_names());
   const std::optional<FilterRule> rule = filter_rule(*c.rule);
   if (!rule)
-    throw InputError(fmt::format("--rule: {} is none of {}", in_quotes(*c.rule), filter_rule_names()));
+    throw InputError(
+        fmt::format("{}: {} is none of {}", option("rule"), in_quotes(*c.rule), filter_rule_names()));
   std::vector<UnderstoodGradation> filters;
   for (const std::string &file : c.files)
     filters.push_back(sample_in(c, file));
@@ -152,14 +156,7 @@ int run(const JudgeCommand &c) {
   out.write(judged.report);
   out.commit();
   c.output.tell_notes_beside_csv(judged.notes);
-  switch (judged.verdict) {
-  case Compliance::holds:
-    return Exit::done;
-  case Compliance::undecided:
-    return Exit::limited;
-  default:
-    return Exit::negative;
-  }
+  return exit_code(outcome_of(judged.verdict));
 }
 
 } // namespace

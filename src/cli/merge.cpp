@@ -4,24 +4,21 @@
 #include "cli/output_flags.hpp"
 #include "cli/progress.hpp"
 #include "files/counted_files.hpp"
-#include "files/counted_part.hpp"
-#include "files/line_hash.hpp"
+#include "files/file_totals.hpp"
+#include "files/joined_parts.hpp"
 #include "files/paths.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
 
-#include <fmt/format.h>
-#include <sys/resource.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <atomic>
 #include <memory>
-#include <queue>
 
 namespace mdm::cli {
 namespace {
-
-constexpr const char *again_remedy = ": solve the shard again";
 
 struct MergeCommand {
   std::vector<std::string> files;
@@ -37,28 +34,6 @@ std::string index_of(const AnsweredShard &shard) {
   return path_beside(shard.answers, *shard.totals.index);
 }
 
-/// The suite in a file, as a shard that is not alone tells it.
-SuiteTotals suite_in(const std::string &path) {
-  FileLines lines(path);
-  lines.bytes().keep_digest();
-  LineHash hash;
-  LineSum sum;
-  std::uint64_t number = 0;
-  for (std::vector<FileLines::Line> some = lines.next(512); !some.empty(); some = lines.next(512))
-    for (const FileLines::Line &line : some)
-      if (!FileLines::is_blank(line))
-        sum.add(hash.of(++number, line));
-  return {{lines.bytes().digest().bytes(), lines.bytes().digest().sha256()}, sum};
-}
-
-/// Refuses a file that is not as long as its totals say, before any work is done.
-void check_bytes(const std::string &path, const NamedFileTotals &file) {
-  check_readable(path);
-  if (const std::optional<std::uint64_t> bytes = file_bytes(path); bytes != file.bytes)
-    throw file_error(path, fmt::format("{} bytes, where its totals have {}", bytes.value_or(0), file.bytes) +
-                               again_remedy);
-}
-
 /// The shards in order.
 std::vector<AnsweredShard> read_shards(const MergeCommand &c) {
   std::vector<AnsweredShard> shards;
@@ -72,69 +47,29 @@ std::vector<AnsweredShard> read_shards(const MergeCommand &c) {
   });
   check_set(shards);
   for (const AnsweredShard &shard : shards) {
-    check_bytes(shard.answers, shard.totals.answers);
+    check_bytes({shard.answers, shard.totals.answers});
     if (!c.proofs)
       continue;
     if (!shard.totals.proofs)
-      throw file_error(shard.answers, "there are no proofs of this shard: leave out --proofs");
-    check_bytes(proofs_of(shard), *shard.totals.proofs);
-    check_bytes(index_of(shard), *shard.totals.index);
+      throw file_error(shard.answers, "there are no proofs of this shard: leave out " + option("proofs"));
+    check_bytes({proofs_of(shard), *shard.totals.proofs});
+    check_bytes({index_of(shard), *shard.totals.index});
   }
   return shards;
 }
 
-/// The answers of shards take turns.
-void merge_answers(const std::vector<AnsweredShard> &shards, Output &out, std::atomic<std::uint64_t> &count) {
-  std::vector<std::unique_ptr<CountedPart>> parts;
-  std::uint64_t lines = 0;
-  for (const AnsweredShard &shard : shards) {
-    parts.push_back(std::make_unique<CountedPart>(shard.answers, shard.totals.answers));
-    lines += shard.totals.lines;
-  }
-  const Sink sink = [&out](std::string_view text) { out.write(text); };
-  for (std::uint64_t i = 0; i < lines; ++i, ++count)
-    parts[i % parts.size()]->line(sink);
-  for (const std::unique_ptr<CountedPart> &part : parts)
-    part->check_end();
+std::vector<PartFile> answers_of(const std::vector<AnsweredShard> &shards) {
+  std::vector<PartFile> files;
+  for (const AnsweredShard &shard : shards)
+    files.push_back({shard.answers, shard.totals.answers});
+  return files;
 }
 
-/// Certificates come in the order of the lines that they are of.
-void merge_proofs(const std::vector<AnsweredShard> &shards, ProofStream &out) {
-  std::vector<std::unique_ptr<CountedProofs>> parts;
-  using Next = std::pair<std::uint64_t, std::size_t>; // line and part
-  std::priority_queue<Next, std::vector<Next>, std::greater<>> queue;
-  const auto add = [&](std::size_t part) {
-    if (parts[part]->number() > 0)
-      queue.emplace(parts[part]->number(), part);
-  };
-  for (const AnsweredShard &shard : shards) {
-    parts.push_back(std::make_unique<CountedProofs>(proofs_of(shard), *shard.totals.proofs, index_of(shard),
-                                                    *shard.totals.index));
-    add(parts.size() - 1);
-  }
-  while (!queue.empty()) {
-    const auto [number, part] = queue.top();
-    queue.pop();
-    out.add(number, parts[part]->take([&out](std::string_view text) { out.stream().write(text); }));
-    add(part);
-  }
-  for (const std::unique_ptr<CountedProofs> &part : parts)
-    part->check_end();
-}
-
-/// Of all shards two files are open at once. \throws InputError if the system lets no process have so many
-void allow_open_files(std::size_t shards) {
-  const rlim_t needed = 2 * shards + 20; // and those of the program itself
-  rlimit limit{};
-  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= needed)
-    return;
-  if (limit.rlim_max < needed)
-    throw InputError(
-        fmt::format("mdm: {} shards are up to {} open files, and the system allows {}: raise it, as "
-                    "with ulimit -n, or solve the suite in fewer shards",
-                    shards, needed, limit.rlim_max));
-  limit.rlim_cur = needed;
-  setrlimit(RLIMIT_NOFILE, &limit);
+std::vector<ProofFiles> proofs_of(const std::vector<AnsweredShard> &shards) {
+  std::vector<ProofFiles> files;
+  for (const AnsweredShard &shard : shards)
+    files.push_back({{proofs_of(shard), *shard.totals.proofs}, {index_of(shard), *shard.totals.index}});
+  return files;
 }
 
 void check_names(const MergeCommand &c, const std::vector<AnsweredShard> &shards) {
@@ -156,16 +91,17 @@ int run(const MergeCommand &c) {
   const std::vector<AnsweredShard> shards = read_shards(c);
   check_names(c, shards);
   const std::optional<SuiteTotals> suite =
-      suite_of(shards, c.suite ? std::optional(suite_in(*c.suite)) : std::nullopt);
+      suite_of(shards, c.suite ? std::optional(suite_totals(*c.suite)) : std::nullopt);
   allow_open_files(shards.size());
   CountedFiles files(c.output.path(), c.proofs);
   files.open();
   std::atomic<std::uint64_t> count = 0;
   Progress progress([&count] { return fmt::format("{} answers", count.load()); }, c.output.quiet);
-  merge_answers(shards, files.answers(), count);
-  if (c.proofs)
-    merge_proofs(shards, *files.proofs());
   Totals totals = sum(shards, suite);
+  const Sink answers = [&files](std::string_view text) { files.answers().write(text); };
+  join_lines(answers_of(shards), totals.lines, answers, [&count] { ++count; });
+  if (c.proofs)
+    join_proofs(proofs_of(shards), *files.proofs());
   for (const AnsweredShard &shard : shards)
     totals.exit = worse_exit(totals.exit, shard.totals.exit);
   files.commit(totals);

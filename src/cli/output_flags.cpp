@@ -2,6 +2,7 @@
 
 #include "files/file_ending.hpp"
 #include "files/standard_streams.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
 
@@ -22,7 +23,8 @@ void OutputFlags::check_ending_of_out(CLI::App &command, const std::vector<std::
     const bool has_format = command.get_option_no_throw("--format") != nullptr;
     if (out && !(asked_format && out_has_report))
       check_ending(*out, endings, command.get_name(),
-                   has_format && out_has_report ? ", or say with --format what it holds" : "");
+                   has_format && out_has_report ? ", or say with " + option("format") + " what it holds"
+                                                : "");
   });
 }
 

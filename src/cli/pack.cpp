@@ -5,15 +5,16 @@
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/pack_apollonian.hpp"
-#include "cli/packing_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
 #include "files/byte_source.hpp"
 #include "files/output.hpp"
+#include "files/packing_file.hpp"
 #include "files/paths.hpp"
 #include "packing/deposit.hpp"
 #include "packing/packing_writer.hpp"
 #include "report/packing_report.hpp"
+#include "text/option_name.hpp"
 
 #include <fmt/core.h>
 
@@ -63,13 +64,15 @@ int run(const PackCommand &command) {
   c.asked.reading = command.reading;
   if (c.asked.gasket) {
     if (c.asked.are_discs_given() || c.asked.width || c.asked.positions)
-      throw InputError("--apollonian has its own sizes and places: leave out those of a deposit");
+      throw InputError(option("apollonian") + " has its own sizes and places: leave out those of a deposit");
     return run_apollonian(c.asked, c.output);
   }
   if (c.asked.smallest || c.asked.count_only)
-    throw InputError("--smallest and --count-only are of --apollonian: add it or leave them out");
+    throw InputError(option("smallest") + " and " + option("count-only") + " are of " + option("apollonian") +
+                     ": add it or leave them out");
   if (c.asked.positions && !c.output.is_json())
-    throw InputError("--positions: they are in the file of -o; in the report only with --format json");
+    throw InputError(option("positions") + ": they are in the file of -o; in the report only with " +
+                     option("format") + " json");
   check_distinct({c.asked.source(), c.output.path()});
   const Packing packing = packed(c);
   if (c.output.out) {

@@ -2,6 +2,7 @@
 
 #include "files/output.hpp"
 #include "files/standard_streams.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
 
@@ -35,7 +36,7 @@ Picture PictureFlags::picture() const {
     return *picture_named(*format);
   const std::optional<Picture> picture = picture_at(*out);
   if (!picture)
-    throw InputError(printable(*out) + ": let OUT end in .svg, .png or .pdf, or give --format");
+    throw InputError(printable(*out) + ": let OUT end in .svg, .png or .pdf, or give " + option("format"));
   return *picture;
 }
 

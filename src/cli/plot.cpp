@@ -6,7 +6,6 @@
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
-#include "cli/packing_file.hpp"
 #include "cli/picture.hpp"
 #include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
@@ -14,6 +13,7 @@
 #include "cli/soil_flags.hpp"
 #include "cli/solve_flags.hpp"
 #include "files/byte_source.hpp"
+#include "files/packing_file.hpp"
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
 #include "match/smallest_match.hpp"
@@ -21,6 +21,7 @@
 #include "plot/gradation_figure.hpp"
 #include "plot/packing_figure.hpp"
 #include "plot/section_figure.hpp"
+#include "plot/tradeoff_figure.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
@@ -76,7 +77,7 @@ std::optional<SphereSample> add_sample(GradationFigure &what, const Gradation &g
   options.target = g.unit();
   options.says_otherwise = option("size-unit") + " says";
   if (c.asked.size_unit)
-    options.unit = length_unit_of("size-unit", *c.asked.size_unit);
+    options.unit = size_unit_of("size-unit", *c.asked.size_unit);
   const std::vector<std::string> read =
       read_sample_file(*c.asked.sample, options, sample.sink(c.asked.wants_section()), c.output.quiet);
   notes.insert(notes.end(), read.begin(), read.end());
@@ -95,14 +96,31 @@ int limited(const PlotCommand &c, const Match &m) {
 }
 
 int run_packing(const PlotCommand &c, const Packing &packing) {
-  if (c.asked.is_of_gradation() || c.reading.is_given())
-    throw InputError(printable(shown_name(c.file)) +
-                     " is a packing: of the options for what is drawn --colour alone is for it: leave out "
+  if (c.asked.is_of_gradation() || c.asked.has_form() || c.reading.is_given())
+    throw InputError(printable(shown_name(c.file)) + " is a packing: of the options for what is drawn " +
+                     option("colour") +
+                     " alone is for it: leave out "
                      "the others");
   if (packing.discs.empty())
     throw file_error(c.file, "a packing of no disc: there is nothing to draw");
   draw(packing_figure(packing, c.asked.packing_colour()), c.picture, c.output.quiet);
   return Exit::done;
+}
+
+/// \param figure  to which the caption is added
+int run_figure(const PlotCommand &c, Figure figure) {
+  if (c.asked.caption)
+    figure.remarks.insert(figure.remarks.begin(), *c.asked.caption);
+  draw(figure, c.picture, c.output.quiet);
+  return Exit::done;
+}
+
+int run_tradeoff(const PlotCommand &c, const StatedTradeoff &tradeoff) {
+  if (c.asked.is_of_gradation() || c.asked.colour || c.reading.is_given())
+    throw InputError(printable(shown_name(c.file)) + " is a trade-off: of the options for what is drawn " +
+                     option("width") + ", " + option("language") + ", " + option("caption") + " and " +
+                     option("bare") + " are for it: leave out the others");
+  return run_figure(c, tradeoff_figure(tradeoff, c.asked.form()));
 }
 
 int run(const PlotCommand &command) {
@@ -115,8 +133,10 @@ int run(const PlotCommand &command) {
   const std::string content = is_sample ? "" : read_file(c.file, max_gradation_bytes);
   if (is_packing(content))
     return run_packing(c, read_packing(content, shown_name(c.file)));
+  if (is_tradeoff(content))
+    return run_tradeoff(c, read_tradeoff(content, shown_name(c.file)));
   if (c.asked.colour)
-    throw InputError("--colour is for packings: give a FILE that mdm pack -o wrote");
+    throw InputError(option("colour") + " is for packings: give a FILE that mdm pack -o wrote");
   GradationFigure what = c.asked.figure(is_sample);
   const Gradation read = is_sample ? any_gradation(c.file, c.reading, c.output.quiet).gradation
                                    : read_gradation(content, shown_name(c.file), c.reading.reading());
@@ -131,7 +151,7 @@ int run(const PlotCommand &command) {
   }
   std::optional<SphereSample> places;
   if (c.asked.size_unit && (!c.asked.sample || is_answer_file(*c.asked.sample)))
-    throw InputError("--size-unit: it is of a SAMPLE that is a file of particles: leave it out");
+    throw InputError(option("size-unit") + ": it is of a SAMPLE that is a file of particles: leave it out");
   if (c.asked.sample && !is_answer_file(*c.asked.sample)) {
     places = add_sample(what, g, c, notes);
   } else if (c.asked.sample) {
@@ -148,8 +168,8 @@ int run(const PlotCommand &command) {
   }
   const std::string panels = c.asked.what.value_or(what.particles.empty() ? "curve" : "both");
   if (panels != "curve" && what.particles.empty())
-    throw InputError(printable(*c.asked.sample) +
-                     ": no particle lies in a class: --what curve shows its sizes, or "
+    throw InputError(printable(*c.asked.sample) + ": no particle lies in a class: " + option("what") +
+                     " curve shows its sizes, or "
                      "give another unit");
   what.curve = panels != "counts";
   what.counts = panels != "curve";
@@ -158,13 +178,13 @@ int run(const PlotCommand &command) {
   figure.remarks.insert(figure.remarks.end(), notes.begin(), notes.end());
   if (c.asked.wants_section()) {
     if (!places)
-      throw InputError("--what section: there are no places of particles: give a SAMPLE such as a dump");
+      throw InputError(option("what") +
+                       " section: there are no places of particles: give a SAMPLE such as a dump");
     figure.columns = 2;
     figure.panels.push_back(section_panel(*places, g, figure.panel_height / figure.panel_width));
   }
-  draw(figure, c.picture, c.output.quiet);
   c.output.tell_notes(figure.remarks);
-  return Exit::done;
+  return run_figure(c, std::move(figure));
 }
 
 } // namespace
@@ -172,12 +192,12 @@ int run(const PlotCommand &command) {
 Run add_plot(CLI::App &app) {
   const auto c = std::make_shared<PlotCommand>();
   CLI::App &command = *app.add_subcommand("plot", "A gradation as the field draws it with the particles that "
-                                                  "match it, or a packing of discs");
+                                                  "match it, a trade-off, or a packing of discs");
   command
       .add_option("FILE", c->file,
                   "gradation (any that mdm convert reads), set of mdm generate, or file of particles as mdm "
-                  "verify reads; or a "
-                  "packing that mdm pack -o wrote; - for standard input")
+                  "verify reads; or a packing that mdm pack -o wrote, or a trade-off in JSON; - for standard "
+                  "input")
       ->required();
   command.add_option(
       "SAMPLE", c->asked.sample,
@@ -193,7 +213,8 @@ Run add_plot(CLI::App &app) {
              {"mdm plot sand.csv --match -o sand.svg",
               "mdm plot sand.csv settled.dump --what section -o settled.png",
               "mdm plot sand.csv --band limits.csv -o sand.pdf",
-              "mdm plot start.packing --colour contacts -o start.png"}));
+              "mdm plot start.packing --colour contacts -o start.png",
+              "mdm plot tradeoff.json --language de --width 500 -o tradeoff.svg"}));
   return [c] { return run(*c); };
 }
 

@@ -7,6 +7,7 @@
 #include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
+#include "cli/sample_proof_files.hpp"
 #include "cli/solve_flags.hpp"
 #include "files/byte_source.hpp"
 #include "files/output.hpp"
@@ -22,6 +23,7 @@ namespace {
 struct PublishedCommand {
   PublishedTexts asked;
   std::string file;
+  std::optional<std::string> proof;
   ReadingFlags reading;
   OutputFlags output;
 };
@@ -30,13 +32,27 @@ int run(const PublishedCommand &c) {
   check_distinct({c.file, c.output.path()});
   const PublishedRun algorithm(c.asked);
   refuse_sample(c.file);
-  const Gradation g =
-      read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
+  if (c.proof)
+    SampleProofFiles::check(*c.proof, {c.file, c.output.path()});
+  const UnderstoodGradation read =
+      understand_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
   Progress progress([] { return std::string("running the algorithm"); }, c.output.quiet);
-  const PublishedReport report = in_file(c.file, [&] { return algorithm.report(g); });
+  PublishedReport report = in_file(c.file, [&] { return algorithm.report(read.gradation); });
   Output out(c.output.path());
+  std::optional<SampleProofFiles> files;
+  if (c.proof) {
+    files.emplace(*c.proof, c.file, read, std::nullopt);
+    in_file(c.file, [&] {
+      const std::optional<CertifiedSample> made = algorithm.certified(report, files->begin());
+      files->write(made ? made->text : "",
+                   made ? "" : "its sample has no particles, or an irrational law leaves it open",
+                   report.notes);
+    });
+  }
   out.write(c.output.report([&] { return published_text(report); }, [&] { return published_json(report); },
                             [&] { return published_csv(report); }));
+  if (files)
+    files->commit();
   out.commit();
   c.output.tell_notes_beside_csv(report.notes);
   // CSV has no place for the least match.
@@ -62,6 +78,12 @@ Run add_published(CLI::App &app) {
       ->required();
   add_gradation_options(command, c->asked.gradation);
   add_options(command, PublishedTexts::options, c->asked);
+  command
+      .add_option("--proof", c->proof,
+                  "write a certificate of the sample for mdm-check FILE OUT.sample.csv OUT: its shares and "
+                  "errors, and "
+                  "whether it matches (fixed-size: within --tolerance), and the sample beside it")
+      ->type_name("OUT");
   c->output.add_format(command, "text, json, or csv (the iterations)");
   c->output.add_out(command);
   c->output.add_quiet(command, "no progress on standard error");

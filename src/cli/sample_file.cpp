@@ -2,12 +2,13 @@
 
 #include "answer/generated_reader.hpp"
 #include "ask/option_values.hpp"
-#include "cli/packing_file.hpp"
 #include "cli/progress.hpp"
+#include "files/packing_file.hpp"
 #include "files/paths.hpp"
 #include "particles/gsd.hpp"
 #include "particles/sample_sieves.hpp"
 #include "text/lines.hpp"
+#include "text/option_name.hpp"
 
 #include <fmt/core.h>
 
@@ -29,10 +30,9 @@ std::string first_bytes(const std::string &path) {
 void hand_on(const StatedSet &set, const ParticleOptions &options, ParticleSink &sink) {
   if (set.sizes.empty())
     throw InputError("the set has its classes and no sizes: write it with mdm generate --sizes");
-  const LengthUnit unit =
-      options.unit.value_or(set.unit ? length_unit(*set.unit) : length_unit(options.target));
+  const SizeUnit unit = options.unit.value_or(set.unit ? *set.unit : options.target);
   const Rational factor =
-      in_mm(unit) / in_mm(length_unit(options.target)) * (options.meaning == SizeMeaning::radius ? 2 : 1);
+      in_mm(unit) / in_mm(options.target) * (options.meaning == SizeMeaning::radius ? 2 : 1);
   for (const SizeRange &size : set.sizes)
     sink.add(SizeRange{size.lo * factor, size.hi * factor, size.is_open}, 1);
 }
@@ -150,9 +150,9 @@ UnderstoodGradation any_gradation(const std::string &path, const ReadingFlags &r
   }
   if (reading.is_unit_at_most() && (is_gsd(begin) || told_format(begin))) {
     ParticleOptions options;
-    options.says_otherwise = "--unit says";
+    options.says_otherwise = option("unit") + " says";
     if (reading.unit)
-      options.unit = length_unit_of("unit", *reading.unit);
+      options.unit = size_unit_of("unit", *reading.unit);
     SampleSieves sieves;
     const std::vector<std::string> notes = read_sample_file(path, options, sieves, quiet);
     return {sieves.gradation(stem(path), SizeUnit::mm, notes),

@@ -54,19 +54,21 @@ struct SideFile {
   std::string text;
 };
 
-/// The gradation of the proof, and why the checker could not read it in the user's file.
+/// The gradation of the proof, the bytes of its file, and why the checker could not read it in them.
 struct Target {
   Gradation gradation;
+  std::string bytes;
   std::string unreadable; ///< empty: it could
 };
 
-Target target(const SolveCommand &c, const Question &question) {
+/// \param band  the bytes of the band's file
+Target target(const SolveCommand &c, const Question &question, const std::string &band) {
   if (!c.file)
-    return {in_file(c.flags.source(c.file), [&] { return middle_of(*question.band); }), ""};
+    return {in_file(c.flags.source(c.file), [&] { return middle_of(*question.band); }), band, ""};
   refuse_sample(*c.file);
-  const std::string content = read_file(*c.file, max_gradation_bytes);
+  std::string content = read_file(*c.file, max_gradation_bytes);
   UnderstoodGradation read = understand_gradation(content, shown_name(*c.file), c.reading.reading());
-  return {std::move(read.gradation),
+  return {std::move(read.gradation), std::move(content),
           read.is_canonical ? "" : "mdm-check does not read this file as it was read here"};
 }
 
@@ -127,30 +129,41 @@ bool is_coq_file(const std::string &path) {
                      [&](char ch) { return is_letter(ch) || (ch >= '0' && ch <= '9'); });
 }
 
-/// The theorem names the gradation as the checkers' verdicts do.
-std::string theorem(const SolveCommand &c, const Target &asked, const Match &m) {
+/// The theorem names the gradation as the checkers' verdicts do. Where they could not read it in the user's
+/// file, it is that in canonical CSV, and is named so.
+std::string theorem(const SolveCommand &c, const Target &asked, const Match &m,
+                    const std::string &certificate) {
   const std::string file = std::filesystem::path(*c.coq).filename().string();
   const std::string source = c.flags.source(c.file);
-  return coq_file(asked.gradation, m, source == "-" ? "standard input" : printable(source),
-                  "coqc -Q " MDM_COQ_FOLDER " Mdm " + file);
+  const std::string name = source == "-" ? "standard input" : printable(source);
+  const bool is_readable = asked.unreadable.empty();
+  return coq_file(m, {is_readable ? name : name + " as canonical CSV",
+                      is_readable ? asked.bytes : gradation_csv(asked.gradation), certificate,
+                      "coqc -Q " MDM_COQ_FOLDER " Mdm " + file});
 }
 
 void check_files(const SolveCommand &c) {
   c.flags.check_source(c.file, c.reading.given(), "solve");
   if (c.spectrum && c.flags.is_tolerant())
-    throw InputError("--spectrum: it is of exact matches: leave it out, or --tolerance and --band");
+    throw InputError(option("spectrum") + ": it is of exact matches: leave it out, or " +
+                     option("tolerance") + " and " + option("band"));
   if (c.spectrum && c.output.is_csv())
-    throw InputError("--spectrum: CSV has no place for it: use --format text or json");
+    throw InputError(option("spectrum") + ": CSV has no place for it: use " + option("format") +
+                     " text or json");
   if (c.budget.grid && !c.budget.is_asked())
-    throw InputError("--grid: it is of a budget: add --particles, or leave it out");
+    throw InputError(option("grid") + ": it is of a budget: add " + option("particles") +
+                     ", or leave it out");
   if (c.spectrum && c.budget.is_asked())
-    throw InputError("--spectrum: it is of exact matches: leave it out, or --particles");
+    throw InputError(option("spectrum") + ": it is of exact matches: leave it out, or " +
+                     option("particles"));
   if (c.seed && !c.spread)
-    throw InputError("--seed: it is of a spread: add --spread, or leave it out");
+    throw InputError(option("seed") + ": it is of a spread: add " + option("spread") + ", or leave it out");
   if (c.proof == "-" || c.vipr == "-")
-    throw InputError("--proof and --vipr need a file: standard output has the answer");
+    throw InputError(option("proof") + " and " + option("vipr") +
+                     " need a file: standard output has the answer");
   if (c.coq && !is_coq_file(*c.coq))
-    throw InputError("--coq: Coq takes file names of letters, digits and _ that end in .v: give for example "
+    throw InputError(option("coq") +
+                     ": Coq takes file names of letters, digits and _ that end in .v: give for example "
                      "sand.v");
   std::vector<std::string> paths = {c.flags.source(c.file)};
   for (const std::optional<std::string> &path : {c.proof, c.vipr, c.coq, c.output.out})
@@ -196,29 +209,41 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Bud
       m.notes.push_back("no proof was written to " + printable(*path) + ": the limit came before the end" +
                         (std::filesystem::exists(*path) ? "; the file that is there is older" : ""));
   };
-  std::optional<Integer> proved;
-  add(c.proof, has_certificate(m), [&] {
-    Certified made = certified(m);
-    proved = std::move(made.bound);
-    return std::move(made.text);
-  });
+  Certified made;
+  if ((c.proof || c.coq) && has_certificate(m))
+    made = in_file(source, [&] { return certified(m); });
+  add(c.proof, has_certificate(m), [&] { return made.text; });
   if (!files.empty())
     if (std::optional<SideFile> csv = readable_gradation(c, asked, m.notes))
       files.push_back(std::move(*csv));
   if (c.proof && found.finer && has_certificate(*found.finer))
-    add(finer_proof(c), true, [&] { return certificate(*found.finer); });
+    add(finer_proof(c), true, [&] {
+      Certified finer = certified(*found.finer);
+      if (finer.bound && *finer.bound <= c.budget.budget(c.flags).particles)
+        m.notes.push_back(
+            "the proof for the next finer tolerance would be too long: the one that is written is "
+            "of " +
+            to_string(*finer.bound) + " particles");
+      return std::move(finer.text);
+    });
   add(c.vipr, m.complete, [&] { return vipr(m); });
-  add(c.coq, m.complete, [&] { return theorem(c, asked, m); });
-  if (proved)
-    m.notes.push_back("the proof is of the bounds: at least " + to_string(*proved) + " particles");
+  add(c.coq, has_certificate(m), [&] { return theorem(c, asked, m, made.text); });
+  if (made.bound)
+    m.notes.push_back("the proof is of the bounds: at least " + to_string(*made.bound) + " particles");
   return files;
 }
 
 int run(const SolveCommand &c) {
   check_files(c);
-  const AskedQuestion stated = c.budget.is_asked() ? c.budget.question(c.flags) : c.flags.question();
+  std::string band;
+  const ReadBand read_band = [&band](const std::string &path) {
+    band = read_file(path, max_gradation_bytes);
+    return read_envelope(band, shown_name(path));
+  };
+  const AskedQuestion stated = c.budget.is_asked() ? c.budget.BudgetTexts::question(c.flags, read_band)
+                                                   : c.flags.SolveTexts::question(read_band);
   const std::uint64_t seed = seed_of(c);
-  const Target asked = target(c, stated.rest);
+  const Target asked = target(c, stated.rest, band);
   Question question = stated.in(asked.gradation.unit());
   question.band_alone = !c.file;
   Output out(c.output.path());
@@ -272,7 +297,11 @@ Run add_solve(CLI::App &app) {
       ->type_name("OUT");
   command.add_option("--vipr", c->vipr, "write the proof in the VIPR format (at most 200 classes)")
       ->type_name("OUT");
-  command.add_option("--coq", c->coq, "write the theorem that Coq checks with its kernel alone")
+  command
+      .add_option(
+          "--coq", c->coq,
+          "write the theorem that Coq checks with its kernel alone; where a limit ends the search, of the "
+          "bounds")
       ->type_name("OUT");
   command.add_flag("--spectrum", c->spectrum, "all numbers of particles that have an exact match");
   command.add_flag("--spread", c->spread,

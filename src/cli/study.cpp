@@ -9,8 +9,10 @@
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "papers/paper_figures.hpp"
+#include "papers/paper_statements.hpp"
 #include "papers/paper_tables.hpp"
 #include "papers/specimens.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
@@ -66,16 +68,20 @@ Survey survey_of(const StudyCommand &c) {
 }
 
 std::vector<StudyFile> tables(const Survey &s) {
-  return {{"table1.csv", table1_csv(s.rows)},   {"figure1.csv", figure1_csv(s.rows)},
-          {"figure2.csv", figure2_csv(s.runs)}, {"figure3.csv", figure3_csv(s.rows)},
-          {"figure4.csv", figure4_csv(s.rows)}, {"figure5.csv", figure5_csv(s.rows)}};
+  return {{"table1.csv", table1_csv(s.rows)},
+          {"figure1.csv", figure1_csv(s.rows)},
+          {"figure2.csv", figure2_csv(s.runs)},
+          {"figure3.csv", figure3_csv(s.rows)},
+          {"figure4.csv", figure4_csv(s.rows)},
+          {"figure5.csv", figure5_csv(s.rows)},
+          {"statements.csv", statements_table(paper_statements(s.rows, s.runs))}};
 }
 
 int run_figures(const StudyCommand &c) {
   if (c.files.size() != 1)
     throw InputError("study figures takes one file, the suite: mdm study figures SUITE --out DIR");
   if (!c.out)
-    throw InputError("--out is missing: name the folder for the files");
+    throw InputError(option("out") + " is missing: name the folder for the files");
   const Survey survey = survey_of(c);
   std::vector<StudyFile> files = tables(survey);
   if (c.plots) {
@@ -92,9 +98,10 @@ int run_figures(const StudyCommand &c) {
 
 int run_voivret(const StudyCommand &c) {
   if (!c.what.empty() || !c.files.empty())
-    throw InputError("--paper voivret is without WHAT and FILE: mdm study --paper voivret --out DIR");
+    throw InputError(option("paper") +
+                     " voivret is without WHAT and FILE: mdm study --paper voivret --out DIR");
   if (!c.out)
-    throw InputError("--out is missing: name the folder for the files");
+    throw InputError(option("out") + " is missing: name the folder for the files");
   return run_size_models(c.size_models, *c.out, c.plots, c.output.quiet);
 }
 
@@ -102,7 +109,7 @@ int run_specimens(const StudyCommand &c) {
   if (c.files.size() != 2)
     throw InputError("study specimens takes two files: mdm study specimens GRADATION SPECIMENS");
   if (c.plots)
-    throw InputError("--plots: not an option of specimens: leave it out");
+    throw InputError(option("plots") + ": not an option of specimens: leave it out");
   check_distinct(c.files);
   const std::string &file = c.files[0];
   const Gradation g = read_gradation(read_file(file, max_gradation_bytes), shown_name(file));
@@ -158,10 +165,13 @@ Run add_study(CLI::App &app) {
     if (c->paper == "voivret")
       return run_voivret(*c);
     if (c->size_models.is_given())
-      throw InputError("--only, --at-least, --at-most, --seeds, --spans and -j are of --paper voivret: add "
+      throw InputError(option("only") + ", " + option("at-least") + ", " + option("at-most") + ", " +
+                       option("seeds") + ", " + option("spans") + " and -j are of " + option("paper") +
+                       " voivret: add "
                        "it or leave them out");
     if (c->what.empty())
-      throw InputError("WHAT is missing: figures or specimens, or --paper voivret; see mdm study --help");
+      throw InputError("WHAT is missing: figures or specimens, or " + option("paper") +
+                       " voivret; see mdm study --help");
     return c->what == "figures" ? run_figures(*c) : run_specimens(*c);
   };
 }

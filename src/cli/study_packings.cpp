@@ -7,6 +7,7 @@
 #include "papers/deposit_line.hpp"
 #include "papers/packing_figures.hpp"
 #include "papers/packing_tables.hpp"
+#include "text/option_name.hpp"
 
 #include <fmt/core.h>
 
@@ -57,7 +58,7 @@ private:
     if (terms != terms_)
       throw file_error(where, "has the deposits of a study with " + in_quotes(terms) + ", not " +
                                   in_quotes(terms_) +
-                                  ": ask for the same, remove the file, or name another --out");
+                                  ": ask for the same, remove the file, or name another " + option("out"));
   }
 
   JournalFile file_;
@@ -138,8 +139,7 @@ std::vector<StudyFile> packing_files(const PackingStudy &study,
                                   {"figure9-deposits.csv", deposits_table(study.points)},
                                   {"figure10.csv", discs_table({narrow})},
                                   {"figure10-cells.csv", cells_table(narrow.packing)},
-                                  {"figure11.csv", discs_table(wide)},
-                                  {"statements.csv", statements_table(packing_statements(study))}};
+                                  {"figure11.csv", discs_table(wide)}};
   if (pictures) {
     files.push_back(pictures->drawn("figure2", gasket_figure(gasket.packing(most), most)));
     files.push_back(pictures->drawn("figure9", fraction_figure(study)));

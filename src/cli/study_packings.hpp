@@ -20,7 +20,7 @@ struct PackingStudyOptions {
 /// to it as they come. \throws InputError if the journal is one of other terms
 PackingStudy packing_study(const PackingStudyOptions &options, const std::string &folder);
 
-/// Figures 2, 9, 10 and 11 as tables and, where there are pictures, drawn; the paper's statements.
+/// Figures 2, 9, 10 and 11 as tables and, where there are pictures, drawn.
 std::vector<StudyFile> packing_files(const PackingStudy &study, const std::optional<StudyPictures> &pictures);
 
 } // namespace mdm::cli

@@ -6,6 +6,8 @@
 #include "cli/study_packings.hpp"
 #include "cli/whole_number.hpp"
 #include "files/in_parallel.hpp"
+#include "papers/model_statements.hpp"
+#include "papers/packing_statements.hpp"
 #include "papers/size_model_figures.hpp"
 #include "papers/size_model_tables.hpp"
 
@@ -26,15 +28,16 @@ PackingStudyOptions packing_options(const SizeModelFlags &flags, bool quiet) {
   if (flags.at_most)
     o.terms.at_most = natural("at-most", *flags.at_most, 1);
   if (o.terms.at_most > Integer(most_discs))
-    throw InputError("--at-most: a packing has up to 10^7 discs: give fewer");
+    throw InputError(option("at-most") + ": a packing has up to 10^7 discs: give fewer");
   if (flags.seeds)
     o.seeds = natural64("seeds", *flags.seeds);
   if (o.seeds < 1 || o.seeds > most_seeds)
-    throw InputError("--seeds: " + in_quotes(*flags.seeds) + " is not a whole number from 1 to 1000");
+    throw InputError(option("seeds") + ": " + in_quotes(*flags.seeds) +
+                     " is not a whole number from 1 to 1000");
   o.spans = flags.spans ? number_list("spans", *flags.spans) : packed_spans();
   for (const Rational &span : o.spans)
     if (span >= 1)
-      throw InputError("--spans: a span is between 0 and 1: write for example 0.1,0.4,0.9");
+      throw InputError(option("spans") + ": a span is between 0 and 1: write for example 0.1,0.4,0.9");
   o.threads = flags.threads.value_or(std::max(1U, std::thread::hardware_concurrency()));
   o.quiet = quiet;
   return o;
@@ -66,32 +69,33 @@ private:
   Progress progress_;
 };
 
-/// Figures 1 and 3 to 8.
-std::vector<StudyFile> model_files(Answers &answers, const std::optional<StudyPictures> &pictures) {
+/// Figures 1 and 3 to 8; the statements on them are added to those that there are.
+std::vector<StudyFile> model_files(Answers &answers, const std::optional<StudyPictures> &pictures,
+                                   std::vector<Statement> &statements) {
   static const Integer most_drawn = 50000;
   const auto sets = [&answers](const std::vector<SetQuestion> &questions) {
     return answers(questions, [](const SetQuestion &q) { return set_row(q, most_drawn); });
   };
   const std::vector<DistributionRow> densities = figure1_rows();
   const std::vector<PassingRow> curves = figure3_rows();
-  const std::vector<CoefficientRow> coefficients = figure4_rows();
-  const std::vector<SetRow> classes = sets(figure5_questions()), class_sizes = sets(figure6_questions()),
-                            totals = sets(figure7_questions());
-  const std::vector<ShapeRow> maps = answers(figure8_maps(), shape_row),
-                              spans = answers(figure8_spans(), shape_row);
+  const ModelStudy study{figure4_rows(), sets(figure5_questions()), sets(figure6_questions()),
+                         sets(figure7_questions()), answers(figure8_maps(), shape_row)};
+  const std::vector<ShapeRow> spans = answers(figure8_spans(), shape_row);
+  std::vector<Statement> more = model_statements(study);
+  std::move(more.begin(), more.end(), std::back_inserter(statements));
   std::vector<StudyFile> files = {
-      {"figure1.csv", table_csv(densities)},    {"figure3.csv", table_csv(curves)},
-      {"figure4.csv", table_csv(coefficients)}, {"figure5.csv", table_csv(classes)},
-      {"figure6.csv", table_csv(class_sizes)},  {"figure7.csv", table_csv(totals)},
-      {"figure8.csv", table_csv(maps)},         {"figure8-spans.csv", table_csv(spans)}};
+      {"figure1.csv", table_csv(densities)},          {"figure3.csv", table_csv(curves)},
+      {"figure4.csv", table_csv(study.coefficients)}, {"figure5.csv", table_csv(study.classes)},
+      {"figure6.csv", table_csv(study.class_sizes)},  {"figure7.csv", table_csv(study.totals)},
+      {"figure8.csv", table_csv(study.maps)},         {"figure8-spans.csv", table_csv(spans)}};
   if (pictures) {
     files.push_back(pictures->drawn("figure1", distribution_figure(densities)));
     files.push_back(pictures->drawn("figure3", passing_figure(curves)));
-    files.push_back(pictures->drawn("figure4", coefficient_figure(coefficients)));
-    files.push_back(pictures->drawn("figure5", set_figure(classes, Criterion::classes)));
-    files.push_back(pictures->drawn("figure6", set_figure(class_sizes, Criterion::min_per_class)));
-    files.push_back(pictures->drawn("figure7", set_figure(totals, Criterion::at_least)));
-    files.push_back(pictures->drawn("figure8", accessible_figure(maps, spans)));
+    files.push_back(pictures->drawn("figure4", coefficient_figure(study.coefficients)));
+    files.push_back(pictures->drawn("figure5", set_figure(study.classes, Criterion::classes)));
+    files.push_back(pictures->drawn("figure6", set_figure(study.class_sizes, Criterion::min_per_class)));
+    files.push_back(pictures->drawn("figure7", set_figure(study.totals, Criterion::at_least)));
+    files.push_back(pictures->drawn("figure8", accessible_figure(study.maps, spans)));
   }
   return files;
 }
@@ -121,14 +125,19 @@ int run_size_models(const SizeModelFlags &flags, const std::string &folder,
   if (plots)
     pictures.emplace(*plots, quiet);
   std::vector<StudyFile> files;
+  std::vector<Statement> statements;
   // First what takes longest, and what may be refused.
-  if (flags.only != "models")
-    files = packing_files(packing_study(options, folder), pictures);
+  if (flags.only != "models") {
+    const PackingStudy study = packing_study(options, folder);
+    files = packing_files(study, pictures);
+    statements = packing_statements(study);
+  }
   if (flags.only != "packings") {
     Answers answers(options.threads, quiet);
-    std::vector<StudyFile> more = model_files(answers, pictures);
+    std::vector<StudyFile> more = model_files(answers, pictures, statements);
     std::move(more.begin(), more.end(), std::back_inserter(files));
   }
+  files.push_back({"statements.csv", statements_table(statements)});
   write_all(folder, files);
   return Exit::done;
 }

@@ -84,10 +84,13 @@ std::string about_suites() {
                    "rounded (6 of the whole). Sieves are some of a series (ISO R20/3, ISO R20, ASTM "
                    "E11, Tyler, phi, half-phi, quarter-phi; from, to) or a list, any or neighbours "
                    "(true), or geometric (from and to, or from and ratio; digits).") +
-         paragraph("Masses are of a kind: random; gap-graded (empty: classes without mass); beta (a, "
-                   "b); lognormal (median, its place on the log scale from the smallest sieve, 0, to "
-                   "the largest, 1; deviation); ties (at upper, lower or either sieves, quantities, "
-                   "law). Of a list of kinds each line has one. The schema mdm-suite-1 has the rest.");
+         paragraph(
+             "Masses are of a kind: random; gap-graded (empty: classes without mass); beta (a, "
+             "b); lognormal (median, its place on the log scale from the smallest sieve, 0, to "
+             "the largest, 1; deviation); normal (over the classes: centre, its place among them, 0 to 1; "
+             "deviation, in classes; noise, over its height); ties (at upper, lower or either sieves, "
+             "quantities, "
+             "law). Of a list of kinds each line has one. The schema mdm-suite-1 has the rest.");
 }
 
 } // namespace

@@ -14,6 +14,7 @@
 #include "files/paths.hpp"
 #include "plot/tradeoff_figure.hpp"
 #include "report/tradeoff_report.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
@@ -47,14 +48,14 @@ Tradeoff searched(const TradeoffCommand &c, const Gradation &g, const Question &
 
 int run(const TradeoffCommand &c) {
   if (c.plot == "-")
-    throw InputError("--plot needs a file: standard output has the tables");
+    throw InputError(option("plot") + " needs a file: standard output has the tables");
   c.flags.check_source(c.file, c.reading.given(), "tradeoff");
   check_distinct({c.file, c.output.path(), c.plot.value_or("-")});
   if (c.flags.band)
     check_distinct({*c.flags.band, c.output.path(), c.plot.value_or("-")});
   const std::optional<Picture> picture = c.plot ? picture_at(*c.plot) : std::nullopt;
   if (c.plot && !picture)
-    throw InputError("--plot: " + printable(*c.plot) + ": let OUT end in .svg, .png or .pdf");
+    throw InputError(option("plot") + ": " + printable(*c.plot) + ": let OUT end in .svg, .png or .pdf");
   TradeoffTexts texts = c.own;
   texts.solve = c.flags;
   const TradeoffOptions o = texts.tradeoff_options();

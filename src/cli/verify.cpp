@@ -4,14 +4,15 @@
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
-#include "cli/packing_file.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
+#include "cli/sample_proof_files.hpp"
 #include "cli/solve_flags.hpp"
 #include "cli/verify_packing.hpp"
 #include "files/byte_source.hpp"
 #include "files/file_lines.hpp"
 #include "files/output.hpp"
+#include "files/packing_file.hpp"
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
 #include "particles/particle_reader.hpp"
@@ -29,10 +30,24 @@ namespace {
 
 struct VerifyCommand {
   std::string gradation, sample;
+  std::optional<std::string> proof;
   VerifyTexts asked;
   ReadingFlags reading;
   OutputFlags output;
 };
+
+/// True if the checker reads the sample as it is, and as it is read here.
+bool is_canonical_sample(const VerifyCommand &c) {
+  const ParticleTexts &said = c.asked.particles;
+  if (c.sample == "-" || said.say_sizes() || (said.from && *said.from != "csv"))
+    return false;
+  ByteSource bytes(c.sample);
+  CanonicalSampleTest test;
+  for (std::string piece; bytes.read_some(piece); piece.clear())
+    if (!test.take(piece))
+      return false;
+  return test.is_canonical();
+}
 
 [[noreturn]] void refuse_without_places(const VerifyCommand &c) {
   throw file_error(c.sample, "it has no places of particles: leave out " + option("packing") +
@@ -91,25 +106,43 @@ int run(const VerifyCommand &c) {
   check_distinct({c.sample, c.output.path()});
   if (c.asked.band)
     check_distinct({*c.asked.band, c.output.path()});
+  if (c.proof)
+    SampleProofFiles::check(*c.proof, {c.gradation, c.sample, c.output.path(), c.asked.band.value_or("-")});
+  if (is_disc_sizes_file(c.gradation) && c.proof)
+    throw file_error(c.gradation, "it has sizes of discs, and certificates are of gradations: leave out " +
+                                      option("proof"));
   if (is_disc_sizes_file(c.gradation))
     return verify_packing(c.gradation, c.sample, c.output);
   static_cast<void>(c.asked.gradation.question()); // what is wrong is said before a file is read
   refuse_sample(c.gradation);
-  Gradation g = read_gradation(read_file(c.gradation, max_gradation_bytes), shown_name(c.gradation),
-                               c.reading.reading());
+  UnderstoodGradation read = understand_gradation(read_file(c.gradation, max_gradation_bytes),
+                                                  shown_name(c.gradation), c.reading.reading());
   std::optional<Envelope> band;
   if (c.asked.band)
     band = band_in_file(*c.asked.band);
-  Verifier verifier(std::move(g), shown_name(c.gradation), c.asked, band);
+  std::optional<SampleProofFiles> files;
+  if (c.proof)
+    files.emplace(*c.proof, c.gradation, read,
+                  is_canonical_sample(c) ? std::optional(c.sample) : std::nullopt);
+  const SizeUnit unit = read.gradation.unit();
+  Verifier verifier(std::move(read.gradation), shown_name(c.gradation), c.asked.question(unit, band),
+                    files ? std::optional(Verifier::AskedProof{files->begin()}) : std::nullopt);
   Output out(c.output.path());
   read_sample(c, verifier);
-  const Verification v = verifier.verification(shown_name(c.sample));
+  Verification v = verifier.verification(shown_name(c.sample));
+  if (files)
+    in_file(c.sample, [&] {
+      const Verifier::Proof proof = verifier.proof(v);
+      files->write(proof.text, proof.missing, v.notes);
+    });
   out.write(c.output.report([&] { return verification_text(v); }, [&] { return verification_json(v); },
                             [&] { return verification_csv(v); }));
   // CSV has no place for a verdict.
   if (c.output.is_csv() && v.verdict() != Verdict::match)
     tell(printable(v.sample) + ": " + headline(v) + "\n");
   c.output.tell_notes_beside_csv(v.notes);
+  if (files)
+    files->commit();
   out.commit();
   return exit_code(outcome_of(v.verdict()));
 }
@@ -134,6 +167,13 @@ Run add_verify(CLI::App &app) {
   add_options(command, PlaceTexts::options, c->asked.places);
   add_gradation_options(command, c->asked.gradation);
   add_options(command, VerifyTexts::answer_options, c->asked);
+  command
+      .add_option(
+          "--proof", c->proof,
+          "write a certificate of the verdict for mdm-check GRADATION SAMPLE OUT: counts, shares, errors, "
+          "and whether the sample matches; beside it OUT.sample.csv and OUT.gradation.csv where it "
+          "cannot read the files")
+      ->type_name("OUT");
   c->output.add_format(command);
   c->output.add_out(command, "write the report");
   c->output.add_quiet(command, "no progress and no notes on standard error");
@@ -153,7 +193,8 @@ Run add_verify(CLI::App &app) {
       {"mdm verify sand.csv packing.txt --from xyzr --size-unit m --tolerance 1%",
        "mdm verify sand.csv sand-settled.dump --tolerance passing:0.5% --tolerance retained:2%",
        "mdm verify sand.csv sand-settled.dump --packing --tolerance 1%",
-       "mdm verify sand.csv sizes.csv --format json -o report.json"}));
+       "mdm verify sand.csv sizes.csv --format json -o report.json",
+       "mdm verify sand.csv sizes.csv --proof sizes.proof && mdm-check sand.csv sizes.csv sizes.proof"}));
   return [c] { return run(*c); };
 }
 

@@ -1,8 +1,8 @@
 #include "cli/verify_packing.hpp"
 
 #include "cli/commands.hpp"
-#include "cli/packing_file.hpp"
 #include "files/output.hpp"
+#include "files/packing_file.hpp"
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
 #include "packing/packing_verdict.hpp"

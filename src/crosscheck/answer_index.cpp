@@ -46,8 +46,8 @@ std::size_t AnswerIndex::place(const std::string &setting) const {
   return static_cast<std::size_t>(std::find(settings_.begin(), settings_.end(), setting) - settings_.begin());
 }
 
-std::vector<CrosscheckRow> AnswerIndex::judge(const Crosscheck &problem,
-                                              const Rational &size_tolerance) const {
+std::vector<CrosscheckRow> AnswerIndex::judge(const Crosscheck &problem, const Rational &size_tolerance,
+                                              const std::function<void(const OtherAnswer &)> &seen) const {
   std::vector<CrosscheckRow> rows;
   const auto add = [&](const OtherAnswer &answer, const std::string &setting) {
     rows.push_back(problem.judge(answer, size_tolerance));
@@ -66,6 +66,8 @@ std::vector<CrosscheckRow> AnswerIndex::judge(const Crosscheck &problem,
       }
       is_judged_[i] = true;
       add(answers_[i], setting);
+      if (seen)
+        seen(answers_[i]);
       answered[place(setting)] = true;
     }
   }

@@ -7,6 +7,7 @@
 #include <mdm/crosscheck/crosscheck.hpp>
 
 #include <atomic>
+#include <functional>
 #include <unordered_map>
 
 namespace mdm {
@@ -21,7 +22,9 @@ public:
 
   /// Judges the answers to the gradation: rows by setting, each in the order of the file; `no-answer` for a
   /// setting that has none. Several threads may call it.
-  std::vector<CrosscheckRow> judge(const Crosscheck &problem, const Rational &size_tolerance) const;
+  /// \param seen  called for each answer that is judged, if it is there
+  std::vector<CrosscheckRow> judge(const Crosscheck &problem, const Rational &size_tolerance,
+                                   const std::function<void(const OtherAnswer &)> &seen = {}) const;
 
   /// Rows of the answers that have no id that could be read.
   std::vector<CrosscheckRow> rows_without_id() const;

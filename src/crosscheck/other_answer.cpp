@@ -88,7 +88,7 @@ void take_classes(const Json &object, OtherAnswer &answer) {
     answer.quantities.push_back(std::move(c.quantity));
     answer.sizes.push_back(c.size ? std::optional(StatedSize{c.size->first, c.size->second}) : std::nullopt);
   }
-  answer.unit_mm = in_mm(length_unit(stated.unit));
+  answer.unit_mm = in_mm(stated.unit);
 }
 
 /// The particles of the simple form.
@@ -103,7 +103,7 @@ void take_particles(const Json &object, OtherAnswer &answer) {
   if (!has(object, "unit"))
     return;
   const std::string &unit = text_of(object.at("unit"), "unit");
-  const std::optional<LengthUnit> known = parse_length_unit(unit);
+  const std::optional<SizeUnit> known = parse_size_unit(unit);
   if (!known)
     throw InputError("unit " + in_quotes(unit) + " is unknown: use \"mm\", \"um\", \"m\" or \"in\"");
   answer.unit_mm = in_mm(*known);
@@ -176,8 +176,8 @@ public:
                                 ": give every column a name of its own");
       if (!header_[i].starts_with(sizes_prefix))
         continue;
-      const std::optional<LengthUnit> unit =
-          parse_length_unit(std::string_view(header_[i]).substr(sizes_prefix.size()));
+      const std::optional<SizeUnit> unit =
+          parse_size_unit(std::string_view(header_[i]).substr(sizes_prefix.size()));
       if (!unit || sizes_)
         source.refuse(line, "column " + in_quotes(header_[i]) +
                                 (unit ? " is a second one with sizes: give one"

@@ -182,12 +182,12 @@ std::string last_line(std::string text) {
 ChildEnd run_child(const std::string &command, std::string_view input, milliseconds time_limit,
                    std::size_t most_output) {
   const Clock::time_point deadline = Clock::now() + time_limit;
-  const Descriptor problem = file_with(input);
+  const Descriptor standard_input = file_with(input);
   Pipe output, errors;
   ChildEnd end;
   std::string error_text;
   {
-    const Child child(command, *problem, *output.write, *errors.write);
+    const Child child(command, *standard_input, *output.write, *errors.write);
     output.write.reset();
     errors.write.reset();
     const auto take_all = [&] {

@@ -6,8 +6,10 @@
 #include <atomic>
 #include <cstddef>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace mdm {
@@ -36,6 +38,23 @@ void in_parallel(std::size_t n, unsigned threads, const Work &work) {
     helper.join();
   if (failure)
     std::rethrow_exception(failure);
+}
+
+/// Calls give(make(0)), ..., give(make(n - 1)) in this order, one at a time, while several threads make them;
+/// throws what one of them threw, at the end.
+template <class Made, class Make, class Give>
+void in_order(std::size_t n, unsigned threads, const Make &make, const Give &give) {
+  std::mutex mutex;
+  std::map<std::size_t, Made> waiting; // for what comes before them
+  std::size_t given = 0;
+  in_parallel(n, threads, [&](std::size_t i) {
+    Made made = make(i);
+    const std::lock_guard lock(mutex);
+    waiting.emplace(i, std::move(made));
+    for (auto next = waiting.begin(); next != waiting.end() && next->first == given;
+         next = waiting.erase(next), ++given)
+      give(next->second);
+  });
 }
 
 } // namespace mdm

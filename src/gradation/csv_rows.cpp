@@ -170,7 +170,7 @@ Rational CsvRows::parse_size(std::string_view field) {
   const Rational number = decimal(field);
   switch (size_column_->kind) {
   case SizeKind::inch:
-    return number * ratio(254, 10);
+    return number * in_mm(SizeUnit::in);
   case SizeKind::phi:
     if (denominator(number) != 1)
       rounded_phi_.add(field);

@@ -106,7 +106,8 @@ void Description::add(const SizeRange &size, const Integer &quantity) {
   knows_sizes_ = false;
   const RootSize lo{size.lo}, hi{size.hi};
   std::size_t first = openings_below(lo);
-  if (size.is_open && first < highest_.size() && compare(lo, g_.opening(first)) == 0)
+  const bool is_above = size.is_open || size.lo == 0; // a size is above 0
+  if (is_above && first < highest_.size() && compare(lo, g_.opening(first)) == 0)
     ++first;
   const std::size_t last = openings_below(hi);
   const auto mass = [&](const Rational &x) { // an enclosure of f(x)
@@ -126,7 +127,7 @@ void Description::add(const SizeRange &size, const Integer &quantity) {
     tally.most.add(numerator(most), denominator(most));
     if (!is_placed)
       continue;
-    see(tally.seen, hi, quantity);
+    see(tally.seen, size, quantity);
     const Rational least = mass(size.lo).lo * quantity;
     tally.least.add(numerator(least), denominator(least));
   }
@@ -138,6 +139,21 @@ void Description::see(Class &seen, const RootSize &size, const Integer &quantity
     seen.first = size;
   else if (!seen.second && compare(*seen.first, size) != 0)
     seen.second = size;
+}
+
+/// Two ranges that have no size in common are of different sizes.
+void Description::see(Class &seen, const SizeRange &size, const Integer &quantity) {
+  const RootSize lo{size.lo}, hi{size.hi};
+  seen.may_differ = seen.may_differ || seen.count > 0 || quantity > 1;
+  seen.count += quantity;
+  if (!seen.least_hi || compare(hi, *seen.least_hi) < 0)
+    seen.least_hi = hi;
+  if (!seen.most_lo || compare(lo, *seen.most_lo) > 0)
+    seen.most_lo = lo;
+  if (compare(*seen.most_lo, *seen.least_hi) > 0) {
+    seen.first = seen.least_hi;
+    seen.second = seen.most_lo;
+  }
 }
 
 void Description::weigh(Tally &tally, const RootSize &size, const Integer &quantity) {
@@ -232,6 +248,14 @@ Integer Description::particles() const {
   return n;
 }
 
+std::optional<bool> Description::articulately() const {
+  if (!describes() || inarticulate_class())
+    return false;
+  const bool may_differ =
+      std::any_of(classes_.begin(), classes_.end(), [](const Tally &t) { return t.seen.may_differ; });
+  return may_differ || unplaced_.count > 0 ? std::nullopt : std::optional(true);
+}
+
 std::optional<std::size_t> Description::inarticulate_class() const {
   const auto found = std::find_if(classes_.begin(), classes_.end(),
                                   [](const Tally &t) { return t.seen.second.has_value(); });
@@ -253,10 +277,11 @@ MatchError Description::error() const {
   MatchError e;
   for (std::size_t j = 0; j < classes_.size(); ++j) {
     e.as_given.push_back(Interval(g_.mass(j)) - masses[j] * unit);
-    e.shares.push_back(exact[j]
-                           ? Interval(*exact[j])
-                           : Interval(masses[j].lo / mass_sum.hi,
-                                      mass_sum.lo == 0 ? Rational(1) : Rational(masses[j].hi / mass_sum.lo)));
+    e.shares.push_back(
+        exact[j] ? Interval(*exact[j])
+                 : Interval(masses[j].lo / mass_sum.hi,
+                            mass_sum.lo == 0 ? Rational(1)
+                                             : std::min(Rational(1), Rational(masses[j].hi / mass_sum.lo))));
     e.targets.push_back(g_.mass(j) / target_sum);
     e.normalised.push_back(Interval(e.targets[j]) - e.shares[j]);
     const Interval size = absolute(e.normalised[j]);

@@ -52,8 +52,10 @@ public:
   /// The particles of one class.
   struct Class {
     Integer count = 0;
-    std::optional<RootSize> first;  ///< the first size that came
-    std::optional<RootSize> second; ///< the first that differs from it
+    std::optional<RootSize> first;             ///< the first size that came
+    std::optional<RootSize> second;            ///< one that differs from it
+    std::optional<RootSize> least_hi, most_lo; ///< of the ranges that came; nothing without
+    bool may_differ = false;                   ///< particles of ranges have several sizes, maybe
   };
 
   /// \throws InputError if snap is negative or makes neighbouring openings one
@@ -89,11 +91,12 @@ public:
 
   /// Cond2 (Eq. 10): no particle lies outside all classes, of those whose class is known.
   bool describes() const { return below_.count == 0 && above_.count == 0; }
-  /// The finest class with particles of several sizes, or ranges.
+  /// The finest class that certainly has particles of several sizes.
   std::optional<std::size_t> inarticulate_class() const;
   /// Cond3: Cond2, and an opening x_j with x_i <= x_j < x_{i+1} separates neighbouring sizes. (Eq. 11 has the
   /// two signs exchanged, against Eq. 12.)
-  bool articulately() const { return describes() && !inarticulate_class(); }
+  /// Nothing where ranges of sizes leave it open.
+  std::optional<bool> articulately() const;
 
   /// The errors that Cond4 (Eq. 12) forbids. Cond4 holds iff Cond2 does and all `as_given` are 0; for one
   /// scale of the masses, iff Cond2 does and all `normalised` are 0. Cost: some fractions a class.
@@ -109,6 +112,7 @@ private:
   };
 
   static void see(Class &seen, const RootSize &size, const Integer &quantity);
+  static void see(Class &seen, const SizeRange &size, const Integer &quantity);
   void weigh(Tally &tally, const RootSize &size, const Integer &quantity);
   std::size_t openings_below(const RootSize &size) const;
   Interval mass(const Tally &tally) const;

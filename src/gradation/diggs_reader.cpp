@@ -106,18 +106,12 @@ private:
   }
 
   Rational mm_of(pugi::xml_node size) const {
-    switch (unit_of_words(size.attribute("uom").value())) {
-    case ColumnUnit::mm:
-      return 1;
-    case ColumnUnit::um:
-      return ratio(1, 1000);
-    case ColumnUnit::inch:
-      return ratio(254, 10);
-    default:
+    const std::optional<SizeUnit> unit = length_of(unit_of_words(size.attribute("uom").value()));
+    if (!unit || unit == SizeUnit::m)
       source_.refuse(line_of(size),
                      fmt::format("particleSize has the unit {}, only 'mm', 'um' and 'in' are read",
                                  in_quotes(size.attribute("uom").value())));
-    }
+    return in_mm(*unit);
   }
 
   void describe(std::size_t samples) {

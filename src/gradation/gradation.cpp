@@ -79,6 +79,8 @@ Gradation::Gradation(std::vector<Rational> sizes, std::vector<Rational> masses, 
     : Gradation(Data{std::move(id), unit, std::move(sizes), std::move(masses), {}, {}, {}, {}}) {}
 
 void Gradation::check_invariant() const {
+  if (data_.unit == SizeUnit::in)
+    throw InputError("a gradation is kept in mm, um or m: give its sizes in one of them");
   check_lengths(data_);
   check_sizes(data_);
   check_masses(data_);

@@ -126,9 +126,23 @@ ColumnUnit take_unit(std::vector<std::string> &words) {
 
 } // namespace
 
+std::optional<SizeUnit> length_of(ColumnUnit unit) {
+  switch (unit) {
+  case ColumnUnit::mm:
+    return SizeUnit::mm;
+  case ColumnUnit::um:
+    return SizeUnit::um;
+  case ColumnUnit::m:
+    return SizeUnit::m;
+  case ColumnUnit::inch:
+    return SizeUnit::in;
+  default:
+    return std::nullopt;
+  }
+}
+
 bool is_of_sizes(ColumnUnit unit) {
-  return unit == ColumnUnit::mm || unit == ColumnUnit::um || unit == ColumnUnit::m ||
-         unit == ColumnUnit::inch || unit == ColumnUnit::phi;
+  return length_of(unit) || unit == ColumnUnit::phi;
 }
 
 ColumnUnit unit_of_words(std::string_view words) {

@@ -2,6 +2,8 @@
 /// \file
 /// The words that laboratories and instruments put above the columns of a gradation, in their languages.
 
+#include <mdm/gradation/size_unit.hpp>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +23,8 @@ enum class ColumnMeaning {
 /// What is behind a name in brackets, or a cell of units below it.
 enum class ColumnUnit { none, mm, um, m, inch, phi, percent, fraction, mass };
 
+/// The unit of length that it is; nothing for all others.
+std::optional<SizeUnit> length_of(ColumnUnit unit);
 /// True for units of length and phi.
 bool is_of_sizes(ColumnUnit unit);
 

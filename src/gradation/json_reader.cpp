@@ -263,14 +263,11 @@ void Handler::check_order(const Rational &size) {
 }
 
 void Handler::set_unit(std::string_view text) {
-  if (text == "um")
-    unit_ = SizeUnit::um;
-  else if (text == "m")
-    unit_ = SizeUnit::m;
-  else if (text == "in")
-    inches_ = true;
-  else if (text != "mm")
+  const std::optional<SizeUnit> unit = parse_size_unit(text);
+  if (!unit)
     refuse(fmt::format("unit {} is unknown: use \"mm\", \"um\", \"m\" or \"in\"", in_quotes(text)));
+  inches_ = unit == SizeUnit::in;
+  unit_ = inches_ ? SizeUnit::mm : *unit;
 }
 
 bool Handler::parse_error(std::size_t, const std::string &token, const nlohmann::detail::exception &error) {
@@ -307,7 +304,7 @@ void Handler::to_ascending_mm() {
       std::reverse(column.begin(), column.end());
   if (inches_)
     for (Rational &size : columns_[sizes])
-      size *= ratio(254, 10);
+      size *= in_mm(SizeUnit::in);
 }
 
 Gradation Handler::gradation(const std::string &fallback_id, std::optional<unsigned> round) {

@@ -5,13 +5,8 @@
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 
-#include <algorithm>
-#include <array>
-
 namespace mdm {
 namespace {
-
-constexpr std::array<std::string_view, 4> length_unit_names = {"mm", "um", "m", "in"};
 
 /// The length of the number before the unit: `1e5` has none.
 std::size_t number_length(std::string_view text) {
@@ -20,35 +15,6 @@ std::size_t number_length(std::string_view text) {
 }
 
 } // namespace
-
-std::string_view name(LengthUnit unit) {
-  return length_unit_names.at(static_cast<std::size_t>(unit));
-}
-
-std::optional<LengthUnit> parse_length_unit(std::string_view name) {
-  const auto *const found = std::find(length_unit_names.begin(), length_unit_names.end(), name);
-  if (found == length_unit_names.end())
-    return std::nullopt;
-  return static_cast<LengthUnit>(found - length_unit_names.begin());
-}
-
-LengthUnit length_unit(SizeUnit unit) {
-  return parse_length_unit(name(unit)).value();
-}
-
-Rational in_mm(LengthUnit unit) {
-  switch (unit) {
-  case LengthUnit::um:
-    return ratio(1, 1000);
-  case LengthUnit::m:
-    return 1000;
-  case LengthUnit::in:
-    return ratio(254, 10);
-  case LengthUnit::mm:
-    break;
-  }
-  return 1;
-}
 
 Rational Length::in(SizeUnit target) const {
   return unit ? Rational(value * in_mm(*unit) / in_mm(target)) : value;
@@ -61,7 +27,7 @@ Length parse_length(std::string_view text) {
     unit.remove_prefix(1);
   Length length;
   if (digits > 0 && !unit.empty()) {
-    length.unit = unit == "\u00b5m" || unit == "\u03bcm" ? LengthUnit::um : parse_length_unit(unit);
+    length.unit = unit == "\u00b5m" || unit == "\u03bcm" ? SizeUnit::um : parse_size_unit(unit);
     if (!length.unit)
       throw InputError(in_quotes(text) + ": " + in_quotes(unit) +
                        " is no unit that is known: write mm, um, m or in, or the number alone");

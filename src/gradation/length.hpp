@@ -9,22 +9,10 @@
 
 namespace mdm {
 
-/// Units that a length may be written in.
-enum class LengthUnit { mm, um, m, in };
-
-/// `mm`, `um`, `m` or `in`.
-std::string_view name(LengthUnit unit);
-/// The unit of that name, or nothing.
-std::optional<LengthUnit> parse_length_unit(std::string_view name);
-/// The same unit; no gradation is kept in inches.
-LengthUnit length_unit(SizeUnit unit);
-/// Its length in mm.
-Rational in_mm(LengthUnit unit);
-
 /// A number with its unit, or one that is in the unit of a file to come.
 struct Length {
   Rational value;
-  std::optional<LengthUnit> unit;
+  std::optional<SizeUnit> unit;
 
   /// The number of that unit.
   Rational in(SizeUnit target) const;

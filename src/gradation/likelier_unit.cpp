@@ -2,7 +2,7 @@
 
 namespace mdm {
 
-std::optional<LengthUnit> likelier_unit(const Description &d, LengthUnit unit) {
+std::optional<SizeUnit> likelier_unit(const Description &d, SizeUnit unit) {
   const Gradation &g = d.gradation();
   const std::size_t finest = g.has_pan() ? 1 : 0; // a class or an opening
   for (std::size_t j = finest; j < g.classes(); ++j)
@@ -13,7 +13,7 @@ std::optional<LengthUnit> likelier_unit(const Description &d, LengthUnit unit) {
                                                            : d.of_class(0).first;
   if (!first) // all have a range with a sieve in it
     return std::nullopt;
-  for (const LengthUnit other : {LengthUnit::mm, LengthUnit::um, LengthUnit::m, LengthUnit::in}) {
+  for (const SizeUnit other : {SizeUnit::mm, SizeUnit::um, SizeUnit::m, SizeUnit::in}) {
     const Rational factor = in_mm(other) / in_mm(unit);
     const RootSize x{first->power * power(factor, first->degree), first->degree};
     if (other != unit && compare(x, g.opening(finest)) > 0 && compare(x, g.opening(g.classes())) <= 0)

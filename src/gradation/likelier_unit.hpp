@@ -9,6 +9,6 @@ namespace mdm {
 
 /// Where all particles, which were read in `unit`, lie outside the classes or in the pan's: a unit with which
 /// the first would not; else nothing.
-std::optional<LengthUnit> likelier_unit(const Description &d, LengthUnit unit);
+std::optional<SizeUnit> likelier_unit(const Description &d, SizeUnit unit);
 
 } // namespace mdm

@@ -61,7 +61,7 @@ private:
       source_.refuse(headers.line,
                      fmt::format("{} does not name the unit of the sizes: say it with {} um or mm",
                                  in_quotes(header), option("unit")));
-    table_.unit = unit == ColumnUnit::um ? SizeUnit::um : SizeUnit::mm;
+    table_.unit = *length_of(unit);
     end_ = begin_ + 1;
     const auto goes_on = [&](std::size_t column) {
       const std::string_view name = headers.cell(column);

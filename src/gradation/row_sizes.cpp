@@ -15,22 +15,10 @@
 namespace mdm {
 namespace {
 
-/// mm in one of a length unit.
-Rational in_mm(ColumnUnit unit) {
-  switch (unit) {
-  case ColumnUnit::um:
-    return ratio(1, 1000);
-  case ColumnUnit::m:
-    return 1000;
-  case ColumnUnit::inch:
-    return ratio(254, 10);
-  default:
-    return 1;
-  }
-}
-
+/// The unit that the table is kept in.
 SizeUnit table_unit(ColumnUnit unit) {
-  return unit == ColumnUnit::um ? SizeUnit::um : unit == ColumnUnit::m ? SizeUnit::m : SizeUnit::mm;
+  const SizeUnit length = length_of(unit).value_or(SizeUnit::mm);
+  return length == SizeUnit::in ? SizeUnit::mm : length;
 }
 
 bool is_above_or_below(std::string_view cell) {
@@ -190,7 +178,7 @@ Rational RowSizes::opening(std::string_view cell) const {
 
 /// So many of a unit of length.
 Rational RowSizes::in_unit(std::string_view digits, ColumnUnit unit) const {
-  return sign_.decimal(digits) * in_mm(unit) / in_mm(unit_);
+  return sign_.decimal(digits) * in_mm(length_of(unit).value_or(SizeUnit::mm)) / in_mm(unit_);
 }
 
 } // namespace mdm

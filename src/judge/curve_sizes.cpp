@@ -61,7 +61,7 @@ std::optional<PowerProduct> upper_diameter(const CurveBox &box, const CurvePerce
   return interpolated(box, percents, i, percent);
 }
 
-SizeRange diameters(const OuterCurves &curves, const Interval &percent) {
+DiameterRange diameters(const OuterCurves &curves, const Interval &percent) {
   const std::optional<PowerProduct> hi = diameter(curves.box, curves.coarse, percent.hi);
   return {diameter(curves.box, curves.fine, percent.lo), hi ? *hi : curves.finest()};
 }

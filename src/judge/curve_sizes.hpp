@@ -8,7 +8,7 @@
 namespace mdm {
 
 /// A size (mm) between two; without `lo` between 0 and `hi`.
-struct SizeRange {
+struct DiameterRange {
   std::optional<PowerProduct> lo;
   PowerProduct hi;
 };
@@ -34,7 +34,7 @@ std::optional<PowerProduct> upper_diameter(const CurveBox &box, const CurvePerce
                                            const Rational &percent);
 
 /// D_p for all curves and all p in `percent`, in (0, 100].
-SizeRange diameters(const OuterCurves &curves, const Interval &percent);
+DiameterRange diameters(const OuterCurves &curves, const Interval &percent);
 
 /// D_p of the reported curve; nothing where it lies below the finest sieve.
 std::optional<Real> reported_diameter(const OuterCurves &curves, const Rational &percent);

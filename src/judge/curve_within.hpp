@@ -3,8 +3,9 @@
 /// Whether one of many curves keeps all limits.
 
 #include "judge/interpolation.hpp"
-#include "judge/specification.hpp"
 #include "soil/available.hpp"
+
+#include <mdm/judge/specification.hpp>
 
 namespace mdm {
 

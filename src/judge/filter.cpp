@@ -87,7 +87,7 @@ struct LengthRange {
   Length hi;
 };
 
-LengthRange times(unsigned factor, const SizeRange &d) {
+LengthRange times(unsigned factor, const DiameterRange &d) {
   const PowerProduct k{Rational(factor)};
   return {d.lo ? std::optional<Length>(k * *d.lo) : std::nullopt, Length(k * d.hi)};
 }
@@ -97,7 +97,7 @@ LengthRange at_least(const LengthRange &r, const PowerProduct &least) {
 }
 
 /// value <= limit
-Compliance at_most(const SizeRange &value, const LengthRange &limit) {
+Compliance at_most(const DiameterRange &value, const LengthRange &limit) {
   try {
     if (limit.lo && is_at_most(value.hi, *limit.lo))
       return Compliance::holds;
@@ -108,7 +108,7 @@ Compliance at_most(const SizeRange &value, const LengthRange &limit) {
 }
 
 /// value >= limit
-Compliance at_least(const SizeRange &value, const LengthRange &limit) {
+Compliance at_least(const DiameterRange &value, const LengthRange &limit) {
   try {
     if (value.lo && is_at_most(limit.hi, *value.lo))
       return Compliance::holds;
@@ -301,7 +301,7 @@ private:
   FilterOptions options_;
   OuterCurves curves_;
   bool is_regraded_ = false;
-  SizeRange d15_{std::nullopt, PowerProduct()}, d85_{std::nullopt, PowerProduct()};
+  DiameterRange d15_{std::nullopt, PowerProduct()}, d85_{std::nullopt, PowerProduct()};
   Interval fines_; ///< percent finer than 0.075 mm
   std::vector<std::string> notes_;
 };
@@ -317,7 +317,7 @@ public:
   }
 
   RuleJudgement run(const Base &base, const NamedFilterRule &rule) {
-    const SizeRange d15 = diameters(curves_, Rational(15));
+    const DiameterRange d15 = diameters(curves_, Rational(15));
     const LengthRange most = base.retention(), least = base.permeability();
     add("retention", "D15", d15, true, most, base.retention_text());
     add("permeability", "D15", d15, false, least, base.permeability_text());
@@ -338,8 +338,8 @@ private:
     return mdm::reported_diameter(curves_, percent);
   }
 
-  void add(const char *name, const char *of, const SizeRange &value, bool is_upper, const LengthRange &limit,
-           std::string text) {
+  void add(const char *name, const char *of, const DiameterRange &value, bool is_upper,
+           const LengthRange &limit, std::string text) {
     const std::optional<Length> &shown_limit = is_upper ? limit.lo : std::optional<Length>(limit.hi);
     result_.requirements.push_back({name,
                                     {of, reported_diameter(15), "mm"},
@@ -368,7 +368,7 @@ private:
   }
 
   void largest(unsigned most) {
-    const SizeRange all = diameters(curves_, Rational(100));
+    const DiameterRange all = diameters(curves_, Rational(100));
     const PowerProduct limit{Rational(most)};
     result_.requirements.push_back({"largest size",
                                     {"D100", reported_diameter(100), "mm"},
@@ -394,7 +394,7 @@ private:
   }
 
   void segregation() {
-    const SizeRange d90 = diameters(curves_, Rational(90)), d10 = diameters(curves_, Rational(10));
+    const DiameterRange d90 = diameters(curves_, Rational(90)), d10 = diameters(curves_, Rational(10));
     const unsigned least = d10.lo ? most_d90(*d10.lo) : 20, most = most_d90(d10.hi);
     const PowerProduct lo{Rational(least)}, hi{Rational(most)};
     result_.requirements.push_back({"segregation",

@@ -1,7 +1,6 @@
-#include "judge/specification.hpp"
-
 #include "judge/shipped_files.hpp"
 
+#include <mdm/judge/specification.hpp>
 #include <mdm/text/error.hpp>
 
 #include <algorithm>

@@ -130,7 +130,7 @@ private:
   }
 
   void kenney_lau() {
-    const SizeRange d60 = diameters(curves_, Rational(60)), d10 = diameters(curves_, Rational(10));
+    const DiameterRange d60 = diameters(curves_, Rational(60)), d10 = diameters(curves_, Rational(10));
     const bool surely_wide = d60.lo && !not_above(*d60.lo / d10.hi, PowerProduct(3));
     const bool surely_narrow = d10.lo && not_above(d60.hi / *d10.lo, PowerProduct(3));
     const Rational longest = surely_wide ? 20 : 30, shortest = surely_narrow ? 30 : 20;
@@ -238,8 +238,8 @@ private:
   }
 
   void burenkova() {
-    const SizeRange d90 = diameters(curves_, Rational(90)), d60 = diameters(curves_, Rational(60)),
-                    d15 = diameters(curves_, Rational(15));
+    const DiameterRange d90 = diameters(curves_, Rational(90)), d60 = diameters(curves_, Rational(60)),
+                        d15 = diameters(curves_, Rational(15));
     if (!d60.lo)
       throw NotAvailable{"60 % or more may pass the finest sieve"};
     const PowerProduct h1_lo = *d90.lo / d60.hi, h1_hi = d90.hi / *d60.lo, h2_lo = *d90.lo / d15.hi;

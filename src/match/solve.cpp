@@ -9,6 +9,7 @@
 
 #include "match/at_least.hpp"
 #include "match/exact_sample.hpp"
+#include "match/sample_notes.hpp"
 #include "match/scale.hpp"
 #include "match/tolerant_answer.hpp"
 #include "match/watch.hpp"
@@ -299,8 +300,12 @@ Match solve(Gradation g, const Question &question, const SolveOptions &options) 
   match.notes = match.gradation.notes();
   note_narrow_specimen(match);
   const Watch watch(options.limits.deadline, options.progress);
-  return question.is_tolerant() ? solve_within_tolerance(std::move(match), options, watch)
-                                : solve_exactly(std::move(match), options, limits_of(options), watch);
+  Match answer = question.is_tolerant() ? solve_within_tolerance(std::move(match), options, watch)
+                                        : solve_exactly(std::move(match), options, limits_of(options), watch);
+  if (answer.has_answer())
+    for (std::string &note : sample_notes(answer))
+      answer.notes.push_back(std::move(note));
+  return answer;
 }
 
 } // namespace mdm

@@ -2,6 +2,7 @@
 
 #include "match/central_masses.hpp"
 #include "match/problem.hpp"
+#include "match/quick_masses.hpp"
 #include "match/simplex.hpp"
 #include "number/common_denominator.hpp"
 #include "number/pi.hpp"
@@ -103,6 +104,12 @@ TolerantAnswer tolerant_answer(const Gradation &g, const Question &question, con
     if (!answer.found.best)
       return answer;
     if (is_final(answer, exact) && has_weight(exact)) {
+      complete(answer, g, question.law, digits);
+      return answer;
+    }
+    if (!question.solids && answer.problem.table_size() > largest_exact_masses) {
+      if (QuickMasses quick = quick_masses(answer.problem, answer.found.best->q); quick.t)
+        answer.found.best->t = std::move(*quick.t);
       complete(answer, g, question.law, digits);
       return answer;
     }

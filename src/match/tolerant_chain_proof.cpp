@@ -268,4 +268,8 @@ Tree share_contradiction(const TolerantProblem &problem, const ShareClosure &sha
   return {leaf.node()};
 }
 
+Tree tree_of_question() {
+  return {{0, 0, 0, {{TolerantCondition::at_least, 0, 1}, {TolerantCondition::fewer, 0, 1}}}};
+}
+
 } // namespace mdm

@@ -29,4 +29,7 @@ Tree chain_contradiction(const TolerantChain &chain);
 /// \pre shares.contradicts()
 Tree share_contradiction(const TolerantProblem &problem, const ShareClosure &shares);
 
+/// Refutes fewer particles than were asked for at least, which nothing has to show.
+Tree tree_of_question();
+
 } // namespace mdm

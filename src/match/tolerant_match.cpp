@@ -44,10 +44,11 @@ private:
     if (shares_.contradicts())
       return end(share_contradiction(problem_, shares_));
     for (const bool all_intervals : {false, true})
-      if (!all_intervals || problem_.classes() <= most_classes_in_intervals())
+      if (!all_intervals || suits_intervals())
         if (is_closed_by(std::make_unique<TolerantChain>(problem_, shares_, all_intervals, limits_, watch_)))
           return;
-    find_first_match();
+    constexpr int rounds = 20;
+    find_first_match(rounds);
     if (result_.best && needs_no_search())
       return;
     result_.too_large = problem_.table_size() > largest_table;
@@ -56,19 +57,23 @@ private:
     search_tree();
   }
 
-  /// Where what passes alone is bounded, single classes may need no particles though several together do.
-  std::size_t most_classes_in_intervals() const {
+  /// Where what passes is bounded, single classes may need no particles though several together do. Where
+  /// classes alone are bounded, windows of the mass show more.
+  bool suits_intervals() const {
     constexpr std::size_t most_of_passing = 400;
     const Tolerance &tolerance = problem_.tolerance();
-    return tolerance.total || !tolerance.retained.empty() ? most_classes_of_all_intervals : most_of_passing;
+    if (!tolerance.total && tolerance.passing.empty() && suits_windows())
+      return false;
+    const bool of_passing = !tolerance.total && tolerance.retained.empty();
+    return problem_.classes() <= (of_passing ? most_of_passing : most_classes_of_all_intervals);
   }
 
   void search_tree() {
     is_by_windows_ = suits_windows();
     const std::optional<Rational> mass =
         is_by_windows_ ? std::optional<Rational>(least_mass()) : std::nullopt;
-    TolerantSearch tree(problem_, shares_, root_bounds(), least_,
-                        has_chain() && !mass ? chain_.get() : nullptr, result_.best, limits_, watch_, mass);
+    TolerantSearch tree(problem_, root_bounds(), least_, has_chain() && !mass ? chain_.get() : nullptr,
+                        result_.best, limits_, watch_, mass);
     tree_ = &tree;
     try {
       tree.run();
@@ -115,22 +120,22 @@ private:
     least_ = std::max(problem_.at_least(), chain_->particles());
     if (result_.best && needs_no_search())
       return true;
-    return chain_->complete() && try_counts(chain_->differences()) && needs_no_search();
+    if (!chain_->complete())
+      return false;
+    if (problem_.table_size() <= largest_exact_masses)
+      return try_counts(chain_->differences()) && needs_no_search();
+    find_first_match(1);
+    return result_.best && needs_no_search();
   }
 
   /// Near the chain's bound.
-  void find_first_match() {
+  void find_first_match(int rounds) {
     if (!chain_->complete() || chain_->level() <= 0 || problem_.table_size() > largest_table)
       return;
     const std::optional<Integer> most =
         result_.best ? std::optional<Integer>(total(result_.best->q)) : std::nullopt;
-    std::optional<TolerantMatch> found;
-    // Of more classes the neighbours take longer than all the rest.
-    if (!suits_windows() && problem_.classes() <= most_classes_of_all_intervals)
-      found = neighbouring_match(*chain_, watch_);
-    if (!found)
-      found = rounded_match(problem_, least_mass(), most, watch_);
-    if (found && (!most || total(found->q) < *most))
+    if (std::optional<TolerantMatch> found =
+            first_match(problem_, least_mass(), least_, most, rounds, watch_))
       result_.best = std::move(found);
   }
 
@@ -179,11 +184,6 @@ private:
     if (least_ == problem_.at_least())
       return tree_of_question();
     return chain_->keeps_raises() ? chain_tree(*chain_) : Tree();
-  }
-
-  /// Refutes fewer particles than were asked for.
-  static Tree tree_of_question() {
-    return {{0, 0, 0, {{TolerantCondition::at_least, 0, 1}, {TolerantCondition::fewer, 0, 1}}}};
   }
 
   /// The bounds of single classes that every match keeps.

@@ -19,6 +19,10 @@ struct TolerantMatch {
 /// than 1023 classes.
 constexpr std::size_t largest_table = std::size_t{1} << 23;
 
+/// For given counts masses are looked for by an exact program only up to so many numbers, some 60 classes:
+/// beyond, it takes longer than a search.
+constexpr std::size_t largest_exact_masses = std::size_t{1} << 15;
+
 /// The result of a search.
 struct TolerantResult {
   std::optional<TolerantMatch> best; ///< smallest that was found

@@ -6,8 +6,8 @@
 // particles of every match in it that exact numbers have proved. Invariant: every match with fewer
 // particles than the best is in an open node. The node with the least bound is taken: it is bounded anew by
 // what doubles propose and exact arithmetic proves, closed if the bound leaves nothing better than the
-// best, or split so that the two children hold all its matches. On the way counts are rounded and tested
-// exactly, which may give a better best.
+// best, or split so that the two children hold all its matches. In windows whole counts are looked for and
+// tested exactly, which may give a better best.
 //
 // It ends because the best bounds all counts: in a node in which every count is fixed, which exact numbers
 // decide, nothing can be split (Theorem 13). The search stops when the least bound of all open nodes has
@@ -15,11 +15,9 @@
 
 #include "match/tolerant_search.hpp"
 
-#include "match/count_rounding.hpp"
 #include "match/exact_node.hpp"
 #include "match/near.hpp"
 #include "match/problem.hpp"
-#include "match/quick_masses.hpp"
 #include "match/tolerant_relaxation.hpp"
 #include "match/window_evidence.hpp"
 
@@ -84,12 +82,9 @@ struct Cut {
 struct TolerantSearch::Steered {
   TolerantRelaxation relaxation;
   BoundMaker bound_maker;
-  CountRounding rounding;
-  std::vector<double> tried; ///< counts that were tested last
 
-  Steered(const TolerantProblem &problem, const ShareClosure &shares, const std::vector<double> &typical,
-          const Watch &watch)
-      : relaxation(problem, typical, watch), bound_maker(problem), rounding(problem, shares) {}
+  Steered(const TolerantProblem &problem, const std::vector<double> &typical, const Watch &watch)
+      : relaxation(problem, typical, watch), bound_maker(problem) {}
 
   /// Sums that are below the chain's bounds, the worst first.
   std::vector<Cut> violated(const TolerantChain &chain, const CountBounds &known) const {
@@ -143,11 +138,11 @@ struct TolerantSearch::Steered {
   }
 };
 
-TolerantSearch::TolerantSearch(const TolerantProblem &problem, const ShareClosure &shares, CountBounds bounds,
-                               Integer least, const TolerantChain *chain, std::optional<TolerantMatch> &best,
+TolerantSearch::TolerantSearch(const TolerantProblem &problem, CountBounds bounds, Integer least,
+                               const TolerantChain *chain, std::optional<TolerantMatch> &best,
                                const Limits &limits, const Watch &watch, const std::optional<Rational> &mass)
-    : problem_(problem), shares_(shares), root_(std::move(bounds)), chain_(chain), best_(best),
-      limits_(limits), watch_(watch), tree_(std::move(least), limits.keep_proof) {
+    : problem_(problem), root_(std::move(bounds)), chain_(chain), best_(best), limits_(limits), watch_(watch),
+      tree_(std::move(least), limits.keep_proof) {
   if (mass)
     branching_.emplace(problem, *mass);
 }
@@ -159,7 +154,7 @@ TolerantSearch::Steered &TolerantSearch::steered() {
     double mass = 0;
     for (const Rational &t : best_->t)
       mass += near(t);
-    steered_ = std::make_unique<Steered>(problem_, shares_, typical_counts(problem_, root_, mass), watch_);
+    steered_ = std::make_unique<Steered>(problem_, typical_counts(problem_, root_, mass), watch_);
   }
   return *steered_;
 }
@@ -279,7 +274,7 @@ void TolerantSearch::step(SearchTree::Number node) {
       return tree_.close(node);
     if (!is_feasible && problem_.table_size() <= small_table)
       return decide_exactly(node);
-    if (!is_feasible || !(add_cuts() || try_rounding()))
+    if (!is_feasible || !add_cuts())
       break;
   }
   const double room = near(*most()) + 1 - steered().relaxation.particles();
@@ -328,35 +323,6 @@ bool TolerantSearch::add_cuts() {
     }
   }
   return !cuts.empty();
-}
-
-bool TolerantSearch::try_counts(std::vector<Integer> q) {
-  const Integer particles = total(q);
-  if (particles > *most() || particles < problem_.at_least())
-    return false;
-  QuickMasses quick = quick_masses(problem_, q);
-  if (!quick.t)
-    return false;
-  best_ = TolerantMatch{std::move(q), std::move(*quick.t)};
-  return true;
-}
-
-/// True if counts near the program's are a match with fewer particles than the best has.
-bool TolerantSearch::try_rounding() {
-  CountRounding::Point point;
-  for (std::size_t j = 0; j < problem_.classes(); ++j) {
-    point.counts.push_back(steered().relaxation.count(j));
-    point.masses.push_back(steered().relaxation.mass(j));
-    point.least.push_back(near(bounds_.classes[j].least));
-  }
-  const std::optional<std::vector<double>> q = steered().rounding.rounded(point, near(*most()) + 1);
-  if (!q || *q == steered().tried)
-    return false;
-  steered().tried = *q;
-  std::vector<Integer> counts;
-  for (const double n : *q)
-    counts.emplace_back(n);
-  return try_counts(std::move(counts));
 }
 
 /// As few particles as can hold the masses t; then, where more are asked for, as many more as can, from the

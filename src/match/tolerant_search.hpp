@@ -16,18 +16,17 @@ class ExactNode;
 
 /// Branch and bound. Linear programs in double precision choose the splits, on counts of consecutive classes,
 /// and the multipliers of bounds; exact arithmetic makes bounds of them, or decides a node where they do not
-/// serve. Nodes of the least bound come first, each followed by one of its children down to an end; on the
-/// way counts are rounded and tested exactly.
+/// serve. Nodes of the least bound come first, each followed by one of its children down to an end; in
+/// windows whole counts are looked for and tested exactly.
 class TolerantSearch {
 public:
   /// \param bounds  that every match keeps, by the problem or by the chain, and no match has fewer particles
   /// than `least`; of the chain further ones are taken, unless it is not given
   /// \param best  a match, or nothing; here and after the search
   /// \param mass  where given, the search is by windows of the mass, and this is about the least mass of a match
-  TolerantSearch(const TolerantProblem &problem, const ShareClosure &shares, CountBounds bounds,
-                 Integer least, const TolerantChain *chain, std::optional<TolerantMatch> &best,
-                 const Limits &limits, const Watch &watch,
-                 const std::optional<Rational> &mass = std::nullopt);
+  TolerantSearch(const TolerantProblem &problem, CountBounds bounds, Integer least,
+                 const TolerantChain *chain, std::optional<TolerantMatch> &best, const Limits &limits,
+                 const Watch &watch, const std::optional<Rational> &mass = std::nullopt);
   ~TolerantSearch();
 
   /// Until the best is the smallest, there is no match for certain, or a limit comes.
@@ -54,14 +53,11 @@ private:
   bool bound_node(SearchTree::Number node);
   void decide_exactly(SearchTree::Number node);
   bool add_cuts();
-  bool try_rounding();
-  bool try_counts(std::vector<Integer> q);
   bool try_masses(std::vector<Rational> t);
   std::optional<Integer> most() const;
   bool ends() const;
 
   const TolerantProblem &problem_;
-  const ShareClosure &shares_;
   CountBounds root_, bounds_;
   const TolerantChain *chain_;
   std::optional<TolerantMatch> &best_;

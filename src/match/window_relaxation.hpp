@@ -54,6 +54,8 @@ public:
   double f(std::size_t j) const { return f_[j]; }
   double F(std::size_t j) const { return F_[j]; }
   const ShareBand &share(std::size_t j) const { return shares_[j]; }
+  /// Of the classes up to j.
+  const ShareBand &passing(std::size_t j) const { return bands_[j]; }
 
 private:
   struct Menus;

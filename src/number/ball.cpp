@@ -1,17 +1,11 @@
-// Enclosures of real numbers by Arb. A ball is a midpoint and a radius; every operation gives a ball that
-// contains the results for all numbers of its arguments. Where an operation has no value for some of them
-// the result is not finite, and every comparison with it is undecided: a caller asks again with more bits.
-// ball_mpfr.cpp does the same for some functions where there is no Arb.
+// Enclosures of real numbers: intervals of MPFR's numbers, whose ends are rounded outwards. Every operation
+// gives an interval that contains the results for all numbers of its arguments. Where an operation has no
+// value for some of them the result is not finite, and every comparison with it is undecided: a caller asks
+// again with more bits. The beta functions, which MPFR does not have, are in beta_function.cpp.
 
 #include "number/ball.hpp"
 
-#if __has_include(<flint/arb.h>)
-#include <flint/arb.h>
-#include <flint/arb_hypgeom.h>
-#else
-#include <arb.h>
-#include <arb_hypgeom.h>
-#endif
+#include <mpfr.h>
 
 #include <algorithm>
 #include <cassert>
@@ -19,86 +13,84 @@
 namespace mdm {
 namespace {
 
-/// FLINT and Arb keep memory and constants for each thread; a thread that uses them frees these at its end.
+using Operation = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
+using Function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
+
+/// ln 2 and the like, kept by MPFR for the thread.
 struct ThreadCleanup {
   ThreadCleanup() = default;
-  ~ThreadCleanup() { flint_cleanup(); }
+  ~ThreadCleanup() { mpfr_free_cache(); }
   ThreadCleanup(const ThreadCleanup &) = delete;
   ThreadCleanup &operator=(const ThreadCleanup &) = delete;
 };
 
-void clean_up_at_thread_end() {
-  thread_local const ThreadCleanup cleanup;
-  static_cast<void>(cleanup);
-}
-
-/// A fraction as FLINT has it.
-struct Fraction {
-  fmpq_t value;
-
-  explicit Fraction(const Rational &r) {
-    fmpq_init(value);
-    fmpq_set_mpq(value, r.backend().data());
-  }
-  ~Fraction() { fmpq_clear(value); }
-  Fraction(const Fraction &) = delete;
-  Fraction &operator=(const Fraction &) = delete;
-};
-
-/// An interval [lo, hi] * 2^exponent.
-struct Interval {
-  fmpz_t lo, hi, exponent;
-
-  explicit Interval(const arb_t ball) {
-    clean_up_at_thread_end();
-    fmpz_init(lo);
-    fmpz_init(hi);
-    fmpz_init(exponent);
-    arb_get_interval_fmpz_2exp(lo, hi, exponent, ball);
-  }
-  ~Interval() {
-    fmpz_clear(exponent);
-    fmpz_clear(hi);
-    fmpz_clear(lo);
-  }
-  Interval(const Interval &) = delete;
-  Interval &operator=(const Interval &) = delete;
-
-  Rational scaled(const fmpz_t end) const {
-    Integer n;
-    fmpz_get_mpz(n.backend().data(), end);
-    Rational r(n);
-    const slong by = fmpz_get_si(exponent);
-    if (by >= 0)
-      mpq_mul_2exp(r.backend().data(), r.backend().data(), static_cast<mp_bitcnt_t>(by));
-    else
-      mpq_div_2exp(r.backend().data(), r.backend().data(), static_cast<mp_bitcnt_t>(-by));
-    return r;
-  }
-};
-
 } // namespace
 
+/// [lo, hi]; both are no numbers where nothing is known.
 struct Ball::Value {
-  arb_t ball;
+  /// A number with so many binary digits.
+  struct Float {
+    mpfr_t value;
 
-  Value() {
-    clean_up_at_thread_end();
-    arb_init(ball);
+    explicit Float(unsigned bits) { mpfr_init2(value, static_cast<mpfr_prec_t>(bits)); }
+    ~Float() { mpfr_clear(value); }
+    Float(const Float &) = delete;
+    Float &operator=(const Float &) = delete;
+
+    Rational fraction() const {
+      Rational r;
+      mpfr_get_q(r.backend().data(), value);
+      return r;
+    }
+  };
+
+  Float lo, hi;
+
+  explicit Value(unsigned bits) : lo(bits), hi(bits) {}
+
+  void set_unknown() {
+    mpfr_set_nan(lo.value);
+    mpfr_set_nan(hi.value);
   }
-  ~Value() { arb_clear(ball); }
-  Value(const Value &) = delete;
-  Value &operator=(const Value &) = delete;
+  bool has_zero() const { return mpfr_sgn(lo.value) <= 0 && mpfr_sgn(hi.value) >= 0; }
+  bool is_known() const { return mpfr_number_p(lo.value) != 0 && mpfr_number_p(hi.value) != 0; }
+
+  /// The hull of x (op) y over the ends x, y of two intervals, for an operation that is monotone in each.
+  void set_hull(const Value &a, const Value &b, Operation operation) {
+    const auto bits = static_cast<unsigned>(mpfr_get_prec(lo.value));
+    Float end(bits);
+    bool first = true;
+    for (const Float *const x : {&a.lo, &a.hi})
+      for (const Float *const y : {&b.lo, &b.hi}) {
+        operation(end.value, x->value, y->value, MPFR_RNDD);
+        if (first || mpfr_less_p(end.value, lo.value) != 0)
+          mpfr_set(lo.value, end.value, MPFR_RNDD);
+        operation(end.value, x->value, y->value, MPFR_RNDU);
+        if (first || mpfr_greater_p(end.value, hi.value) != 0)
+          mpfr_set(hi.value, end.value, MPFR_RNDU);
+        first = false;
+      }
+  }
+
+  /// f of an interval, for a function that rises.
+  void set_risen(const Value &y, Function f) {
+    thread_local const ThreadCleanup cleanup;
+    static_cast<void>(cleanup);
+    f(lo.value, y.lo.value, MPFR_RNDD);
+    f(hi.value, y.hi.value, MPFR_RNDU);
+  }
 };
 
-Ball::Ball(unsigned bits) : value_(std::make_unique<Value>()), bits_(bits) {}
+Ball::Ball(unsigned bits) : value_(std::make_unique<Value>(bits)), bits_(bits) {}
 
 Ball::Ball(const Rational &r, unsigned bits) : Ball(bits) {
-  arb_set_fmpq(value_->ball, Fraction(r).value, bits);
+  mpfr_set_q(value_->lo.value, r.backend().data(), MPFR_RNDD);
+  mpfr_set_q(value_->hi.value, r.backend().data(), MPFR_RNDU);
 }
 
 Ball::Ball(const Ball &other) : Ball(other.bits_) {
-  arb_set(value_->ball, other.value_->ball);
+  mpfr_set(value_->lo.value, other.value_->lo.value, MPFR_RNDD);
+  mpfr_set(value_->hi.value, other.value_->hi.value, MPFR_RNDU);
 }
 
 Ball::Ball(Ball &&other) noexcept = default;
@@ -106,96 +98,110 @@ Ball::~Ball() = default;
 
 Ball operator+(const Ball &a, const Ball &b) {
   Ball result(std::max(a.bits_, b.bits_));
-  arb_add(result.value_->ball, a.value_->ball, b.value_->ball, result.bits_);
+  mpfr_add(result.value_->lo.value, a.value_->lo.value, b.value_->lo.value, MPFR_RNDD);
+  mpfr_add(result.value_->hi.value, a.value_->hi.value, b.value_->hi.value, MPFR_RNDU);
   return result;
 }
 
 Ball operator-(const Ball &a, const Ball &b) {
   Ball result(std::max(a.bits_, b.bits_));
-  arb_sub(result.value_->ball, a.value_->ball, b.value_->ball, result.bits_);
+  mpfr_sub(result.value_->lo.value, a.value_->lo.value, b.value_->hi.value, MPFR_RNDD);
+  mpfr_sub(result.value_->hi.value, a.value_->hi.value, b.value_->lo.value, MPFR_RNDU);
   return result;
 }
 
 Ball operator*(const Ball &a, const Ball &b) {
   Ball result(std::max(a.bits_, b.bits_));
-  arb_mul(result.value_->ball, a.value_->ball, b.value_->ball, result.bits_);
+  if (a.is_finite() && b.is_finite())
+    result.value_->set_hull(*a.value_, *b.value_, mpfr_mul);
+  else
+    result.value_->set_unknown();
   return result;
 }
 
 Ball operator/(const Ball &a, const Ball &b) {
   Ball result(std::max(a.bits_, b.bits_));
-  arb_div(result.value_->ball, a.value_->ball, b.value_->ball, result.bits_);
+  if (a.is_finite() && b.is_finite() && !b.value_->has_zero())
+    result.value_->set_hull(*a.value_, *b.value_, mpfr_div);
+  else
+    result.value_->set_unknown();
   return result;
 }
 
 Ball log(const Ball &y) {
   Ball result(y.bits_);
-  arb_log(result.value_->ball, y.value_->ball, y.bits_);
+  if (y.is_finite() && mpfr_sgn(y.value_->lo.value) > 0)
+    result.value_->set_risen(*y.value_, mpfr_log);
+  else
+    result.value_->set_unknown();
   return result;
 }
 
 Ball exp(const Ball &y) {
   Ball result(y.bits_);
-  arb_exp(result.value_->ball, y.value_->ball, y.bits_);
+  result.value_->set_risen(*y.value_, mpfr_exp);
   return result;
 }
 
+// A root of a power, of which each is rounded once: what is exact stays a point. Where that would be a long
+// computation, by logarithms.
 Ball pow(const Ball &y, const Rational &exponent) {
+  constexpr unsigned most = 1000;
+  const Integer p = abs(numerator(exponent)), q = denominator(exponent);
+  if (!y.is_finite() || mpfr_sgn(y.value_->lo.value) < 0 || p > most || q > most)
+    return exp(log(y) * Ball(exponent, y.bits_));
+  if (exponent < 0)
+    return Ball(1, y.bits_) / pow(y, -exponent);
   Ball result(y.bits_);
-  arb_pow_fmpq(result.value_->ball, y.value_->ball, Fraction(exponent).value, y.bits_);
+  const auto power = [&p, &q](Ball::Value::Float &end, const Ball::Value::Float &of, mpfr_rnd_t rounding) {
+    mpfr_pow_ui(end.value, of.value, static_cast<unsigned long>(p), rounding);
+    mpfr_rootn_ui(end.value, end.value, static_cast<unsigned long>(q), rounding);
+  };
+  power(result.value_->lo, y.value_->lo, MPFR_RNDD);
+  power(result.value_->hi, y.value_->hi, MPFR_RNDU);
   return result;
 }
 
 Ball erf(const Ball &y) {
   Ball result(y.bits_);
-  arb_hypgeom_erf(result.value_->ball, y.value_->ball, y.bits_);
+  result.value_->set_risen(*y.value_, mpfr_erf);
   return result;
-}
-
-Ball incomplete_beta(const Ball &x, const Rational &a, const Rational &b) {
-  Ball result(x.bits_);
-  arb_hypgeom_beta_lower(result.value_->ball, Ball(a, x.bits_).value_->ball, Ball(b, x.bits_).value_->ball,
-                         x.value_->ball, 1, x.bits_);
-  return result;
-}
-
-Ball beta_function(const Rational &a, const Rational &b, unsigned bits) {
-  const auto gamma = [bits](const Rational &r) {
-    Ball result(bits);
-    arb_gamma_fmpq(result.value_->ball, Fraction(r).value, bits);
-    return result;
-  };
-  return gamma(a) * gamma(b) / gamma(a + b);
 }
 
 Ball hull(const Ball &a, const Ball &b) {
   Ball result(std::max(a.bits_, b.bits_));
-  arb_union(result.value_->ball, a.value_->ball, b.value_->ball, result.bits_);
+  mpfr_min(result.value_->lo.value, a.value_->lo.value, b.value_->lo.value, MPFR_RNDD);
+  mpfr_max(result.value_->hi.value, a.value_->hi.value, b.value_->hi.value, MPFR_RNDU);
+  if (!a.is_finite() || !b.is_finite())
+    result.value_->set_unknown();
   return result;
 }
 
 Order compare(const Ball &a, const Ball &b) {
-  if (arb_lt(a.value_->ball, b.value_->ball) != 0)
+  if (!a.is_finite() || !b.is_finite())
+    return Order::undecided;
+  const Ball::Value &x = *a.value_, &y = *b.value_;
+  if (mpfr_less_p(x.hi.value, y.lo.value) != 0)
     return Order::less;
-  if (arb_gt(a.value_->ball, b.value_->ball) != 0)
+  if (mpfr_greater_p(x.lo.value, y.hi.value) != 0)
     return Order::greater;
-  return arb_eq(a.value_->ball, b.value_->ball) != 0 ? Order::equal : Order::undecided;
+  const bool are_points =
+      mpfr_equal_p(x.lo.value, x.hi.value) != 0 && mpfr_equal_p(y.lo.value, y.hi.value) != 0;
+  return are_points ? Order::equal : Order::undecided;
 }
 
 bool Ball::is_finite() const {
-  return arb_is_finite(value_->ball) != 0;
+  return value_->is_known();
 }
 
 Rational Ball::lower() const {
   assert(is_finite());
-  const Interval i(value_->ball);
-  return i.scaled(i.lo);
+  return value_->lo.fraction();
 }
 
 Rational Ball::upper() const {
   assert(is_finite());
-  const Interval i(value_->ball);
-  return i.scaled(i.hi);
+  return value_->hi.fraction();
 }
 
 } // namespace mdm

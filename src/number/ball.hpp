@@ -11,10 +11,9 @@ namespace mdm {
 /// The certain order of two numbers.
 enum class Order { less, equal, greater, undecided };
 
-/// A real number y, known to lie in a ball: an interval that Arb, or MPFR where there is no Arb, computes
-/// with. Whatever is done with balls, the result's ball contains the result; where an operation has no value
-/// for all of its ball (log of what may be 0), the result is not finite and every comparison with it is
-/// undecided.
+/// A real number y, known to lie in a ball: an interval of MPFR's numbers. Whatever is done with balls, the
+/// result's ball contains the result; where an operation has no value for all of its ball (log of what may be
+/// 0), the result is not finite and every comparison with it is undecided.
 class Ball {
 public:
   /// r, rounded to `bits` binary digits, which is also the precision of what is computed from it.
@@ -62,7 +61,7 @@ private:
 };
 
 /// Encloses I_x(a, b), the integral of t^(a-1) (1-t)^(b-1) from 0 to x over that from 0 to 1, for 0 <= x
-/// <= 1.
+/// <= 1. \throws InputError, as beta_function, where there is no Arb
 Ball incomplete_beta(const Ball &x, const Rational &a, const Rational &b);
 /// Encloses B(a, b), the integral from 0 to 1, with a precision of `bits`.
 Ball beta_function(const Rational &a, const Rational &b, unsigned bits);

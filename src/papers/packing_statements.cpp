@@ -12,6 +12,7 @@ namespace mdm {
 namespace {
 
 constexpr unsigned shown_digits = 4;
+constexpr const char *packings = "mdm study --paper voivret --only packings --out DIR";
 
 const Rational &tenth() {
   static const Rational r = ratio(1, 10);
@@ -57,11 +58,6 @@ std::string join(const std::vector<std::string> &parts) {
   for (const std::string &part : parts)
     text += (text.empty() ? "" : "; ") + part;
   return text;
-}
-
-/// How many of all.
-std::string verdict(std::size_t some, std::size_t all) {
-  return all == 0 ? "open" : some == all ? "yes" : some == 0 ? "no" : "partly";
 }
 
 /// The points of a study, by what the statements are about.
@@ -121,7 +117,7 @@ Interval mean_of(const PackingPoint &p) {
 }
 
 Statement coordination_number(const Findings &f) {
-  Statement s{"At s < 0.1 the coordination number is about 4", "section 2.4", "", ""};
+  Statement s{"At s < 0.1 the coordination number is about 4", "section 2.4", "", Holds::open, packings};
   const Points points = f.of({1, 1}, geometric, 0, tenth());
   std::size_t near = 0;
   for (const PackingPoint *p : points)
@@ -129,13 +125,13 @@ Statement coordination_number(const Findings &f) {
   s.found = "(1, 1): " + listed(points, [](const PackingPoint &p) { return p.coordination(); }) +
             "; each is 4 - 2 (supports by the floor) / N, as every disc has two supports; within 0.1 of 4 "
             "was asked";
-  s.holds = verdict(near, points.size());
+  s.holds = holds_in(near, points.size());
   return s;
 }
 
 Statement square_lattice(const Findings &f) {
   Statement s{"At s = 0.02 a globally square lattice with local triangles and dislocations",
-              "section 2.4, Figure 10", "", "open"};
+              "section 2.4, Figure 10", "", Holds::open, packings};
   const Points points = f.of({1, 1}, geometric, 0, tenth());
   if (points.empty())
     return s;
@@ -146,12 +142,12 @@ Statement square_lattice(const Findings &f) {
       "4 corners was asked",
       span_text(points.front()->span), percent(cells.quadrangles, all), percent(cells.triangles, all),
       percent(cells.pentagons, all), percent(cells.larger, all));
-  s.holds = 4 * Integer(cells.quadrangles) > 3 * all && cells.triangles > 0 ? "yes" : "no";
+  s.holds = 4 * Integer(cells.quadrangles) > 3 * all && cells.triangles > 0 ? Holds::yes : Holds::no;
   return s;
 }
 
 Statement dense_at_low_span(const Findings &f) {
-  Statement s{"At s < 0.1 the packing fraction is above 0.82", "section 2.4", "", ""};
+  Statement s{"At s < 0.1 the packing fraction is above 0.82", "section 2.4", "", Holds::open, packings};
   const PackingPoint *least = nullptr;
   std::size_t above = 0, all = 0;
   for (const PackingPoint &p : f.study().points)
@@ -167,12 +163,12 @@ Statement dense_at_low_span(const Findings &f) {
         "widths differ by {}",
         above, all, shown(least->mean()), shown(least->shape), span_text(least->span), shown(least->classing),
         shown(least->scatter()));
-  s.holds = verdict(above, all);
+  s.holds = holds_in(above, all);
   return s;
 }
 
 Statement declining_at_low_span(const Findings &f) {
-  Statement s{"The packing fraction declines up to s = 0.1", "section 2.4", "", ""};
+  Statement s{"The packing fraction declines up to s = 0.1", "section 2.4", "", Holds::open, packings};
   std::vector<std::string> parts;
   std::size_t falling = 0, all = 0;
   for (const Shape &shape : packed_shapes()) {
@@ -184,7 +180,7 @@ Statement declining_at_low_span(const Findings &f) {
     parts.push_back(shown(shape) + ": " + listed(points, mean_of));
   }
   s.found = join(parts);
-  s.holds = verdict(falling, all);
+  s.holds = holds_in(falling, all);
   return s;
 }
 
@@ -196,12 +192,12 @@ Statement equal_discs(const Findings &f) {
       "Strictly equal discs pack in triangular cells, fraction 0.906", "section 2.4",
       fmt::format("{} with the floor filled from its left end, {} contacts a disc; within 0.001 was asked",
                   shown(d.fraction), shown(mean)),
-      abs(error) <= ratio(1, 1000) ? "yes" : "no"};
+      abs(error) <= ratio(1, 1000) ? Holds::yes : Holds::no, packings};
 }
 
 Statement random_close_packing(const Findings &f) {
   Statement s{"A small dispersion leads to a random close packing with a fraction close to 0.81",
-              "section 2.4", "", "open"};
+              "section 2.4", "", Holds::open, packings};
   const Points points = f.of({1, 1}, geometric, tenth(), 1);
   if (points.empty())
     return s;
@@ -211,7 +207,7 @@ Statement random_close_packing(const Findings &f) {
     if (d.span == p.span && !d.deposits.empty())
       s.found += fmt::format(", {} where discs drop in random columns and roll", shown(d.mean()));
   s.found += "; within 0.005 of 0.81 by the rule of the paper was asked";
-  s.holds = is_above(Interval(ratio(815, 1000)), p.mean()) ? "yes" : "no";
+  s.holds = is_above(Interval(ratio(815, 1000)), p.mean()) ? Holds::yes : Holds::no;
   return s;
 }
 
@@ -229,7 +225,7 @@ Interval slope(const PackingPoint &from, const PackingPoint &to) {
 }
 
 Statement slow_rise(const Findings &f) {
-  Statement s{"It rises slowly for 0.1 < s < 0.4", "section 2.4", "", ""};
+  Statement s{"It rises slowly for 0.1 < s < 0.4", "section 2.4", "", Holds::open, packings};
   std::vector<std::string> parts;
   std::size_t rising = 0;
   for (const Shape &shape : packed_shapes())
@@ -239,12 +235,13 @@ Statement slow_rise(const Findings &f) {
       parts.push_back(fmt::format("{}: {} to {}", shown(shape), shown(from->mean()), shown(to->mean())));
     }
   s.found = join(parts);
-  s.holds = verdict(rising, parts.size());
+  s.holds = holds_in(rising, parts.size());
   return s;
 }
 
 Statement weak_shape(const Findings &f) {
-  Statement s{"Apart from (1, 1) the shape matters little for 0.1 < s < 0.4", "section 2.4", "", ""};
+  Statement s{"Apart from (1, 1) the shape matters little for 0.1 < s < 0.4", "section 2.4", "", Holds::open,
+              packings};
   std::vector<std::string> parts;
   std::size_t near = 0;
   for (const Rational &span : f.spans()) {
@@ -263,12 +260,12 @@ Statement weak_shape(const Findings &f) {
     parts.push_back(fmt::format("{} to {} ({})", shown(*least), shown(*greatest), span_text(span)));
   }
   s.found = "the five others: " + join(parts) + "; within 0.005 was asked";
-  s.holds = verdict(near, parts.size());
+  s.holds = holds_in(near, parts.size());
   return s;
 }
 
 Statement strong_rise(const Findings &f) {
-  Statement s{"It rises strongly beyond s = 0.4", "section 2.4", "", ""};
+  Statement s{"It rises strongly beyond s = 0.4", "section 2.4", "", Holds::open, packings};
   std::vector<std::string> parts;
   std::size_t steeper = 0;
   for (const Shape &shape : packed_shapes()) {
@@ -284,7 +281,7 @@ Statement strong_rise(const Findings &f) {
                                 slow.lo > 0 ? shown(Rational(fast.lo / slow.hi)) : "many"));
   }
   s.found = join(parts);
-  s.holds = verdict(steeper, parts.size());
+  s.holds = holds_in(steeper, parts.size());
   return s;
 }
 
@@ -307,7 +304,8 @@ std::vector<std::string> exceptions(const Findings &f, Classing classing, std::s
 }
 
 Statement uniform_is_best(const Findings &f) {
-  Statement s{"(1, 1), uniform by volume, has the largest packing fraction at all s", "section 2.4", "", ""};
+  Statement s{"(1, 1), uniform by volume, has the largest packing fraction at all s", "section 2.4", "",
+              Holds::open, packings};
   std::vector<std::string> parts;
   std::size_t all = 0, other = 0;
   for (const Classing classing : {geometric, Classing::regular}) {
@@ -320,14 +318,14 @@ Statement uniform_is_best(const Findings &f) {
         fmt::format("{}: {}", shown(classing), spans.empty() ? "at all spans" : "at all spans but " + list));
   }
   s.found = join(parts);
-  s.holds = verdict(all - other, all);
+  s.holds = holds_in(all - other, all);
   return s;
 }
 
 Statement fines_rise_faster(const Findings &f) {
   Statement s{
       "Beyond s = 0.4 shapes with many small discs, (1, 3) and (2, 4), rise faster than (3, 1) and (4, 2)",
-      "section 2.4", "", ""};
+      "section 2.4", "", Holds::open, packings};
   std::vector<std::string> parts;
   std::size_t faster = 0;
   for (const Rational &span : f.spans()) {
@@ -347,12 +345,13 @@ Statement fines_rise_faster(const Findings &f) {
                                 shown(*fine2), shown(*coarse1), shown(*coarse2)));
   }
   s.found = "rise from s = 0.4 with geometric classes: " + join(parts);
-  s.holds = verdict(faster, parts.size());
+  s.holds = holds_in(faster, parts.size());
   return s;
 }
 
 Statement inaccessible_shapes(const Findings &f) {
-  Statement s{"Some shapes are not accessible with N_max particles at large s", "section 2.4", "", ""};
+  Statement s{"Some shapes are not accessible with N_max particles at large s", "section 2.4", "",
+              Holds::open, packings};
   std::vector<std::string> parts;
   for (const Classing classing : {geometric, Classing::regular})
     for (const Shape &shape : packed_shapes()) {
@@ -364,13 +363,13 @@ Statement inaccessible_shapes(const Findings &f) {
     }
   s.found = (parts.empty() ? "all are accessible" : join(parts)) +
             "; N_max = " + to_string(f.study().terms.at_most);
-  s.holds = parts.empty() ? "no" : "yes";
+  s.holds = parts.empty() ? Holds::no : Holds::yes;
   return s;
 }
 
 Statement four_contacts_fall(const Findings &f) {
   Statement s{"With s discs with four contacts become fewer, those with three and with five more",
-              "abstract of Phys. Rev. E 76, 021301 (2007)", "", "open"};
+              "abstract of Phys. Rev. E 76, 021301 (2007)", "", Holds::open, packings};
   const Points points = f.of({1, 1}, geometric, 0, four_tenths());
   if (points.size() < 2)
     return s;
@@ -380,10 +379,10 @@ Statement four_contacts_fall(const Findings &f) {
     parts.push_back(fmt::format("{} contacts: {} to {} of the discs", n, shown(first.touching(n)),
                                 shown(last.touching(n))));
   s.found = fmt::format("(1, 1), {} to {}: {}", span_text(first.span), span_text(last.span), join(parts));
-  s.holds = verdict((last.touching(3) > first.touching(3) ? 1U : 0U) +
-                        (last.touching(4) < first.touching(4) ? 1U : 0U) +
-                        (last.touching(5) > first.touching(5) ? 1U : 0U),
-                    3);
+  s.holds = holds_in((last.touching(3) > first.touching(3) ? 1U : 0U) +
+                         (last.touching(4) < first.touching(4) ? 1U : 0U) +
+                         (last.touching(5) > first.touching(5) ? 1U : 0U),
+                     3);
   return s;
 }
 

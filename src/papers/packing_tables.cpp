@@ -120,12 +120,4 @@ std::string cells_table(const Packing &packing) {
   return text;
 }
 
-std::string statements_table(const std::vector<Statement> &statements) {
-  std::string text = "statement,where,found,holds\n";
-  for (const Statement &s : statements)
-    text +=
-        fmt::format("{},{},{},{}\n", csv_field(s.statement), csv_field(s.where), csv_field(s.found), s.holds);
-  return text;
-}
-
 } // namespace mdm

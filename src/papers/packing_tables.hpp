@@ -3,7 +3,6 @@
 /// The numbers of the figures with packings as CSV.
 
 #include "packing/apollonian.hpp"
-#include "papers/packing_statements.hpp"
 #include "papers/packing_study.hpp"
 
 namespace mdm {
@@ -32,8 +31,5 @@ struct Snapshot {
 std::string discs_table(const std::vector<Snapshot> &snapshots);
 /// Figure 10: corners,discs of each cell; discs are counted from 0, in the order of discs_table.
 std::string cells_table(const Packing &packing);
-
-/// statement,where,found,holds
-std::string statements_table(const std::vector<Statement> &statements);
 
 } // namespace mdm

@@ -14,6 +14,13 @@ namespace {
 constexpr const char *exact_color = "#1f4e79";
 constexpr const char *published_color = "#c55a11";
 
+/// The first sieve that is drawn: the second where the first is a pan far below it, which would take half of
+/// the axis.
+std::size_t first_drawn(const SurveyRow &row) {
+  constexpr int far = 10;
+  return row.sizes[1] > far * row.sizes[0] ? 1 : 0;
+}
+
 /// The points of a curve in log size, from `from` on.
 std::vector<Point> curve_points(const SurveyRow &row, std::size_t from) {
   std::vector<Point> points;
@@ -35,7 +42,7 @@ Panel curves_panel(const std::vector<SurveyRow> &rows, std::optional<std::size_t
   Range sizes;
   std::size_t shown = 0;
   for (std::size_t i = 0; i < rows.size(); i += subset_step, ++shown) {
-    const std::vector<Point> points = curve_points(rows[i], 0);
+    const std::vector<Point> points = curve_points(rows[i], first_drawn(rows[i]));
     for (const Point &p : points)
       sizes.cover(p.x);
     append_line(curves, points);
@@ -49,7 +56,7 @@ Panel curves_panel(const std::vector<SurveyRow> &rows, std::optional<std::size_t
   if (example) {
     Series one;
     one.title = "the example: " + rows[*example].id;
-    one.points = curve_points(rows[*example], 0);
+    one.points = curve_points(rows[*example], first_drawn(rows[*example]));
     one.color = published_color;
     one.width = 2;
     panel.series.push_back(std::move(one));
@@ -75,7 +82,7 @@ Panel index_panel(const SurveyRow &row) {
   triangle.stroke = Stroke::dashed;
   Series curve;
   curve.title = "the example: " + row.id;
-  curve.points = curve_points(row, 0);
+  curve.points = curve_points(row, first_drawn(row));
   curve.color = published_color;
   curve.width = 2;
   curve.mark = Mark::disc;
@@ -133,7 +140,7 @@ std::optional<Integer> published_count(const SurveyRow &row) {
 }
 
 const Cloud clouds[] = {{"smallest match, exact", exact_count},
-                        {"SI as published, x_nS mid-class", published_count}};
+                        {"paper's SI code, x_nS mid-class", published_count}};
 
 constexpr const char *count_title = "N_MDM (particles)";
 
@@ -201,6 +208,8 @@ Figure paper_figure1(const std::vector<SurveyRow> &rows) {
   figure.columns = 2;
   figure.panel_width = 430;
   figure.panels.push_back(curves_panel(rows, example));
+  if (std::any_of(rows.begin(), rows.end(), [](const SurveyRow &row) { return first_drawn(row) == 1; }))
+    figure.notes = {"A curve begins at its finest sieve", "where the pan is less than a tenth of it."};
   if (example)
     figure.panels.push_back(index_panel(rows[*example]));
   return figure;

@@ -46,15 +46,45 @@ std::vector<Series> set_lines(const std::vector<SetRow> &rows, Belongs belongs, 
   return lines;
 }
 
+/// Bars from the least to the greatest C_r of each set, in the colours of the lines.
+template <class Across>
+void add_bars(Panel &panel, const std::vector<SetRow> &rows, Across across) {
+  std::vector<Series> bars;
+  for (const Series &line : panel.series) {
+    bars.push_back(line);
+    bars.back().title.clear();
+    bars.back().points.clear();
+    bars.back().mark = Mark::none;
+    bars.back().stroke = Stroke::solid;
+    bars.back().width = 0.6;
+  }
+  // The lines are those of the shapes with geometric classes, then those with regular ones.
+  const std::vector<Shape> shapes = compared_shapes();
+  for (const SetRow &row : rows) {
+    if (row.c_r.empty())
+      continue;
+    const auto at = std::find_if(shapes.begin(), shapes.end(),
+                                 [&](const Shape &s) { return same_shape(s, shape_of(row)); });
+    const auto i = static_cast<std::size_t>(at - shapes.begin()) +
+                   (row.question.classing == Classing::regular ? shapes.size() : 0);
+    Series &bar = bars.at(i);
+    bar.points.push_back({across(row), mdm::log10_of(row.least().lo)});
+    bar.points.push_back({across(row), mdm::log10_of(row.greatest().hi)});
+    bar.points.push_back({no_number, no_number});
+  }
+  for (Series &bar : bars)
+    panel.series.push_back(std::move(bar));
+}
+
 /// N_max of the accessible domains, and what is beyond them.
 struct Level {
   unsigned power; ///< of ten
   const char *title, *color;
 };
-constexpr std::array<Level, 4> levels = {{{4, "accessible with 10\u2074 particles", "#1f4e79"},
-                                          {5, "accessible with 10\u2075", "#5b9bd5"},
-                                          {6, "accessible with 10\u2076", "#bdd7ee"},
-                                          {1000, "not accessible with 10\u2076", "#f4d9c6"}}};
+constexpr std::array<Level, 4> levels = {{{4, "10\u2074", "#1f4e79"},
+                                          {5, "10\u2075", "#5b9bd5"},
+                                          {6, "10\u2076", "#bdd7ee"},
+                                          {1000, "more", "#f4d9c6"}}};
 
 Panel shape_panel(const std::string &name) {
   Panel panel;
@@ -74,12 +104,36 @@ Series cells() {
   return series;
 }
 
+/// The legend of the levels, in the corner where all maps are of one colour.
+void add_levels(Panel &panel) {
+  constexpr double left = 9.9, right = 12.3, low = 0.4, step = 0.62, sample = 10.3, name = 10.7;
+  const double high = low + step * (static_cast<double>(levels.size()) + 1);
+  Series field;
+  field.points = {{left, low}, {right, low}, {right, high}, {left, high}, {left, low}};
+  field.color = "#ffffff";
+  field.edge = "#999999";
+  field.filled = true;
+  panel.series.push_back(std::move(field));
+  double y = high - step / 2;
+  panel.texts.push_back({left, y, "N up to", Align::left, 4, 0});
+  for (const Level &level : levels) {
+    y -= step;
+    Series square;
+    square.stroke = Stroke::none;
+    square.mark = Mark::square;
+    square.mark_size = 0.9;
+    square.color = level.color;
+    square.points = {{sample, y}};
+    panel.series.push_back(std::move(square));
+    panel.texts.push_back({name, y, level.title, Align::left, 0, 0});
+  }
+}
+
 Panel level_panel(const std::vector<ShapeRow> &maps, Classing classing, const Rational &span) {
   Panel panel = shape_panel(fmt::format("s = {}, {} classes", to_decimal(span),
                                         classing == Classing::regular ? "regular" : "geometric"));
   for (const Level &level : levels) {
     Series series = cells();
-    series.title = level.title;
     series.color = level.color;
     panel.series.push_back(std::move(series));
   }
@@ -91,6 +145,7 @@ Panel level_panel(const std::vector<ShapeRow> &maps, Classing classing, const Ra
       ++i;
     panel.series[i].points.push_back({to_double(row.question.shape.a), to_double(row.question.shape.b)});
   }
+  add_levels(panel);
   return panel;
 }
 
@@ -183,10 +238,11 @@ Figure set_figure(const std::vector<SetRow> &rows, Criterion varied) {
   n.x = axis(range_of(n.series, &Point::x));
   n.y = decades_axis("number of particles N", range_of(n.series, &Point::y));
   Panel c_r = lines_panel(set_lines(
-      rows, [](const SetRow &r) { return r.c_r.has_value(); },
+      rows, [](const SetRow &r) { return !r.c_r.empty(); },
       [&](const SetRow &r) {
-        return Point{across(r), mdm::log10_of(r.c_r->lo)};
+        return Point{across(r), mdm::log10_of(r.mean().lo)};
       }));
+  add_bars(c_r, rows, across);
   c_r.x = n.x;
   c_r.y = decades_axis("regression coefficient C_r", range_of(c_r.series, &Point::y));
   Figure figure;
@@ -196,16 +252,21 @@ Figure set_figure(const std::vector<SetRow> &rows, Criterion varied) {
                                                        : "the least number of particles");
   figure.columns = 2;
   figure.panel_width = panel_width;
-  figure.notes = {"geometric classes,", "where nothing else is said;",
-                  "what is not varied: N_c = 10, N_pc = 10,", "N_min = 2000;",
-                  "C_r of sets up to 50,000 particles"};
+  figure.notes = {"geometric classes,",
+                  "where nothing else is said;",
+                  "what is not varied: N_c = 10, N_pc = 10,",
+                  "N_min = 2000;",
+                  "C_r of sets up to 50,000 particles:",
+                  "the mean of 10 draws, and a bar",
+                  "from the least to the greatest"};
   figure.panels = {std::move(c_r), std::move(n)};
   return figure;
 }
 
 Figure accessible_figure(const std::vector<ShapeRow> &maps, const std::vector<ShapeRow> &spans) {
   Figure figure;
-  figure.title = "Accessible shapes of the model: N_c = 10, N_pc = 10, N_min = 2000";
+  figure.title =
+      "Shapes of the model that are accessible with N particles: N_c = 10, N_pc = 10, N_min = 2000";
   figure.columns = 3;
   figure.panel_width = 330;
   figure.panel_height = 330;
@@ -239,15 +300,19 @@ Figure accessible_figure(const std::vector<ShapeRow> &maps, const std::vector<Sh
     least.points.push_back({to_double(span), range.low});
     greatest.points.push_back({to_double(span), range.high});
   }
-  greatest.title = "largest C_u";
   greatest.color = shape_colors[1];
-  least.title = "smallest C_u";
   Panel over = lines_panel({std::move(greatest), std::move(least)});
   for (Series &line : over.series)
     line.mark = Mark::disc;
   over.title = "C_u with 10\u2076 particles, regular, whole a and b to 10";
   over.x = linear_axis("size span s", 0, 1);
   over.y = decades_axis("C_u", range_of(over.series, &Point::y));
+  const std::pair<const char *, std::size_t> names[] = {{"largest", 0}, {"smallest", 1}};
+  for (const auto &[name, i] : names)
+    if (!over.series[i].points.empty()) {
+      const Point &last = over.series[i].points.back();
+      over.texts.push_back({last.x, last.y, name, Align::right, -12, i == 0 ? 8.0 : 14.0});
+    }
   figure.panels.push_back(std::move(over));
   return figure;
 }

@@ -41,15 +41,19 @@ std::string table_csv(const std::vector<CoefficientRow> &rows) {
 }
 
 std::string table_csv(const std::vector<SetRow> &rows) {
-  std::string text = "a,b,classing,classes,min_per_class,at_least,n_estimated,n,C_r\n";
+  std::string text =
+      "a,b,classing,classes,min_per_class,at_least,n_estimated,n,draws,C_r,C_r_least,C_r_greatest\n";
   for (const SetRow &r : rows) {
     const SetQuestion &q = r.question;
     const IntegerBounds estimated = r.counts.estimated();
-    text += fmt::format("{},{},{},{},{},{},{},{}\n", cells(q.shape), name(q.classing), q.classes,
+    const auto c_r = [&r](Interval (SetRow::*value)() const) {
+      return r.c_r.empty() ? "" : rounded(real_in((r.*value)()), model_digits);
+    };
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", cells(q.shape), name(q.classing), q.classes,
                         to_string(q.wanted.min_per_class), to_string(q.wanted.at_least),
                         estimated.is_point() ? to_string(estimated.lo) : "",
-                        r.counts.decided() ? to_string(r.counts.particles()) : "",
-                        r.c_r ? rounded(real_in(*r.c_r), model_digits) : "");
+                        r.counts.decided() ? to_string(r.counts.particles()) : "", r.c_r.size(),
+                        c_r(&SetRow::mean), c_r(&SetRow::least), c_r(&SetRow::greatest));
   }
   return text;
 }

@@ -3,6 +3,8 @@
 #include "sets/set_sizes.hpp"
 #include "sets/size_distribution.hpp"
 
+#include <algorithm>
+
 namespace mdm {
 namespace {
 
@@ -64,12 +66,15 @@ std::vector<DistributionRow> figure1_rows() {
 }
 
 std::vector<PassingRow> figure3_rows() {
+  constexpr unsigned pieces = 200;
   std::vector<PassingRow> rows;
   for (const Shape &shape :
        std::vector<Shape>{{1, 1}, {1, 3}, {3, 1}, {3, 3}, {2, 4}, {4, 2}, {ratio(1, 10), ratio(1, 10)}}) {
     const BetaCurve curve(shape.a, shape.b, 1, 2);
-    for (unsigned i = 0; i <= 100; ++i)
-      rows.push_back({shape, ratio(i, 100), curve.passing(Real(1 + ratio(i, 100)))});
+    for (unsigned i = 0; i <= pieces; ++i) {
+      const Rational t = ratio(i, pieces), reduced = power(t, 3) * (10 - 15 * t + 6 * t * t);
+      rows.push_back({shape, reduced, curve.passing(Real(Rational(1 + reduced)))});
+    }
   }
   return rows;
 }
@@ -115,13 +120,35 @@ std::vector<SetQuestion> figure7_questions() {
 SetRow set_row(const SetQuestion &question, const Integer &most_drawn) {
   const BetaCurve curve = spanned_curve(question.shape, ratio(49, 50));
   const std::vector<SizeClass> classes = size_classes(curve, question.classing, question.classes);
-  SetRow row{question, class_counts(classes, curve, question.wanted), std::nullopt};
+  SetRow row{question, class_counts(classes, curve, question.wanted), {}};
   if (row.counts.decided() && row.counts.particles() <= most_drawn)
-    row.c_r = set_quality(curve, classes, question.wanted.dimension, quality_points,
-                          drawn_particles(classes, row.counts.numbers, question.wanted.dimension,
-                                          drawn_digits, Draws::random(1)))
-                  .c_r;
+    for (unsigned seed = 1; seed <= draws_of_a_set; ++seed)
+      row.c_r.push_back(set_quality(curve, classes, question.wanted.dimension, quality_points,
+                                    drawn_particles(classes, row.counts.numbers, question.wanted.dimension,
+                                                    drawn_digits, Draws::random(seed)))
+                            .c_r);
   return row;
+}
+
+Interval SetRow::mean() const {
+  Interval sum(0);
+  for (const Interval &one : c_r)
+    sum = sum + one;
+  return {Rational(sum.lo / c_r.size()), Rational(sum.hi / c_r.size())};
+}
+
+Interval SetRow::least() const {
+  Interval least = c_r.front();
+  for (const Interval &one : c_r)
+    least = {std::min(least.lo, one.lo), std::min(least.hi, one.hi)};
+  return least;
+}
+
+Interval SetRow::greatest() const {
+  Interval greatest = c_r.front();
+  for (const Interval &one : c_r)
+    greatest = mdm::greater(greatest, one);
+  return greatest;
 }
 
 ShapeRow shape_row(const ShapeQuestion &question) {

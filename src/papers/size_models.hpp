@@ -32,7 +32,8 @@ struct PassingRow {
   Rational reduced;
   Real passing;
 };
-/// Curves of the kinds that the paper's section 2.1 names, at d_r = 0, 1/100, ..., 1.
+/// Curves of the kinds that the paper's section 2.1 names, at 201 d_r, which are densest near 0 and 1, where
+/// curves may be steep: d_r = t^3 (10 - 15 t + 6 t^2) for t = 0, 1/200, ..., 1.
 std::vector<PassingRow> figure3_rows();
 
 /// The shapes that the paper's section 2.2 compares: (1, 3), (3, 3), (3, 1).
@@ -68,10 +69,18 @@ std::vector<SetQuestion> figure7_questions();
 struct SetRow {
   SetQuestion question;
   ClassCounts counts;
-  std::optional<Interval> c_r; ///< C_r (Eq. 21); nothing for sets that are too large
+  std::vector<Interval>
+      c_r; ///< C_r (Eq. 21) of draws with the seeds 1, 2, ...; none of sets that are too large
+
+  /// The mean, the least and the greatest. \pre there are draws
+  Interval mean() const;
+  Interval least() const;
+  Interval greatest() const;
 };
-/// The row of a set; C_r is taken at 100 sizes, of particles drawn with the seed 1, if the set has at most
-/// `most_drawn` particles. Cost: some milliseconds, and 2 microseconds a particle.
+/// The draws of a set.
+inline constexpr unsigned draws_of_a_set = 10;
+/// The row of a set; C_r is taken at 100 sizes, of particles drawn draws_of_a_set times, if the set has at
+/// most `most_drawn` particles. Cost: some milliseconds, and 20 microseconds a particle.
 SetRow set_row(const SetQuestion &question, const Integer &most_drawn);
 
 /// The particles that a shape takes with default criteria: Figure 8.

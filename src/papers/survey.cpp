@@ -22,9 +22,14 @@ SurveyCounts counts(const Gradation &g) {
   const Published fixed = fixed_size(g, {});
   const Published middle = spanned_integer_at_middle(g);
   const Published printed = spanned_integer(g, {});
-  return {total(least_match(Problem(g, {}, 1)).q), particles(middle, middle.is_match()),
-          particles(printed, printed.is_match()), particles(fixed, fixed.reached),
-          total(fixed.tries.front().q)};
+  return {total(least_match(Problem(g, {}, 1)).q),
+          particles(middle, middle.is_match()),
+          particles(printed, printed.is_match()),
+          particles(fixed, fixed.reached),
+          total(fixed.tries.front().q),
+          middle.tries.size(),
+          printed.tries.size(),
+          fixed.tries.size()};
 }
 
 Available<Real> real(const Available<PowerProduct> &value) {

@@ -20,6 +20,8 @@ struct SurveyCounts {
   std::optional<Integer> spanned_integer_printed;
   std::optional<Integer> fixed_size; ///< FS with sizes at the middle, total error up to 1 %
   Integer rounded;                   ///< S_approx (Eq. 18) with sizes at the middle
+  /// Iterations that SI mid-class, SI as printed and FS took.
+  std::size_t middle_iterations = 0, printed_iterations = 0, fixed_size_iterations = 0;
 };
 
 /// One gradation of the study.

@@ -17,7 +17,7 @@ namespace {
 class DemEngineReader : public LineReader {
 public:
   explicit DemEngineReader(ParticleSource &source) : source_(source) {
-    source.set_defaults(SizeMeaning::radius, LengthUnit::m);
+    source.set_defaults(SizeMeaning::radius, SizeUnit::m);
   }
 
   void line(std::string_view text) override {

@@ -16,7 +16,7 @@ namespace {
 class DumpReader : public LineReader {
 public:
   explicit DumpReader(ParticleSource &source) : source_(source) {
-    source.set_defaults(SizeMeaning::diameter, LengthUnit::m);
+    source.set_defaults(SizeMeaning::diameter, SizeUnit::m);
   }
 
   void line(std::string_view text) override {
@@ -167,7 +167,7 @@ private:
     has_both_ = !asked && radius_ < width_ && diameter_ < width_;
     const bool by_radius = radius_ < width_ && !(asked == SizeMeaning::diameter && diameter_ < width_);
     column_ = by_radius ? radius_ : diameter_;
-    source_.set_defaults(by_radius ? SizeMeaning::radius : SizeMeaning::diameter, LengthUnit::m);
+    source_.set_defaults(by_radius ? SizeMeaning::radius : SizeMeaning::diameter, SizeUnit::m);
     find_places();
     item_ = Item::atoms;
     complete_ = *atoms_ == 0;

@@ -49,7 +49,7 @@ std::string_view take_part(std::string_view &rest) {
 class ExtxyzReader : public LineReader {
 public:
   explicit ExtxyzReader(ParticleSource &source) : source_(source) {
-    source.set_defaults(SizeMeaning::radius, length_unit(source.options().target));
+    source.set_defaults(SizeMeaning::radius, source.options().target);
   }
 
   void line(std::string_view text) override {
@@ -101,7 +101,7 @@ private:
   void read_unit(std::string_view comment) {
     for (const std::string_view key : {"unit=", "units="})
       if (const std::optional<std::string_view> stated = value_of(key, comment)) {
-        const std::optional<LengthUnit> unit = parse_length_unit(*stated);
+        const std::optional<SizeUnit> unit = parse_size_unit(*stated);
         if (!unit)
           source_.refuse(fmt::format("{}{} is no unit of lengths that is known: write {}mm, um, m or in", key,
                                      in_quotes(*stated), key));

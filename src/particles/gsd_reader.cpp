@@ -188,7 +188,7 @@ ReadParticles read_gsd(std::string_view bytes, const std::string &file, Particle
   const GsdChunks chunks(bytes, file);
   const std::uint64_t frame = frame_of(chunks, options.timestep);
   ParticleSource source(file, sink, options);
-  source.set_defaults(SizeMeaning::diameter, LengthUnit::m);
+  source.set_defaults(SizeMeaning::diameter, SizeUnit::m);
   const auto n = chunks.numbers<std::uint32_t>(frame, gsd::count_name, Type::uint32, 1, 1);
   const std::uint32_t particles = n ? n->front() : 0;
   const auto diameters = chunks.numbers<float>(frame, gsd::diameter_name, Type::float32, particles, 1);

@@ -18,7 +18,7 @@ namespace {
 class InsertionReader : public LineReader {
 public:
   explicit InsertionReader(ParticleSource &source) : source_(source) {
-    source.set_defaults(SizeMeaning::radius, LengthUnit::m);
+    source.set_defaults(SizeMeaning::radius, SizeUnit::m);
   }
 
   void line(std::string_view text) override {

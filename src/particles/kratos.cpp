@@ -18,7 +18,7 @@ namespace {
 class KratosReader : public LineReader {
 public:
   explicit KratosReader(ParticleSource &source) : source_(source) {
-    source.set_defaults(SizeMeaning::radius, LengthUnit::m);
+    source.set_defaults(SizeMeaning::radius, SizeUnit::m);
   }
 
   void line(std::string_view text) override {

@@ -17,7 +17,7 @@ namespace {
 class LammpsDataReader : public LineReader {
 public:
   explicit LammpsDataReader(ParticleSource &source) : source_(source) {
-    source.set_defaults(SizeMeaning::diameter, LengthUnit::m);
+    source.set_defaults(SizeMeaning::diameter, SizeUnit::m);
   }
 
   void line(std::string_view text) override {

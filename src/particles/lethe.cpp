@@ -17,7 +17,7 @@ namespace {
 class LetheReader : public LineReader {
 public:
   explicit LetheReader(ParticleSource &source) : source_(source) {
-    source.set_defaults(SizeMeaning::diameter, LengthUnit::m);
+    source.set_defaults(SizeMeaning::diameter, SizeUnit::m);
   }
 
   void line(std::string_view text) override {

@@ -14,17 +14,17 @@ namespace mdm {
 
 ParticleSource::ParticleSource(std::string file, ParticleSink &sink, const ParticleOptions &options)
     : file_(std::move(file)), sink_(sink), options_(options) {
-  set_defaults(SizeMeaning::diameter, length_unit(options.target));
+  set_defaults(SizeMeaning::diameter, options.target);
 }
 
 void ParticleSource::refuse(const std::string &what) const {
   throw InputError(fmt::format("{}:{}: {}", printable(file_), std::max<std::uint64_t>(line_, 1), what));
 }
 
-void ParticleSource::set_defaults(SizeMeaning meaning, LengthUnit unit) {
+void ParticleSource::set_defaults(SizeMeaning meaning, SizeUnit unit) {
   meaning_ = options_.meaning.value_or(meaning);
   unit_ = options_.unit.value_or(unit);
-  length_ = (stated_ ? stated_->in_mm : in_mm(unit_)) / in_mm(length_unit(options_.target));
+  length_ = (stated_ ? stated_->in_mm : in_mm(unit_)) / in_mm(options_.target);
   factor_ = length_ * (meaning_ == SizeMeaning::radius ? 2 : 1);
 }
 
@@ -39,7 +39,7 @@ void ParticleSource::take_unit(const StatedUnit &unit, std::string_view words) {
   set_defaults(meaning_, unit_);
 }
 
-RootSize ParticleSource::diameter(std::string_view text, char point, ReadSize read) const {
+RootSize ParticleSource::diameter(std::string_view text, char point, const ReadSize &read) const {
   const char *const what = meaning_ == SizeMeaning::radius ? "radius" : "diameter";
   RootSize size;
   try {
@@ -54,13 +54,14 @@ RootSize ParticleSource::diameter(std::string_view text, char point, ReadSize re
   return size;
 }
 
-void ParticleSource::particle(std::string_view text, const Integer &quantity, char point, ReadSize read) {
+void ParticleSource::particle(std::string_view text, const Integer &quantity, char point,
+                              const ReadSize &read) {
   sink_.add(diameter(text, point, read), quantity);
   any_ = true;
 }
 
 void ParticleSource::particle_at(const SphereSample::Place &place, std::string_view size, char point,
-                                 ReadSize read) {
+                                 const ReadSize &read) {
   check_place(place);
   if (!sink_.wants_places()) {
     particle(size, 1, point, read);

@@ -8,6 +8,8 @@
 
 #include <mdm/number/decimal.hpp>
 
+#include <functional>
+
 namespace mdm {
 
 /// A unit of lengths that a file states.
@@ -30,23 +32,23 @@ public:
   [[noreturn]] void refuse(const std::string &what) const;
 
   /// The meaning of sizes and their unit, where neither the user nor the file did say.
-  void set_defaults(SizeMeaning meaning, LengthUnit unit);
+  void set_defaults(SizeMeaning meaning, SizeUnit unit);
   /// The unit that the file states in these words. \throws InputError if the user said another one, or there
   /// are particles already, in another one
   void take_unit(const StatedUnit &unit, std::string_view words);
   SizeMeaning meaning() const { return meaning_; }
   /// Nothing where the file states its unit.
-  std::optional<LengthUnit> unit() const { return stated_ ? std::nullopt : std::optional(unit_); }
+  std::optional<SizeUnit> unit() const { return stated_ ? std::nullopt : std::optional(unit_); }
 
   /// A function that reads a size; `point` is the decimal sign.
-  using ReadSize = RootSize (*)(std::string_view text, char point);
+  using ReadSize = std::function<RootSize(std::string_view text, char point)>;
   static RootSize read_decimal(std::string_view text, char point) { return {parse_decimal(text, point)}; }
   /// A particle whose size is written as `text`.
   void particle(std::string_view text, const Integer &quantity = 1, char point = '.',
-                ReadSize read = read_decimal);
+                const ReadSize &read = read_decimal);
   /// A particle with its place. \throws InputError if a coordinate is no number
   void particle_at(const SphereSample::Place &place, std::string_view size, char point = '.',
-                   ReadSize read = read_decimal);
+                   const ReadSize &read = read_decimal);
   /// \throws InputError if a word is no number
   void check_number(std::string_view word) const;
   /// The place of the one column of that name. \throws InputError that shows the example if there is none, or
@@ -76,7 +78,7 @@ public:
   std::string size_note() const;
 
 private:
-  RootSize diameter(std::string_view text, char point, ReadSize read) const;
+  RootSize diameter(std::string_view text, char point, const ReadSize &read) const;
   Rational number(const char *what, std::string_view text) const;
 
   std::string file_;
@@ -84,7 +86,7 @@ private:
   ParticleOptions options_;
   std::uint64_t line_ = 0;
   SizeMeaning meaning_ = SizeMeaning::diameter;
-  LengthUnit unit_ = LengthUnit::mm;
+  SizeUnit unit_ = SizeUnit::mm;
   Rational length_ = 1; ///< of the file's unit in the asked one
   Rational factor_ = 1; ///< from the file's number to the diameter in the asked unit
   std::optional<StatedUnit> stated_;

@@ -36,9 +36,9 @@ private:
   void read_heading(std::string_view text) {
     constexpr std::string_view begin = "radius_", middle = ",cumulative_number,", end = " particles";
     const std::size_t comma = text.find(middle);
-    std::optional<LengthUnit> unit;
+    std::optional<SizeUnit> unit;
     if (text.starts_with(begin) && comma != std::string_view::npos)
-      unit = parse_length_unit(text.substr(begin.size(), comma - begin.size()));
+      unit = parse_size_unit(text.substr(begin.size(), comma - begin.size()));
     if (unit) {
       text.remove_prefix(comma + middle.size());
       particles_ = parse_natural(text.substr(0, text.find(end)));

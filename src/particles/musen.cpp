@@ -39,7 +39,7 @@ constexpr std::array<MusenKey, 11> musen_passed_over = {{{10, 3},   // accelerat
 class MusenReader : public LineReader {
 public:
   explicit MusenReader(ParticleSource &source) : source_(source) {
-    source.set_defaults(SizeMeaning::radius, LengthUnit::m);
+    source.set_defaults(SizeMeaning::radius, SizeUnit::m);
   }
 
   void line(std::string_view text) override {

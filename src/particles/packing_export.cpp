@@ -18,10 +18,10 @@ constexpr std::size_t part = std::size_t{1} << 16;
 /// A file that is written.
 class File {
 public:
-  File(const Packing &packing, LengthUnit unit, const Sink &out) : packing_(packing), unit_(unit), out_(out) {
+  File(const Packing &packing, SizeUnit unit, const Sink &out) : packing_(packing), unit_(unit), out_(out) {
     if (packing.unit.empty())
       return;
-    const Rational factor = in_mm(parse_length_unit(packing.unit).value_or(unit)) / in_mm(unit);
+    const Rational factor = in_mm(parse_size_unit(packing.unit).value_or(unit)) / in_mm(unit);
     // Units are decimals of each other.
     Rational scaled = factor;
     while (denominator(scaled) != 1) {
@@ -66,7 +66,7 @@ public:
 
 private:
   const Packing &packing_;
-  LengthUnit unit_;
+  SizeUnit unit_;
   const Sink &out_;
   Integer times_ = 1;
   unsigned places_ = 0;
@@ -81,7 +81,7 @@ std::int64_t height(const Packing &p) {
 }
 
 /// \param half the box in z
-void write_data(const Packing &p, LengthUnit unit, const Rational &density, std::int64_t half,
+void write_data(const Packing &p, SizeUnit unit, const Rational &density, std::int64_t half,
                 const std::string &how, const Sink &out) {
   File file(p, unit, out);
   const std::string rho = file.density(density);
@@ -96,19 +96,19 @@ void write_data(const Packing &p, LengthUnit unit, const Rational &density, std:
 
 } // namespace
 
-void write_packing_lammps(const Packing &p, LengthUnit unit, const Rational &density, const Sink &out) {
+void write_packing_lammps(const Packing &p, SizeUnit unit, const Rational &density, const Sink &out) {
   write_data(
       p, unit, density, p.largest_radius() / 2,
       fmt::format("dimension 2, boundary {} f p, fix enforce2d, fix nve/sphere disc", p.periodic ? "p" : "f"),
       out);
 }
 
-void write_packing_liggghts(const Packing &p, LengthUnit unit, const Rational &density, const Sink &out) {
+void write_packing_liggghts(const Packing &p, SizeUnit unit, const Rational &density, const Sink &out) {
   write_data(p, unit, density, p.largest_radius(),
              fmt::format("a slab of spheres, boundary {} f p", p.periodic ? "p" : "f"), out);
 }
 
-void write_packing_yade(const Packing &p, LengthUnit unit, const Rational &density, const Sink &out) {
+void write_packing_yade(const Packing &p, SizeUnit unit, const Rational &density, const Sink &out) {
   File file(p, unit, out);
   file.add("# {}\n# density {} kg/m^3; for b in O.bodies: b.state.blockedDOFs = 'zXY'\n# x y z r\n",
            file.title(), short_decimal(density));
@@ -116,7 +116,7 @@ void write_packing_yade(const Packing &p, LengthUnit unit, const Rational &densi
     file.add("{} {} 0 {}\n", file.length(d.x), file.length(d.y), file.length(d.r));
 }
 
-void write_packing_lmgc90(const Packing &p, LengthUnit unit, const Rational &density, const Sink &out) {
+void write_packing_lmgc90(const Packing &p, SizeUnit unit, const Rational &density, const Sink &out) {
   File file(p, unit, out);
   file.add(
       "# {}\n# density {} kg/m^3; r, x, y = numpy.loadtxt(FILE, unpack=True); pre.rigidDisk(r[i], [x[i], "
@@ -127,7 +127,7 @@ void write_packing_lmgc90(const Packing &p, LengthUnit unit, const Rational &den
     file.add("{} {} {}\n", file.length(d.r), file.length(d.x), file.length(d.y));
 }
 
-void write_packing_vtk(const Packing &p, LengthUnit unit, const Rational &, const Sink &out) {
+void write_packing_vtk(const Packing &p, SizeUnit unit, const Rational &, const Sink &out) {
   File file(p, unit, out);
   const std::size_t n = p.discs.size();
   file.add("# vtk DataFile Version 3.0\n{}\nASCII\nDATASET POLYDATA\nPOINTS {} double\n", file.title(), n);
@@ -141,7 +141,7 @@ void write_packing_vtk(const Packing &p, LengthUnit unit, const Rational &, cons
     file.add("{}\n", file.length(d.r));
 }
 
-void write_packing_csv(const Packing &p, LengthUnit unit, const Rational &, const Sink &out) {
+void write_packing_csv(const Packing &p, SizeUnit unit, const Rational &, const Sink &out) {
   File file(p, unit, out);
   const std::string in = p.unit.empty() ? "" : "_" + std::string(name(unit));
   file.add("x{0},y{0},radius{0},left,right\n", in);

@@ -3,6 +3,7 @@
 #include "gradation/table.hpp"
 #include "text/lines.hpp"
 
+#include <mdm/number/integer.hpp>
 #include <mdm/text/error.hpp>
 
 #include <algorithm>
@@ -54,9 +55,13 @@ std::string known_name(const std::string &name) {
 class Header {
 public:
   void take(std::size_t i, const std::string &written) {
-    const std::string name = known_name(written);
+    const std::string known = known_name(written), name = known.substr(0, known.find('^'));
     if (name.empty())
       throw InputError("a column has no name: give one table alone, and each of its columns a name");
+    if (name != known) {
+      take_power(i, known);
+      return;
+    }
     const auto [stem, kind] = unit_name(name);
     if (name == "sieve")
       set_size(i, name, SizeKind::sieve);
@@ -97,6 +102,20 @@ public:
   }
 
 private:
+  /// `size_mm^3`, as canonical samples beside certificates have it.
+  void take_power(std::size_t i, const std::string &name) {
+    const std::size_t cut = name.find('^');
+    const auto [stem, kind] = unit_name(std::string_view(name).substr(0, cut));
+    const std::optional<Integer> power = parse_natural(std::string_view(name).substr(cut + 1));
+    constexpr unsigned most_power = 1'000'000;
+    if (stem != "size" || !kind || kind == SizeKind::phi || !power || *power < 2 || *power > most_power)
+      throw InputError(
+          "column " + in_quotes(name) +
+          " is no power of a size: write, for example, size_mm^3, with a power from 2 to 1000000");
+    set_size(i, name, kind);
+    columns_.power = static_cast<unsigned>(*power);
+  }
+
   /// A column and its unit.
   using Axis = std::pair<std::size_t, std::optional<SizeKind>>;
 
@@ -160,16 +179,16 @@ private:
 
 } // namespace
 
-LengthUnit ParticleColumns::unit() const {
+SizeUnit ParticleColumns::unit() const {
   switch (kind) {
   case SizeKind::um:
-    return LengthUnit::um;
+    return SizeUnit::um;
   case SizeKind::m:
-    return LengthUnit::m;
+    return SizeUnit::m;
   case SizeKind::inch:
-    return LengthUnit::in;
+    return SizeUnit::in;
   default:
-    return LengthUnit::mm;
+    return SizeUnit::mm;
   }
 }
 

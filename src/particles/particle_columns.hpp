@@ -19,6 +19,7 @@ struct ParticleColumns {
   bool has_unit = false; ///< the header names it
   SizeMeaning meaning = SizeMeaning::diameter;
   std::optional<std::size_t> size, lo, hi;
+  unsigned power = 1; ///< of the sizes in the column size, which is of fractions where it is above 1
   std::optional<std::size_t> lower;    ///< the opening below sizes between lo and hi: they are larger
   std::optional<std::size_t> quantity; ///< open: a particle a row
   std::optional<std::size_t> id;
@@ -26,11 +27,12 @@ struct ParticleColumns {
   std::optional<std::array<std::size_t, 3>> place;
 
   /// The unit of sizes; mm for phi and sieves, which are turned into it.
-  LengthUnit unit() const;
+  SizeUnit unit() const;
 };
 
 /// The columns of a header: a size (`size_mm`, `diameter_um`, `radius_m`, `size_phi`, `sieve`, or without a
-/// unit `size`, `diameter`, `d`, `radius`, `r`) or its bounds (`size_lo_mm`, `size_hi_mm`), and beside it
+/// unit `size`, `diameter`, `d`, `radius`, `r`) , the power of one
+/// (`size_mm^3`), or its bounds (`size_lo_mm`, `size_hi_mm`), and beside it
 /// `quantity` or `count`, and what is not read: places (`x`, `y`, `z`, also with a unit), `id`, `type`, and
 /// beside bounds `class`, `lower_mm`, `upper_mm`, `mass`.
 /// \throws InputError naming the column that is unknown, missing, or there twice

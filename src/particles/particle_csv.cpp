@@ -28,6 +28,17 @@ RootSize read_phi(std::string_view text, char point) {
   return {phi_power(phi, degree), degree};
 }
 
+/// A power of a size, a fraction.
+RootSize read_powered(std::string_view text, unsigned power) {
+  const std::size_t slash = text.find('/');
+  const std::optional<Integer> n = parse_natural(text.substr(0, slash)),
+                               d = slash == std::string_view::npos ? std::optional<Integer>(1)
+                                                                   : parse_natural(text.substr(slash + 1));
+  if (!n || !d || *d == 0)
+    throw InputError(in_quotes(text) + " is no fraction: write it like 65/9");
+  return {ratio(*n, *d), power};
+}
+
 class ParticleCsvReader : public LineReader {
 public:
   explicit ParticleCsvReader(ParticleSource &source) : source_(source) {}
@@ -68,12 +79,13 @@ private:
     if (source_.options().unit && columns_.has_unit)
       source_.refuse("the header names the unit: leave out " + option("size-unit"));
     width_ = fields_.size();
-    source_.set_defaults(columns_.meaning,
-                         columns_.has_unit ? columns_.unit() : length_unit(source_.options().target));
+    source_.set_defaults(columns_.meaning, columns_.has_unit ? columns_.unit() : source_.options().target);
     has_header_ = true;
   }
 
   ParticleSource::ReadSize reader() const {
+    if (columns_.power > 1)
+      return [power = columns_.power](std::string_view text, char) { return read_powered(text, power); };
     switch (columns_.kind) {
     case SizeKind::phi:
       return read_phi;
@@ -148,7 +160,10 @@ private:
       return;
     }
     const std::string &lo = fields_[*columns_.lo], &hi = fields_[*columns_.hi];
-    source_.particle_between(lo, hi, columns_.lower ? fields_[*columns_.lower] : "", n, sign_of(hi));
+    const bool is_open = lo.starts_with('>'); // as in canonical samples
+    const std::string least = lo.substr(is_open ? 1 : 0);
+    const std::string lower = is_open ? least : columns_.lower ? fields_[*columns_.lower] : "";
+    source_.particle_between(least, hi, lower, n, sign_of(hi));
   }
 
   ParticleSource &source_;

@@ -53,7 +53,7 @@ private:
 class XyzrReader : public ListReader {
 public:
   explicit XyzrReader(ParticleSource &source) : ListReader(source) {
-    source.set_defaults(SizeMeaning::radius, length_unit(source.options().target));
+    source.set_defaults(SizeMeaning::radius, source.options().target);
   }
 
 private:

@@ -272,7 +272,7 @@ void ParticleReader::end() {
   reader_->end();
 }
 
-std::optional<LengthUnit> ParticleReader::unit() const {
+std::optional<SizeUnit> ParticleReader::unit() const {
   return source_->unit();
 }
 

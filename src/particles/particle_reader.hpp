@@ -48,7 +48,7 @@ struct ParticleOptions {
   /// The meaning of sizes. Open: as their column says, radii in xyzr, else diameters.
   std::optional<SizeMeaning> meaning;
   /// Unit of the file. Open: what a CSV header says, m in files of LAMMPS, LIGGGHTS and VTK, else `target`.
-  std::optional<LengthUnit> unit;
+  std::optional<SizeUnit> unit;
   /// The timestep of a dump to read; of several of that number the last counts. Open: the last.
   std::optional<Integer> timestep;
   /// The unit that diameters are handed on in.
@@ -64,7 +64,7 @@ std::optional<ParticleFormat> told_format(std::string_view beginning);
 /// What was said and assumed of a file beside its particles.
 struct ReadParticles {
   std::vector<std::string> notes;
-  std::optional<LengthUnit> unit; ///< of the file; nothing where it states its unit itself
+  std::optional<SizeUnit> unit; ///< of the file; nothing where it states its unit itself
 };
 
 class LineReader;
@@ -90,7 +90,7 @@ public:
   /// The format; after the end, or after enough lines to tell it.
   std::optional<ParticleFormat> format() const { return format_; }
   /// The unit of the file, unless it states that itself; after the end.
-  std::optional<LengthUnit> unit() const;
+  std::optional<SizeUnit> unit() const;
   /// The assumptions made, for the report; after the end.
   std::vector<std::string> notes() const;
 

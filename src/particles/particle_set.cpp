@@ -20,7 +20,7 @@ namespace {
 class Writer {
 public:
   /// \param root  of the gradation
-  Writer(LengthUnit from, const MassLaw &law, unsigned root, const ParticleSetOptions &options)
+  Writer(SizeUnit from, const MassLaw &law, unsigned root, const ParticleSetOptions &options)
       : options_(options), degree_(law.a * root), unit_(in_mm(from) / in_mm(options.unit)),
         density_(options.density * power(Rational(in_mm(options.unit) / 1000), 3)) {}
 
@@ -82,7 +82,7 @@ Rational share_error(const Match &m) {
 /// A set whose classes are filled by fill(class, its quantity, x^(a root) of a particle that had all of its
 /// mass).
 template <class Fill>
-ParticleSet match_set(const Match &m, const Writer &writer, LengthUnit unit, Fill fill) {
+ParticleSet match_set(const Match &m, const Writer &writer, SizeUnit unit, Fill fill) {
   const Gradation &g = m.gradation;
   ParticleSet set{g.id(), unit, m.question.law, {}, share_error(m)};
   const std::vector<Rational> masses = powered_masses(m);
@@ -143,7 +143,7 @@ Rational ParticleSet::cubes_of_radii() const {
 
 ParticleSet particle_set(const Match &m, const ParticleSetOptions &options) {
   assert(m.sample);
-  const Writer writer(length_unit(m.gradation.unit()), m.question.law, m.gradation.root(), options);
+  const Writer writer(m.gradation.unit(), m.question.law, m.gradation.root(), options);
   const unsigned p = m.scale_power();
   return match_set(m, writer, options.unit, [&](ParticleClass &c, const Integer &q, const Rational &powered) {
     writer.add(c, Rational(powered / power(Rational(q), p)), q);
@@ -156,7 +156,7 @@ ParticleSet spread_particle_set(const Match &m, std::uint64_t seed, const Partic
     throw InputError(fmt::format("{} particles are more than the {} that can have a size each: leave {} "
                                  "out, or ask for fewer",
                                  to_string(*m.particles()), most_sizes, option("spread")));
-  const Writer writer(length_unit(m.gradation.unit()), m.question.law, m.gradation.root(), options);
+  const Writer writer(m.gradation.unit(), m.question.law, m.gradation.root(), options);
   const unsigned p = m.scale_power();
   const Spread spread = mdm::spread(m, seed);
   auto of_class = spread.classes.begin();
@@ -174,7 +174,7 @@ ParticleSet spread_particle_set(const Match &m, std::uint64_t seed, const Partic
 }
 
 ParticleSet particle_set(const SizedSample &sample, const MassLaw &law, const ParticleSetOptions &options) {
-  const Writer writer(length_unit(sample.unit), law, sample.root, options);
+  const Writer writer(sample.unit, law, sample.root, options);
   ParticleSet set{sample.name, options.unit, law, {}, sample.share_error};
   for (const SizedSample::Class &c : sample.classes) {
     set.classes.push_back(writer.empty(c.number, c.lower, c.upper, 1));

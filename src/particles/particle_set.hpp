@@ -34,7 +34,7 @@ struct ParticleClass {
 /// The particles of a match as they are written to files.
 struct ParticleSet {
   std::string name; ///< of the gradation
-  LengthUnit unit = LengthUnit::m;
+  SizeUnit unit = SizeUnit::m;
   MassLaw law;
   std::vector<ParticleClass> classes; ///< those with particles, ascending
   /// Greatest difference of a class's share of the mass from that in the gradation: 0 for exact matches.
@@ -55,7 +55,7 @@ struct ParticleSet {
 
 /// The way particles are written.
 struct ParticleSetOptions {
-  LengthUnit unit = LengthUnit::m;
+  SizeUnit unit = SizeUnit::m;
   Rational density = 2650;                         ///< kg/m^3; the factor of a class multiplies it
   Rational most_mass_error = ratio(1, 1000000000); ///< relative, of each class
   bool has_floats = false;                         ///< sizes are read as floats, not as doubles

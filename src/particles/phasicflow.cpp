@@ -17,7 +17,7 @@ constexpr std::string_view diameter_heading = "// diameter ";
 class PhasicFlowReader : public LineReader {
 public:
   explicit PhasicFlowReader(ParticleSource &source) : source_(source) {
-    source.set_defaults(SizeMeaning::diameter, LengthUnit::m);
+    source.set_defaults(SizeMeaning::diameter, SizeUnit::m);
   }
 
   void line(std::string_view text) override {

@@ -114,7 +114,7 @@ void SampleSet::add_at(const SphereSample::Place &place, const Rational &unit, c
   }
 }
 
-ParticleSet SampleSet::set(const std::string &name, LengthUnit from, const ParticleSetOptions &options,
+ParticleSet SampleSet::set(const std::string &name, SizeUnit from, const ParticleSetOptions &options,
                            const Gradation *sieves) const {
   if (sizes_.empty())
     throw InputError("there are no particles: give a file that has some");
@@ -126,7 +126,7 @@ ParticleSet SampleSet::set(const std::string &name, LengthUnit from, const Parti
     openings.clear();
     for (std::size_t j = 0; j <= sieves->classes(); ++j) {
       const Interval x = bounds(sieves->opening(j));
-      openings.push_back((j == 0 ? x.hi : x.lo) * in_mm(length_unit(sieves->unit())) / in_mm(options.unit));
+      openings.push_back((j == 0 ? x.hi : x.lo) * in_mm(sieves->unit()) / in_mm(options.unit));
     }
   } else {
     std::vector<Rational> sizes;
@@ -157,7 +157,7 @@ ParticleSet SampleSet::set(const std::string &name, LengthUnit from, const Parti
   return set;
 }
 
-std::optional<KeptPlaces> SampleSet::places(const ParticleSet &set, LengthUnit from) const {
+std::optional<KeptPlaces> SampleSet::places(const ParticleSet &set, SizeUnit from) const {
   if (lacks_places_ || placed_.empty())
     return std::nullopt;
   const Rational unit = in_mm(from) / in_mm(set.unit);

@@ -31,12 +31,12 @@ public:
   /// smallest. \param from  the unit that the reader handed on
   /// \throws InputError if a size has no double close enough to it or is outside of all classes, or there are no
   /// particles
-  ParticleSet set(const std::string &name, LengthUnit from, const ParticleSetOptions &options,
+  ParticleSet set(const std::string &name, SizeUnit from, const ParticleSetOptions &options,
                   const Gradation *sieves = nullptr) const;
 
   /// The places, of the set that set() gave; nothing unless all particles have one.
   /// \throws InputError if a centre is outside of the box
-  std::optional<KeptPlaces> places(const ParticleSet &set, LengthUnit from) const;
+  std::optional<KeptPlaces> places(const ParticleSet &set, SizeUnit from) const;
 
 private:
   using Sizes = std::map<std::pair<Rational, Rational>, Integer>; ///< lo and hi, ascending

@@ -76,7 +76,7 @@ std::string filled(std::string text,
 SettleScript::SettleScript(const SettleModel &m, const char *ending)
     : model(m), set(m.set), box(m.box), physics(settling(m)), name(file_word(m.name)),
       dump(name + "-settled" + ending), particles(m.set.particles()) {
-  if (set.unit != LengthUnit::m)
+  if (set.unit != SizeUnit::m)
     throw InputError("a model is in SI units: leave out " + option("unit"));
 }
 

@@ -16,7 +16,7 @@ namespace {
 class VtkReader : public LineReader {
 public:
   explicit VtkReader(ParticleSource &source) : source_(source) {
-    source.set_defaults(SizeMeaning::diameter, LengthUnit::m);
+    source.set_defaults(SizeMeaning::diameter, SizeUnit::m);
   }
 
   void line(std::string_view text) override {
@@ -142,7 +142,7 @@ private:
     block_ = found_ ? Block::other_sizes : Block::sizes;
     if (found_)
       return;
-    source_.set_defaults(meaning, LengthUnit::m);
+    source_.set_defaults(meaning, SizeUnit::m);
     found_ = meaning;
   }
 

@@ -114,6 +114,7 @@ struct Panel {
 /// Panels in rows of `columns`, all of one size.
 struct Figure {
   std::string title;
+  std::string description;  ///< in words, for those who do not see it
   double panel_width = 560; ///< pt, the frame of a panel without its labels
   double panel_height = 380;
   std::size_t columns = 1;
@@ -121,6 +122,7 @@ struct Figure {
   std::vector<std::string> notes;   ///< lines below the panels, or beside a colour bar
   std::vector<std::string> remarks; ///< sentences below all else, as wide as the figure
   std::optional<Axis> colors;       ///< scale of Point::value, drawn as a bar
+  bool bare = false;                ///< title, notes and remarks are not drawn: they stand elsewhere
 };
 
 /// Width in pt, rather too large than too small, of one line of text in letters of `size` pt.

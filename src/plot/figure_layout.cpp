@@ -121,15 +121,26 @@ Margins margins(const Panel &p) {
   return m;
 }
 
+bool has_title(const Figure &figure) {
+  return !figure.title.empty() && !figure.bare;
+}
+
+double panel_width_in(double width, const Figure &figure) {
+  constexpr double least = 100;
+  const Margins around = common_margins(figure.panels);
+  return std::max(least, width / static_cast<double>(figure.columns) - around.left - around.right);
+}
+
 std::string legend_title(const Series &series) {
   return fitted(series.title, widest_note - legend_sample - 2 * text_gap);
 }
 
 FigureLayout::FigureLayout(const Figure &figure)
     : around(common_margins(figure.panels)), legend(titled_series(figure)) {
-  for (const std::string &note : figure.notes)
-    notes.push_back(fitted(note, widest_note));
-  const double top = figure.title.empty() ? 0 : 2 * title_size;
+  if (!figure.bare)
+    for (const std::string &note : figure.notes)
+      notes.push_back(fitted(note, widest_note));
+  const double top = has_title(figure) ? 2 * title_size : 0;
   const double cell_width = around.left + figure.panel_width + around.right;
   const double cell_height = around.top + figure.panel_height + around.bottom;
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
@@ -143,7 +154,8 @@ FigureLayout::FigureLayout(const Figure &figure)
     place_beside(*this, *figure.colors, top);
   else
     place_below(*this);
-  place_remarks(*this, figure.remarks);
+  if (!figure.bare)
+    place_remarks(*this, figure.remarks);
 }
 
 } // namespace mdm

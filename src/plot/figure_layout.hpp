@@ -26,6 +26,13 @@ Margins margins(const Panel &panel);
 /// From the panel's frame down to the lower end of its labels of x.
 double below_ticks(const Panel &panel);
 
+/// True if its title is drawn.
+bool has_title(const Figure &figure);
+
+/// The width of the figure's panels in a picture of `width`, and 100 at least: beside them stand their
+/// labels.
+double panel_width_in(double width, const Figure &figure);
+
 /// The title of a series, cut to the legend's room.
 std::string legend_title(const Series &series);
 

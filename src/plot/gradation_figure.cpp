@@ -1,6 +1,7 @@
 #include "plot/gradation_figure.hpp"
 
 #include "gradation/sieve_name.hpp"
+#include "plot/figure_layout.hpp"
 
 #include <mdm/number/decimal.hpp>
 
@@ -48,18 +49,33 @@ class Drawing {
 public:
   Drawing(const Gradation &g, const GradationFigure &what)
       : g_(g), what_(what), soil_(describe(g, what.soil)), curve_(soil_.curve), unit_mm_(in_mm(g.unit())),
-        unit_(name(g.unit())) {
+        unit_(name(g.unit())), texts_(figure_texts(what.form.language)) {
     for (std::size_t i = 0; i < curve_.shares().size(); ++i)
       sizes_.push_back(drawn_size(curve_.opening(i)));
   }
 
   Figure figure() {
     constexpr double half_height = 290; // of two panels in a figure
+    constexpr double least_height = 210;
     Figure figure;
-    figure.title = g_.id();
-    figure.remarks = g_.notes();
     if (what_.curve && what_.counts)
       figure.panel_height = half_height;
+    if (what_.form.width > 0) {
+      // What stands beside the panels is known when they are drawn, and is the same at any width.
+      const Figure usual = drawn(figure);
+      figure.panel_width = panel_width_in(what_.form.width, usual);
+      figure.panel_height = std::min(figure.panel_height, std::max(least_height, 0.42 * what_.form.width));
+    }
+    return drawn(figure);
+  }
+
+private:
+  /// The figure in the form of an empty one.
+  Figure drawn(Figure figure) {
+    figure.title = g_.id();
+    figure.description = what_.curve ? texts_.passing_shown : texts_.counts_shown;
+    figure.bare = what_.form.bare;
+    figure.remarks = g_.notes();
     width_ = figure.panel_width;
     height_ = figure.panel_height;
     set_x();
@@ -77,12 +93,11 @@ public:
         n += c.quantity;
       figure.notes.push_back("N = " + count_text(Integer(n + what_.outside)));
       if (what_.outside > 0)
-        figure.notes.push_back("outside all classes: " + count_text(what_.outside));
+        figure.notes.push_back(std::string(texts_.outside) + count_text(what_.outside));
     }
     return figure;
   }
 
-private:
   /// Place on the x axis of a size in mm.
   double at_mm(const Rational &size) const { return log10_of(Rational(size / unit_mm_)); }
 
@@ -114,7 +129,10 @@ private:
         if (size > 0)
           cover(at_mm(Rational(size * in_mm(what_.envelope->unit))));
     const double span = high > low ? high - low : 1;
-    x_ = log_axis(fmt::format("size ({})", unit_), low - (is_open ? 0.2 : 0.06) * span, high + 0.06 * span);
+    std::string title = fmt::format("{} ({})", texts_.size, unit_);
+    if (what_.form.bare && what_.curve && what_.bands != Bands::none) // else a note says whose bands
+      title += "; " + bands_text();
+    x_ = log_axis(title, low - (is_open ? 0.2 : 0.06) * span, high + 0.06 * span);
     x_.reversed = what_.coarse_left;
   }
 
@@ -127,12 +145,15 @@ private:
   Panel curve_panel() {
     Panel p;
     p.x = x_;
-    p.y = {"percent passing", 0, 100, {}};
+    p.y = {std::string(texts_.passing), 0, 100, {}};
+    constexpr double narrow = 480;
+    const bool has_right = what_.form.width == 0 || what_.form.width >= narrow;
     for (int i = 0; i <= 100; i += 10) {
       p.y.ticks.push_back({static_cast<double>(i), std::to_string(i)});
-      p.right.push_back({static_cast<double>(i), std::to_string(100 - i)});
+      if (has_right)
+        p.right.push_back({static_cast<double>(i), std::to_string(100 - i)});
     }
-    p.right_title = "percent retained, cumulative";
+    p.right_title = texts_.retained;
     p.grid = true;
     add_sieves(p);
     add_bands(p);
@@ -177,14 +198,12 @@ private:
       const double high = f.up_to ? at_mm(*f.up_to) : x_.high;
       if (high <= x_.low || low >= x_.high)
         continue;
-      const std::string full(f.name);
-      const Strip::Part part{std::max(low, x_.low),
-                             std::min(high, x_.high),
-                             {full, full.substr(0, full.find(' ')), full.substr(0, 1)}};
+      const Strip::Part part{std::max(low, x_.low), std::min(high, x_.high),
+                             band_names(f.name, what_.form.language)};
       if (f.main) {
         if (main.parts.size() % 2 == 0)
           p.back.push_back({part.low, part.high, 0, 100, band_color});
-        main.parts.push_back({part.low, part.high, {full}});
+        main.parts.push_back({part.low, part.high, {part.names.front()}});
       } else {
         parts.parts.push_back(part);
       }
@@ -221,7 +240,7 @@ private:
     }
     Series inside = line(least, envelope_color, Stroke::solid);
     std::copy(most.rbegin(), most.rend(), std::back_inserter(inside.points));
-    inside.title = "allowed: " + e.id;
+    inside.title = std::string(texts_.allowed) + e.id;
     inside.filled = true;
     p.series.push_back(inside);
     p.series.push_back(line(least, "#38761d", Stroke::solid));
@@ -230,8 +249,9 @@ private:
 
   void add_curve(Panel &p) const {
     Series s;
-    s.title =
-        what_.particles.empty() && what_.sizes.empty() ? what_.curve_title : "target: " + what_.curve_title;
+    const bool has_set = !what_.particles.empty() || !what_.sizes.empty();
+    s.title = std::string(has_set ? texts_.target : "");
+    s.title += what_.of_particles ? texts_.particles : texts_.analysis;
     s.color = curve_color;
     constexpr std::size_t most_marks = 60;
     if (sizes_.size() <= most_marks) {
@@ -269,7 +289,7 @@ private:
     for (const DrawnSize &c : all)
       total += c.mass;
     Series s;
-    s.title = "set of particles";
+    s.title = texts_.particles;
     s.color = set_color;
     s.points.push_back({x_.low, 0});
     Rational below = 0;
@@ -329,16 +349,21 @@ private:
     add_index("Cu", soil_.c_u);
     add_index("Cc", soil_.c_c);
     if (has_pan())
-      notes.push_back(fmt::format("finer than {}: {} %", finest(),
+      notes.push_back(fmt::format("{}{}: {} %", texts_.finer, finest(),
                                   rounded(Real(Rational(100 * curve_.shares()[1])), digits)));
     if (soil_.group) {
       notes.push_back("USCS " + soil_.group->symbol);
       notes.push_back(soil_.group->name);
     } else {
-      notes.push_back("USCS: not available");
+      notes.emplace_back(texts_.no_group);
     }
     if (what_.bands != Bands::none)
-      notes.emplace_back(what_.bands == Bands::uscs ? "bands: ASTM D2487" : "bands: ISO 14688");
+      notes.push_back(bands_text());
+  }
+
+  /// Whose bands these are.
+  std::string bands_text() const {
+    return std::string(texts_.bands) + (what_.bands == Bands::uscs ? "ASTM D2487" : "ISO 14688");
   }
 
   /// The finest sieve above the pan.
@@ -361,7 +386,7 @@ private:
     const double room = ((upright ? widest : letter_size) + 12) / height_;
     Panel p;
     p.x = x_;
-    p.y = log_axis("particles in the class", low, (high - room * low) / (1 - room));
+    p.y = log_axis(std::string(texts_.counts), low, (high - room * low) / (1 - room));
     p.y.ticks.erase(p.y.ticks.begin(), std::find_if(p.y.ticks.begin(), p.y.ticks.end(),
                                                     [](const Tick &t) { return t.at >= 0; }));
     p.grid = true;
@@ -435,6 +460,7 @@ private:
   std::vector<Rational> sizes_; ///< of the curve, irrational ones rounded: a picture shows no more
   Rational unit_mm_;
   std::string_view unit_;
+  const FigureTexts &texts_;
   Axis x_;
   double width_ = 0, height_ = 0;
 };

@@ -3,6 +3,7 @@
 /// The figure of a gradation as the field draws it, and of a set of particles that matches it.
 
 #include "plot/figure.hpp"
+#include "plot/figure_form.hpp"
 #include "soil/describe.hpp"
 
 #include <mdm/gradation/envelope.hpp>
@@ -33,7 +34,7 @@ struct DrawnSize {
 /// The contents of a figure. \invariant curve or counts; counts only of particles
 struct GradationFigure {
   Bands bands = Bands::uscs;
-  std::string curve_title = "sieve analysis";
+  bool of_particles = false; ///< the curve is that of particles, not of sieves
   SieveNames sieve_names = SieveNames::iso;
   DescribeOptions soil; ///< for the index numbers and the group
   bool coarse_left = false;
@@ -43,12 +44,13 @@ struct GradationFigure {
   std::vector<DrawnClass> particles; ///< ascending; empty: none to show
   std::vector<DrawnSize> sizes;      ///< of the particles, ascending; empty: one a class
   Integer outside = 0;               ///< particles outside all classes, which `sizes` have alone
+  FigureForm form;
 };
 
 /// The gradation's curve through its sieves over log size, percent passing and retained; D10, D30, D60, C_u,
 /// C_c and the group, with what reading the file and these numbers assume; against it the set of particles as
 /// the steps of what passes, and their counts. Below the finest sieve above a pan at 0 the curve is not
-/// known: a dashed line shows how much passes it.
+/// known: a dashed line shows how much passes it. In a narrow picture the right side is left free.
 Figure gradation_figure(const Gradation &g, const GradationFigure &what);
 
 } // namespace mdm

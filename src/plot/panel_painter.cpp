@@ -108,6 +108,20 @@ private:
         line(canvas_, {r_.left, up(t.at)}, {r_.right, up(t.at)}, look);
   }
 
+  /// Leaves out places of a long line that are too near to the one before them to be seen.
+  static void leave_out_unseen(std::vector<Place> &piece) {
+    constexpr std::size_t long_line = 2000;
+    constexpr double seen = 0.25; // pt
+    if (piece.size() <= long_line)
+      return;
+    std::vector<Place> kept;
+    for (std::size_t i = 0; i < piece.size(); ++i)
+      if (i == 0 || i + 1 == piece.size() ||
+          std::hypot(piece[i].x - kept.back().x, piece[i].y - kept.back().y) >= seen)
+        kept.push_back(piece[i]);
+    piece = std::move(kept);
+  }
+
   /// The pieces of a line between its gaps.
   std::vector<std::vector<Place>> pieces(const Series &s) const {
     std::vector<std::vector<Place>> all(1);
@@ -118,6 +132,8 @@ private:
         all.emplace_back();
     if (all.back().empty())
       all.pop_back();
+    for (std::vector<Place> &piece : all)
+      leave_out_unseen(piece);
     return all;
   }
 
@@ -184,9 +200,13 @@ private:
         line(canvas_, {r_.right, up(t.at)}, {r_.right + length(t), up(t.at)}, frame_line);
         text({r_.right + tick_length + text_gap / 2, up(t.at)}, t.label, {Align::left, letter_size, false});
       }
+    constexpr double apart = 0.5; // pt: nearer marks are one to the eye
+    std::optional<double> last;
     for (const Tick &t : p_.top)
-      if (is_on(p_.x, t))
-        line(canvas_, {across(t.at), r_.top}, {across(t.at), r_.top - tick_length}, frame_line);
+      if (is_on(p_.x, t) && (!last || std::abs(across(t.at) - *last) >= apart)) {
+        last = across(t.at);
+        line(canvas_, {*last, r_.top}, {*last, r_.top - tick_length}, frame_line);
+      }
   }
 
   /// The labels of the upper side for which there is room: the outermost, and the others from the left.

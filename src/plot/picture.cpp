@@ -9,7 +9,7 @@
 namespace mdm {
 namespace {
 
-std::unique_ptr<Canvas> canvas_of(Picture picture, const FigureLayout &layout) {
+std::unique_ptr<Canvas> canvas_of(Picture picture, const Figure &figure, const FigureLayout &layout) {
   switch (picture) {
   case Picture::png:
     return png_canvas(layout.width, layout.height);
@@ -18,7 +18,7 @@ std::unique_ptr<Canvas> canvas_of(Picture picture, const FigureLayout &layout) {
   case Picture::svg:
     break;
   }
-  return svg_canvas(layout.width, layout.height);
+  return svg_canvas(layout.width, layout.height, drawable(figure.title), drawable(figure.description));
 }
 
 void paint_legend(Canvas &canvas, const FigureLayout &layout) {
@@ -26,7 +26,8 @@ void paint_legend(Canvas &canvas, const FigureLayout &layout) {
   double y = layout.legend_place.y + line_height / 2;
   for (const Series *s : layout.legend) {
     paint_legend_sample(canvas, *s, left, left + legend_sample, y);
-    canvas.text({left + legend_sample + text_gap, y}, legend_title(*s), {});
+    const double room = layout.width - left - legend_sample - 2 * text_gap;
+    canvas.text({left + legend_sample + text_gap, y}, fitted(legend_title(*s), room), {});
     y += line_height;
   }
 }
@@ -58,9 +59,9 @@ void paint_color_bar(Canvas &canvas, const FigureLayout &layout, const Axis &col
 
 std::string picture_of(const Figure &figure, Picture picture) {
   const FigureLayout layout(figure);
-  const std::unique_ptr<Canvas> canvas = canvas_of(picture, layout);
+  const std::unique_ptr<Canvas> canvas = canvas_of(picture, figure, layout);
   const double left = layout.around.left;
-  if (!figure.title.empty())
+  if (has_title(figure))
     canvas->text({left, title_size}, fitted(figure.title, layout.width - left - text_gap, title_size),
                  {Align::left, title_size, false});
   const double room = figure.panel_width + layout.around.left + layout.around.right;

@@ -36,12 +36,16 @@ std::string escaped(std::string_view text) {
 
 class SvgCanvas : public Canvas {
 public:
-  SvgCanvas(double width, double height) {
+  SvgCanvas(double width, double height, std::string_view title, std::string_view description) {
     add("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-        "font-family=\"sans-serif\" font-size=\"{2}\" stroke-linejoin=\"round\">\n"
-        "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+        "role=\"img\" font-family=\"sans-serif\" font-size=\"{2}\" stroke-linejoin=\"round\">\n",
         pt(width), pt(height), pt(letter_size));
+    if (!title.empty())
+      add("<title>{}</title>\n", escaped(title));
+    if (!description.empty())
+      add("<desc>{}</desc>\n", escaped(description));
+    add("<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n", pt(width), pt(height));
   }
 
   void clip(const Frame &frame) override {
@@ -131,8 +135,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<Canvas> svg_canvas(double width, double height) {
-  return std::make_unique<SvgCanvas>(width, height);
+std::unique_ptr<Canvas> svg_canvas(double width, double height, std::string_view title,
+                                   std::string_view description) {
+  return std::make_unique<SvgCanvas>(width, height, title, description);
 }
 
 } // namespace mdm

@@ -1,5 +1,6 @@
 #include "plot/tradeoff_figure.hpp"
 
+#include "plot/figure_layout.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/number/decimal.hpp>
@@ -15,8 +16,6 @@ namespace {
 
 constexpr const char *count_color = "#1f4e79";
 constexpr const char *lost_color = "#c55a11";
-constexpr double panel_width = 430;
-constexpr double panel_height = 380;
 
 /// n in full, or its first digits where it is long.
 std::string short_count(const Integer &n) {
@@ -43,7 +42,8 @@ struct Area {
 /// Labels of the points of one panel: each where it covers no line, no mark and no other label, or nowhere.
 class Labels {
 public:
-  explicit Labels(Panel &panel) : panel_(panel) {
+  Labels(Panel &panel, const Figure &figure)
+      : panel_(panel), width_(figure.panel_width), height_(figure.panel_height) {
     for (const Series &s : panel.series)
       add_obstacles(s);
   }
@@ -70,11 +70,11 @@ public:
   }
 
 private:
-  double across(double x) const { return (x - panel_.x.low) / panel_.x.span() * panel_width; }
-  double up(double y) const { return (y - panel_.y.low) / panel_.y.span() * panel_height; }
+  double across(double x) const { return (x - panel_.x.low) / panel_.x.span() * width_; }
+  double up(double y) const { return (y - panel_.y.low) / panel_.y.span() * height_; }
 
   bool is_free(const Area &area) const {
-    return area.left > 0 && area.right < panel_width && area.bottom > 0 && area.top < panel_height &&
+    return area.left > 0 && area.right < width_ && area.bottom > 0 && area.top < height_ &&
            std::none_of(taken_.begin(), taken_.end(), [&](const Area &a) { return a.overlaps(area); });
   }
 
@@ -102,11 +102,12 @@ private:
   }
 
   Panel &panel_;
+  double width_, height_; ///< of its frame, in pt
   std::vector<Area> taken_;
 };
 
 /// log10 of N, a decade or more, with room for labels; ticks from 1 on.
-Axis count_axis(const std::vector<TradeoffRow> &rows) {
+Axis count_axis(const std::vector<TradeoffRow> &rows, const FigureTexts &texts) {
   double low = log10_of_count(*rows.front().particles);
   double high = low;
   for (const TradeoffRow &row : rows) {
@@ -115,7 +116,7 @@ Axis count_axis(const std::vector<TradeoffRow> &rows) {
   }
   high = std::max(high, low + 1);
   const double span = high - low;
-  Axis axis = log_axis("N (particles)", low - 0.1 * span, high + 0.12 * span);
+  Axis axis = log_axis(std::string(texts.count), low - 0.1 * span, high + 0.12 * span);
   axis.ticks.erase(axis.ticks.begin(), std::find_if(axis.ticks.begin(), axis.ticks.end(),
                                                     [](const Tick &t) { return t.at > -1e-9; }));
   return axis;
@@ -141,7 +142,8 @@ struct ValueAxis {
   double place(const Rational &value) const { return value == 0 ? zero : log10_of(value); }
 };
 
-ValueAxis value_axis(const std::string &title, const std::vector<Rational> &values, const char *zero_label) {
+ValueAxis value_axis(const std::string &title, const std::vector<Rational> &values,
+                     std::string_view zero_label) {
   const bool has_zero = values.front() == 0;
   const std::size_t first = has_zero && values.size() > 1 ? 1 : 0;
   const double low = values[first] > 0 ? log10_of(values[first]) : 0;
@@ -151,20 +153,21 @@ ValueAxis value_axis(const std::string &title, const std::vector<Rational> &valu
   const double zero = low - 0.25 * span;
   Axis axis{title, (has_zero ? zero : low) - 0.06 * span, high + 0.12 * span, {}};
   for (const Rational &value : values)
-    axis.ticks.push_back({value == 0 ? zero : log10_of(value), value == 0 ? zero_label : to_decimal(value)});
+    axis.ticks.push_back(
+        {value == 0 ? zero : log10_of(value), value == 0 ? std::string(zero_label) : to_decimal(value)});
   return {axis, has_zero, zero};
 }
 
 /// N along an axis: its points, a dotted line from the one at 0, bars down to what is proved.
-Panel count_panel(const std::string &title, const ValueAxis &x, const std::vector<TradeoffRow> &rows,
-                  Coordinate value) {
+Panel count_panel(std::string_view title, const ValueAxis &x, const std::vector<TradeoffRow> &rows,
+                  Coordinate value, const FigureTexts &texts) {
   Panel panel;
   panel.title = title;
   panel.x = x.axis;
-  panel.y = count_axis(rows);
+  panel.y = count_axis(rows, texts);
   panel.grid = true;
   Series curve;
-  curve.title = "N, proved smallest";
+  curve.title = texts.proved;
   curve.color = count_color;
   Series optimal = curve;
   optimal.stroke = Stroke::none;
@@ -173,7 +176,7 @@ Panel count_panel(const std::string &title, const ValueAxis &x, const std::vecto
   curve.title.clear();
   curve.width = 2;
   Series open = optimal;
-  open.title = "N at a limit, down to what is proved";
+  open.title = texts.at_limit;
   open.mark = Mark::ring;
   Series to_zero = curve;
   to_zero.stroke = Stroke::dotted;
@@ -205,13 +208,14 @@ Panel count_panel(const std::string &title, const ValueAxis &x, const std::vecto
 }
 
 /// The mass lost, on the right side.
-void add_lost(Panel &panel, const ValueAxis &x, const std::vector<TradeoffRow> &rows) {
+void add_lost(Panel &panel, const ValueAxis &x, const std::vector<TradeoffRow> &rows,
+              const FigureTexts &texts) {
   const auto at = [&panel](double percent) { return panel.y.low + percent / 100 * panel.y.span(); };
-  panel.right_title = "mass lost (percent)";
+  panel.right_title = texts.lost;
   for (int percent = 0; percent <= 100; percent += 20)
     panel.right.push_back({at(percent), std::to_string(percent)});
   Series lost;
-  lost.title = "mass lost (right)";
+  lost.title = texts.lost_at_right;
   lost.color = lost_color;
   lost.stroke = Stroke::dashed;
   lost.mark = Mark::square;
@@ -221,8 +225,9 @@ void add_lost(Panel &panel, const ValueAxis &x, const std::vector<TradeoffRow> &
   panel.series.insert(panel.series.begin(), lost);
 }
 
-void add_labels(Panel &panel, const ValueAxis &x, const std::vector<TradeoffRow> &rows, Coordinate value) {
-  Labels labels(panel);
+void add_labels(Panel &panel, const Figure &figure, const ValueAxis &x, const std::vector<TradeoffRow> &rows,
+                Coordinate value) {
+  Labels labels(panel, figure);
   for (const TradeoffRow &row : rows)
     labels.add({x.place(value(row)), log10_of_count(*row.particles)}, short_count(*row.particles));
 }
@@ -234,20 +239,15 @@ std::vector<Rational> values(const std::vector<TradeoffRow> &rows, Coordinate va
   return all;
 }
 
-std::string tolerance_title(AskedTolerance::Kind kind) {
+std::string tolerance_title(AskedTolerance::Kind kind, const FigureTexts &texts) {
   switch (kind) {
   case AskedTolerance::Kind::passing:
-    return "tolerance on percent passing (percentage points)";
+    return std::string(texts.of_passing);
   case AskedTolerance::Kind::total:
-    return "sum of deviations (percentage points)";
+    return std::string(texts.of_total);
   default:
-    return "tolerance on percent retained (percentage points)";
+    return std::string(texts.of_retained);
   }
-}
-
-std::string by_sieve_title(const Tradeoff &t) {
-  return std::string(t.question.is_tolerant() ? "the smallest" : "the exact") +
-         " match without the finest classes";
 }
 
 /// The rows that can be drawn.
@@ -260,25 +260,40 @@ std::vector<TradeoffRow> with_match(std::vector<TradeoffRow> rows) {
   return rows;
 }
 
+/// The panels side by side, or in a narrow picture one below the other, as large as they may be.
+void set_form(Figure &figure, const FigureForm &form) {
+  constexpr double narrow = 700;
+  figure.panel_width = 430;
+  figure.panel_height = 380;
+  figure.columns = form.width > 0 && form.width < narrow ? 1 : 2;
+  if (form.width == 0)
+    return;
+  figure.panel_width = panel_width_in(form.width, figure);
+  figure.panel_height = std::min(figure.panel_height, std::max(210.0, 0.7 * figure.panel_width));
+}
+
 } // namespace
 
-Figure tradeoff_figure(const Tradeoff &t) {
+Figure tradeoff_figure(const StatedTradeoff &t, const FigureForm &form) {
+  const FigureTexts &texts = figure_texts(form.language);
   const std::vector<TradeoffRow> by_tolerance = with_match(t.by_tolerance), by_sieve = with_match(t.by_sieve);
   Figure figure;
-  figure.title = t.gradation.id();
-  figure.columns = 2;
-  figure.panel_width = panel_width;
-  figure.panel_height = panel_height;
-  const ValueAxis tolerance = value_axis(tolerance_title(t.kind), values(by_tolerance, drawn_tolerance), "0");
-  Panel left = count_panel("the smallest match within a tolerance", tolerance, by_tolerance, drawn_tolerance);
-  add_labels(left, tolerance, by_tolerance, drawn_tolerance);
-  const ValueAxis sieve = value_axis(fmt::format("smallest sieve kept ({})", name(t.gradation.unit())),
-                                     values(by_sieve, drawn_sieve), "pan");
-  Panel right = count_panel(by_sieve_title(t), sieve, by_sieve, drawn_sieve);
-  add_lost(right, sieve, by_sieve);
-  add_labels(right, sieve, by_sieve, drawn_sieve);
+  figure.title = t.id;
+  figure.description = texts.tradeoff_shown;
+  figure.remarks = t.notes;
+  figure.bare = form.bare;
+  const ValueAxis tolerance =
+      value_axis(tolerance_title(t.kind, texts), values(by_tolerance, drawn_tolerance), "0");
+  Panel left = count_panel(texts.by_tolerance, tolerance, by_tolerance, drawn_tolerance, texts);
+  const ValueAxis sieve = value_axis(fmt::format("{} ({})", texts.smallest_sieve, name(t.unit)),
+                                     values(by_sieve, drawn_sieve), texts.pan);
+  Panel right = count_panel(t.question.empty() ? texts.exact_by_sieve : texts.by_sieve, sieve, by_sieve,
+                            drawn_sieve, texts);
+  add_lost(right, sieve, by_sieve, texts);
   figure.panels = {std::move(left), std::move(right)};
-  figure.remarks = t.gradation.notes();
+  set_form(figure, form);
+  add_labels(figure.panels[0], figure, tolerance, by_tolerance, drawn_tolerance);
+  add_labels(figure.panels[1], figure, sieve, by_sieve, drawn_sieve);
   return figure;
 }
 

@@ -12,6 +12,7 @@
 #include "match/sizes.hpp"
 #include "number/common_denominator.hpp"
 #include "proof/certificate_parts.hpp"
+#include "proof/question_text.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/proof/certificate.hpp>
@@ -112,13 +113,7 @@ std::string solids_line(const Solids &solids) {
 
 std::string question_lines(const Match &m) {
   const Question &q = m.question;
-  std::string text = fmt::format("law {}\n", q.law.exponent());
-  if (q.pan_size)
-    text += fmt::format("pan-size {}\n", to_decimal(*q.pan_size));
-  if (q.cut_below)
-    text += fmt::format("cut-below {}\n", to_decimal(*q.cut_below));
-  if (q.size_factor != 1)
-    text += fmt::format("size-factor {}\n", to_decimal(q.size_factor));
+  std::string text = law_and_openings_lines(q);
   if (q.min_per_class > (q.is_tolerant() ? 0 : 1))
     text += fmt::format("min-per-class {}\n", to_string(q.min_per_class));
   if (q.solids)
@@ -262,7 +257,8 @@ std::optional<std::int64_t> least_log2_of_scale(const Gradation &g, const Questi
   return least;
 }
 
-/// \throws InputError if the text has a number of more digits than the format allows
+} // namespace
+
 void check_short_numbers(const std::string &text) {
   std::size_t digits = 0, longest = 0;
   for (const char c : text) {
@@ -274,8 +270,6 @@ void check_short_numbers(const std::string &text) {
   if (longest > max_digits)
     refuse_long_number(std::to_string(longest));
 }
-
-} // namespace
 
 void check_certifiable(const Gradation &asked, const Question &question) {
   const std::uint64_t e = highest_power(question.law, asked.root());
@@ -291,7 +285,7 @@ void check_certifiable(const Gradation &asked, const Question &question) {
 
 Certified certified(const Match &m) {
   assert(has_certificate(m));
-  Certified made = m.tolerance ? Certified{tree_certificate(m), m.proof.bound} : exact_certificate(m);
+  Certified made = m.tolerance ? tree_certificate(m) : exact_certificate(m);
   check_short_numbers(made.text);
   return made;
 }

@@ -2,7 +2,7 @@
 /// \file
 /// Lines that the certificates of exact matches and of matches within a tolerance share.
 
-#include <mdm/match/match.hpp>
+#include <mdm/proof/certificate.hpp>
 
 #include <string>
 #include <vector>
@@ -31,10 +31,12 @@ std::uint64_t highest_power(const Match &m);
 bool is_precise(const Match &m, const Enclosure &size);
 
 [[noreturn]] void refuse_long_numbers();
+/// \throws InputError if the text has a number of more digits than the format allows
+void check_short_numbers(const std::string &text);
 /// The lines from `law` to `at-least`.
 std::string question_lines(const Match &m);
 
 /// The certificate of a match within a tolerance.
-std::string tree_certificate(const Match &m);
+Certified tree_certificate(const Match &m);
 
 } // namespace mdm

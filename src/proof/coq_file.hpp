@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The theorem of a match for Coq.
+/// The theorem of a certificate for Coq.
 
 #include <mdm/match/match.hpp>
 
@@ -10,8 +10,9 @@
 
 namespace mdm {
 
-/// The longest certificate, in bytes, that a Coq file is written for: Coq needs some 10 s for it.
-inline constexpr std::size_t max_coq_certificate = 100'000;
+/// The most bytes of gradation and certificate together that a Coq file is written for: Coq's stack does not
+/// hold a string of twice as many.
+inline constexpr std::size_t max_coq_bytes = 30'000;
 
 /// The most that classes times the square of the bits of their powers may be: Coq needs some 16 s for it.
 inline constexpr std::uint64_t max_coq_powers = 1'000'000'000;
@@ -19,17 +20,18 @@ inline constexpr std::uint64_t max_coq_powers = 1'000'000'000;
 /// The most that windows times classes may be: Coq needs some 40 s for it.
 inline constexpr std::uint64_t max_coq_windows = 4'000;
 
-/// The chain or tree of a certificate, as the term of Coq that proofs/coq/Certificate.v reads it as.
-std::string coq_evidence(const std::string &certificate);
+/// What a Coq file is about.
+struct CoqSource {
+  std::string name;        ///< of the gradation file, as the verdict is to have it
+  std::string gradation;   ///< the bytes that the checkers read
+  std::string certificate; ///< the bytes of the certificate
+  std::string command;     ///< that checks the Coq file, for its heading
+};
 
-/// A Coq 8.16 file with the sieves, the question, the certificate and the theorem, in the words of
-/// proofs/coq/Spec.v, that m.particles() is the least number the question allows, or that no sample is within
-/// its tolerance. `given` is the gradation that m was solved for, before the question's changes; the comment
-/// at its head names `file_name` and the command that checks it.
-/// \pre m.complete, and m was solved with Limits::keep_proof
-/// \throws InputError if the certificate is longer than max_coq_certificate, its powers are beyond max_coq_powers or
-/// its windows beyond max_coq_windows, or as certificate() does
-std::string coq_file(const Gradation &given, const Match &m, std::string_view file_name,
-                     std::string_view command);
+/// A Coq 8.16 file with the bytes of both files and the theorem that what the verified checker prints of them
+/// is true of the gradation (proofs/README.md, "A theorem for one answer"). The certificate is that of m.
+/// \throws InputError if they are longer than max_coq_bytes, or the powers are beyond max_coq_powers or the windows
+/// beyond max_coq_windows
+std::string coq_file(const Match &m, const CoqSource &source);
 
 } // namespace mdm

@@ -5,15 +5,17 @@
 // The problem's masses are in a unit in which all f and F are integers, the format's are those of the
 // gradation: multiples of conditions on masses are those of the problem times the unit, and each leaf is
 // divided by what its multiples have in common. The version is the least that has all that is written: 2
-// for sums of classes, 3 for windows. What the checker's work depends on is summed up on the way, and a
-// certificate beyond the format's limits is not written.
+// for sums of classes, 3 for windows. What the checker's work depends on is summed up on the way. Where a
+// certificate is beyond the format's limits, less is proved: fewer windows show a smaller bound, and that a
+// match has as many particles as were asked for is shown by nothing.
 
 #include "match/problem_of.hpp"
 #include "match/sizes.hpp"
+#include "match/tolerant_chain_proof.hpp"
+#include "match/window_evidence.hpp"
 #include "number/common_denominator.hpp"
 #include "proof/certificate_parts.hpp"
-
-#include <mdm/number/decimal.hpp>
+#include "proof/question_text.hpp"
 
 #include <fmt/format.h>
 
@@ -23,29 +25,7 @@
 namespace mdm {
 namespace {
 
-using Kind = AskedTolerance::Kind;
 using Text = std::back_insert_iterator<std::string>;
-
-/// The least percent that was asked for in this way; nothing if it was not.
-std::optional<Rational> asked(const Question &q, Kind kind) {
-  std::optional<Rational> least;
-  for (const AskedTolerance &tolerance : q.tolerances)
-    if (tolerance.kind == kind)
-      least = std::min(least.value_or(tolerance.percent), tolerance.percent);
-  return least;
-}
-
-/// The tolerances of `laboratory` and `rounding`: the least of each sieve, in percent.
-std::vector<Rational> passing_each(const Match &m) {
-  std::vector<Rational> least(m.gradation.classes() - 1, Rational(100));
-  for (const Kind kind : {Kind::laboratory, Kind::rounding})
-    if (asked(m.question, kind)) {
-      const std::vector<Rational> percent = passing_tolerances(m.gradation, kind);
-      for (std::size_t j = 0; j < least.size(); ++j)
-        least[j] = std::min(least[j], percent[j]);
-    }
-  return least;
-}
 
 /// The match's size of class j, precise enough for the format.
 Enclosure certified_size(const Match &m, std::size_t j, const Rational &mass) {
@@ -138,82 +118,43 @@ bool has_windows(const Tree &tree) {
 /// Writes witness and tree, and sums up what the checker's work depends on.
 class TreeWriter {
 public:
-  explicit TreeWriter(const Match &m)
-      : m_(m), problem_(tolerant_problem_of(m)), unit_(numerator(problem_.unit())) {}
+  TreeWriter(const Match &m, const TolerantProblem &problem)
+      : m_(m), problem_(problem), unit_(numerator(problem_.unit())) {}
 
-  std::string text() {
-    const std::string claim = claimed();
-    std::string text = fmt::format("mdm-certificate {}\n", version(claim));
+  /// \param bound  that the tree proves; nothing: all that the match says
+  /// \return nothing if it is beyond the format's limits
+  std::optional<std::string> text(const Tree &tree, const std::optional<Integer> &bound) {
+    const std::string claim = claimed(bound);
+    std::string text = fmt::format("mdm-certificate {}\n", version(tree, claim));
     text += question_lines(m_);
     write_tolerance(text);
     text += "particles " + claim + "\n";
     if (m_.sample)
       write_witness(text);
-    if (!m_.evidence())
-      refuse_long_numbers();
-    for (const TreeNode &node : std::get<Tree>(*m_.evidence()))
+    for (const TreeNode &node : tree)
       write(node, text);
-    if (!within_limits())
-      refuse_long_numbers();
-    return text + "end\n";
+    return within_limits() ? std::optional<std::string>(text + "end\n") : std::nullopt;
   }
 
 private:
   /// The first version of the format that has all that is written.
-  int version(const std::string &claim) const {
-    const Tree none, &tree = m_.evidence() ? std::get<Tree>(*m_.evidence()) : none;
+  static int version(const Tree &tree, const std::string &claim) {
     return has_windows(tree) ? 3 : has_sums(tree) || claim.find("..") != std::string::npos ? 2 : 1;
   }
 
   /// `N`, `none`, or what is certain of a search that a limit ended: `B..N`, `B..`.
-  std::string claimed() const {
+  std::string claimed(const std::optional<Integer> &bound) const {
     const std::optional<Integer> n = m_.particles();
-    const std::optional<Integer> &bound = m_.proof.bound;
     if (bound && bound != n)
       return to_string(*bound) + ".." + (n ? to_string(*n) : "");
     return n ? to_string(*n) : "none";
   }
 
-  /// The lines from `retained` to `band`.
   void write_tolerance(std::string &text) {
-    const Question &q = m_.question;
-    const auto add = [&](const char *name, Kind percent, Kind file) {
-      if (const std::optional<Rational> least = asked(q, percent))
-        text += fmt::format("{} {}\n", name, decimal(*least));
-      if (asked(q, file))
-        text += fmt::format("{} file\n", name);
-    };
-    add("retained", Kind::retained, Kind::retained_file);
-    const bool one_class = m_.gradation.classes() == 1;
-    const bool each = asked(q, Kind::laboratory) || asked(q, Kind::rounding);
-    if (each && one_class) // nothing passes below the only sieve
-      text += "passing 0\n";
-    else
-      add("passing", Kind::passing, Kind::passing_file);
-    if (each && !one_class) {
-      text += "passing-each";
-      for (const Rational &percent : passing_each(m_))
-        text += " " + decimal(percent);
-      text += "\n";
-    }
-    if (const std::optional<Rational> least = asked(q, Kind::total))
-      text += fmt::format("total {}\n", decimal(*least));
-    if (!q.band)
-      return;
-    bands_ = q.band->sizes.size();
-    if (q.band_alone) {
-      text += "band file\n";
-      return;
-    }
-    const Rational unit = in_mm(q.band->unit) / in_mm(m_.gradation.unit());
-    for (std::size_t i = 0; i < q.band->sizes.size(); ++i)
-      text += fmt::format("band {} {} {}\n", decimal(Rational(q.band->sizes[i] * unit)),
-                          decimal(q.band->passing_min[i]), decimal(q.band->passing_max[i]));
-  }
-
-  std::string decimal(const Rational &r) {
-    count_ = std::max(count_, longest_part(r));
-    return to_decimal(r);
+    const ToleranceLines lines = tolerance_lines(m_.question, m_.gradation);
+    text += lines.text;
+    count_ = std::max(count_, lines.longest);
+    bands_ = lines.bands;
   }
 
   void write_witness(std::string &text) {
@@ -323,15 +264,38 @@ private:
   }
 
   const Match &m_;
-  const TolerantProblem problem_;
+  const TolerantProblem &problem_;
   Integer unit_; ///< a mass of 1 in the problem's units
   std::size_t count_ = 1, witness_unit_ = 1, size_ = 0, window_work_ = 0, bands_ = 0;
 };
 
 } // namespace
 
-std::string tree_certificate(const Match &m) {
-  return TreeWriter(m).text();
+Certified tree_certificate(const Match &m) {
+  const TolerantProblem problem = tolerant_problem_of(m);
+  const auto proof = [&](const Tree &tree, const std::optional<Integer> &bound) {
+    return TreeWriter(m, problem).text(tree, bound);
+  };
+  Tree tree = m.evidence() ? std::get<Tree>(*m.evidence()) : Tree();
+  if (!tree.empty())
+    if (std::optional<std::string> text = proof(tree, m.proof.bound))
+      return {std::move(*text), m.proof.bound};
+  if (has_windows(tree) && m.particles()) {
+    const MassWindows windows(problem);
+    const Integer most = *m.particles();
+    constexpr unsigned finest = 1 << 20; // part of the particles that is given up first
+    Integer less = std::max(Integer(most - m.proof.bound.value_or(most)), Integer(most / finest));
+    while ((less = 2 * less + 1) < most - problem.at_least()) {
+      const Integer bound = most - less;
+      tree = shortened(windows, tree, least_counts(problem), bound);
+      if (std::optional<std::string> text = proof(tree, bound))
+        return {std::move(*text), bound};
+    }
+  }
+  const Integer &asked = problem.at_least();
+  if (std::optional<std::string> text = proof(tree_of_question(), asked))
+    return {std::move(*text), asked};
+  refuse_long_numbers();
 }
 
 } // namespace mdm

@@ -162,7 +162,7 @@ Gradation read_sample(const py::bytes &content, const std::string &file,
   ParticleOptions options;
   options.says_otherwise = option("unit") + " says";
   if (unit)
-    options.unit = length_unit_of("unit", *unit);
+    options.unit = size_unit_of("unit", *unit);
   const std::string_view text(content);
   const py::gil_scoped_release unlocked;
   SampleSieves sieves;

@@ -34,8 +34,7 @@ VerifyTexts verify_texts(const Words &words) {
 class Sample {
 public:
   Sample(const Gradation &g, const Values &values, const std::vector<std::string> &tolerances)
-      : words_{values, tolerances}, verifier_(g, "", verify_texts(words_), envelope_of(words_)),
-        factor_(factor_of_sizes()) {}
+      : Sample(g, Words{values, tolerances}) {}
 
   /// Diameters, or radii, as doubles in a contiguous buffer, each exactly the number that it is.
   void add_doubles(const py::buffer &sizes) {
@@ -100,6 +99,10 @@ public:
   }
 
 private:
+  Sample(const Gradation &g, const Words &words)
+      : verifier_(g, "", verify_texts(words).question(g.unit(), envelope_of(words))),
+        factor_(factor_of_sizes()) {}
+
   Verification verification(const std::string &sample) {
     if (reader_) {
       reader_->end();
@@ -111,7 +114,7 @@ private:
   }
 
   /// Of sizes that are no file.
-  LengthUnit unit() const { return verifier_.reading().unit.value_or(length_unit(verifier_.unit())); }
+  SizeUnit unit() const { return verifier_.reading().unit.value_or(verifier_.unit()); }
 
   /// From a size as it is given to a diameter in the gradation's unit.
   Rational factor_of_sizes() const {
@@ -130,7 +133,6 @@ private:
     throw InputError("particle " + std::to_string(count_ + 1) + " of the sample: its size is wrong: " + what);
   }
 
-  Words words_;
   Verifier verifier_;
   Rational factor_;
   std::uint64_t count_ = 0;

@@ -1,6 +1,6 @@
 #include "report/description.hpp"
 
-#include "answer/json_values.hpp"
+#include "report/fractions_report.hpp"
 #include "text/text_buffer.hpp"
 #include "text/text_table.hpp"
 #include "text/versions.hpp"
@@ -20,7 +20,7 @@ namespace {
 /// An index number as all three forms show it.
 struct Item {
   const char *key;  // in JSON and CSV
-  const char *name; // in text
+  const char *name; // in text; null: a note says it there
   const char *unit;
   std::optional<Real> value;
 };
@@ -33,25 +33,22 @@ std::optional<Real> real(const Available<Real> &value) {
   return value ? std::optional(*value) : std::nullopt;
 }
 
-std::vector<Item> items(const SoilDescription &d) {
-  return {{"D10", "D10", "mm", real(d.d10)},    {"D30", "D30", "mm", real(d.d30)},
-          {"D50", "D50", "mm", real(d.d50)},    {"D60", "D60", "mm", real(d.d60)},
-          {"Cu", "C_u", "", real(d.c_u)},       {"Cc", "C_c", "", real(d.c_c)},
-          {"IGS", "I_GS", "", real(d.i_gs)},    {"IC", "I_C", "", real(d.i_c)},
-          {"phi1", "phi_1", "", Real(d.phi_1)}, {"zeta1", "zeta_1", "", d.zeta_1.real()}};
+std::optional<Real> over_d50(const SoilDescription &d) {
+  return d.d50 ? std::optional((d.d_max / *d.d50).real()) : std::nullopt;
 }
 
-std::optional<Real> percent(const Fraction &f) {
-  return f.share ? std::optional(*f.share * 100) : std::nullopt;
+std::vector<Item> items(const SoilDescription &d) {
+  return {{"D10", "D10", "mm", real(d.d10)},       {"D30", "D30", "mm", real(d.d30)},
+          {"D50", "D50", "mm", real(d.d50)},       {"D60", "D60", "mm", real(d.d60)},
+          {"Cu", "C_u", "", real(d.c_u)},          {"Cc", "C_c", "", real(d.c_c)},
+          {"IGS", "I_GS", "", real(d.i_gs)},       {"IC", "I_C", "", real(d.i_c)},
+          {"phi1", "phi_1", "", Real(d.phi_1)},    {"zeta1", "zeta_1", "", d.zeta_1.real()},
+          {"dmax", nullptr, "mm", d.d_max.real()}, {"dmaxD50", nullptr, "", over_d50(d)}};
 }
 
 const char *name(Fines fines) {
   static constexpr std::array<const char *, 5> names = {"ML", "MH", "CL", "CH", "CL-ML"};
   return names.at(static_cast<std::size_t>(fines));
-}
-
-void write_value(JsonWriter &json, const std::optional<Real> &value, unsigned digits) {
-  write(json, value ? std::optional(enclose(*value, digits)) : std::nullopt);
 }
 
 /// A decimal, or an enclosure where the opening is none.
@@ -60,63 +57,6 @@ void write_opening(JsonWriter &json, const RootSize &opening, unsigned digits) {
     json.plain(opening.text());
   else
     write(json, enclose_root(numerator(opening.power), denominator(opening.power), opening.degree, digits));
-}
-
-void write_fractions(JsonWriter &json, const std::vector<Fraction> &fractions, unsigned digits) {
-  json.begin_array();
-  for (const Fraction &f : fractions) {
-    json.begin_object().key("name").plain(f.name).key("above").plain(to_decimal(f.above)).key("up_to");
-    if (f.up_to)
-      json.plain(to_decimal(*f.up_to));
-    else
-      json.null();
-    write_value(json.key("percent"), percent(f), digits);
-    json.end_object();
-  }
-  json.end_array();
-}
-
-void add_csv_row(TextBuffer &out, const std::string &item, const char *unit, const std::optional<Real> &value,
-                 unsigned digits) {
-  if (!value) {
-    add(out, "{},{},,,\n", item, unit);
-    return;
-  }
-  const Enclosure e = enclose(*value, digits);
-  add(out, "{},{},{},{},\n", item, unit, e.lower_text(), e.upper_text());
-}
-
-/// A name, what it is about, and a value.
-using Line = std::vector<std::string>;
-
-bool is_empty(const Fraction &f) {
-  return f.share && f.share->exact() == Rational(0);
-}
-
-std::string range(const Fraction &f) {
-  if (!f.up_to)
-    return "above " + to_decimal(f.above) + " mm";
-  if (f.above == 0)
-    return "to " + to_decimal(*f.up_to) + " mm";
-  return to_decimal(f.above) + " to " + to_decimal(*f.up_to) + " mm";
-}
-
-/// A line a band; parts without a value, parts of empty bands, and empty bands coarser than all are left out.
-void add_text_fractions(TextBuffer &out, const char *system, const std::vector<Fraction> &fractions,
-                        unsigned digits) {
-  add(out, "\n  percent of the mass, {}\n", system);
-  std::vector<Line> lines;
-  bool parent_empty = false;
-  for (const Fraction &f : fractions) {
-    if (f.main)
-      parent_empty = is_empty(f);
-    if ((parent_empty && (!f.main || lines.empty())) || (!f.main && !f.share))
-      continue;
-    const std::optional<Real> share = percent(f);
-    lines.push_back({(f.main ? "" : "  ") + std::string(f.name), range(f),
-                     share ? rounded(*share, digits) : "not available"});
-  }
-  add(out, "{}", text_table(lines, "<<>"));
 }
 
 std::string headline(const SoilDescription &d) {
@@ -163,9 +103,8 @@ std::string description_csv(const SoilDescription &d, unsigned digits) {
     add_csv_row(out, item.key, item.unit, item.value, digits);
   add(out, "USCS symbol,,,,{}\nUSCS name,,,,\"{}\"\n", d.group ? d.group->symbol : "",
       d.group ? d.group->name : "");
-  for (const auto &[system, fractions] : {std::pair("USCS", &d.uscs), std::pair("ISO 14688", &d.iso_14688)})
-    for (const Fraction &f : *fractions)
-      add_csv_row(out, fmt::format("{} {}", system, f.name), "percent", percent(f), digits);
+  add_csv_fractions(out, "USCS", d.uscs, digits);
+  add_csv_fractions(out, "ISO 14688", d.iso_14688, digits);
   for (const std::string &note : d.notes)
     add(out, "note,,,,{}\n", csv_field(note));
   return fmt::to_string(out);
@@ -175,8 +114,9 @@ std::string description_text(const SoilDescription &d, unsigned digits) {
   TextBuffer out;
   add(out, "{}\n\n", headline(d));
   for (const Item &item : items(d))
-    add(out, "  {:<6}  {}{}{}\n", item.name, item.value ? rounded(*item.value, digits) : "not available",
-        item.value && *item.unit != 0 ? " " : "", item.value ? item.unit : "");
+    if (item.name != nullptr)
+      add(out, "  {:<6}  {}{}{}\n", item.name, item.value ? rounded(*item.value, digits) : "not available",
+          item.value && *item.unit != 0 ? " " : "", item.value ? item.unit : "");
   add_text_fractions(out, "ASTM D2487", d.uscs, digits);
   add_text_fractions(out, "ISO 14688", d.iso_14688, digits);
   if (!d.notes.empty())

@@ -10,9 +10,9 @@ namespace mdm {
 
 /// One line of JSON, schema `mdm-describe-1`, without a newline at its end: id, unit (mm), passing [{size,
 /// percent}] (an irrational opening as
-/// an enclosure ["lo","hi"]), D10, D30, D50, D60, Cu, Cc, IGS, IC, phi1, zeta1, uscs {symbol, name, fines},
-/// uscs_fractions and iso_14688_fractions [{name, above, up_to, percent}], notes, versions. Index numbers and
-/// percents are enclosures ["lo","hi"]; what is not available is null (the notes say why).
+/// an enclosure ["lo","hi"]), D10, D30, D50, D60, Cu, Cc, IGS, IC, phi1, zeta1, dmax, dmaxD50, uscs {symbol,
+/// name, fines}, uscs_fractions and iso_14688_fractions [{name, above, up_to, percent}], notes, versions.
+/// Index numbers and percents are enclosures ["lo","hi"]; what is not available is null (the notes say why).
 std::string description_json(const SoilDescription &d, unsigned digits);
 
 /// item,unit,lo,hi,text: a row an index number or fraction; the group's symbol and name in the last column.

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace mdm {
 namespace {
 
@@ -46,7 +48,7 @@ BoundsVerdict check_bounds(const Tolerance &bounds, const MatchError &e, const G
   Interval passing;
   for (std::size_t j = 0; j + 1 < g.classes() && j < bounds.passing.size();
        ++j) { // all passes the last sieve
-    passing = passing + e.shares[j];
+    passing = {passing.lo + e.shares[j].lo, std::min(Rational(1), Rational(passing.hi + e.shares[j].hi))};
     note(verdict, lies_within(passing, bounds.passing[j]),
          outside_text(fmt::format("what passes {} {}", g.opening_text(j + 1), name(g.unit())), passing,
                       bounds.passing[j], digits));

@@ -1,6 +1,7 @@
 #include "report/sphere_report.hpp"
 
 #include "report/interval_json.hpp"
+#include "text/option_name.hpp"
 #include "text/text_buffer.hpp"
 #include "text/text_table.hpp"
 
@@ -91,6 +92,11 @@ std::string sphere_texture_text(const SphereTexture &t, const Gradation &g) {
     add(out, "    void ratio of the inner part: there is none, the margin leaves too little\n");
   add(out, "    contacts of two particles{}: {}\n",
       t.gap == 0 ? "" : ", with a gap up to " + approximate(t.gap, shown_digits), t.contacts);
+  if (t.contacts == 0 && t.coordination.spheres > 1)
+    add(out,
+        "    where digits of places or sizes were cut, spheres that touch have a gap: {} GAP takes gaps up "
+        "to GAP as contacts\n",
+        option("contact-gap"));
   add(out, "    coordination: {}\n", coordination_text(t.coordination));
   if (t.inner)
     add(out, "    coordination of the inner part: {}\n", coordination_text(t.inner_coordination));

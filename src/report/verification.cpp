@@ -106,6 +106,8 @@ ConditionReport articulately(const Description &d) {
     const Description::Class &c = d.of_class(*j);
     reason = fmt::format("{} has several sizes, such as {} and {}", class_name(*j),
                          shown(*c.first, d.gradation().unit()), shown(*c.second, d.gradation().unit()));
+  } else if (!d.articulately()) {
+    reason = "of sizes ranges are known";
   }
   return {"articulately", "one size per class (articulately)", d.articulately(), reason};
 }

@@ -307,7 +307,7 @@ Real BetaCurve::diameter(const Rational &p) const {
 std::string BetaCurve::shape() const {
   const bool symmetric = a_ == b_;
   if (a_ == 1 && b_ == 1)
-    return "uniform by volume fraction";
+    return "uniform";
   if (a_ < 1 && b_ < 1)
     return symmetric ? "U-shaped, symmetric" : "U-shaped";
   if (a_ > 1 && b_ > 1)
@@ -324,6 +324,16 @@ std::string BetaCurve::shape() const {
   return (falls ? "strictly decreasing" : "strictly increasing") + (a_ == 1   ? power_law(b_)
                                                                     : b_ == 1 ? power_law(a_)
                                                                               : "");
+}
+
+std::string BetaCurve::course() const {
+  if (a_ == 1 && b_ == 1)
+    return "a straight line";
+  if (a_ < 1 && b_ < 1)
+    return "concave, then convex";
+  if (a_ > 1 && b_ > 1)
+    return "double curved: convex, then concave";
+  return a_ < 1 || (a_ == 1 && b_ > 1) ? "strictly concave" : "strictly convex";
 }
 
 } // namespace mdm

@@ -38,8 +38,12 @@ public:
   std::optional<Surd> exact_between(const Surd &lower, const Surd &upper) const override;
   Real diameter(const Rational &p) const override;
 
-  /// The shape in words, of the volume density h': the table of the paper (section 2.1), with its power laws.
+  /// The shape of the volume density h' in words: the table of the paper (section 2.1), which says them of
+  /// grading curves.
   std::string shape() const;
+  /// That of the grading curve h itself: where it is convex and where concave. h' changes its course once at
+  /// most, at its extreme (a - 1) / (a + b - 2) where that is between 0 and 1.
+  std::string course() const;
 
 private:
   /// d_r.

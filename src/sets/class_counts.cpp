@@ -41,7 +41,7 @@ std::optional<Surd> exact_amount(const SizeClass &c, const ModelCurve &curve, un
   return power(*f, p) * power(inverse_median, dimension);
 }
 
-/// Computes the counts of one gradation.
+/// Computes the counts of one curve.
 class Counting {
 public:
   Counting(const std::vector<SizeClass> &classes, const ModelCurve &curve, const Representativity &wanted)
@@ -56,8 +56,11 @@ public:
     if (filled_.empty())
       throw InputError("no class has volume: use other classes");
     amounts_.resize(classes.size(), Real(0));
-    for (const std::size_t j : filled_)
+    least_.resize(classes.size());
+    for (const std::size_t j : filled_) {
       amounts_[j] = amount(classes[j], wanted.dimension);
+      least_[j] = least_in_class(classes[j], wanted);
+    }
   }
 
   ClassCounts run() {
@@ -80,11 +83,14 @@ public:
   }
 
 private:
-  /// The class with the least n; with it those that 4096 bits do not tell from it.
+  /// The class with the least n for what it is to get; with it those that 4096 bits do not tell from it.
   std::vector<std::size_t> scarcest() const {
+    const auto rest = [this](std::size_t j) {
+      return amounts_[j] / Real(Rational(power(least_[j], wanted_.dimension - 1)));
+    };
     std::vector<std::size_t> least;
     for (const std::size_t j : filled_) {
-      const Order order = least.empty() ? Order::less : compare(amounts_[j], amounts_[least.front()]);
+      const Order order = least.empty() ? Order::less : compare(rest(j), rest(least.front()));
       if (order == Order::less)
         least = {j};
       else if (order == Order::undecided)
@@ -95,25 +101,24 @@ private:
 
   IntegerBounds estimate(std::size_t j, std::size_t least) const {
     if (j == least)
-      return {wanted_.min_per_class, wanted_.min_per_class};
+      return {least_[j], least_[j]};
     const unsigned p = wanted_.dimension - 1;
     const Real quotient = amounts_[j] / amounts_[least];
-    const Real n = Real(Rational(wanted_.min_per_class)) * (p == 1 ? quotient : pow(quotient, ratio(1, p)));
+    const Real n = Real(Rational(least_[least])) * (p == 1 ? quotient : pow(quotient, ratio(1, p)));
     check_length(n);
     const IntegerBounds bounds = floor_of(n, [&](const Integer &k) { return is_exactly(j, least, k); });
-    // n is not below that of the scarcest class.
-    return {std::max(bounds.lo, wanted_.min_per_class), std::max(bounds.hi, wanted_.min_per_class)};
+    // n over what the class is to get is not below that of the scarcest class.
+    return {std::max(bounds.lo, least_[j]), std::max(bounds.hi, least_[j])};
   }
 
-  /// True if N_pc n_j = k n_least, which is decided to the power p.
+  /// True if c n_j = k n_least, c being what the scarcest gets, which is decided to the power p.
   bool is_exactly(std::size_t j, std::size_t least, const Integer &k) const {
     const unsigned p = wanted_.dimension - 1;
     const std::optional<Surd> a = exact_amount(classes_[j], curve_, wanted_.dimension);
     const std::optional<Surd> b = a ? exact_amount(classes_[least], curve_, wanted_.dimension) : std::nullopt;
     if (!b)
       return false;
-    const Surd difference =
-        Surd(Rational(power(wanted_.min_per_class, p))) * *a - Surd(Rational(power(k, p))) * *b;
+    const Surd difference = Surd(Rational(power(least_[least], p))) * *a - Surd(Rational(power(k, p))) * *b;
     return difference.exact() == Rational(0);
   }
 
@@ -136,6 +141,7 @@ private:
   const Representativity &wanted_;
   std::vector<std::size_t> filled_;
   std::vector<Real> amounts_;
+  std::vector<Integer> least_; ///< what each class is to get
 };
 
 } // namespace
@@ -160,6 +166,16 @@ Real median_power(const SizeClass &c, unsigned dimension) {
   const Rational p = dimension - 1;
   const Real l = pow(c.lower.real, p), u = pow(c.upper.real, p);
   return Real(2) * l * u / (l + u);
+}
+
+Integer least_in_class(const SizeClass &c, const Representativity &wanted) {
+  if (!wanted.largest_share)
+    return wanted.min_per_class;
+  const unsigned p = wanted.dimension - 1;
+  const Real times = pow(c.upper.real, Rational(p)) / median_power(c, wanted.dimension);
+  const Real needed = pow(times, ratio(wanted.dimension, p)) / Real(*wanted.largest_share);
+  const std::optional<Rational> exact = needed.fraction();
+  return std::max(wanted.min_per_class, exact ? ceil(*exact) : Integer(floor_of(needed).hi + 1));
 }
 
 ClassCounts class_counts(const std::vector<SizeClass> &classes, const ModelCurve &curve,

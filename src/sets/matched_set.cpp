@@ -118,6 +118,24 @@ Gradation rounded_gradation(const std::vector<SizeClass> &classes, unsigned digi
   return Gradation(std::move(data));
 }
 
+Representativity of_match(Representativity wanted, const Gradation &rounded, bool is_spread) {
+  if (!wanted.largest_share)
+    return wanted;
+  Rational most = 1;
+  for (std::size_t j = 0; is_spread && j < rounded.classes(); ++j) {
+    if (rounded.mass(j) == 0)
+      continue;
+    if (rounded.lower(j) == 0)
+      throw InputError(option("largest-share") +
+                       ": a class begins at 0: there is no bound on how much smaller other "
+                       "particles of it are; leave out " +
+                       option("spread") + " or give the pan a size");
+    most = std::max(most, power(Rational(rounded.upper(j) / rounded.lower(j)), wanted.dimension));
+  }
+  wanted.min_per_class = std::max(wanted.min_per_class, ceil(Rational(most / *wanted.largest_share)));
+  return wanted;
+}
+
 Match matched_set(const Gradation &rounded, const Representativity &wanted, const SolveOptions &options) {
   return solve(rounded, question_of(wanted), options);
 }

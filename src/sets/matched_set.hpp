@@ -15,6 +15,12 @@ namespace mdm {
 /// \throws InputError if two bounds become the same decimal, or a decimal would be beyond what is read
 Gradation rounded_gradation(const std::vector<SizeClass> &classes, unsigned digits, const std::string &id);
 
+/// What is wanted of a match of the gradation, with N_pc so large that no particle is more than P of its
+/// class: of particles of one size 1 / P; of a spread, where it may be of any size of the class (l, u], (u /
+/// l)^D / P of the class for which that is most.
+/// \throws InputError if sizes are spread in a class that begins at 0
+Representativity of_match(Representativity wanted, const Gradation &rounded, bool is_spread);
+
 /// The least match of such a gradation with N_pc particles in each class with volume and N_min in all, by the
 /// law x^D.
 /// \throws InputError as solve

@@ -94,7 +94,7 @@ GeometricSieves geometric_sieves(SuiteMembers members) {
 }
 
 std::vector<std::string> words_of_kinds() {
-  return {"random", "gap-graded", "beta", "lognormal", "ties"};
+  return {"random", "gap-graded", "beta", "lognormal", "normal", "ties"};
 }
 
 TiedMasses tied_masses(SuiteMembers &members) {
@@ -120,6 +120,15 @@ TiedMasses tied_masses(SuiteMembers &members) {
   return ties;
 }
 
+/// The centre in the middle half of the sieves, as in the paper; below a deviation of a quarter of a class
+/// none might have mass.
+NormalMasses normal_masses(SuiteMembers &members) {
+  const NumberRange middle_half{ratio(1, 4), ratio(3, 4)};
+  return {members.has("centre") ? members.numbers("centre", 0, 1) : middle_half,
+          members.numbers("deviation", ratio(1, 4), 1000),
+          members.has("noise") ? members.numbers("noise", 0, 100) : NumberRange{0, 0}};
+}
+
 SuiteMasses masses_of(const nlohmann::json &object, std::uint32_t fewest_classes) {
   SuiteMembers members(object, "masses");
   const auto masses = [&]() -> SuiteMasses {
@@ -138,6 +147,8 @@ SuiteMasses masses_of(const nlohmann::json &object, std::uint32_t fewest_classes
     case 3:
       return LognormalMasses{members.numbers("median", 0, 1),
                              members.numbers("deviation", ratio(1, 10), 100)};
+    case 4:
+      return normal_masses(members);
     default:
       return tied_masses(members);
     }

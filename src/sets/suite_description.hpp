@@ -60,6 +60,14 @@ struct LognormalMasses {
   NumberRange deviation; ///< of ln x
 };
 
+/// Masses of a normal distribution over the classes, whatever their widths, with noise around it, as the
+/// gradations of Arnold's paper were made.
+struct NormalMasses {
+  NumberRange centre;    ///< its place among the classes, from the smallest sieve, 0, to the largest, 1
+  NumberRange deviation; ///< in classes
+  NumberRange noise;     ///< the most that is added to a class, over the height of the distribution
+};
+
 /// Masses q f(x): that of q particles of the size of one of the class's sieves, so that bounds on the scale
 /// coincide.
 struct TiedMasses {
@@ -69,7 +77,8 @@ struct TiedMasses {
   unsigned power;        ///< f(x) = x^power
 };
 
-using SuiteMasses = std::variant<RandomMasses, GapMasses, BetaMasses, LognormalMasses, TiedMasses>;
+using SuiteMasses =
+    std::variant<RandomMasses, GapMasses, BetaMasses, LognormalMasses, NormalMasses, TiedMasses>;
 
 struct SuiteDescription {
   std::string id;

@@ -3,8 +3,10 @@
 //
 // Random masses are parts of the whole between random cuts, each above 0: percentages that sum to 100
 // exactly. Curves are rounded at each sieve, halves up, by refining, and the differences are the masses, so
-// that these sum to 100 as well. Ties are masses that q particles of the size of the lower or the upper
-// sieve have, so that ends of classes meet at one scale: the cases in which an open bound decides.
+// that these sum to 100 as well. Normal masses are heights of the bell curve, rounded by refining, with a
+// random part of its height added in each class; then as curves. Ties are masses that q particles of the size
+// of the lower or the upper sieve have, so that ends of classes meet at one scale: the cases in which an open
+// bound decides.
 
 #include "sets/suite_masses.hpp"
 
@@ -99,6 +101,21 @@ struct DrawnMasses {
     return percentages(curve_parts(classes(), whole, [&](std::size_t i) {
       return Real([&share, i](unsigned bits) { return share(i, bits); });
     }));
+  }
+
+  std::vector<Rational> operator()(const NormalMasses &normal) const {
+    const Rational centre = normal.centre.drawn(random) * classes(),
+                   deviation = normal.deviation.drawn(random), noise = normal.noise.drawn(random);
+    std::vector<Integer> up_to{0};
+    for (std::size_t j = 0; j < classes(); ++j) {
+      const Rational place = (ratio(2 * j + 1, 2) - centre) / deviation;
+      const Real height([place](unsigned bits) { return exp(Ball(Rational(-place * place / 2), bits)); });
+      const Integer rounded = floor_of(height * Real(Rational(whole)) + Real(ratio(1, 2))).hi;
+      const Integer added = floor(Rational(noise * Rational(random.below(Integer(whole + 1)))));
+      up_to.push_back(Integer(up_to.back() + rounded + added));
+    }
+    return percentages(
+        curve_parts(classes(), whole, [&](std::size_t i) { return Real(ratio(up_to[i], up_to.back())); }));
   }
 
   std::vector<Rational> operator()(const TiedMasses &ties) const {

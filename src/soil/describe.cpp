@@ -70,6 +70,15 @@ void add_group_notes(std::vector<std::string> &notes, const SoilDescription &d, 
     notes.emplace_back("the USCS group is that of the part that passes 75 mm");
 }
 
+/// The figures by which the papers that Arnold cites tell a representative volume.
+std::string representative_note(const SoilDescription &d) {
+  const Real d_max = d.d_max.real();
+  return fmt::format(
+      "representative volume: {}a specimen 15 to 20 d_max high (Cantor and Ovalle, 2025) has {} to {} mm",
+      d.d50 ? "d_max / D50 is " + rounded((d.d_max / *d.d50).real(), 3) + "; " : "",
+      rounded(Real(15) * d_max, 3), rounded(Real(20) * d_max, 3));
+}
+
 } // namespace
 
 std::vector<std::string> assumptions(const SoilDescription &d, const DescribeOptions &options) {
@@ -96,6 +105,7 @@ SoilDescription describe(const Gradation &g, const DescribeOptions &options) {
                     curvature_index(curve),
                     finest_mass_ratio(curve),
                     coarsest_volume_ratio(curve),
+                    curve.power_of(curve.coarsest() + 1),
                     fines,
                     classify_uscs(curve, fines, extrapolate),
                     uscs_fractions(curve),
@@ -106,6 +116,7 @@ SoilDescription describe(const Gradation &g, const DescribeOptions &options) {
     d.notes.push_back("I_GS is not available: " + d.i_gs.why().reason);
   if (!d.i_c)
     d.notes.push_back("I_C is not available: " + d.i_c.why().reason);
+  d.notes.push_back(representative_note(d));
   add_fraction_notes(d.notes, curve, "ASTM D2487", d.uscs);
   add_fraction_notes(d.notes, curve, "ISO 14688", d.iso_14688);
   add_group_notes(d.notes, d, options.limits.has_value());

@@ -23,6 +23,7 @@ struct SoilDescription {
   Available<Real> i_gs, i_c;
   Rational phi_1;
   PowerProduct zeta_1;
+  PowerProduct d_max; ///< the upper sieve of the coarsest class with mass
   Fines fines;
   Available<UscsGroup> group;
   std::vector<Fraction> uscs, iso_14688;

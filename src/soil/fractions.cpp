@@ -45,6 +45,21 @@ constexpr std::array<Band, 16> iso_14688_bands = {{{"large boulders", true, "630
                                                    {"fine silt", false, "0.002", "0.0063"},
                                                    {"clay", true, "0", "0.002"}}};
 
+constexpr std::array<Band, 14> wentworth_bands = {{{"gravel", true, "2", nullptr},
+                                                   {"boulders", false, "256", nullptr},
+                                                   {"cobbles", false, "64", "256"},
+                                                   {"pebbles", false, "4", "64"},
+                                                   {"granules", false, "2", "4"},
+                                                   {"sand", true, "0.0625", "2"},
+                                                   {"very coarse sand", false, "1", "2"},
+                                                   {"coarse sand", false, "0.5", "1"},
+                                                   {"medium sand", false, "0.25", "0.5"},
+                                                   {"fine sand", false, "0.125", "0.25"},
+                                                   {"very fine sand", false, "0.0625", "0.125"},
+                                                   {"mud", true, "0", "0.0625"},
+                                                   {"silt", false, "0.00390625", "0.0625"},
+                                                   {"clay", false, "0", "0.00390625"}}};
+
 template <class Bands>
 std::vector<Fraction> fractions(const GradingCurve &curve, const Bands &bands) {
   std::vector<Fraction> result;
@@ -74,6 +89,10 @@ std::vector<Fraction> uscs_fractions(const GradingCurve &curve) {
 
 std::vector<Fraction> iso_14688_fractions(const GradingCurve &curve) {
   return fractions(curve, iso_14688_bands);
+}
+
+std::vector<Fraction> wentworth_fractions(const GradingCurve &curve) {
+  return fractions(curve, wentworth_bands);
 }
 
 std::vector<Rational> interpolated_bounds(const GradingCurve &curve, const std::vector<Fraction> &fractions) {

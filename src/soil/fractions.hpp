@@ -26,6 +26,9 @@ std::vector<Fraction> uscs_fractions(const GradingCurve &curve);
 /// The fractions of ISO 14688-1, from large boulders (630 mm) to clay (0.002 mm), with their parts.
 std::vector<Fraction> iso_14688_fractions(const GradingCurve &curve);
 
+/// Gravel, sand and mud of Wentworth (1922), bounds at whole phi, with their parts.
+std::vector<Fraction> wentworth_fractions(const GradingCurve &curve);
+
 /// The bounds of the fractions at which the curve is interpolated, in mm, descending.
 std::vector<Rational> interpolated_bounds(const GradingCurve &curve, const std::vector<Fraction> &fractions);
 

@@ -52,7 +52,8 @@ std::string refusal_of(const std::string &content) {
 
 bool is_exact_match(const AnswerDescription &d) {
   const MatchError e = d.description.error();
-  return d.objections.empty() && d.description.articulately() && e.maximum.is_point() && e.maximum.lo == 0;
+  return d.objections.empty() && d.description.articulately() == true && e.maximum.is_point() &&
+         e.maximum.lo == 0;
 }
 
 } // namespace

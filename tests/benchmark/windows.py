@@ -17,6 +17,7 @@ import tempfile
 
 TOLERANCES = ["retained:5%", "retained:1%", "retained:0.2%", "passing:5%", "passing:1%", "passing:0.2%",
               "total:5%", "total:1%", "total:0.2%", "laboratory"]
+KINDS = ["lognormal", "bimodal", "noisy", "flat"]
 
 
 def bell(x, middle, width):
@@ -56,7 +57,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         file, proof = pathlib.Path(folder, "curve.csv"), pathlib.Path(folder, "curve.proof")
         for classes in map(int, options.classes.split(",")):
-            for kind in "lognormal", "bimodal", "noisy", "flat":
+            for kind in KINDS:
                 file.write_text(curve(kind, classes))
                 for tolerance in TOLERANCES:
                     proof.unlink(missing_ok=True)

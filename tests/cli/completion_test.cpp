@@ -2,6 +2,8 @@
 
 #include "run.hpp"
 
+#include <cstdlib>
+
 using namespace cli_test;
 
 namespace {

@@ -26,8 +26,8 @@ TEST_CASE("the file has the theorem, the command that checks it, and no name tha
   const std::string text = read_file(folder / "sand.v");
   CHECK(text.find("a ?) ?b.csv, checked by") != std::string::npos);
   CHECK(text.find(" Mdm sand.v\n") != std::string::npos);
-  CHECK(text.find("Row 1 2 1 0;\n  Row 2 1 1 0;\n  Row 3 0 1 0 ] 1 false.") != std::string::npos);
-  CHECK(text.find("least_number sphere asked_question sieves 4 /\\") != std::string::npos);
+  CHECK(text.find("a *) \"\"b.csv\"\n\"size_mm,mass\n1,2\n2,1\n3,0\n\".\n") != std::string::npos);
+  CHECK(text.find("File \"certificate\"\n\"mdm-certificate 1\nlaw 3\nparticles 4\n") != std::string::npos);
   CHECK(text.find("Print Assumptions answer.\n") == text.size() - 26);
 }
 
@@ -36,15 +36,19 @@ TEST_CASE("the file names a gradation from standard input as the verdicts do") {
   CHECK(
       mdm({"solve", "-", "--coq", folder / "sand.v", "--quiet"}, "size_mm,mass\n1,2\n2,1\n3,0\n").exit_code ==
       0);
-  CHECK(read_file(folder / "sand.v").find("(* A theorem about the gradation standard input, checked") == 0);
+  CHECK(read_file(folder / "sand.v").find("file := File \"standard input\"\n\"size_mm,mass\n1,2\n") !=
+        std::string::npos);
 }
 
-TEST_CASE("numbers of many digits are hexadecimal, for Coq reads long decimals slowly") {
+TEST_CASE("the certificate in the file is that of --proof, the gradation of a band alone the band's file") {
   const TemporaryFolder folder;
-  std::ofstream(folder / "sand.csv") << "size_mm,mass\n1,2.0000000000000000000000001\n2,1\n3,0\n";
-  CHECK(mdm({"solve", folder / "sand.csv", "--coq", folder / "sand.v", "--quiet"}).exit_code == 0);
-  CHECK(read_file(folder / "sand.v").find("Row 1 (0x108b2a2c28029094000001 # 0x84595161401484a000000) 1 0") !=
-        std::string::npos);
+  const std::string band = example("c33-fine-aggregate-limits");
+  CHECK(
+      mdm({"solve", "--band", band, "--coq", folder / "band.v", "--proof", folder / "band.proof", "--quiet"})
+          .exit_code == 0);
+  const std::string text = read_file(folder / "band.v");
+  CHECK(text.find("\"" + read_file(folder / "band.proof") + "\"") != std::string::npos);
+  CHECK(text.find(read_file(band)) != std::string::npos);
 }
 
 TEST_CASE("a name that Coq does not take, or that another file has, is refused") {
@@ -63,7 +67,7 @@ TEST_CASE("a proof that is too long for Coq is refused, and nothing is written")
   const std::string narrow =
       folder.write("narrow.csv", "size_mm,mass\n1,11\n1.000001,12\n1.000002,15\n1.000003,11\n1.000004,0\n");
   check_refused(mdm({"solve", narrow, "--quiet", "--coq", folder / "sand.v", "-o", folder / "answer"}),
-                "Coq takes too long for more than 100000");
+                "Coq's stack holds no more than 30000");
   CHECK(!std::filesystem::exists(folder / "sand.v"));
   CHECK(!std::filesystem::exists(folder / "answer"));
 }
@@ -79,11 +83,11 @@ TEST_CASE("a proof with too many windows for Coq is refused, and nothing is writ
   CHECK(!std::filesystem::exists(folder / "sand.v"));
 }
 
-TEST_CASE("no theorem is written where a limit comes first") {
+TEST_CASE("where a limit ends the search the theorem is of the bounds, and a note says so") {
   const TemporaryFolder folder;
   const Outcome outcome = mdm({"solve", long_proof(folder), "--tolerance", "retained:0.4%", "--node-limit",
                                "1", "--coq", folder / "sand.v"});
   CHECK(outcome.exit_code == 3);
-  CHECK(outcome.out.find("no proof was written") != std::string::npos);
-  CHECK(!std::filesystem::exists(folder / "sand.v"));
+  CHECK(outcome.out.find("the proof is of the bounds: at least ") != std::string::npos);
+  CHECK(read_file(folder / "sand.v").find("particles ") != std::string::npos);
 }

@@ -146,13 +146,90 @@ TEST_CASE("a set that is not accessible is a negative verdict", "[generate]") {
   CHECK(json(with(two, {"--at-most", "303"}), 1).at("accessible") == false);
 }
 
+TEST_CASE("no particle has more of its class than --largest-share", "[generate]") {
+  // Discs in the classes [1, 3/2] and [3/2, 2]: (u / d_m)^2 is 25/16 and 49/36, so 10 % takes 16 and 14
+  // particles. The second class is the scarcer: 14, and the first has 14 (10/7)^2 = 28.57.
+  Arguments some = {"generate", "--beta",          "1,1", "--dmin",     "1",         "--ratio",
+                    "2",        "--classes",       "2",   "--classing", "isochoric", "--dimension",
+                    "2",        "--min-per-class", "1",   "--at-least", "1",         "--largest-share",
+                    "10%"};
+  const Json set = json(some);
+  CHECK(set.at("classes")[0].at("quantity") == "28");
+  CHECK(set.at("classes")[1].at("quantity") == "14");
+  // 0.5 % takes 312.5 and 272.2: 313 and 273, and the first has 273 (10/7)^2 = 557.1.
+  some.back() = "0.5";
+  CHECK(json(some).at("classes")[0].at("quantity") == "557");
+  CHECK(json(some).at("classes")[1].at("quantity") == "273");
+  // Particles of one size: 1 / P of them.
+  some.back() = "4%";
+  for (const Json &c : json(with(some, {"--method", "match"})).at("classes"))
+    CHECK(std::stoi(c.at("quantity").get<std::string>()) >= 25);
+  // A spread: (3/2)^2 / P = 56.25 in the first, wider class.
+  for (const Json &c : json(with(some, {"--method", "match", "--spread"})).at("classes"))
+    CHECK(std::stoi(c.at("quantity").get<std::string>()) >= 57);
+  CHECK(mdm(some).out.find("no particle above 4 % of its class") != std::string::npos);
+  for (const char *wrong : {"0", "101%", "-1", "x", "1e-7"}) {
+    some.back() = wrong;
+    check_refused(mdm(some), "--largest-share");
+  }
+}
+
+TEST_CASE("the shapes with a C_u and a C_c are boxes, at the spans that are asked for", "[generate]") {
+  const Json found = json({"generate", "--cu", "4", "--cc", "2", "--span", "0.5,0.95"}, 0);
+  CHECK(found.at("schema") == "mdm-inverse-1");
+  CHECK(found.at("spans")[0].at("boxes").empty()); // d_60 / d_10 is below 3
+  REQUIRE(found.at("spans")[1].at("boxes").size() == 1);
+  const Json &box = found.at("spans")[1].at("boxes")[0];
+  CHECK(box.at("holds_one") == true);
+  CHECK(std::stod(box.at("a")[0].get<std::string>()) == Approx(0.76716).epsilon(1e-3));
+  CHECK(std::stod(box.at("b")[1].get<std::string>()) == Approx(0.24813).epsilon(1e-3));
+  const Outcome none = mdm({"generate", "--cu", "6", "--cc", "7", "--span", "0.9", "--format", "csv"});
+  CHECK(none.exit_code == 1);
+  CHECK(none.out == "span,a_lo,a_hi,b_lo,b_hi,shapes\n0.9,,,,,none\n");
+  // The shape is (0.8624497866, 1.6134880730), by scipy.
+  const Outcome edge =
+      mdm({"generate", "--cu", "6", "--cc", "1.2", "--span", "0.95", "--within", "0.86244:20"});
+  CHECK(edge.exit_code == 3);
+  CHECK(edge.out.find("not certain") != std::string::npos);
+}
+
+TEST_CASE("the shape of a gradation has its C_u and C_c, and the span of its sieves", "[generate]") {
+  const std::string graded = "size_mm,passing_percent\n0.1,0\n0.2,10\n0.5,30\n1.2,60\n4,100\n";
+  const Outcome fit = mdm({"generate", "--fit", "-", "--format", "json"}, graded);
+  INFO(fit.err);
+  CHECK((fit.exit_code == 0 || fit.exit_code == 1));
+  const Json found = Json::parse(fit.out);
+  CHECK(found.at("Cu") == Json({"6", "6"}));
+  CHECK(found.at("spans")[0].at("span") == "39/41");
+  check_refused(mdm({"generate", "--fit", "-"}, "size_mm,passing_percent\n0.2,12\n0.5,30\n1.2,60\n4,100\n"),
+                "D10");
+  check_refused(mdm({"generate", "--fit", "-"}, "size_mm,passing_percent\n0.2,9\n0.5,30\n1.2,60\n4,100\n"),
+                "--span");
+}
+
+TEST_CASE("what asks for no shapes is refused", "[generate]") {
+  check_refused(mdm({"generate", "--cu", "6"}), "belong together");
+  check_refused(mdm({"generate", "--cc", "6"}), "belong together");
+  check_refused(mdm({"generate", "--within", "1:2"}), "belong together");
+  check_refused(mdm({"generate", "--cu", "0.5", "--cc", "1"}), "below 1");
+  check_refused(mdm({"generate", "--cu", "0", "--cc", "1"}), "not positive");
+  check_refused(mdm({"generate", "--cu", "6", "--cc", "1", "--span", "1"}), "not below 1");
+  check_refused(mdm({"generate", "--cu", "6", "--cc", "1", "--within", "2"}), "FROM:TO");
+  check_refused(mdm({"generate", "--cu", "6", "--cc", "1", "--within", "2:1"}), "FROM below TO");
+  check_refused(mdm({"generate", "--cu", "6", "--cc", "1", "--within", "0.0001:1"}), "from 0.001 to 1000");
+  check_refused(mdm({"generate", "--cu", "6", "--cc", "1", "--beta", "1,1"}), "make no set");
+  check_refused(mdm({"generate", "--cu", "6", "--cc", "1", "--fit", "-"}, ""), "leave out");
+  check_refused(mdm({"generate", "--cu", "6", "--cc", "1", "--plot", "shapes.gif"}), "--plot");
+}
+
 TEST_CASE("CSV leaves the verdict to standard error", "[generate]") {
   const Outcome done = mdm(with(two, {"--format", "csv", "--at-most", "304"}));
   CHECK(done.exit_code == 0);
   CHECK(done.err.empty());
   const Outcome many = mdm(with(two, {"--format", "csv", "--at-most", "303", "--quiet"}));
   CHECK(many.exit_code == 1);
-  CHECK(many.err == "beta curve (1, 1), uniform by volume fraction: not accessible with N_max = 303: N = 304 "
+  CHECK(many.err == "beta curve (1, 1): volume density uniform; grading curve a straight line: not "
+                    "accessible with N_max = 303: N = 304 "
                     "(sum N' = 304)\n");
   const Outcome open = mdm({"generate", "--curve", "-", "--classing", "isochoric", "--classes", "2",
                             "--dimension", "2", "--at-least", "1", "--format", "csv"},

@@ -100,7 +100,6 @@ TEST_CASE("what cannot be judged is refused", "[judge]") {
     CHECK(outcome.out.empty());
     CHECK(has(outcome.err, why));
   };
-  refused({"judge", "-"}, good, "--spec is missing");
   refused({"judge", "-", "--spec", "astm-c33-fin"}, good, "specifications that come with mdm: astm-c33-57");
   refused({"judge", "-", "--spec", "-"}, good, "standard input is one file");
   refused({"judge", "-", "--spec", "astm-c33-fine", "--rounding", "-1"}, good, "--rounding");

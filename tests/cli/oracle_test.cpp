@@ -2,6 +2,8 @@
 
 #include "run.hpp"
 
+#include <unistd.h>
+
 using namespace cli_test;
 
 namespace {

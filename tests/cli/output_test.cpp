@@ -2,9 +2,12 @@
 
 #include "answer.hpp"
 
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
 
 using namespace cli_test;
 

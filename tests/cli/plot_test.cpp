@@ -215,3 +215,37 @@ TEST_CASE("plot draws a section of a sample with places beside the curve", "[cli
   check_refused(mdm({"plot", gradation, "--match", "--size-unit", "m", "--format", "svg", "-o", "-"}),
                 "--size-unit: it is of a SAMPLE");
 }
+
+TEST_CASE("a trade-off in JSON is drawn as mdm tradeoff draws it", "[cli]") {
+  const TemporaryFolder folder;
+  CHECK(mdm({"tradeoff", sand, "--tolerances", "0,1,5", "--plot", folder / "a.svg", "--format", "json", "-o",
+             folder / "t.json"})
+            .exit_code == 0);
+  CHECK(drawn(folder, "b.svg", {folder / "t.json"}) == read_file(folder / "a.svg"));
+  const std::string german =
+      drawn(folder, "c.svg", {folder / "t.json", "--language", "de", "--width", "400"});
+  for (const char *part : {"N (Partikel)", "verlorene Masse (Prozent)", "width=\"400\""})
+    CHECK(contains(german, part));
+  check_refused(mdm({"plot", folder / "t.json", "--bands", "iso", "-o", folder / "d.svg"}), "is a trade-off");
+  check_refused(
+      mdm({"plot", folder.write("e.json", "{\"schema\":\"mdm-tradeoff-1\"}"), "-o", folder / "d.svg"}),
+      "id is missing");
+}
+
+TEST_CASE("a picture has the form that is asked for", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string bare = drawn(folder, "a.svg", {sand, "--match", "--bare", "--width", "500"});
+  CHECK(contains(bare, "width=\"500\""));
+  CHECK(contains(bare, "<title>athabasca-sand</title>"));
+  CHECK_FALSE(contains(bare, ">athabasca-sand</text>"));
+  CHECK_FALSE(contains(bare, ">Cu = "));
+  const std::string german =
+      drawn(folder, "b.svg", {sand, "--language", "de", "--caption", "Gelesen: <mm>."});
+  CHECK(contains(german, ">Durchgang in Prozent<"));
+  CHECK(contains(german, ">Gelesen: &lt;mm&gt;.<"));
+  CHECK(drawn(folder, "c.svg", {sand, "--width", "5e2"}) == drawn(folder, "d.svg", {sand, "--width", "500"}));
+  check_refused(mdm({"plot", sand, "--width", "199", "-o", folder / "e.svg"}), "--width");
+  check_refused(mdm({"plot", sand, "--width", "5001", "-o", folder / "e.svg"}), "--width");
+  check_refused(mdm({"plot", sand, "--width", "300.5", "-o", folder / "e.svg"}), "--width");
+  check_refused(mdm({"plot", sand, "--language", "fr", "-o", folder / "e.svg"}), "--language");
+}

@@ -94,6 +94,33 @@ TEST_CASE("the iterations are CSV, and text is for people", "[cli]") {
   CHECK(text.out.find("an exact match; the smallest exact match has 1485") != std::string::npos);
 }
 
+TEST_CASE("the example of proofs/README.md can be repeated: a window between two increments", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("window.csv", "size_mm,mass\n8,8\n9,9\n10,11\n11,0\n");
+  const std::string readme = read_file(std::string(MDM_SOURCE_DIR) + "/proofs/README.md");
+  CHECK(readme.find("With n = 10, 20, 50 or 100 increments of the class (`mdm published spanned-integer FILE "
+                    "--start 1/n\n"
+                    "--increments n`)") != std::string::npos);
+  CHECK(readme.find("(`--start 1/127 --increments 127`)") != std::string::npos);
+  const auto with_increments = [&](const std::string &n) {
+    return published({"spanned-integer", file, "--start", "1/" + n, "--increments", n});
+  };
+  for (const char *n : {"10", "20", "50", "100"}) {
+    const Json answer = with_increments(n);
+    CHECK(answer.at("particles") == "7");
+    CHECK(answer.at("match") == true);
+    CHECK(answer.at("iterations").size() == 2);
+  }
+  for (const char *n : {"127", "128", "200"}) {
+    const Json answer = with_increments(n);
+    CHECK(answer.at("particles") == "3");
+    CHECK(answer.at("match") == true);
+    CHECK(answer.at("iterations").size() == 1);
+  }
+  const Outcome text = mdm({"published", "spanned-integer", file, "--start", "1/127", "--increments", "127"});
+  CHECK(text.out.find("x_nS from 1/127 of its class") != std::string::npos);
+}
+
 TEST_CASE("an interior sieve with nothing retained is no obstacle", "[cli]") {
   const TemporaryFolder folder;
   const std::string file = folder.write("gap.csv", "size_mm,mass\n0,2\n1,0\n2,5\n4,0\n8,0\n");
@@ -121,6 +148,9 @@ TEST_CASE("published refuses what it cannot do, with a remedy", "[cli]") {
   refused({"fixed-size", athabasca, "--sizes", "upper", "--size-at", "0.5"}, "give one of them");
   refused({"fixed-size", athabasca, "--size-at", "0"}, "not positive");
   refused({"fixed-size", athabasca, "--size-at", "1.01"}, "above 1");
+  refused({"spanned-integer", athabasca, "--start", "1/0"}, "not positive");
+  refused({"spanned-integer", athabasca, "--start", "3/2"}, "above 1");
+  refused({"spanned-integer", athabasca, "--start", "1/2/3"}, "--start");
   refused({"fixed-size", athabasca, "--max-iterations", "0"}, "whole number from 1 on");
   refused({"fixed-size", athabasca, "--max-iterations", "100001"}, "at most 100000");
   refused({"spanned-integer", athabasca, "--law", "power:5/2"}, "athabasca-sand.csv: the law x^(5/2)");

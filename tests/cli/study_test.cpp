@@ -34,7 +34,9 @@ TEST_CASE("study figures writes the table and the figures' numbers", "[cli]") {
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.out.empty());
   const std::filesystem::directory_iterator files(folder / "study");
-  CHECK(std::distance(begin(files), end(files)) == 6);
+  CHECK(std::distance(begin(files), end(files)) == 7);
+  CHECK(line_count(folder / "study/statements.csv") == 1 + 44);
+  CHECK(read_file(folder / "study/statements.csv").rfind("statement,where,found,holds,command\n", 0) == 0);
   CHECK(line_count(folder / "study/table1.csv") == 13);
   for (const char *name : {"study/figure3.csv", "study/figure4.csv", "study/figure5.csv"})
     CHECK(line_count(folder / name) == 22);
@@ -114,12 +116,13 @@ TEST_CASE("study --paper voivret writes the numbers of its figures on size distr
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.out.empty());
   const std::pair<const char *, std::ptrdiff_t> rows[] = {
-      {"1", 100}, {"3", 707}, {"4", 294}, {"5", 180}, {"6", 48}, {"7", 66}, {"8", 2304}, {"8-spans", 2000}};
+      {"1", 100}, {"3", 1407}, {"4", 294}, {"5", 180}, {"6", 48}, {"7", 66}, {"8", 2304}, {"8-spans", 2000}};
   for (const auto &[number, n] : rows)
     CHECK(line_count(folder / ("study/figure" + std::string(number) + ".csv")) == n + 1);
+  CHECK(line_count(folder / "study/statements.csv") > 40);
   const std::string sets = read_file(folder / "study/figure7.csv");
-  CHECK(sets.find("\n1,3,geometric,10,10,2000,33927,33927,0.01") != std::string::npos);
-  CHECK(sets.find("\n1,3,regular,10,10,2000,7258942,7258942,\n") != std::string::npos);
+  CHECK(sets.find("\n1,3,geometric,10,10,2000,33927,33927,10,0.01") != std::string::npos);
+  CHECK(sets.find("\n1,3,regular,10,10,2000,7258942,7258942,0,,,\n") != std::string::npos);
 }
 
 namespace {

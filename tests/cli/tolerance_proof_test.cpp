@@ -86,17 +86,23 @@ TEST_CASE("a search that a limit has ended leaves a proof of its bounds", "[cli]
   }
 }
 
-TEST_CASE("a proof of bounds is no VIPR file and no theorem, and an old file is called old", "[cli]") {
+TEST_CASE("a proof of bounds is a theorem and no VIPR file, and an old file is called old", "[cli]") {
   const TemporaryFolder folder;
-  const std::string old = folder.write("sand.v", "old");
-  const Outcome outcome = mdm({"solve", ottawa, "--tolerance", "total:1%", "--node-limit", "1", "--proof",
-                               folder / "proof", "--vipr", folder / "vipr", "--coq", old});
+  const std::string old = folder.write("vipr", "old");
+  const Arguments ask = {"solve", ottawa, "--tolerance", "total:1%", "--node-limit", "1"};
+  const auto with = [&ask](Arguments more) {
+    more.insert(more.begin(), ask.begin(), ask.end());
+    return mdm(more);
+  };
+  const Outcome outcome = with({"--proof", folder / "proof", "--vipr", old, "--coq", folder / "sand.v"});
   CHECK(outcome.exit_code == 3);
-  CHECK(contains(outcome.out,
-                 "no proof was written to " + folder / "vipr" + ": the limit came before the end\n"));
-  CHECK(contains(outcome.out, "came before the end; the file that is there is older"));
+  CHECK(contains(outcome.out, "no proof was written to " + old +
+                                  ": the limit came before the end; the file that is there is older\n"));
   CHECK(contains(outcome.out, "the proof is of the bounds: at least "));
-  CHECK(folder.entries() == 2);
+  CHECK(folder.entries() == 3);
+  CHECK(contains(with({"--vipr", folder / "new"}).out,
+                 "no proof was written to " + folder / "new" + ": the limit came before the end\n"));
+  CHECK(folder.entries() == 3);
 }
 
 TEST_CASE("a batch within a tolerance writes the proof of each line", "[cli]") {

@@ -385,6 +385,24 @@ TEST_CASE("verify: sizes of which ranges are known, each with a sieve in it, are
   CHECK(outcome.out.find("of which only a range is known, with a sieve in it") != std::string::npos);
 }
 
+TEST_CASE("where spheres do not touch, --contact-gap is named", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string sand = folder.write("g.csv", "size_mm,mass\n0.5,1\n1,0\n");
+  const auto report = [&](const std::string &places, const Arguments &more = {}) {
+    Arguments arguments{"verify", sand, folder.write("grains", places), "--from", "xyzr", "--packing"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = mdm(arguments);
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return outcome.out;
+  };
+  const std::string cut = "0 0 0 0.333333\n0 0 0.666667 0.333333\n";
+  CHECK(report(cut).find("--contact-gap GAP takes") != std::string::npos);
+  CHECK(report(cut, {"--contact-gap", "0.00001"}).find("contact-gap") == std::string::npos);
+  CHECK(report("0 0 0 0.3\n0 0 0.6 0.3\n").find("contact-gap") == std::string::npos);
+  CHECK(report("0 0 0 0.3\n").find("contact-gap") == std::string::npos);
+}
+
 TEST_CASE("verify judges places unasked up to 20000, and says where more or odd ones are left", "[cli]") {
   const TemporaryFolder folder;
   const std::string sand = folder.write("g.csv", "size_mm,mass\n0.5,1\n1,0\n");

@@ -61,7 +61,7 @@ TEST_CASE("Description: Cond2 on both sides of the finest and the largest openin
   CHECK(Description(three_classes(), Sample({1 + little, 4}, {1, 1})).describes());
   const Description low(three_classes(), Sample({ratio(1, 2), 1, 2}, {3, 2, 1}));
   CHECK_FALSE(low.describes());
-  CHECK_FALSE(low.articulately());
+  CHECK(low.articulately() == false);
   CHECK(low.below().count == 5);
   CHECK(low.below().first->is(ratio(1, 2), 1));
   CHECK(low.above().count == 0);
@@ -75,17 +75,17 @@ TEST_CASE("Description: Cond2 on both sides of the finest and the largest openin
 
 TEST_CASE("Description: Cond3 wants one size in a class") {
   // Eq. 11 as printed would find 2 between 1.5 and 2, and nothing between 2 and 2.5.
-  CHECK(Description(three_classes(), Sample({2, ratio(5, 2)}, {1, 1})).articulately());
+  CHECK(Description(three_classes(), Sample({2, ratio(5, 2)}, {1, 1})).articulately() == true);
   const Description d(three_classes(), Sample({ratio(3, 2), 2}, {4, 1}));
   CHECK(d.describes());
-  CHECK_FALSE(d.articulately());
+  CHECK(d.articulately() == false);
   CHECK(d.inarticulate_class() == 0);
   CHECK(d.of_class(0).first->is(ratio(3, 2), 1));
   CHECK(d.of_class(0).second->is(2, 1));
   Description same(three_classes());
   same.add(4);
   same.add(4, 5);
-  CHECK(same.articulately());
+  CHECK(same.articulately() == true);
   CHECK(counts(same) == std::vector<int>{0, 0, 6});
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("Description: a snap takes sizes near an opening as it, mass and all")
     d.add(4 * edge);
     CHECK(counts(d) == std::vector<int>{4, 0, 1});
     CHECK(d.snapped() == 5);
-    CHECK(d.articulately());
+    CHECK(d.articulately() == true);
     CHECK(exactly(d.error().as_given[0]) == 8 - 32);
     d.add(edge, 7); // on the finest opening: it passes
     CHECK(d.below().count == 7);

@@ -39,6 +39,7 @@ TEST_CASE("Gradation: invariants are checked") {
   CHECK(contains(refusal_after([](Data &d) { d.masses.pop_back(); }), "must be as many as the sizes"));
   CHECK(contains(refusal_after([](Data &d) { d.factors.pop_back(); }), "must be as many as the sizes"));
   CHECK(contains(refusal_after([](Data &d) { d.tolerances.pop_back(); }), "must be as many as the sizes"));
+  CHECK(contains(refusal_after([](Data &d) { d.unit = SizeUnit::in; }), "kept in mm, um or m"));
   CHECK(refusal_after([](Data &d) { d.sizes[0] = -1; }) == "size -1 mm is negative");
   CHECK(refusal_after([](Data &d) { d.sizes[2] = 1; }) == "size 1 mm does not ascend");
   CHECK(refusal_after([](Data &d) { d.masses[1] = ratio(-1, 2); }) == "mass -0.5 is negative");

@@ -39,9 +39,9 @@ const std::vector<Rounding> roundings = {
      {"ask/export_model.cpp", "ask/export_report.cpp", "match/near.hpp", "packing/apollonian.cpp",
       "packing/apollonian_walk.hpp", "packing/lattice.cpp", "particles/gsd_writer.cpp",
       "particles/material_table.cpp", "particles/mixed_placement.cpp", "particles/model_lammps.cpp",
-      "particles/model_liggghts.cpp", "particles/model_yade.cpp", "particles/settle_model.cpp",
-      "particles/settle_script.cpp", "plot/gradation_figure.cpp", "plot/ranges.hpp",
-      "plot/tradeoff_figure.cpp"},
+      "particles/model_liggghts.cpp", "particles/model_yade.cpp", "particles/sample_set.cpp",
+      "particles/settle_model.cpp", "particles/settle_script.cpp", "plot/gradation_figure.cpp",
+      "plot/ranges.hpp", "plot/tradeoff_figure.cpp", "sets/inverse_model.cpp"},
      "lengths of boxes, times, forces and materials in engines, and pictures; bounds of packings, and what "
      "steers "
      "the search for a match, with an exact test behind them"},
@@ -52,8 +52,8 @@ const std::vector<Rounding> roundings = {
     {"mpz_get_d(", {"match/sweep_problem.cpp"}, "bounds of the sweep, with an exact fallback"},
     {"to_double(",
      {"match/sweep_problem.hpp", "match/sweep_problem.cpp", "match/least_match.cpp", "number/int128.hpp",
-      "papers/accessible_report.cpp", "papers/packing_figures.cpp", "plot/ranges.hpp",
-      "papers/paper_figures.cpp", "papers/size_model_figures.cpp"},
+      "papers/accessible_report.cpp", "papers/inverse_report.cpp", "papers/packing_figures.cpp",
+      "plot/ranges.hpp", "papers/paper_figures.cpp", "papers/size_model_figures.cpp"},
      "bounds of the sweep, with an exact fallback, and pictures"},
     {"strtod(",
      {"ask/export_model.cpp", "number/nearest_double.cpp", "particles/gsd_writer.cpp"},

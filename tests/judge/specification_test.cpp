@@ -1,7 +1,8 @@
 // Specifications, of files and those that come with the program.
 
 #include "catch.hpp"
-#include "judge/specification.hpp"
+
+#include <mdm/judge/specification.hpp>
 
 using namespace mdm;
 

@@ -100,7 +100,7 @@ TEST_CASE("the caller of a search for many particles is told bounds of these") {
 
 TEST_CASE("the caller of a search within a tolerance is told of it and can end it") {
   Question question;
-  question.tolerances = {parse_tolerance("passing:0.5%")};
+  question.tolerances = {parse_tolerance("total:1%")};
   for (const std::size_t last : {1U, 2U}) {
     Caller caller{last};
     SolveOptions options;

@@ -106,7 +106,7 @@ TEST_CASE("a start at the very end of the window leaves a single scale") {
   CHECK(m.sample->scale->window.up_to == 24);
   CHECK(m.sample->sizes[0]->text() == "2");
   CHECK(m.sample->scale->margin == 0);
-  CHECK(m.notes.size() == 1);
+  CHECK(m.notes.size() == 2); // of double precision, and of the specimen
 }
 
 TEST_CASE("a volume with pi is reached, and closely") {

@@ -246,8 +246,8 @@ TEST_CASE("where a search would not fit into memory the exact match is the answe
   CHECK(m.status == Status::feasible);
   CHECK(m.particles() == solve(g).particles());
   CHECK(m.lower_bound < m.particles());
-  REQUIRE(m.notes.size() >= 1);
-  CHECK(m.notes.back().find("memory") != std::string::npos);
+  CHECK(std::any_of(m.notes.begin(), m.notes.end(),
+                    [](const std::string &note) { return note.find("memory") != std::string::npos; }));
 }
 
 TEST_CASE("more particles than may be end a search") {

@@ -18,7 +18,11 @@ TABLE, PROGRAM, SOURCE = sys.argv[1:]
 WRITE = pathlib.Path(SOURCE, "src/ask/write_modules")
 FUNCTIONS = {"solve": ("solving.py", "solve"), "crosscheck": ("judging.py", "crosscheck"),
              "verify": ("verifying.py", "verify"), "tradeoff": ("trade.py", "tradeoff"),
-             "describe": ("description.py", "describe"), "convert": ("reading.py", "read")}
+             "describe": ("description.py", "describe"), "convert": ("reading.py", "read"),
+             "generate": ("program.py", "generate"), "pack": ("program.py", "pack"), "export": ("program.py", "export"),
+             "plot": ("program.py", "picture"), "suite": ("suites.py", "suite")}
+#: Functions that take options of `solve` beside their own by any keyword, which they look up in the table.
+TAKE_MORE = {"tradeoff"}
 
 
 def written(table, source, *options):
@@ -31,12 +35,16 @@ def keywords(source, command):
     file, function = FUNCTIONS[command]
     tree = ast.parse(pathlib.Path(source, "src/python/exactmdm", file).read_text(encoding="utf-8"))
     found = next(node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == function)
+    assert (found.args.kwarg is not None) == (command in TAKE_MORE), function
     return {one.arg: ast.unparse(one.annotation) for one in found.args.kwonlyargs}, ast.get_docstring(found)
 
 
 def members(source, command):
-    """The options of an interface of JavaScript with their types."""
+    """The options of an interface of JavaScript with their types; nothing where the module has no such function."""
     text = pathlib.Path(source, "src/web/module/index.d.ts").read_text(encoding="utf-8")
+    if f"export function {command}(" not in text:
+        assert f"{command.capitalize()}Words" not in text
+        return None
     interface = re.search(rf"^export interface {command.capitalize()}Words \{{\n(.*?)^\}}", text, re.M | re.S)[1]
     return dict(re.findall(r"^  (\w+)\?: (.*);$", interface, re.M))
 
@@ -48,7 +56,8 @@ def check_modules(table, source):
         for row in rows:
             assert row["keyword"] in python, (command, row)
             assert re.search(rf"^ *[\w, ()]*\b{row['keyword']}\b[\w, ()]*:", explained, re.M), (command, row)
-        assert list(javascript) == [row["member"] for row in rows], (command, javascript)
+        if javascript is not None:
+            assert list(javascript) == [row["member"] for row in rows], (command, javascript)
 
 
 def check_program(table):
@@ -64,27 +73,30 @@ def check_program(table):
             assert re.search(words, help_text), (command, words)
 
 
-def check_added_row(table):
-    """One more row is one more keyword and one more member, with their types and their help."""
+def check_added_row(table, command):
+    """One more row is one more keyword and one more member, with their types and their help; one less is refused too."""
     row = {"name": "mystery-gap", "keyword": "mystery_gap", "member": "mysteryGap", "kind": "number", "values": "G",
            "choices": [],
            "help": "a gap beside --at-least (exit 3)"}
     with tempfile.TemporaryDirectory() as folder:
         for part in ("src/python/exactmdm", "src/web/module"):
             shutil.copytree(pathlib.Path(SOURCE, part), pathlib.Path(folder, part))
-        added = {**table, "solve": table["solve"] + [row]}
+        added = {**table, command: table[command] + [row]}
         assert written(added, folder, "--check").returncode == 1
         assert written(added, folder).returncode == 0
         assert written(added, folder, "--check").returncode == 0
         check_modules(added, folder)
-        python, explained = keywords(folder, "solve")
+        python, explained = keywords(folder, command)
         assert python["mystery_gap"] == "Number | None", python
         assert "mystery_gap: a gap beside at_least.\n" in explained, explained
-        assert members(folder, "solve")["mysteryGap"] == "number | string"
-        text = pathlib.Path(folder, "src/web/module/index.d.ts").read_text(encoding="utf-8")
-        assert "/** A gap beside atLeast. */" in text
+        javascript = members(folder, command)
+        if javascript is not None:
+            assert javascript["mysteryGap"] == "number | string"
+            text = pathlib.Path(folder, "src/web/module/index.d.ts").read_text(encoding="utf-8")
+            assert "/** A gap beside atLeast. */" in text
+        assert written(table, folder, "--check").returncode == 1
         assert written(table, folder).returncode == 0
-        assert "mystery_gap" not in keywords(folder, "solve")[0]
+        assert "mystery_gap" not in keywords(folder, command)[0]
 
 
 def main():
@@ -94,7 +106,8 @@ def main():
     assert stale.returncode == 0, stale.stdout + stale.stderr
     check_modules(table, SOURCE)
     check_program(table)
-    check_added_row(table)
+    for command in ("solve", "generate", "pack", "export", "plot"):
+        check_added_row(table, command)
     print("the table, the program and the modules agree")
 
 

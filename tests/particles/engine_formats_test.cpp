@@ -36,7 +36,7 @@ TEST_CASE("ESyS-Particle: radii of a geometry and of a snapshot, in m") {
     REQUIRE(result.notes.size() == 1);
     CHECK(contains(result.notes[0], "radii in m"));
     ParticleOptions options;
-    options.unit = LengthUnit::mm;
+    options.unit = SizeUnit::mm;
     CHECK(read(content, options).particles == "1 0.5");
   }
 }

@@ -167,7 +167,7 @@ TEST_CASE("VTK: an array radius or diameter") {
   CHECK(read(replaced(scalars, "POLYDATA", "UNSTRUCTURED_GRID")).particles == "2 4 6");
   ParticleOptions options;
   options.meaning = SizeMeaning::diameter;
-  options.unit = LengthUnit::mm;
+  options.unit = SizeUnit::mm;
   CHECK(read(scalars, options).particles == "0.001 0.002 0.003");
 }
 

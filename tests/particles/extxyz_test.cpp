@@ -32,7 +32,7 @@ TEST_CASE("extended XYZ: radii in the unit of the gradation") {
       read("\xEF\xBB\xBF 2 \r\n" + properties + "\r\nSi 0\t0 0 .5\r\n  Si 1 0 0 25e-2 \r\n\r\n").particles ==
       "1 0.5");
   ParticleOptions options;
-  options.unit = LengthUnit::m;
+  options.unit = SizeUnit::m;
   options.meaning = SizeMeaning::diameter;
   CHECK(read(two, options).particles == "500 250");
   CHECK(read(two, options).notes.empty());

@@ -22,7 +22,7 @@ auto refusal_of_file(std::string content, ParticleOptions options = {}) {
 
 TEST_CASE("A file of particles is refused in the spelling of the front end") {
   ParticleOptions metres;
-  metres.unit = LengthUnit::m;
+  metres.unit = SizeUnit::m;
   check_spellings(refusal_of_file("size_mm,quantity\n1,2\n", metres),
                   {"leave out --size-unit", "leave out size_unit", "leave out sizeUnit"});
   ParticleOptions second;
@@ -35,7 +35,7 @@ TEST_CASE("A file of particles is refused in the spelling of the front end") {
 
 TEST_CASE("A start that has no room is refused in the spelling of the front end") {
   ParticleSetOptions metres;
-  metres.unit = LengthUnit::m;
+  metres.unit = SizeUnit::m;
   const ParticleSet set = particle_set(solve(gradation({1, 2, 3}, {1, 1, 0})), metres);
   const auto start = [&set](const Footprint &floor, Start kind) {
     return [&set, floor, kind] { return refusal_of([&] { Placement(set, floor, 1, kind); }); };

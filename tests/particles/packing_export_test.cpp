@@ -20,9 +20,9 @@ Packing two_discs(const std::string &unit) {
   return p;
 }
 
-using Write = void (*)(const Packing &, LengthUnit, const Rational &, const Sink &);
+using Write = void (*)(const Packing &, SizeUnit, const Rational &, const Sink &);
 
-std::string written(Write write, const Packing &p, LengthUnit unit = LengthUnit::m) {
+std::string written(Write write, const Packing &p, SizeUnit unit = SizeUnit::m) {
   std::string text;
   write(p, unit, 2650, [&text](std::string_view part) { text += part; });
   return text;
@@ -50,25 +50,25 @@ TEST_CASE("packings are written for LAMMPS in the plane z = 0, exactly in the un
         std::vector<std::string>{"2", "1", "0.0021", "2650", "0.00305", "0.00105", "0"});
   CHECK(text.find("0 0.01 xlo xhi\n0 0.0021 ylo yhi\n-0.00052 0.00052 zlo zhi\n") != std::string::npos);
   CHECK(text.find("enforce2d") < text.find('\n'));
-  const std::string slab = written(write_packing_liggghts, two_discs("mm"), LengthUnit::mm);
+  const std::string slab = written(write_packing_liggghts, two_discs("mm"), SizeUnit::mm);
   CHECK(slab.find("-1.05 1.05 zlo zhi\n") != std::string::npos);
   CHECK(words(slab, "2 1") == std::vector<std::string>{"2", "1", "2.1", "2.65e-6", "3.05", "1.05", "0"});
 }
 
 TEST_CASE("packings are written for YADE with the way to keep them in their plane") {
-  const std::string text = written(write_packing_yade, two_discs("um"), LengthUnit::mm);
+  const std::string text = written(write_packing_yade, two_discs("um"), SizeUnit::mm);
   CHECK(words(text, "0.00305") == std::vector<std::string>{"0.00305", "0.00105", "0", "0.00105"});
   CHECK(text.find("blockedDOFs = 'zXY'") != std::string::npos);
 }
 
 TEST_CASE("a table for LMGC90 has radius, x and y as numpy reads them") {
-  const std::string text = written(write_packing_lmgc90, two_discs("in"), LengthUnit::mm);
+  const std::string text = written(write_packing_lmgc90, two_discs("in"), SizeUnit::mm);
   CHECK(words(text, "26.67") == std::vector<std::string>{"26.67", "77.47", "26.67"});
 }
 
 TEST_CASE("the head of a file says what its lengths are, and what is around the discs") {
   const auto head = [](const Packing &p) {
-    const std::string text = written(write_packing_lammps, p, LengthUnit::mm);
+    const std::string text = written(write_packing_lammps, p, SizeUnit::mm);
     return text.substr(0, text.find(';'));
   };
   Packing p = two_discs("");

@@ -36,7 +36,7 @@ TEST_CASE(
   CHECK(read("x;y;z;d\n0;0;0;0,5\n").particles == "0.5");
   CHECK(read("x\ty\tz\tr\n0\t0\t0\t0.5\n").particles == "1");
   ParticleOptions metres;
-  metres.unit = LengthUnit::m;
+  metres.unit = SizeUnit::m;
   CHECK(read("x,y,z,r\n0,0,0,0.0005\n", metres).particles == "1");
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("CSV of particles: what is wrong is refused with its line") {
   CHECK(contains(refusal("1,2\n", from(ParticleFormat::csv)), "column '1' is unknown"));
   CHECK(contains(refusal("# nothing\n", from(ParticleFormat::csv)), "file:1: there is no header"));
   ParticleOptions unit;
-  unit.unit = LengthUnit::m;
+  unit.unit = SizeUnit::m;
   CHECK(contains(refusal("size_mm,quantity\n1,2\n", unit), "leave out --size-unit"));
 }
 

@@ -12,7 +12,7 @@ TEST_CASE("x y z r: radii in the unit of the gradation") {
   REQUIRE(result.notes.size() == 1);
   CHECK(contains(result.notes[0], "radii in mm"));
   ParticleOptions options;
-  options.unit = LengthUnit::m;
+  options.unit = SizeUnit::m;
   options.meaning = SizeMeaning::diameter;
   CHECK(read("0 0 0 0.5\n", options).particles == "500");
   CHECK(read("0 0 0 0.5\n", options).notes.empty());
@@ -36,7 +36,7 @@ TEST_CASE("diameters: one a line, radii if told so") {
   CHECK(read("1.5\n").format == ParticleFormat::diameters);
   ParticleOptions options;
   options.meaning = SizeMeaning::radius;
-  options.unit = LengthUnit::um;
+  options.unit = SizeUnit::um;
   CHECK(read("1.5\n", options).particles == "0.003");
   CHECK(contains(refusal("1\n2 3\n"), "file:2: the line is not one number"));
   CHECK(contains(refusal("1\n0\n"), "file:2: diameter '0' is not above 0"));

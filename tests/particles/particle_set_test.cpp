@@ -113,7 +113,7 @@ TEST_CASE("short decimals: the shorter of both notations") {
 }
 
 TEST_CASE("particle sets: counts, classes and masses are those of the match") {
-  for (const LengthUnit unit : {LengthUnit::m, LengthUnit::mm, LengthUnit::um, LengthUnit::in}) {
+  for (const SizeUnit unit : {SizeUnit::m, SizeUnit::mm, SizeUnit::um, SizeUnit::in}) {
     const Match m = match(sand);
     ParticleSetOptions options;
     options.unit = unit;

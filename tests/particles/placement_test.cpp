@@ -15,7 +15,7 @@ using namespace mdm::test;
 
 namespace {
 
-ParticleSet set_of(const std::string &csv, const Integer &at_least = 1, LengthUnit unit = LengthUnit::m) {
+ParticleSet set_of(const std::string &csv, const Integer &at_least = 1, SizeUnit unit = SizeUnit::m) {
   Question question;
   question.at_least = at_least;
   ParticleSetOptions options;
@@ -318,7 +318,7 @@ TEST_CASE("placement: the void ratio is that of the box") {
 
 TEST_CASE("placement: the void ratio is between those of rounded diameters and of rounded radii") {
   const ParticleSet set =
-      particle_set(solve(read_gradation(sand, "sand.csv")), {LengthUnit::m, 2650, ratio(1, 100)});
+      particle_set(solve(read_gradation(sand, "sand.csv")), {SizeUnit::m, 2650, ratio(1, 100)});
   const Placement start(set, std::nullopt, 1);
   double box = 1;
   for (const std::int64_t side : start.box())
@@ -368,7 +368,7 @@ TEST_CASE("placement: the square in a circle") {
 }
 
 TEST_CASE("written files: readers find each particle again") {
-  for (const LengthUnit unit : {LengthUnit::m, LengthUnit::mm}) {
+  for (const SizeUnit unit : {SizeUnit::m, SizeUnit::mm}) {
     const ParticleSet set = set_of(sand, 1, unit);
     const Placement start(set, std::nullopt, 1);
     std::string diameters, radii;
@@ -379,7 +379,7 @@ TEST_CASE("written files: readers find each particle again") {
       }
     ParticleOptions options;
     options.unit = unit; // handed on in mm
-    const auto in_unit = [unit](std::string text) { return unit == LengthUnit::mm ? text : std::string(); };
+    const auto in_unit = [unit](std::string text) { return unit == SizeUnit::mm ? text : std::string(); };
     const Result lammps = read(written(write_lammps_data, start), options);
     CHECK(lammps.format == ParticleFormat::lammps_data);
     const Result yade = read(written(write_xyzr, start), options);
@@ -390,7 +390,7 @@ TEST_CASE("written files: readers find each particle again") {
     CHECK(list.format == ParticleFormat::diameters);
     CHECK(yade.particles == vtk.particles);
     CHECK(lammps.particles == list.particles);
-    if (unit == LengthUnit::mm) {
+    if (unit == SizeUnit::mm) {
       CHECK(lammps.particles == in_unit(diameters));
       CHECK(yade.particles == in_unit(radii));
     }
@@ -456,7 +456,7 @@ TEST_CASE("written files: a name in any script stays a name and VTK's title is s
 }
 
 TEST_CASE("written files: LIGGGHTS's insertions and MercuryDPM's steps are read with their counts") {
-  const ParticleSet set = set_of("size_mm,mass\n1,10\n1.4,0\n2,50\n2.8,40\n4,0\n", 1, LengthUnit::mm);
+  const ParticleSet set = set_of("size_mm,mass\n1,10\n1.4,0\n2,50\n2.8,40\n4,0\n", 1, SizeUnit::mm);
   std::string ascending, descending;
   for (const ParticleClass &c : set.classes) {
     std::string one = to_decimal(Rational(2 * c.sizes[0].radius.decimal()));
@@ -469,7 +469,7 @@ TEST_CASE("written files: LIGGGHTS's insertions and MercuryDPM's steps are read 
   CHECK(mercury.format == ParticleFormat::mercurydpm);
   CHECK(mercury.particles == ascending);
   ParticleOptions in_mm;
-  in_mm.unit = LengthUnit::mm;
+  in_mm.unit = SizeUnit::mm;
   const Result liggghts = read(written(write_liggghts, set), in_mm);
   CHECK(liggghts.format == ParticleFormat::liggghts_insertion);
   CHECK(liggghts.particles == descending);

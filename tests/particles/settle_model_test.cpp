@@ -236,7 +236,7 @@ TEST_CASE("models: a bounded number of steps") {
 
 TEST_CASE("models: the error that they state is not below the one that there is") {
   for (const unsigned places : {3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U}) {
-    const ParticleSet set = set_of(sand, {LengthUnit::m, 2650, ratio(1, power_of_ten(places))});
+    const ParticleSet set = set_of(sand, {SizeUnit::m, 2650, ratio(1, power_of_ten(places))});
     const std::vector<std::string> stated = found(lammps_model(model_of(set)), "is exact to ([0-9.e-]+) of");
     REQUIRE(stated.size() == 1);
     CHECK(parse_decimal(stated[0]) >= set.mass_error());
@@ -273,7 +273,7 @@ TEST_CASE("models: refusals") {
       CHECK(contains(refusal_of(model, script), "letters, digits"));
     }
     model.name = "ok";
-    CHECK(contains(refusal_of(model_of(set_of(sand, {LengthUnit::mm, 2650, ratio(1, 1000)})), script),
+    CHECK(contains(refusal_of(model_of(set_of(sand, {SizeUnit::mm, 2650, ratio(1, 1000)})), script),
                    "leave out --unit"));
   }
   ParticleSet many = set;

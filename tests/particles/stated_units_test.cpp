@@ -15,7 +15,7 @@ std::string dump(const std::string &columns, const std::string &row) {
          columns + "\n" + row + "\n";
 }
 
-ParticleOptions in(LengthUnit unit) {
+ParticleOptions in(SizeUnit unit) {
   ParticleOptions options;
   options.unit = unit;
   return options;
@@ -48,10 +48,10 @@ TEST_CASE("dumps: ITEM: UNITS says the unit of lengths") {
 
 TEST_CASE("a unit that is given beside another one that the file states is refused") {
   const std::string cgs = "ITEM: UNITS\ncgs\n" + dump("diameter", "3");
-  CHECK(contains(refusal(cgs, in(LengthUnit::m)),
+  CHECK(contains(refusal(cgs, in(SizeUnit::m)),
                  "file:2: the file says units cgs, which is lengths in cm, and m was given: leave that out"));
-  CHECK(read(replaced(cgs, "cgs", "micro"), in(LengthUnit::um)).particles == "0.003");
-  CHECK(read(dump("diameter", "3"), in(LengthUnit::um)).particles == "0.003");
+  CHECK(read(replaced(cgs, "cgs", "micro"), in(SizeUnit::um)).particles == "0.003");
+  CHECK(read(dump("diameter", "3"), in(SizeUnit::um)).particles == "0.003");
 }
 
 TEST_CASE("LAMMPS data: the title of write_data says the unit of lengths") {
@@ -62,7 +62,7 @@ TEST_CASE("LAMMPS data: the title of write_data says the unit of lengths") {
   CHECK(read(replaced(data, "units = cgs", "units = micro, made by me")).particles == "0.003");
   CHECK(read(replaced(data, "units = cgs", "no units")).particles == "3000");
   CHECK(contains(refusal(replaced(data, "= cgs", "= lj")), "file:1: the units are 'lj'"));
-  CHECK(contains(refusal(data, in(LengthUnit::mm)), "file:1: the file says units cgs"));
+  CHECK(contains(refusal(data, in(SizeUnit::mm)), "file:1: the file says units cgs"));
 }
 
 TEST_CASE("scripts of LIGGGHTS: the command units says the unit of lengths") {

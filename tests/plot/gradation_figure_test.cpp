@@ -267,3 +267,59 @@ TEST_CASE("sieves of any size have short labels") {
   const Lines labels = sieves(read("size_mm,mass\n1e-400,1\n1,2\n1e400,0\n"), SieveNames::astm);
   CHECK(labels == Lines{"1e-400", "No. 18", "1.000e400"});
 }
+
+TEST_CASE("the figure's own words are German where that is asked for, and no others", "[figure]") {
+  GradationFigure what;
+  what.form.language = FigureLanguage::german;
+  what.bands = Bands::iso_14688;
+  what.particles = {{ratio(1, 4), ratio(59, 50), 30, 7, 1}};
+  what.counts = true;
+  const Figure figure = gradation_figure(sand(), what);
+  const Panel &p = figure.panels[0];
+  CHECK(figure.title == "sand");
+  CHECK(p.x.title == "Gr\u00F6\u00DFe (mm)");
+  CHECK(p.y.title == "Durchgang in Prozent");
+  CHECK(series(p, "Soll: Siebanalyse") != nullptr);
+  CHECK(series(p, "Partikelmenge") != nullptr);
+  CHECK(figure.panels[1].y.title == "Partikel in der Klasse");
+  CHECK(has(figure.notes, "Bereiche: ISO 14688"));
+  CHECK(has(figure.notes, "USCS SW"));
+  Lines bands;
+  for (const Strip &strip : p.strips)
+    for (const Strip::Part &part : strip.parts)
+      bands.push_back(part.names[0]);
+  for (const char *band : {"Kies", "Sand", "Schluff", "Mittelsand", "Grobschluff"})
+    CHECK(has(bands, band));
+  CHECK(figure.description.find("Durchgang") != std::string::npos);
+}
+
+TEST_CASE("every band has a name in both languages, and a short one", "[figure]") {
+  CHECK(band_names("coarse sand", FigureLanguage::english) == Lines{"coarse sand", "coarse", "c"});
+  CHECK(band_names("coarse sand", FigureLanguage::german) == Lines{"Grobsand", "grob", "g"});
+  CHECK(band_names("large boulders", FigureLanguage::german).front() == "gro\u00DFe Bl\u00F6cke");
+  GradationFigure what;
+  what.form.language = FigureLanguage::german;
+  const Gradation wide = read("size_m,mass\n1e-6,1\n1e-3,1\n1,1\n10,0\n");
+  for (const Bands bands : {Bands::uscs, Bands::iso_14688}) {
+    what.bands = bands;
+    const Figure figure = gradation_figure(wide, what);
+    for (const Strip &strip : figure.panels[0].strips) {
+      CHECK(strip.parts.size() >= 4);
+      for (const Strip::Part &part : strip.parts)
+        CHECK_FALSE(part.names.front().empty());
+    }
+  }
+}
+
+TEST_CASE("a figure is as wide as asked; a narrow one leaves its right side free", "[figure]") {
+  for (const double width : {328.0, 700.0, 1200.0}) {
+    GradationFigure what;
+    what.form.width = width;
+    what.form.bare = true;
+    const Figure figure = gradation_figure(sand(), what);
+    const std::string svg = picture_of(figure, Picture::svg);
+    CHECK(std::stod(svg.substr(svg.find("width=\"") + 7)) == Approx(width).margin(1));
+    CHECK(figure.panels[0].right.empty() == (width < 480));
+    CHECK(figure.panels[0].x.title == "size (mm); bands: ASTM D2487"); // no note says it
+  }
+}

@@ -250,3 +250,77 @@ TEST_CASE("remarks stand below all else, each whole, within the picture", "[pict
     CHECK(layout.height > FigureLayout(figure).height + 2 * letter_size);
   }
 }
+
+TEST_CASE("a picture says what it is to programs that read it out", "[picture]") {
+  Figure figure = figure_of(square_panel());
+  CHECK(contains(picture_of(figure, Picture::svg), "role=\"img\""));
+  CHECK_FALSE(contains(picture_of(figure, Picture::svg), "<title>"));
+  figure.title = "<sand> & gravel";
+  figure.description = "Percent & size.";
+  const std::string svg = picture_of(figure, Picture::svg);
+  const std::size_t title =
+      svg.find("<title>&lt;sand&gt; &amp; gravel</title>\n<desc>Percent &amp; size.</desc>");
+  REQUIRE(title != std::string::npos);
+  CHECK(title < svg.find("<rect")); // the first child of the picture
+}
+
+TEST_CASE("a bare figure has its panels and its legend alone", "[picture]") {
+  Series series;
+  series.title = "a curve";
+  series.points = {{1, 10}, {2, 20}};
+  Panel panel = square_panel();
+  panel.series = {series};
+  Figure figure = figure_of(panel);
+  figure.title = "sand";
+  figure.notes = {"a note"};
+  figure.remarks = {"a remark"};
+  const std::string whole = picture_of(figure, Picture::svg);
+  for (const char *text : {">sand</text>", ">a note<", ">a remark<", ">a curve<", ">size<"})
+    CHECK(contains(whole, text));
+  figure.bare = true;
+  const std::string bare = picture_of(figure, Picture::svg);
+  for (const char *text : {">sand</text>", ">a note<", ">a remark<"})
+    CHECK_FALSE(contains(bare, text));
+  for (const char *text : {"<title>sand</title>", ">a curve<", ">size<"})
+    CHECK(contains(bare, text));
+  CHECK(FigureLayout(figure).height < 480);
+}
+
+TEST_CASE("panels fill the width that is asked for, beside their labels", "[picture]") {
+  Figure figure = figure_of(square_panel());
+  for (const double width : {300.0, 1000.0}) {
+    figure.panel_width = panel_width_in(width, figure);
+    CHECK(FigureLayout(figure).width == Approx(width).margin(1));
+  }
+  figure.panels.push_back(square_panel());
+  figure.columns = 2;
+  figure.panel_width = panel_width_in(1000, figure);
+  CHECK(FigureLayout(figure).width == Approx(1000).margin(1));
+  CHECK(panel_width_in(10, figure) == 100);
+}
+
+TEST_CASE("a line of a hundred thousand points has those that can be seen, its ends among them",
+          "[picture]") {
+  Series line;
+  constexpr int points = 100'000;
+  for (int i = 0; i <= points; ++i)
+    line.points.push_back({10.0 * i / points, i == points / 2 ? 100.0 : 0.0});
+  Panel panel = square_panel();
+  panel.x.ticks.clear();
+  panel.y.ticks.clear();
+  panel.series = {line};
+  const std::string svg = picture_of(figure_of(panel), Picture::svg);
+  CHECK(svg.size() < 60'000);
+  const FigureLayout layout(figure_of(panel));
+  const std::string path =
+      svg.substr(svg.find("d=\"M"), svg.find("\"/>", svg.find("d=\"M")) - svg.find("d=\"M"));
+  std::istringstream first(path.substr(4));
+  double x = 0;
+  first >> x;
+  CHECK(x == Approx(layout.panels[0].left).margin(0.01));
+  std::istringstream last(path.substr(path.rfind('L') + 1));
+  last >> x;
+  CHECK(x == Approx(layout.panels[0].right).margin(0.01));
+  CHECK(layout.panels[0].top == 6);
+  CHECK(contains(path, " 6L")); // the peak, which is one point
+}

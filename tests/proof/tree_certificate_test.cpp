@@ -270,3 +270,64 @@ TEST_CASE("a search by windows that a limit ends proves what is certain") {
   const std::string higher = to_string(Integer(m.lower_bound + 1)) + ".." + to_string(*m.particles());
   CHECK_FALSE(is_accepted(g, with_word(text, "particles", 1, higher)));
 }
+
+namespace {
+
+/// The same proof, with every window cut into many that its leaf refutes one by one.
+Tree cut_up(const Tree &tree) {
+  constexpr int cuts = 10;
+  Tree longer;
+  for (const TreeNode &node : tree) {
+    for (int i = 1; i <= cuts && node.is_window; ++i) {
+      TreeNode cut;
+      cut.mass = Rational(i);
+      longer.push_back(cut);
+      longer.push_back(node);
+    }
+    longer.push_back(node);
+  }
+  return longer;
+}
+
+/// The same match, with masses that are fractions of 50,000 bits.
+void lengthen_masses(MatchSample &sample) {
+  const Rational little = ratio(1, Integer(Integer(1) << 50000));
+  std::vector<Rational> &shares = *sample.shares;
+  std::vector<std::size_t> holding;
+  for (std::size_t j = 0; j < shares.size(); ++j)
+    if (sample.quantities[j] > 0)
+      holding.push_back(j);
+  shares[holding[holding.size() / 2]] += little;
+  shares[holding[holding.size() / 2 + 1]] -= little;
+}
+
+} // namespace
+
+TEST_CASE("where a proof is beyond the limits of the format, less is proved, down to what was asked for") {
+  const Gradation g = curve_of_many_classes();
+  Question q;
+  q.tolerances = {{Kind::retained, 1}};
+  Match m = solve(g, q);
+  REQUIRE(m.complete);
+  const Integer n = *m.particles();
+  lengthen_masses(*m.sample);
+  CHECK_FALSE(certified(m).bound.has_value());
+  CHECK(is_accepted(g, certificate(m)));
+
+  Match with_cuts = m;
+  with_cuts.proof.evidence = cut_up(std::get<Tree>(*m.evidence()));
+  const Certified less = certified(with_cuts);
+  REQUIRE(less.bound.has_value());
+  CHECK(*less.bound == n - 1);
+  CHECK(is_accepted(g, less.text));
+  CHECK_FALSE(
+      is_accepted(g, with_word(less.text, "particles", 1, to_string(Integer(n + 1)) + ".." + to_string(n))));
+
+  Match without = m;
+  without.proof.evidence.reset();
+  const Certified asked = certified(without);
+  REQUIRE(asked.bound.has_value());
+  CHECK(*asked.bound == 1);
+  CHECK(is_accepted(g, asked.text));
+  CHECK_FALSE(is_accepted(g, with_word(asked.text, "particles", 1, "2.." + to_string(n))));
+}

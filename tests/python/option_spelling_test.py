@@ -124,6 +124,11 @@ def test_programs_behind_functions(tmp_path):
             ({"to": "lammps", "start": "deposit", "box": "0.0001x1"}, ["start", "box"]),
     ]:
         check(refusal(lambda: mdm.export(sand(), out=tmp_path / "x", **options)), *keywords)
+    out = tmp_path / "x.packing"
+    check(refusal(lambda: mdm.pack(None, out, apollonian="equal", width=3)), "apollonian")
+    check(refusal(lambda: mdm.pack(None, out, count_only=True)), "smallest", "count_only", "apollonian")
+    check(refusal(lambda: mdm.picture(sand(), tmp_path / "x.svg", size_unit="m")), "size_unit")
+    check(refusal(lambda: mdm.picture(sand(), tmp_path / "x.svg", colour="size")), "colour")
     check(refusal(lambda: mdm.generate(curve=mdm.Gradation(["0", "1"], [1, 0]))), "pan_size")
     with pytest.raises(mdm.InputError, match="with --pan-size"):  # a command line is the caller's own
         path = tmp_path / "pan.csv"

@@ -1,5 +1,6 @@
 """What the program does in a process of its own."""
 
+import json
 import pickle
 
 import exactmdm as mdm
@@ -33,9 +34,11 @@ def test_a_match_is_exported(tmp_path, to):
 
 
 def test_what_the_program_refuses_is_an_input_error(tmp_path):
-    for options in ({"to": "stl"}, {"to": "csv", "unit": "ft"}, {"to": "csv", "nonsense": 1}):
+    for options in ({"to": "stl"}, {"to": "csv", "unit": "ft"}):
         with pytest.raises(mdm.InputError):
             mdm.export(sand(), out=tmp_path / "x", **options)
+    with pytest.raises(TypeError, match="nonsense"):
+        mdm.export(sand(), "csv", tmp_path / "x", nonsense=1)
     assert not (tmp_path / "x").exists()
     with pytest.raises(mdm.InputError, match="float"):
         mdm.generate(beta="1,3", dmin=0.1, ratio=20)
@@ -47,8 +50,30 @@ def test_a_packing_is_written_and_drawn(tmp_path):
     assert "<svg" in mdm.picture(disc.path, tmp_path / "discs.svg").path.read_text()
 
 
+def test_the_report_of_a_packing_has_the_format_that_is_asked_for(tmp_path):
+    words = {"beta": "1,2", "ratio": 3, "classes": 3, "at_least": 50, "min_per_class": 5}
+    report = json.loads(mdm.pack(None, tmp_path / "a.packing", format="json", positions=True, **words).report)
+    assert len(report["positions"]) == int(report["discs"])
+    with pytest.raises(mdm.InputError, match="positions: they are in the file .* only with format json"):
+        mdm.pack(None, tmp_path / "b.packing", positions=True, **words)
+
+
+def test_options_of_solving_go_to_an_export(tmp_path):
+    written = mdm.export(sand(), "diameters", tmp_path / "sizes", tolerance=["retained:2%", "total:4%"], time_limit=7.5,
+                         law="sphere")
+    match = mdm.solve(sand(), tolerance=["retained:2%", "total:4%"])
+    assert sum(line[0] != "#" for line in written.path.read_text().splitlines()) == match.particles
+    with pytest.raises(mdm.InputError, match="time_limit"):
+        mdm.export(sand(), "diameters", tmp_path / "none", time_limit=-1.5)
+
+
 def test_a_picture_is_drawn(tmp_path):
     assert "<svg" in mdm.picture(sand(), tmp_path / "sand.svg", match=True).path.read_text()
+    assert "<svg" in mdm.picture(sand(), tmp_path / "sand.picture", format="svg", bands="iso").path.read_text()
+    beside = mdm.picture(sand(), tmp_path / "beside.svg", sample=mdm.solve(sand()), what="counts")
+    assert beside.path.read_text() != mdm.picture(sand(), tmp_path / "alone.svg").path.read_text()
+    with pytest.raises(mdm.InputError, match="or give format"):
+        mdm.picture(sand(), tmp_path / "sand.picture")
 
 
 def test_a_limit_raises_with_the_output():

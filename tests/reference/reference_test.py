@@ -21,6 +21,7 @@ from collections import Counter
 
 BIN, SOURCE = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
 SET = SOURCE / "examples/reference"
+DEVELOPMENT = BIN.parent / "proofs/coq"
 ENVIRONMENT = dict(os.environ, MDM_BIN=str(BIN), PATH=f"{BIN}:{os.environ['PATH']}", LC_ALL="C")
 
 failures = []
@@ -155,6 +156,20 @@ def check_other_question(folder, program):
     index.write_bytes(kept[1])
 
 
+def check_theorems(folder):
+    """With Coq's compiled development every line of the batches of real sands is a theorem; a changed proof is none."""
+    if not (shutil.which("coqc") and (DEVELOPMENT / "Answer.vo").exists()):
+        return
+    batches = (folder / "batches.csv").read_text(encoding="utf-8")
+    lower = [line for line in batches.splitlines(keepends=True) if line.startswith(("batch,", "lower/"))]
+    (folder / "batches.csv").write_text("".join(lower), encoding="utf-8")
+    ENVIRONMENT["MDM_COQ"] = str(DEVELOPMENT)
+    verify(folder, "verify-proofs-formally", 0, "24 proofs accepted, 0 batches failed; 24 are theorems of Coq")
+    changed(folder, "lower/sands.proofs", b"particles 1485", b"particles 1484", "verify-proofs-formally", 1, "18 are theorems of Coq")
+    del ENVIRONMENT["MDM_COQ"]
+    (folder / "batches.csv").write_text(batches, encoding="utf-8")
+
+
 def check_judges(folder):
     """The two programs on the page judge the float solver as the page says."""
     shutil.copy(SOURCE / "examples/04-cross-check/float_solver", folder / "my-solver")
@@ -194,6 +209,7 @@ def main():
         (folder / "new").write_text("")
         verify(folder, "verify-integrity", 1, "SHA256SUMS does not list")
         (folder / "new").unlink()
+        check_theorems(folder)
         check_package(folder)
         check_pages(folder)
         check_levels(folder)

@@ -67,6 +67,12 @@ COMMANDS = {
         ["describe", "pan.csv"],
         ["describe", "pan.csv", "--extrapolate", "--liquid-limit", "30", "--plastic-limit", "22"],
     ],
+    "mdm-sediment-1": [
+        *(["describe", sand, "--sediment"] for sand in SANDS),
+        ["describe", "half_phi.csv", "--sediment"],
+        ["describe", "pan.csv", "--sediment"],
+        ["describe", "pan.csv", "--sediment", "--pan-size", "0.002"],
+    ],
     "mdm-judge-1": [
         ["judge", *SANDS, "--spec", "astm-c33-fine"],
         ["judge", SAND, "--spec", LIMITS, "--rounding", "1"],
@@ -117,6 +123,10 @@ COMMANDS = {
     ],
     "mdm-accessible-1": [
         ["generate", "--accessible", "--span", "0.97", "--a", "1:4:1", "--b", "1,2", "--dimension", "2"],
+    ],
+    "mdm-inverse-1": [
+        ["generate", "--cu", "4", "--cc", "2", "--span", "0.95"],
+        ["generate", "--cu", "6", "--cc", "7", "--span", "0.5,0.9"],
     ],
     "mdm-verify-1": [
         ["verify", SAND, "answer.json"],

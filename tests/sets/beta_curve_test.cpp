@@ -166,10 +166,18 @@ TEST_CASE("shapes are those of the paper's table") {
   CHECK(curve(1, 3).shape() == "strictly decreasing, strictly convex, a power law");
   CHECK(curve(1, 2).shape() == "strictly decreasing, a straight line");
   CHECK(curve(1, ratio(3, 2)).shape() == "strictly decreasing, strictly concave, a power law");
-  CHECK(curve(1, 1).shape() == "uniform by volume fraction");
+  CHECK(curve(1, 1).shape() == "uniform");
   CHECK(curve(2, half).shape() == "strictly increasing");
   CHECK(curve(3, 1).shape() == "strictly increasing, strictly convex, a power law");
   CHECK(curve(3, 4).shape() == "unimodal");
+  CHECK(curve(half, half).course() == "concave, then convex");
+  CHECK(curve(half, 3).course() == "strictly concave");
+  CHECK(curve(1, 3).course() == "strictly concave");
+  CHECK(curve(1, half).course() == "strictly convex");
+  CHECK(curve(1, 1).course() == "a straight line");
+  CHECK(curve(ratio(3, 2), 1).course() == "strictly convex");
+  CHECK(curve(2, half).course() == "strictly convex");
+  CHECK(curve(2, 4).course() == "double curved: convex, then concave");
 }
 
 TEST_CASE("a curve without sizes, without width or without shape is refused") {

@@ -136,6 +136,30 @@ TEST_CASE("a lognormal curve about the middle is symmetric on the log scale", "[
   CHECK(g.mass(0) == ratio(142384, 10000));
 }
 
+TEST_CASE("a normal distribution about the middle is symmetric over the classes, whatever their widths",
+          "[suite]") {
+  const Suite suite = suite_of(
+      described(R"("list": [1, 2, 5, 10, 100])", R"("kind": "normal", "centre": 0.5, "deviation": 1)"));
+  const Gradation g = suite.line(1, 1);
+  CHECK(total(g) == 100);
+  CHECK(g.mass(0) == g.mass(3));
+  CHECK(g.mass(1) == g.mass(2));
+  // e^(-9/8) / (2 e^(-9/8) + 2 e^(-1/8)) = 0.13447...
+  CHECK(abs(Rational(g.mass(0) - ratio(134471, 10000))) <= ratio(1, 10000));
+}
+
+TEST_CASE("noise is added to normal masses, and differs from line to line", "[suite]") {
+  const Suite suite = suite_of(described(
+      iso, R"("kind": "normal", "centre": 0.5, "deviation": 0.25, "noise": 0.5)", R"(, "classes": 8)"));
+  for (std::uint64_t n = 1; n <= 20; ++n) {
+    const Gradation g = suite.line(n, 3);
+    CHECK(total(g) == 100);
+    // Without noise the outermost classes have 3e-42 of the height: it is all noise.
+    CHECK(g.mass(0) < 50);
+    CHECK(g.mass(0) != suite.line(n + 1, 3).mass(0));
+  }
+}
+
 TEST_CASE("tied masses are those of whole numbers of particles at the sieves", "[suite]") {
   const Suite suite =
       suite_of(described(iso, R"("kind": "ties", "quantities": [2, 5], "at": "upper", "law": "power:2")"));
@@ -239,6 +263,9 @@ TEST_CASE("nonsense is refused with the member that is wrong", "[suite]") {
   has(described(iso, R"("kind": "lognormal", "median": 2, "deviation": 1)"),
       "median: '2' is not from 0 to 1");
   has(described(iso, R"("kind": "lognormal", "median": 0.5, "deviation": 0)"), "deviation: '0' is not from");
+  has(described(iso, R"("kind": "normal", "deviation": 0.2)"), "deviation: '0.2' is not from");
+  has(described(iso, R"("kind": "normal")"), "deviation: is missing");
+  has(described(iso, R"("kind": "normal", "deviation": 1, "noise": -1)"), "noise: '-1' is not");
   has(described(iso, R"("kind": "gap-graded")", R"(, "classes": 2)"), "a gap needs at least 3 classes");
   has(described(iso, R"("kind": "gap-graded", "empty": 4)", R"(, "classes": [5, 9])"), "is not from 1 to 3");
   has(described(iso, R"("kind": "ties", "law": "power:5/2")"), "has irrational masses");

@@ -11,6 +11,8 @@ import subprocess
 import sys
 from fractions import Fraction
 
+import mpmath
+
 MDM = sys.argv[1]
 SERIES = [Fraction(text) for text in "0.063 0.09 0.125 0.18 0.25 0.355 0.5 0.71 1 1.4 2 2.8 4 5.6 8".split()]
 LOW = 0xFFFFFFFF
@@ -87,6 +89,19 @@ def lognormal_passing(openings, median, deviation):
     return [Fraction((z - at[0]) / (at[-1] - at[0])) for z in at]
 
 
+def normal_passing(random, classes, kind, whole):
+    centre, deviation, noise = (random.number(kind[name]) for name in ("centre", "deviation", "noise"))
+    up_to = [0]
+    for j in range(classes):
+        place = (Fraction(2 * j + 1, 2) - centre * classes) / deviation
+        with mpmath.workdps(60):
+            square = place * place / 2
+            height = mpmath.exp(-mpmath.mpf(square.numerator) / square.denominator)
+            rounded = int(mpmath.floor(height * whole + mpmath.mpf(1) / 2))
+        up_to.append(up_to[-1] + rounded + math.floor(noise * random.large_choice(whole + 1)))
+    return [Fraction(some, up_to[-1]) for some in up_to]
+
+
 def line(n, seed, kind, digits):
     """The sizes and masses of a line, as fractions."""
     random, whole = Stream(seed, n), 10**digits
@@ -103,6 +118,8 @@ def line(n, seed, kind, digits):
     elif kind["kind"] == "lognormal":
         median, deviation = random.number(kind["median"]), random.number(kind["deviation"])
         units = shares(lognormal_passing(x, median, deviation), whole)
+    elif kind["kind"] == "normal":
+        units = shares(normal_passing(random, classes, kind, whole), whole)
     else:
         masses = []
         for lower, upper in zip(x, x[1:]):
@@ -115,7 +132,8 @@ def line(n, seed, kind, digits):
 def main():
     kinds = [({"kind": "random"}, 6), ({"kind": "random"}, 45), ({"kind": "gap-graded"}, 6), ({"kind": "ties"}, 6),
              ({"kind": "beta", "a": 2, "b": 3}, 6), ({"kind": "beta", "a": 1, "b": 4}, 9),
-             ({"kind": "lognormal", "median": ["0.2", "0.8"], "deviation": ["0.5", "2"]}, 6)]
+             ({"kind": "lognormal", "median": ["0.2", "0.8"], "deviation": ["0.5", "2"]}, 6),
+             ({"kind": "normal", "centre": ["0.25", "0.75"], "deviation": ["0.5", "3"], "noise": ["0", "0.5"]}, 6)]
     wrong = compared = 0
     for kind, digits in kinds:
         description = {"schema": "mdm-suite-1", "sieves": {"series": "ISO R20/3", "from": "0.063", "to": 8},

@@ -44,13 +44,29 @@ private:
   TemporaryFolder folder_;
 };
 
+/// The line that Coq has printed, each quote once.
+std::string printed_line(const std::string &out) {
+  const std::size_t begin = out.find("line = \n\""), end = out.find("\"\n     : string\nAxioms:\n");
+  REQUIRE(begin == 0);
+  REQUIRE(end != std::string::npos);
+  return std::regex_replace(out.substr(9, end - 9), std::regex("\"\""), "\"");
+}
+
+/// Coq accepts the theorem, and its line is that which mdm-check prints of the same files.
 void check_accepted(const Arguments &question, int exit_code = 0) {
-  const Theorem theorem(question);
+  const TemporaryFolder folder;
+  Arguments words = question;
+  words.insert(words.end(), {"--proof", folder / "proof"});
+  const Theorem theorem(words);
   CHECK(theorem.exit_code == exit_code);
   const Outcome outcome = theorem.check();
   INFO(theorem.text() << outcome.err);
   CHECK(outcome.exit_code == 0);
-  CHECK(outcome.out.rfind("Axioms:\nClassicalDedekindReals.", 0) == 0);
+  CHECK(outcome.out.find("\nAxioms:\nClassicalDedekindReals.") != std::string::npos);
+  const std::string source = question[0] == "--band" ? question[1] : question[0];
+  const Outcome verdict = Process(MDM_CHECK_PROGRAM, {source, folder / "proof"}).end();
+  CHECK(verdict.exit_code == 0);
+  CHECK(printed_line(outcome.out) + "\n" == verdict.out);
 }
 
 std::string accepted(const std::string &name) {
@@ -73,9 +89,8 @@ TEST_CASE("Coq accepts the theorem of a gradation in half-phi") {
   const TemporaryFolder folder;
   std::ofstream(folder / "phi.csv") << "size_phi,mass\n-2,0\n-1.5,1\n-1,0\n-0.5,0\n0,1\n";
   const Theorem theorem({folder / "phi.csv"});
-  CHECK(theorem.text().find("least_number sphere asked_question sieves 10") != std::string::npos);
-  CHECK(theorem.check().exit_code == 0);
-  CHECK(theorem.check_with("sieves 10", "sieves 9").exit_code != 0);
+  CHECK(theorem.check().out.find("N = 10 is the smallest") != std::string::npos);
+  CHECK(theorem.check_with("particles 10", "particles 9").exit_code != 0);
 }
 
 TEST_CASE("a theorem whose powers would take Coq minutes is refused, and nothing is written") {
@@ -113,10 +128,10 @@ TEST_CASE("Coq accepts the theorem of a proof by windows of the mass, and none o
   }();
   const Theorem theorem({folder / "curve.csv", "--tolerance", "retained:1%"});
   const std::string text = theorem.text();
-  CHECK(text.find("SplitMass ") != std::string::npos);
-  CHECK(text.find("Window [Multiple ") != std::string::npos);
+  CHECK(text.find("split M ") != std::string::npos);
+  CHECK(text.find("\nwindow ") != std::string::npos);
   CHECK(theorem.check().exit_code == 0);
-  CHECK(theorem.check_with("Window [Multiple ", "Window [Multiple 1").exit_code != 0);
+  CHECK(theorem.check_with("\nwindow ", "\nwindow 1").exit_code != 0);
 }
 
 TEST_CASE("Coq accepts the theorem that no sample is within a tolerance") {
@@ -127,17 +142,58 @@ TEST_CASE("Coq accepts the theorem that no sample is within a tolerance") {
   check_accepted({folder / "sand.csv", "--tolerance", "retained:1%", "--band", folder / "limits.csv"}, 1);
 }
 
-TEST_CASE("Coq refuses a theorem with another number, another gradation or other evidence") {
+TEST_CASE("Coq accepts the theorem of bounds, where a limit ended the search") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "sand.csv")
+      << "size_mm,mass\n0.05,1.1\n0.07,18.3\n0.084,16.8\n0.109,16.6\n0.142,17.1\n0.169,25.6\n0.219,10.0\n"
+         "0.261,14.1\n0.311,19.3\n0.404,1.9\n0.569,22.4\n0.74,20.2\n1.044,1.4\n1.357,3.3\n1.913,10.2\n"
+         "2.697,11.0\n3.21,13.5\n4.173,18.6\n5.883,19.1\n8.295,13.8\n10.784,0\n";
+  const Theorem theorem({folder / "sand.csv", "--tolerance", "retained:0.4%", "--node-limit", "1"});
+  CHECK(theorem.exit_code == 3);
+  const Outcome outcome = theorem.check();
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.exit_code == 0);
+  const std::string line = printed_line(outcome.out);
+  CHECK((line.find(" is between ") != std::string::npos ||
+         line.rfind("accepted: no number of particles below ", 0) == 0));
+}
+
+TEST_CASE("the bytes are those of the file: with a mark, CR LF, tabs, quotes and other letters") {
+  const TemporaryFolder folder;
+  const std::string sand = folder / "s\xc3\xa4nd \"2\".csv";
+  std::ofstream(sand)
+      << "\xef\xbb\xbf\"size_mm\",mass\r\n# gr\xc3\xb6\xc3\x9f\x65n\r\n1, 2\r\n\"2\",\t1\r\n3,0\r\n";
+  check_accepted({sand});
+  CHECK(Theorem({sand}).text().find(R"(""size_mm"",mass)") != std::string::npos);
+}
+
+TEST_CASE("a gradation that the checkers do not read is in the theorem as canonical CSV") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "sand.csv") << "Sieb;Masse\n1 mm;2\n2 mm;1\n3 mm;0\n";
+  const Theorem theorem({folder / "sand.csv"});
+  const Outcome outcome = theorem.check();
+  INFO(outcome.out << outcome.err);
+  CHECK(printed_line(outcome.out).find("sand.csv as canonical CSV\" exactly") != std::string::npos);
+  CHECK(theorem.text().find("\"size_mm,mass\n1,2\n2,1\n3,0\n\"") != std::string::npos);
+}
+
+TEST_CASE("Coq refuses a theorem with another number, another gradation, other evidence or another line") {
   const Theorem exact({example("athabasca-sand")});
-  CHECK(exact.check_with("sieves 1485", "sieves 1484").exit_code != 0);
-  CHECK(exact.check_with("(Smallest 1485)", "(Smallest 1486)").exit_code != 0);
-  CHECK(exact.check_with("(193 # 50)", "(191 # 50)").exit_code != 0);
-  CHECK(exact.check_with("Witness 1 819", "Witness 1 818").exit_code != 0);
-  CHECK(exact.check_with("Some [7]", "Some [6]").exit_code != 0);
-  CHECK(exact.check_with("min_per_class := 0", "min_per_class := 2").exit_code != 0);
+  CHECK(exact.check_with("particles 1485", "particles 1484").exit_code != 0);
+  CHECK(exact.check_with("particles 1485", "particles 1486").exit_code != 0);
+  CHECK(exact.check_with("0.15,15.27", "0.15,15.26").exit_code != 0);
+  CHECK(exact.check_with("class 1 819", "class 1 818").exit_code != 0);
+  CHECK(exact.check_with("chain 7", "chain 6").exit_code != 0);
+  CHECK(exact.check_with("particles", "min-per-class 2\nparticles").exit_code != 0);
+  CHECK(exact
+            .check_with(":= Eval vm_compute in verdict_line (judge gradation certificate)",
+                        ":= \"accepted: N = 1 is the smallest number of particles that matches "
+                        "\"\"athabasca-sand.csv\"\" "
+                        "exactly (mass law x^3; sizes in mm)\"")
+            .exit_code != 0);
   const Theorem tolerant({example("athabasca-sand"), "--tolerance", "retained:1%"});
-  CHECK(tolerant.check_with("Some 1%Q", "Some 2%Q").exit_code != 0);
-  CHECK(tolerant.check_with("Leaf [Multiple ", "Leaf [Multiple 1").exit_code != 0);
+  CHECK(tolerant.check_with("retained 1\n", "retained 2\n").exit_code != 0);
+  CHECK(tolerant.check_with("\nleaf ", "\nleaf 1").exit_code != 0);
 }
 
 TEST_CASE("the example of proofs/README.md runs") {

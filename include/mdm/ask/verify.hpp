@@ -23,8 +23,9 @@ struct VerifiedClass {
 
 /// The verdict on a sample.
 struct SampleVerdict {
-  /// No particle lies outside all classes, and every share is within the tolerance and the band. Nothing
-  /// where a share is known by bounds that do not tell.
+  /// No particle lies outside all classes, none has its centre outside the box that its file states, and
+  /// every share is within the tolerance and the band. Nothing where a share is known by bounds that do not
+  /// tell.
   std::optional<bool> is_match;
   Integer particles; ///< of the sample
   Integer outside;   ///< of these, in no class
@@ -41,6 +42,7 @@ public:
   /// \param g  as it was read
   /// \param asked  its law, pan, cut, size factor, tolerances and band; without a tolerance shares are to be
   /// exact. Its floors, volume and numbers of particles are not judged
+  /// Cost: the least match of the gradation, for the report: some seconds at most.
   /// \throws InputError if the question does not fit the gradation
   explicit SampleVerifier(const Gradation &g, const Question &asked = {});
 
@@ -59,7 +61,6 @@ public:
   void read(std::istream &particles, const std::string &file, std::optional<SizeUnit> unit = std::nullopt);
 
   /// The verdict on all that was added.
-  /// Cost: the least match of the gradation, for the report: some seconds at most.
   /// \param name  of the sample, in the report
   SampleVerdict verdict(const std::string &name = "the sample") const;
 

@@ -9,8 +9,8 @@ namespace mdm {
 /// A certificate, in the format of proofs/certificate-format.md.
 struct Certified {
   std::string text;
-  /// Of a search that a limit ended: no match has fewer particles. It is m.proof.bound, or less where the
-  /// chain of an exact match up to there is longer than the format allows.
+  /// No match has fewer particles: all that is proved of a search that a limit ended. It is m.proof.bound,
+  /// or less where its proof would be longer than the format allows.
   std::optional<Integer> bound;
 };
 
@@ -18,8 +18,8 @@ struct Certified {
 /// its tolerance; of a search that a limit ended, that the least number is not below a bound. `mdm-check`
 /// accepts it with the gradation file that m came from.
 /// \pre has_certificate(m), and m was solved with Limits::keep_proof
-/// \throws InputError if its numbers are beyond the limits of the format, or its evidence was too long to be
-/// kept
+/// Within a tolerance, where its evidence would be too long, less is proved.
+/// \throws InputError if its numbers are beyond the limits of the format
 Certified certified(const Match &m);
 
 /// Its text.

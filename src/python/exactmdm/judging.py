@@ -124,7 +124,7 @@ def crosscheck(gradations: Union[Iterable[Gradation], str, "os.PathLike[str]"], 
     words = words_of(given_of("crosscheck", locals()), "crosscheck")
     if not callable(solver):
         raise InputError(f"solver: {type(solver).__name__} is no function: give one that is called with a Gradation; "
-                         "exactmdm.program.run(\"crosscheck\", SUITE, solver=COMMAND) judges programs")
+                         "exactmdm.program.run(\"crosscheck\", SUITE, \"--solver\", COMMAND) judges programs")
     question = _core.JudgedQuestion(words.values, words.tolerances)
     return Crosscheck(tuple(_judged(question.judge_of(gradation._handle), gradation, solver)
                             for gradation in suite(gradations)))

@@ -149,47 +149,6 @@ export interface VerifyWords {
   margin?: number | string;
 }
 
-/** Options of `mdm crosscheck`. */
-export interface CrosscheckWords {
-  /** How far sizes may be off, as a part of the size as stated (1e-9). */
-  sizeTolerance?: number | string;
-  /**
-   * The smallest match within a tolerance: retained:1%, passing:0.5%, total:1% (percentage points), retained:file,
-   * passing:file (column tolerance_percent), laboratory, rounding; may be repeated.
-   */
-  tolerance?: string | number | (string | number)[];
-  /**
-   * The smallest match within the envelope in FILE: CSV with passing_min_percent and passing_max_percent of each
-   * sieve, or a table with columns such as Lower and Upper.
-   */
-  band?: string | Uint8Array;
-  /** At least R particles in every class with mass. */
-  minPerClass?: number | string;
-  /** The smallest match with at least N particles. */
-  atLeast?: number | string;
-  /**
-   * At least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, or in the
-   * answer's unit (the file's; mm for inches, phi and sieve names).
-   */
-  specimen?: string;
-  /** Void ratio e of the specimen. */
-  voidRatio?: number | string;
-  /** At least this volume of solids, in the cube of the answer's unit. */
-  solidsVolume?: number | string;
-  /** Mass of a particle of size x: sphere (x^3), power:a/b or power:2.5. */
-  law?: string;
-  /** Multiply every size of the gradation by K. */
-  sizeFactor?: number | string;
-  /** Leave out the classes below the sieve SIZE, as 63um or in the file's unit (before sizeFactor). */
-  cutBelow?: number | string;
-  /** Count the pan as SIZE, as 2um or in the file's unit, instead of 0 (before sizeFactor). */
-  panSize?: number | string;
-  /** Stop the search for a smallest match after so many steps (67108864; undecided, exit 3). */
-  maxSteps?: number | string;
-  /** Stop after so many nodes of the search for a tolerance. */
-  nodeLimit?: number | string;
-}
-
 /** Options of `mdm tradeoff`. */
 export interface TradeoffWords {
   /**

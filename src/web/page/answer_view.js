@@ -1,6 +1,5 @@
 // The answer on the page: the number in large, curve, index numbers and classes.
 
-import { curveChart } from "./curve_chart.js";
 import { byId, fill, make } from "./dom.js";
 import { enclosed, grouped, rounded, roundedEnclosure, unitName } from "./numbers.js";
 import { noteList } from "./reading_view.js";
@@ -43,15 +42,6 @@ export function showNumber(words, unit = text(words === "1" ? "particle" : "part
 export function startBar() {
   const observer = new IntersectionObserver(([{ isIntersecting }]) => (byId("bar").hidden = isIntersecting));
   observer.observe(byId("headline"));
-}
-
-/** Whose limits the chart's bands have. */
-export const bandSystem = () => byId("bands").value;
-
-export function showCurve(answer, description) {
-  const place = byId("curve");
-  const width = Math.round(place.clientWidth);
-  if (width > 0) fill(place, curveChart({ answer, description, system: bandSystem(), width, text }));
 }
 
 /** The notes of a description that the answer does not have. */

@@ -1,13 +1,15 @@
 // What can be taken from the page: files, the printed report, and a link to the question.
 
-import { pngFile, svgFile } from "./chart.js";
 import { commandLine } from "./command_line.js";
+import { readOptions } from "./controls.js";
+import { curveFile } from "./curve.js";
 import { byId, fill, make } from "./dom.js";
 import { endInWords } from "./ends.js";
 import { download, stem } from "./files.js";
 import { currentGradation } from "./gradation_input.js";
 import { fragmentOf } from "./link.js";
-import { readingFlags, specimenFlags } from "./question.js";
+import { pngOf } from "./picture.js";
+import { readingFlags, soilFlags, specimenFlags } from "./question.js";
 import { readInWords } from "./reading_view.js";
 import { writeReport } from "./report.js";
 import { text } from "./texts.js";
@@ -31,13 +33,15 @@ async function saveGradation() {
   else note(make("pre", {}, err));
 }
 
-/** What a picture says below its curve: how its file was read, and the program's notes. */
-function remarks() {
-  const { answer, reading } = page.state.solution;
-  return [readInWords(reading), ...answer.notes];
+/** Offers the curve's picture as a file, made by `fileOf` from SVG; below it stands how the gradation was read. */
+async function savePicture(ending, fileOf) {
+  const { solution, options } = page.state;
+  const limits = page.soil().description ? soilFlags(readOptions()) : [];
+  const { blob, err } = await curveFile(solution, options, [...limits, "--caption", readInWords(solution.reading)]);
+  if (blob) download(`${base()}.${ending}`, await fileOf(blob));
+  else note(make("pre", {}, err));
 }
 
-const chart = () => byId("curve").querySelector("svg");
 const base = () => stem(page.state.solution.gradation.name);
 
 const downloads = {
@@ -45,8 +49,8 @@ const downloads = {
   csv: async () => download(`${base()}.answer.csv`, await reader.ask({ operation: "csv" })),
   proof: () => download(page.state.solution.proof.name, page.state.solution.proof.blob),
   gradation: saveGradation,
-  svg: () => download(`${base()}.svg`, svgFile(chart(), remarks())),
-  png: async () => download(`${base()}.png`, await pngFile(chart(), remarks())),
+  svg: () => savePicture("svg", (svg) => svg),
+  png: () => savePicture("png", pngOf),
 };
 
 /** Writes a model by mdm export and offers its files. */
@@ -93,7 +97,7 @@ async function printReport() {
     checkedName: checked.name,
   });
   await writeReport({
-    answer: solution.answer, reading: solution.reading, options, description, verdict, digests, command, checkerVersion,
+    solution, options, description, verdict, digests, command, checkerVersion,
     fetchRows: page.fetchRows,
     ...page.words(options),
   });

@@ -35,7 +35,8 @@ async function report({ place, key, argv, files, operation, show }) {
   showWork(place, key);
   try {
     const { err, files: written } = await helper.run([...argv, "--format", "json", "-o", output], files);
-    if (written[output]) show(await reader.ask({ operation, blob: written[output] }));
+    const blob = written[output];
+    if (blob) show(await reader.ask({ operation, blob }), blob);
     else fill(place, message(err));
   } catch (error) {
     fill(place, make("p", {}, endInWords(error)));
@@ -53,8 +54,8 @@ function computeTradeoff() {
     argv: ["tradeoff", checked.name, "--kind", kind, ...conditionFlags(state.options)],
     files: { [checked.name]: checked.blob },
     operation: "tradeoff",
-    show: (found) => {
-      shown.tradeoff = { ...found, notes: notesWith(found.notes, reading) };
+    show: (found, file) => {
+      shown.tradeoff = { ...found, file, notes: notesWith(found.notes, reading) };
       showTradeoff(shown.tradeoff, rowsOf("sieves"));
     },
   });

@@ -1,11 +1,12 @@
 // The page: what is asked is answered at once, and the proof of the answer is checked.
 
 import { solve } from "./answer.js";
-import { numberInWords, numberMeaning, showClasses, showCurve, showIndices, showNumber, startBar } from "./answer_view.js";
+import { numberInWords, numberMeaning, showClasses, showIndices, showNumber, startBar } from "./answer_view.js";
 import { askedOptions, askingForm } from "./asking.js";
 import {
   changedOptions, forgetFile, readOptions, startControls, takeReading, takeSieves, writeControlTexts, writeOptions,
 } from "./controls.js";
+import { curvePicture } from "./curve.js";
 import { byId, fill, make } from "./dom.js";
 import { startDownloads } from "./downloads.js";
 import { forgetFindings, startFurther, writeFurtherTexts } from "./further.js";
@@ -17,7 +18,7 @@ import { READING, SOIL, inWords, readingFlags, soilFlags } from "./question.js";
 import { readInWords, readingView } from "./reading_view.js";
 import { choose, currentLanguage, text, writeTexts } from "./texts.js";
 import { judge, showVerdict } from "./verdict.js";
-import { checkers, helper, reader, rowsOf, solver } from "./workers.js";
+import { checkers, helper, painter, reader, rowsOf, solver } from "./workers.js";
 
 const LONGEST_MESSAGE = 4_000;
 const SOON = 250;
@@ -81,13 +82,22 @@ function showSolution() {
   byId("model-download").hidden = answer.particles === null;
   byId("proof-download").hidden = solution.proof === null;
   showSoil();
+  showCurve();
   showClasses(answer, fetchRows);
 }
 
 function showSoil() {
-  const { answer } = state.solution;
-  showCurve(answer, soil().description);
-  showIndices(soil(), answer);
+  showIndices(soil(), state.solution.answer);
+}
+
+let wantedCurve = [];
+
+/** Draws the curve, unless the one that was last asked for is the same. */
+function showCurve() {
+  const wanted = [state.solution, byId("curve").clientWidth, byId("bands").value, currentLanguage()];
+  if (state.solution === null || wanted.every((one, i) => one === wantedCurve[i])) return;
+  wantedCurve = wanted;
+  drawing.request();
 }
 
 /** Shows that there is no answer, and why; the page goes on. */
@@ -185,7 +195,7 @@ async function checkProof(isOutdated) {
 }
 
 function showWork() {
-  byId("answer").setAttribute("aria-busy", String(answering.isRunning || checking.isRunning));
+  byId("answer").setAttribute("aria-busy", String([answering, checking, drawing].some(({ isRunning }) => isRunning)));
 }
 
 const answering = new Latest({
@@ -197,6 +207,25 @@ const answering = new Latest({
 const checking = new Latest({
   job: checkProof,
   stop: () => checkers.forEach(({ program }) => program.stop()),
+  patience: PATIENCE,
+  onChange: showWork,
+});
+
+async function drawCurve() {
+  const { solution, options } = state;
+  const place = byId("curve");
+  if (solution === null || place.clientWidth === 0) return;
+  try {
+    const { picture, err } = await curvePicture(solution, options, place.clientWidth);
+    if (state.solution === solution) fill(place, picture ?? make("pre", { class: "message", lang: "en" }, err.trim()));
+  } catch (error) {
+    if (!(error instanceof Stopped)) fill(place, make("p", {}, text("ended", { message: error.message })));
+  }
+}
+
+const drawing = new Latest({
+  job: drawCurve,
+  stop: () => painter.stop(),
   patience: PATIENCE,
   onChange: showWork,
 });
@@ -285,6 +314,7 @@ async function takeExample() {
 
 async function start() {
   solver.warmUp();
+  painter.warmUp();
   startBar();
   startControls(onControls);
   startGradationInput(onGradation);
@@ -303,12 +333,8 @@ async function start() {
   if (!(await takeLink())) await takeExample();
   writeAll();
   onGradation(false);
-  byId("bands").addEventListener("change", () => {
-    if (state.solution) showSoil();
-  });
-  new ResizeObserver(() => {
-    if (state.solution) showCurve(state.solution.answer, soil().description);
-  }).observe(byId("curve"));
+  byId("bands").addEventListener("change", showCurve);
+  new ResizeObserver(showCurve).observe(byId("curve"));
 }
 
 start();

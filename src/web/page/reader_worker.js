@@ -4,7 +4,6 @@ import { toDouble } from "./numbers.js";
 import { sha256 } from "./sha256.js";
 
 const ROWS = 200;
-const CURVE_POINTS = 1200;
 const SIEVES = 2000;
 
 let answer = null;
@@ -69,25 +68,6 @@ const tables = {
   sieves: (from, count) => tradeoff.by_sieve.slice(from, from + count).map(tradeoffRow),
 };
 
-/** Points [size, percent passing] of the gradation's curve. */
-function targetCurve({ classes, targets }) {
-  let passing = 0;
-  const points = [[toDouble(classes[0].lower), 0]];
-  classes.forEach((one, j) => points.push([toDouble(one.upper), (passing += targets[j])]));
-  return points.filter(([size]) => size > 0);
-}
-
-/** Points [size, percent of the set's mass up to this size], one for each size of particles. */
-function setSteps({ classes, found }) {
-  if (found === null) return [];
-  let passing = 0;
-  const points = [];
-  classes.forEach((one, j) => {
-    if (one.size) points.push([Number(one.size[0]), (passing += found[j])]);
-  });
-  return points;
-}
-
 const operations = {
   async answer({ blob }) {
     answer = await json(blob);
@@ -100,8 +80,6 @@ const operations = {
       solidsVolume: solids_volume,
       classes: answer.classes.length,
       rows: classRows(0, ROWS),
-      curve: thinned(targetCurve(answer), CURVE_POINTS),
-      steps: thinned(setSteps(answer), CURVE_POINTS),
     };
   },
 
@@ -118,9 +96,8 @@ const operations = {
   },
 
   async description({ blob }) {
-    const { D10, D30, D60, Cu, Cc, uscs, unit, notes, ...fractions } = await json(blob);
-    const bands = { uscs: fractions.uscs_fractions, iso: fractions.iso_14688_fractions };
-    return { D10, D30, D60, Cu, Cc, uscs, unit, notes, bands };
+    const { D10, D30, D60, Cu, Cc, uscs, unit, notes } = await json(blob);
+    return { D10, D30, D60, Cu, Cc, uscs, unit, notes };
   },
 
   async reading({ blob }) {
@@ -142,7 +119,6 @@ const operations = {
       byTolerance: by_tolerance.map(tradeoffRow),
       sieves: by_sieve.length,
       bySieve: tables.sieves(0, ROWS),
-      sieveCurve: thinned(by_sieve, CURVE_POINTS).map(tradeoffRow),
     };
   },
 

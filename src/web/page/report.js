@@ -1,7 +1,7 @@
 // The report: one page for printing, with all that is needed to do it again.
 
-import { bandSystem, classColumns, numberInWords, numberMeaning, soilNotes } from "./answer_view.js";
-import { curveChart } from "./curve_chart.js";
+import { classColumns, numberInWords, numberMeaning, soilNotes } from "./answer_view.js";
+import { curvePicture } from "./curve.js";
 import { byId, fill, make } from "./dom.js";
 import { roundedEnclosure, unitName } from "./numbers.js";
 import { noteList, readingEntries } from "./reading_view.js";
@@ -9,7 +9,7 @@ import { checkersInWords } from "./verdict.js";
 import { text } from "./texts.js";
 
 const MOST_ROWS = 20;
-const CHART_WIDTH = 640;
+const PICTURE_WIDTH = 460;
 
 /** The first and the last rows, where there are too many for a page. */
 async function rowsForPage(answer, fetchRows) {
@@ -42,10 +42,11 @@ function soilLine({ D10, D30, D60, Cu, Cc, uscs, unit }) {
   return words.join(";  ");
 }
 
-/** Writes the report of an answer; `verdict` and `description` may be null. */
+/** Writes the report of a solution; `verdict` and `description` may be null. */
 export async function writeReport({
-  answer, reading, options, description, verdict, asked, meaning, digests, command, checkerVersion, fetchRows,
+  solution, options, description, verdict, asked, meaning, digests, command, checkerVersion, fetchRows,
 }) {
+  const { answer, reading } = solution;
   const versions = [...Object.entries(answer.versions).map((one) => one.join(" ")), checkerVersion.trim()].join(", ");
   const titled = (title, ...value) => make("div", {}, make("dt", {}, title), make("dd", {}, ...value));
   const entry = (key, ...value) => titled(text(key), ...value);
@@ -70,15 +71,15 @@ export async function writeReport({
     entry("report.command", make("code", {}, command)),
     entry("report.versions", versions),
   );
-  const chart = curveChart({ answer, description, system: bandSystem(), width: CHART_WIDTH, text });
-  chart.removeAttribute("width");
-  chart.removeAttribute("height");
+  const { picture } = await curvePicture(solution, options, PICTURE_WIDTH);
+  picture?.removeAttribute("width");
+  picture?.removeAttribute("height");
   fill(
     byId("report"),
     make("h1", {}, text("report.title")),
     make("p", { class: "report-id" }, answer.id),
     facts,
-    chart,
+    picture,
     table(classColumns(answer), await rowsForPage(answer, fetchRows)),
     sources,
   );

@@ -1,46 +1,52 @@
-// The trade-off on the page: charts and tables of N over the tolerance and over the smallest sieve kept.
+// The trade-off on the page: a picture and tables of N over the tolerance and over the smallest sieve kept.
 
 import { byId, fill, make } from "./dom.js";
 import { grouped, rounded, unitName } from "./numbers.js";
 import { noteList } from "./reading_view.js";
+import { drawn } from "./picture.js";
+import { Stopped } from "./programs.js";
 import { pagedTable } from "./table.js";
 import { text } from "./texts.js";
-import { sieveChart, toleranceChart } from "./tradeoff_chart.js";
 
 function particles({ particles, lowerBound }) {
   return particles === null ? text("at-least", { least: grouped(lowerBound) }) : grouped(particles);
 }
 
-function half(chart, given) {
-  const table = pagedTable(given);
-  return make("div", {}, ...(chart ? [chart] : []), table);
+const MOST_WIDTH = 1240;
+const FILE = "tradeoff.json";
+
+/** Draws the trade-off of a file into a place; where no curve has a match nothing is drawn. */
+async function draw(place, file) {
+  try {
+    const { picture } = await drawn([FILE], { [FILE]: file }, Math.min(place.clientWidth, MOST_WIDTH));
+    fill(place, picture);
+  } catch (error) {
+    if (error instanceof Stopped) await draw(place, file);
+  }
 }
 
-/** Shows a trade-off, as the reader gives it; `fetchRows` gives further rows of the table by sieve. */
+/** Shows a trade-off, as the reader gives it, with its file; `fetchRows` gives further rows of the table by sieve. */
 export function showTradeoff(tradeoff, fetchRows) {
   const place = byId("tradeoff-result");
-  const width = Math.round(Math.min(place.parentElement.clientWidth, 1400));
-  const each = width > 720 ? Math.floor((width - 40) / 2) : width;
   const unit = unitName(tradeoff.unit);
-  const isDrawn = ({ particles }) => particles !== null && Number.isFinite(Number(particles));
-  const [byTolerance, bySieve] = [tradeoff.byTolerance.filter(isDrawn), tradeoff.sieveCurve.filter(isDrawn)];
   const number = { title: text("class.quantity"), value: particles };
   const kind = text(`tolerance.${tradeoff.kind}`);
-  const chartOf = (draw, rows, options) => (rows.length > 1 ? draw(rows, { width: each, text, ...options }) : null);
+  const picture = make("div", { class: "picture" });
   const notes = noteList(tradeoff.notes);
   if (notes) notes.className = "hint";
   fill(
     place,
     tradeoff.question ? make("p", { class: "hint", lang: "en" }, tradeoff.question) : null,
+    picture,
     make(
       "div", { class: "halves" },
-      half(chartOf(toleranceChart, byTolerance), {
+      pagedTable({
         caption: `${text("tradeoff.by-tolerance")} (${kind})`,
         columns: [{ title: text("tradeoff.points"), value: (row) => row.tolerance, isHeader: true }, number],
         rows: tradeoff.byTolerance,
         count: tradeoff.byTolerance.length,
       }),
-      half(chartOf(sieveChart, bySieve.filter(({ smallest }) => Number(smallest) > 0), { unit }), {
+      pagedTable({
         caption: text("tradeoff.by-sieve"),
         columns: [
           { title: text("tradeoff.smallest", { unit }), value: (row) => row.smallest, isHeader: true },
@@ -54,4 +60,5 @@ export function showTradeoff(tradeoff, fetchRows) {
     ),
     notes,
   );
+  draw(picture, tradeoff.file);
 }

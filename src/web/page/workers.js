@@ -1,5 +1,5 @@
-// The workers behind the page: the solver, a second solver for everything beside the answer, the checkers and the
-// reader. Their sources and the programs are in the page, in elements that are no scripts for the browser.
+// The workers behind the page: the solver, the same program for pictures and for everything else beside the answer, the
+// checkers and the reader. Their sources and the programs are in the page, in elements that are no scripts for the browser.
 
 import { byId } from "./dom.js";
 import { Program } from "./programs.js";
@@ -9,6 +9,9 @@ const script = (id) => JSON.parse(data(id));
 
 /** Solves; what it does can be outdated at any moment. */
 export const solver = new Program(script("mdm-worker"), { wasm: data("mdm-wasm") });
+
+/** Draws, so that pictures wait for nothing else. */
+export const painter = new Program(script("mdm-worker"), { wasm: data("mdm-wasm") });
 
 /** Describes, converts, exports, verifies and computes trade-offs. */
 export const helper = new Program(script("mdm-worker"), { wasm: data("mdm-wasm") });

@@ -2,7 +2,7 @@
 
 import { readFileSync } from "node:fs";
 
-import { Tab, fileOf } from "../support.mjs";
+import { ROOT, Tab, fileOf } from "../support.mjs";
 
 const MARKUP = '<img src=x onerror="window.hurt=1"><b>sand<b>';
 
@@ -38,4 +38,52 @@ async function markupStaysText({ expect, open, url }) {
   await tab.close();
 }
 
-export const onPage = [markupStaysText];
+const INSIDE = (inner, more = "") =>
+  `<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"${more}>${inner}</svg>`;
+
+const REFUSED = [
+  INSIDE("<script>window.hurt=1</script>"),
+  INSIDE("", ' onload="window.hurt=1"'),
+  INSIDE('<path d="M0 0" onclick="window.hurt=1"/>'),
+  INSIDE('<a href="javascript:window.hurt=1"><text>x</text></a>'),
+  INSIDE('<g xmlns:xlink="http://www.w3.org/1999/xlink" xlink:href="#x"/>'),
+  INSIDE('<g><image href="https://example.org/x.png"/></g>'),
+  INSIDE('<foreignObject><b xmlns="http://www.w3.org/1999/xhtml">x</b></foreignObject>'),
+  INSIDE('<text xmlns="http://www.w3.org/1999/xhtml">x</text>'),
+  INSIDE("<style>text { fill: red }</style>"),
+  INSIDE('<rect style="fill: red"/>'),
+  INSIDE('<rect fill="url(https://example.org/x.svg#a)"/>'),
+  INSIDE('<g clip-path="url(https://example.org/x.svg#clip1)"/>'),
+  INSIDE('<g id="question"/>'),
+  INSIDE("<!-- a comment -->"),
+  INSIDE("<g>"),
+  "<html xmlns='http://www.w3.org/1999/xhtml'/>",
+  "",
+];
+
+/** The page's own reader of pictures is given what mdm plot never writes. */
+async function picturesWithMoreAreRefused({ expect, open, url }) {
+  const tab = await Tab.open(open, url);
+  const source = readFileSync(`${ROOT}src/web/page/svg.js`, "utf8").replaceAll("export ", "");
+  const read = (texts) => tab.page.evaluate(`(() => {
+    ${source}
+    return ${JSON.stringify(texts)}.map((one) => {
+      try {
+        return pictureElement(one).outerHTML;
+      } catch {
+        return null;
+      }
+    });
+  })()`);
+  const refused = await read(REFUSED);
+  refused.forEach((made, i) => expect(`${REFUSED[i]} is refused, not ${made}`, made === null));
+  expect("nothing ran", (await tab.page.evaluate(() => window.hurt)) === undefined);
+  const clip = '<clipPath id="clip1"><rect x="1" y="1" width="2" height="2"/></clipPath><g clip-path="url(#clip1)"/>';
+  const [first, second] = await read([INSIDE(`<title>a</title><desc>b</desc>${clip}<text>&lt;b&gt;</text>`), INSIDE(clip)]);
+  expect(`${first}: its label and its text`, first.includes('aria-label="a: b"') && first.includes("&lt;b&gt;</text>"));
+  const idOf = (one) => /id="([^"]*)"/.exec(one)[1];
+  expect("ids of pictures differ", idOf(first) !== idOf(second) && first.includes(`url(#${idOf(first)})`));
+  await tab.close();
+}
+
+export const onPage = [markupStaysText, picturesWithMoreAreRefused];

@@ -104,7 +104,7 @@ async function aVerdictSaysWhatItIsAbout({ expect, open, url, mdm }) {
 
   const svg = readFileSync(await tab.download('[data-download="svg"]', "siebung.svg"), "utf8");
   const words = [...svg.matchAll(/<text[^>]*>([^<]*)</g)].map((one) => one[1]).join(" ");
-  has("picture", words, ["Read: sizes in mm", native.notes[0].replaceAll("&", "&amp;").split("'")[0].trim()]);
+  has("picture", words, ["Read: sizes in mm", "size (mm)", native.notes[0].replaceAll("&", "&amp;").split("'")[0].trim()]);
 
   await tab.click('[data-language="de"]');
   has("in German", await tab.text("#verdict"), ["Beweis angenommen", "Werte", "Schale", "Hinweise", ...native.notes]);
@@ -143,14 +143,24 @@ async function aWorkbookGetsAWay({ expect, open, url }) {
 async function theChartNamesWhoseBandsItHas({ expect, open, url }) {
   const tab = await Tab.open(open, url);
   const words = () => tab.page.$$eval("#curve text", (all) => all.map((one) => one.textContent));
-  await tab.until("bands", () => document.querySelector("#curve").textContent.includes("ISO 14688"));
+  const bands = async (system, named) => {
+    if (system) await tab.page.select("#bands", system);
+    await tab.until(`bands of ${named}`, (one) => document.querySelector("#curve").textContent.includes(one), named);
+  };
+  await bands(null, "bands: ISO 14688");
   const iso = await words();
   expect(`ISO: ${iso}`, iso.includes("sand") && !iso.includes("fines"));
-  await tab.page.select("#bands", "uscs");
+  await bands("uscs", "bands: ASTM D2487");
   const uscs = await words();
-  expect(`USCS: ${uscs}`, uscs.includes("sand") && uscs.some((one) => one.includes("USCS (ASTM D2487)")));
+  expect(`USCS: ${uscs}`, uscs.includes("sand") && uscs.includes("fines"));
   await tab.page.select("#bands", "none");
+  await tab.until("no bands", () => !document.querySelector("#curve").textContent.includes("bands"));
   expect("none", !(await words()).includes("sand"));
+  await bands("iso", "bands: ISO 14688");
+  await tab.click('[data-language="de"]');
+  await bands(null, "Bereiche: ISO 14688");
+  const german = await words();
+  expect(`German: ${german}`, german.includes("Sand") && german.includes("Durchgang in Prozent"));
   await tab.close();
 }
 

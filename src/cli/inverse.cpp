@@ -1,0 +1,53 @@
+#include "cli/inverse.hpp"
+
+#include "cli/exit_code.hpp"
+#include "cli/picture.hpp"
+#include "cli/progress.hpp"
+#include "files/in_parallel.hpp"
+#include "files/output.hpp"
+#include "files/paths.hpp"
+#include "papers/inverse_report.hpp"
+
+#include <mdm/text/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+
+namespace mdm::cli {
+
+int run_inverse(const InverseTask &task, const OutputFlags &output, const AccessibleFlags &flags) {
+  const std::optional<Picture> picture = flags.picture();
+  check_distinct({output.path(), flags.plot.value_or("-")});
+  Output out(output.path());
+  std::vector<InverseRow> rows(task.spans.size());
+  {
+    std::atomic<std::size_t> done = 0;
+    const Progress progress([&] { return fmt::format("{} of {} spans", done.load(), rows.size()); },
+                            output.quiet);
+    in_parallel(rows.size(), flags.threads, [&](std::size_t i) {
+      rows[i] = {task.spans[i], inverse_shapes(task.at(task.spans[i]))};
+      ++done;
+    });
+  }
+  std::unique_ptr<Output> plot;
+  if (picture) {
+    plot = std::make_unique<Output>(*flags.plot);
+    plot->write(picture_of(inverse_map(task, rows), *picture));
+  }
+  out.write(output.report([&] { return inverse_text(task, rows); }, [&] { return inverse_json(task, rows); },
+                          [&] { return inverse_csv(rows); }));
+  if (plot)
+    plot->commit();
+  out.commit();
+  output.tell_notes_beside_csv(task.notes);
+  if (std::any_of(rows.begin(), rows.end(), [](const InverseRow &row) { return !row.shapes.is_certain(); }))
+    return Exit::limited;
+  const bool found =
+      std::any_of(rows.begin(), rows.end(), [](const InverseRow &row) { return !row.shapes.boxes.empty(); });
+  return found ? Exit::done : Exit::negative;
+}
+
+} // namespace mdm::cli

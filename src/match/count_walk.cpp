@@ -1,0 +1,125 @@
+// Whole counts at a mass M, by dynamic programming over the classes, from the finest on. A place is what can
+// pass a sieve with so many particles below it: masses between two ends. From each place the next class
+// goes on with the fewest particles that reach the sieve's band, and with some more. Of two places the one
+// that has no fewer particles and lies inside the other is left out, as are those with many more particles
+// than the fewest: coarse particles do not make up for so many fine ones. Backwards first, it is worked out
+// what must pass a sieve at least, as whole particles of the coarser classes hold no more.
+//
+// Particles grow with the class, so that counts whose sums from the finest class on are small are the ones
+// that are looked for.
+
+#include "match/count_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mdm {
+namespace {
+
+/// Masses are wrong by less, relative to all.
+constexpr double mass_noise = 1e-15;
+/// More particles than the fewest, and places, that are kept.
+constexpr double most_more = 8;
+constexpr std::size_t most_places = 24;
+
+} // namespace
+
+/// With `particles` in all classes so far, what passes is from `low` to `high`; `count` of them are in the
+/// last class, the others at place number `from` of the class before.
+struct CountWalk::Place {
+  double particles, low, high, count;
+  std::size_t from;
+};
+
+/// Bounds on masses at a step.
+struct CountWalk::Reach {
+  double f, F;
+  double least, most;           ///< counts
+  double share_low, share_high; ///< of the class
+  double low, high;             ///< of all up to the class
+  double noise;
+
+  double least_mass(double count) const { return count > 0 ? std::max(share_low, count * f) : 0; }
+  double most_mass(double count) const { return std::min(share_high, count * F); }
+};
+
+std::vector<CountWalk::Reach> CountWalk::reaches(double mass, const std::vector<double> &least,
+                                                 const std::vector<double> &most) const {
+  std::vector<Reach> all;
+  for (std::size_t j = 0; j < classes_.size(); ++j) {
+    const Class &c = classes_[j];
+    all.push_back({c.f, c.F, least[j], most[j], c.share.lo * mass, c.share.hi * mass, c.passing.lo * mass,
+                   c.passing.hi * mass, mass_noise * mass});
+  }
+  for (std::size_t j = all.size() - 1; j > 0; --j) {
+    const Reach &above = all[j];
+    double greatest = above.share_high;
+    if (above.f > 0) {
+      const double count = std::min(above.most, std::max(0.0, std::ceil(greatest / above.f) - 1));
+      greatest = above.most_mass(count);
+    } else if (above.most < greatest / above.F) {
+      greatest = above.most_mass(above.most);
+    }
+    all[j - 1].low = std::max(all[j - 1].low, above.low - greatest);
+    all[j - 1].high = std::min(all[j - 1].high, above.high - above.share_low);
+  }
+  return all;
+}
+
+/// The places after one more class, those with the fewest particles first.
+std::vector<CountWalk::Place> CountWalk::next(const std::vector<Place> &places, const Reach &reach) const {
+  const auto fewest_from = [&reach](const Place &place) {
+    const double mass = std::max(reach.low - place.high, reach.share_low) - reach.noise;
+    return std::max(reach.least, std::ceil(std::max(0.0, mass) / reach.F));
+  };
+  double fewest = std::numeric_limits<double>::infinity();
+  const auto is_open = [&reach](const Place &place, double count) {
+    return count <= reach.most && place.low + reach.least_mass(count) <= reach.high + reach.noise &&
+           place.high + reach.most_mass(count) >= reach.low - reach.noise &&
+           reach.least_mass(count) <= reach.most_mass(count) + reach.noise;
+  };
+  for (const Place &place : places)
+    if (const double count = fewest_from(place); is_open(place, count))
+      fewest = std::min(fewest, place.particles + count);
+  std::vector<Place> all;
+  for (std::size_t from = 0; from < places.size(); ++from) {
+    const Place &place = places[from];
+    for (double count = fewest_from(place);
+         is_open(place, count) && place.particles + count <= fewest + most_more; ++count)
+      all.push_back({place.particles + count, std::max(reach.low, place.low + reach.least_mass(count)),
+                     std::min(reach.high, place.high + reach.most_mass(count)), count, from});
+  }
+  std::sort(all.begin(), all.end(), [](const Place &a, const Place &b) {
+    return a.particles != b.particles ? a.particles < b.particles : a.high - a.low > b.high - b.low;
+  });
+  std::vector<Place> kept;
+  for (const Place &place : all) {
+    const auto holds = [&place](const Place &other) {
+      return other.low <= place.low && place.high <= other.high;
+    };
+    if (kept.size() < most_places && std::none_of(kept.begin(), kept.end(), holds))
+      kept.push_back(place);
+  }
+  return kept;
+}
+
+std::vector<double> CountWalk::counts(double mass, const std::vector<double> &least,
+                                      const std::vector<double> &most, double limit) const {
+  std::vector<std::vector<Place>> steps{{{0, 0, 0, 0, 0}}};
+  for (const Reach &reach : reaches(mass, least, most)) {
+    steps.push_back(next(steps.back(), reach));
+    if (steps.back().empty() || !(steps.back().front().particles < limit))
+      return {};
+  }
+  std::vector<double> counts(classes_.size());
+  std::size_t at = 0;
+  for (std::size_t j = classes_.size(); j-- > 0;) {
+    const Place &place = steps[j + 1][at];
+    counts[j] = place.count;
+    at = place.from;
+  }
+  return counts;
+}
+
+} // namespace mdm
