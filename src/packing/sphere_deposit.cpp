@@ -4,8 +4,10 @@
 // Each sphere is dropped in a random column and rolls to rest (sphere_roll.cpp) with a gap of 4 units to
 // all that it touches. Its place is rounded to the lattice and moved by units to where it is inside the
 // sides, both decided in integers. If it overlaps with another there, exactly, it is raised by units until
-// it does not; if that takes more than 63, or it has not come to rest, it is dropped again, eight times at
-// most. Then it is raised as far as it takes, which ends above all others.
+// it does not; if that takes more than 63, or it has not come to rest, it has no place there. It is dropped
+// until it has eight places, sixteen times at most, and takes the lowest, which keeps the top level: a heap
+// of single random columns has slopes, which slide under gravity. Without a place it is raised as far as it
+// takes, which ends above all others.
 //
 // Invariant: no two spheres overlap, and all are inside the space.
 
@@ -27,9 +29,11 @@ using packing::Wide;
 
 /// What spheres are larger by while they roll, in units: rounding to the lattice takes less, mostly.
 constexpr double roll_gap = 4;
-/// A sphere that needs more than so many units, or has not come to rest, is dropped again.
+/// A sphere that needs more than so many units, or has not come to rest, has no place.
 constexpr double slight_rise = 63;
-constexpr int most_drops = 8;
+constexpr int most_drops = 16;
+/// Of so many places the lowest is taken, which keeps the top level.
+constexpr int compared_places = 8;
 
 std::vector<double> as_doubles(const std::vector<std::int64_t> &radii) {
   return {radii.begin(), radii.end()};
@@ -56,16 +60,21 @@ public:
   DepositedSphere lay(std::int32_t id) {
     const double r = grid_.radius(id), q = r + roll_gap;
     std::uint64_t stream = packing::column_stream;
-    Vector3 at;
-    SphereRest rest;
-    for (int drops = 0; drops < most_drops; ++drops) {
+    Vector3 at, tried;
+    SphereRest rest, found;
+    int places = 0;
+    for (int drops = 0; drops < most_drops && places < compared_places; ++drops) {
       const auto [x, y] = column(id, q, stream);
-      rest = packing::SphereRoll(grid_, sides_, q).from(x, y);
-      at = on_lattice(rest.at, r);
-      if (const double rise = rise_to_free(at, r); rise <= slight_rise && rest.is_found()) {
-        at.z += rise;
-        break;
+      found = packing::SphereRoll(grid_, sides_, q).from(x, y);
+      tried = on_lattice(found.at, r);
+      const double rise = rise_to_free(tried, r);
+      const bool is_place = rise <= slight_rise && found.is_found();
+      tried.z += is_place ? rise : 0;
+      if (is_place ? places == 0 || tried.z < at.z : places == 0) {
+        at = tried;
+        rest = found;
       }
+      places += is_place ? 1 : 0;
     }
     // Nearly always nothing; else to where there is room above.
     at.z += rise_to_free(at, r);

@@ -44,15 +44,16 @@ inline constexpr std::int64_t least_radius_units = std::int64_t{1} << 16;
 
 /// Drops spheres in random columns, in the order of the radii (Visscher, Bolsterli 1972). A sphere falls
 /// until it meets another, rolls down on it, on two, and comes to rest on three with its centre above their
-/// triangle, or on the floor; sides count as spheres. It touches its supports but for some units.
+/// triangle, or on the floor; sides count as spheres. It touches its supports but for some units. Of eight
+/// places that it finds so it takes the lowest, which keeps the top level.
 ///
 /// No two spheres overlap and all are inside the space: decided for each in integers. A sphere that does not
-/// pass, because places are rounded, is raised by units until it does. One that would have to be raised by
-/// more than 63, or has not come to rest after many turns, is dropped again; after eight drops it stays, or
-/// is raised. Places are computed in doubles by + - * / and square roots alone: they are the same on every
-/// machine.
+/// pass, because places are rounded, is raised by units until it does. Where it would have to be raised by
+/// more than 63, or has not come to rest after many turns, it has no place; without one in sixteen drops it
+/// stays, or is raised. Places are computed in doubles by + - * / and square roots alone: they are the same
+/// on every machine.
 ///
-/// Cost: some 10 us a sphere, more where sizes are far apart.
+/// Cost: some 100 us a sphere, more where sizes are far apart.
 /// \param radii in units, each from least_radius_units to a sixth of the narrower side
 /// \param progress is told the number of spheres that lie
 /// \throws InputError if the deposit becomes higher than most_sphere_units

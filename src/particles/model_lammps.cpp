@@ -190,7 +190,8 @@ std::string lammps_model(const SettleModel &model) {
     commands.lower_lid = "variable lid_is equal ${top}\nvariable lid_now equal ${lid_is}\n"
                          "variable since equal ${now}\n";
   } else {
-    commands.move = "variable strain equal -${rate}\n"
+    commands.move = "# Contacts across the faces push the whole a little: it would run away.\n"
+                    "velocity all zero linear\nvariable strain equal -${rate}\n"
                     "fix faces all deform 1 x trate ${strain} y trate ${strain} z trate ${strain} remap x\n";
     text += filled(begin_cell, {{"columns", state_columns()}});
   }

@@ -73,7 +73,7 @@ using StartProgress = std::function<void(std::size_t)>;
 /// for each size; the box is as high as its highest particle.
 ///
 /// Cost: each() takes some 100 ns a particle. Layers need memory that does not depend on their number, a
-/// mixed start some 80 bytes and a us or two a particle, a deposit some 200 bytes and 10 us or more.
+/// mixed start some 80 bytes and a us or two a particle, a deposit some 200 bytes and 100 us or more.
 class Placement {
 public:
   /// Powers of ten up to this one are doubles: n / 10^places is then the double nearest to the decimal.

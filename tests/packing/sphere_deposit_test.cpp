@@ -123,13 +123,14 @@ TEST_CASE("the judge of deposits refuses spheres that overlap, stand out, or flo
   CHECK_FALSE(accepts({file_of(r, {space.a, space.b, Sides::cylinder}, good)}));
 }
 
-TEST_CASE("spheres of one size fill some 0.58 of a space without walls") {
-  // Visscher, Bolsterli (1972): 0.582 for equal spheres; wide gradings are denser.
+TEST_CASE("spheres of one size fill 0.58 to 0.64 of a space without walls") {
+  // Visscher, Bolsterli (1972): 0.582 for equal spheres, each in the first place that it finds; random close
+  // packings have 0.64. Wide gradings are denser.
   const std::vector<std::int64_t> equal(8000, unit), wide = radii(8000, 4);
   const SphereSpace a = space_for(equal, Sides::periodic), b = space_for(wide, Sides::periodic);
   const double of_equal = void_ratio(equal, a, deposit_spheres(equal, a, 1));
-  CHECK(of_equal > 0.68);
-  CHECK(of_equal < 0.76);
+  CHECK(of_equal > 1 / 0.64 - 1);
+  CHECK(of_equal < 1 / 0.582 - 1);
   CHECK(void_ratio(wide, b, deposit_spheres(wide, b, 1)) < of_equal - 0.05);
 }
 
@@ -152,9 +153,9 @@ TEST_CASE("deposited spheres lie where they lay on the machine that wrote this t
       h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3;
     return h;
   };
-  CHECK(hash(Sides::walls) == 0x6ab4e62af2c45a9c);
-  CHECK(hash(Sides::cylinder) == 0x6e8d62a4725b3714);
-  CHECK(hash(Sides::periodic) == 0x9af9a2ce02896477);
+  CHECK(hash(Sides::walls) == 0x7a27f01c4dc4109e);
+  CHECK(hash(Sides::cylinder) == 0xad81338da8be031e);
+  CHECK(hash(Sides::periodic) == 0xd92cd29e4ef4ca94);
 }
 
 TEST_CASE("progress of a deposit of spheres, and none at all") {
