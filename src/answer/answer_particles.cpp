@@ -12,17 +12,21 @@ namespace {
 /// \throws InputError if the answer's class c does not say what its scale, mass and quantity make, or begins before
 /// `above`, the end of those before it
 void check_class(const AnswerSample::Class &c, const RootSize &size, const RootSize *above,
-                 const MassLaw &law) {
-  if (compare(size, RootSize{c.size_lo}) < 0 || compare(size, RootSize{c.size_hi}) > 0)
+                 const MassLaw &law, SizeUnit unit) {
+  // Signs of the size less another: under a law by table or sum that of their masses.
+  const auto against = [&](const RootSize &other) {
+    return law.is_power() ? compare(size, other) : size.power.compare(law.powered(other.power));
+  };
+  if (against(RootSize{c.size_lo}) < 0 || against(RootSize{c.size_hi}) > 0)
     throw InputError(fmt::format("scale, mass and quantity do not give the size in class {} of the answer "
-                                 "with the law x^({}): say which with {}, or export the gradation "
+                                 "with the law {}: say which with {}, or export the gradation "
                                  "itself if it has factors",
-                                 c.number, law.exponent(), option("law")));
+                                 c.number, law.formula(unit), option("law")));
   if (c.lower.power < 0 || (above != nullptr && compare(c.lower, *above) < 0))
     throw InputError(fmt::format("class {} of the answer does not begin at or above the end of those before "
                                  "it: solve again",
                                  c.number));
-  if (compare(size, c.lower) <= 0 || compare(size, c.upper) > 0)
+  if (against(c.lower) <= 0 || against(c.upper) > 0)
     throw InputError(
         fmt::format("the size in class {} of the answer is not in the class: solve again", c.number));
 }
@@ -41,7 +45,7 @@ ParticleSet particle_set(const AnswerSample &answer, const MassLaw &law, const P
   for (const AnswerSample::Class &c : answer.classes) {
     const RootSize size{answer.scale * power(Rational(c.mass / c.quantity), answer.scale_power),
                         law.a * answer.size_power};
-    check_class(c, size, above, law);
+    check_class(c, size, above, law, answer.unit);
     above = &c.upper;
     sample.classes.push_back({c.number, c.lower, c.upper, size.power, c.quantity});
   }

@@ -105,7 +105,8 @@ RootSize in_unit(const RootSize &x, const Rational &factor) {
 void check_power(const AnswerSample &answer, const MassLaw &law) {
   if (answer.scale_power % law.b != 0 || answer.scale_power / law.b != answer.size_power)
     throw InputError(fmt::format("the answer was made with a law x^(a/{}), not x^({}): say which with {}",
-                                 answer.scale_power / answer.size_power, law.exponent(), option("law")));
+                                 answer.scale_power / answer.size_power,
+                                 law.is_power() ? law.exponent() : "a/1", option("law")));
 }
 
 AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const MassLaw &law,
@@ -117,10 +118,23 @@ AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const
   const Rational scale = answer.scale * power(unit, degree); // with sizes in the unit of g
   AnswerDescription result{Description(std::move(g), {law, snap, scale, p}), {}, {}, {}};
   Integer particles = 0;
+  const bool is_power = law.is_power();
   std::vector<std::size_t> wrong; // classes whose size is not in its enclosure
   for (const AnswerSample::Class &c : answer.classes) {
     const RootSize lower = in_unit(c.lower, unit), upper = in_unit(c.upper, unit);
     const Rational mass = c.mass / (factor(result.description.gradation(), lower, upper) * c.quantity);
+    particles += c.quantity;
+    if (!is_power) {
+      const Rational one = answer.scale * mass, lo = c.size_lo * unit; // f(x)
+      if (!c.sizes.empty())
+        throw InputError("the answer is a spread, which is one under a law that is a power: leave out " +
+                         option("law"));
+      if (one < law.powered(lo) || one > law.powered(Rational(c.size_hi * unit)))
+        wrong.push_back(c.number);
+      result.description.add_of_mass(one, lo, c.quantity);
+      result.particles.emplace_back(RootSize{lo}, c.quantity);
+      continue;
+    }
     const RootSize size{scale * power(mass, p), degree}; // x^(a d)
     if (compare(size, RootSize{c.size_lo * unit}) < 0 || compare(size, RootSize{c.size_hi * unit}) > 0)
       wrong.push_back(c.number);
@@ -132,14 +146,13 @@ AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const
     }
     result.description.add(size, c.quantity);
     result.particles.emplace_back(size, c.quantity);
-    particles += c.quantity;
   }
   if (!wrong.empty())
     result.objections.push_back(
         fmt::format("scale, mass and quantity do not give the size in class {}{} of the answer with the law "
-                    "x^({})",
+                    "{}",
                     wrong.front(), wrong.size() > 1 ? fmt::format(" and {} more", wrong.size() - 1) : "",
-                    law.exponent()));
+                    law.formula(result.description.gradation().unit())));
   result.is_spread = std::any_of(answer.classes.begin(), answer.classes.end(),
                                  [](const auto &c) { return !c.sizes.empty(); });
   if (result.is_spread)

@@ -6,6 +6,7 @@ namespace mdm {
 
 Question AskedQuestion::in(SizeUnit unit) const {
   Question q = rest;
+  q.law = rest.law.scaled(Rational(1 / in_mm(unit)));
   if (pan_size)
     q.pan_size = pan_size->in(unit);
   if (cut_below)

@@ -18,7 +18,7 @@ struct AskedSpecimen {
 
 /// A question whose lengths may have units of their own, or that of a gradation to come.
 struct AskedQuestion {
-  Question rest; ///< all but the lengths below
+  Question rest; ///< all but the lengths below; a law by table or sum is one of sizes in mm
   std::optional<Length> pan_size, cut_below;
   std::optional<AskedSpecimen> specimen;
 

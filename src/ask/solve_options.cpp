@@ -1,7 +1,10 @@
 #include "ask/solve_options.hpp"
 
 #include "ask/option_values.hpp"
+#include "files/byte_source.hpp"
+#include "files/paths.hpp"
 
+#include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
 
 namespace mdm {
@@ -15,6 +18,17 @@ ScaleChoice scale_of(const std::string &text) {
   throw InputError(option("scale") + ": " + in_quotes(text) + " is neither robust nor upper");
 }
 
+/// What is in a file, or the text itself if it has lines.
+MassLaw law_of(const std::string &text) {
+  constexpr std::string_view table = "table:";
+  if (!text.starts_with(table))
+    return parse_mass_law(text);
+  const std::string file = text.substr(table.size());
+  if (file.find('\n') != std::string::npos)
+    return read_law_table(file, "table");
+  return read_law_table(read_file(file, max_gradation_bytes), shown_name(file));
+}
+
 /// The name of the kind without a value.
 std::string kind_of(const SolveTexts &others) {
   return others.tolerances.empty() ? "retained" : others.tolerances.front();
@@ -23,7 +37,9 @@ std::string kind_of(const SolveTexts &others) {
 } // namespace
 
 const std::vector<OptionRow<GradationTexts>> GradationTexts::options = {
-    {"law", "LAW", OptionKind::text, "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5",
+    {"law", "LAW", OptionKind::text,
+     "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5, sum:2*x^3+0.5*x^2 with x in mm, or "
+     "table:FILE, CSV with size_mm and particle_mass, from (0, 0) on and linear between its rows",
      &GradationTexts::law},
     {"size-factor", "K", OptionKind::number, "multiply every size of the gradation by K",
      &GradationTexts::size_factor},
@@ -86,7 +102,7 @@ const std::vector<OptionRow<BudgetTexts>> BudgetTexts::options = {
 AskedQuestion GradationTexts::question() const {
   AskedQuestion asked;
   if (law)
-    asked.rest.law = named("law", *law, parse_mass_law);
+    asked.rest.law = named("law", *law, law_of);
   if (pan_size)
     asked.pan_size = length("pan-size", *pan_size);
   if (cut_below)

@@ -1,6 +1,7 @@
 #include "answers.hpp"
 
 #include "json_text.hpp"
+#include "law.hpp"
 #include "verify.hpp"
 
 #include <algorithm>
@@ -171,7 +172,9 @@ std::string options_in_words(const Certificate &c, const std::string &unit) {
   add("at least the solids of a cylinder # @ x # @ at void ratio #", c.cylinder);
   add("at least the solids of a box # @ x # @ x # @ at void ratio #", c.box);
   add("at least a solids volume of # @^3", c.solids_volume);
-  if (c.law[0].value != 3)
+  if (!is_power(c))
+    add("law " + law_by_values(c, unit), c.law);
+  else if (c.law[0].value != 3)
     add("law x^(#)", c.law);
   add("pan counted as size # @", c.pan_size);
   add("classes below # @ left out", c.cut_below);

@@ -52,7 +52,9 @@ struct TreeNode {
 
 /// The numbers of each line; none where the line is absent. The texts are those of the file.
 struct Certificate {
-  Numbers law, pan_size, cut_below, size_factor, min_per_class, cylinder, box, solids_volume, pi, at_least;
+  Numbers law;          ///< a/b; a number 1 of a law by table or sum
+  Numbers nodes, terms; ///< a size and a mass each, or a factor and an exponent
+  Numbers pan_size, cut_below, size_factor, min_per_class, cylinder, box, solids_volume, pi, at_least;
   Numbers retained, retained_file, passing, passing_file, passing_each, total; ///< `file` is a number 0
   Numbers band;                                                                ///< three a line
   Numbers band_file;                                                           ///< a number 0, as above
@@ -63,7 +65,8 @@ struct Certificate {
   std::optional<std::vector<std::uint32_t>> chain; ///< 2^32 - 1 is an index that no class has
   std::vector<TreeNode> tree;                      ///< in preorder; empty without a tolerance
   unsigned version;                                ///< 1 to 3
-  unsigned long a, b;                              ///< of the law
+  unsigned long a, b;                              ///< of the law; 1 and 1 by table or sum
+  std::uint64_t law_work;                          ///< e of the limits, over d
   std::uint64_t longest_count;                     ///< in bits, for the limits 1 and 2
 };
 

@@ -1,3 +1,4 @@
+#include "law.hpp"
 #include "verify.hpp"
 
 #include <algorithm>
@@ -73,6 +74,7 @@ Problem derive(Gradation gradation, const Certificate &certificate) {
   const mpz_class least = std::max<mpz_class>(1, integer_of(certificate.min_per_class));
   Problem problem;
   problem.degree = degree;
+  gradation.openings = measured_openings(gradation, certificate);
   problem.opening_unit = power(make_integers(gradation.openings), a);
   const Ratio unit(problem.opening_unit * power(make_integers(gradation.factors), degree),
                    power(make_integers(gradation.masses), degree));
@@ -113,7 +115,7 @@ void verify_witness(const Problem &problem, const Gradation &gradation, const Ce
     // That the size is in (x_j, x_{j+1}] says that q^n A < S <= q^n B.
     const Ratio one = Ratio(c.mass) / witness.quantity;
     const Ratio T = power(one, problem.degree) * problem.S / problem.opening_unit;
-    verify_size(gradation, witness, T, certificate.a * gradation.root);
+    verify_size(gradation, certificate, witness, T, certificate.a * gradation.root);
     sum += witness.quantity;
   }
   demand(sum == integer_of(certificate.particles), "sum of q = N");

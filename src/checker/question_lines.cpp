@@ -46,13 +46,49 @@ std::uint64_t QuestionLines::index(std::string_view text) const {
   return value;
 }
 
-void read_law_and_openings(QuestionLines &lines, Certificate &c) {
+namespace {
+
+/// The nodes of a table ascend from (0, 0), the exponents of a sum descend.
+void read_law_by_values(QuestionLines &lines, Certificate &c) {
+  const bool is_table = lines.begins_with("law table");
+  Numbers &numbers = is_table ? c.nodes : c.terms;
+  lines.read(is_table ? "law table" : "law sum", is_table ? "DD" : "R1", numbers, true);
+  lines.check_before(numbers.size() <= 2 * (is_table ? most_nodes : most_terms),
+                     "a law of more than 1000 nodes or 16 terms: choose a simpler one");
+  c.law_work = is_table ? work_of_table : 0;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) {
+    const Number *const before = i == 0 ? nullptr : &numbers[i - 2];
+    if (is_table) {
+      lines.check_before(before == nullptr ||
+                             (before[0].value < numbers[i].value && before[1].value < numbers[i + 1].value),
+                         "a table whose sizes and masses do not ascend: sort its nodes");
+      continue;
+    }
+    const mpq_class &exponent = numbers[i + 1].value;
+    lines.check_before(exponent <= 1000 && (before == nullptr || exponent < before[1].value),
+                       "a sum whose exponents do not descend from 1000 at most: sort its terms");
+    c.law_work += exponent.get_num().get_ui();
+  }
+  c.law = {{1, numbers[0].text}};
+  c.a = c.b = 1;
+}
+
+void read_law(QuestionLines &lines, Certificate &c) {
+  if (lines.begins_with("law table") || lines.begins_with("law sum"))
+    return read_law_by_values(lines, c);
   lines.read("law", "r", c.law);
   const mpq_class &law = c.law[0].value;
   lines.check_before(law.get_num() <= 1000 && law.get_den() <= 1000,
                      "a law with numbers above 1000: choose a simpler one");
   c.a = law.get_num().get_ui();
   c.b = law.get_den().get_ui();
+  c.law_work = std::max(c.a, c.b);
+}
+
+} // namespace
+
+void read_law_and_openings(QuestionLines &lines, Certificate &c) {
+  read_law(lines, c);
   lines.read_if_there("pan-size", "d", c.pan_size);
   lines.read_if_there("cut-below", "d", c.cut_below);
   lines.read_if_there("size-factor", "d", c.size_factor);

@@ -36,6 +36,11 @@ private:
   std::uint64_t longest_count_ = 0;
 };
 
+/// Nodes of a law by table and terms of a law by sum.
+constexpr std::size_t most_nodes = 1000, most_terms = 16;
+/// What a value of a law by table counts in the limits 1 and 2: it is made of a size and two nodes.
+constexpr std::uint64_t work_of_table = 5;
+
 /// Reads the lines from `law` to `size-factor`.
 void read_law_and_openings(QuestionLines &lines, Certificate &c);
 

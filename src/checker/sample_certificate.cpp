@@ -1,5 +1,6 @@
 #include "sample_certificate.hpp"
 
+#include "law.hpp"
 #include "question_lines.hpp"
 
 #include <mdm/checker.hpp>
@@ -96,6 +97,8 @@ SampleCertificate read_sample_certificate(std::string_view text) {
   lines.end();
   c.question.version = 1;
   read_law_and_openings(lines, c.question);
+  lines.check_before(is_power(c.question),
+                     "a law by table or sum, of which there is no certificate of a sample");
   c.is_tolerant = read_tolerance(lines, c.question);
   c.question.longest_count = lines.longest_count();
   lines.read_if_there("places", "0", c.places);

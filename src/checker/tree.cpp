@@ -1,3 +1,4 @@
+#include "law.hpp"
 #include "windows.hpp"
 
 #include <algorithm>
@@ -107,7 +108,7 @@ Problem derive(const Gradation &gradation, const Certificate &certificate) {
     for (const mpq_class &share : class_j)
       include(unit, share.get_den(), certificate);
   const Law law(gradation, certificate);
-  const Rationals size = roots(gradation.openings, law.b);
+  const Rationals size = roots(measured_openings(gradation, certificate), law.b);
   const mpz_class size_unit = common_denominator(size), factor_unit = common_denominator(gradation.factors);
   const mpq_class w = solids(certificate).below;
   demand_within(work_of(gradation, certificate, of.size()) * (bits(unit) + bits(w)), 34,
@@ -141,7 +142,7 @@ void verify_witness(const Problem &problem, const Gradation &gradation, const Ce
     demand(1 <= j && j <= k, "witness: a class of the gradation", j);
     // That the size is in (x_j, x_{j+1}] says that f q < t <= F q.
     const mpq_class one = witness.mass / (witness.quantity * gradation.factors[j - 1]);
-    verify_size(gradation, witness, raised(one, certificate.b), certificate.a);
+    verify_size(gradation, certificate, witness, raised(one, certificate.b), certificate.a);
     N += q[j - 1] = witness.quantity;
     M += t[j - 1] = in_units(witness.mass, unit);
   }

@@ -1,5 +1,6 @@
 #include "verdict.hpp"
 
+#include "law.hpp"
 #include "print.hpp"
 #include "text.hpp"
 
@@ -115,14 +116,16 @@ std::string kind_of_claim(const Certificate &c) {
   return (c.bound[0].value == c.particles[0].value ? "" : "bounds on ") + smallest;
 }
 
-void add_law(Parts &parts, const Certificate &c) {
+void add_law(Parts &parts, const Certificate &c, const std::string &unit) {
+  if (!is_power(c))
+    return parts.add("mass law " + law_by_values(c, unit));
   parts.add(c.law[0].value.get_den() == 1 ? "mass law x^#" : "mass law x^(#)", c.law);
 }
 
 std::string in_parts(const Gradation &gradation, const Certificate &c) {
   Parts parts;
   add_tolerances(parts, c, gradation);
-  add_law(parts, c);
+  add_law(parts, c, gradation.unit());
   add_gradation(parts, gradation);
   add_question(parts, c, gradation.unit());
   return " (" + parts.text() + ")";
@@ -175,7 +178,7 @@ std::string accepted_line(const Gradation &gradation, const Certificate &certifi
 std::string question_in_words(const Gradation &gradation, const Certificate &certificate) {
   Parts parts;
   add_tolerances(parts, certificate, gradation);
-  add_law(parts, certificate);
+  add_law(parts, certificate, gradation.unit());
   add_question(parts, certificate, gradation.unit());
   return kind_of_claim(certificate) + " (" + parts.text() + ")";
 }
@@ -201,7 +204,7 @@ std::string accepted_sample_line(const Gradation &gradation, const SampleCertifi
 std::string question_in_words(const Gradation &gradation, const SampleCertificate &c) {
   Parts parts;
   add_tolerances(parts, c.question, gradation);
-  add_law(parts, c.question);
+  add_law(parts, c.question, gradation.unit());
   add_question(parts, c.question, gradation.unit());
   return "whether the particles match" + how(c) + " (" + parts.text() + ")";
 }

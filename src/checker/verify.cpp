@@ -1,5 +1,7 @@
 #include "verify.hpp"
 
+#include "law.hpp"
+
 #include <algorithm>
 
 namespace mdm::checker {
@@ -108,7 +110,7 @@ void apply_question(Gradation &gradation, const Certificate &certificate) {
     demand(*std::max_element(gradation.masses.begin(), gradation.masses.end()) > 0,
            "cut-below: mass is left");
   }
-  const std::uint64_t e = std::max(certificate.a, certificate.b) * std::uint64_t{d};
+  const std::uint64_t e = certificate.law_work * d;
   std::uint64_t count = certificate.longest_count, longest = 0;
   for (const auto &[opening, least, most] : gradation.limits)
     count = std::max({count, bits(opening), bits(least), bits(most)});
@@ -164,15 +166,21 @@ void verify_pi(const Certificate &certificate) {
   demand(certificate.pi[1].value * unit >= pi + error, "pi < r");
 }
 
-void verify_size(const Gradation &gradation, const ClassWitness &witness, const Ratio &T,
-                 unsigned long degree) {
+void verify_size(const Gradation &gradation, const Certificate &certificate, const ClassWitness &witness,
+                 const Ratio &T, unsigned long degree) {
   const std::uint64_t j = witness.index;
   const mpq_class &lo = witness.lo, &hi = witness.hi;
   demand(gradation.openings[j - 1] < raised(lo, gradation.root), "x_j < lo", j);
   demand(raised(hi, gradation.root) <= gradation.openings[j], "hi <= x_{j+1}", j);
   demand(1'000'000'000 * (hi - lo) <= lo, "10^9 (hi - lo) <= lo", j);
-  demand(compare(raised(lo, degree), T) <= 0, "lo^a <= T", j);
-  demand(compare(T, raised(hi, degree)) < (lo == hi ? 1 : 0), lo == hi ? "T = hi^a" : "T < hi^a", j);
+  if (is_power(certificate)) {
+    demand(compare(raised(lo, degree), T) <= 0, "lo^a <= T", j);
+    demand(compare(T, raised(hi, degree)) < (lo == hi ? 1 : 0), lo == hi ? "T = hi^a" : "T < hi^a", j);
+    return;
+  }
+  demand(compare(value_of_law(certificate, lo), T) <= 0, "f(lo) <= T", j);
+  demand(compare(T, value_of_law(certificate, hi)) < (lo == hi ? 1 : 0), lo == hi ? "T = f(hi)" : "T < f(hi)",
+         j);
 }
 
 } // namespace mdm::checker

@@ -77,8 +77,9 @@ std::vector<BoundsOnShares> bounds_on_shares(const Gradation &gradation, const C
 /// p < pi < r.
 void verify_pi(const Certificate &certificate);
 
-/// The size of class j, (x_j, x_{j+1}] between the openings, is the root of T of a degree and in [lo, hi].
-void verify_size(const Gradation &gradation, const ClassWitness &witness, const Ratio &T,
-                 unsigned long degree);
+/// The size of class j, (x_j, x_{j+1}] between the openings, is in [lo, hi]. It is the root of T of a degree,
+/// or under a law by table or sum that with f(x) = T.
+void verify_size(const Gradation &gradation, const Certificate &certificate, const ClassWitness &witness,
+                 const Ratio &T, unsigned long degree);
 
 } // namespace mdm::checker

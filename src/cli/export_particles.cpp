@@ -26,7 +26,7 @@ ExportedParticles answer_particles(const ExportTexts &c, const OutputFlags &outp
                                    const std::string &content, const ParticleSetOptions &options) {
   refuse_options_of_solving(c, "the answer");
   const AnswerSample answer = read_answer(content, shown_name(*c.file));
-  const MassLaw law = c.solve.GradationTexts::question().rest.law;
+  const MassLaw law = c.solve.GradationTexts::question().in(answer.unit).law;
   output.tell_notes(answer.notes);
   return {in_file(*c.file, [&] { return particle_set(answer, law, options); }), Outcome::done, answer.unit,
           answer.question, false};

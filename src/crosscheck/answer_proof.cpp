@@ -84,7 +84,7 @@ std::optional<AnswerProof> proof_of(SampleCertifier &certifier, const std::strin
 std::optional<AnswerProof> answer_proof(const Gradation &g, const Question &question,
                                         const OtherAnswer &answer, const Rational &size_tolerance) {
   const std::vector<RangedClass> classes = ranged_classes(g, answer, size_tolerance);
-  if (answer.failure || classes.empty())
+  if (answer.failure || classes.empty() || !question.law.is_power())
     return std::nullopt;
   std::string sample;
   const SampleCertifier::Begin begin = [&sample] {
@@ -96,7 +96,7 @@ std::optional<AnswerProof> answer_proof(const Gradation &g, const Question &ques
     of_ranges.add(c.size, c.quantity);
   if (std::optional<AnswerProof> proof = proof_of(of_ranges, sample))
     return proof;
-  const auto [a, b] = question.law;
+  const unsigned a = question.law.a, b = question.law.b;
   const std::optional<Rational> s =
       question.is_tolerant() || b > 1 ? std::nullopt : common_scale(g, a, classes);
   if (!s)

@@ -75,7 +75,7 @@ std::string CountsJudge::mismatch(const TolerantProblem &problem, const std::vec
       return fmt::format("the size {} is outside its class {}",
                          shown(wide.hi <= g_.lower(j) ? sizes[j]->hi : sizes[j]->lo), j + 1);
     const Rational unit = problem.unit() * g_.factor(j);
-    stated[j] = MassBounds{power(wide.lo, question_.law.a) * unit, power(wide.hi, question_.law.a) * unit};
+    stated[j] = MassBounds{question_.law.powered(wide.lo) * unit, question_.law.powered(wide.hi) * unit};
   }
   const std::optional<CountConflict> conflict = conflict_of_counts(problem, q, stated);
   if (!conflict)

@@ -112,6 +112,8 @@ void Description::add(const SizeRange &size, const Integer &quantity) {
   const std::size_t last = openings_below(hi);
   const auto mass = [&](const Rational &x) { // an enclosure of f(x)
     constexpr unsigned bits = 256;
+    if (!options_.law.is_power()) // no particle of a class is larger than all openings
+      return Interval(options_.law.powered(std::min(x, g_.sizes().back())));
     return root(options_.law.powered(x), options_.law.b, bits);
   };
   const bool is_placed = first == last;
@@ -131,6 +133,28 @@ void Description::add(const SizeRange &size, const Integer &quantity) {
     const Rational least = mass(size.lo).lo * quantity;
     tally.least.add(numerator(least), denominator(least));
   }
+}
+
+void Description::add_of_mass(const Rational &mass, const Rational &near, const Integer &quantity) {
+  assert(mass > 0 && quantity >= 1 && !options_.law.is_power());
+  const std::vector<Rational> &x = g_.sizes();
+  const auto opening = std::partition_point(
+      x.begin(), x.end(), [&](const Rational &y) { return options_.law.powered(y) < mass; });
+  const RootSize size{near};
+  if (opening == x.end())
+    return note(above_, size, quantity);
+  if (opening == x.begin())
+    return note(below_, size, quantity);
+  Tally &tally = classes_[static_cast<std::size_t>(opening - x.begin()) - 1];
+  Class &seen = tally.seen;
+  seen.count += quantity;
+  if (!seen.first) {
+    seen.first = size;
+    tally.first_mass = mass;
+  } else if (!seen.second && tally.first_mass != mass) {
+    seen.second = size;
+  }
+  tally.multiples[0].add(numerator(mass) * quantity, denominator(mass));
 }
 
 void Description::see(Class &seen, const RootSize &size, const Integer &quantity) {
@@ -159,7 +183,16 @@ void Description::see(Class &seen, const SizeRange &size, const Integer &quantit
 void Description::weigh(Tally &tally, const RootSize &size, const Integer &quantity) {
   see(tally.seen, size, quantity);
   // x^D = power and common = gcd(a, D): f(x)^(b D / common) = power^(a / common).
-  const auto [a, b] = options_.law;
+  const unsigned a = options_.law.a, b = options_.law.b;
+  if (!options_.law.is_power()) {
+    const std::optional<Rational> x = size.fraction();
+    if (!x)
+      throw InputError("a size is irrational, and a mass law by table or sum is one of fractions: give sizes "
+                       "as decimals");
+    const Rational mass = options_.law.powered(*x);
+    tally.multiples[0].add(numerator(mass) * quantity, denominator(mass));
+    return;
+  }
   const unsigned common = std::gcd(a, size.degree);
   const unsigned exponent = a / common;
   const unsigned degree = b * (size.degree / common);

@@ -73,6 +73,11 @@ public:
   /// \pre 0 <= lo, quantity >= 1, the options' mass_unit is 1
   void add(const SizeRange &size, const Integer &quantity);
 
+  /// Adds particles that are known by their mass, f(x), under a law by table or sum. \param near  a decimal
+  /// next to their size, for reports
+  /// \pre mass > 0, quantity >= 1
+  void add_of_mass(const Rational &mass, const Rational &near, const Integer &quantity);
+
   const Gradation &gradation() const { return g_; }
   const MassLaw &law() const { return options_.law; }
   const Class &of_class(std::size_t j) const { return classes_[j].seen; }
@@ -109,6 +114,7 @@ private:
     Integer roots = 0;        ///< sum of the masses left, each rounded down to a multiple of 2^-root_bits
     Integer rooted_count = 0; ///< number of these
     FractionSum least, most;  ///< masses of particles of which a range is known
+    std::optional<Rational> first_mass; ///< of the first that is known by its mass
   };
 
   static void see(Class &seen, const RootSize &size, const Integer &quantity);

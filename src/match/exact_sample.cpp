@@ -15,9 +15,12 @@ Rational mass_of(const Gradation &g, const Problem &problem) {
 
 MatchSample exact_sample(const Gradation &g, const Problem &problem, std::vector<Integer> q, Window window,
                          const Rational &chosen, unsigned digits) {
-  const unsigned degree = problem.law().a * problem.root();
-  Rational margin = size_margin(degree, window.above, window.up_to, chosen);
+  const MassLaw &law = problem.law();
+  Rational margin =
+      law.is_power() ? size_margin(law.a * problem.root(), window.above, window.up_to, chosen) : Rational(0);
   std::vector<Enclosure> sizes = enclose_sizes(g, problem, q, chosen, margin, digits);
+  if (!law.is_power())
+    margin = size_margin(g, problem, sizes);
   MatchSample sample;
   sample.quantities.resize(g.classes());
   sample.sizes.resize(g.classes());

@@ -31,7 +31,8 @@ std::size_t bits_of_words(mpz_srcptr n) {
 
 /// The most bits of a number of the problem; of an opening the d-th part of those of its d-th power.
 template <class Bits>
-std::size_t longest(const Gradation &g, const Integer &min_per_class, Bits bits) {
+std::size_t longest(const Gradation &g, const std::vector<Rational> &openings, const Integer &min_per_class,
+                    Bits bits) {
   std::size_t most = bits(min_per_class.backend().data());
   const auto add = [&](const std::vector<Rational> &column, std::size_t count, unsigned root) {
     for (std::size_t j = 0; j < count; ++j) {
@@ -40,23 +41,25 @@ std::size_t longest(const Gradation &g, const Integer &min_per_class, Bits bits)
       most = std::max(most, root == 1 ? longer : (longer + root - 1) / root);
     }
   };
-  add(g.powers(), g.classes() + 1, g.root());
+  add(openings, g.classes() + 1, g.root());
   add(g.masses(), g.classes(), 1);
   add(g.factors(), g.has_factors() ? g.classes() : 0, 1);
   return most;
 }
 
-void check_powers(const Gradation &g, const MassLaw &law, const Integer &min_per_class) {
+void check_powers(const Gradation &g, const std::vector<Rational> &openings, const MassLaw &law,
+                  const Integer &min_per_class) {
   const std::size_t degree = std::size_t{std::max(law.a, law.b)} * g.root();
-  if (longest(g, min_per_class, bits_of_words) * degree <= max_power_bits ||
-      longest(g, min_per_class, bits_of) * degree <= max_power_bits)
+  if (longest(g, openings, min_per_class, bits_of_words) * degree <= max_power_bits ||
+      longest(g, openings, min_per_class, bits_of) * degree <= max_power_bits)
     return;
   if (g.root() > 1)
     throw InputError(
         "the openings 2^-phi mm are roots of degree " + std::to_string(g.root()) +
         " of fractions, whose powers are too long with numbers this long: " + std::string(convert_remedy));
-  throw InputError("the exponent " + law.exponent() +
-                   " is too large for numbers this long: round one of them");
+  throw InputError((law.is_power() ? "the exponent " + law.exponent() + " is too large"
+                                   : std::string("the values of the mass law are too long")) +
+                   " for numbers this long: round one of them");
 }
 
 /// sum m_j / c_j.
@@ -96,10 +99,21 @@ Rational extreme_scale(const std::vector<ProblemClass> &classes, const std::vect
 
 } // namespace
 
+std::vector<Rational> measured_openings(const Gradation &g, const MassLaw &law) {
+  if (law.is_power())
+    return g.powers();
+  std::vector<Rational> values;
+  values.reserve(g.classes() + 1);
+  for (const Rational &x : g.sizes())
+    values.push_back(law.powered(x));
+  return values;
+}
+
 Problem::Problem(const Gradation &g, const MassLaw &law, const Integer &min_per_class)
     : law_(law), root_(g.root()) {
-  check_powers(g, law, min_per_class);
-  CommonDenominator sizes(g.powers());
+  const std::vector<Rational> openings = measured_openings(g, law);
+  check_powers(g, openings, law, min_per_class);
+  CommonDenominator sizes(openings);
   const unsigned p = scale_power();
   const CommonDenominator masses(g.masses());
   for (Integer &x : sizes.numerators)

@@ -50,7 +50,7 @@ std::string in_words(const Question &q, SizeUnit unit) {
   if (q.solids)
     add("at least " + in_words(*q.solids, unit));
   if (!q.law.is_sphere())
-    add("law x^(" + q.law.exponent() + ")");
+    add("law " + q.law.formula(unit));
   if (q.pan_size)
     add("pan counted as size " + length_in_words(*q.pan_size, unit));
   if (q.cut_below)

@@ -9,6 +9,8 @@
 
 #include "match/sizes.hpp"
 
+#include "gradation/law_inverse.hpp"
+
 #include <mdm/text/error.hpp>
 
 #include <algorithm>
@@ -37,15 +39,19 @@ bool inside(const Enclosure &x, const Gradation &g, std::size_t j) {
 
 } // namespace
 
-Enclosure enclose_size(const Gradation &g, std::size_t j, unsigned degree, const Integer &n, const Integer &d,
-                       unsigned digits) {
-  Enclosure x = enclose_root(n, d, degree, digits);
+Enclosure enclose_size(const Gradation &g, std::size_t j, const MassLaw &law, unsigned degree,
+                       const Integer &n, const Integer &d, unsigned digits) {
+  const auto is_upper = [&] {
+    return law.is_power() ? RootSize{ratio(n, d), degree}.is(g.powers()[j + 1], g.root())
+                          : law.powered(g.upper(j)) == ratio(n, d);
+  };
+  Enclosure x = enclose_inverse(law, n, d, degree, digits);
   for (unsigned more = 2 * digits; !inside(x, g, j); more *= 2) {
-    if (x.lo != x.hi && RootSize{ratio(n, d), degree}.is(g.powers()[j + 1], g.root()))
+    if (x.lo != x.hi && is_upper())
       throw InputError("class " + std::to_string(j + 1) + ": the size is the opening " +
                        g.opening(j + 1).text() + " itself, which is no decimal: choose another scale" +
                        (g.root() > 1 ? ", or convert the file: " + std::string(convert_remedy) : ""));
-    x = enclose_root(n, d, degree, more);
+    x = enclose_inverse(law, n, d, degree, more);
   }
   return x;
 }
@@ -72,10 +78,40 @@ std::vector<Enclosure> enclose_sizes(const Gradation &g, const Problem &problem,
     mpz_mul(d.backend().data(), mpq_denref(mass.backend().data()), q[j].backend().data());
     mpz_pow_ui(d.backend().data(), d.backend().data(), p);
     mpz_mul(d.backend().data(), d.backend().data(), mpq_denref(scale.backend().data()));
-    sizes.push_back(clear ? enclose_root(n, d, degree, digits)
-                          : enclose_size(g, index, degree, n, d, digits));
+    sizes.push_back(clear ? enclose_inverse(problem.law(), n, d, degree, digits)
+                          : enclose_size(g, index, problem.law(), degree, n, d, digits));
   }
   return sizes;
+}
+
+namespace {
+
+/// y > 0 with its first three digits, rounded down.
+Rational three_digits(const Rational &y) {
+  if (y <= 0)
+    return 0;
+  unsigned places = 0;
+  while (y * power_of_ten(places) < 100)
+    ++places;
+  Integer digits = floor(Rational(y * power_of_ten(places)));
+  Integer unit = 1;
+  for (; digits >= 1000; digits = floor_div(digits, 10))
+    unit *= 10;
+  return ratio(digits * unit, power_of_ten(places));
+}
+
+} // namespace
+
+Rational size_margin(const Gradation &g, const Problem &problem, const std::vector<Enclosure> &sizes) {
+  std::optional<Rational> least;
+  const auto see = [&least](const Rational &margin) { least = std::min(least.value_or(margin), margin); };
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const std::size_t j = problem.classes()[i].index;
+    if (g.lower(j) > 0)
+      see(sizes[i].lower() / g.lower(j) - 1);
+    see(g.upper(j) / sizes[i].upper() - 1);
+  }
+  return three_digits(*least);
 }
 
 Rational size_margin(unsigned degree, const Rational &above, const Rational &up_to, const Rational &scale) {

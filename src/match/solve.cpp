@@ -108,7 +108,8 @@ void note_precision(Match &match) {
   // The best margin, at the geometric middle, is (up_to / above)^(1/2e) - 1 >= y iff up_to / above >= (1 +
   // y)^(2e).
   const Rational &above = scale.window.above;
-  const bool hopeless = above > 0 && scale.window.up_to < above * power(Rational(1 + double_step), 2 * e);
+  const bool hopeless = match.question.law.is_power() && above > 0 &&
+                        scale.window.up_to < above * power(Rational(1 + double_step), 2 * e);
   match.notes.push_back(hopeless ? "no scale keeps all sizes 2^-50 (relative) away from the sieves: numbers "
                                    "in double precision cannot hold this match"
                                  : "at this scale a size is within 2^-50 (relative) of a sieve: in double "
@@ -294,7 +295,7 @@ void note_narrow_specimen(Match &match) {
 Match solve(Gradation g, const Question &question, const SolveOptions &options) {
   if (question.solids && !question.law.is_sphere())
     throw InputError("a specimen or volume of solids needs spheres: leave out " + option("law") + " " +
-                     question.law.exponent());
+                     (question.law.is_power() ? question.law.exponent() : "by table or sum"));
   Match match(question, asked_gradation(std::move(g), question));
   match.digits = options.digits;
   match.notes = match.gradation.notes();

@@ -22,33 +22,43 @@ namespace mdm {
 namespace {
 
 /// The problem's scales at which i particles of the r-th size x_nS, r = 0, 1, ..., hold the mass of the
-/// reference class: i (first + r step)^a unit over one denominator.
+/// reference class: i f(first + r step) unit over one denominator.
 class Scales {
 public:
   Scales(const Gradation &g, const Problem &problem, const SpannedIntegerOptions &options)
-      : a_(problem.law().a) {
+      : law_(problem.law()) {
     const std::size_t j = reference_class(g);
     const Rational first = g.lower(j) + options.start * (g.upper(j) - g.lower(j));
     const Rational step = options.increments == 1
                               ? Rational(0)
                               : Rational((g.upper(j) - first) / Rational(options.increments - 1));
-    const CommonDenominator sizes({first, step});
-    first_ = sizes.numerators[0];
-    step_ = sizes.numerators[1];
-    const Rational unit =
-        g.factor(j) / (g.mass(j) * Rational(power(sizes.denominator, a_)) * problem.scale_unit());
+    Rational unit = g.factor(j) / (g.mass(j) * problem.scale_unit());
+    if (law_.is_power()) {
+      const CommonDenominator sizes({first, step});
+      first_ = sizes.numerators[0];
+      step_ = sizes.numerators[1];
+      unit /= Rational(power(sizes.denominator, law_.a));
+    } else {
+      std::vector<Rational> values;
+      for (std::uint64_t r = 0; r < options.increments; ++r)
+        values.push_back(law_.powered(first + step * Rational(r)));
+      CommonDenominator cleared(values);
+      values_ = std::move(cleared.numerators);
+      unit /= Rational(cleared.denominator);
+    }
     unit_ = boost::multiprecision::numerator(unit);
     denominator_ = boost::multiprecision::denominator(unit);
   }
 
   Integer numerator(std::uint64_t i, std::uint64_t r) const {
-    return power(Integer(first_ + step_ * r), a_) * unit_ * i;
+    return (law_.is_power() ? power(Integer(first_ + step_ * r), law_.a) : values_[r]) * unit_ * i;
   }
   const Integer &denominator() const { return denominator_; }
 
 private:
-  unsigned a_;
+  const MassLaw &law_;
   Integer first_, step_, unit_, denominator_;
+  std::vector<Integer> values_; ///< f at each size, of a law that is no power, over one denominator
 };
 
 /// Step 2: ceil(a) <= floor(b) in every class but the reference, which comes last.

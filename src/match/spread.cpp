@@ -16,6 +16,7 @@
 #include "match/problem_of.hpp"
 #include "match/sizes.hpp"
 #include "number/philox.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
 
@@ -99,12 +100,15 @@ Integer ClassSpread::Masses::next() {
 }
 
 Enclosure ClassSpread::size(const Integer &n, unsigned digits) const {
-  return enclose_size(*gradation_, index_, law_.a * gradation_->root(), numerator(unit_) * power(n, power_),
-                      denominator(unit_), digits);
+  return enclose_size(*gradation_, index_, law_, law_.a * gradation_->root(),
+                      numerator(unit_) * power(n, power_), denominator(unit_), digits);
 }
 
 Spread spread(const Match &m, std::uint64_t seed) {
   assert(m.sample);
+  if (!m.question.law.is_power())
+    throw InputError("sizes are spread under a law that is a power alone: leave out the spread, or " +
+                     option("law") + " by table or sum");
   if (*m.particles() > most_spread_particles)
     throw InputError("a spread of " + to_string(*m.particles()) + " particles: at most " +
                      std::to_string(most_spread_particles) +

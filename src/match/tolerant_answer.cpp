@@ -29,7 +29,7 @@ void complete(TolerantAnswer &answer, const Gradation &g, const MassLaw &law, un
       continue;
     const Rational one = best.t[j] / (Rational(best.q[j]) * g.factor(j) * answer.problem.unit());
     answer.sizes.back() =
-        enclose_size(g, j, law.a, power(numerator(one), law.b), power(denominator(one), law.b), digits);
+        enclose_size(g, j, law, law.a, power(numerator(one), law.b), power(denominator(one), law.b), digits);
   }
 }
 

@@ -22,6 +22,7 @@ public:
   /// \param root  of the gradation
   Writer(SizeUnit from, const MassLaw &law, unsigned root, const ParticleSetOptions &options)
       : options_(options), degree_(law.a * root), unit_(in_mm(from) / in_mm(options.unit)),
+        law_(law.scaled(unit_)), law_of_radius_(law.scaled(Rational(unit_ / 2))),
         density_(options.density * power(Rational(in_mm(options.unit) / 1000), 3)) {}
 
   /// A class without particles. An irrational opening becomes a fraction next to it, on the side of the
@@ -31,20 +32,26 @@ public:
     return {number, bounds(lower).hi * unit_, bounds(upper).lo * unit_, density_ * factor, {}, 0};
   }
 
-  /// \param powered  x^(a root) in the unit of the gradation
+  /// The law of sizes in the unit that is written.
+  const MassLaw &law() const { return law_; }
+
+  /// \param powered  x^(a root) in the unit of the gradation, or f(x) under a law by table or sum
   void add(ParticleClass &c, const Rational &powered, const Integer &quantity) const {
-    const SizeToWrite diameter{powered * power(unit_, degree_),
+    const bool is_power = law_.is_power();
+    const SizeToWrite diameter{is_power ? powered * power(unit_, degree_) : powered,
                                degree_,
                                c.lower,
                                c.upper,
                                options_.most_mass_error,
-                               options_.has_floats};
-    const SizeToWrite radius{diameter.powered / power(Rational(2), degree_),
+                               options_.has_floats,
+                               law_};
+    const SizeToWrite radius{is_power ? diameter.powered / power(Rational(2), degree_) : powered,
                              degree_,
                              c.lower / 2,
                              c.upper / 2,
                              options_.most_mass_error,
-                             options_.has_floats};
+                             options_.has_floats,
+                             law_of_radius_};
     c.sizes.push_back({number(c, diameter), number(c, radius), quantity});
   }
 
@@ -66,6 +73,7 @@ private:
   const ParticleSetOptions &options_;
   unsigned degree_; ///< a root
   Rational unit_;
+  MassLaw law_, law_of_radius_; ///< in the unit that is written
   Rational density_;
 };
 
@@ -84,7 +92,7 @@ Rational share_error(const Match &m) {
 template <class Fill>
 ParticleSet match_set(const Match &m, const Writer &writer, SizeUnit unit, Fill fill) {
   const Gradation &g = m.gradation;
-  ParticleSet set{g.id(), unit, m.question.law, {}, share_error(m)};
+  ParticleSet set{g.id(), unit, writer.law(), {}, share_error(m)};
   const std::vector<Rational> masses = powered_masses(m);
   for (std::size_t j = 0; j < masses.size(); ++j) {
     const Integer &q = m.sample->quantities[j];
@@ -175,7 +183,7 @@ ParticleSet spread_particle_set(const Match &m, std::uint64_t seed, const Partic
 
 ParticleSet particle_set(const SizedSample &sample, const MassLaw &law, const ParticleSetOptions &options) {
   const Writer writer(sample.unit, law, sample.root, options);
-  ParticleSet set{sample.name, options.unit, law, {}, sample.share_error};
+  ParticleSet set{sample.name, options.unit, writer.law(), {}, sample.share_error};
   for (const SizedSample::Class &c : sample.classes) {
     set.classes.push_back(writer.empty(c.number, c.lower, c.upper, 1));
     writer.add(set.classes.back(), c.powered, c.quantity);

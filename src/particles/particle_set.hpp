@@ -35,7 +35,7 @@ struct ParticleClass {
 struct ParticleSet {
   std::string name; ///< of the gradation
   SizeUnit unit = SizeUnit::m;
-  MassLaw law;
+  MassLaw law;                        ///< of sizes in the unit
   std::vector<ParticleClass> classes; ///< those with particles, ascending
   /// Greatest difference of a class's share of the mass from that in the gradation: 0 for exact matches.
   Rational share_error = 0;

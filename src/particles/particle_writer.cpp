@@ -47,8 +47,8 @@ std::string mass_statement(const ParticleSet &set) {
 std::string law_statement(const ParticleSet &set) {
   if (set.law.is_sphere())
     return "";
-  return fmt::format(" Masses are by {}: x^({}) of a size x, not x^3 as of the spheres that engines make.",
-                     option("law"), set.law.exponent());
+  return fmt::format(" Masses are by {}: {}{}, not x^3 as of the spheres that engines make.", option("law"),
+                     set.law.formula(set.unit), set.law.is_power() ? " of a size x" : "");
 }
 
 std::string comment_lines(const ParticleSet &set) {

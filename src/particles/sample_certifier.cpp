@@ -70,6 +70,9 @@ void SampleCertifier::begin_rows(bool is_range, unsigned power) {
     throw InputError(fmt::format("the sizes are roots of degree {}, of which there is no certificate: leave "
                                  "out {}",
                                  power, option("proof")));
+  if (!question_.law.is_power())
+    throw InputError("certificates of samples are of laws that are powers: leave out " + option("proof") +
+                     ", or " + option("law") + " by table or sum");
   tally_.emplace(g_, question_.law, power);
   has_ranges_ = is_range;
   power_ = power;

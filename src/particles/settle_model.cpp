@@ -110,7 +110,7 @@ double specimen_height(const SettleModel &model, double void_ratio) {
 std::string share_tolerance(const ParticleSet &set) {
   // Masses m_j (1 + e_j), |e_j| <= e, have shares within 2 e / (1 - e); 17 digits of a dump, and a snap, add
   // a little.
-  const Rational e = set.mass_error() + ratio(1 + set.law.a, power_of_ten(15));
+  const Rational e = set.mass_error() + (1 + set.law.steepness()) / Rational(power_of_ten(15));
   const Rational points = 100 * 2 * e / (1 - std::min(e, ratio(1, 2)));
   unsigned places = 0;
   while (points * power_of_ten(places) < 1)

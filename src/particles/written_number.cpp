@@ -1,5 +1,6 @@
 #include "particles/written_number.hpp"
 
+#include "gradation/law_inverse.hpp"
 #include "number/nearest_double.hpp"
 
 #include <mdm/number/decimal.hpp>
@@ -91,7 +92,7 @@ std::string short_decimal(const Rational &r) {
 }
 
 Rational SizeToWrite::error(const Rational &y) const {
-  const Rational off = power(y, degree) / powered - 1;
+  const Rational off = (law.is_power() ? power(y, degree) : law.powered(y)) / powered - 1;
   return off < 0 ? Rational(-off) : off;
 }
 
@@ -100,11 +101,11 @@ bool SizeToWrite::allows(const Rational &y) const {
 }
 
 std::optional<WrittenNumber> shortest_number(const SizeToWrite &size) {
-  const Enclosure x =
-      enclose_root(numerator(size.powered), denominator(size.powered), size.degree, digits_of_double + 3);
+  const Enclosure x = enclose_inverse(size.law, numerator(size.powered), denominator(size.powered),
+                                      size.degree, digits_of_double + 3);
   const unsigned known = static_cast<unsigned>(to_string(x.hi).size());
-  // |y^a / x^a - 1| >= |y / x - 1|: what is farther from x than this, in its last places, has too large an
-  // error.
+  // Of a power |y^a / x^a - 1| >= |y / x - 1|: what is farther from x than this, in its last places, has too
+  // large an error.
   const Integer most_off = floor(Rational(size.most_error * x.hi));
   const unsigned most_digits = size.is_float ? digits_of_float : digits_of_double;
   for (unsigned digits = 1; digits <= std::min(known, most_digits); ++digits) {

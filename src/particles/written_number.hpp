@@ -2,6 +2,7 @@
 /// \file
 /// Numbers as files carry them: a decimal, and the double that programs make of it.
 
+#include <mdm/gradation/mass_law.hpp>
 #include <mdm/number/rational.hpp>
 
 #include <optional>
@@ -30,12 +31,13 @@ std::string short_decimal(const Rational &r);
 
 /// A size, and how far from it the number in a file may be.
 struct SizeToWrite {
-  Rational powered;      ///< x^degree for the size x > 0
+  Rational powered;      ///< x^degree for the size x > 0, or f(x) under a law by table or sum
   unsigned degree = 3;   ///< a of the law x^(a/b)
   Rational lower;        ///< of the class, exclusive
   Rational upper;        ///< of the class, inclusive
   Rational most_error;   ///< > 0: greatest relative error of x^degree, and so of the mass x^(a/b)
   bool is_float = false; ///< programs read floats, not doubles
+  MassLaw law = {};      ///< in the unit of the size; of a power the degree says all
 
   /// |y^degree / x^degree - 1|.
   Rational error(const Rational &y) const;

@@ -42,7 +42,20 @@ std::size_t longest_opening(const Gradation &g) {
 }
 
 std::uint64_t highest_power(const MassLaw &law, unsigned root) {
-  return std::uint64_t{std::max(law.a, law.b)} * root;
+  constexpr std::uint64_t of_table = 5; // a value is made of a size and two nodes
+  std::uint64_t of_sum = 0;
+  for (const LawTerm &term : law.sum)
+    of_sum += term.exponent;
+  return law.is_power() ? std::uint64_t{std::max(law.a, law.b)} * root : law.sum.empty() ? of_table : of_sum;
+}
+
+std::size_t longest_part(const MassLaw &law) {
+  std::size_t bits = 1;
+  for (const LawNode &node : law.table)
+    bits = std::max({bits, longest_part(node.size), longest_part(node.mass)});
+  for (const LawTerm &term : law.sum)
+    bits = std::max({bits, longest_part(term.coefficient), bit_length(term.exponent)});
+  return bits;
 }
 
 std::uint64_t highest_power(const Match &m) {
@@ -77,7 +90,8 @@ std::uint64_t most_certified_steps(const Match &m, const Chain &chain,
   const std::uint64_t e = highest_power(m);
   const std::uint64_t in_gradation =
       std::max({longest_opening(g), longest_part(g.masses()), longest_part(g.factors())});
-  std::size_t count = std::max(bit_length(m.question.at_least), bit_length(*m.particles()));
+  std::size_t count =
+      std::max({bit_length(m.question.at_least), bit_length(*m.particles()), longest_part(m.question.law)});
   for (const CertifiedClass &c : classes)
     count = std::max({count, bit_length(c.size.hi), bit_length(power_of_ten(c.size.places))});
   const Rational unit = problem_of(m).scale_unit();
@@ -275,11 +289,13 @@ void check_certifiable(const Gradation &asked, const Question &question) {
   const std::uint64_t e = highest_power(question.law, asked.root());
   const std::uint64_t bits =
       e * std::max({longest_opening(asked), longest_part(asked.masses()), longest_part(asked.factors())});
-  const std::uint64_t count = bit_length(std::max(question.at_least, question.min_per_class));
+  const std::uint64_t count =
+      std::max(bit_length(std::max(question.at_least, question.min_per_class)), longest_part(question.law));
   if (bits > max_power_bits || e * count > max_power_bits || 64 * asked.powers().size() * bits > max_work)
     refuse_long_numbers();
   constexpr std::int64_t too_long = 332193; // 2^332193 > 10^max_digits
-  if (!question.is_tolerant() && least_log2_of_scale(asked, question).value_or(0) >= too_long)
+  if (!question.is_tolerant() && question.law.is_power() &&
+      least_log2_of_scale(asked, question).value_or(0) >= too_long)
     refuse_long_number(fmt::format("more than {}", max_digits));
 }
 

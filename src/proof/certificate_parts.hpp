@@ -23,7 +23,10 @@ std::size_t longest_part(const std::vector<Rational> &numbers);
 
 /// Bits of the longest opening, each counted with the d-th part of the bits of its d-th power.
 std::size_t longest_opening(const Gradation &g);
-/// The exponent that numbers are raised to at most: max(a, b) d.
+/// Bits of the longest number of a law by table or sum.
+std::size_t longest_part(const MassLaw &law);
+/// The exponent that numbers are raised to at most, max(a, b) d; or the work of a value of a law by table or
+/// sum in its place.
 std::uint64_t highest_power(const MassLaw &law, unsigned root);
 std::uint64_t highest_power(const Match &m);
 

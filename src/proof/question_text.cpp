@@ -92,8 +92,23 @@ private:
 
 } // namespace
 
+namespace {
+
+std::string law_line(const MassLaw &law) {
+  if (law.is_power())
+    return fmt::format("law {}\n", law.exponent());
+  std::string text = law.sum.empty() ? "law table" : "law sum";
+  for (const LawNode &node : law.table)
+    text += fmt::format(" {} {}", to_decimal(node.size), to_decimal(node.mass));
+  for (const LawTerm &term : law.sum)
+    text += fmt::format(" {} {}", to_string(term.coefficient), term.exponent);
+  return text + "\n";
+}
+
+} // namespace
+
 std::string law_and_openings_lines(const Question &q) {
-  std::string text = fmt::format("law {}\n", q.law.exponent());
+  std::string text = law_line(q.law);
   if (q.pan_size)
     text += fmt::format("pan-size {}\n", to_decimal(*q.pan_size));
   if (q.cut_below)

@@ -35,7 +35,7 @@ Enclosure certified_size(const Match &m, std::size_t j, const Rational &mass) {
   const MassLaw &law = m.question.law;
   const Rational power_b =
       power(Rational(mass / (Rational(m.sample->quantities[j]) * m.gradation.factor(j))), law.b);
-  return enclose_size(m.gradation, j, law.a, numerator(power_b), denominator(power_b), least_digits);
+  return enclose_size(m.gradation, j, law, law.a, numerator(power_b), denominator(power_b), least_digits);
 }
 
 /// The letter of a condition.
@@ -254,7 +254,8 @@ private:
     for (std::size_t j = 0; j < g.classes(); ++j)
       masses = std::max<std::uint64_t>(masses, bit_length(problem_.F(j)));
     const std::uint64_t count =
-        std::max({count_, bit_length(m_.question.at_least), bit_length(m_.question.min_per_class)});
+        std::max({count_, bit_length(m_.question.at_least), bit_length(m_.question.min_per_class),
+                  longest_part(m_.question.law)});
     const std::uint64_t of_shares = share_bits(), of_weight = m_.question.solids ? 2 * masses + count : 1;
     const std::uint64_t all =
         std::max({e * (in_gradation + count), of_shares + of_weight, std::uint64_t{witness_unit_}});

@@ -1,6 +1,7 @@
 #include "report/published.hpp"
 
 #include "answer/json_values.hpp"
+#include "gradation/law_inverse.hpp"
 #include "match/problem.hpp"
 #include "number/counted.hpp"
 #include "text/text_buffer.hpp"
@@ -31,7 +32,7 @@ std::optional<Enclosure> size_of(const PublishedReport &r, std::size_t j) {
     return std::nullopt;
   const Gradation &g = r.gradation;
   const auto enclose = [&](unsigned digits) {
-    return enclose_root(numerator(power), denominator(power), r.law.a, digits);
+    return enclose_inverse(r.law, numerator(power), denominator(power), r.law.a, digits);
   };
   Enclosure x = enclose(r.digits);
   const bool in_class = power > r.law.powered(g.lower(j)) && power <= r.law.powered(g.upper(j));

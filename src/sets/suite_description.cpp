@@ -108,6 +108,8 @@ TiedMasses tied_masses(SuiteMembers &members) {
     const std::string text = members.text("law");
     try {
       const MassLaw law = parse_mass_law(text);
+      if (!law.is_power())
+        throw InputError(in_quotes(text) + " is no power: give sphere, or power:a with a whole a");
       if (law.b != 1)
         throw InputError(in_quotes(text) + " has irrational masses: give sphere, or power:a with a whole a");
       if (law.a > most_tied_power)
