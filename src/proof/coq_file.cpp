@@ -25,6 +25,9 @@ namespace {
 /// multiplies in quadratic time.
 void check_powers(const Match &m) {
   const Gradation &g = m.gradation;
+  if (!m.question.law.is_power())
+    throw InputError(option("coq") + ": the theorem is of laws that are powers: leave it out, or " +
+                     option("law") + " by table or sum");
   std::uint64_t bits = std::max({longest_opening(g), longest_part(g.masses()), longest_part(g.factors())});
   if (m.sample)
     for (const std::optional<Enclosure> &size : m.sample->sizes)
