@@ -4,6 +4,8 @@
 let help =
   Printf.sprintf
     {|%s GRADATION CERTIFICATE [GRADATION CERTIFICATE]...
+%s GRADATION SAMPLE CERTIFICATE
+%s --samples GRADATION SAMPLE CERTIFICATE [GRADATION SAMPLE CERTIFICATE]...
 %s --print GRADATION [CERTIFICATE]
 
 Checks the proof that a number of particles is the smallest that matches a gradation exactly or
@@ -12,6 +14,10 @@ its proof of correctness in Coq.
 GRADATION is the gradation file (CSV or JSON) and CERTIFICATE what mdm solve --proof wrote;
 one of them may be - for standard input. Of several pairs each has its verdict, in a line.
 
+With a SAMPLE, CERTIFICATE is what mdm verify --proof or mdm published --proof wrote of it, and
+says whether the sample matches. This program takes sizes, or powers of them, whose masses are
+rational by the law; ranges of sizes and other laws are malformed for it: use mdm-check.
+
 Example:
   mdm solve sand.csv --proof sand.proof
   %s sand.csv sand.proof
@@ -19,11 +25,12 @@ Example:
 Exits with 0 (accepted), 1 (refused: the certificate does not prove its claim) or
 2 (malformed: a file cannot be read, or the command is wrong); the worst of several pairs.
 
+  --samples   several samples, each with its gradation and certificate: each has its verdict
   --print     the gradation as it is read, as CSV in its only form, before the verdict
   -h, --help  this text
   --version   the versions of this program and of OCaml
 |}
-    Program.name Program.name Program.name
+    Program.name Program.name Program.name Program.name Program.name
 
 exception Failure_of of string * string
 
@@ -57,8 +64,14 @@ let say ?(before = "") (verdict : Verdict.t) =
   flush stderr;
   verdict.code
 
+let read_certificate path = read_input path 256
+
 let check ?before gradation certificate =
-  say ?before (Verdict.judge ~remedy gradation (read_input certificate 256))
+  say ?before (Verdict.judge ~remedy gradation (read_certificate certificate))
+
+(** A sample is held as a whole. *)
+let check_sample gradation sample certificate =
+  say (Verdict.judge_sample ~remedy (read_gradation gradation) (read_input sample 64) (read_certificate certificate))
 
 let print gradation certificate =
   match (Verdict.print ~remedy gradation, certificate) with
@@ -74,6 +87,11 @@ let rec check_all worst = function
       check_all (max worst (code_of (fun () -> check (read_gradation gradation) certificate))) rest
   | _ -> worst
 
+let rec check_samples worst = function
+  | gradation :: sample :: certificate :: rest ->
+      check_samples (max worst (code_of (fun () -> check_sample gradation sample certificate))) rest
+  | _ -> worst
+
 let see_help = ": see " ^ Program.name ^ " --help"
 
 let demand_arguments arguments is_right =
@@ -82,7 +100,7 @@ let demand_arguments arguments is_right =
     (fun argument -> fail Program.name ("no option '" ^ argument ^ "'" ^ see_help))
     (List.find_opt is_option arguments);
   if (not is_right) || List.length (List.filter (String.equal "-") arguments) > 1 then
-    fail Program.name ("give one gradation and one certificate, or several pairs; mdm-check judges samples" ^ see_help)
+    fail Program.name ("give a gradation and a certificate, a sample between them, or several pairs" ^ see_help)
 
 let run arguments =
   match arguments with
@@ -93,6 +111,12 @@ let run arguments =
   | "--print" :: files ->
       demand_arguments files (List.length files = 1 || List.length files = 2);
       print (read_gradation (List.hd files)) (List.nth_opt files 1)
+  | "--samples" :: files ->
+      demand_arguments files (files <> [] && List.length files mod 3 = 0);
+      check_samples 0 files
+  | _ when List.length arguments = 3 ->
+      demand_arguments arguments true;
+      check_samples 0 arguments
   | _ ->
       demand_arguments arguments (arguments <> [] && List.length arguments mod 2 = 0);
       check_all 0 arguments

@@ -1,5 +1,5 @@
-(* What is said of a gradation and a certificate: the function of their names and bytes that is extracted from Coq
-   (proofs/coq, Judge.v). *)
+(* What is said of a gradation and a certificate, with a sample between them or not: the functions of their names and bytes
+   that are extracted from Coq (proofs/coq, Judge.v and SampleLine.v). *)
 
 open Texts
 
@@ -18,13 +18,20 @@ let within_memory name remedy work =
 
 let file (name, text) = { Mdm_checker.name = characters name; bytes = characters text }
 
+let verdict_of : Mdm_checker.judgement -> t = function
+  | Proved accepted -> { code = 0; output = line accepted; error = "" }
+  | Unproved (refused, reason) -> { code = 1; output = line refused; error = line reason }
+  | Unreadable message -> { code = 2; output = ""; error = line message }
+
 (** Of two files, each a name and its bytes. *)
 let judge ~remedy gradation certificate =
   within_memory (fst certificate) remedy (fun () ->
-      match Mdm_checker.judge (file gradation) (file certificate) with
-      | Proved accepted -> { code = 0; output = line accepted; error = "" }
-      | Unproved (refused, reason) -> { code = 1; output = line refused; error = line reason }
-      | Unreadable message -> { code = 2; output = ""; error = line message })
+      verdict_of (Mdm_checker.judge (file gradation) (file certificate)))
+
+(** Of a sample between them. *)
+let judge_sample ~remedy gradation sample certificate =
+  within_memory (fst sample) remedy (fun () ->
+      verdict_of (Mdm_checker.judge_sample (file gradation) (file sample) (file certificate)))
 
 (** The gradation as it is read, in canonical CSV. *)
 let print ~remedy gradation =

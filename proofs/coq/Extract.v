@@ -4,7 +4,7 @@
    occur (exponents and counts of bits are small, divisors are positive). *)
 
 From Coq Require Import ZArith QArith Extraction ExtrOcamlBasic ExtrOcamlZBigInt ExtrOcamlString.
-From Mdm Require Import Text Judge.
+From Mdm Require Import Text Judge SampleLine.
 
 Extract Constant Z.pow => "(fun x n -> if Z.sign n < 0 then Z.zero else Z.pow x (Z.to_int n))".
 Extract Constant Z.log2 => "(fun x -> if Z.sign x <= 0 then Z.zero else Z.of_int (Z.numbits x - 1))".
@@ -17,4 +17,4 @@ Extract Constant Z.leb => "Z.leq".
 Extract Constant Z.ltb => "Z.lt".
 Extract Constant code => "(fun ch -> Big_int_Z.big_int_of_int (Char.code ch))".
 
-Extraction "mdm_checker.ml" judge print_gradation printable.
+Extraction "mdm_checker.ml" judge judge_sample print_gradation printable.

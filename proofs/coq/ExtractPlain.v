@@ -5,7 +5,7 @@
    loops. So the steps between two results are written where they are. *)
 
 From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlString.
-From Mdm Require Import Numbers Text Judge.
+From Mdm Require Import Numbers Text Judge SampleLine.
 
 Extraction Inline bind demand demand_form demand_at.
-Extraction "mdm_checker.ml" judge print_gradation printable.
+Extraction "mdm_checker.ml" judge judge_sample print_gradation printable.

@@ -158,8 +158,8 @@ const std::vector<OptionRow<BlendTexts>> BlendTexts::answer_options = {
      &BlendTexts::relax}};
 
 const std::vector<OptionRow<BlendTexts>> BlendTexts::limit_options = {
-    {"node-limit", "N", OptionKind::number, "stop after so many splits of the search (1000000; exit 3)",
-     &BlendTexts::node_limit},
+    {"node-limit", "N", OptionKind::number,
+     "stop after so many splits of the search, 1000000 without it (exit 3)", &BlendTexts::node_limit},
     {"time-limit", "S", OptionKind::seconds, "stop after so many seconds (exit 3)", &BlendTexts::time_limit}};
 
 BlendAim BlendTexts::aim() const {

@@ -1,5 +1,6 @@
 #include "ask/option_table.hpp"
 
+#include "ask/blend.hpp"
 #include "ask/crosscheck_options.hpp"
 #include "ask/export_options.hpp"
 #include "ask/generate.hpp"
@@ -72,6 +73,8 @@ const std::vector<OptionsOfCommand> &option_table() {
                                                 SolveTexts::question_options, GradationTexts::options,
                                                 CrosscheckTexts::limit_options))},
       {"tradeoff", rows_of(TradeoffTexts::options)}, // and those of solve
+      {"blend", without("target", rows_of(BlendTexts::question_options, BlendTexts::answer_options,
+                                          BlendTexts::limit_options, ReadingTexts::options))},
       {"describe", rows_of(SoilTexts::options)},
       {"convert", rows_of(ReadingTexts::options)},
       // What a set, a packing or an export is of is no option of a module.

@@ -122,10 +122,7 @@ bool encloses(const Percents &percents, const Enclosed &share) {
 
 /// The largest error of classes is in the percents, and so is that of the class that is named.
 void verify_largest(const LargestError &claim, const std::vector<Enclosed> &errors, const char *name) {
-  demand((claim.index > 0) == !errors.empty(), name);
-  if (errors.empty())
-    return;
-  demand(claim.index <= errors.size(), name);
+  demand(1 <= claim.index && claim.index <= errors.size(), name);
   for (std::size_t j = 0; j < errors.size(); ++j)
     demand(100 * errors[j].hi <= claim.percents.hi.value, name, j + 1);
   demand(claim.percents.lo.value <= 100 * errors[claim.index - 1].lo, name, claim.index);
@@ -350,7 +347,9 @@ void verify_sample(const Gradation &gradation, const SampleCertificate &certific
     demand(encloses(claim.share, derived.shares[j]), "class: its share", j + 1);
   }
   verify_largest(certificate.retained, derived.share_errors, "retained-error");
-  verify_largest(certificate.passing, derived.passing_errors, "passing-error");
+  demand(certificate.passing.has_value() == !derived.passing_errors.empty(), "passing-error");
+  if (certificate.passing)
+    verify_largest(*certificate.passing, derived.passing_errors, "passing-error");
   demand(encloses(certificate.total, derived.total), "total-error");
   for (std::size_t i = 0; i < 4; ++i)
     demand(certificate.conditions[i] == derived.conditions[i], "conditions");

@@ -3,6 +3,7 @@
 #include "certificate.hpp"
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct ClassClaim {
 
 /// The largest error of a measure, and the class where it is.
 struct LargestError {
-  std::uint64_t index = 0; ///< from 1; 0 where the line is absent
+  std::uint64_t index = 0; ///< from 1
   Percents percents{};
 };
 
@@ -42,7 +43,8 @@ struct SampleCertificate {
   bool is_tolerant = false;
   Numbers places, particles, below, above, unplaced; ///< none where the line is absent
   std::vector<ClassClaim> classes;
-  LargestError retained, passing;
+  LargestError retained;
+  std::optional<LargestError> passing; ///< none where the line is absent
   Percents total{};
   std::array<std::string_view, 4> conditions;
   SampleVerdict verdict;

@@ -161,9 +161,9 @@ std::string reason(const SampleCertificate &c) {
 std::string largest_errors(const SampleCertificate &c) {
   std::string text = "; the largest error of a share is " + percents(c.retained.percents) + ", in class " +
                      std::to_string(c.retained.index);
-  if (c.passing.index > 0)
-    text += "; of what passes " + percents(c.passing.percents) + ", at the upper opening of class " +
-            std::to_string(c.passing.index);
+  if (c.passing)
+    text += "; of what passes " + percents(c.passing->percents) + ", at the upper opening of class " +
+            std::to_string(c.passing->index);
   return text + "; all together " + percents(c.total);
 }
 

@@ -11,7 +11,7 @@
 
 #include "match/at_least.hpp"
 #include "match/problem_of.hpp"
-#include "number/common_denominator.hpp"
+#include "proof/linear_classes.hpp"
 #include "proof/tolerant_vipr.hpp"
 #include "text/option_name.hpp"
 
@@ -28,36 +28,6 @@ namespace {
 
 [[noreturn]] void refuse_length() {
   throw InputError(option("vipr") + ": the proof has too many steps for an export: leave it out");
-}
-
-/// A class in integers, to the power 1: q f < s mass <= q F.
-struct LinearClass {
-  Integer f, F, mass, floor;
-};
-
-/// (n / unit)^(1/p).
-Rational root_of(const Integer &n, const Integer &unit, const Problem &problem) {
-  if (const std::optional<Rational> root = exact_root(ratio(n, unit), problem.scale_power()))
-    return *root;
-  throw InputError(option("vipr") + ": the mass law x^(" + problem.law().exponent() +
-                   ") is irrational at a sieve, VIPR has rational numbers only" +
-                   (problem.root() > 1 ? ": " + std::string(convert_remedy) : ""));
-}
-
-/// The masses at the openings in units of the first upper one: only their ratios count, and need be rational.
-std::vector<LinearClass> linear_classes(const Problem &problem) {
-  std::vector<Rational> ends;
-  for (const ProblemClass &c : problem.classes())
-    for (const Integer *end : {&c.f, &c.F})
-      ends.push_back(root_of(*end, problem.classes().front().F, problem));
-  const std::vector<Integer> cleared = CommonDenominator(ends).numerators;
-  std::vector<LinearClass> classes;
-  for (std::size_t j = 0; j < problem.classes().size(); ++j) {
-    const ProblemClass &c = problem.classes()[j];
-    classes.push_back(
-        {cleared[2 * j], cleared[2 * j + 1], floor_root(c.mass, problem.scale_power()), c.floor});
-  }
-  return classes;
 }
 
 /// A q_j - B q_i >= 1: q_j F_j m_i > q_i f_i m_j in lowest terms (for i = j one variable, A - B).
@@ -77,7 +47,8 @@ Pair pair_of(const LinearClass &i, const LinearClass &j) {
 class ChainWriter {
 public:
   explicit ChainWriter(const Match &m)
-      : m_(m), problem_(problem_of(m)), particles_(*m.particles()), classes_(linear_classes(problem_)) {}
+      : m_(m), problem_(problem_of(m)), particles_(*m.particles()),
+        classes_(linear_classes(problem_, option("vipr"))) {}
 
   std::string text() {
     derive();

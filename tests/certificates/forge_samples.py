@@ -1,8 +1,9 @@
 #!/usr/bin/python3
-"""forge_samples.py COUNT SEED MDM MDM_CHECK [CHECKER ...]: random samples with ties at openings, open ends, ranges, roots and
+"""forge_samples.py COUNT SEED MDM MDM_CHECK [CHECKER ...] [--sizes CHECKER ...]: random samples with ties at openings, open ends, ranges, roots and
 irrational laws. Of each, `mdm verify --proof` writes a certificate, or says that it is open, as samples.py does in fractions;
 all checkers accept its certificate and that of samples.py, with the same line; and of both a changed one has the verdict that
-samples.py has. MDM can be - : then there are but the certificates of samples.py.
+samples.py has. MDM can be - : then there are but the certificates of samples.py. Checkers behind --sizes take no ranges, and
+no law but those that give all sizes rational masses: of all else they say so.
 """
 import pathlib
 import random
@@ -201,22 +202,41 @@ def changed(r, text):
 
 
 class Run:
-    def __init__(self, mdm, checkers):
-        self.mdm, self.checkers = mdm, checkers
-        self.counts = {}
+    def __init__(self, mdm, checkers, of_sizes):
+        self.mdm, self.checkers, self.of_sizes = mdm, checkers, of_sizes
+        self.counts, self.is_of_sizes, self.checked = {}, False, []
 
     def count(self, what):
         self.counts[what] = self.counts.get(what, 0) + 1
 
     def check(self, proof, expected):
-        """All checkers have this exit code and one line, the same where they accept or refuse."""
+        """The checkers have this exit code and one line, the same where they accept or refuse."""
         lines = set()
         for checker in self.checkers:
             done = subprocess.run([checker, "g.csv", "s.csv", proof], capture_output=True, text=True)
             assert done.returncode == expected, (checker, proof, expected, done)
             lines.add(done.stdout)
         assert len(lines) == 1, lines
-        return lines.pop()
+        line = lines.pop()
+        copy = f"{len(self.checked)}.proof"
+        pathlib.Path(copy).write_text(pathlib.Path(proof).read_text())
+        self.checked.append((copy, expected, line))
+        return line
+
+    def check_of_sizes(self):
+        """The checkers of sizes say the same of all certificates of a case, or that they take none."""
+        words = [w for proof, _, _ in self.checked for w in ("g.csv", "s.csv", proof)]
+        for checker in self.of_sizes if words else []:
+            done = subprocess.run([checker, "--samples", *words], capture_output=True, text=True)
+            expected = max(code for _, code, _ in self.checked) if self.is_of_sizes else 2
+            lines = "".join(line for _, _, line in self.checked) if self.is_of_sizes else ""
+            assert (done.returncode, done.stdout) == (expected, lines), (checker, expected, lines, done)
+            if not self.is_of_sizes:
+                assert len(self.checked) == len(done.stderr.splitlines()), (checker, done)
+                assert done.stderr.count(": use mdm-check\n") >= sum(code < 2 for _, code, _ in self.checked), (checker, done)
+            for _, code, _ in self.checked:
+                self.count("--sizes: " + (("accepted", "refused", "malformed")[code] if self.is_of_sizes else "not taken"))
+        self.checked = []
 
     def case(self, r):
         g, names, head = some_gradation(r)
@@ -233,6 +253,7 @@ class Run:
         if not any(g.m):
             return self.count("no mass")
         derived = derive(places)
+        self.is_of_sizes = not text.startswith("size_lo_") and derived.e == 1
         tolerance, asked_flags = some_tolerance(r, asked, derived, factor)
         pathlib.Path("g.csv").write_text(csv_of(g, names, head))
         pathlib.Path("s.csv").write_text(text)
@@ -280,7 +301,7 @@ class Run:
             if forged == text:
                 continue
             head = "".join(line + "\n" for line in text.splitlines()[:first])
-            if not forged.startswith(head) or forged[len(head):].startswith("total "): # a line of a tolerance
+            if not forged.startswith(head) or forged[len(head):].startswith(("passing ", "total ")): # a line of a tolerance
                 continue
             expected = samples.judge(forged[len(head):], derive, tolerance)
             pathlib.Path("forged.proof").write_text(forged)
@@ -300,8 +321,9 @@ def main():
     if len(sys.argv) < 5:
         sys.exit(__doc__)
     count, seed = int(sys.argv[1]), int(sys.argv[2])
-    mdm, *checkers = [w if w == "-" else str(pathlib.Path(w).resolve()) for w in sys.argv[3:]]
-    run = Run(mdm, checkers)
+    words = [w if w in ("-", "--sizes") else str(pathlib.Path(w).resolve()) for w in sys.argv[3:]] + ["--sizes"]
+    i = words.index("--sizes")
+    run = Run(words[0], words[1:i], words[i + 1:-1])
     with tempfile.TemporaryDirectory() as folder:
         import os
         os.chdir(folder)
@@ -309,6 +331,7 @@ def main():
             r = random.Random(f"{seed} {i}")
             try:
                 run.case(r)
+                run.check_of_sizes()
             except AssertionError:
                 print(f"case {i} of seed {seed}:", file=sys.stderr)
                 for name in ("g.csv", "s.csv", "limits.csv", "made.proof", "mdm.proof", "forged.proof"):

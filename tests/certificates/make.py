@@ -3,7 +3,7 @@
 fractions: what is tested has no part in them. The build makes them, in tests/certificates of its folder.
 
 Each test is a gradation (.csv or .json) and a certificate (.proof); the folder says the verdict: accepted, rejected or
-unparsable. The folder blends has those of blends, by blends.py.
+unparsable. The folder blends has those of blends, by blends.py, the folder samples those of samples, by sample_cases.py.
 """
 import heapq
 import math
@@ -15,6 +15,7 @@ from fractions import Fraction as F
 from itertools import count
 
 import blends
+import sample_cases
 from exact import decimal, enclose, floor_root, root
 from trees import Tree
 from windows import WindowTree
@@ -1142,3 +1143,4 @@ for verdict, tests in (("accepted", accepted), ("rejected", rejected), ("unparsa
         (folder / (name + (".json" if json else ".csv"))).write_bytes(gradation.encode())
         (folder / (name + ".proof")).write_bytes(proof.encode())
 blends.main(FOLDER / "blends")
+sample_cases.main(FOLDER / "samples")

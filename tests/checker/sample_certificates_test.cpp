@@ -148,6 +148,34 @@ TEST_CASE("a sample has sizes at an opening, powers, ranges and units", "[checke
             .code == Verdict::accepted);
 }
 
+namespace {
+
+/// All folders of samples that tests/certificates/sample_cases.py writes in a folder have this verdict.
+void judge_samples(const std::string &verdict, int exit_code, std::size_t least_tests) {
+  std::size_t tests = 0;
+  for (const auto &entry : std::filesystem::directory_iterator(std::filesystem::path(MDM_CERTIFICATES_DIR) /
+                                                               "samples" / verdict)) {
+    const std::filesystem::path csv = entry.path() / "gradation.csv";
+    const std::filesystem::path g = std::filesystem::exists(csv) ? csv : entry.path() / "gradation.json";
+    const Outcome outcome = run({g, entry.path() / "sample.csv", entry.path() / "proof"});
+    INFO(entry.path() << "\n" << outcome.out << outcome.err);
+    CHECK(outcome.exit_code == exit_code);
+    CHECK(outcome.out.empty() == (exit_code == 2));
+    CHECK(outcome.err.empty() == (exit_code == 0));
+    ++tests;
+  }
+  CHECK(tests >= least_tests);
+}
+
+} // namespace
+
+TEST_CASE("the checker judges the samples that tests/certificates makes", "[checker]") {
+  judge_samples("accepted", 0, 25);
+  judge_samples("enclosed", 0, 5);
+  judge_samples("rejected", 1, 45);
+  judge_samples("unparsable", 2, 50);
+}
+
 TEST_CASE("the program judges three files, and says what is missing with two", "[checker]") {
   const TemporaryFolder folder;
   const std::string g = write_file(folder.path() / "g.csv", gradation),

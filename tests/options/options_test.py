@@ -20,7 +20,7 @@ FUNCTIONS = {"solve": ("solving.py", "solve"), "crosscheck": ("judging.py", "cro
              "verify": ("verifying.py", "verify"), "tradeoff": ("trade.py", "tradeoff"),
              "describe": ("description.py", "describe"), "convert": ("reading.py", "read"),
              "generate": ("program.py", "generate"), "pack": ("program.py", "pack"), "export": ("program.py", "export"),
-             "plot": ("program.py", "picture"), "suite": ("suites.py", "suite")}
+             "plot": ("program.py", "picture"), "suite": ("suites.py", "suite"), "blend": ("blending.py", "blend")}
 #: Functions that take options of `solve` beside their own by any keyword, which they look up in the table.
 TAKE_MORE = {"tradeoff"}
 

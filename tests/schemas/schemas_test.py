@@ -92,6 +92,12 @@ COMMANDS = {
         ["convert", "--dry-run", "pan.csv"],
         ["convert", "--dry-run", SAND.parent / "formats/mastersizer.csv", "--specimen-id", "Silt B"],
     ],
+    "mdm-problem-1": [
+        *(["convert", sand, "--problem", "json"] for sand in SANDS),
+        ["convert", SAND, "--problem", "json", "--tolerance", "retained:1%", "--min-per-class", "2", "--at-least", "100"],
+        ["convert", SAND, "--problem", "json", "--tolerance", "total:1%", "--tolerance", "passing:2%"],
+        ["convert", "pan.csv", "--problem", "json"],
+    ],
     "mdm-generate-1": [
         ["generate", "--beta", "3,3", "--dmin", "0.02", "--dmax", "1.98", "--dimension", "2", "--classes", "6"],
         ["generate", "--beta", "1,3", "--dmin", "0.1", "--ratio", "4", "--at-least", "100", "--sizes", "--seed", "1"],

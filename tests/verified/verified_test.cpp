@@ -184,6 +184,73 @@ TEST_CASE("both checkers read the same gradation from files of all kinds, change
   demand_agreement(compare(MDM_VERIFIED, pairs), 1000, 0, 10000);
 }
 
+TEST_CASE("both checkers agree on all samples that tests/certificates makes") {
+  std::vector<Pair> pairs, enclosed;
+  for (const char *verdict : {"accepted", "rejected", "unparsable"})
+    for (const auto &named : samples(verdict))
+      pairs.push_back(named.second);
+  for (const std::string program : {MDM_VERIFIED, MDM_VERIFIED_BINARY}) {
+    const Agreement agreement = compare(program, pairs);
+    demand_agreement(agreement, 25, 45, 50);
+    CHECK(agreement.not_taken == 0);
+  }
+  for (const auto &named : samples("enclosed"))
+    enclosed.push_back(named.second);
+  const Agreement agreement = compare(MDM_VERIFIED, enclosed);
+  demand_agreement(agreement, 0, 0, 0);
+  CHECK(agreement.not_taken == enclosed.size());
+}
+
+TEST_CASE("both checkers agree on changed samples, their certificates and gradations") {
+  std::mt19937_64 random(35);
+  std::vector<Pair> pairs;
+  for (const auto &[name, pair] : samples("accepted"))
+    for (std::string Pair::*const part : {&Pair::gradation, &Pair::certificate}) {
+      const auto [bytes, numbers] = changed(pair.*part);
+      for (const auto &texts : {some(bytes, 150, random), some(numbers, 150, random)})
+        for (const std::string &text : texts) {
+          pairs.push_back(pair);
+          pairs.back().*part = text;
+        }
+    }
+  for (const auto &[name, pair] : samples("accepted")) {
+    const auto [bytes, numbers] = changed(*pair.sample);
+    for (const auto &texts : {some(bytes, 150, random), some(numbers, 50, random)})
+      for (const std::string &text : texts) {
+        pairs.push_back(pair);
+        pairs.back().sample = text;
+      }
+  }
+  const Agreement agreement = compare(MDM_VERIFIED, pairs);
+  demand_agreement(agreement, 500, 1500, 6000);
+  CHECK(agreement.not_taken < pairs.size() / 100);
+}
+
+TEST_CASE("both checkers have the same limits for samples") {
+  const std::string gradation = "size_mm,mass\n1,2\n2,1\n3,0\n";
+  const auto certificate = [](const std::string &law) {
+    return "mdm-certificate sample 1\nlaw " + law +
+           "\nretained 100\npassing 100\nparticles 1\nclass 1 1 100\nclass 2 0 0\nretained-error 1 33 34\n"
+           "passing-error 1 33 34\ntotal-error 66 67\nconditions yes yes yes no\nverdict match\nend\n";
+  };
+  // 2 * 1000 times the bits of a size of 158 digits or so is above 2^20, and so is the common denominator of
+  // many sizes.
+  std::vector<Pair> pairs;
+  for (std::size_t digits = 150; digits < 165; ++digits)
+    pairs.push_back({gradation, certificate("1000"), "size_mm\n1." + std::string(digits, '0') + "1\n"});
+  for (std::size_t digits = 300; digits < 330; digits += 5) {
+    const std::string opening = "2." + std::string(digits, '0') + "1";
+    pairs.push_back(
+        {"size_mm,mass\n1,2\n" + opening + ",1\n3,0\n", certificate("1000"), "size_mm^1000\n3\n"});
+    pairs.push_back(
+        {"size_mm,mass\n1,2\n" + opening + ",1\n3,0\n", certificate("6000"), "size_mm^3000\n3\n"});
+  }
+  for (std::size_t digits = 1; digits < 5; ++digits)
+    pairs.push_back(
+        {"size_phi,mass\n0." + std::string(digits, '3') + ",2\n-1,0\n", certificate("3"), "size_mm\n1.5\n"});
+  demand_agreement(compare(MDM_VERIFIED, pairs), 8, 0, 8);
+}
+
 TEST_CASE("both checkers have the same limits") {
   const std::string gradation = "size_mm,mass\n1,2\n2,1\n3,0\n";
   const auto certificate = [](const std::string &question, const std::string &N, const std::string &q) {

@@ -9,7 +9,7 @@ import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 
 const [folder, mdm, mdmCheck, source, certificates] = process.argv.slice(2).map((name) => resolve(name));
-const { InputError, batch, check, convert, describe, run, runCheck, solve, tradeoff, verify } = await import(
+const { InputError, batch, blend, check, convert, describe, run, runCheck, solve, tradeoff, verify } = await import(
   pathToFileURL(join(folder, "index.js"))
 );
 
@@ -120,6 +120,36 @@ test("the other commands give their reports", async () => {
   const { answer } = await solve(sand);
   const report = await verify(sand, JSON.stringify(answer), { sampleName: "answer.json" });
   assert.match(report.schema, /^mdm-verify/);
+});
+
+test("a blend is that of the native program, with a proof that the checker accepts", async () => {
+  const folder = join(source, "examples/08-blend");
+  const content = (name) => readFileSync(join(folder, name), "utf8");
+  const stockpiles = Object.fromEntries(["A", "B", "C", "D"].map((name) => [name, content(`${name}.csv`)]));
+  const cost = { A: "7", B: "10.82", C: 9.51, D: "8.88" };
+  const limits = content("limits.csv");
+  const { answer, blended, proof } = await blend(stockpiles, limits, { cost, share: { B: "5.." }, proof: true });
+  const files = ["A.csv", "B.csv", "C.csv", "D.csv"];
+  const asked = ["--cost", "A=7,B=10.82,C=9.51,D=8.88", "--share", "B=5..", "--format", "json", "--quiet"];
+  const said = JSON.parse(native(mdm, ["blend", ...files, "--spec", "limits.csv", ...asked], folder).out);
+  assert.deepStrictEqual({ ...withoutVersions(answer), specification: "limits" }, withoutVersions(said));
+  assert.match(blended, /^size_mm,mass\n/);
+  const named = Object.fromEntries(files.map((name) => [name, content(name)]));
+  const { code, out } = await runCheck(["limits.csv", ...files, "a.proof"], { ...named, "limits.csv": limits, "a.proof": proof });
+  assert.strictEqual(code, 0, out);
+});
+
+test("stockpiles may be called as other files are, and what is no blend has its reason", async () => {
+  const object = (...masses) => ({ sizes: ["1", "2", "4"], masses: [...masses, "0"] });
+  const limits = "size_mm,passing_min_percent,passing_max_percent\n2,40,60\n4,100,100\n";
+  const stockpiles = { specification: object("9", "1"), target: object("1", "9") };
+  const target = { sizes: ["1", "2", "4"], masses: ["1", "1", "0"] };
+  const { answer } = await blend(stockpiles, limits, { target, minimise: "max-deviation" });
+  assert.deepStrictEqual([answer.status, answer.blends[0].shares], ["optimal", ["1/2", "1/2"]]);
+  const none = (await blend(stockpiles, limits.replace("40,60", "95,99"))).answer;
+  assert.deepStrictEqual([none.status, none.contradiction.limits.length], ["none", 1]);
+  await checkRefusal(blend(stockpiles, limits, { atMostStockpiles: "x" }), ["atMostStockpiles"]);
+  await assert.rejects(blend({ "../a": object("1", "1") }, limits), InputError);
 });
 
 test("what cannot be taken is an InputError with the program's message, and the next call goes on", async () => {

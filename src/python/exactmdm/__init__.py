@@ -13,6 +13,7 @@ immutable and can be pickled; functions may be called from several threads.
 
 from exactmdm._core import versions
 from exactmdm.batches import batch
+from exactmdm.blending import Blend, BlendCondition, Blends, blend
 from exactmdm.checking import Verdict, check
 from exactmdm.description import Description, SoilFraction, describe
 from exactmdm.enclosure import Enclosure
@@ -32,9 +33,9 @@ from exactmdm.verifying import Verification, VerifiedClass, verify
 __version__: str = versions()["mdm"]
 
 __all__ = [
-    "Budget", "Crosscheck", "Description", "Enclosure", "GeneratedSet", "Gradation", "InputError", "Interrupted",
-    "JudgedAnswer", "LimitReached", "Match", "MatchClass", "MatchScale", "SoilFraction", "Spectrum", "Spread",
-    "Tradeoff", "TradeoffRow", "Verdict", "Verification", "VerifiedClass", "Written", "batch", "budget", "check",
-    "crosscheck", "describe", "export", "generate", "pack", "picture", "plot", "read", "read_all", "read_sample",
-    "solve", "spectrum", "suite", "tradeoff", "verify", "versions",
+    "Blend", "BlendCondition", "Blends", "Budget", "Crosscheck", "Description", "Enclosure", "GeneratedSet",
+    "Gradation", "InputError", "Interrupted", "JudgedAnswer", "LimitReached", "Match", "MatchClass", "MatchScale",
+    "SoilFraction", "Spectrum", "Spread", "Tradeoff", "TradeoffRow", "Verdict", "Verification", "VerifiedClass",
+    "Written", "batch", "blend", "budget", "check", "crosscheck", "describe", "export", "generate", "pack", "picture",
+    "plot", "read", "read_all", "read_sample", "solve", "spectrum", "suite", "tradeoff", "verify", "versions",
 ]

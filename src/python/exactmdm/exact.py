@@ -109,6 +109,11 @@ def optional_int(text: str | None) -> int | None:
     return None if text is None else int(text)
 
 
+def optional_fraction(text: str | None) -> Fraction | None:
+    """The value of an exact number, or None."""
+    return None if text is None else Fraction(text)
+
+
 def middle(value: Any) -> Fraction:
     """A number as a fraction, an Enclosure by its middle."""
     return Fraction(getattr(value, "mid", value))

@@ -57,7 +57,7 @@ def run(command: str, *arguments: str) -> tuple[int, str]:
     return _done(command, arguments, None)
 
 
-def _called(command: str, *arguments: str) -> tuple[int, str]:
+def called(command: str, *arguments: str) -> tuple[int, str]:
     """The same for a function of this package: messages name keywords, `void_ratio`, and no `--void-ratio`."""
     return _done(command, arguments, {**os.environ, "MDM_OPTION_SPELLING": "keyword"})
 
@@ -231,10 +231,10 @@ def generate(*, curve: Source | None = None,
     """
     flags = [*flags_of(given_of("generate", locals()), "generate"), "--format", "json", "--quiet"]
     if curve is None:
-        code, text = _called("generate", *flags)
+        code, text = called("generate", *flags)
     else:
         with file_of(curve) as path:
-            code, text = _called("generate", "--curve", path, *flags)
+            code, text = called("generate", "--curve", path, *flags)
     return GeneratedSet._of(text.rstrip("\n"), code == 0)
 
 
@@ -469,9 +469,9 @@ def picture(source: Source, out: Path, *,
 def _written(command: str, source: Source | None, out: Path, options: dict[str, Any], *further: str) -> Written:
     arguments = [*further, *flags_of(options, command), "-o", os.fspath(out)]
     if source is None:
-        return Written(pathlib.Path(out), _called(command, *arguments)[1])
+        return Written(pathlib.Path(out), called(command, *arguments)[1])
     with file_of(source) as file:
-        return Written(pathlib.Path(out), _called(command, file, *arguments)[1])
+        return Written(pathlib.Path(out), called(command, file, *arguments)[1])
 
 
 def _word(value: object, name: str) -> str:

@@ -167,6 +167,50 @@ export interface TradeoffWords {
   grid?: number | string;
 }
 
+/** Options of `mdm blend`. */
+export interface BlendWords {
+  /**
+   * What a blend is to have least of: cost, deviation (the sum of the distances from the target), max-deviation (the
+   * largest of them) or none; without it cost where there is cost, deviation where there is --target.
+   */
+  minimise?: string;
+  /** The cost of a unit of mass of each stockpile, as A=12.5,B=9. */
+  cost?: string | string[];
+  /** Shares are whole numbers of steps: 1% (without this option), 0.5%, or masses as '5kg of 1000kg'. */
+  step?: string;
+  /** Limits of a stockpile's share: A=10..40%, A=10.., A=..40%, or A=25%. */
+  share?: string | string[];
+  /** So many stockpiles at most have a share. */
+  atMostStockpiles?: number | string;
+  /** The N best blends. */
+  all?: number | string;
+  /**
+   * Where there is no blend, by how much the limits of the sieve SIZE alone must be widened; without it all limits
+   * by the same.
+   */
+  relax?: number | string;
+  /** Stop after so many splits of the search, 1000000 without it. */
+  nodeLimit?: number | string;
+  /** Stop after so many seconds. */
+  timeLimit?: number | string;
+  /** The sample of a file with several: of AGS4 its LOCA_ID, SAMP_ID, SAMP_REF or all of them. */
+  specimenId?: string;
+  /** The columns of sizes and masses: names, or numbers from 1 on. */
+  columns?: string;
+  /** What the values are: passing, retained, cumulative, or a name as in canonical CSV. */
+  kind?: string;
+  /** What the sizes are: mm, um, m, in, phi or sieve. */
+  unit?: string;
+  /** Leave out the first N lines or rows. */
+  skip?: number | string;
+  /** The sheet of a workbook (the first). */
+  sheet?: string;
+  /** What the rows of a sheet may lack of its initial mass (1%). */
+  loss?: number | string;
+  /** Take all masses to D significant digits before anything else. */
+  round?: number | string;
+}
+
 /** Options of `mdm describe`. */
 export interface DescribeWords {
   /** Of the fines, in percent; without limits they are low-plasticity silt. */
@@ -293,6 +337,28 @@ export function tradeoff(
   gradation: GradationInput,
   options?: TradeoffOptions,
 ): Promise<Record<string, unknown>>;
+
+/** What a blend may be asked for. */
+export interface BlendOptions extends Omit<BlendWords, "cost" | "share"> {
+  /** The curve that is wished for. */
+  target?: GradationInput;
+  /** Of a unit of mass of each stockpile. */
+  cost?: Record<string, string | number> | string | string[];
+  /** Limits of shares: `{ sand: "10..40%" }`. */
+  share?: Record<string, string> | string | string[];
+  /** With a proof for `mdm-check`, of the files of specification and stockpiles. */
+  proof?: boolean;
+}
+
+/**
+ * The best mix of stockpiles, given by their names, within the limits of a specification (an envelope), or why there is
+ * none, as mdm-blend-1 has it; `blended` is the gradation of the best blend.
+ */
+export function blend(
+  stockpiles: Record<string, GradationInput>,
+  specification: string | Uint8Array,
+  options?: BlendOptions,
+): Promise<{ answer: Record<string, unknown>; blended: string | null; proof: string | null }>;
 
 /** Runs `mdm` as on the command line, with these files in its folder. */
 export function run(

@@ -133,3 +133,34 @@ export async function tradeoff(gradation, { name, onProgress, ...options } = {})
   const commandLine = ["tradeoff", ...words, "--format=json", file];
   return JSON.parse(printed(await runCommand(commandLine, { ...files, [file]: gradation }, onProgress)));
 }
+
+/** Texts `NAME=VALUE` of an object. */
+const ofEach = (values) =>
+  values && Object.getPrototypeOf(values) === Object.prototype
+    ? Object.entries(values).map(([name, value]) => `${name}=${value}`)
+    : values;
+
+export async function blend(stockpiles, specification, { target, proof = false, cost, share, ...options } = {}) {
+  const files = {};
+  /** The name of a file beside the stockpiles, which may have any. */
+  const free = (name) => (name in files ? free(`other-${name}`) : name);
+  const put = (name, content) => {
+    files[name] = content;
+    return name;
+  };
+  const names = Object.entries(stockpiles).map(([name, content]) =>
+    put(fileName(content, undefined, fileName("", name, "")), content),
+  );
+  const limits = put(free("specification.csv"), specification);
+  const commandLine = [...words({ ...options, cost: ofEach(cost), share: ofEach(share) }), `--spec=${limits}`];
+  if (target !== undefined) commandLine.push(`--target=${put(free(fileName(target, undefined, "target")), target)}`);
+  const blendedName = free("blended.csv");
+  if (proof) commandLine.push(`--proof=${proofName}`);
+  const result = await runCommand(
+    ["blend", ...commandLine, `--blended=${blendedName}`, "--format=json", "--quiet", ...names],
+    files,
+  );
+  const answer = JSON.parse(printed(result));
+  const written = (name) => (result.files[name] ? decoder.decode(result.files[name]) : null);
+  return { answer, blended: written(blendedName), proof: written(proofName) };
+}

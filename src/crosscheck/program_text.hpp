@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// Integer programs in the languages of solvers.
+
+#include "crosscheck/integer_program.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace mdm {
+
+/// A language of integer programs.
+enum class ProgramLanguage {
+  lp,   ///< CPLEX LP
+  mps,  ///< free MPS
+  smt2, ///< SMT-LIB 2.6 with `minimize`, as z3 and OptiMathSAT have it
+  mzn,  ///< MiniZinc
+  opb,  ///< pseudo-Boolean: counts in binary digits
+  json  ///< schema mdm-problem-1
+};
+
+/// All of them.
+inline constexpr std::array<ProgramLanguage, 6> program_languages = {
+    ProgramLanguage::lp,  ProgramLanguage::mps, ProgramLanguage::smt2,
+    ProgramLanguage::mzn, ProgramLanguage::opb, ProgramLanguage::json};
+
+/// `lp`, `mps` and so on.
+std::string_view name(ProgramLanguage language);
+std::optional<ProgramLanguage> program_language_named(std::string_view name);
+/// What the language has.
+ProgramForm form_of(ProgramLanguage language);
+
+/// The program as a file. \pre it is of form_of(language)
+/// \throws InputError where the language has no numbers as long as the program's
+std::string program_text(const IntegerProgram &program, ProgramLanguage language);
+
+std::string lp_text(const IntegerProgram &program);
+std::string mps_text(const IntegerProgram &program);
+std::string smt2_text(const IntegerProgram &program);
+std::string minizinc_text(const IntegerProgram &program);
+std::string pseudo_boolean_text(const IntegerProgram &program);
+std::string program_json(const IntegerProgram &program);
+
+/// The comments, each line behind `mark`.
+std::string comment_lines(const IntegerProgram &program, std::string_view mark);
+
+} // namespace mdm
