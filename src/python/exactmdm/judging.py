@@ -107,7 +107,8 @@ def crosscheck(gradations: Union[Iterable[Gradation], str, "os.PathLike[str]"], 
             the answer's unit (the file's; mm for inches, phi and sieve names).
         void_ratio: void ratio e of the specimen.
         solids_volume: at least this volume of solids, in the cube of the answer's unit.
-        law: mass of a particle of size x: sphere (x^3), power:a/b or power:2.5.
+        law: mass of a particle of size x: sphere (x^3), power:a/b or power:2.5, sum:2*x^3+0.5*x^2 with x in mm, or
+            table:FILE, CSV with size_mm and particle_mass, from (0, 0) on and linear between its rows.
         size_factor: multiply every size of the gradation by K.
         cut_below: leave out the classes below the sieve SIZE, as 63um or in the file's unit (before size_factor).
         pan_size: count the pan as SIZE, as 2um or in the file's unit, instead of 0 (before size_factor).

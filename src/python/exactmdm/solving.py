@@ -51,7 +51,8 @@ def solve(gradation: Union[Gradation, str, "os.PathLike[str]", None] = None, *,
         specimen, void_ratio: "cylinder:DxH" or "box:AxBxC", lengths as "50mm" or in the unit of the gradation, and the
             void ratio e in it: the least volume of solids.
         solids_volume: that volume itself, in the cube of the gradation's unit.
-        law: mass of a particle of size x: "sphere" (x^3), "power:a/b".
+        law: mass of a particle of size x: "sphere" (x^3), "power:a/b", "sum:2*x^3+0.5*x^2" with x in mm, or
+            "table:FILE"; the text of the table may stand in the place of its path.
         size_factor: multiplies every size of the gradation.
         cut_below: leaves out the classes below this sieve.
         pan_size: takes the pan as this size, instead of 0.

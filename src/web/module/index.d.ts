@@ -58,7 +58,10 @@ export interface SolveWords {
   voidRatio?: number | string;
   /** At least this volume of solids, in the cube of the answer's unit. */
   solidsVolume?: number | string;
-  /** Mass of a particle of size x: sphere (x^3), power:a/b or power:2.5. */
+  /**
+   * Mass of a particle of size x: sphere (x^3), power:a/b or power:2.5, sum:2*x^3+0.5*x^2 with x in mm, or
+   * table:FILE, CSV with size_mm and particle_mass, from (0, 0) on and linear between its rows.
+   */
   law?: string;
   /** Multiply every size of the gradation by K. */
   sizeFactor?: number | string;
@@ -116,7 +119,10 @@ export interface VerifyWords {
   sizeUnit?: string;
   /** The timestep of a dump or of GSD, instead of the last; of several of that number the last. */
   timestep?: number | string;
-  /** Mass of a particle of size x: sphere (x^3), power:a/b or power:2.5. */
+  /**
+   * Mass of a particle of size x: sphere (x^3), power:a/b or power:2.5, sum:2*x^3+0.5*x^2 with x in mm, or
+   * table:FILE, CSV with size_mm and particle_mass, from (0, 0) on and linear between its rows.
+   */
   law?: string;
   /** Multiply every size of the gradation by K. */
   sizeFactor?: number | string;
