@@ -50,8 +50,9 @@ void check_places(const AccountRows &rows, const Source &source) {
 
 std::string split_remedy() {
   return fmt::format(
-      "a part that was sieved for the whole ({}) is not read yet: give percent passing of the whole",
-      option("split"));
+      "a part that was sieved for the whole is no table by itself: write the two into files of their own for "
+      "mdm convert {}, or give percent passing of the whole",
+      option("split", OptionSpelling::program));
 }
 
 const AccountRow *AccountRows::other(RowMeaning kind) const {

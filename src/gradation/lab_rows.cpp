@@ -126,9 +126,10 @@ private:
   void check_words_of_splitting() const {
     for (const std::string &cell : row().cells)
       if (speaks_of_splitting(cell) && (!below_gap_ || has_number(row())))
-        refuse(fmt::format("{} may be of a part of the sample that was sieved for the whole ({}), which is "
-                           "not read yet: give percent passing of the whole, or leave the words out",
-                           in_quotes(cell), option("split")));
+        refuse(fmt::format("{} may be of a part of the sample that was sieved for the whole: write the two "
+                           "into files of their own for mdm convert {}, give percent passing of the whole, "
+                           "or leave the words out",
+                           in_quotes(cell), option("split", OptionSpelling::program)));
   }
 
   // ---- another header
