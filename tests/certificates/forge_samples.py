@@ -285,7 +285,8 @@ class Run:
             return self.count("mdm: open")
         assert not pathlib.Path("mdm.proof.sample.csv").exists()
         if not proof.exists(): # mdm tells more: several roots, or that one class alone has particles
-            assert not said, (said, done)
+            # mdm has 30 places or more; those with more lie between those with fewer.
+            assert not said or not derive(30).verdicts(tolerance), (said, done)
             return self.count("mdm: none")
         assert said and (done.returncode == 0) == (said == [("match",)]), (said, done)
         written = proof.read_text()
