@@ -1,11 +1,13 @@
 #include "ask/solve_options.hpp"
 
 #include "ask/option_values.hpp"
-#include "files/byte_source.hpp"
-#include "files/paths.hpp"
+#include "text/file_names.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
+
+#include <array>
+#include <fstream>
 
 namespace mdm {
 namespace {
@@ -18,7 +20,21 @@ ScaleChoice scale_of(const std::string &text) {
   throw InputError(option("scale") + ": " + in_quotes(text) + " is neither robust nor upper");
 }
 
-/// What is in a file, or the text itself if it has lines.
+/// What is in the file of a law by table.
+std::string law_file(const std::string &path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text;
+  std::array<char, 4096> piece{};
+  while (file && text.size() <= max_gradation_bytes) {
+    file.read(piece.data(), piece.size());
+    text.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file.is_open() || file.bad())
+    throw InputError(shown_name(path) + ": cannot be read: name a file that can be read");
+  return text; // read_law_table refuses one that is longer
+}
+
+/// The law; of a table by the file's name, or by the text of it, if that has lines.
 MassLaw law_of(const std::string &text) {
   constexpr std::string_view table = "table:";
   if (!text.starts_with(table))
@@ -26,7 +42,7 @@ MassLaw law_of(const std::string &text) {
   const std::string file = text.substr(table.size());
   if (file.find('\n') != std::string::npos)
     return read_law_table(file, "table");
-  return read_law_table(read_file(file, max_gradation_bytes), shown_name(file));
+  return read_law_table(law_file(file), shown_name(file));
 }
 
 /// The name of the kind without a value.

@@ -83,8 +83,8 @@ double to_double(const Rational &r) {
 
 TEST_CASE("spreads of exact matches have the mass of their class and stay inside it") {
   std::mt19937_64 random(51);
-  for (const MassLaw law : {MassLaw{3, 1}, MassLaw{2, 1}, MassLaw{1, 1}, MassLaw{5, 2}, MassLaw{1, 2},
-                            MassLaw{3, 2}, MassLaw{7, 1}})
+  for (const MassLaw &law : {MassLaw{3, 1}, MassLaw{2, 1}, MassLaw{1, 1}, MassLaw{5, 2}, MassLaw{1, 2},
+                             MassLaw{3, 2}, MassLaw{7, 1}})
     for (int i = 0; i < 30; ++i) {
       Question question;
       question.law = law;
@@ -189,7 +189,7 @@ TEST_CASE("masses are drawn for every law") {
   CHECK(close(MassDraw(unit, 4 * unit, MassLaw{1, 2})(half), 5 * unit / 2));
   // x^(3/2), sizes 1 to 4: (4/x)^(1/2) is from 2 to 1, in the middle 3/2: x = 16/9, x^(3/2) = 64/27.
   CHECK(close(MassDraw(unit, 8 * unit, MassLaw{3, 2})(half), 64 * unit / 27));
-  for (const MassLaw law :
+  for (const MassLaw &law :
        {MassLaw{3, 1}, MassLaw{1, 1}, MassLaw{1, 3}, MassLaw{1000, 1}, MassLaw{999, 1000}}) {
     const MassDraw draw(unit, 8 * unit, law);
     Integer before = unit;

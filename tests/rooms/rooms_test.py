@@ -85,7 +85,9 @@ def main():
                     continue
                 includes += 1
                 what = (str(path.relative_to(SOURCE)), str(other.relative_to(SOURCE)))
-                apart = room != room_of(other) and ("checker" in (room, room_of(other)) or room_of(other) == "cli")
+                # What the operating system has is of the programs and the module: the library is linked without it.
+                of_program = room_of(other) == "cli" or (room_of(other) == "files" and room not in ("cli", "python"))
+                apart = room != room_of(other) and ("checker" in (room, room_of(other)) or of_program)
                 if room == "python" and other == CHECKER:
                     continue
                 if not apart and level.get(room_of(other), 0) <= level.get(room, 0):
