@@ -96,8 +96,8 @@ void RegradingFlags::check(const std::optional<std::string> &file) const {
       throw InputError(option(at ? "at" : "fine-mass") + " is about two files: give " + option("join") +
                        " or " + option("split") + " too");
     if (!file)
-      throw InputError("FILE is missing: give a gradation, or two with " + option("join") + " or " +
-                       option("split"));
+      throw InputError("mdm: FILE is required, or two with " + option("join") + " or " + option("split") +
+                       "; see mdm convert " + option("help"));
     return;
   }
   const std::string name = option(join.empty() ? "split" : "join");

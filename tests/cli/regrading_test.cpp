@@ -96,7 +96,7 @@ TEST_CASE("a joint that is no exact cut is refused", "[cli]") {
 TEST_CASE("options of joining that do not go together are refused", "[cli]") {
   const TemporaryFolder folder;
   const std::string c = folder.write("c.csv", coarse), f = folder.write("f.csv", fine);
-  check_refused(mdm({"convert"}), "FILE is missing");
+  check_refused(mdm({"convert"}), "FILE is required");
   check_refused(mdm({"convert", c, "--at", "5"}), "--at is about two files");
   check_refused(mdm({"convert", c, "--fine-mass", "5"}), "--fine-mass is about two files");
   check_refused(mdm({"convert", "--join", c, f}), "--join needs --at");
