@@ -58,7 +58,7 @@ UnderstoodGradation read_part(const std::string &path, const ReadingFlags &readi
 } // namespace
 
 void RegradingFlags::add_to(CLI::App &command) {
-  const OptionGroup group(command, "Joining and changing gradations, in this order");
+  const OptionGroup group(command, "Changes in this order");
   command
       .add_option("--join", join,
                   "two analyses of one sample: sieves above the joint, the other, as of a hydrometer, below")
