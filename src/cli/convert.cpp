@@ -96,7 +96,7 @@ int run(const ConvertCommand &c) {
   check(c);
   if (c.dry_run)
     return show_understood(c);
-  const std::string name = shown_name(c.file.value_or(c.regrading.files().front()));
+  const std::string name = shown_name(c.file ? *c.file : c.regrading.files().front());
   const Regraded g = asked_gradation(c, name);
   Output out(c.output.path());
   out.write(in_file(name, [&] { return converted(c, g); }));
