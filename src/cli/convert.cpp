@@ -5,6 +5,7 @@
 #include "cli/reading_flags.hpp"
 #include "cli/regrading_flags.hpp"
 #include "cli/sample_file.hpp"
+#include "crosscheck/program_text.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "report/reading_report.hpp"
@@ -116,7 +117,11 @@ Run add_convert(CLI::App &app) {
       "gradation: CSV, JSON, AGS4, DIGGS, a table or workbook of a laboratory, a file of an "
       "instrument; or a set of mdm generate or file of particles, whose gradation it is; - for "
       "standard input");
-  c->output.add_out(command, "write", {"csv", "txt", "json", "lp", "mps", "smt2", "mzn", "opb"});
+  std::vector<std::string> endings = {"csv", "txt", "json"};
+  for (const std::string &language : program_language_names())
+    if (language != "json")
+      endings.push_back(language);
+  c->output.add_out(command, "write", endings);
   command.add_option("--format", c->output.asked_format, "csv or json; json if OUT ends so, else csv")
       ->check(CLI::IsMember({"csv", "json"}));
   command.add_flag("--dry-run", c->dry_run,
@@ -134,8 +139,7 @@ Run add_convert(CLI::App &app) {
           paragraph(
               "A problem minimises the sum of q1, q2 and so on, the particles of the classes from the finest "
               "on, in whole numbers as long as they are; comments say what its rows are. A solver that "
-              "counts "
-              "in floating point may miss what decides: mdm crosscheck judges its answer."),
+              "counts in floating point may miss what decides: mdm crosscheck judges its answer."),
       {"mdm convert report.ags --specimen-id BH1 -o sand.csv",
        "mdm convert sieving.xlsx --sheet Sand --dry-run",
        "mdm convert half-phi.csv --format csv | mdm solve - --tolerance retained:1%",

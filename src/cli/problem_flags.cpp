@@ -17,7 +17,7 @@ void ProblemFlags::add_to(CLI::App &command) {
                   "write the integer program of the question, for other solvers: lp, mps, smt2 (z3), mzn "
                   "(MiniZinc), opb (pseudo-Boolean) or json; its optimum is a smallest match")
       ->type_name("LANGUAGE")
-      ->check(CLI::IsMember({"lp", "mps", "smt2", "mzn", "opb", "json"}));
+      ->check(CLI::IsMember(program_language_names()));
   add_asked_options(command, asked);
 }
 

@@ -4,7 +4,6 @@
 
 #include "crosscheck/integer_program.hpp"
 
-#include <array>
 #include <string_view>
 
 namespace mdm {
@@ -19,13 +18,8 @@ enum class ProgramLanguage {
   json  ///< schema mdm-problem-1
 };
 
-/// All of them.
-inline constexpr std::array<ProgramLanguage, 6> program_languages = {
-    ProgramLanguage::lp,  ProgramLanguage::mps, ProgramLanguage::smt2,
-    ProgramLanguage::mzn, ProgramLanguage::opb, ProgramLanguage::json};
-
-/// `lp`, `mps` and so on.
-std::string_view name(ProgramLanguage language);
+/// `lp`, `mps` and so on, in their order.
+std::vector<std::string> program_language_names();
 std::optional<ProgramLanguage> program_language_named(std::string_view name);
 /// What the language has.
 ProgramForm form_of(ProgramLanguage language);

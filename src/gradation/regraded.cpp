@@ -11,9 +11,15 @@
 namespace mdm {
 namespace {
 
-/// The parts of g that another gradation has as well. \pre g has no tolerances
-Gradation::Data kept_parts(const Gradation &g) {
-  return {g.id(), g.unit(), g.sizes(), g.masses(), g.factors(), {}, {}, g.notes()};
+/// g without the classes from `kept` on. \pre g has no tolerances
+Gradation::Data lowest_classes(const Gradation &g, std::size_t kept) {
+  Gradation::Data data{g.id(), g.unit(), g.sizes(), g.masses(), g.factors(), {}, {}, g.notes()};
+  data.sizes.resize(kept + 1);
+  data.masses.resize(kept + 1);
+  data.masses.back() = 0;
+  if (g.has_factors())
+    data.factors.resize(kept + 1);
+  return data;
 }
 
 /// The classes in (from, to].
@@ -73,13 +79,7 @@ Regraded scalped(const Gradation &g, const Rational &size) {
   const Rational above = mass_of(g, kept, g.classes()), all = mass_of(g, 0, g.classes());
   if (above == all)
     throw InputError(fmt::format("nothing is at or below {}: scalp at a larger size", shown(size, g.unit())));
-  Gradation::Data data = kept_parts(g);
-  data.sizes.resize(kept + 1);
-  data.masses.resize(kept + 1);
-  data.masses.back() = 0;
-  if (g.has_factors())
-    data.factors.resize(kept + 1);
-  return {Gradation(std::move(data)),
+  return {Gradation(lowest_classes(g, kept)),
           {fmt::format("scalped: the mass {} of {} above {}, {}, is left out", shown(above), shown(all),
                        shown(size, g.unit()), shown_percent(above / all))}};
 }
@@ -94,12 +94,7 @@ Regraded replaced(const Gradation &g, const Replacement &r) {
     throw InputError(fmt::format("there is no mass between {} and {} in whose shares that above {} could "
                                  "be replaced: give other sizes",
                                  shown(r.from, g.unit()), shown(r.to, g.unit()), shown(r.above, g.unit())));
-  Gradation::Data data = kept_parts(g);
-  data.sizes.resize(kept + 1);
-  data.masses.resize(kept + 1);
-  data.masses.back() = 0;
-  if (g.has_factors())
-    data.factors.resize(kept + 1);
+  Gradation::Data data = lowest_classes(g, kept);
   if (above != 0)
     for (std::size_t j = band.begin; j < band.end; ++j)
       data.masses[j] *= (there + above) / there;

@@ -99,9 +99,8 @@ Rational extreme_scale(const std::vector<ProblemClass> &classes, const std::vect
 
 } // namespace
 
-std::vector<Rational> measured_openings(const Gradation &g, const MassLaw &law) {
-  if (law.is_power())
-    return g.powers();
+std::vector<Rational> values_at_openings(const Gradation &g, const MassLaw &law) {
+  assert(!law.is_power());
   std::vector<Rational> values;
   values.reserve(g.classes() + 1);
   for (const Rational &x : g.sizes())
@@ -111,7 +110,8 @@ std::vector<Rational> measured_openings(const Gradation &g, const MassLaw &law) 
 
 Problem::Problem(const Gradation &g, const MassLaw &law, const Integer &min_per_class)
     : law_(law), root_(g.root()) {
-  const std::vector<Rational> openings = measured_openings(g, law);
+  const std::vector<Rational> values = law.is_power() ? std::vector<Rational>() : values_at_openings(g, law);
+  const std::vector<Rational> &openings = law.is_power() ? g.powers() : values;
   check_powers(g, openings, law, min_per_class);
   CommonDenominator sizes(openings);
   const unsigned p = scale_power();

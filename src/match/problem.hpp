@@ -10,10 +10,10 @@ namespace mdm {
 /// 2).
 inline constexpr std::size_t max_power_bits = std::size_t{1} << 20;
 
-/// The numbers in the place of openings, to the power of the root, of which the law is a power: those of g,
-/// or under a law by table or sum its values at them (Theorem 24).
+/// The values of a law by table or sum at the openings of g, which take their place under x^1 (Theorem 24).
+/// \pre !law.is_power()
 /// \throws InputError if an opening is irrational or beyond the table
-std::vector<Rational> measured_openings(const Gradation &g, const MassLaw &law);
+std::vector<Rational> values_at_openings(const Gradation &g, const MassLaw &law);
 
 /// One class with mass, in integers. With the law x^(a/b) and openings that are d-th roots of fractions, q
 /// particles can hold the mass s m iff q^p f < S mass <= q^p F, p = b d, where S is s^p times a constant of

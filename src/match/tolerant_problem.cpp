@@ -21,7 +21,7 @@ using Terms = std::vector<std::pair<std::size_t, Rational>>;
 /// f at every opening; rational there, or refused.
 std::vector<Rational> masses_at_openings(const Gradation &g, const MassLaw &law) {
   if (!law.is_power())
-    return measured_openings(g, law);
+    return values_at_openings(g, law);
   std::vector<Rational> masses;
   for (const Rational &x : g.powers()) {
     const std::optional<Rational> mass = exact_root(law.powered(x), law.b * g.root());

@@ -90,10 +90,6 @@ private:
   ToleranceLines lines_;
 };
 
-} // namespace
-
-namespace {
-
 std::string law_line(const MassLaw &law) {
   if (law.is_power())
     return fmt::format("law {}\n", law.exponent());

@@ -162,10 +162,12 @@ TEST_CASE("no particle has more of its class than --largest-share", "[generate]"
   CHECK(json(some).at("classes")[1].at("quantity") == "273");
   // Particles of one size: 1 / P of them.
   some.back() = "4%";
-  for (const Json &c : json(with(some, {"--method", "match"})).at("classes"))
+  const Json matched = json(with(some, {"--method", "match"}));
+  for (const Json &c : matched.at("classes"))
     CHECK(std::stoi(c.at("quantity").get<std::string>()) >= 25);
   // A spread: (3/2)^2 / P = 56.25 in the first, wider class.
-  for (const Json &c : json(with(some, {"--method", "match", "--spread"})).at("classes"))
+  const Json spread = json(with(some, {"--method", "match", "--spread"}));
+  for (const Json &c : spread.at("classes"))
     CHECK(std::stoi(c.at("quantity").get<std::string>()) >= 57);
   CHECK(mdm(some).out.find("no particle above 4 % of its class") != std::string::npos);
   for (const char *wrong : {"0", "101%", "-1", "x", "1e-7"}) {
