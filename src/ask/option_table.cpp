@@ -2,12 +2,12 @@
 
 #include "ask/blend.hpp"
 #include "ask/crosscheck_options.hpp"
+#include "ask/describe_options.hpp"
 #include "ask/export_options.hpp"
 #include "ask/generate.hpp"
 #include "ask/pack.hpp"
 #include "ask/plot.hpp"
 #include "ask/reading_options.hpp"
-#include "ask/soil_options.hpp"
 #include "ask/solve_options.hpp"
 #include "ask/suite_lines.hpp"
 #include "ask/tradeoff_options.hpp"
@@ -75,7 +75,7 @@ const std::vector<OptionsOfCommand> &option_table() {
       {"tradeoff", rows_of(TradeoffTexts::options)}, // and those of solve
       {"blend", without("target", rows_of(BlendTexts::question_options, BlendTexts::answer_options,
                                           BlendTexts::limit_options, ReadingTexts::options))},
-      {"describe", rows_of(SoilTexts::options)},
+      {"describe", rows_of(DescribeTexts::options, SoilTexts::options)},
       {"convert", rows_of(ReadingTexts::options)},
       // What a set, a packing or an export is of is no option of a module.
       {"generate", without("curve", rows_of(GenerateTexts::options, GenerateTexts::answer_options,

@@ -1,72 +1,105 @@
+#include "ask/describe_options.hpp"
 #include "ask/outcome.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
+#include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
-#include "cli/soil_flags.hpp"
 #include "cli/whole_number.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
 #include "report/description.hpp"
+#include "report/sample_notes.hpp"
 #include "report/sediment_report.hpp"
 #include "text/option_name.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <memory>
 
 namespace mdm::cli {
 namespace {
 
 struct DescribeCommand {
-  std::string file;
-  SoilFlags soil;
+  std::vector<std::string> files;
+  DescribeTexts asked;
   bool sediment = false;
   ReadingFlags reading;
   std::optional<unsigned> digits;
   OutputFlags output;
 };
 
-/// The report in the form that was asked for.
+/// The forms of a report of one sample, and of a table of several.
 template <class Description>
-std::string report(const DescribeCommand &c, const Description &d,
-                   std::string (&text)(const Description &, unsigned),
-                   std::string (&json)(const Description &, unsigned),
-                   std::string (&csv)(const Description &, unsigned)) {
-  constexpr unsigned exchanged = 15, read = 4;
-  return c.output.report([&] { return text(d, c.digits.value_or(read)); },
-                         [&] { return json(d, c.digits.value_or(exchanged)); },
-                         [&] { return csv(d, c.digits.value_or(exchanged)); });
+struct Forms {
+  std::string (&text)(const Description &, unsigned);
+  std::string (&json)(const Description &, unsigned);
+  std::string (&csv)(const Description &, unsigned);
+  std::string (&table_text)(const std::vector<Description> &, unsigned);
+  std::string (&table_csv)(const std::vector<Description> &, unsigned);
+};
+
+/// The report in the form that was asked for: of several samples a table, or a line of JSON each.
+template <class Description>
+std::string report(const DescribeCommand &c, const std::vector<Description> &all,
+                   const Forms<Description> &forms) {
+  const unsigned exchanged = c.digits.value_or(15), read = c.digits.value_or(4);
+  const auto json = [&] {
+    std::string lines;
+    for (const Description &d : all)
+      lines += (lines.empty() ? "" : "\n") + forms.json(d, exchanged);
+    return lines;
+  };
+  if (all.size() == 1)
+    return c.output.report([&] { return forms.text(all[0], read); }, json,
+                           [&] { return forms.csv(all[0], exchanged); });
+  return c.output.report([&] { return forms.table_text(all, read); }, json,
+                         [&] { return forms.table_csv(all, exchanged); });
 }
 
-void write(const DescribeCommand &c, const std::string &text) {
+/// Describes all samples, writes the report and says whether a limit of precision was reached.
+template <class Description, class Describe>
+bool describe_all(const DescribeCommand &c, const Forms<Description> &forms, Describe describe) {
+  std::vector<Description> all;
+  for (const std::string &file : c.files) {
+    const Gradation g = any_gradation(file, c.reading, c.output.quiet).gradation;
+    all.push_back(in_file(file, [&] { return describe(c.asked.soil.with_pan(g)); }));
+  }
   Output out(c.output.path());
-  out.write(text);
+  out.write(report(c, all, forms));
   out.commit();
+  if (all.size() > 1)
+    c.output.tell_notes_beside_csv(notes_of_samples(all));
+  return std::any_of(all.begin(), all.end(), [](const Description &d) { return d.limited(); });
 }
 
-/// The gradation, with the pan that was asked for.
-Gradation gradation(const DescribeCommand &c) {
-  const Gradation g = any_gradation(c.file, c.reading, c.output.quiet).gradation;
-  return in_file(c.file, [&] { return c.soil.with_pan(g); });
+bool describe_sediments(const DescribeCommand &c) {
+  const SoilTexts &soil = c.asked.soil;
+  if (soil.liquid_limit || soil.plastic_limit || c.asked.percents || c.asked.void_ratio)
+    throw InputError(fmt::format("{} has no use for {}, {} and Atterberg limits: leave them out",
+                                 option("sediment"), option("d"), option("void-ratio")));
+  return describe_all<SedimentDescription>(
+      c, {sediment_text, sediment_json, sediment_csv, sediments_text, sediments_csv},
+      [&](const Gradation &g) { return describe_sediment(g, soil.extrapolate); });
 }
 
-int describe_as_sediment(const DescribeCommand &c) {
-  if (c.soil.liquid_limit || c.soil.plastic_limit)
-    throw InputError(option("sediment") + " has no use for Atterberg limits: leave them out");
-  const SedimentDescription s = describe_sediment(gradation(c), c.soil.extrapolate);
-  write(c, report(c, s, sediment_text, sediment_json, sediment_csv));
-  return s.limited() ? Exit::limited : Exit::done;
+bool describe_soils(const DescribeCommand &c) {
+  const DescribeOptions options = c.asked.describe_options();
+  return describe_all<SoilDescription>(
+      c, {description_text, description_json, description_csv, descriptions_text, descriptions_csv},
+      [&](const Gradation &g) { return describe(g, options); });
 }
 
 int run(const DescribeCommand &c) {
-  check_distinct({c.file, c.output.path()});
-  if (c.sediment)
-    return describe_as_sediment(c);
-  const DescribeOptions o = c.soil.describe_options();
-  const SoilDescription d = describe(gradation(c), o);
-  write(c, report(c, d, description_text, description_json, description_csv));
-  return exit_code(outcome_of(d));
+  if (std::count(c.files.begin(), c.files.end(), "-") > 1)
+    throw InputError("-: standard input is one file: give the others by name");
+  for (const std::string &file : c.files)
+    check_distinct({file, c.output.path()});
+  const bool limited = c.sediment ? describe_sediments(c) : describe_soils(c);
+  return limited ? Exit::limited : Exit::done;
 }
 
 } // namespace
@@ -74,14 +107,15 @@ int run(const DescribeCommand &c) {
 Run add_describe(CLI::App &app) {
   const auto c = std::make_shared<DescribeCommand>();
   CLI::App &command =
-      *app.add_subcommand("describe", "Index numbers, fractions and the soil group of a gradation");
+      *app.add_subcommand("describe", "Index numbers, fractions and the soil groups of gradations");
   command
-      .add_option("FILE", c->file,
-                  "gradation (any that mdm convert reads), set of mdm generate, or file of particles as mdm "
-                  "verify reads; - for "
-                  "standard input")
+      .add_option(
+          "FILE", c->files,
+          "gradations (any that mdm convert reads), sets of mdm generate, or files of particles as mdm "
+          "verify reads; - for standard input; of several there is a table with a line each")
       ->required();
-  c->soil.add_to(command);
+  add_options(command, DescribeTexts::options, c->asked);
+  add_options(command, SoilTexts::options, c->asked.soil);
   command.add_flag("--sediment", c->sediment,
                    "as sedimentology has it: Folk and Ward, moments, Trask, modes, texture, Wentworth");
   command.add_option("--digits", c->digits, "significant digits (15; in the text form 4)")
@@ -96,7 +130,19 @@ Run add_describe(CLI::App &app) {
           "C_u = D60 / D10 and C_c = D30^2 / (D10 D60) are of ASTM D2487. I_GS is the grain size index of "
           "Erguler (2016), I_C Arnold's index of curvature, phi_1 the mass of the finest class over that of "
           "the coarsest, zeta_1 the volume of the coarsest class's largest particle over that of the "
-          "finest's (Arnold, Eq. 15 and 16).") +
+          "finest's (Arnold, Eq. 15 and 16). The span is (D90 - D10) / D50. D[3,2] and D[4,3] are the means "
+          "over "
+          "surface and volume of ISO 9276-2, between their values with all particles at the lower and at the "
+          "upper sieves of their classes. FM and FM EN are the fineness moduli of ASTM C125 and EN 12620, "
+          "with "
+          "shares and not percents added.") +
+          "\n" +
+          paragraph("Groups are of ASTM D2487 and of AASHTO M 145, which rounds percents and limits to whole "
+                    "numbers; its "
+                    "group index stands in brackets. k_H is the hydraulic conductivity after Hazen, 0.01 m/s "
+                    "times the "
+                    "square of D10 in mm; k_KC, with --void-ratio, that of Kozeny and Carman after Carrier "
+                    "(2003).") +
           "\n" +
           paragraph(
               "--sediment: mean, sorting, skewness and kurtosis on the phi scale, after Folk and Ward (1957) "
@@ -107,7 +153,8 @@ Run add_describe(CLI::App &app) {
           paragraph(
               "Exit code 3: the group hangs on an interpolated share or an index that 1,200 digits do not "
               "tell from its limit; the report says which."),
-      {"mdm describe sand.csv", "mdm describe sand.csv --sediment",
+      {"mdm describe sand.csv", "mdm describe sand.csv --sediment", "mdm describe sand.csv --d 5,16,84,95",
+       "mdm describe bh1.csv bh2.csv bh3.csv --format csv -o table.csv",
        "mdm describe sand.csv --liquid-limit 30 --plastic-limit 22",
        "mdm describe report.ags --specimen-id BH1 --format json -o bh1.json"}));
   return [c] { return run(*c); };

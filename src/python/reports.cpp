@@ -1,4 +1,4 @@
-#include "ask/soil_options.hpp"
+#include "ask/describe_options.hpp"
 #include "ask/tradeoff_options.hpp"
 #include "python/listener.hpp"
 #include "python/module.hpp"
@@ -20,10 +20,11 @@ namespace {
 std::string describe_json(const Gradation &given, const std::map<std::string, std::string> &values,
                           unsigned digits) {
   const py::gil_scoped_release unlocked;
-  SoilTexts texts;
-  take_words({values, {}}, SoilTexts::options, texts);
+  DescribeTexts texts;
+  take_words({values, {}}, DescribeTexts::options, texts);
+  take_words({values, {}}, SoilTexts::options, texts.soil);
   const DescribeOptions options = texts.describe_options();
-  return description_json(describe(texts.with_pan(given), options), digits);
+  return description_json(describe(texts.soil.with_pan(given), options), digits);
 }
 
 /// mdm-tradeoff-1, and the exception that ended it. \param own  the options that solving does not have

@@ -1,5 +1,6 @@
 #include "report/description.hpp"
 
+#include "report/description_items.hpp"
 #include "report/fractions_report.hpp"
 #include "text/text_buffer.hpp"
 #include "text/text_table.hpp"
@@ -17,33 +18,11 @@
 namespace mdm {
 namespace {
 
-/// An index number as all three forms show it.
-struct Item {
-  const char *key;  // in JSON and CSV
-  const char *name; // in text; null: a note says it there
-  const char *unit;
-  std::optional<Real> value;
-};
-
-std::optional<Real> real(const Available<PowerProduct> &value) {
-  return value ? std::optional(value->real()) : std::nullopt;
-}
-
-std::optional<Real> real(const Available<Real> &value) {
-  return value ? std::optional(*value) : std::nullopt;
-}
-
-std::optional<Real> over_d50(const SoilDescription &d) {
-  return d.d50 ? std::optional((d.d_max / *d.d50).real()) : std::nullopt;
-}
-
-std::vector<Item> items(const SoilDescription &d) {
-  return {{"D10", "D10", "mm", real(d.d10)},       {"D30", "D30", "mm", real(d.d30)},
-          {"D50", "D50", "mm", real(d.d50)},       {"D60", "D60", "mm", real(d.d60)},
-          {"Cu", "C_u", "", real(d.c_u)},          {"Cc", "C_c", "", real(d.c_c)},
-          {"IGS", "I_GS", "", real(d.i_gs)},       {"IC", "I_C", "", real(d.i_c)},
-          {"phi1", "phi_1", "", Real(d.phi_1)},    {"zeta1", "zeta_1", "", d.zeta_1.real()},
-          {"dmax", nullptr, "mm", d.d_max.real()}, {"dmaxD50", nullptr, "", over_d50(d)}};
+void write_item(JsonWriter &json, const DescriptionItem &i, unsigned digits) {
+  if (const auto ends = bounds_of(i, digits))
+    json.bounds(ends->first, ends->second);
+  else
+    json.null();
 }
 
 const char *name(Fines fines) {
@@ -57,6 +36,12 @@ void write_opening(JsonWriter &json, const RootSize &opening, unsigned digits) {
     json.plain(opening.text());
   else
     write(json, enclose_root(numerator(opening.power), denominator(opening.power), opening.degree, digits));
+}
+
+std::string line_of(const DescriptionItem &i, unsigned digits) {
+  if (!i.value)
+    return "not available";
+  return *i.unit == 0 ? shown_item(i, digits) : fmt::format("{} {}", shown_item(i, digits), i.unit);
 }
 
 std::string headline(const SoilDescription &d) {
@@ -76,8 +61,15 @@ std::string description_json(const SoilDescription &d, unsigned digits) {
     json.end_object();
   }
   json.end_array();
-  for (const Item &item : items(d))
-    write_value(json.key(item.key), item.value, digits);
+  for (const DescriptionItem &i : usual_items(d))
+    write_item(json.key(i.key), i, digits);
+  json.key("diameters").begin_array();
+  for (const DiameterAt &at : d.diameters) {
+    json.begin_object().key("percent").plain(to_decimal(at.percent));
+    write_item(json.key("size"), item_of(at), digits);
+    json.end_object();
+  }
+  json.end_array();
   json.key("uscs");
   if (d.group)
     json.begin_object()
@@ -90,6 +82,12 @@ std::string description_json(const SoilDescription &d, unsigned digits) {
         .end_object();
   else
     json.null();
+  json.key("aashto");
+  if (d.aashto) {
+    json.begin_object().key("symbol").plain(d.aashto->symbol).key("name").plain(d.aashto->name);
+    write(json.key("index"), d.aashto->index).end_object();
+  } else
+    json.null();
   write_fractions(json.key("uscs_fractions"), d.uscs, digits);
   write_fractions(json.key("iso_14688_fractions"), d.iso_14688, digits);
   json.key("notes").strings(d.notes).key("versions").raw(versions_json()).end_object();
@@ -99,10 +97,14 @@ std::string description_json(const SoilDescription &d, unsigned digits) {
 std::string description_csv(const SoilDescription &d, unsigned digits) {
   TextBuffer out;
   add(out, "item,unit,lo,hi,text\n");
-  for (const Item &item : items(d))
-    add_csv_row(out, item.key, item.unit, item.value, digits);
+  for (const DescriptionItem &i : items_of(d)) {
+    const auto ends = bounds_of(i, digits);
+    add(out, "{},{},{},{},\n", i.key, i.unit, ends ? ends->first : "", ends ? ends->second : "");
+  }
   add(out, "USCS symbol,,,,{}\nUSCS name,,,,\"{}\"\n", d.group ? d.group->symbol : "",
       d.group ? d.group->name : "");
+  add(out, "AASHTO symbol,,,,{0}\nAASHTO name,,,,\"{1}\"\nAASHTO group index,,{2},{2},\n",
+      d.aashto ? d.aashto->symbol : "", d.aashto ? d.aashto->name : "", group_index(d));
   add_csv_fractions(out, "USCS", d.uscs, digits);
   add_csv_fractions(out, "ISO 14688", d.iso_14688, digits);
   for (const std::string &note : d.notes)
@@ -113,10 +115,10 @@ std::string description_csv(const SoilDescription &d, unsigned digits) {
 std::string description_text(const SoilDescription &d, unsigned digits) {
   TextBuffer out;
   add(out, "{}\n\n", headline(d));
-  for (const Item &item : items(d))
-    if (item.name != nullptr)
-      add(out, "  {:<6}  {}{}{}\n", item.name, item.value ? rounded(*item.value, digits) : "not available",
-          item.value && *item.unit != 0 ? " " : "", item.value ? item.unit : "");
+  for (const DescriptionItem &i : items_of(d))
+    if (!i.name.empty())
+      add(out, "  {:<6}  {}\n", i.name, line_of(i, digits));
+  add(out, "  AASHTO  {}\n", d.aashto ? aashto_symbol(d) + ", " + d.aashto->name : "not available");
   add_text_fractions(out, "ASTM D2487", d.uscs, digits);
   add_text_fractions(out, "ISO 14688", d.iso_14688, digits);
   if (!d.notes.empty())

@@ -6,12 +6,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace mdm {
 namespace {
-
-std::optional<Real> percent(const Fraction &f) {
-  return f.share ? std::optional(*f.share * 100) : std::nullopt;
-}
 
 bool is_empty(const Fraction &f) {
   return f.share && f.share->exact() == Rational(0);
@@ -26,6 +24,10 @@ std::string range(const Fraction &f) {
 }
 
 } // namespace
+
+std::optional<Real> percent(const Fraction &f) {
+  return f.share ? std::optional(*f.share * 100) : std::nullopt;
+}
 
 void write_value(JsonWriter &json, const std::optional<Real> &value, unsigned digits) {
   write(json, value ? std::optional(enclose(*value, digits)) : std::nullopt);
@@ -53,6 +55,21 @@ void add_csv_row(TextBuffer &out, const std::string &item, const char *unit, con
   }
   const Enclosure e = enclose(*value, digits);
   add(out, "{},{},{},{},{}\n", item, unit, e.lower_text(), e.upper_text(), csv_field(text));
+}
+
+void add_csv_bounds(TextBuffer &out, const std::optional<Real> &value, unsigned digits) {
+  if (!value) {
+    add(out, ",,");
+    return;
+  }
+  const Enclosure e = enclose(*value, digits);
+  add(out, ",{},{}", e.lower_text(), e.upper_text());
+}
+
+std::string column_name(std::string_view fraction) {
+  std::string name(fraction);
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
 }
 
 void add_csv_fractions(TextBuffer &out, const char *system, const std::vector<Fraction> &fractions,

@@ -23,6 +23,13 @@ void add_csv_row(TextBuffer &out, const std::string &item, const char *unit, con
 void add_csv_fractions(TextBuffer &out, const char *system, const std::vector<Fraction> &fractions,
                        unsigned digits);
 
+/// `,lo,hi`, empty for what is not available.
+void add_csv_bounds(TextBuffer &out, const std::optional<Real> &value, unsigned digits);
+/// `coarse_sand` of `coarse sand`.
+std::string column_name(std::string_view fraction);
+/// The share in percent, where it is available.
+std::optional<Real> percent(const Fraction &f);
+
 /// A line a band; parts without a value, parts of empty bands, and empty bands coarser than all are left out.
 void add_text_fractions(TextBuffer &out, const char *system, const std::vector<Fraction> &fractions,
                         unsigned digits);

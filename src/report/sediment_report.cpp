@@ -2,6 +2,7 @@
 
 #include "gradation/shown.hpp"
 #include "report/fractions_report.hpp"
+#include "report/sample_notes.hpp"
 #include "text/text_table.hpp"
 #include "text/versions.hpp"
 
@@ -67,7 +68,9 @@ std::string sediment_json(const SedimentDescription &s, unsigned digits) {
     json.key("up_to").plain(m.up_to.text());
     json.end_object();
   }
-  write_text(json.end_array().key("texture"), s.texture);
+  write_text(json.end_array().key("texture"), s.folk);
+  write_text(json.key("shepard"), s.shepard);
+  write_text(json.key("usda"), s.usda);
   write_fractions(json.key("wentworth_fractions"), s.wentworth, digits);
   json.key("notes").strings(s.notes).key("versions").raw(versions_json()).end_object();
   return json.take();
@@ -84,7 +87,8 @@ std::string sediment_csv(const SedimentDescription &s, unsigned digits) {
   add_csv_row(out, "Trask skewness", "", known(s.trask_skewness), digits);
   for (const SizeMode &m : s.modes)
     add(out, "mode,mm,{},{},\n", m.above.text(), m.up_to.text());
-  add(out, "texture,,,,{}\n", csv_field(s.texture));
+  add(out, "texture,,,,{}\nShepard texture,,,,{}\nUSDA texture,,,,{}\n", csv_field(s.folk),
+      csv_field(s.shepard), csv_field(s.usda));
   add_csv_fractions(out, "Wentworth", s.wentworth, digits);
   for (const std::string &note : s.notes)
     add(out, "note,,,,{}\n", csv_field(note));
@@ -93,7 +97,7 @@ std::string sediment_csv(const SedimentDescription &s, unsigned digits) {
 
 std::string sediment_text(const SedimentDescription &s, unsigned digits) {
   TextBuffer out;
-  add(out, "{}: {}\n\n", printable(s.id), s.texture.empty() ? "no texture" : s.texture);
+  add(out, "{}: {}\n\n", printable(s.id), s.folk.empty() ? "no texture" : s.folk);
   std::vector<std::vector<std::string>> lines = {{"", "Folk and Ward", "", "moments", ""}};
   const std::array<Measure, 4> graphic = measures("", s.graphic), moments = measures("", s.moments);
   for (std::size_t i = 0; i < graphic.size(); ++i)
@@ -109,10 +113,63 @@ std::string sediment_text(const SedimentDescription &s, unsigned digits) {
     modes.push_back(range_of(m));
   if (!modes.empty())
     add(out, "  modes, the highest first: {}\n", fmt::join(modes, ", "));
+  if (!s.shepard.empty())
+    add(out, "  texture of Shepard: {}\n", s.shepard);
+  if (!s.usda.empty())
+    add(out, "  texture of the USDA: {}\n", s.usda);
   add_text_fractions(out, "Wentworth", s.wentworth, digits);
   out.push_back('\n');
   for (const std::string &note : s.notes)
     add(out, "  note: {}\n", printable(note));
+  return fmt::to_string(out);
+}
+
+std::string sediments_text(const std::vector<SedimentDescription> &all, unsigned digits) {
+  TextTable table;
+  table.add_column("sample", '<');
+  for (const char *title : {"mean", "sorting", "skewness", "kurtosis"})
+    table.add_column(title, '>');
+  for (const char *title : {"sorting in words", "texture of Folk"})
+    table.add_column(title, '<');
+  for (const SedimentDescription &s : all) {
+    table.add_line();
+    table.add(printable(s.id));
+    for (const Measure &m : measures("", s.graphic))
+      table.add(shown_value(m.measure->value, "", digits));
+    table.add(s.graphic.sorting.word);
+    table.add(s.folk);
+  }
+  TextBuffer out;
+  add(out, "Folk and Ward, in phi\n\n{}\n", table.text());
+  for (const std::string &note : notes_of_samples(all))
+    add(out, "  note: {}\n", printable(note));
+  return fmt::to_string(out);
+}
+
+std::string sediments_csv(const std::vector<SedimentDescription> &all, unsigned digits) {
+  TextBuffer out;
+  add(out, "id");
+  for (const char *method : {"folk_ward", "moments"})
+    for (const char *measure : {"mean", "sorting", "skewness", "kurtosis"})
+      add(out, ",{0}_{1}_lo,{0}_{1}_hi,{0}_{1}_word", method, measure);
+  add(out, ",trask_sorting_lo,trask_sorting_hi,trask_skewness_lo,trask_skewness_hi,folk,shepard,usda");
+  for (const Fraction &f : all.front().wentworth)
+    add(out, ",{0}_percent_lo,{0}_percent_hi", column_name(f.name));
+  out.push_back('\n');
+  for (const SedimentDescription &s : all) {
+    add(out, "{}", csv_field(s.id));
+    for (const PhiMeasures *group : {&s.graphic, &s.moments})
+      for (const Measure &m : measures("", *group)) {
+        add_csv_bounds(out, known(m.measure->value), digits);
+        add(out, ",{}", csv_field(m.measure->word));
+      }
+    add_csv_bounds(out, known(s.trask_sorting), digits);
+    add_csv_bounds(out, known(s.trask_skewness), digits);
+    add(out, ",{},{},{}", csv_field(s.folk), csv_field(s.shepard), csv_field(s.usda));
+    for (const Fraction &f : s.wentworth)
+      add_csv_bounds(out, percent(f), digits);
+    out.push_back('\n');
+  }
   return fmt::to_string(out);
 }
 

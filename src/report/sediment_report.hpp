@@ -18,4 +18,10 @@ std::string sediment_csv(const SedimentDescription &s, unsigned digits);
 /// For people: certain digits, rounded.
 std::string sediment_text(const SedimentDescription &s, unsigned digits);
 
+/// A table of several samples with a line each, and their notes.
+std::string sediments_text(const std::vector<SedimentDescription> &all, unsigned digits);
+/// A line a sample: id, then lo, hi and word of each measure of both methods, lo and hi of Trask's, the
+/// textures, lo and hi of each fraction in percent; empty where it is not available. \pre there is one
+std::string sediments_csv(const std::vector<SedimentDescription> &all, unsigned digits);
+
 } // namespace mdm

@@ -1,10 +1,15 @@
 #include "soil/describe.hpp"
 
+#include "soil/fineness_modulus.hpp"
+#include "soil/permeability.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/number/decimal.hpp>
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 
 namespace mdm {
 namespace {
@@ -17,11 +22,17 @@ std::string listed(const std::vector<std::string> &items) {
   return text;
 }
 
+/// The diameters that every description has.
+constexpr std::array<unsigned, 4> usual_percents = {10, 30, 50, 60};
+
 void add_diameter_notes(std::vector<std::string> &notes, const SoilDescription &d, bool extrapolate) {
   std::vector<std::string> in_pan;
-  for (const unsigned p : {10U, 30U, 50U, 60U})
+  for (const unsigned p : usual_percents)
     if (d.curve.in_pan(ratio(p, 100)))
       in_pan.push_back("D" + std::to_string(p));
+  for (const DiameterAt &more : d.diameters)
+    if (d.curve.in_pan(more.percent / 100))
+      in_pan.push_back("D" + to_decimal(more.percent));
   if (in_pan.empty())
     return;
   std::string note = listed(in_pan) + ": ";
@@ -70,6 +81,52 @@ void add_group_notes(std::vector<std::string> &notes, const SoilDescription &d, 
     notes.emplace_back("the USCS group is that of the part that passes 75 mm");
 }
 
+void add_aashto_notes(std::vector<std::string> &notes, const SoilDescription &d) {
+  if (!d.aashto)
+    notes.push_back("no group of AASHTO M 145: " + d.aashto.why().reason);
+  else if (!d.aashto->index)
+    notes.emplace_back(
+        "the group index of AASHTO M 145 needs the limits of the fines, and what passes 0.075 mm");
+}
+
+/// What is interpolated of a fineness modulus, or why there is none.
+void add_fineness_notes(std::vector<std::string> &notes, const SoilDescription &d) {
+  const auto add = [&](const char *standard, const Available<Real> &modulus,
+                       const std::vector<Rational> &sieves) {
+    if (!modulus) {
+      notes.push_back(fmt::format("no fineness modulus of {}: {}", standard, modulus.why().reason));
+      return;
+    }
+    std::vector<std::string> between;
+    for (const Rational &sieve : sieves)
+      if (d.curve.interpolates(sieve))
+        between.push_back(to_decimal(sieve));
+    if (!between.empty())
+      notes.push_back(
+          fmt::format("fineness modulus of {}: interpolated, linear in log size, at {} mm, where there "
+                      "is no sieve",
+                      standard, listed(between)));
+  };
+  add("ASTM C125", d.fineness_modulus, astm_fineness_sieves());
+  add("EN 12620", d.en_fineness_modulus, en_fineness_sieves());
+}
+
+void add_conductivity_notes(std::vector<std::string> &notes, const SoilDescription &d, bool extrapolate) {
+  if (d.hazen)
+    notes.push_back(
+        fmt::format("k_H, Hazen's estimate, is for loose sand of D10 from 0.1 to 3 mm and C_u below 5: "
+                    "this is {}",
+                    is_hazen_soil(d.curve, extrapolate) ? "in that range" : "outside that range"));
+  if (!d.kozeny_carman)
+    return;
+  if (*d.kozeny_carman)
+    notes.emplace_back("k_KC, the estimate of Kozeny and Carman after Carrier (2003), is for spheres of any "
+                       "sizes within the "
+                       "classes, water at 20 degrees Celsius and laminar flow, not for clay");
+  else
+    notes.push_back("k_KC is not available: " + d.kozeny_carman->why().reason);
+}
+
 /// The figures by which the papers that Arnold cites tell a representative volume.
 std::string representative_note(const SoilDescription &d) {
   const Real d_max = d.d_max.real();
@@ -91,7 +148,11 @@ std::vector<std::string> assumptions(const SoilDescription &d, const DescribeOpt
 SoilDescription describe(const Gradation &g, const DescribeOptions &options) {
   const GradingCurve curve(g);
   const bool extrapolate = options.extrapolate;
-  const auto diameter = [&](long percent) { return curve.diameter(ratio(percent, 100), extrapolate); };
+  const auto diameter = [&](const Rational &percent) { return curve.diameter(percent / 100, extrapolate); };
+  std::vector<DiameterAt> diameters;
+  for (const Rational &percent : options.percents)
+    if (std::find(usual_percents.begin(), usual_percents.end(), percent) == usual_percents.end())
+      diameters.push_back({percent, diameter(percent)});
   const Fines fines = options.limits ? classify_fines(*options.limits) : Fines::ML;
   SoilDescription d{g.id(),
                     curve,
@@ -99,8 +160,17 @@ SoilDescription describe(const Gradation &g, const DescribeOptions &options) {
                     diameter(30),
                     diameter(50),
                     diameter(60),
+                    std::move(diameters),
                     uniformity(curve, extrapolate),
                     curvature(curve, extrapolate),
+                    span(curve, extrapolate),
+                    surface_mean(curve),
+                    volume_mean(curve),
+                    fineness_modulus(curve, astm_fineness_sieves()),
+                    fineness_modulus(curve, en_fineness_sieves()),
+                    hazen_conductivity(curve, extrapolate),
+                    options.void_ratio ? std::optional(kozeny_carman_conductivity(curve, *options.void_ratio))
+                                       : std::nullopt,
                     grain_size_index(curve),
                     curvature_index(curve),
                     finest_mass_ratio(curve),
@@ -108,6 +178,7 @@ SoilDescription describe(const Gradation &g, const DescribeOptions &options) {
                     curve.power_of(curve.coarsest() + 1),
                     fines,
                     classify_uscs(curve, fines, extrapolate),
+                    classify_aashto(curve, options.limits),
                     uscs_fractions(curve),
                     iso_14688_fractions(curve),
                     g.notes()};
@@ -116,10 +187,15 @@ SoilDescription describe(const Gradation &g, const DescribeOptions &options) {
     d.notes.push_back("I_GS is not available: " + d.i_gs.why().reason);
   if (!d.i_c)
     d.notes.push_back("I_C is not available: " + d.i_c.why().reason);
+  if (!d.surface_mean)
+    d.notes.push_back("D[3,2] and D[4,3] are not available: " + d.surface_mean.why().reason);
   d.notes.push_back(representative_note(d));
   add_fraction_notes(d.notes, curve, "ASTM D2487", d.uscs);
   add_fraction_notes(d.notes, curve, "ISO 14688", d.iso_14688);
   add_group_notes(d.notes, d, options.limits.has_value());
+  add_aashto_notes(d.notes, d);
+  add_fineness_notes(d.notes, d);
+  add_conductivity_notes(d.notes, d, extrapolate);
   return d;
 }
 

@@ -41,6 +41,15 @@ Available<PowerProduct> curvature(const GradingCurve &curve, bool extrapolate) {
   return pow(d30, 2) * *u / pow(d60, 2);
 }
 
+Available<Real> span(const GradingCurve &curve, bool extrapolate) {
+  const Available<PowerProduct> d10 = curve.diameter(ratio(1, 10), extrapolate);
+  if (!d10)
+    return NotAvailable{"D10 is " + d10.why().reason};
+  const PowerProduct d50 = *curve.diameter(ratio(5, 10), extrapolate);
+  const PowerProduct d90 = *curve.diameter(ratio(9, 10), extrapolate);
+  return (d90 / d50).real() - (*d10 / d50).real();
+}
+
 Available<Real> grain_size_index(const GradingCurve &curve) {
   const Rational least = ratio(1, 1000), most = 75;
   const PowerProduct span(Rational(most / least));

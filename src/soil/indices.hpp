@@ -12,6 +12,9 @@ Available<PowerProduct> uniformity(const GradingCurve &curve, bool extrapolate =
 /// C_c = D30^2 / (D60 D10), the coefficient of curvature.
 Available<PowerProduct> curvature(const GradingCurve &curve, bool extrapolate = false);
 
+/// (D90 - D10) / D50, the span.
+Available<Real> span(const GradingCurve &curve, bool extrapolate = false);
+
 /// I_GS of Erguler (2016): the integral of the share passing over log size from 0.001 to 75 mm, divided by
 /// log 75 - log 0.001. Not available where a pan at size 0 holds mass.
 Available<Real> grain_size_index(const GradingCurve &curve);

@@ -9,7 +9,11 @@
 
 #include "soil/sediment.hpp"
 
+#include "soil/texture.hpp"
+
 #include <mdm/number/decimal.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -197,36 +201,21 @@ std::vector<SizeMode> modes_of(const GradingCurve &curve) {
   return modes;
 }
 
-/// a >= factor b.
-bool is_at_least(const Real &a, const Rational &factor, const Real &b) {
-  const Order order = compare(a, Real(factor) * b);
-  if (order == Order::undecided)
-    throw NotAvailable{"1,200 digits do not tell a share from a limit", true};
-  return order != Order::less;
-}
-
-/// Folk (1954): the name by the share of gravel and by sand over mud.
-std::string texture_of(const Real &gravel, const Real &sand, const Real &mud) {
-  const Real one(1);
-  if (is_at_least(gravel, ratio(80, 100), one))
-    return "gravel";
-  const int sandiness = is_at_least(sand, 9, mud)             ? 3
-                        : is_at_least(sand, 1, mud)           ? 2
-                        : is_at_least(Real(9) * sand, 1, mud) ? 1
-                                                              : 0;
-  if (is_at_least(gravel, ratio(30, 100), one))
-    return sandiness == 3 ? "sandy gravel" : sandiness == 2 ? "muddy sandy gravel" : "muddy gravel";
-  if (is_at_least(gravel, ratio(5, 100), one))
-    return sandiness == 3 ? "gravelly sand" : sandiness == 2 ? "gravelly muddy sand" : "gravelly mud";
-  static constexpr std::array<const char *, 4> names = {"mud", "sandy mud", "muddy sand", "sand"};
-  const std::string name = names.at(static_cast<std::size_t>(sandiness));
-  return is_at_least(gravel, ratio(1, 10000), one) ? "slightly gravelly " + name : name;
+/// The name, or `undecided` with a note; empty where the curve does not tell.
+std::string texture_word(const char *system, const Available<std::string> &texture,
+                         std::vector<std::string> &notes) {
+  if (texture)
+    return *texture;
+  if (!texture.why().limited)
+    return "";
+  notes.push_back(fmt::format("The texture of {} is undecided: {}.", system, texture.why().reason));
+  return "undecided";
 }
 
 } // namespace
 
 bool SedimentDescription::limited() const {
-  std::vector<std::string> words = {texture};
+  std::vector<std::string> words = {folk, shepard, usda};
   for (const PhiMeasures *m : {&graphic, &moments})
     for (const NamedMeasure *each : {&m->mean, &m->sorting, &m->skewness, &m->kurtosis})
       words.push_back(each->word);
@@ -243,9 +232,8 @@ SedimentDescription describe_sediment(const Gradation &g, bool extrapolate) {
                         d ? Available<Real>(pow(d->d75 / d->d25, ratio(1, 2)).real()) : no_trask,
                         d ? Available<Real>((d->d25 * d->d75 / pow(d->d50, 2)).real()) : no_trask,
                         modes_of(curve),
-                        share_between(curve, 2, std::nullopt),
-                        share_between(curve, ratio(1, 16), Rational(2)),
-                        share_between(curve, 0, ratio(1, 16)),
+                        "",
+                        "",
                         "",
                         wentworth_fractions(curve),
                         g.notes()};
@@ -253,13 +241,9 @@ SedimentDescription describe_sediment(const Gradation &g, bool extrapolate) {
     s.notes.push_back("The graphic measures are not available: " + d.why().reason + ".");
   if (!s.moments.mean.value)
     s.notes.push_back("The moments are not available: " + s.moments.mean.value.why().reason + ".");
-  if (s.gravel && s.sand && s.mud)
-    try {
-      s.texture = texture_of(*s.gravel, *s.sand, *s.mud);
-    } catch (const NotAvailable &why) {
-      s.texture = "undecided";
-      s.notes.push_back("The texture is undecided: " + why.reason + ".");
-    }
+  s.folk = texture_word("Folk", folk_texture(curve), s.notes);
+  s.shepard = texture_word("Shepard", shepard_texture(curve), s.notes);
+  s.usda = texture_word("the USDA", usda_texture(curve), s.notes);
   s.notes.emplace_back(
       "A number at a limit has the word above it. Moments are of the classes' middles in phi.");
   return s;

@@ -36,9 +36,9 @@ struct SedimentDescription {
   PhiMeasures moments;
   /// Trask (1932): sqrt(D75/D25), and D25 D75/D50^2.
   Available<Real> trask_sorting, trask_skewness;
-  std::vector<SizeMode> modes;       ///< the highest first
-  Available<Real> gravel, sand, mud; ///< shares of the mass: above 2 mm, above 1/16 mm, the rest
-  std::string texture;               ///< Folk (1954), from gravel, sand and mud; empty where it is not known
+  std::vector<SizeMode> modes; ///< the highest first
+  /// The textures of Folk (1954), Shepard (1954) and the USDA; empty where they are not known.
+  std::string folk, shepard, usda;
   std::vector<Fraction> wentworth;
   std::vector<std::string> notes;
 

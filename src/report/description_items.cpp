@@ -1,0 +1,100 @@
+#include "report/description_items.hpp"
+
+#include <mdm/number/decimal.hpp>
+
+#include <fmt/format.h>
+
+namespace mdm {
+namespace {
+
+DescriptionItem item(std::string key, std::string name, const char *unit, const std::optional<Real> &value) {
+  return {std::move(key), std::move(name), unit,
+          value ? std::optional(RealRange{*value, *value}) : std::nullopt};
+}
+
+DescriptionItem item(std::string key, std::string name, const char *unit, const Available<Real> &value) {
+  return item(std::move(key), std::move(name), unit, value ? std::optional(*value) : std::nullopt);
+}
+
+DescriptionItem item(std::string key, std::string name, const char *unit,
+                     const Available<PowerProduct> &value) {
+  return item(std::move(key), std::move(name), unit, value ? std::optional(value->real()) : std::nullopt);
+}
+
+DescriptionItem item(std::string key, std::string name, const char *unit, const Available<RealRange> &value) {
+  return {std::move(key), std::move(name), unit, value ? std::optional(*value) : std::nullopt, true};
+}
+
+std::optional<Real> over_d50(const SoilDescription &d) {
+  return d.d50 ? std::optional((d.d_max / *d.d50).real()) : std::nullopt;
+}
+
+constexpr std::size_t after_d60 = 4, after_hazen = 12;
+
+} // namespace
+
+std::vector<DescriptionItem> usual_items(const SoilDescription &d) {
+  std::vector<DescriptionItem> all = {item("D10", "D10", "mm", d.d10),
+                                      item("D30", "D30", "mm", d.d30),
+                                      item("D50", "D50", "mm", d.d50),
+                                      item("D60", "D60", "mm", d.d60),
+                                      item("Cu", "C_u", "", d.c_u),
+                                      item("Cc", "C_c", "", d.c_c),
+                                      item("span", "span", "", d.span),
+                                      item("D32", "D[3,2]", "mm", d.surface_mean),
+                                      item("D43", "D[4,3]", "mm", d.volume_mean),
+                                      item("FM", "FM", "", d.fineness_modulus),
+                                      item("FM_EN", "FM EN", "", d.en_fineness_modulus),
+                                      item("kHazen", "k_H", "m/s", d.hazen),
+                                      item("IGS", "I_GS", "", d.i_gs),
+                                      item("IC", "I_C", "", d.i_c),
+                                      item("phi1", "phi_1", "", std::optional(Real(d.phi_1))),
+                                      item("zeta1", "zeta_1", "", std::optional(d.zeta_1.real())),
+                                      item("dmax", "", "mm", std::optional(d.d_max.real())),
+                                      item("dmaxD50", "", "", over_d50(d))};
+  if (d.kozeny_carman)
+    all.insert(all.begin() + after_hazen, item("kKozenyCarman", "k_KC", "m/s", *d.kozeny_carman));
+  return all;
+}
+
+DescriptionItem item_of(const DiameterAt &at) {
+  const std::string name = "D" + to_decimal(at.percent);
+  return item(name, name, "mm", at.size);
+}
+
+std::vector<DescriptionItem> items_of(const SoilDescription &d) {
+  std::vector<DescriptionItem> all = usual_items(d), diameters;
+  for (const DiameterAt &at : d.diameters)
+    diameters.push_back(item_of(at));
+  all.insert(all.begin() + after_d60, diameters.begin(), diameters.end());
+  return all;
+}
+
+std::optional<std::pair<std::string, std::string>> bounds_of(const DescriptionItem &i, unsigned digits) {
+  if (!i.value)
+    return std::nullopt;
+  const Enclosure lower = enclose(i.value->lo, digits);
+  const Enclosure upper = i.is_range ? enclose(i.value->hi, digits) : lower;
+  return std::pair(lower.lower_text(), upper.upper_text());
+}
+
+std::string shown_item(const DescriptionItem &i, unsigned digits) {
+  if (!i.value)
+    return "";
+  if (!i.is_range)
+    return rounded(i.value->lo, digits);
+  const auto ends = bounds_of(i, digits);
+  return ends->first + " to " + ends->second;
+}
+
+std::string group_index(const SoilDescription &d) {
+  return d.aashto && d.aashto->index ? to_string(*d.aashto->index) : "";
+}
+
+std::string aashto_symbol(const SoilDescription &d) {
+  if (!d.aashto)
+    return "";
+  return d.aashto->index ? fmt::format("{} ({})", d.aashto->symbol, group_index(d)) : d.aashto->symbol;
+}
+
+} // namespace mdm

@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// The fineness modulus of an aggregate.
+
+#include "soil/grading_curve.hpp"
+
+#include <vector>
+
+namespace mdm {
+
+/// The sieves over which a standard adds what is retained, in mm, descending.
+/// ASTM C125: 150, 75, 37.5, 19, 9.5, 4.75, 2.36, 1.18, 0.6, 0.3, 0.15.
+const std::vector<Rational> &astm_fineness_sieves();
+/// EN 12620: 4, 2, 1, 0.5, 0.25, 0.125.
+const std::vector<Rational> &en_fineness_sieves();
+
+/// The sum of the shares of the mass retained on and above each of the sieves. Between the sieves of the
+/// curve these are interpolated, linear in log size; not available where one is below the finest.
+Available<Real> fineness_modulus(const GradingCurve &curve, const std::vector<Rational> &sieves);
+
+} // namespace mdm
