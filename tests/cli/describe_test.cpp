@@ -123,6 +123,72 @@ TEST_CASE("the real sands are described", "[describe]") {
     CHECK(describe_json({example(file)}).at("uscs").at("symbol") == symbol);
 }
 
+TEST_CASE("any diameters are described", "[describe]") {
+  const Json d = describe_json({"-", "--d", "100,30,2.5,20,10"}, sand);
+  REQUIRE(d.at("diameters").size() == 3); // D10 and D30 are there already
+  CHECK(d.at("diameters")[0].at("percent") == "2.5");
+  CHECK(d.at("diameters")[2] == Json({{"percent", "100"}, {"size", {"4.75", "4.75"}}}));
+  // 0.1 * 3^(1/2)
+  CHECK(d.at("diameters")[1].at("size")[0].get<std::string>().rfind("0.17320508", 0) == 0);
+  CHECK(has(mdm({"describe", "-", "--d", "20"}, sand).out, "  D20     0.1732 mm\n"));
+  CHECK(has(mdm({"describe", "-", "--d", "20", "--format", "csv", "--digits", "3"}, sand).out,
+            "\nD60,mm,0.6,0.6,\nD20,mm,0.173,0.174,\n"));
+  CHECK(describe_json({"-", "--d", "5"}, coarse_pan).at("diameters")[0].at("size").is_null());
+  check_refused(mdm({"describe", "-", "--d", "5,101"}, sand), "--d: 5,101 has more than 100 percent");
+  check_refused(mdm({"describe", "-", "--d", "0,5"}, sand), "--d");
+}
+
+TEST_CASE("mean sizes, fineness and conductivity are described", "[describe]") {
+  const Json d = describe_json({"-", "--void-ratio", "0.6"}, "size_mm,passing_percent\n0.2,0\n0.4,100\n");
+  CHECK(d.at("D43") == Json({"0.2", "0.4"}));
+  CHECK(d.at("D32") == Json({"0.2", "0.4"}));
+  CHECK(d.at("kKozenyCarman")[0] == "0.0002979");
+  CHECK(d.at("kKozenyCarman")[1] == "0.0011916");
+  CHECK_FALSE(describe_json({"-"}, sand).contains("kKozenyCarman"));
+  check_refused(mdm({"describe", "-", "--void-ratio", "0"}, sand), "--void-ratio");
+}
+
+TEST_CASE("the AASHTO group has its index", "[describe]") {
+  const std::string silty = "size_mm,passing_percent\n4.75,100\n2,100\n0.425,90\n0.075,60\n0.01,0\n";
+  CHECK(describe_json({"-", "--liquid-limit", "35", "--plastic-limit", "23"}, silty).at("aashto") ==
+        Json({{"symbol", "A-6"}, {"name", "clayey soil"}, {"index", "5"}}));
+  CHECK(has(mdm({"describe", "-", "--liquid-limit", "35", "--plastic-limit", "23"}, silty).out,
+            "  AASHTO  A-6 (5), clayey soil\n"));
+  const Json without = describe_json({"-"}, silty);
+  CHECK(without.at("aashto").at("index").is_null());
+  CHECK(has(without.at("notes").dump(), "the group index of AASHTO M 145 needs the limits"));
+}
+
+TEST_CASE("of several samples there is a table with a line each", "[describe]") {
+  const TemporaryFolder folder;
+  folder.write("a.csv", sand);
+  folder.write("b.csv", coarse_pan);
+  const Outcome text = mdm({"describe", folder / "a.csv", folder / "b.csv", "--d", "90"});
+  INFO(text.out);
+  CHECK(text.exit_code == 0);
+  CHECK(has(text.out, "sample  USCS  AASHTO"));
+  CHECK(has(text.out, "\n  a       SW    A-1-b (0)  0.1  0.3"));
+  CHECK(has(text.out, "note: a, b: the fines are taken as low-plasticity silt") !=
+        has(text.out, "note: b: no USCS group"));
+  const Outcome csv =
+      mdm({"describe", folder / "a.csv", folder / "b.csv", "--format", "csv", "--digits", "3"});
+  CHECK(std::count(csv.out.begin(), csv.out.end(), '\n') == 3);
+  CHECK(has(csv.out, "id,uscs,aashto,aashto_index,D10_lo,D10_hi,"));
+  CHECK(has(csv.out, "\na,SW,A-1-b,0,0.1,0.1,"));
+  CHECK(has(csv.out, "\nb,,A-1-b,0,,,0.3,0.3,"));
+  CHECK(has(csv.err, "b: no USCS group"));
+  const Outcome json = mdm({"describe", folder / "a.csv", folder / "b.csv", "--format", "json"});
+  const std::size_t end = json.out.find('\n');
+  CHECK(Json::parse(json.out.substr(0, end)).at("id") == "a");
+  CHECK(Json::parse(json.out.substr(end)).at("id") == "b");
+  const Outcome sediment = mdm({"describe", folder / "a.csv", folder / "b.csv", "--sediment"});
+  CHECK(has(sediment.out, "\n  a       "));
+  CHECK(has(mdm({"describe", folder / "a.csv", folder / "b.csv", "--sediment", "--format", "csv"}).out,
+            "id,folk_ward_mean_lo,folk_ward_mean_hi,folk_ward_mean_word,"));
+  check_refused(mdm({"describe", "-", "-"}, sand), "standard input is one file");
+  check_refused(mdm({"describe", folder / "a.csv", folder / "none.csv"}), "none.csv");
+}
+
 TEST_CASE("wrong options of describe are refused", "[describe]") {
   const auto refused = [](Arguments options, const std::string &message) {
     options.insert(options.begin(), {"describe", "-"});

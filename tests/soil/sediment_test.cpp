@@ -74,7 +74,7 @@ TEST_CASE("a sand between 250 and 500 um has a mean of 1.5 phi and is very well 
   CHECK(s.graphic.kurtosis.word == "platykurtic");
   CHECK(exact(s.moments.mean) == ratio(3, 2));
   CHECK_FALSE(s.moments.sorting.value);
-  CHECK(s.texture == "sand");
+  CHECK(s.folk == "sand");
   REQUIRE(s.modes.size() == 1);
   CHECK(s.modes[0].up_to.text() == "0.5");
 }
@@ -134,7 +134,7 @@ TEST_CASE("graphic measures are those of curves in double", "[sediment]") {
 
 TEST_CASE("textures of Folk, at their limits too", "[sediment]") {
   const auto texture = [](const char *mud, const char *sand, const char *gravel) {
-    return of({"0.001", "0.0625", "2", "64"}, {mud, sand, gravel, "0"}).texture;
+    return of({"0.001", "0.0625", "2", "64"}, {mud, sand, gravel, "0"}).folk;
   };
   CHECK(texture("5", "15", "80") == "gravel");
   CHECK(texture("0", "20.1", "79.9") == "sandy gravel");
@@ -156,9 +156,9 @@ TEST_CASE("what the pan hides is not available", "[sediment]") {
   const SedimentDescription some = of({"0", "0.0625", "2"}, {"10", "90", "0"});
   CHECK_FALSE(some.graphic.mean.value);
   CHECK_FALSE(some.moments.mean.value);
-  CHECK(some.texture == "sand");
+  CHECK(some.folk == "sand");
   const SedimentDescription coarse = of({"0", "0.1", "2"}, {"10", "90", "0"});
-  CHECK(coarse.texture.empty());
+  CHECK(coarse.folk.empty());
   const SedimentDescription little = of({"0", "0.0625", "2"}, {"4", "96", "0"});
   CHECK(little.graphic.mean.value);
   CHECK_FALSE(little.moments.mean.value);

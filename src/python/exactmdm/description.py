@@ -40,12 +40,22 @@ class Description:
     d60: Enclosure | None
     c_u: Enclosure | None  #: D60 / D10
     c_c: Enclosure | None  #: D30^2 / (D10 D60)
+    span: Enclosure | None  #: (D90 - D10) / D50
+    d32: Enclosure | None  #: D[3,2], whatever the sizes within the classes
+    d43: Enclosure | None  #: D[4,3], in the same way
+    fineness_modulus: Enclosure | None  #: of ASTM C125
+    fineness_modulus_en: Enclosure | None  #: of EN 12620
+    k_hazen: Enclosure | None  #: hydraulic conductivity, m/s
+    k_kozeny_carman: Enclosure | None  #: the same, of a void ratio, whatever the sizes within the classes
+    diameters: dict[Decimal, Enclosure | None]  #: those asked for, by their percents
     i_gs: Enclosure | None  #: grain size index of Erguler (2016)
     i_c: Enclosure | None  #: Arnold's index of curvature
     phi_1: Enclosure | None  #: Arnold, Eq. 15
     zeta_1: Enclosure | None  #: Arnold, Eq. 16
     group: str | None  #: symbol of ASTM D2487, such as "SP"
     group_name: str | None
+    aashto: str | None  #: group of AASHTO M 145, such as "A-2-6"
+    aashto_index: int | None  #: its group index; None where it needs limits of the fines that are not known
     uscs: tuple[SoilFraction, ...]
     iso_14688: tuple[SoilFraction, ...]
     notes: tuple[str, ...]
@@ -61,9 +71,10 @@ class Description:
     def _repr_html_(self) -> str:
         rows = [[label, _shown(value)] for label, value in (
             ("D10, mm", self.d10), ("D30, mm", self.d30), ("D50, mm", self.d50), ("D60, mm", self.d60),
-            ("Cu", self.c_u), ("Cc", self.c_c), ("IGS", self.i_gs), ("IC", self.i_c), ("phi 1", self.phi_1),
+            ("Cu", self.c_u), ("Cc", self.c_c), ("span", self.span), ("IGS", self.i_gs), ("IC", self.i_c), ("phi 1", self.phi_1),
             ("zeta 1", self.zeta_1))]
         rows.append(["group", f"{self.group or ''} {self.group_name or ''}"])
+        rows.append(["AASHTO", self.aashto or ""])
         return html_table(["index", "value"], rows)
 
 
@@ -73,15 +84,16 @@ def describe(gradation: Union[Gradation, str, "os.PathLike[str]"], *,
              extrapolate: bool = False,
              # End of the options.
              digits: int = 15) -> Description:
-    """Index numbers, fractions and the soil group of a gradation, as `mdm describe`.
+    """Index numbers, fractions and the soil groups of a gradation, as `mdm describe`.
 
     Args:
+        d: more diameters, as `"5,16,84,95"`: the sizes that so many percent of the mass pass.
         liquid_limit, plastic_limit: of the fines, percent; without them they are low-plasticity silt.
         pan_size: takes the pan as a sieve of this size.
         extrapolate: continues the line through the two finest sieves into a pan at size 0.
         digits: significant digits.
 
-    Source: ASTM D2487, ISO 14688, Erguler (2016), Arnold Eq. 15 and 16.
+    Source: ASTM D2487, AASHTO M 145, ISO 14688, ISO 9276-2, ASTM C125, EN 12620, Erguler (2016), Arnold Eq. 15 and 16.
 
     >>> exactmdm.describe(exactmdm.Gradation(["0.1", "0.2", "0.4"], [1, 1, 0])).d50
     Enclosure(Decimal('0.2'), Decimal('0.2'))
@@ -98,11 +110,16 @@ def _read(report: str) -> Description:
     def index(name: str) -> Enclosure | None:
         return optional_enclosure(tree[name])
 
-    group = tree["uscs"] or {}
+    group, aashto = tree["uscs"] or {}, tree["aashto"] or {}
     return Description(
         id=tree["id"], d10=index("D10"), d30=index("D30"), d50=index("D50"), d60=index("D60"), c_u=index("Cu"),
-        c_c=index("Cc"), i_gs=index("IGS"), i_c=index("IC"), phi_1=index("phi1"), zeta_1=index("zeta1"),
-        group=group.get("symbol"), group_name=group.get("name"), uscs=_fractions(tree["uscs_fractions"]),
+        c_c=index("Cc"), span=index("span"), d32=index("D32"), d43=index("D43"), fineness_modulus=index("FM"),
+        fineness_modulus_en=index("FM_EN"), k_hazen=index("kHazen"),
+        k_kozeny_carman=optional_enclosure(tree.get("kKozenyCarman")),
+        diameters={Decimal(at["percent"]): optional_enclosure(at["size"]) for at in tree["diameters"]},
+        i_gs=index("IGS"), i_c=index("IC"), phi_1=index("phi1"), zeta_1=index("zeta1"),
+        group=group.get("symbol"), group_name=group.get("name"), aashto=aashto.get("symbol"),
+        aashto_index=None if aashto.get("index") is None else int(aashto["index"]), uscs=_fractions(tree["uscs_fractions"]),
         iso_14688=_fractions(tree["iso_14688_fractions"]), notes=tuple(tree["notes"]), _json=report)
 
 
