@@ -2,7 +2,6 @@
 
 #include "ask/generate.hpp"
 #include "cli/commands.hpp"
-#include "cli/picture.hpp"
 #include "cli/progress.hpp"
 #include "cli/whole_number.hpp"
 #include "files/in_parallel.hpp"
@@ -10,36 +9,24 @@
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"
 #include "papers/accessible_report.hpp"
-#include "text/option_name.hpp"
-
-#include <mdm/text/error.hpp>
 
 #include <fmt/format.h>
 
 #include <memory>
 
 namespace mdm::cli {
+
 void AccessibleFlags::add_to(CLI::App &command) {
-  command.add_option("--plot", plot, "the map of --accessible, --cu or --fit into OUT.svg, .png or .pdf")
-      ->type_name("OUT");
+  plot.add_to(command, "the map of --accessible, --cu or --fit");
   command.add_option("-j", threads, "threads of --accessible, --cu or --fit")
       ->type_name("THREADS")
       ->transform(whole_number(1, 1024));
 }
 
-std::optional<Picture> AccessibleFlags::picture() const {
-  if (plot == "-")
-    throw InputError(option("plot") + " needs a file: standard output has the answer");
-  const std::optional<Picture> asked = plot ? picture_at(*plot) : std::nullopt;
-  if (plot && !asked)
-    throw InputError(option("plot") + ": " + printable(*plot) + ": let OUT end in .svg, .png or .pdf");
-  return asked;
-}
-
 int run_accessible(const AccessibleQuestion &question, const OutputFlags &output,
                    const AccessibleFlags &flags) {
-  const std::optional<Picture> picture = flags.picture();
-  check_distinct({output.path(), flags.plot.value_or("-")});
+  flags.plot.check();
+  check_distinct({output.path(), flags.plot.path()});
   std::vector<AccessibleRow> rows = accessible_grid(question);
   Output out(output.path());
   std::atomic<std::size_t> done = 0;
@@ -51,11 +38,8 @@ int run_accessible(const AccessibleQuestion &question, const OutputFlags &output
       ++done;
     });
   }
-  std::unique_ptr<Output> plot;
-  if (picture) {
-    plot = std::make_unique<Output>(*flags.plot);
-    plot->write(picture_of(accessible_map(question, rows), *picture));
-  }
+  const std::unique_ptr<Output> plot =
+      flags.plot ? flags.plot.drawn(accessible_map(question, rows), output.quiet) : nullptr;
   out.write(output.report([&] { return accessible_text(question, rows); },
                           [&] { return accessible_json(question, rows); },
                           [&] { return accessible_csv(rows); }));

@@ -3,7 +3,7 @@
 /// `mdm generate --accessible`.
 
 #include "cli/output_flags.hpp"
-#include "cli/picture.hpp"
+#include "cli/plot_flag.hpp"
 #include "papers/accessible_shapes.hpp"
 
 #include <CLI/CLI.hpp>
@@ -12,13 +12,11 @@ namespace mdm::cli {
 
 /// How shapes are worked out and drawn.
 struct AccessibleFlags {
-  std::optional<std::string> plot;
+  PlotFlag plot;
   unsigned threads = 1;
 
   void add_to(CLI::App &command);
   bool is_given() const { return plot || threads != 1; }
-  /// The format of the plot, where one is asked for. \throws InputError
-  std::optional<Picture> picture() const;
 };
 
 /// Works out and reports the grid; returns the exit code: 3 if something was not decided.

@@ -4,12 +4,14 @@
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
+#include "cli/plot_flag.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
 #include "files/byte_source.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "gradation/csv_reader.hpp"
+#include "plot/curves_figure.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -26,6 +28,7 @@ struct BlendCommand {
   std::string specification;
   BlendTexts asked;
   OptionText blended, proof;
+  PlotFlag plot;
   ReadingFlags reading;
   OutputFlags output;
 };
@@ -79,7 +82,21 @@ void check_files(const BlendCommand &c) {
   if (c.blended == "-")
     throw InputError(option("blended") + " needs a file: standard output has the report");
   for (const std::string &path : paths) // the target may be a stockpile
-    check_distinct({path, c.output.path(), c.blended.value_or("-"), c.proof.value_or("-")});
+    check_distinct({path, c.output.path(), c.blended.value_or("-"), c.proof.value_or("-"), c.plot.path()});
+  c.plot.check();
+}
+
+/// Stockpiles, target and the best blend beside the limits.
+Figure figure_of(const std::vector<Gradation> &stockpiles, const Envelope &specification,
+                 const std::optional<Gradation> &target, const Blending &blending) {
+  CurvesFigure figure{"", {}, specification, {}};
+  if (const std::optional<Gradation> blended = blending.blended())
+    figure.curves.push_back({"blend", *blended, DrawnCurve::Weight::thick});
+  if (target)
+    figure.curves.push_back({"target", *target, DrawnCurve::Weight::dashed});
+  for (const Gradation &g : stockpiles)
+    figure.curves.push_back({g.id(), g, DrawnCurve::Weight::thin});
+  return curves_figure(figure);
 }
 
 int run(const BlendCommand &c) {
@@ -92,9 +109,11 @@ int run(const BlendCommand &c) {
   std::optional<Gradation> target;
   if (c.asked.target)
     target = any_gradation(*c.asked.target, {}, c.output.quiet).gradation;
-  Blending blending(c.asked, std::move(stockpiles), specification, target);
+  Blending blending(c.asked, stockpiles, specification, target);
   Output out(c.output.path());
   blending.search();
+  const std::unique_ptr<Output> plot =
+      c.plot ? c.plot.drawn(figure_of(stockpiles, specification, target, blending), c.output.quiet) : nullptr;
   const std::optional<std::string> blended = blended_file(c, blending);
   const BlendReport r = blending.report();
   out.write(c.output.report([&] { return blend_text(r); }, [&] { return blend_json(r); },
@@ -102,6 +121,8 @@ int run(const BlendCommand &c) {
   c.output.tell_notes_beside_csv(blending.problem().notes);
   write_beside(c.blended, blended);
   write_beside(c.proof, c.proof ? blending.proof() : std::nullopt);
+  if (plot)
+    plot->commit();
   out.commit();
   return exit_code(blending.outcome());
 }
@@ -125,6 +146,7 @@ void add_answer(CLI::App &command, BlendCommand &c) {
       .add_option("--proof", c.proof,
                   "write a proof of the best blend, or that there is none, for mdm-check SPEC FILE... OUT")
       ->type_name("OUT");
+  c.plot.add_to(command, "draw the stockpiles, the best blend and the limits");
   add_options(command, BlendTexts::limit_options, c.asked);
 }
 

@@ -1,7 +1,6 @@
 #include "cli/inverse.hpp"
 
 #include "cli/exit_code.hpp"
-#include "cli/picture.hpp"
 #include "cli/progress.hpp"
 #include "files/in_parallel.hpp"
 #include "files/output.hpp"
@@ -19,8 +18,8 @@
 namespace mdm::cli {
 
 int run_inverse(const InverseTask &task, const OutputFlags &output, const AccessibleFlags &flags) {
-  const std::optional<Picture> picture = flags.picture();
-  check_distinct({output.path(), flags.plot.value_or("-")});
+  flags.plot.check();
+  check_distinct({output.path(), flags.plot.path()});
   Output out(output.path());
   std::vector<InverseRow> rows(task.spans.size());
   {
@@ -32,11 +31,8 @@ int run_inverse(const InverseTask &task, const OutputFlags &output, const Access
       ++done;
     });
   }
-  std::unique_ptr<Output> plot;
-  if (picture) {
-    plot = std::make_unique<Output>(*flags.plot);
-    plot->write(picture_of(inverse_map(task, rows), *picture));
-  }
+  const std::unique_ptr<Output> plot =
+      flags.plot ? flags.plot.drawn(inverse_map(task, rows), output.quiet) : nullptr;
   out.write(output.report([&] { return inverse_text(task, rows); }, [&] { return inverse_json(task, rows); },
                           [&] { return inverse_csv(rows); }));
   if (plot)

@@ -3,6 +3,7 @@
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/output_flags.hpp"
+#include "cli/plot_flag.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
 #include "cli/whole_number.hpp"
@@ -11,6 +12,7 @@
 #include "files/paths.hpp"
 #include "judge/filter.hpp"
 #include "judge/stability.hpp"
+#include "plot/curves_figure.hpp"
 #include "report/conformity_report.hpp"
 #include "report/rule_report.hpp"
 
@@ -30,6 +32,7 @@ struct JudgeCommand {
   bool dispersive = false, no_regrade = false;
   ReadingFlags reading;
   std::optional<unsigned> digits;
+  PlotFlag plot;
   OutputFlags output;
 };
 
@@ -70,7 +73,8 @@ void check(const JudgeCommand &c) {
   if (std::count(inputs.begin(), inputs.end(), "-") > 1)
     throw InputError("-: standard input is one file: give the others by name");
   for (const std::string &input : inputs)
-    check_distinct({input, c.output.path()});
+    check_distinct({input, c.output.path(), c.plot.path()});
+  c.plot.check();
 }
 
 constexpr unsigned exchanged_digits = 15, read_digits = 6;
@@ -99,7 +103,33 @@ struct Judged {
   std::string report;
   std::vector<std::string> notes;
   Compliance verdict;
+  CurvesFigure figure;
 };
+
+/// A sample with its verdict. \param missed  in mm
+DrawnCurve drawn(const UnderstoodGradation &g, Compliance verdict, std::vector<Rational> missed = {}) {
+  return {fmt::format("{}: {}", g.gradation.id(), name(verdict)), g.gradation, DrawnCurve::Weight::thick,
+          std::move(missed)};
+}
+
+/// The sieves of which a limit is missed.
+std::vector<Rational> missed_by(const Conformity &sample) {
+  std::vector<Rational> sizes;
+  for (const SieveVerdict &s : sample.sieves)
+    if (s.verdict == Compliance::fails)
+      sizes.push_back(s.limits.size);
+  return sizes;
+}
+
+Envelope envelope_of(const Specification &s) {
+  Envelope e{s.id, SizeUnit::mm, {}, {}, {}, {}};
+  for (const PassingLimits &limits : s.sieves) {
+    e.sizes.push_back(limits.size);
+    e.passing_min.push_back(limits.least);
+    e.passing_max.push_back(limits.most);
+  }
+  return e;
+}
 
 UnderstoodGradation sample_in(const JudgeCommand &c, const std::string &file) {
   return any_gradation(file, c.reading, c.output.quiet);
@@ -108,16 +138,20 @@ UnderstoodGradation sample_in(const JudgeCommand &c, const std::string &file) {
 Judged by_specification(const JudgeCommand &c) {
   const std::optional<Rational> unit = rounding(c);
   ConformityReport r{specification(*c.spec), {}};
+  CurvesFigure figure{r.specification.id, {}, envelope_of(r.specification), {}};
   for (const std::string &file : c.files) {
     const UnderstoodGradation g = sample_in(c, file);
     r.samples.push_back(in_file(file, [&] { return judge(g, r.specification, unit); }));
+    figure.curves.push_back(drawn(g, r.samples.back().verdict, missed_by(r.samples.back())));
   }
   return {report(c, r, conformity_text, conformity_json, conformity_csv),
-          all_notes(r.specification.notes, r.samples), r.verdict()};
+          all_notes(r.specification.notes, r.samples), r.verdict(), std::move(figure)};
 }
 
-Judged by_rule(const JudgeCommand &c, const RuleReport &r) {
-  return {report(c, r, rule_text, rule_json, rule_csv), all_notes(r.notes, r.samples), r.verdict()};
+Judged by_rule(const JudgeCommand &c, const RuleReport &r, CurvesFigure figure) {
+  figure.title = r.rule;
+  return {report(c, r, rule_text, rule_json, rule_csv), all_notes(r.notes, r.samples), r.verdict(),
+          std::move(figure)};
 }
 
 Judged by_stability(const JudgeCommand &c) {
@@ -127,11 +161,13 @@ Judged by_stability(const JudgeCommand &c) {
                                  stability_rule_names()));
   const std::optional<Rational> unit = rounding(c);
   RuleReport r{std::string(name(*rule)), std::string(about(*rule)), {}, {}, {}};
+  CurvesFigure figure;
   for (const std::string &file : c.files) {
     const UnderstoodGradation g = sample_in(c, file);
     r.samples.push_back(in_file(file, [&] { return judge_stability(g, *rule, unit); }));
+    figure.curves.push_back(drawn(g, r.samples.back().verdict));
   }
-  return by_rule(c, r);
+  return by_rule(c, r, std::move(figure));
 }
 
 Judged by_filter_rule(const JudgeCommand &c) {
@@ -146,14 +182,23 @@ Judged by_filter_rule(const JudgeCommand &c) {
   for (const std::string &file : c.files)
     filters.push_back(sample_in(c, file));
   const UnderstoodGradation base = sample_in(c, *c.base);
-  return by_rule(c, judge_filters(filters, base, {*rule, c.dispersive, !c.no_regrade}, rounding(c)));
+  const RuleReport r = judge_filters(filters, base, {*rule, c.dispersive, !c.no_regrade}, rounding(c));
+  CurvesFigure figure;
+  figure.curves.push_back({"base: " + base.gradation.id(), base.gradation, DrawnCurve::Weight::dashed});
+  for (std::size_t i = 0; i < filters.size(); ++i)
+    figure.curves.push_back(drawn(filters[i], r.samples[i].verdict));
+  return by_rule(c, r, std::move(figure));
 }
 
 int run(const JudgeCommand &c) {
   check(c);
   const Judged judged = c.spec ? by_specification(c) : c.stability ? by_stability(c) : by_filter_rule(c);
+  const std::unique_ptr<Output> plot =
+      c.plot ? c.plot.drawn(curves_figure(judged.figure), c.output.quiet) : nullptr;
   Output out(c.output.path());
   out.write(judged.report);
+  if (plot)
+    plot->commit();
   out.commit();
   c.output.tell_notes_beside_csv(judged.notes);
   return exit_code(outcome_of(judged.verdict));
@@ -199,6 +244,7 @@ Run add_judge(CLI::App &app) {
   command.add_option("--digits", c->digits, "significant digits (15; in the text form 6)")
       ->type_name("D")
       ->transform(whole_number(1, 1000));
+  c->plot.add_to(command, "draw the curves, with the limits");
   c->output.add_format(command);
   c->output.add_out(command);
   c->output.add_quiet(command, "no progress, and no notes beside CSV, on standard error");
@@ -223,6 +269,7 @@ Run add_judge(CLI::App &app) {
               "not tell a percent from its limit. --spec NAME has grading limits alone: what else the "
               "standard asks is not judged."),
       {"mdm judge sand.csv --spec astm-c33-fine", "mdm judge a.csv b.csv --spec limits.csv --format csv",
+       "mdm judge sand.csv --spec astm-c33-fine --plot sand.svg",
        "mdm judge base.csv --spec superpave-19 --rounding 0.1", "mdm judge fill.csv --stability kenney-lau",
        "mdm judge sand.csv --filter-for core.csv --rule fema"}));
   return [c] { return run(*c); };

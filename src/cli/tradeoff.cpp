@@ -4,7 +4,7 @@
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
-#include "cli/picture.hpp"
+#include "cli/plot_flag.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
 #include "cli/search_progress.hpp"
@@ -29,7 +29,7 @@ struct TradeoffCommand {
   std::string file;
   SolveFlags flags;
   TradeoffTexts own; ///< but for those of solving
-  OptionText plot;
+  PlotFlag plot;
   ReadingFlags reading;
   OutputFlags output;
 };
@@ -47,15 +47,11 @@ Tradeoff searched(const TradeoffCommand &c, const Gradation &g, const Question &
 }
 
 int run(const TradeoffCommand &c) {
-  if (c.plot == "-")
-    throw InputError(option("plot") + " needs a file: standard output has the tables");
+  c.plot.check();
   c.flags.check_source(c.file, c.reading.given(), "tradeoff");
-  check_distinct({c.file, c.output.path(), c.plot.value_or("-")});
+  check_distinct({c.file, c.output.path(), c.plot.path()});
   if (c.flags.band)
-    check_distinct({*c.flags.band, c.output.path(), c.plot.value_or("-")});
-  const std::optional<Picture> picture = c.plot ? picture_at(*c.plot) : std::nullopt;
-  if (c.plot && !picture)
-    throw InputError(option("plot") + ": " + printable(*c.plot) + ": let OUT end in .svg, .png or .pdf");
+    check_distinct({*c.flags.band, c.output.path(), c.plot.path()});
   TradeoffTexts texts = c.own;
   texts.solve = c.flags;
   const TradeoffOptions o = texts.tradeoff_options();
@@ -66,14 +62,7 @@ int run(const TradeoffCommand &c) {
   const Question q = asked.in(g.unit());
   Output out(c.output.path());
   const Tradeoff t = searched(c, g, q, o);
-  std::unique_ptr<Output> plot;
-  if (picture) {
-    plot = std::make_unique<Output>(*c.plot);
-    const Figure figure = tradeoff_figure(t);
-    plot->write(picture_of(figure, *picture));
-    if (!c.output.quiet)
-      tell_escapes(figure);
-  }
+  const std::unique_ptr<Output> plot = c.plot ? c.plot.drawn(tradeoff_figure(t), c.output.quiet) : nullptr;
   out.write(report(c, t));
   c.output.tell_notes_beside_csv(t.gradation.notes());
   if (plot)
@@ -95,7 +84,7 @@ Run add_tradeoff(CLI::App &app) {
   add_options(command, TradeoffTexts::options, c->own);
   c->flags.add_problem(command);
   const OptionGroup group(command, "The answer");
-  command.add_option("--plot", c->plot, "draw both into OUT.svg, .png or .pdf")->type_name("OUT");
+  c->plot.add_to(command, "draw both");
   c->output.add_format(command);
   c->output.add_out(command, "write the tables");
   c->output.add_quiet(command, "no progress and no notes on standard error");

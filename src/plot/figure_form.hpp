@@ -23,6 +23,8 @@ struct FigureTexts {
   // of gradations
   std::string_view size, passing, retained, analysis, particles, target, allowed, counts, outside, finer,
       no_group, bands, passing_shown, counts_shown;
+  // of several gradations
+  std::string_view missed, curves_shown;
   // of trade-offs
   std::string_view count, proved, at_limit, by_tolerance, by_sieve, exact_by_sieve, of_retained, of_passing,
       of_total, smallest_sieve, pan, lost, lost_at_right, tradeoff_shown;

@@ -2,6 +2,7 @@
 
 #include "gradation/sieve_name.hpp"
 #include "plot/figure_layout.hpp"
+#include "plot/limits_series.hpp"
 
 #include <mdm/number/decimal.hpp>
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 #include <set>
 
@@ -18,7 +18,6 @@ namespace {
 
 constexpr const char *curve_color = "#1f4e79";
 constexpr const char *set_color = "#c0392b";
-constexpr const char *envelope_color = "#d9ead3";
 constexpr const char *mark_color = "#555555";
 constexpr const char *band_color = "#f6f2e8";
 
@@ -228,23 +227,9 @@ private:
   void add_envelope(Panel &p) const {
     if (!what_.envelope)
       return;
-    const Envelope &e = *what_.envelope;
-    std::vector<Point> least;
-    std::vector<Point> most;
-    for (std::size_t i = 0; i < e.sizes.size(); ++i) {
-      if (e.sizes[i] == 0)
-        continue;
-      const double at = at_mm(Rational(e.sizes[i] * in_mm(e.unit)));
-      least.push_back({at, e.passing_min[i].convert_to<double>()});
-      most.push_back({at, e.passing_max[i].convert_to<double>()});
-    }
-    Series inside = line(least, envelope_color, Stroke::solid);
-    std::copy(most.rbegin(), most.rend(), std::back_inserter(inside.points));
-    inside.title = std::string(texts_.allowed) + e.id;
-    inside.filled = true;
-    p.series.push_back(inside);
-    p.series.push_back(line(least, "#38761d", Stroke::solid));
-    p.series.push_back(line(most, "#38761d", Stroke::solid));
+    for (const Series &series :
+         limits_series(*what_.envelope, unit_mm_, std::string(texts_.allowed) + what_.envelope->id))
+      p.series.push_back(series);
   }
 
   void add_curve(Panel &p) const {

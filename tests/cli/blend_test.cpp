@@ -221,3 +221,15 @@ TEST_CASE("a proof of files that mdm-check does not read is refused", "[cli]") {
   CHECK(stockpiles.blend().exit_code == 0);
   check_refused(stockpiles.blend({"--proof", proof}), "--proof: mdm-check does not read");
 }
+
+TEST_CASE("stockpiles, blend and limits are drawn", "[cli]") {
+  const Stockpiles piles;
+  CHECK(piles.blend({"--plot", piles.folder() / "p.svg"}).exit_code == 0);
+  const std::string picture = read_file(piles.folder() / "p.svg");
+  for (const char *title : {">blend<", ">fine<", ">coarse<", "allowed: limits"})
+    CHECK(picture.find(title) != std::string::npos);
+  const Stockpiles none("4,60,70\n1,50,60\n");
+  CHECK(none.blend({"--plot", none.folder() / "p.svg"}).exit_code == 1);
+  CHECK(read_file(none.folder() / "p.svg").find(">blend<") == std::string::npos);
+  check_refused(piles.blend({"--plot", piles.folder() / "p.doc"}), "--plot");
+}

@@ -157,3 +157,21 @@ TEST_CASE("what is judged is asked for once, and rules have names", "[judge]") {
   refused({"judge", "-", "--filter-for", "base.csv"}, "--rule is missing");
   refused({"judge", "-", "--filter-for", "base.csv", "--rule", "bs"}, "'bs' is none of terzaghi");
 }
+
+TEST_CASE("samples are drawn beside the limits", "[judge]") {
+  const TemporaryFolder folder;
+  CHECK(judged(bad, {"--plot", folder / "p.svg"}).exit_code == 1);
+  const std::string picture = read_file(folder / "p.svg");
+  for (const char *part : {"allowed: astm-c33-fine", "stdin: fail", "a limit is missed"})
+    CHECK(has(picture, part));
+  CHECK(judged(good, {"--plot", folder / "p.svg"}).exit_code == 0);
+  CHECK_FALSE(has(read_file(folder / "p.svg"), "a limit is missed"));
+  CHECK(mdm({"judge", "-", "--stability", "kezdi", "--plot", folder / "q.svg"}, good).exit_code == 0);
+  CHECK(has(read_file(folder / "q.svg"), "stdin: pass"));
+  folder.write("base.csv", good);
+  mdm({"judge", "-", "--filter-for", folder / "base.csv", "--rule", "terzaghi", "--plot", folder / "r.svg"},
+      good);
+  CHECK(has(read_file(folder / "r.svg"), "base: base"));
+  check_refused(judged(good, {"--plot", folder / "p.txt"}), "let OUT end in .svg, .png or .pdf");
+  check_refused(judged(good, {"--plot", "-"}), "--plot needs a file");
+}
