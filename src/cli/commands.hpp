@@ -26,6 +26,7 @@ Run add_pack(CLI::App &app);
 Run add_plot(CLI::App &app);
 Run add_verify(CLI::App &app);
 Run add_crosscheck(CLI::App &app);
+Run add_report(CLI::App &app);
 Run add_published(CLI::App &app);
 Run add_generate(CLI::App &app);
 Run add_study(CLI::App &app);

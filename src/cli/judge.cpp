@@ -6,8 +6,8 @@
 #include "cli/plot_flag.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
+#include "cli/specification_file.hpp"
 #include "cli/whole_number.hpp"
-#include "files/byte_source.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "judge/filter.hpp"
@@ -35,20 +35,6 @@ struct JudgeCommand {
   PlotFlag plot;
   OutputFlags output;
 };
-
-/// The one of that name, or that in the file.
-Specification specification(const std::string &name) {
-  if (std::optional<Specification> s = shipped_specification(name))
-    return *std::move(s);
-  try {
-    return read_specification(read_file(name, max_gradation_bytes), shown_name(name));
-  } catch (const InputError &e) {
-    if (file_bytes(name) || name == "-")
-      throw;
-    throw InputError(fmt::format("{}: {}; specifications that come with mdm: {}", option("spec"), e.what(),
-                                 fmt::join(shipped_specifications(), ", ")));
-  }
-}
 
 /// One unit of the last digit; 0 for none.
 std::optional<Rational> rounding(const JudgeCommand &c) {
@@ -112,37 +98,18 @@ DrawnCurve drawn(const UnderstoodGradation &g, Compliance verdict, std::vector<R
           std::move(missed)};
 }
 
-/// The sieves of which a limit is missed.
-std::vector<Rational> missed_by(const Conformity &sample) {
-  std::vector<Rational> sizes;
-  for (const SieveVerdict &s : sample.sieves)
-    if (s.verdict == Compliance::fails)
-      sizes.push_back(s.limits.size);
-  return sizes;
-}
-
-Envelope envelope_of(const Specification &s) {
-  Envelope e{s.id, SizeUnit::mm, {}, {}, {}, {}};
-  for (const PassingLimits &limits : s.sieves) {
-    e.sizes.push_back(limits.size);
-    e.passing_min.push_back(limits.least);
-    e.passing_max.push_back(limits.most);
-  }
-  return e;
-}
-
 UnderstoodGradation sample_in(const JudgeCommand &c, const std::string &file) {
   return any_gradation(file, c.reading, c.output.quiet);
 }
 
 Judged by_specification(const JudgeCommand &c) {
   const std::optional<Rational> unit = rounding(c);
-  ConformityReport r{specification(*c.spec), {}};
+  ConformityReport r{specification_at(*c.spec), {}};
   CurvesFigure figure{r.specification.id, {}, envelope_of(r.specification), {}};
   for (const std::string &file : c.files) {
     const UnderstoodGradation g = sample_in(c, file);
     r.samples.push_back(in_file(file, [&] { return judge(g, r.specification, unit); }));
-    figure.curves.push_back(drawn(g, r.samples.back().verdict, missed_by(r.samples.back())));
+    figure.curves.push_back(drawn(g, r.samples.back().verdict, missed_sizes(r.samples.back())));
   }
   return {report(c, r, conformity_text, conformity_json, conformity_csv),
           all_notes(r.specification.notes, r.samples), r.verdict(), std::move(figure)};
@@ -216,14 +183,7 @@ Run add_judge(CLI::App &app) {
           "gradations (any that mdm convert reads), sets of mdm generate, or files of particles as mdm "
           "verify reads; - for standard input")
       ->required();
-  command
-      .add_option(
-          "--spec", c->spec,
-          fmt::format("limits of the percent that passes: a table with "
-                      "passing_min_percent,passing_max_percent or columns such as Lower and Upper, or one "
-                      "of {}",
-                      fmt::join(shipped_specifications(), ", ")))
-      ->type_name("FILE|NAME");
+  command.add_option("--spec", c->spec, specification_help())->type_name("FILE|NAME");
   command
       .add_option("--stability", c->stability,
                   fmt::format("judge internal stability by a rule: {}", stability_rule_names()))

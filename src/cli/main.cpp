@@ -64,9 +64,9 @@ int complain(const std::string &message) {
 std::vector<Command> add_commands(CLI::App &app) {
   std::vector<Command> commands;
   for (Run (*const add)(CLI::App &) :
-       {add_solve, add_batch, add_merge, add_convert, add_describe, add_judge, add_verify, add_crosscheck,
-        add_published, add_generate, add_blend, add_suite, add_pack, add_study, add_tradeoff, add_plot,
-        add_export, add_completion}) {
+       {add_solve, add_batch, add_merge, add_convert, add_describe, add_judge, add_report, add_verify,
+        add_crosscheck, add_published, add_generate, add_blend, add_suite, add_pack, add_study, add_tradeoff,
+        add_plot, add_export, add_completion}) {
     Run run = add(app);
     commands.push_back({app.get_subcommands({}).back(), std::move(run)});
   }

@@ -178,6 +178,14 @@ private:
 
 } // namespace
 
+std::vector<Rational> missed_sizes(const Conformity &sample) {
+  std::vector<Rational> sizes;
+  for (const SieveVerdict &s : sample.sieves)
+    if (s.verdict == Compliance::fails)
+      sizes.push_back(s.limits.size);
+  return sizes;
+}
+
 Conformity judge(const UnderstoodGradation &report, const Specification &specification,
                  const std::optional<Rational> &rounding) {
   return Judgement(report, specification, rounding).run();

@@ -36,6 +36,9 @@ struct Conformity {
   std::vector<std::string> notes;
 };
 
+/// The sieves at which a limit is missed whatever was rounded, in mm, ascending.
+std::vector<Rational> missed_sizes(const Conformity &sample);
+
 /// Judges by all sieves together.
 /// \param rounding  one unit of the last digit of all percents, 0 for none; nothing: as the report has them
 /// \throws InputError as curves_of

@@ -51,4 +51,14 @@ std::optional<Specification> shipped_specification(std::string_view name) {
   return std::nullopt;
 }
 
+Envelope envelope_of(const Specification &specification) {
+  Envelope e{specification.id, SizeUnit::mm, {}, {}, {}, {}};
+  for (const PassingLimits &limits : specification.sieves) {
+    e.sizes.push_back(limits.size);
+    e.passing_min.push_back(limits.least);
+    e.passing_max.push_back(limits.most);
+  }
+  return e;
+}
+
 } // namespace mdm

@@ -12,7 +12,7 @@ import sys
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
 
 # The rooms above the program, which it shares with Python and JavaScript.
-ROOMS = ("text", "number", "gradation", "soil", "judge", "match", "proof", "sets", "blend", "packing", "particles", "answer", "report", "plot", "crosscheck", "papers", "files", "ask")
+ROOMS = ("text", "number", "gradation", "soil", "judge", "match", "proof", "sets", "blend", "packing", "particles", "answer", "report", "plot", "document", "crosscheck", "papers", "files", "ask")
 
 # Parts of commands, of the models that export writes, and of helps, by file.
 EXCEPTIONS = {

@@ -66,6 +66,7 @@ COMMANDS = {
         ["describe", "half_phi.csv"],
         ["describe", "pan.csv"],
         ["describe", "pan.csv", "--extrapolate", "--liquid-limit", "30", "--plastic-limit", "22"],
+        ["describe", SAND, "--d", "5,16,95", "--void-ratio", "0.6"],
     ],
     "mdm-sediment-1": [
         *(["describe", sand, "--sediment"] for sand in SANDS),
@@ -79,6 +80,11 @@ COMMANDS = {
         ["judge", "half_phi.csv", "--spec", "band.csv", "--rounding", "5"],
         ["judge", "pan.csv", "--spec", "finer.csv"],
         ["judge", "pan.csv", "--spec", "edge.csv"],
+    ],
+    "mdm-report-1": [
+        ["report", SAND],
+        ["report", *SANDS, "--spec", "astm-c33-fine", "--client", "A & B", "--field", "Project=Quay", "--d", "5"],
+        ["report", "pan.csv", "--spec", "edge.csv", "--extrapolate"],
     ],
     "mdm-rule-1": [
         *(["judge", *SANDS, "--stability", rule] for rule in ("kenney-lau", "kezdi", "burenkova")),
@@ -168,6 +174,8 @@ COMMANDS = {
 
 # Fields that an object may be without.
 OPTIONAL = {
+    "mdm-describe-1": {"kKozenyCarman"},
+    "mdm-report-1": {"kKozenyCarman"},
     "mdm-answer-1": {"upper_bound", "spectrum", "seed", "question", "start", "scale_power", "sizes", "size_power",
                      "lower_power", "upper_power", "proof"},
     "mdm-generate-1": {"quality", "curve", "sizes"},
@@ -328,7 +336,8 @@ def main():
     validators = {}
     for name, schema in schemas.items():
         check_schema(name, schema)
-        validators[name] = jsonschema.Draft202012Validator(schema)
+        resolver = jsonschema.RefResolver("", schema, {f"{other}.schema.json": one for other, one in schemas.items()})
+        validators[name] = jsonschema.Draft202012Validator(schema, resolver=resolver)
 
     for name, text in FILES.items():
         pathlib.Path(name).write_text(text, encoding="utf-8")

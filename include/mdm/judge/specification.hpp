@@ -32,6 +32,9 @@ struct Specification {
   std::vector<std::string> notes;    ///< of its reading
 };
 
+/// The limits as an envelope.
+Envelope envelope_of(const Specification &specification);
+
 /// Reads the limits from the content of a file as read_envelope does, with the comments above them.
 /// \throws InputError as read_envelope, and where no curve keeps the limits
 Specification read_specification(std::string_view content, const std::string &file);

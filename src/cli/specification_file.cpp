@@ -1,0 +1,34 @@
+#include "cli/specification_file.hpp"
+
+#include "files/byte_source.hpp"
+#include "files/paths.hpp"
+#include "text/option_name.hpp"
+
+#include <mdm/gradation/read_gradation.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/format.h>
+
+namespace mdm::cli {
+
+Specification specification_at(const std::string &name) {
+  if (std::optional<Specification> s = shipped_specification(name))
+    return *std::move(s);
+  try {
+    return read_specification(read_file(name, max_gradation_bytes), shown_name(name));
+  } catch (const InputError &e) {
+    if (file_bytes(name) || name == "-")
+      throw;
+    throw InputError(fmt::format("{}: {}; specifications that come with mdm: {}", option("spec"), e.what(),
+                                 fmt::join(shipped_specifications(), ", ")));
+  }
+}
+
+std::string specification_help() {
+  return fmt::format(
+      "limits of the percent that passes: a table with passing_min_percent,passing_max_percent or "
+      "columns such as Lower and Upper, or one of {}",
+      fmt::join(shipped_specifications(), ", "));
+}
+
+} // namespace mdm::cli

@@ -1,0 +1,18 @@
+#pragma once
+/// \file
+/// Specifications that commands take by name, or from a file.
+
+#include <mdm/judge/specification.hpp>
+
+#include <string>
+
+namespace mdm::cli {
+
+/// The one of that name that comes with the program, or that in the file; `-` for standard input.
+/// \throws InputError naming the file, and the names where there is no such file
+Specification specification_at(const std::string &name);
+
+/// What the option that takes one says of it.
+std::string specification_help();
+
+} // namespace mdm::cli

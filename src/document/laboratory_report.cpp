@@ -1,0 +1,254 @@
+#include "document/laboratory_report.hpp"
+
+#include "document/html.hpp"
+#include "gradation/shown.hpp"
+#include "gradation/sieve_name.hpp"
+#include "plot/curves_figure.hpp"
+#include "plot/picture.hpp"
+#include "report/description.hpp"
+#include "report/description_items.hpp"
+#include "report/fractions_report.hpp"
+#include "report/sample_notes.hpp"
+#include "text/json_writer.hpp"
+#include "text/versions.hpp"
+
+#include <mdm/number/decimal.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+constexpr unsigned shown_digits = 4;
+
+constexpr std::string_view style = R"(
+:root { color-scheme: light; }
+body { font: 11pt/1.4 system-ui, "DejaVu Sans", sans-serif; margin: 2em auto; max-width: 50em; color: #111; }
+h1 { font-size: 1.5em; margin: 0 0 .5em; }
+h2 { font-size: 1.15em; margin: 1.6em 0 .4em; border-bottom: 1px solid #888; break-after: avoid; }
+dl { display: grid; grid-template-columns: max-content 1fr; gap: .15em 1em; margin: 0; }
+dt { font-weight: 600; }
+dd { margin: 0; overflow-wrap: anywhere; }
+table { border-collapse: collapse; margin: .6em 0 1em; font-size: .92em; break-inside: avoid; }
+caption { text-align: left; font-weight: 600; padding-bottom: .2em; }
+th, td { border: 1px solid #bbb; padding: .15em .6em; }
+thead th { background: #eee; }
+tbody th { font-weight: 400; text-align: left; }
+td { text-align: right; font-variant-numeric: tabular-nums; }
+tr.fail td, tr.fail th { background: #fbe3e0; }
+.verdict { font-size: 1.1em; font-weight: 600; }
+svg { max-width: 100%; height: auto; }
+footer { margin-top: 2em; font-size: .85em; color: #444; }
+@page { margin: 15mm 14mm; }
+@media print { body { margin: 0; max-width: none; font-size: 9.5pt; } }
+)";
+
+std::string shown_percent(const Rational &share) {
+  return rounded(Real(share * 100), shown_digits);
+}
+
+/// `0.075 (No. 200)`; `pan` at size 0.
+std::string sieve_title(const RootSize &opening) {
+  if (opening.power == 0)
+    return "pan";
+  const std::optional<Rational> size = opening.fraction();
+  const std::optional<std::string> astm = size ? astm_sieve_name(*size) : std::nullopt;
+  return astm ? fmt::format("{} ({})", shown(opening), *astm) : shown(opening);
+}
+
+/// A line a sieve, the coarsest first: mass where masses were weighed, percent retained and percent passing.
+std::string analysis_table(const ReportedSample &sample) {
+  const GradingCurve &curve = sample.description.curve;
+  const bool is_weighed = sample.sheet.kind == "mass" && !sample.sheet.masses.empty();
+  std::vector<std::string> titles = {"sieve, mm"};
+  if (is_weighed)
+    titles.emplace_back("mass retained");
+  titles.insert(titles.end(), {"retained, %", "passing, %"});
+  HtmlTable table(sample.description.id, titles);
+  for (std::size_t i = curve.shares().size(); i-- > 0;) {
+    const bool is_last = i + 1 == curve.shares().size();
+    std::vector<std::string> cells = {sieve_title(curve.opening(i))};
+    if (is_weighed)
+      cells.push_back(shown(sample.sheet.gradation.masses()[i]));
+    cells.push_back(is_last ? "0" : shown_percent(curve.mass(i)));
+    cells.push_back(shown_percent(curve.shares()[i]));
+    table.add(cells);
+  }
+  return table.html();
+}
+
+/// The percent that passes and the verdict.
+std::string verdict_cell(const SieveVerdict &s) {
+  return fmt::format("{}{} {}", s.passing ? rounded(*s.passing, shown_digits) : "?",
+                     s.is_interpolated ? "*" : "", name(s.verdict));
+}
+
+/// A line a sieve of the specification, the coarsest first.
+std::string conformity_table(const ConformityReport &r) {
+  std::vector<std::string> titles = {"sieve, mm", "least, %", "most, %"};
+  for (const Conformity &c : r.samples)
+    titles.push_back(c.id);
+  HtmlTable table("percent passing", titles);
+  for (std::size_t i = r.specification.sieves.size(); i-- > 0;) {
+    const PassingLimits &limits = r.specification.sieves[i];
+    std::vector<std::string> cells = {to_decimal(limits.size), to_decimal(limits.least),
+                                      to_decimal(limits.most)};
+    bool misses = false;
+    for (const Conformity &c : r.samples) {
+      cells.push_back(verdict_cell(c.sieves[i]));
+      misses = misses || c.sieves[i].verdict != Compliance::holds;
+    }
+    table.add(cells, misses ? "fail" : "");
+  }
+  return table.html();
+}
+
+std::string conformity_section(const ConformityReport &r) {
+  std::string html = fmt::format("<section><h2>Specification {}</h2>\n", html_text(r.specification.id));
+  for (const std::string &line : r.specification.about)
+    html += fmt::format("<p>{}</p>\n", html_text(line));
+  for (const Conformity &c : r.samples)
+    html += fmt::format("<p class=\"verdict\">{}: {}</p>\n", html_text(c.id), name(c.verdict));
+  html += conformity_table(r);
+  const bool is_interpolated = std::any_of(r.samples.begin(), r.samples.end(), [](const Conformity &c) {
+    return std::any_of(c.sieves.begin(), c.sieves.end(),
+                       [](const SieveVerdict &s) { return s.is_interpolated; });
+  });
+  if (is_interpolated)
+    html += "<p>* interpolated, linear in percent over log size, where the sample has no sieve</p>\n";
+  return html + "</section>\n";
+}
+
+/// A line an index number, a column a sample.
+std::string index_table(const std::vector<ReportedSample> &samples) {
+  std::vector<std::string> titles = {""};
+  std::vector<std::vector<DescriptionItem>> items;
+  for (const ReportedSample &s : samples) {
+    titles.push_back(s.description.id);
+    items.push_back(items_of(s.description));
+  }
+  HtmlTable table("index numbers and groups", titles);
+  const auto add = [&](const std::string &title, auto value) {
+    std::vector<std::string> cells = {title};
+    for (std::size_t j = 0; j < samples.size(); ++j)
+      cells.push_back(value(j));
+    table.add(cells);
+  };
+  add("ASTM D2487", [&](std::size_t j) {
+    const Available<UscsGroup> &group = samples[j].description.group;
+    return group ? group->symbol + ", " + group->name : std::string("not available");
+  });
+  add("AASHTO M 145", [&](std::size_t j) {
+    const SoilDescription &d = samples[j].description;
+    return d.aashto ? aashto_symbol(d) : std::string("not available");
+  });
+  for (std::size_t i = 0; i < items.front().size(); ++i)
+    if (const DescriptionItem &first = items.front()[i]; !first.name.empty())
+      add(*first.unit == 0 ? first.name : fmt::format("{}, {}", first.name, first.unit), [&](std::size_t j) {
+        return items[j][i].value ? shown_item(items[j][i], shown_digits) : "not available";
+      });
+  return table.html();
+}
+
+/// Percents of the main fractions, a column a sample.
+std::string html_fractions(const char *system, const std::vector<ReportedSample> &samples,
+                           std::vector<Fraction> SoilDescription::*fractions) {
+  std::vector<std::string> titles = {"percent of the mass"};
+  for (const ReportedSample &s : samples)
+    titles.push_back(s.description.id);
+  HtmlTable table(system, titles);
+  const std::vector<Fraction> &first = samples.front().description.*fractions;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (!first[i].main)
+      continue;
+    std::vector<std::string> cells = {std::string(first[i].name)};
+    for (const ReportedSample &s : samples) {
+      const std::optional<Real> share = percent((s.description.*fractions)[i]);
+      cells.push_back(share ? rounded(*share, shown_digits) : "not available");
+    }
+    table.add(cells);
+  }
+  return table.html();
+}
+
+/// The curves as SVG that stands in HTML.
+std::string curves_svg(const LaboratoryReport &r) {
+  CurvesFigure figure;
+  figure.form.bare = true;
+  if (r.conformity)
+    figure.limits = envelope_of(r.conformity->specification);
+  for (std::size_t j = 0; j < r.samples.size(); ++j) {
+    DrawnCurve curve{r.samples[j].description.id, r.samples[j].sheet.gradation};
+    if (r.conformity)
+      curve.missed = missed_sizes(r.conformity->samples[j]);
+    figure.curves.push_back(std::move(curve));
+  }
+  const std::string svg = picture_of(curves_figure(figure), Picture::svg);
+  return svg.substr(svg.find("<svg")); // without the declaration of XML
+}
+
+std::vector<std::string> all_notes(const LaboratoryReport &r) {
+  std::vector<SoilDescription> descriptions;
+  for (const ReportedSample &s : r.samples)
+    descriptions.push_back(s.description);
+  std::vector<std::string> notes = notes_of_samples(descriptions);
+  if (r.conformity) {
+    notes.insert(notes.end(), r.conformity->specification.notes.begin(),
+                 r.conformity->specification.notes.end());
+    for (const std::string &note : notes_of_samples(r.conformity->samples))
+      if (std::find(notes.begin(), notes.end(), note) == notes.end())
+        notes.push_back(note);
+  }
+  return notes;
+}
+
+} // namespace
+
+std::string report_html(const LaboratoryReport &r) {
+  std::string html =
+      fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                  "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n"
+                  "<style>{1}</style>\n</head>\n<body>\n<header><h1>{0}</h1>\n<dl>\n",
+                  html_text(r.title), style);
+  for (const auto &[name, value] : r.fields)
+    html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", html_text(name), html_text(value));
+  html += fmt::format("</dl>\n</header>\n<main>\n<section><h2>Grading curves</h2>\n{}</section>\n",
+                      curves_svg(r));
+  html += "<section><h2>Sieve analysis</h2>\n";
+  for (const ReportedSample &s : r.samples)
+    html += analysis_table(s);
+  html += "</section>\n";
+  if (r.conformity)
+    html += conformity_section(*r.conformity);
+  html += "<section><h2>Description</h2>\n" + index_table(r.samples);
+  html += html_fractions("ASTM D2487", r.samples, &SoilDescription::uscs);
+  html += html_fractions("ISO 14688", r.samples, &SoilDescription::iso_14688);
+  html += "</section>\n<section><h2>Notes</h2>\n<ul>\n";
+  for (const std::string &note : all_notes(r))
+    html += fmt::format("<li>{}</li>\n", html_text(note));
+  html += fmt::format("</ul>\n</section>\n</main>\n<footer>Worked out exactly by mdm {}. "
+                      "Numbers are rounded to {} digits on this page alone.</footer>\n</body>\n</html>\n",
+                      versions().front().second, shown_digits);
+  return html;
+}
+
+std::string report_json(const LaboratoryReport &r, unsigned digits) {
+  JsonWriter json;
+  json.begin_object().key("schema").plain("mdm-report-1").key("title").string(r.title);
+  json.key("fields").begin_array();
+  for (const auto &[name, value] : r.fields)
+    json.begin_object().key("name").string(name).key("value").string(value).end_object();
+  json.end_array().key("descriptions").begin_array();
+  for (const ReportedSample &s : r.samples)
+    json.raw(description_json(s.description, digits));
+  json.end_array().key("judgement");
+  if (r.conformity)
+    json.raw(conformity_json(*r.conformity, digits));
+  else
+    json.null();
+  return json.key("versions").raw(versions_json()).end_object().take();
+}
+
+} // namespace mdm

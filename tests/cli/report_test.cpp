@@ -1,0 +1,58 @@
+// mdm report as a whole program.
+
+#include "answer.hpp"
+
+using namespace cli_test;
+
+namespace {
+
+const std::string sand =
+    "size_mm,passing_percent\n9.5,100\n4.75,97.3\n2.36,88\n1.18,70\n0.6,45\n0.3,18\n0.15,4\n";
+
+bool has(const std::string &text, const std::string &part) {
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("a report is written as HTML and JSON, whole or not at all", "[report]") {
+  const TemporaryFolder folder;
+  folder.write("a.csv", sand);
+  const Arguments asked = {"report",  folder / "a.csv",   "--spec", "astm-c33-fine", "--client", "A & B",
+                           "--field", "Project=Quay = 2", "-o"};
+  CHECK(mdm(with(asked, {folder / "r.html"})).exit_code == 0);
+  const std::string html = read_file(folder / "r.html");
+  CHECK(has(html, "<dt>Client</dt><dd>A &amp; B</dd>\n<dt>Project</dt><dd>Quay = 2</dd>"));
+  CHECK(has(html, "a: pass"));
+  CHECK(mdm(with(asked, {folder / "r.json"})).exit_code == 0);
+  const Json json = Json::parse(read_file(folder / "r.json"));
+  CHECK(json.at("judgement").at("samples")[0].at("verdict") == "pass");
+  CHECK(json.at("descriptions")[0].at("id") == "a");
+  check_refused(mdm(with(asked, {folder / "r.doc"})), "let OUT end in .html, .pdf or .json");
+  check_refused(mdm({"report", folder / "a.csv", folder / "none.csv", "-o", folder / "s.html"}), "none.csv");
+  CHECK(folder.entries() == 3);
+}
+
+TEST_CASE("a report of a sample that misses a limit is exit 1", "[report]") {
+  const Outcome outcome = mdm({"report", "-", "--spec", "superpave-19"}, sand);
+  CHECK(outcome.exit_code == 1);
+  CHECK(has(outcome.out, "stdin: fail"));
+}
+
+TEST_CASE("what is wrong with a report is refused", "[report]") {
+  check_refused(mdm({"report", "-", "--field", "Project"}, sand), "--field: 'Project' is no NAME=VALUE");
+  check_refused(mdm({"report", "-", "--spec", "none"}, sand), "specifications that come with mdm");
+  check_refused(mdm({"report", "-", "-"}, sand), "standard input is one file");
+  check_refused(mdm({"report", "-", "--liquid-limit", "20"}, sand), "go together");
+}
+
+TEST_CASE("a PDF of a report has its texts", "[report]") {
+  const TemporaryFolder folder;
+  const Outcome outcome = mdm({"report", "-", "--client", "Harbour", "-o", folder / "r.pdf"}, sand);
+  if (outcome.exit_code != 0) {
+    check_refused(outcome, "a PDF needs the program weasyprint");
+    CHECK(folder.entries() == 0);
+    return;
+  }
+  CHECK(read_file(folder / "r.pdf").starts_with("%PDF"));
+}
