@@ -9,6 +9,11 @@ namespace {
 const std::string sand =
     "size_mm,passing_percent\n9.5,100\n4.75,97.3\n2.36,88\n1.18,70\n0.6,45\n0.3,18\n0.15,4\n";
 
+Arguments with(Arguments some, const std::string &last) {
+  some.push_back(last);
+  return some;
+}
+
 bool has(const std::string &text, const std::string &part) {
   return text.find(part) != std::string::npos;
 }
@@ -20,15 +25,15 @@ TEST_CASE("a report is written as HTML and JSON, whole or not at all", "[report]
   folder.write("a.csv", sand);
   const Arguments asked = {"report",  folder / "a.csv",   "--spec", "astm-c33-fine", "--client", "A & B",
                            "--field", "Project=Quay = 2", "-o"};
-  CHECK(mdm(with(asked, {folder / "r.html"})).exit_code == 0);
+  CHECK(mdm(with(asked, folder / "r.html")).exit_code == 0);
   const std::string html = read_file(folder / "r.html");
   CHECK(has(html, "<dt>Client</dt><dd>A &amp; B</dd>\n<dt>Project</dt><dd>Quay = 2</dd>"));
   CHECK(has(html, "a: pass"));
-  CHECK(mdm(with(asked, {folder / "r.json"})).exit_code == 0);
+  CHECK(mdm(with(asked, folder / "r.json")).exit_code == 0);
   const Json json = Json::parse(read_file(folder / "r.json"));
   CHECK(json.at("judgement").at("samples")[0].at("verdict") == "pass");
   CHECK(json.at("descriptions")[0].at("id") == "a");
-  check_refused(mdm(with(asked, {folder / "r.doc"})), "let OUT end in .html, .pdf or .json");
+  check_refused(mdm(with(asked, folder / "r.doc")), "let OUT end in .html, .pdf or .json");
   check_refused(mdm({"report", folder / "a.csv", folder / "none.csv", "-o", folder / "s.html"}), "none.csv");
   CHECK(folder.entries() == 3);
 }
