@@ -18,10 +18,12 @@
 #include "files/standard_streams.hpp"
 #include "match/smallest_match.hpp"
 #include "packing/packing_reader.hpp"
+#include "plot/curves_figure.hpp"
 #include "plot/gradation_figure.hpp"
 #include "plot/packing_figure.hpp"
 #include "plot/section_figure.hpp"
 #include "plot/tradeoff_figure.hpp"
+#include "report/sample_notes.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
@@ -37,6 +39,7 @@ namespace {
 
 struct PlotCommand {
   std::string file;
+  std::vector<std::string> beside; ///< other gradations on the same chart
   PlotTexts asked;
   OutputFlags output;
   PictureFlags picture;
@@ -50,7 +53,8 @@ constexpr std::size_t max_answer_bytes = std::size_t{1} << 30;
 void check(const PlotCommand &c) {
   c.picture.picture();
   c.asked.check();
-  std::vector<std::string> inputs = {c.file};
+  std::vector<std::string> inputs = c.beside;
+  inputs.push_back(c.file);
   for (const std::optional<std::string> &path : {c.asked.sample, c.asked.band})
     if (path)
       inputs.push_back(*path);
@@ -123,10 +127,48 @@ int run_tradeoff(const PlotCommand &c, const StatedTradeoff &tradeoff) {
   return run_figure(c, tradeoff_figure(tradeoff, c.asked.form()));
 }
 
+/// The band in the file, in which there is a curve.
+Envelope band_with_curve(const std::string &file) {
+  Envelope band = band_in_file(file);
+  if (const std::optional<std::string> why = contradiction(band))
+    throw InputError(shown_name(file) + ": no curve is within this band: " + *why + ": correct one of them");
+  return band;
+}
+
+/// The curves of several gradations.
+int run_beside(const PlotCommand &c) {
+  const PlotTexts &a = c.asked;
+  if (a.sample || a.match || a.what || a.bands || a.coarse_left || a.sieve_names || a.colour || a.size_unit ||
+      a.soil.is_given())
+    throw InputError(option("beside") + " shows curves alone: of the options for what is drawn " +
+                     option("band") + ", " + option("width") + ", " + option("language") + ", " +
+                     option("caption") + " and " + option("bare") + " are for it: leave out the others");
+  CurvesFigure figure;
+  figure.form = a.form();
+  if (a.band)
+    figure.limits = band_with_curve(*a.band);
+  std::vector<std::pair<std::string, std::vector<std::string>>> notes;
+  std::vector<std::string> files = {c.file};
+  files.insert(files.end(), c.beside.begin(), c.beside.end());
+  for (const std::string &file : files) {
+    const Gradation g = any_gradation(file, c.reading, c.output.quiet).gradation;
+    notes.emplace_back(g.id(), g.notes());
+    figure.curves.push_back({g.id(), g});
+  }
+  Figure drawn = curves_figure(figure);
+  drawn.remarks = notes_of_samples(notes);
+  if (figure.limits)
+    drawn.remarks.insert(drawn.remarks.end(), figure.limits->notes.begin(), figure.limits->notes.end());
+  c.output.tell_notes(drawn.remarks);
+  return run_figure(c, std::move(drawn));
+}
+
 int run(const PlotCommand &command) {
   PlotCommand c = command;
   c.asked.soil = command.soil;
   check(c);
+  if (!c.beside.empty())
+    return run_beside(c);
   if (is_packing_file(c.file))
     return run_packing(c, read_packing_file(c.file));
   const bool is_sample = is_sample_file(c.file);
@@ -143,10 +185,7 @@ int run(const PlotCommand &command) {
   const Gradation g = in_file(c.file, [&] { return c.soil.with_pan(read); });
   std::vector<std::string> notes;
   if (c.asked.band) {
-    what.envelope = band_in_file(*c.asked.band);
-    if (const std::optional<std::string> why = contradiction(*what.envelope))
-      throw InputError(shown_name(*c.asked.band) + ": no curve is within this band: " + *why +
-                       ": correct one of them");
+    what.envelope = band_with_curve(*c.asked.band);
     notes.insert(notes.end(), what.envelope->notes.begin(), what.envelope->notes.end());
   }
   std::optional<SphereSample> places;
@@ -203,6 +242,9 @@ Run add_plot(CLI::App &app) {
       "SAMPLE", c->asked.sample,
       "particles to show: an answer of mdm solve, a set of mdm generate with --sizes, or a file of "
       "particles as mdm verify reads, such as a dump");
+  command.add_option("--beside", c->beside, "another gradation on the same chart, any number of them")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   add_options(command, PlotTexts::options, c->asked);
   c->soil.add_to(command);
   c->picture.add_to(command);
@@ -213,6 +255,7 @@ Run add_plot(CLI::App &app) {
              {"mdm plot sand.csv --match -o sand.svg",
               "mdm plot sand.csv settled.dump --what section -o settled.png",
               "mdm plot sand.csv --band limits.csv -o sand.pdf",
+              "mdm plot bh1.csv --beside bh2.csv --beside bh3.csv -o bh.svg",
               "mdm plot start.packing --colour contacts -o start.png",
               "mdm plot tradeoff.json --language de --width 500 -o tradeoff.svg"}));
   return [c] { return run(*c); };

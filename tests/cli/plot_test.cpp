@@ -249,3 +249,22 @@ TEST_CASE("a picture has the form that is asked for", "[cli]") {
   check_refused(mdm({"plot", sand, "--width", "300.5", "-o", folder / "e.svg"}), "--width");
   check_refused(mdm({"plot", sand, "--language", "fr", "-o", folder / "e.svg"}), "--language");
 }
+
+TEST_CASE("several gradations stand on one chart", "[plot]") {
+  const TemporaryFolder folder;
+  folder.write("a.csv", "size_mm,passing_percent\n1,0\n2,40\n4,100\n");
+  folder.write("b.csv", "size_mm,passing_percent\n0.5,0\n1,60\n4,100\n");
+  folder.write("limits.csv", "size_mm,passing_min_percent,passing_max_percent\n1,0,70\n");
+  const Arguments both = {"plot", folder / "a.csv", "--beside", folder / "b.csv", "-o", folder / "p.svg"};
+  CHECK(mdm(both).exit_code == 0);
+  const std::string picture = read_file(folder / "p.svg");
+  CHECK(picture.find(">a<") != std::string::npos);
+  CHECK(picture.find(">b<") != std::string::npos);
+  Arguments more = both;
+  more.insert(more.end(), {"--band", folder / "limits.csv", "--language", "de", "--width", "500"});
+  CHECK(mdm(more).exit_code == 0);
+  CHECK(read_file(folder / "p.svg").find(": limits") != std::string::npos);
+  more = both;
+  more.emplace_back("--match");
+  check_refused(mdm(more), "--beside shows curves alone");
+}
