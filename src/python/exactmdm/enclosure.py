@@ -2,19 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from decimal import Context, Decimal
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal, Inexact
 from fractions import Fraction
 from typing import Any, Union
+
+
+#: What an enclosure is added to and compared with.
+Exact = Union[int, Decimal, Fraction]
 
 
 @dataclass(frozen=True)
 class Enclosure:
     """A real number with lo <= x <= hi; lo = hi where it is that decimal.
 
+    It compares and counts as an interval does: sums, differences, products and quotients enclose those of all numbers
+    within, and an order that the bounds do not tell is a ValueError. `==` compares the bounds.
+
     >>> size = Enclosure(Decimal("0.1"), Decimal("0.3"))
     >>> size.mid, float(size), Fraction(1, 4) in size, size.is_exact
     (Decimal('0.2'), 0.2, True, False)
+    >>> size + 1, 2 * size, size < 1
+    (Enclosure(Decimal('1.1'), Decimal('1.3')), Enclosure(Decimal('0.2'), Decimal('0.6')), True)
+    >>> 1 / Enclosure(Decimal("3"), Decimal("3"))
+    Enclosure(Decimal('0.333333333333333333333333333333'), Decimal('0.333333333333333333333333333334'))
     """
 
     lo: Decimal
@@ -48,6 +60,67 @@ class Enclosure:
     def __contains__(self, value: Decimal | Fraction | int) -> bool:
         return Fraction(self.lo) <= value <= Fraction(self.hi)
 
+    def __add__(self, other: Union[Enclosure, Exact]) -> Enclosure:
+        return self._with(other, lambda a, b: a + b)
+
+    def __radd__(self, other: Exact) -> Enclosure:
+        return self + other
+
+    def __neg__(self) -> Enclosure:
+        return Enclosure(self.hi.copy_negate(), self.lo.copy_negate())
+
+    def __sub__(self, other: Union[Enclosure, Exact]) -> Enclosure:
+        return self._with(other, lambda a, b: a - b)
+
+    def __rsub__(self, other: Exact) -> Enclosure:
+        return -self + other
+
+    def __mul__(self, other: Union[Enclosure, Exact]) -> Enclosure:
+        return self._with(other, lambda a, b: a * b)
+
+    def __rmul__(self, other: Exact) -> Enclosure:
+        return self * other
+
+    def __truediv__(self, other: Union[Enclosure, Exact]) -> Enclosure:
+        divisor = _bounds(other)
+        if divisor is not None and divisor[0] <= 0 <= divisor[1]:
+            raise ZeroDivisionError(f"{other} may be 0")
+        return self._with(other, lambda a, b: a / b)
+
+    def __rtruediv__(self, other: Exact) -> Enclosure:
+        bounds = _bounds(other)
+        return NotImplemented if bounds is None else _enclosing([bounds[0]]) / self
+
+    def __lt__(self, other: Union[Enclosure, Exact]) -> bool:
+        return self._is_below(other, lambda a, b: a < b)
+
+    def __le__(self, other: Union[Enclosure, Exact]) -> bool:
+        return self._is_below(other, lambda a, b: a <= b)
+
+    def __gt__(self, other: Union[Enclosure, Exact]) -> bool:
+        below: Any = self.__le__(other)
+        return below if below is NotImplemented else not below
+
+    def __ge__(self, other: Union[Enclosure, Exact]) -> bool:
+        below: Any = self.__lt__(other)
+        return below if below is NotImplemented else not below
+
+    def _with(self, other: Any, operation: Callable[[Fraction, Fraction], Fraction]) -> Enclosure:
+        """An enclosure of what the operation, monotone in each number, makes of all numbers within both."""
+        bounds = _bounds(other)
+        if bounds is None:
+            return NotImplemented
+        return _enclosing([operation(a, b) for a in (Fraction(self.lo), Fraction(self.hi)) for b in bounds])
+
+    def _is_below(self, other: Any, holds: Callable[[Fraction, Fraction], bool]) -> bool:
+        bounds = _bounds(other)
+        if bounds is None:
+            return NotImplemented
+        always, ever = holds(Fraction(self.hi), bounds[0]), holds(Fraction(self.lo), bounds[1])
+        if always != ever:
+            raise ValueError(f"{self} and {other}: the bounds do not tell their order; compare `mid`, lo or hi")
+        return always
+
     def __str__(self) -> str:
         return f"{self.lo:f}" if self.is_exact else f"[{self.lo:f}, {self.hi:f}]"
 
@@ -60,6 +133,34 @@ def _context_for(*numbers: Decimal) -> Context:
     highest = max(number.adjusted() for number in numbers)
     lowest = min(int(number.as_tuple().exponent) for number in numbers)
     return Context(prec=max(highest - lowest, 1) + 4)
+
+
+#: Digits of bounds that are no decimals of few digits.
+_DIGITS = 30
+
+
+def _bounds(value: Any) -> tuple[Fraction, Fraction] | None:
+    """The bounds of an enclosure or of an exact number, or None for anything else."""
+    if isinstance(value, Enclosure):
+        return Fraction(value.lo), Fraction(value.hi)
+    if isinstance(value, (int, Decimal, Fraction)):
+        return Fraction(value), Fraction(value)
+    return None
+
+
+def _enclosing(numbers: list[Fraction]) -> Enclosure:
+    """Decimals below and above all of them."""
+    return Enclosure(_decimal(min(numbers), ROUND_FLOOR), _decimal(max(numbers), ROUND_CEILING))
+
+
+def _decimal(number: Fraction, rounding: str) -> Decimal:
+    """The number where it is a decimal, else rounded to 30 digits."""
+    numerator, denominator = Decimal(number.numerator), Decimal(number.denominator)
+    exact = Context(prec=len(str(number.numerator)) + 4 * len(str(number.denominator)) + 1, traps=[])
+    quotient = exact.divide(numerator, denominator)
+    if not exact.flags[Inexact]:
+        return quotient
+    return Context(prec=_DIGITS, rounding=rounding).divide(numerator, denominator)
 
 
 def enclosure_of(bounds: list[str]) -> Enclosure:

@@ -65,15 +65,19 @@ def valid_text(text: str) -> str:
     return text.encode("utf-8", "replace").decode()
 
 
-def texts_of(values: Iterable[object], name: str, exact: bool = False) -> list[str]:
-    """All of some numbers, which are named by their place in errors."""
+def entries_of(values: Iterable[object], name: str) -> list[object]:
+    """The values as a list, which a text is not."""
     if isinstance(values, str):
         raise InputError(f"{name}: a text is no list of numbers: give a list")
     try:
-        entries = list(values)
+        return list(values)
     except (TypeError, NotImplementedError):  # the second is of views with several dimensions
         raise InputError(f"{name}: {type(values).__name__} is no list of numbers: give a list") from None
-    return [text_of(value, f"{name}[{i}]", exact, True) for i, value in enumerate(entries)]
+
+
+def texts_of(values: Iterable[object], name: str, exact: bool = False) -> list[str]:
+    """All of some numbers, which are named by their place in errors."""
+    return [text_of(value, f"{name}[{i}]", exact, True) for i, value in enumerate(entries_of(values, name))]
 
 
 def _text_of_fraction(value: Fraction) -> str:

@@ -11,8 +11,10 @@ from typing import TYPE_CHECKING, Any, Union
 
 from exactmdm import _core
 from exactmdm.enclosure import Enclosure
-from exactmdm.exact import column, shown, text_of, texts_of
+from exactmdm.errors import InputError
+from exactmdm.exact import column, entries_of, shown, text_of
 from exactmdm.figures import curve_figure, html_table
+from exactmdm.tables import core_of, exact_texts, masses_of_passing, notes_of
 from exactmdm.value import Value
 
 if TYPE_CHECKING:
@@ -29,11 +31,12 @@ class Gradation(Value):
     Args:
         sizes: n openings, in `unit`, decimals as in files and proofs: Fraction(1, 3) is refused.
         masses: n masses, in any unit; that of the largest size is 0.
-        unit: "mm", "um" or "m".
+        unit: "mm", "um", "m", "in", "phi", or "sieve" for names such as "No. 200".
         id: a name for reports.
         factors: n densities or shape factors above 0, one a class (that of the largest size is not used).
         tolerances: n percentage points, for tolerance="retained:file" and "passing:file".
         exact: take floats too, as the binary numbers that they are.
+        floats: "shortest" takes each as the shortest decimal that means it, with a note; "binary" is exact=True.
 
     Raises:
         InputError: a number is a float, or the numbers are no gradation.
@@ -50,11 +53,43 @@ class Gradation(Value):
     _source: tuple[str, str] | None
 
     def __init__(self, sizes: Iterable[object], masses: Iterable[object], unit: str = "mm", id: str = "", *,
-                 factors: Iterable[object] = (), tolerances: Iterable[object] = (), exact: bool = False) -> None:
-        core = _core.Gradation(
-            texts_of(sizes, "sizes", exact), texts_of(masses, "masses", exact), text_of(unit, "unit"), text_of(id, "id"),
-            texts_of(factors, "factors", exact), texts_of(tolerances, "tolerances", exact), [], [], 1)
+                 factors: Iterable[object] = (), tolerances: Iterable[object] = (), exact: bool = False,
+                 floats: str | None = None) -> None:
+        how = "binary" if exact and floats is None else floats
+        given = {name: entries_of(values, name) for name, values in (
+            ("sizes", sizes), ("masses", masses), ("factors", factors), ("tolerances", tolerances))}
+        columns = [exact_texts(values, name, how) for name, values in given.items()]
+        core = core_of(columns[0], columns[1], text_of(unit, "unit"), text_of(id, "id"), columns[2], columns[3],
+                       notes_of(given.values(), how))
         self._set(_handle=core, _source=None)
+
+    @classmethod
+    def from_frame(cls, frame: pandas.DataFrame, *, size: str, mass: str | None = None, passing: str | None = None,
+                   unit: str = "mm", id: str = "", floats: str | None = None) -> Gradation:
+        """The gradation in a pandas DataFrame, a row a sieve in any order.
+
+        Args:
+            frame: or whatever has columns by their names.
+            size: the column of the openings, in `unit`.
+            mass: the column of the masses retained on each; that of the largest is 0.
+            passing: instead of it the column of the percents that pass each; 100 of the largest. What passes the finest one
+                is in the pan.
+            unit, id, floats: as Gradation. Columns of pandas are mostly floats: say "shortest" for the decimals that they
+                show.
+
+        >>> Gradation.from_frame({"d": ["1", "2", "4"], "p": [0, 40, 100]}, size="d", passing="p").masses
+        (Fraction(40, 1), Fraction(60, 1), Fraction(0, 1))
+        """
+        if (mass is None) == (passing is None):
+            raise InputError("give mass or passing, the column that says how much there is")
+        amount = str(passing if mass is None else mass)
+        sizes, amounts = entries_of(frame[size], size), entries_of(frame[amount], amount)
+        if mass is not None:
+            order = _ascending(exact_texts(sizes, size, floats), unit)
+            return cls([sizes[i] for i in order], [amounts[i] for i in order], unit, id, floats=floats)
+        kept, masses = masses_of_passing(exact_texts(sizes, size, floats), exact_texts(amounts, amount, floats), unit)
+        return cls._of(core_of(kept, masses, text_of(unit, "unit"), text_of(id, "id"), [], [],
+                               notes_of([sizes, amounts], floats)))
 
     @classmethod
     def _of(cls, core: _core.Gradation, source: tuple[str, str] | None = None) -> Gradation:
@@ -157,6 +192,13 @@ class Gradation(Value):
                  shown(self.passing[j + 1])] for j in range(len(self))]
         curves = [("#1f5fa8", list(zip(self.sizes, self.passing)))]
         return f"<p><b>{escape(self.id)}</b></p>{html_table(header, rows)}{curve_figure(curves, self.unit)}"
+
+
+def _ascending(sizes: list[str], unit: str) -> list[int]:
+    """The places of the sizes in their order; those of names of sieves as they stand, which the reader puts in order."""
+    if unit == "sieve":
+        return list(range(len(sizes)))
+    return sorted(range(len(sizes)), key=lambda i: Fraction(sizes[i]))
 
 
 def read_line(line: bytes, file: str, number: int) -> Gradation:

@@ -275,14 +275,28 @@ class Match(Value):
         return Spread(self, seed)
 
     def to_frame(self) -> pandas.DataFrame:
-        """A pandas DataFrame with a row a class: lower, upper, mass, quantity, size; floats but for the quantity, and exact
-        numbers in a column that floats cannot have."""
+        """A pandas DataFrame with a row a class: lower, upper, mass, quantity, size with its bounds size_lo and size_hi, and
+        share, what the class has of the mass of the match; floats but for the quantity, and exact numbers in a column that
+        floats cannot have."""
         import pandas
 
+        sizes = [c.size for c in self.classes]
         return pandas.DataFrame({
             "lower": column(c.lower for c in self.classes), "upper": column(c.upper for c in self.classes),
-            "mass": column(c.mass for c in self.classes), "quantity": list(self.quantities),
-            "size": column(c.size for c in self.classes)})
+            "mass": column(c.mass for c in self.classes), "quantity": list(self.quantities), "size": column(sizes),
+            "size_lo": column(None if size is None else size.lo for size in sizes),
+            "size_hi": column(None if size is None else size.hi for size in sizes), "share": column(self._shares())})
+
+    def _shares(self) -> list[Fraction | None]:
+        """What each class has of the mass of the match; None where there is no match."""
+        if not self:
+            return [None for _ in self.classes]
+        total = sum(c.mass for c in self.classes)
+        return list(self.achieved) if self.achieved is not None else [c.mass / total for c in self.classes]
+
+    def __bool__(self) -> bool:
+        """True if there is a match, though perhaps not yet the smallest one."""
+        return self.upper_bound is not None
 
     def _key(self) -> tuple[Any, ...]:
         return self.gradation, self._words.values, self._words.tolerances, self._json
