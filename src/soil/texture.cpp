@@ -14,14 +14,14 @@ bool is_at_least(const Real &a, const Rational &factor, const Real &b) {
   return order != Order::less;
 }
 
-/// Shares of the mass.
-struct Shares {
+/// TextureShares of the mass.
+struct TextureShares {
   Real coarser, sand, silt, clay;
 };
 
 /// The shares of sand up to 2 mm, and of silt and clay up to these sizes in mm.
 /// \throws NotAvailable where the curve does not tell, or nothing is as fine as sand
-Shares shares_of(const GradingCurve &curve, const Rational &silt, const Rational &clay) {
+TextureShares shares_of(const GradingCurve &curve, const Rational &silt, const Rational &clay) {
   std::array<Real, 3> passing = {Real(0), Real(0), Real(0)};
   const std::array<Rational, 3> sizes = {2, silt, clay};
   for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -65,7 +65,7 @@ const char *folk_name(const Real &gravel, const Real &sand, const Real &mud) {
   return (slightly ? with_gravel : names).at(static_cast<std::size_t>(sandiness));
 }
 
-const char *shepard_name(const Shares &s) {
+const char *shepard_name(const TextureShares &s) {
   const std::array<const Real *, 3> parts = {&s.sand, &s.silt, &s.clay};
   const Real all = Real(1) - s.coarser;
   static constexpr std::array<const char *, 3> nouns = {"sand", "silt", "clay"};
@@ -85,7 +85,7 @@ const char *shepard_name(const Shares &s) {
   return names.at(order[0]).at(order[1]);
 }
 
-const char *usda_name(const Shares &s) {
+const char *usda_name(const TextureShares &s) {
   const auto &[coarser, sand, silt, clay] = s;
   const Real all = Real(1) - coarser;
   const auto at_least = [&all](const Real &part, unsigned percent) {
