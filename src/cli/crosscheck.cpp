@@ -11,6 +11,7 @@
 #include "crosscheck/answer_index.hpp"
 #include "crosscheck/answer_proof.hpp"
 #include "crosscheck/crosscheck_report.hpp"
+#include "crosscheck/solution_reader.hpp"
 #include "files/byte_source.hpp"
 #include "files/file_ending.hpp"
 #include "files/in_parallel.hpp"
@@ -39,7 +40,7 @@ namespace {
 
 struct CrosscheckCommand {
   std::string suite;
-  std::optional<std::string> answers, solver, by, journal, proofs;
+  std::optional<std::string> answers, solver, solution, by, journal, proofs;
   std::optional<std::string> time_limit; ///< of a solver
   CrosscheckTexts asked;
   OutputFlags output;
@@ -120,15 +121,19 @@ std::chrono::milliseconds read_time_limit(const std::string &text) {
 }
 
 void check_options(const CrosscheckCommand &c) {
-  if (c.answers.has_value() == c.solver.has_value())
-    throw InputError("crosscheck: give either a file of ANSWERS or a program with " + option("solver"));
+  if (int{c.answers.has_value()} + int{c.solver.has_value()} + int{c.solution.has_value()} != 1)
+    throw InputError("crosscheck: give a file of ANSWERS, a program with " + option("solver") +
+                     ", or the file of one solution with " + option("solution"));
+  if (c.solution && (c.journal || c.time_limit || c.by))
+    throw InputError(option("journal") + ", " + option("time-limit") + " and " + option("by") +
+                     ": a file of one solution is read: leave them out");
   if (c.answers && (c.journal || c.time_limit))
     throw InputError(option("journal") + " and " + option("time-limit") + " are for " + option("solver") +
                      ": a file is judged in one go");
   if (c.solver && c.by)
     throw InputError(option("by") + " is for a file of ANSWERS: a solver answers once");
-  if (c.answers == "-" && c.suite == "-")
-    throw InputError("standard input cannot be both SUITE and ANSWERS: name a file for one of them");
+  if (c.suite == "-" && (c.answers == "-" || c.solution == "-"))
+    throw InputError("standard input cannot be both SUITE and the answers: name a file for one of them");
   if (c.output.is_text() && c.output.out)
     check_ending(*c.output.out, {"csv", "txt"}, "crosscheck",
                  ", or say with " + option("format") + " json what it holds");
@@ -136,7 +141,7 @@ void check_options(const CrosscheckCommand &c) {
     throw InputError("-o -: standard output has the summary: use " + option("format") + " csv");
   if (c.journal == "-")
     throw InputError(option("journal") + " needs a file: name one");
-  for (const std::string &input : {c.suite, c.answers.value_or("-")})
+  for (const std::string &input : {c.suite, c.answers.value_or("-"), c.solution.value_or("-")})
     check_distinct({input, c.journal.value_or("-"), c.output.path()});
 }
 
@@ -259,10 +264,21 @@ AnswerIndex read_index(const CrosscheckCommand &c) {
   });
 }
 
+/// The solution of the program of one gradation.
+OtherAnswer read_solution(const std::string &path, const Gradation &g, const Question &question) {
+  constexpr std::size_t most = std::size_t{1} << 26;
+  const std::string text = read_file(path, most);
+  const ProgramForm form = has_binary_values(text) ? ProgramForm::integers : ProgramForm::strict;
+  return solution_answer(text, integer_program(g, question, form, "the solution"));
+}
+
 int run(const CrosscheckCommand &c) {
   check_options(c);
   const Rational size_tolerance = c.asked.most_size_error();
-  const std::vector<SuiteLine> suite = read_suite(c.suite);
+  const std::vector<SuiteLine> suite =
+      c.solution ? std::vector<SuiteLine>{{1, read_gradation(read_file(c.suite, max_gradation_bytes),
+                                                             shown_name(c.suite))}}
+                 : read_suite(c.suite);
   const CrosscheckQuestion question(c.asked, band_in_file);
   std::optional<AnswerProofs> proofs;
   if (c.proofs)
@@ -285,6 +301,19 @@ int run(const CrosscheckCommand &c) {
     report_suite(c, question, suite, judge, report);
     report.add(index.rows_without_id());
     report.end(suite.size(), with_note(index.notes()));
+    return exit_code(report.outcome());
+  }
+  if (c.solution) {
+    Report report(c, size_tolerance);
+    const Judge judge = [&](const Crosscheck &problem, const SuiteLine &entry) {
+      const OtherAnswer answer =
+          read_solution(*c.solution, entry.gradation, question.question(entry.gradation.unit()));
+      if (proofs)
+        proofs->add(entry, problem.gradation(), answer, 1);
+      return Rows{problem.judge(answer, size_tolerance)};
+    };
+    report_suite(c, question, suite, judge, report);
+    report.end(suite.size(), with_note({}));
     return exit_code(report.outcome());
   }
   const std::string limit = c.time_limit.value_or("60");
@@ -348,6 +377,12 @@ Run add_crosscheck(CLI::App &app) {
   command.add_option("--solver", c->solver, "run CMD with /bin/sh for each gradation in place of ANSWERS")
       ->type_name("CMD");
   command
+      .add_option(
+          "--solution", c->solution,
+          "SUITE is one gradation in any format, and FILE what a solver wrote for the problem of mdm convert "
+          "--problem: its counts q1, q2 and so on")
+      ->type_name("FILE");
+  command
       .add_option("--time-limit", c->time_limit,
                   "seconds after which a solver and its children are killed (60)")
       ->type_name("S");
@@ -381,6 +416,7 @@ Run add_crosscheck(CLI::App &app) {
       footer(about(), {"mdm crosscheck suite.jsonl answers.csv --by x_n_factor",
                        "mdm crosscheck suite.jsonl answers.csv --tolerance passing:1% --min-per-class 5",
                        "mdm crosscheck suite.jsonl --solver ./my-solver -j 2 -o rows.csv",
+                       "mdm crosscheck sand.csv --solution glpk.sol --tolerance retained:1%",
                        "mdm crosscheck suite.jsonl --solver './my-solver --json' --journal run.jsonl"}));
   return [c] { return run(*c); };
 }

@@ -38,4 +38,12 @@ std::string program_json(const IntegerProgram &program);
 /// The comments, each line behind `mark`.
 std::string comment_lines(const IntegerProgram &program, std::string_view mark);
 
+/// Where the binary digits of a count are in opb: x`first` and those behind it, the lowest first.
+struct BinaryDigits {
+  std::size_t first, count;
+};
+
+/// Those of each variable, whose value is its least and what its digits add. \pre of integers
+std::vector<BinaryDigits> binary_digits(const IntegerProgram &program);
+
 } // namespace mdm

@@ -24,6 +24,7 @@ for tool in ("z3", "glpsol", "cbc", "minizinc", "clasp"):
         sys.exit(1 if "MDM_REQUIRE_TOOLS" in os.environ else 77)
 
 failures = []
+printed = [""]  # what the last solver said
 
 
 def expect(what, found, expected):
@@ -40,7 +41,7 @@ def run(*words, text=None, codes=(0,)):
 
 def z3(script):
     """The counts of an optimum, by name, or None."""
-    out = run("z3", "-in", text=script, codes=(0, 1))
+    printed[0] = out = run("z3", "-in", text=script, codes=(0, 1))
     if not out.startswith("sat"):
         return None
     return {name: int(value) for name, value in re.findall(r"\((q\d+) (\d+)\)", out)}
@@ -113,36 +114,42 @@ def read_json(text):
 def glpsol(path, kind, folder):
     out = folder / "glpk.txt"
     run("glpsol", f"--{'lp' if kind == 'lp' else 'freemps'}", path, "-o", out)
-    return {name: int(value) for name, value in re.findall(r"^ +\d+ (q\d+) +\* +(\d+) ", out.read_text(), re.M)}
+    printed[0] = out.read_text()
+    return {name: int(value) for name, value in re.findall(r"^ +\d+ (q\d+) +\* +(\d+) ", printed[0], re.M)}
 
 
 def cbc(path, folder):
     out = folder / "cbc.txt"
     run("cbc", path, "-ratioGap", "0", "-solve", "-solution", out)
-    return {name: int(value) for name, value in re.findall(r"^ +\d+ (q\d+) +(\d+) ", out.read_text(), re.M)}
+    printed[0] = out.read_text()
+    return {name: int(value) for name, value in re.findall(r"^ +\d+ (q\d+) +(\d+) ", printed[0], re.M)}
 
 
 def minizinc(path):
-    return {name: int(value) for name, value in re.findall(r"(q\d+) = (\d+);", run("minizinc", "--solver", "gecode", path))}
+    printed[0] = run("minizinc", "--solver", "gecode", path)
+    return {name: int(value) for name, value in re.findall(r"(q\d+) = (\d+);", printed[0])}
 
 
 def clasp(path):
     """The counts are sums of digits, as the comments say."""
-    out = run("clasp", "--opt-mode=opt", path, codes=(0, 10, 20, 30))
+    printed[0] = out = run("clasp", "--opt-mode=opt", path, codes=(0, 10, 20, 30))
     answers = re.findall(r"(?:^v .*\n)+", out, re.M)
     true = set(re.findall(r"(?<![-\w])x\d+", answers[-1])) if answers else set()
     return {name: int(least) + sum(int(n) for n, x in re.findall(r"(\d+) (x\d+)", digits) if x in true)
             for name, least, digits in re.findall(r"^\* (q\d+) = (\d+)((?: \+ \d+ x\d+)*)$", path.read_text(), re.M)}
 
 
-def judge(folder, sand, options, counts, what):
-    """mdm crosscheck of the counts; classes without a variable have no particles."""
+def judge(folder, sand, options, counts, solution, what):
+    """mdm crosscheck of the counts, and of what the solver wrote; classes without a variable have no particles."""
     classes = len(sand["sizes"]) - 1
     answer = {"id": sand["id"], "quantities": [str(counts.get(f"q{j + 1}", 0)) for j in range(classes)]}
     (folder / "suite.jsonl").write_text(json.dumps(sand) + "\n")
     (folder / "answers.jsonl").write_text(json.dumps(answer) + "\n")
     rows = run(MDM, "crosscheck", folder / "suite.jsonl", folder / "answers.jsonl", "--format", "csv", *options)
     expect(what, rows.splitlines()[1].split(",")[1], "minimal")
+    (folder / "solution.txt").write_text(solution)
+    row = run(MDM, "crosscheck", folder / "sand.json", "--solution", folder / "solution.txt", "--format", "csv", *options)
+    expect(f"the solution of {what}", row.splitlines()[1:2], rows.splitlines()[1:2])
 
 
 def random_sand(rng, number):
@@ -171,20 +178,25 @@ def check_question(rng, number, folder, counted):
         path = folder / f"problem.{language}"
         run(MDM, "convert", file, "--problem", language, "-o", path, *options)
         texts[language] = path.read_text()
-    found = {"smt2": z3(texts["smt2"])}
+    found = {}
+
+    def solved(solver, counts):
+        found[solver] = counts, printed[0]
+
+    solved("smt2", z3(texts["smt2"]))
     for language, read in (("lp", read_lp), ("mps", read_mps), ("json", read_json)):
-        found[language] = z3_of(*read(texts[language]))
+        solved(language, z3_of(*read(texts[language])))
     if is_exact:
-        found["glpk lp"] = glpsol(folder / "problem.lp", "lp", folder)
-        found["glpk mps"] = glpsol(folder / "problem.mps", "mps", folder)
-        found["cbc"] = cbc(folder / "problem.lp", folder)
-        found["opb"] = clasp(folder / "problem.opb")
+        solved("glpk lp", glpsol(folder / "problem.lp", "lp", folder))
+        solved("glpk mps", glpsol(folder / "problem.mps", "mps", folder))
+        solved("cbc", cbc(folder / "problem.lp", folder))
+        solved("opb", clasp(folder / "problem.opb"))
         if number % 3 == 0:
-            found["mzn"] = minizinc(folder / "problem.mzn")
-    for solver, counts in found.items():
+            solved("mzn", minizinc(folder / "problem.mzn"))
+    for solver, (counts, solution) in found.items():
         expect(f"{solver}: {what}", counts and sum(counts.values()), particles)
         if counts:
-            judge(folder, sand, options, counts, f"{solver}: {what}")
+            judge(folder, sand, options, counts, solution, f"{solver}: {what}")
     # Without what makes sides strict some have fewer particles: the test can tell the difference.
     rows, variables = read_json(texts["json"])
     loose = z3_of([(terms, ">=", constant, None) for terms, _, constant, _ in rows], variables)
