@@ -153,13 +153,8 @@ OtherAnswer solution_answer(std::string_view text, const IntegerProgram &program
                                  "the solver says that there is no solution")
                  : failed_answer(program.id, AnswerVerdict::garbage, "no value of q1 is in the file");
     answer.quantities.assign(program.counts, 0);
-    for (const auto &[name, value] : values) {
-      const Integer index(name.substr(1));
-      if (index > program.counts)
-        throw InputError(
-            fmt::format("{} is of another problem: this one has q1 to q{}", name, program.counts));
-      answer.quantities[static_cast<std::size_t>(index) - 1] = count_of(name, value);
-    }
+    for (const auto &[name, value] : values)
+      answer.quantities[place_of(name, program)] = count_of(name, value);
     return answer;
   } catch (const InputError &e) {
     return failed_answer(program.id, AnswerVerdict::garbage, e.what());
