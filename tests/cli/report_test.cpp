@@ -60,4 +60,8 @@ TEST_CASE("a PDF of a report has its texts", "[report]") {
     return;
   }
   CHECK(read_file(folder / "r.pdf").starts_with("%PDF"));
+  const std::string text = folder / "r.txt";
+  if (std::system(("pdftotext " + (folder / "r.pdf") + " " + text + " 2>/dev/null").c_str()) == 0)
+    for (const char *part : {"Sieve analysis", "Harbour", "AASHTO M 145", "97.3"})
+      CHECK(has(read_file(text), part));
 }
