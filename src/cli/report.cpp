@@ -61,7 +61,7 @@ std::vector<std::pair<std::string, std::string>> head(const ReportCommand &c) {
 }
 
 LaboratoryReport reported(const ReportCommand &c) {
-  LaboratoryReport r{c.title.value_or("Sieve analysis"), head(c), {}, std::nullopt};
+  LaboratoryReport r{c.title.value_or("Grain size report"), head(c), {}, std::nullopt};
   const DescribeOptions options = c.asked.describe_options();
   if (c.spec)
     r.conformity = ConformityReport{specification_at(*c.spec), {}};
@@ -129,7 +129,7 @@ Run add_report(CLI::App &app) {
           "verify reads; - for standard input")
       ->required();
   command.add_option("--spec", c->spec, specification_help())->type_name("FILE|NAME");
-  command.add_option("--title", c->title, "the title (Sieve analysis)");
+  command.add_option("--title", c->title, "the title (Grain size report)");
   command.add_option("--client", c->client, "the client, in the head of the report");
   command
       .add_option("--field", c->fields,

@@ -28,9 +28,9 @@ constexpr std::string_view style = R"(
 body { font: 11pt/1.4 system-ui, "DejaVu Sans", sans-serif; margin: 2em auto; max-width: 50em; color: #111; }
 h1 { font-size: 1.5em; margin: 0 0 .5em; }
 h2 { font-size: 1.15em; margin: 1.6em 0 .4em; border-bottom: 1px solid #888; break-after: avoid; }
-dl { display: grid; grid-template-columns: max-content 1fr; gap: .15em 1em; margin: 0; }
-dt { font-weight: 600; }
-dd { margin: 0; overflow-wrap: anywhere; }
+table.head th, table.head td { border: 0; padding: .1em 1em .1em 0; text-align: left; vertical-align: top; }
+table.head th { font-weight: 600; }
+table.head td { overflow-wrap: anywhere; }
 table { border-collapse: collapse; margin: .6em 0 1em; font-size: .92em; break-inside: avoid; }
 caption { text-align: left; font-weight: 600; padding-bottom: .2em; }
 th, td { border: 1px solid #bbb; padding: .15em .6em; }
@@ -207,14 +207,14 @@ std::vector<std::string> all_notes(const LaboratoryReport &r) {
 } // namespace
 
 std::string report_html(const LaboratoryReport &r) {
-  std::string html =
-      fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                  "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n"
-                  "<style>{1}</style>\n</head>\n<body>\n<header><h1>{0}</h1>\n<dl>\n",
-                  html_text(r.title), style);
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n"
+      "<style>{1}</style>\n</head>\n<body>\n<header><h1>{0}</h1>\n<table class=\"head\"><tbody>\n",
+      html_text(r.title), style);
   for (const auto &[name, value] : r.fields)
-    html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", html_text(name), html_text(value));
-  html += fmt::format("</dl>\n</header>\n<main>\n<section><h2>Grading curves</h2>\n{}</section>\n",
+    html += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", html_text(name), html_text(value));
+  html += fmt::format("</tbody></table>\n</header>\n<main>\n<section><h2>Grading curves</h2>\n{}</section>\n",
                       curves_svg(r));
   html += "<section><h2>Sieve analysis</h2>\n";
   for (const ReportedSample &s : r.samples)

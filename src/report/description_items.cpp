@@ -29,6 +29,19 @@ std::optional<Real> over_d50(const SoilDescription &d) {
   return d.d50 ? std::optional((d.d_max / *d.d50).real()) : std::nullopt;
 }
 
+/// A decimal of so many significant digits below y > 0, or above it.
+std::string outward(const Real &y, unsigned digits, bool upwards) {
+  const Enclosure e = enclose(y, digits);
+  const Rational end = upwards ? e.upper() : e.lower();
+  Rational unit = 1; // of the last digit
+  for (const Rational most(power_of_ten(digits)); end / unit >= most;)
+    unit *= 10;
+  for (const Rational least(power_of_ten(digits - 1)); end / unit < least;)
+    unit /= 10;
+  const Rational units = end / unit;
+  return to_decimal(Rational(upwards ? ceil(units) : floor(units)) * unit);
+}
+
 constexpr std::size_t after_d60 = 4, after_hazen = 12;
 
 } // namespace
@@ -83,8 +96,7 @@ std::string shown_item(const DescriptionItem &i, unsigned digits) {
     return "";
   if (!i.is_range)
     return rounded(i.value->lo, digits);
-  const auto ends = bounds_of(i, digits);
-  return ends->first + " to " + ends->second;
+  return outward(i.value->lo, digits, false) + " to " + outward(i.value->hi, digits, true);
 }
 
 std::string group_index(const SoilDescription &d) {

@@ -148,6 +148,12 @@ TEST_CASE("mean sizes, fineness and conductivity are described", "[describe]") {
   check_refused(mdm({"describe", "-", "--void-ratio", "0"}, sand), "--void-ratio");
 }
 
+TEST_CASE("the ends of a range are rounded outwards", "[describe]") {
+  const Outcome outcome = mdm({"describe", "-", "--digits", "3"}, "size_mm,mass\n0.12345,1\n2.34567,2\n30,0\n");
+  // D[4,3] from (0.12345 + 2 * 2.34567) / 3 = 1.60493 to (2.34567 + 60) / 3 = 20.78189.
+  CHECK(has(outcome.out, "  D[4,3]  1.6 to 20.8 mm\n"));
+}
+
 TEST_CASE("the AASHTO group has its index", "[describe]") {
   const std::string silty = "size_mm,passing_percent\n4.75,100\n2,100\n0.425,90\n0.075,60\n0.01,0\n";
   CHECK(describe_json({"-", "--liquid-limit", "35", "--plastic-limit", "23"}, silty).at("aashto") ==

@@ -45,12 +45,13 @@ TEST_CASE("the page has head, curves, analyses, index numbers and notes", "[docu
   const std::string html = report_html(two_sands());
   CHECK(html.starts_with("<!DOCTYPE html>"));
   for (const char *part :
-       {"<h1>Quay &lt;1&gt;</h1>", "<dt>Client</dt><dd>A &amp; B</dd>", "<dd>2026-05-04</dd>", "<svg",
-        "<caption>a</caption>", "<th scope=\"row\">0.075 (No. 200)</th><td>1</td><td>10</td><td>0</td>",
+       {"<h1>Quay &lt;1&gt;</h1>", "<th scope=\"row\">Client</th><td>A &amp; B</td>", "<td>2026-05-04</td>",
+        "<svg", "<caption>a</caption>",
+        "<th scope=\"row\">0.075 (No. 200)</th><td>1</td><td>10</td><td>0</td>",
         "<td>5.25</td><td>52.5</td><td>10</td>", "<th scope=\"row\">2.36 (No. 8)</th><td>20</td><td>80</td>",
         "<th scope=\"row\">AASHTO M 145</th>", "<th scope=\"row\">C_u</th>", "<li>a, b: "})
     CHECK(has(html, part));
-  CHECK(count(html, "<table>") == count(html, "</table>"));
+  CHECK(count(html, "<table") == count(html, "</table>"));
   CHECK_FALSE(has(html, "http://localhost"));
   CHECK_FALSE(has(html, "<?xml"));
   CHECK_FALSE(has(html, "Specification"));
