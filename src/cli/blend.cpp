@@ -96,7 +96,9 @@ Figure figure_of(const std::vector<Gradation> &stockpiles, const Envelope &speci
     figure.curves.push_back({"target", *target, DrawnCurve::Weight::dashed});
   for (const Gradation &g : stockpiles)
     figure.curves.push_back({g.id(), g, DrawnCurve::Weight::thin});
-  return curves_figure(figure);
+  Figure drawn = curves_figure(figure);
+  drawn.remarks = blending.problem().notes;
+  return drawn;
 }
 
 int run(const BlendCommand &c) {

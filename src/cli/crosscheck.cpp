@@ -313,7 +313,7 @@ int run(const CrosscheckCommand &c) {
       return Rows{problem.judge(answer, size_tolerance)};
     };
     report_suite(c, question, suite, judge, report);
-    report.end(suite.size(), with_note({}));
+    report.end(suite.size(), with_note(suite.front().gradation.notes()));
     return exit_code(report.outcome());
   }
   const std::string limit = c.time_limit.value_or("60");

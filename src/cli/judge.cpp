@@ -160,8 +160,9 @@ Judged by_filter_rule(const JudgeCommand &c) {
 int run(const JudgeCommand &c) {
   check(c);
   const Judged judged = c.spec ? by_specification(c) : c.stability ? by_stability(c) : by_filter_rule(c);
-  const std::unique_ptr<Output> plot =
-      c.plot ? c.plot.drawn(curves_figure(judged.figure), c.output.quiet) : nullptr;
+  Figure figure = curves_figure(judged.figure);
+  figure.remarks = judged.notes;
+  const std::unique_ptr<Output> plot = c.plot ? c.plot.drawn(figure, c.output.quiet) : nullptr;
   Output out(c.output.path());
   out.write(judged.report);
   if (plot)

@@ -216,8 +216,8 @@ TEST_CASE("wrong use of crosscheck is refused", "[cli]") {
   const TemporaryFolder folder;
   const std::string answers = folder.write("a.csv", "id,quantities,knob\nsmall,3 1,x\n");
   const std::string problems = folder.write("s.jsonl", small + "\n");
-  check_refused(crosscheck({problems}), "give either a file of ANSWERS or a program with --solver");
-  check_refused(crosscheck({problems, answers, "--solver", "x"}), "give either");
+  check_refused(crosscheck({problems}), "give a file of ANSWERS, a program with --solver, or");
+  check_refused(crosscheck({problems, answers, "--solver", "x"}), "give a file of ANSWERS");
   check_refused(crosscheck({problems, answers, "--journal", folder / "j"}), "--journal");
   check_refused(crosscheck({problems, answers, "--time-limit", "1"}), "--time-limit");
   check_refused(crosscheck({problems, "--solver", right, "--by", "x"}), "--by");

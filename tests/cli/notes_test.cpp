@@ -37,6 +37,7 @@ std::vector<Row> rows(const TemporaryFolder &folder) {
   const std::string limits =
       folder.write("limits.csv", "size_mm,passing_min_percent,passing_max_percent\n1,50,90\n0.5,10,30\n");
   const std::string fine = folder.write("fine.csv", "size_mm,mass\n1,0\n0.5,3\n0.25,4\n");
+  const std::string solution = folder.write("solution.txt", "q1 20\nq2 5\nq3 1\n");
   const std::string answer = folder / "sheet.answer.json";
   REQUIRE(mdm({"solve", file, "-o", answer}).exit_code == 0);
   std::vector<Row> all;
@@ -51,7 +52,11 @@ std::vector<Row> rows(const TemporaryFolder &folder) {
   add_forms({"solve", file, "--tolerance", "retained:2%"}, Place::err);
   add_forms({"solve", file, "--spread"}, Place::err);
   add_forms({"describe", file}, Place::out);
+  add_forms({"describe", file, fine}, Place::err);
   add_forms({"judge", file, "--spec", limits}, Place::err);
+  all.push_back({{"report", file}, Place::out});
+  all.push_back({{"report", file, fine, "--spec", limits, "--format", "json"}, Place::out});
+  add_forms({"crosscheck", file, "--solution", solution}, Place::err);
   add_forms({"blend", file, fine, "--spec", limits}, Place::err);
   add_forms({"tradeoff", file}, Place::err);
   add_forms({"verify", file, sample, "--tolerance", "100%"}, Place::err);
@@ -65,6 +70,7 @@ std::vector<Row> rows(const TemporaryFolder &folder) {
   all.push_back({{"convert", file, "--dry-run", "--format", "json"}, Place::out});
   all.push_back({{"plot", file, "--format", "svg", "-o", "-"}, Place::out});
   all.push_back({{"plot", file, "--what", "counts", "--match", "--format", "svg", "-o", "-"}, Place::out});
+  all.push_back({{"plot", file, "--beside", fine, "--format", "svg", "-o", "-"}, Place::out});
   all.push_back({{"pack", file, "--spread", "--at-least", "300"}, Place::err});
   for (const std::string to : {"csv", "liggghts", "lammps", "yade", "vtk"}) {
     all.push_back({{"export", file, "--to", to}, Place::err});
@@ -75,7 +81,7 @@ std::vector<Row> rows(const TemporaryFolder &folder) {
 
 /// The commands that read no gradation of a sheet: lines of suites are canonical, and their reading assumes
 /// nothing.
-const std::set<std::string> without_sheet = {"merge", "crosscheck", "suite", "study", "completion"};
+const std::set<std::string> without_sheet = {"merge", "suite", "study", "completion"};
 
 } // namespace
 
@@ -107,10 +113,20 @@ TEST_CASE("no command that reads sheets is without a row for its notes", "[cli]"
   CHECK(count >= 16);
 }
 
-TEST_CASE("the picture of a trade-off has the notes of reading", "[cli]") {
+TEST_CASE("pictures beside a report have the notes of reading", "[cli]") {
   const TemporaryFolder folder;
-  CHECK(mdm({"tradeoff", sheet(folder), "--plot", folder / "a.svg"}).exit_code == 0);
-  CHECK(contains(read_file(folder / "a.svg"), note));
+  const std::string limits =
+      folder.write("limits.csv", "size_mm,passing_min_percent,passing_max_percent\n1,50,90\n");
+  const std::string fine = folder.write("fine.csv", "size_mm,mass\n1,0\n0.5,3\n0.25,4\n");
+  for (const Arguments &command : {Arguments{"tradeoff", sheet(folder)},
+                                   {"judge", sheet(folder), "--spec", limits},
+                                   {"blend", sheet(folder), fine, "--spec", limits}}) {
+    Arguments words = command;
+    words.insert(words.end(), {"--plot", folder / "a.svg"});
+    INFO(shown(command));
+    CHECK(mdm(words).exit_code == 0);
+    CHECK(contains(read_file(folder / "a.svg"), note));
+  }
 }
 
 TEST_CASE("the notes of an answer go with its particles", "[cli]") {
