@@ -25,8 +25,8 @@ void AccessibleFlags::add_to(CLI::App &command) {
 
 int run_accessible(const AccessibleQuestion &question, const OutputFlags &output,
                    const AccessibleFlags &flags) {
-  flags.plot.check();
   check_distinct({output.path(), flags.plot.path()});
+  flags.plot.check();
   std::vector<AccessibleRow> rows = accessible_grid(question);
   Output out(output.path());
   std::atomic<std::size_t> done = 0;

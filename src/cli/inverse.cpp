@@ -18,8 +18,8 @@
 namespace mdm::cli {
 
 int run_inverse(const InverseTask &task, const OutputFlags &output, const AccessibleFlags &flags) {
-  flags.plot.check();
   check_distinct({output.path(), flags.plot.path()});
+  flags.plot.check();
   Output out(output.path());
   std::vector<InverseRow> rows(task.spans.size());
   {

@@ -47,11 +47,11 @@ Tradeoff searched(const TradeoffCommand &c, const Gradation &g, const Question &
 }
 
 int run(const TradeoffCommand &c) {
-  c.plot.check();
   c.flags.check_source(c.file, c.reading.given(), "tradeoff");
   check_distinct({c.file, c.output.path(), c.plot.path()});
   if (c.flags.band)
     check_distinct({*c.flags.band, c.output.path(), c.plot.path()});
+  c.plot.check();
   TradeoffTexts texts = c.own;
   texts.solve = c.flags;
   const TradeoffOptions o = texts.tradeoff_options();
