@@ -80,8 +80,8 @@ class Description:
 
 def describe(gradation: Union[Gradation, str, "os.PathLike[str]"], *,
              # Options of describe, by src/ask/write_modules.
-             liquid_limit: Number | None = None, plastic_limit: Number | None = None, pan_size: Number | None = None,
-             extrapolate: bool = False,
+             d: str | None = None, void_ratio: Number | None = None, liquid_limit: Number | None = None,
+             plastic_limit: Number | None = None, pan_size: Number | None = None, extrapolate: bool = False,
              # End of the options.
              digits: int = 15) -> Description:
     """Index numbers, fractions and the soil groups of a gradation, as `mdm describe`.
@@ -92,6 +92,7 @@ def describe(gradation: Union[Gradation, str, "os.PathLike[str]"], *,
         pan_size: takes the pan as a sieve of this size.
         extrapolate: continues the line through the two finest sieves into a pan at size 0.
         digits: significant digits.
+        void_ratio: also the hydraulic conductivity after Kozeny and Carman at this void ratio.
 
     Source: ASTM D2487, AASHTO M 145, ISO 14688, ISO 9276-2, ASTM C125, EN 12620, Erguler (2016), Arnold Eq. 15 and 16.
 

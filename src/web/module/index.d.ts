@@ -219,6 +219,10 @@ export interface BlendWords {
 
 /** Options of `mdm describe`. */
 export interface DescribeWords {
+  /** More diameters D_P, the sizes that P percent of the mass pass: 5,16,84,90. */
+  d?: string;
+  /** Also the hydraulic conductivity after Kozeny and Carman at this void ratio. */
+  voidRatio?: number | string;
   /** Of the fines, in percent; without limits they are low-plasticity silt. */
   liquidLimit?: number | string;
   /** Of the fines, in percent. */
