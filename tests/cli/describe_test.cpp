@@ -149,7 +149,8 @@ TEST_CASE("mean sizes, fineness and conductivity are described", "[describe]") {
 }
 
 TEST_CASE("the ends of a range are rounded outwards", "[describe]") {
-  const Outcome outcome = mdm({"describe", "-", "--digits", "3"}, "size_mm,mass\n0.12345,1\n2.34567,2\n30,0\n");
+  const Outcome outcome =
+      mdm({"describe", "-", "--digits", "3"}, "size_mm,mass\n0.12345,1\n2.34567,2\n30,0\n");
   // D[4,3] from (0.12345 + 2 * 2.34567) / 3 = 1.60493 to (2.34567 + 60) / 3 = 20.78189.
   CHECK(has(outcome.out, "  D[4,3]  1.6 to 20.8 mm\n"));
 }
