@@ -14,14 +14,6 @@ NARROW = mdm.Gradation(["10", "11", "12", "13"], [1, 1, 1, 0], id="narrow")
 
 @pytest.mark.parametrize("options", [{}, {"particles": [100, 500]}, {"kind": "passing", "tolerances": ["0.5", 3]},
                                      {"kind": "total", "tolerances": ["0.5%"], "size_factor": 3}], ids=str)
-def test_a_description_has_what_is_asked_for():
-    found = mdm.describe(mdm.Gradation(["0.2", "0.4"], [1, 0]), d="5,50,90", void_ratio="0.6")
-    assert set(found.diameters) == {5, 90} and found.d43.lo == Decimal("0.2") and found.d43.hi == Decimal("0.4")
-    assert found.k_kozeny_carman.lo < found.k_kozeny_carman.hi and found.aashto == "A-3" and found.aashto_index == 0
-    assert found.fineness_modulus is not None and found.k_hazen.is_exact is False and 0 < float(found.span) < 1
-    assert mdm.describe(mdm.Gradation(["0.2", "0.4"], [1, 0])).k_kozeny_carman is None
-
-
 def test_a_tradeoff_is_that_of_the_command_line(options):
     words = {"particles": lambda v: ",".join(map(str, v)), "tolerances": lambda v: ",".join(map(str, v))}
     flags = [word for key, value in options.items()
@@ -91,3 +83,11 @@ def test_a_description_takes_the_limits_of_the_fines():
                     {"digits": 1001}, {"pan_size": 3}):
         with pytest.raises(mdm.InputError):
             mdm.describe(g, **options)
+
+
+def test_a_description_has_what_is_asked_for():
+    found = mdm.describe(mdm.Gradation(["0.2", "0.4"], [1, 0]), d="5,50,90", void_ratio="0.6")
+    assert set(found.diameters) == {5, 90} and found.d43.lo == Decimal("0.2") and found.d43.hi == Decimal("0.4")
+    assert found.k_kozeny_carman.lo < found.k_kozeny_carman.hi and found.aashto == "A-3" and found.aashto_index == 0
+    assert found.fineness_modulus is not None and found.k_hazen.is_exact is False and 0 < float(found.span) < 1
+    assert mdm.describe(mdm.Gradation(["0.2", "0.4"], [1, 0])).k_kozeny_carman is None

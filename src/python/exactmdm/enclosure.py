@@ -88,8 +88,9 @@ class Enclosure:
         return self._with(other, lambda a, b: a / b)
 
     def __rtruediv__(self, other: Exact) -> Enclosure:
-        bounds = _bounds(other)
-        return NotImplemented if bounds is None else _enclosing([bounds[0]]) / self
+        if self.lo <= 0 <= self.hi:
+            raise ZeroDivisionError(f"{self} may be 0")
+        return self._with(other, lambda a, b: b / a)
 
     def __lt__(self, other: Union[Enclosure, Exact]) -> bool:
         return self._is_below(other, lambda a, b: a < b)
@@ -98,12 +99,14 @@ class Enclosure:
         return self._is_below(other, lambda a, b: a <= b)
 
     def __gt__(self, other: Union[Enclosure, Exact]) -> bool:
-        below: Any = self.__le__(other)
-        return below if below is NotImplemented else not below
+        if _bounds(other) is None:
+            return NotImplemented
+        return not self._is_below(other, lambda a, b: a <= b)
 
     def __ge__(self, other: Union[Enclosure, Exact]) -> bool:
-        below: Any = self.__lt__(other)
-        return below if below is NotImplemented else not below
+        if _bounds(other) is None:
+            return NotImplemented
+        return not self._is_below(other, lambda a, b: a < b)
 
     def _with(self, other: Any, operation: Callable[[Fraction, Fraction], Fraction]) -> Enclosure:
         """An enclosure of what the operation, monotone in each number, makes of all numbers within both."""
