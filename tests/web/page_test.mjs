@@ -1,4 +1,4 @@
-// The page's tests: node tests/web/page_test.mjs EXACTMDM.html MDM MDM-CHECK
+// The page's tests: node tests/web/page_test.mjs EXACTMDM.html MDM MDM-CHECK chromium|firefox
 // One line for each check that fails; exit code 1 if one does.
 
 import { readdirSync } from "node:fs";
@@ -7,6 +7,7 @@ import { resolve } from "node:path";
 import { launch, removeFolders, urlOf } from "./support.mjs";
 
 const [page, mdm, mdmCheck] = process.argv.slice(2, 5).map((path) => resolve(path));
+const browser = process.argv[5];
 let failures = 0;
 
 /** What is found wrong by work, which is given the function that expects. */
@@ -29,21 +30,19 @@ const files = readdirSync(new URL("checks/", import.meta.url)).sort();
 const groups = await Promise.all(files.map((file) => import(`./checks/${file}`)));
 
 for (const job of groups.flatMap(({ alone = [] }) => alone)) report(job.name, await findings(job));
-for (const name of ["chromium", "firefox"]) {
-  let open = await launch(name);
-  const find = (job) => findings((expect) => job({ expect, open, url: urlOf(page), page, mdm, mdmCheck }));
-  for (const job of groups.flatMap(({ onPage = [] }) => onPage)) {
-    let found = await find(job);
-    if (found.length > 0) {
-      // A browser may fail on a busy machine; the page has to fail in a fresh one, too.
-      console.log(`once more, ${name}, ${job.name}: ${found[0]}`);
-      await open.browser.close();
-      open = await launch(name);
-      found = await find(job);
-    }
-    report(`${name}, ${job.name}`, found);
+let open = await launch(browser);
+const find = (job) => findings((expect) => job({ expect, open, url: urlOf(page), page, mdm, mdmCheck }));
+for (const job of groups.flatMap(({ onPage = [] }) => onPage)) {
+  let found = await find(job);
+  if (found.length > 0) {
+    // A browser may fail on a busy machine; the page has to fail in a fresh one, too.
+    console.log(`once more, ${browser}, ${job.name}: ${found[0]}`);
+    await open.browser.close();
+    open = await launch(browser);
+    found = await find(job);
   }
-  await open.browser.close();
+  report(`${browser}, ${job.name}`, found);
 }
+await open.browser.close();
 removeFolders();
 process.exit(failures > 0 ? 1 : 0);
