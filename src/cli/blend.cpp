@@ -16,6 +16,9 @@
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
+#include <mdm/judge/specification.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
@@ -60,6 +63,14 @@ Gradation stockpile_in(const std::string &file, const BlendCommand &c) {
 
 /// The limits of the specification; where there is to be a proof, of a file that mdm-check reads as it is.
 Envelope specification_in(const BlendCommand &c) {
+  if (const std::optional<Specification> shipped = shipped_specification(c.specification)) {
+    if (c.proof)
+      throw InputError(
+          fmt::format("{}: mdm-check reads files, and {} comes with mdm: give its file, of the folder "
+                      "share/exactmdm/specifications",
+                      option("proof"), c.specification));
+    return envelope_of(*shipped);
+  }
   const std::string content = read_file(c.specification, max_gradation_bytes);
   Envelope e = read_envelope(content, shown_name(c.specification));
   if (c.proof && (!is_canonical_csv(content) || e.passing_max.back() != 100))
@@ -89,8 +100,9 @@ void check_files(const BlendCommand &c) {
 /// Stockpiles, target and the best blend beside the limits.
 Figure figure_of(const std::vector<Gradation> &stockpiles, const Envelope &specification,
                  const std::optional<Gradation> &target, const Blending &blending) {
-  CurvesFigure figure{"", {}, specification, {}};
-  if (const std::optional<Gradation> blended = blending.blended())
+  const std::optional<Gradation> blended = blending.blended();
+  CurvesFigure figure{blended ? "" : "no blend", {}, specification, {}};
+  if (blended)
     figure.curves.push_back({"blend", *blended, DrawnCurve::Weight::thick});
   if (target)
     figure.curves.push_back({"target", *target, DrawnCurve::Weight::dashed});
@@ -133,7 +145,8 @@ void add_question(CLI::App &command, BlendCommand &c) {
   const OptionGroup group(command, "The question");
   command
       .add_option("--spec", c.specification,
-                  "the limits: CSV with passing_min_percent,passing_max_percent, or another envelope")
+                  "the limits: CSV with passing_min_percent,passing_max_percent, another envelope, or a name "
+                  "that mdm judge knows")
       ->type_name("SPEC")
       ->required();
   add_options(command, BlendTexts::question_options, c.asked);

@@ -265,11 +265,11 @@ AnswerIndex read_index(const CrosscheckCommand &c) {
 }
 
 /// The solution of the program of one gradation.
-OtherAnswer read_solution(const std::string &path, const Gradation &g, const Question &question) {
+Solution solution_in(const std::string &path, const Gradation &g, const Question &question) {
   constexpr std::size_t most = std::size_t{1} << 26;
   const std::string text = read_file(path, most);
   const ProgramForm form = has_binary_values(text) ? ProgramForm::integers : ProgramForm::strict;
-  return solution_answer(text, integer_program(g, question, form, "the solution"));
+  return read_solution(text, integer_program(g, question, form, "the solution"));
 }
 
 int run(const CrosscheckCommand &c) {
@@ -304,16 +304,19 @@ int run(const CrosscheckCommand &c) {
     return exit_code(report.outcome());
   }
   if (c.solution) {
+    const Gradation &g = suite.front().gradation;
+    const Solution solution =
+        in_file(*c.solution, [&] { return solution_in(*c.solution, g, question.question(g.unit())); });
     Report report(c, size_tolerance);
     const Judge judge = [&](const Crosscheck &problem, const SuiteLine &entry) {
-      const OtherAnswer answer =
-          read_solution(*c.solution, entry.gradation, question.question(entry.gradation.unit()));
       if (proofs)
-        proofs->add(entry, problem.gradation(), answer, 1);
-      return Rows{problem.judge(answer, size_tolerance)};
+        proofs->add(entry, problem.gradation(), solution.answer, 1);
+      return Rows{problem.judge(solution.answer, size_tolerance)};
     };
     report_suite(c, question, suite, judge, report);
-    report.end(suite.size(), with_note(suite.front().gradation.notes()));
+    std::vector<std::string> notes = g.notes();
+    notes.insert(notes.end(), solution.notes.begin(), solution.notes.end());
+    report.end(suite.size(), with_note(std::move(notes)));
     return exit_code(report.outcome());
   }
   const std::string limit = c.time_limit.value_or("60");

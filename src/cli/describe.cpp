@@ -6,6 +6,7 @@
 #include "cli/output_flags.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
+#include "cli/sample_names.hpp"
 #include "cli/whole_number.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
@@ -68,6 +69,10 @@ bool describe_all(const DescribeCommand &c, const Forms<Description> &forms, Des
     const Gradation g = any_gradation(file, c.reading, c.output.quiet).gradation;
     all.push_back(in_file(file, [&] { return describe(c.asked.soil.with_pan(g)); }));
   }
+  std::vector<std::string *> names;
+  for (Description &d : all)
+    names.push_back(&d.id);
+  tell_apart(names, c.files);
   Output out(c.output.path());
   out.write(report(c, all, forms));
   out.commit();
@@ -138,8 +143,8 @@ Run add_describe(CLI::App &app) {
           "shares and not percents added.") +
           "\n" +
           paragraph("Groups are of ASTM D2487 and of AASHTO M 145, which rounds percents and limits to whole "
-                    "numbers; its "
-                    "group index stands in brackets. k_H is the hydraulic conductivity after Hazen, 0.01 m/s "
+                    "numbers, halves to the even one; its group index stands in brackets. k_H is the "
+                    "hydraulic conductivity after Hazen, 0.01 m/s "
                     "times the "
                     "square of D10 in mm; k_KC, with --void-ratio, that of Kozeny and Carman after Carrier "
                     "(2003).") +

@@ -6,6 +6,7 @@
 #include "cli/plot_flag.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
+#include "cli/sample_names.hpp"
 #include "cli/specification_file.hpp"
 #include "cli/whole_number.hpp"
 #include "files/output.hpp"
@@ -35,13 +36,6 @@ struct JudgeCommand {
   PlotFlag plot;
   OutputFlags output;
 };
-
-/// One unit of the last digit; 0 for none.
-std::optional<Rational> rounding(const JudgeCommand &c) {
-  if (!c.rounding)
-    return std::nullopt;
-  return *c.rounding == "none" ? Rational(0) : percent_of("rounding", *c.rounding);
-}
 
 void check(const JudgeCommand &c) {
   if (int{c.spec.has_value()} + int{c.stability.has_value()} + int{c.base.has_value()} != 1)
@@ -93,9 +87,19 @@ struct Judged {
 };
 
 /// A sample with its verdict. \param missed  in mm
-DrawnCurve drawn(const UnderstoodGradation &g, Compliance verdict, std::vector<Rational> missed = {}) {
-  return {fmt::format("{}: {}", g.gradation.id(), name(verdict)), g.gradation, DrawnCurve::Weight::thick,
+template <class Judgement>
+DrawnCurve drawn(const UnderstoodGradation &g, const Judgement &judged, std::vector<Rational> missed = {}) {
+  return {fmt::format("{}: {}", judged.id, name(judged.verdict)), g.gradation, DrawnCurve::Weight::thick,
           std::move(missed)};
+}
+
+/// Gives samples of one name those of their files.
+template <class Judgement>
+void tell_samples_apart(std::vector<Judgement> &samples, const std::vector<std::string> &files) {
+  std::vector<std::string *> names;
+  for (Judgement &s : samples)
+    names.push_back(&s.id);
+  tell_apart(names, files);
 }
 
 UnderstoodGradation sample_in(const JudgeCommand &c, const std::string &file) {
@@ -103,14 +107,17 @@ UnderstoodGradation sample_in(const JudgeCommand &c, const std::string &file) {
 }
 
 Judged by_specification(const JudgeCommand &c) {
-  const std::optional<Rational> unit = rounding(c);
+  const std::optional<Rational> unit = rounding_of(c.rounding);
   ConformityReport r{specification_at(*c.spec), {}};
   CurvesFigure figure{r.specification.id, {}, envelope_of(r.specification), {}};
+  std::vector<UnderstoodGradation> sheets;
   for (const std::string &file : c.files) {
-    const UnderstoodGradation g = sample_in(c, file);
-    r.samples.push_back(in_file(file, [&] { return judge(g, r.specification, unit); }));
-    figure.curves.push_back(drawn(g, r.samples.back().verdict, missed_sizes(r.samples.back())));
+    sheets.push_back(sample_in(c, file));
+    r.samples.push_back(in_file(file, [&] { return judge(sheets.back(), r.specification, unit); }));
   }
+  tell_samples_apart(r.samples, c.files);
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    figure.curves.push_back(drawn(sheets[i], r.samples[i], missed_sizes(r.samples[i])));
   return {report(c, r, conformity_text, conformity_json, conformity_csv),
           all_notes(r.specification.notes, r.samples), r.verdict(), std::move(figure)};
 }
@@ -126,14 +133,17 @@ Judged by_stability(const JudgeCommand &c) {
   if (!rule)
     throw InputError(fmt::format("{}: {} is none of {}", option("stability"), in_quotes(*c.stability),
                                  stability_rule_names()));
-  const std::optional<Rational> unit = rounding(c);
+  const std::optional<Rational> unit = rounding_of(c.rounding);
   RuleReport r{std::string(name(*rule)), std::string(about(*rule)), {}, {}, {}};
   CurvesFigure figure;
+  std::vector<UnderstoodGradation> sheets;
   for (const std::string &file : c.files) {
-    const UnderstoodGradation g = sample_in(c, file);
-    r.samples.push_back(in_file(file, [&] { return judge_stability(g, *rule, unit); }));
-    figure.curves.push_back(drawn(g, r.samples.back().verdict));
+    sheets.push_back(sample_in(c, file));
+    r.samples.push_back(in_file(file, [&] { return judge_stability(sheets.back(), *rule, unit); }));
   }
+  tell_samples_apart(r.samples, c.files);
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    figure.curves.push_back(drawn(sheets[i], r.samples[i]));
   return by_rule(c, r, std::move(figure));
 }
 
@@ -149,11 +159,12 @@ Judged by_filter_rule(const JudgeCommand &c) {
   for (const std::string &file : c.files)
     filters.push_back(sample_in(c, file));
   const UnderstoodGradation base = sample_in(c, *c.base);
-  const RuleReport r = judge_filters(filters, base, {*rule, c.dispersive, !c.no_regrade}, rounding(c));
+  RuleReport r = judge_filters(filters, base, {*rule, c.dispersive, !c.no_regrade}, rounding_of(c.rounding));
+  tell_samples_apart(r.samples, c.files);
   CurvesFigure figure;
   figure.curves.push_back({"base: " + base.gradation.id(), base.gradation, DrawnCurve::Weight::dashed});
   for (std::size_t i = 0; i < filters.size(); ++i)
-    figure.curves.push_back(drawn(filters[i], r.samples[i].verdict));
+    figure.curves.push_back(drawn(filters[i], r.samples[i]));
   return by_rule(c, r, std::move(figure));
 }
 
@@ -196,12 +207,7 @@ Run add_judge(CLI::App &app) {
   command.add_flag("--dispersive", c->dispersive, "the base is a dispersive clay");
   command.add_flag("--no-regrade", c->no_regrade,
                    "take the base with its grains above 4.75 mm, which the rules leave out");
-  command
-      .add_option(
-          "--rounding", c->rounding,
-          "one unit of the last digit of all percents, as 0.1, or none (as the report prints its percents; "
-          "masses are exact)")
-      ->type_name("UNIT");
+  command.add_option("--rounding", c->rounding, rounding_help())->type_name("UNIT");
   command.add_option("--digits", c->digits, "significant digits (15; in the text form 6)")
       ->type_name("D")
       ->transform(whole_number(1, 1000));

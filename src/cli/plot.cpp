@@ -10,6 +10,7 @@
 #include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
+#include "cli/sample_names.hpp"
 #include "cli/soil_flags.hpp"
 #include "cli/solve_flags.hpp"
 #include "files/byte_source.hpp"
@@ -50,8 +51,20 @@ struct PlotCommand {
 /// Answers have a line a class.
 constexpr std::size_t max_answer_bytes = std::size_t{1} << 30;
 
+/// Refuses what curves of several gradations have no use for.
+void check_beside(const PlotCommand &c) {
+  const PlotTexts &a = c.asked;
+  if (a.sample || a.match || a.what || a.bands || a.coarse_left || a.sieve_names || a.colour || a.size_unit ||
+      a.soil.is_given())
+    throw InputError(option("beside") + " shows curves alone: of the options for what is drawn " +
+                     option("band") + ", " + option("width") + ", " + option("language") + ", " +
+                     option("caption") + " and " + option("bare") + " are for it: leave out the others");
+}
+
 void check(const PlotCommand &c) {
   c.picture.picture();
+  if (!c.beside.empty())
+    check_beside(c);
   c.asked.check();
   std::vector<std::string> inputs = c.beside;
   inputs.push_back(c.file);
@@ -138,11 +151,6 @@ Envelope band_with_curve(const std::string &file) {
 /// The curves of several gradations.
 int run_beside(const PlotCommand &c) {
   const PlotTexts &a = c.asked;
-  if (a.sample || a.match || a.what || a.bands || a.coarse_left || a.sieve_names || a.colour || a.size_unit ||
-      a.soil.is_given())
-    throw InputError(option("beside") + " shows curves alone: of the options for what is drawn " +
-                     option("band") + ", " + option("width") + ", " + option("language") + ", " +
-                     option("caption") + " and " + option("bare") + " are for it: leave out the others");
   CurvesFigure figure;
   figure.form = a.form();
   if (a.band)
@@ -150,11 +158,16 @@ int run_beside(const PlotCommand &c) {
   std::vector<std::pair<std::string, std::vector<std::string>>> notes;
   std::vector<std::string> files = {c.file};
   files.insert(files.end(), c.beside.begin(), c.beside.end());
+  std::vector<std::string *> names;
+  figure.curves.reserve(files.size()); // names stay where they are
   for (const std::string &file : files) {
     const Gradation g = any_gradation(file, c.reading, c.output.quiet).gradation;
-    notes.emplace_back(g.id(), g.notes());
     figure.curves.push_back({g.id(), g});
+    names.push_back(&figure.curves.back().name);
   }
+  tell_apart(names, files);
+  for (const DrawnCurve &curve : figure.curves)
+    notes.emplace_back(curve.name, curve.gradation.notes());
   Figure drawn = curves_figure(figure);
   drawn.remarks = notes_of_samples(notes);
   if (figure.limits)

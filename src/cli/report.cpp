@@ -5,6 +5,7 @@
 #include "cli/option_tables.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
+#include "cli/sample_names.hpp"
 #include "cli/specification_file.hpp"
 #include "document/laboratory_report.hpp"
 #include "files/child_process.hpp"
@@ -24,7 +25,7 @@ namespace {
 
 struct ReportCommand {
   std::vector<std::string> files, fields;
-  std::optional<std::string> spec, client, title, out, format;
+  std::optional<std::string> spec, rounding, client, title, out, format;
   DescribeTexts asked;
   ReadingFlags reading;
   bool quiet = false;
@@ -63,6 +64,9 @@ std::vector<std::pair<std::string, std::string>> head(const ReportCommand &c) {
 LaboratoryReport reported(const ReportCommand &c) {
   LaboratoryReport r{c.title.value_or("Grain size report"), head(c), {}, std::nullopt};
   const DescribeOptions options = c.asked.describe_options();
+  const std::optional<Rational> rounding = rounding_of(c.rounding);
+  if (c.rounding && !c.spec)
+    throw InputError(option("rounding") + " is about verdicts: give " + option("spec") + " too");
   if (c.spec)
     r.conformity = ConformityReport{specification_at(*c.spec), {}};
   for (const std::string &file : c.files) {
@@ -70,10 +74,16 @@ LaboratoryReport reported(const ReportCommand &c) {
     in_file(file, [&] {
       const Gradation g = c.asked.soil.with_pan(sheet.gradation);
       if (r.conformity)
-        r.conformity->samples.push_back(judge(sheet, r.conformity->specification));
+        r.conformity->samples.push_back(judge(sheet, r.conformity->specification, rounding));
       r.samples.push_back({std::move(sheet), describe(g, options)});
     });
   }
+  std::vector<std::string *> names;
+  for (ReportedSample &s : r.samples)
+    names.push_back(&s.description.id);
+  tell_apart(names, c.files);
+  for (std::size_t i = 0; r.conformity && i < names.size(); ++i)
+    r.conformity->samples[i].id = *names[i];
   return r;
 }
 
@@ -129,6 +139,7 @@ Run add_report(CLI::App &app) {
           "verify reads; - for standard input")
       ->required();
   command.add_option("--spec", c->spec, specification_help())->type_name("FILE|NAME");
+  command.add_option("--rounding", c->rounding, rounding_help())->type_name("UNIT");
   command.add_option("--title", c->title, "the title (Grain size report)");
   command.add_option("--client", c->client, "the client, in the head of the report");
   command

@@ -1,5 +1,6 @@
 #include "cli/specification_file.hpp"
 
+#include "ask/option_values.hpp"
 #include "files/byte_source.hpp"
 #include "files/paths.hpp"
 #include "text/option_name.hpp"
@@ -29,6 +30,18 @@ std::string specification_help() {
       "limits of the percent that passes: a table with passing_min_percent,passing_max_percent or "
       "columns such as Lower and Upper, or one of {}",
       fmt::join(shipped_specifications(), ", "));
+}
+
+std::optional<Rational> rounding_of(const std::optional<std::string> &text) {
+  if (!text)
+    return std::nullopt;
+  return *text == "none" ? Rational(0) : percent_of("rounding", *text);
+}
+
+std::string rounding_help() {
+  return "one unit of the last digit of all percents, as 0.1, or none (as the report prints its percents; "
+         "masses are "
+         "exact)";
 }
 
 } // namespace mdm::cli

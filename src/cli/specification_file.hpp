@@ -4,6 +4,7 @@
 
 #include <mdm/judge/specification.hpp>
 
+#include <optional>
 #include <string>
 
 namespace mdm::cli {
@@ -14,5 +15,11 @@ Specification specification_at(const std::string &name);
 
 /// What the option that takes one says of it.
 std::string specification_help();
+
+/// One unit of the last digit of all percents, 0 for none; nothing: as the report has them.
+/// \throws InputError naming the option
+std::optional<Rational> rounding_of(const std::optional<std::string> &text);
+/// What its option says of it.
+std::string rounding_help();
 
 } // namespace mdm::cli

@@ -34,7 +34,8 @@ std::string mps_text(const IntegerProgram &program) {
       text += fmt::format(" RHS {} {}\n", row.name, to_string(row.constant));
   text += "BOUNDS\n";
   for (const ProgramVariable &v : program.variables)
-    text += fmt::format(" LO BOUND {} {}\n PL BOUND {}\n", v.name, to_string(v.least), v.name);
+    // CBC takes lines with a shorter name for those of MPS with fixed columns.
+    text += fmt::format(" LO BOUNDSET1 {} {}\n PL BOUNDSET1 {}\n", v.name, to_string(v.least), v.name);
   return text + "ENDATA\n";
 }
 

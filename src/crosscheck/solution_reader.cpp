@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <set>
 
 namespace mdm {
 namespace {
@@ -60,14 +59,55 @@ std::string_view value_behind(std::string_view text, std::size_t at) {
   return {};
 }
 
-/// The last value of each count.
-std::map<std::string, std::string_view> values_in(std::string_view text) {
-  std::map<std::string, std::string_view> values;
+/// The lines of the text, without spaces at their ends and with single ones between words.
+std::vector<std::string> tidy_lines(std::string_view text) {
+  std::vector<std::string> lines = {""};
+  for (const char c : text) {
+    if (c == '\n')
+      lines.emplace_back();
+    else if (std::isspace(static_cast<unsigned char>(c)) == 0)
+      lines.back() += c;
+    else if (!lines.back().empty() && lines.back().back() != ' ')
+      lines.back() += ' ';
+  }
+  for (std::string &line : lines)
+    if (!line.empty() && line.back() == ' ')
+      line.pop_back();
+  return lines;
+}
+
+/// True for a line of a table that begins with the name of a count, perhaps after its number.
+bool begins_with_count(const std::string &line) {
   std::size_t at = 0;
-  for (std::string_view word = next_word(text, at); !word.empty(); word = next_word(text, at))
-    if (is_count_name(word))
-      if (const std::string_view value = value_behind(text, at); begins_number(value))
-        values[std::string(word)] = value;
+  const std::string_view first = next_word(line, at);
+  if (is_count_name(first))
+    return true;
+  return !first.empty() &&
+         std::all_of(first.begin(), first.end(), [](char c) { return c >= '0' && c <= '9'; }) &&
+         is_count_name(next_word(line, at));
+}
+
+/// The last value of each count.
+/// \throws InputError where a line is of a count and has no number
+std::map<std::string, std::string> values_in(const std::vector<std::string> &lines) {
+  std::map<std::string, std::string> values;
+  std::string text;
+  for (const std::string &line : lines)
+    text += line + "\n";
+  std::size_t line_end = 0, number = 0;
+  std::size_t at = 0;
+  for (std::string_view word = next_word(text, at); !word.empty(); word = next_word(text, at)) {
+    while (line_end < at) // the line in which the word ends
+      line_end += lines[number++].size() + 1;
+    if (!is_count_name(word))
+      continue;
+    const std::string_view value = value_behind(text, at);
+    if (begins_number(value))
+      values[std::string(word)] = value;
+    else if (begins_with_count(lines[number - 1]))
+      throw InputError(
+          fmt::format("{} has no number of particles in the line '{}'", word, lines[number - 1]));
+  }
   return values;
 }
 
@@ -80,84 +120,118 @@ std::size_t place_of(const std::string &name, const IntegerProgram &program) {
 }
 
 /// \throws InputError where it is no whole number from 0 on
-Integer count_of(const std::string &name, std::string_view value) {
+Integer count_of(const std::string &name, const std::string &value) {
   const Rational number = parse_decimal(value);
   if (denominator(number) != 1 || number < 0)
     throw InputError(fmt::format("{} = {} is no number of particles", name, value));
   return numerator(number);
 }
 
-/// The lines that begin with `v `, without it.
-std::vector<std::string_view> value_lines(std::string_view text) {
-  std::vector<std::string_view> lines;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = text.substr(begin, end - begin);
-    if (line.starts_with("v "))
-      lines.push_back(line.substr(2));
-    begin = end + 1;
-  }
-  return lines;
-}
-
-/// The counts of the digits that are true, of the last solution: one begins where x1 comes again.
-std::vector<Integer> counts_of_digits(std::string_view text, const IntegerProgram &program) {
-  std::set<std::string, std::less<>> is_true;
-  for (const std::string_view line : value_lines(text)) {
-    std::size_t at = 0;
+/// The values in the lines that begin with `v `, true or false, of the last solution: one begins where x1
+/// comes again.
+std::map<std::string, bool> binary_values(const std::vector<std::string> &lines) {
+  std::map<std::string, bool> values;
+  for (const std::string &line : lines) {
+    if (!line.starts_with("v "))
+      continue;
+    std::size_t at = 2;
     for (std::string_view word = next_word(line, at); !word.empty(); word = next_word(line, at)) {
-      const bool is_false = word[0] == '-';
-      if ((is_false ? word.substr(1) : word) == "x1")
-        is_true.clear();
-      if (!is_false)
-        is_true.emplace(word);
+      const bool is_true = word[0] != '-';
+      const std::string name(is_true ? word : word.substr(1));
+      if (name == "x1")
+        values.clear();
+      if (name != "0") // the end of some lines
+        values[name] = is_true;
     }
   }
+  return values;
+}
+
+/// \throws InputError where a digit has no value, or one is of another problem
+std::vector<Integer> counts_of_digits(std::map<std::string, bool> values, const IntegerProgram &program) {
   const std::vector<BinaryDigits> digits = binary_digits(program);
   std::vector<Integer> counts;
   for (std::size_t j = 0; j < program.counts; ++j) {
     Integer count = program.variables[j].least;
-    for (std::size_t d = 0; d < digits[j].count; ++d)
-      if (is_true.contains("x" + std::to_string(digits[j].first + d)))
+    for (std::size_t d = 0; d < digits[j].count; ++d) {
+      const auto value = values.extract(fmt::format("x{}", digits[j].first + d));
+      if (value.empty())
+        throw InputError(
+            fmt::format("x{} has no value: the solution is cut, or of another problem", digits[j].first + d));
+      if (value.mapped())
         count += Integer(1) << static_cast<unsigned>(d);
+    }
     counts.push_back(count);
   }
+  if (!values.empty())
+    throw InputError(values.begin()->first + " is no digit of this problem: the solution is of another one");
   return counts;
 }
 
-bool says_infeasible(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower.find("infeasible") != std::string::npos || lower.find("unsat") != std::string::npos;
+/// True if a line, whatever its case, begins with one of the texts; with `whole` it is one.
+bool says(const std::vector<std::string> &lines, const std::vector<std::string> &texts, bool whole) {
+  return std::any_of(lines.begin(), lines.end(), [&](std::string line) {
+    std::transform(line.begin(), line.end(), line.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return std::any_of(texts.begin(), texts.end(), [&](const std::string &text) {
+      return whole ? line == text : line.starts_with(text);
+    });
+  });
+}
+
+bool says_infeasible(const std::vector<std::string> &lines) {
+  return says(lines,
+              {"unsat", "s unsatisfiable", "=====unsatisfiable=====", "infeasible",
+               "this problem is infeasible"},
+              true) ||
+         says(lines,
+              {"infeasible - ", "integer infeasible", "status: integer empty", "solution status: infeasible",
+               "model status : infeasible"},
+              false);
+}
+
+bool says_unknown(const std::vector<std::string> &lines) {
+  return says(lines,
+              {"unknown", "s unknown", "=====unknown=====", "status: integer undefined", "status: undefined"},
+              true) ||
+         says(lines, {"stopped on "}, false);
 }
 
 } // namespace
 
 bool has_binary_values(std::string_view text) {
-  return !value_lines(text).empty();
+  return !binary_values(tidy_lines(text)).empty();
 }
 
-OtherAnswer solution_answer(std::string_view text, const IntegerProgram &program) {
-  OtherAnswer answer;
-  answer.id = program.id;
+Solution read_solution(std::string_view text, const IntegerProgram &program) {
+  const std::vector<std::string> lines = tidy_lines(text);
+  const auto none = [&program](AnswerVerdict verdict, const std::string &reason) {
+    return Solution{failed_answer(program.id, verdict, reason), {}};
+  };
+  if (says_infeasible(lines))
+    return none(AnswerVerdict::infeasible, "the solver says that there is no solution");
   try {
-    const std::map<std::string, std::string_view> values = values_in(text);
-    if (values.empty() && has_binary_values(text)) {
-      answer.quantities = counts_of_digits(text, program);
-      return answer;
+    Solution solution;
+    solution.answer.id = program.id;
+    if (std::map<std::string, bool> digits = binary_values(lines); !digits.empty()) {
+      solution.answer.quantities = counts_of_digits(std::move(digits), program);
+      return solution;
     }
+    const std::map<std::string, std::string> values = values_in(lines);
+    if (values.empty() && says_unknown(lines))
+      return none(AnswerVerdict::gave_up, "the solver says that it found none");
     if (values.empty())
-      return says_infeasible(text)
-                 ? failed_answer(program.id, AnswerVerdict::infeasible,
-                                 "the solver says that there is no solution")
-                 : failed_answer(program.id, AnswerVerdict::garbage, "no value of q1 is in the file");
-    answer.quantities.assign(program.counts, 0);
+      return none(AnswerVerdict::garbage,
+                  "no value of a count such as q1 is in the file; of GLPK give what -o writes");
+    solution.answer.quantities.assign(program.counts, 0);
     for (const auto &[name, value] : values)
-      answer.quantities[place_of(name, program)] = count_of(name, value);
-    return answer;
+      solution.answer.quantities[place_of(name, program)] = count_of(name, value);
+    for (std::size_t j = 0; j < program.counts; ++j)
+      if (!values.contains(program.variables[j].name))
+        solution.notes.push_back(program.variables[j].name + " is not in the solution: it is taken as 0");
+    return solution;
   } catch (const InputError &e) {
-    return failed_answer(program.id, AnswerVerdict::garbage, e.what());
+    return none(AnswerVerdict::garbage, e.what());
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace mdm {
 
 std::string html_text(std::string_view text) {
@@ -29,22 +31,30 @@ std::string html_text(std::string_view text) {
   return shown;
 }
 
-HtmlTable::HtmlTable(std::string_view caption, const std::vector<std::string> &titles) {
-  html_ = fmt::format("<table><caption>{}</caption>\n<thead><tr>", html_text(caption));
-  for (const std::string &title : titles)
-    html_ += fmt::format("<th scope=\"col\">{}</th>", html_text(title));
-  html_ += "</tr></thead>\n<tbody>\n";
+std::string HtmlTable::html() const {
+  constexpr std::size_t most_columns = 6; // behind the heads
+  std::string html;
+  for (std::size_t begin = heads_; begin < titles_.size() || html.empty(); begin += most_columns)
+    html += part(begin, std::min(titles_.size(), begin + most_columns));
+  return html;
 }
 
-void HtmlTable::add(const std::vector<std::string> &cells, std::string_view kind) {
-  html_ += kind.empty() ? "<tr>" : fmt::format("<tr class=\"{}\">", html_text(kind));
-  bool is_first = true;
-  for (const std::string &cell : cells) {
-    html_ += is_first ? fmt::format("<th scope=\"row\">{}</th>", html_text(cell))
-                      : fmt::format("<td>{}</td>", html_text(cell));
-    is_first = false;
+std::string HtmlTable::part(std::size_t begin, std::size_t end) const {
+  const auto in_part = [&](std::size_t i) { return i < heads_ || (i >= begin && i < end); };
+  std::string html = fmt::format("<table><caption>{}</caption>\n<thead><tr>", html_text(caption_));
+  for (std::size_t i = 0; i < titles_.size(); ++i)
+    if (in_part(i))
+      html += fmt::format("<th scope=\"col\">{}</th>", html_text(titles_[i]));
+  html += "</tr></thead>\n<tbody>\n";
+  for (const Line &line : lines_) {
+    html += line.kind.empty() ? "<tr>" : fmt::format("<tr class=\"{}\">", html_text(line.kind));
+    for (std::size_t i = 0; i < line.cells.size(); ++i)
+      if (in_part(i))
+        html += i == 0 ? fmt::format("<th scope=\"row\">{}</th>", html_text(line.cells[i]))
+                       : fmt::format("<td>{}</td>", html_text(line.cells[i]));
+    html += "</tr>\n";
   }
-  html_ += "</tr>\n";
+  return html + "</tbody></table>\n";
 }
 
 } // namespace mdm

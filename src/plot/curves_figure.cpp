@@ -8,12 +8,13 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace mdm {
 namespace {
 
-constexpr std::array<const char *, 8> curve_colors = {"#1f4e79", "#c0392b", "#2e7d32", "#7d3c98",
-                                                      "#b9770e", "#117a65", "#5d6d7e", "#6e2c00"};
+constexpr std::array<const char *, 8> curve_colors = {"#1f4e79", "#c0392b", "#7d3c98", "#b9770e",
+                                                      "#0e7c86", "#5d6d7e", "#6e2c00", "#c2185b"};
 constexpr const char *missed_color = "#e60000";
 
 /// The points of the curve whose sizes are above 0.
@@ -28,7 +29,6 @@ std::vector<Point> curve_points(const GradingCurve &curve) {
 /// The i-th curve of the figure.
 Series curve_series(const DrawnCurve &c, const GradingCurve &curve, std::size_t i) {
   Series s;
-  s.title = c.name;
   s.points = curve_points(curve);
   s.color = curve_colors.at(i % curve_colors.size());
   s.width = c.weight == DrawnCurve::Weight::thin ? 0.9 : 2;
@@ -72,6 +72,17 @@ Axis size_axis(const std::vector<Series> &all, std::string_view title) {
   return log_axis(fmt::format("{} (mm)", title), low - room, high + room);
 }
 
+/// The names of the curves, of the same ones the second and so on with its number.
+std::vector<std::string> distinct_names(const std::vector<DrawnCurve> &curves) {
+  std::map<std::string, unsigned> seen;
+  std::vector<std::string> names;
+  for (const DrawnCurve &c : curves) {
+    const unsigned number = ++seen[c.name];
+    names.push_back(number == 1 ? c.name : fmt::format("{} ({})", c.name, number));
+  }
+  return names;
+}
+
 Panel curves_panel(const CurvesFigure &what, const FigureTexts &texts) {
   Panel p;
   p.y = {std::string(texts.passing), 0, 100, {}};
@@ -83,10 +94,12 @@ Panel curves_panel(const CurvesFigure &what, const FigureTexts &texts) {
   p.grid = true;
   if (what.limits)
     p.series = limits_series(*what.limits, 1, std::string(texts.allowed) + what.limits->id);
+  const std::vector<std::string> names = distinct_names(what.curves);
   std::vector<Series> missed;
   for (std::size_t i = 0; i < what.curves.size(); ++i) {
     const GradingCurve curve(what.curves[i].gradation);
     p.series.push_back(curve_series(what.curves[i], curve, i));
+    p.series.back().title = names[i];
     if (!what.curves[i].missed.empty())
       missed.push_back(missed_series(what.curves[i], curve, std::string(texts.missed)));
   }

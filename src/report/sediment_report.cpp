@@ -113,10 +113,8 @@ std::string sediment_text(const SedimentDescription &s, unsigned digits) {
     modes.push_back(range_of(m));
   if (!modes.empty())
     add(out, "  modes, the highest first: {}\n", fmt::join(modes, ", "));
-  if (!s.shepard.empty())
-    add(out, "  texture of Shepard: {}\n", s.shepard);
-  if (!s.usda.empty())
-    add(out, "  texture of the USDA: {}\n", s.usda);
+  add(out, "  of what passes 2 mm: {} of Shepard, {} of the USDA\n",
+      s.shepard.empty() ? "no texture" : s.shepard, s.usda.empty() ? "no texture" : s.usda);
   add_text_fractions(out, "Wentworth", s.wentworth, digits);
   out.push_back('\n');
   for (const std::string &note : s.notes)

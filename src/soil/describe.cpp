@@ -25,25 +25,30 @@ std::string listed(const std::vector<std::string> &items) {
 /// The diameters that every description has.
 constexpr std::array<unsigned, 4> usual_percents = {10, 30, 50, 60};
 
+/// What a pan at size 0 makes of the diameters in it.
 void add_diameter_notes(std::vector<std::string> &notes, const SoilDescription &d, bool extrapolate) {
-  std::vector<std::string> in_pan;
-  for (const unsigned p : usual_percents)
-    if (d.curve.in_pan(ratio(p, 100)))
-      in_pan.push_back("D" + std::to_string(p));
+  std::vector<std::pair<std::string, const Available<PowerProduct> *>> in_pan;
+  const std::array<const Available<PowerProduct> *, 4> usual = {&d.d10, &d.d30, &d.d50, &d.d60};
+  for (std::size_t i = 0; i < usual.size(); ++i)
+    if (d.curve.in_pan(ratio(usual_percents[i], 100)))
+      in_pan.emplace_back("D" + std::to_string(usual_percents[i]), usual[i]);
   for (const DiameterAt &more : d.diameters)
     if (d.curve.in_pan(more.percent / 100))
-      in_pan.push_back("D" + to_decimal(more.percent));
-  if (in_pan.empty())
-    return;
-  std::string note = listed(in_pan) + ": ";
-  if (d.d10)
-    note += "extrapolated along the line through the two finest sieves";
-  else
-    note += d.d10.why().reason + "; C_u and C_c need D10";
-  if (!extrapolate)
-    note += fmt::format(" ({} continues the curve, {} gives the pan a size)", option("extrapolate"),
-                        option("pan-size"));
-  notes.push_back(std::move(note));
+      in_pan.emplace_back("D" + to_decimal(more.percent), &more.size);
+  std::vector<std::string> known, unknown;
+  std::string reason;
+  for (const auto &[name, size] : in_pan) {
+    (*size ? known : unknown).push_back(name);
+    if (!*size)
+      reason = size->why().reason;
+  }
+  const std::string remedy = extrapolate ? ""
+                                         : fmt::format(" ({} continues the curve, {} gives the pan a size)",
+                                                       option("extrapolate"), option("pan-size"));
+  if (!known.empty())
+    notes.push_back(listed(known) + ": extrapolated along the line through the two finest sieves" + remedy);
+  if (!unknown.empty())
+    notes.push_back(listed(unknown) + ": " + reason + (d.d10 ? "" : "; C_u and C_c need D10") + remedy);
 }
 
 void add_fraction_notes(std::vector<std::string> &notes, const GradingCurve &curve, const std::string &system,
@@ -112,11 +117,10 @@ void add_fineness_notes(std::vector<std::string> &notes, const SoilDescription &
 }
 
 void add_conductivity_notes(std::vector<std::string> &notes, const SoilDescription &d, bool extrapolate) {
-  if (d.hazen)
-    notes.push_back(
-        fmt::format("k_H, Hazen's estimate, is for loose sand of D10 from 0.1 to 3 mm and C_u below 5: "
-                    "this is {}",
-                    is_hazen_soil(d.curve, extrapolate) ? "in that range" : "outside that range"));
+  if (d.hazen && !is_hazen_soil(d.curve, extrapolate))
+    notes.emplace_back(
+        "k_H, Hazen's estimate, is for loose sand of D10 from 0.1 to 3 mm and C_u below 5: this soil is "
+        "outside that range");
   if (!d.kozeny_carman)
     return;
   if (*d.kozeny_carman)

@@ -139,35 +139,36 @@ PhiMeasures without_measures(const NotAvailable &why) {
   return {{why, ""}, {why, ""}, {why, ""}, {why, ""}};
 }
 
-/// The middles of the classes with mass, in phi, with their shares.
-std::vector<std::pair<Rational, Real>> middles(const GradingCurve &curve) {
-  std::vector<std::pair<Rational, Real>> all;
-  for (std::size_t j = curve.finest(); j <= curve.coarsest(); ++j)
-    if (curve.mass(j) > 0)
-      all.emplace_back(curve.mass(j), phi(pow(curve.power_of(j) * curve.power_of(j + 1), ratio(1, 2))));
-  return all;
+/// The middle of class j: the size whose phi it is.
+PowerProduct middle_size(const GradingCurve &curve, std::size_t j) {
+  return pow(curve.power_of(j) * curve.power_of(j + 1), ratio(1, 2));
 }
 
 PhiMeasures moment_measures(const GradingCurve &curve) {
   if (curve.has_pan() && curve.mass(0) > 0)
     return without_measures({"a pan at size 0 holds mass, and has no middle in phi"});
-  PowerProduct product;
-  for (std::size_t j = curve.finest(); j <= curve.coarsest(); ++j)
-    product *= pow(curve.power_of(j) * curve.power_of(j + 1), curve.mass(j) / 2);
-  const Real mean = phi(product);
-  const NamedMeasure named_mean = named(mean, size_words());
-  const std::vector<std::pair<Rational, Real>> classes = middles(curve);
-  if (classes.size() == 1) {
+  PowerProduct mean_size;
+  std::size_t classes = 0;
+  for (std::size_t j = curve.finest(); j <= curve.coarsest(); ++j) {
+    mean_size *= pow(middle_size(curve, j), curve.mass(j));
+    if (curve.mass(j) > 0)
+      ++classes;
+  }
+  const NamedMeasure named_mean = named(phi(mean_size), size_words());
+  if (classes == 1) {
     const NotAvailable one{"all mass is in one class"};
     return {named_mean, {one, ""}, {one, ""}, {one, ""}};
   }
   std::array<Real, 3> sums = {Real(0), Real(0), Real(0)}; // of the powers 2, 3, 4
-  for (const auto &[share, middle] : classes) {
-    const Real from_mean = middle - mean;
+  for (std::size_t j = curve.finest(); j <= curve.coarsest(); ++j) {
+    if (curve.mass(j) == 0)
+      continue;
+    // As one logarithm: it may be a fraction where those of the middle and of the mean are none.
+    const Real from_mean = phi(middle_size(curve, j) / mean_size);
     Real power = from_mean;
     for (Real &sum : sums) {
       power = power * from_mean;
-      sum = sum + Real(share) * power;
+      sum = sum + Real(curve.mass(j)) * power;
     }
   }
   const Real sorting = pow(sums[0], ratio(1, 2));
@@ -244,6 +245,9 @@ SedimentDescription describe_sediment(const Gradation &g, bool extrapolate) {
   s.folk = texture_word("Folk", folk_texture(curve), s.notes);
   s.shepard = texture_word("Shepard", shepard_texture(curve), s.notes);
   s.usda = texture_word("the USDA", usda_texture(curve), s.notes);
+  if (s.limited())
+    s.notes.emplace_back(
+        "Where a word is undecided, 1,200 digits do not tell its number from a limit of the words.");
   s.notes.emplace_back(
       "A number at a limit has the word above it. Moments are of the classes' middles in phi.");
   return s;

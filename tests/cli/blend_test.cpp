@@ -231,5 +231,18 @@ TEST_CASE("stockpiles, blend and limits are drawn", "[cli]") {
   const Stockpiles none("4,60,70\n1,50,60\n");
   CHECK(none.blend({"--plot", none.folder() / "p.svg"}).exit_code == 1);
   CHECK(read_file(none.folder() / "p.svg").find(">blend<") == std::string::npos);
+  CHECK(read_file(none.folder() / "p.svg").find(">no blend<") != std::string::npos);
   check_refused(piles.blend({"--plot", piles.folder() / "p.doc"}), "--plot");
+}
+
+TEST_CASE("limits that come with mdm are given by their name", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string a = folder.write(
+      "a.csv",
+      "size_mm,passing_percent\n9.5,100\n4.75,97\n2.36,88\n1.18,70\n0.6,45\n0.3,18\n0.15,4\n0.075,0\n");
+  CHECK(mdm({"blend", a, a, "--spec", "astm-c33-fine"}).exit_code == 2); // two stockpiles of one name
+  const std::string b = folder.write("b.csv", read_file(a));
+  CHECK(mdm({"blend", a, b, "--spec", "astm-c33-fine"}).exit_code == 0);
+  check_refused(mdm({"blend", a, b, "--spec", "astm-c33-fine", "--proof", folder / "p"}),
+                "mdm-check reads files");
 }

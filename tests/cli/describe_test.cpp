@@ -99,6 +99,15 @@ TEST_CASE("the pan can be extrapolated or given a size", "[describe]") {
   CHECK_FALSE(sized.at("IGS").is_null());
 }
 
+TEST_CASE("of diameters in the pan those are extrapolated that can be", "[describe]") {
+  const std::string notes = describe_json({"-", "--extrapolate", "--d", "0.001"},
+                                          "size_mm,passing_percent\n2,100\n1,14\n0.99,13.9\n")
+                                .at("notes")
+                                .dump();
+  CHECK(has(notes, "D10: extrapolated along the line"));
+  CHECK(has(notes, "D0.001: below 0.99 mm, the finest sieve, and the curve cannot be extrapolated"));
+}
+
 TEST_CASE("limits classify the fines", "[describe]") {
   const std::string silty = "size_mm,passing_percent\n4.75,100\n0.075,20\n0.01,0\n";
   CHECK(describe_json({"-"}, silty).at("uscs").at("symbol") == "SM");

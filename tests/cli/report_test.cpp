@@ -48,6 +48,7 @@ TEST_CASE("what is wrong with a report is refused", "[report]") {
   check_refused(mdm({"report", "-", "--field", "Project"}, sand), "--field: 'Project' is no NAME=VALUE");
   check_refused(mdm({"report", "-", "--spec", "none"}, sand), "specifications that come with mdm");
   check_refused(mdm({"report", "-", "-"}, sand), "standard input is one file");
+  check_refused(mdm({"report", "-", "--rounding", "none"}, sand), "--rounding is about verdicts");
   check_refused(mdm({"report", "-", "--liquid-limit", "20"}, sand), "go together");
 }
 
@@ -64,4 +65,17 @@ TEST_CASE("a PDF of a report has its texts", "[report]") {
   if (std::system(("pdftotext " + (folder / "r.pdf") + " " + text + " 2>/dev/null").c_str()) == 0)
     for (const char *part : {"Grain size report", "Harbour", "AASHTO M 145", "97.3"})
       CHECK(has(read_file(text), part));
+}
+
+TEST_CASE("samples of one name have those of their files", "[report]") {
+  const TemporaryFolder one, other;
+  const std::string a = one.write("sand.csv", sand), b = other.write("sand.csv", sand);
+  const Outcome report = mdm({"report", a, b, a});
+  CHECK(has(report.out, "<caption>" + a + "</caption>"));
+  CHECK(has(report.out, "<caption>" + b + "</caption>"));
+  CHECK(has(report.out, "<caption>" + a + " (2)</caption>"));
+  CHECK(has(mdm({"describe", a, b}).out, "\n  " + b + "  SP"));
+  CHECK(has(mdm({"judge", a, b, "--spec", "astm-c33-fine", "--format", "csv"}).out, "\n" + b + ","));
+  CHECK(mdm({"plot", a, "--beside", b, "-o", one / "p.svg"}).exit_code == 0);
+  CHECK(has(read_file(one / "p.svg"), ">" + b + "<"));
 }

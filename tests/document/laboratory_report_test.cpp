@@ -41,6 +41,23 @@ TEST_CASE("text of any kind is safe in HTML", "[document]") {
   CHECK(html_text("a\nb") == "a\\x0ab");
 }
 
+TEST_CASE("a table with more columns than a page has room for is several", "[document]") {
+  std::vector<std::string> titles = {"sieve"}, cells = {"1"};
+  for (int i = 0; i < 13; ++i) {
+    titles.push_back("sample " + std::to_string(i));
+    cells.push_back("percent " + std::to_string(i));
+  }
+  HtmlTable table("passing", titles);
+  table.add(cells);
+  const std::string html = table.html();
+  CHECK(count(html, "<table>") == 3);
+  CHECK(count(html, "<th scope=\"row\">1</th>") == 3);
+  for (std::size_t i = 1; i < titles.size(); ++i) {
+    CHECK(count(html, ">" + titles[i] + "<") == 1);
+    CHECK(count(html, ">" + cells[i] + "<") == 1);
+  }
+}
+
 TEST_CASE("the page has head, curves, analyses, index numbers and notes", "[document]") {
   const std::string html = report_html(two_sands());
   CHECK(html.starts_with("<!DOCTYPE html>"));

@@ -189,7 +189,8 @@ def check_question(rng, number, folder, counted):
     if is_exact:
         solved("glpk lp", glpsol(folder / "problem.lp", "lp", folder))
         solved("glpk mps", glpsol(folder / "problem.mps", "mps", folder))
-        solved("cbc", cbc(folder / "problem.lp", folder))
+        solved("cbc lp", cbc(folder / "problem.lp", folder))
+        solved("cbc mps", cbc(folder / "problem.mps", folder))
         solved("opb", clasp(folder / "problem.opb"))
         if number % 3 == 0:
             solved("mzn", minizinc(folder / "problem.mzn"))

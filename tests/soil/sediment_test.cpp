@@ -91,6 +91,15 @@ TEST_CASE("a number at a limit has the word above it", "[sediment]") {
         "moderately sorted");
 }
 
+TEST_CASE("a sorting at a limit is known though the middles of classes are irrational", "[sediment]") {
+  // Classes of a phi each around sqrt(50) and sqrt(200) mm: half a phi from their mean.
+  const SedimentDescription s = of({"5", "10", "20"}, {"1", "1", "0"});
+  CHECK_FALSE(s.moments.mean.value->exact());
+  CHECK(exact(s.moments.sorting) == ratio(1, 2));
+  CHECK(s.moments.sorting.word == "moderately well sorted");
+  CHECK_FALSE(s.limited());
+}
+
 TEST_CASE("graphic measures are those of curves in double", "[sediment]") {
   std::mt19937 random(11);
   for (int i = 0; i < 60; ++i) {

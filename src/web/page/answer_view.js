@@ -44,8 +44,12 @@ export function startBar() {
   observer.observe(byId("headline"));
 }
 
+/** How notes on numbers begin that the page does not show. */
+const NOT_SHOWN = /^(no )?(fineness modulus|k_H|k_KC|D\[3,2\]|group of AASHTO|the group index of AASHTO)/;
+
 /** The notes of a description that the answer does not have. */
-export const soilNotes = (description, answer) => description.notes.filter((note) => !answer.notes.includes(note));
+export const soilNotes = (description, answer) =>
+  description.notes.filter((note) => !answer.notes.includes(note) && !NOT_SHOWN.test(note));
 
 /** The soil's numbers with what they assume, or why there are none; what the gradation does not reach is left out. */
 export function showIndices({ description, message }, answer) {
