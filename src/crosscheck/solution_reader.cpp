@@ -49,9 +49,11 @@ bool begins_number(std::string_view word) {
 /// The word behind a name that may be its value: after `=`, `:`, `*`, quotes, the word Int or a pair of
 /// brackets.
 std::string_view value_behind(std::string_view text, std::size_t at) {
+  bool is_starred = false; // by GLPK, once
   for (std::string_view word = next_word(text, at); !word.empty(); word = next_word(text, at)) {
-    if (word == "(" && next_word(text, at) != ")")
+    if ((word == "(" && next_word(text, at) != ")") || (word == "*" && is_starred))
       return {};
+    is_starred = is_starred || word == "*";
     if (word != "=" && word != ":" && word != "*" && word != "\"" && word != "'" && word != "Int" &&
         word != "(")
       return word;
@@ -200,7 +202,8 @@ bool says_unknown(const std::vector<std::string> &lines) {
 } // namespace
 
 bool has_binary_values(std::string_view text) {
-  return !binary_values(tidy_lines(text)).empty();
+  const std::vector<std::string> lines = tidy_lines(text);
+  return !binary_values(lines).empty() || says(lines, {"s optimum found", "s satisfiable"}, true);
 }
 
 Solution read_solution(std::string_view text, const IntegerProgram &program) {
@@ -213,8 +216,8 @@ Solution read_solution(std::string_view text, const IntegerProgram &program) {
   try {
     Solution solution;
     solution.answer.id = program.id;
-    if (std::map<std::string, bool> digits = binary_values(lines); !digits.empty()) {
-      solution.answer.quantities = counts_of_digits(std::move(digits), program);
+    if (has_binary_values(text)) {
+      solution.answer.quantities = counts_of_digits(binary_values(lines), program);
       return solution;
     }
     const std::map<std::string, std::string> values = values_in(lines);

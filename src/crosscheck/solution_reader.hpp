@@ -22,7 +22,8 @@ struct Solution {
 /// \param program  with counts of any form; of integers for `v` lines
 Solution read_solution(std::string_view text, const IntegerProgram &program);
 
-/// True for a text with `v` lines, for which the program of integers is needed.
+/// True for a text of a pseudo-Boolean solver that has a solution, for which the program of integers is
+/// needed.
 bool has_binary_values(std::string_view text);
 
 } // namespace mdm

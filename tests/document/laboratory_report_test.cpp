@@ -90,7 +90,10 @@ TEST_CASE("the page has the verdicts on a specification", "[document]") {
   CHECK(has(html, "Specification astm-c33-fine"));
   CHECK(has(html, "<p class=\"verdict\">a: fail</p>"));
   CHECK(has(html, "a limit is missed"));
-  CHECK(has(html, "<tr class=\"fail\">"));
+  CHECK_FALSE(has(html, "<tr class=\"fail\">")); // a line is of both
+  r.samples.pop_back();
+  r.conformity->samples.pop_back();
+  CHECK(has(report_html(r), "<tr class=\"fail\">"));
   CHECK(has(html, "* interpolated"));
 }
 
