@@ -8,17 +8,19 @@ import { noteList, readingEntries } from "./reading_view.js";
 import { checkersInWords } from "./verdict.js";
 import { text } from "./texts.js";
 
+/** The most classes of which all are shown, and how many are shown of more, so that the report stays one page. */
 const MOST_ROWS = 20;
+const SHOWN_ROWS = 10;
 const PICTURE_WIDTH = 460;
 
 /** The first and the last rows, where there are too many for a page. */
 async function rowsForPage(answer, fetchRows) {
   if (answer.classes <= MOST_ROWS) return { first: answer.rows.slice(0, MOST_ROWS), last: [], leftOut: 0 };
-  const half = MOST_ROWS / 2;
+  const half = SHOWN_ROWS / 2;
   return {
     first: answer.rows.slice(0, half),
     last: await fetchRows(answer.classes - half, half),
-    leftOut: answer.classes - MOST_ROWS,
+    leftOut: answer.classes - SHOWN_ROWS,
   };
 }
 
