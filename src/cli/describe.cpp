@@ -69,10 +69,7 @@ bool describe_all(const DescribeCommand &c, const Forms<Description> &forms, Des
     const Gradation g = any_gradation(file, c.reading, c.output.quiet).gradation;
     all.push_back(in_file(file, [&] { return describe(c.asked.soil.with_pan(g)); }));
   }
-  std::vector<std::string *> names;
-  for (Description &d : all)
-    names.push_back(&d.id);
-  tell_apart(names, c.files);
+  tell_apart(all, &Description::id, c.files);
   Output out(c.output.path());
   out.write(report(c, all, forms));
   out.commit();
@@ -99,10 +96,7 @@ bool describe_soils(const DescribeCommand &c) {
 }
 
 int run(const DescribeCommand &c) {
-  if (std::count(c.files.begin(), c.files.end(), "-") > 1)
-    throw InputError("-: standard input is one file: give the others by name");
-  for (const std::string &file : c.files)
-    check_distinct({file, c.output.path()});
+  check_paths(c.files, {c.output.path()});
   const bool limited = c.sediment ? describe_sediments(c) : describe_soils(c);
   return limited ? Exit::limited : Exit::done;
 }
@@ -114,10 +108,7 @@ Run add_describe(CLI::App &app) {
   CLI::App &command =
       *app.add_subcommand("describe", "Index numbers, fractions and the soil groups of gradations");
   command
-      .add_option(
-          "FILE", c->files,
-          "gradations (any that mdm convert reads), sets of mdm generate, or files of particles as mdm "
-          "verify reads; - for standard input; of several there is a table with a line each")
+      .add_option("FILE", c->files, several_samples_help + "; of several there is a table with a line each")
       ->required();
   add_options(command, DescribeTexts::options, c->asked);
   add_options(command, SoilTexts::options, c->asked.soil);

@@ -21,7 +21,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 namespace mdm::cli {
@@ -50,10 +49,7 @@ void check(const JudgeCommand &c) {
   for (const std::optional<std::string> &more : {c.spec, c.base})
     if (more)
       inputs.push_back(*more);
-  if (std::count(inputs.begin(), inputs.end(), "-") > 1)
-    throw InputError("-: standard input is one file: give the others by name");
-  for (const std::string &input : inputs)
-    check_distinct({input, c.output.path(), c.plot.path()});
+  check_paths(inputs, {c.output.path(), c.plot.path()});
   c.plot.check();
 }
 
@@ -93,15 +89,6 @@ DrawnCurve drawn(const UnderstoodGradation &g, const Judgement &judged, std::vec
           std::move(missed)};
 }
 
-/// Gives samples of one name those of their files.
-template <class Judgement>
-void tell_samples_apart(std::vector<Judgement> &samples, const std::vector<std::string> &files) {
-  std::vector<std::string *> names;
-  for (Judgement &s : samples)
-    names.push_back(&s.id);
-  tell_apart(names, files);
-}
-
 UnderstoodGradation sample_in(const JudgeCommand &c, const std::string &file) {
   return any_gradation(file, c.reading, c.output.quiet);
 }
@@ -115,7 +102,7 @@ Judged by_specification(const JudgeCommand &c) {
     sheets.push_back(sample_in(c, file));
     r.samples.push_back(in_file(file, [&] { return judge(sheets.back(), r.specification, unit); }));
   }
-  tell_samples_apart(r.samples, c.files);
+  tell_apart(r.samples, &Conformity::id, c.files);
   for (std::size_t i = 0; i < sheets.size(); ++i)
     figure.curves.push_back(drawn(sheets[i], r.samples[i], missed_sizes(r.samples[i])));
   return {report(c, r, conformity_text, conformity_json, conformity_csv),
@@ -141,7 +128,7 @@ Judged by_stability(const JudgeCommand &c) {
     sheets.push_back(sample_in(c, file));
     r.samples.push_back(in_file(file, [&] { return judge_stability(sheets.back(), *rule, unit); }));
   }
-  tell_samples_apart(r.samples, c.files);
+  tell_apart(r.samples, &RuleJudgement::id, c.files);
   for (std::size_t i = 0; i < sheets.size(); ++i)
     figure.curves.push_back(drawn(sheets[i], r.samples[i]));
   return by_rule(c, r, std::move(figure));
@@ -160,7 +147,7 @@ Judged by_filter_rule(const JudgeCommand &c) {
     filters.push_back(sample_in(c, file));
   const UnderstoodGradation base = sample_in(c, *c.base);
   RuleReport r = judge_filters(filters, base, {*rule, c.dispersive, !c.no_regrade}, rounding_of(c.rounding));
-  tell_samples_apart(r.samples, c.files);
+  tell_apart(r.samples, &RuleJudgement::id, c.files);
   CurvesFigure figure;
   figure.curves.push_back({"base: " + base.gradation.id(), base.gradation, DrawnCurve::Weight::dashed});
   for (std::size_t i = 0; i < filters.size(); ++i)
@@ -168,12 +155,17 @@ Judged by_filter_rule(const JudgeCommand &c) {
   return by_rule(c, r, std::move(figure));
 }
 
+/// \pre it is asked for
+std::unique_ptr<Output> drawn_plot(const JudgeCommand &c, const Judged &judged) {
+  Figure figure = curves_figure(judged.figure);
+  figure.remarks = judged.notes;
+  return c.plot.drawn(figure, c.output.quiet);
+}
+
 int run(const JudgeCommand &c) {
   check(c);
   const Judged judged = c.spec ? by_specification(c) : c.stability ? by_stability(c) : by_filter_rule(c);
-  Figure figure = curves_figure(judged.figure);
-  figure.remarks = judged.notes;
-  const std::unique_ptr<Output> plot = c.plot ? c.plot.drawn(figure, c.output.quiet) : nullptr;
+  const std::unique_ptr<Output> plot = c.plot ? drawn_plot(c, judged) : nullptr;
   Output out(c.output.path());
   out.write(judged.report);
   if (plot)
@@ -189,12 +181,7 @@ Run add_judge(CLI::App &app) {
   const auto c = std::make_shared<JudgeCommand>();
   CLI::App &command = *app.add_subcommand(
       "judge", "Whether samples keep a specification, are stable, or filter a base, whatever was rounded");
-  command
-      .add_option(
-          "SAMPLE", c->files,
-          "gradations (any that mdm convert reads), sets of mdm generate, or files of particles as mdm "
-          "verify reads; - for standard input")
-      ->required();
+  command.add_option("SAMPLE", c->files, several_samples_help)->required();
   command.add_option("--spec", c->spec, specification_help())->type_name("FILE|NAME");
   command
       .add_option("--stability", c->stability,

@@ -32,7 +32,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <memory>
 
 namespace mdm::cli {
@@ -71,10 +70,7 @@ void check(const PlotCommand &c) {
   for (const std::optional<std::string> &path : {c.asked.sample, c.asked.band})
     if (path)
       inputs.push_back(*path);
-  if (std::count(inputs.begin(), inputs.end(), "-") > 1)
-    throw InputError("-: standard input is one file: give the others by name");
-  for (const std::string &input : inputs)
-    check_distinct({input, c.picture.out.value_or("-")});
+  check_paths(inputs, {c.picture.out.value_or("-")});
 }
 
 /// The smallest match of the gradation as it is, or what was found of it.
@@ -158,14 +154,11 @@ int run_beside(const PlotCommand &c) {
   std::vector<std::pair<std::string, std::vector<std::string>>> notes;
   std::vector<std::string> files = {c.file};
   files.insert(files.end(), c.beside.begin(), c.beside.end());
-  std::vector<std::string *> names;
-  figure.curves.reserve(files.size()); // names stay where they are
   for (const std::string &file : files) {
     const Gradation g = any_gradation(file, c.reading, c.output.quiet).gradation;
     figure.curves.push_back({g.id(), g});
-    names.push_back(&figure.curves.back().name);
   }
-  tell_apart(names, files);
+  tell_apart(figure.curves, &DrawnCurve::name, files);
   for (const DrawnCurve &curve : figure.curves)
     notes.emplace_back(curve.name, curve.gradation.notes());
   Figure drawn = curves_figure(figure);

@@ -78,12 +78,10 @@ LaboratoryReport reported(const ReportCommand &c) {
       r.samples.push_back({std::move(sheet), describe(g, options)});
     });
   }
-  std::vector<std::string *> names;
-  for (ReportedSample &s : r.samples)
-    names.push_back(&s.description.id);
-  tell_apart(names, c.files);
-  for (std::size_t i = 0; r.conformity && i < names.size(); ++i)
-    r.conformity->samples[i].id = *names[i];
+  tell_apart(
+      r.samples, [](ReportedSample &s) -> std::string & { return s.description.id; }, c.files);
+  if (r.conformity)
+    tell_apart(r.conformity->samples, &Conformity::id, c.files);
   return r;
 }
 
@@ -112,10 +110,7 @@ int run(const ReportCommand &c) {
   std::vector<std::string> inputs = c.files;
   if (c.spec)
     inputs.push_back(*c.spec);
-  if (std::count(inputs.begin(), inputs.end(), "-") > 1)
-    throw InputError("-: standard input is one file: give the others by name");
-  for (const std::string &input : inputs)
-    check_distinct({input, c.out.value_or("-")});
+  check_paths(inputs, {c.out.value_or("-")});
   const LaboratoryReport r = reported(c);
   Output out(c.out.value_or("-"));
   out.write(content(r, form));
@@ -132,12 +127,7 @@ Run add_report(CLI::App &app) {
   const auto c = std::make_shared<ReportCommand>();
   CLI::App &command = *app.add_subcommand(
       "report", "The laboratory's report of samples: curves, tables, index numbers, groups, verdicts");
-  command
-      .add_option(
-          "SAMPLE", c->files,
-          "gradations (any that mdm convert reads), sets of mdm generate, or files of particles as mdm "
-          "verify reads; - for standard input")
-      ->required();
+  command.add_option("SAMPLE", c->files, several_samples_help)->required();
   command.add_option("--spec", c->spec, specification_help())->type_name("FILE|NAME");
   command.add_option("--rounding", c->rounding, rounding_help())->type_name("UNIT");
   command.add_option("--title", c->title, "the title (Grain size report)");
@@ -156,14 +146,12 @@ Run add_report(CLI::App &app) {
   c->reading.add_to(command);
   command.footer(
       footer(paragraph("The page of HTML is one file that needs no network, and prints on A4 and letter. It "
-                       "has each sieve "
-                       "analysis, all curves on one chart beside the limits, what mdm describe and mdm judge "
-                       "say, and every "
-                       "note that reading gave. A PDF is made of it by the program weasyprint.") +
+                       "has each sieve analysis, all curves on one chart beside the limits, what mdm "
+                       "describe and mdm judge say, and every note that reading gave. A PDF is made of it by "
+                       "the program weasyprint.") +
                  "\n" +
                  paragraph("Exit code 1: a sample does not keep the specification for every curve that "
-                           "rounds to its report. "
-                           "3: a limit of precision; the report says where."),
+                           "rounds to its report. 3: a limit of precision; the report says where."),
              {"mdm report sand.csv -o sand.html",
               "mdm report a.xlsx b.xlsx --spec astm-c33-fine --client \"Harbour Ltd\" -o r.html",
               "mdm report sand.csv --field Project=Quay --field \"Sampled=2026-05-04\" -o sand.pdf"}));

@@ -40,8 +40,7 @@ std::optional<Rational> rounding_of(const std::optional<std::string> &text) {
 
 std::string rounding_help() {
   return "one unit of the last digit of all percents, as 0.1, or none (as the report prints its percents; "
-         "masses are "
-         "exact)";
+         "masses are exact)";
 }
 
 } // namespace mdm::cli

@@ -199,11 +199,15 @@ bool says_unknown(const std::vector<std::string> &lines) {
          says(lines, {"stopped on "}, false);
 }
 
+/// True for lines of a pseudo-Boolean solver that has a solution.
+bool is_pseudo_boolean(const std::vector<std::string> &lines) {
+  return !binary_values(lines).empty() || says(lines, {"s optimum found", "s satisfiable"}, true);
+}
+
 } // namespace
 
 bool has_binary_values(std::string_view text) {
-  const std::vector<std::string> lines = tidy_lines(text);
-  return !binary_values(lines).empty() || says(lines, {"s optimum found", "s satisfiable"}, true);
+  return is_pseudo_boolean(tidy_lines(text));
 }
 
 Solution read_solution(std::string_view text, const IntegerProgram &program) {
@@ -216,7 +220,7 @@ Solution read_solution(std::string_view text, const IntegerProgram &program) {
   try {
     Solution solution;
     solution.answer.id = program.id;
-    if (has_binary_values(text)) {
+    if (is_pseudo_boolean(lines)) {
       solution.answer.quantities = counts_of_digits(binary_values(lines), program);
       return solution;
     }

@@ -1,5 +1,7 @@
 #include "document/html.hpp"
 
+#include "text/xml_text.hpp"
+
 #include <mdm/text/error.hpp>
 
 #include <fmt/format.h>
@@ -9,25 +11,10 @@
 namespace mdm {
 
 std::string html_text(std::string_view text) {
-  std::string shown;
-  for (const char c : printable(text)) {
-    switch (c) {
-    case '&':
-      shown += "&amp;";
-      break;
-    case '<':
-      shown += "&lt;";
-      break;
-    case '>':
-      shown += "&gt;";
-      break;
-    case '"':
-      shown += "&quot;";
-      break;
-    default:
-      shown += c;
-    }
-  }
+  std::string shown = xml_text(printable(text));
+  const std::string_view quote = "&quot;";
+  for (std::size_t at = shown.find('"'); at != std::string::npos; at = shown.find('"', at + quote.size()))
+    shown.replace(at, 1, quote);
   return shown;
 }
 

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -53,6 +54,16 @@ std::string canonical_path(const std::string &path) {
   const std::size_t slash = name.rfind('/');
   const std::string folder = real_path(slash == std::string::npos ? "." : name.substr(0, slash + 1));
   return folder.empty() ? name : folder + "/" + name.substr(slash == std::string::npos ? 0 : slash + 1);
+}
+
+void check_paths(const std::vector<std::string> &inputs, const std::vector<std::string> &outputs) {
+  if (std::count(inputs.begin(), inputs.end(), "-") > 1)
+    throw InputError("-: standard input is one file: give the others by name");
+  for (const std::string &input : inputs) {
+    std::vector<std::string> paths = outputs;
+    paths.insert(paths.begin(), input);
+    check_distinct(paths);
+  }
 }
 
 void check_readable(const std::string &path) {

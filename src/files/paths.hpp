@@ -27,6 +27,10 @@ std::string canonical_path(const std::string &path);
 /// count. \throws InputError naming the second
 void check_distinct(const std::vector<std::string> &paths);
 
+/// Refuses standard input that is given twice, and an output that is one of the inputs or another output.
+/// \throws InputError
+void check_paths(const std::vector<std::string> &inputs, const std::vector<std::string> &outputs);
+
 /// Refuses a file that cannot be read, before any work is done. \throws InputError
 void check_readable(const std::string &path);
 

@@ -1,5 +1,7 @@
 #include "plot/svg_canvas.hpp"
 
+#include "text/xml_text.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -19,21 +21,6 @@ std::string pt(double value) {
   return text == "-0" ? "0" : text;
 }
 
-std::string escaped(std::string_view text) {
-  std::string shown;
-  for (const char c : text) {
-    if (c == '&')
-      shown += "&amp;";
-    else if (c == '<')
-      shown += "&lt;";
-    else if (c == '>')
-      shown += "&gt;";
-    else
-      shown += c;
-  }
-  return shown;
-}
-
 class SvgCanvas : public Canvas {
 public:
   SvgCanvas(double width, double height, std::string_view title, std::string_view description) {
@@ -42,9 +29,9 @@ public:
         "role=\"img\" font-family=\"sans-serif\" font-size=\"{2}\" stroke-linejoin=\"round\">\n",
         pt(width), pt(height), pt(letter_size));
     if (!title.empty())
-      add("<title>{}</title>\n", escaped(title));
+      add("<title>{}</title>\n", xml_text(title));
     if (!description.empty())
-      add("<desc>{}</desc>\n", escaped(description));
+      add("<desc>{}</desc>\n", xml_text(description));
     add("<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n", pt(width), pt(height));
   }
 
@@ -92,7 +79,7 @@ public:
       add(" font-size=\"{}\"", pt(look.size));
     if (look.upright)
       add(" transform=\"rotate(-90 {} {})\"", pt(x), pt(y));
-    add(">{}</text>\n", escaped(text));
+    add(">{}</text>\n", xml_text(text));
   }
 
   std::string finish() override {

@@ -42,45 +42,46 @@ std::string outward(const Real &y, unsigned digits, bool upwards) {
   return to_decimal(Rational(upwards ? ceil(units) : floor(units)) * unit);
 }
 
-constexpr std::size_t after_d60 = 4, after_hazen = 12;
+enum class Diameters { usual, all };
+
+std::vector<DescriptionItem> items(const SoilDescription &d, Diameters which) {
+  std::vector<DescriptionItem> all = {item("D10", "D10", "mm", d.d10), item("D30", "D30", "mm", d.d30),
+                                      item("D50", "D50", "mm", d.d50), item("D60", "D60", "mm", d.d60)};
+  if (which == Diameters::all)
+    for (const DiameterAt &at : d.diameters)
+      all.push_back(item_of(at));
+  all.push_back(item("Cu", "C_u", "", d.c_u));
+  all.push_back(item("Cc", "C_c", "", d.c_c));
+  all.push_back(item("span", "span", "", d.span));
+  all.push_back(item("D32", "D[3,2]", "mm", d.surface_mean));
+  all.push_back(item("D43", "D[4,3]", "mm", d.volume_mean));
+  all.push_back(item("FM", "FM", "", d.fineness_modulus));
+  all.push_back(item("FM_EN", "FM EN", "", d.en_fineness_modulus));
+  all.push_back(item("kHazen", "k_H", "m/s", d.hazen));
+  if (d.kozeny_carman)
+    all.push_back(item("kKozenyCarman", "k_KC", "m/s", *d.kozeny_carman));
+  all.push_back(item("IGS", "I_GS", "", d.i_gs));
+  all.push_back(item("IC", "I_C", "", d.i_c));
+  all.push_back(item("phi1", "phi_1", "", std::optional(Real(d.phi_1))));
+  all.push_back(item("zeta1", "zeta_1", "", std::optional(d.zeta_1.real())));
+  all.push_back(item("dmax", "", "mm", std::optional(d.d_max.real())));
+  all.push_back(item("dmaxD50", "", "", over_d50(d)));
+  return all;
+}
 
 } // namespace
 
 std::vector<DescriptionItem> usual_items(const SoilDescription &d) {
-  std::vector<DescriptionItem> all = {item("D10", "D10", "mm", d.d10),
-                                      item("D30", "D30", "mm", d.d30),
-                                      item("D50", "D50", "mm", d.d50),
-                                      item("D60", "D60", "mm", d.d60),
-                                      item("Cu", "C_u", "", d.c_u),
-                                      item("Cc", "C_c", "", d.c_c),
-                                      item("span", "span", "", d.span),
-                                      item("D32", "D[3,2]", "mm", d.surface_mean),
-                                      item("D43", "D[4,3]", "mm", d.volume_mean),
-                                      item("FM", "FM", "", d.fineness_modulus),
-                                      item("FM_EN", "FM EN", "", d.en_fineness_modulus),
-                                      item("kHazen", "k_H", "m/s", d.hazen),
-                                      item("IGS", "I_GS", "", d.i_gs),
-                                      item("IC", "I_C", "", d.i_c),
-                                      item("phi1", "phi_1", "", std::optional(Real(d.phi_1))),
-                                      item("zeta1", "zeta_1", "", std::optional(d.zeta_1.real())),
-                                      item("dmax", "", "mm", std::optional(d.d_max.real())),
-                                      item("dmaxD50", "", "", over_d50(d))};
-  if (d.kozeny_carman)
-    all.insert(all.begin() + after_hazen, item("kKozenyCarman", "k_KC", "m/s", *d.kozeny_carman));
-  return all;
+  return items(d, Diameters::usual);
+}
+
+std::vector<DescriptionItem> items_of(const SoilDescription &d) {
+  return items(d, Diameters::all);
 }
 
 DescriptionItem item_of(const DiameterAt &at) {
   const std::string name = "D" + to_decimal(at.percent);
   return item(name, name, "mm", at.size);
-}
-
-std::vector<DescriptionItem> items_of(const SoilDescription &d) {
-  std::vector<DescriptionItem> all = usual_items(d), diameters;
-  for (const DiameterAt &at : d.diameters)
-    diameters.push_back(item_of(at));
-  all.insert(all.begin() + after_d60, diameters.begin(), diameters.end());
-  return all;
 }
 
 std::optional<std::pair<std::string, std::string>> bounds_of(const DescriptionItem &i, unsigned digits) {

@@ -1,12 +1,14 @@
 // mdm export of files of particles: their places stay, and their classes are those of a gradation or of
 // groups of sizes.
 
+#include "count.hpp"
 #include "run.hpp"
 
 #include <array>
 #include <sstream>
 
 using namespace cli_test;
+using mdm_test::count;
 
 namespace {
 
@@ -30,13 +32,6 @@ std::vector<std::array<double, 4>> rows(const std::string &text) {
       all.push_back(row);
   }
   return all;
-}
-
-std::size_t count(const std::string &text, const std::string &part) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++n;
-  return n;
 }
 
 } // namespace

@@ -14,10 +14,6 @@ Arguments with(Arguments some, const std::string &last) {
   return some;
 }
 
-bool has(const std::string &text, const std::string &part) {
-  return text.find(part) != std::string::npos;
-}
-
 } // namespace
 
 TEST_CASE("a report is written as HTML and JSON, whole or not at all", "[report]") {
@@ -27,8 +23,9 @@ TEST_CASE("a report is written as HTML and JSON, whole or not at all", "[report]
                            "--field", "Project=Quay = 2", "-o"};
   CHECK(mdm(with(asked, folder / "r.html")).exit_code == 0);
   const std::string html = read_file(folder / "r.html");
-  CHECK(has(html, "Client</th><td>A &amp; B</td></tr>\n<tr><th scope=\"row\">Project</th><td>Quay = 2</td>"));
-  CHECK(has(html, "a: pass"));
+  CHECK(contains(html,
+                 "Client</th><td>A &amp; B</td></tr>\n<tr><th scope=\"row\">Project</th><td>Quay = 2</td>"));
+  CHECK(contains(html, "a: pass"));
   CHECK(mdm(with(asked, folder / "r.json")).exit_code == 0);
   const Json json = Json::parse(read_file(folder / "r.json"));
   CHECK(json.at("judgement").at("samples")[0].at("verdict") == "pass");
@@ -41,7 +38,7 @@ TEST_CASE("a report is written as HTML and JSON, whole or not at all", "[report]
 TEST_CASE("a report of a sample that misses a limit is exit 1", "[report]") {
   const Outcome outcome = mdm({"report", "-", "--spec", "superpave-19"}, sand);
   CHECK(outcome.exit_code == 1);
-  CHECK(has(outcome.out, "stdin: fail"));
+  CHECK(contains(outcome.out, "stdin: fail"));
 }
 
 TEST_CASE("what is wrong with a report is refused", "[report]") {
@@ -64,18 +61,18 @@ TEST_CASE("a PDF of a report has its texts", "[report]") {
   const std::string text = folder / "r.txt";
   if (std::system(("pdftotext " + (folder / "r.pdf") + " " + text + " 2>/dev/null").c_str()) == 0)
     for (const char *part : {"Grain size report", "Harbour", "AASHTO M 145", "97.3"})
-      CHECK(has(read_file(text), part));
+      CHECK(contains(read_file(text), part));
 }
 
 TEST_CASE("samples of one name have those of their files", "[report]") {
   const TemporaryFolder one, other;
   const std::string a = one.write("sand.csv", sand), b = other.write("sand.csv", sand);
   const Outcome report = mdm({"report", a, b, a});
-  CHECK(has(report.out, "<caption>" + a + "</caption>"));
-  CHECK(has(report.out, "<caption>" + b + "</caption>"));
-  CHECK(has(report.out, "<caption>" + a + " (2)</caption>"));
-  CHECK(has(mdm({"describe", a, b}).out, "\n  " + b + "  SP"));
-  CHECK(has(mdm({"judge", a, b, "--spec", "astm-c33-fine", "--format", "csv"}).out, "\n" + b + ","));
+  CHECK(contains(report.out, "<caption>" + a + "</caption>"));
+  CHECK(contains(report.out, "<caption>" + b + "</caption>"));
+  CHECK(contains(report.out, "<caption>" + a + " (2)</caption>"));
+  CHECK(contains(mdm({"describe", a, b}).out, "\n  " + b + "  SP"));
+  CHECK(contains(mdm({"judge", a, b, "--spec", "astm-c33-fine", "--format", "csv"}).out, "\n" + b + ","));
   CHECK(mdm({"plot", a, "--beside", b, "-o", one / "p.svg"}).exit_code == 0);
-  CHECK(has(read_file(one / "p.svg"), ">" + b + "<"));
+  CHECK(contains(read_file(one / "p.svg"), ">" + b + "<"));
 }

@@ -1,12 +1,14 @@
 // The laboratory's report as HTML and JSON.
 
 #include "catch.hpp"
+#include "count.hpp"
 #include "document/html.hpp"
 #include "document/laboratory_report.hpp"
 
 #include <algorithm>
 
 using namespace mdm;
+using mdm_test::count;
 
 namespace {
 
@@ -21,13 +23,6 @@ LaboratoryReport two_sands() {
   r.samples.push_back(sample("a.csv", "size_mm,passing_percent\n4.75,100\n2.36,80\n0.3,20\n0.075,3\n"));
   r.samples.push_back(sample("b.csv", "size_mm,mass\n0.075,1\n0.15,5.25\n0.3,3.75\n0.6,0\n"));
   return r;
-}
-
-std::size_t count(const std::string &text, const std::string &part) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++n;
-  return n;
 }
 
 bool has(const std::string &text, const std::string &part) {

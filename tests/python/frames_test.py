@@ -23,6 +23,12 @@ def test_a_frame_with_masses_is_a_gradation_in_any_order():
     assert g.masses == (3, 5, 0) and g.unit == "um" and g.notes == ()
 
 
+def test_columns_of_different_lengths_are_refused():
+    for amount in ("mass", "passing"):
+        with pytest.raises(mdm.InputError, match="d and p must be as long as each other: 3 and 2"):
+            mdm.Gradation.from_frame({"d": ["1", "2", "4"], "p": [0, 100]}, size="d", **{amount: "p"})
+
+
 def test_floats_are_refused_where_nothing_is_said_of_them():
     frame = pandas.DataFrame({"d": [0.1, 0.2], "m": [1, 0]})
     with pytest.raises(mdm.InputError, match="is a float"):

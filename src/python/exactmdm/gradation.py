@@ -14,7 +14,7 @@ from exactmdm.enclosure import Enclosure
 from exactmdm.errors import InputError
 from exactmdm.exact import column, entries_of, shown, text_of
 from exactmdm.figures import curve_figure, html_table
-from exactmdm.tables import core_of, exact_texts, masses_of_passing, notes_of
+from exactmdm.tables import core_of, exact_texts, masses_of_passing, notes_of, order_of
 from exactmdm.value import Value
 
 if TYPE_CHECKING:
@@ -84,8 +84,10 @@ class Gradation(Value):
             raise InputError("give mass or passing, the column that says how much there is")
         amount = str(passing if mass is None else mass)
         sizes, amounts = entries_of(frame[size], size), entries_of(frame[amount], amount)
+        if len(sizes) != len(amounts):
+            raise InputError(f"{size} and {amount} must be as long as each other: {len(sizes)} and {len(amounts)}")
         if mass is not None:
-            order = _ascending(exact_texts(sizes, size, floats), unit)
+            order = order_of(exact_texts(sizes, size, floats), unit)
             return cls([sizes[i] for i in order], [amounts[i] for i in order], unit, id, floats=floats)
         kept, masses = masses_of_passing(exact_texts(sizes, size, floats), exact_texts(amounts, amount, floats), unit)
         return cls._of(core_of(kept, masses, text_of(unit, "unit"), text_of(id, "id"), [], [],
@@ -192,13 +194,6 @@ class Gradation(Value):
                  shown(self.passing[j + 1])] for j in range(len(self))]
         curves = [("#1f5fa8", list(zip(self.sizes, self.passing)))]
         return f"<p><b>{escape(self.id)}</b></p>{html_table(header, rows)}{curve_figure(curves, self.unit)}"
-
-
-def _ascending(sizes: list[str], unit: str) -> list[int]:
-    """The places of the sizes in their order; those of names of sieves as they stand, which the reader puts in order."""
-    if unit == "sieve":
-        return list(range(len(sizes)))
-    return sorted(range(len(sizes)), key=lambda i: Fraction(sizes[i]))
 
 
 def read_line(line: bytes, file: str, number: int) -> Gradation:

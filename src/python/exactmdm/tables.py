@@ -60,15 +60,17 @@ def core_of(sizes: list[str], masses: list[str], unit: str, id: str, factors: li
     return _core.Gradation(*parts)
 
 
+def order_of(sizes: list[str], unit: str) -> list[int]:
+    """The places of the sizes, ascending; those of names of sieves as they stand, which the reader compares."""
+    places = range(len(sizes))
+    if unit == "sieve":
+        return list(places)
+    return sorted(places, key=lambda i: Fraction(sizes[i]), reverse=unit == "phi")
+
+
 def masses_of_passing(sizes: list[str], passing: list[str], unit: str) -> tuple[list[str], list[str]]:
     """The sizes, ascending by what passes them, with the mass retained on each."""
-    order = sorted(range(len(passing)), key=lambda i: (Fraction(passing[i]), i))
-    if len(sizes) != len(passing):
-        raise InputError(f"sizes and passing must be as long as each other: {len(sizes)} and {len(passing)}")
-    if unit in ("mm", "um", "m", "in"):
-        order = sorted(range(len(passing)), key=lambda i: Fraction(sizes[i]))
-    elif unit == "phi":
-        order = sorted(range(len(passing)), key=lambda i: -Fraction(sizes[i]))
+    order = sorted(order_of(sizes, unit), key=lambda i: Fraction(passing[i])) if unit == "sieve" else order_of(sizes, unit)
     percents = [Fraction(passing[i]) for i in order]
     for i in range(len(percents) - 1):
         if percents[i] > percents[i + 1]:
