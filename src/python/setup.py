@@ -1,6 +1,8 @@
 """Builds the extension and the program beside it with CMake; pyproject.toml has the rest.
 
 EXACTMDM_BUILD may name a build folder that was configured with MDM_PYTHON: it is taken as it is.
+EXACTMDM_LIBRARIES=1 puts the shared libraries that they need into the wheel, so that it runs where those are not installed;
+that needs ldd and patchelf.
 """
 
 import os
@@ -13,10 +15,14 @@ from pathlib import Path
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 from setuptools.command.sdist import sdist
+from wheel.bdist_wheel import bdist_wheel
 
 HERE = Path(__file__).resolve().parent
 #: The project of CMake: around this folder, or in an archive of sources within it.
 SOURCE = HERE / "project" if (HERE / "project").is_dir() else HERE.parents[1]
+with_libraries = os.environ.get("EXACTMDM_LIBRARIES") == "1"
+#: Of the C library and of g++; Python itself needs them, or the package manager.
+ON_EVERY_LINUX = r"(lib(c|m|dl|rt|pthread|util|stdc\+\+|gcc_s)|ld-linux.*)\.so"
 
 
 def version():
@@ -33,6 +39,38 @@ def compile_in(build):
     subprocess.run(["cmake", "--build", build, "-t", "mdm-python-package", "-j", str(os.cpu_count())], check=True)
 
 
+def needed_libraries(file):
+    """The shared libraries that a file needs, in paths, but those that every Linux with Python has."""
+    printed = subprocess.run(["ldd", file], stdout=subprocess.PIPE, text=True, check=True).stdout
+    if "not found" in printed:
+        sys.exit(f"{file} lacks libraries:\n{printed}")
+    found = (Path(path) for path in re.findall(r"=> (/\S+)", printed))
+    return [path for path in found if not re.match(ON_EVERY_LINUX, path.name)]
+
+
+def bundle(package, files):
+    """Copies what the files need into the package's folder libraries, where they and the libraries themselves look for it."""
+    folder = package / "libraries"
+    folder.mkdir(exist_ok=True)
+    for library in {path for file in files for path in needed_libraries(file)}:
+        shutil.copy(library, folder)
+    for file in [*files, *folder.iterdir()]:
+        way = os.path.relpath(folder, file.parent)
+        # RPATH, and not RUNPATH: it also holds for what a library of the folder needs.
+        subprocess.run(["patchelf", "--force-rpath", "--set-rpath", f"$ORIGIN/{way}", file], check=True)
+
+
+class WheelForEveryLinux(bdist_wheel):
+    """A wheel with its libraries runs with the C library that it was built with, and later ones."""
+
+    def get_tag(self):
+        *python, platform = super().get_tag()
+        if not with_libraries:
+            return *python, platform
+        major, minor = os.confstr("CS_GNU_LIBC_VERSION").split()[1].split(".")[:2]
+        return *python, platform.replace("linux_", f"manylinux_{major}_{minor}_")
+
+
 class BuildWithCMake(build_ext):
     """The extension is a target of the project."""
 
@@ -45,6 +83,8 @@ class BuildWithCMake(build_ext):
         made, = (build / "python/exactmdm").glob("_core.*so")
         shutil.copy(made, target)
         shutil.copy(build / "bin/mdm", target.parent / "bin/mdm")
+        if with_libraries:
+            bundle(target.parent, [target, target.parent / "bin/mdm"])
 
 
 class SdistWithProject(sdist):
@@ -60,4 +100,5 @@ class SdistWithProject(sdist):
             shutil.copy(SOURCE / file, project)
 
 
-setup(version=version(), ext_modules=[Extension("exactmdm._core", [])], cmdclass={"build_ext": BuildWithCMake, "sdist": SdistWithProject})
+setup(version=version(), ext_modules=[Extension("exactmdm._core", [])],
+      cmdclass={"build_ext": BuildWithCMake, "bdist_wheel": WheelForEveryLinux, "sdist": SdistWithProject})

@@ -1,6 +1,7 @@
 """The module is installed by pip into a virtual environment, and works there."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -66,3 +67,36 @@ def test_pip_installs_an_archive_of_sources(tmp_path):
     source, = (tmp_path / "unpacked").glob("exactmdm-*/project")
     subprocess.run(["cmake", "-S", source, "-B", tmp_path / "build", "-G", "Ninja", "-D", "MDM_PYTHON=ON", "-D",
                     "MDM_TESTS=OFF", "-D", "MDM_BENCHMARKS=OFF"], check=True, stdout=subprocess.DEVNULL)
+
+
+LOADED = """
+import bz2, decimal, hashlib, json, lzma, sys, typing  # with what they need
+def loaded():
+    return {line.split()[-1] for line in open("/proc/self/maps") if ".so" in line and "/lib-dynload/" not in line}
+before = loaded()
+import exactmdm as mdm
+assert mdm.solve(sys.argv[1]).particles == 1485
+print(*sorted(loaded() - before), sep="\\n")
+"""
+
+
+@needs_build
+def test_a_wheel_with_its_libraries_needs_none_of_the_system(tmp_path):
+    pytest.importorskip("setuptools")
+    if not shutil.which("patchelf") and not os.environ.get("MDM_REQUIRE_TOOLS"):
+        pytest.skip("patchelf is not there")
+    (tmp_path / "project").mkdir()
+    subprocess.run([sys.executable, "setup.py", "-q", "bdist_wheel", "-d", tmp_path], cwd=project_in(tmp_path / "project"),
+                   env={**ENVIRONMENT, "EXACTMDM_BUILD": str(BUILD), "EXACTMDM_LIBRARIES": "1"}, check=True)
+    wheel, = tmp_path.glob("exactmdm-*-manylinux_*.whl")
+    installed = tmp_path / "installed"
+    shutil.unpack_archive(wheel, installed, "zip")
+    own = installed / "exactmdm"
+    (own / "bin/mdm").chmod(0o755)
+    done = subprocess.run([sys.executable, "-c", LOADED, SAND], env={**ENVIRONMENT, "PYTHONPATH": str(installed)},
+                          stdout=subprocess.PIPE, text=True, check=True)
+    of_program = subprocess.run(["ldd", own / "bin/mdm"], stdout=subprocess.PIPE, text=True, check=True).stdout
+    libraries = {*done.stdout.split(), *re.findall("=> (/[^ ]+)", of_program)}
+    of_others = {Path(path).name.split(".so")[0] for path in libraries if not Path(path).resolve().is_relative_to(own)}
+    assert of_others <= {"libc", "libm", "libpthread", "libstdc++", "libgcc_s"}
+    assert any(Path(path).name.startswith("libgmp.so") for path in libraries)

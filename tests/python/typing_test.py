@@ -24,6 +24,23 @@ def test_mypy_is_content(tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
 
 
+USES = """
+from collections.abc import Iterator
+from typing import Union, assert_type
+import exactmdm as mdm
+assert_type(mdm.batch([]), Iterator[mdm.Match])
+assert_type(mdm.batch([], errors="raise", threads=2, tolerance="retained:1%"), Iterator[mdm.Match])
+assert_type(mdm.batch([], errors="yield"), Iterator[Union[mdm.Match, mdm.InputError]])
+"""
+
+
+def test_types_of_a_batch_are_those_that_were_asked_for(tmp_path):
+    pytest.importorskip("mypy")
+    (tmp_path / "uses.py").write_text(USES)
+    done = tool("mypy", "--strict", "--ignore-missing-imports", "--cache-dir", str(tmp_path), "uses.py", cwd=tmp_path)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
 def test_stubs_of_the_extension_are_right(tmp_path):
     pytest.importorskip("mypy")
     (tmp_path / "mypy.ini").write_text("[mypy]\nignore_missing_imports = True\n")

@@ -7,7 +7,7 @@ import os
 import time
 from collections.abc import Iterable, Iterator
 from itertools import islice
-from typing import Any, Union
+from typing import Any, Literal, Union, overload
 
 from exactmdm import _core
 from exactmdm.errors import InputError, cannot_read, located
@@ -24,8 +24,17 @@ _SECONDS = 0.2
 _Item = Union[Gradation, tuple[bytes, int]]
 
 
-def batch(gradations: Union[Iterable[Gradation], str, "os.PathLike[str]"], *, threads: int = 1, proofs: bool = False,
-          errors: str = "raise", **options: Any) -> Iterator[Union[Match, Any]]:
+_Gradations = Union[Iterable[Gradation], str, "os.PathLike[str]"]
+
+
+@overload
+def batch(gradations: _Gradations, *, threads: int = 1, proofs: bool = False, errors: Literal["raise"] = "raise",
+          **options: Any) -> Iterator[Match]: ...
+@overload
+def batch(gradations: _Gradations, *, threads: int = 1, proofs: bool = False, errors: Literal["yield"],
+          **options: Any) -> Iterator[Union[Match, InputError]]: ...
+def batch(gradations: _Gradations, *, threads: int = 1, proofs: bool = False, errors: str = "raise",
+          **options: Any) -> Union[Iterator[Match], Iterator[Union[Match, InputError]]]:
     """The matches of many gradations, in order, as they are found; memory does not grow with their number.
 
     A match that a limit ended comes like the others: see its status.
@@ -56,8 +65,7 @@ def batch(gradations: Union[Iterable[Gradation], str, "os.PathLike[str]"], *, th
     return found if errors == "yield" else _raised(found)
 
 
-def _answers(gradations: Union[Iterable[Gradation], str, "os.PathLike[str]"], words: Words, threads: int,
-             proofs: bool) -> Iterator[Union[Match, InputError]]:
+def _answers(gradations: _Gradations, words: Words, threads: int, proofs: bool) -> Iterator[Union[Match, InputError]]:
     items: Iterator[_Item]
     if isinstance(gradations, (str, os.PathLike)):
         items, file = _lines(gradations), valid_text(os.fspath(gradations))
