@@ -5,7 +5,7 @@
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/reading_flags.hpp"
-#include "cli/sample_file.hpp"
+#include "cli/sample_files.hpp"
 #include "cli/sample_names.hpp"
 #include "cli/whole_number.hpp"
 #include "files/output.hpp"
@@ -25,7 +25,7 @@ namespace mdm::cli {
 namespace {
 
 struct DescribeCommand {
-  std::vector<std::string> files;
+  SampleFiles files;
   DescribeTexts asked;
   bool sediment = false;
   ReadingFlags reading;
@@ -65,11 +65,11 @@ std::string report(const DescribeCommand &c, const std::vector<Description> &all
 template <class Description, class Describe>
 bool describe_all(const DescribeCommand &c, const Forms<Description> &forms, Describe describe) {
   std::vector<Description> all;
-  for (const std::string &file : c.files) {
-    const Gradation g = any_gradation(file, c.reading, c.output.quiet).gradation;
-    all.push_back(in_file(file, [&] { return describe(c.asked.soil.with_pan(g)); }));
-  }
-  tell_apart(all, &Description::id, c.files);
+  const ReadSamples read = c.files.read(c.reading, c.output.quiet);
+  for (std::size_t i = 0; i < read.samples.size(); ++i)
+    all.push_back(
+        in_file(read.files[i], [&] { return describe(c.asked.soil.with_pan(read.samples[i].gradation)); }));
+  tell_apart(all, &Description::id, read.files);
   Output out(c.output.path());
   out.write(report(c, all, forms));
   out.commit();
@@ -96,7 +96,7 @@ bool describe_soils(const DescribeCommand &c) {
 }
 
 int run(const DescribeCommand &c) {
-  check_paths(c.files, {c.output.path()});
+  check_paths(c.files.paths, {c.output.path()});
   const bool limited = c.sediment ? describe_sediments(c) : describe_soils(c);
   return limited ? Exit::limited : Exit::done;
 }
@@ -107,9 +107,7 @@ Run add_describe(CLI::App &app) {
   const auto c = std::make_shared<DescribeCommand>();
   CLI::App &command =
       *app.add_subcommand("describe", "Index numbers, fractions and the soil groups of gradations");
-  command
-      .add_option("FILE", c->files, several_samples_help + "; of several there is a table with a line each")
-      ->required();
+  c->files.add_to(command, "FILE", "; of several there is a table with a line each");
   add_options(command, DescribeTexts::options, c->asked);
   add_options(command, SoilTexts::options, c->asked.soil);
   command.add_flag("--sediment", c->sediment,
@@ -151,6 +149,7 @@ Run add_describe(CLI::App &app) {
               "tell from its limit; the report says which."),
       {"mdm describe sand.csv", "mdm describe sand.csv --sediment", "mdm describe sand.csv --d 5,16,84,95",
        "mdm describe bh1.csv bh2.csv bh3.csv --format csv -o table.csv",
+       "mdm describe boreholes.xlsx --all-sheets",
        "mdm describe sand.csv --liquid-limit 30 --plastic-limit 22",
        "mdm describe report.ags --specimen-id BH1 --format json -o bh1.json"}));
   return [c] { return run(*c); };

@@ -6,6 +6,7 @@
 #include "cli/plot_flag.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_file.hpp"
+#include "cli/sample_files.hpp"
 #include "cli/sample_names.hpp"
 #include "cli/specification_file.hpp"
 #include "cli/whole_number.hpp"
@@ -27,7 +28,7 @@ namespace mdm::cli {
 namespace {
 
 struct JudgeCommand {
-  std::vector<std::string> files;
+  SampleFiles files;
   std::optional<std::string> spec, stability, base, rule, rounding;
   bool dispersive = false, no_regrade = false;
   ReadingFlags reading;
@@ -45,7 +46,7 @@ void check(const JudgeCommand &c) {
   if (!c.base && (c.rule || c.dispersive || c.no_regrade))
     throw InputError(option("rule") + ", " + option("dispersive") + " and " + option("no-regrade") +
                      " are about filters: give " + option("filter-for") + " too");
-  std::vector<std::string> inputs = c.files;
+  std::vector<std::string> inputs = c.files.paths;
   for (const std::optional<std::string> &more : {c.spec, c.base})
     if (more)
       inputs.push_back(*more);
@@ -89,22 +90,17 @@ DrawnCurve drawn(const UnderstoodGradation &g, const Judgement &judged, std::vec
           std::move(missed)};
 }
 
-UnderstoodGradation sample_in(const JudgeCommand &c, const std::string &file) {
-  return any_gradation(file, c.reading, c.output.quiet);
-}
-
 Judged by_specification(const JudgeCommand &c) {
   const std::optional<Rational> unit = rounding_of(c.rounding);
   ConformityReport r{specification_at(*c.spec), {}};
   CurvesFigure figure{r.specification.id, {}, envelope_of(r.specification), {}};
-  std::vector<UnderstoodGradation> sheets;
-  for (const std::string &file : c.files) {
-    sheets.push_back(sample_in(c, file));
-    r.samples.push_back(in_file(file, [&] { return judge(sheets.back(), r.specification, unit); }));
-  }
-  tell_apart(r.samples, &Conformity::id, c.files);
-  for (std::size_t i = 0; i < sheets.size(); ++i)
-    figure.curves.push_back(drawn(sheets[i], r.samples[i], missed_sizes(r.samples[i])));
+  const ReadSamples read = c.files.read(c.reading, c.output.quiet);
+  for (std::size_t i = 0; i < read.samples.size(); ++i)
+    r.samples.push_back(
+        in_file(read.files[i], [&] { return judge(read.samples[i], r.specification, unit); }));
+  tell_apart(r.samples, &Conformity::id, read.files);
+  for (std::size_t i = 0; i < read.samples.size(); ++i)
+    figure.curves.push_back(drawn(read.samples[i], r.samples[i], missed_sizes(r.samples[i])));
   return {report(c, r, conformity_text, conformity_json, conformity_csv),
           all_notes(r.specification.notes, r.samples), r.verdict(), std::move(figure)};
 }
@@ -123,14 +119,13 @@ Judged by_stability(const JudgeCommand &c) {
   const std::optional<Rational> unit = rounding_of(c.rounding);
   RuleReport r{std::string(name(*rule)), std::string(about(*rule)), {}, {}, {}};
   CurvesFigure figure;
-  std::vector<UnderstoodGradation> sheets;
-  for (const std::string &file : c.files) {
-    sheets.push_back(sample_in(c, file));
-    r.samples.push_back(in_file(file, [&] { return judge_stability(sheets.back(), *rule, unit); }));
-  }
-  tell_apart(r.samples, &RuleJudgement::id, c.files);
-  for (std::size_t i = 0; i < sheets.size(); ++i)
-    figure.curves.push_back(drawn(sheets[i], r.samples[i]));
+  const ReadSamples read = c.files.read(c.reading, c.output.quiet);
+  for (std::size_t i = 0; i < read.samples.size(); ++i)
+    r.samples.push_back(
+        in_file(read.files[i], [&] { return judge_stability(read.samples[i], *rule, unit); }));
+  tell_apart(r.samples, &RuleJudgement::id, read.files);
+  for (std::size_t i = 0; i < read.samples.size(); ++i)
+    figure.curves.push_back(drawn(read.samples[i], r.samples[i]));
   return by_rule(c, r, std::move(figure));
 }
 
@@ -142,16 +137,15 @@ Judged by_filter_rule(const JudgeCommand &c) {
   if (!rule)
     throw InputError(
         fmt::format("{}: {} is none of {}", option("rule"), in_quotes(*c.rule), filter_rule_names()));
-  std::vector<UnderstoodGradation> filters;
-  for (const std::string &file : c.files)
-    filters.push_back(sample_in(c, file));
-  const UnderstoodGradation base = sample_in(c, *c.base);
-  RuleReport r = judge_filters(filters, base, {*rule, c.dispersive, !c.no_regrade}, rounding_of(c.rounding));
-  tell_apart(r.samples, &RuleJudgement::id, c.files);
+  const ReadSamples filters = c.files.read(c.reading, c.output.quiet);
+  const UnderstoodGradation base = any_gradation(*c.base, c.reading, c.output.quiet);
+  RuleReport r =
+      judge_filters(filters.samples, base, {*rule, c.dispersive, !c.no_regrade}, rounding_of(c.rounding));
+  tell_apart(r.samples, &RuleJudgement::id, filters.files);
   CurvesFigure figure;
   figure.curves.push_back({"base: " + base.gradation.id(), base.gradation, DrawnCurve::Weight::dashed});
-  for (std::size_t i = 0; i < filters.size(); ++i)
-    figure.curves.push_back(drawn(filters[i], r.samples[i]));
+  for (std::size_t i = 0; i < filters.samples.size(); ++i)
+    figure.curves.push_back(drawn(filters.samples[i], r.samples[i]));
   return by_rule(c, r, std::move(figure));
 }
 
@@ -181,7 +175,7 @@ Run add_judge(CLI::App &app) {
   const auto c = std::make_shared<JudgeCommand>();
   CLI::App &command = *app.add_subcommand(
       "judge", "Whether samples keep a specification, are stable, or filter a base, whatever was rounded");
-  command.add_option("SAMPLE", c->files, several_samples_help)->required();
+  c->files.add_to(command, "SAMPLE");
   command.add_option("--spec", c->spec, specification_help())->type_name("FILE|NAME");
   command
       .add_option("--stability", c->stability,

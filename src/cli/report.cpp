@@ -4,7 +4,7 @@
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/reading_flags.hpp"
-#include "cli/sample_file.hpp"
+#include "cli/sample_files.hpp"
 #include "cli/sample_names.hpp"
 #include "cli/specification_file.hpp"
 #include "document/laboratory_report.hpp"
@@ -24,7 +24,8 @@ namespace mdm::cli {
 namespace {
 
 struct ReportCommand {
-  std::vector<std::string> files, fields;
+  SampleFiles files;
+  std::vector<std::string> fields;
   std::optional<std::string> spec, rounding, client, title, out, format;
   DescribeTexts asked;
   ReadingFlags reading;
@@ -69,9 +70,10 @@ LaboratoryReport reported(const ReportCommand &c) {
     throw InputError(option("rounding") + " is about verdicts: give " + option("spec") + " too");
   if (c.spec)
     r.conformity = ConformityReport{specification_at(*c.spec), {}};
-  for (const std::string &file : c.files) {
-    UnderstoodGradation sheet = any_gradation(file, c.reading, c.quiet);
-    in_file(file, [&] {
+  ReadSamples read = c.files.read(c.reading, c.quiet);
+  for (std::size_t i = 0; i < read.samples.size(); ++i) {
+    UnderstoodGradation &sheet = read.samples[i];
+    in_file(read.files[i], [&] {
       const Gradation g = c.asked.soil.with_pan(sheet.gradation);
       if (r.conformity)
         r.conformity->samples.push_back(judge(sheet, r.conformity->specification, rounding));
@@ -79,9 +81,9 @@ LaboratoryReport reported(const ReportCommand &c) {
     });
   }
   tell_apart(
-      r.samples, [](ReportedSample &s) -> std::string & { return s.description.id; }, c.files);
+      r.samples, [](ReportedSample &s) -> std::string & { return s.description.id; }, read.files);
   if (r.conformity)
-    tell_apart(r.conformity->samples, &Conformity::id, c.files);
+    tell_apart(r.conformity->samples, &Conformity::id, read.files);
   return r;
 }
 
@@ -107,7 +109,7 @@ std::string content(const LaboratoryReport &r, Form form) {
 
 int run(const ReportCommand &c) {
   const Form form = form_of(c);
-  std::vector<std::string> inputs = c.files;
+  std::vector<std::string> inputs = c.files.paths;
   if (c.spec)
     inputs.push_back(*c.spec);
   check_paths(inputs, {c.out.value_or("-")});
@@ -127,7 +129,7 @@ Run add_report(CLI::App &app) {
   const auto c = std::make_shared<ReportCommand>();
   CLI::App &command = *app.add_subcommand(
       "report", "The laboratory's report of samples: curves, tables, index numbers, groups, verdicts");
-  command.add_option("SAMPLE", c->files, several_samples_help)->required();
+  c->files.add_to(command, "SAMPLE");
   command.add_option("--spec", c->spec, specification_help())->type_name("FILE|NAME");
   command.add_option("--rounding", c->rounding, rounding_help())->type_name("UNIT");
   command.add_option("--title", c->title, "the title (Grain size report)");
@@ -152,7 +154,7 @@ Run add_report(CLI::App &app) {
                  "\n" +
                  paragraph("Exit code 1: a sample does not keep the specification for every curve that "
                            "rounds to its report. 3: a limit of precision; the report says where."),
-             {"mdm report sand.csv -o sand.html",
+             {"mdm report sand.csv -o sand.html", "mdm report boreholes.xlsx --all-sheets -o r.html",
               "mdm report a.xlsx b.xlsx --spec astm-c33-fine --client \"Harbour Ltd\" -o r.html",
               "mdm report sand.csv --field Project=Quay --field \"Sampled=2026-05-04\" -o sand.pdf"}));
   return [c] { return run(*c); };

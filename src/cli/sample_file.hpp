@@ -52,11 +52,6 @@ std::vector<std::string> read_sample_file(const std::string &path, const Particl
 /// Refuses a file that holds particles or a set where a gradation is wanted, and says what makes one of it.
 void refuse_sample(const std::string &path);
 
-/// What commands say of the files that any_gradation reads.
-inline const std::string several_samples_help = "gradations (any that mdm convert reads), sets of mdm "
-                                                "generate, or files of particles as mdm verify reads; "
-                                                "- for standard input";
-
 /// The gradation that a file is, or that a set of mdm generate or a sample of particles in it has.
 /// \throws InputError naming the file
 UnderstoodGradation any_gradation(const std::string &path, const ReadingFlags &reading, bool quiet,

@@ -224,48 +224,59 @@ Gradation read_gradation_file(const std::string &path, const Reading &reading) {
 
 namespace {
 
-std::vector<UnreadGradation> sheets_in(std::string content, const std::string &file, const Reading &reading) {
-  const Source source(file);
-  source.check_length(content, max_gradation_bytes);
-  const std::vector<std::string> names = written_sheets(content, source);
-  const auto whole = std::make_shared<const std::string>(std::move(content));
-  std::vector<UnreadGradation> all;
-  for (const std::string &name : names) {
-    Reading one = reading;
-    one.sheet = name;
-    all.push_back({names.size() == 1 ? stem(file) : stem(file) + "/" + name,
-                   [whole, file, one] { return read_gradation(*whole, file, one); }});
+std::vector<Reading> readings_of_sheets(std::string_view content, const Source &source,
+                                        const Reading &reading) {
+  std::vector<Reading> all;
+  for (const std::string &name : written_sheets(content, source)) {
+    all.push_back(reading);
+    all.back().sheet = name;
   }
   if (all.empty())
     source.refuse(1, "nothing is written in the sheets of this workbook: give one with a gradation");
   return all;
 }
 
+std::vector<UnreadGradation> specimens_in(std::string_view content, const std::string &file,
+                                          const Reading &reading) {
+  const Source source(file);
+  check_reading(reading, source, FileKind::other);
+  source.check_length(content, max_gradation_bytes);
+  const std::string_view text = without_byte_order_mark(content);
+  source.check_line_ends(text);
+  return ags4_specimens(text, file, stem(file));
+}
+
 } // namespace
+
+std::vector<Reading> readings_of(std::string_view content, const std::string &file, const Reading &reading) {
+  const Source source(file);
+  source.check_length(content, max_gradation_bytes);
+  if (is_workbook(content) && !reading.sheet)
+    return readings_of_sheets(content, source, reading);
+  if (!is_ags4(content) || reading.specimen)
+    return {reading};
+  std::vector<Reading> all;
+  for (const UnreadGradation &specimen : specimens_in(content, file, reading)) {
+    all.push_back(reading);
+    all.back().specimen = specimen.id;
+  }
+  return all;
+}
 
 std::vector<UnreadGradation> gradations_in(std::string content, const std::string &file,
                                            const Reading &reading) {
-  if (is_ags4(content) && !reading.specimen) {
-    const Source source(file);
-    check_reading(reading, source, FileKind::other);
-    source.check_length(content, max_gradation_bytes);
-    const std::string_view text = without_byte_order_mark(content);
-    source.check_line_ends(text);
-    std::vector<UnreadGradation> all = ags4_specimens(text, file, stem(file));
-    if (!reading.round)
-      return all;
-    const auto whole = std::make_shared<const std::string>(content);
-    for (UnreadGradation &g : all) {
-      Reading one = reading;
-      one.specimen = g.id;
-      g.read = [whole, file, one] { return read_gradation(*whole, file, one); };
-    }
-    return all;
+  if (is_ags4(content) && !reading.specimen && !reading.round)
+    return specimens_in(content, file, reading);
+  const std::vector<Reading> readings = readings_of(content, file, reading);
+  const auto whole = std::make_shared<const std::string>(std::move(content));
+  std::vector<UnreadGradation> all;
+  for (const Reading &one : readings) {
+    const std::string id = one.specimen && !reading.specimen ? *one.specimen
+                           : readings.size() == 1            ? stem(file)
+                                                             : stem(file) + "/" + one.sheet.value_or("");
+    all.push_back({id, [whole, file, one] { return read_gradation(*whole, file, one); }});
   }
-  if (is_workbook(content) && !reading.sheet)
-    return sheets_in(std::move(content), file, reading);
-  return {{stem(file),
-           [content = std::move(content), file, reading] { return read_gradation(content, file, reading); }}};
+  return all;
 }
 
 Gradation gradation_of(const std::vector<std::string> &sizes, const std::vector<std::string> &masses,

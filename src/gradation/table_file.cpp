@@ -7,6 +7,9 @@
 #include "gradation/upright.hpp"
 #include "gradation/workbook.hpp"
 #include "text/option_name.hpp"
+#include "text/short_list.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -45,10 +48,9 @@ Table read_text_table(std::string_view text, const Source &source, const std::st
   refuse_table(first ? *first : cells_of_text(text, ',', skip, source), reading, source);
 }
 
-Table read_sheet_table(std::string_view bytes, const Source &source, const std::string &file_id,
-                       const Reading &reading) {
-  Cells cells = read_workbook(bytes, reading.sheet, source);
-  const std::string id = cells.sheet.empty() ? file_id : file_id + "/" + cells.sheet;
+namespace {
+
+Table table_of_sheet(Cells cells, const Source &source, const std::string &id, const Reading &reading) {
   if (reading.skip)
     cells.rows.erase(cells.rows.begin(),
                      std::find_if(cells.rows.begin(), cells.rows.end(),
@@ -59,6 +61,33 @@ Table read_sheet_table(std::string_view bytes, const Source &source, const std::
   const std::optional<Cells> turned = find_columns(cells, reading, source) ? std::nullopt : upright(cells);
   const bool is_turned = turned && find_columns(*turned, reading, source);
   return read_lab_table(is_turned ? *turned : cells, source, id, reading);
+}
+
+/// What is said of sheets that nobody chose: something is written there too.
+std::optional<std::string> note_on_others(std::string_view bytes, const std::string &sheet,
+                                          const Source &source) {
+  ShortList others;
+  for (const std::string &name : written_sheets(bytes, source))
+    if (name != sheet)
+      others.add(name);
+  if (others.empty())
+    return std::nullopt;
+  return fmt::format("Other sheets of the workbook are not read: {}; {} chooses one.", others.text(),
+                     option("sheet"));
+}
+
+} // namespace
+
+Table read_sheet_table(std::string_view bytes, const Source &source, const std::string &file_id,
+                       const Reading &reading) {
+  Cells cells = read_workbook(bytes, reading.sheet, source);
+  const std::string sheet = cells.sheet;
+  Table table =
+      table_of_sheet(std::move(cells), source, sheet.empty() ? file_id : file_id + "/" + sheet, reading);
+  if (!sheet.empty() && !reading.sheet)
+    if (const std::optional<std::string> note = note_on_others(bytes, sheet, source))
+      table.notes.push_back(*note);
+  return table;
 }
 
 } // namespace mdm

@@ -258,6 +258,31 @@ def test_a_batch_has_all_written_sheets(folder):
     check(run.returncode == 2 and statuses == ["optimal", "error"], f"a sheet of remarks: {run.stdout}{run.stderr}")
 
 
+def test_all_sheets_are_samples_where_that_is_asked_for(folder):
+    path = workbook_with(folder / "two.xlsx", {"xl/worksheets/sheet2.xml": cells([["Size (mm)", "Mass (g)"], [2, 0], [1, 3]])})
+    named = ["two/Grain size", "two/Remarks"]
+    run = mdm("describe", path, "--all-sheets", "--format", "json")
+    check([json.loads(line)["id"] for line in run.stdout.splitlines()] == named, f"describe: {run.stdout}{run.stderr}")
+    run = mdm("judge", path, "--all-sheets", "--spec", "astm-c33-fine", "--format", "json")
+    check([sample["id"] for sample in json.loads(run.stdout)["samples"]] == named, f"judge: {run.stdout}{run.stderr}")
+    run = mdm("report", path, FORMATS.parent / "athabasca-sand.csv", "--all-sheets", "--format", "json")
+    ids = [sample["description"]["id"] for sample in json.loads(run.stdout)["samples"]]
+    check(ids == [*named, "athabasca-sand"], f"report: {ids}{run.stderr}")
+    site = FORMATS / "site.ags"
+    run = mdm("describe", site, "--all-sheets", "--format", "json")
+    check(len(run.stdout.splitlines()) > 1, f"specimens: {run.stdout}{run.stderr}")
+    run = mdm("describe", path, "--all-sheets", "--sheet", "Remarks")
+    check(run.returncode == 2 and "--all-sheets reads all: leave out --sheet" in run.stderr, f"--sheet: {run.stderr}")
+
+
+def test_other_sheets_are_named(folder):
+    table = cells([["Size (mm)", "Mass (g)"], [2, 0], [1, 3]])
+    words = "Other sheets of the workbook are not read: 'Remarks'; --sheet chooses one."
+    for rows, more, said in ((table, [], True), (sheet(""), [], False), (table, ["--sheet", "Grain size"], False)):
+        run = mdm("solve", workbook_with(folder / "two.xlsx", {"xl/worksheets/sheet2.xml": rows}), *more)
+        check(run.returncode == 0 and (words in run.stdout) == said, f"{more}: {run.stdout}{run.stderr}")
+
+
 def test_hostile_workbooks(folder):
     first = "xl/worksheets/sheet1.xml"
     cases = {
@@ -316,6 +341,8 @@ with tempfile.TemporaryDirectory() as name:
     test_cells_of_workbooks(work)
     test_sheets_have_ids(work)
     test_a_batch_has_all_written_sheets(work)
+    test_all_sheets_are_samples_where_that_is_asked_for(work)
+    test_other_sheets_are_named(work)
     test_hostile_workbooks(work)
     test_hostile_texts(work)
 print("failures:", len(failures))

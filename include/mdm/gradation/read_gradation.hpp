@@ -72,14 +72,19 @@ Gradation read_gradation(std::string_view content, const std::string &file, cons
 /// \throws InputError naming the file, also where it cannot be read
 Gradation read_gradation_file(const std::string &path, const Reading &reading = {});
 
+/// The readings that give the gradations of a file one by one: of AGS4 all specimens where `reading` names
+/// none, of a workbook all sheets in which something is written where it names none, else one.
+/// \throws InputError where the file does not say which there are
+std::vector<Reading> readings_of(std::string_view content, const std::string &file,
+                                 const Reading &reading = {});
+
 /// One of the gradations of a file, which is still to be read.
 struct UnreadGradation {
   std::string id;
   std::function<Gradation()> read; ///< \throws InputError as read_gradation
 };
 
-/// The gradations of a file: of AGS4 all specimens where `reading` names none, of a workbook all sheets in
-/// which something is written where it names none, else one. Several threads may read them.
+/// The gradations of a file, as readings_of has them. Several threads may read them.
 /// \throws InputError where the file does not say which there are
 std::vector<UnreadGradation> gradations_in(std::string content, const std::string &file,
                                            const Reading &reading = {});
