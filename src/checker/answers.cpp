@@ -128,14 +128,16 @@ private:
 };
 
 constexpr const char *csv_columns = "id,class,lower,upper,share_percent,quantity,size_lo,size_hi";
+constexpr const char *tolerant_columns = "id,class,lower,upper,match_share_percent,quantity,size_lo,size_hi";
 
-/// Whether the line is the header of answers in CSV, in whatever unit.
+/// Whether the line is the header of answers in CSV, in whatever unit. The shares are not compared: a table
+/// may say that they are those of the matches.
 bool is_csv_header(const std::string &line) {
   std::string names = line;
   for (const std::string unit : {"_mm", "_um", "_m"})
     for (std::size_t at = names.find(unit + ","); at != std::string::npos; at = names.find(unit + ","))
       names.erase(at, unit.size());
-  return names.starts_with(csv_columns);
+  return names.starts_with(csv_columns) || names.starts_with(tolerant_columns);
 }
 
 /// Column 1 is the class, from 1.

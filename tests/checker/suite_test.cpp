@@ -295,6 +295,9 @@ TEST_CASE("answers in CSV are compared, and answers that are too many, too few o
     return run({"--suite", s.file, s.proofs, "--answers", answers});
   };
   CHECK(outcome(header + rows + rows).exit_code == 0);
+  std::string of_matches = header;
+  of_matches.insert(header.find("share"), "match_");
+  CHECK(outcome(of_matches + rows + rows).exit_code == 0);
   std::string wrong = rows;
   wrong.replace(wrong.find(",3,1.88"), 2, ",2");
   CHECK(outcome(header + rows + wrong).out.find("class 1 has 2 particles") != std::string::npos);
