@@ -266,7 +266,7 @@ def test_all_sheets_are_samples_where_that_is_asked_for(folder):
     run = mdm("judge", path, "--all-sheets", "--spec", "astm-c33-fine", "--format", "json")
     check([sample["id"] for sample in json.loads(run.stdout)["samples"]] == named, f"judge: {run.stdout}{run.stderr}")
     run = mdm("report", path, FORMATS.parent / "athabasca-sand.csv", "--all-sheets", "--format", "json")
-    ids = [sample["description"]["id"] for sample in json.loads(run.stdout)["samples"]]
+    ids = [sample["id"] for sample in json.loads(run.stdout)["descriptions"]]
     check(ids == [*named, "athabasca-sand"], f"report: {ids}{run.stderr}")
     site = FORMATS / "site.ags"
     run = mdm("describe", site, "--all-sheets", "--format", "json")
