@@ -27,7 +27,7 @@ class Result:
         return {name: sum(row["verdict"] in verdicts for row in self.rows) for name, (verdicts, _) in COLUMNS.items()}
 
     def line(self):
-        counts = "".join(f"{n:12}" for n in self.counts().values()) if self.rows else "  not run"
+        counts = "".join(f"{n:12}" for n in self.counts().values()) if self.rows else f"   {self.version}"
         return f"{self.solver:16}{self.level:10}{counts}"
 
     def shown_example(self):
@@ -42,7 +42,7 @@ class Result:
 def text(results, terms):
     heading = f"{'solver':16}{'level':10}" + "".join(f"{name:>12}" for name in COLUMNS)
     lines = [f"The league: {terms}", "", heading, *(result.line() for result in results), ""]
-    lines += [f"{solver}: {version}" for solver, version in dict((r.solver, r.version) for r in results).items()]
+    lines += [f"{solver}: {version}" for solver, version in dict.fromkeys((r.solver, r.version) for r in results)]
     certificates, accepted = (sum(getattr(r, name) for r in results) for name in ("certificates", "accepted"))
     lines += ["", f"mdm-check accepts {accepted} of {certificates} certificates of answers.", "", "Shortest answers that are no match:"]
     lines += [example for example in (r.shown_example() for r in results) if example] or ["none"]
@@ -83,7 +83,7 @@ def page(results, terms):
 
     head, *rows = csv.reader(io.StringIO(table(results)))
     examples = "".join(f"<li>{html.escape(e)}</li>\n" for e in (r.shown_example() for r in results) if e)
-    style = "body{font:15px sans-serif;margin:2em;max-width:70em}td,th{padding:.2em .6em;text-align:left}tr:nth-child(even){background:#f3f3f1}"
+    style = "body{font:15px sans-serif;margin:2em;max-width:70em}td,th{padding:.2em .6em;text-align:left;white-space:nowrap}tr:nth-child(even){background:#f3f3f1}"
     return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>The league of solvers</title><style>{style}</style></head>\n'
             f"<body><h1>The league of solvers</h1>\n<p>{html.escape(terms)}.</p>\n{picture(results)}<table>\n"
             + row([name.replace("_", " ") for name in head], "th") + "".join(map(row, rows))

@@ -77,7 +77,8 @@ class League(unittest.TestCase):
         found = {(row["solver"], row["level"]): row for row in rows}
         self.assertEqual(found["z3", "lower"]["right"], "1")
         self.assertEqual(found["z3", "tolerance"]["right"], "1")
-        self.assertEqual(found["float_sweep", "tolerance"]["gave_up"], "1")
+        self.assertEqual(found["float_sweep", "lower"]["right"], "1")
+        self.assertEqual((found["float_sweep", "tolerance"]["asked"], found["float_sweep", "tolerance"]["version"]), ("0", "exact matches alone"))
 
     def test_goes_on_where_it_was_interrupted(self):
         once = self.run_league("honest", "twice", "one_fewer", sample=4, output="once")
