@@ -4,6 +4,10 @@
 
 #include <mdm/number/integer.hpp>
 
+#ifndef __SIZEOF_INT128__
+#error "exactmdm needs integers of 128 bits: g++ and clang have them for processors of 64 bits, and for WebAssembly"
+#endif
+
 namespace mdm {
 
 /// Thrown by Int128 instead of a wrong result; the computation is then repeated with Integer.
