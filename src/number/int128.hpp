@@ -5,7 +5,7 @@
 #include <mdm/number/integer.hpp>
 
 #ifndef __SIZEOF_INT128__
-#error "exactmdm needs integers of 128 bits: g++ and clang have them for processors of 64 bits, and for WebAssembly"
+#error "exactmdm needs 128-bit integers: g++ and clang have them on 64-bit machines and for WebAssembly"
 #endif
 
 namespace mdm {
