@@ -57,6 +57,9 @@ def say_version(command):
         print(f"{command[0]} is not installed")
         sys.exit(77)
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if "ModuleNotFoundError" in done.stdout:
+        print(f"{pathlib.Path(sys.argv[0]).name} is not installed")
+        sys.exit(77)
     print(re.search(r"\S.*\d+\.\d+.*|$", done.stdout)[0].strip() or command[0])
     sys.exit(0)
 
