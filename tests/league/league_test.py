@@ -20,7 +20,6 @@ ENVIRONMENT = {**os.environ, "MDM_BIN": str(PROGRAMS), "PYTHONDONTWRITEBYTECODE"
 #: Each begins with the smallest match.
 HEAD = """#!/usr/bin/python3
 import json, os, subprocess, sys, time
-if sys.argv[1:] == ["--version"]: sys.exit(print("planted 1.0"))
 done = subprocess.run([os.environ["MDM_BIN"] + "/mdm", "solve", "-", "--format", "json"], stdin=sys.stdin, stdout=subprocess.PIPE)
 q = [int(c["quantity"]) for c in json.loads(done.stdout)["classes"]]
 """
@@ -63,7 +62,7 @@ class League(unittest.TestCase):
         for row in rows:
             wanted = dict.fromkeys(columns, "0") | {PLANTED[row["solver"]][1]: "2"}
             self.assertEqual({c: row[c] for c in columns}, wanted, row["solver"])
-            self.assertEqual((row["asked"], row["version"]), ("2", "planted 1.0"))
+            self.assertEqual((row["asked"], row["version"]), ("2", "given by its path"))
             self.assertEqual(row["accepted"], row["certificates"])
         self.assertTrue(all(int(row["certificates"]) == 2 for row in rows if row["solver"] in ("honest", "twice")))
         text = (self.work / "league/league.txt").read_text()
@@ -103,6 +102,14 @@ class League(unittest.TestCase):
         done = subprocess.run(self.words("honest", sample=2, levels="lower"), env=ENVIRONMENT, capture_output=True, text=True)
         self.assertEqual(done.returncode, 1)
         self.assertIn("has a league of other terms", done.stderr)
+
+    def test_says_what_is_missing(self):
+        for names, environment, words in (("nosuch", {}, "nosuch is no program"), ("float_sweep", {"MDM_BIN": "/nowhere"}, "there is no /nowhere/mdm")):
+            done = subprocess.run([sys.executable, LEAGUE, "--solvers", names, "--output", self.work / "none"], capture_output=True, text=True,
+                                  env=ENVIRONMENT | environment)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(words, done.stderr)
+            self.assertFalse((self.work / "none").exists())
 
     def test_adapters_are_short_and_say_what_they_run(self):
         names = json.loads(re.search(r"SOLVERS = (\[.*?\])", LEAGUE.read_text(), re.S)[1])
