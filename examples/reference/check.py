@@ -148,7 +148,7 @@ def check_tolerant(g, rows, tolerance, proof):
     lines, N, t, first = iter(proof.splitlines()), sum(row.q for row in rows), [0] * g.k, rows[0].where
     demand([*islice(lines, 4)][1::2] == ["law 3", f"particles {N}"], f"{first}: {g.id} has {N} particles, its proof not")
     for j, row in ((j, row) for j, row in enumerate(rows) if row.q):
-        *names, mass, lo, hi = next(lines).split(" ")
+        *names, mass, lo, hi = next(lines, "").split(" ")
         demand(names + [lo, hi] == ["class", str(j + 1), *row.fields[5:]], f"{row.where}: this is not in the proof")
         t[j], lo, hi = Fraction(mass), row.q * row.lo ** 3, row.q * row.hi ** 3
         demand(lo <= t[j] < hi or lo == t[j] == hi, f"{row.where}: the proof has another mass of these sizes: {mass}")
