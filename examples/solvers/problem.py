@@ -102,7 +102,7 @@ def solve(kind, command, counts, version, infeasible="nothing", read=None, prepa
     def words(files):
         return [re.sub(r"{(\w+)}", lambda name: files[name[1]], word) for word in shlex.split(command)]
 
-    shown = " ".join(words({"problem": "problem." + kind, "solution": "solution", "script": "SCRIPT"}))
+    shown = shlex.join(words({"problem": "problem." + kind, "solution": "solution", "script": "SCRIPT"}))
     say_version(version, shown + (", rows scaled" if prepare else ""), **named)
     text = problem(kind)
     with tempfile.TemporaryDirectory() as folder:

@@ -53,7 +53,7 @@ class League(unittest.TestCase):
         (self.work / name).write_text(text)
         (self.work / name).chmod(0o755)
 
-    def words(self, *names, sample=2, levels="lower,higher", output="league", limit="1.5"):
+    def words(self, *names, sample=2, levels="lower,higher", output="league", limit="4"):
         solvers = ",".join(name if (SOLVERS / name.split()[0]).exists() else f"./{name}" for name in names)
         return [sys.executable, LEAGUE, "--solvers", solvers, "--sample", str(sample), "--levels", levels, "--time-limit", limit,
                 "-j", "2", "--output", output]
@@ -66,6 +66,12 @@ class League(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         with open(self.work / options.get("output", "league") / "league.csv", newline="") as file:
             return list(csv.DictReader(file))
+
+    def wait_until(self, condition, seconds=100):
+        end = time.monotonic() + seconds
+        while not condition():
+            self.assertLess(time.monotonic(), end, "not in time")
+            time.sleep(0.02)
 
     def contents(self, output):
         return [(self.work / output / name).read_text() for name in FILES]
@@ -87,7 +93,8 @@ class League(unittest.TestCase):
         text = self.contents("league")[0]
         examples, excuses = (part.splitlines() for part in re.split("Shortest answers.*:\n|\n\nWhy answers.*:\n", text)[1:])
         self.assertEqual([line.split(",")[0] for line in examples], ["one_fewer"] * 2 + ["top_heavy"] * 2)
-        self.assertRegex(examples[0], r"^one_fewer, lower: athabasca-sand, 7 classes. Answer 818 (\d+ ){5}\d+; N = 1484, of the smallest match 1485: class")
+        self.assertRegex(
+            examples[0], r"^one_fewer, lower: athabasca-sand, 7 classes. Answer 818 (\d+ ){5}\d+; N = 1484, of the smallest match 1485: class")
         self.assertIn("weary, lower: gave up: beyond 64 bits", excuses)
         for drawn in self.contents("league")[2:]:
             self.assertIn("one_fewer", drawn)
@@ -128,8 +135,7 @@ class League(unittest.TestCase):
         self.run_league(*names, sample=4, output="once")
         league = subprocess.Popen(self.words(*names, sample=4), cwd=self.work, env=ENVIRONMENT, stdout=subprocess.DEVNULL, start_new_session=True)
         journals = self.work / "league/journals"
-        while not list(journals.glob("honest-*/journal.jsonl")):
-            time.sleep(0.02)
+        self.wait_until(lambda: list(journals.glob("honest-*/journal.jsonl")))
         os.killpg(league.pid, signal.SIGKILL)
         league.wait()
         self.assertFalse((self.work / "league/league.csv").exists())
@@ -141,10 +147,24 @@ class League(unittest.TestCase):
         self.run_league(*names, sample=4)
         self.assertEqual(self.contents("league"), self.contents("once"))
 
+    def test_where_it_is_ended_so_are_solvers(self):
+        beats = self.work / "beats"
+        self.plant("beating", HEAD + f"for i in range(600): print(i, file=open({str(beats)!r}, 'a'), flush=True); time.sleep(0.1)\n")
+        league = subprocess.Popen(self.words("beating", limit="60"), cwd=self.work, env=ENVIRONMENT)
+        self.wait_until(beats.exists)
+        league.terminate()
+        self.assertEqual(league.wait(60), 128 + signal.SIGTERM)
+
+        def is_still():
+            before = beats.stat().st_size
+            time.sleep(0.5)
+            return beats.stat().st_size == before
+        self.wait_until(is_still, 20)
+
     def test_refuses_what_are_other_questions_or_no_solvers(self):
         self.run_league("honest", sample=1, levels="lower")
         self.refused("terms.json is of a league of other terms", "honest", sample=2, levels="lower")
-        self.refused("terms.json is of a league of other terms", "honest", sample=1, levels="lower", limit="2")
+        self.refused("terms.json is of a league of other terms", "honest", sample=1, levels="lower", limit="5")
         self.plant("honest", (self.work / "honest").read_text().replace("planted 1.0", "planted 1.1"))
         self.refused("solver.json is of another version of the solver", "honest", sample=1, levels="lower")
         self.refused("there is no solver ./nobody", "nobody", levels="lower")
@@ -168,11 +188,11 @@ class League(unittest.TestCase):
                 self.assertEqual(lines[row["solver"], row["level"]], [row[c] for c in COUNTED])
                 self.assertIn(f">{row['right']}/{row['asked']}</text>", picture)
         self.assertIn(picture, page)
-        for summary in (PROJECT / "examples/reference/README.md", SOLVERS / "README.md"):
-            for row in rows:
-                if not row["note"] and row["level"] == "lower":
-                    counts = [row[c] for c in COUNTED]
-                    self.assertIn("/".join(counts), summary.read_text(), row["solver"])
+        page = (PROJECT / "examples/reference/README.md").read_text()
+        for solver in dict.fromkeys(row["solver"] for row in rows if row["note"] != "not installed"):
+            cells = ["-" if row["note"] else f"{row['right']}, {sum(int(row[c]) for c in ('not_a_match', 'impossible', 'infeasible'))}"
+                     for row in rows if row["solver"] == solver]
+            self.assertIn(f"| {solver} | {' | '.join(cells)} |", page)
 
 
 unittest.main()
