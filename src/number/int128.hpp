@@ -4,6 +4,10 @@
 
 #include <mdm/number/integer.hpp>
 
+#ifndef __SIZEOF_INT128__
+#error "exactmdm needs 128-bit integers: g++ and clang have them on 64-bit machines and for WebAssembly"
+#endif
+
 namespace mdm {
 
 /// Thrown by Int128 instead of a wrong result; the computation is then repeated with Integer.

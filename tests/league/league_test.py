@@ -58,8 +58,9 @@ class League(unittest.TestCase):
         return [sys.executable, LEAGUE, "--solvers", solvers, "--sample", str(sample), "--levels", levels, "--time-limit", limit,
                 "-j", "2", "--output", output]
 
-    def ask(self, *names, **options):
-        return subprocess.run(self.words(*names, **options), cwd=self.work, env=ENVIRONMENT, capture_output=True, text=True, timeout=120)
+    def ask(self, *names, programs=PROGRAMS, **options):
+        return subprocess.run(self.words(*names, **options), cwd=self.work, env={**ENVIRONMENT, "MDM_BIN": str(programs)},
+                              capture_output=True, text=True, timeout=120)
 
     def run_league(self, *names, **options):
         done = self.ask(*names, **options)
@@ -76,8 +77,8 @@ class League(unittest.TestCase):
     def contents(self, output):
         return [(self.work / output / name).read_text() for name in FILES]
 
-    def refused(self, message, *names, code=1, **options):
-        done = self.ask(*names, **options)
+    def refused(self, message, *names, code=1, programs=PROGRAMS, **options):
+        done = self.ask(*names, programs=programs, **options)
         self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
         self.assertIn(message, done.stderr)
         self.assertNotIn("Traceback", done.stderr)
@@ -106,8 +107,7 @@ class League(unittest.TestCase):
         program.parent.mkdir()
         (program.parent / "mdm").symlink_to(PROGRAMS / "mdm")
         self.plant("programs/mdm-check", "#!/bin/sh\necho 'accepted: 5 particles match it'\n")
-        done = subprocess.run(self.words("one_fewer", levels="lower"), cwd=self.work, env={**ENVIRONMENT, "MDM_BIN": str(program.parent)},
-                              capture_output=True, text=True)
+        done = self.ask("one_fewer", levels="lower", programs=program.parent)
         self.assertEqual((done.returncode, done.stderr), (1, "league: mdm-check refuses 2 certificates in league\n"))
 
     def test_adapters_are_asked_within_a_tolerance_too(self):
@@ -121,7 +121,7 @@ class League(unittest.TestCase):
             self.assertEqual(int(answered["right"]) + int(answered["larger"]), 1, solver)
             asked = found[solver, "tolerance"]
             self.assertEqual((asked["asked"], asked["note"]), ("0", "exact matches alone"), solver)
-        self.assertEqual(found["stranger", "lower"]["version"], "unknown")
+        self.assertEqual(found["stranger", "lower"]["version"], "given by its path")
 
     def test_a_solver_that_is_missing_is_said(self):
         self.plant("absent", "#!/bin/sh\necho not installed\nexit 77\n")
@@ -167,8 +167,10 @@ class League(unittest.TestCase):
         self.refused("terms.json is of a league of other terms", "honest", sample=1, levels="lower", limit="5")
         self.plant("honest", (self.work / "honest").read_text().replace("planted 1.0", "planted 1.1"))
         self.refused("solver.json is of another version of the solver", "honest", sample=1, levels="lower")
-        self.refused("there is no solver ./nobody", "nobody", levels="lower")
-        self.refused("a level is one of", "honest", code=2, levels="lowest")
+        self.refused("./nobody is no program: give a path, or one of z3, scipy", "nobody", code=2, output="none")
+        self.refused("a level is one of", "honest", code=2, levels="lowest", output="none")
+        self.refused("there is no /nowhere/mdm: have it on PATH", "honest", code=2, output="none", programs="/nowhere")
+        self.assertFalse((self.work / "none").exists())
 
     def test_adapters_are_short_and_say_what_they_run(self):
         for name in json.loads(re.search(r"SOLVERS = (\[.*?\])", LEAGUE.read_text(), re.S)[1]):

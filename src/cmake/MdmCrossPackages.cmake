@@ -1,5 +1,6 @@
-# The packages of the build as WebAssembly: the machine's header-only libraries, seen through a folder of their own, because
-# the rest of its headers is for another machine; and what src/web/libraries has built in CMAKE_FIND_ROOT_PATH.
+# The packages of a build for another machine, as WebAssembly is one: this machine's header-only libraries, seen through a folder of
+# their own, because the rest of its headers is for this machine; and those in CMAKE_FIND_ROOT_PATH, for WebAssembly what
+# src/web/libraries has built.
 set(headers ${PROJECT_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${headers})
 
