@@ -12,28 +12,34 @@ import sys
 import tempfile
 import time
 import unittest
+import xml.etree.ElementTree
 
 PROGRAMS, PROJECT = (pathlib.Path(word).resolve() for word in (sys.argv.pop(1), sys.argv.pop(1)))
-LEAGUE = PROJECT / "examples/solvers/league"
+SOLVERS = PROJECT / "examples/solvers"
+LEAGUE = SOLVERS / "league"
 ENVIRONMENT = {**os.environ, "MDM_BIN": str(PROGRAMS), "PYTHONDONTWRITEBYTECODE": "1"}
+FILES = ("league.txt", "league.csv", "league.svg", "league.html")
 
 #: Each begins with the smallest match.
 HEAD = """#!/usr/bin/python3
 import json, os, subprocess, sys, time
+if sys.argv[1:] == ["--version"]: sys.exit(print("planted 1.0"))
 done = subprocess.run([os.environ["MDM_BIN"] + "/mdm", "solve", "-", "--format", "json"], stdin=sys.stdin, stdout=subprocess.PIPE)
 q = [int(c["quantity"]) for c in json.loads(done.stdout)["classes"]]
 """
 #: What a solver does, and in which column its answers are.
 PLANTED = {
     "honest": ("print(json.dumps({'quantities': q}))", "right"),
-    "one_fewer": ("q[0] -= 1; print(json.dumps({'quantities': q}))", "not_a_match"),
+    "one_fewer": ("q[0] -= 1; print(json.dumps({'quantities': q}))", "impossible"),
+    "top_heavy": ("q[-1] *= 10**6; print(json.dumps({'quantities': q}))", "not_a_match"),
     "twice": ("print(json.dumps({'quantities': [2 * n for n in q]}))", "larger"),
     "pessimist": ("print(json.dumps({'status': 'infeasible'}))", "infeasible"),
-    "weary": ("print(json.dumps({'status': 'gave up'}))", "gave_up"),
+    "weary": ("print(json.dumps({'status': 'gave up', 'reason': 'beyond 64 bits'}))", "gave_up"),
     "falling": ("os.abort()", "failed"),
     "mumbling": ("print('quantities: 12')", "failed"),
     "hanging": ("time.sleep(60)", "timeout"),
 }
+COUNTED = ("right", "larger", "not_a_match", "impossible", "infeasible", "gave_up", "timeout", "failed")
 
 
 class League(unittest.TestCase):
@@ -41,86 +47,154 @@ class League(unittest.TestCase):
         self.work = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.work)
         for name, (end, _) in PLANTED.items():
-            (self.work / name).write_text(HEAD + end + "\n")
-            (self.work / name).chmod(0o755)
+            self.plant(name, HEAD + end + "\n")
 
-    def words(self, *names, sample=2, levels="lower,higher", output="league"):
-        solvers = ",".join(name if (PROJECT / "examples/solvers" / name).exists() else str(self.work / name) for name in names)
-        return [sys.executable, LEAGUE, "--solvers", solvers, "--sample", str(sample), "--levels", levels, "--time-limit", "1.5",
-                "-j", "2", "--output", self.work / output]
+    def plant(self, name, text):
+        (self.work / name).write_text(text)
+        (self.work / name).chmod(0o755)
+
+    def words(self, *names, sample=2, levels="lower,higher", output="league", limit="4"):
+        solvers = ",".join(name if (SOLVERS / name.split()[0]).exists() else f"./{name}" for name in names)
+        return [sys.executable, LEAGUE, "--solvers", solvers, "--sample", str(sample), "--levels", levels, "--time-limit", limit,
+                "-j", "2", "--output", output]
+
+    def ask(self, *names, programs=PROGRAMS, **options):
+        return subprocess.run(self.words(*names, **options), cwd=self.work, env={**ENVIRONMENT, "MDM_BIN": str(programs)},
+                              capture_output=True, text=True, timeout=120)
 
     def run_league(self, *names, **options):
-        done = subprocess.run(self.words(*names, **options), env=ENVIRONMENT, capture_output=True, text=True, timeout=120)
+        done = self.ask(*names, **options)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         with open(self.work / options.get("output", "league") / "league.csv", newline="") as file:
             return list(csv.DictReader(file))
 
+    def wait_until(self, condition, seconds=100):
+        end = time.monotonic() + seconds
+        while not condition():
+            self.assertLess(time.monotonic(), end, "not in time")
+            time.sleep(0.02)
+
+    def contents(self, output):
+        return [(self.work / output / name).read_text() for name in FILES]
+
+    def refused(self, message, *names, code=1, programs=PROGRAMS, **options):
+        done = self.ask(*names, programs=programs, **options)
+        self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
+        self.assertIn(message, done.stderr)
+        self.assertNotIn("Traceback", done.stderr)
+
     def test_every_answer_is_in_its_column(self):
         rows = self.run_league(*PLANTED)
         self.assertEqual(len(rows), 2 * len(PLANTED))
-        columns = {column for _, column in PLANTED.values()}
         for row in rows:
-            wanted = dict.fromkeys(columns, "0") | {PLANTED[row["solver"]][1]: "2"}
-            self.assertEqual({c: row[c] for c in columns}, wanted, row["solver"])
-            self.assertEqual((row["asked"], row["version"]), ("2", "given by its path"))
-            self.assertEqual(row["accepted"], row["certificates"])
-        self.assertTrue(all(int(row["certificates"]) == 2 for row in rows if row["solver"] in ("honest", "twice")))
-        text = (self.work / "league/league.txt").read_text()
-        examples = text.split("Shortest answers that are no match:\n")[1].splitlines()
-        self.assertEqual([line.split(",")[0] for line in examples], ["one_fewer", "one_fewer"])
-        for ending in ("svg", "html"):
-            self.assertIn("one_fewer", (self.work / f"league/league.{ending}").read_text())
+            self.assertEqual({c: row[c] for c in COUNTED}, dict.fromkeys(COUNTED, "0") | {PLANTED[row["solver"]][1]: "2"}, row["solver"])
+            self.assertEqual((row["asked"], row["version"]), ("2", "planted 1.0"))
+            answers = "2" if row["solver"] in ("honest", "twice", "one_fewer", "top_heavy") else "0"
+            self.assertEqual((row["certificates"], row["accepted"]), (answers, answers), row["solver"])
+        text = self.contents("league")[0]
+        examples, excuses = (part.splitlines() for part in re.split("Shortest answers.*:\n|\n\nWhy answers.*:\n", text)[1:])
+        self.assertEqual([line.split(",")[0] for line in examples], ["one_fewer"] * 2 + ["top_heavy"] * 2)
+        self.assertRegex(
+            examples[0], r"^one_fewer, lower: athabasca-sand, 7 classes. Answer 818 (\d+ ){5}\d+; N = 1484, of the smallest match 1485: class")
+        self.assertIn("weary, lower: gave up: beyond 64 bits", excuses)
+        for drawn in self.contents("league")[2:]:
+            self.assertIn("one_fewer", drawn)
+        xml.etree.ElementTree.fromstring(self.contents("league")[2])
+
+    def test_a_forged_certificate_is_refused(self):
+        self.run_league("one_fewer", levels="lower")
+        program = self.work / "programs/mdm-check"
+        program.parent.mkdir()
+        (program.parent / "mdm").symlink_to(PROGRAMS / "mdm")
+        self.plant("programs/mdm-check", "#!/bin/sh\necho 'accepted: 5 particles match it'\n")
+        done = self.ask("one_fewer", levels="lower", programs=program.parent)
+        self.assertEqual((done.returncode, done.stderr), (1, "league: mdm-check refuses 2 certificates in league\n"))
 
     def test_adapters_are_asked_within_a_tolerance_too(self):
-        rows = self.run_league("z3", "float_sweep", sample=1, levels="lower,tolerance")
+        self.plant("stranger", HEAD.replace("--version", "--who-are-you") + PLANTED["honest"][0])
+        rows = self.run_league("z3", "float_sweep", "published spanned-integer", "stranger", sample=1, levels="lower,tolerance", limit="20")
         found = {(row["solver"], row["level"]): row for row in rows}
-        self.assertEqual(found["z3", "lower"]["right"], "1")
-        self.assertEqual(found["z3", "tolerance"]["right"], "1")
-        self.assertEqual(found["float_sweep", "lower"]["right"], "1")
-        self.assertEqual((found["float_sweep", "tolerance"]["asked"], found["float_sweep", "tolerance"]["version"]), ("0", "exact matches alone"))
+        if found["z3", "lower"]["note"] != "not installed":
+            self.assertEqual([found["z3", level]["right"] for level in ("lower", "tolerance")], ["1", "1"])
+        for solver in ("float_sweep", "published spanned-integer", "stranger"):
+            answered = found[solver, "lower"]
+            self.assertEqual(int(answered["right"]) + int(answered["larger"]), 1, solver)
+            asked = found[solver, "tolerance"]
+            self.assertEqual((asked["asked"], asked["note"]), ("0", "exact matches alone"), solver)
+        self.assertEqual(found["stranger", "lower"]["version"], "given by its path")
+
+    def test_a_solver_that_is_missing_is_said(self):
+        self.plant("absent", "#!/bin/sh\necho not installed\nexit 77\n")
+        rows = self.run_league("absent", "honest", levels="lower")
+        self.assertEqual([(row["solver"], row["note"], row["right"]) for row in rows], [("absent", "not installed", "0"), ("honest", "", "2")])
+        for drawn in self.contents("league"):
+            self.assertIn("not installed", drawn)
 
     def test_goes_on_where_it_was_interrupted(self):
-        once = self.run_league("honest", "twice", "one_fewer", sample=4, output="once")
-        league = subprocess.Popen(self.words("honest", "twice", "one_fewer", sample=4), env=ENVIRONMENT, stdout=subprocess.DEVNULL,
-                                  start_new_session=True)
+        names = ("honest", "twice", "one_fewer")
+        self.run_league(*names, sample=4, output="once")
+        league = subprocess.Popen(self.words(*names, sample=4), cwd=self.work, env=ENVIRONMENT, stdout=subprocess.DEVNULL, start_new_session=True)
         journals = self.work / "league/journals"
-        while not list(journals.glob("honest-*/journal.jsonl")):
-            time.sleep(0.02)
+        self.wait_until(lambda: list(journals.glob("honest-*/journal.jsonl")))
         os.killpg(league.pid, signal.SIGKILL)
         league.wait()
         self.assertFalse((self.work / "league/league.csv").exists())
-        self.assertEqual(self.run_league("honest", "twice", "one_fewer", sample=4), once)
+        self.run_league(*names, sample=4)
+        self.assertEqual(self.contents("league"), self.contents("once"))
         # What is in a journal is not asked again.
-        for name in ("honest", "twice", "one_fewer"):
-            (self.work / name).write_text(HEAD + "sys.exit(1)\n")
-        self.assertEqual(self.run_league("honest", "twice", "one_fewer", sample=4), once)
-        for file in ("league.txt", "league.svg", "league.html"):
-            self.assertEqual((self.work / "once" / file).read_text(), (self.work / "league" / file).read_text())
+        for name in names:
+            self.plant(name, HEAD + "sys.exit(1)\n")
+        self.run_league(*names, sample=4)
+        self.assertEqual(self.contents("league"), self.contents("once"))
 
-    def test_refuses_answers_to_other_questions(self):
+    def test_where_it_is_ended_so_are_solvers(self):
+        beats = self.work / "beats"
+        self.plant("beating", HEAD + f"for i in range(600): print(i, file=open({str(beats)!r}, 'a'), flush=True); time.sleep(0.1)\n")
+        league = subprocess.Popen(self.words("beating", limit="60"), cwd=self.work, env=ENVIRONMENT)
+        self.wait_until(beats.exists)
+        league.terminate()
+        self.assertEqual(league.wait(60), 128 + signal.SIGTERM)
+
+        def is_still():
+            before = beats.stat().st_size
+            time.sleep(0.5)
+            return beats.stat().st_size == before
+        self.wait_until(is_still, 20)
+
+    def test_refuses_what_are_other_questions_or_no_solvers(self):
         self.run_league("honest", sample=1, levels="lower")
-        done = subprocess.run(self.words("honest", sample=2, levels="lower"), env=ENVIRONMENT, capture_output=True, text=True)
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("has a league of other terms", done.stderr)
-
-    def test_says_what_is_missing(self):
-        for names, environment, words in (("nosuch", {}, "nosuch is no program"), ("float_sweep", {"MDM_BIN": "/nowhere"}, "there is no /nowhere/mdm")):
-            done = subprocess.run([sys.executable, LEAGUE, "--solvers", names, "--output", self.work / "none"], capture_output=True, text=True,
-                                  env=ENVIRONMENT | environment)
-            self.assertEqual(done.returncode, 2)
-            self.assertIn(words, done.stderr)
-            self.assertFalse((self.work / "none").exists())
+        self.refused("terms.json is of a league of other terms", "honest", sample=2, levels="lower")
+        self.refused("terms.json is of a league of other terms", "honest", sample=1, levels="lower", limit="5")
+        self.plant("honest", (self.work / "honest").read_text().replace("planted 1.0", "planted 1.1"))
+        self.refused("solver.json is of another version of the solver", "honest", sample=1, levels="lower")
+        self.refused("./nobody is no program: give a path, or one of z3, scipy", "nobody", code=2, output="none")
+        self.refused("a level is one of", "honest", code=2, levels="lowest", output="none")
+        self.refused("there is no /nowhere/mdm: have it on PATH", "honest", code=2, output="none", programs="/nowhere")
+        self.assertFalse((self.work / "none").exists())
 
     def test_adapters_are_short_and_say_what_they_run(self):
-        names = json.loads(re.search(r"SOLVERS = (\[.*?\])", LEAGUE.read_text(), re.S)[1])
-        for name in names:
-            adapter = PROJECT / "examples/solvers" / name
-            if name == "highs" and not shutil.which("node"):
-                continue
-            self.assertLessEqual(len(adapter.read_text().splitlines()), 20, name)
-            done = subprocess.run([adapter, "--version"], env=ENVIRONMENT, capture_output=True, text=True, timeout=60)
-            self.assertIn(done.returncode, (0, 77), name)
-            self.assertEqual(len(done.stdout.splitlines()), 1, name + done.stderr)
+        for name in json.loads(re.search(r"SOLVERS = (\[.*?\])", LEAGUE.read_text(), re.S)[1]):
+            program, *words = name.split()
+            self.assertLessEqual(len((SOLVERS / program).read_text().splitlines()), 20, name)
+            done = subprocess.run([SOLVERS / program, *words, "--version"], env=ENVIRONMENT, capture_output=True, text=True, timeout=60)
+            says = done.stdout.splitlines()
+            self.assertEqual((done.returncode, len(says)), (77, 1) if says == ["not installed"] else (0, 2), name + done.stderr)
+
+    def test_the_run_that_is_kept_is_of_one_piece(self):
+        text, table, picture, page = ((SOLVERS / "results" / name).read_text() for name in FILES)
+        rows = list(csv.DictReader(table.splitlines()))
+        lines = {tuple(line[:36].rsplit(maxsplit=1)): line[36:].split() for line in text.splitlines()[3:3 + len(rows)]}
+        for row in rows:
+            self.assertEqual(sum(int(row[c]) for c in COUNTED), int(row["asked"]))
+            if not row["note"]:
+                self.assertEqual(lines[row["solver"], row["level"]], [row[c] for c in COUNTED])
+                self.assertIn(f">{row['right']}/{row['asked']}</text>", picture)
+        self.assertIn(picture, page)
+        page = (PROJECT / "examples/reference/README.md").read_text()
+        for solver in dict.fromkeys(row["solver"] for row in rows if row["note"] != "not installed"):
+            cells = ["-" if row["note"] else f"{row['right']}, {sum(int(row[c]) for c in ('not_a_match', 'impossible', 'infeasible'))}"
+                     for row in rows if row["solver"] == solver]
+            self.assertIn(f"| {solver} | {' | '.join(cells)} |", page)
 
 
 unittest.main()
