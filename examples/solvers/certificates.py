@@ -12,7 +12,7 @@ def program(name):
 
 
 def near_sizes(gradation, quantities):
-    """Sizes for counts that are no match: those of a scale between the ones that classes ask for, each moved into its class."""
+    """Sizes for counts that are no match: of a scale between those that classes ask for, each moved into its class."""
     sizes, masses = ([float(text) for text in gradation[key]] for key in ("sizes", "masses"))
     rows = sorted(zip(sizes, masses))
     classes = [(lower, upper, mass) for (lower, mass), (upper, _) in zip(rows, rows[1:])]
@@ -26,8 +26,8 @@ def near_sizes(gradation, quantities):
 
 
 def add_errors(place, options, rows):
-    """Counts for which there are no sizes have no certificate. With some that are near they are a sample, and the folder
-    `errors` gets the certificates that it does not match."""
+    """Counts for which there are no sizes have no certificate. With some that are near they are a sample, and the
+    folder `errors` gets the certificates that it does not match."""
     wrong = [row for number, row in enumerate(rows, 1)
              if row["verdict"] == "not-a-match" and not (place / f"proofs/{number}.proof").exists()]
     if not wrong:
@@ -36,18 +36,19 @@ def add_errors(place, options, rows):
     (place / "sized.jsonl").write_text("".join(json.dumps({
         "id": row["id"], "quantities": row["quantities"], "sizes": near_sizes(row["gradation"], row["quantities"]),
         "unit": row["gradation"].get("unit", "mm")}) + "\n" for row in wrong))
-    subprocess.run([program("mdm"), "crosscheck", "wrong.jsonl", "sized.jsonl", "--proofs", "errors", "--quiet", *options.split()],
-                   cwd=place, stdout=subprocess.DEVNULL)
+    words = ["crosscheck", "wrong.jsonl", "sized.jsonl", "--proofs", "errors", "--quiet", *options.split()]
+    subprocess.run([program("mdm"), *words], cwd=place, stdout=subprocess.DEVNULL)
 
 
 def check(place, options, rows):
-    """How many certificates there are of a solver's answers in a folder, and how many mdm-check accepts, with the same verdict."""
+    """How many certificates there are of a solver's answers in a folder, and of how many mdm-check says the same."""
     add_errors(place, options, rows)
+    is_wrong = [row["verdict"] == "not-a-match" for row in rows]
     proofs = [(proof, True) for proof in sorted(place.glob("errors/*.proof"))]
-    proofs += [(proof, rows[int(proof.stem) - 1]["verdict"] == "not-a-match") for proof in sorted(place.glob("proofs/*.proof"))]
+    proofs += [(proof, is_wrong[int(proof.stem) - 1]) for proof in sorted(place.glob("proofs/*.proof"))]
     accepted = 0
-    for proof, is_wrong in proofs:
-        done = subprocess.run([program("mdm-check"), proof.with_suffix(".gradation.json"), proof.with_suffix(".sample.csv"), proof],
-                              stdout=subprocess.PIPE, text=True)
-        accepted += done.returncode == 0 and (" not match " in done.stdout) == is_wrong
+    for proof, says_so in proofs:
+        files = [proof.with_suffix(".gradation.json"), proof.with_suffix(".sample.csv"), proof]
+        done = subprocess.run([program("mdm-check"), *files], stdout=subprocess.PIPE, text=True)
+        accepted += done.returncode == 0 and (" not match " in done.stdout) == says_so
     return len(proofs), accepted

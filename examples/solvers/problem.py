@@ -1,7 +1,7 @@
-"""What the adapters share: they read a gradation as JSON, write its problem by `mdm convert --problem` in their solver's
-language, and answer as `mdm crosscheck` asks. MDM_BIN may name the folder of mdm, MDM_QUESTION has what is asked beside
-the gradation, such as `--tolerance retained:1%`. With --version an adapter says in a line which solver it runs, or that
-there is none, and in a second line with which options."""
+"""What the adapters share: they read a gradation as JSON, write its problem by `mdm convert --problem` in their
+solver's language, and answer as `mdm crosscheck` asks. MDM_BIN may name the folder of mdm, MDM_QUESTION has what is
+asked beside the gradation, such as `--tolerance retained:1%`. With --version an adapter says in a line which solver it
+runs, or that there is none, and in a second line with which options."""
 
 import json
 import os
@@ -26,22 +26,24 @@ def gradation():
 def give_up(reason):
     """Says that there is no answer, and the first error of a text, or its last line, as the reason; and ends."""
     lines = [line.strip() for line in reason.splitlines() if line.strip()] or ["no counts"]
-    print(json.dumps({"status": "gave up", "reason": next((line for line in lines if "error" in line.lower()), lines[-1])}))
+    error = next((line for line in lines if "error" in line.lower()), lines[-1])
+    print(json.dumps({"status": "gave up", "reason": error}))
     sys.exit(0)
 
 
 def problem(kind):
     """The problem of the gradation on standard input in a language, which may not have its numbers."""
-    done = subprocess.run([MDM, "convert", "-", "--problem", kind, *QUESTION], stdin=sys.stdin, capture_output=True, text=True)
+    words = [MDM, "convert", "-", "--problem", kind, *QUESTION]
+    done = subprocess.run(words, stdin=sys.stdin, capture_output=True, text=True)
     if done.returncode != 0:
         give_up(done.stderr)
     return done.stdout
 
 
 def scaled_rows(lp):
-    """The rows of a problem in LP in double, each the terms by name and what their sum is at least. Each row is divided by
-    its largest number and real variables are in such units that they stand with 1 and more: written as it is, a row has
-    numbers of up to 20 digits, beyond what solvers in double take."""
+    """The rows of a problem in LP in double, each the terms by name and what their sum is at least. Each row is divided
+    by its largest number and real variables are in such units that they stand with 1 and more: written as it is, a row
+    has numbers of up to 20 digits and more, beyond what solvers in double take."""
     rows = [({name: float(sign + n) for sign, n, name in re.findall(r"([+-]) (\d+) (\w+)", left)}, float(right))
             for left, right in re.findall(r":([^:>]*)>= (-?\d+)", lp.split("Subject To")[1].split("Bounds")[0])]
 
@@ -63,7 +65,7 @@ def scaled(lp):
 
 
 def answer(counts):
-    """Prints counts by the names of their variables; what was computed in double is rounded. None: there is no solution."""
+    """Prints counts by the names of their variables; those in double are rounded. None: there is no solution."""
     def whole(count):
         return int(count) if re.fullmatch(r"\d+", str(count)) else round(float(count))
 
@@ -96,9 +98,9 @@ def say_version(command, options="", named=r"\S.*\d+\.\d+.*"):
 
 
 def solve(kind, command, counts, version, infeasible="nothing", read=None, prepare=None, script="", **named):
-    """Runs a solver on the problem's file, prepared first. {problem} and {solution} in its command are files, {script} is a
-    text; what it prints and the solution are searched for counts, pairs of a name and a number, and for the words by which
-    it says that there is no solution. Where it dies of a signal, so does the adapter. `named` finds its version."""
+    """Runs a solver on the problem's file, prepared first. {problem} and {solution} in its command are files, {script}
+    is a text; what it prints and the solution are searched for counts, pairs of a name and a number, and for the words
+    by which it says that there is no solution. Where it dies of a signal, so does the adapter."""
     def words(files):
         return [re.sub(r"{(\w+)}", lambda name: files[name[1]], word) for word in shlex.split(command)]
 

@@ -5,8 +5,8 @@ import html
 import io
 from dataclasses import dataclass
 
-#: What becomes of an answer, the verdicts of mdm crosscheck that it stands for, its colour and what it means. An answer that
-#: is no match and has fewer particles than the smallest match is impossible.
+#: What becomes of an answer, the verdicts of mdm crosscheck that it stands for, its colour and what it means. An answer
+#: that is no match and has fewer particles than the smallest match is impossible.
 COLUMNS = {
     "right": (["minimal"], "#2a7f5f", "a smallest match"),
     "larger": (["larger"], "#8cc5a2", "a match, and there is a smaller one"),
@@ -58,19 +58,21 @@ class Result:
         if not wrong:
             return "", "", ""
         row = min(wrong, key=lambda row: len(row["gradation"]["sizes"]))
-        asked = f" {row['options']}" if row["options"] else ""
-        return (f"{row['id']}{asked}, {len(row['gradation']['sizes']) - 1} classes", cut(" ".join(row["quantities"]), 120),
+        asked = f"{row['id']} {row['options']}".strip()
+        return (f"{asked}, {len(row['gradation']['sizes']) - 1} classes", cut(" ".join(row["quantities"]), 120),
                 f"N = {row['particles']}, of the smallest match {row['minimum']}: {row['reason']}")
 
     def excuse(self):
         """Why the first answer that is missing is."""
-        return next((f"{fate(row)}: {cut(row['reason'], 160)}" for row in self.rows if fate(row) in ("gave up", "failed") and row["reason"]), "")
+        missing = [row for row in self.rows if fate(row) in ("gave up", "failed") and row["reason"]]
+        return f"{fate(missing[0])}: {cut(missing[0]['reason'], 160)}" if missing else ""
 
 
 def examples(results):
     """Lines on the shortest answers that are no match."""
-    found = [(r, r.example()) for r in results]
-    return [f"{r.solver}, {r.level}: {question}. Answer {counts}; {wrong}" for r, (question, counts, wrong) in found if question] or ["none"]
+    found = [(f"{r.solver}, {r.level}", *r.example()) for r in results]
+    lines = [f"{who}: {question}. Answer {counts}; {wrong}" for who, question, counts, wrong in found if question]
+    return lines or ["none"]
 
 
 def excuses(results):
@@ -81,7 +83,8 @@ def excuses(results):
 def certificates(results):
     answers, made, accepted = (sum(counts) for counts in zip(*(
         (sum(bool(row["particles"]) for row in r.rows), r.certificates, r.accepted) for r in results)))
-    return f"Of {answers} answers {made} have a certificate, that they match or with which errors they do not; mdm-check accepts {accepted}."
+    return (f"Of {answers} answers {made} have a certificate, that they match or with which errors they do not; "
+            f"mdm-check accepts {accepted}.")
 
 
 def text(results, terms):
@@ -89,19 +92,20 @@ def text(results, terms):
     lines = [f"The league: {terms}", "", heading, *(result.line() for result in results), ""]
     lines += [f"{name}: {meaning}" for name, (_, _, meaning) in COLUMNS.items()] + ["", certificates(results), ""]
     lines += list(dict.fromkeys(f"{r.solver}: {r.version}" + (f"; {r.options}" if r.options else "") for r in results))
-    lines += ["", "Shortest answers that are no match:", *examples(results), "", "Why answers are missing, the first of each:",
-              *excuses(results)]
+    lines += ["", "Shortest answers that are no match:", *examples(results)]
+    lines += ["", "Why answers are missing, the first of each:", *excuses(results)]
     return "\n".join(lines) + "\n"
 
 
 def table(results):
     file = io.StringIO()
     writer = csv.writer(file, lineterminator="\n")
-    writer.writerow(["solver", "version", "options", "level", "note", "asked", *(name.replace(" ", "_") for name in COLUMNS), "certificates",
-                     "accepted", "example", "example_answer", "example_reason"])
+    counted = [name.replace(" ", "_") for name in COLUMNS]
+    writer.writerow(["solver", "version", "options", "level", "note", "asked", *counted, "certificates", "accepted",
+                     "example", "example_answer", "example_reason"])
     for r in results:
-        writer.writerow([r.solver, r.version, r.options, r.level, r.note, len(r.rows), *r.counts().values(), r.certificates, r.accepted,
-                         *r.example()])
+        writer.writerow([r.solver, r.version, r.options, r.level, r.note, len(r.rows), *r.counts().values(),
+                         r.certificates, r.accepted, *r.example()])
     return file.getvalue()
 
 
@@ -125,14 +129,18 @@ def picture(results):
     solvers, levels = (list(dict.fromkeys(getattr(r, key) for r in results)) for key in ("solver", "level"))
     left, width, step, height = 180, 130, 190, 22
     size = f'width="{left + step * len(levels)}" height="{76 + height * len(solvers)}"'
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" {size} font-family="sans-serif" font-size="12">\n<title>The league of solvers</title>\n'
-             f'<rect width="100%" height="100%" fill="white"/>\n']
+    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" {size} font-family="sans-serif" font-size="12">\n'
+             f'<title>The league of solvers</title>\n<rect width="100%" height="100%" fill="white"/>\n']
     for i, (name, (_, colour, _)) in enumerate(COLUMNS.items()):
-        parts.append(f'<rect x="{12 + 100 * i}" y="14" width="12" height="12" fill="{colour}"/><text x="{29 + 100 * i}" y="25">{name}</text>\n')
-    parts += [f'<text x="{left + step * i}" y="56" font-weight="bold">{level}</text>\n' for i, level in enumerate(levels)]
+        parts.append(f'<rect x="{12 + 100 * i}" y="14" width="12" height="12" fill="{colour}"/>'
+                     f'<text x="{29 + 100 * i}" y="25">{name}</text>\n')
+    for i, level in enumerate(levels):
+        parts.append(f'<text x="{left + step * i}" y="56" font-weight="bold">{level}</text>\n')
     for i, solver in enumerate(solvers):
         parts.append(f'<text x="{left - 10}" y="{77 + height * i}" text-anchor="end">{html.escape(solver)}</text>\n')
-    parts += [bar(r, left + step * levels.index(r.level), 64 + height * solvers.index(r.solver), width, height - 5) for r in results]
+    for r in results:
+        x, y = left + step * levels.index(r.level), 64 + height * solvers.index(r.solver)
+        parts.append(bar(r, x, y, width, height - 5))
     return "".join(parts) + "</svg>\n"
 
 
@@ -154,20 +162,26 @@ def page(results, terms):
     def listed(lines):
         return "<ul>\n" + "".join(f"<li>{html.escape(line)}</li>\n" for line in lines) + "</ul>\n"
 
-    meanings = "".join(f'<li><i style="background: {colour}"></i> {name}: {meaning}</li>\n' for name, (_, colour, meaning) in COLUMNS.items())
-    rows = "".join(row([r.solver, r.level, *r.counts().values(), r.certificates, r.accepted]) if not r.note else
-                   f'<tr><td>{html.escape(r.solver)}</td><td>{r.level}</td><td colspan="{len(COLUMNS) + 2}" style="text-align: left">'
-                   f"{html.escape(r.note)}</td></tr>\n" for r in results)
+    def counted(r):
+        if not r.note:
+            return row([r.solver, r.level, *r.counts().values(), r.certificates, r.accepted])
+        return (f'<tr><td>{html.escape(r.solver)}</td><td>{r.level}</td><td colspan="{len(COLUMNS) + 2}" '
+                f'style="text-align: left">{html.escape(r.note)}</td></tr>\n')
+
+    meanings = "".join(f'<li><i style="background: {colour}"></i> {name}: {meaning}</li>\n'
+                       for name, (_, colour, meaning) in COLUMNS.items())
+    head = row(["solver", "level", *COLUMNS, "certificates", "accepted"], "th")
     versions = "".join(row(cells) for cells in dict.fromkeys((r.solver, r.version, r.options) for r in results))
-    return (f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>The league of solvers</title>\n<style>\n{STYLE}</style>\n'
-            f"</head>\n<body>\n<h1>The league of solvers</h1>\n<p>{html.escape(terms)}. {certificates(results)}</p>\n{picture(results)}"
-            f"<ul>\n{meanings}</ul>\n<table>\n{row(['solver', 'level', *COLUMNS, 'certificates', 'accepted'], 'th')}{rows}</table>\n"
-            f"<h2>Versions and options</h2>\n<table class=\"versions\">\n{row(['solver', 'version', 'options'], 'th')}{versions}</table>\n"
+    return (f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>The league of solvers</title>\n'
+            f"<style>\n{STYLE}</style>\n</head>\n<body>\n<h1>The league of solvers</h1>\n"
+            f"<p>{html.escape(terms)}. {certificates(results)}</p>\n{picture(results)}<ul>\n{meanings}</ul>\n"
+            f"<table>\n{head}{''.join(map(counted, results))}</table>\n<h2>Versions and options</h2>\n"
+            f"<table class=\"versions\">\n{row(['solver', 'version', 'options'], 'th')}{versions}</table>\n"
             f"<h2>Shortest answers that are no match</h2>\n{listed(examples(results))}"
             f"<h2>Why answers are missing, the first of each</h2>\n{listed(excuses(results))}</body>\n</html>\n")
 
 
 def write(folder, results, terms):
-    for name, content in (("league.txt", text(results, terms)), ("league.csv", table(results)), ("league.svg", picture(results)),
-                          ("league.html", page(results, terms))):
-        (folder / name).write_text(content, encoding="utf-8")
+    for ending, content in {"txt": text(results, terms), "csv": table(results), "svg": picture(results),
+                            "html": page(results, terms)}.items():
+        (folder / f"league.{ending}").write_text(content, encoding="utf-8")

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""league_test.py PROGRAMS PROJECT: a short league with planted solvers, of which it is known what becomes of their answers."""
+"""league_test.py PROGRAMS PROJECT: leagues of planted solvers, of which it is known what becomes of their answers."""
 import csv
 import json
 import os
@@ -24,7 +24,8 @@ FILES = ("league.txt", "league.csv", "league.svg", "league.html")
 HEAD = """#!/usr/bin/python3
 import json, os, subprocess, sys, time
 if sys.argv[1:] == ["--version"]: sys.exit(print("planted 1.0"))
-done = subprocess.run([os.environ["MDM_BIN"] + "/mdm", "solve", "-", "--format", "json"], stdin=sys.stdin, stdout=subprocess.PIPE)
+words = [os.environ["MDM_BIN"] + "/mdm", "solve", "-", "--format", "json"]
+done = subprocess.run(words, stdin=sys.stdin, stdout=subprocess.PIPE)
 q = [int(c["quantity"]) for c in json.loads(done.stdout)["classes"]]
 """
 #: What a solver does, and in which column its answers are.
@@ -55,12 +56,12 @@ class League(unittest.TestCase):
 
     def words(self, *names, sample=2, levels="lower,higher", output="league", limit="4"):
         solvers = ",".join(name if (SOLVERS / name.split()[0]).exists() else f"./{name}" for name in names)
-        return [sys.executable, LEAGUE, "--solvers", solvers, "--sample", str(sample), "--levels", levels, "--time-limit", limit,
-                "-j", "2", "--output", output]
+        return [sys.executable, LEAGUE, "--solvers", solvers, "--sample", str(sample), "--levels", levels,
+                "--time-limit", limit, "-j", "2", "--output", output]
 
     def ask(self, *names, programs=PROGRAMS, **options):
-        return subprocess.run(self.words(*names, **options), cwd=self.work, env={**ENVIRONMENT, "MDM_BIN": str(programs)},
-                              capture_output=True, text=True, timeout=120)
+        return subprocess.run(self.words(*names, **options), cwd=self.work, capture_output=True, text=True, timeout=120,
+                              env={**ENVIRONMENT, "MDM_BIN": str(programs)})
 
     def run_league(self, *names, **options):
         done = self.ask(*names, **options)
@@ -87,15 +88,17 @@ class League(unittest.TestCase):
         rows = self.run_league(*PLANTED)
         self.assertEqual(len(rows), 2 * len(PLANTED))
         for row in rows:
-            self.assertEqual({c: row[c] for c in COUNTED}, dict.fromkeys(COUNTED, "0") | {PLANTED[row["solver"]][1]: "2"}, row["solver"])
+            wanted = dict.fromkeys(COUNTED, "0") | {PLANTED[row["solver"]][1]: "2"}
+            self.assertEqual({c: row[c] for c in COUNTED}, wanted, row["solver"])
             self.assertEqual((row["asked"], row["version"]), ("2", "planted 1.0"))
             answers = "2" if row["solver"] in ("honest", "twice", "one_fewer", "top_heavy") else "0"
             self.assertEqual((row["certificates"], row["accepted"]), (answers, answers), row["solver"])
         text = self.contents("league")[0]
-        examples, excuses = (part.splitlines() for part in re.split("Shortest answers.*:\n|\n\nWhy answers.*:\n", text)[1:])
+        parts = re.split("Shortest answers.*:\n|\n\nWhy answers.*:\n", text)
+        examples, excuses = (part.splitlines() for part in parts[1:])
         self.assertEqual([line.split(",")[0] for line in examples], ["one_fewer"] * 2 + ["top_heavy"] * 2)
-        self.assertRegex(
-            examples[0], r"^one_fewer, lower: athabasca-sand, 7 classes. Answer 818 (\d+ ){5}\d+; N = 1484, of the smallest match 1485: class")
+        self.assertRegex(examples[0], r"^one_fewer, lower: athabasca-sand, 7 classes. Answer 818 (\d+ ){5}\d+; "
+                                      r"N = 1484, of the smallest match 1485: class")
         self.assertIn("weary, lower: gave up: beyond 64 bits", excuses)
         for drawn in self.contents("league")[2:]:
             self.assertIn("one_fewer", drawn)
@@ -112,7 +115,8 @@ class League(unittest.TestCase):
 
     def test_adapters_are_asked_within_a_tolerance_too(self):
         self.plant("stranger", HEAD.replace("--version", "--who-are-you") + PLANTED["honest"][0])
-        rows = self.run_league("z3", "float_sweep", "published spanned-integer", "stranger", sample=1, levels="lower,tolerance", limit="20")
+        rows = self.run_league("z3", "float_sweep", "published spanned-integer", "stranger", sample=1,
+                               levels="lower,tolerance", limit="20")
         found = {(row["solver"], row["level"]): row for row in rows}
         if found["z3", "lower"]["note"] != "not installed":
             self.assertEqual([found["z3", level]["right"] for level in ("lower", "tolerance")], ["1", "1"])
@@ -126,14 +130,16 @@ class League(unittest.TestCase):
     def test_a_solver_that_is_missing_is_said(self):
         self.plant("absent", "#!/bin/sh\necho not installed\nexit 77\n")
         rows = self.run_league("absent", "honest", levels="lower")
-        self.assertEqual([(row["solver"], row["note"], row["right"]) for row in rows], [("absent", "not installed", "0"), ("honest", "", "2")])
+        self.assertEqual([(row["solver"], row["note"], row["right"]) for row in rows],
+                         [("absent", "not installed", "0"), ("honest", "", "2")])
         for drawn in self.contents("league"):
             self.assertIn("not installed", drawn)
 
     def test_goes_on_where_it_was_interrupted(self):
         names = ("honest", "twice", "one_fewer")
         self.run_league(*names, sample=4, output="once")
-        league = subprocess.Popen(self.words(*names, sample=4), cwd=self.work, env=ENVIRONMENT, stdout=subprocess.DEVNULL, start_new_session=True)
+        league = subprocess.Popen(self.words(*names, sample=4), cwd=self.work, env=ENVIRONMENT, start_new_session=True,
+                                  stdout=subprocess.DEVNULL)
         journals = self.work / "league/journals"
         self.wait_until(lambda: list(journals.glob("honest-*/journal.jsonl")))
         os.killpg(league.pid, signal.SIGKILL)
@@ -149,7 +155,7 @@ class League(unittest.TestCase):
 
     def test_where_it_is_ended_so_are_solvers(self):
         beats = self.work / "beats"
-        self.plant("beating", HEAD + f"for i in range(600): print(i, file=open({str(beats)!r}, 'a'), flush=True); time.sleep(0.1)\n")
+        self.plant("beating", HEAD + f"for i in range(600): open({str(beats)!r}, 'a').write('beat'); time.sleep(0.1)\n")
         league = subprocess.Popen(self.words("beating", limit="60"), cwd=self.work, env=ENVIRONMENT)
         self.wait_until(beats.exists)
         league.terminate()
@@ -176,9 +182,11 @@ class League(unittest.TestCase):
         for name in json.loads(re.search(r"SOLVERS = (\[.*?\])", LEAGUE.read_text(), re.S)[1]):
             program, *words = name.split()
             self.assertLessEqual(len((SOLVERS / program).read_text().splitlines()), 20, name)
-            done = subprocess.run([SOLVERS / program, *words, "--version"], env=ENVIRONMENT, capture_output=True, text=True, timeout=60)
+            done = subprocess.run([SOLVERS / program, *words, "--version"], env=ENVIRONMENT, capture_output=True,
+                                  text=True, timeout=60)
             says = done.stdout.splitlines()
-            self.assertEqual((done.returncode, len(says)), (77, 1) if says == ["not installed"] else (0, 2), name + done.stderr)
+            wanted = (77, 1) if says == ["not installed"] else (0, 2)
+            self.assertEqual((done.returncode, len(says)), wanted, name + done.stderr)
 
     def test_the_run_that_is_kept_is_of_one_piece(self):
         text, table, picture, page = ((SOLVERS / "results" / name).read_text() for name in FILES)
@@ -192,8 +200,9 @@ class League(unittest.TestCase):
         self.assertIn(picture, page)
         page = (PROJECT / "examples/reference/README.md").read_text()
         for solver in dict.fromkeys(row["solver"] for row in rows if row["note"] != "not installed"):
-            cells = ["-" if row["note"] else f"{row['right']}, {sum(int(row[c]) for c in ('not_a_match', 'impossible', 'infeasible'))}"
-                     for row in rows if row["solver"] == solver]
+            of_solver = [row for row in rows if row["solver"] == solver]
+            wrong = [sum(int(row[c]) for c in ("not_a_match", "impossible", "infeasible")) for row in of_solver]
+            cells = ["-" if row["note"] else f"{row['right']}, {n}" for row, n in zip(of_solver, wrong)]
             self.assertIn(f"| {solver} | {' | '.join(cells)} |", page)
 
 
