@@ -33,12 +33,6 @@ std::string proof_name(std::uint64_t number, const std::string &id) {
                                                       : fmt::format("{:06}-{}", number, name);
 }
 
-void write_whole_file(const std::string &path, const std::string &text) {
-  Output file(path);
-  file.write(text);
-  file.commit();
-}
-
 /// CSV has no place for a verdict and for notes.
 BatchAnswer csv_answer(const Match &m, Outcome outcome) {
   const std::string id = printable(m.gradation.id());
@@ -97,9 +91,9 @@ BatchAnswer BatchSolver::solved(Gradation g, const BatchItem &item) const {
 std::string BatchSolver::write_proof(const std::string &certificate, const BatchItem &item,
                                      const std::string &id, const std::string &checked) const {
   const std::string name = proof_name(item.number, id);
-  write_whole_file(*command_.proofs + "/" + name + ".proof", certificate);
+  write_output(*command_.proofs + "/" + name + ".proof", certificate);
   if (!checked.empty())
-    write_whole_file(*command_.proofs + "/" + name + ".gradation", checked);
+    write_output(*command_.proofs + "/" + name + ".gradation", checked);
   return name + ".proof";
 }
 

@@ -44,14 +44,6 @@ std::optional<std::string> blended_file(const BlendCommand &c, const Blending &b
   return c.blended->ends_with(".json") ? gradation_json(*g) : gradation_csv(*g);
 }
 
-void write_beside(const std::optional<std::string> &path, const std::optional<std::string> &content) {
-  if (!path || !content)
-    return;
-  Output file(*path);
-  file.write(*content);
-  file.commit();
-}
-
 /// The gradation of a stockpile; where there is to be a proof, of a file that mdm-check reads as it is.
 Gradation stockpile_in(const std::string &file, const BlendCommand &c) {
   UnderstoodGradation g = any_gradation(file, c.reading, c.output.quiet);
@@ -133,8 +125,10 @@ int run(const BlendCommand &c) {
   out.write(c.output.report([&] { return blend_text(r); }, [&] { return blend_json(r); },
                             [&] { return blend_csv(r); }));
   c.output.tell_notes_beside_csv(blending.problem().notes);
-  write_beside(c.blended, blended);
-  write_beside(c.proof, c.proof ? blending.proof() : std::nullopt);
+  if (blended)
+    write_output(*c.blended, *blended);
+  if (const auto proof = c.proof ? blending.proof() : std::nullopt)
+    write_output(*c.proof, *proof);
   if (plot)
     plot->commit();
   out.commit();

@@ -162,11 +162,9 @@ Run add_completion(CLI::App &app) {
     std::vector<CompletedCommand> commands;
     for (const CLI::App *c : app.get_subcommands({}))
       commands.push_back(completed(*c));
-    Output out("-");
-    out.write(*shell == "bash"  ? bash_script(commands)
-              : *shell == "zsh" ? zsh_script(commands)
-                                : fish_script(commands));
-    out.commit();
+    write_output("-", *shell == "bash"  ? bash_script(commands)
+                      : *shell == "zsh" ? zsh_script(commands)
+                                        : fish_script(commands));
     return Exit::done;
   };
 }

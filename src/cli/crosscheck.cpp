@@ -1,6 +1,7 @@
 #include "ask/crosscheck_options.hpp"
 #include "ask/option_values.hpp"
 #include "ask/outcome.hpp"
+#include "cli/answer_proofs.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
@@ -9,7 +10,6 @@
 #include "cli/solve_flags.hpp"
 #include "cli/whole_number.hpp"
 #include "crosscheck/answer_index.hpp"
-#include "crosscheck/answer_proof.hpp"
 #include "crosscheck/crosscheck_report.hpp"
 #include "crosscheck/solution_reader.hpp"
 #include "files/byte_source.hpp"
@@ -20,10 +20,8 @@
 #include "files/solver.hpp"
 #include "files/suite_lines.hpp"
 #include "text/json_writer.hpp"
-#include "text/versions.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
-#include <mdm/gradation/write_gradation.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 
@@ -50,66 +48,6 @@ struct CrosscheckCommand {
 };
 
 using Rows = std::vector<CrosscheckRow>;
-
-/// Writes the certificates of answers to a folder, by several threads: NUMBER.proof, NUMBER.sample.csv and
-/// NUMBER.gradation.json for the line NUMBER of the suite, NUMBER-2 and so on for more answers to it.
-class AnswerProofs {
-public:
-  /// \throws InputError if the folder cannot be made
-  AnswerProofs(std::string folder, const CrosscheckQuestion &question, Rational size_tolerance)
-      : folder_(std::move(folder)), question_(question), size_tolerance_(std::move(size_tolerance)) {
-    make_folder(folder_);
-  }
-
-  /// \param number  of the answers to the gradation, from 1
-  void add(const SuiteLine &entry, const Gradation &asked, const OtherAnswer &answer, unsigned number) {
-    if (answer.failure)
-      return;
-    ++answers_;
-    const std::optional<AnswerProof> proof = made(asked, answer);
-    if (!proof)
-      return;
-    ++proofs_;
-    const std::string name =
-        folder_ + "/" + std::to_string(entry.line) + (number > 1 ? "-" + std::to_string(number) : "");
-    write(name + ".gradation.json", gradation_json(entry.gradation));
-    write(name + ".sample.csv", proof->sample);
-    write(name + ".proof", proof->certificate);
-  }
-
-  std::string note() const {
-    const std::uint64_t missing = answers_ - proofs_;
-    return fmt::format(
-        "{} certificates are in {}; check one with: mdm-check NUMBER.gradation.json NUMBER.sample.csv "
-        "NUMBER.proof{}",
-        proofs_.load(), printable(folder_),
-        missing > 0 ? fmt::format("; of {} answers there is none: sizes that are not stated, or have "
-                                  "a tolerance, leave it open whether they match",
-                                  missing)
-                    : "");
-  }
-
-private:
-  /// Nothing also where numbers are beyond the limits of the format.
-  std::optional<AnswerProof> made(const Gradation &asked, const OtherAnswer &answer) const {
-    try {
-      return answer_proof(asked, question_.question(asked.unit()), answer, size_tolerance_);
-    } catch (const InputError &) {
-      return std::nullopt;
-    }
-  }
-
-  static void write(const std::string &path, const std::string &text) {
-    Output file(path);
-    file.write(text);
-    file.commit();
-  }
-
-  std::string folder_;
-  const CrosscheckQuestion &question_;
-  Rational size_tolerance_;
-  std::atomic<std::uint64_t> answers_ = 0, proofs_ = 0;
-};
 
 /// Rows for a gradation of the suite.
 using Judge = std::function<Rows(const Crosscheck &, const SuiteLine &)>;
@@ -148,13 +86,16 @@ void check_options(const CrosscheckCommand &c) {
 /// Rows as they come, and what stands around them.
 class Report {
 public:
-  Report(const CrosscheckCommand &command, Rational size_tolerance)
-      : command_(command),
-        size_tolerance_(std::move(size_tolerance)), columns_{command.by.value_or(""), command.reasons} {
+  Report(const CrosscheckCommand &command, const Rational &size_tolerance)
+      : command_(command), columns_{command.by.value_or(""), command.reasons} {
+    const std::string question = command.asked.question_words();
+    if (!question.empty())
+      question_ = question;
     if (!command.output.is_text() || command.output.out)
       rows_to_.emplace(command.output.path());
     if (json())
-      begin_json();
+      begin_crosscheck(
+          json_, {command.suite, command.answers, command.solver, command.by, question_, size_tolerance});
   }
 
   void add(const Rows &rows) {
@@ -170,15 +111,16 @@ public:
   }
 
   void end(std::uint64_t gradations, const std::vector<std::string> &notes) {
-    if (json())
-      end_json(notes);
-    else if (rows_to_)
+    if (json()) {
+      end_crosscheck(json_, summary_, command_.by.has_value(), notes);
+      json_.hand_on();
+      rows_to_->write("\n");
+    } else if (rows_to_) {
       rows_to_->write(csv_header());
-    if (command_.output.is_text()) {
-      Output out("-");
-      out.write(text(gradations, notes));
-      out.commit();
     }
+    if (command_.output.is_text())
+      write_output("-", crosscheck_text(printable(shown_name(command_.suite)), question_, gradations,
+                                        summary_, columns_, notes));
     command_.output.tell_notes_beside_csv(notes);
     if (rows_to_)
       rows_to_->commit();
@@ -194,45 +136,9 @@ private:
     return summary_.settings().empty() ? crosscheck_csv_header(columns_) : "";
   }
 
-  void begin_json() {
-    const auto write_option = [this](const char *key, const std::optional<std::string> &value) {
-      if (value)
-        json_.key(key).string(*value);
-      else
-        json_.key(key).null();
-    };
-    json_.begin_object().key("schema").plain("mdm-crosscheck-1");
-    write_option("suite", command_.suite);
-    write_option("answers", command_.answers);
-    write_option("solver", command_.solver);
-    write_option("by", command_.by);
-    const std::string question = command_.asked.question_words();
-    write_option("question", question.empty() ? std::nullopt : std::optional(question));
-    json_.key("size_tolerance").plain(to_string(size_tolerance_)).key("rows").begin_array();
-  }
-
-  void end_json(const std::vector<std::string> &notes) {
-    json_.end_array().key("summary");
-    summary_.write(json_, command_.by.has_value());
-    json_.key("notes").strings(notes).key("versions").raw(versions_json()).end_object();
-    json_.hand_on();
-    rows_to_->write("\n");
-  }
-
-  std::string text(std::uint64_t gradations, const std::vector<std::string> &notes) const {
-    const std::string question = command_.asked.question_words();
-    std::string text = fmt::format("{}: {} {}{}\n\n", printable(shown_name(command_.suite)), gradations,
-                                   gradations == 1 ? "gradation" : "gradations",
-                                   question.empty() ? "" : ", asked with " + printable(question)) +
-                       summary_.text(columns_);
-    for (const std::string &note : notes)
-      text += "  note: " + note + "\n";
-    return text;
-  }
-
   const CrosscheckCommand &command_;
-  Rational size_tolerance_;
   CrosscheckColumns columns_;
+  std::optional<std::string> question_;
   std::optional<Output> rows_to_;
   const Sink sink_ = [this](std::string_view text) { rows_to_->write(text); };
   JsonWriter json_{sink_};

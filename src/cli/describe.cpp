@@ -70,9 +70,7 @@ bool describe_all(const DescribeCommand &c, const Forms<Description> &forms, Des
     all.push_back(
         in_file(read.files[i], [&] { return describe(c.asked.soil.with_pan(read.samples[i].gradation)); }));
   tell_apart(all, &Description::id, read.files);
-  Output out(c.output.path());
-  out.write(report(c, all, forms));
-  out.commit();
+  write_output(c.output.path(), report(c, all, forms));
   if (all.size() > 1)
     c.output.tell_notes_beside_csv(notes_of_samples(all));
   return std::any_of(all.begin(), all.end(), [](const Description &d) { return d.limited(); });

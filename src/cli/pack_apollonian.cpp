@@ -14,15 +14,7 @@
 #include <atomic>
 
 namespace mdm::cli {
-namespace {
-
-void print(const std::string &text) {
-  Output out("-");
-  out.write(text);
-  out.commit();
-}
-
-} // namespace
+namespace {} // namespace
 
 int run_apollonian(const PackTexts &asked, const OutputFlags &output) {
   if (!asked.smallest)
@@ -38,7 +30,7 @@ int run_apollonian(const PackTexts &asked, const OutputFlags &output) {
                           output.quiet);
   const auto count = [&] { return g.census(most, [&counted](std::uint64_t n) { counted = n; }); };
   if (asked.count_only) {
-    print(std::to_string(count().circles) + "\n");
+    write_output("-", std::to_string(count().circles) + "\n");
     return Exit::done;
   }
   if (output.out) {
@@ -56,7 +48,7 @@ int run_apollonian(const PackTexts &asked, const OutputFlags &output) {
     return Exit::done;
   }
   const ApollonianReport report{*asked.gasket, smallest, g, count()};
-  print(output.is_json() ? apollonian_json(report) + "\n" : apollonian_text(report));
+  write_output("-", output.is_json() ? apollonian_json(report) + "\n" : apollonian_text(report));
   return Exit::done;
 }
 

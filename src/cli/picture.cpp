@@ -52,10 +52,7 @@ void tell_escapes(const Figure &figure) {
 }
 
 void draw(const Figure &figure, const PictureFlags &flags, bool quiet) {
-  const std::string picture = picture_of(figure, flags.picture());
-  Output out(*flags.out);
-  out.write(picture);
-  out.commit();
+  write_output(*flags.out, picture_of(figure, flags.picture()));
   if (!quiet)
     tell_escapes(figure);
 }

@@ -114,9 +114,7 @@ int run(const ReportCommand &c) {
     inputs.push_back(*c.spec);
   check_paths(inputs, {c.out.value_or("-")});
   const LaboratoryReport r = reported(c);
-  Output out(c.out.value_or("-"));
-  out.write(content(r, form));
-  out.commit();
+  write_output(c.out.value_or("-"), content(r, form));
   if (std::any_of(r.samples.begin(), r.samples.end(),
                   [](const ReportedSample &s) { return s.description.limited(); }))
     return Exit::limited;

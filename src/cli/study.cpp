@@ -118,13 +118,10 @@ int run_specimens(const StudyCommand &c) {
   const std::vector<Specimen> specimens =
       read_specimens(read_file(c.files[1], max_gradation_bytes), shown_name(c.files[1]));
   const Progress progress([] { return std::string("solving"); }, c.output.quiet);
-  if (!c.out) {
-    Output out("-");
-    out.write(specimens_text(g, specimens));
-    out.commit();
-  } else {
+  if (!c.out)
+    write_output("-", specimens_text(g, specimens));
+  else
     write_all(*c.out, {{"specimens.csv", specimens_csv(g, specimens)}});
-  }
   return Exit::done;
 }
 

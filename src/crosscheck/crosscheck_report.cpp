@@ -2,6 +2,7 @@
 
 #include "answer/json_values.hpp"
 #include "text/text_table.hpp"
+#include "text/versions.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
@@ -60,6 +61,21 @@ std::string crosscheck_csv(const CrosscheckRow &row, const CrosscheckColumns &co
          (columns.reasons ? "," + csv_field(row.reason) : "") + "\n";
 }
 
+void begin_crosscheck(JsonWriter &json, const CrosscheckAsked &asked) {
+  const auto write_optional = [&json](const char *key, const std::optional<std::string> &value) {
+    if (value)
+      json.key(key).string(*value);
+    else
+      json.key(key).null();
+  };
+  json.begin_object().key("schema").plain("mdm-crosscheck-1").key("suite").string(asked.suite);
+  write_optional("answers", asked.answers);
+  write_optional("solver", asked.solver);
+  write_optional("by", asked.by);
+  write_optional("question", asked.question);
+  json.key("size_tolerance").plain(to_string(asked.size_tolerance)).key("rows").begin_array();
+}
+
 void write_row(JsonWriter &json, const CrosscheckRow &row, bool has_setting) {
   const auto write_shown = [&json](const char *key, const std::string &n) {
     if (n.empty())
@@ -76,6 +92,25 @@ void write_row(JsonWriter &json, const CrosscheckRow &row, bool has_setting) {
   write_shown("ratio", number(row.ratio));
   write_shown("max_error", number(percent(row.max_error)));
   write_text(json.key("reason"), row.reason).end_object();
+}
+
+void end_crosscheck(JsonWriter &json, const CrosscheckSummary &summary, bool has_setting,
+                    const std::vector<std::string> &notes) {
+  json.end_array().key("summary");
+  summary.write(json, has_setting);
+  json.key("notes").strings(notes).key("versions").raw(versions_json()).end_object();
+}
+
+std::string crosscheck_text(const std::string &suite, const std::optional<std::string> &question,
+                            std::uint64_t gradations, const CrosscheckSummary &summary,
+                            const CrosscheckColumns &columns, const std::vector<std::string> &notes) {
+  std::string text =
+      fmt::format("{}: {} {}{}\n\n", suite, gradations, gradations == 1 ? "gradation" : "gradations",
+                  question ? ", asked with " + printable(*question) : "") +
+      summary.text(columns);
+  for (const std::string &note : notes)
+    text += "  note: " + note + "\n";
+  return text;
 }
 
 std::optional<Quartiles> quartiles(std::vector<Rational> ratios) {

@@ -20,8 +20,28 @@ std::string crosscheck_csv_header(const CrosscheckColumns &columns);
 /// The row of an answer, with a newline.
 std::string crosscheck_csv(const CrosscheckRow &row, const CrosscheckColumns &columns);
 
+/// What was asked, as the JSON says it before its rows.
+struct CrosscheckAsked {
+  std::string suite;
+  std::optional<std::string> answers, solver, by;
+  std::optional<std::string> question; ///< nothing for the exact one
+  Rational size_tolerance;
+};
+
+class CrosscheckSummary;
+
+/// The object of a cross-check up to the array of its rows.
+void begin_crosscheck(JsonWriter &json, const CrosscheckAsked &asked);
 /// A row as an object; `setting` only where answers have settings.
 void write_row(JsonWriter &json, const CrosscheckRow &row, bool has_setting);
+/// The object from the end of its rows on.
+void end_crosscheck(JsonWriter &json, const CrosscheckSummary &summary, bool has_setting,
+                    const std::vector<std::string> &notes);
+
+/// The report as text: what was asked, the summary, notes. \param suite  its name as it is shown
+std::string crosscheck_text(const std::string &suite, const std::optional<std::string> &question,
+                            std::uint64_t gradations, const CrosscheckSummary &summary,
+                            const CrosscheckColumns &columns, const std::vector<std::string> &notes);
 
 /// The order statistics of n ratios at the places 0, n/4, n/2, 3n/4 (rounded down, from 0) and n - 1 of
 /// their ascending order: each is the ratio of an answer.

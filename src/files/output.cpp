@@ -210,4 +210,10 @@ void Output::commit() {
   temporary_.clear();
 }
 
+void write_output(const std::string &path, std::string_view text) {
+  Output out(path);
+  out.write(text);
+  out.commit();
+}
+
 } // namespace mdm

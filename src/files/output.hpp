@@ -68,4 +68,7 @@ private:
   int descriptor_ = -1;
 };
 
+/// Writes a text as a whole output. \throws as Output does
+void write_output(const std::string &path, std::string_view text);
+
 } // namespace mdm
