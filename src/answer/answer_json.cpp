@@ -18,7 +18,7 @@ const char *status_name(Status status) {
 
 /// The members of a budget.
 void write_budget(JsonWriter &json, const MatchBudget &budget) {
-  const auto percent = [&json](const char *key, const std::optional<Rational> &value) {
+  const auto step = [&json](const char *key, const std::optional<Rational> &value) {
     json.key(key);
     if (value)
       json.plain(to_decimal(*value));
@@ -26,8 +26,8 @@ void write_budget(JsonWriter &json, const MatchBudget &budget) {
       json.null();
   };
   write(json.key("particles"), budget.particles);
-  percent("tolerance", budget.tolerance);
-  percent("next_finer", budget.next_finer);
+  step(budget.by == BudgetBy::tolerance ? "tolerance" : "size_factor", budget.enough);
+  step("next_finer", budget.next_finer);
   json.end_object();
 }
 

@@ -202,13 +202,15 @@ void add_text_spread(TextBuffer &out, const Match &m, const Spread &spread) {
 /// What the budget suffices for.
 std::string budget_text(const MatchBudget &budget) {
   const std::string particles = counted(budget.particles);
-  if (!budget.tolerance)
+  const bool is_tolerance = budget.by == BudgetBy::tolerance;
+  const std::string what = is_tolerance ? "tolerance" : "size factor", sign = is_tolerance ? "%" : "";
+  if (!budget.enough)
     return particles +
-           (budget.is_decided ? " suffice for no tolerance" : ": no tolerance is known to suffice");
-  if (*budget.tolerance == 0)
-    return particles + " suffice for the tolerance 0";
-  return particles + ": the tolerance " + to_decimal(*budget.tolerance) + "% suffices" +
-         (budget.next_finer ? ", " + to_decimal(*budget.next_finer) + "% does not" : "");
+           (budget.is_decided ? " suffice for no " + what : ": no " + what + " is known to suffice");
+  if (!budget.next_finer && budget.is_decided)
+    return particles + " suffice for the " + what + " " + to_decimal(*budget.enough);
+  return particles + ": the " + what + " " + to_decimal(*budget.enough) + sign + " suffices" +
+         (budget.next_finer ? ", " + to_decimal(*budget.next_finer) + sign + " does not" : "");
 }
 
 } // namespace

@@ -60,9 +60,11 @@ Outcome outcome_of(const CrosscheckSummary &summary, bool must_be_minimal) {
 }
 
 Outcome outcome_of(const Tradeoff &tradeoff) {
-  const auto is_certain = [](const TradeoffRow &row) { return row.is_certain(); };
-  return std::all_of(tradeoff.by_tolerance.begin(), tradeoff.by_tolerance.end(), is_certain) &&
-                 std::all_of(tradeoff.by_sieve.begin(), tradeoff.by_sieve.end(), is_certain)
+  const auto are_certain = [](const std::vector<TradeoffRow> &rows) {
+    return std::all_of(rows.begin(), rows.end(), [](const TradeoffRow &row) { return row.is_certain(); });
+  };
+  return are_certain(tradeoff.by_tolerance) && are_certain(tradeoff.by_sieve) &&
+                 are_certain(tradeoff.by_size_factor)
              ? Outcome::done
              : Outcome::limited;
 }

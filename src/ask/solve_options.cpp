@@ -45,6 +45,18 @@ MassLaw law_of(const std::string &text) {
   return read_law_table(law_file(file), shown_name(file));
 }
 
+/// Refuses options beside a budget that chooses the size factor.
+void check_factor_budget(const SolveTexts &others) {
+  if (!others.specimen && !others.solids_volume)
+    throw InputError(
+        option("by") + " size-factor: a factor changes the number of particles of a specimen alone: add " +
+        option("specimen") + " with " + option("void-ratio") + ", or " + option("solids-volume"));
+  for (const auto &[name, text] :
+       {std::pair{"size-factor", others.size_factor}, std::pair{"at-most", others.at_most}})
+    if (text)
+      throw InputError(option(name) + ": it does not go with " + option("by") + " size-factor: leave it out");
+}
+
 /// The name of the kind without a value.
 std::string kind_of(const SolveTexts &others) {
   return others.tolerances.empty() ? "retained" : others.tolerances.front();
@@ -112,7 +124,12 @@ const std::vector<OptionRow<BudgetTexts>> BudgetTexts::options = {
      "the least tolerance with which N particles suffice, of the kind that --tolerance names without a "
      "value: retained (as without it), passing or total",
      &BudgetTexts::particles},
-    {"grid", "STEP", OptionKind::number, "the steps of that tolerance in percentage points (0.001)",
+    {"by", "WHAT", OptionKind::text,
+     "what --particles chooses: tolerance, or size-factor, the least factor with which N particles of a "
+     "specimen suffice (tolerance)",
+     &BudgetTexts::by},
+    {"grid", "STEP", OptionKind::number,
+     "the steps of that tolerance in percentage points, or of that factor from 1 on (0.001)",
      &BudgetTexts::grid}};
 
 AskedQuestion GradationTexts::question() const {
@@ -200,7 +217,27 @@ SolveOptions SolveTexts::options(bool keep_proof) const {
   return o;
 }
 
+void BudgetTexts::check() const {
+  if (particles)
+    return;
+  for (const auto &[name, text] : {std::pair{"grid", grid}, std::pair{"by", by}})
+    if (text)
+      throw InputError(option(name) + ": it is of a budget: add " + option("particles") +
+                       ", or leave it out");
+}
+
 Budget BudgetTexts::budget(const SolveTexts &others) const {
+  Budget budget;
+  budget.particles = natural("particles", *particles, 1);
+  if (grid)
+    budget.grid = positive("grid", *grid);
+  if (by && *by != "tolerance" && *by != "size-factor")
+    throw InputError(option("by") + ": " + in_quotes(*by) + ": write tolerance or size-factor");
+  if (by == "size-factor") {
+    budget.by = BudgetBy::size_factor;
+    check_factor_budget(others);
+    return budget;
+  }
   if (others.tolerances.size() > 1)
     throw InputError(option("particles") + ": it chooses one tolerance: give one " + option("tolerance") +
                      ", without a value");
@@ -211,16 +248,13 @@ Budget BudgetTexts::budget(const SolveTexts &others) const {
   if (others.band || others.at_most)
     throw InputError(option(others.band ? "band" : "at-most") + ": it does not go with " +
                      option("particles") + ": leave it out");
-  Budget budget;
-  budget.particles = natural("particles", *particles, 1);
   budget.kind = parse_tolerance(kind + ":0%").kind;
-  if (grid)
-    budget.grid = positive("grid", *grid);
   return budget;
 }
 
 AskedQuestion BudgetTexts::question(const SolveTexts &others, const ReadBand &read_band) const {
-  budget(others); // which refuses other tolerances
+  if (budget(others).by == BudgetBy::size_factor) // which refuses what it chooses
+    return others.question(read_band);
   SolveTexts with_value = others;
   with_value.tolerances = {kind_of(others) + ":0%"};
   AskedQuestion asked = with_value.question(read_band);

@@ -65,15 +65,18 @@ void for_each_option(Texts &texts, Visit visit) {
       visit(row.name, texts.*row.text());
 }
 
-/// A number of particles that chooses the tolerance, likewise.
+/// A number of particles that chooses the tolerance or the size factor, likewise.
 struct BudgetTexts {
-  OptionText particles, grid;
+  OptionText particles, by, grid;
 
   static const std::vector<OptionRow<BudgetTexts>> options;
 
+  /// Refuses what belongs to a budget where there is none.
+  void check() const;
   /// The budget; its kind is the one tolerance of the other options, or retained. \pre particles
   Budget budget(const SolveTexts &others) const;
-  /// The question of the other options, without tolerance. \pre particles
+  /// The question of the other options, without the tolerance or the factor that the budget chooses.
+  /// \pre particles
   AskedQuestion question(const SolveTexts &others, const ReadBand &read_band) const;
 };
 

@@ -60,10 +60,11 @@ const std::vector<OptionRow<TradeoffTexts>> TradeoffTexts::options = {
      "tolerances in percentage points (0,0.1,0.2,0.5,1,2,5); 0 is the exact match",
      &TradeoffTexts::tolerances},
     {"particles", "LIST", OptionKind::text,
-     "also the least tolerances with which so many particles suffice: a list as 100,1000, or all "
-     "for 1, 2, 5, 10, 20, ...",
+     "also the least tolerances with which so many particles suffice, and, of a specimen, the least size "
+     "factors: a list as 100,1000, or all for 1, 2, 5, 10, 20, ...",
      &TradeoffTexts::particles},
-    {"grid", "STEP", OptionKind::number, "the steps of those tolerances in percentage points (0.001)",
+    {"grid", "STEP", OptionKind::number,
+     "the steps of those tolerances in percentage points, and of those factors (0.001)",
      &TradeoffTexts::grid}};
 
 TradeoffOptions TradeoffTexts::tradeoff_options() const {

@@ -6,7 +6,7 @@
 
 namespace mdm::cli {
 
-/// A number of particles that chooses the tolerance.
+/// A number of particles that chooses the tolerance or the size factor.
 struct BudgetFlags : BudgetTexts {
   void add_to(CLI::App &command);
   bool is_asked() const { return particles.has_value(); }

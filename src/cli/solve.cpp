@@ -43,7 +43,7 @@ struct SolveCommand {
   bool asks_proof() const { return proof || vipr || coq; }
 };
 
-/// The proof that the next finer tolerance needs more particles than the budget.
+/// The proof that the next finer tolerance, or the next smaller factor, needs more particles than the budget.
 std::string finer_proof(const SolveCommand &c) {
   return *c.proof + ".finer";
 }
@@ -150,9 +150,7 @@ void check_files(const SolveCommand &c) {
   if (c.spectrum && c.output.is_csv())
     throw InputError(option("spectrum") + ": CSV has no place for it: use " + option("format") +
                      " text or json");
-  if (c.budget.grid && !c.budget.is_asked())
-    throw InputError(option("grid") + ": it is of a budget: add " + option("particles") +
-                     ", or leave it out");
+  c.budget.check();
   if (c.spectrum && c.budget.is_asked())
     throw InputError(option("spectrum") + ": it is of exact matches: leave it out, or " +
                      option("particles"));
@@ -221,8 +219,7 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Bud
       Certified finer = certified(*found.finer);
       if (finer.bound && *finer.bound <= c.budget.budget(c.flags).particles)
         m.notes.push_back(
-            "the proof for the next finer tolerance would be too long: the one that is written is "
-            "of " +
+            "the proof for the next finer step would be too long: the one that is written is of " +
             to_string(*finer.bound) + " particles");
       return std::move(finer.text);
     });
@@ -318,7 +315,8 @@ Run add_solve(CLI::App &app) {
                 "what is certain."),
       {"mdm solve sand.csv --min-per-class 10 --proof sand.proof",
        "mdm solve sand.csv --tolerance retained:1%", "mdm solve sand.csv --particles 500 --tolerance passing",
-       "mdm solve sand.csv --specimen cylinder:50x100 --void-ratio 0.6 --format json"}));
+       "mdm solve sand.csv --specimen cylinder:50x100 --void-ratio 0.6 --format json",
+       "mdm solve sand.csv --specimen cylinder:50x100 --void-ratio 0.6 --particles 20000 --by size-factor"}));
   return [c] { return run(*c); };
 }
 

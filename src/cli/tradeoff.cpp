@@ -64,7 +64,7 @@ int run(const TradeoffCommand &c) {
   const Tradeoff t = searched(c, g, q, o);
   const std::unique_ptr<Output> plot = c.plot ? c.plot.drawn(tradeoff_figure(t), c.output.quiet) : nullptr;
   out.write(report(c, t));
-  c.output.tell_notes_beside_csv(t.gradation.notes());
+  c.output.tell_notes_beside_csv(tradeoff_notes(t));
   if (plot)
     plot->commit();
   out.commit();
@@ -76,7 +76,8 @@ int run(const TradeoffCommand &c) {
 Run add_tradeoff(CLI::App &app) {
   const auto c = std::make_shared<TradeoffCommand>();
   CLI::App &command = *app.add_subcommand(
-      "tradeoff", "The smallest N over a tolerance, and over the smallest sieve that is kept");
+      "tradeoff",
+      "The smallest N over a tolerance, over the smallest sieve that is kept, and over a size factor");
   command
       .add_option("FILE", c->file,
                   "gradation: CSV, JSON, AGS4, or another file that mdm convert reads; - for standard input")
@@ -92,10 +93,12 @@ Run add_tradeoff(CLI::App &app) {
   command.footer(footer(
       paragraph(
           "Each row is the smallest match for the whole question: --tolerance and --band hold in all rows, "
-          "--tolerances besides them in those of the first table."),
+          "--tolerances besides them in those of the first table. With a specimen, or a volume of solids, "
+          "and "
+          "--particles a third table has the least size factors with which so many particles suffice."),
       {"mdm tradeoff sand.csv", "mdm tradeoff sand.csv --kind passing --tolerances 0,0.5,1,2 --plot sand.svg",
        "mdm tradeoff sand.csv --particles all --plot sand.svg",
-       "mdm tradeoff sand.csv --specimen cylinder:50x100 --void-ratio 0.6"}));
+       "mdm tradeoff sand.csv --specimen cylinder:50x100 --void-ratio 0.6 --particles 2000,20000"}));
   return [c] { return run(*c); };
 }
 

@@ -1,9 +1,9 @@
-// N against the tolerance and against the smallest sieve that is kept. Each row is a match of its own with
-// its own bounds, and rows help each other: what matches within a tolerance matches within a wider one, so
-// that an upper bound is one for all rows behind it and a lower bound one for all before. A number of
-// particles that is given as a budget adds the row of the least tolerance that it suffices for
-// (budget.cpp). Without its finest classes an exact match is still one of what is kept, which gives the
-// other curve the same order.
+// N against the tolerance, against the smallest sieve that is kept, and against a size factor. Each row is a
+// match of its own with its own bounds, and rows help each other: what matches within a tolerance matches
+// within a wider one, so that an upper bound is one for all rows behind it and a lower bound one for all
+// before. A number of particles that is given as a budget adds the row of the least tolerance that it
+// suffices for (budget.cpp). Without its finest classes an exact match is still one of what is kept, which
+// gives the other curve the same order.
 
 #include "match/budget.hpp"
 #include "number/common_denominator.hpp"
@@ -24,27 +24,36 @@ public:
   /// The row with what is certain of the smallest match of its gradation.
   TradeoffRow solved(TradeoffRow row, Gradation g, const Question &question) {
     const Match m = solve(std::move(g), question, solve_options());
-    row.particles = m.has_answer() ? m.particles() : std::nullopt;
-    row.lower_bound = m.lower_bound;
+    set_match(row, m);
     row.has_none = m.status == Status::none;
     return row;
   }
 
-  /// A row at the least tolerance with which the budget suffices; nothing if none is known.
-  std::optional<TradeoffRow> within(const Integer &particles, TradeoffRow row, const Gradation &g,
-                                    const Question &question) {
+  /// A row at the least tolerance or factor with which the budget suffices; nothing if none is known.
+  std::optional<TradeoffRow> within(const Integer &particles, BudgetBy by, TradeoffRow row,
+                                    const Gradation &g, const Question &question) {
     const Match m =
-        solve_within_budget(g, question, {particles, options_.kind, options_.grid}, solve_options()).match;
-    if (!m.budget->tolerance || !m.has_answer())
+        solve_within_budget(g, question, {particles, by, options_.kind, options_.grid}, solve_options())
+            .match;
+    if (!m.budget->enough || !m.has_answer())
       return std::nullopt;
-    row.tolerance = *m.budget->tolerance;
-    row.particles = m.particles();
-    row.lower_bound = m.lower_bound;
+    (by == BudgetBy::tolerance ? row.tolerance : row.size_factor) = *m.budget->enough;
+    set_match(row, m);
     row.has_none = false;
     return row;
   }
 
 private:
+  static void set_match(TradeoffRow &row, const Match &m) {
+    row.particles = m.has_answer() ? m.particles() : std::nullopt;
+    row.lower_bound = m.lower_bound;
+    row.coarsest = 0;
+    if (m.has_answer())
+      for (std::size_t j = 0; j < m.gradation.classes(); ++j)
+        if (m.gradation.mass(j) > 0)
+          row.coarsest = m.sample->quantities[j];
+  }
+
   SolveOptions solve_options() {
     SolveOptions o;
     o.limits = options_.limits;
@@ -131,11 +140,11 @@ std::vector<Integer> budgets_of(const TradeoffOptions &options, const Integer &m
   return budgets;
 }
 
-/// Ascending tolerances, each once.
-void sort_rows(std::vector<TradeoffRow> &rows) {
+/// Ascending tolerances or factors, each once.
+void sort_rows(std::vector<TradeoffRow> &rows, Rational TradeoffRow::*by) {
   std::stable_sort(rows.begin(), rows.end(),
-                   [](const TradeoffRow &a, const TradeoffRow &b) { return a.tolerance < b.tolerance; });
-  const auto same = [](const TradeoffRow &a, const TradeoffRow &b) { return a.tolerance == b.tolerance; };
+                   [by](const TradeoffRow &a, const TradeoffRow &b) { return a.*by < b.*by; });
+  const auto same = [by](const TradeoffRow &a, const TradeoffRow &b) { return a.*by == b.*by; };
   rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
 }
 
@@ -143,11 +152,28 @@ void sort_rows(std::vector<TradeoffRow> &rows) {
 void share_bounds(std::vector<TradeoffRow> &rows) {
   for (std::size_t i = 1; i < rows.size(); ++i)
     if (const std::optional<Integer> &before = rows[i - 1].particles;
-        before && (!rows[i].particles || *before < *rows[i].particles))
+        before && (!rows[i].particles || *before < *rows[i].particles)) {
       rows[i].particles = before;
+      rows[i].coarsest = rows[i - 1].coarsest;
+    }
   for (std::size_t i = rows.size(); i-- > 1;)
     if (!rows[i].has_none)
       rows[i - 1].lower_bound = std::max(rows[i - 1].lower_bound, rows[i].lower_bound);
+}
+
+/// The least size factors with which the budgets suffice for the specimen; nothing without budgets.
+std::vector<TradeoffRow> size_factor_rows(const std::vector<Integer> &budgets, const Gradation &g,
+                                          const Question &question, TradeoffRows &of,
+                                          const TradeoffRow &whole) {
+  std::vector<TradeoffRow> rows;
+  for (const Integer &particles : budgets)
+    if (std::optional<TradeoffRow> row = of.within(particles, BudgetBy::size_factor, whole, g, question))
+      rows.push_back(std::move(*row));
+  if (!budgets.empty())
+    rows.push_back(whole);
+  sort_rows(rows, &TradeoffRow::size_factor);
+  share_bounds(rows);
+  return rows;
 }
 
 /// True where what is left of a match without its finest classes answers the question as well.
@@ -159,7 +185,7 @@ bool survives_cuts(const Question &q) {
 
 Tradeoff tradeoff(Gradation g, const Question &question, const TradeoffOptions &options) {
   assert(!question.is_tolerant() || (options.budgets.empty() && !options.all_budgets));
-  Tradeoff result{question, asked_gradation(g, question), options.kind, {}, {}};
+  Tradeoff result{question, asked_gradation(g, question), options.kind, {}, {}, {}};
   Question changes = question; // what is not changed in `base` yet
   changes.pan_size = changes.cut_below = std::nullopt;
   Question done = question;
@@ -171,11 +197,15 @@ Tradeoff tradeoff(Gradation g, const Question &question, const TradeoffOptions &
     share_bounds(result.by_sieve);
   for (const Rational &percent : options.tolerances)
     result.by_tolerance.push_back(tolerance_row(base, changes, {options.kind, percent}, of, result.whole()));
-  for (const Integer &particles : budgets_of(options, result.whole().lower_bound))
-    if (std::optional<TradeoffRow> row = of.within(particles, result.whole(), base, changes))
+  const std::vector<Integer> budgets = budgets_of(options, result.whole().lower_bound);
+  for (const Integer &particles : budgets)
+    if (std::optional<TradeoffRow> row =
+            of.within(particles, BudgetBy::tolerance, result.whole(), base, changes))
       result.by_tolerance.push_back(std::move(*row));
-  sort_rows(result.by_tolerance);
+  sort_rows(result.by_tolerance, &TradeoffRow::tolerance);
   share_bounds(result.by_tolerance);
+  if (question.solids && question.size_factor == 1)
+    result.by_size_factor = size_factor_rows(budgets, base, changes, of, result.whole());
   return result;
 }
 

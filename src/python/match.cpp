@@ -73,8 +73,7 @@ py::tuple solve_words(const std::optional<Gradation> &g, const std::map<std::str
                       const std::vector<std::string> &tolerances, bool keep_proof,
                       const py::object &progress) {
   const Words words{values, tolerances};
-  if (words.has("grid") && !words.has("particles"))
-    throw InputError("grid: it is of a budget: add particles, or leave it out");
+  budget_texts(words).check();
   if (!words.has("particles"))
     return solve_exact_or_tolerant(g, words, keep_proof, progress);
   if (!g)

@@ -1,6 +1,7 @@
 #include "report/tradeoff_reader.hpp"
 
 #include "answer/string_members.hpp"
+#include "report/tradeoff_report.hpp"
 #include "text/json_member.hpp"
 #include "text/source.hpp"
 
@@ -113,7 +114,7 @@ StatedTradeoff stated(const Tradeoff &t) {
   return {t.gradation.id(),   in_words(t.question, t.gradation.unit()),
           t.gradation.unit(), t.kind,
           t.by_tolerance,     t.by_sieve,
-          t.gradation.notes()};
+          tradeoff_notes(t)};
 }
 
 bool is_tradeoff(std::string_view content) {

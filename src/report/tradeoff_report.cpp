@@ -77,6 +77,54 @@ std::string by_sieve_text(const Tradeoff &t) {
   return table.text();
 }
 
+/// At least so many of the largest particles lie beside each other in the specimen; nothing of a volume, and
+/// where the opening is irrational.
+std::optional<Rational> largest_beside_each_other(const Tradeoff &t, const TradeoffRow &row) {
+  const std::optional<Rational> width = t.question.solids ? narrowest(*t.question.solids) : std::nullopt;
+  if (!width || t.gradation.root() != 1)
+    return std::nullopt;
+  std::size_t coarsest = 0;
+  for (std::size_t j = 0; j < t.gradation.classes(); ++j)
+    if (t.gradation.mass(j) > 0)
+      coarsest = j;
+  return *width / (t.gradation.opening(coarsest + 1).power * row.size_factor);
+}
+
+std::string by_size_factor_text(const Tradeoff &t) {
+  if (t.by_size_factor.empty())
+    return "";
+  TextTable table;
+  for (const char *heading :
+       {"size factor", "particles", "times fewer", "of the coarsest class", "specimen / d_max"})
+    table.add_column(heading, '>');
+  for (const TradeoffRow &row : t.by_size_factor) {
+    const std::optional<Rational> beside = largest_beside_each_other(t, row);
+    table.add_line();
+    table.add(to_decimal(row.size_factor));
+    add_counts(table, t, row);
+    table.add(row.coarsest > 0 ? to_string(row.coarsest) : "-");
+    table.add(beside ? approximate(*beside, 3) : "-");
+  }
+  return "\n" + table.text();
+}
+
+/// ASTM D4767 and D7181, triaxial tests: the largest particle is smaller than a sixth of the diameter.
+constexpr unsigned fewest_beside_each_other = 6;
+
+void write_size_factor_rows(JsonWriter &json, const Tradeoff &t) {
+  json.begin_array();
+  for (const TradeoffRow &row : t.by_size_factor) {
+    json.begin_object().key("size_factor").plain(to_decimal(row.size_factor));
+    json.key("status").plain(status_name(row));
+    write(json.key("particles"), row.particles);
+    write(json.key("lower_bound"), row.lower_bound);
+    write(json.key("coarsest"), row.coarsest > 0 ? std::optional(row.coarsest) : std::nullopt);
+    write(json.key("specimen_over_largest"), largest_beside_each_other(t, row));
+    json.end_object();
+  }
+  json.end_array();
+}
+
 void write_rows(JsonWriter &json, const std::vector<TradeoffRow> &rows) {
   json.begin_array();
   for (const TradeoffRow &row : rows) {
@@ -90,10 +138,10 @@ void write_rows(JsonWriter &json, const std::vector<TradeoffRow> &rows) {
 }
 
 std::string csv_row(const Tradeoff &t, const TradeoffRow &row) {
-  return fmt::format("{},{},{},{},{},{},{}\n", kind_name(t), to_decimal(row.tolerance), row.smallest.text(),
+  return fmt::format("{},{},{},{},{},{},{}{}\n", kind_name(t), to_decimal(row.tolerance), row.smallest.text(),
                      short_number(Rational(100 * row.lost), 15),
                      row.particles ? to_string(*row.particles) : "", to_string(row.lower_bound),
-                     status_name(row));
+                     status_name(row), t.by_size_factor.empty() ? "" : "," + to_decimal(row.size_factor));
 }
 
 } // namespace
@@ -103,8 +151,8 @@ std::string tradeoff_text(const Tradeoff &t) {
   std::string text =
       fmt::format("{}: the smallest match within a tolerance, and without the finest classes{}\n\n",
                   printable(t.gradation.id()), words.empty() ? "" : " (" + words + ")");
-  text += by_tolerance_text(t) + "\n" + by_sieve_text(t);
-  for (const std::string &note : t.gradation.notes())
+  text += by_tolerance_text(t) + "\n" + by_sieve_text(t) + by_size_factor_text(t);
+  for (const std::string &note : tradeoff_notes(t))
     text += "  note: " + note + "\n";
   return text;
 }
@@ -118,18 +166,34 @@ std::string tradeoff_json(const Tradeoff &t) {
       .plain(name(t.gradation.unit()));
   write_rows(json.key("kind").plain(kind_name(t)).key("by_tolerance"), t.by_tolerance);
   write_rows(json.key("by_sieve"), t.by_sieve);
-  json.key("notes").strings(t.gradation.notes()).key("versions").raw(versions_json()).end_object();
+  if (!t.by_size_factor.empty())
+    write_size_factor_rows(json.key("by_size_factor"), t);
+  json.key("notes").strings(tradeoff_notes(t)).key("versions").raw(versions_json()).end_object();
   return json.take();
 }
 
 std::string tradeoff_csv(const Tradeoff &t) {
   std::string text =
-      fmt::format("kind,tolerance_percent,smallest_{},lost_percent,particles,lower_bound,status\n",
-                  name(t.gradation.unit()));
-  for (const std::vector<TradeoffRow> *rows : {&t.by_tolerance, &t.by_sieve})
+      fmt::format("kind,tolerance_percent,smallest_{},lost_percent,particles,lower_bound,status{}\n",
+                  name(t.gradation.unit()), t.by_size_factor.empty() ? "" : ",size_factor");
+  for (const std::vector<TradeoffRow> *rows : {&t.by_tolerance, &t.by_sieve, &t.by_size_factor})
     for (const TradeoffRow &row : *rows)
       text += csv_row(t, row);
   return text;
+}
+
+std::vector<std::string> tradeoff_notes(const Tradeoff &t) {
+  std::vector<std::string> notes = t.gradation.notes();
+  for (const TradeoffRow &row : t.by_size_factor)
+    if (const std::optional<Rational> beside = largest_beside_each_other(t, row);
+        beside && *beside < fewest_beside_each_other) {
+      notes.push_back(
+          fmt::format("from the size factor {} on the specimen is less than {} openings of the "
+                      "coarsest sieve wide: ASTM D4767 and D7181 ask for {} of the largest particle",
+                      to_decimal(row.size_factor), fewest_beside_each_other, fewest_beside_each_other));
+      break;
+    }
+  return notes;
 }
 
 } // namespace mdm

@@ -51,6 +51,37 @@ TEST_CASE("a budget that suffices for no tolerance is a negative verdict with a 
   CHECK(mdm_check(athabasca, folder / "proof").exit_code == 0);
 }
 
+TEST_CASE("a budget chooses the least size factor for a specimen, and two proofs say so", "[cli]") {
+  const TemporaryFolder folder;
+  const Arguments specimen = {athabasca, "--specimen", "cylinder:50x100", "--void-ratio", "0.6"};
+  const auto with = [&specimen](Arguments more) {
+    more.insert(more.begin(), specimen.begin(), specimen.end());
+    return more;
+  };
+  const Json answer =
+      solve_json(with({"--particles", "20000", "--by", "size-factor", "--proof", folder / "proof"}));
+  const Json &budget = answer.at("budget");
+  CHECK(budget.at("size_factor") == "12.31");
+  CHECK(budget.at("next_finer") == "12.309");
+  CHECK_FALSE(budget.contains("tolerance"));
+  const Outcome fits = mdm_check(athabasca, folder / "proof");
+  CHECK(fits.exit_code == 0);
+  CHECK(fits.out.find("N = 19999 is the smallest") != std::string::npos);
+  CHECK(fits.out.find("multiplied by 12.31;") != std::string::npos);
+  const Outcome more = mdm_check(athabasca, folder / "proof.finer");
+  CHECK(more.exit_code == 0);
+  CHECK(more.out.find("N = 20004 is the smallest") != std::string::npos);
+  CHECK(more.out.find("multiplied by 12.309;") != std::string::npos);
+  CHECK(solve_json(with({"--particles", "20000", "--by", "size-factor", "--grid", "0.5"}))
+            .at("budget")
+            .at("size_factor") == "12.5");
+  CHECK(solve_json(with({"--particles", "40000000", "--by", "size-factor"})).at("budget").at("size_factor") ==
+        "1");
+  const Json none = solve_json(with({"--particles", "1484", "--by", "size-factor"}), 1);
+  CHECK(none.at("budget").at("size_factor").is_null());
+  CHECK(solve_json(with({"--particles", "1485", "--by", "size-factor"})).at("particles") == "1485");
+}
+
 TEST_CASE("options that do not go with a budget are refused", "[cli]") {
   const auto refused = [](Arguments options, const std::string &part) {
     options.insert(options.begin(), {"solve", athabasca});
@@ -64,4 +95,12 @@ TEST_CASE("options that do not go with a budget are refused", "[cli]") {
   refused({"--particles", "5", "--grid", "0"}, "--grid");
   refused({"--particles", "5", "--spectrum"}, "--spectrum");
   refused({"--grid", "1"}, "--grid");
+  refused({"--by", "size-factor"}, "--by");
+  refused({"--particles", "5", "--by", "sizes"}, "write tolerance or size-factor");
+  refused({"--particles", "5", "--by", "size-factor"}, "add --specimen");
+  refused({"--particles", "5", "--by", "size-factor", "--solids-volume", "9", "--size-factor", "2"},
+          "--size-factor");
+  refused({"--particles", "5", "--by", "size-factor", "--solids-volume", "9", "--at-most", "2"}, "--at-most");
+  refused({"--particles", "5", "--by", "size-factor", "--solids-volume", "9", "--tolerance", "retained"},
+          "--tolerance");
 }

@@ -187,6 +187,32 @@ TEST_CASE("the trade-off refuses what makes no sense, and leaves no file", "[cli
   refused({"--cut-below", "0.2"}, "athabasca-sand.csv: there is no sieve of");
 }
 
+TEST_CASE("the trade-off of a specimen has the least size factor of every budget", "[cli]") {
+  const Arguments asked = {"tradeoff",     example("athabasca-sand"),
+                           "--specimen",   "cylinder:50x100",
+                           "--void-ratio", "0.6",
+                           "--tolerances", "0",
+                           "--particles",  "20000,2000000"};
+  const auto as = [&asked](const std::string &format) {
+    Arguments all = asked;
+    all.insert(all.end(), {"--format", format});
+    return mdm(all).out;
+  };
+  const Json rows = Json::parse(as("json")).at("by_size_factor");
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[0].at("size_factor") == "1");
+  CHECK(rows[1].at("size_factor") == "2.652");
+  CHECK(rows[1].at("particles") == "1999776");
+  CHECK(rows[2].at("size_factor") == "12.31");
+  CHECK(rows[2].at("coarsest") == "1");
+  CHECK(rows[2].at("specimen_over_largest") == "6250/3693"); // 50 / (2.4 * 12.31)
+  CHECK(as("csv").find("retained,0,0.038,0,19999,19999,optimal,12.31\n") != std::string::npos);
+  CHECK(as("text").find("from the size factor 12.31 on the specimen is less than 6") != std::string::npos);
+  Arguments magnified = asked;
+  magnified.insert(magnified.end(), {"--size-factor", "2", "--format", "json"});
+  CHECK_FALSE(Json::parse(mdm(magnified).out).contains("by_size_factor"));
+}
+
 TEST_CASE("the trade-off is drawn beside its tables", "[cli]") {
   const TemporaryFolder folder;
   const Outcome outcome = tradeoff({sand, "--tolerances", "0,1,5", "--plot", folder / "t.svg"});

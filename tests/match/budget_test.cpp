@@ -34,7 +34,8 @@ TEST_CASE("the tolerance of a budget is the first on the grid that suffices") {
   int none = 0, exact = 0, between = 0;
   for (int i = 0; i < 200; ++i) {
     const Gradation g = brute::random_gradation(random);
-    const Budget budget{1 + static_cast<int>(random() % 9), kinds[random() % 3], grids[random() % 4]};
+    const Budget budget{1 + static_cast<int>(random() % 9), BudgetBy::tolerance, kinds[random() % 3],
+                        grids[random() % 4]};
     Question question;
     if (random() % 3 == 0)
       question.min_per_class = static_cast<int>(1 + random() % 3);
@@ -53,7 +54,7 @@ TEST_CASE("the tolerance of a budget is the first on the grid that suffices") {
       if (cut == widest)
         break;
     }
-    CHECK(known.tolerance == first);
+    CHECK(known.enough == first);
     CHECK(known.next_finer == before);
     if (!first) {
       CHECK(found.match.status == Status::none);
@@ -80,22 +81,23 @@ TEST_CASE("a sum of deviations may need more than 100 points") {
   Question question;
   question.min_per_class = 1;
   question.law = {2, 1};
-  const BudgetMatch found = solve_within_budget(g, question, {4, Kind::total});
+  const BudgetMatch found = solve_within_budget(g, question, {4, BudgetBy::tolerance, Kind::total});
   const MatchBudget &known = found.match.budget.value();
-  REQUIRE(known.tolerance.has_value());
-  CHECK(*known.tolerance > 100);
-  CHECK(*known.tolerance < 200);
+  REQUIRE(known.enough.has_value());
+  CHECK(*known.enough > 100);
+  CHECK(*known.enough < 200);
   CHECK(known.is_decided);
   CHECK(*found.match.particles() == 4);
-  CHECK(solve_within_budget(g, question, {3, Kind::total}).match.status == Status::none);
+  CHECK(solve_within_budget(g, question, {3, BudgetBy::tolerance, Kind::total}).match.status == Status::none);
 }
 
 TEST_CASE("the step from 10 to 10.001 percentage points can be the one that matters") {
   // (1, 2], (2, 3], 20 and 80 %: at 10 in sum one particle each would touch the bounds.
   Question question;
   question.law = {1, 1};
-  const BudgetMatch found = solve_within_budget(gradation({1, 2, 3}, {2, 8, 0}), question, {2, Kind::total});
-  CHECK(found.match.budget->tolerance == Rational(10) + ratio(1, 1000));
+  const BudgetMatch found =
+      solve_within_budget(gradation({1, 2, 3}, {2, 8, 0}), question, {2, BudgetBy::tolerance, Kind::total});
+  CHECK(found.match.budget->enough == Rational(10) + ratio(1, 1000));
   CHECK(found.match.budget->next_finer == Rational(10));
 }
 
@@ -103,8 +105,66 @@ TEST_CASE("where a limit leaves it open, a budget has no tolerance or a bracket"
   const Gradation g = gradation({0, 2, 5, 9}, {2, 1, 1, 0});
   SolveOptions options;
   options.limits.deadline = std::chrono::steady_clock::now();
-  const BudgetMatch found = solve_within_budget(g, {}, {3, Kind::retained}, options);
+  const BudgetMatch found = solve_within_budget(g, {}, {3, BudgetBy::tolerance, Kind::retained}, options);
   const MatchBudget &known = found.match.budget.value();
-  if (known.tolerance && *known.tolerance > 0)
-    CHECK((!known.is_decided || *known.tolerance - *known.next_finer == ratio(1, 1000)));
+  if (known.enough && *known.enough > 0)
+    CHECK((!known.is_decided || *known.enough - *known.next_finer == ratio(1, 1000)));
+}
+
+TEST_CASE("the size factor of a budget is the first on the grid with which a specimen needs no more") {
+  std::mt19937_64 random(82);
+  const Rational grids[] = {ratio(1, 2), ratio(1, 3), ratio(1, 20)};
+  int none = 0, whole = 0, between = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Gradation g = brute::random_gradation(random);
+    const Budget budget{3 + static_cast<int>(random() % 60), BudgetBy::size_factor, Kind::retained,
+                        grids[random() % 3]};
+    Question question;
+    question.solids = SolidsVolume{Rational(50 + static_cast<int>(random() % 20000))};
+    if (random() % 3 == 0)
+      question.tolerances = {{Kind::retained, Rational(2)}};
+    const BudgetMatch found = solve_within_budget(g, question, budget);
+    const MatchBudget &known = found.match.budget.value();
+    CHECK(known.is_decided);
+    Question anywhere = question;
+    anywhere.solids.reset();
+    const Match free = solve(g, anywhere);
+    if (*free.particles() > budget.particles) {
+      CHECK_FALSE(known.enough.has_value());
+      CHECK(found.match.status == Status::none);
+      ++none;
+      continue;
+    }
+    const auto particles_with = [&](const Rational &factor) {
+      Question asked = question;
+      asked.size_factor = factor;
+      const Match m = solve(g, asked);
+      REQUIRE(m.complete);
+      return *m.particles();
+    };
+    Rational first = 1;
+    while (particles_with(first) > budget.particles)
+      first += budget.grid;
+    CHECK(known.enough == first);
+    CHECK(found.match.question.size_factor == first);
+    CHECK(*found.match.particles() == particles_with(first));
+    CHECK(known.next_finer == (first > 1 ? std::optional<Rational>(first - budget.grid) : std::nullopt));
+    CHECK(found.finer.has_value() == (first > 1));
+    ++(first > 1 ? between : whole);
+  }
+  CHECK(none >= 5);
+  CHECK(whole >= 5);
+  CHECK(between >= 30);
+}
+
+TEST_CASE("where a limit leaves a size factor open, nothing is said to suffice for none") {
+  Question question;
+  question.solids = SolidsVolume{Rational(1000000)};
+  SolveOptions options;
+  options.limits.deadline = std::chrono::steady_clock::now();
+  question.tolerances = {{Kind::retained, Rational(1)}};
+  const BudgetMatch found = solve_within_budget(gradation({0, 2, 5, 9}, {2, 1, 1, 0}), question,
+                                                {3, BudgetBy::size_factor}, options);
+  const MatchBudget &known = found.match.budget.value();
+  CHECK((known.enough || !known.is_decided || found.match.status == Status::none));
 }

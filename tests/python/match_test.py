@@ -102,6 +102,20 @@ def test_a_budget_says_its_tolerance_and_that_the_next_finer_needs_more():
         mdm.budget(SAND, 0)
 
 
+def test_a_budget_buys_the_least_size_factor_of_a_specimen():
+    question = {"specimen": "cylinder:50mmx100mm", "void_ratio": "0.6"}
+    match = mdm.solve(SAND, particles=20000, by="size-factor", **question)
+    budget = match.budget
+    assert budget.tolerance is None and budget.next_finer < budget.size_factor
+    assert match.particles <= 20000 < match.finer.lower_bound
+    assert mdm.solve(SAND, size_factor=budget.size_factor, **question).particles == match.particles
+    assert mdm.solve(SAND, size_factor=budget.next_finer, **question).particles == match.finer.lower_bound
+    row = mdm.tradeoff(SAND, tolerances=[0], particles=[20000], **question).by_size_factor[-1]
+    assert (row.size_factor, row.particles) == (budget.size_factor, match.particles)
+    with pytest.raises(mdm.InputError, match="^by: "):
+        mdm.solve(SAND, by="size-factor")
+
+
 @pytest.mark.parametrize("question, what", [
     ({"tolerance": "retained:x"}, "tolerance: "), ({"tolerance": "none"}, "tolerance: "), ({"law": "cube"}, "law: "),
     ({"at_least": -1}, "at_least: "), ({"at_least": "1.5"}, "at_least: "), ({"at_least": 1.0}, "float"),

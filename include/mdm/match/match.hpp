@@ -71,12 +71,17 @@ struct MatchProof {
   std::optional<Enclosure> pi; ///< bounds that a demanded volume was decided with, if it needed any
 };
 
-/// The tolerance of a match that a budget of particles chose, in percentage points (match/budget.hpp).
+/// What a budget of particles buys: the least tolerance or the least size factor with which it suffices.
+enum class BudgetBy { tolerance, size_factor };
+
+/// The tolerance in percentage points, or the size factor, of a match that a budget of particles chose
+/// (match/budget.hpp).
 struct MatchBudget {
-  Integer particles;                  ///< the budget
-  std::optional<Rational> tolerance;  ///< with which it suffices; nothing if there is none
-  std::optional<Rational> next_finer; ///< with which it does not; nothing where the tolerance is 0
-  bool is_decided = false;            ///< there is no tolerance between the two
+  Integer particles; ///< the budget
+  BudgetBy by = BudgetBy::tolerance;
+  std::optional<Rational> enough;     ///< with which it suffices; nothing if there is none
+  std::optional<Rational> next_finer; ///< with which it does not; nothing at the tolerance 0 or the factor 1
+  bool is_decided = false;            ///< there is no step between the two
 };
 
 /// The smallest set of particles that matches a gradation, or what is known of it. Exact matches and those

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The price of fewer particles: N against a tolerance, and against the smallest sieve that is kept.
+/// The price of fewer particles: N against a tolerance, against the smallest sieve that is kept, and, of a
+/// specimen, against a size factor.
 
 #include <mdm/match/question.hpp>
 #include <mdm/match/solve.hpp>
@@ -14,8 +15,10 @@ struct TradeoffRow {
   Rational tolerance = 0;           ///< percentage points; 0: exact
   RootSize smallest;                ///< opening of the smallest sieve kept
   Rational lost = 0;                ///< share of the mass, in the classes below it
+  Rational size_factor = 1;         ///< of the question's sizes
   std::optional<Integer> particles; ///< a match has so many; nothing: none is known
   Integer lower_bound;              ///< no match has fewer
+  Integer coarsest = 0;             ///< particles of the coarsest class in the match; 0 where it is not known
   bool has_none = false;            ///< it is certain that there is no match
 
   bool is_optimal() const { return particles && *particles == lower_bound; }
@@ -36,7 +39,7 @@ struct TradeoffOptions {
   ProgressCall progress;
 };
 
-/// Both curves. Along the first, neither `particles` nor `lower_bound` rises: what matches within a tolerance
+/// The curves. Along the first, neither `particles` nor `lower_bound` rises: what matches within a tolerance
 /// does so within a wider one. Nor do they along the second, unless a number of particles, a volume or shares
 /// are asked for: a match without its finest classes matches what is left.
 struct Tradeoff {
@@ -45,6 +48,9 @@ struct Tradeoff {
   AskedTolerance::Kind kind;
   std::vector<TradeoffRow> by_tolerance; ///< ascending, each once; nothing left out
   std::vector<TradeoffRow> by_sieve;     ///< ascending, the sieves that retain something
+  /// The least factors with which budgets suffice, ascending from 1 on; where a specimen or a volume and
+  /// budgets are asked for and the question has no factor, else empty.
+  std::vector<TradeoffRow> by_size_factor;
 
   /// The match of the whole gradation as asked, without more tolerance.
   const TradeoffRow &whole() const { return by_sieve.front(); }
@@ -52,7 +58,7 @@ struct Tradeoff {
 
 /// The trade-off of a gradation: every row is the answer to the whole question, the rows of `by_sieve` for
 /// what is left of the gradation, those of `by_tolerance` with this tolerance besides the question's. Cost: a
-/// match for each row, some 17 for each budget.
+/// match for each row, some 17 for each budget, twice so many of a specimen.
 /// \pre with budgets the question has neither tolerances nor a band
 /// \throws InputError if the question does not fit g
 Tradeoff tradeoff(Gradation g, const Question &question, const TradeoffOptions &options);

@@ -54,11 +54,12 @@ class MatchScale:
 
 @dataclass(frozen=True)
 class Budget:
-    """The tolerance that a budget of particles chose, in percentage points."""
+    """The tolerance in percentage points, or the size factor, that a budget of particles chose."""
 
     particles: int
-    tolerance: Fraction | None  #: with which it suffices; None if there is none
-    next_finer: Fraction | None  #: with which it does not; None where the tolerance is 0
+    tolerance: Fraction | None  #: with which it suffices; None if there is none, or a size factor was asked for
+    next_finer: Fraction | None  #: with which it does not; None at the tolerance 0 and at the factor 1
+    size_factor: Fraction | None = None  #: with which it suffices; None if there is none, or a tolerance was asked for
 
 
 #: A gradation in a line of a file that is read when it is asked for: the line, the file's name and its number.
@@ -212,12 +213,12 @@ class Match(Value):
 
     @cached_property
     def budget(self) -> Budget | None:
-        """The tolerance that a budget of particles chose; None if none was asked for."""
+        """What a budget of particles chose; None if none was asked for."""
         budget = self._answer.get("budget")
         if budget is None:
             return None
-        return Budget(int(budget["particles"]), _optional_fraction(budget["tolerance"]),
-                      _optional_fraction(budget["next_finer"]))
+        return Budget(int(budget["particles"]), _optional_fraction(budget.get("tolerance")),
+                      _optional_fraction(budget["next_finer"]), _optional_fraction(budget.get("size_factor")))
 
     @property
     def question(self) -> str:

@@ -25,12 +25,13 @@ Tolerance = Union[Number, Iterable[Number], None]
 def solve(gradation: Union[Gradation, str, "os.PathLike[str]", None] = None, *,
           # Options of solve, by src/ask/write_modules.
           tolerance: Tolerance = None, band: Union[str, "os.PathLike[str]", None] = None,
-          particles: Number | None = None, grid: Number | None = None, min_per_class: Number | None = None,
-          at_least: Number | None = None, at_most: Number | None = None, specimen: str | None = None,
-          void_ratio: Number | None = None, solids_volume: Number | None = None, law: str | None = None,
-          size_factor: Number | None = None, cut_below: Number | None = None, pan_size: Number | None = None,
-          digits: Number | None = None, scale: str | None = None, max_steps: Number | None = None,
-          node_limit: Number | None = None, time_limit: Union[Number, float, None] = None, gap: Number | None = None,
+          particles: Number | None = None, by: str | None = None, grid: Number | None = None,
+          min_per_class: Number | None = None, at_least: Number | None = None, at_most: Number | None = None,
+          specimen: str | None = None, void_ratio: Number | None = None, solids_volume: Number | None = None,
+          law: str | None = None, size_factor: Number | None = None, cut_below: Number | None = None,
+          pan_size: Number | None = None, digits: Number | None = None, scale: str | None = None,
+          max_steps: Number | None = None, node_limit: Number | None = None,
+          time_limit: Union[Number, float, None] = None, gap: Number | None = None,
           # End of the options.
           progress: Progress | None = None) -> Match:
     """The smallest set of particles that matches a gradation: exactly, or within a tolerance. Each keyword is an option
@@ -43,8 +44,8 @@ def solve(gradation: Union[Gradation, str, "os.PathLike[str]", None] = None, *,
             its kind alone: "retained", "passing" or "total".
         band: path of an envelope, CSV with passing_min_percent and passing_max_percent of each sieve, or a
             table with columns such as Lower and Upper.
-        particles, grid: a budget: the least tolerance with which so many particles suffice, in steps of so many percentage
-            points (0.001).
+        particles, by, grid: a budget: the least tolerance with which so many particles suffice, in steps of so many percentage
+            points (0.001); or by "size-factor" the least factor from 1 on with which they suffice for the specimen.
         min_per_class: particles in every class with mass, at least.
         at_least: particles in all, at least.
         at_most: more particles are no match: the status is "none".

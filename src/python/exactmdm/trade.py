@@ -35,8 +35,21 @@ class TradeoffRow:
 
 
 @dataclass(frozen=True)
+class SizeFactorRow:
+    """A specimen whose particles are magnified."""
+
+    size_factor: Fraction
+    status: str  #: as of a Match
+    particles: int | None
+    lower_bound: int
+    coarsest: int | None  #: particles of the coarsest class
+    specimen_over_largest: Fraction | None  #: the shortest length of the specimen over the coarsest opening
+
+
+@dataclass(frozen=True)
 class Tradeoff:
-    """The number of particles against the tolerance, and against the smallest sieve that is kept."""
+    """The number of particles against the tolerance, against the smallest sieve that is kept, and, with a specimen and
+    `particles`, against a size factor."""
 
     id: str
     unit: str
@@ -44,11 +57,12 @@ class Tradeoff:
     by_tolerance: tuple[TradeoffRow, ...]
     by_sieve: tuple[TradeoffRow, ...]
     _json: str
+    by_size_factor: tuple[SizeFactorRow, ...] = ()
 
     @property
     def complete(self) -> bool:
         """True if no limit ended a row."""
-        return all(row.status in ("optimal", "none") for row in self.by_tolerance + self.by_sieve)
+        return all(row.status in ("optimal", "none") for row in self.by_tolerance + self.by_sieve + self.by_size_factor)
 
     def json(self) -> str:
         """In the schema mdm-tradeoff-1, without an end of line."""
@@ -87,8 +101,9 @@ def tradeoff(gradation: Union[Gradation, str, "os.PathLike[str]"], *, kind: str 
     Args:
         kind: what the tolerances are of: "retained", "passing" or "total".
         tolerances: percentage points; 0 is the exact match.
-        particles: budgets, of each of which the least tolerance is added; "all": 1, 2, 5, 10, ...
-        grid: the steps of those tolerances in percentage points (0.001).
+        particles: budgets, of each of which the least tolerance is added, and with a specimen the least size factor;
+            "all": 1, 2, 5, 10, ...
+        grid: the steps of those tolerances in percentage points, and of those factors (0.001).
         options: others of `solve`; limits are of each row. Rows that a limit ends say so.
 
     Raises:
@@ -120,4 +135,9 @@ def _read(report: str) -> Tradeoff:
                                  row["status"], optional_int(row["particles"]), int(row["lower_bound"]))
                      for row in tree[name])
 
-    return Tradeoff(tree["id"], tree["unit"], tree["kind"], rows("by_tolerance"), rows("by_sieve"), report)
+    return Tradeoff(tree["id"], tree["unit"], tree["kind"], rows("by_tolerance"), rows("by_sieve"), report,
+                    tuple(SizeFactorRow(Fraction(row["size_factor"]), row["status"], optional_int(row["particles"]),
+                                        int(row["lower_bound"]), optional_int(row["coarsest"]),
+                                        None if row["specimen_over_largest"] is None
+                                        else Fraction(row["specimen_over_largest"]))
+                          for row in tree.get("by_size_factor", [])))

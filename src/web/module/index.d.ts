@@ -41,7 +41,12 @@ export interface SolveWords {
    * (as without it), passing or total.
    */
   particles?: number | string;
-  /** The steps of that tolerance in percentage points (0.001). */
+  /**
+   * What particles chooses: tolerance, or size-factor, the least factor with which N particles of a specimen suffice
+   * (tolerance).
+   */
+  by?: string;
+  /** The steps of that tolerance in percentage points, or of that factor from 1 on (0.001). */
   grid?: number | string;
   /** At least R particles in every class with mass. */
   minPerClass?: number | string;
@@ -165,11 +170,11 @@ export interface TradeoffWords {
   /** Tolerances in percentage points (0,0.1,0.2,0.5,1,2,5); 0 is the exact match. */
   tolerances?: string;
   /**
-   * Also the least tolerances with which so many particles suffice: a list as 100,1000, or all for 1, 2, 5, 10, 20,
-   * ....
+   * Also the least tolerances with which so many particles suffice, and, of a specimen, the least size factors: a
+   * list as 100,1000, or all for 1, 2, 5, 10, 20, ....
    */
   particles?: string;
-  /** The steps of those tolerances in percentage points (0.001). */
+  /** The steps of those tolerances in percentage points, and of those factors (0.001). */
   grid?: number | string;
 }
 
