@@ -25,10 +25,11 @@ struct BudgetMatch {
 };
 
 /// Looks for the first step on the grid with which the budget suffices. The smallest match within a tolerance
-/// never has more particles than that within a finer one, and the smallest match of a specimen never more with
-/// a greater size factor (Theorem 21). The least real tolerance need not exist. Searches that a limit ends
-/// leave a bracket: the finest step that is known to suffice and the coarsest one that is known not to. Cost:
-/// some 17 matches at the grid of 0.001; each takes a quarter of the time that is left before the deadline.
+/// never has more particles than that within a finer one, and the smallest match of a specimen never more
+/// with a greater size factor (Theorem 21). The least real tolerance need not exist. Searches that a limit
+/// ends leave a bracket: the finest step that is known to suffice and the coarsest one that is known not to.
+/// Cost: some 17 matches at the grid of 0.001; each takes a quarter of the time that is left before the
+/// deadline.
 /// \param question  by tolerance without tolerances and band; by size factor with solids and the factor 1
 /// \throws InputError if the question does not fit g
 BudgetMatch solve_within_budget(const Gradation &g, const Question &question, const Budget &budget,
