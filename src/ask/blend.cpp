@@ -141,7 +141,11 @@ const std::vector<OptionRow<BlendTexts>> BlendTexts::question_options = {
      &BlendTexts::minimise},
     {"cost", "NAME=COST,...", OptionKind::texts,
      "the cost of a unit of mass of each stockpile, as A=12.5,B=9", &BlendTexts::costs},
-    {"target", "CURVE", OptionKind::file, "the curve that is wished for: a gradation", &BlendTexts::target},
+    {"target", "CURVE", OptionKind::file,
+     "the curve that is wished for: a gradation, or power45:19mm, fuller:31.5mm, "
+     "andreasen:16mm,q=0.25,dmin=0.063mm or bolomey:31.5mm,a=10, whose lengths are the largest size and the "
+     "smallest",
+     &BlendTexts::target},
     {"step", "STEP", OptionKind::text,
      "shares are whole numbers of steps: 1% (without this option), 0.5%, or masses as '5kg of 1000kg'",
      &BlendTexts::step},

@@ -1,5 +1,7 @@
 #include "ask/blend.hpp"
 
+#include "ask/option_values.hpp"
+#include "blend/target_curve.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
@@ -73,10 +75,18 @@ Envelope specification_in(const BlendCommand &c) {
   return e;
 }
 
+/// The gradation in the file of the target, or a curve that is computed.
+Gradation target_in(const BlendCommand &c, const Envelope &specification) {
+  const std::string &target = *c.asked.target;
+  if (!names_target_curve(target))
+    return any_gradation(target, {}, c.output.quiet).gradation;
+  return gradation_of(named("target", target, parse_target_curve), specification, target);
+}
+
 void check_files(const BlendCommand &c) {
   std::vector<std::string> paths = c.files;
   paths.push_back(c.specification);
-  if (c.asked.target)
+  if (c.asked.target && !names_target_curve(*c.asked.target))
     paths.push_back(*c.asked.target);
   if (std::count(paths.begin(), paths.end(), "-") > 1)
     throw InputError("standard input can be one file alone: give the others by name");
@@ -114,7 +124,7 @@ int run(const BlendCommand &c) {
   const Envelope specification = specification_in(c);
   std::optional<Gradation> target;
   if (c.asked.target)
-    target = any_gradation(*c.asked.target, {}, c.output.quiet).gradation;
+    target = target_in(c, specification);
   Blending blending(c.asked, stockpiles, specification, target);
   Output out(c.output.path());
   blending.search();
@@ -192,6 +202,7 @@ Run add_blend(CLI::App &app) {
                     "much they must be widened."),
       {"mdm blend sand.csv gravel.csv dust.csv --spec limits.csv",
        "mdm blend A.csv B.csv C.csv --spec limits.csv --cost A=7,B=10.82,C=9.5 --share C=5..30%",
+       "mdm blend A.csv B.csv C.csv --spec limits.csv --target fuller:31.5mm",
        "mdm blend A.csv B.csv --spec limits.csv --target curve.csv --step '5kg of 1000kg' "
        "--blended m.csv"}));
   return [c] { return run(*c); };

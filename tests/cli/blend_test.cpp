@@ -122,6 +122,21 @@ TEST_CASE("limits of shares, targets, and the number of stockpiles", "[cli]") {
   CHECK(shares(largest.at("blends").at(0)).at(0) == Rational(37, 100));
 }
 
+TEST_CASE("a target may be a computed curve, which a note and the proof say in numbers", "[cli]") {
+  const Stockpiles stockpiles("4,60,70\n1,10,30\n16,100,100\n");
+  const std::string proof = stockpiles.folder() / "proof", limits = stockpiles.folder() / "limits.csv",
+                    fine = stockpiles.folder() / "fine.csv", coarse = stockpiles.folder() / "coarse.csv";
+  const Json best = stockpiles.json({"--target", "fuller:16mm", "--proof", proof});
+  CHECK(best.at("blends").at(0).at("value") == "15"); // |40 + 60 f - 50| + |60 f - 25| for f from 1/3 to 5/12
+  CHECK(shares(best.at("blends").at(0)).at(0) == Rational(34, 100));
+  CHECK(best.at("notes").dump().find("computed and rounded to 9 decimals") != std::string::npos);
+  const Outcome checked = mdm_check({limits, fine, coarse, proof});
+  INFO(checked.err);
+  CHECK(checked.exit_code == 0);
+  check_refused(stockpiles.blend({"--target", "fuller:0"}), "--target: 'fuller:0'");
+  check_refused(stockpiles.blend({"--target", "fuller"}), "fuller");
+}
+
 TEST_CASE("the gradation of a blend is a file that other commands read", "[cli]") {
   const Stockpiles stockpiles;
   const std::string mix = stockpiles.folder() / "mix.csv";

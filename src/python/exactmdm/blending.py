@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import pathlib
+import re
 import tempfile
 from collections.abc import Iterable, Mapping
 from contextlib import ExitStack
@@ -19,6 +20,9 @@ from exactmdm.gradation import Gradation
 from exactmdm.options import given_of
 from exactmdm.program import Source, called, file_of, flags_of
 from exactmdm.reading import Path, read
+
+#: Targets that are computed.
+_COMPUTED = re.compile("(power45|fuller|andreasen|bolomey):")
 
 
 @dataclass(frozen=True)
@@ -97,7 +101,8 @@ def blend(stockpiles: Iterable[Source], specification: Path, *, target: Source |
     Args:
         stockpiles: gradations, or files of them; the id of a gradation is the stockpile's name.
         specification: a file of limits: CSV with passing_min_percent and passing_max_percent, or another envelope.
-        target: the curve that is wished for.
+        target: the curve that is wished for: a gradation, or one that is computed: "power45:19mm", "fuller:31.5mm",
+            "andreasen:16mm,q=0.25,dmin=0.063mm" or "bolomey:31.5mm,a=10".
         cost: of a unit of mass of each stockpile: {"A": "12.5", "B": 9}, or texts as "A=12.5".
         share: limits of shares: {"A": "10..40%"}, or texts as "A=10..40%".
         proof: the file of a proof, for `mdm-check` with the files of the specification and of the stockpiles.
@@ -138,7 +143,9 @@ def blend(stockpiles: Iterable[Source], specification: Path, *, target: Source |
     with ExitStack() as stack:
         files = [stack.enter_context(file_of(source)) for source in stockpiles]
         words = [*flags_of(options, "blend"), "--format=json", "--quiet", "--spec", os.fspath(specification)]
-        if target is not None:
+        if isinstance(target, str) and _COMPUTED.match(target):
+            words += ["--target", target]
+        elif target is not None:
             words += ["--target", stack.enter_context(file_of(target))]
         if proof is not None:
             words += ["--proof", os.fspath(proof)]

@@ -356,6 +356,7 @@ export function tradeoff(
 /** What a blend may be asked for. */
 export interface BlendOptions extends Omit<BlendWords, "cost" | "share"> {
   /** The curve that is wished for. */
+  /** A gradation, or a curve that is computed: "power45:19mm", "fuller:31.5mm", "andreasen:16mm,q=0.25,dmin=0.063mm". */
   target?: GradationInput;
   /** Of a unit of mass of each stockpile. */
   cost?: Record<string, string | number> | string | string[];

@@ -153,7 +153,8 @@ export async function blend(stockpiles, specification, { target, proof = false, 
   );
   const limits = put(free("specification.csv"), specification);
   const commandLine = [...words({ ...options, cost: ofEach(cost), share: ofEach(share) }), `--spec=${limits}`];
-  if (target !== undefined) commandLine.push(`--target=${put(free(fileName(target, undefined, "target")), target)}`);
+  if (/^(power45|fuller|andreasen|bolomey):[^\n]*$/.test(target)) commandLine.push(`--target=${target}`);
+  else if (target !== undefined) commandLine.push(`--target=${put(free(fileName(target, undefined, "target")), target)}`);
   const blendedName = free("blended.csv");
   if (proof) commandLine.push(`--proof=${proofName}`);
   const result = await runCommand(
