@@ -27,6 +27,12 @@ DescribeOptions SoilTexts::describe_options() const {
 }
 
 Gradation SoilTexts::with_pan(const Gradation &g) const {
+  if (extrapolate && pan_size)
+    throw InputError(option("extrapolate") + " is for a pan at size 0, and " + option("pan-size") +
+                     " gives it another: leave one of them out");
+  if (extrapolate && !g.has_pan())
+    throw InputError(option("extrapolate") +
+                     ": there is no pan, nothing passes the finest sieve: leave it out");
   return pan_size ? g.with_pan_size(length("pan-size", *pan_size).in(g.unit())) : g;
 }
 

@@ -70,8 +70,13 @@ private:
       return;
     if (agree(*whole, total)) {
       adds_up_ = true;
-      notes_.push_back(fmt::format("The rows of {} add up to {} as {} says.", quoted(c), shown(total.value),
-                                   in_quotes(rows_.total()->label)));
+      notes_.push_back(
+          whole->value == total.value
+              ? fmt::format("The rows of {} add up to {} as {} says.", quoted(c), shown(total.value),
+                            in_quotes(rows_.total()->label))
+              : fmt::format("The rows of {} add up to {}, {} says {}: their rounding may account for it.",
+                            quoted(c), shown(whole->value), in_quotes(rows_.total()->label),
+                            shown(total.value)));
     } else if (!is_sum_of_some(c, *whole, total)) {
       compare_masses(c, *whole, total, *rows_.total());
     }

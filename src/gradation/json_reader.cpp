@@ -54,7 +54,7 @@ public:
   bool parse_error(std::size_t, const std::string &token, const nlohmann::detail::exception &error);
 
   /// The gradation, after the last event.
-  Gradation gradation(const std::string &fallback_id, std::optional<unsigned> round);
+  Gradation gradation(const std::string &fallback_id, std::optional<unsigned> round, bool is_named);
 
 private:
   [[noreturn]] void refuse(const std::string &what) const { refuse_at(reached_, what); }
@@ -307,11 +307,13 @@ void Handler::to_ascending_mm() {
       size *= in_mm(SizeUnit::in);
 }
 
-Gradation Handler::gradation(const std::string &fallback_id, std::optional<unsigned> round) {
+Gradation Handler::gradation(const std::string &fallback_id, std::optional<unsigned> round, bool is_named) {
   check_complete();
   to_ascending_mm();
   Gradation::Data data;
   data.id = found_[id] != nullptr ? std::move(id_) : fallback_id;
+  if (data.id.empty() && is_named)
+    data.id = fallback_id;
   data.unit = unit_;
   data.sizes = std::move(columns_[sizes]);
   data.masses = std::move(columns_[masses]);
@@ -331,14 +333,14 @@ Gradation Handler::gradation(const std::string &fallback_id, std::optional<unsig
 } // namespace
 
 Gradation read_json(std::string_view content, const Source &source, const std::string &fallback_id,
-                    std::optional<unsigned> round) {
+                    std::optional<unsigned> round, bool is_named) {
   if (!content.substr(std::min(content.find_first_not_of(" \t\r\n"), content.size())).starts_with('{'))
     source.refuse(1, "there is no JSON object: write one as {\"sizes\": [...], \"masses\": [...]}");
   Handler handler(content, source);
   const JsonCursor begin(content.data(), handler.reached());
   const JsonCursor end(content.data() + content.size(), handler.reached());
   Json::sax_parse(begin, end, &handler);
-  return handler.gradation(fallback_id, round);
+  return handler.gradation(fallback_id, round, is_named);
 }
 
 } // namespace mdm

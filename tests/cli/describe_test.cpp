@@ -99,6 +99,12 @@ TEST_CASE("the pan can be extrapolated or given a size", "[describe]") {
   CHECK_FALSE(sized.at("IGS").is_null());
 }
 
+TEST_CASE("an extrapolation that has nothing to extrapolate is refused", "[describe]") {
+  check_refused(mdm({"describe", "-", "--extrapolate", "--pan-size", "0.01"}, coarse_pan), "--pan-size");
+  check_refused(mdm({"describe", example("athabasca-sand"), "--extrapolate"}),
+                "--extrapolate: there is no pan");
+}
+
 TEST_CASE("of diameters in the pan those are extrapolated that can be", "[describe]") {
   const std::string notes = describe_json({"-", "--extrapolate", "--d", "0.001"},
                                           "size_mm,passing_percent\n2,100\n1,14\n0.99,13.9\n")

@@ -44,7 +44,8 @@ TEST_CASE("JSON: units, factors, tolerances and ids") {
   CHECK(read(R"({"id":1.50,"sizes":[1,2],"masses":[1,0]})").id() == "1.50");
   CHECK(read(R"({"id":-0,"sizes":[1,2],"masses":[1,0]})").id() == "-0");
   CHECK(read(R"({"id":0,"sizes":[1,2],"masses":[1,0]})").id() == "0");
-  CHECK(read(R"({"id":"","sizes":[1,2],"masses":[1,0]})").id().empty());
+  CHECK(read(R"({"id":"","sizes":[1,2],"masses":[1,0]})").id() == "sand");
+  CHECK(read_json_gradation(R"({"id":"","sizes":[1,2],"masses":[1,0]})", "suite.jsonl:7", "7").id().empty());
   CHECK(read(R"({"sizes":[1,2],"masses":[1,0]})").id() == "sand");
   CHECK(read_json_gradation(with_masses("[1,0]"), "suite.jsonl:7", "7").id() == "7");
 }

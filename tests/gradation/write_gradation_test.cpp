@@ -47,7 +47,7 @@ TEST_CASE("Any id is written as JSON") {
     data.id = id;
     data.sizes = {1, 2};
     data.masses = {1, 0};
-    CHECK(read(gradation_json(Gradation(data))).id() == id);
+    CHECK(read_json_gradation(gradation_json(Gradation(data)), "line 1", "1").id() == id);
   }
   Gradation::Data data;
   data.id = "\xFF";

@@ -16,7 +16,7 @@ TEST_CASE("A verdict that ranges leave open names the tolerance in the spelling 
 }
 
 TEST_CASE("A picture of nothing is refused in the spelling of the front end") {
-  const Tradeoff nothing{{}, gradation({1, 2}, {1, 0}), AskedTolerance::Kind::retained, {}, {}};
+  const Tradeoff nothing{{}, gradation({1, 2}, {1, 0}), AskedTolerance::Kind::retained, {}, {}, {}};
   const auto refusal = [&nothing] { return refusal_of([&nothing] { tradeoff_figure(nothing); }); };
   check_spellings(refusal, {"leave out --plot", "leave out plot", "leave out plot"});
 }
