@@ -94,7 +94,8 @@ UnderstoodGradation understood_json(std::string_view text, const Source &source,
   check_one_sample(reading, source);
   check_reading(reading, source, FileKind::other);
   source.check_text(text, max_gradation_bytes);
-  return {read_json(text, source, id, reading.round, true), "JSON", "key sizes", "key masses: mass", {}, true};
+  return {
+      read_json(text, source, id, reading.round, true), "JSON", "key sizes", "key masses: mass", {}, true};
 }
 
 /// Says which program writes what is no text and no workbook.

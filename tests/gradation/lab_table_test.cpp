@@ -32,8 +32,9 @@ Reading columns(const std::string &text) {
 
 TEST_CASE("A sum that the rows have by their rounding alone is told with both numbers") {
   const Gradation g = read("Sieve (mm),Mass retained (g)\n0.4,0\n0.2,2\n0.1,1\nPan,0.5\nTotal,4.5\n");
-  CHECK(g.notes().back() ==
-        "The rows of 'Mass retained (g)' add up to 3.5, 'Total' says 4.5: their rounding may account for it.");
+  CHECK(
+      g.notes().back() ==
+      "The rows of 'Mass retained (g)' add up to 3.5, 'Total' says 4.5: their rounding may account for it.");
 }
 
 TEST_CASE("A German sieving: titles, semicolons, decimal commas, pan and sum") {
