@@ -93,6 +93,9 @@ GradationFigure PlotTexts::figure(bool is_sample) const {
 }
 
 FigureForm PlotTexts::form() const {
+  if (bare && caption)
+    throw InputError(option("bare") + " leaves out what stands around the diagram: leave it out, or " +
+                     option("caption"));
   FigureForm form;
   form.bare = bare;
   if (language == "de")

@@ -2,11 +2,11 @@
 
 #include "ask/generate.hpp"
 #include "cli/commands.hpp"
-#include "cli/progress.hpp"
 #include "cli/whole_number.hpp"
 #include "files/in_parallel.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
 #include "files/standard_streams.hpp"
 #include "papers/accessible_report.hpp"
 
@@ -31,8 +31,8 @@ int run_accessible(const AccessibleQuestion &question, const OutputFlags &output
   Output out(output.path());
   std::atomic<std::size_t> done = 0;
   {
-    const Progress progress([&] { return fmt::format("{} of {} shapes", done.load(), rows.size()); },
-                            output.quiet);
+    const ProgressLine progress([&] { return fmt::format("{} of {} shapes", done.load(), rows.size()); },
+                                output.quiet);
     in_parallel(rows.size(), flags.threads, [&](std::size_t i) {
       fill(rows[i], question);
       ++done;

@@ -4,7 +4,6 @@
 #include "cli/batch_solver.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
-#include "cli/progress.hpp"
 #include "cli/whole_number.hpp"
 #include "files/byte_source.hpp"
 #include "files/counted_files.hpp"
@@ -12,6 +11,7 @@
 #include "files/in_parallel.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
 #include "files/standard_streams.hpp"
 #include "text/versions.hpp"
 
@@ -106,7 +106,7 @@ void check_shard(const BatchCommand &c) {
 void solve_all(const BatchCommand &c, const BatchSolver &solver, BatchSources &sources, Output &out,
                ProofStream *proofs, BatchReport &report) {
   std::atomic<std::uint64_t> count = 0;
-  Progress progress([&count] { return fmt::format("{} gradations", count.load()); }, c.output.quiet);
+  ProgressLine progress([&count] { return fmt::format("{} gradations", count.load()); }, c.output.quiet);
   constexpr std::size_t at_once = 512;
   for (std::vector<BatchItem> items = sources.next(at_once); !items.empty(); items = sources.next(at_once)) {
     std::string text;

@@ -4,10 +4,10 @@
 #include "cli/problem_flags.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/regrading_flags.hpp"
-#include "cli/sample_file.hpp"
 #include "crosscheck/program_text.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "files/sample_file.hpp"
 #include "report/reading_report.hpp"
 #include "text/option_name.hpp"
 

@@ -1,22 +1,22 @@
 #include "ask/crosscheck_options.hpp"
 #include "ask/option_values.hpp"
 #include "ask/outcome.hpp"
-#include "cli/answer_proofs.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
-#include "cli/progress.hpp"
 #include "cli/solve_flags.hpp"
 #include "cli/whole_number.hpp"
 #include "crosscheck/answer_index.hpp"
 #include "crosscheck/crosscheck_report.hpp"
 #include "crosscheck/solution_reader.hpp"
+#include "files/answer_proofs.hpp"
 #include "files/byte_source.hpp"
 #include "files/file_ending.hpp"
 #include "files/in_parallel.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
 #include "files/solver.hpp"
 #include "files/suite_lines.hpp"
 #include "text/json_writer.hpp"
@@ -149,8 +149,8 @@ private:
 void report_suite(const CrosscheckCommand &c, const CrosscheckQuestion &question,
                   const std::vector<SuiteLine> &suite, const Judge &judge, Report &report) {
   std::atomic<std::size_t> done = 0;
-  Progress progress([&] { return fmt::format("{} of {} gradations", done.load(), suite.size()); },
-                    c.output.quiet);
+  ProgressLine progress([&] { return fmt::format("{} of {} gradations", done.load(), suite.size()); },
+                        c.output.quiet);
   const auto rows = [&](std::size_t i) {
     const SuiteLine &of = suite[i];
     const auto problem = [&] { return question.problem(of.gradation); };

@@ -6,12 +6,12 @@
 #include "cli/export_particles.hpp"
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
-#include "cli/progress.hpp"
 #include "files/byte_source.hpp"
 #include "files/file_ending.hpp"
 #include "files/output.hpp"
 #include "files/packing_file.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
 #include "files/standard_streams.hpp"
 #include "text/lines.hpp"
 #include "text/option_name.hpp"
@@ -76,8 +76,8 @@ void write_file(const std::string &path, const Placement &start,
 /// The start of the particles; that of a deposit takes its time.
 Placement start_at(const ExportTexts &c, bool quiet, const ExportedParticles &found) {
   std::atomic<std::size_t> lying{0};
-  const Progress progress([&lying] { return fmt::format("placing, {} particles lie", lying.load()); },
-                          quiet || start_of(c, found) != Start::deposit);
+  const ProgressLine progress([&lying] { return fmt::format("placing, {} particles lie", lying.load()); },
+                              quiet || start_of(c, found) != Start::deposit);
   return placed(c, found, [&lying](std::size_t n) { lying = n; });
 }
 
@@ -99,7 +99,7 @@ void write_particles(const ExportTexts &c, bool quiet, const ExportFormat &forma
   if (!quiet)
     tell(cost_guide(format, set, start ? &*start : nullptr, e) +
          how_to_verify(c, format, found, start ? &*start : nullptr));
-  Progress progress([] { return std::string("writing"); }, quiet);
+  ProgressLine progress([] { return std::string("writing"); }, quiet);
   const Sink sink = [&out](std::string_view text) { out.write(text); };
   if (start && c.types == "class")
     write_lammps_data_of_classes(*start, sink);

@@ -5,10 +5,10 @@
 #include "answer/answer_sample.hpp"
 #include "ask/option_values.hpp"
 #include "cli/export_command.hpp"
-#include "cli/progress.hpp"
-#include "cli/sample_file.hpp"
 #include "files/byte_source.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
+#include "files/sample_file.hpp"
 #include "files/standard_streams.hpp"
 #include "particles/sample_set.hpp"
 #include "text/json_member.hpp"
@@ -64,7 +64,7 @@ ExportedParticles solved_particles(const ExportTexts &c, const OutputFlags &outp
                                    const std::optional<std::string> &content,
                                    const ParticleSetOptions &options) {
   const AskedQuestion asked = texts_of_solving(c).question(band_in_file);
-  Progress progress([] { return std::string("solving"); }, output.quiet);
+  ProgressLine progress([] { return std::string("solving"); }, output.quiet);
   const std::string &source = c.solve.source(c.file);
   const Gradation g = content ? read_gradation(*content, shown_name(source), c.reading.reading())
                               : in_file(source, [&] { return middle_of(*asked.rest.band); });

@@ -5,11 +5,11 @@
 #include "cli/inverse.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
-#include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
 #include "files/byte_source.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
 #include "files/standard_streams.hpp"
 #include "text/option_name.hpp"
 
@@ -56,8 +56,8 @@ int run(const GenerateCommand &c) {
   check_distinct({c.curve.value_or("-"), c.output.path()});
   const std::optional<Draws> how = asked.writes_sizes() ? std::optional(draws_of(asked)) : std::nullopt;
   std::atomic<std::uint64_t> written = 0;
-  Progress progress([&written] { return fmt::format("generating, {} MB written", written / 1000000); },
-                    c.output.quiet);
+  ProgressLine progress([&written] { return fmt::format("generating, {} MB written", written / 1000000); },
+                        c.output.quiet);
   const GeneratedSet set = generated(asked, read_curve);
   if (how && set.particles())
     check_listed(set, *set.particles());

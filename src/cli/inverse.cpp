@@ -1,10 +1,10 @@
 #include "cli/inverse.hpp"
 
 #include "cli/exit_code.hpp"
-#include "cli/progress.hpp"
 #include "files/in_parallel.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
 #include "papers/inverse_report.hpp"
 
 #include <mdm/text/error.hpp>
@@ -24,8 +24,8 @@ int run_inverse(const InverseTask &task, const OutputFlags &output, const Access
   std::vector<InverseRow> rows(task.spans.size());
   {
     std::atomic<std::size_t> done = 0;
-    const Progress progress([&] { return fmt::format("{} of {} spans", done.load(), rows.size()); },
-                            output.quiet);
+    const ProgressLine progress([&] { return fmt::format("{} of {} spans", done.load(), rows.size()); },
+                                output.quiet);
     in_parallel(rows.size(), flags.threads, [&](std::size_t i) {
       rows[i] = {task.spans[i], inverse_shapes(task.at(task.spans[i]))};
       ++done;

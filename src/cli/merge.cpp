@@ -2,11 +2,11 @@
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/output_flags.hpp"
-#include "cli/progress.hpp"
 #include "files/counted_files.hpp"
 #include "files/file_totals.hpp"
 #include "files/joined_parts.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
@@ -96,7 +96,7 @@ int run(const MergeCommand &c) {
   CountedFiles files(c.output.path(), c.proofs);
   files.open();
   std::atomic<std::uint64_t> count = 0;
-  Progress progress([&count] { return fmt::format("{} answers", count.load()); }, c.output.quiet);
+  ProgressLine progress([&count] { return fmt::format("{} answers", count.load()); }, c.output.quiet);
   Totals totals = sum(shards, suite);
   const Sink answers = [&files](std::string_view text) { files.answers().write(text); };
   join_lines(answers_of(shards), totals.lines, answers, [&count] { ++count; });

@@ -5,12 +5,12 @@
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/pack_apollonian.hpp"
-#include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
 #include "files/byte_source.hpp"
 #include "files/output.hpp"
 #include "files/packing_file.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
 #include "packing/deposit.hpp"
 #include "packing/packing_writer.hpp"
 #include "report/packing_report.hpp"
@@ -38,8 +38,8 @@ Packing packed(const PackCommand &c) {
   DepositOptions options = c.asked.deposit_options();
   std::atomic<std::size_t> lying = 0;
   options.progress = [&lying](std::size_t n) { lying = n; };
-  const Progress progress([&lying] { return fmt::format("packing, {} discs lie", lying.load()); },
-                          c.output.quiet);
+  const ProgressLine progress([&lying] { return fmt::format("packing, {} discs lie", lying.load()); },
+                              c.output.quiet);
   const DiscSizes discs = c.asked.discs(read_discs);
   c.output.tell_notes(discs.notes);
   options.width = c.asked.width_in(discs.unit);

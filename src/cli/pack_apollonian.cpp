@@ -1,8 +1,8 @@
 #include "cli/pack_apollonian.hpp"
 
 #include "cli/commands.hpp"
-#include "cli/progress.hpp"
 #include "files/output.hpp"
+#include "files/progress_line.hpp"
 #include "packing/packing_writer.hpp"
 #include "report/apollonian_report.hpp"
 #include "text/option_name.hpp"
@@ -26,8 +26,8 @@ int run_apollonian(const PackTexts &asked, const OutputFlags &output) {
   const Rational smallest = asked.smallest_circle();
   const Rational most = 1 / smallest;
   std::atomic<std::uint64_t> counted = 0;
-  const Progress progress([&counted] { return fmt::format("counting, {} circles", counted.load()); },
-                          output.quiet);
+  const ProgressLine progress([&counted] { return fmt::format("counting, {} circles", counted.load()); },
+                              output.quiet);
   const auto count = [&] { return g.census(most, [&counted](std::uint64_t n) { counted = n; }); };
   if (asked.count_only) {
     write_output("-", std::to_string(count().circles) + "\n");

@@ -7,15 +7,15 @@
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/picture.hpp"
-#include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
-#include "cli/sample_file.hpp"
-#include "cli/sample_names.hpp"
 #include "cli/soil_flags.hpp"
 #include "cli/solve_flags.hpp"
 #include "files/byte_source.hpp"
 #include "files/packing_file.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
+#include "files/sample_file.hpp"
+#include "files/sample_names.hpp"
 #include "files/standard_streams.hpp"
 #include "match/smallest_match.hpp"
 #include "packing/packing_reader.hpp"
@@ -75,7 +75,7 @@ void check(const PlotCommand &c) {
 
 /// The smallest match of the gradation as it is, or what was found of it.
 Match solved(const Gradation &g, bool quiet) {
-  const Progress progress([] { return std::string("solving"); }, quiet);
+  const ProgressLine progress([] { return std::string("solving"); }, quiet);
   SolveOptions options;
   options.limits.max_steps = most_steps_beside;
   options.limits.keep_proof = false;

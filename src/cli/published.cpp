@@ -4,14 +4,14 @@
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
-#include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
-#include "cli/sample_file.hpp"
-#include "cli/sample_proof_files.hpp"
 #include "cli/solve_flags.hpp"
 #include "files/byte_source.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
+#include "files/sample_file.hpp"
+#include "files/sample_proof_files.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 
@@ -36,7 +36,7 @@ int run(const PublishedCommand &c) {
     SampleProofFiles::check(*c.proof, {c.file, c.output.path()});
   const UnderstoodGradation read =
       understand_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
-  Progress progress([] { return std::string("running the algorithm"); }, c.output.quiet);
+  ProgressLine progress([] { return std::string("running the algorithm"); }, c.output.quiet);
   PublishedReport report = in_file(c.file, [&] { return algorithm.report(read.gradation); });
   Output out(c.output.path());
   std::optional<SampleProofFiles> files;

@@ -5,12 +5,12 @@
 #include "cli/option_tables.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_files.hpp"
-#include "cli/sample_names.hpp"
-#include "cli/specification_file.hpp"
 #include "document/laboratory_report.hpp"
 #include "files/child_process.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "files/sample_names.hpp"
+#include "files/specification_file.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>

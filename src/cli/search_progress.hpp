@@ -2,8 +2,8 @@
 /// \file
 /// The progress of one search, shown on a terminal, and its end by Ctrl-C.
 
-#include "cli/progress.hpp"
 #include "files/interrupt.hpp"
+#include "files/progress_line.hpp"
 
 #include <mdm/match/solve.hpp>
 
@@ -26,7 +26,7 @@ private:
   std::mutex mutex_;
   std::optional<mdm::Progress> known_;
   Interrupt interrupt_;
-  Progress line_; // last: its thread calls text()
+  ProgressLine line_; // last: its thread calls text()
 };
 
 } // namespace mdm::cli

@@ -4,14 +4,14 @@
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/output_flags.hpp"
-#include "cli/progress.hpp"
 #include "cli/reading_flags.hpp"
-#include "cli/sample_file.hpp"
 #include "cli/search_progress.hpp"
 #include "cli/solve_flags.hpp"
 #include "files/byte_source.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
+#include "files/sample_file.hpp"
 #include "files/standard_streams.hpp"
 #include "match/costly_fines.hpp"
 #include "proof/coq_file.hpp"
@@ -253,7 +253,7 @@ int run(const SolveCommand &c) {
     return searched(c, asked.gradation, question, options);
   });
   Match &m = found.match;
-  const Progress progress([] { return std::string("writing"); }, c.output.quiet);
+  const ProgressLine progress([] { return std::string("writing"); }, c.output.quiet);
   std::optional<Spectrum> reachable;
   if (c.spectrum)
     reachable = spectrum(m, options.limits);

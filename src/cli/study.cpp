@@ -1,13 +1,13 @@
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/output_flags.hpp"
-#include "cli/progress.hpp"
 #include "cli/study_files.hpp"
 #include "cli/study_size_models.hpp"
 #include "files/byte_source.hpp"
 #include "files/file_lines.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
 #include "papers/paper_figures.hpp"
 #include "papers/paper_statements.hpp"
 #include "papers/paper_tables.hpp"
@@ -42,7 +42,8 @@ struct Survey {
 Survey survey_of(const StudyCommand &c) {
   const std::string &file = c.files.front();
   std::atomic<std::uint64_t> count = 0;
-  const Progress progress([&count] { return fmt::format("{} gradations", count.load()); }, c.output.quiet);
+  const ProgressLine progress([&count] { return fmt::format("{} gradations", count.load()); },
+                              c.output.quiet);
   Survey survey;
   FileLines lines(file);
   constexpr std::size_t at_once = 512;
@@ -117,7 +118,7 @@ int run_specimens(const StudyCommand &c) {
     throw file_error(file, "the specimens are in mm: give the gradation in mm");
   const std::vector<Specimen> specimens =
       read_specimens(read_file(c.files[1], max_gradation_bytes), shown_name(c.files[1]));
-  const Progress progress([] { return std::string("solving"); }, c.output.quiet);
+  const ProgressLine progress([] { return std::string("solving"); }, c.output.quiet);
   if (!c.out)
     write_output("-", specimens_text(g, specimens));
   else

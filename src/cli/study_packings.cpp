@@ -1,18 +1,15 @@
 #include "cli/study_packings.hpp"
 
-#include "cli/progress.hpp"
+#include "files/deposit_journal.hpp"
 #include "files/in_parallel.hpp"
-#include "files/journal_file.hpp"
 #include "files/paths.hpp"
-#include "papers/deposit_line.hpp"
+#include "files/progress_line.hpp"
 #include "papers/packing_figures.hpp"
 #include "papers/packing_tables.hpp"
-#include "text/option_name.hpp"
 
 #include <fmt/core.h>
 
 #include <atomic>
-#include <map>
 
 namespace mdm::cli {
 namespace {
@@ -22,50 +19,6 @@ const Integer &snapshot_discs() {
   static const Integer n = 5000;
   return n;
 }
-
-/// The deposits that were made so far: a line that says their terms, then a line a deposit.
-class DepositJournal {
-public:
-  DepositJournal(const std::string &folder, const PackingTerms &terms)
-      : file_(folder + "/figure9.journal.jsonl"), terms_(terms.text()) {
-    file_.read([this](std::string_view line, std::size_t number) { take(line, number); }, no_deposit_line);
-    if (!has_terms_)
-      file_.add(terms_line(terms_));
-  }
-
-  /// Null for one that was not made yet.
-  const DepositFacts *find(const std::string &key) const {
-    const auto found = deposits_.find(key);
-    return found == deposits_.end() ? nullptr : &found->second;
-  }
-
-  void add(const KeptDeposit &deposit) { file_.add(deposit_line(deposit)); }
-
-private:
-  void take(std::string_view line, std::size_t number) {
-    const std::string where = line_name(file_.path(), number);
-    if (!has_terms_) {
-      check_terms(line, where);
-      has_terms_ = true;
-      return;
-    }
-    KeptDeposit deposit = in_file(where, [line] { return read_deposit_line(line); });
-    deposits_[deposit.key] = std::move(deposit.facts);
-  }
-
-  void check_terms(std::string_view line, const std::string &where) const {
-    const std::string terms = in_file(where, [line] { return read_terms_line(line); });
-    if (terms != terms_)
-      throw file_error(where, "has the deposits of a study with " + in_quotes(terms) + ", not " +
-                                  in_quotes(terms_) +
-                                  ": ask for the same, remove the file, or name another " + option("out"));
-  }
-
-  JournalFile file_;
-  std::string terms_;
-  bool has_terms_ = false;
-  std::map<std::string, DepositFacts> deposits_;
-};
 
 /// A deposit that is asked for, and its place among the answers.
 struct Wanted {
@@ -112,8 +65,8 @@ PackingStudy packing_study(const PackingStudyOptions &options, const std::string
   for (const Wanted &w : wanted(study.dropped, DepositRule::drop, options))
     all.push_back(w);
   std::atomic<std::size_t> done = 0;
-  const Progress progress([&] { return fmt::format("{} of {} deposits", done.load(), all.size()); },
-                          options.quiet);
+  const ProgressLine progress([&] { return fmt::format("{} of {} deposits", done.load(), all.size()); },
+                              options.quiet);
   in_parallel(all.size(), options.threads, [&](std::size_t i) {
     const std::string key = all[i].question.key();
     if (const DepositFacts *known = journal.find(key)) {

@@ -2,10 +2,10 @@
 
 #include "ask/option_values.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/progress.hpp"
 #include "cli/study_packings.hpp"
 #include "cli/whole_number.hpp"
 #include "files/in_parallel.hpp"
+#include "files/progress_line.hpp"
 #include "papers/model_statements.hpp"
 #include "papers/packing_statements.hpp"
 #include "papers/size_model_figures.hpp"
@@ -66,7 +66,7 @@ public:
 private:
   unsigned threads_;
   std::atomic<std::uint64_t> count_ = 0;
-  Progress progress_;
+  ProgressLine progress_;
 };
 
 /// Figures 1 and 3 to 8; the statements on them are added to those that there are.

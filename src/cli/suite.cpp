@@ -6,13 +6,13 @@
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
-#include "cli/progress.hpp"
 #include "cli/whole_number.hpp"
 #include "files/byte_source.hpp"
 #include "files/digest.hpp"
 #include "files/in_parallel.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
 
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/text/error.hpp>
@@ -54,7 +54,7 @@ int run(const SuiteCommand &c) {
   Output out(c.output.path());
   out.write(first_line);
   std::atomic<std::uint64_t> written = 0;
-  Progress progress([&written] { return fmt::format("{} gradations", written.load()); }, c.output.quiet);
+  ProgressLine progress([&written] { return fmt::format("{} gradations", written.load()); }, c.output.quiet);
   constexpr std::uint64_t at_once = 512;
   while (written < range.count()) {
     std::vector<std::string> lines(std::min(at_once, range.count() - written));

@@ -239,6 +239,7 @@ TEST_CASE("a picture has the form that is asked for", "[cli]") {
   CHECK(contains(bare, "<title>athabasca-sand</title>"));
   CHECK_FALSE(contains(bare, ">athabasca-sand</text>"));
   CHECK_FALSE(contains(bare, ">Cu = "));
+  check_refused(mdm({"plot", sand, "-o", folder / "b.svg", "--bare", "--caption", "A sand."}), "--caption");
   const std::string german =
       drawn(folder, "b.svg", {sand, "--language", "de", "--caption", "Gelesen: <mm>."});
   CHECK(contains(german, ">Durchgang in Prozent<"));

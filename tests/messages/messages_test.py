@@ -22,7 +22,7 @@ EXCEPTIONS = {
     "src/particles/yade_course.cpp": {"--start"},  # the same of YADE
     "src/ask/export_report.cpp": {"--size-unit", "--specimen"},  # of the mdm verify that it quotes
     "src/papers/deposit_line.hpp": {"--out"},  # of mdm study
-    "src/cli/sample_file.cpp": {"--to", "--seed"},  # of the mdm export that it quotes
+    "src/files/sample_file.cpp": {"--to", "--seed"},  # of the mdm export that it quotes
     # Of the commands beside statements, behind a comma in them.
     "src/papers/model_statements.cpp": {"--dmin", "--dmax", "--span", "--dimension", "--table", "--classes", "--sizes", "--format"},
     "src/papers/shape_statements.cpp": {"--dmin", "--dmax", "--table"},

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace mdm::cli {
+namespace mdm {
 
 /// Where samples have the same name, those of their files take its place, as the user gave them; from the
 /// second time on that a file is given, with a number. \pre as many names as files
@@ -21,4 +21,4 @@ void tell_apart(std::vector<Sample> &samples, Name name, const std::vector<std::
   tell_apart(names, files);
 }
 
-} // namespace mdm::cli
+} // namespace mdm

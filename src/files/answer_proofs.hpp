@@ -8,7 +8,7 @@
 
 #include <atomic>
 
-namespace mdm::cli {
+namespace mdm {
 
 /// Writes the certificates of answers to a folder, by several threads: NUMBER.proof, NUMBER.sample.csv and
 /// NUMBER.gradation.json for the line NUMBER of the suite, NUMBER-2 and so on for more answers to it.
@@ -34,4 +34,4 @@ private:
   std::atomic<std::uint64_t> answers_ = 0, proofs_ = 0;
 };
 
-} // namespace mdm::cli
+} // namespace mdm

@@ -1,4 +1,4 @@
-#include "cli/sample_names.hpp"
+#include "files/sample_names.hpp"
 
 #include "files/paths.hpp"
 
@@ -6,7 +6,7 @@
 
 #include <map>
 
-namespace mdm::cli {
+namespace mdm {
 
 void tell_apart(const std::vector<std::string *> &names, const std::vector<std::string> &files) {
   std::map<std::string, unsigned> count, given;
@@ -19,4 +19,4 @@ void tell_apart(const std::vector<std::string *> &names, const std::vector<std::
   }
 }
 
-} // namespace mdm::cli
+} // namespace mdm

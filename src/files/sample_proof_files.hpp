@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace mdm::cli {
+namespace mdm {
 
 /// PROOF, and where they are needed PROOF.sample.csv and PROOF.gradation.csv.
 class SampleProofFiles {
@@ -42,4 +42,4 @@ private:
   bool has_proof_ = false;
 };
 
-} // namespace mdm::cli
+} // namespace mdm

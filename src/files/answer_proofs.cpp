@@ -1,4 +1,4 @@
-#include "cli/answer_proofs.hpp"
+#include "files/answer_proofs.hpp"
 
 #include "files/output.hpp"
 #include "files/paths.hpp"
@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-namespace mdm::cli {
+namespace mdm {
 
 AnswerProofs::AnswerProofs(std::string folder, const CrosscheckQuestion &question, Rational size_tolerance)
     : folder_(std::move(folder)), question_(question), size_tolerance_(std::move(size_tolerance)) {
@@ -51,4 +51,4 @@ std::optional<AnswerProof> AnswerProofs::made(const Gradation &asked, const Othe
   }
 }
 
-} // namespace mdm::cli
+} // namespace mdm

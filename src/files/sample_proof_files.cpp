@@ -1,4 +1,4 @@
-#include "cli/sample_proof_files.hpp"
+#include "files/sample_proof_files.hpp"
 
 #include "files/paths.hpp"
 #include "text/lines.hpp"
@@ -8,7 +8,7 @@
 
 #include <filesystem>
 
-namespace mdm::cli {
+namespace mdm {
 namespace {
 
 constexpr const char *sample_ending = ".sample.csv", *gradation_ending = ".gradation.csv";
@@ -68,4 +68,4 @@ void SampleProofFiles::commit() {
   proof_.commit();
 }
 
-} // namespace mdm::cli
+} // namespace mdm

@@ -1,10 +1,10 @@
-#include "cli/sample_file.hpp"
+#include "files/sample_file.hpp"
 
 #include "answer/generated_reader.hpp"
 #include "ask/option_values.hpp"
-#include "cli/progress.hpp"
 #include "files/packing_file.hpp"
 #include "files/paths.hpp"
+#include "files/progress_line.hpp"
 #include "particles/gsd.hpp"
 #include "particles/sample_sieves.hpp"
 #include "text/lines.hpp"
@@ -14,7 +14,7 @@
 
 #include <atomic>
 
-namespace mdm::cli {
+namespace mdm {
 namespace {
 
 /// A set with its sizes; they have a line.
@@ -96,7 +96,8 @@ void refuse_long(const std::string &where, const char *what) {
 ReadParticles read_lines(std::vector<FileLines::Line> first, FileLines &rest, const std::string &path,
                          const ParticleOptions &options, ParticleSink &sink, bool quiet) {
   Counting counting(sink);
-  const Progress progress([&counting] { return fmt::format("{} sizes read", counting.count.load()); }, quiet);
+  const ProgressLine progress([&counting] { return fmt::format("{} sizes read", counting.count.load()); },
+                              quiet);
   ParticleReader reader(shown_name(path), counting, options);
   std::uint64_t number = 0;
   for (; !first.empty(); first = rest.next(lines_at_once))
@@ -136,7 +137,7 @@ void refuse_sample(const std::string &path) {
                                " -o GRADATION.csv writes the one that they have");
 }
 
-UnderstoodGradation any_gradation(const std::string &path, const ReadingFlags &reading, bool quiet,
+UnderstoodGradation any_gradation(const std::string &path, const ReadingTexts &reading, bool quiet,
                                   PhiReading phi) {
   const std::string begin = first_bytes(path);
   if (is_generated(begin)) {
@@ -165,4 +166,4 @@ UnderstoodGradation any_gradation(const std::string &path, const ReadingFlags &r
   return understand_gradation(read_file(path, max_gradation_bytes), shown_name(path), reading.reading(phi));
 }
 
-} // namespace mdm::cli
+} // namespace mdm

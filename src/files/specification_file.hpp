@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace mdm::cli {
+namespace mdm {
 
 /// The one of that name that comes with the program, or that in the file; `-` for standard input.
 /// \throws InputError naming the file, and the names where there is no such file
@@ -22,4 +22,4 @@ std::optional<Rational> rounding_of(const std::optional<std::string> &text);
 /// What its option says of it.
 std::string rounding_help();
 
-} // namespace mdm::cli
+} // namespace mdm

@@ -1,4 +1,4 @@
-#include "cli/specification_file.hpp"
+#include "files/specification_file.hpp"
 
 #include "ask/option_values.hpp"
 #include "files/byte_source.hpp"
@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace mdm::cli {
+namespace mdm {
 
 Specification specification_at(const std::string &name) {
   if (std::optional<Specification> s = shipped_specification(name))
@@ -43,4 +43,4 @@ std::string rounding_help() {
          "masses are exact)";
 }
 
-} // namespace mdm::cli
+} // namespace mdm

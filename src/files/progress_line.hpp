@@ -8,16 +8,16 @@
 #include <string>
 #include <thread>
 
-namespace mdm::cli {
+namespace mdm {
 
 /// Shows `text()` and the seconds gone twice a second, from the second second on, if standard error is a
 /// terminal; the line is removed at the end. `text` is called from another thread.
-class Progress {
+class ProgressLine {
 public:
-  Progress(std::function<std::string()> text, bool quiet);
-  ~Progress();
-  Progress(const Progress &) = delete;
-  Progress &operator=(const Progress &) = delete;
+  ProgressLine(std::function<std::string()> text, bool quiet);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine &) = delete;
+  ProgressLine &operator=(const ProgressLine &) = delete;
 
 private:
   void run();
@@ -29,4 +29,4 @@ private:
   std::thread thread_;
 };
 
-} // namespace mdm::cli
+} // namespace mdm

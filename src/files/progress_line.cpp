@@ -1,4 +1,4 @@
-#include "cli/progress.hpp"
+#include "files/progress_line.hpp"
 
 #include "files/standard_streams.hpp"
 
@@ -7,14 +7,14 @@
 
 #include <chrono>
 
-namespace mdm::cli {
+namespace mdm {
 
-Progress::Progress(std::function<std::string()> text, bool quiet) : text_(std::move(text)) {
+ProgressLine::ProgressLine(std::function<std::string()> text, bool quiet) : text_(std::move(text)) {
   if (!quiet && isatty(STDERR_FILENO) == 1)
-    thread_ = std::thread(&Progress::run, this);
+    thread_ = std::thread(&ProgressLine::run, this);
 }
 
-Progress::~Progress() {
+ProgressLine::~ProgressLine() {
   {
     const std::lock_guard lock(mutex_);
     done_ = true;
@@ -24,7 +24,7 @@ Progress::~Progress() {
     thread_.join();
 }
 
-void Progress::run() {
+void ProgressLine::run() {
   using namespace std::chrono;
   const steady_clock::time_point start = steady_clock::now();
   bool shown = false;
@@ -39,4 +39,4 @@ void Progress::run() {
     tell("\r\x1b[K");
 }
 
-} // namespace mdm::cli
+} // namespace mdm

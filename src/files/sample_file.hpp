@@ -2,7 +2,7 @@
 /// \file
 /// Files of particles, in all formats, and the gradations that commands take from files of any kind.
 
-#include "cli/reading_flags.hpp"
+#include "ask/reading_options.hpp"
 #include "files/file_lines.hpp"
 #include "particles/particle_reader.hpp"
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace mdm::cli {
+namespace mdm {
 
 /// True for a file that begins as files of particles do, or is a set of mdm generate; standard input is not
 /// looked at.
@@ -54,7 +54,7 @@ void refuse_sample(const std::string &path);
 
 /// The gradation that a file is, or that a set of mdm generate or a sample of particles in it has.
 /// \throws InputError naming the file
-UnderstoodGradation any_gradation(const std::string &path, const ReadingFlags &reading, bool quiet,
+UnderstoodGradation any_gradation(const std::string &path, const ReadingTexts &reading, bool quiet,
                                   PhiReading phi = PhiReading::exact);
 
-} // namespace mdm::cli
+} // namespace mdm
