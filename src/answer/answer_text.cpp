@@ -205,8 +205,10 @@ std::string budget_text(const MatchBudget &budget) {
   const bool is_tolerance = budget.by == BudgetBy::tolerance;
   const std::string what = is_tolerance ? "tolerance" : "size factor", sign = is_tolerance ? "%" : "";
   if (!budget.enough)
-    return particles +
-           (budget.is_decided ? " suffice for no " + what : ": no " + what + " is known to suffice");
+    return particles + (!budget.is_decided ? ": no " + what + " is known to suffice"
+                        : is_tolerance     ? " suffice for no tolerance"
+                                           : " suffice for no size factor: without the specimen the smallest "
+                                             "set has more");
   if (!budget.next_finer && budget.is_decided)
     return particles + " suffice for the " + what + " " + to_decimal(*budget.enough);
   return particles + ": the " + what + " " + to_decimal(*budget.enough) + sign + " suffices" +

@@ -69,9 +69,10 @@ BudgetSteps factor_steps(const Gradation &g, Question question, const Budget &bu
   of_any.limits.keep_proof = false;
   const Match any = solve(g, question, of_any);
   steps.is_weakest = any.has_answer() || any.status == Status::none;
-  if (!any.has_answer())
+  const std::optional<Enclosure> volume = any.has_answer() ? any.solids_volume() : std::nullopt;
+  if (!volume) // of other particles than spheres a specimen cannot be asked, as the first step will say
     return steps;
-  const Rational there_is = any.solids_volume().value().lower();
+  const Rational there_is = volume->lower();
   const auto fills = [&](const Integer &i) { return power(steps.value(i), 3) * there_is >= demanded; };
   if (!fills(Integer(0)))
     for (steps.last = 1; !fills(steps.last);)

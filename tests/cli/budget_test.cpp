@@ -77,6 +77,10 @@ TEST_CASE("a budget chooses the least size factor for a specimen, and two proofs
             .at("size_factor") == "12.5");
   CHECK(solve_json(with({"--particles", "40000000", "--by", "size-factor"})).at("budget").at("size_factor") ==
         "1");
+  const Outcome text = mdm({"solve", athabasca, "--specimen", "cylinder:50x100", "--void-ratio", "0.6",
+                            "--particles", "1484", "--by", "size-factor"});
+  CHECK(text.out.find("suffice for no size factor: without the specimen the smallest set has more") !=
+        std::string::npos);
   const Json none = solve_json(with({"--particles", "1484", "--by", "size-factor"}), 1);
   CHECK(none.at("budget").at("size_factor").is_null());
   CHECK(solve_json(with({"--particles", "1485", "--by", "size-factor"})).at("particles") == "1485");
@@ -100,6 +104,8 @@ TEST_CASE("options that do not go with a budget are refused", "[cli]") {
   refused({"--particles", "5", "--by", "size-factor"}, "add --specimen");
   refused({"--particles", "5", "--by", "size-factor", "--solids-volume", "9", "--size-factor", "2"},
           "--size-factor");
+  refused({"--particles", "5000", "--by", "size-factor", "--solids-volume", "9", "--law", "power:2"},
+          "sphere");
   refused({"--particles", "5", "--by", "size-factor", "--solids-volume", "9", "--at-most", "2"}, "--at-most");
   refused({"--particles", "5", "--by", "size-factor", "--solids-volume", "9", "--tolerance", "retained"},
           "--tolerance");
