@@ -294,8 +294,7 @@ void note_narrow_specimen(Match &match) {
 
 Match solve(Gradation g, const Question &question, const SolveOptions &options) {
   if (question.solids && !question.law.is_sphere())
-    throw InputError("a specimen or volume of solids needs spheres: leave out " + option("law") + " " +
-                     (question.law.is_power() ? question.law.exponent() : "by table or sum"));
+    throw InputError("a specimen or volume of solids needs spheres: leave out " + option("law"));
   Match match(question, asked_gradation(std::move(g), question));
   match.digits = options.digits;
   match.notes = match.gradation.notes();
