@@ -1,3 +1,4 @@
+#include "number_check.hpp"
 #include "print.hpp"
 #include "verdict.hpp"
 #include "verify.hpp"
@@ -21,6 +22,16 @@ Verdict malformed(const Input &input, const Malformed &error) {
 Verdict check(const Input &gradation_file, const Input &certificate_file) {
   const Input *reading = &gradation_file;
   try {
+    if (is_number_certificate(certificate_file.text)) {
+      const Gradation numbers = read_number_gradation(gradation_file.text);
+      reading = &certificate_file;
+      const NumberCertificate certificate = read_number_certificate(certificate_file.text);
+      verify_number(numbers, certificate);
+      return {Verdict::accepted,
+              accepted_number_line(certificate, gradation_file.name),
+              question_in_words(certificate),
+              {}};
+    }
     const Gradation gradation = read_gradation(gradation_file.text);
     reading = &certificate_file;
     const Certificate certificate = read_certificate(certificate_file.text);

@@ -178,7 +178,7 @@ public:
       for (Row &row : rows_)
         row.value = full - row.value;
     const std::size_t written = rows_.size();
-    if (kind.starts_with("passing_") || kind.starts_with("cumulative_"))
+    if (kind.starts_with("passing_") || kind.starts_with("cumulative_")) // also cumulative_number_percent
       passing_to_masses(rows_, full, has_column("factor"));
     const bool implied_pan = rows_.size() > written;
     Gradation gradation = complete(std::move(rows_), has_column("tolerance_percent"));
@@ -267,7 +267,8 @@ private:
   void read_header(const Fields &fields, std::string_view line) {
     static const Fields names[] = {{"size_mm", "size_um", "size_m", "size_in", "size_phi", "sieve"},
                                    {"mass", "retained_g", "retained_percent", "retained_fraction",
-                                    "cumulative_retained_percent", "passing_percent", "passing_fraction"},
+                                    "cumulative_retained_percent", "passing_percent", "passing_fraction",
+                                    "number_percent", "cumulative_number_percent"},
                                    {"tolerance_percent", "factor"}};
     static const Fields band = {"passing_min_percent", "passing_max_percent"};
     demand_form(fields.size() >= 2, line, "a single column: begin with a header such as size_mm,mass");
@@ -281,6 +282,8 @@ private:
                   "mdm solve --proof writes)",
                   fields[i]);
     }
+    demand_form(!is_number_column(fields[1]) || fields.size() == 2, line,
+                "no column may follow one of shares by number: drop it");
     header_ = fields;
   }
 
@@ -405,16 +408,39 @@ public:
 
 } // namespace
 
+bool is_number_column(std::string_view name) {
+  return name == "number_percent" || name == "cumulative_number_percent";
+}
+
 std::string Gradation::unit() const {
   return sizes == "size_um" ? "um" : sizes == "size_m" ? "m" : "mm";
 }
 
-Gradation read_gradation(std::string_view text) {
+namespace {
+
+Gradation read_any_gradation(std::string_view text) {
   demand_text(text);
   if (text.starts_with("\xEF\xBB\xBF"))
     text.remove_prefix(3);
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   return begin != std::string_view::npos && text[begin] == '{' ? Json(text).read() : Csv().read(text);
+}
+
+} // namespace
+
+Gradation read_gradation(std::string_view text) {
+  Gradation gradation = read_any_gradation(text);
+  demand_form(!is_number_column(gradation.values), text,
+              "has shares of the number of particles, not of their mass: give one by mass", gradation.values);
+  return gradation;
+}
+
+Gradation read_number_gradation(std::string_view text) {
+  Gradation gradation = read_any_gradation(text);
+  demand_form(is_number_column(gradation.values), text,
+              "has masses, and the certificate is of shares by number: give the gradation that it is of",
+              gradation.values);
+  return gradation;
 }
 
 } // namespace mdm::checker

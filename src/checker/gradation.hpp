@@ -33,6 +33,12 @@ struct Gradation {
 /// Reads a gradation file, CSV or JSON (section 4).
 Gradation read_gradation(std::string_view text);
 
+/// Reads one by number (section 13), whose masses are the shares by number.
+Gradation read_number_gradation(std::string_view text);
+
+/// Whether the second column has shares by number.
+bool is_number_column(std::string_view name);
+
 /// The fields of a line of CSV; none at all if a quote is not closed or something follows it.
 std::vector<std::string> csv_fields(std::string_view line, char delimiter);
 

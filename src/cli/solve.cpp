@@ -7,12 +7,14 @@
 #include "cli/reading_flags.hpp"
 #include "cli/search_progress.hpp"
 #include "cli/solve_flags.hpp"
+#include "cli/solve_number.hpp"
 #include "files/byte_source.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "files/progress_line.hpp"
 #include "files/sample_file.hpp"
 #include "files/standard_streams.hpp"
+#include "gradation/number_gradation.hpp"
 #include "match/costly_fines.hpp"
 #include "proof/coq_file.hpp"
 #include "proof/vipr.hpp"
@@ -62,11 +64,9 @@ struct Target {
 };
 
 /// \param band  the bytes of the band's file
-Target target(const SolveCommand &c, const Question &question, const std::string &band) {
+Target target(const SolveCommand &c, const Question &question, const std::string &band, std::string content) {
   if (!c.file)
     return {in_file(c.flags.source(c.file), [&] { return middle_of(*question.band); }), band, ""};
-  refuse_sample(*c.file);
-  std::string content = read_file(*c.file, max_gradation_bytes);
   UnderstoodGradation read = understand_gradation(content, shown_name(*c.file), c.reading.reading());
   return {std::move(read.gradation), std::move(content),
           read.is_canonical ? "" : "mdm-check does not read this file as it was read here"};
@@ -230,8 +230,31 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Bud
   return files;
 }
 
-int run(const SolveCommand &c) {
+/// An option that has no use for a gradation by number, but those of SolveFlags; empty: none.
+std::string idle_for_numbers(const SolveCommand &c) {
+  const std::pair<const char *, bool> given[] = {{"particles", c.budget.particles.has_value()},
+                                                 {"grid", c.budget.grid.has_value()},
+                                                 {"vipr", c.vipr.has_value()},
+                                                 {"coq", c.coq.has_value()},
+                                                 {"seed", c.seed.has_value()},
+                                                 {"spectrum", c.spectrum},
+                                                 {"spread", c.spread},
+                                                 {"verbose", c.verbose}};
+  for (const auto &[name, is_given] : given)
+    if (is_given)
+      return option(name);
+  return c.reading.given();
+}
+
+Exit run(const SolveCommand &c) {
   check_files(c);
+  std::string content;
+  if (c.file) {
+    refuse_sample(*c.file);
+    content = read_file(*c.file, max_gradation_bytes);
+    if (is_number_gradation(content))
+      return solve_number({*c.file, content, c.flags, c.output, c.proof, idle_for_numbers(c)});
+  }
   std::string band;
   const ReadBand read_band = [&band](const std::string &path) {
     band = read_file(path, max_gradation_bytes);
@@ -240,7 +263,7 @@ int run(const SolveCommand &c) {
   const AskedQuestion stated = c.budget.is_asked() ? c.budget.BudgetTexts::question(c.flags, read_band)
                                                    : c.flags.SolveTexts::question(read_band);
   const std::uint64_t seed = seed_of(c);
-  const Target asked = target(c, stated.rest, band);
+  const Target asked = target(c, stated.rest, band, std::move(content));
   Question question = stated.in(asked.gradation.unit());
   question.band_alone = !c.file;
   Output out(c.output.path());
@@ -282,9 +305,11 @@ int run(const SolveCommand &c) {
 Run add_solve(CLI::App &app) {
   const auto c = std::make_shared<SolveCommand>();
   CLI::App &command = *app.add_subcommand("solve", "The smallest set of particles that matches a gradation");
-  command.add_option("FILE", c->file,
-                     "gradation: CSV, JSON, AGS4, or another file that mdm convert reads; - for standard "
-                     "input; needed unless there is a --band");
+  command.add_option(
+      "FILE", c->file,
+      "gradation: CSV, JSON, AGS4, or another file that mdm convert reads, or CSV with shares by "
+      "number (number_percent, cumulative_number_percent); - for standard input; needed "
+      "unless there is a --band");
   c->flags.add_to(command);
   c->budget.add_to(command);
   const OptionGroup group(command, "The answer");

@@ -4,6 +4,7 @@
 #include "gradation/phi.hpp"
 #include "gradation/shown.hpp"
 #include "gradation/table.hpp"
+#include "text/lines.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -29,10 +30,31 @@ std::string mass_column_names() {
   return text;
 }
 
+/// The column of that name; null if there is none.
+const MassColumn *find_number_column(std::string_view name) {
+  const auto *const found = std::find_if(number_columns.begin(), number_columns.end(),
+                                         [name](const MassColumn &c) { return c.name == name; });
+  return found == number_columns.end() ? nullptr : found;
+}
+
+/// The fields of the first line that is no comment; none if there is no such line.
+std::vector<std::string> header_fields(std::string_view content) {
+  std::vector<std::string> fields;
+  for (Lines lines(content); lines.next();) {
+    const std::string_view line = trimmed(lines.text());
+    if (line.empty() || line.front() == '#')
+      continue;
+    split_fields(line, line.find(';') == std::string_view::npos ? ',' : ';', fields);
+    break;
+  }
+  return fields;
+}
+
 class CsvReader {
 public:
-  CsvReader(std::string_view content, const Source &source, const std::string &id, PhiReading phi)
-      : rows_(content, source), source_(source), phi_reading_(phi) {
+  CsvReader(std::string_view content, const Source &source, const std::string &id, PhiReading phi,
+            bool of_numbers = false)
+      : rows_(content, source), source_(source), phi_reading_(phi), of_numbers_(of_numbers) {
     table_.id = id;
   }
 
@@ -61,7 +83,15 @@ private:
           option("band"), mass_column_names()));
     if (names.size() < 2)
       rows_.refuse("a second column is missing: use one of " + mass_column_names());
-    table_.column = find_mass_column(names[1]);
+    const MassColumn *const of_numbers = find_number_column(names[1]);
+    if (of_numbers != nullptr && !of_numbers_)
+      rows_.refuse(fmt::format("{} is a share of the number of particles, not of their mass: mdm solve "
+                               "finds the smallest set with such shares; here give one of the columns {}",
+                               names[1], mass_column_names()));
+    if (of_numbers_ && names.size() > 2)
+      rows_.refuse(
+          fmt::format("column {} has no use beside {}: leave it out", in_quotes(names[2]), names[1]));
+    table_.column = of_numbers_ ? of_numbers : find_mass_column(names[1]);
     if (table_.column == nullptr)
       rows_.refuse(fmt::format("second column {} is unknown: use one of {}", in_quotes(names[1]),
                                mass_column_names()));
@@ -130,6 +160,7 @@ private:
   CsvRows rows_;
   const Source &source_;
   PhiReading phi_reading_;
+  bool of_numbers_;
   std::vector<std::optional<Rational>> phi_; ///< of exact phi sizes; nothing for the pan
   Table table_;
   std::size_t tolerance_ = 0; ///< index of the column, 0 if there is none
@@ -139,15 +170,19 @@ private:
 } // namespace
 
 bool is_canonical_csv(std::string_view content) {
-  std::vector<std::string> fields;
-  for (Lines lines(content); lines.next();) {
-    const std::string_view line = trimmed(lines.text());
-    if (line.empty() || line.front() == '#')
-      continue;
-    split_fields(line, line.find(';') == std::string_view::npos ? ',' : ';', fields);
-    return find_size_column(fields[0]) != nullptr;
-  }
-  return true; // the canonical reader says that there is no header
+  const std::vector<std::string> fields = header_fields(content);
+  // Where there is no header, the canonical reader says so.
+  return fields.empty() || find_size_column(fields[0]) != nullptr;
+}
+
+bool is_number_csv(std::string_view content) {
+  const std::vector<std::string> fields = header_fields(content);
+  return fields.size() > 1 && find_size_column(fields[0]) != nullptr &&
+         find_number_column(fields[1]) != nullptr;
+}
+
+Table read_number_csv(std::string_view content, const Source &source, const std::string &id) {
+  return CsvReader(content, source, id, PhiReading::exact, true).read();
 }
 
 Table read_csv(std::string_view content, const Source &source, const std::string &id, PhiReading phi) {

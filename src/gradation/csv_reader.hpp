@@ -13,6 +13,12 @@ namespace mdm {
 /// \throws InputError with the line
 Table read_csv(std::string_view content, const Source &source, const std::string &id, PhiReading phi);
 
+/// The same of a gradation by number: after the sizes it has one of the number_columns, and nothing else.
+Table read_number_csv(std::string_view content, const Source &source, const std::string &id);
+
+/// True where the header is that of canonical CSV with one of the number_columns.
+bool is_number_csv(std::string_view content);
+
 /// True where the first line that is no comment begins with the name of a canonical column of sizes, so that
 /// it is a header of that grammar, or a wrong one; also where there is no such line.
 bool is_canonical_csv(std::string_view content);

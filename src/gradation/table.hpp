@@ -30,6 +30,12 @@ inline constexpr std::array<MassColumn, 7> mass_columns = {{
     {"passing_fraction", "fraction passing", MassForm::passing, 1},
 }};
 
+/// Columns of a gradation by number, of which `mass` means the number of the particles.
+inline constexpr std::array<MassColumn, 2> number_columns = {{
+    {"number_percent", "percent by number", MassForm::retained, 100},
+    {"cumulative_number_percent", "cumulative percent by number", MassForm::passing, 100},
+}};
+
 /// Columns of one entry a row, in the order of the file; all from the factors on may be empty.
 struct Table {
   const MassColumn *column = nullptr;

@@ -86,6 +86,11 @@ COMMANDS = {
         ["report", *SANDS, "--spec", "astm-c33-fine", "--client", "A & B", "--field", "Project=Quay", "--d", "5"],
         ["report", "pan.csv", "--spec", "edge.csv", "--extrapolate"],
     ],
+    "mdm-number-1": [
+        ["solve", "number.csv"],
+        ["solve", "number.csv", "--tolerance", "retained:1%"],
+        ["solve", "number.csv", "--tolerance", "total:0"],
+    ],
     "mdm-rule-1": [
         *(["judge", *SANDS, "--stability", rule] for rule in ("kenney-lau", "kezdi", "burenkova")),
         ["judge", "pan.csv", "--stability", "burenkova"],
@@ -188,6 +193,7 @@ OPTIONAL = {
 FILES = {
     "some.json": '{"schema": "mdm-suite-1", "sieves": {"from": 1, "ratio": 2}, "classes": 3, "masses": {"kind": "random"}}',
     "discs.csv": "class,size_lo,size_hi\n1,1,1\n1,1,1\n2,2,2\n",
+    "number.csv": "size_mm,number_percent\n1,50\n2,33.3\n4,0\n8,16.7\n16,0\n",
     "half_phi.csv": "size_phi,mass\n-2,0\n-1.5,1\n-1,0\n-0.5,0\n0,1\n",
     "pan.csv": "size_mm,passing_percent\n4.75,100\n2,80\n0.425,45\n0.075,12\n",
     "a.csv": "size_mm,passing_percent\n1,100\n0.25,80\n0.1,0\n",

@@ -1,0 +1,144 @@
+// Gradations by number, from the file to the verdict.
+
+#include "answer.hpp"
+
+#include <fstream>
+
+using namespace cli_test;
+
+namespace {
+
+const std::string shares = "size_mm,number_percent\n1,50\n2,33.3\n4,0\n8,16.7\n16,0\n";
+const std::string cumulative = "size_mm,cumulative_number_percent\n16,100\n8,83.3\n4,83.3\n2,50\n1,0\n";
+
+/// The verdict on a proof, and on it with a part replaced.
+struct Proved {
+  TemporaryFolder folder;
+  std::string gradation, proof;
+
+  explicit Proved(const Arguments &options, int exit_code = 0, const std::string &content = shares) {
+    gradation = folder.write("sand.csv", content);
+    proof = folder / "sand.proof";
+    Arguments arguments{"solve", gradation, "--proof", proof};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = mdm(arguments);
+    INFO(outcome.err);
+    CHECK(outcome.exit_code == exit_code);
+    text = outcome.out;
+  }
+  Outcome verdict() const { return mdm_check(gradation, proof); }
+  int forged(const std::string &part, const std::string &by) const {
+    std::string certificate = read_file(proof);
+    const std::size_t at = certificate.find(part);
+    REQUIRE(at != std::string::npos);
+    certificate.replace(at, part.size(), by);
+    const std::string other = folder / "forged.proof";
+    std::ofstream(other) << certificate;
+    return mdm_check(gradation, other).exit_code;
+  }
+  std::string text;
+};
+
+} // namespace
+
+TEST_CASE("exact shares by number take the least common denominator", "[cli]") {
+  for (const std::string &content : {shares, cumulative}) {
+    const Proved proved({}, 0, content);
+    CHECK(contains(proved.text, "1000 particles have the shares by number exactly"));
+    CHECK(read_file(proved.proof) ==
+          "mdm-certificate number 1\nparticles 1000\nquantities 500 333 0 167\nend\n");
+    CHECK(contains(proved.verdict().out,
+                   "accepted: 1000 is the least number of particles that have the shares"));
+  }
+}
+
+TEST_CASE("shares by number within a tolerance have a proof", "[cli]") {
+  for (const char *tolerance : {"retained:1%", "passing:1%", "total:1%"}) {
+    const Proved proved({"--tolerance", tolerance});
+    CHECK(contains(proved.text, "6 particles have"));
+    CHECK(contains(read_file(proved.proof), "particles 6\nquantities 3 2 0 1\n"));
+    CHECK(proved.verdict().exit_code == 0);
+  }
+  const Proved both({"--tolerance", "retained:10%", "--tolerance", "passing:5%"});
+  CHECK(contains(both.verdict().out, "(retained within 10% of the number; passing within 5% of the number)"));
+}
+
+TEST_CASE("a search by number that reaches its limit has a proof of the bound", "[cli]") {
+  const Proved proved({"--tolerance", "retained:0.00000001%"}, 3,
+                      "size_mm,number_percent\n1,33.333333333\n2,66.666666667\n4,0\n");
+  CHECK(contains(proved.text, "the limit of steps was reached"));
+  CHECK(contains(proved.verdict().out, "accepted: no set of fewer than 8388609 particles has"));
+  CHECK(proved.forged("bound 8388609", "bound 8388610") == 1);
+}
+
+TEST_CASE("forged certificates by number are refused", "[cli]") {
+  const Proved exact({});
+  CHECK(exact.forged("particles 1000", "particles 999") == 1);
+  CHECK(exact.forged("500 333 0 167", "500 332 1 167") == 1);
+  CHECK(exact.forged("500 333 0 167", "500 333 167") == 1);
+  CHECK(exact.forged("particles 1000\nquantities 500 333 0 167",
+                     "particles 2000\nquantities 1000 666 0 334") == 1);
+  CHECK(exact.forged("particles 1000\nquantities 500 333 0 167", "bound 1001") == 1);
+  CHECK(exact.forged("particles 1000\nquantities 500 333 0 167", "bound 1000") == 0);
+  const Proved tolerant({"--tolerance", "retained:1%"});
+  CHECK(tolerant.forged("particles 6\nquantities 3 2 0 1", "particles 12\nquantities 6 4 0 2") == 1);
+  CHECK(tolerant.forged("retained 1\n", "retained 0.01\n") == 1);
+  CHECK(tolerant.forged("retained 1\n", "passing 20\n") == 1);
+  CHECK(tolerant.forged("retained 1\n", "") == 1);
+  CHECK(tolerant.forged("particles 6\nquantities 3 2 0 1", "bound 7") == 1);
+  CHECK(tolerant.forged("retained 1\n", "retained 1\ntotal 1\n") == 2);
+  CHECK(tolerant.forged("retained 1\n", "retained 101\n") == 2);
+  CHECK(tolerant.forged("quantities 3 2 0 1", "quantities 3 2 -0 1") == 2);
+  CHECK(tolerant.forged("particles 6\n", "particles 0\n") == 2);
+  CHECK(tolerant.forged("end\n", "end\nend\n") == 2);
+  CHECK(tolerant.forged("end\n", "") == 2);
+}
+
+TEST_CASE("answers by number have all formats", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("sand.csv", shares);
+  CHECK(
+      mdm({"solve", file, "--format", "csv"}).out ==
+      "lower_mm,upper_mm,number_share,quantity\n1,2,1/2,500\n2,4,333/1000,333\n4,8,0,0\n8,16,167/1000,167\n");
+  const std::string json = mdm({"solve", file, "--format", "json", "--tolerance", "total:1%"}).out;
+  CHECK(contains(json,
+                 "{\"schema\":\"mdm-number-1\",\"id\":\"sand\",\"status\":\"optimal\",\"particles\":\"6\""));
+  CHECK(contains(json, "\"tolerances\":[\"total:1%\"]"));
+}
+
+TEST_CASE("a gradation by number is nowhere taken as one by mass", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("sand.csv", shares);
+  const std::string mass = folder.write("mass.csv", "size_mm,mass\n1,1\n2,1\n4,0\n");
+  for (const Arguments &arguments : std::vector<Arguments>{{"describe", file},
+                                                           {"convert", file},
+                                                           {"tradeoff", file},
+                                                           {"verify", file, mass},
+                                                           {"published", "rounded", file},
+                                                           {"judge", file, "--spec", "astm-c33-fine"}})
+    check_refused(mdm(arguments), "share of the number of particles");
+  CHECK(mdm({"solve", mass, "--proof", folder / "mass.proof"}).exit_code == 0);
+  CHECK(mdm({"solve", file, "--proof", folder / "number.proof"}).exit_code == 0);
+  CHECK(mdm_check(file, folder / "mass.proof").exit_code == 2);
+  CHECK(mdm_check(mass, folder / "number.proof").exit_code == 2);
+}
+
+TEST_CASE("what says nothing of shares by number is refused", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("sand.csv", shares);
+  for (const Arguments &options : std::vector<Arguments>{{"--law", "sphere"},
+                                                         {"--at-least", "5"},
+                                                         {"--particles", "10"},
+                                                         {"--spectrum"},
+                                                         {"--spread"},
+                                                         {"--vipr", folder / "vipr"},
+                                                         {"--unit", "mm"},
+                                                         {"--time-limit", "5"}}) {
+    Arguments arguments{"solve", file};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    check_refused(mdm(arguments), options.front() + ": it is of gradations by mass");
+  }
+  check_refused(mdm({"solve", file, "--tolerance", "rounding"}), "is not of shares by number");
+  const std::string factor = folder.write("factor.csv", "size_mm,number_percent,factor\n1,5,1\n2,0,1\n");
+  check_refused(mdm({"solve", factor}), "has no use beside number_percent");
+}
