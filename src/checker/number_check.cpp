@@ -204,9 +204,9 @@ std::string question_in_words(const NumberCertificate &c) {
 
 std::string accepted_number_line(const NumberCertificate &c, const std::string &file) {
   const std::string n = c.particles.get_str();
-  return "accepted: " + (c.quantities.empty() ? "no set of fewer than " + n : n + " is the least number of") +
-         " particles that " + (c.quantities.empty() ? "has" : "have") + " the shares by number of " +
-         quoted_name(file) + ": " + question_in_words(c);
+  const std::string claim = c.quantities.empty() ? "no set of fewer than " + n + " particles has"
+                                                 : n + " is the least number of particles that have";
+  return "accepted: " + claim + " the shares by number of " + quoted_name(file) + ": " + question_in_words(c);
 }
 
 } // namespace mdm::checker

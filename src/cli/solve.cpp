@@ -234,6 +234,7 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Bud
 std::string idle_for_numbers(const SolveCommand &c) {
   const std::pair<const char *, bool> given[] = {{"particles", c.budget.particles.has_value()},
                                                  {"grid", c.budget.grid.has_value()},
+                                                 {"by", c.budget.by.has_value()},
                                                  {"vipr", c.vipr.has_value()},
                                                  {"coq", c.coq.has_value()},
                                                  {"seed", c.seed.has_value()},

@@ -1,7 +1,6 @@
 #include "cli/solve_number.hpp"
 
 #include "answer/number_answer.hpp"
-#include "cli/progress.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "files/standard_streams.hpp"

@@ -64,7 +64,7 @@ TEST_CASE("shares by number within a tolerance have a proof", "[cli]") {
 }
 
 TEST_CASE("a search by number that reaches its limit has a proof of the bound", "[cli]") {
-  const Proved proved({"--tolerance", "retained:0.00000001%"}, 3,
+  const Proved proved({"--tolerance", "retained:0.0000000001%"}, 3,
                       "size_mm,number_percent\n1,33.333333333\n2,66.666666667\n4,0\n");
   CHECK(contains(proved.text, "the limit of steps was reached"));
   CHECK(contains(proved.verdict().out, "accepted: no set of fewer than 8388609 particles has"));
