@@ -48,18 +48,25 @@ void DecimalSign::see(std::string_view digits) {
     if (place.empty())
       place = digits;
   };
-  if (digits.find(',') != std::string_view::npos)
+  if (digits.find(',') != std::string_view::npos && digits.find('.') != std::string_view::npos)
+    keep(both_);
+  else if (digits.find(',') != std::string_view::npos)
     keep(!comma_is_sure_ && may_be_thousands(digits, ',') ? commas_thousands_ : comma_);
   else if (digits.find('.') != std::string_view::npos)
     keep(!point_is_sure_ && may_be_thousands(digits, '.') ? points_thousands_ : point_);
 }
 
 char DecimalSign::sign() const {
+  if (!both_.empty())
+    throw InputError("the number " + in_quotes(both_) +
+                     " has a sign between thousands: write all numbers without such signs");
   const std::string &comma = comma_.empty() ? commas_thousands_ : comma_;
   const std::string &point = point_.empty() ? points_thousands_ : point_;
   if (!comma.empty() && !point.empty())
-    throw InputError("the numbers " + in_quotes(comma) + " and " + in_quotes(point) +
-                     " have different decimal signs: use one of them throughout");
+    throw InputError(
+        "the numbers " + in_quotes(comma) + " and " + in_quotes(point) +
+        " have different decimal signs, or one between thousands: use one sign throughout, none between "
+        "thousands");
   if (comma_.empty() && !comma.empty())
     refuse_thousands(comma, "comma");
   if (point_.empty() && !point.empty())

@@ -31,7 +31,7 @@ public:
 
 private:
   bool comma_is_sure_, point_is_sure_;
-  std::string point_, comma_;                       ///< the first number of each form
+  std::string point_, comma_, both_;                ///< the first number of each form
   std::string points_thousands_, commas_thousands_; ///< the same, where the sign may stand between thousands
 };
 

@@ -13,6 +13,9 @@ namespace mdm {
 /// The most cells of a table; it bounds the memory.
 inline constexpr std::size_t max_cells = std::size_t{1} << 21;
 
+/// What stands for a date, which a spreadsheet makes of 3/8.
+inline constexpr std::string_view date_cell = "(a date)";
+
 /// A row that has something in it.
 struct CellRow {
   std::size_t line;                           ///< of the file, or row of the sheet, from 1 on
@@ -20,6 +23,7 @@ struct CellRow {
   std::vector<std::string> cells;             ///< without the spaces around them
   std::vector<std::size_t> texts = {};        ///< of a workbook: the columns of texts, in order
   std::vector<std::size_t> long_numbers = {}; ///< those of numbers that have no decimal of at most 15 digits
+  bool is_hidden = false;                     ///< of a workbook: its sheet does not show the row
 
   /// The cell of that column; empty beyond the last.
   std::string_view cell(std::size_t column) const {

@@ -48,7 +48,7 @@ constexpr std::array vocabulary = {
     RoleWords{standard, "us u s usa bs british astm iso din is indian standard test nominal square name "
                         "designation nf une uni cnr"},
     RoleWords{retained, "retained ret"},
-    RoleWords{retained | cumulative, "oversize"},
+    RoleWords{retained | cumulative, "oversize coarser"},
     RoleWords{passing, "passing pass passed finer undersize"},
     RoleWords{cumulative, "cumulative cum cumul cumulated accumulated"},
     RoleWords{individual, "individual indiv ind partial"},

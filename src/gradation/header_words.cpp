@@ -124,6 +124,16 @@ ColumnUnit take_unit(std::vector<std::string> &words) {
   return last;
 }
 
+/// `mm`, `[µm]` or `phi` and nothing else; other units may be symbols, as `m` of a mass.
+std::optional<ColumnUnit> unit_alone(std::string_view header) {
+  const std::vector<std::string> words = words_of(header);
+  if (words.size() != 1 || words[0] == "u")
+    return std::nullopt;
+  const ColumnUnit unit = unit_of_word(words[0]);
+  return unit == ColumnUnit::mm || unit == ColumnUnit::um || unit == ColumnUnit::phi ? std::optional(unit)
+                                                                                     : std::nullopt;
+}
+
 } // namespace
 
 std::optional<SizeUnit> length_of(ColumnUnit unit) {
@@ -167,6 +177,8 @@ std::vector<std::string> words_in(std::string_view header, ColumnUnit unit) {
 }
 
 std::optional<HeaderMeaning> header_meaning(std::string_view header) {
+  if (const std::optional<ColumnUnit> unit = unit_alone(header))
+    return HeaderMeaning{ColumnMeaning::size, *unit};
   std::string rest(header);
   ColumnUnit unit = take_bracketed_unit(rest);
   std::vector<std::string> words = words_of(rest);

@@ -213,6 +213,12 @@ private:
         account.numbers.push_back(std::move(number));
     });
     read_.accounts.push_back(std::move(account));
+    note_hidden();
+  }
+
+  void note_hidden() {
+    if (row().is_hidden)
+      read_.hidden.add(first_cell(row()));
   }
 
   // ---- words
@@ -277,6 +283,7 @@ private:
       beside_.take(row());
     });
     table.lines.push_back(row().line);
+    note_hidden();
     for (const std::size_t column : {columns_.size, columns_.value})
       if (std::binary_search(row().long_numbers.begin(), row().long_numbers.end(), column))
         read_.long_numbers.add(row().cell(column));

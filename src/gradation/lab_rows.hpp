@@ -17,6 +17,7 @@ struct LabRows {
   std::vector<AccountRow> accounts; ///< rows of the pan, of losses and of sums
   std::vector<StatedNumber> stated; ///< above and below the table
   ShortList left;                   ///< rows that are none of these
+  ShortList hidden;                 ///< of a workbook: those that were read, and its sheet does not show
   ShortList long_numbers;           ///< of a workbook: those that have no decimal of at most 15 digits
 };
 

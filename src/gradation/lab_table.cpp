@@ -3,6 +3,7 @@
 #include "gradation/csv_rows.hpp"
 #include "gradation/lab_accounts.hpp"
 #include "gradation/lab_values.hpp"
+#include "gradation/weighed_sieves.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
@@ -46,6 +47,8 @@ void describe_rest(Table &table, const LabRows &rows) {
         fmt::format("Cells that have no decimal of at most 15 digits were read as they are stored: "
                     "{}; see {}.",
                     rows.long_numbers.text(), option("round")));
+  if (!rows.hidden.empty())
+    table.notes.push_back(fmt::format("Rows that the sheet hides were read too: {}.", rows.hidden.text()));
   if (!rows.left.empty())
     table.notes.push_back(fmt::format("Rows that are no sizes were left out: {}.", rows.left.text()));
 }
@@ -60,6 +63,12 @@ void refuse_table(const Cells &cells, const Reading &reading, const Source &sour
         line, fmt::format("{}: no header has {}, and no row has numbers there; the file begins {}: give "
                           "names as they stand in the header, or numbers from 1 on{}",
                           option("columns"), in_quotes(*reading.columns), beginning_of(cells), cells.hint));
+  for (const CellRow &row : cells.rows)
+    if (const std::optional<WeighedSieves> sieves = weighed_sieves(row))
+      source.refuse(row.line,
+                    fmt::format("{} and {} are the sieves with what they retain and empty, and no column has "
+                                "what they retain: add one with the difference",
+                                in_quotes(row.cells[sieves->full]), in_quotes(row.cells[sieves->empty])));
   source.refuse(line, fmt::format("{}; the file begins {}: {}{}",
                                   unknown_size_column(first, "size_mm,passing_percent"), beginning_of(cells),
                                   column_options(), cells.hint));

@@ -38,7 +38,7 @@ private:
       return;
     if (const std::optional<NumberCell> number = number_cell(cell)) {
       if (!label_.empty())
-        state(*number, cell);
+        state(*number, cell, row_, i);
       return;
     }
     if (unit_of_words(cell) != ColumnUnit::none && !label_.empty()) {
@@ -52,16 +52,18 @@ private:
     unit_ = {};
     stated_ = false;
     if (const std::optional<NumberCell> number = number_cell(behind))
-      state(*number, behind);
+      state(*number, behind, row_, i);
   }
 
-  void state(const NumberCell &number, std::string_view text) {
+  /// \param text  of the number, in that column of that row
+  void state(const NumberCell &number, std::string_view text, const CellRow &row, std::size_t column) {
     if (stated_ || is_of_sizes(number.unit) || is_of_sizes(unit_in_header(label_)))
       return;
     MassStatement s{row_words(label_).meaning, std::string(label_), std::string(number.digits)};
     s.line = row_.line;
     s.grams = grams_in(text.substr(number.digits.size()));
     s.is_percent = number.unit == ColumnUnit::percent;
+    s.is_text = std::binary_search(row.texts.begin(), row.texts.end(), column);
     give_unit(s);
     statements_.push_back(std::move(s));
     stated_ = true;
@@ -88,7 +90,7 @@ private:
       label_ = row_.cell(i);
       unit_ = {};
       stated_ = false;
-      state(*number, next_->cell(i));
+      state(*number, next_->cell(i), *next_, i);
     }
   }
 

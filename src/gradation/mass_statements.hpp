@@ -14,7 +14,8 @@ struct MassStatement {
   std::string label;
   std::string digits; ///< of its number
   bool is_percent = false;
-  unsigned grams = 0; ///< in one of its unit; 0 where that is not said
+  bool is_text = false; ///< of a workbook: a text, not stored as a number
+  unsigned grams = 0;   ///< in one of its unit; 0 where that is not said
   std::size_t line = 1;
 };
 

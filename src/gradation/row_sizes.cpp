@@ -85,6 +85,9 @@ void RowSizes::settle(Table &table, bool are_retained, const Source &source) con
 }
 
 Rational RowSizes::row_size(std::string_view cell) {
+  if (cell == date_cell)
+    throw InputError("a date stands where a sieve belongs, as a spreadsheet makes one of 3/8: make the cell "
+                     "text and write it again, 3/8 in");
   if (is_above_or_below(cell))
     throw InputError(
         fmt::format("the size {} is a range: write pan for what passes the finest sieve, and the opening of "

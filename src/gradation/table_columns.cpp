@@ -2,6 +2,7 @@
 
 #include "gradation/cell_numbers.hpp"
 #include "gradation/limit_columns.hpp"
+#include "gradation/weighed_sieves.hpp"
 #include "text/lines.hpp"
 #include "text/nearest_name.hpp"
 #include "text/option_name.hpp"
@@ -112,8 +113,15 @@ struct Known {
 
 /// Adds the columns beside size and value. \pre these are set
 void add_others(TableColumns &columns, const CellRow &header) {
+  const std::optional<WeighedSieves> sieves = weighed_sieves(header);
+  if (sieves)
+    columns.further.push_back({sieves->full,
+                               header.cells[sieves->full] + " less " + header.cells[sieves->empty],
+                               {ColumnMeaning::retained, ColumnUnit::mass, true},
+                               sieves->empty});
   for (std::size_t i = 0; i < header.cells.size(); ++i) {
-    if (i == columns.size || i == columns.value || header.cells[i].empty())
+    if (i == columns.size || i == columns.value || header.cells[i].empty() ||
+        (sieves && (i == sieves->full || i == sieves->empty)))
       continue;
     const std::optional<HeaderMeaning> meaning = header_meaning(header.cells[i]);
     if (meaning && !holds_sizes(*meaning))

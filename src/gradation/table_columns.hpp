@@ -14,11 +14,12 @@ namespace mdm {
 /// What to do where the columns are not certain.
 std::string column_options();
 
-/// A column of values beside the chosen one.
+/// A column of values beside the chosen one, or the difference of two.
 struct FurtherColumn {
   std::size_t place;
   std::string name;
   HeaderMeaning meaning;
+  std::optional<std::size_t> less = {}; ///< the column whose numbers are taken off: of empty sieves
 };
 
 /// The two columns, and the place of the rows below their header.

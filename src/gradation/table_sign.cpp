@@ -22,8 +22,11 @@ void see_number(DecimalSign &sign, std::string_view cell) {
 /// Numbers that were typed, in the columns that are read.
 void see_columns(DecimalSign &sign, const Cells &cells, const TableColumns &columns) {
   std::vector<std::size_t> places = {columns.size, columns.value};
-  for (const FurtherColumn &further : columns.further)
+  for (const FurtherColumn &further : columns.further) {
     places.push_back(further.place);
+    if (further.less)
+      places.push_back(*further.less);
+  }
   for (std::size_t i = columns.first_row; i < cells.rows.size(); ++i)
     for (const std::size_t place : places) {
       const CellRow &row = cells.rows[i];
@@ -41,7 +44,7 @@ void see_statements(DecimalSign &sign, const Cells &cells, const TableColumns &c
   for (std::size_t i = columns.first_row; i < cells.rows.size(); ++i)
     add_statements(cells.rows[i], nullptr, statements);
   for (const MassStatement &s : statements)
-    if (s.meaning != RowMeaning::none)
+    if (s.meaning != RowMeaning::none && (is_text_file(cells) || s.is_text))
       sign.see(s.digits);
 }
 

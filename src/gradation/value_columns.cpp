@@ -73,10 +73,13 @@ ColumnsBeside::ColumnsBeside(const std::vector<FurtherColumn> &columns, const Ta
 void ColumnsBeside::go_on(const std::vector<FurtherColumn> &next) {
   for (ColumnBeside &column : all_) {
     const HeaderMeaning &meaning = column.column.meaning;
-    const auto found = std::find_if(next.begin(), next.end(), [&meaning](const FurtherColumn &c) {
-      return c.meaning.meaning == meaning.meaning && c.meaning.unit == meaning.unit;
+    const auto found = std::find_if(next.begin(), next.end(), [&meaning, &column](const FurtherColumn &c) {
+      return c.meaning.meaning == meaning.meaning && c.meaning.unit == meaning.unit &&
+             c.less.has_value() == column.column.less.has_value();
     });
     column.place = found == next.end() ? std::nullopt : std::optional(found->place);
+    if (column.place)
+      column.column.less = found->less;
   }
 }
 
@@ -103,8 +106,13 @@ void ColumnsBeside::take(const CellRow &row) {
 
 std::optional<PrintedNumber> ColumnsBeside::number(const ColumnBeside &column, const CellRow &row) const {
   const std::optional<NumberCell> cell = cell_of(column, row);
+  const std::optional<NumberCell> less =
+      column.column.less ? number_cell(row.cell(*column.column.less)) : std::nullopt;
+  if (!cell || less.has_value() != column.column.less.has_value())
+    return std::nullopt;
   try {
-    return cell ? std::optional(printed_number(cell->digits, sign_.in(cell->digits))) : std::nullopt;
+    const PrintedNumber number = printed_number(cell->digits, sign_.in(cell->digits));
+    return less ? number - printed_number(less->digits, sign_.in(less->digits)) : number;
   } catch (const InputError &error) {
     throw InputError(fmt::format("the column {} is compared with the others: {}",
                                  in_quotes(column.column.name), error.what()));

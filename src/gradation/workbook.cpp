@@ -156,6 +156,7 @@ private:
     if (number <= row_ || number > max_rows)
       source_.refuse(number, "the rows of the sheet are not in order: save the workbook again");
     CellRow cells{number, number > last_ + 1, {}};
+    cells.is_hidden = row.attribute("hidden").as_bool();
     row_ = number;
     for (const pugi::xml_node cell : row.children())
       if (local_name(cell.name()) == "c")
@@ -207,7 +208,7 @@ private:
       return value;
     const CellStyle shown = style < styles_.size() ? styles_[style] : CellStyle();
     if (shown.kind == CellKind::date)
-      return "(a date)";
+      return std::string(date_cell);
     if (!number->is_short)
       row.long_numbers.push_back(row.cells.size());
     const std::string digits =

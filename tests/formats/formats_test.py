@@ -223,6 +223,10 @@ def test_cells_of_workbooks(folder):
     check(table([[4, 0], [2, "1.25"], [1, 850]]) == {D(4): D(0), D(2): D("1.25"), D(1): D(850)}, "a text with a point")
     check(table([[4, 0], [0.5, "1,25"], [0.25, 8.5]]) == {D(4): D(0), D("0.5"): D("1.25"), D("0.25"): D("8.5")},
           "a text with a comma beside numbers")
+    check(table([[4, 0], [2, 20.5], ["Pan", 5.049]]) == {D(4): D(0), D(2): D("20.5"), D(0): D("5.049")},
+          "a number that is stored has no thousands")
+    refused(write([[4, 0], [2, 20.5], ["Dry mass", "25.500"]]), "may have a decimal point or thousands")
+    refused(write([[4, 0], [(45359, 1), 5], [1, 3]], "d/m/yyyy"), "a date stands where a sieve belongs")
     refused(write([[4, 0], [2, True], [1, 3]]), "'TRUE' in the column 'Mass (g)' is not a number")
     refused(write([[4, 0], [True, 2], [0.5, 3]]), "'TRUE' is no sieve")
     um = '0.0" um"'
@@ -237,6 +241,14 @@ def test_cells_of_workbooks(folder):
     named = [["Sieve", "Mass (g)"], [(4, 1), 0], [(10, 1), 2]]
     workbook_with(path, {first: cells(named), "xl/styles.xml": formats('"No. "0')})
     check(converted(path) == {D("4.75"): D(0), D(2): D(2)}, "numbers of sieves")
+
+
+def test_hidden_rows_are_named(folder):
+    begin, *rows = cells([["Size (mm)", "Mass (g)"], [4, 0], [2, 3], [1, 5], ["Pan", 2]]).split("<row>")
+    opened = ["<row>", "<row>", '<row hidden="1">', "<row>", '<row hidden="1">']
+    rows = begin + "".join(tag + row for tag, row in zip(opened, rows))
+    run = mdm("convert", workbook_with(folder / "hidden.xlsx", {"xl/worksheets/sheet1.xml": rows}))
+    check("Rows that the sheet hides were read too: '2', 'Pan'." in run.stderr, f"hidden rows: {run.stderr}")
 
 
 def test_sheets_have_ids(folder):
@@ -343,6 +355,7 @@ with tempfile.TemporaryDirectory() as name:
     test_a_batch_has_all_written_sheets(work)
     test_all_sheets_are_samples_where_that_is_asked_for(work)
     test_other_sheets_are_named(work)
+    test_hidden_rows_are_named(work)
     test_hostile_workbooks(work)
     test_hostile_texts(work)
 print("failures:", len(failures))

@@ -111,9 +111,16 @@ TEST_CASE("What is retained may be cumulative where the words do not say it") {
     CHECK_FALSE(header_meaning(header).value().is_unclear);
 }
 
+TEST_CASE("A unit of length alone is a header of sizes") {
+  CHECK(has("mm", ColumnMeaning::size, ColumnUnit::mm));
+  CHECK(has("[µm]", ColumnMeaning::size, ColumnUnit::um));
+  CHECK(has("Microns", ColumnMeaning::size, ColumnUnit::um));
+  CHECK(has("Phi", ColumnMeaning::size, ColumnUnit::phi));
+}
+
 TEST_CASE("What may mean two things, or has a unit of something else, means nothing") {
   for (const std::string header :
-       {"", "mm", "%", "Cumulative %", "Mass of sieve (g)", "q3 [%/mm]", "Size (g)", "Passing (mm)",
+       {"", "m", "in", "u", "%", "Cumulative %", "Mass of sieve (g)", "q3 [%/mm]", "Size (g)", "Passing (mm)",
         "Mass retained (%) (g)", "Volume %", "Retained % (g)", "sample", "2 mm"})
     CHECK_FALSE(header_meaning(header).has_value());
 }

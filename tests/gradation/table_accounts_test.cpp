@@ -240,3 +240,24 @@ TEST_CASE("The option --loss is a percentage of sheets alone") {
   CHECK(contains(message_of([] { read_with("{\"sizes\":[1,2],\"masses\":[1,0]}", loss(2)); }),
                  "--loss are for tables"));
 }
+
+TEST_CASE("Sieves weighed with what they retain and empty are compared with the masses") {
+  const std::string weighed = "Sieve (mm),Mass of sieve (g),Mass of sieve + soil (g),Mass retained (g)\n"
+                              "2,450.2,450.2,0\n0.425,400.0,455.5,55.5\n0.075,350.5,365.6,15.1\nPan,300.0,";
+  const Gradation g = read(weighed + "309.3,9.3\nTotal,,,79.9\n");
+  CHECK(text(g.masses()) == "9.3 15.1 55.5 0");
+  CHECK(has_note(g, "agree within the rounding of their digits: 'Mass retained (g)', 'Mass of sieve + soil "
+                    "(g) less Mass of sieve (g)'"));
+  CHECK(contains(refusal(weighed + "310.3,9.3\n"), "9.3 passes the finest sieve"));
+  CHECK(contains(refusal("Siebweite in mm;Leeres Sieb (g);Sieb und Rückstand (g);Rückstand (g)\n"
+                         "2;450,2;450,2;0\n0,4;400,0;456,5;55,5\n0,063;350,5;365,6;15,1\n"),
+                 "less"));
+  CHECK(contains(refusal("Sieve (mm),Empty sieve (g),Sieve and soil (g)\n2,450.2,450.2\n0.4,400,455.5\n"),
+                 "and no column has what they retain: add one with the difference"));
+}
+
+TEST_CASE("A total in the columns of weighed sieves is compared too") {
+  CHECK(text(read("mm,Tare (g),Sieve & soil (g),Mass retained (g)\n2,450,450,0\n0.4,400,455,55\n"
+                  "0.1,350,365,15\nPan,300,309,9\nTotal,1500,1579,79\n")
+                 .masses()) == "9 15 55 0");
+}
