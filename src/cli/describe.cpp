@@ -1,6 +1,7 @@
 #include "ask/describe_options.hpp"
 #include "ask/outcome.hpp"
 #include "cli/commands.hpp"
+#include "cli/describe_shares.hpp"
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
@@ -9,6 +10,7 @@
 #include "cli/whole_number.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "files/sample_file.hpp"
 #include "files/sample_names.hpp"
 #include "files/standard_streams.hpp"
 #include "report/description.hpp"
@@ -27,7 +29,7 @@ namespace {
 struct DescribeCommand {
   SampleFiles files;
   DescribeTexts asked;
-  bool sediment = false;
+  bool sediment = false, by_number = false;
   ReadingFlags reading;
   std::optional<unsigned> digits;
   OutputFlags output;
@@ -93,8 +95,48 @@ bool describe_soils(const DescribeCommand &c) {
       [&](const Gradation &g) { return describe(g, options); });
 }
 
+/// Refuses what has no use beside the shares by number.
+void check_for_shares(const DescribeCommand &c, const std::string &what) {
+  const DescribeTexts &d = c.asked;
+  if (c.files.paths.size() > 1 || c.files.all_sheets)
+    throw InputError(what + " is of one file at a time: describe each by itself");
+  if (c.sediment || d.percents || d.void_ratio || d.soil.liquid_limit || d.soil.plastic_limit ||
+      d.soil.extrapolate)
+    throw InputError(fmt::format("{} has no use for {}, {}, {}, {} and Atterberg limits: leave them out",
+                                 what, option("sediment"), option("d"), option("void-ratio"),
+                                 option("extrapolate")));
+}
+
+void describe_by_number(const DescribeCommand &c) {
+  check_for_shares(c, option("by-number"));
+  const std::string &path = c.files.paths.front();
+  const UnderstoodGradation read = any_gradation(path, c.reading, c.output.quiet);
+  describe_shares(
+      in_file(path, [&] { return class_shares(c.asked.soil.with_pan(read.gradation), ShareOf::mass); }),
+      c.output, c.digits);
+}
+
+/// A file of shares by number has those of the mass told, and nothing else.
+void describe_numbers(const DescribeCommand &c, const std::string &path) {
+  check_for_shares(c, "a gradation by number");
+  const std::string given = c.by_number ? "by-number" : c.asked.soil.pan_size ? "pan-size" : "";
+  if (!given.empty() || !c.reading.given().empty())
+    throw InputError(fmt::format("{}: it is of gradations by mass, and {} has shares by number: leave it out",
+                                 given.empty() ? c.reading.given() : option(given), printable(path)));
+  describe_shares(shares_of_mass(path), c.output, c.digits);
+}
+
 int run(const DescribeCommand &c) {
   check_paths(c.files.paths, {c.output.path()});
+  const auto numbers = std::find_if(c.files.paths.begin(), c.files.paths.end(), is_number_file);
+  if (numbers != c.files.paths.end()) {
+    describe_numbers(c, *numbers);
+    return Exit::done;
+  }
+  if (c.by_number) {
+    describe_by_number(c);
+    return Exit::done;
+  }
   const bool limited = c.sediment ? describe_sediments(c) : describe_soils(c);
   return limited ? Exit::limited : Exit::done;
 }
@@ -110,6 +152,8 @@ Run add_describe(CLI::App &app) {
   add_options(command, SoilTexts::options, c->asked.soil);
   command.add_flag("--sediment", c->sediment,
                    "as sedimentology has it: Folk and Ward, moments, Trask, modes, texture, Wentworth");
+  command.add_flag("--by-number", c->by_number,
+                   "the shares of the number of particles that the classes have, as ranges");
   command.add_option("--digits", c->digits, "significant digits (15; in the text form 4)")
       ->type_name("D")
       ->transform(whole_number(1, 1000));
@@ -137,6 +181,11 @@ Run add_describe(CLI::App &app) {
                     "(2003).") +
           "\n" +
           paragraph(
+              "--by-number: of spheres of one density, whatever their sizes in the classes. Of a file of "
+              "shares "
+              "by number (number_percent, cumulative_number_percent) the shares of the mass are told.") +
+          "\n" +
+          paragraph(
               "--sediment: mean, sorting, skewness and kurtosis on the phi scale, after Folk and Ward (1957) "
               "and as moments of the classes' middles, with their words, decided at their limits; the "
               "texture "
@@ -145,7 +194,8 @@ Run add_describe(CLI::App &app) {
           paragraph(
               "Exit code 3: the group hangs on an interpolated share or an index that 1,200 digits do not "
               "tell from its limit; the report says which."),
-      {"mdm describe sand.csv", "mdm describe sand.csv --sediment", "mdm describe sand.csv --d 5,16,84,95",
+      {"mdm describe sand.csv", "mdm describe sand.csv --sediment", "mdm describe sand.csv --by-number",
+       "mdm describe sand.csv --d 5,16,84,95",
        "mdm describe bh1.csv bh2.csv bh3.csv --format csv -o table.csv",
        "mdm describe boreholes.xlsx --all-sheets",
        "mdm describe sand.csv --liquid-limit 30 --plastic-limit 22",

@@ -110,7 +110,7 @@ TEST_CASE("a gradation by number is nowhere taken as one by mass", "[cli]") {
   const TemporaryFolder folder;
   const std::string file = folder.write("sand.csv", shares);
   const std::string mass = folder.write("mass.csv", "size_mm,mass\n1,1\n2,1\n4,0\n");
-  for (const Arguments &arguments : std::vector<Arguments>{{"describe", file},
+  for (const Arguments &arguments : std::vector<Arguments>{{"report", file, "-o", folder / "r.html"},
                                                            {"convert", file},
                                                            {"tradeoff", file},
                                                            {"verify", file, mass},
@@ -141,4 +141,41 @@ TEST_CASE("what says nothing of shares by number is refused", "[cli]") {
   check_refused(mdm({"solve", file, "--tolerance", "rounding"}), "is not of shares by number");
   const std::string factor = folder.write("factor.csv", "size_mm,number_percent,factor\n1,5,1\n2,0,1\n");
   check_refused(mdm({"solve", factor}), "has no use beside number_percent");
+}
+
+TEST_CASE("describe tells the shares of the mass of a gradation by number, and back") {
+  const TemporaryFolder folder;
+  const std::string numbers = folder.write("n.csv", "size_mm,number_percent\n1,50\n2,50\n4,0\n"),
+                    masses = folder.write("m.csv", "size_mm,mass\n1,1\n2,8\n4,0\n");
+  // Sizes from 1 to 2 and from 2 to 4 mm: the first class weighs from 1 against 64 to 8 against 8.
+  const Outcome text = mdm({"describe", numbers, "--format", "csv", "--digits", "3"});
+  CHECK(text.out ==
+        "lower_mm,upper_mm,number_percent,mass_percent_lo,mass_percent_hi\n1,2,50,1.53,50\n2,4,50,50,98.5\n");
+  const Outcome back = mdm({"describe", masses, "--by-number", "--format", "csv", "--digits", "3"});
+  CHECK(back.out == "lower_mm,upper_mm,mass_percent,number_percent_lo,number_percent_hi\n"
+                    "1,2,11.1,11.1,88.9\n2,4,88.8,11.1,88.9\n");
+  CHECK(contains(mdm({"describe", numbers}).out, "shares of the mass from those of the number"));
+  CHECK(
+      contains(mdm({"describe", masses, "--by-number"}).out, "shares of the number from those of the mass"));
+}
+
+TEST_CASE("describe refuses what says nothing of shares by number") {
+  const TemporaryFolder folder;
+  const std::string numbers = folder.write("n.csv", shares),
+                    masses = folder.write("m.csv", "size_mm,mass\n1,1\n2,0\n");
+  for (const Arguments &arguments : {Arguments{"describe", numbers, masses},
+                                     {"describe", masses, numbers},
+                                     {"describe", numbers, "--sediment"},
+                                     {"describe", numbers, "--by-number"},
+                                     {"describe", numbers, "--pan-size", "0.5mm"},
+                                     {"describe", numbers, "--d", "10"},
+                                     {"describe", numbers, "--unit", "mm"},
+                                     {"describe", masses, masses, "--by-number"},
+                                     {"describe", masses, "--by-number", "--extrapolate"}}) {
+    const Outcome outcome = mdm(arguments);
+    CAPTURE(arguments);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out.empty());
+    CHECK_FALSE(outcome.err.empty());
+  }
 }

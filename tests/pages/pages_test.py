@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""pages_test.py MDM MDM-CHECK SOURCE: the pages beside the sources show what the programs print, and the diagrams are what
-their script draws."""
+"""pages_test.py MDM MDM-CHECK SOURCE: the pages beside the sources show what the programs print, the diagrams are what their
+script draws, and the version is the same wherever it stands."""
 import pathlib
+import re
 import shlex
 import subprocess
 import sys
@@ -61,5 +62,17 @@ def check_diagrams():
         assert f"diagrams/{name}" in page, name
 
 
+def check_versions():
+    """The version of CMakeLists.txt is that of all others."""
+    places = {"CMakeLists.txt": r"project\(mdm VERSION ([\d.]+)", "CITATION.cff": r"^version: ([\d.]+)$",
+              "CHANGELOG.md": r"^## ([\d.]+)$", "src/web/package.json": r'"version": "([\d.]+)"',
+              "src/web/package-lock.json": r'"version": "([\d.]+)"'}
+    found = {place: re.search(pattern, (SOURCE / place).read_text(encoding="utf-8"), re.MULTILINE)[1]
+             for place, pattern in places.items()}
+    assert len(set(found.values())) == 1, found
+    assert run(MDM, "--version", cwd=SOURCE).split()[1] == found["CMakeLists.txt"]
+
+
 check_three_classes()
 check_diagrams()
+check_versions()

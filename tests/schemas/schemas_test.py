@@ -91,6 +91,12 @@ COMMANDS = {
         ["solve", "number.csv", "--tolerance", "retained:1%"],
         ["solve", "number.csv", "--tolerance", "total:0"],
     ],
+    "mdm-shares-1": [
+        ["describe", "number.csv"],
+        ["describe", "half_phi.csv", "--by-number"],
+        ["describe", "pan.csv", "--by-number"],
+        ["describe", SAND, "--by-number", "--digits", "30"],
+    ],
     "mdm-rule-1": [
         *(["judge", *SANDS, "--stability", rule] for rule in ("kenney-lau", "kezdi", "burenkova")),
         ["judge", "pan.csv", "--stability", "burenkova"],

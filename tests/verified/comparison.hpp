@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <functional>
 #include <limits>
+#include <sstream>
+#include <stdexcept>
 #include <utility>
 
 namespace verified_test {
@@ -75,7 +77,8 @@ inline Agreement compare(const std::string &program, const std::vector<Pair> &pa
     const std::string command = "xargs -n " + std::to_string((of_samples ? 3 : 2) * pairs_a_run) +
                                 " -s 1000000 '" + program + "' " + (of_samples ? "--samples" : "") + " <" +
                                 path("names") + " >" + path("verdicts") + " 2>&1";
-    static_cast<void>(std::system(command.c_str()));
+    if (std::system(command.c_str()) == -1) // refusals end it with another code: the verdicts say it
+      throw std::runtime_error("xargs cannot be run");
     std::istringstream verdicts(mdm_check_test::read_file(path("verdicts")));
     for (std::size_t i = begin; i < end; ++i) {
       const Pair &pair = pairs[i];
