@@ -121,7 +121,7 @@ class Tree:
         if word == "split":
             J, v = self.classes[rest[0]], int(rest[1])
             return self.holds(least, {**most, J: v - 1}) and self.holds({**least, J: v}, most)
-        terms = [(int(n), name[0], self.classes[name[1:]]) for n, name in zip(rest[::2], rest[1::2], strict=True)]
+        terms = [(int(n), c[0].replace("d", "f"), self.classes[c[1:]]) for n, c in zip(rest[::2], rest[1::2], strict=True)]
         return word == "leaf" and all(n > 0 for n, _, _ in terms) and self.leaf(terms, least, most)
 
     def leaf(self, terms, least, most):

@@ -6,6 +6,7 @@
 #include "text/text_table.hpp"
 #include "text/versions.hpp"
 
+#include <mdm/match/tolerance.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 

@@ -151,7 +151,7 @@ def check_other_question(folder, program):
     alone = run(folder, str(BIN / "mdm-check"), "--suite", "average/suite-2750.jsonl", stream)
     check("2750 accepted as the smallest number of particles that matches within a tolerance (retained within 100%"
           in alone.stdout.splitlines()[-1], f"the summary hides the question: {alone.stdout[-500:]}")
-    verify(folder, program, 1, "464 proofs accepted, 1 batches failed")
+    verify(folder, program, 1, "472 proofs accepted, 1 batches failed")
     stream.write_bytes(kept[0])
     index.write_bytes(kept[1])
 
