@@ -30,6 +30,7 @@ namespace {
 struct JudgeCommand {
   SampleFiles files;
   std::optional<std::string> spec, stability, base, rule, rounding;
+  std::vector<std::string> limits;
   bool dispersive = false, no_regrade = false;
   ReadingFlags reading;
   std::optional<unsigned> digits;
@@ -43,6 +44,9 @@ void check(const JudgeCommand &c) {
                                  "limits or one of {}; a rule of stability; or the base that a filter is for",
                                  option("spec"), option("stability"), option("filter-for"),
                                  fmt::join(shipped_specifications(), ", ")));
+  if (!c.spec && !c.limits.empty())
+    throw InputError(option("limit") + " is beside the limits of a specification: give " + option("spec") +
+                     " too");
   if (!c.base && (c.rule || c.dispersive || c.no_regrade))
     throw InputError(option("rule") + ", " + option("dispersive") + " and " + option("no-regrade") +
                      " are about filters: give " + option("filter-for") + " too");
@@ -92,12 +96,15 @@ DrawnCurve drawn(const UnderstoodGradation &g, const Judgement &judged, std::vec
 
 Judged by_specification(const JudgeCommand &c) {
   const std::optional<Rational> unit = rounding_of(c.rounding);
+  std::vector<FurtherLimit> limits;
+  for (const std::string &text : c.limits)
+    limits.push_back(parse_further_limit(text));
   ConformityReport r{specification_at(*c.spec), {}};
   CurvesFigure figure{r.specification.id, {}, envelope_of(r.specification), {}};
   const ReadSamples read = c.files.read(c.reading, c.output.quiet);
   for (std::size_t i = 0; i < read.samples.size(); ++i)
     r.samples.push_back(
-        in_file(read.files[i], [&] { return judge(read.samples[i], r.specification, unit); }));
+        in_file(read.files[i], [&] { return judge(read.samples[i], r.specification, unit, limits); }));
   tell_apart(r.samples, &Conformity::id, read.files);
   for (std::size_t i = 0; i < read.samples.size(); ++i)
     figure.curves.push_back(drawn(read.samples[i], r.samples[i], missed_sizes(r.samples[i])));
@@ -178,6 +185,14 @@ Run add_judge(CLI::App &app) {
   c->files.add_to(command, "SAMPLE");
   command.add_option("--spec", c->spec, specification_help())->type_name("FILE|NAME");
   command
+      .add_option(
+          "--limit", c->limits,
+          "what the specification asks besides: FM=2.3..3.1, the fineness modulus of ASTM C125, FM-EN that "
+          "of "
+          "EN 12620; retained=..45%, what passes a sieve of it and stays on the next; any number of them")
+      ->type_name("NAME=MIN..MAX")
+      ->allow_extra_args(false);
+  command
       .add_option("--stability", c->stability,
                   fmt::format("judge internal stability by a rule: {}", stability_rule_names()))
       ->type_name("RULE");
@@ -214,9 +229,12 @@ Run add_judge(CLI::App &app) {
           "\n" +
           paragraph(
               "Exit code 0: all samples pass. 1: one fails, or hangs, which is no pass. 3: 1,200 digits do "
-              "not tell a percent from its limit. --spec NAME has grading limits alone: what else the "
-              "standard asks is not judged."),
+              "not tell a percent from its limit, or it is not decided whether one curve keeps all limits "
+              "together. "
+              "--spec NAME has grading limits alone: what else the standard asks is judged where --limit "
+              "says it."),
       {"mdm judge sand.csv --spec astm-c33-fine", "mdm judge a.csv b.csv --spec limits.csv --format csv",
+       "mdm judge sand.csv --spec astm-c33-fine --limit FM=2.3..3.1 --limit retained=..45%",
        "mdm judge sand.csv --spec astm-c33-fine --plot sand.svg",
        "mdm judge base.csv --spec superpave-19 --rounding 0.1", "mdm judge fill.csv --stability kenney-lau",
        "mdm judge sand.csv --filter-for core.csv --rule fema"}));

@@ -18,6 +18,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <set>
 
 namespace mdm {
 namespace {
@@ -27,33 +30,22 @@ bool is_unmeasured(const CurveBox &box, const Rational &size) {
   return size > 0 && compare(RootSize{size}, box.openings[1]) < 0 && box.passing[1].hi > 0;
 }
 
-CurvePercents ends(const CurveBox &box, Rational Interval::*end) {
-  CurvePercents percents;
-  for (const Interval &p : box.passing)
-    percents.push_back(p.*end);
-  return percents;
-}
-
 /// The work on one sample.
 class Judgement {
 public:
   Judgement(const UnderstoodGradation &report, const Specification &s,
-            const std::optional<Rational> &rounding)
+            const std::optional<Rational> &rounding, const std::vector<FurtherLimit> &limits)
       : box_(curves_of(report, rounding)), finest_(box_.openings[1]) {
     result_.id = report.gradation.id();
     result_.is_exact = box_.is_exact;
     result_.notes = report.gradation.notes();
-    // From the coarsest on, so that each lies below the first of the others.
-    for (auto limits = s.sieves.rbegin(); limits != s.sieves.rend(); ++limits)
-      if (is_unmeasured(box_, limits->size)) {
-        box_.add_unmeasured(limits->size);
-        unmeasured_.push_back(limits->size);
-      }
+    add_unmeasured(s, limits);
     box_.narrow();
-    least_ = ends(box_, &Interval::lo);
-    most_ = ends(box_, &Interval::hi);
-    for (const PassingLimits &limits : s.sieves)
-      add(limits);
+    least_ = box_.least_curve();
+    most_ = box_.greatest_curve();
+    for (const PassingLimits &at_sieve : s.sieves)
+      add(at_sieve);
+    result_.limits = further_verdicts(box_, s, limits, unmeasured_);
   }
 
   Conformity run() {
@@ -64,6 +56,22 @@ public:
   }
 
 private:
+  /// Sieves below the finest of the sample, from the coarsest on, so that each lies below the first of the
+  /// others.
+  void add_unmeasured(const Specification &s, const std::vector<FurtherLimit> &limits) {
+    std::set<Rational, std::greater<>> sizes;
+    for (const PassingLimits &at_sieve : s.sieves)
+      sizes.insert(at_sieve.size);
+    for (const FurtherLimit &limit : limits)
+      for (const Rational &size : sizes_of(limit))
+        sizes.insert(size);
+    for (const Rational &size : sizes)
+      if (is_unmeasured(box_, size)) {
+        box_.add_unmeasured(size);
+        unmeasured_.push_back(size);
+      }
+  }
+
   /// The place of a size; that of the pan where nothing passes the finest sieve.
   CurvePlace place(const Rational &size) const {
     if (size < 0 || compare(RootSize{size}, box_.openings[1]) >= 0)
@@ -111,8 +119,12 @@ private:
   }
 
   bool any(Compliance verdict) const {
-    return std::any_of(result_.sieves.begin(), result_.sieves.end(),
-                       [verdict](const SieveVerdict &s) { return s.verdict == verdict; });
+    const auto has_it = [verdict](const auto &v) { return v.verdict == verdict; };
+    return std::any_of(result_.sieves.begin(), result_.sieves.end(), has_it) || any_limit(verdict);
+  }
+  bool any_limit(Compliance verdict) const {
+    return std::any_of(result_.limits.begin(), result_.limits.end(),
+                       [verdict](const LimitVerdict &v) { return v.verdict == verdict; });
   }
 
   Compliance verdict() {
@@ -121,18 +133,51 @@ private:
         return v;
     if (!any(Compliance::hangs))
       return Compliance::holds;
-    const Available<CurveWithin> within = curve_within(box_, placed_);
-    if (!within)
+    const Available<CurveWithin> within = any_limit(Compliance::hangs)
+                                              ? curve_within_all(box_, hanging_sieves(), hanging_limits())
+                                              : curve_within(box_, placed_);
+    if (!within) {
+      if (!within.why().limited)
+        result_.notes.push_back(sentence(within.why().reason));
       return Compliance::undecided;
+    }
     if (!within->exists) {
       result_.notes.emplace_back(
-          "No curve that rounds to the report keeps the limits of all sieves together.");
+          result_.limits.empty()
+              ? "No curve that rounds to the report keeps the limits of all sieves together."
+              : "No curve that rounds to the report keeps all limits together.");
       return Compliance::fails;
     }
     if (within->curve)
       result_.within = witness(*within->curve);
-    result_.outside = witness(breaks(least_) ? least_ : most_);
+    result_.outside = witness(outside());
     return Compliance::hangs;
+  }
+
+  std::vector<PlacedLimits> hanging_sieves() const {
+    std::vector<PlacedLimits> hanging;
+    for (std::size_t i = 0; i < placed_.size(); ++i)
+      if (result_.sieves[i].verdict == Compliance::hangs)
+        hanging.push_back(placed_[i]);
+    return hanging;
+  }
+  std::vector<LimitVerdict> hanging_limits() const {
+    std::vector<LimitVerdict> hanging;
+    std::copy_if(result_.limits.begin(), result_.limits.end(), std::back_inserter(hanging),
+                 [](const LimitVerdict &v) { return v.verdict == Compliance::hangs; });
+    return hanging;
+  }
+
+  CurvePercents outside() const {
+    const std::vector<LimitVerdict> limits = hanging_limits();
+    if (hanging_sieves().empty() && !limits.empty())
+      return curve_outside(box_, limits.front());
+    return breaks(least_) ? least_ : most_;
+  }
+
+  static std::string sentence(std::string reason) {
+    reason[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(reason[0])));
+    return reason + ".";
   }
 
   /// True if that curve is certain to break a limit.
@@ -187,8 +232,8 @@ std::vector<Rational> missed_sizes(const Conformity &sample) {
 }
 
 Conformity judge(const UnderstoodGradation &report, const Specification &specification,
-                 const std::optional<Rational> &rounding) {
-  return Judgement(report, specification, rounding).run();
+                 const std::optional<Rational> &rounding, const std::vector<FurtherLimit> &limits) {
+  return Judgement(report, specification, rounding, limits).run();
 }
 
 } // namespace mdm

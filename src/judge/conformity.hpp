@@ -3,7 +3,7 @@
 /// Whether a sample keeps a specification, whatever was rounded in its report.
 
 #include "judge/compliance.hpp"
-#include "judge/curve_within.hpp"
+#include "judge/further_limits.hpp"
 
 namespace mdm {
 
@@ -29,6 +29,7 @@ struct Conformity {
   std::string id;
   Compliance verdict = Compliance::undecided;
   std::vector<SieveVerdict> sieves; ///< ascending
+  std::vector<LimitVerdict> limits; ///< the further ones
   bool is_exact = true;             ///< nothing was rounded
   /// Of a verdict that hangs: a curve that rounds to the report and keeps all limits (nothing where no short
   /// decimals are such a curve), and one that does not.
@@ -39,10 +40,11 @@ struct Conformity {
 /// The sieves at which a limit is missed whatever was rounded, in mm, ascending.
 std::vector<Rational> missed_sizes(const Conformity &sample);
 
-/// Judges by all sieves together.
+/// Judges by all sieves and all further limits together.
 /// \param rounding  one unit of the last digit of all percents, 0 for none; nothing: as the report has them
 /// \throws InputError as curves_of
 Conformity judge(const UnderstoodGradation &report, const Specification &specification,
-                 const std::optional<Rational> &rounding = std::nullopt);
+                 const std::optional<Rational> &rounding = std::nullopt,
+                 const std::vector<FurtherLimit> &limits = {});
 
 } // namespace mdm

@@ -42,6 +42,13 @@ std::vector<Rational> halves(const std::vector<Rational> &printed, std::size_t n
   return printed.empty() ? std::vector<Rational>(n, 0) : printed;
 }
 
+std::vector<Rational> ends_of(const std::vector<Interval> &intervals, Rational Interval::*end) {
+  std::vector<Rational> ends;
+  for (const Interval &i : intervals)
+    ends.push_back(i.*end);
+  return ends;
+}
+
 /// The box without any roundings.
 CurveBox reported_curve(const Gradation &g) {
   const GradingCurve curve(g);
@@ -103,6 +110,14 @@ bool CurveBox::narrow() {
   for (std::size_t i = 0; i <= n; ++i)
     passing[i] = {lo[i], hi[i]};
   return true;
+}
+
+std::vector<Rational> CurveBox::least_curve() const {
+  return ends_of(passing, &Interval::lo);
+}
+
+std::vector<Rational> CurveBox::greatest_curve() const {
+  return ends_of(passing, &Interval::hi);
 }
 
 void CurveBox::add_unmeasured(const Rational &size) {

@@ -24,6 +24,9 @@ struct CurveBox {
   /// Makes `passing` as narrow as the curves of the box are: its lower ends are the least curve, its upper
   /// ends the greatest. False if there is no curve.
   bool narrow();
+  /// The percents of the least and of the greatest curve. \pre narrow() was called
+  std::vector<Rational> least_curve() const;
+  std::vector<Rational> greatest_curve() const;
   /// Adds `size` (mm), which lies between 0 and x_1, as a sieve of which nothing is reported.
   void add_unmeasured(const Rational &size);
 };

@@ -29,17 +29,10 @@ std::size_t index_of(const CurvePercents &percents, CurvePercents::const_iterato
   return static_cast<std::size_t>(at - percents.begin());
 }
 
-CurvePercents ends_of(const CurveBox &box, Rational Interval::*end) {
-  CurvePercents percents;
-  for (const Interval &p : box.passing)
-    percents.push_back(p.*end);
-  return percents;
-}
-
 } // namespace
 
 OuterCurves::OuterCurves(CurveBox curves)
-    : box(std::move(curves)), coarse(ends_of(box, &Interval::lo)), fine(ends_of(box, &Interval::hi)) {}
+    : box(std::move(curves)), coarse(box.least_curve()), fine(box.greatest_curve()) {}
 
 PowerProduct OuterCurves::finest() const {
   return sieve(box, 1);

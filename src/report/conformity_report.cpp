@@ -42,6 +42,23 @@ void write_sieve(JsonWriter &json, const SieveVerdict &s, unsigned digits) {
   json.end_object();
 }
 
+void write_limit(JsonWriter &json, const LimitVerdict &v, unsigned digits) {
+  const auto decimal = [&json](const char *key, const std::optional<Rational> &number) {
+    json.key(key);
+    if (number)
+      json.plain(to_decimal(*number));
+    else
+      json.null();
+  };
+  json.begin_object().key("name").string(v.number.name).key("verdict").plain(name(v.verdict));
+  decimal("min", v.limit.least);
+  decimal("max", v.limit.most);
+  write_percent(json.key("value"), v.value, digits);
+  write_percent(json.key("least"), v.least, digits);
+  write_percent(json.key("most"), v.most, digits);
+  json.end_object();
+}
+
 void write_witness(JsonWriter &json, const std::optional<WitnessCurve> &witness) {
   if (!witness) {
     json.null();
@@ -59,6 +76,9 @@ void write_sample(JsonWriter &json, const Conformity &c, unsigned digits) {
   json.key("rounded").boolean(!c.is_exact).key("sieves").begin_array();
   for (const SieveVerdict &s : c.sieves)
     write_sieve(json, s, digits);
+  json.end_array().key("limits").begin_array();
+  for (const LimitVerdict &v : c.limits)
+    write_limit(json, v, digits);
   json.end_array();
   write_witness(json.key("within"), c.within);
   write_witness(json.key("outside"), c.outside);
@@ -90,6 +110,28 @@ std::string sieve_table(const Conformity &c, unsigned digits) {
   return text_table(lines, c.is_exact ? ">>>><>" : ">>>>><>");
 }
 
+std::string limit_text(const std::optional<Rational> &limit) {
+  return limit ? to_decimal(*limit) : "";
+}
+
+std::string value_text(const LimitVerdict &v, unsigned digits) {
+  return v.value ? rounded(*v.value, digits) : "not told";
+}
+
+std::string limit_table(const Conformity &c, unsigned digits) {
+  Lines lines = {{"", "", "min", "max", ""}};
+  if (!c.is_exact)
+    lines[0].insert(lines[0].begin() + 2, "may be");
+  for (const LimitVerdict &v : c.limits) {
+    lines.push_back({v.number.name, value_text(v, digits), limit_text(v.limit.least),
+                     limit_text(v.limit.most), std::string(name(v.verdict))});
+    if (!c.is_exact)
+      lines.back().insert(lines.back().begin() + 2,
+                          rounded(v.least, digits) + " to " + rounded(v.most, digits));
+  }
+  return text_table(lines, c.is_exact ? "<>>><" : "<>>>><");
+}
+
 void add_witness(TextBuffer &out, const char *what, const std::optional<WitnessCurve> &witness) {
   if (!witness)
     return;
@@ -116,6 +158,15 @@ std::string matrix(const ConformityReport &r, unsigned digits) {
       const SieveVerdict &s = c.sieves[i];
       lines.back().push_back(percent(s, digits) +
                              (s.verdict == Compliance::holds ? "" : " " + std::string(name(s.verdict))));
+    }
+  }
+  for (std::size_t i = 0; i < r.samples.front().limits.size(); ++i) {
+    const LimitVerdict &first = r.samples.front().limits[i];
+    lines.push_back({first.number.name, limit_text(first.limit.least), limit_text(first.limit.most)});
+    for (const Conformity &c : r.samples) {
+      const LimitVerdict &v = c.limits[i];
+      lines.back().push_back(value_text(v, digits) +
+                             (v.verdict == Compliance::holds ? "" : " " + std::string(name(v.verdict))));
     }
   }
   lines.push_back({"all", "", ""});
@@ -159,6 +210,8 @@ std::string conformity_csv(const ConformityReport &r, unsigned digits) {
   TextBuffer out;
   add(out,
       "sample,size_mm,passing_min_percent,passing_max_percent,passing_lo,passing_hi,least,most,verdict\n");
+  const auto lower = [digits](const Real &y) { return enclose(y, digits).lower_text(); };
+  const auto upper = [digits](const Real &y) { return enclose(y, digits).upper_text(); };
   for (const Conformity &c : r.samples) {
     const std::string id = csv_field(c.id);
     for (const SieveVerdict &s : c.sieves) {
@@ -166,9 +219,12 @@ std::string conformity_csv(const ConformityReport &r, unsigned digits) {
           s.passing ? std::optional(enclose(*s.passing, digits)) : std::nullopt;
       add(out, "{},{},{},{},{},{},{},{},{}\n", id, to_decimal(s.limits.size), to_decimal(s.limits.least),
           to_decimal(s.limits.most), passing ? passing->lower_text() : "",
-          passing ? passing->upper_text() : "", enclose(s.least, digits).lower_text(),
-          enclose(s.most, digits).upper_text(), name(s.verdict));
+          passing ? passing->upper_text() : "", lower(s.least), upper(s.most), name(s.verdict));
     }
+    for (const LimitVerdict &v : c.limits)
+      add(out, "{},{},{},{},{},{},{},{},{}\n", id, csv_field(v.number.name), limit_text(v.limit.least),
+          limit_text(v.limit.most), v.value ? lower(*v.value) : "", v.value ? upper(*v.value) : "",
+          lower(v.least), upper(v.most), name(v.verdict));
     add(out, "{},,,,,,,,{}\n", id, name(c.verdict));
   }
   return fmt::to_string(out);
@@ -180,6 +236,8 @@ std::string conformity_text(const ConformityReport &r, unsigned digits) {
     const Conformity &c = r.samples.front();
     add(out, "{}: {} of {}\n\n{}", printable(c.id), headline(c.verdict), printable(r.specification.id),
         sieve_table(c, digits));
+    if (!c.limits.empty())
+      add(out, "\n{}", limit_table(c, digits));
     if (c.within || c.outside)
       out.push_back('\n');
     add_details(out, c);

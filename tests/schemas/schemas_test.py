@@ -77,6 +77,7 @@ COMMANDS = {
     "mdm-judge-1": [
         ["judge", *SANDS, "--spec", "astm-c33-fine"],
         ["judge", SAND, "--spec", LIMITS, "--rounding", "1"],
+        ["judge", *SANDS, "--spec", "astm-c33-fine", "--limit", "FM=2.3..3.1", "--limit", "retained=..45%"],
         ["judge", "half_phi.csv", "--spec", "band.csv", "--rounding", "5"],
         ["judge", "pan.csv", "--spec", "finer.csv"],
         ["judge", "pan.csv", "--spec", "edge.csv"],

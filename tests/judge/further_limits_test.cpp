@@ -1,0 +1,165 @@
+// Limits on fineness moduli and on what stays between two sieves, against the corners of all curves.
+
+#include "all_cases.hpp"
+#include "catch.hpp"
+#include "half_planes.hpp"
+#include "judge/conformity.hpp"
+#include "judge/further_limits.hpp"
+#include "sanitizers.hpp"
+#include "soils.hpp"
+
+#include <mdm/text/error.hpp>
+
+#include <array>
+#include <random>
+
+using namespace mdm;
+using namespace judge_test;
+
+namespace {
+
+using Kind = FurtherLimit::Kind;
+
+Specification limits(std::vector<PassingLimits> sieves) {
+  return {"limits", {}, std::move(sieves), {}};
+}
+
+/// Percents that pass 0.125 to 4 mm; those of 0.5 and 1 mm are rounded, the others exact.
+struct Report {
+  std::array<long, 6> passing;
+  long half; ///< of a unit of the last digit, in halves of a percent
+
+  UnderstoodGradation gradation() const {
+    Gradation::Data data;
+    data.sizes = {0, ratio(1, 8), ratio(1, 4), ratio(1, 2), 1, 2, 4, 8};
+    const Rational h = ratio(half, 2);
+    data.roundings = {0, 0, 0, h, h, 0, 0, 0};
+    long below = 0;
+    for (const long p : passing) {
+      data.masses.emplace_back(p - below);
+      below = p;
+    }
+    data.masses.emplace_back(100 - below);
+    data.masses.emplace_back(0);
+    return {Gradation(std::move(data)), "", "", "", {}, true};
+  }
+  /// x passes 0.5 mm, y passes 1 mm.
+  std::vector<HalfPlane> curves() const {
+    std::vector<HalfPlane> box;
+    add_range(box, 1, 0, 6 * passing[2] - 3 * half, 6 * passing[2] + 3 * half);
+    add_range(box, 0, 1, 6 * passing[3] - 3 * half, 6 * passing[3] + 3 * half);
+    add_range(box, 1, 0, 6 * passing[1], 6 * passing[4]);
+    add_range(box, 0, 1, 6 * passing[1], 6 * passing[4]);
+    box.push_back({1, -1, 0});
+    return box;
+  }
+};
+
+bool keeps(const WitnessCurve &curve, const std::vector<HalfPlane> &all) {
+  const Rational x = curve.passing[2] * 6, y = curve.passing[3] * 6;
+  return std::all_of(all.begin(), all.end(),
+                     [&](const HalfPlane &h) { return Rational(h.a) * x + Rational(h.b) * y <= h.c; });
+}
+
+std::string name_of(const Compliance v) {
+  return std::string(name(v));
+}
+
+} // namespace
+
+TEST_CASE("verdicts with further limits are those of the corners of all curves", "[judge]") {
+  const unsigned times = takes_all_cases() ? 50'000 : MDM_IS_SANITIZED ? 3'000 : 10'000;
+  std::mt19937 random(20261127);
+  const auto below = [&random](long n) {
+    return static_cast<long>(random() % static_cast<unsigned long>(n));
+  };
+  std::array<unsigned, 3> seen = {};
+  for (unsigned k = 0; k < times; ++k) {
+    Report r{{}, below(5)};
+    for (std::size_t i = 0; i < r.passing.size(); ++i)
+      r.passing[i] = (i == 0 ? 0 : r.passing[i - 1]) + below(16);
+    const std::array<long, 6> &p = r.passing;
+    std::vector<HalfPlane> wanted;
+    std::vector<PassingLimits> sieves = {{ratio(1, 4), 0, 100}, {2, 0, 100}};
+    for (const std::size_t i : {std::size_t{2}, std::size_t{3}}) {
+      const long least = std::max(0L, 2 * p[i] - below(7)), most = std::min(200L, 2 * p[i] + below(7));
+      sieves.push_back({i == 2 ? ratio(1, 2) : Rational(1), ratio(least, 2), ratio(most, 2)});
+      add_range(wanted, i == 2 ? 1 : 0, i == 2 ? 0 : 1, 3 * least, 3 * most);
+    }
+    std::sort(sieves.begin(), sieves.end(), [](const auto &a, const auto &b) { return a.size < b.size; });
+    std::vector<FurtherLimit> further;
+    if (below(4) != 0) { // in hundredths
+      const long sum = p[0] + p[1] + p[2] + p[3] + p[4] + p[5], least = 600 - sum - below(4),
+                 most = std::max(least, 600 - sum + below(4) - 1);
+      further.push_back({Kind::en_fineness_modulus, ratio(least, 100), ratio(most, 100)});
+      const long others = p[0] + p[1] + p[4] + p[5];
+      add_range(wanted, 1, 1, 6 * (600 - most - others), 6 * (600 - least - others));
+    }
+    if (below(4) != 0) {
+      const long most = std::max({p[2] - p[1], p[3] - p[2], p[4] - p[3]}) + below(5) - 2;
+      further.push_back({Kind::retained, std::nullopt, Rational(most)});
+      wanted.push_back({1, 0, 6 * (most + p[1])});
+      wanted.push_back({-1, 1, 6 * most});
+      wanted.push_back({0, -1, 6 * (most - p[4])});
+    }
+    const std::vector<HalfPlane> box = r.curves();
+    const bool none = !has_corner(both(box, wanted), {}), all = !has_corner(box, wanted);
+    const Compliance expected = none ? Compliance::fails : all ? Compliance::holds : Compliance::hangs;
+    const Conformity c = judge(r.gradation(), limits(sieves), std::nullopt, further);
+    if (c.verdict != expected)
+      FAIL("case " << k << ": " << name_of(c.verdict) << " instead of " << name_of(expected));
+    ++seen.at(static_cast<std::size_t>(expected));
+    if (expected == Compliance::hangs) {
+      REQUIRE(c.within);
+      REQUIRE(c.outside);
+      REQUIRE(keeps(*c.within, both(box, wanted)));
+      REQUIRE(keeps(*c.outside, box));
+      REQUIRE_FALSE(keeps(*c.outside, wanted));
+    }
+  }
+  for (const unsigned n : seen)
+    CHECK(n > times / 20);
+}
+
+TEST_CASE("the fineness modulus and what stays between sieves of ASTM C33 are judged", "[judge]") {
+  const UnderstoodGradation sand =
+      soil({"9.5", "4.75", "2.36", "1.18", "0.6", "0.3", "0.15"}, {"100", "97", "85", "67", "45", "20", "5"});
+  const Specification c33 = *shipped_specification("astm-c33-fine");
+  const Conformity c = judge(sand, c33, Rational(0),
+                             {parse_further_limit("FM=2.3..3.1"), parse_further_limit("retained=..45%")});
+  CHECK(c.verdict == Compliance::holds);
+  REQUIRE(c.limits.size() == 7);
+  CHECK(c.limits[0].number.name == "FM");
+  CHECK(*c.limits[0].value->exact() == ratio(281, 100));
+  CHECK(c.limits[1].number.name == "retained between 0.15 and 0.3 mm");
+  CHECK(*c.limits[1].value->exact() == Rational(15));
+  CHECK(judge(sand, c33, Rational(0), {parse_further_limit("FM=2.82..")}).verdict == Compliance::fails);
+  CHECK(judge(sand, c33, Rational(1), {parse_further_limit("FM=2.81..")}).verdict == Compliance::hangs);
+  CHECK(judge(sand, c33, Rational(0), {parse_further_limit("retained=..24.9%")}).verdict ==
+        Compliance::fails);
+}
+
+TEST_CASE("what is not told of further limits is undecided, and says so", "[judge]") {
+  // Of 0.3 mm nothing is known but that at most as much passes as at 0.6 mm.
+  const UnderstoodGradation sand =
+      soil({"9.5", "4.75", "2.36", "1.18", "0.6"}, {"100", "97", "85", "67", "45"});
+  const Conformity below = judge(sand, limits({{ratio(3, 10), 0, 100}, {ratio(3, 5), 0, 100}}), Rational(0),
+                                 {parse_further_limit("retained=..45")});
+  CHECK(below.verdict == Compliance::holds);
+  CHECK_FALSE(below.limits[0].value);
+  const Conformity modulus =
+      judge(sand, limits({{ratio(3, 5), 0, 100}}), Rational(0), {parse_further_limit("FM=2.3..3.1")});
+  CHECK(modulus.verdict == Compliance::hangs); // from 2.16 to 3.06
+  // At 1 mm what passes is interpolated.
+  const Conformity between = judge(sand, limits({{ratio(3, 5), 0, 100}, {1, 0, 100}}), Rational(1),
+                                   {parse_further_limit("retained=..16.1")});
+  CHECK(between.verdict == Compliance::undecided);
+}
+
+TEST_CASE("limits that are none are refused", "[judge]") {
+  for (const char *text : {"", "FM", "FM=", "FM=2.3", "FM=..", "fm=2..3", "FM=3..2", "FM=a..b",
+                           "retained=..%", "retained=45", "FM=2..3..4", "=2..3", "D50=1..2"}) {
+    CAPTURE(text);
+    CHECK_THROWS_AS(parse_further_limit(text), InputError);
+  }
+}
