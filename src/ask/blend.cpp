@@ -2,6 +2,7 @@
 
 #include "ask/option_values.hpp"
 #include "blend/blended_gradation.hpp"
+#include "judge/further_limits.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/number/decimal.hpp>
@@ -119,6 +120,21 @@ std::size_t relaxed_sieve(const std::string &text, const BlendProblem &p, SizeUn
                                in_quotes(text), fmt::join(sizes, ", ")));
 }
 
+/// Limits on fineness moduli.
+std::vector<ModulusLimits> moduli_of(const std::vector<std::string> &texts) {
+  std::vector<ModulusLimits> moduli;
+  for (const std::string &text : texts) {
+    const FurtherLimit limit = parse_further_limit(text);
+    if (limit.kind == FurtherLimit::Kind::retained)
+      throw InputError(option("limit") + ": " + in_quotes(text) +
+                       " is for mdm judge: a blend takes FM=2.3..3.1 and FM-EN=2.4..3.0");
+    moduli.push_back(
+        {limit.kind == FurtherLimit::Kind::fineness_modulus ? FinenessModulus::astm : FinenessModulus::en,
+         limit.least, limit.most});
+  }
+  return moduli;
+}
+
 BlendOptions blend_search(const BlendTexts &c) {
   constexpr unsigned most_blends = 1'000'000;
   BlendOptions o;
@@ -151,6 +167,11 @@ const std::vector<OptionRow<BlendTexts>> BlendTexts::question_options = {
      &BlendTexts::step},
     {"share", "NAME=SHARE,...", OptionKind::texts,
      "limits of a stockpile's share: A=10..40%, A=10.., A=..40%, or A=25%", &BlendTexts::shares},
+    {"limit", "NAME=MIN..MAX", OptionKind::texts,
+     "limits of the blend's fineness modulus: FM=2.3..3.1 of ASTM C125, FM-EN=2.4..3.0 of EN 12620, either "
+     "end "
+     "may be left out",
+     &BlendTexts::limits},
     {"at-most-stockpiles", "N", OptionKind::number, "so many stockpiles at most have a share",
      &BlendTexts::at_most}};
 
@@ -188,7 +209,7 @@ BlendAim BlendTexts::aim() const {
 Blending::Blending(const BlendTexts &asked, std::vector<Gradation> stockpiles, const Envelope &specification,
                    const std::optional<Gradation> &target)
     : stockpiles_(std::move(stockpiles)), specification_(specification.id),
-      problem_(blend_problem(stockpiles_, specification, target)) {
+      problem_(blend_problem(stockpiles_, specification, target, moduli_of(asked.limits))) {
   problem_.aim = asked.aim();
   take_costs(asked.costs, problem_);
   for (const std::string &share : between_commas(asked.shares))
@@ -223,7 +244,8 @@ std::optional<Gradation> Blending::blended() const {
     return std::nullopt;
   std::vector<Rational> sieves;
   for (const BlendSieve &s : problem_.sieves)
-    sieves.push_back(s.size);
+    if (!s.modulus)
+      sieves.push_back(s.size);
   return blended_gradation(stockpiles_, answer_.best.front().shares, sieves, "blend");
 }
 

@@ -17,7 +17,7 @@ namespace mdm {
 struct BlendTexts {
   OptionText target; ///< its name
   OptionText minimise, step, at_most, all, relax, node_limit, time_limit;
-  std::vector<std::string> costs, shares;
+  std::vector<std::string> costs, shares, limits;
 
   static const std::vector<OptionRow<BlendTexts>> question_options, answer_options, limit_options;
 

@@ -47,12 +47,12 @@ void check_problem(const BlendProblem &p, const BlendOptions &o) {
     throw InputError("a blend of no stockpiles is none: allow one or more");
   if (aims_at_target(p.aim))
     for (const BlendSieve &sieve : p.sieves)
-      if (!sieve.target)
+      if (!sieve.target && !sieve.modulus)
         throw InputError("a deviation needs a target at each sieve: give one");
   if (o.best == 0)
     throw InputError("no blend is asked for: ask for one or more");
   for (const std::size_t s : p.widened)
-    if (s >= p.sieves.size())
+    if (s >= p.sieves.size() || p.sieves[s].modulus)
       throw InputError("there is no such sieve whose limits could be widened");
   if (o.relaxed && *o.relaxed >= p.sieves.size())
     throw InputError("there is no such sieve whose limits could be widened");
@@ -70,6 +70,8 @@ Rational value_of_aim(const BlendProblem &p, const Blend &blend) {
       value += blend.shares[i] * p.stockpiles[i].cost;
   if (aims_at_target(p.aim))
     for (std::size_t s = 0; s < p.sieves.size(); ++s) {
+      if (p.sieves[s].modulus)
+        continue;
       const Rational deviation = abs(blend.passing[s] - p.sieves[s].target.value());
       value = p.aim == BlendAim::deviation ? Rational(value + deviation) : std::max(value, deviation);
     }

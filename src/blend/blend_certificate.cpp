@@ -112,13 +112,19 @@ void write_blend_question(const BlendProblem &p, fmt::memory_buffer &out) {
       fmt::format_to(end, "share {} {} {}\n", i + 1, to_string(s.least), to_string(s.most));
   if (p.at_most)
     fmt::format_to(end, "at-most {}\n", *p.at_most);
+  for (const BlendSieve &s : p.sieves)
+    if (s.modulus)
+      fmt::format_to(end, "modulus {} {} {}\n", *s.modulus == FinenessModulus::astm ? "astm" : "en",
+                     to_string(modulus_of_mean(*s.modulus, s.most)),
+                     to_string(modulus_of_mean(*s.modulus, s.least)));
   fmt::format_to(end, "minimise {}", name(p.aim));
   if (p.aim == BlendAim::cost)
     for (const Stockpile &s : p.stockpiles)
       fmt::format_to(end, " {}", to_string(s.cost));
   else if (p.aim != BlendAim::none)
     for (const BlendSieve &s : p.sieves)
-      fmt::format_to(end, " {}", to_string(*s.target));
+      if (!s.modulus)
+        fmt::format_to(end, " {}", to_string(*s.target));
   out.push_back('\n');
 }
 

@@ -4,6 +4,7 @@
 // finest sieve nothing is known, and a limit there is refused.
 
 #include "gradation/shown.hpp"
+#include "soil/fineness_modulus.hpp"
 #include "soil/grading_curve.hpp"
 
 #include <mdm/blend/blend_problem.hpp>
@@ -34,7 +35,7 @@ public:
   explicit Interpolations(const Gradation &g) : g_(g) {}
 
   Rational passing(const Rational &size, const PassingAt &at) {
-    if (at.interpolated)
+    if (at.interpolated && known_.insert(size).second)
       sizes_ += (sizes_.empty() ? "" : ", ") + shown(size);
     return at.percent;
   }
@@ -46,6 +47,7 @@ public:
 
 private:
   const Gradation &g_;
+  std::set<Rational> known_;
   std::string sizes_;
 };
 
@@ -81,7 +83,66 @@ std::vector<BlendSieve> judged_sieves(const std::vector<Gradation> &stockpiles, 
   return sieves;
 }
 
+const std::vector<Rational> &sieves_of(FinenessModulus modulus) {
+  return modulus == FinenessModulus::astm ? astm_fineness_sieves() : en_fineness_sieves();
+}
+
+/// The mean percent that passes the sieves of a modulus.
+Rational mean_passing(const Gradation &g, FinenessModulus modulus, Interpolations &interpolations) {
+  Rational sum = 0;
+  for (const Rational &size : sieves_of(modulus)) {
+    const std::optional<PassingAt> at = passing_at(g, size);
+    if (!at)
+      refuse_unknown_passing(g, size);
+    sum += interpolations.passing(size, *at);
+  }
+  return sum / sieves_of(modulus).size();
+}
+
+void add_moduli(std::vector<ModulusLimits> moduli, std::vector<BlendSieve> &sieves) {
+  std::set<FinenessModulus> known;
+  std::stable_sort(moduli.begin(), moduli.end(),
+                   [](const ModulusLimits &a, const ModulusLimits &b) { return a.modulus < b.modulus; });
+  for (const ModulusLimits &m : moduli) {
+    const Rational largest = Rational(sieves_of(m.modulus).size());
+    if (!known.insert(m.modulus).second)
+      throw InputError(fmt::format("{} is limited twice: give its limits once", name(m.modulus)));
+    if (m.least.value_or(0) > largest || m.most.value_or(0) < 0)
+      throw InputError(
+          fmt::format("{} is from 0 to {}: no blend keeps these limits", name(m.modulus), shown(largest)));
+    // The more passes, the less is the modulus.
+    BlendSieve sieve{0, 0, 100, std::nullopt, m.modulus};
+    if (m.most)
+      sieve.least = std::max<Rational>(0, mean_of_modulus(m.modulus, *m.most));
+    if (m.least)
+      sieve.most = std::min<Rational>(100, mean_of_modulus(m.modulus, *m.least));
+    if (limits_something(sieve))
+      sieves.push_back(std::move(sieve));
+  }
+}
+
+/// `FM at most 3.1, which is at least 790/11 % passing on the mean of its sieves`.
+std::string modulus_in_words(const BlendSieve &sieve, bool is_upper) {
+  const Rational mean = is_upper ? sieve.most : sieve.least;
+  return fmt::format("{} at {} {}, which is at {} {} % passing on the mean of its sieves",
+                     name(*sieve.modulus), is_upper ? "least" : "most",
+                     shown(modulus_of_mean(*sieve.modulus, mean)), is_upper ? "most" : "least",
+                     to_string(mean));
+}
+
 } // namespace
+
+std::string_view name(FinenessModulus modulus) {
+  return modulus == FinenessModulus::astm ? "FM" : "FM-EN";
+}
+
+Rational modulus_of_mean(FinenessModulus modulus, const Rational &mean) {
+  return Rational(sieves_of(modulus).size()) * (1 - mean / 100);
+}
+
+Rational mean_of_modulus(FinenessModulus modulus, const Rational &value) {
+  return 100 * (1 - value / Rational(sieves_of(modulus).size()));
+}
 
 std::string_view name(BlendAim aim) {
   switch (aim) {
@@ -115,6 +176,8 @@ std::string in_words(const BlendLimit &limit, const BlendProblem &problem) {
   if (limit.kind == BlendLimit::Kind::sum)
     return "shares that sum to 100 %";
   const bool is_share = limit.kind == BlendLimit::Kind::share;
+  if (!is_share && problem.sieves[limit.index].modulus)
+    return modulus_in_words(problem.sieves[limit.index], limit.is_upper);
   const Rational percent = is_share ? Rational(100 * value_of(limit, problem)) : value_of(limit, problem);
   return fmt::format("{} {} % {}", limit.is_upper ? "at most" : "at least", shown(percent),
                      is_share ? "of " + printable(problem.stockpiles[limit.index].name)
@@ -140,9 +203,11 @@ std::optional<PassingAt> passing_at(const Gradation &g, const Rational &size) {
 }
 
 BlendProblem blend_problem(const std::vector<Gradation> &stockpiles, const Envelope &specification,
-                           const std::optional<Gradation> &target) {
+                           const std::optional<Gradation> &target, const std::vector<ModulusLimits> &moduli) {
   BlendProblem problem;
   problem.sieves = judged_sieves(stockpiles, specification, problem.notes);
+  if (!problem.sieves.empty())
+    add_moduli(moduli, problem.sieves);
   if (problem.sieves.empty())
     throw InputError(printable(specification.id) +
                      ": no sieve of this specification limits anything: give one with a limit above 0 or "
@@ -158,6 +223,10 @@ BlendProblem blend_problem(const std::vector<Gradation> &stockpiles, const Envel
     stockpile.name = g.id();
     Interpolations interpolations(g);
     for (const BlendSieve &sieve : problem.sieves) {
+      if (sieve.modulus) {
+        stockpile.passing.push_back(mean_passing(g, *sieve.modulus, interpolations));
+        continue;
+      }
       const std::optional<PassingAt> at = passing_at(g, sieve.size);
       if (!at)
         refuse_unknown_passing(g, sieve.size);
@@ -170,6 +239,8 @@ BlendProblem blend_problem(const std::vector<Gradation> &stockpiles, const Envel
     add_notes_of(*target, problem.notes);
     Interpolations interpolations(*target);
     for (BlendSieve &sieve : problem.sieves) {
+      if (sieve.modulus)
+        continue;
       const std::optional<PassingAt> at = passing_at(*target, sieve.size);
       if (!at)
         refuse_unknown_passing(*target, sieve.size);
@@ -183,7 +254,7 @@ BlendProblem blend_problem(const std::vector<Gradation> &stockpiles, const Envel
 std::vector<std::size_t> limited_sieves(const BlendProblem &problem) {
   std::vector<std::size_t> limited;
   for (std::size_t s = 0; s < problem.sieves.size(); ++s)
-    if (limits_something(problem.sieves[s]))
+    if (!problem.sieves[s].modulus && limits_something(problem.sieves[s]))
       limited.push_back(s);
   return limited;
 }

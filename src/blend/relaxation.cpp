@@ -38,9 +38,10 @@ std::vector<BlendRelaxation::Soft> BlendRelaxation::soft_limits(const BlendProbl
   if (p.aim == BlendAim::deviation || p.aim == BlendAim::max_deviation)
     for (std::size_t s = 0; s < p.sieves.size(); ++s)
       for (const bool is_upper : {false, true})
-        soft.push_back({{Kind::target, s, is_upper},
-                        p.aim == BlendAim::deviation ? k + s : k,
-                        p.sieves[s].target.value()});
+        if (!p.sieves[s].modulus)
+          soft.push_back({{Kind::target, s, is_upper},
+                          p.aim == BlendAim::deviation ? k + s : k,
+                          p.sieves[s].target.value()});
   if (p.aim == BlendAim::widening)
     for (const std::size_t s : p.widened)
       for (const bool is_upper : {false, true})

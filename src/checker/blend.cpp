@@ -68,6 +68,27 @@ Passing passing_at(const Curve &c, const mpq_class &size) {
   return {true, true, c.passing[i - 1] + position * (c.passing[i] - c.passing[i - 1])};
 }
 
+/// A modulus of n sieves with the mean percent p passing them is n (1 - p / 100): it falls where p grows.
+JudgedSieve judged_modulus(const ModulusLimits &limits, const std::vector<Curve> &curves) {
+  const Rationals &sieves = modulus_sieves(limits.standard);
+  const mpq_class n(static_cast<unsigned long>(sieves.size()));
+  JudgedSieve mean{0, 100 * (1 - limits.most / n), 100 * (1 - limits.least / n), {}, {}, true};
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    mpq_class sum = 0;
+    bool is_interpolated = false;
+    for (const mpq_class &size : sieves) {
+      const Passing at = passing_at(curves[i], size);
+      require(at.known, "a stockpile does not tell what passes a sieve of the fineness modulus");
+      sum += at.percent;
+      is_interpolated = is_interpolated || at.interpolated;
+    }
+    mean.passing.push_back(sum / n);
+    if (is_interpolated)
+      mean.interpolated.push_back(i);
+  }
+  return mean;
+}
+
 /// Bounds of the steps of each stockpile.
 struct Box {
   Counts least, most;
@@ -99,7 +120,8 @@ private:
     if (c_.aim == Aim::cost)
       require(c_.of_aim.size() == k_, "there are not as many costs as stockpiles");
     if (has_targets())
-      require(c_.of_aim.size() == sieves_.size(), "there are not as many targets as sieves");
+      require(c_.of_aim.size() == sieves_.size() - c_.moduli.size(),
+              "there are not as many targets as sieves");
   }
   bool has_targets() const { return c_.aim == Aim::deviation || c_.aim == Aim::max_deviation; }
 
@@ -133,7 +155,7 @@ private:
         passing += integer(n[i]) * sieves_[s].passing[i];
       passing /= integer(c_.steps);
       require(sieves_[s].least <= passing && passing <= sieves_[s].most, "the blend does not keep a limit");
-      if (has_targets()) {
+      if (has_targets() && !sieves_[s].is_modulus) {
         const mpq_class deviation = abs(passing - c_.of_aim[s]);
         value = c_.aim == Aim::deviation ? mpq_class(value + deviation) : std::max(value, deviation);
       }
@@ -196,6 +218,7 @@ private:
       require(m.sieve <= sieves_.size(), "a multiplier is of a sieve that is not there");
       const JudgedSieve &sieve = sieves_[m.sieve - 1];
       const bool is_target = m.condition == 'a' || m.condition == 'b';
+      require(!is_target || !sieve.is_modulus, "a fineness modulus has no target");
       const bool falls = m.condition == 'l' || m.condition == 'a'; // the more passes, the less is left of it
       const mpq_class sign = falls ? mpq_class(m.m) : mpq_class(-m.m);
       constant += sign * (is_target ? c_.of_aim[m.sieve - 1] : falls ? sieve.least : sieve.most);
@@ -236,7 +259,8 @@ private:
 } // namespace
 
 std::vector<JudgedSieve> judged_sieves(const Gradation &specification,
-                                       const std::vector<Gradation> &stockpiles) {
+                                       const std::vector<Gradation> &stockpiles,
+                                       const std::vector<ModulusLimits> &moduli) {
   require(!specification.limits.empty(), "the specification's file has no limits");
   std::vector<Curve> curves;
   for (const Gradation &g : stockpiles)
@@ -261,6 +285,8 @@ std::vector<JudgedSieve> judged_sieves(const Gradation &specification,
       sieves.push_back(std::move(sieve));
   }
   require(!sieves.empty(), "the specification limits nothing");
+  for (const ModulusLimits &limits : moduli)
+    sieves.push_back(judged_modulus(limits, curves));
   return sieves;
 }
 

@@ -8,18 +8,21 @@
 
 namespace mdm::checker {
 
-/// A sieve at which blends are judged: limits and what passes each stockpile, in percent.
+/// A sieve at which blends are judged: limits and what passes each stockpile, in percent. Or a fineness
+/// modulus in its place: the mean of what passes its sieves.
 struct JudgedSieve {
-  mpq_class size; ///< mm
+  mpq_class size; ///< mm; of a modulus 0
   mpq_class least, most;
   Rationals passing;
   std::vector<std::size_t> interpolated; ///< stockpiles, counted from 0
+  bool is_modulus = false;
 };
 
-/// The sieves of the specification that limit something, and those that all stockpiles tell of, ascending
-/// (section 11). Throws Refused where a stockpile does not tell of one with a limit.
+/// The sieves of the specification that limit something, and those that all stockpiles tell of, ascending,
+/// then the fineness moduli (section 11). Throws Refused where a stockpile does not tell of one with a limit.
 std::vector<JudgedSieve> judged_sieves(const Gradation &specification,
-                                       const std::vector<Gradation> &stockpiles);
+                                       const std::vector<Gradation> &stockpiles,
+                                       const std::vector<ModulusLimits> &moduli);
 
 /// Verifies the claim of a certificate; the value of the blend's aim. Throws Refused at the first thing that
 /// fails, Malformed where it would take too long.

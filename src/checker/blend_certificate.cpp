@@ -92,6 +92,23 @@ void read_shares(BlendLines &lines, BlendCertificate &c) {
   }
 }
 
+void read_moduli(BlendLines &lines, BlendCertificate &c) {
+  using Standard = ModulusLimits::Standard;
+  for (const auto &[words, standard] :
+       {std::pair{"modulus astm", Standard::astm}, std::pair{"modulus en", Standard::en}}) {
+    if (!lines.take(words))
+      continue;
+    ModulusLimits limits{standard, lines.rational(), lines.rational()};
+    const mpq_class largest(static_cast<unsigned long>(modulus_sieves(standard).size()));
+    lines.check(
+        limits.least <= limits.most && limits.most <= largest && (limits.least > 0 || limits.most < largest),
+        "limits of a fineness modulus that say nothing, or are not in order from 0 to the number of its "
+        "sieves: correct them");
+    c.moduli.push_back(std::move(limits));
+    lines.end();
+  }
+}
+
 void read_aim(BlendLines &lines, BlendCertificate &c) {
   using Aim = BlendCertificate::Aim;
   constexpr std::pair<const char *, Aim> aims[] = {{"minimise none", Aim::no_aim},
@@ -146,6 +163,15 @@ void read_tree(BlendLines &lines, BlendCertificate &c) {
 
 } // namespace
 
+const Rationals &modulus_sieves(ModulusLimits::Standard standard) {
+  static const Rationals astm = {mpq_class(3, 20),  mpq_class(3, 10), mpq_class(3, 5),  mpq_class(59, 50),
+                                 mpq_class(59, 25), mpq_class(19, 4), mpq_class(19, 2), mpq_class(19),
+                                 mpq_class(75, 2),  mpq_class(75),    mpq_class(150)};
+  static const Rationals en = {mpq_class(1, 8), mpq_class(1, 4), mpq_class(1, 2),
+                               mpq_class(1),    mpq_class(2),    mpq_class(4)};
+  return standard == ModulusLimits::astm ? astm : en;
+}
+
 BlendCertificate read_blend_certificate(std::string_view text) {
   BlendLines lines(text);
   BlendCertificate c;
@@ -159,6 +185,7 @@ BlendCertificate read_blend_certificate(std::string_view text) {
     c.at_most = lines.count(1);
     lines.end();
   }
+  read_moduli(lines, c);
   read_aim(lines, c);
   lines.demand("blend");
   if (!lines.take(" none")) {

@@ -32,12 +32,23 @@ struct ShareLimits {
   mpq_class least, most;
 };
 
+/// Limits of the fineness modulus of ASTM C125, or of EN 12620.
+struct ModulusLimits {
+  enum Standard { astm, en };
+  Standard standard;
+  mpq_class least, most;
+};
+
+/// The sieves of a fineness modulus, in mm.
+const Rationals &modulus_sieves(ModulusLimits::Standard standard);
+
 /// The numbers of each line of a certificate of a blend (section 11).
 struct BlendCertificate {
   enum Aim { no_aim, cost, deviation, max_deviation };
   std::uint64_t steps = 0;
   std::vector<ShareLimits> shares;
   std::optional<std::uint64_t> at_most;
+  std::vector<ModulusLimits> moduli;
   Aim aim = no_aim;
   Rationals of_aim;                                ///< costs, or targets
   std::optional<std::vector<std::uint64_t>> blend; ///< steps of each stockpile; or there is none

@@ -18,6 +18,10 @@ std::string listed(const Rationals &numbers) {
   return text;
 }
 
+const char *standard_of(const ModulusLimits &limits) {
+  return limits.standard == ModulusLimits::astm ? "ASTM C125" : "EN 12620";
+}
+
 /// What is asked for, in words: all that the files do not say.
 std::string question_of(const BlendCertificate &c, const std::vector<JudgedSieve> &sieves,
                         const std::vector<Input> &stockpiles) {
@@ -27,20 +31,30 @@ std::string question_of(const BlendCertificate &c, const std::vector<JudgedSieve
             " to " + s.most.get_str();
   if (c.at_most)
     text += "; at most " + std::to_string(*c.at_most) + " stockpiles";
+  for (const ModulusLimits &m : c.moduli)
+    text += std::string("; fineness modulus of ") + standard_of(m) + " from " + m.least.get_str() + " to " +
+            m.most.get_str();
   if (c.aim == Aim::cost)
     text += "; costs " + listed(c.of_aim);
   else if (c.aim != Aim::no_aim)
     text += "; targets " + listed(c.of_aim) + " percent";
   text += "; sieves in mm";
   for (const JudgedSieve &s : sieves)
-    text += (&s == &sieves.front() ? " " : ", ") + s.size.get_str();
+    if (!s.is_modulus)
+      text += (&s == &sieves.front() ? " " : ", ") + s.size.get_str();
   for (std::size_t i = 0; i < stockpiles.size(); ++i) {
     Rationals at;
-    for (const JudgedSieve &s : sieves)
-      if (std::count(s.interpolated.begin(), s.interpolated.end(), i) > 0)
+    bool is_modulus = false;
+    for (const JudgedSieve &s : sieves) {
+      if (std::count(s.interpolated.begin(), s.interpolated.end(), i) == 0)
+        continue;
+      is_modulus = is_modulus || s.is_modulus;
+      if (!s.is_modulus)
         at.push_back(s.size);
-    if (!at.empty())
-      text += "; " + quoted_name(stockpiles[i].name) + " interpolated linear in size at " + listed(at);
+    }
+    if (!at.empty() || is_modulus)
+      text += "; " + quoted_name(stockpiles[i].name) + " interpolated linear in size at " + listed(at) +
+              (is_modulus ? (at.empty() ? "sieves of the modulus" : " and at sieves of the modulus") : "");
   }
   return text;
 }
@@ -90,7 +104,7 @@ Verdict check_blend(const Input &specification, const std::vector<Input> &stockp
     }
     reading = &certificate;
     const BlendCertificate c = read_blend_certificate(certificate.text);
-    const std::vector<JudgedSieve> sieves = judged_sieves(limits, gradations);
+    const std::vector<JudgedSieve> sieves = judged_sieves(limits, gradations, c.moduli);
     const mpq_class value = verify_blend(sieves, stockpiles.size(), c, certificate.text);
     const std::string question = question_of(c, sieves, stockpiles);
     return {Verdict::accepted,

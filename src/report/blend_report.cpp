@@ -163,6 +163,8 @@ std::string sieve_table(const BlendReport &r, const Blend &blend) {
     table.add_column("price of a point", '>');
   for (std::size_t s = p.sieves.size(); s-- > 0;) {
     const BlendSieve &sieve = p.sieves[s];
+    if (sieve.modulus)
+      continue;
     const std::optional<Rational> slack = slack_at(sieve, blend.passing[s]);
     const std::optional<Rational> price = price_at(r.answer, s);
     table.add_line();
@@ -177,6 +179,30 @@ std::string sieve_table(const BlendReport &r, const Blend &blend) {
       table.add(price ? short_value(*price) : "-");
   }
   return table.text();
+}
+
+/// The fineness moduli of a blend and their limits; empty where none is limited.
+std::string modulus_table(const BlendProblem &p, const Blend &blend) {
+  TextTable table;
+  table.add_column("fineness modulus", '<');
+  for (const char *title : {"at least", "blend", "at most"})
+    table.add_column(title, '>');
+  bool is_empty = true;
+  for (std::size_t s = 0; s < p.sieves.size(); ++s) {
+    const BlendSieve &sieve = p.sieves[s];
+    if (!sieve.modulus)
+      continue;
+    const auto modulus = [&sieve](const Rational &mean) {
+      return short_value(modulus_of_mean(*sieve.modulus, mean));
+    };
+    is_empty = false;
+    table.add_line();
+    table.add(std::string(name(*sieve.modulus)));
+    table.add(sieve.most < 100 ? modulus(sieve.most) : "-");
+    table.add(modulus(blend.passing[s]));
+    table.add(sieve.least > 0 ? modulus(sieve.least) : "-");
+  }
+  return is_empty ? "" : "\n" + table.text();
 }
 
 std::string limits_in_words(const std::vector<BlendLimit> &limits, const BlendProblem &p) {
@@ -270,12 +296,15 @@ std::string notes_text(const BlendProblem &p) {
 
 void write_limit(JsonWriter &json, const BlendMultiple &m, const BlendProblem &p) {
   const char *const of[] = {"passing", "target", "share", "sum"};
-  json.begin_object().key("of").plain(of[static_cast<std::size_t>(m.limit.kind)]);
+  const bool is_modulus = m.limit.kind == BlendLimit::Kind::passing && p.sieves[m.limit.index].modulus;
+  json.begin_object().key("of").plain(is_modulus ? "modulus" : of[static_cast<std::size_t>(m.limit.kind)]);
   json.key("name");
   if (m.limit.kind == BlendLimit::Kind::share)
     json.string(p.stockpiles[m.limit.index].name);
   else if (m.limit.kind == BlendLimit::Kind::sum)
     json.null();
+  else if (is_modulus)
+    json.plain(name(*p.sieves[m.limit.index].modulus));
   else
     json.plain(to_string(p.sieves[m.limit.index].size));
   json.key("side").plain(m.limit.kind == BlendLimit::Kind::sum ? "equal"
@@ -299,9 +328,22 @@ void write_rationals(JsonWriter &json, const std::vector<Rational> &numbers) {
   json.end_array();
 }
 
+/// What passes the sieves, and the fineness moduli that are limited.
+void write_passing(JsonWriter &json, const std::vector<Rational> &passing, const BlendProblem &p) {
+  json.key("passing").begin_array();
+  for (std::size_t s = 0; s < passing.size(); ++s)
+    if (!p.sieves[s].modulus)
+      write(json, passing[s]);
+  json.end_array().key("moduli").begin_array();
+  for (std::size_t s = 0; s < passing.size(); ++s)
+    if (const std::optional<FinenessModulus> modulus = p.sieves[s].modulus)
+      write(json, modulus_of_mean(*modulus, passing[s]));
+  json.end_array();
+}
+
 void write_blend(JsonWriter &json, const Blend &blend, const BlendProblem &p) {
   write_rationals(json.begin_object().key("shares"), blend.shares);
-  write_rationals(json.key("passing"), blend.passing);
+  write_passing(json, blend.passing, p);
   write(json.key("value"), blend.value).key("broken").begin_array();
   for (const BlendLimit &limit : broken_limits(p, blend))
     json.string(in_words(limit, p));
@@ -319,18 +361,27 @@ void write_problem(JsonWriter &json, const BlendProblem &p) {
   json.key("stockpiles").begin_array();
   for (const Stockpile &s : p.stockpiles) {
     json.begin_object().key("name").string(s.name);
-    write_rationals(json.key("passing"), s.passing);
+    write_passing(json, s.passing, p);
     write(json.key("least"), s.least);
     write(json.key("most"), s.most);
     write(json.key("cost"), s.cost).end_object();
   }
   json.end_array().key("sieves").begin_array();
   for (const BlendSieve &s : p.sieves) {
+    if (s.modulus)
+      continue;
     write(json.begin_object().key("size"), s.size);
     write(json.key("least"), s.least);
     write(json.key("most"), s.most);
     write(json.key("target"), s.target).end_object();
   }
+  json.end_array().key("moduli").begin_array();
+  for (const BlendSieve &s : p.sieves)
+    if (s.modulus) {
+      json.begin_object().key("name").plain(name(*s.modulus));
+      write(json.key("least"), modulus_of_mean(*s.modulus, s.most));
+      write(json.key("most"), modulus_of_mean(*s.modulus, s.least)).end_object();
+    }
   json.end_array().key("steps").number(p.steps).key("at_most");
   if (p.at_most)
     json.number(*p.at_most);
@@ -392,7 +443,8 @@ std::string blend_text(const BlendReport &r) {
   const BlendAnswer &a = r.answer;
   std::string text = blend_headline(r);
   if (!a.best.empty())
-    text += "\n" + stockpile_table(r) + "\n" + sieve_table(r, a.best.front());
+    text += "\n" + stockpile_table(r) + "\n" + sieve_table(r, a.best.front()) +
+            modulus_table(r.problem, a.best.front());
   if (a.status == BlendStatus::none) {
     if (a.contradiction)
       text += contradiction_text(r.problem, *a.contradiction);

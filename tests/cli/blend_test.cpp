@@ -261,3 +261,37 @@ TEST_CASE("limits that come with mdm are given by their name", "[cli]") {
   check_refused(mdm({"blend", a, b, "--spec", "astm-c33-fine", "--proof", folder / "p"}),
                 "mdm-check reads files");
 }
+
+TEST_CASE("a fineness modulus is limited, told and proved", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string fine = folder.write("fine.csv", "size_mm,passing_percent\n4,100\n1,100\n0.1,0\n"),
+                    coarse = folder.write("coarse.csv", "size_mm,passing_percent\n4,100\n1,0\n0.1,0\n"),
+                    spec = folder.write(
+                        "limits.csv",
+                        "size_mm,passing_min_percent,passing_max_percent\n4,100,100\n1,10,100\n"),
+                    proof = folder / "proof";
+  const Arguments blend = {"blend", fine, coarse, "--spec", spec, "--quiet", "--limit"};
+  const auto with = [&blend](const Arguments &more) {
+    Arguments all = blend;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  // Of 0.125, 0.25 and 0.5 mm 1/36, 1/6 and 4/9 of the fine sand pass, of 1, 2 and 4 mm all: 2.3611; the
+  // coarse one passes 1/3 of 2 mm and all of 4 mm: 4.6667.
+  const Outcome found = mdm(with({"FM-EN=..3", "--cost", "fine=2,coarse=1", "--proof", proof}));
+  CHECK(found.exit_code == 0);
+  CHECK(contains(found.out, "73 % fine, 27 % coarse: within limits"));
+  CHECK(contains(found.out, "FM-EN                    -  2.98361        3"));
+  const Outcome verdict = mdm_check({spec, fine, coarse, proof});
+  CHECK(verdict.exit_code == 0);
+  CHECK(contains(verdict.out, "fineness modulus of EN 12620 from 0 to 3"));
+  const Outcome none = mdm(with({"FM-EN=..2"}));
+  CHECK(none.exit_code == 1);
+  CHECK(contains(none.out, "FM-EN at most 2, which is at least 200/3 % passing on the mean of its sieves"));
+  for (const Arguments &wrong :
+       {Arguments{"FM=2"}, {"retained=..45%"}, {"FM=12.."}, {"FM=1..2", "--limit", "FM=1..3"}}) {
+    const Outcome refused = mdm(with(wrong));
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.out.empty());
+  }
+}

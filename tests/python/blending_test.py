@@ -57,6 +57,15 @@ def test_blends_are_those_of_an_enumeration(tmp_path):
     assert "a " in repr(found) and "<table" in found._repr_html_()
 
 
+def test_a_fineness_modulus_is_limited(tmp_path):
+    piles = [mdm.Gradation(["0.1", "1", "4"], [mass, 100 - mass, 0], id=name) for name, mass in (("fine", 100), ("coarse", 0))]
+    found = mdm.blend(piles, limits(tmp_path, (1, 0, 100), (2, 0, 90)), limit=["FM-EN=3..4"], all=1000)
+    assert found.complete and set(found.best[0].moduli) == {"FM-EN"}
+    assert all(3 <= one.moduli["FM-EN"] <= 4 for one in found.best)
+    free = mdm.blend(piles, limits(tmp_path, (1, 0, 100), (2, 0, 90)), all=1000)
+    assert len(free.best) > len(found.best) and free.best[0].moduli == {}
+
+
 def test_where_there_is_none_the_contradiction_is_told():
     found = mdm.blend([BLEND / "impossible" / f"{name}.csv" for name in "AB"], BLEND / "impossible" / "limits.csv")
     assert not found and found.status == "none" and found.best == () and found.blended is None

@@ -131,6 +131,8 @@ COMMANDS = {
         ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--target", "a.csv", "--at-most-stockpiles", "1", "--step", "10%"],
         ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--target", "a.csv", "--minimise", "max-deviation"],
         ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--share", "a=95..100%"],
+        ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--limit", "FM-EN=0..2", "--limit", "FM=..3", "--target", "a.csv"],
+        ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--limit", "FM=10..11"],
         ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--node-limit", "0", "--step", "3kg of 102kg", "--cost", "a=1,b=2"],
     ],
     "mdm-packing-1": [

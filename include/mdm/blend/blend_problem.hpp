@@ -12,11 +12,32 @@
 
 namespace mdm {
 
+/// A fineness modulus: the sum, over the sieves of a standard, of the share of the mass on and above each.
+enum class FinenessModulus {
+  astm, ///< of ASTM C125, 11 sieves
+  en    ///< of EN 12620, 6 sieves
+};
+
+/// `FM` or `FM-EN`.
+std::string_view name(FinenessModulus modulus);
+/// The modulus of a mean percent m that passes its n sieves, n (1 - m / 100); and the mean of a modulus.
+Rational modulus_of_mean(FinenessModulus modulus, const Rational &mean);
+Rational mean_of_modulus(FinenessModulus modulus, const Rational &value);
+
+/// Limits on a fineness modulus, closed.
+struct ModulusLimits {
+  FinenessModulus modulus;
+  std::optional<Rational> least, most;
+};
+
 /// A sieve at which a blend is judged. Percents are of the mass that passes.
 struct BlendSieve {
   Rational size;                  ///< mm
   Rational least = 0, most = 100; ///< limits, closed; 0 and 100 are none
   std::optional<Rational> target; ///< percent
+  /// In the place of a sieve: what passes is the mean of what passes the sieves of the modulus. It has no
+  /// size and no target.
+  std::optional<FinenessModulus> modulus = std::nullopt;
 };
 
 /// A material that a blend may have a share of.
@@ -43,7 +64,7 @@ std::string_view name(BlendAim aim);
 /// sum to something within the limits.
 struct BlendProblem {
   std::vector<Stockpile> stockpiles; ///< at least one
-  std::vector<BlendSieve> sieves;    ///< ascending by size
+  std::vector<BlendSieve> sieves;    ///< ascending by size, then the fineness moduli
   std::uint64_t steps = 100;         ///< from 1 to most_blend_steps
   BlendAim aim = BlendAim::none;
   std::optional<std::size_t> at_most; ///< stockpiles that have a share
@@ -89,12 +110,13 @@ std::optional<PassingAt> passing_at(const Gradation &g, const Rational &size);
 
 /// The problem of gradations and the limits of a specification: all sieves of it that limit something, and
 /// the others where all gradations tell what passes. Names are the gradations' ids.
-/// \throws InputError where two have the same name, or a gradation or the target does not tell what passes a
-/// sieve that is needed
+/// \throws InputError where two have the same name, a gradation or the target does not tell what passes a
+/// sieve that is needed, or a modulus is limited twice or to more than it can be
 BlendProblem blend_problem(const std::vector<Gradation> &stockpiles, const Envelope &specification,
-                           const std::optional<Gradation> &target = std::nullopt);
+                           const std::optional<Gradation> &target = std::nullopt,
+                           const std::vector<ModulusLimits> &moduli = {});
 
-/// The sieves of which at least one limit is to be kept.
+/// The sieves of which at least one limit is to be kept; no moduli.
 std::vector<std::size_t> limited_sieves(const BlendProblem &problem);
 
 /// All limits of sieves from the coarsest on, then those of shares; without those that hold of themselves.

@@ -33,16 +33,17 @@ class Blend:
     passing: dict[Fraction, Fraction]  #: percent that passes each sieve (mm)
     value: Fraction  #: of what is minimised; 0 without an aim
     broken: tuple[str, ...]  #: the limits that it does not keep, in words
+    moduli: dict[str, Fraction]  #: the fineness moduli that are limited, by their names
 
 
 @dataclass(frozen=True)
 class BlendCondition:
     """A limit with its multiplier: a price, or its part in a contradiction."""
 
-    of: str  #: "passing", "target", "share" or "sum"
-    name: Union[Fraction, str, None]  #: the sieve (mm), the stockpile, or None of the sum of all shares
+    of: str  #: "passing", "modulus", "target", "share" or "sum"
+    name: Union[Fraction, str, None]  #: the sieve (mm), the modulus, the stockpile, or None of the sum of all shares
     side: str  #: "least", "most" or "equal"
-    value: Fraction
+    value: Fraction  #: of a modulus the mean percent that passes its sieves
     multiplier: Fraction
 
 
@@ -90,8 +91,9 @@ class Blends:
 def blend(stockpiles: Iterable[Source], specification: Path, *, target: Source | None = None,
           # Options of blend, by src/ask/write_modules.
           minimise: str | None = None, cost: Iterable[str] | None = None, step: str | None = None,
-          share: Iterable[str] | None = None, at_most_stockpiles: Number | None = None, all: Number | None = None,
-          relax: Number | None = None, node_limit: Number | None = None, time_limit: Union[Number, float, None] = None,
+          share: Iterable[str] | None = None, limit: Iterable[str] | None = None,
+          at_most_stockpiles: Number | None = None, all: Number | None = None, relax: Number | None = None,
+          node_limit: Number | None = None, time_limit: Union[Number, float, None] = None,
           specimen_id: str | None = None, columns: str | None = None, kind: str | None = None, unit: str | None = None,
           skip: Number | None = None, sheet: str | None = None, loss: Number | None = None, round: Number | None = None,
           # End of the options.
@@ -124,6 +126,8 @@ def blend(stockpiles: Iterable[Source], specification: Path, *, target: Source |
         sheet: the sheet of a workbook (the first).
         loss: what the rows of a sheet may lack of its initial mass (1%).
         round: take all masses to D significant digits before anything else.
+        limit: limits of the blend's fineness modulus: FM=2.3..3.1 of ASTM C125, FM-EN=2.4..3.0 of EN 12620, either end
+            may be left out.
 
     Raises:
         InputError: an option or a file is wrong.
@@ -166,11 +170,12 @@ def _read(report: str, blended: Gradation | None) -> Blends:
     tree = json.loads(report)
     names = [stockpile["name"] for stockpile in tree["stockpiles"]]
     sieves = [Fraction(sieve["size"]) for sieve in tree["sieves"]]
+    moduli = [modulus["name"] for modulus in tree["moduli"]]
 
     def one(found: dict[str, Any] | None) -> Blend | None:
         return None if found is None else Blend(
             dict(zip(names, map(Fraction, found["shares"]))), dict(zip(sieves, map(Fraction, found["passing"]))),
-            Fraction(found["value"]), tuple(found["broken"]))
+            Fraction(found["value"]), tuple(found["broken"]), dict(zip(moduli, map(Fraction, found["moduli"]))))
 
     def conditions(found: list[dict[str, Any]]) -> tuple[BlendCondition, ...]:
         return tuple(BlendCondition(c["of"], Fraction(c["name"]) if c["of"] in ("passing", "target") else c["name"],

@@ -191,6 +191,11 @@ export interface BlendWords {
   step?: string;
   /** Limits of a stockpile's share: A=10..40%, A=10.., A=..40%, or A=25%. */
   share?: string | string[];
+  /**
+   * Limits of the blend's fineness modulus: FM=2.3..3.1 of ASTM C125, FM-EN=2.4..3.0 of EN 12620, either end may be
+   * left out.
+   */
+  limit?: string | string[];
   /** So many stockpiles at most have a share. */
   atMostStockpiles?: number | string;
   /** The N best blends. */
