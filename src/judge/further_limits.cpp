@@ -58,7 +58,7 @@ CurvePlace place_on(const CurveBox &box, const Rational &size) {
 
 CurveNumber modulus_number(const CurveBox &box, LimitKind kind) {
   const std::vector<Rational> &sieves = modulus_sieves(kind);
-  CurveNumber number{kind == LimitKind::fineness_modulus ? "FM" : "FM EN", Rational(sieves.size()), {}};
+  CurveNumber number{kind == LimitKind::fineness_modulus ? "FM" : "FM-EN", Rational(sieves.size()), {}};
   for (const Rational &sieve : sieves)
     number.terms.push_back({sieve, place_on(box, sieve), ratio(-1, 100)});
   return number;
