@@ -24,6 +24,7 @@ from exactmdm.match import Budget, Match, MatchClass, MatchScale, Spread
 from exactmdm.plotting import plot
 from exactmdm.program import GeneratedSet, Written, export, generate, pack, picture
 from exactmdm.reading import read, read_all, read_sample
+from exactmdm.regrading import Regraded, regrade
 from exactmdm.solving import budget, solve
 from exactmdm.spectra import Spectrum, spectrum
 from exactmdm.suites import suite
@@ -35,7 +36,7 @@ __version__: str = versions()["mdm"]
 __all__ = [
     "Blend", "BlendCondition", "Blends", "Budget", "Crosscheck", "Description", "Enclosure", "GeneratedSet",
     "Gradation", "InputError", "Interrupted", "JudgedAnswer", "LimitReached", "Match", "MatchClass", "MatchScale",
-    "SoilFraction", "Spectrum", "Spread", "Tradeoff", "TradeoffRow", "Verdict", "Verification", "VerifiedClass",
+    "Regraded", "SoilFraction", "Spectrum", "Spread", "Tradeoff", "TradeoffRow", "Verdict", "Verification", "VerifiedClass",
     "Written", "batch", "blend", "budget", "check", "crosscheck", "describe", "export", "generate", "pack", "picture",
-    "plot", "read", "read_all", "read_sample", "solve", "spectrum", "suite", "tradeoff", "verify", "versions",
+    "plot", "read", "read_all", "read_sample", "regrade", "solve", "spectrum", "suite", "tradeoff", "verify", "versions",
 ]
