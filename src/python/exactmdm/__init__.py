@@ -26,6 +26,7 @@ from exactmdm.program import GeneratedSet, Written, export, generate, pack, pict
 from exactmdm.reading import read, read_all, read_sample
 from exactmdm.regrading import Regraded, regrade
 from exactmdm.solving import budget, solve
+from exactmdm.specifications import JudgedLimit, JudgedSample, Judgement, judge
 from exactmdm.spectra import Spectrum, spectrum
 from exactmdm.suites import suite
 from exactmdm.trade import Tradeoff, TradeoffRow, tradeoff
@@ -35,8 +36,9 @@ __version__: str = versions()["mdm"]
 
 __all__ = [
     "Blend", "BlendCondition", "Blends", "Budget", "Crosscheck", "Description", "Enclosure", "GeneratedSet",
-    "Gradation", "InputError", "Interrupted", "JudgedAnswer", "LimitReached", "Match", "MatchClass", "MatchScale",
-    "Regraded", "SoilFraction", "Spectrum", "Spread", "Tradeoff", "TradeoffRow", "Verdict", "Verification", "VerifiedClass",
-    "Written", "batch", "blend", "budget", "check", "crosscheck", "describe", "export", "generate", "pack", "picture",
-    "plot", "read", "read_all", "read_sample", "regrade", "solve", "spectrum", "suite", "tradeoff", "verify", "versions",
+    "Gradation", "InputError", "Interrupted", "JudgedAnswer", "JudgedLimit", "JudgedSample", "Judgement",
+    "LimitReached", "Match", "MatchClass", "MatchScale", "Regraded", "SoilFraction", "Spectrum", "Spread", "Tradeoff",
+    "TradeoffRow", "Verdict", "Verification", "VerifiedClass", "Written", "batch", "blend", "budget", "check",
+    "crosscheck", "describe", "export", "generate", "judge", "pack", "picture", "plot", "read", "read_all",
+    "read_sample", "regrade", "solve", "spectrum", "suite", "tradeoff", "verify", "versions",
 ]
