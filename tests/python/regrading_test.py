@@ -42,8 +42,8 @@ def test_changes_follow_each_other():
 
 
 def test_what_is_wrong_names_keywords():
-    for keywords, part in (({"join": (SIEVES, HYDROMETER)}, "at"), ({"source": SIEVES, "fine_mass": 5}, "fine_mass"), ({}, "join"),
-                           ({"source": SIEVES, "scalp": "20mm"}, "scalp"),
+    for keywords, part in (({"join": (SIEVES, HYDROMETER)}, "at"), ({"source": SIEVES, "fine_mass": 5}, "fine_mass"),
+                           ({}, "join"), ({"source": SIEVES, "scalp": "20mm"}, "scalp"),
                            ({"source": SIEVES, "replace": "above:20mm"}, "replace"),
                            ({"source": SIEVES, "replace": "above:20mm to 2mm..20mm"}, "replace")):
         with pytest.raises(mdm.InputError) as error:

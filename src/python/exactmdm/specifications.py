@@ -12,7 +12,7 @@ from typing import Any, Union
 
 from exactmdm.enclosure import Enclosure, enclosure_of
 from exactmdm.errors import LimitReached
-from exactmdm.exact import Number, text_of
+from exactmdm.exact import Number, optional_fraction, text_of
 from exactmdm.figures import html_table
 from exactmdm.gradation import Gradation
 from exactmdm.match import Match
@@ -72,8 +72,8 @@ class Judgement:
 
     def _repr_html_(self) -> str:
         return html_table(["sample", "verdict", "limits that do not pass"],
-                          [[s.id, s.verdict, ", ".join(f"{_shown(c.name)} {c.verdict}" for c in s.limits if c.verdict != "pass")]
-                           for s in self.samples])
+                          [[s.id, s.verdict, ", ".join(f"{_shown(c.name)} {c.verdict}" for c in s.limits
+                                                       if c.verdict != "pass")] for s in self.samples])
 
 
 def judge(samples: Union[Source, Iterable[Source]], specification: Path, *, limit: Union[str, Iterable[str]] = (),
@@ -95,7 +95,8 @@ def judge(samples: Union[Source, Iterable[Source]], specification: Path, *, limi
         InputError: a keyword or a file is wrong.
         LimitReached: 1,200 digits do not tell a percent from its limit; `known` is the Judgement.
 
-    >>> sand = exactmdm.Gradation(["0.15", "0.3", "0.6", "1.18", "2.36", "4.75", "9.5"], [15, 25, 22, 18, 12, 3, 0], id="sand")
+    >>> sieves = ["0.15", "0.3", "0.6", "1.18", "2.36", "4.75", "9.5"]
+    >>> sand = exactmdm.Gradation(sieves, [15, 25, 22, 18, 12, 3, 0], id="sand")
     >>> exactmdm.judge(sand, "astm-c33-fine", limit="FM=..2.5")
     <Judgement: astm-c33-fine: sand fail>
     """
@@ -123,16 +124,18 @@ def _read(report: str) -> Judgement:
 
 
 def _sample(sample: dict[str, Any], allowed: dict[str, dict[str, Any]]) -> JudgedSample:
-    sieves = [_limit(Fraction(s["size"]), s, allowed[s["size"]]["passing_min_percent"], allowed[s["size"]]["passing_max_percent"],
-                     s["percent"]) for s in sample["sieves"]]
+    sieves = [_limit(Fraction(s["size"]), s, allowed[s["size"]]["passing_min_percent"],
+                     allowed[s["size"]]["passing_max_percent"], s["percent"]) for s in sample["sieves"]]
     further = [_limit(one["name"], one, one["min"], one["max"], one["value"]) for one in sample["limits"]]
     return JudgedSample(sample["id"], sample["verdict"], sample["rounded"], tuple(sieves + further),
                         _curve(sample["within"]), _curve(sample["outside"]), tuple(sample["notes"]))
 
 
-def _limit(name: Union[Fraction, str], told: dict[str, Any], least: str | None, most: str | None, value: Any) -> JudgedLimit:
-    return JudgedLimit(name, told["verdict"], None if least is None else Fraction(least), None if most is None else Fraction(most),
-                       None if value is None else enclosure_of(value), enclosure_of(told["least"]), enclosure_of(told["most"]))
+def _limit(name: Union[Fraction, str], told: dict[str, Any], least: str | None, most: str | None,
+           value: Any) -> JudgedLimit:
+    return JudgedLimit(name, told["verdict"], optional_fraction(least), optional_fraction(most),
+                       None if value is None else enclosure_of(value), enclosure_of(told["least"]),
+                       enclosure_of(told["most"]))
 
 
 def _curve(points: list[dict[str, str]] | None) -> dict[Fraction, Fraction] | None:
