@@ -2,14 +2,14 @@
 
 import assert from "node:assert";
 import { spawnSync } from "node:child_process";
-import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync } from "node:fs";
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 
 const [folder, mdm, mdmCheck, source, certificates] = process.argv.slice(2).map((name) => resolve(name));
-const { InputError, batch, blend, check, convert, describe, run, runCheck, solve, tradeoff, verify } = await import(
+const { InputError, batch, blend, check, convert, describe, judge, run, runCheck, solve, tradeoff, verify } = await import(
   pathToFileURL(join(folder, "index.js"))
 );
 
@@ -120,6 +120,26 @@ test("the other commands give their reports", async () => {
   const { answer } = await solve(sand);
   const report = await verify(sand, JSON.stringify(answer), { sampleName: "answer.json" });
   assert.match(report.schema, /^mdm-verify/);
+});
+
+test("verdicts on samples are those of the native program", async () => {
+  const report = "size_mm,passing_percent\n9.5,100\n4.75,97\n2.36,85\n1.18,85\n0.6,45\n0.3,20\n0.15,5\n";
+  const limits = "size_mm,passing_min_percent,passing_max_percent\n9.5,100,100\n0.6,40,50\n";
+  const folder = mkdtempSync(join(tmpdir(), "judged"));
+  writeFileSync(join(folder, "one.csv"), report);
+  writeFileSync(join(folder, "limits.csv"), limits);
+  // Notes name options as the callers write them.
+  const bare = ({ samples, versions, ...rest }) => ({ ...rest, samples: samples.map(({ notes, ...sample }) => sample) });
+  const asked = ["--limit", "FM=2.3..3.1", "--limit", "retained=..45%", "--format", "json", "--quiet"];
+  for (const [specification, given] of [["astm-c33-fine", "astm-c33-fine"], [limits, "limits.csv"]]) {
+    const found = await judge({ one: report }, specification, { limit: ["FM=2.3..3.1", "retained=..45%"] });
+    const said = JSON.parse(native(mdm, ["judge", "one.csv", "--spec", given, ...asked], folder).out);
+    found.specification.id = said.specification.id;
+    assert.deepStrictEqual(bare(found), bare(said));
+  }
+  assert.strictEqual((await judge({ one: report }, "astm-c33-fine")).verdict, "hangs");
+  assert.strictEqual((await judge({ one: report }, "astm-c33-fine", { rounding: "none" })).verdict, "pass");
+  await checkRefusal(judge({ one: report }, "astm-c33-fine", { limit: "FM" }), ["limit"]);
 });
 
 test("a blend is that of the native program, with a proof that the checker accepts", async () => {

@@ -1,5 +1,5 @@
 // What the types of the JavaScript module allow; each @ts-expect-error is a mistake that they find.
-import { InputError, batch, blend, check, describe, run, solve, tradeoff, verify } from "exactmdm";
+import { InputError, batch, blend, check, describe, judge, run, solve, tradeoff, verify } from "exactmdm";
 
 const { answer, proof } = await solve("size_mm,mass\n1,2\n2,0\n", { tolerance: "retained:1%", minPerClass: 2, proof: true });
 const particles: string | null = answer.particles;
@@ -27,6 +27,7 @@ await verify("", "", { contactGap: 0, from: "xyzr", packing: true, unit: "um" })
 await tradeoff("", { kind: "passing", tolerances: "0,1", onProgress: ({ least }) => least.length });
 await describe("", { liquidLimit: 30, plasticLimit: 22, extrapolate: true, digits: 4 });
 const error: Error = new InputError("a.csv:1: ...");
+await judge({ A: "" }, "astm-c33-fine", { limit: ["FM=..3"], rounding: 0.1 });
 const mix = await blend({ A: "", B: { sizes: ["1", "2"], masses: ["1", "0"] } }, "", { cost: { A: 7, B: "9" }, share: { A: "10.." } });
 const blended: string | null = mix.blended;
 // @ts-expect-error stockpiles have names

@@ -358,6 +358,29 @@ export function tradeoff(
   options?: TradeoffOptions,
 ): Promise<Record<string, unknown>>;
 
+/** What samples are judged by besides the limits of a specification. */
+export interface JudgeOptions {
+  /**
+   * What it asks besides: "FM=2.3..3.1", the fineness modulus of ASTM C125, "FM-EN=..", that of EN 12620; "retained=..45%",
+   * what passes a sieve of it and stays on the next.
+   */
+  limit?: string | string[];
+  /** One unit of the last digit of all percents, or "none"; without it as they are printed. */
+  rounding?: string | number;
+  /** Significant digits (15). */
+  digits?: number;
+}
+
+/**
+ * Whether samples, given by their names, keep a specification, whatever was rounded in their reports, as mdm-judge-1 has
+ * it: of an envelope, or of the name of one that comes with mdm, as "astm-c33-fine".
+ */
+export function judge(
+  samples: Record<string, GradationInput>,
+  specification: string | Uint8Array,
+  options?: JudgeOptions,
+): Promise<Record<string, unknown>>;
+
 /** What a blend may be asked for. */
 export interface BlendOptions extends Omit<BlendWords, "cost" | "share"> {
   /** The curve that is wished for. */

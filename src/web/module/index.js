@@ -140,6 +140,23 @@ const ofEach = (values) =>
     ? Object.entries(values).map(([name, value]) => `${name}=${value}`)
     : values;
 
+/** The name of a specification that comes with mdm; all others have several lines. */
+const isName = (specification) => typeof specification === "string" && /^[\w.-]+$/.test(specification);
+
+export async function judge(samples, specification, options = {}) {
+  const files = {};
+  const free = (name) => (name in files ? free(`other-${name}`) : name);
+  const names = Object.entries(samples).map(([name, content]) => {
+    const file = fileName(content, undefined, fileName("", name, ""));
+    files[file] = content;
+    return file;
+  });
+  const limits = isName(specification) ? specification : free("specification.csv");
+  if (!isName(specification)) files[limits] = specification;
+  const commandLine = ["judge", ...words(options), `--spec=${limits}`, "--format=json", "--quiet", ...names];
+  return JSON.parse(printed(await runCommand(commandLine, files)));
+}
+
 export async function blend(stockpiles, specification, { target, proof = false, cost, share, ...options } = {}) {
   const files = {};
   /** The name of a file beside the stockpiles, which may have any. */
