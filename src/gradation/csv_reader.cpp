@@ -85,10 +85,11 @@ private:
       rows_.refuse("a second column is missing: use one of " + mass_column_names());
     const MassColumn *const of_numbers = find_number_column(names[1]);
     if (of_numbers != nullptr && !of_numbers_)
-      rows_.refuse(fmt::format("{} is a share of the number of particles, not of their mass: mdm solve "
-                               "finds the smallest set with such shares, and mdm describe tells those of the "
-                               "mass; here give one of the columns {}",
-                               names[1], mass_column_names()));
+      rows_.refuse(
+          fmt::format("{} is a share of the number of particles, not of their mass: mdm solve "
+                      "finds the smallest set with such shares, and mdm describe FILE tells those of the "
+                      "mass; here give one of the columns {}",
+                      names[1], mass_column_names()));
     if (of_numbers_ && names.size() > 2)
       rows_.refuse(
           fmt::format("column {} has no use beside {}: leave it out", in_quotes(names[2]), names[1]));
