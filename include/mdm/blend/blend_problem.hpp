@@ -20,8 +20,9 @@ enum class FinenessModulus {
 
 /// `FM` or `FM-EN`.
 std::string_view name(FinenessModulus modulus);
-/// The modulus of a mean percent m that passes its n sieves, n (1 - m / 100); and the mean of a modulus.
+/// The modulus of a mean percent m that passes its n sieves: n (1 - m / 100).
 Rational modulus_of_mean(FinenessModulus modulus, const Rational &mean);
+/// The mean percent that passes the sieves of a modulus.
 Rational mean_of_modulus(FinenessModulus modulus, const Rational &value);
 
 /// Limits on a fineness modulus, closed.
