@@ -86,7 +86,8 @@ public:
                          static_cast<unsigned>(type)));
     check_room(static_cast<std::uint64_t>(entry->location), rows, sizeof(T) * columns);
     std::vector<T> result(rows * columns);
-    std::memcpy(result.data(), bytes_.data() + entry->location, result.size() * sizeof(T));
+    if (!result.empty()) // which has no place to copy to
+      std::memcpy(result.data(), bytes_.data() + entry->location, result.size() * sizeof(T));
     return result;
   }
 

@@ -200,3 +200,13 @@ TEST_CASE("GSD: another schema, and a chunk that a frame has twice, are refused"
 TEST_CASE("GSD is no text") {
   CHECK(contains(refusal("x\n", from(ParticleFormat::gsd)), "GSD is binary"));
 }
+
+TEST_CASE("GSD: a frame of no particles is refused, whatever chunks it has") {
+  const std::string text = File()
+                               .chunk<float>(0, "configuration/box", f32, 6, 1, {4, 4, 8, 0, 0, 0})
+                               .chunk<std::uint32_t>(0, "particles/N", u32, 1, 1, {0})
+                               .chunk<float>(0, "particles/diameter", f32, 0, 1, {})
+                               .chunk<float>(0, "particles/position", f32, 0, 3, {})
+                               .text();
+  CHECK(contains(gsd_refusal(text), "there are no particles"));
+}
