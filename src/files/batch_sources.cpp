@@ -1,6 +1,7 @@
 #include "files/batch_sources.hpp"
 
 #include "files/paths.hpp"
+#include "gradation/workbook.hpp"
 #include "text/lines.hpp"
 #include "text/option_name.hpp"
 
@@ -26,6 +27,8 @@ std::string_view without_blank_lines(std::string_view text) {
 /// gradation in JSON has one object, on lines of its own. Nothing while the beginning does not say it.
 std::optional<bool> begins_suite(std::string_view beginning, bool is_all) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (is_workbook(beginning)) // in whose bytes a line may begin anywhere
+    return false;
   if (beginning.starts_with(byte_order_mark))
     beginning.remove_prefix(byte_order_mark.size());
   const std::string_view text = without_blank_lines(beginning);

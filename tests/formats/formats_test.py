@@ -270,6 +270,19 @@ def test_a_batch_has_all_written_sheets(folder):
     check(run.returncode == 2 and statuses == ["optimal", "error"], f"a sheet of remarks: {run.stdout}{run.stderr}")
 
 
+def test_a_workbook_is_one_whenever_it_was_saved(folder):
+    """At some moments the bytes of its time are a new line with a brace, as of a gradation in JSON."""
+    path = folder / "moment.xlsx"
+    with zipfile.ZipFile(FORMATS / "workbook.xlsx") as old, zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as new:
+        for name in old.namelist():
+            new.writestr(zipfile.ZipInfo(name, (2026, 11, 27, 1, 20, 0)), old.read(name))
+    check(b"\n{" in path.read_bytes()[:16], "the moment is another")
+    run = mdm("batch", path)
+    statuses = [json.loads(line)["status"] for line in run.stdout.splitlines()]
+    check(statuses[:1] == ["optimal"], f"a workbook of that moment: {run.stdout[:300]}{run.stderr}")
+    same(converted(path), converted(FORMATS / "workbook.xlsx"), "a workbook of that moment")
+
+
 def test_all_sheets_are_samples_where_that_is_asked_for(folder):
     path = workbook_with(folder / "two.xlsx", {"xl/worksheets/sheet2.xml": cells([["Size (mm)", "Mass (g)"], [2, 0], [1, 3]])})
     named = ["two/Grain size", "two/Remarks"]
@@ -353,6 +366,7 @@ with tempfile.TemporaryDirectory() as name:
     test_cells_of_workbooks(work)
     test_sheets_have_ids(work)
     test_a_batch_has_all_written_sheets(work)
+    test_a_workbook_is_one_whenever_it_was_saved(work)
     test_all_sheets_are_samples_where_that_is_asked_for(work)
     test_other_sheets_are_named(work)
     test_hidden_rows_are_named(work)
