@@ -31,4 +31,5 @@
 #include <mdm/number/interval.hpp>
 #include <mdm/number/rational.hpp>
 #include <mdm/proof/certificate.hpp>
+#include <mdm/soil/fineness_modulus.hpp>
 #include <mdm/text/error.hpp>

@@ -18,16 +18,9 @@ const char *status_name(Status status) {
 
 /// The members of a budget.
 void write_budget(JsonWriter &json, const MatchBudget &budget) {
-  const auto step = [&json](const char *key, const std::optional<Rational> &value) {
-    json.key(key);
-    if (value)
-      json.plain(to_decimal(*value));
-    else
-      json.null();
-  };
   write(json.key("particles"), budget.particles);
-  step(budget.by == BudgetBy::tolerance ? "tolerance" : "size_factor", budget.enough);
-  step("next_finer", budget.next_finer);
+  write_decimal(json.key(budget.by == BudgetBy::tolerance ? "tolerance" : "size_factor"), budget.enough);
+  write_decimal(json.key("next_finer"), budget.next_finer);
   json.end_object();
 }
 

@@ -4,6 +4,7 @@
 
 #include "text/json_writer.hpp"
 
+#include <mdm/number/decimal.hpp>
 #include <mdm/number/enclosure.hpp>
 
 #include <optional>
@@ -30,6 +31,11 @@ inline JsonWriter &write(JsonWriter &json, const Enclosure &e) {
 template <class Value>
 JsonWriter &write(JsonWriter &json, const std::optional<Value> &value) {
   return value ? write(json, *value) : json.null();
+}
+
+/// A decimal in plain notation, in a string; null for nothing.
+inline JsonWriter &write_decimal(JsonWriter &json, const std::optional<Rational> &decimal) {
+  return decimal ? json.plain(to_decimal(*decimal)) : json.null();
 }
 
 /// null for what is open.

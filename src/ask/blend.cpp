@@ -125,12 +125,10 @@ std::vector<ModulusLimits> moduli_of(const std::vector<std::string> &texts) {
   std::vector<ModulusLimits> moduli;
   for (const std::string &text : texts) {
     const FurtherLimit limit = parse_further_limit(text);
-    if (limit.kind == FurtherLimit::Kind::retained)
+    if (!limit.modulus)
       throw InputError(option("limit") + ": " + in_quotes(text) +
                        " is for mdm judge: a blend takes FM=2.3..3.1 and FM-EN=2.4..3.0");
-    moduli.push_back(
-        {limit.kind == FurtherLimit::Kind::fineness_modulus ? FinenessModulus::astm : FinenessModulus::en,
-         limit.least, limit.most});
+    moduli.push_back({*limit.modulus, limit.least, limit.most});
   }
   return moduli;
 }
@@ -169,8 +167,7 @@ const std::vector<OptionRow<BlendTexts>> BlendTexts::question_options = {
      "limits of a stockpile's share: A=10..40%, A=10.., A=..40%, or A=25%", &BlendTexts::shares},
     {"limit", "NAME=MIN..MAX", OptionKind::texts,
      "limits of the blend's fineness modulus: FM=2.3..3.1 of ASTM C125, FM-EN=2.4..3.0 of EN 12620, either "
-     "end "
-     "may be left out",
+     "end may be left out",
      &BlendTexts::limits},
     {"at-most-stockpiles", "N", OptionKind::number, "so many stockpiles at most have a share",
      &BlendTexts::at_most}};

@@ -29,15 +29,19 @@ std::string blend_size_text(const Rational &size) {
                   printable(g.id()), blend_size_text(size)));
 }
 
-/// The sizes at which a gradation is interpolated, for one note.
+/// What passes a gradation, and the sizes at which it is interpolated, for one note.
 class Interpolations {
 public:
   explicit Interpolations(const Gradation &g) : g_(g) {}
 
-  Rational passing(const Rational &size, const PassingAt &at) {
-    if (at.interpolated && known_.insert(size).second)
+  /// \throws InputError where it is not known
+  Rational passing(const Rational &size) {
+    const std::optional<PassingAt> at = passing_at(g_, size);
+    if (!at)
+      refuse_unknown_passing(g_, size);
+    if (at->interpolated && known_.insert(size).second)
       sizes_ += (sizes_.empty() ? "" : ", ") + shown(size);
-    return at.percent;
+    return at->percent;
   }
   void add_note(std::vector<std::string> &notes) const {
     if (!sizes_.empty())
@@ -83,20 +87,12 @@ std::vector<BlendSieve> judged_sieves(const std::vector<Gradation> &stockpiles, 
   return sieves;
 }
 
-const std::vector<Rational> &sieves_of(FinenessModulus modulus) {
-  return modulus == FinenessModulus::astm ? astm_fineness_sieves() : en_fineness_sieves();
-}
-
 /// The mean percent that passes the sieves of a modulus.
-Rational mean_passing(const Gradation &g, FinenessModulus modulus, Interpolations &interpolations) {
+Rational mean_passing(FinenessModulus modulus, Interpolations &interpolations) {
   Rational sum = 0;
-  for (const Rational &size : sieves_of(modulus)) {
-    const std::optional<PassingAt> at = passing_at(g, size);
-    if (!at)
-      refuse_unknown_passing(g, size);
-    sum += interpolations.passing(size, *at);
-  }
-  return sum / sieves_of(modulus).size();
+  for (const Rational &size : fineness_sieves(modulus))
+    sum += interpolations.passing(size);
+  return sum / fineness_sieves(modulus).size();
 }
 
 void add_moduli(std::vector<ModulusLimits> moduli, std::vector<BlendSieve> &sieves) {
@@ -104,7 +100,7 @@ void add_moduli(std::vector<ModulusLimits> moduli, std::vector<BlendSieve> &siev
   std::stable_sort(moduli.begin(), moduli.end(),
                    [](const ModulusLimits &a, const ModulusLimits &b) { return a.modulus < b.modulus; });
   for (const ModulusLimits &m : moduli) {
-    const Rational largest = Rational(sieves_of(m.modulus).size());
+    const Rational largest = Rational(fineness_sieves(m.modulus).size());
     if (!known.insert(m.modulus).second)
       throw InputError(fmt::format("{} is limited twice: give its limits once", name(m.modulus)));
     if (m.least.value_or(0) > largest || m.most.value_or(0) < 0)
@@ -132,16 +128,12 @@ std::string modulus_in_words(const BlendSieve &sieve, bool is_upper) {
 
 } // namespace
 
-std::string_view name(FinenessModulus modulus) {
-  return modulus == FinenessModulus::astm ? "FM" : "FM-EN";
-}
-
 Rational modulus_of_mean(FinenessModulus modulus, const Rational &mean) {
-  return Rational(sieves_of(modulus).size()) * (1 - mean / 100);
+  return Rational(fineness_sieves(modulus).size()) * (1 - mean / 100);
 }
 
 Rational mean_of_modulus(FinenessModulus modulus, const Rational &value) {
-  return 100 * (1 - value / Rational(sieves_of(modulus).size()));
+  return 100 * (1 - value / Rational(fineness_sieves(modulus).size()));
 }
 
 std::string_view name(BlendAim aim) {
@@ -222,30 +214,18 @@ BlendProblem blend_problem(const std::vector<Gradation> &stockpiles, const Envel
     Stockpile stockpile;
     stockpile.name = g.id();
     Interpolations interpolations(g);
-    for (const BlendSieve &sieve : problem.sieves) {
-      if (sieve.modulus) {
-        stockpile.passing.push_back(mean_passing(g, *sieve.modulus, interpolations));
-        continue;
-      }
-      const std::optional<PassingAt> at = passing_at(g, sieve.size);
-      if (!at)
-        refuse_unknown_passing(g, sieve.size);
-      stockpile.passing.push_back(interpolations.passing(sieve.size, *at));
-    }
+    for (const BlendSieve &sieve : problem.sieves)
+      stockpile.passing.push_back(sieve.modulus ? mean_passing(*sieve.modulus, interpolations)
+                                                : interpolations.passing(sieve.size));
     interpolations.add_note(problem.notes);
     problem.stockpiles.push_back(std::move(stockpile));
   }
   if (target) {
     add_notes_of(*target, problem.notes);
     Interpolations interpolations(*target);
-    for (BlendSieve &sieve : problem.sieves) {
-      if (sieve.modulus)
-        continue;
-      const std::optional<PassingAt> at = passing_at(*target, sieve.size);
-      if (!at)
-        refuse_unknown_passing(*target, sieve.size);
-      sieve.target = interpolations.passing(sieve.size, *at);
-    }
+    for (BlendSieve &sieve : problem.sieves)
+      if (!sieve.modulus)
+        sieve.target = interpolations.passing(sieve.size);
     interpolations.add_note(problem.notes);
   }
   return problem;

@@ -7,6 +7,7 @@
 #include "cli/output_flags.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/sample_files.hpp"
+#include "cli/solve_number.hpp"
 #include "cli/whole_number.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
@@ -119,10 +120,11 @@ void describe_by_number(const DescribeCommand &c) {
 /// A file of shares by number has those of the mass told, and nothing else.
 void describe_numbers(const DescribeCommand &c, const std::string &path) {
   check_for_shares(c, "a gradation by number");
-  const std::string given = c.by_number ? "by-number" : c.asked.soil.pan_size ? "pan-size" : "";
-  if (!given.empty() || !c.reading.given().empty())
-    throw InputError(fmt::format("{}: it is of gradations by mass, and {} has shares by number: leave it out",
-                                 given.empty() ? c.reading.given() : option(given), printable(path)));
+  const std::string given = c.by_number             ? option("by-number")
+                            : c.asked.soil.pan_size ? option("pan-size")
+                                                    : c.reading.given();
+  if (!given.empty())
+    refuse_beside_numbers(given, path);
   describe_shares(shares_of_mass(path), c.output, c.digits);
 }
 
@@ -182,8 +184,8 @@ Run add_describe(CLI::App &app) {
           "\n" +
           paragraph(
               "--by-number: of spheres of one density, whatever their sizes in the classes. Of a file of "
-              "shares "
-              "by number (number_percent, cumulative_number_percent) the shares of the mass are told.") +
+              "shares by number (number_percent, cumulative_number_percent) the shares of the mass are "
+              "told.") +
           "\n" +
           paragraph(
               "--sediment: mean, sorting, skewness and kurtosis on the phi scale, after Folk and Ward (1957) "

@@ -188,8 +188,7 @@ Run add_judge(CLI::App &app) {
       .add_option(
           "--limit", c->limits,
           "what the specification asks besides: FM=2.3..3.1, the fineness modulus of ASTM C125, FM-EN that "
-          "of "
-          "EN 12620; retained=..45%, what passes a sieve of it and stays on the next; any number of them")
+          "of EN 12620; retained=..45%, what passes a sieve of it and stays on the next; any number of them")
       ->type_name("NAME=MIN..MAX")
       ->allow_extra_args(false);
   command
@@ -230,8 +229,8 @@ Run add_judge(CLI::App &app) {
           paragraph(
               "Exit code 0: all samples pass. 1: one fails, or hangs, which is no pass. 3: 1,200 digits do "
               "not tell a percent from its limit, or it is not decided whether one curve keeps all limits "
-              "together. "
-              "--spec NAME has grading limits alone: what else the standard asks is judged where --limit "
+              "together. --spec NAME has grading limits alone: what else the standard asks is judged where "
+              "--limit "
               "says it."),
       {"mdm judge sand.csv --spec astm-c33-fine", "mdm judge a.csv b.csv --spec limits.csv --format csv",
        "mdm judge sand.csv --spec astm-c33-fine --limit FM=2.3..3.1 --limit retained=..45%",

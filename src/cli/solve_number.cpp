@@ -28,11 +28,15 @@ std::string idle_option(const SolveFlags &flags) {
 
 } // namespace
 
+void refuse_beside_numbers(const std::string &given, const std::string &file) {
+  throw InputError(given + ": it is of gradations by mass, and " + printable(file) +
+                   " has shares by number: leave it out");
+}
+
 Exit solve_number(const NumberRequest &r) {
   const std::string idle = r.idle.empty() ? idle_option(r.flags) : r.idle;
   if (!idle.empty())
-    throw InputError(idle + ": it is of gradations by mass, and " + printable(r.file) +
-                     " has shares by number: leave it out");
+    refuse_beside_numbers(idle, r.file);
   std::vector<AskedTolerance> asked;
   for (const std::string &text : r.flags.tolerances)
     asked.push_back(parse_tolerance(text));

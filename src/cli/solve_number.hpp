@@ -22,6 +22,9 @@ struct NumberRequest {
   std::string idle;
 };
 
+/// Refuses an option, as messages name it, beside a file of shares by number.
+[[noreturn]] void refuse_beside_numbers(const std::string &given, const std::string &file);
+
 /// Answers, and writes the proof.
 /// \throws InputError where an option says nothing of shares by number
 Exit solve_number(const NumberRequest &request);

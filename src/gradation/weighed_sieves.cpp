@@ -17,7 +17,7 @@ constexpr std::string_view empty =
     "empty tare leer leeres leeren leere leergewicht tara vide vides vacio vacios vuoto vuoti";
 constexpr std::string_view with = "plus and with und mit et avec y con e";
 constexpr std::string_view content =
-    "soil sample retained material aggregate sand dry boden probe rueckstand material siebgut sol materiau "
+    "soil sample retained material aggregate sand dry boden probe rueckstand siebgut sol materiau "
     "refus suelo muestra retenido terreno campione trattenuto";
 constexpr std::string_view link = "of the each der des die du de la le del el los della dei di";
 

@@ -72,15 +72,8 @@ private:
       }
   }
 
-  /// The place of a size; that of the pan where nothing passes the finest sieve.
-  CurvePlace place(const Rational &size) const {
-    if (size < 0 || compare(RootSize{size}, box_.openings[1]) >= 0)
-      return place_of(box_, size);
-    return {0, std::nullopt};
-  }
-
   void add(const PassingLimits &limits) {
-    const CurvePlace at = place(limits.size);
+    const CurvePlace at = place_on(box_, limits.size);
     placed_.push_back({at, limits.least, limits.most});
     SieveVerdict sieve{
         limits, {}, passing_at(at, least_), passing_at(at, most_), false, Compliance::undecided, {}};

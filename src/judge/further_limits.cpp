@@ -21,28 +21,20 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <numeric>
 
 namespace mdm {
 namespace {
 
-using LimitKind = FurtherLimit::Kind;
-
-struct NamedLimit {
-  std::string_view name;
-  LimitKind kind;
-};
-constexpr std::array named_limits = {NamedLimit{"FM", LimitKind::fineness_modulus},
-                                     NamedLimit{"FM-EN", LimitKind::en_fineness_modulus},
-                                     NamedLimit{"retained", LimitKind::retained}};
-
-const std::vector<Rational> &modulus_sieves(LimitKind kind) {
-  return kind == LimitKind::fineness_modulus ? astm_fineness_sieves() : en_fineness_sieves();
+/// The limit of that name, without its ends.
+std::optional<FurtherLimit> named_limit(std::string_view text) {
+  for (const FinenessModulus modulus : {FinenessModulus::astm, FinenessModulus::en})
+    if (name(modulus) == text)
+      return FurtherLimit{modulus, std::nullopt, std::nullopt};
+  return text == "retained" ? std::optional(FurtherLimit{}) : std::nullopt;
 }
 
-std::optional<Rational> limit_number(std::string text, LimitKind kind) {
-  if (kind == LimitKind::retained && text.ends_with('%'))
+std::optional<Rational> limit_number(std::string text, bool is_percent) {
+  if (is_percent && text.ends_with('%'))
     text.pop_back();
   try {
     return text.empty() ? std::nullopt : std::optional(parse_decimal(text));
@@ -51,14 +43,9 @@ std::optional<Rational> limit_number(std::string text, LimitKind kind) {
   }
 }
 
-CurvePlace place_on(const CurveBox &box, const Rational &size) {
-  const bool is_below = size > 0 && compare(RootSize{size}, box.openings[1]) < 0;
-  return is_below ? CurvePlace{0, std::nullopt} : place_of(box, size); // nothing passes there
-}
-
-CurveNumber modulus_number(const CurveBox &box, LimitKind kind) {
-  const std::vector<Rational> &sieves = modulus_sieves(kind);
-  CurveNumber number{kind == LimitKind::fineness_modulus ? "FM" : "FM-EN", Rational(sieves.size()), {}};
+CurveNumber modulus_number(const CurveBox &box, FinenessModulus modulus) {
+  const std::vector<Rational> &sieves = fineness_sieves(modulus);
+  CurveNumber number{std::string(name(modulus)), Rational(sieves.size()), {}};
   for (const Rational &sieve : sieves)
     number.terms.push_back({sieve, place_on(box, sieve), ratio(-1, 100)});
   return number;
@@ -74,9 +61,9 @@ std::vector<std::pair<FurtherLimit, CurveNumber>> numbers_of(const CurveBox &box
                                                              const std::vector<FurtherLimit> &limits) {
   std::vector<std::pair<FurtherLimit, CurveNumber>> numbers;
   for (const FurtherLimit &limit : limits) {
-    if (limit.kind != LimitKind::retained)
-      numbers.emplace_back(limit, modulus_number(box, limit.kind));
-    for (std::size_t i = 1; limit.kind == LimitKind::retained && i < s.sieves.size(); ++i)
+    if (limit.modulus)
+      numbers.emplace_back(limit, modulus_number(box, *limit.modulus));
+    for (std::size_t i = 1; !limit.modulus && i < s.sieves.size(); ++i)
       numbers.emplace_back(limit, retained_number(box, s.sieves[i - 1].size, s.sieves[i].size));
   }
   return numbers;
@@ -150,26 +137,25 @@ const NotAvailable not_told = {
 
 FurtherLimit parse_further_limit(const std::string &text) {
   const std::size_t equals = text.find('='), dots = text.find("..");
-  const auto named = std::find_if(named_limits.begin(), named_limits.end(), [&](const NamedLimit &l) {
-    return equals != std::string::npos && l.name == std::string_view(text).substr(0, equals);
-  });
-  if (named == named_limits.end() || dots == std::string::npos || dots < equals)
+  std::optional<FurtherLimit> limit = equals < dots && dots != std::string::npos
+                                          ? named_limit(std::string_view(text).substr(0, equals))
+                                          : std::nullopt;
+  if (!limit)
     throw InputError(option("limit") + ": " + in_quotes(text) +
                      " is no limit: write FM=2.3..3.1, FM-EN=2.4..3.0 or retained=..45%");
-  const FurtherLimit limit{named->kind, limit_number(text.substr(equals + 1, dots - equals - 1), named->kind),
-                           limit_number(text.substr(dots + 2), named->kind)};
-  if (!limit.least && !limit.most)
+  limit->least = limit_number(text.substr(equals + 1, dots - equals - 1), !limit->modulus);
+  limit->most = limit_number(text.substr(dots + 2), !limit->modulus);
+  if (!limit->least && !limit->most)
     throw InputError(option("limit") + ": " + in_quotes(text) +
-                     " limits nothing: give a number before or "
-                     "behind the dots");
-  if (limit.least && limit.most && *limit.least > *limit.most)
+                     " limits nothing: give a number before or behind the dots");
+  if (limit->least && limit->most && *limit->least > *limit->most)
     throw InputError(option("limit") + ": " + in_quotes(text) +
                      ": no number is from the first to the second: exchange them");
-  return limit;
+  return *limit;
 }
 
 std::vector<Rational> sizes_of(const FurtherLimit &limit) {
-  return limit.kind == LimitKind::retained ? std::vector<Rational>() : modulus_sieves(limit.kind);
+  return limit.modulus ? fineness_sieves(*limit.modulus) : std::vector<Rational>();
 }
 
 std::vector<LimitVerdict> further_verdicts(const CurveBox &box, const Specification &specification,
@@ -178,12 +164,13 @@ std::vector<LimitVerdict> further_verdicts(const CurveBox &box, const Specificat
   const CurvePercents least = box.least_curve(), most = box.greatest_curve();
   std::vector<LimitVerdict> verdicts;
   for (auto &[limit, number] : numbers_of(box, specification, limits)) {
-    // More that passes is less of a fineness modulus.
     LimitVerdict v{limit, std::move(number), std::nullopt, Real(0), Real(0)};
-    v.least = value_on(v.number, most);
-    v.most = value_on(v.number, least);
-    if (limit.kind == LimitKind::retained)
+    if (limit.modulus) { // of which more that passes is less
+      v.least = value_on(v.number, most);
+      v.most = value_on(v.number, least);
+    } else {
       bound_retained(box, v);
+    }
     const bool is_told =
         std::none_of(v.number.terms.begin(), v.number.terms.end(), [&](const CurveNumber::Term &t) {
           return std::find(unmeasured.begin(), unmeasured.end(), t.size) != unmeasured.end();
@@ -206,9 +193,9 @@ Available<CurveWithin> curve_within_all(CurveBox box, const std::vector<PlacedLi
   }
   const LimitVerdict *modulus = nullptr;
   for (const LimitVerdict &v : further) {
-    if (!is_at_sieves(v.number) || (v.limit.kind != LimitKind::retained && modulus != nullptr))
+    if (!is_at_sieves(v.number) || (v.limit.modulus && modulus != nullptr))
       return not_told;
-    if (v.limit.kind != LimitKind::retained) {
+    if (v.limit.modulus) {
       modulus = &v;
       continue;
     }
@@ -238,7 +225,7 @@ Available<CurveWithin> curve_within_all(CurveBox box, const std::vector<PlacedLi
 CurvePercents curve_outside(const CurveBox &box, const LimitVerdict &hanging) {
   const bool is_too_much =
       hanging.limit.most && compare(hanging.most, Real(*hanging.limit.most)) == Order::greater;
-  if (hanging.limit.kind != LimitKind::retained)
+  if (hanging.limit.modulus)
     return is_too_much ? box.least_curve() : box.greatest_curve();
   // From the lower sieve on, whose percent is as far from that of the upper one as it can be.
   const std::size_t lower = hanging.number.terms[1].place.i;

@@ -5,6 +5,8 @@
 #include "judge/compliance.hpp"
 #include "judge/curve_within.hpp"
 
+#include <mdm/soil/fineness_modulus.hpp>
+
 #include <string>
 #include <vector>
 
@@ -12,12 +14,8 @@ namespace mdm {
 
 /// A limit on a number of a curve, closed.
 struct FurtherLimit {
-  enum class Kind {
-    fineness_modulus,    ///< of ASTM C125
-    en_fineness_modulus, ///< of EN 12620
-    retained             ///< percent that passes a sieve of the specification and stays on its next finer one
-  };
-  Kind kind;
+  /// Nothing: on the percent that passes a sieve of the specification and stays on its next finer one.
+  std::optional<FinenessModulus> modulus;
   std::optional<Rational> least, most; ///< one of them at least
 };
 

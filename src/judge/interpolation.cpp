@@ -27,6 +27,10 @@ CurvePlace place_of(const CurveBox &box, const Rational &size) {
   return {i, log_ratio(PowerProduct(size) / lower, product(box.openings[i + 1]) / lower)};
 }
 
+CurvePlace place_on(const CurveBox &box, const Rational &size) {
+  return compare(RootSize{size}, box.openings[1]) < 0 ? CurvePlace{0, std::nullopt} : place_of(box, size);
+}
+
 Real scaled(const Real &c, const Real &y) {
   return c.fraction() && *c.fraction() == 0 ? Real(0) : c * y;
 }

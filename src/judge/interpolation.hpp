@@ -18,6 +18,10 @@ struct CurvePlace {
 /// \pre size (mm) is not strictly between 0 and x_1
 CurvePlace place_of(const CurveBox &box, const Rational &size);
 
+/// The same of any size from 0 on, where nothing passes what lies below x_1.
+/// \pre size (mm) is not between 0 and x_1 if something may pass x_1
+CurvePlace place_on(const CurveBox &box, const Rational &size);
+
 /// c y, exactly 0 if c is.
 Real scaled(const Real &c, const Real &y);
 

@@ -43,16 +43,9 @@ void write_sieve(JsonWriter &json, const SieveVerdict &s, unsigned digits) {
 }
 
 void write_limit(JsonWriter &json, const LimitVerdict &v, unsigned digits) {
-  const auto decimal = [&json](const char *key, const std::optional<Rational> &number) {
-    json.key(key);
-    if (number)
-      json.plain(to_decimal(*number));
-    else
-      json.null();
-  };
   json.begin_object().key("name").string(v.number.name).key("verdict").plain(name(v.verdict));
-  decimal("min", v.limit.least);
-  decimal("max", v.limit.most);
+  write_decimal(json.key("min"), v.limit.least);
+  write_decimal(json.key("max"), v.limit.most);
   write_percent(json.key("value"), v.value, digits);
   write_percent(json.key("least"), v.least, digits);
   write_percent(json.key("most"), v.most, digits);

@@ -112,8 +112,8 @@ void add_fineness_notes(std::vector<std::string> &notes, const SoilDescription &
                       "is no sieve",
                       standard, listed(between)));
   };
-  add("ASTM C125", d.fineness_modulus, astm_fineness_sieves());
-  add("EN 12620", d.en_fineness_modulus, en_fineness_sieves());
+  add("ASTM C125", d.fineness_modulus, fineness_sieves(FinenessModulus::astm));
+  add("EN 12620", d.en_fineness_modulus, fineness_sieves(FinenessModulus::en));
 }
 
 void add_conductivity_notes(std::vector<std::string> &notes, const SoilDescription &d, bool extrapolate) {
@@ -170,8 +170,8 @@ SoilDescription describe(const Gradation &g, const DescribeOptions &options) {
                     span(curve, extrapolate),
                     surface_mean(curve),
                     volume_mean(curve),
-                    fineness_modulus(curve, astm_fineness_sieves()),
-                    fineness_modulus(curve, en_fineness_sieves()),
+                    fineness_modulus(curve, FinenessModulus::astm),
+                    fineness_modulus(curve, FinenessModulus::en),
                     hazen_conductivity(curve, extrapolate),
                     options.void_ratio ? std::optional(kozeny_carman_conductivity(curve, *options.void_ratio))
                                        : std::nullopt,

@@ -14,20 +14,20 @@ std::vector<Rational> decimals(std::initializer_list<const char *> texts) {
 
 } // namespace
 
-const std::vector<Rational> &astm_fineness_sieves() {
-  static const std::vector<Rational> sieves =
+std::string_view name(FinenessModulus modulus) {
+  return modulus == FinenessModulus::astm ? "FM" : "FM-EN";
+}
+
+const std::vector<Rational> &fineness_sieves(FinenessModulus modulus) {
+  static const std::vector<Rational> astm =
       decimals({"150", "75", "37.5", "19", "9.5", "4.75", "2.36", "1.18", "0.6", "0.3", "0.15"});
-  return sieves;
+  static const std::vector<Rational> en = decimals({"4", "2", "1", "0.5", "0.25", "0.125"});
+  return modulus == FinenessModulus::astm ? astm : en;
 }
 
-const std::vector<Rational> &en_fineness_sieves() {
-  static const std::vector<Rational> sieves = decimals({"4", "2", "1", "0.5", "0.25", "0.125"});
-  return sieves;
-}
-
-Available<Real> fineness_modulus(const GradingCurve &curve, const std::vector<Rational> &sieves) {
+Available<Real> fineness_modulus(const GradingCurve &curve, FinenessModulus modulus) {
   Real sum(0);
-  for (const Rational &sieve : sieves) {
+  for (const Rational &sieve : fineness_sieves(modulus)) {
     const Available<Real> passing = curve.passing(sieve);
     if (!passing)
       return NotAvailable{to_decimal(sieve) + " mm lies " + passing.why().reason};

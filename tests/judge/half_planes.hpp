@@ -1,6 +1,9 @@
 #pragma once
 /// Curves with two unknown percents as a polygon.
 
+#include "catch.hpp"
+#include "judge/conformity.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -43,6 +46,37 @@ inline void add_range(std::vector<HalfPlane> &to, std::int64_t a, std::int64_t b
 inline std::vector<HalfPlane> both(std::vector<HalfPlane> a, const std::vector<HalfPlane> &b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
+}
+
+/// By the corners of all curves, which are the box, and of those that keep what is wanted.
+inline mdm::Compliance expected_verdict(const std::vector<HalfPlane> &box,
+                                        const std::vector<HalfPlane> &wanted) {
+  if (!has_corner(both(box, wanted), {}))
+    return mdm::Compliance::fails;
+  return wanted.empty() || !has_corner(box, wanted) ? mdm::Compliance::holds : mdm::Compliance::hangs;
+}
+
+/// \param first  the place of the first of the two unknown percents
+inline bool keeps(const mdm::WitnessCurve &curve, const std::vector<HalfPlane> &all, std::size_t first) {
+  const mdm::Rational x = curve.passing[first] * 6, y = curve.passing[first + 1] * 6;
+  return std::all_of(all.begin(), all.end(), [&](const HalfPlane &h) {
+    return mdm::Rational(h.a) * x + mdm::Rational(h.b) * y <= h.c;
+  });
+}
+
+/// A verdict that hangs has a curve on either side, another has none.
+inline void check_witnesses(const mdm::Conformity &c, const std::vector<HalfPlane> &box,
+                            const std::vector<HalfPlane> &wanted, std::size_t first) {
+  if (c.verdict != mdm::Compliance::hangs) {
+    REQUIRE_FALSE(c.within);
+    REQUIRE_FALSE(c.outside);
+    return;
+  }
+  REQUIRE(c.within);
+  REQUIRE(c.outside);
+  REQUIRE(keeps(*c.within, both(box, wanted), first));
+  REQUIRE(keeps(*c.outside, box, first));
+  REQUIRE_FALSE(keeps(*c.outside, wanted, first));
 }
 
 } // namespace judge_test

@@ -65,19 +65,19 @@ TEST_CASE("the fineness modulus of ASTM C125 adds what is retained", "[means]") 
                                    {"1.18", "85"},
                                    {"2.36", "100"},
                                    {"4.75", "100"}});
-  CHECK(fineness_modulus(fine, astm_fineness_sieves())->exact() == ratio(215, 100));
+  CHECK(fineness_modulus(fine, FinenessModulus::astm)->exact() == ratio(215, 100));
   const GradingCurve coarse = curve({{"4.75", "0"}, {"9.5", "40"}, {"19", "90"}, {"37.5", "100"}});
-  CHECK(fineness_modulus(coarse, astm_fineness_sieves())->exact() == ratio(670, 100));
-  CHECK(fineness_modulus(coarse, en_fineness_sieves())->exact() == Rational(6));
+  CHECK(fineness_modulus(coarse, FinenessModulus::astm)->exact() == ratio(670, 100));
+  CHECK(fineness_modulus(coarse, FinenessModulus::en)->exact() == Rational(6));
 }
 
 TEST_CASE("the fineness modulus of EN 12620 is interpolated where there is no sieve", "[means]") {
   // 1 mm lies in the middle of 0.5 and 2 mm, in log size.
   const GradingCurve c =
       curve({{"0.0625", "0"}, {"0.125", "10"}, {"0.25", "20"}, {"0.5", "30"}, {"2", "90"}, {"4", "100"}});
-  CHECK(fineness_modulus(c, en_fineness_sieves())->exact() == ratio(90 + 80 + 70 + 40 + 10, 100));
+  CHECK(fineness_modulus(c, FinenessModulus::en)->exact() == ratio(90 + 80 + 70 + 40 + 10, 100));
   const Available<Real> hidden =
-      fineness_modulus(curve({{"0", "0"}, {"0.2", "10"}, {"2", "100"}}), en_fineness_sieves());
+      fineness_modulus(curve({{"0", "0"}, {"0.2", "10"}, {"2", "100"}}), FinenessModulus::en);
   REQUIRE_FALSE(hidden);
   CHECK(hidden.why().reason == "0.125 mm lies below 0.2 mm, the finest sieve");
 }

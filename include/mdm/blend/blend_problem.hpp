@@ -4,6 +4,7 @@
 
 #include <mdm/gradation/envelope.hpp>
 #include <mdm/gradation/gradation.hpp>
+#include <mdm/soil/fineness_modulus.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -12,14 +13,6 @@
 
 namespace mdm {
 
-/// A fineness modulus: the sum, over the sieves of a standard, of the share of the mass on and above each.
-enum class FinenessModulus {
-  astm, ///< of ASTM C125, 11 sieves
-  en    ///< of EN 12620, 6 sieves
-};
-
-/// `FM` or `FM-EN`.
-std::string_view name(FinenessModulus modulus);
 /// The modulus of a mean percent m that passes its n sieves: n (1 - m / 100).
 Rational modulus_of_mean(FinenessModulus modulus, const Rational &mean);
 /// The mean percent that passes the sieves of a modulus.

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import pathlib
 import tempfile
-from collections.abc import Iterable
 from contextlib import ExitStack
 from dataclasses import dataclass
 
@@ -53,13 +52,14 @@ def regrade(source: Source | None = None, *, join: tuple[Source, Source] | None 
     'joined at 0.075 mm: sieves.json above, hydrometer.json below'
     """
     with ExitStack() as stack:
+        files: list[str] = []
         folders: list[str] = []
 
         def path_of(one: Source) -> str:
-            path = stack.enter_context(file_of(one))
+            files.append(stack.enter_context(file_of(one)))
             if not isinstance(one, (str, os.PathLike)):
-                folders.append(os.path.join(os.path.dirname(path), ""))
-            return path
+                folders.append(os.path.join(os.path.dirname(files[-1]), ""))
+            return files[-1]
 
         words = [] if source is None else [path_of(source)]
         for name, pair in (("join", join), ("split", split)):
@@ -74,16 +74,10 @@ def regrade(source: Source | None = None, *, join: tuple[Source, Source] | None 
                 raise InputError(f"replace: {replace!r} is no replacement: write 'above:20mm into 5mm..20mm'")
             words += ["--replace", *parts]
         _, text = called("convert", *words, "--format=csv", "--quiet")
-        name = pathlib.Path(next(iter(_files(words)))).stem
-        file = pathlib.Path(stack.enter_context(tempfile.TemporaryDirectory()), f"{name}.csv")
+        file = pathlib.Path(stack.enter_context(tempfile.TemporaryDirectory()), f"{pathlib.Path(files[0]).stem}.csv")
         file.write_text(text, encoding="utf-8")
         history = [line[2:] for line in text.splitlines() if line.startswith("# ")]
         for folder in folders:
             history = [line.replace(folder, "") for line in history]
         made = Regraded(read(file), tuple(history))
     return made
-
-
-def _files(words: Iterable[str]) -> Iterable[str]:
-    """The files among the words, of which the first names the result."""
-    return (word for word in words if not word.startswith("--"))

@@ -143,35 +143,34 @@ const ofEach = (values) =>
 /** The name of a specification that comes with mdm; all others have several lines. */
 const isName = (specification) => typeof specification === "string" && /^[\w.-]+$/.test(specification);
 
-export async function judge(samples, specification, options = {}) {
+/** Gradations by their names as files, `names`, to which `put` adds others under names that are free. */
+function filesOf(gradations) {
   const files = {};
+  const put = (name, content) => {
+    files[name] = content;
+    return name;
+  };
+  const names = Object.entries(gradations).map(([name, content]) =>
+    put(fileName(content, undefined, fileName("", name, "")), content),
+  );
+  /** The name of a file beside them, which may have any. */
   const free = (name) => (name in files ? free(`other-${name}`) : name);
-  const names = Object.entries(samples).map(([name, content]) => {
-    const file = fileName(content, undefined, fileName("", name, ""));
-    files[file] = content;
-    return file;
-  });
-  const limits = isName(specification) ? specification : free("specification.csv");
-  if (!isName(specification)) files[limits] = specification;
+  return { files, names, free, put: (name, content) => put(free(name), content) };
+}
+
+export async function judge(samples, specification, options = {}) {
+  const { files, names, put } = filesOf(samples);
+  const limits = isName(specification) ? specification : put("specification.csv", specification);
   const commandLine = ["judge", ...words(options), `--spec=${limits}`, "--format=json", "--quiet", ...names];
   return JSON.parse(printed(await runCommand(commandLine, files)));
 }
 
 export async function blend(stockpiles, specification, { target, proof = false, cost, share, ...options } = {}) {
-  const files = {};
-  /** The name of a file beside the stockpiles, which may have any. */
-  const free = (name) => (name in files ? free(`other-${name}`) : name);
-  const put = (name, content) => {
-    files[name] = content;
-    return name;
-  };
-  const names = Object.entries(stockpiles).map(([name, content]) =>
-    put(fileName(content, undefined, fileName("", name, "")), content),
-  );
-  const limits = put(free("specification.csv"), specification);
+  const { files, names, free, put } = filesOf(stockpiles);
+  const limits = put("specification.csv", specification);
   const commandLine = [...words({ ...options, cost: ofEach(cost), share: ofEach(share) }), `--spec=${limits}`];
   if (/^(power45|fuller|andreasen|bolomey):[^\n]*$/.test(target)) commandLine.push(`--target=${target}`);
-  else if (target !== undefined) commandLine.push(`--target=${put(free(fileName(target, undefined, "target")), target)}`);
+  else if (target !== undefined) commandLine.push(`--target=${put(fileName(target, undefined, "target"), target)}`);
   const blendedName = free("blended.csv");
   if (proof) commandLine.push(`--proof=${proofName}`);
   const result = await runCommand(
