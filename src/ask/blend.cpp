@@ -133,18 +133,6 @@ std::vector<ModulusLimits> moduli_of(const std::vector<std::string> &texts) {
   return moduli;
 }
 
-BlendOptions blend_search(const BlendTexts &c) {
-  constexpr unsigned most_blends = 1'000'000;
-  BlendOptions o;
-  if (c.all)
-    o.best = small_natural("all", *c.all, 1, most_blends);
-  if (c.node_limit)
-    o.node_limit = natural64("node-limit", *c.node_limit);
-  if (c.time_limit)
-    o.deadline = std::chrono::steady_clock::now() + duration("time-limit", *c.time_limit);
-  return o;
-}
-
 } // namespace
 
 const std::vector<OptionRow<BlendTexts>> BlendTexts::question_options = {
@@ -203,6 +191,18 @@ BlendAim BlendTexts::aim() const {
                    " is none of cost, deviation, max-deviation and none");
 }
 
+BlendOptions BlendTexts::search() const {
+  constexpr unsigned most_blends = 1'000'000;
+  BlendOptions o;
+  if (all)
+    o.best = small_natural("all", *all, 1, most_blends);
+  if (node_limit)
+    o.node_limit = natural64("node-limit", *node_limit);
+  if (time_limit)
+    o.deadline = std::chrono::steady_clock::now() + duration("time-limit", *time_limit);
+  return o;
+}
+
 Blending::Blending(const BlendTexts &asked, std::vector<Gradation> stockpiles, const Envelope &specification,
                    const std::optional<Gradation> &target)
     : stockpiles_(std::move(stockpiles)), specification_(specification.id),
@@ -215,7 +215,7 @@ Blending::Blending(const BlendTexts &asked, std::vector<Gradation> stockpiles, c
     mass_ = take_step(*asked.step, problem_);
   if (asked.at_most)
     problem_.at_most = small_natural("at-most-stockpiles", *asked.at_most, 1, 1'000'000);
-  options_ = blend_search(asked);
+  options_ = asked.search();
   if (asked.relax)
     options_.relaxed = relaxed_sieve(*asked.relax, problem_, specification.unit);
 }
@@ -223,17 +223,6 @@ Blending::Blending(const BlendTexts &asked, std::vector<Gradation> stockpiles, c
 BlendReport Blending::report() const {
   return {problem_, answer_, specification_, mass_,
           options_.relaxed ? std::optional<Rational>(problem_.sieves[*options_.relaxed].size) : std::nullopt};
-}
-
-Outcome Blending::outcome() const {
-  switch (answer_.status) {
-  case BlendAnswer::Status::optimal:
-    return Outcome::done;
-  case BlendAnswer::Status::none:
-    return Outcome::negative;
-  default:
-    return Outcome::limited;
-  }
 }
 
 std::optional<Gradation> Blending::blended() const {

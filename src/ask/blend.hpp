@@ -24,6 +24,9 @@ struct BlendTexts {
   /// What is asked for, or what the options that are given have a use for.
   /// \throws InputError naming the option where its value does not serve
   BlendAim aim() const;
+  /// How the best blends are searched. A time limit counts from this call.
+  /// \throws InputError naming the option where its value does not serve
+  BlendOptions search() const;
 };
 
 /// A blend of stockpiles, or why there is none.
@@ -39,7 +42,7 @@ public:
 
   const BlendProblem &problem() const { return problem_; }
   BlendReport report() const;
-  Outcome outcome() const;
+  Outcome outcome() const { return outcome_of(answer_); }
   /// The gradation of the best blend; nothing where there is none.
   std::optional<Gradation> blended() const;
   /// Nothing where the search did not come to its end.

@@ -73,4 +73,15 @@ Outcome outcome_of(const SoilDescription &description) {
   return description.limited() ? Outcome::limited : Outcome::done;
 }
 
+Outcome outcome_of(const BlendAnswer &blends) {
+  switch (blends.status) {
+  case BlendAnswer::Status::optimal:
+    return Outcome::done;
+  case BlendAnswer::Status::none:
+    return Outcome::negative;
+  default:
+    return Outcome::limited;
+  }
+}
+
 } // namespace mdm

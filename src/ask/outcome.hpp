@@ -6,6 +6,7 @@
 #include "report/verification.hpp"
 #include "soil/describe.hpp"
 
+#include <mdm/blend/blend.hpp>
 #include <mdm/judge/specification.hpp>
 #include <mdm/match/limits.hpp>
 #include <mdm/match/match.hpp>
@@ -34,6 +35,7 @@ Outcome outcome_of(Compliance verdict);
 /// enough
 Outcome outcome_of(const CrosscheckSummary &summary, bool must_be_minimal);
 Outcome outcome_of(const Tradeoff &tradeoff);
+Outcome outcome_of(const BlendAnswer &blends);
 Outcome outcome_of(const SoilDescription &description);
 
 } // namespace mdm

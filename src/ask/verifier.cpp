@@ -110,7 +110,6 @@ Verifier::Verifier(Gradation g, const std::string &source, VerifyQuestion asked,
               [this](const std::optional<ParticleBox> &box) { return asked_.places.space(box, unit()); }) {}
 
 void Verifier::end(const ReadParticles &read) {
-  has_particles_ = true;
   read_unit_ = read.unit;
   note(read.notes);
 }

@@ -62,12 +62,19 @@ public:
   const ParticleOptions &reading() const { return reading_; }
   bool are_places_asked() const { return asked_.places.are_asked(); }
   SizeUnit unit() const { return gradation_.unit(); }
+  /// The gradation that is asked about, after its cut and with its pan and factor.
+  const Gradation &gradation() const { return gradation_; }
+  const MassLaw &law() const { return asked_.question.law; }
+  const Rational &snap() const { return asked_.snap; }
 
   /// Takes particles whose places, if they have some, are judged too.
-  ParticleSink &particles() { return placed_; }
+  ParticleSink &particles() {
+    has_particles_ = true;
+    return placed_;
+  }
   /// Takes sizes alone.
   ParticleSink &sizes() { return certifier_ ? static_cast<ParticleSink &>(*certifier_) : sizes_; }
-  /// What the reader of particles() says at their end.
+  /// What the reader of particles() says at their end, or of the last of several timesteps.
   void end(const ReadParticles &read);
   /// Takes the notes that belong to what sizes() was given.
   void note(const std::vector<std::string> &notes) {

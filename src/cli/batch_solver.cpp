@@ -2,6 +2,7 @@
 
 #include "answer/answer.hpp"
 #include "answer/batch_csv.hpp"
+#include "answer/error_line.hpp"
 #include "files/paths.hpp"
 #include "text/json_writer.hpp"
 #include "text/option_name.hpp"
@@ -61,10 +62,7 @@ BatchAnswer BatchSolver::answer(const BatchItem &item) const {
 BatchAnswer BatchSolver::error(const std::string &id, const std::string &message) const {
   if (command_.output.is_csv())
     return {"", Exit::bad_input, message + "\n"};
-  JsonWriter json;
-  json.begin_object().key("id").string(id).key("status").plain("error").key("error").string(message);
-  json.end_object();
-  return {json.take() + "\n", Exit::bad_input};
+  return {error_line(id, message), Exit::bad_input};
 }
 
 BatchAnswer BatchSolver::solved(Gradation g, const BatchItem &item) const {

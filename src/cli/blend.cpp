@@ -2,12 +2,14 @@
 
 #include "ask/option_values.hpp"
 #include "blend/target_curve.hpp"
+#include "cli/blend_problems.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/plot_flag.hpp"
 #include "cli/reading_flags.hpp"
+#include "cli/whole_number.hpp"
 #include "files/byte_source.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
@@ -31,6 +33,8 @@ namespace {
 struct BlendCommand {
   std::vector<std::string> files;
   std::string specification;
+  OptionText problems;
+  unsigned threads = 1;
   BlendTexts asked;
   OptionText blended, proof;
   PlotFlag plot;
@@ -115,7 +119,28 @@ Figure figure_of(const std::vector<Gradation> &stockpiles, const Envelope &speci
   return drawn;
 }
 
+/// Refuses what the lines of problems have no use for.
+void check_alone(const BlendCommand &c) {
+  const BlendTexts &a = c.asked;
+  if (!c.files.empty() || !c.specification.empty() || a.target || a.minimise || a.step || a.at_most ||
+      a.relax || !a.costs.empty() || !a.shares.empty() || !a.limits.empty() || c.blended || c.proof ||
+      c.plot || c.reading.is_given())
+    throw InputError(option("problems") + ": its lines say all that is asked: beside it stand " +
+                     option("all") + ", " + option("node-limit") + ", " + option("time-limit") +
+                     ", -j, -o and " + option("quiet") + " alone");
+  if (c.output.asked_format && !c.output.is_json())
+    throw InputError(option("problems") + ": the answers are JSON Lines: leave out " + option("format"));
+  check_distinct({*c.problems, c.output.path()});
+}
+
 int run(const BlendCommand &c) {
+  if (c.problems) {
+    check_alone(c);
+    return blend_problems(*c.problems, c.asked, c.threads, c.output);
+  }
+  if (c.files.empty() || c.specification.empty())
+    throw InputError("give the gradations of stockpiles and " + option("spec") + ", or " +
+                     option("problems"));
   check_files(c);
   static_cast<void>(c.asked.aim()); // what is wrong is said before a file is read
   std::vector<Gradation> stockpiles;
@@ -151,8 +176,7 @@ void add_question(CLI::App &command, BlendCommand &c) {
       .add_option("--spec", c.specification,
                   "the limits: CSV with passing_min_percent,passing_max_percent, another envelope, or a name "
                   "that mdm judge knows")
-      ->type_name("SPEC")
-      ->required();
+      ->type_name("SPEC");
   add_options(command, BlendTexts::question_options, c.asked);
 }
 
@@ -175,11 +199,18 @@ Run add_blend(CLI::App &app) {
   const auto c = std::make_shared<BlendCommand>();
   CLI::App &command =
       *app.add_subcommand("blend", "The best mix of stockpiles within a specification, or why there is none");
+  command.add_option(
+      "FILE", c->files,
+      "gradations of the stockpiles, any that mdm convert reads; their names are those of the files");
   command
-      .add_option(
-          "FILE", c->files,
-          "gradations of the stockpiles, any that mdm convert reads; their names are those of the files")
-      ->required();
+      .add_option("--problems", c->problems,
+                  "in place of FILE and --spec: many problems, one a line, each an object with the members "
+                  "stockpiles, sieves, steps, at_most and aim of mdm-blend-1, and an id; an answer a line")
+      ->type_name("JSONL");
+  command.add_option("-j", c->threads, "threads, of --problems")
+      ->type_name("THREADS")
+      ->transform(whole_number(1, 1024))
+      ->needs("--problems");
   add_question(command, *c);
   add_answer(command, *c);
   c->output.add_format(command);
@@ -203,6 +234,7 @@ Run add_blend(CLI::App &app) {
       {"mdm blend sand.csv gravel.csv dust.csv --spec limits.csv",
        "mdm blend A.csv B.csv C.csv --spec limits.csv --cost A=7,B=10.82,C=9.5 --share C=5..30%",
        "mdm blend A.csv B.csv C.csv --spec limits.csv --target fuller:31.5mm",
+       "mdm blend --problems problems.jsonl -j 2 -o answers.jsonl",
        "mdm blend A.csv B.csv --spec limits.csv --target curve.csv --step '5kg of 1000kg' "
        "--blended m.csv"}));
   return [c] { return run(*c); };

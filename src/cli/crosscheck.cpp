@@ -2,6 +2,7 @@
 #include "ask/option_values.hpp"
 #include "ask/outcome.hpp"
 #include "cli/commands.hpp"
+#include "cli/crosscheck_blends.hpp"
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
@@ -11,6 +12,7 @@
 #include "crosscheck/crosscheck_report.hpp"
 #include "crosscheck/solution_reader.hpp"
 #include "files/answer_proofs.hpp"
+#include "files/blend_lines.hpp"
 #include "files/byte_source.hpp"
 #include "files/file_ending.hpp"
 #include "files/in_parallel.hpp"
@@ -178,13 +180,30 @@ Solution solution_in(const std::string &path, const Gradation &g, const Question
   return read_solution(text, integer_program(g, question, form, "the solution"));
 }
 
+/// Judges blends. \throws InputError where an option is given that is of gradations
+int run_blends(const CrosscheckCommand &c, FileLines &lines) {
+  if (c.solution || c.by || c.journal || c.proofs || c.asked.size_tolerance || c.asked.max_steps ||
+      c.asked.node_limit || !c.asked.question_words().empty())
+    throw file_error(c.suite,
+                     "it has problems of blends, whose lines say all that is asked: leave out the options of "
+                     "gradations");
+  return crosscheck_blends(lines, {c.suite, c.answers, c.solver, read_time_limit(c.time_limit.value_or("60")),
+                                   c.threads, c.require_minimal, c.output});
+}
+
+std::vector<SuiteLine> suite_of(const CrosscheckCommand &c, FileLines &lines) {
+  if (!c.solution)
+    return read_suite(lines, c.suite);
+  return {{1, read_gradation(lines.rest(max_gradation_bytes), shown_name(c.suite))}};
+}
+
 int run(const CrosscheckCommand &c) {
   check_options(c);
   const Rational size_tolerance = c.asked.most_size_error();
-  const std::vector<SuiteLine> suite =
-      c.solution ? std::vector<SuiteLine>{{1, read_gradation(read_file(c.suite, max_gradation_bytes),
-                                                             shown_name(c.suite))}}
-                 : read_suite(c.suite);
+  FileLines lines(c.suite);
+  if (begin_blends(lines))
+    return run_blends(c, lines);
+  const std::vector<SuiteLine> suite = suite_of(c, lines);
   const CrosscheckQuestion question(c.asked, band_in_file);
   std::optional<AnswerProofs> proofs;
   if (c.proofs)
@@ -271,6 +290,12 @@ std::string about() {
                    "a gradation that was corrected since is not used.") +
          "\n" +
          paragraph(
+             "SUITE may also have problems of blends, as mdm blend --problems takes them: then an answer is "
+             "{\"id\": \"a\", \"shares\": [\"0.61\", \"0.39\"]}, or \"percents\", or a status of infeasible "
+             "or "
+             "gave-up. Verdicts are best, worse, not-a-blend (--format csv says why) and those above.") +
+         "\n" +
+         paragraph(
              "Exit code: 0 if every answer is a match (with --require-minimal: minimal), 1 if not, 2 if "
              "a line of SUITE is bad (before anything is run), 3 if something is undecided.");
 }
@@ -281,7 +306,9 @@ Run add_crosscheck(CLI::App &app) {
   const auto c = std::make_shared<CrosscheckCommand>();
   CLI::App &command =
       *app.add_subcommand("crosscheck", "Judges another solver's answers to a suite of gradations");
-  command.add_option("SUITE", c->suite, "gradations, JSON Lines; - for standard input")->required();
+  command
+      .add_option("SUITE", c->suite, "gradations, or problems of blends, JSON Lines; - for standard input")
+      ->required();
   command.add_option("ANSWERS", c->answers, "the answers: CSV or JSON Lines; - for standard input");
   command.add_option("--solver", c->solver, "run CMD with /bin/sh for each gradation in place of ANSWERS")
       ->type_name("CMD");

@@ -1,9 +1,11 @@
 #include "ask/outcome.hpp"
+#include "ask/timesteps.hpp"
 #include "ask/verifier.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
+#include "cli/plot_flag.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/solve_flags.hpp"
 #include "cli/verify_packing.hpp"
@@ -16,6 +18,7 @@
 #include "files/sample_proof_files.hpp"
 #include "files/standard_streams.hpp"
 #include "particles/particle_reader.hpp"
+#include "plot/timesteps_figure.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -32,6 +35,8 @@ struct VerifyCommand {
   std::string gradation, sample;
   std::optional<std::string> proof;
   VerifyTexts asked;
+  bool over_time = false;
+  PlotFlag plot;
   ReadingFlags reading;
   OutputFlags output;
 };
@@ -98,16 +103,52 @@ void read_sample(const VerifyCommand &c, Verifier &verifier) {
   verifier.end(read_lines(std::move(chunk), lines, c.sample, options, verifier.particles(), c.output.quiet));
 }
 
-int run(const VerifyCommand &c) {
+/// What is seen of a dump, or of GSD, timestep by timestep.
+TimestepsReport read_timesteps(const VerifyCommand &c, Verifier &verifier) {
+  ParticleOptions options = verifier.reading();
+  options.every_timestep = true;
+  Timesteps timesteps(verifier, shown_name(c.sample));
+  if (options.format ? options.format == ParticleFormat::gsd : is_gsd_file(c.sample))
+    return timesteps.report(read_gsd_file(c.sample, options, timesteps));
+  FileLines lines(c.sample);
+  std::vector<FileLines::Line> chunk = lines.next(lines_at_once);
+  if (options.format == ParticleFormat::answer || is_generated_file(c.sample) || begins_json(chunk))
+    throw file_error(c.sample, "it has no timesteps: leave out " + option("over-time"));
+  return timesteps.report(read_lines(std::move(chunk), lines, c.sample, options, timesteps, c.output.quiet));
+}
+
+int run_over_time(const VerifyCommand &c, Verifier &verifier) {
+  const TimestepsReport r = read_timesteps(c, verifier);
+  Output out(c.output.path());
+  out.write(c.output.report([&] { return timesteps_text(r); }, [&] { return timesteps_json(r); },
+                            [&] { return timesteps_csv(r); }));
+  const std::unique_ptr<Output> plot = c.plot ? c.plot.drawn(timesteps_figure(r), c.output.quiet) : nullptr;
+  c.output.tell_notes_beside_csv(r.notes);
+  if (plot)
+    plot->commit();
+  out.commit();
+  return exit_code(outcome_of(r.verdict()));
+}
+
+/// Refuses options that do not go together, and outputs that are inputs.
+void check(const VerifyCommand &c) {
   c.asked.places.check();
   if (c.gradation == "-" && c.sample == "-")
     throw InputError("GRADATION and SAMPLE cannot both be standard input: give one of them as a file");
-  check_distinct({c.gradation, c.output.path()});
-  check_distinct({c.sample, c.output.path()});
+  if (c.plot && !c.over_time)
+    throw InputError(option("plot") + " draws a sample over time: give " + option("over-time") +
+                     " too; mdm plot " + option("sample") + " draws one beside its gradation");
+  c.plot.check();
+  std::vector<std::string> inputs = {c.gradation, c.sample};
   if (c.asked.band)
-    check_distinct({*c.asked.band, c.output.path()});
+    inputs.push_back(*c.asked.band);
+  check_paths(inputs, {c.output.path(), c.plot.path()});
   if (c.proof)
     SampleProofFiles::check(*c.proof, {c.gradation, c.sample, c.output.path(), c.asked.band.value_or("-")});
+}
+
+int run(const VerifyCommand &c) {
+  check(c);
   if (is_disc_sizes_file(c.gradation) && c.proof)
     throw file_error(c.gradation, "it has sizes of discs, and certificates are of gradations: leave out " +
                                       option("proof"));
@@ -127,6 +168,8 @@ int run(const VerifyCommand &c) {
   const SizeUnit unit = read.gradation.unit();
   Verifier verifier(std::move(read.gradation), shown_name(c.gradation), c.asked.question(unit, band),
                     files ? std::optional(Verifier::AskedProof{files->begin()}) : std::nullopt);
+  if (c.over_time)
+    return run_over_time(c, verifier);
   Output out(c.output.path());
   read_sample(c, verifier);
   Verification v = verifier.verification(shown_name(c.sample));
@@ -174,6 +217,14 @@ Run add_verify(CLI::App &app) {
           "and whether the sample matches; beside it OUT.sample.csv and OUT.gradation.csv where it "
           "cannot read the files")
       ->type_name("OUT");
+  command
+      .add_flag(
+          "--over-time", c->over_time,
+          "each timestep of a dump or of GSD: a line with its verdict, fines lost, coordination, segregation "
+          "and relative breakage")
+      ->excludes(command.get_option("--proof"))
+      ->excludes(command.get_option("--timestep"));
+  c->plot.add_to(command, "draw what --over-time tells");
   c->output.add_format(command);
   c->output.add_out(command, "write the report");
   c->output.add_quiet(command, "no progress and no notes on standard error");
@@ -187,12 +238,21 @@ Run add_verify(CLI::App &app) {
               "file, --box or --specimen, and every share is within the tolerance; 1 if not; 3 if an "
               "irrational law leaves it open.") +
           "\n" +
+          paragraph("With --over-time the exit code is that of all timesteps together. Breakage is told "
+                    "against the "
+                    "gradation, with curves linear in log size: B_r of Hardin (1985) from 0.074 mm on, B of "
+                    "Einav (2007) "
+                    "towards a fractal of dimension 2.6. Fines lost are particles of the finest class with "
+                    "mass, since "
+                    "the first timestep.") +
+          "\n" +
           paragraph(
               "An id that is there twice is refused. Ids cost some 5 bits each where they mostly follow "
               "each other (10^7 of them 6 MB), and up to 43 bytes each where they are scattered."),
       {"mdm verify sand.csv packing.txt --from xyzr --size-unit m --tolerance 1%",
        "mdm verify sand.csv sand-settled.dump --tolerance passing:0.5% --tolerance retained:2%",
        "mdm verify sand.csv sand-settled.dump --packing --tolerance 1%",
+       "mdm verify sand.csv run.dump --over-time --tolerance 1% -o run.csv --plot run.svg",
        "mdm verify sand.csv sizes.csv --format json -o report.json",
        "mdm verify sand.csv sizes.csv --proof sizes.proof && mdm-check sand.csv sizes.csv sizes.proof"}));
   return [c] { return run(*c); };

@@ -42,6 +42,7 @@ class Counting : public ParticleSink {
 public:
   explicit Counting(ParticleSink &sink) : sink_(sink) {}
   void restart() override { sink_.restart(); }
+  void begin_timestep(const Integer &number) override { sink_.begin_timestep(number); }
   void add(const RootSize &diameter, const Integer &quantity) override {
     sink_.add(diameter, quantity);
     ++count;

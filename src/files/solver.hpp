@@ -11,6 +11,19 @@
 
 namespace mdm {
 
+/// What a program wrote when it was asked, or why there is nothing.
+struct ProgramAnswer {
+  std::string text;
+  std::optional<AnswerVerdict> failure; ///< timeout, garbage, crashed or no_answer
+  std::string reason;
+};
+
+/// Runs a command of /bin/sh with the question on its standard input; whatever it does is an answer or a
+/// failure.
+/// \throws InputError if it cannot be started
+ProgramAnswer ask_program(const std::string &command, const std::string &question,
+                          std::chrono::milliseconds time_limit);
+
 /// A program that reads a gradation as JSON and writes its answer as JSON; its journal remembers answers.
 class Solver {
 public:

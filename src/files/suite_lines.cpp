@@ -1,6 +1,5 @@
 #include "files/suite_lines.hpp"
 
-#include "files/file_lines.hpp"
 #include "text/file_names.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -10,9 +9,8 @@
 
 namespace mdm {
 
-std::vector<SuiteLine> read_suite(const std::string &path) {
+std::vector<SuiteLine> read_suite(FileLines &lines, const std::string &path) {
   std::vector<SuiteLine> suite;
-  FileLines lines(path);
   std::uint64_t number = 0;
   for (std::vector<FileLines::Line> next = lines.next(1); !next.empty(); next = lines.next(1)) {
     const FileLines::Line &line = next.front();

@@ -2,6 +2,8 @@
 /// \file
 /// A suite as a whole.
 
+#include "files/file_lines.hpp"
+
 #include <mdm/gradation/gradation.hpp>
 
 #include <cstdint>
@@ -18,7 +20,8 @@ struct SuiteLine {
 
 /// All of a suite, so that nothing is run or written where a line is bad. A gradation without an id has
 /// the number of its line.
+/// \param path  names it
 /// \throws InputError naming the line, or if there is no gradation
-std::vector<SuiteLine> read_suite(const std::string &path);
+std::vector<SuiteLine> read_suite(FileLines &lines, const std::string &path);
 
 } // namespace mdm

@@ -12,7 +12,7 @@ namespace mdm {
 namespace {
 
 /// Text dumps of LAMMPS and LIGGGHTS: for each timestep items with their values below them, at last ITEM:
-/// ATOMS with the names of its columns. The last timestep counts, or the one that was asked for.
+/// ATOMS with the names of its columns. The last timestep counts, or the one that was asked for, or each.
 class DumpReader : public LineReader {
 public:
   explicit DumpReader(ParticleSource &source) : source_(source) {
@@ -53,10 +53,11 @@ public:
     if (found_ > 1)
       source_.note(
           fmt::format("Timestep {} is there {} times; the last was taken.", to_string(*asked), found_));
-    if (!asked && timesteps_ > 1)
+    if (!asked && timesteps_ > 1 && !source_.options().every_timestep)
       source_.note(fmt::format("The file has {} timesteps; the last, {}, was taken. Use {} for "
                                "another.",
                                timesteps_, to_string(timestep_), option("timestep")));
+    check_some();
     source_.check_some();
   }
 
@@ -67,6 +68,7 @@ private:
     split_words(item, words_);
     if (item == "TIMESTEP") {
       check_complete();
+      check_some();
       item_ = Item::timestep;
       taken_ = !source_.options().timestep;
       complete_ = false;
@@ -89,6 +91,13 @@ private:
       check_complete();
   }
 
+  /// Each timestep that is handed on has particles.
+  void check_some() const {
+    if (source_.options().every_timestep && timesteps_ > 0 && read_ == 0)
+      source_.refuse(fmt::format("timestep {} has no particles: take it out, or leave out {}",
+                                 to_string(timestep_), option("over-time")));
+  }
+
   void begin_timestep() {
     const std::optional<Integer> number = parse_natural(words_.front());
     if (words_.size() != 1 || !number)
@@ -101,7 +110,7 @@ private:
     if (asked && taken_)
       ++found_;
     if (taken_)
-      source_.restart();
+      source_.begin_timestep(timestep_);
     item_ = Item::other;
   }
 

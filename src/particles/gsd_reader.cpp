@@ -45,7 +45,6 @@ public:
       if (entry.name < names.size() && !chunks_.insert({{entry.frame, names[entry.name]}, entry}).second)
         refuse(fmt::format("frame {} has {} twice: is the file damaged?", entry.frame,
                            in_quotes(names[entry.name])));
-      last_frame_ = std::max(last_frame_.value_or(0), entry.frame);
     }
   }
 
@@ -53,8 +52,6 @@ public:
     throw InputError(printable(file_) + ": " + what);
   }
 
-  /// Nothing if there are no frames.
-  const std::optional<std::uint64_t> &last_frame() const { return last_frame_; }
   /// Those that have chunks of their own.
   std::set<std::uint64_t> frames() const {
     std::set<std::uint64_t> frames;
@@ -133,7 +130,6 @@ private:
   std::string_view bytes_;
   const std::string &file_;
   std::map<std::pair<std::uint64_t, std::string>, Entry> chunks_;
-  std::optional<std::uint64_t> last_frame_;
 };
 
 std::uint64_t step_of(const GsdChunks &chunks, std::uint64_t frame) {
@@ -141,18 +137,25 @@ std::uint64_t step_of(const GsdChunks &chunks, std::uint64_t frame) {
   return step ? step->front() : 0;
 }
 
-std::uint64_t frame_of(const GsdChunks &chunks, const std::optional<Integer> &step) {
-  if (!chunks.last_frame())
+/// \throws InputError if there are none
+std::set<std::uint64_t> frames_of(const GsdChunks &chunks) {
+  std::set<std::uint64_t> frames = chunks.frames();
+  if (frames.empty())
     chunks.refuse("there are no frames: a run has written none yet");
+  return frames;
+}
+
+std::uint64_t frame_of(const GsdChunks &chunks, const std::optional<Integer> &step) {
+  const std::set<std::uint64_t> frames = frames_of(chunks);
   if (!step)
-    return *chunks.last_frame();
+    return *frames.rbegin();
   std::optional<std::uint64_t> found;
-  for (const std::uint64_t frame : chunks.frames())
+  for (const std::uint64_t frame : frames)
     if (step_of(chunks, frame) == *step)
       found = frame;
   if (!found)
     chunks.refuse(fmt::format("there is no timestep {}: the last is {}", to_string(*step),
-                              step_of(chunks, *chunks.last_frame())));
+                              step_of(chunks, *frames.rbegin())));
   return *found;
 }
 
@@ -171,25 +174,8 @@ void set_box(const GsdChunks &chunks, std::uint64_t frame, ParticleSource &sourc
   source.set_box(bounds, {true, true, true});
 }
 
-} // namespace
-
-bool is_gsd(std::string_view beginning) {
-  std::uint64_t first = 0;
-  if (beginning.size() < sizeof(first))
-    return false;
-  std::memcpy(&first, beginning.data(), sizeof(first));
-  return first == gsd::magic;
-}
-
-ReadParticles read_gsd(std::string_view bytes, const std::string &file, ParticleSink &sink,
-                       const ParticleOptions &options) {
-  if (!is_gsd(bytes))
-    throw InputError(printable(file) + ": it does not begin as GSD does: say its format by " +
-                     option("from"));
-  const GsdChunks chunks(bytes, file);
-  const std::uint64_t frame = frame_of(chunks, options.timestep);
-  ParticleSource source(file, sink, options);
-  source.set_defaults(SizeMeaning::diameter, SizeUnit::m);
+/// Hands on the particles of a frame.
+void read_frame(const GsdChunks &chunks, std::uint64_t frame, ParticleSource &source) {
   const auto n = chunks.numbers<std::uint32_t>(frame, gsd::count_name, Type::uint32, 1, 1);
   const std::uint32_t particles = n ? n->front() : 0;
   const auto diameters = chunks.numbers<float>(frame, gsd::diameter_name, Type::float32, particles, 1);
@@ -214,6 +200,34 @@ ReadParticles read_gsd(std::string_view bytes, const std::string &file, Particle
     }
   }
   source.check_some();
+}
+
+} // namespace
+
+bool is_gsd(std::string_view beginning) {
+  std::uint64_t first = 0;
+  if (beginning.size() < sizeof(first))
+    return false;
+  std::memcpy(&first, beginning.data(), sizeof(first));
+  return first == gsd::magic;
+}
+
+ReadParticles read_gsd(std::string_view bytes, const std::string &file, ParticleSink &sink,
+                       const ParticleOptions &options) {
+  if (!is_gsd(bytes))
+    throw InputError(printable(file) + ": it does not begin as GSD does: say its format by " +
+                     option("from"));
+  const GsdChunks chunks(bytes, file);
+  ParticleSource source(file, sink, options);
+  source.set_defaults(SizeMeaning::diameter, SizeUnit::m);
+  if (!options.every_timestep) {
+    read_frame(chunks, frame_of(chunks, options.timestep), source);
+  } else {
+    for (const std::uint64_t frame : frames_of(chunks)) {
+      source.begin_timestep(step_of(chunks, frame));
+      read_frame(chunks, frame, source);
+    }
+  }
   ReadParticles result{{}, source.unit()};
   if (!options.unit)
     result.notes.push_back(source.size_note());

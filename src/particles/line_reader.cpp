@@ -165,8 +165,8 @@ void ParticleSource::particle_between(std::string_view lo, std::string_view hi, 
   any_ = true;
 }
 
-void ParticleSource::restart() {
-  sink_.restart();
+void ParticleSource::begin_timestep(const Integer &number) {
+  sink_.begin_timestep(number);
   ids_.clear();
   any_ = false;
 }

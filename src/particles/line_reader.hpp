@@ -67,7 +67,7 @@ public:
   void particle_between(std::string_view lo, std::string_view hi, std::string_view lower,
                         const Integer &quantity, char point);
   /// Forgets all particles so far: another timestep begins.
-  void restart();
+  void begin_timestep(const Integer &number);
 
   /// \throws InputError if there was no particle
   void check_some() const;

@@ -231,6 +231,9 @@ void ParticleReader::begin(ParticleFormat format) {
   if (source_->options().timestep && !is_dump)
     source_->refuse(
         fmt::format("{} is for dumps, and this is {}: leave it out", option("timestep"), name(format)));
+  if (source_->options().every_timestep && !is_dump)
+    source_->refuse(fmt::format("{} is for dumps and GSD, and this is {}: leave it out", option("over-time"),
+                                name(format)));
   reader_ = line_reader(format, *source_);
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     source_->set_line(i + 1);

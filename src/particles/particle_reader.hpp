@@ -26,6 +26,11 @@ public:
   virtual ~ParticleSink() = default;
   /// Forget what came so far: another timestep begins.
   virtual void restart() = 0;
+  /// A timestep of that number begins.
+  virtual void begin_timestep(const Integer &number) {
+    static_cast<void>(number);
+    restart();
+  }
   /// Particles of one diameter > 0, in the unit that was asked for.
   virtual void add(const RootSize &diameter, const Integer &quantity) = 0;
   /// Particles of diameters of which the file gives a range.
@@ -51,6 +56,8 @@ struct ParticleOptions {
   std::optional<SizeUnit> unit;
   /// The timestep of a dump to read; of several of that number the last counts. Open: the last.
   std::optional<Integer> timestep;
+  /// Hands on each timestep, one after the other; without `timestep`.
+  bool every_timestep = false;
   /// The unit that diameters are handed on in.
   SizeUnit target = SizeUnit::mm;
   /// The options that say meaning and unit otherwise, for the note about them: `--a and --b`; or none.

@@ -395,7 +395,10 @@ void write_problem(JsonWriter &json, const BlendProblem &p) {
 std::string blend_json(const BlendReport &r) {
   const BlendAnswer &a = r.answer;
   JsonWriter json;
-  json.begin_object().key("schema").plain("mdm-blend-1").key("specification").string(r.specification);
+  json.begin_object().key("schema").plain("mdm-blend-1");
+  if (!r.id.empty())
+    json.key("id").string(r.id);
+  json.key("specification").string(r.specification);
   json.key("status").plain(status_of_blend(a.status)).key("unit").plain("mm");
   write_problem(json, r.problem);
   json.key("blends").begin_array();

@@ -19,6 +19,7 @@ struct BlendReport {
   std::string specification;                      ///< its name
   std::optional<NamedMass> mass;                  ///< of a blend, where steps were given in masses
   std::optional<Rational> relaxed = std::nullopt; ///< the sieve whose limits alone are widened, mm
+  std::string id = {};                            ///< of the problem, in JSON; empty: none
 };
 
 /// One line of JSON, schema `mdm-blend-1`, without a newline at its end. Exact numbers are strings `p/q`.

@@ -28,4 +28,12 @@ std::string interval_text(const Interval &y) {
   return "[" + approximate(y.lo, digits) + ", " + approximate(y.hi, digits) + "]";
 }
 
+std::string percent_text(const Interval &y, unsigned digits) {
+  const std::string lo = approximate(Rational(100 * y.lo), digits);
+  if (y.is_point())
+    return lo;
+  const std::string hi = approximate(Rational(100 * y.hi), digits);
+  return lo == hi ? lo : "[" + lo + ", " + hi + "]";
+}
+
 } // namespace mdm

@@ -14,4 +14,7 @@ void write_number(JsonWriter &json, const Interval &y);
 /// Six digits of a number, or a range where it is not known so well.
 std::string interval_text(const Interval &y);
 
+/// 100 y cut to so many significant digits, or a range where that does not tell it.
+std::string percent_text(const Interval &y, unsigned digits);
+
 } // namespace mdm

@@ -23,15 +23,6 @@
 namespace mdm {
 namespace {
 
-/// The digits of 100 y that are certain, at most so many.
-std::string percent(const Interval &y, unsigned digits) {
-  const std::string lo = approximate(Rational(100 * y.lo), digits);
-  if (y.is_point())
-    return lo;
-  const std::string hi = approximate(Rational(100 * y.hi), digits);
-  return lo == hi ? lo : "[" + lo + ", " + hi + "]";
-}
-
 /// The share of class j in the sample in percent; as a difference from the target, `44.86 - 3e-8`, where as
 /// many digits would not tell them apart or only look different for being cut.
 std::string found_percent(const MatchError &e, std::size_t j, unsigned digits) {
@@ -40,13 +31,13 @@ std::string found_percent(const MatchError &e, std::size_t j, unsigned digits) {
   if (difference.lo < 0 && difference.hi > 0) {
     const Rational most = std::max(abs(difference.lo), difference.hi);
     if (most * Rational(power_of_ten(digits - 1)) < e.targets[j]) // a tenth more, before it is cut
-      return percent(e.targets[j], digits) + " +- " + approximate(Rational(110 * most), few_digits);
+      return percent_text(e.targets[j], digits) + " +- " + approximate(Rational(110 * most), few_digits);
   }
   const Rational least = std::min(abs(difference.lo), abs(difference.hi));
   const bool is_sure = difference.lo > 0 || difference.hi < 0;
   if (!is_sure || least * Rational(power_of_ten(digits - 1)) >= e.shares[j].lo)
-    return percent(e.shares[j], digits);
-  return percent(e.targets[j], digits) + (difference.lo > 0 ? " - " : " + ") +
+    return percent_text(e.shares[j], digits);
+  return percent_text(e.targets[j], digits) + (difference.lo > 0 ? " - " : " + ") +
          approximate(Rational(100 * least), few_digits);
 }
 
@@ -126,7 +117,7 @@ ConditionReport accurately(const Verification &v) {
                                     [](const Interval &error) { return error.lo > 0 || error.hi < 0; });
     const auto j = static_cast<std::size_t>(wrong - e.normalised.begin());
     c.reason = fmt::format("{} has {} % of the mass, not {} %{}", class_name(j),
-                           found_percent(e, j, v.digits), percent(e.targets[j], v.digits),
+                           found_percent(e, j, v.digits), percent_text(e.targets[j], v.digits),
                            v.verdict() == Verdict::match ? "; every share is within the tolerance" : "");
   }
   return c;
@@ -149,12 +140,17 @@ void add_table(TextBuffer &out, const Verification &v) {
                                     "particles", "target %", "found %", "target - found"}};
   for (std::size_t j = 0; j < g.classes(); ++j)
     lines.push_back({std::to_string(j + 1), "(" + g.opening_text(j) + ", " + g.opening_text(j + 1) + "]",
-                     to_string(v.description.of_class(j).count), percent(v.error.targets[j], v.digits),
-                     found_percent(v.error, j, v.digits), percent(v.error.normalised[j], v.digits)});
+                     to_string(v.description.of_class(j).count), percent_text(v.error.targets[j], v.digits),
+                     found_percent(v.error, j, v.digits), percent_text(v.error.normalised[j], v.digits)});
   add(out, "{}", text_table(lines, "><>"));
 }
 
 } // namespace
+
+const char *name(Verdict verdict) {
+  constexpr std::array<const char *, 3> names = {"match", "no match", "undecided"};
+  return names.at(static_cast<std::size_t>(verdict));
+}
 
 Verification::Verification(Description d, Question asked, Rational most_error)
     : description(std::move(d)), error(description.error()), question(std::move(asked)),
@@ -171,10 +167,10 @@ Verdict Verification::verdict() const {
 std::string headline(const Verification &v) {
   const std::string tolerance = !v.within.empty()  ? " within " + v.within
                                 : v.tolerance == 0 ? ""
-                                                   : " within " + percent(v.tolerance, 15) + " %";
+                                                   : " within " + percent_text(v.tolerance, 15) + " %";
   const std::string broken = check_bounds(v.bounds, v.error, v.description.gradation(), v.digits).reason;
   const std::string worst = fmt::format("the largest error of a share is {} %, in {}",
-                                        percent(v.error.maximum, v.digits), class_name(v.error.worst));
+                                        percent_text(v.error.maximum, v.digits), class_name(v.error.worst));
   const Integer outside = v.description.below().count + v.description.above().count;
   switch (v.verdict()) {
   case Verdict::match:
@@ -205,8 +201,8 @@ std::string verification_text(const Verification &v) {
   const Integer n = v.description.particles();
   out.push_back('\n');
   if (!is_zero(v.error.maximum))
-    add(out, "  largest error: {} % in {}; all together: {} %\n", percent(v.error.maximum, v.digits),
-        class_name(v.error.worst), percent(v.error.total, v.digits));
+    add(out, "  largest error: {} % in {}; all together: {} %\n", percent_text(v.error.maximum, v.digits),
+        class_name(v.error.worst), percent_text(v.error.total, v.digits));
   add(out, "  particles: {}; the smallest exact match has {} (ratio {})\n", to_string(n), v.smallest.text(),
       v.smallest.ratio_text(n));
   if (v.description.snapped() > 0)
@@ -235,8 +231,8 @@ std::string verification_csv(const Verification &v) {
   add(out, "lower_{0},upper_{0},quantity,target_percent,found_percent,error_percent\n", name(g.unit()));
   for (std::size_t j = 0; j < g.classes(); ++j)
     add(out, "{},{},{},{},{},{}\n", g.opening_text(j), g.opening_text(j + 1),
-        to_string(v.description.of_class(j).count), percent(v.error.targets[j], v.digits),
-        percent(v.error.shares[j], v.digits), percent(v.error.normalised[j], v.digits));
+        to_string(v.description.of_class(j).count), percent_text(v.error.targets[j], v.digits),
+        percent_text(v.error.shares[j], v.digits), percent_text(v.error.normalised[j], v.digits));
   return fmt::to_string(out);
 }
 
@@ -244,10 +240,9 @@ std::string verification_json(const Verification &v) {
   JsonWriter json;
   const Description &d = v.description;
   const Gradation &g = d.gradation();
-  static constexpr std::array<const char *, 3> verdicts = {"match", "no match", "undecided"};
   json.begin_object().key("schema").plain("mdm-verify-1").key("id").string(g.id());
   json.key("sample").string(v.sample);
-  json.key("verdict").plain(verdicts.at(static_cast<std::size_t>(v.verdict())));
+  json.key("verdict").plain(name(v.verdict()));
   write(json.key("tolerance_percent"), Rational(100 * v.tolerance));
   write_text(json.key("within"), v.within);
   write(json.key("particles"), d.particles());
@@ -270,7 +265,7 @@ std::string verification_json(const Verification &v) {
     write(json.key("target"), v.error.targets[j]);
     write_number(json.key("found"), v.error.shares[j]);
     write_number(json.key("error"), v.error.normalised[j]);
-    json.key("error_percent").plain(percent(v.error.normalised[j], v.digits));
+    json.key("error_percent").plain(percent_text(v.error.normalised[j], v.digits));
     write_number(json.key("error_as_given"), v.error.as_given[j]);
     json.end_object();
   }
@@ -280,9 +275,9 @@ std::string verification_json(const Verification &v) {
   else
     json.number(v.error.worst + 1);
   write_number(json.key("maximum_error"), v.error.maximum);
-  json.key("maximum_error_percent").plain(percent(v.error.maximum, v.digits));
+  json.key("maximum_error_percent").plain(percent_text(v.error.maximum, v.digits));
   write_number(json.key("total_error"), v.error.total);
-  json.key("total_error_percent").plain(percent(v.error.total, v.digits));
+  json.key("total_error_percent").plain(percent_text(v.error.total, v.digits));
   json.key("packing");
   if (v.packing)
     write_sphere_texture(json, *v.packing, g);

@@ -18,6 +18,9 @@ enum class Verdict {
   undecided ///< a share of which an enclosure is known, which does not tell
 };
 
+/// `match`, `no match` or `undecided`.
+const char *name(Verdict verdict);
+
 /// A sample beside its gradation.
 struct Verification {
   /// \param asked  what d's gradation and law are; for the report

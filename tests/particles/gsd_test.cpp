@@ -142,6 +142,22 @@ TEST_CASE("GSD: the last frame is read, or the one of a timestep; what it has no
   CHECK(contains(gsd_refusal(late, options), "file: there is no timestep 30: the last is 20"));
 }
 
+TEST_CASE("GSD: every frame, one after the other") {
+  class Steps : public Recorder {
+  public:
+    void restart() override {}
+    void begin_timestep(const Integer &number) override { text += " @" + to_string(number); }
+  } steps;
+  ParticleOptions options;
+  options.every_timestep = true;
+  const std::string text = two_grains()
+                               .chunk<std::uint64_t>(1, "configuration/step", u64, 1, 1, {20})
+                               .chunk<float>(1, "particles/diameter", f32, 2, 1, {2, 1})
+                               .text();
+  read_gsd(text, "file", steps, options);
+  CHECK(steps.text == " @10 500 100.000001490116119384765625 @20 2000 1000");
+}
+
 TEST_CASE("GSD: a damaged file is refused") {
   const std::string text = two_grains().text();
   for (std::size_t length = 0; length < text.size(); length += length < 1400 ? 16 : 1)

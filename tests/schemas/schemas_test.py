@@ -131,6 +131,7 @@ COMMANDS = {
         ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--target", "a.csv", "--at-most-stockpiles", "1", "--step", "10%"],
         ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--target", "a.csv", "--minimise", "max-deviation"],
         ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--share", "a=95..100%"],
+        ["blend", "--problems", "problems.jsonl"],
         ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--limit", "FM-EN=0..2", "--limit", "FM=..3", "--target", "a.csv"],
         ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--limit", "FM=10..11"],
         ["blend", "a.csv", "b.csv", "--spec", "band.csv", "--node-limit", "0", "--step", "3kg of 102kg", "--cost", "a=1,b=2"],
@@ -163,6 +164,11 @@ COMMANDS = {
         ["verify", SAND, "places.txt", "--packing", "--specimen", "cylinder:20x20", "--margin", "1"],
         ["verify", SAND, "places.txt", "--packing", "--box", "20x20x20", "--periodic", "xyz", "--margin", "1"],
     ],
+    "mdm-timesteps-1": [
+        ["verify", SAND, "run.dump", "--over-time"],
+        ["verify", SAND, "sizes.dump", "--over-time", "--law", "power:5/2"],
+        ["verify", "pan.csv", "sizes.dump", "--over-time", "--tolerance", "100%"],
+    ],
     "mdm-tradeoff-1": [
         ["tradeoff", SAND],
         ["tradeoff", SAND, "--kind", "total", "--tolerances", "0,5", "--node-limit", "1"],
@@ -179,6 +185,10 @@ COMMANDS = {
         ["crosscheck", "lines-good.jsonl", "answers.csv", "--reasons"],
         ["crosscheck", "lines-good.jsonl", "--solver", "echo '{}'"],
         ["crosscheck", "lines-good.jsonl", "answers.csv", "--max-steps", "0"],
+    ],
+    "mdm-crosscheck-blends-1": [
+        ["crosscheck", "problems.jsonl", "blends.jsonl"],
+        ["crosscheck", "problems.jsonl", "--solver", "exit 1"],
     ],
     "mdm-gradation": [
         *(["convert", sand] for sand in SANDS),
@@ -211,8 +221,15 @@ FILES = {
     "finer.csv": "size_mm,passing_min_percent,passing_max_percent\n0.02,0,5\n",
     "edge.csv": "size_mm,passing_min_percent,passing_max_percent\n0.425,45,60\n",
     "band.csv": "size_mm,passing_min_percent,passing_max_percent\n0.25,50,70\n",
+    "run.dump": "".join(
+        f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp ff\n0 1\n0 1\n0 1\nITEM: ATOMS x y z radius\n"
+        "0.5 0.5 0.1 0.0001\n0.5 0.5 0.10018 0.0001\n" for step in (0, 10)),
+    "sizes.dump": "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS diameter\n0.0001\n0.0002\n",
     "places.txt": "1 1 1 0.1\n1 1 1.19 0.1\n5 5 0.25 0.25\n9 9 12 0.4\n9 9.7 12 0.3\n3 3 3 0.06\n",
     "sample.csv": "size_mm,quantity\n0.05,3000\n0.1,300\n0.12,100\n0.13,200\n0.2,250\n0.4,20\n0.8,2\n0.9,1\n3,1\n",
+    "problems.jsonl": '{"id":"a","stockpiles":[{"name":"A","passing":["60"]},{"name":"B","passing":["1/3"],"cost":"2"}],'
+                      '"sieves":[{"size":"4","least":"10","most":"20"}],"aim":"cost"}\n',
+    "blends.jsonl": '{"id":"a","percents":["20","80"]}\n{"id":"a","status":"infeasible"}\n{"percents":[]}\n{"id":"b"}\n',
     "answers.csv": "id,quantities,sizes_mm,setting\na,2 1,,x\na,3 1,0.1 0.2,y\nb,1 1,,x\nb,,,y\nc,1,,x\n",
 }
 GOOD_LINES = [
