@@ -36,8 +36,8 @@ html_show_copyright = False
 
 
 def read_docstring(_app, _what, _name, _of, _options, lines):
-    """Docstrings have parts as `Args:`, and programs indented below an empty line. Sphinx's own reading of them takes `a: b`
-    of an attribute for a type."""
+    """Docstrings have parts as `Args:`, and programs indented below an empty line. Sphinx's own reading of them takes
+    `a: b` of an attribute for a type."""
     text = re.sub(r"\n\n(?=    )", "\n\n::\n\n", "\n".join(lines))
     lines[:] = GoogleDocstring(text).lines()
 

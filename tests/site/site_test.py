@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""site_test.py MDM SOURCE BUILD: makes the site, as the target `site` does, without a warning, and looks whether it is whole.
+"""site_test.py MDM SOURCE BUILD: makes the site, as the target `site` does, without a warning; and it is whole.
 
-Each link within it leads somewhere, and nothing is loaded from elsewhere; each command has a page with all of its options;
-the gallery has each picture of the examples; the search knows each page; codespell finds no mistake.
+Each link within it leads somewhere, and nothing is loaded from elsewhere; each command has a page with all of its
+options; the gallery has each picture of the examples; the search knows each page; codespell finds no mistake.
 """
 import html.parser
 import json
@@ -44,10 +44,11 @@ def broken_links(pages):
                 yield f"{name} loads {link}"
             if parts.scheme or parts.netloc:
                 continue
-            target = pathlib.Path(os.path.normpath(path.parent / urllib.parse.unquote(parts.path))) if parts.path else path
+            place, part = urllib.parse.unquote(parts.path), urllib.parse.unquote(parts.fragment)
+            target = pathlib.Path(os.path.normpath(path.parent / place)) if place else path
             if not target.is_file() or not target.is_relative_to(HTML):
                 yield f"{name}: {link} leads nowhere"
-            elif parts.fragment and target in pages and urllib.parse.unquote(parts.fragment) not in pages[target].ids:
+            elif part and target in pages and part not in pages[target].ids:
                 yield f"{name}: {link} has no such place"
 
 
@@ -90,8 +91,8 @@ def misspelled():
     """In the pages, and in what the reference of the Python module is made of."""
     files = [path for path in PAGES.rglob("*") if path.suffix in (".md", ".rst")]
     files += SOURCE.glob("src/python/exactmdm/*.py")
-    accepted = pathlib.Path(__file__).with_name("accepted_words")
-    return subprocess.run(["codespell", "--ignore-words", accepted, *files], capture_output=True, text=True).stdout.splitlines()
+    codespell = ["codespell", "--ignore-words", pathlib.Path(__file__).with_name("accepted_words"), *files]
+    return subprocess.run(codespell, capture_output=True, text=True).stdout.splitlines()
 
 
 subprocess.run([SOURCE / "src/site/make_site", MDM, SOURCE, BUILD], check=True)

@@ -1,4 +1,5 @@
-// node tests/web/site_test.mjs SITE: no page of the site, a folder, is wider than a phone, and its search finds what there is.
+// node tests/web/site_test.mjs SITE: no page of the site in the folder SITE is wider than a phone, and its search finds
+// what there is. The pages of doxygen are its own.
 
 import { readdirSync } from "node:fs";
 import { join } from "node:path";
