@@ -94,8 +94,6 @@ def crosscheck(gradations: Union[Iterable[Gradation], str, "os.PathLike[str]"], 
     Args:
         gradations: any iterable, or the path of a suite: JSON Lines, a gradation each.
         size_tolerance: how far sizes may be off, as a part of the size as stated (1e-9).
-        tolerance, band, min_per_class, at_least, specimen, void_ratio, solids_volume, law, size_factor, cut_below,
-            pan_size: the question, as in `solve`.
         max_steps, node_limit: of the search for the smallest match; then the verdict is "undecided".
         tolerance: the smallest match within a tolerance: retained:1%, passing:0.5%, total:1% (percentage points),
             retained:file, passing:file (column tolerance_percent), laboratory, rounding; may be repeated.
