@@ -11,6 +11,9 @@
 
 #include <fmt/format.h>
 
+#ifdef MDM_HAS_ZLIB
+#include <zlib.h>
+#endif
 #ifdef MDM_HAS_ZSTD
 #include <zstd.h>
 #endif
@@ -43,6 +46,9 @@ std::string version_text() {
     text += library + " " + version + "\n";
 #ifdef MDM_HAS_ZSTD
   text += "zstd " ZSTD_VERSION_STRING "\n";
+#endif
+#ifdef MDM_HAS_ZLIB
+  text += "zlib " ZLIB_VERSION "\n";
 #endif
 #ifdef MDM_HAS_LIBCRYPTO
   text += "libcrypto " OPENSSL_VERSION_STR "\n";

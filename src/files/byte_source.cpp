@@ -25,8 +25,7 @@ int open_for_reading(const std::string &path) {
 } // namespace
 
 ByteSource::ByteSource(std::string path) : path_(std::move(path)) {
-  if (names_zstd(path_))
-    in_file(path_, [this] { decompressor_.emplace(); });
+  unpacker_ = in_file(path_, [this] { return unpacker_of(path_); });
   descriptor_ = open_for_reading(path_);
 }
 
@@ -52,7 +51,7 @@ bool ByteSource::read_raw(std::string &text) {
 }
 
 bool ByteSource::read_some(std::string &text) {
-  return decompressor_ ? unpack_some(text) : read_raw(text);
+  return unpacker_ ? unpack_some(text) : read_raw(text);
 }
 
 bool ByteSource::unpack_some(std::string &text) {
@@ -63,10 +62,10 @@ bool ByteSource::unpack_some(std::string &text) {
       unpacked_ = 0;
       is_at_end = !read_raw(packed_);
     }
-    if (is_at_end && decompressor_->is_whole())
+    if (is_at_end && unpacker_->is_whole())
       return false;
     std::string_view packed = std::string_view(packed_).substr(unpacked_);
-    in_file(path_, [&] { decompressor_->unpack(packed, text); });
+    in_file(path_, [&] { unpacker_->unpack(packed, text); });
     unpacked_ = packed_.size() - packed.size();
     if (is_at_end && text.size() == before)
       throw file_error(path_, "cannot be unpacked: it ends too early: give the whole file");

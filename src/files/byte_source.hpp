@@ -3,7 +3,7 @@
 /// The bytes of a file, as they come in.
 
 #include "files/digest.hpp"
-#include "files/zstd_stream.hpp"
+#include "files/unpacker.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -11,10 +11,10 @@
 
 namespace mdm {
 
-/// A file, or standard input for `-`. What ends in .zst is unpacked.
+/// A file, or standard input for `-`. What ends in .zst or .gz is unpacked.
 class ByteSource {
 public:
-  /// \throws InputError if it cannot be read, or is compressed and there is no libzstd
+  /// \throws InputError if it cannot be read, or is packed and there is no library that unpacks it
   explicit ByteSource(std::string path);
   ~ByteSource();
   ByteSource(const ByteSource &) = delete;
@@ -39,7 +39,7 @@ private:
   std::string path_;
   int descriptor_ = -1;
   std::optional<Digest> digest_;
-  std::optional<Decompressor> decompressor_; ///< where the name ends in .zst
+  std::unique_ptr<Unpacker> unpacker_; ///< null: nothing is packed
   std::string packed_;
   std::size_t unpacked_ = 0; ///< of packed_
 };

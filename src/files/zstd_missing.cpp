@@ -1,4 +1,5 @@
 // Files that end in .zst, of a program that was built without libzstd.
+#include "files/unpacker.hpp"
 #include "files/zstd_stream.hpp"
 
 #include <mdm/text/error.hpp>
@@ -26,14 +27,8 @@ Compressor::~Compressor() = default;
 void Compressor::add(std::string_view, const Sink &) {}
 void Compressor::end(const Sink &) {}
 
-struct Decompressor::State {};
-Decompressor::Decompressor() {
+std::unique_ptr<Unpacker> zstd_unpacker() {
   refuse_zstd();
-}
-Decompressor::~Decompressor() = default;
-void Decompressor::unpack(std::string_view &, std::string &) {}
-bool Decompressor::is_whole() const {
-  return false;
 }
 
 } // namespace mdm

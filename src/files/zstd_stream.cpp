@@ -1,5 +1,7 @@
 #include "files/zstd_stream.hpp"
 
+#include "files/unpacker.hpp"
+
 #include <mdm/text/error.hpp>
 
 #include <zstd.h>
@@ -60,35 +62,40 @@ void Compressor::end(const Sink &to) {
   state_->compress({}, ZSTD_e_end, to);
 }
 
-struct Decompressor::State {
-  std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx *)> context{ZSTD_createDCtx(), ZSTD_freeDCtx};
-  bool is_whole = false;
+namespace {
 
-  State() {
+class ZstdUnpacker : public Unpacker {
+public:
+  ZstdUnpacker() {
     constexpr int most_window_log = 27; // 128 MiB
-    if (!context)
+    if (!context_)
       throw std::bad_alloc();
-    check_zstd(ZSTD_DCtx_setParameter(context.get(), ZSTD_d_windowLogMax, most_window_log));
+    check_zstd(ZSTD_DCtx_setParameter(context_.get(), ZSTD_d_windowLogMax, most_window_log));
   }
+
+  void unpack(std::string_view &packed, std::string &text) override {
+    const std::size_t before = text.size();
+    text.resize(before + ZSTD_DStreamOutSize());
+    ZSTD_inBuffer in{packed.data(), packed.size(), 0};
+    ZSTD_outBuffer out{text.data() + before, text.size() - before, 0};
+    const std::size_t left = ZSTD_decompressStream(context_.get(), &out, &in);
+    text.resize(before + out.pos);
+    check_zstd(left);
+    packed.remove_prefix(in.pos);
+    is_whole_ = left == 0;
+  }
+
+  bool is_whole() const override { return is_whole_; }
+
+private:
+  std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx *)> context_{ZSTD_createDCtx(), ZSTD_freeDCtx};
+  bool is_whole_ = false;
 };
 
-Decompressor::Decompressor() : state_(std::make_unique<State>()) {}
-Decompressor::~Decompressor() = default;
+} // namespace
 
-void Decompressor::unpack(std::string_view &packed, std::string &text) {
-  const std::size_t before = text.size();
-  text.resize(before + ZSTD_DStreamOutSize());
-  ZSTD_inBuffer in{packed.data(), packed.size(), 0};
-  ZSTD_outBuffer out{text.data() + before, text.size() - before, 0};
-  const std::size_t left = ZSTD_decompressStream(state_->context.get(), &out, &in);
-  text.resize(before + out.pos);
-  check_zstd(left);
-  packed.remove_prefix(in.pos);
-  state_->is_whole = left == 0;
-}
-
-bool Decompressor::is_whole() const {
-  return state_->is_whole;
+std::unique_ptr<Unpacker> zstd_unpacker() {
+  return std::make_unique<ZstdUnpacker>();
 }
 
 } // namespace mdm

@@ -30,22 +30,4 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// Unpacks a text, in memory that does not grow with it: frames that ask for more than 128 MiB are refused.
-class Decompressor {
-public:
-  /// \throws InputError if the program was built without libzstd
-  Decompressor();
-  ~Decompressor();
-
-  /// Appends some of the text, at most 128 KiB, and takes what it used off `packed`.
-  /// \throws InputError if that is not compressed by Zstandard
-  void unpack(std::string_view &packed, std::string &text);
-  /// True if what was unpacked so far is whole.
-  bool is_whole() const;
-
-private:
-  struct State;
-  std::unique_ptr<State> state_;
-};
-
 } // namespace mdm

@@ -117,7 +117,7 @@ void refuse_spaced_table(const std::string &above, const ParticleSource &source)
 /// Refuses files that are no text, by their first line.
 void refuse_binary(std::string_view text, const ParticleSource &source) {
   if (text.starts_with("\x1f\x8b"))
-    source.refuse("the file is packed by gzip: unpack it with gunzip");
+    source.refuse("the file is packed by gzip: let its name end in .gz, or unpack it with gunzip");
   if (text.find('\0') != std::string_view::npos)
     source.refuse(
         "the file is binary, which is not read: write it as text; of a restart file of LAMMPS or LIGGGHTS "

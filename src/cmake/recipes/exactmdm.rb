@@ -19,6 +19,7 @@ class Exactmdm < Formula
   depends_on "mpfr"
   depends_on "openssl@3"
   depends_on "pugixml"
+  depends_on "zlib"
   depends_on "zstd"
   # The programs call memfd_create and prctl.
   depends_on :linux

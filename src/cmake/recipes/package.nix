@@ -14,6 +14,7 @@
   libzip,
   pugixml,
   zstd,
+  zlib,
   openssl,
   cairo,
 }:
@@ -40,6 +41,7 @@ stdenv.mkDerivation {
     libzip
     pugixml
     zstd
+    zlib
     openssl
     cairo
   ];

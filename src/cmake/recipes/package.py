@@ -31,6 +31,7 @@ class Exactmdm(CMakePackage):
     depends_on("libzip")
     depends_on("pugixml")
     depends_on("zstd")
+    depends_on("zlib-api")
     depends_on("openssl")
     depends_on("cairo+zlib+ft+fc+png+pdf")
 
