@@ -16,6 +16,10 @@ const std::vector<OptionRow<ParticleTexts>> ParticleTexts::options = {
      &ParticleTexts::from},
     {"radius", "", OptionKind::flag, "sizes are radii, whatever their name", &ParticleTexts::radius},
     {"diameter", "", OptionKind::flag, "sizes are diameters, whatever their name", &ParticleTexts::diameter},
+    {"size-column", "NAME", OptionKind::text,
+     "the column of sizes in a dump or CSV where it has a name of its own, such as c_r; with --radius or "
+     "--diameter; other columns that are not known are then passed over",
+     &ParticleTexts::size_column},
     {"size-unit", "UNIT", OptionKind::text,
      "unit of SAMPLE: mm, um, m or in; if left out what the file states, else m for LAMMPS, LIGGGHTS, "
      "VTK, ESyS-Particle, Lethe, Kratos, MUSEN, GSD, PhasicFlow and DEM-Engine if left out, for xyzr, "
@@ -36,6 +40,10 @@ ParticleOptions ParticleTexts::reading(SizeUnit target) const {
                      particle_format_names());
   if (radius || diameter)
     o.meaning = radius ? SizeMeaning::radius : SizeMeaning::diameter;
+  if (size_column && !o.meaning)
+    throw InputError(option("size-column") + ": say what its sizes are with " + option("radius") + " or " +
+                     option("diameter"));
+  o.size_column = size_column;
   if (size_unit)
     o.unit = size_unit_of("size-unit", *size_unit);
   if (timestep)

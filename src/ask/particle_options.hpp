@@ -10,12 +10,12 @@
 namespace mdm {
 
 struct ParticleTexts {
-  OptionText from, size_unit, timestep;
+  OptionText from, size_column, size_unit, timestep;
   bool radius = false, diameter = false;
 
   static const std::vector<OptionRow<ParticleTexts>> options;
 
-  bool say_sizes() const { return radius || diameter || size_unit; }
+  bool say_sizes() const { return radius || diameter || size_column || size_unit; }
   /// \param target  the unit that sizes are wanted in
   /// \throws InputError naming the option where its value does not serve
   ParticleOptions reading(SizeUnit target) const;

@@ -3,6 +3,8 @@
 #include "text/lines.hpp"
 #include "text/option_name.hpp"
 
+#include <mdm/text/error.hpp>
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -168,11 +170,18 @@ private:
                      "damaged?");
     width_ = words_.size() - 1;
     id_ = column("id");
-    radius_ = column("radius");
-    diameter_ = column("diameter");
-    if (radius_ == width_ && diameter_ == width_)
-      source_.refuse("there is no column radius or diameter: add one of them to the dump command");
     const std::optional<SizeMeaning> &asked = source_.options().meaning;
+    const std::optional<std::string> &named = source_.options().size_column;
+    radius_ = named ? width_ : column("radius");
+    diameter_ = column(named ? *named : "diameter");
+    if (named && diameter_ == width_)
+      source_.refuse("there is no column " + in_quotes(*named) + ": write one of ITEM: ATOMS for " +
+                     option("size-column"));
+    if (radius_ == width_ && diameter_ == width_)
+      source_.refuse(
+          "there is no column radius or diameter: add one of them to the dump command, or name the column "
+          "with " +
+          option("size-column"));
     has_both_ = !asked && radius_ < width_ && diameter_ < width_;
     const bool by_radius = radius_ < width_ && !(asked == SizeMeaning::diameter && diameter_ < width_);
     column_ = by_radius ? radius_ : diameter_;

@@ -36,16 +36,25 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The name that a column of PFC's has here; others stay.
+/// True of a column that ParaView writes for places.
+bool is_of_paraview(std::string_view name) {
+  return name.starts_with("Points:") || name.starts_with("Points_");
+}
+
+/// The name that a column of PFC's or of ParaView has here; others stay.
 std::string known_name(const std::string &name) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> of_pfc = {
+  if (is_of_paraview(name) && name.size() == 8 && name.back() >= '0' && name.back() <= '2')
+    return std::string(1, static_cast<char>('x' + (name.back() - '0')));
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> of_others = {
       {{"EVENT_LABEL", "id"},
        {"PFC_BALL_LOCX", "x"},
        {"PFC_BALL_LOCY", "y"},
        {"PFC_BALL_LOCZ", "z"},
        {"PFC_BALL_RADIUS", "radius"},
-       {"PFC_BALL_ATTR", "type"}}};
-  for (const auto &[theirs, ours] : of_pfc)
+       {"PFC_BALL_ATTR", "type"},
+       {"Radius", "radius"},
+       {"Diameter", "diameter"}}};
+  for (const auto &[theirs, ours] : of_others)
     if (name == theirs)
       return std::string(ours);
   return name;
@@ -54,10 +63,40 @@ std::string known_name(const std::string &name) {
 /// Reads the names of a header one after the other.
 class Header {
 public:
+  Header(const std::vector<std::string> &names, const std::optional<std::string> &size_column)
+      : size_column_(size_column),
+        passes_over_(size_column || std::any_of(names.begin(), names.end(), is_of_paraview)) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      take(i, names[i]);
+    if (size_column && !columns_.size)
+      throw InputError("there is no column " + in_quotes(*size_column) + ": name one of the header");
+  }
+
+  ParticleColumns columns() const {
+    const bool has_bounds = columns_.lo && columns_.hi;
+    if (columns_.lo.has_value() != columns_.hi.has_value())
+      throw InputError("of size_lo and size_hi one is missing: give both");
+    if (!has_bounds && !of_class_.empty() && !passes_over_)
+      refuse_unknown(of_class_);
+    if (columns_.size.has_value() == has_bounds)
+      throw InputError(has_bounds ? "there are a size and its bounds: give one of them"
+                                  : "there is no column of sizes: name it, for example, size_mm");
+    ParticleColumns columns = columns_;
+    columns.place = place();
+    return columns;
+  }
+
+private:
   void take(std::size_t i, const std::string &written) {
+    if (size_column_ == written)
+      return set_size(i, written, unit_name(written).kind);
     const std::string known = known_name(written), name = known.substr(0, known.find('^'));
     if (name.empty())
       throw InputError("a column has no name: give one table alone, and each of its columns a name");
+    if (size_column_ && is_of_sizes(name)) {
+      columns_.passed_over.push_back(name);
+      return;
+    }
     if (name != known) {
       take_power(i, known);
       return;
@@ -83,25 +122,18 @@ public:
       set_axis(axes_[static_cast<std::size_t>(stem.front() - 'x')], i, name, kind);
     else if (name == "id")
       set(columns_.id, i, name);
+    else if (name != "type" && passes_over_)
+      columns_.passed_over.push_back(name);
     else if (name != "type")
       refuse_unknown(name);
   }
 
-  ParticleColumns columns() const {
-    const bool has_bounds = columns_.lo && columns_.hi;
-    if (columns_.lo.has_value() != columns_.hi.has_value())
-      throw InputError("of size_lo and size_hi one is missing: give both");
-    if (!has_bounds && !of_class_.empty())
-      refuse_unknown(of_class_);
-    if (columns_.size.has_value() == has_bounds)
-      throw InputError(has_bounds ? "there are a size and its bounds: give one of them"
-                                  : "there is no column of sizes: name it, for example, size_mm");
-    ParticleColumns columns = columns_;
-    columns.place = place();
-    return columns;
+  /// True of a name by which sizes are known without being named.
+  static bool is_of_sizes(std::string_view name) {
+    return name == "sieve" || name == "d" || name == "r" ||
+           is_one_of(unit_name(name).stem, {"size", "diameter", "radius", "size_lo", "size_hi"});
   }
 
-private:
   /// `size_mm^3`, as canonical samples beside certificates have it.
   void take_power(std::size_t i, const std::string &name) {
     const std::size_t cut = name.find('^');
@@ -172,6 +204,8 @@ private:
     return place;
   }
 
+  std::optional<std::string> size_column_;
+  bool passes_over_; ///< names that are not known
   ParticleColumns columns_;
   std::array<std::optional<Axis>, 3> axes_; ///< x, y and z
   std::string of_class_;                    ///< a column of what solve and generate say of classes
@@ -192,11 +226,9 @@ SizeUnit ParticleColumns::unit() const {
   }
 }
 
-ParticleColumns particle_columns(const std::vector<std::string> &names) {
-  Header header;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    header.take(i, names[i]);
-  return header.columns();
+ParticleColumns particle_columns(const std::vector<std::string> &names,
+                                 const std::optional<std::string> &size_column) {
+  return Header(names, size_column).columns();
 }
 
 char csv_delimiter(std::string_view header) {

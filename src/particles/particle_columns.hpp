@@ -26,6 +26,8 @@ struct ParticleColumns {
   /// x, y and z, in the unit of sizes; open where one is missing or has another unit.
   std::optional<std::array<std::size_t, 3>> place;
 
+  std::vector<std::string> passed_over; ///< names that are not known, of a file that has others besides
+
   /// The unit of sizes; mm for phi and sieves, which are turned into it.
   SizeUnit unit() const;
 };
@@ -34,9 +36,13 @@ struct ParticleColumns {
 /// unit `size`, `diameter`, `d`, `radius`, `r`) , the power of one
 /// (`size_mm^3`), or its bounds (`size_lo_mm`, `size_hi_mm`), and beside it
 /// `quantity` or `count`, and what is not read: places (`x`, `y`, `z`, also with a unit), `id`, `type`, and
-/// beside bounds `class`, `lower_mm`, `upper_mm`, `mass`.
+/// beside bounds `class`, `lower_mm`, `upper_mm`, `mass`. Other columns are passed over where ParaView wrote
+/// the file
+/// (`Points:0`, `Points:1`, `Points:2` are its places), or the column of sizes is named.
+/// \param size_column  the name of the column of sizes; open: as above
 /// \throws InputError naming the column that is unknown, missing, or there twice
-ParticleColumns particle_columns(const std::vector<std::string> &names);
+ParticleColumns particle_columns(const std::vector<std::string> &names,
+                                 const std::optional<std::string> &size_column = std::nullopt);
 
 /// What separates the fields of a header: `;`, else `,`, else a tab where there is one.
 char csv_delimiter(std::string_view header);

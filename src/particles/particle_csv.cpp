@@ -9,7 +9,7 @@
 #include <mdm/gradation/gradation.hpp>
 #include <mdm/text/error.hpp>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <utility>
 
@@ -72,15 +72,24 @@ private:
     delimiter_ = csv_delimiter(row);
     split(row);
     try {
-      columns_ = particle_columns(fields_);
+      columns_ = particle_columns(fields_, source_.options().size_column);
     } catch (const InputError &e) {
       source_.refuse(e.what());
     }
     if (source_.options().unit && columns_.has_unit)
       source_.refuse("the header names the unit: leave out " + option("size-unit"));
+    note_passed_over();
     width_ = fields_.size();
     source_.set_defaults(columns_.meaning, columns_.has_unit ? columns_.unit() : source_.options().target);
     has_header_ = true;
+  }
+
+  void note_passed_over() const {
+    std::vector<std::string> names;
+    for (const std::string &name : columns_.passed_over)
+      names.push_back(in_quotes(name));
+    if (!names.empty())
+      source_.note(fmt::format("Columns that were passed over: {}.", fmt::join(names, ", ")));
   }
 
   ParticleSource::ReadSize reader() const {

@@ -65,8 +65,11 @@ std::vector<std::string> csv_names(std::string_view line) {
 
 /// True for a header of CSV, also one that will be refused: names of columns, one of them of sizes or
 /// quantities.
-bool is_csv_header(std::string_view line) {
+/// \param size_column  that was named
+bool is_csv_header(std::string_view line, const std::optional<std::string> &size_column) {
   const std::vector<std::string> names = csv_names(line);
+  if (size_column && std::find(names.begin(), names.end(), *size_column) != names.end())
+    return true;
   const auto is_word = [](const std::string &name) { return name.find_first_of(" \t") == std::string::npos; };
   return std::all_of(names.begin(), names.end(), is_word) && has_particle_column(names);
 }
@@ -160,7 +163,7 @@ std::optional<ParticleFormat> format_of(const std::vector<std::string> &lines, c
     return ParticleFormat::lammps_dump;
   if (text.starts_with("radius_") && text.find(",cumulative_number") != std::string_view::npos)
     return ParticleFormat::mercurydpm;
-  if (is_csv_header(text))
+  if (is_csv_header(text, source.options().size_column))
     return ParticleFormat::csv;
   std::vector<std::string_view> words;
   split_words(text, words);
@@ -231,6 +234,9 @@ void ParticleReader::begin(ParticleFormat format) {
   if (source_->options().timestep && !is_dump)
     source_->refuse(
         fmt::format("{} is for dumps, and this is {}: leave it out", option("timestep"), name(format)));
+  if (source_->options().size_column && !is_dump && format != ParticleFormat::csv)
+    source_->refuse(fmt::format("{} is for dumps and CSV, and this is {}: leave it out",
+                                option("size-column"), name(format)));
   if (source_->options().every_timestep && !is_dump)
     source_->refuse(fmt::format("{} is for dumps and GSD, and this is {}: leave it out", option("over-time"),
                                 name(format)));

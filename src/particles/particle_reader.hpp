@@ -52,6 +52,8 @@ struct ParticleOptions {
   std::optional<ParticleFormat> format;
   /// The meaning of sizes. Open: as their column says, radii in xyzr, else diameters.
   std::optional<SizeMeaning> meaning;
+  /// The column of sizes in a dump or CSV. Open: the one whose name says so.
+  std::optional<std::string> size_column;
   /// Unit of the file. Open: what a CSV header says, m in files of LAMMPS, LIGGGHTS and VTK, else `target`.
   std::optional<SizeUnit> unit;
   /// The timestep of a dump to read; of several of that number the last counts. Open: the last.

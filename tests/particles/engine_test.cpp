@@ -95,6 +95,18 @@ TEST_CASE("dumps: the column says whether sizes are radii") {
   CHECK(contains(refusal(timestep("0", "id x y z", {})), "file:9: there is no column radius or diameter"));
 }
 
+TEST_CASE("dumps: a column of sizes that is named") {
+  ParticleOptions options;
+  options.size_column = "c_r";
+  options.meaning = SizeMeaning::radius;
+  const std::string dump = timestep("0", "id radius c_r", {"1 9 0.001", "2 9 0.002"});
+  CHECK(read(dump, options).particles == "2 4");
+  options.meaning = SizeMeaning::diameter;
+  CHECK(read(dump, options).particles == "1 2");
+  options.size_column = "v_d";
+  CHECK(contains(refusal(dump, options), "there is no column 'v_d'"));
+}
+
 TEST_CASE("dumps: the last timestep, or the one that is asked for") {
   const std::string steps = "ITEM: UNITS\nsi\nITEM: TIME\n0\n" + timestep("0", "radius", {"1", "2"}) +
                             "ITEM: TIME\n1\n" + timestep("50", "id radius", {"1 3"}) +

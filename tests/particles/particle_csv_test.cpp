@@ -106,3 +106,30 @@ TEST_CASE("two tables of particles side by side are refused as such") {
   CHECK(contains(refusal("size_mm quantity size_mm quantity\n1 2 3 4\n"),
                  "file:2: the line above names columns"));
 }
+
+TEST_CASE("CSV of ParaView: Points are places, and columns that are not known are passed over with a note") {
+  const std::string table = "\"Points:0\",\"Points:1\",\"Points:2\",\"Radius\",\"velocity:0\",\"mass\"\n"
+                            "1,2,3,0.5,7,8\n4,5,6,0.25,7,8\n";
+  const Result result = read(table);
+  CHECK(result.particles == "1 0.5");
+  CHECK(result.format == ParticleFormat::csv);
+  CHECK(result.notes.at(0) == "Columns that were passed over: 'velocity:0'.");
+  CHECK(read("Points_0,Points_1,Points_2,diameter\n1,2,3,0.5\n").particles == "0.5");
+  CHECK(contains(refusal("Points:0,Points:1,Points:2,mass\n1,2,3,4\n"), "there is no column of sizes"));
+  CHECK(contains(refusal("Points:0,Points:1,Points:2,radius,Radius\n1,2,3,4,4\n"),
+                 "there is one of this meaning before"));
+  CHECK(contains(refusal("Points:0,Points:1,Points:2,radius\n1,2,x,4\n"), "file:2"));
+}
+
+TEST_CASE("CSV: a column of sizes that is named, among others") {
+  ParticleOptions options;
+  options.size_column = "c_r";
+  options.meaning = SizeMeaning::radius;
+  const Result result = read("tag,c_r,radius,mass\na,1,9,5\nb,2,9,5\n", options);
+  CHECK(result.particles == "2 4");
+  CHECK(result.notes.at(0) == "Columns that were passed over: 'tag', 'radius'.");
+  options.size_column = "grain_um";
+  CHECK(read("grain_um,x\n500,1\n", options).particles == "1");
+  CHECK(contains(refusal("tag,size_mm\na,1\n", options), "there is no column 'grain_um'"));
+  CHECK(contains(refusal("1\n1\n", options), "is for dumps and CSV"));
+}
