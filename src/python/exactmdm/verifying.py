@@ -161,11 +161,11 @@ class Verification(Value):
 def verify(gradation: Union[Gradation, str, "os.PathLike[str]"], sample: Any, *,
            # Options of verify, by src/ask/write_modules.
            tolerance: Tolerance = None, band: Union[str, "os.PathLike[str]", None] = None, snap: Number | None = None,
-           from_format: str | None = None, radius: bool = False, diameter: bool = False, size_unit: str | None = None,
-           timestep: Number | None = None, law: str | None = None, size_factor: Number | None = None,
-           cut_below: Number | None = None, pan_size: Number | None = None, digits: Number | None = None,
-           packing: bool = False, box: str | None = None, specimen: str | None = None, periodic: str | None = None,
-           contact_gap: Number | None = None, margin: Number | None = None,
+           from_format: str | None = None, radius: bool = False, diameter: bool = False, size_column: str | None = None,
+           size_unit: str | None = None, timestep: Number | None = None, law: str | None = None,
+           size_factor: Number | None = None, cut_below: Number | None = None, pan_size: Number | None = None,
+           digits: Number | None = None, packing: bool = False, box: str | None = None, specimen: str | None = None,
+           periodic: str | None = None, contact_gap: Number | None = None, margin: Number | None = None,
            # End of the options.
            ) -> Verification:
     """Whether particles match a gradation, as `mdm verify` judges. Memory does not grow with their number, but
@@ -189,6 +189,8 @@ def verify(gradation: Union[Gradation, str, "os.PathLike[str]"], sample: Any, *,
             of the classes; see `packing` of the result.
         box, specimen, periodic, contact_gap, margin: of that judgement, as `mdm verify --box` and so on; each asks for
             it. Particles with their centre outside the box of the file, or this one, do not match.
+        size_column: the column of sizes in a dump or CSV where it has a name of its own, such as c_r; with radius or
+            diameter; other columns that are not known are then passed over.
 
     Raises:
         InputError: the gradation, an option or a particle is wrong.

@@ -117,6 +117,11 @@ export interface VerifyWords {
   /** Sizes are diameters, whatever their name. */
   diameter?: boolean;
   /**
+   * The column of sizes in a dump or CSV where it has a name of its own, such as c_r; with radius or diameter; other
+   * columns that are not known are then passed over.
+   */
+  sizeColumn?: string;
+  /**
    * Unit of SAMPLE: mm, um, m or in; if left out what the file states, else m for LAMMPS, LIGGGHTS, VTK,
    * ESyS-Particle, Lethe, Kratos, MUSEN, GSD, PhasicFlow and DEM-Engine if left out, for xyzr, extxyz and diameters
    * that of the gradation (mm for size_in, size_phi and sieve).
