@@ -104,6 +104,11 @@ int run(const ConvertCommand &c) {
   out.commit();
   c.output.tell_notes(g.gradation.notes());
   c.output.tell_notes(g.history);
+  if (!g.gradation.roundings().empty() && !c.problem.is_given())
+    c.output.tell_notes(
+        {"The percents were rounded to their last digit; in what is written they are masses, which "
+         "mdm judge takes as exact unless " +
+         option("rounding", OptionSpelling::program) + " says otherwise."});
   return Exit::done;
 }
 

@@ -18,8 +18,9 @@ void find_share(HeaderMeaning &meaning, const std::vector<std::optional<PrintedN
     meaning.unit = ColumnUnit::fraction;
 }
 
-AccountColumn account_column(const std::string &header, HeaderMeaning meaning) {
-  return {header, meaning, meaning.unit == ColumnUnit::mass ? grams_in(header) : 0, {}, {}};
+/// \param grams  in one of its unit of mass, if it has one
+AccountColumn account_column(const std::string &header, HeaderMeaning meaning, unsigned grams) {
+  return {header, meaning, meaning.unit == ColumnUnit::mass ? grams : 0, {}, {}};
 }
 
 /// Shares are compared as percent.
@@ -33,10 +34,11 @@ std::vector<AccountColumn> account_columns(LabRows &rows) {
     chosen.emplace_back(PrintedNumber{value, 0});
   HeaderMeaning meaning = rows.columns.values;
   find_share(meaning, chosen);
-  std::vector<AccountColumn> columns = {account_column(rows.columns.value_name, meaning)};
+  std::vector<AccountColumn> columns = {account_column(rows.columns.value_name, meaning, rows.columns.grams)};
   for (ColumnBeside &beside : rows.beside) {
     find_share(beside.column.meaning, beside.numbers);
-    columns.push_back(account_column(beside.column.name, beside.column.meaning));
+    columns.push_back(
+        account_column(beside.column.name, beside.column.meaning, grams_in(beside.column.name)));
   }
   return columns;
 }

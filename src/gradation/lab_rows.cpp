@@ -3,6 +3,7 @@
 #include "gradation/cell_numbers.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/row_sizes.hpp"
+#include "gradation/weighed_sieves.hpp"
 #include "text/lines.hpp"
 #include "text/option_name.hpp"
 
@@ -69,7 +70,8 @@ public:
       : cells_(cells), columns_(std::move(columns)), reading_(reading), source_(source),
         statements_(statements_above(cells_, columns_)),
         sign_(sign_of(cells_, columns_, statements_, source)), sizes_(columns_, reading, sign_),
-        chosen_(columns_.value_name, columns_.values, sign_), beside_(columns_.further, sign_) {
+        chosen_(columns_.value_name, columns_.values, columns_.grams, sign_),
+        beside_(columns_.further, sign_) {
     read_.table.unit = sizes_.unit();
     read_.table.header_line = header_line(cells_, columns_);
   }
@@ -142,9 +144,11 @@ private:
     if (!next || reading_.columns)
       return false;
     const HeaderMeaning &values = chosen_.meaning();
-    if (next->values.meaning != values.meaning || next->values.unit != values.unit)
+    if (next->values.meaning != values.meaning || next->values.unit != values.unit ||
+        next->grams != columns_.grams)
       refuse(fmt::format("a second table begins, with {} where the first has {}: leave one of them out",
                          in_quotes(next->value_name), in_quotes(columns_.value_name)));
+    check_second_table();
     columns_.size = next->size;
     columns_.value = next->value;
     columns_.names = next->names;
@@ -152,8 +156,22 @@ private:
     columns_.width = next->width;
     beside_.go_on(next->further);
     row_ = next->first_row - 1;
-    below_gap_ = other_header_ = false;
+    below_gap_ = false;
+    words_below_.clear();
     return true;
+  }
+
+  /// What is retained below another heading may be of another sample, or of a part of the first.
+  void check_second_table() const {
+    const bool are_of_others =
+        std::any_of(words_below_.begin(), words_below_.end(), [](const std::string &words) {
+          return speaks_of_sample(words) || speaks_of_splitting(words);
+        });
+    if (!words_below_.empty() && (chosen_.meaning().meaning == ColumnMeaning::retained || are_of_others))
+      refuse(fmt::format(
+          "a second table begins below {}: it may be of another sample, or of a part of the first, which "
+          "mdm convert {} joins: leave one of them out, or the words between them",
+          in_quotes(words_below_.back()), option("split", OptionSpelling::program)));
   }
 
   /// The unit that was asked for is that of the first header.
@@ -201,6 +219,7 @@ private:
 
   void add_account(const RowWords &known) {
     check_width();
+    check_mass_unit();
     AccountRow account{known.meaning, 0, false, std::string(first_cell(row())), row().line, {}};
     in_line([&] {
       if (!known.sieve.empty()) {
@@ -216,6 +235,16 @@ private:
     note_hidden();
   }
 
+  /// A label may name another unit of mass than the column.
+  void check_mass_unit() const {
+    const unsigned here = grams_in(first_cell(row()));
+    const bool is_mass =
+        chosen_.meaning().unit == ColumnUnit::mass || chosen_.meaning().unit == ColumnUnit::none;
+    if (here != 0 && is_mass && here != std::max(columns_.grams, 1U))
+      refuse(fmt::format("{} is in another unit of mass than the column {}: write all alike",
+                         in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
+  }
+
   void note_hidden() {
     if (row().is_hidden)
       read_.hidden.add(first_cell(row()));
@@ -224,13 +253,11 @@ private:
   // ---- words
 
   /// A size without a value.
-  void read_unvalued() {
-    if (below_gap_)
-      return leave();
-    refuse(
-        fmt::format("the size {} has no value in the column {}: write 0 where nothing was retained, or leave "
-                    "the row out",
-                    in_quotes(size_cell()), in_quotes(columns_.value_name)));
+  void read_unvalued() const {
+    const bool is_retained = chosen_.meaning().meaning == ColumnMeaning::retained;
+    refuse(fmt::format("the size {} has no value in the column {}: write {}or leave the row out",
+                       in_quotes(size_cell()), in_quotes(columns_.value_name),
+                       is_retained ? "0 where nothing was retained, " : "it, "));
   }
 
   /// A row that is none of the curve: words without a value, or anything below an empty row that has no size.
@@ -238,15 +265,20 @@ private:
     const bool is_size = sizes_.may_be_size(size_cell());
     if (is_size && number_cell(value_cell()))
       return false;
-    if (!below_gap_ && (is_size || !value_cell().empty()))
+    if (!below_gap_ ? is_size || !value_cell().empty() : sizes_.is_size(size_cell()) && !value_cell().empty())
       return false;
     if (!below_gap_ && has_number_beside())
       refuse(
           fmt::format("the row {} has numbers and no value in the column {}: write it, or leave the row out",
                       in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
-    if (below_gap_)
+    if (below_gap_ && chosen_.meaning().meaning == ColumnMeaning::retained && number_cell(value_cell()) &&
+        may_be_fines(first_cell(row())))
+      refuse(fmt::format("{} may be what passed the finest sieve: write Pan if it is, else leave the row out",
+                         in_quotes(first_cell(row()))));
+    if (below_gap_) {
       add_statements(row(), nullptr, statements_);
-    other_header_ |= !size_cell().empty() && !value_cell().empty() && !number_cell(value_cell());
+      words_below_.emplace_back(first_cell(row()));
+    }
     leave();
     return true;
   }
@@ -269,12 +301,14 @@ private:
     Table &table = read_.table;
     if (table.sizes.size() == max_gradation_rows)
       refuse(fmt::format("there are more than {} rows: give fewer sieves", max_gradation_rows));
-    if (other_header_)
+    if (!words_below_.empty())
       refuse(fmt::format(
-          "the row of {} is below words that may begin another table: leave out what is none of the "
+          "the row of {} is below {}, which may begin another table: leave out what is none of the "
           "curve",
-          in_quotes(size_cell())));
+          in_quotes(size_cell()), in_quotes(words_below_.back())));
     check_width();
+    check_unused();
+    check_decimal_commas();
     in_line([&] {
       table.sizes.push_back(sizes_.next(row()));
       const PrintedNumber value = chosen_.read(value_cell());
@@ -300,6 +334,52 @@ private:
             columns_.width, in_quotes(cells[i])));
   }
 
+  /// What stands below no name, or in a column whose mass belongs to the table, must not be overlooked.
+  void check_unused() const {
+    if (reading_.columns)
+      return;
+    for (const auto &[place, name] : columns_.others) {
+      const std::string_view cell = row().cell(place);
+      const bool has_number = number_cell(cell).has_value();
+      if (name.empty() && (has_number || row_words(cell).meaning != RowMeaning::none) &&
+          !counts_rows(place, cell))
+        refuse(fmt::format(
+            "{} is in a column without a name: name it in the header, or choose the columns with {} "
+            "SIZE,VALUE",
+            in_quotes(cell), option("columns")));
+      if (!name.empty() && has_number)
+        check_named(name, cell);
+    }
+  }
+
+  /// An index of the rows in the first column.
+  bool counts_rows(std::size_t place, std::string_view cell) const {
+    const std::size_t rows = read_.table.sizes.size();
+    return place == 0 && (cell == std::to_string(rows) || cell == std::to_string(rows + 1));
+  }
+
+  /// \param cell  a number in a column of that name, which is not used
+  void check_named(const std::string &name, std::string_view cell) const {
+    const RowMeaning meaning = row_words(name).meaning;
+    if (meaning == RowMeaning::pan || meaning == RowMeaning::wash_loss || meaning == RowMeaning::pan_and_wash)
+      refuse(fmt::format("{} in the column {} is not read: write it in a row of the table", in_quotes(cell),
+                         in_quotes(name)));
+    if (names_empty_sieves(name) && names_mass_alone(columns_.value_name) && beside_.all().empty())
+      refuse(
+          fmt::format("{} may be with what is in {}, which is weighed too: give a column of what is retained",
+                      in_quotes(columns_.value_name), in_quotes(name)));
+  }
+
+  /// `0,063,30`: a size with a decimal comma is cut in two.
+  void check_decimal_commas() const {
+    const std::string_view value = value_cell();
+    if (cells_.delimiter == ',' && value.size() > 1 && value.front() == '0' && is_digit(value[1]))
+      refuse(fmt::format(
+          "{} begins with 0, as behind a decimal comma: put ; between cells where numbers have decimal "
+          "commas",
+          in_quotes(value)));
+  }
+
   const Cells &cells_;
   TableColumns columns_; ///< of the header above the present row
   const Reading &reading_;
@@ -312,7 +392,7 @@ private:
   LabRows read_;
   std::size_t row_ = 0;
   bool below_gap_ = false;
-  bool other_header_ = false; ///< words below a gap, in both columns
+  std::vector<std::string> words_below_; ///< of rows below a gap that are none of the table
 };
 
 } // namespace

@@ -37,8 +37,9 @@ void describe_rest(Table &table, const LabRows &rows) {
   ShortList others;
   for (const FurtherColumn &column : rows.columns.names)
     others.add(column.name);
-  for (const std::string &other : rows.columns.others)
-    others.add(other);
+  for (const UnusedColumn &other : rows.columns.others)
+    if (!other.name.empty())
+      others.add(other.name);
   if (!others.empty())
     table.notes.push_back(
         fmt::format("Columns that were not used: {}; {} chooses others.", others.text(), option("columns")));

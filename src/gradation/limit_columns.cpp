@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 
 namespace mdm {
@@ -135,7 +136,7 @@ std::optional<Envelope> envelope_of(Cells cells, const Source &source, const std
     source.refuse(upper.header_line,
                   "no limit is above 1, so they may be fractions: give them in percent, in columns "
                   "passing_min_percent and passing_max_percent");
-  return Envelope{
+  Envelope envelope{
       stem(file),
       lower.unit,
       lower.sizes,
@@ -143,6 +144,9 @@ std::optional<Envelope> envelope_of(Cells cells, const Source &source, const std
       upper.values,
       {fmt::format("Read as {}: sizes from {}; the percent that passes from columns {} and {}.", lower.format,
                    lower.sizes_from, in_quotes(lower_name), in_quotes(upper_name))}};
+  std::copy_if(lower.notes.begin(), lower.notes.end(), std::back_inserter(envelope.notes),
+               [](const std::string &note) { return note.starts_with("Rows "); });
+  return envelope;
 }
 
 } // namespace

@@ -4,10 +4,12 @@
 #include "gradation/header_words.hpp"
 #include "gradation/plain_words.hpp"
 #include "number/decimal_exponent.hpp"
+#include "text/lines.hpp"
 
 #include <mdm/number/decimal.hpp>
 
 #include <algorithm>
+#include <tuple>
 
 namespace mdm {
 namespace {
@@ -15,9 +17,42 @@ namespace {
 /// The text ahead of a number in one cell with it: `Dry mass: 500 g`, `Dry mass = 500 g`.
 std::pair<std::string_view, std::string_view> split_statement(std::string_view cell) {
   const std::size_t sign = cell.find_last_of(":=");
-  if (sign == std::string_view::npos)
+  const bool is_time =
+      sign != std::string_view::npos && sign > 0 && cell[sign] == ':' && is_digit(cell[sign - 1]);
+  if (sign == std::string_view::npos || is_time)
     return {cell, {}};
   return {without_spaces(cell.substr(0, sign)), without_spaces(cell.substr(sign + 1))};
+}
+
+bool holds_digit(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), is_digit);
+}
+
+/// A label and the number with its unit of mass at its end: `Wash loss 70 g`; nothing where it does not end
+/// so.
+std::optional<std::pair<std::string_view, std::string_view>> split_at_mass(std::string_view cell) {
+  const std::size_t last = cell.find_last_of("0123456789");
+  if (last == std::string_view::npos || unit_of_words(cell.substr(last + 1)) != ColumnUnit::mass)
+    return std::nullopt;
+  const std::size_t before = cell.find_last_not_of("0123456789.,", last);
+  if (before == std::string_view::npos)
+    return std::nullopt;
+  return std::pair(without_spaces(cell.substr(0, before + 1)), cell.substr(before + 1));
+}
+
+/// True for what is weighed once and decides what was lost: its number must not be overlooked.
+bool must_be_read(std::string_view label) {
+  switch (row_words(label).meaning) {
+  case RowMeaning::wash_loss:
+  case RowMeaning::pan_and_wash:
+  case RowMeaning::initial_mass:
+  case RowMeaning::sieved_mass:
+  case RowMeaning::washed_mass:
+  case RowMeaning::sieve_loss:
+    return true;
+  default:
+    return false;
+  }
 }
 
 class RowStatements {
@@ -28,7 +63,12 @@ public:
   void add() {
     for (std::size_t i = 0; i < row_.cells.size(); ++i)
       take(i);
+    const bool is_open = !stated_ && must_be_read(label_) && !loose_.empty();
+    const std::string_view label = label_;
+    const std::size_t before = statements_.size();
     take_below();
+    if (is_open && statements_.size() == before)
+      state_unclear(label, loose_);
   }
 
 private:
@@ -39,6 +79,8 @@ private:
     if (const std::optional<NumberCell> number = number_cell(cell)) {
       if (!label_.empty())
         state(*number, cell, row_, i);
+      else if (loose_.empty())
+        loose_ = cell;
       return;
     }
     if (unit_of_words(cell) != ColumnUnit::none && !label_.empty()) {
@@ -47,12 +89,40 @@ private:
         give_unit(statements_.back());
       return;
     }
-    const auto [label, behind] = split_statement(cell);
-    label_ = label;
+    if (!stated_ && must_be_read(label_) && holds_digit(cell) &&
+        row_words(cell).meaning == RowMeaning::none) {
+      state_unclear(label_, cell);
+      stated_ = true;
+      return;
+    }
+    take_label(cell, i);
+  }
+
+  /// A cell of words, with a number in it or without.
+  void take_label(std::string_view cell, std::size_t i) {
+    auto [label, behind] = split_statement(cell);
+    if (behind.empty())
+      if (const auto parts = split_at_mass(cell))
+        std::tie(label, behind) = *parts;
+    const std::optional<NumberCell> number = number_cell(behind);
+    // `M1: total dry mass (g)`
+    const bool is_numbered = !number && row_words(label).meaning == RowMeaning::none && must_be_read(behind);
+    label_ = is_numbered ? behind : label;
     unit_ = {};
     stated_ = false;
-    if (const std::optional<NumberCell> number = number_cell(behind))
+    if (number) {
       state(*number, behind, row_, i);
+    } else if (!is_numbered && must_be_read(label) && holds_digit(behind)) {
+      state_unclear(label, behind);
+      stated_ = true;
+    }
+  }
+
+  /// A number that cannot be told from its text: the text is refused where it is read.
+  void state_unclear(std::string_view label, std::string_view text) const {
+    MassStatement s{row_words(label).meaning, std::string(label), std::string(text)};
+    s.line = row_.line;
+    statements_.push_back(std::move(s));
   }
 
   /// \param text  of the number, in that column of that row
@@ -98,7 +168,8 @@ private:
   const CellRow *next_;
   std::vector<MassStatement> &statements_;
   std::string_view label_, unit_;
-  bool stated_ = false; ///< the label has its number
+  bool stated_ = false;    ///< the label has its number
+  std::string_view loose_; ///< the first number without a label before it
 };
 
 } // namespace

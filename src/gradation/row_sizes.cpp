@@ -2,6 +2,7 @@
 
 #include "gradation/cell_numbers.hpp"
 #include "gradation/phi.hpp"
+#include "gradation/plain_words.hpp"
 #include "gradation/shown.hpp"
 #include "gradation/sieve_spelling.hpp"
 #include "gradation/unit_break.hpp"
@@ -11,6 +12,8 @@
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
+
+#include <algorithm>
 
 namespace mdm {
 namespace {
@@ -37,6 +40,21 @@ ColumnUnit unit_behind(std::string_view cell) {
   return number ? number->unit : ColumnUnit::none;
 }
 
+/// True for `No. 10`, `#10` and `10 mesh`.
+bool is_numbered(std::string_view cell) {
+  const std::string words = plain_words(cell);
+  return cell.starts_with('#') || words.starts_with("no ") || words.starts_with("nr ") ||
+         words.find("mesh") != std::string::npos;
+}
+
+/// True for a header that speaks of sieves whose numbers are others than those of ASTM.
+bool names_other_series(std::string_view header) {
+  const std::vector<std::string> words = words_of(header);
+  return std::any_of(words.begin(), words.end(), [](const std::string &word) {
+    return has_word("bs british is indian nf afnor tyler din", word);
+  });
+}
+
 /// Sieves whose order breaks as where mm become um without a word.
 void check_unit_break(const std::vector<Rational> &sizes, const std::vector<std::size_t> &lines,
                       const TableColumns &columns, const Source &source) {
@@ -58,6 +76,15 @@ RowSizes::RowSizes(const TableColumns &columns, const Reading &reading, const Ta
 bool RowSizes::may_be_size(std::string_view cell) const {
   return is_above_or_below(cell) || (!cell.empty() && is_digit(cell.front())) || number_cell(cell) ||
          is_sieve(cell);
+}
+
+bool RowSizes::is_size(std::string_view cell) const {
+  try {
+    size_of(cell, ColumnUnit::none);
+    return true;
+  } catch (const InputError &) {
+    return false;
+  }
 }
 
 Rational RowSizes::next(const CellRow &row) {
@@ -176,6 +203,11 @@ bool RowSizes::is_sieve(std::string_view cell) const {
 
 /// The opening of a sieve by its name.
 Rational RowSizes::opening(std::string_view cell) const {
+  if (is_numbered(cell) && names_other_series(columns_.size_name))
+    throw InputError(
+        fmt::format("{} in the column {} is not a sieve of ASTM, whose numbers are known: write its "
+                    "opening with its unit",
+                    in_quotes(cell), in_quotes(columns_.size_name)));
   return spelled_sieve_opening(cell, sign_.in(cell)) / in_mm(unit_);
 }
 

@@ -18,6 +18,8 @@ public:
   SizeUnit unit() const { return unit_; }
   /// True for a size, or what looks like one and must not be overlooked: `<0.063`, `0.02*`.
   bool may_be_size(std::string_view cell) const;
+  /// True for what is certainly a size.
+  bool is_size(std::string_view cell) const;
   /// The size of the table's next row. Other columns of sizes must name the same sieve.
   /// \throws InputError where the cell is no size, or its unit is not certain
   Rational next(const CellRow &row);

@@ -14,7 +14,7 @@ namespace row_vocabulary {
 
 // Words with spaces between them, in the spelling of plain_words.
 constexpr std::string_view pan =
-    "pan bottom schale bodenschale auffangschale siebboden boden fond fondo receiver "
+    "pan bottom schale bodenschale auffangschale siebboden blindboden boden fond fondo receiver "
     "auffanggefaess bandeja charola cazoleta receptor fondello";
 constexpr std::string_view washing =
     "auswaschverlust wash washing washed washings washout waschen gewaschen waschverlust ausgewaschen "
@@ -37,7 +37,7 @@ constexpr std::string_view loss =
 constexpr std::string_view total = "total totals sum summe gesamt gesamtmasse gesamtsumme somme suma totale "
                                    "somma totales sumatoria";
 constexpr std::string_view initial =
-    "initial original starting start anfangsmasse ausgangsmasse einwaage initiale inicial iniziale";
+    "initial original starting anfangsmasse ausgangsmasse einwaage initiale inicial iniziale";
 constexpr std::string_view before = "before vor avant antes prima";
 constexpr std::string_view after = "after nach apres despues dopo";
 constexpr std::string_view dry = "dry dried oven ovendry trocken trockene trockenmasse trockengewicht "
@@ -204,6 +204,16 @@ bool speaks_of_splitting(std::string_view text) {
   const Words words(text);
   return (words.have(splitting) && !words.have_two("split", "spoon barrel tube")) ||
          words.have_two("sub", "sample samples");
+}
+
+bool speaks_of_sample(std::string_view text) {
+  return row_vocabulary::Words(text).have(row_vocabulary::sample);
+}
+
+bool may_be_fines(std::string_view text) {
+  return row_vocabulary::Words(text).have(
+      "rest remainder residue fines filler unterkorn durchgang feinanteil feinkorn "
+      "fein schluff ton silt clay finos fins reste resto restos");
 }
 
 bool speaks_of_mass(std::string_view text) {

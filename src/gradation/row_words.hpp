@@ -40,6 +40,12 @@ bool speaks_of_washing(std::string_view text);
 /// reduced.
 bool speaks_of_splitting(std::string_view text);
 
+/// True where a sample is named: sample, specimen, probe.
+bool speaks_of_sample(std::string_view text);
+
+/// True for words that may be those of what passed the finest sieve: rest, fines, filler.
+bool may_be_fines(std::string_view text);
+
 /// True where the text names a mass: mass, weight, g, kg.
 bool speaks_of_mass(std::string_view text);
 

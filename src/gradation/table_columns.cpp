@@ -2,6 +2,7 @@
 
 #include "gradation/cell_numbers.hpp"
 #include "gradation/limit_columns.hpp"
+#include "gradation/mass_statements.hpp"
 #include "gradation/weighed_sieves.hpp"
 #include "text/lines.hpp"
 #include "text/nearest_name.hpp"
@@ -120,8 +121,7 @@ void add_others(TableColumns &columns, const CellRow &header) {
                                {ColumnMeaning::retained, ColumnUnit::mass, true},
                                sieves->empty});
   for (std::size_t i = 0; i < header.cells.size(); ++i) {
-    if (i == columns.size || i == columns.value || header.cells[i].empty() ||
-        (sieves && (i == sieves->full || i == sieves->empty)))
+    if (i == columns.size || i == columns.value || (sieves && (i == sieves->full || i == sieves->empty)))
       continue;
     const std::optional<HeaderMeaning> meaning = header_meaning(header.cells[i]);
     if (meaning && !holds_sizes(*meaning))
@@ -129,7 +129,7 @@ void add_others(TableColumns &columns, const CellRow &header) {
     else if (meaning)
       columns.names.push_back({i, header.cells[i], *meaning});
     else
-      columns.others.push_back(header.cells[i]);
+      columns.others.push_back({i, header.cells[i]});
   }
   std::stable_sort(
       columns.further.begin(), columns.further.end(),
@@ -218,6 +218,8 @@ void take_unit_row(const Cells &cells, TableColumns &columns, const Source &sour
   const CellRow &row = cells.rows[columns.first_row];
   take_unit_below(row, columns.size, columns.size_name, columns.sizes.unit, source);
   take_unit_below(row, columns.value, columns.value_name, columns.values.unit, source);
+  if (columns.grams == 0)
+    columns.grams = grams_in(row.cell(columns.value));
   for (FurtherColumn &further : columns.further)
     take_unit_below(row, further.place, further.name, further.meaning.unit, source);
   ++columns.first_row;
@@ -390,7 +392,7 @@ bool has_words_of(std::string_view header, const HeaderMeaning &meaning) {
 
 /// Refuses a second column of the same values, such as those of another sample; limits are none.
 void refuse_second_sample(const TableColumns &columns, std::size_t line, const Source &source) {
-  for (const std::string &other : columns.others)
+  for (const auto &[place, other] : columns.others)
     if (has_words_of(other, columns.values) && !is_limit(other))
       source.refuse(line, fmt::format("the columns {} and {} may be of two samples: choose one with {} "
                                       "SIZE,VALUE",
@@ -428,6 +430,7 @@ std::optional<TableColumns> columns_of_row(const Cells &cells, std::size_t row, 
   }
   if (!columns)
     return std::nullopt;
+  columns->grams = grams_in(columns->value_name);
   take_unit_row(cells, *columns, source);
   apply_options(*columns, reading, cells.rows[row].line, source);
   return columns;

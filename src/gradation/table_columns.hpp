@@ -22,6 +22,12 @@ struct FurtherColumn {
   std::optional<std::size_t> less = {}; ///< the column whose numbers are taken off: of empty sieves
 };
 
+/// A column that is not used. Without a name it may hold anything.
+struct UnusedColumn {
+  std::size_t place;
+  std::string name;
+};
+
 /// The two columns, and the place of the rows below their header.
 struct TableColumns {
   std::size_t size = 0, value = 0;   ///< columns
@@ -33,7 +39,8 @@ struct TableColumns {
   std::size_t first_row = 0;          ///< of Cells::rows
   std::vector<FurtherColumn> further; ///< that speak of mass too, the best first
   std::vector<FurtherColumn> names;   ///< other columns of sizes
-  std::vector<std::string> others;    ///< columns that are not used
+  std::vector<UnusedColumn> others;   ///< those that are not used
+  unsigned grams = 0;                 ///< in one of the unit of the values; 0 where that is not said
 };
 
 /// What --kind and --unit say.

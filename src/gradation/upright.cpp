@@ -49,8 +49,7 @@ std::optional<Cells> upright(const Cells &cells) {
   const auto sizes = std::find_if(cells.rows.begin(), cells.rows.end(), begins_with_sizes);
   if (sizes == cells.rows.end() || std::none_of(sizes, cells.rows.end(), begins_with_values))
     return std::nullopt;
-  const auto end =
-      std::find_if(sizes, cells.rows.end(), [](const CellRow &row) { return row.cells.size() < 3; });
+  const auto end = std::find_if_not(sizes, cells.rows.end(), is_long);
   const std::size_t height = static_cast<std::size_t>(end - sizes);
   std::size_t width = 0;
   for (auto row = sizes; row != end; ++row)

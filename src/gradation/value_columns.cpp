@@ -40,9 +40,9 @@ PrintedNumber ChosenColumn::read(std::string_view cell) {
 }
 
 void ChosenColumn::refuse(std::string_view cell) const {
-  throw InputError(
-      fmt::format("{} in the column {} is not a number: write a decimal, or 0 where nothing was retained",
-                  in_quotes(cell), in_quotes(header_)));
+  throw InputError(fmt::format(
+      "{} in the column {} is not a number: write a decimal{}", in_quotes(cell), in_quotes(header_),
+      meaning_.meaning == ColumnMeaning::retained ? ", or 0 where nothing was retained" : ""));
 }
 
 /// The unit of a cell is that of the column where the header has none.
@@ -58,7 +58,7 @@ void ChosenColumn::take_unit(std::string_view cell, ColumnUnit unit) {
 void ChosenColumn::check_kilograms(std::string_view cell) {
   const bool here = names_kilograms(cell);
   if (!in_kilograms_)
-    in_kilograms_ = unit_is_of_cells_ ? here : names_kilograms(header_);
+    in_kilograms_ = unit_is_of_cells_ ? here : grams_ > 1;
   if (*in_kilograms_ != here)
     throw InputError(
         fmt::format("{} is in another unit of mass than the column {} or the values above: write all alike",

@@ -9,8 +9,9 @@ namespace mdm {
 /// The chosen column. Its unit may stand behind its numbers alone. Errors have no line.
 class ChosenColumn {
 public:
-  ChosenColumn(std::string header, const HeaderMeaning &meaning, const TableSign &sign)
-      : header_(std::move(header)), meaning_(meaning), sign_(sign) {}
+  /// \param grams  in one of its unit; 0 where the header does not say it
+  ChosenColumn(std::string header, const HeaderMeaning &meaning, unsigned grams, const TableSign &sign)
+      : header_(std::move(header)), meaning_(meaning), grams_(grams), sign_(sign) {}
 
   const std::string &header() const { return header_; }
   /// With the unit that its numbers had so far.
@@ -27,6 +28,7 @@ private:
 
   std::string header_;
   HeaderMeaning meaning_;
+  unsigned grams_;
   TableSign sign_;
   bool unit_is_of_cells_ = false;
   bool has_plain_ = false;           ///< a value above 0 without a unit

@@ -65,6 +65,15 @@ std::optional<std::size_t> only_place(const CellRow &header, Condition is_it) {
 } // namespace weighing
 } // namespace
 
+bool names_empty_sieves(std::string_view header) {
+  return weighing::is_of_empty_sieves(header);
+}
+
+bool names_mass_alone(std::string_view header) {
+  const std::vector<std::string> all = weighing::words(header);
+  return !all.empty() && weighing::are_all_in(all, {weighing::mass, weighing::link});
+}
+
 std::optional<WeighedSieves> weighed_sieves(const CellRow &header) {
   const std::optional<std::size_t> full = weighing::only_place(header, weighing::is_of_full_sieves);
   const std::optional<std::size_t> empty = weighing::only_place(header, weighing::is_of_empty_sieves);

@@ -18,4 +18,9 @@ struct WeighedSieves {
 /// unless there is one of each.
 std::optional<WeighedSieves> weighed_sieves(const CellRow &header);
 
+/// True for a header such as `Tare (g)` or `Empty sieve (g)`.
+bool names_empty_sieves(std::string_view header);
+/// True for a header of masses that does not say of what: `Mass (g)`.
+bool names_mass_alone(std::string_view header);
+
 } // namespace mdm

@@ -139,14 +139,23 @@ private:
         strings_.push_back(string_of(item));
   }
 
-  /// The text of a string, in one piece or in runs; not what is said of its pronunciation.
+  /// True where a run is raised, lowered or struck out: its digits are none of the number before it.
+  static bool stands_apart(pugi::xml_node run) {
+    const pugi::xml_node style = child_of(run, "rPr");
+    const std::string_view place = child_of(style, "vertAlign").attribute("val").value();
+    return place == "superscript" || place == "subscript" || child_of(style, "strike");
+  }
+
+  /// The text of a string, in one piece or in runs; not what is said of its pronunciation. A run that stands
+  /// apart is in brackets behind a ^, so that no number is made of it.
   static std::string string_of(pugi::xml_node item) {
     std::string text;
     for (const pugi::xml_node part : item.children()) {
       if (local_name(part.name()) == "t")
         text += text_below(part);
       else if (local_name(part.name()) == "r")
-        text += text_below(child_of(part, "t"));
+        text += stands_apart(part) ? "^(" + text_below(child_of(part, "t")) + ")"
+                                   : text_below(child_of(part, "t"));
     }
     return text;
   }
@@ -184,6 +193,10 @@ private:
 
   /// The text of the next cell of the row.
   std::string cell_text(pugi::xml_node cell, CellRow &row) {
+    if (child_of(cell, "f") && !child_of(cell, "v"))
+      source_.refuse(row.line,
+                     "a cell has a formula without its value: open the workbook in a spreadsheet and save "
+                     "it");
     const std::string_view type = cell.attribute("t").value();
     const std::string value = text_below(child_of(cell, "v"));
     if (type.empty() || type == "n")

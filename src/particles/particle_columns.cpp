@@ -90,6 +90,7 @@ private:
   void take(std::size_t i, const std::string &written) {
     if (size_column_ == written)
       return set_size(i, written, unit_name(written).kind);
+    columns_.is_of_pfc |= written == "PFC_BALL_RADIUS";
     const std::string known = known_name(written), name = known.substr(0, known.find('^'));
     if (name.empty())
       throw InputError("a column has no name: give one table alone, and each of its columns a name");

@@ -16,7 +16,8 @@ namespace mdm {
 /// \invariant size, or lo and hi
 struct ParticleColumns {
   SizeKind kind = SizeKind::mm;
-  bool has_unit = false; ///< the header names it
+  bool has_unit = false;  ///< the header names it
+  bool is_of_pfc = false; ///< its columns are those of PFC's balls, in m unless it is said otherwise
   SizeMeaning meaning = SizeMeaning::diameter;
   std::optional<std::size_t> size, lo, hi;
   unsigned power = 1; ///< of the sizes in the column size, which is of fractions where it is above 1

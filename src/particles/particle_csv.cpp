@@ -80,7 +80,11 @@ private:
       source_.refuse("the header names the unit: leave out " + option("size-unit"));
     note_passed_over();
     width_ = fields_.size();
-    source_.set_defaults(columns_.meaning, columns_.has_unit ? columns_.unit() : source_.options().target);
+    source_.set_defaults(columns_.meaning, columns_.has_unit    ? columns_.unit()
+                                           : columns_.is_of_pfc ? SizeUnit::m
+                                                                : source_.options().target);
+    if (!columns_.has_unit && columns_.kind != SizeKind::sieve && !source_.options().unit)
+      source_.note(source_.size_note());
     has_header_ = true;
   }
 
