@@ -106,7 +106,7 @@ Available<RealRange> hardin(const GradingCurve &before, const std::vector<Interv
   const std::size_t finest = first_sieve(before);
   if (before.shares()[finest] > 0 && compare(before.opening(finest), RootSize{finest_counted}) > 0)
     return NotAvailable{"what passed the finest sieve at the beginning is not known down to 0.074 mm"};
-  if (first_not_below(before, finest_counted) >= before.coarsest() + 1 - finest)
+  if (compare(before.opening(before.coarsest() + 1), RootSize{finest_counted}) <= 0)
     return NotAvailable{"nothing was coarser than 0.074 mm at the beginning"};
   return RealRange{hardin(before, passing, &Interval::lo), hardin(before, passing, &Interval::hi)};
 }

@@ -224,7 +224,7 @@ TEST_CASE("Below an empty row what has no size is left") {
 
 TEST_CASE("A table of something else below is not taken for a part of the curve") {
   CHECK(contains(refusal("Size (mm),Mass (g)\n2,0\n1,5\n\nAge,Strength\n7,30\n28,41\n"),
-                 "sand.csv:6: the row of '7' is below words that may begin another table"));
+                 "sand.csv:6: the row of '7' is below 'Age', which may begin another table"));
   CHECK(contains(refusal("Size (mm),Mass (g)\n2,0\n1,5\nAge,Strength\n"), "'Age' is no sieve"));
 }
 

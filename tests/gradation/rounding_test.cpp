@@ -56,7 +56,7 @@ const std::vector<Rounding> roundings = {
       "plot/curves_figure.cpp",
       "plot/gradation_figure.cpp",
       "plot/limits_series.cpp",
-      "plot/ranges.hpp",
+      "plot/ranges.hpp", "plot/timesteps_figure.cpp",
       "plot/tradeoff_figure.cpp",
       "sets/inverse_model.cpp"},
      "lengths of boxes, times, forces and materials in engines, and pictures; bounds of packings, and what "

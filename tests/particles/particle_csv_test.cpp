@@ -115,7 +115,9 @@ TEST_CASE("CSV of ParaView: Points are places, and columns that are not known ar
   CHECK(result.format == ParticleFormat::csv);
   CHECK(result.notes.at(0) == "Columns that were passed over: 'velocity:0'.");
   CHECK(read("Points_0,Points_1,Points_2,diameter\n1,2,3,0.5\n").particles == "0.5");
-  CHECK(contains(refusal("Points:0,Points:1,Points:2,mass\n1,2,3,4\n"), "there is no column of sizes"));
+  ParticleOptions csv;
+  csv.format = ParticleFormat::csv;
+  CHECK(contains(refusal("Points:0,Points:1,Points:2,mass\n1,2,3,4\n", csv), "there is no column of sizes"));
   CHECK(contains(refusal("Points:0,Points:1,Points:2,radius,Radius\n1,2,3,4,4\n"),
                  "there is one of this meaning before"));
   CHECK(contains(refusal("Points:0,Points:1,Points:2,radius\n1,2,x,4\n"), "file:2"));
