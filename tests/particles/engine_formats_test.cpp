@@ -137,7 +137,11 @@ TEST_CASE("PFC: balls in CSV with its column names") {
       "EVENT_LABEL,PFC_BALL_LOCX,PFC_BALL_LOCY,PFC_BALL_LOCZ,PFC_BALL_RADIUS,PFC_BALL_ATTR\n"
       "1,0,0,0.1,0.5,1\n2,3,0,0.1,0.25,1\n";
   CHECK(read(balls).format == ParticleFormat::csv);
-  CHECK(read(balls).particles == "1 0.5");
+  CHECK(read(balls).particles == "1000 500"); // m, as mdm export writes them
+  CHECK(contains(read(balls).notes.at(0), "radii in m"));
+  ParticleOptions options;
+  options.unit = SizeUnit::mm;
+  CHECK(read(balls, options).particles == "1 0.5");
   CHECK(contains(refusal(replaced(balls, "0.25,1", "0.25")), "file:3: the row has 5 fields"));
 }
 
