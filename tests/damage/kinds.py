@@ -1,4 +1,4 @@
-"""Damaged copies of samples, sets by number and blends of the reference set: the check.py of each kind refuses them."""
+"""Damaged copies of samples, sets by number, blends and judgements of the reference set: the check.py of each kind refuses them."""
 
 import contextlib
 import csv
@@ -245,9 +245,56 @@ def line_removed(draw, kind):
     return {kind.answers: "".join(kind.lines[:i] + kind.lines[i + 1:])}
 
 
+# judgements
+
+def other_verdict(draw, kind):
+    i, row = chosen(draw, kind.rows())
+    return kind.with_row(i, verdict=draw.choice([word for word in ("pass", "fail", "hangs") if word != row["verdict"]]))
+
+
+def curves_swapped(draw, kind):
+    i, row = chosen(draw, kind.rows(), lambda row: row["verdict"] == "hangs")
+    return kind.with_row(i, within=row["outside"], outside=row["within"])
+
+
+def curve_beyond(draw, kind):
+    """At one sieve a curve is a percentage point and a half lower, which rounds to another report."""
+    i, row = chosen(draw, kind.rows(), lambda row: row["verdict"] == "hangs")
+    side = draw.choice(("within", "outside"))
+    curve = row[side].split()
+    place = draw.randrange(len(curve))
+    curve[place] = str(Fraction(curve[place]) - Fraction(3, 2))
+    return kind.with_row(i, **{side: " ".join(curve)})
+
+
+def curve_missing(draw, kind):
+    i, _ = chosen(draw, kind.rows(), lambda row: row["verdict"] == "hangs")
+    return kind.with_row(i, **{draw.choice(("within", "outside")): ""})
+
+
+def limit_at_report(draw, kind):
+    """A limit of a specification becomes one of a percent that a report passes with: it hangs there."""
+    i, row = chosen(draw, kind.rows(), lambda row: row["verdict"] == "pass")
+    lines = kind.text(row["specification"]).splitlines()
+    reported = dict(line.split(",") for line in kind.text(row["report"]).splitlines()[1:-1])
+    places = [(n, line.split(",")) for n, line in enumerate(lines) if line.split(",")[0] in reported]
+    n, (size, _, most) = draw.choice([(n, fields) for n, fields in places if Fraction(reported[fields[0]]) > 0])
+    lines[n] = f"{size},{reported[size]},{most}"
+    return {row["specification"]: "\n".join(lines) + "\n"}
+
+
+def decimal_added(draw, kind):
+    """A percent on which a verdict hangs is printed with a nought more, and so with less room, in all its rows below 100."""
+    i, row = chosen(draw, kind.rows(), lambda row: row["verdict"] == "hangs")
+    header, *rows = kind.text(row["report"]).splitlines()
+    rows = [line + ("00" if "." in line.split(",")[1] else ".00") for line in rows]
+    return {row["report"]: "\n".join([header, *rows]) + "\n"}
+
+
 SAMPLES = (verdict, particles, sides, error_end, tolerance_dropped, quantity_in_sample, size_in_sample, mass_in_gradation, other_sample)
 NUMBER = (doubled_set, quantity_by_one, other_set, finer_tolerance, coarser_tolerance, share_in_gradation, answer_removed)
 BLENDS = (none_said, blend_said, value, half_a_step, worse_blend, limit, cost, modulus, line_removed)
+JUDGEMENTS = (other_verdict, curves_swapped, curve_beyond, curve_missing, limit_at_report, decimal_added)
 UNREADABLE = (answer_removed, modulus)  # that is no wrong answer, but a table without one, or a problem that contradicts itself
 TIMES = 3
 
@@ -256,7 +303,8 @@ def check_kinds(draw, load, folder, expect):
     """Each damage some times, drawn; returns how many copies there were."""
     kinds = ((Kind(folder / "samples", load(folder / "samples/check.py"), "samples.answers.csv"), SAMPLES),
              (Kind(folder / "number", load(folder / "number/check.py"), "number.answers.csv"), NUMBER),
-             (Kind(folder / "blends", load(folder / "blends/check.py"), "drawn.answers.jsonl", "drawn"), BLENDS))
+             (Kind(folder / "blends", load(folder / "blends/check.py"), "drawn.answers.jsonl", "drawn"), BLENDS),
+             (Kind(folder / "judgements", load(folder / "judgements/check.py"), "judgements.answers.csv"), JUDGEMENTS))
     copies = 0
     for kind, damages in kinds:
         lines = (kind.folder / "check.py").read_text(encoding="utf-8").splitlines()

@@ -136,18 +136,19 @@ def blocks(page):
 
 
 def check_kinds(folder):
-    """Samples, sets by number and blends: their numbers on the pages, the commands there, and what verify-proofs says of damage."""
+    """The other kinds than levels: their numbers on the pages, the commands there, and what verify-proofs says of damage."""
     def lines(name):
         return (folder / name).read_text(encoding="utf-8").splitlines()
     counts = {"samples": len(lines("samples/samples.answers.csv")) - 1, "number": len(lines("number/number.answers.csv")) - 1,
-              "blends": len(lines("blends/published.answers.jsonl")) + len(lines("blends/drawn.answers.jsonl"))}
+              "blends": len(lines("blends/published.answers.jsonl")) + len(lines("blends/drawn.answers.jsonl")),
+              "judgements": len(lines("judgements/judgements.answers.csv")) - 1}
     page = "\n".join(lines("README.md"))
     for kind, count in counts.items():
         check(re.search(rf"\| \[{kind}\]\({kind}\) \| .* \| {count} \|", page), f"README: {kind} has {count} answers")
     total = sum(counts.values()) + sum(int(row.split(",")[2]) for row in lines("batches.csv")[1:])
     check(f"{total:,} reference answers" in (SOURCE / "README.md").read_text(encoding="utf-8"), f"the set has {total} answers")
-    for kind, count, what in (("samples", counts["samples"], "questions"), ("number", counts["number"], "questions")):
-        check(f"{count} {what}" in " ".join(lines(f"{kind}/README.md")), f"{kind}/README.md: {count} {what}")
+    for kind in ("samples", "number", "judgements"):
+        check(f"{counts[kind]} questions" in " ".join(lines(f"{kind}/README.md")), f"{kind}/README.md: {counts[kind]} questions")
     none = sum('"none"' in line for line in lines("blends/drawn.answers.jsonl"))
     check(f"for {none} of them there is no blend" in " ".join(lines("blends/README.md")), f"blends/README.md: {none} have none")
     for block in blocks("\n".join(lines("samples/README.md"))):
