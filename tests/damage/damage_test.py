@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""damage_test.py SOURCE: check.py of the reference set in SOURCE/examples accepts the set, and refuses 200 damaged copies.
+"""damage_test.py SOURCE: check.py of the reference set in SOURCE/examples accepts the set, and refuses 200 damaged copies;
+so do those of samples, sets by number, blends and judgements (kinds.py), each some dozens.
 
 Each copy has one thing changed that matters: what is drawn, and where, is the same in every run.
 """
@@ -17,6 +18,8 @@ import tempfile
 from decimal import Decimal
 
 sys.dont_write_bytecode = True
+from kinds import check_kinds
+
 SET = pathlib.Path(sys.argv[1]).resolve() / "examples/reference"
 COPIES = 200
 
@@ -374,7 +377,10 @@ def main():
             batches = [Batch(*row) for row in list(csv.reader(table))[1:]]
         check_program(folder, batches)
         check_copies(checker, folder, batches)
-    print(f"{COPIES} damaged copies, {len(failures)} failures")
+        copies = COPIES + check_kinds(random.Random(33), program, folder, expect)
+    page = (SET / "README.md").read_text(encoding="utf-8")
+    expect(f"in {copies - COPIES} ways" in page and f"{COPIES} ways" in page, "README has another number of damages")
+    print(f"{copies} damaged copies, {len(failures)} failures")
     return 1 if failures else 0
 
 
