@@ -61,6 +61,10 @@ TEST_CASE("shares by number within a tolerance have a proof", "[cli]") {
   }
   const Proved both({"--tolerance", "retained:10%", "--tolerance", "passing:5%"});
   CHECK(contains(both.verdict().out, "(retained within 10% of the number; passing within 5% of the number)"));
+  const Proved turned(
+      {"--tolerance", "passing:5%", "--tolerance", "retained:10%", "--tolerance", "retained:20%"});
+  CHECK(read_file(turned.proof) == read_file(both.proof));
+  CHECK(turned.verdict().out == both.verdict().out);
 }
 
 TEST_CASE("a search by number that reaches its limit has a proof of the bound", "[cli]") {
