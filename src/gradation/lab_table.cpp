@@ -1,5 +1,6 @@
 #include "gradation/lab_table.hpp"
 
+#include "gradation/cell_numbers.hpp"
 #include "gradation/csv_rows.hpp"
 #include "gradation/lab_accounts.hpp"
 #include "gradation/lab_values.hpp"
@@ -54,6 +55,20 @@ void describe_rest(Table &table, const LabRows &rows) {
     table.notes.push_back(fmt::format("Rows that are no sizes were left out: {}.", rows.left.text()));
 }
 
+/// The header of sizes in a row of headers; nothing where it has none.
+std::optional<std::string_view> size_header(const CellRow &row) {
+  std::optional<std::string_view> size;
+  std::size_t words = 0;
+  for (const std::string &cell : row.cells) {
+    if (number_cell(cell))
+      return std::nullopt;
+    words += cell.empty() ? 0U : 1U;
+    if (const std::optional<HeaderMeaning> meaning = header_meaning(cell); meaning && holds_sizes(*meaning))
+      size = cell;
+  }
+  return words > 1 ? size : std::nullopt;
+}
+
 } // namespace
 
 void refuse_table(const Cells &cells, const Reading &reading, const Source &source) {
@@ -70,6 +85,11 @@ void refuse_table(const Cells &cells, const Reading &reading, const Source &sour
                     fmt::format("{} and {} are the sieves with what they retain and empty, and no column has "
                                 "what they retain: add one with the difference",
                                 in_quotes(row.cells[sieves->full]), in_quotes(row.cells[sieves->empty])));
+  for (const CellRow &row : cells.rows)
+    if (const std::optional<std::string_view> size = size_header(row))
+      source.refuse(row.line,
+                    fmt::format("beside {} no column is known to hold what is retained or passes: {}{}",
+                                in_quotes(*size), column_options(), cells.hint));
   source.refuse(line, fmt::format("{}; the file begins {}: {}{}",
                                   unknown_size_column(first, "size_mm,passing_percent"), beginning_of(cells),
                                   column_options(), cells.hint));
