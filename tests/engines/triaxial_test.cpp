@@ -173,7 +173,7 @@ TEST_CASE("LAMMPS stops where a triaxial test is none", "[engines]") {
     CHECK(!model.has_dump());
   };
   stops("-var held_within 1e-9", "STOP: sigma_3 was not held: in ");
-  stops("-var inertial_number 0.0015 -var held_within 0.9", "STOP: the inertial number was 0.0015");
+  stops("-var inertial_number 0.0015 -var held_within 0.9", "STOP: the inertial number was 0.001");
 }
 
 TEST_CASE("LAMMPS brings a cell to a pressure and a void ratio by friction, or says that it cannot",
