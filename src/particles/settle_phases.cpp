@@ -266,9 +266,7 @@ std::string phase_variables(const SettleScript &s) {
 std::string phase_loops(const SettleScript &s, const PhaseCommands &c) {
   const std::optional<DensityTarget> &target = s.model.target;
   const bool to_density = target && target->void_ratio;
-  std::string saving = course_save(s, c.keeps_lid_offset);
-  if (s.is_sheared())
-    saving += triaxial_lammps_save(s);
+  const std::string saving = s.is_sheared() ? triaxial_lammps_save(s) : course_save(s, c.keeps_lid_offset);
   std::string text = begin_of_loop;
   if (s.has_lid())
     text += target ? settle_nearly : settle_wholly;

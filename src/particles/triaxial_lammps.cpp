@@ -172,13 +172,18 @@ std::string triaxial_lammps_variables(const SettleScript &s) {
 }
 
 std::string triaxial_lammps_save(const SettleScript &s) {
-  std::string text;
-  for (const char *const name : {"height", "volume_before", "row", "lines", "off", "off_rows", "inertia",
-                                 "loose_rows", "rate_x", "rate_y", "rate_z", "hold_x", "hold_y", "hold_z"})
-    text +=
-        filled("print \"variable @name@ equal $(v_@name@:%.17g)\" append @base@.restart.state screen no\n",
-               {{"name", name}, {"base", s.name}});
-  return text;
+  // The files take their places when they are whole: a run may be stopped at any time.
+  std::string text = "print \"variable phase string ${phase}\" file @base@.restart.state.next screen no\n";
+  for (const char *const name :
+       {"mu", "own", "look", "height", "volume_before", "row", "lines", "off", "off_rows", "inertia",
+        "loose_rows", "rate_x", "rate_y", "rate_z", "hold_x", "hold_y", "hold_z"})
+    text += filled(
+        "print \"variable @name@ equal $(v_@name@:%.17g)\" append @base@.restart.state.next screen no\n",
+        {{"name", name}});
+  text += "write_restart @base@.restart.next\n"
+          "shell mv @base@.restart.state.next @base@.restart.state\n"
+          "shell mv @base@.restart.next @base@.restart\n";
+  return filled(text, {{"base", s.name}});
 }
 
 std::string triaxial_lammps_faces(const SettleScript &s) {

@@ -38,6 +38,7 @@ void check_triaxial(const SettleScript &s);
 /// behind it.
 std::string triaxial_lammps_settings(const SettleScript &s);
 std::string triaxial_lammps_variables(const SettleScript &s);
+/// Writes the restart, and what is kept of the course beside it.
 std::string triaxial_lammps_save(const SettleScript &s);
 std::string triaxial_lammps_faces(const SettleScript &s);
 std::string triaxial_lammps_shear(const SettleScript &s);
