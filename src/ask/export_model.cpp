@@ -43,18 +43,21 @@ std::optional<double> friction_of(const char *name, const OptionText &text) {
   return mu.convert_to<double>();
 }
 
+double void_ratio_of(const std::string &text) {
+  const Rational e = positive("void-ratio", text);
+  if (e > 100)
+    throw InputError(option("void-ratio") + ": " + in_quotes(text) + " is above 100, which no bed has");
+  return e.convert_to<double>();
+}
+
 std::optional<DensityTarget> density_target(const ExportTexts &c) {
   if (!c.solve.void_ratio && !c.pressure)
     return std::nullopt;
   DensityTarget target;
-  if (c.solve.void_ratio) {
-    const Rational e = positive("void-ratio", *c.solve.void_ratio);
-    if (e > 100)
-      throw InputError(option("void-ratio") + ": " + in_quotes(*c.solve.void_ratio) +
-                       " is above 100, which no bed has");
-    target.void_ratio = e.convert_to<double>();
-  } else
+  if (c.pressure)
     target.pressure = physical("stress", *c.pressure).convert_to<double>();
+  else
+    target.void_ratio = void_ratio_of(*c.solve.void_ratio);
   if (c.tolerance) {
     const Rational tolerance = positive("target-tolerance", *c.tolerance);
     if (tolerance >= 1 || tolerance < ratio(1, 1000000))
@@ -63,6 +66,22 @@ std::optional<DensityTarget> density_target(const ExportTexts &c) {
     target.tolerance = tolerance.convert_to<double>();
   }
   return target;
+}
+
+std::optional<TriaxialShear> shear_of(const ExportTexts &c) {
+  if (!c.is_triaxial())
+    return std::nullopt;
+  TriaxialShear shear;
+  if (c.axial_strain) {
+    const Rational strain = positive("axial-strain", *c.axial_strain);
+    if (strain > ratio(1, 2) || strain < ratio(1, 1000))
+      throw InputError(option("axial-strain") + ": " + in_quotes(*c.axial_strain) +
+                       " is not from 0.001 to 0.5: give the part of its height by which the cell shrinks");
+    shear.axial_strain = strain.convert_to<double>();
+  }
+  if (c.solve.void_ratio)
+    shear.void_ratio = void_ratio_of(*c.solve.void_ratio);
+  return shear;
 }
 
 std::uint64_t steps_of(const std::string &text) {
@@ -81,8 +100,8 @@ ModelWriter::ModelWriter(const std::string &model, const std::string &to, std::s
     : engine_(std::find_if(engines.begin(), engines.end(),
                            [&to](const ModelEngine &engine) { return to == engine.name; })),
       out_(std::move(out)) {
-  if (model != "settle")
-    throw InputError(option("model") + ": " + in_quotes(model) + " is none: there is settle");
+  if (model != "settle" && model != "triaxial")
+    throw InputError(option("model") + ": " + in_quotes(model) + " is none: there are settle and triaxial");
   if (engine_ == engines.end())
     throw InputError(option("model") + ": there is none for " + to + ": use " + option("to") +
                      " liggghts, lammps or yade");
@@ -117,6 +136,7 @@ SettleModel ModelWriter::model(const ExportTexts &c, const ExportedParticles &fo
                     std::filesystem::path(out_).stem().string()};
   model.space = asked_space(c);
   model.target = density_target(c);
+  model.shear = shear_of(c);
   if (c.steps)
     model.steps = steps_of(*c.steps);
   const Elasticity e = elasticity(c);

@@ -69,10 +69,11 @@ bool is_cylinder_asked(const ExportTexts &c) {
 
 /// An option that a model alone takes, if one is given.
 const char *option_of_model(const ExportTexts &c) {
-  const std::array<std::pair<bool, const char *>, 8> options = {
+  const std::array<std::pair<bool, const char *>, 9> options = {
       {{c.steps.has_value(), "steps"},
        {c.pressure.has_value(), "stress"},
        {c.tolerance.has_value(), "target-tolerance"},
+       {c.axial_strain.has_value(), "axial-strain"},
        {c.friction.has_value(), "friction"},
        {c.friction_while_filling.has_value(), "friction-while-filling"},
        {c.material.has_value(), "material"},
@@ -87,7 +88,7 @@ void check_model(const ExportTexts &c) {
   if (c.unit && c.unit != "m")
     throw InputError(option("unit") + ": models are in SI units: leave it out");
   const bool has_target = c.solve.void_ratio || c.pressure;
-  if (c.solve.void_ratio && c.pressure)
+  if (c.solve.void_ratio && c.pressure && !c.is_triaxial())
     throw InputError(option("void-ratio") + " and " + option("stress") +
                      ": the density follows from either: give one of them");
   if (c.tolerance && !has_target)
@@ -102,21 +103,35 @@ void check_model(const ExportTexts &c) {
                      " layers: they have walls, and the specimen is a cylinder: take mixed or deposit");
 }
 
-void check_periodic(const ExportTexts &c) {
+void check_triaxial(const ExportTexts &c) {
+  const std::string model = option("model") + " triaxial: ";
   if (c.to == "liggghts")
-    throw InputError(option("periodic") + ": LIGGGHTS has no model of such a box: use " + option("to") +
-                     " lammps or yade");
+    throw InputError(model +
+                     "its cell is repeated on all sides, which LIGGGHTS cannot move, and there is no model "
+                     "with six walls: use " +
+                     option("to") + " lammps or yade");
+  if (!c.pressure)
+    throw InputError(model + "say the pressure on the sides, sigma_3, by " + option("stress") +
+                     ", in Pa; a " + option("void-ratio") + " may be beside it");
+  if (c.steps)
+    throw InputError(option("steps") + ": nothing settles in a model that is triaxial: leave it out");
+}
+
+/// \pre the model's box is repeated on all sides
+void check_cell(const ExportTexts &c) {
+  const std::string cell = c.periodic ? option("periodic") : option("model") + " triaxial, which is periodic";
+  if (c.to == "liggghts")
+    throw InputError(cell + ": LIGGGHTS has no model of such a box: use " + option("to") + " lammps or yade");
   if (is_cylinder_asked(c))
-    throw InputError(option("periodic") + ": a cylinder cannot be repeated: give " + option("specimen") +
+    throw InputError(cell + ": a cylinder cannot be repeated: give " + option("specimen") +
                      " box:AxBxC, or leave it out");
   if (c.sides)
-    throw InputError(option("periodic") + ": it is periodic on all sides: leave " + option("sides") + " out");
+    throw InputError(cell + ": it is periodic on all sides: leave " + option("sides") + " out");
   if (c.start && c.start != "mixed" && c.start != "as-is")
-    throw InputError(option("periodic") + ": grains start mixed, and nothing settles: leave " +
-                     option("start") + " out");
+    throw InputError(cell + ": grains start mixed, and nothing settles: leave " + option("start") + " out");
   if (!c.solve.void_ratio && !c.pressure)
-    throw InputError(option("periodic") + ": nothing settles without gravity: say by " +
-                     option("void-ratio") + " or " + option("stress") + " how far the box is compressed");
+    throw InputError(cell + ": nothing settles without gravity: say by " + option("void-ratio") + " or " +
+                     option("stress") + " how far the box is compressed");
 }
 
 void check_sides(const ExportTexts &c) {
@@ -142,12 +157,17 @@ void check_sides(const ExportTexts &c) {
 
 void check_export(const ExportTexts &c, const ExportFormat &format) {
   c.solve.check_source(c.file, c.reading.given(), "export");
+  if (c.axial_strain && !c.is_triaxial())
+    throw InputError(option("axial-strain") + ": what is settled is not sheared: give " + option("model") +
+                     " triaxial");
   if (const char *const name = option_of_model(c); name != nullptr && !c.model)
     throw InputError(option(name) + " is for a model: give " + option("model") + " settle too");
   if (c.model)
     check_model(c);
-  if (c.periodic)
-    check_periodic(c);
+  if (c.is_triaxial())
+    check_triaxial(c);
+  if (c.has_cell())
+    check_cell(c);
   if (c.start && c.start != "layers" && c.start != "mixed" && c.start != "deposit" && c.start != "as-is")
     throw InputError(option("start") + ": " + in_quotes(*c.start) +
                      " is neither layers nor mixed nor deposit nor as-is");
@@ -263,7 +283,10 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::start_options = {
 const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
     {"model", "MODEL", OptionKind::text,
      "settle: a complete model that lets the particles settle in the specimen, for liggghts, lammps or "
-     "yade, and beside it the files that it reads; with --void-ratio or --stress it compacts them",
+     "yade, and beside it the files that it reads; with --void-ratio or --stress it compacts them; triaxial: "
+     "a drained triaxial test, for lammps or yade, in a periodic box without walls or membrane: isotropic "
+     "compression to --stress, and to --void-ratio by friction where that is given, then shear; its log, "
+     "FILE-triaxial.csv with compression positive, is drawn by mdm plot",
      &ExportTexts::model},
     {"steps", "N", OptionKind::number,
      "time steps of the model while particles settle, at most; without it five times as long as a "
@@ -271,8 +294,10 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
      &ExportTexts::steps},
     {"stress", "S", OptionKind::number,
      "pressure in Pa to which the model compacts the particles, by a lid or the faces of a "
-     "--periodic box; --void-ratio is another such target",
+     "--periodic box; --void-ratio is another such target; of a triaxial model sigma_3, which its sides keep",
      &ExportTexts::pressure},
+    {"axial-strain", "E", OptionKind::number, "of a triaxial model at its end, 1 - h/h0, up to 0.5 (0.2)",
+     &ExportTexts::axial_strain},
     {"target-tolerance", "T", OptionKind::number, "of --void-ratio, or of --stress as a part of it (0.01)",
      &ExportTexts::tolerance},
     {"friction", "MU", OptionKind::number, "coefficient of friction of a model's particles (0.5)",

@@ -25,13 +25,17 @@ struct ExportTexts {
   SolveTexts solve;
   std::vector<std::string> solving; ///< the options that are given that only a gradation has a use for
   OptionText unit, size_unit, density, mass_error, box, seed, young, poisson, model, steps, start, sides,
-      pressure, tolerance, friction, friction_while_filling, types, material, gradation;
+      pressure, tolerance, axial_strain, friction, friction_while_filling, types, material, gradation;
   ReadingTexts reading;
   std::string to, out = "-";
   bool spread = false;
   bool periodic = false; ///< on all sides
   bool unjammed = false; ///< a model's result may be
   bool yes_huge = false, yes_units = false;
+
+  bool is_triaxial() const { return model == "triaxial"; }
+  /// True if the model's box is repeated on all sides.
+  bool has_cell() const { return periodic || is_triaxial(); }
 
   static const std::vector<OptionRow<ExportTexts>> options, start_options, model_options, size_options;
 };

@@ -1,5 +1,6 @@
 #include "ask/export_report.hpp"
 
+#include "particles/triaxial_shear.hpp"
 #include "text/file_names.hpp"
 #include "text/lines.hpp"
 #include "text/option_name.hpp"
@@ -172,6 +173,12 @@ std::string model_guide(const ExportFormat &format, const SettleModel &model) {
   if (model.target) {
     steps += s.compacting;
     text += fmt::format(" some {} steps of compaction;", s.compacting);
+  }
+  if (model.shear) {
+    const std::uint64_t shearing = ShearCourse(model).steps;
+    // The part of steps that are made is one of those that are allowed: these are all made.
+    steps += static_cast<std::uint64_t>(static_cast<double>(shearing) / usual_part);
+    text += fmt::format(" {} steps of shear;", shearing);
   }
   const double seconds =
       usual_part * model.set.particles().convert_to<double>() * static_cast<double>(steps) / format.rate;

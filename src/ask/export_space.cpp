@@ -67,7 +67,7 @@ bool has_room_for_deposit(const ParticleSet &set, const std::optional<Footprint>
 Start start_of_model(const ExportTexts &c, const ExportedParticles &found) {
   const bool has_target = c.solve.void_ratio || c.pressure;
   const bool is_many = found.set->particles() > most_mixed;
-  if (c.periodic)
+  if (c.has_cell())
     return Start::mixed;
   if ((has_target || (is_many && asked_space(c) == Space::cylinder)) &&
       has_room_for_deposit(*found.set, footprint(c, found)))
@@ -86,7 +86,7 @@ std::optional<Solids> asked_specimen(const ExportTexts &c, SizeUnit unit) {
 }
 
 Space asked_space(const ExportTexts &c) {
-  if (c.periodic)
+  if (c.has_cell())
     return Space::periodic_cell;
   if (c.sides)
     return *c.sides == "cylinder" ? Space::cylinder : *c.sides == "periodic" ? Space::pillar : Space::box;
@@ -96,7 +96,7 @@ Space asked_space(const ExportTexts &c) {
 }
 
 std::optional<Footprint> footprint(const ExportTexts &c, const ExportedParticles &found) {
-  if (c.periodic)
+  if (c.has_cell())
     return roomy_box(*found.set, cell_ratios(c));
   std::optional<Footprint> floor = asked_ground(c, found.unit);
   if (!floor) {
@@ -124,17 +124,19 @@ namespace {
 bool keeps_places(const ExportTexts &c, const ExportedParticles &found) {
   if (!found.places || c.box || c.solve.specimen)
     return false;
-  return !c.periodic || found.places->periodic == std::array<bool, 3>{true, true, true};
+  return !c.has_cell() || found.places->periodic == std::array<bool, 3>{true, true, true};
 }
 
 Placement kept(const ExportTexts &c, const ExportedParticles &found) {
   const KeptPlaces &places = *found.places;
-  if (c.periodic && !keeps_places(c, found))
-    throw InputError(option("start") + " as-is: the file has no box that is repeated on all sides: leave " +
-                     option("periodic") + " out, or take " + option("start") + " mixed");
+  if (c.has_cell() && !keeps_places(c, found))
+    throw InputError(option("start") +
+                     " as-is: the file has no box that is repeated on all sides, as this "
+                     "model's: take " +
+                     option("start") + " mixed");
   const bool is_cell = places.periodic == std::array<bool, 3>{true, true, true};
   const bool is_pillar = places.periodic == std::array<bool, 3>{true, true, false};
-  if (c.model && ((is_cell && !c.periodic) || (is_pillar && asked_space(c) != Space::pillar)))
+  if (c.model && ((is_cell && !c.has_cell()) || (is_pillar && asked_space(c) != Space::pillar)))
     throw InputError(fmt::format("FILE's box is repeated: give {} too, or {} mixed",
                                  is_cell ? option("periodic") : option("sides") + " periodic",
                                  option("start")));
@@ -183,7 +185,7 @@ std::vector<std::string> rounding_notes(const ExportTexts &c, const ExportedPart
   }
   if (found.places)
     notes.push_back("the places in FILE are left out; " + option("start") + " as-is keeps them, in its box");
-  if (c.model && !c.start && (c.solve.void_ratio || c.pressure) && !c.periodic &&
+  if (c.model && !c.start && (c.solve.void_ratio || c.pressure) && !c.has_cell() &&
       start_of(c, found) != Start::deposit)
     notes.push_back(
         fmt::format("the grains start mixed, not as a deposit: the specimen is narrower than {} of the "
@@ -194,7 +196,7 @@ std::vector<std::string> rounding_notes(const ExportTexts &c, const ExportedPart
   if (shape && std::holds_alternative<Cylinder>(*shape) && asked_space(c) == Space::box)
     notes.push_back("layers stand on the square inside the cylinder; " + option("start") +
                     " mixed or deposit fills it");
-  const bool is_exact = !c.periodic && (c.box || (shape && std::holds_alternative<Box>(*shape)));
+  const bool is_exact = !c.has_cell() && (c.box || (shape && std::holds_alternative<Box>(*shape)));
   if (!asked || !is_exact)
     return notes;
   const auto add_side = [&](const Rational &side, std::int64_t units) {

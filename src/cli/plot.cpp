@@ -24,7 +24,9 @@
 #include "plot/packing_figure.hpp"
 #include "plot/section_figure.hpp"
 #include "plot/tradeoff_figure.hpp"
+#include "plot/triaxial_figure.hpp"
 #include "report/sample_notes.hpp"
+#include "text/lines.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
@@ -128,11 +130,21 @@ int run_figure(const PlotCommand &c, Figure figure) {
   return Exit::done;
 }
 
-int run_tradeoff(const PlotCommand &c, const StatedTradeoff &tradeoff) {
-  if (c.asked.is_of_gradation() || c.asked.colour || c.reading.is_given())
-    throw InputError(printable(shown_name(c.file)) + " is a trade-off: of the options for what is drawn " +
+/// Refuses what a diagram that is no gradation's has no use for. \param what  it is of
+void check_diagram(const PlotCommand &c, const std::string &what) {
+  if (c.asked.is_of_gradation() || c.asked.colour || c.asked.size_unit || c.reading.is_given())
+    throw InputError(printable(shown_name(c.file)) + " is " + what + ": of the options for what is drawn " +
                      option("width") + ", " + option("language") + ", " + option("caption") + " and " +
                      option("bare") + " are for it: leave out the others");
+}
+
+int run_triaxial(const PlotCommand &c, const std::vector<TriaxialState> &states) {
+  check_diagram(c, "the log of a triaxial model");
+  return run_figure(c, triaxial_figure(stem(shown_name(c.file)), states, c.asked.form()));
+}
+
+int run_tradeoff(const PlotCommand &c, const StatedTradeoff &tradeoff) {
+  check_diagram(c, "a trade-off");
   return run_figure(c, tradeoff_figure(tradeoff, c.asked.form()));
 }
 
@@ -183,6 +195,8 @@ int run(const PlotCommand &command) {
     return run_packing(c, read_packing(content, shown_name(c.file)));
   if (is_tradeoff(content))
     return run_tradeoff(c, read_tradeoff(content, shown_name(c.file)));
+  if (is_triaxial_log(content))
+    return run_triaxial(c, read_triaxial_log(content, shown_name(c.file)));
   if (c.asked.colour)
     throw InputError(option("colour") + " is for packings: give a FILE that mdm pack -o wrote");
   GradationFigure what = c.asked.figure(is_sample);
@@ -237,12 +251,13 @@ int run(const PlotCommand &command) {
 Run add_plot(CLI::App &app) {
   const auto c = std::make_shared<PlotCommand>();
   CLI::App &command = *app.add_subcommand("plot", "A gradation as the field draws it with the particles that "
-                                                  "match it, a trade-off, or a packing of discs");
+                                                  "match it, a trade-off, a triaxial test, or a packing of "
+                                                  "discs");
   command
       .add_option("FILE", c->file,
                   "gradation (any that mdm convert reads), set of mdm generate, or file of particles as mdm "
-                  "verify reads; or a packing that mdm pack -o wrote, or a trade-off in JSON; - for standard "
-                  "input")
+                  "verify reads; or a packing that mdm pack -o wrote, a trade-off in JSON, or the log of a "
+                  "triaxial model; - for standard input")
       ->required();
   command.add_option(
       "SAMPLE", c->asked.sample,
@@ -263,6 +278,7 @@ Run add_plot(CLI::App &app) {
               "mdm plot sand.csv --band limits.csv -o sand.pdf",
               "mdm plot bh1.csv --beside bh2.csv --beside bh3.csv -o bh.svg",
               "mdm plot start.packing --colour contacts -o start.png",
+              "mdm plot sand-triaxial.csv -o sand-triaxial.svg",
               "mdm plot tradeoff.json --language de --width 500 -o tradeoff.svg"}));
   return [c] { return run(*c); };
 }

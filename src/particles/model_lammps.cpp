@@ -1,5 +1,6 @@
 #include "particles/settle_phases.hpp"
 #include "particles/settle_state.hpp"
+#include "particles/triaxial_shear.hpp"
 
 #include <fmt/core.h>
 
@@ -52,10 +53,14 @@ const char *const begin_lid =
     R"(if "${begun} == 0" then "compute push all reduce sum f_lid[4]" "variable pressure equal (0-c_push)/v_area" "thermo_style custom step atoms ke c_least c_top c_push v_void_ratio v_pressure v_mu@columns@" "thermo_modify lost error norm no" "variable begun equal 1"
 )";
 
+const char *const move_faces =
+    "variable strain equal -${rate}\n"
+    "fix faces all deform 1 x trate ${strain} y trate ${strain} z trate ${strain} remap x\n";
+
 const char *const begin_cell = R"(
 compute stress all pressure NULL virial
 variable pressure equal c_stress
-thermo_style custom step atoms ke c_least c_stress v_void_ratio v_mu@columns@
+thermo_style custom step atoms ke c_least c_stress@faces@ v_void_ratio v_mu@columns@
 thermo_modify lost error norm no
 )";
 
@@ -148,7 +153,7 @@ write_dump all custom @dump@ id type x y z radius modify format float %.17g
 write_restart @base@.restart
 # OVITO reads the dump. For ParaView, where LAMMPS has the package VTK: glyphs of type sphere, scaled by radius.
 variable vtk index 0   # or -var vtk 1
-if "${vtk} > 0" then "write_dump all vtk @base@-settled.vtp id type radius vx vy vz"
+if "${vtk} > 0" then "write_dump all vtk @result@.vtp id type radius vx vy vz"
 )";
 
 std::string volume(const SettleScript &s) {
@@ -161,6 +166,8 @@ std::string volume(const SettleScript &s) {
 
 std::string lammps_model(const SettleModel &model) {
   const SettleScript s(model, ".dump");
+  if (s.is_sheared())
+    check_triaxial(s);
   const bool has_lid = s.has_lid();
   std::string text =
       s.head({"LAMMPS", "lmp -in THIS_FILE", "-var steps 1000", "lmp -in THIS_FILE -var go_on 1",
@@ -191,15 +198,18 @@ std::string lammps_model(const SettleModel &model) {
                          "variable since equal ${now}\n";
   } else {
     commands.move = "# Contacts across the faces push the whole a little: it would run away.\n"
-                    "velocity all zero linear\nvariable strain equal -${rate}\n"
-                    "fix faces all deform 1 x trate ${strain} y trate ${strain} z trate ${strain} remap x\n";
-    text += filled(begin_cell, {{"columns", state_columns()}});
+                    "velocity all zero linear\n";
+    commands.move += s.is_sheared() ? triaxial_lammps_move : move_faces;
+    text += filled(begin_cell,
+                   {{"faces", s.is_sheared() ? triaxial_lammps_columns : ""}, {"columns", state_columns()}});
   }
   // The first contact, for the lammps_counts; the loop repeats it.
   text += "\nvariable grip equal ${mu}\n" + commands.contact;
   text += lammps_counts(s) + phase_loops(s, commands);
   return text +
-         filled(lammps_ending, {{"total", to_string(s.particles)}, {"dump", s.dump}, {"base", s.name}});
+         filled(
+             lammps_ending,
+             {{"total", to_string(s.particles)}, {"dump", s.dump}, {"result", s.result}, {"base", s.name}});
 }
 
 } // namespace mdm

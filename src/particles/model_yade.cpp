@@ -1,4 +1,5 @@
 #include "particles/settle_state.hpp"
+#include "particles/triaxial_shear.hpp"
 #include "particles/yade_course.hpp"
 
 #include <fmt/core.h>
@@ -152,7 +153,7 @@ def compact(rate):
 
 const char *const yade_ending = R"(
 found = measured()
-print('RESULT after %d steps: void ratio %g, pressure %g Pa, %s' % (O.iter, @result@, words(found)), flush=True)
+print('RESULT after %d steps: void ratio %g, pressure %g Pa, %s@sheared@' % (O.iter, @reached@, words(found)@shear@), flush=True)
 settled = [body for body in O.bodies if isinstance(body.shape, Sphere)]
 @inside@if len(inside) != total:
     stop('%d grains are in the box at the end, not %d' % (len(inside), total))
@@ -162,7 +163,7 @@ with open('@dump@', 'w') as file:
         file.write('%r %r %r %r\n' % (*@position@, body.shape.radius))
 save()
 # For ParaView: glyphs of type sphere, scaled by radius.
-export.VTKExporter('@base@-settled').exportSpheres()
+export.VTKExporter('@result@').exportSpheres()
 )";
 
 std::string class_rows(const SettleScript &s) {
@@ -183,18 +184,20 @@ std::string target_lines(const SettleScript &s) {
   if (!s.model.target)
     return "";
   const DensityTarget &t = *s.model.target;
+  const std::string shear = s.is_sheared() ? triaxial_yade_settings(s) : "";
   return filled("target = @target@  # @quantity@\n"
                 "tolerance = @tolerance@  # of it@relative@\n"
                 "most_pressure = @pressure@  # Pa\n"
                 "most_rate = @rate@  # 1/s, of the strain: inertial number 0.003 at that pressure\n"
-                "most_compacting = @compacting@  # steps\n",
+                "most_compacting = @compacting@  # steps\n@shear@",
                 {{"target", digits6(t.void_ratio ? *t.void_ratio : t.pressure)},
                  {"quantity", t.void_ratio ? "void ratio" : "Pa"},
                  {"tolerance", digits6(t.tolerance)},
                  {"relative", t.void_ratio ? "" : ", a part"},
                  {"pressure", digits6(s.physics.most_pressure)},
                  {"rate", digits6(s.physics.rate)},
-                 {"compacting", std::to_string(s.physics.most_compacting)}});
+                 {"compacting", std::to_string(s.physics.most_compacting)},
+                 {"shear", shear}});
 }
 
 /// Facets around a cylinder: a prism that touches it.
@@ -228,6 +231,8 @@ std::string yade_model(const SettleModel &model) {
   if (model.space == Space::pillar)
     throw InputError("YADE has no model of a box that is repeated in x and y alone: take lammps or liggghts");
   const SettleScript s(model, ".xyzr");
+  if (s.is_sheared())
+    check_triaxial(s);
   const bool has_lid = s.has_lid(), is_round = model.space == Space::cylinder;
   const std::string area =
       is_round ? fmt::format("({} * tan(pi / {}) * x**2 / 4)", facets, facets) : "(x * y)";
@@ -240,50 +245,54 @@ std::string yade_model(const SettleModel &model) {
   text += yade_ending;
   const bool is_compacted = model.target.has_value();
   return filled(
-      text, {{"steps", std::to_string(s.physics.steps)},
-             {"filling", digits6(s.friction_while_filling())},
-             {"limits", yade_limits(s)},
-             {"measures", yade_measures(s)},
-             {"filling_means", s.keeps_friction() ? "and at most while they are compacted; of the walls"
-                                                  : "and while they are compacted; of the walls, too"},
-             {"while_filling", s.keeps_friction() ? "min(row[7], state['friction'])" : "state['friction']"},
-             {"look", std::to_string(s.physics.look)},
-             {"target", target_lines(s)},
-             {"solids", digits17(s.physics.solids)},
-             {"x", fmt::format("{}", s.box.x)},
-             {"y", fmt::format("{}", s.box.y)},
-             {"z", fmt::format("{}", s.box.z)},
-             {"classes", class_rows(s)},
-             {"base", s.name},
-             {"show", is_compacted ? ", void ratio %g at %g Pa" : ""},
-             {"shown", is_compacted ? ", *density()" : ""},
-             {"space", has_lid ? "" : "    O.periodic = True\n    O.cell.setBox(x, y, z)\n"},
-             {"particles", file_word(model.particles)},
-             {"young", digits6(s.physics.elasticity.young.convert_to<double>())},
-             {"nu", digits6(s.physics.elasticity.poisson.convert_to<double>())},
-             {"density", short_decimal(s.set.classes.back().density)},
-             {"walls", yade_walls(s)},
-             {"bounds", !has_lid   ? ""
-                        : is_round ? ", Bo1_Wall_Aabb(), Bo1_Facet_Aabb()"
-                                   : ", Bo1_Wall_Aabb()"},
-             {"geometry", !has_lid   ? ""
-                          : is_round ? ", Ig2_Wall_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom()"
-                                     : ", Ig2_Wall_Sphere_ScGeom()"},
-             {"pairs", s.model.materials.empty() ? "" : restitution_of_pairs},
-             {"restitution", s.model.materials.empty() ? digits6(Settling::restitution) : "restitution()"},
-             {"e", digits6(Settling::restitution)},
-             {"gravity", has_lid ? fmt::format("-{}", Settling::gravity) : "0"},
-             {"dt", digits6(s.physics.step)},
-             {"phase", has_lid ? "fill" : "compact"},
-             {"area", area},
-             {"axes", has_lid ? "1" : "3"},
-             {"compaction_look", std::to_string(compaction_look)},
-             {"result", is_compacted ? "*density()"
-                                     : "void_ratio(top()), found['pv'] / ((void_ratio(top()) + 1) * solids)"},
-             {"inside", has_lid ? inside_walls : "inside = settled\n"},
-             {"dump", s.dump},
-             {"box", has_lid ? "x, y, z" : "*O.cell.size,"},
-             {"position", has_lid ? "body.state.pos" : "O.cell.wrap(body.state.pos)"}});
+      text,
+      {{"steps", std::to_string(s.physics.steps)},
+       {"filling", digits6(s.friction_while_filling())},
+       {"limits", yade_limits(s)},
+       {"measures", yade_measures(s)},
+       {"filling_means", s.keeps_friction() ? "and at most while they are compacted; of the walls"
+                                            : "and while they are compacted; of the walls, too"},
+       {"while_filling", s.keeps_friction() ? "min(row[7], state['friction'])" : "state['friction']"},
+       {"look", std::to_string(s.physics.look)},
+       {"target", target_lines(s)},
+       {"solids", digits17(s.physics.solids)},
+       {"x", fmt::format("{}", s.box.x)},
+       {"y", fmt::format("{}", s.box.y)},
+       {"z", fmt::format("{}", s.box.z)},
+       {"classes", class_rows(s)},
+       {"base", s.name},
+       {"show", is_compacted ? ", void ratio %g at %g Pa" : ""},
+       {"shown", is_compacted ? ", *density()" : ""},
+       {"space", has_lid ? "" : "    O.periodic = True\n    O.cell.setBox(x, y, z)\n"},
+       {"particles", file_word(model.particles)},
+       {"young", digits6(s.physics.elasticity.young.convert_to<double>())},
+       {"nu", digits6(s.physics.elasticity.poisson.convert_to<double>())},
+       {"density", short_decimal(s.set.classes.back().density)},
+       {"walls", yade_walls(s)},
+       {"bounds", !has_lid   ? ""
+                  : is_round ? ", Bo1_Wall_Aabb(), Bo1_Facet_Aabb()"
+                             : ", Bo1_Wall_Aabb()"},
+       {"geometry", !has_lid   ? ""
+                    : is_round ? ", Ig2_Wall_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom()"
+                               : ", Ig2_Wall_Sphere_ScGeom()"},
+       {"pairs", s.model.materials.empty() ? "" : restitution_of_pairs},
+       {"restitution", s.model.materials.empty() ? digits6(Settling::restitution) : "restitution()"},
+       {"e", digits6(Settling::restitution)},
+       {"gravity", has_lid ? fmt::format("-{}", Settling::gravity) : "0"},
+       {"dt", digits6(s.physics.step)},
+       {"phase", has_lid ? "fill" : "compact"},
+       {"area", area},
+       {"axes", has_lid ? "1" : "3"},
+       {"compaction_look", std::to_string(compaction_look)},
+       {"reached",
+        is_compacted ? "*density()" : "void_ratio(top()), found['pv'] / ((void_ratio(top()) + 1) * solids)"},
+       {"sheared", s.is_sheared() ? triaxial_yade_words : ""},
+       {"shear", s.is_sheared() ? triaxial_yade_values : ""},
+       {"result", s.result},
+       {"inside", has_lid ? inside_walls : "inside = settled\n"},
+       {"dump", s.dump},
+       {"box", has_lid ? "x, y, z" : "*O.cell.size,"},
+       {"position", has_lid ? "body.state.pos" : "O.cell.wrap(body.state.pos)"}});
 }
 
 } // namespace mdm

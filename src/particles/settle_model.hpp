@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Complete models of LIGGGHTS, LAMMPS and YADE that let a set settle in a specimen, and compact it.
+/// Complete models of LIGGGHTS, LAMMPS and YADE that let a set settle in a specimen, compact it, and shear
+/// it.
 
 #include "particles/cost.hpp"
 #include "particles/placement.hpp"
@@ -30,6 +31,14 @@ struct DensityTarget {
   double tolerance = 0.01;
 };
 
+/// Shear of a periodic cell after its isotropic compression: the height shrinks, the pressure on the sides is
+/// held.
+struct TriaxialShear {
+  double axial_strain = 0.2; ///< at the end, of the height
+  /// At the pressure, before the shear, within the tolerance of the target: by friction while compacted.
+  std::optional<double> void_ratio = {};
+};
+
 /// What grains are made of, beside their density.
 struct GrainMaterial {
   Elasticity elasticity;
@@ -44,6 +53,8 @@ struct SettleModel {
   std::string name;       ///< files that the model writes begin with it
   Space space = Space::box;
   std::optional<DensityTarget> target = {};
+  /// \pre the space is a periodic cell, and the target a pressure
+  std::optional<TriaxialShear> shear = {};
   std::optional<std::uint64_t> steps = {}; ///< while settling at most, instead of those of Settling
   std::optional<Rational> young = {};      ///< instead of that of Settling
   Rational poisson = ratio(1, 4);

@@ -1,6 +1,7 @@
 #include "particles/settle_phases.hpp"
 
 #include "particles/settle_state.hpp"
+#include "particles/triaxial_shear.hpp"
 
 #include <fmt/core.h>
 
@@ -197,7 +198,7 @@ print "STOP: not at rest after ${now} steps: @state@; go on with -var go_on 1, o
 
 const char *const judge = R"script(
 label judge
-if "${jammed} > 0 || ${unjammed} > 0" then "jump SELF end"
+if "${jammed} > 0 || ${unjammed} > 0" then "jump SELF @judged@"
 )script";
 
 const char *const not_jammed =
@@ -225,7 +226,7 @@ const char *const loose =
 
 const char *const course_end = R"script(
 label end
-print "RESULT after ${now} steps: void ratio ${@void_ratio@}, pressure ${@pressure@} Pa, @state@"
+print "RESULT after ${now} steps: void ratio ${@void_ratio@}, pressure ${@pressure@} Pa, @state@@sheared@"
 )script";
 
 } // namespace
@@ -243,6 +244,8 @@ std::string phase_variables(const SettleScript &s) {
   const std::optional<DensityTarget> &target = s.model.target;
   if (target)
     text += settings_of_target(s, *target);
+  if (s.is_sheared())
+    text += triaxial_lammps_settings(s);
   text += filled(looks_at, {{"solids", digits17(p.solids)}, {"look", std::to_string(p.look)}});
   if (s.has_lid())
     text += "variable void_ratio_at_top equal v_area*v_top/" + digits17(p.solids) + "-1\n";
@@ -250,6 +253,8 @@ std::string phase_variables(const SettleScript &s) {
     text += "variable too_dense equal \"v_void_ratio_at_top < v_target-v_tolerance\"\n";
   if (target)
     text += filled(target->void_ratio ? to_void_ratio : to_pressure, {{"axes", s.has_lid() ? "1" : "3"}});
+  if (s.is_sheared())
+    text += triaxial_lammps_variables(s);
   if (s.seeks_jamming())
     text += "variable loose_z equal 0\nvariable loose_pressure equal 0\n";
   text += filled(start_of_course, {{"anew", s.has_lid() ? anew_filling : anew_compacting},
@@ -261,7 +266,7 @@ std::string phase_variables(const SettleScript &s) {
 std::string phase_loops(const SettleScript &s, const PhaseCommands &c) {
   const std::optional<DensityTarget> &target = s.model.target;
   const bool to_density = target && target->void_ratio;
-  const std::string saving = course_save(s, c.keeps_lid_offset);
+  const std::string saving = s.is_sheared() ? triaxial_lammps_save(s) : course_save(s, c.keeps_lid_offset);
   std::string text = begin_of_loop;
   if (s.has_lid())
     text += target ? settle_nearly : settle_wholly;
@@ -272,17 +277,23 @@ std::string phase_loops(const SettleScript &s, const PhaseCommands &c) {
   if (!target)
     text += s.changes_friction() ? "jump SELF reached\n" : "jump SELF judge\n";
   if (target)
-    text += to_density ? compact_to_void_ratio : compact_to_pressure;
+    text += to_density                                    ? compact_to_void_ratio
+            : s.is_sheared() && s.model.shear->void_ratio ? triaxial_lammps_compaction
+                                                          : compact_to_pressure;
   if (s.changes_friction()) {
     text += course_reached;
     text += target && !to_density ? hold_pressure : hold_still;
   }
+  text += s.is_sheared() ? triaxial_lammps_faces(s) : "";
   text += judge;
   text += s.seeks_jamming() ? seek_jamming : not_jammed;
   if (!target || to_density)
     text += judge_rest;
+  text += s.is_sheared() ? triaxial_lammps_shear(s) : "";
   text += course_end;
   return filled(text, {{"loose", loose},
+                       {"judged", s.is_sheared() ? "shearing" : "end"},
+                       {"sheared", s.is_sheared() ? triaxial_lammps_words : ""},
                        {"contact", c.contact},
                        {"move", target ? c.move : ""},
                        {"lower", c.lower_lid},

@@ -2,6 +2,7 @@
 
 #include "particles/particle_writer.hpp"
 #include "particles/settle_state.hpp"
+#include "particles/triaxial_shear.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
@@ -75,7 +76,8 @@ std::string filled(std::string text,
 
 SettleScript::SettleScript(const SettleModel &m, const char *ending)
     : model(m), set(m.set), box(m.box), physics(settling(m)), name(file_word(m.name)),
-      dump(name + "-settled" + ending), particles(m.set.particles()) {
+      result(name + (is_sheared() ? "-sheared" : "-settled")), dump(result + ending),
+      particles(m.set.particles()) {
   if (set.unit != SizeUnit::m)
     throw InputError("a model is in SI units: leave out " + option("unit"));
 }
@@ -148,7 +150,8 @@ std::string purpose(const SettleScript &s) {
   const char *by = s.has_lid() ? ", and are compacted by a lid " : ", and are compacted by its six faces ";
   if (target->void_ratio)
     return text + by + fmt::format("to void ratio {:.6g}", *target->void_ratio);
-  return text + by + fmt::format("at {:.6g} Pa", target->pressure);
+  text += by + fmt::format("at {:.6g} Pa", target->pressure);
+  return text + (s.is_sheared() ? triaxial_purpose(s) : "");
 }
 
 /// The specimen's height at the void ratio that is asked for.
@@ -199,7 +202,7 @@ std::string SettleScript::head(const RunCommands &c) const {
 # pi R sqrt(rho/G) / (0.1631 nu + 0.8766) = @rayleigh@ s with G = E / (2 (1 + nu)).
 @settling@# At rest the kinetic energy of the grains is below @at_rest@ of p V, and the mean net force on one below @unbalanced@ of the
 # mean contact force@without@. What is not at rest, or has fewer contacts than carry it, is no result: it ends with STOP.
-@height@)",
+@height@@triaxial@)",
                 {{"name", set.name.empty() ? "grains" : comment_word(set.name)},
                  {"n", to_string(particles)},
                  {"purpose", purpose(*this)},
@@ -218,6 +221,7 @@ std::string SettleScript::head(const RunCommands &c) const {
                  {"unbalanced", digits6(SettleLimits::unbalanced)},
                  {"without", has_lid() ? "" : ", without rattlers"},
                  {"height", height_line(*this)},
+                 {"triaxial", is_sheared() ? triaxial_lines(*this) : ""},
                  {"base", name}});
 }
 

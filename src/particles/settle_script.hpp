@@ -49,6 +49,7 @@ struct SettleScript {
   std::string verification(const char *engine_options) const;
 
   bool has_lid() const { return model.space != Space::periodic_cell; }
+  bool is_sheared() const { return model.shear.has_value(); }
   /// Of the grains while they settle and are compacted, and of walls; where classes have their own friction
   /// and nothing is asked for, it is the most that any has.
   double friction_while_filling() const;
@@ -68,7 +69,8 @@ struct SettleScript {
   const ParticleSet &set;
   ModelBox box;
   Settling physics;
-  std::string name, dump;
+  std::string name, result; ///< how the names of files begin, and of those that are written at the end
+  std::string dump;
   Integer particles;
 };
 

@@ -1,5 +1,7 @@
 #include "particles/yade_course.hpp"
 
+#include "particles/triaxial_shear.hpp"
+
 namespace mdm {
 namespace {
 
@@ -78,10 +80,10 @@ if not unjammed and not is_jammed():
 const char *const yade_to_pressure = R"(
 # Where the pressure is low, compaction is five times as fast. At the end grains have their own friction.
 def holds():
-    return abs(1 - density()[1] / target) < tolerance and is_at_rest()
+    return abs(1 - density()[1] / target) < tolerance and is_at_rest()@dense@
 
 
-for phase in ['hold'] if state['phase'] == 'hold' else ['compact', 'hold']:
+for phase in @phases@:
     state.update(phase=phase, own=phase == 'hold')
     set_friction()
     last = O.iter + most_compacting
@@ -90,11 +92,10 @@ for phase in ['hold'] if state['phase'] == 'hold' else ['compact', 'hold']:
         if O.iter >= last:
             stop('%g Pa are not reached after %d steps: %g Pa at void ratio %g: %s' % (
                 target, O.iter, pressure, found, words(measured())))
-        missing = max(-1, 1 - pressure / target)
+@lower_friction@        missing = max(-1, 1 - pressure / target)
         compact(most_rate * (5 if pressure < 0.01 * target else 1) * missing)
         run(@compaction_look@)
     compact(0)
-judge()
 )";
 
 const char *const friction_at_end = R"(    state.update(phase='hold', own=True)
@@ -102,6 +103,17 @@ const char *const friction_at_end = R"(    state.update(phase='hold', own=True)
 if state['phase'] == 'hold':
     stay(O.iter + steps)
 )";
+
+std::string course_to_pressure(const SettleScript &s) {
+  const bool is_sheared = s.is_sheared();
+  const bool to_density = is_sheared && s.model.shear->void_ratio;
+  return filled(yade_to_pressure,
+                {{"phases", is_sheared ? triaxial_yade_phases
+                                       : "['hold'] if state['phase'] == 'hold' else ['compact', 'hold']"},
+                 {"dense", to_density ? " and (phase == 'hold' or density()[0] <= enough)" : ""},
+                 {"lower_friction", to_density ? triaxial_yade_friction : ""}}) +
+         (is_sheared ? triaxial_yade_shear(s) : "judge()\n");
+}
 
 } // namespace
 
@@ -114,8 +126,10 @@ std::string yade_course(const SettleScript &s) {
     text += target->void_ratio ? yade_loosest : "";
     text += yade_compaction;
   }
-  if (target)
-    text += target->void_ratio ? yade_to_void_ratio : yade_to_pressure;
+  if (target && target->void_ratio)
+    text += yade_to_void_ratio;
+  else if (target)
+    text += course_to_pressure(s);
   else if (s.changes_friction())
     text += friction_at_end;
   if (s.seeks_jamming())

@@ -37,8 +37,14 @@ constexpr FigureTexts english_texts = {
     .pan = "pan",
     .lost = "mass lost (percent)",
     .lost_at_right = "mass lost (right)",
-    .tradeoff_shown =
-        "The number of particles over the tolerance, and over the smallest sieve that is kept."};
+    .tradeoff_shown = "The number of particles over the tolerance, and over the smallest sieve that is kept.",
+    .axial_strain = "axial strain (percent)",
+    .deviator = "deviator stress",
+    .deviator_unit = "q (kPa)",
+    .volume = "change of volume, compression positive",
+    .volumetric_strain = "volumetric strain (percent)",
+    .triaxial_shown =
+        "Of a triaxial test the deviator stress and the volumetric strain over the axial strain."};
 
 constexpr FigureTexts german_texts = {
     .size = "Größe",
@@ -70,7 +76,14 @@ constexpr FigureTexts german_texts = {
     .pan = "Schale",
     .lost = "verlorene Masse (Prozent)",
     .lost_at_right = "verlorene Masse (rechts)",
-    .tradeoff_shown = "Die Partikelzahl über der Toleranz und über dem kleinsten behaltenen Sieb."};
+    .tradeoff_shown = "Die Partikelzahl über der Toleranz und über dem kleinsten behaltenen Sieb.",
+    .axial_strain = "axiale Dehnung (Prozent)",
+    .deviator = "Deviatorspannung",
+    .deviator_unit = "q (kPa)",
+    .volume = "Volumenänderung, Verdichtung positiv",
+    .volumetric_strain = "Volumendehnung (Prozent)",
+    .triaxial_shown =
+        "Von einem Triaxialversuch die Deviatorspannung und die Volumendehnung über der axialen Dehnung."};
 
 using Pair = std::pair<std::string_view, std::string_view>;
 

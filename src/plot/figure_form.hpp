@@ -28,6 +28,8 @@ struct FigureTexts {
   // of trade-offs
   std::string_view count, proved, at_limit, by_tolerance, by_sieve, exact_by_sieve, of_retained, of_passing,
       of_total, smallest_sieve, pan, lost, lost_at_right, tradeoff_shown;
+  // of triaxial tests
+  std::string_view axial_strain, deviator, deviator_unit, volume, volumetric_strain, triaxial_shown;
 };
 
 const FigureTexts &figure_texts(FigureLanguage language);

@@ -175,6 +175,85 @@ TEST_CASE("a periodic box has the ratios of the sides that are asked for", "[cli
         std::string::npos);
 }
 
+namespace {
+
+Outcome export_triaxial(const std::string &to, const std::string &out, const Arguments &more) {
+  Arguments arguments{"export", sand, "--to", to, "--model", "triaxial", "--at-least", "500", "-o", out};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return mdm(arguments);
+}
+
+} // namespace
+
+TEST_CASE("a triaxial model says what it does, and to what its numbers are bound", "[cli]") {
+  const TemporaryFolder folder;
+  for (const std::string to : {"lammps", "yade"}) {
+    const std::string file = folder / (to == "yade" ? "a.py" : "a.in");
+    const Outcome outcome = export_triaxial(to, file, {"--stress", "1e5", "--void-ratio", "0.5"});
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(outcome.err.find(" steps of shear;") != std::string::npos);
+    const std::string text = read_file(file);
+    for (const char *const part :
+         {"at 100000 Pa, and sheared as in a drained triaxial test to axial strain 0.2. ",
+          "# Void ratio 0.5 at that pressure:", "# Triaxial: each face is brought to sigma_3 = 100000 Pa;",
+          "The log is a-triaxial.csv", "Compression is positive", "has neither walls nor a membrane",
+          "a-sheared.", "axial_strain,volumetric_strain,p,q,void_ratio,coordination,unbalanced_force"})
+      CHECK(text.find(part) != std::string::npos);
+  }
+  REQUIRE(
+      export_triaxial("lammps", folder / "b.in", {"--stress", "1e5", "--axial-strain", "0.05"}).exit_code ==
+      0);
+  CHECK(read_file(folder / "b.in").find("\nvariable axial_strain index 0.05 ") != std::string::npos);
+  CHECK(read_file(folder / "b.in").find("asked_void_ratio") == std::string::npos);
+}
+
+TEST_CASE("a settled cell is where a triaxial model may begin", "[cli]") {
+  const TemporaryFolder folder;
+  std::ostringstream dump;
+  dump << "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n27\nITEM: BOX BOUNDS pp pp pp\n0 3\n0 3\n0 3\n"
+          "ITEM: ATOMS id x y z radius\n";
+  for (int i = 0; i < 27; ++i)
+    dump << i + 1 << " " << i % 3 << ".5 " << i / 3 % 3 << ".5 " << i / 9 << ".5 0.4\n";
+  const Outcome kept =
+      mdm({"export", folder.write("cell.dump", dump.str()), "--to", "lammps", "--model", "triaxial",
+           "--stress", "1000", "--size-unit", "mm", "--axial-strain", "0.05", "-o", folder / "c.in"});
+  INFO(kept.err);
+  CHECK(kept.exit_code == 0);
+  CHECK(kept.err.find("the particles stay where they lie in FILE") != std::string::npos);
+}
+
+TEST_CASE("what a triaxial model cannot be is refused", "[cli]") {
+  const TemporaryFolder folder;
+  const auto refused = [&folder](const Arguments &more, const std::string &remedy,
+                                 const std::string &to = "lammps") {
+    check_refused(export_triaxial(to, folder / "a.in", more), remedy);
+  };
+  refused({}, "sigma_3, by --stress");
+  refused({"--void-ratio", "0.5"}, "sigma_3, by --stress");
+  refused({"--stress", "0"}, "--stress");
+  refused({"--stress", "1e5"}, "no model with six walls: use --to lammps or yade", "liggghts");
+  refused({"--stress", "1e5"}, "--to liggghts, lammps or yade", "csv");
+  refused({"--stress", "1e5", "--specimen", "cylinder:4x4"}, "a cylinder cannot be repeated");
+  refused({"--stress", "1e5", "--sides", "walls"}, "leave --sides out");
+  refused({"--stress", "1e5", "--start", "deposit"}, "leave --start out");
+  refused({"--stress", "1e5", "--steps", "100"}, "leave it out");
+  refused({"--stress", "1e5", "--axial-strain", "20"}, "'20' is not from 0.001 to 0.5");
+  refused({"--stress", "1e5", "--axial-strain", "0"}, "--axial-strain");
+  refused({"--stress", "1e5", "--void-ratio", "0"}, "--void-ratio");
+  check_refused(export_model("lammps", folder / "a.in", {"--stress", "1e5", "--axial-strain", "0.1"}),
+                "give --model triaxial");
+  check_refused(mdm({"export", sand, "--to", "lammps", "--axial-strain", "0.1", "-o", folder / "a"}),
+                "give --model triaxial");
+  CHECK(folder.entries() == 0);
+  // A single grain is wider than half of the cell.
+  const std::string one = folder.write("one.csv", "size_mm,mass\n1,1\n2,0\n");
+  check_refused(
+      mdm({"export", one, "--to", "lammps", "--model", "triaxial", "--stress", "1e5", "-o", folder / "a.in"}),
+      "and would touch itself");
+  CHECK(folder.entries() == 1);
+}
+
 TEST_CASE("classes have types of their own on request", "[cli]") {
   const TemporaryFolder folder;
   REQUIRE(export_model("liggghts", folder / "a.in", {"--types", "class"}).exit_code == 0);
@@ -334,7 +413,8 @@ TEST_CASE("a model of one step says so", "[cli]") {
 TEST_CASE("what is no model is refused with a remedy, and leaves nothing", "[cli]") {
   const TemporaryFolder folder;
   const std::string out = folder / "a.in";
-  check_refused(mdm({"export", sand, "--to", "lammps", "--model", "sieve", "-o", out}), "there is settle");
+  check_refused(mdm({"export", sand, "--to", "lammps", "--model", "sieve", "-o", out}),
+                "there are settle and triaxial");
   check_refused(export_model("csv", out), "--to liggghts, lammps or yade");
   check_refused(export_model("liggghts", "-"), "-o FILE");
   check_refused(export_model("yade", out), "end in .py");

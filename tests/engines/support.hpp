@@ -29,10 +29,11 @@ inline bool is_there(const Engine &engine) {
 /// A folder with a gradation and its model.
 class Model {
 public:
-  Model(Engine engine, const std::string &gradation, const Arguments &more = {"--steps", "300", "--unjammed"})
+  Model(Engine engine, const std::string &gradation, const Arguments &more = {"--steps", "300", "--unjammed"},
+        const std::string &model = "settle")
       : engine_(std::move(engine)), gradation_(folder_.write("sand.csv", gradation)) {
     Arguments arguments{"export",  gradation_, "--to", engine_.name,
-                        "--model", "settle",   "-o",   folder_ / engine_.model};
+                        "--model", model,      "-o",   folder_ / engine_.model};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = mdm(arguments);
     INFO(outcome.err);

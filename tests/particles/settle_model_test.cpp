@@ -185,6 +185,36 @@ TEST_CASE("models: the density that is asked for, its tolerance and the friction
   CHECK(settling(model).elasticity.young == 40000000);
 }
 
+TEST_CASE("triaxial models: the rate of the shear from d50 and the pressure, computed by hand") {
+  // One size, so d50 is it; ten grains in a long cell.
+  ParticleSet set = set_of("size_mm,mass\n1,1\n2,0\n");
+  set.classes[0].sizes[0].quantity = 1000;
+  SettleModel model{set, {0.02, 0.02, 0.02}, "sand.data", "sand"};
+  model.space = Space::periodic_cell;
+  model.target = DensityTarget{{}, 100000};
+  model.shear = TriaxialShear{0.1, {}};
+  const double d = set.largest().diameter.value, rate = 8e-4 / (d * std::sqrt(2650 / 1e5));
+  const std::string lammps = lammps_model(model), yade = yade_model(model);
+  for (const std::string &text : {lammps, yade}) {
+    const std::vector<std::string> stated = found(text, "the height shrinks by ([0-9.]+) of itself a second");
+    REQUIRE(stated.size() == 1);
+    CHECK(std::stod(stated[0]) == Approx(rate).epsilon(1e-3));
+    CHECK(contains(text, "sand-triaxial.csv"));
+    CHECK(contains(text, "sand-sheared."));
+    CHECK(!contains(text, "asked_void_ratio"));
+    CHECK(!contains(text, "sand-settled"));
+    CHECK(found(text, "(@[a-z_]+@)").empty());
+  }
+  model.shear->void_ratio = 0.62;
+  CHECK(found(lammps_model(model), "\nvariable asked_void_ratio index ([0-9.]+) ") ==
+        std::vector<std::string>{"0.62"});
+  CHECK(contains(yade_model(model), "\nasked_void_ratio = 0.62  #"));
+  CHECK(contains(refusal_of(model, liggghts_model), "take lammps or yade"));
+  set.classes[0].sizes[0].quantity = 8;
+  CHECK(contains(refusal_of(model, lammps_model), "would touch itself"));
+  CHECK(contains(refusal_of(model, yade_model), "would touch itself"));
+}
+
 TEST_CASE("models: a type and a material for each class") {
   const ParticleSet set = set_of(sand);
   SettleModel model = model_of(set);

@@ -310,15 +310,16 @@ def export(source: Source | None, to: str, out: Path, *,
            gradation: Union[str, "os.PathLike[str]", None] = None, density: Number | None = None,
            mass_error: Number | None = None, yes_huge: bool = False, yes_units: bool = False, box: str | None = None,
            start: str | None = None, sides: str | None = None, seed: Number | None = None, model: str | None = None,
-           steps: Number | None = None, stress: Number | None = None, target_tolerance: Number | None = None,
-           friction: Number | None = None, friction_while_filling: Number | None = None, periodic: bool = False,
-           unjammed: bool = False, types: str | None = None, material: Union[str, "os.PathLike[str]", None] = None,
-           young: Number | None = None, poisson: Number | None = None, spread: bool = False,
-           tolerance: Tolerance = None, band: Union[str, "os.PathLike[str]", None] = None,
-           min_per_class: Number | None = None, at_least: Number | None = None, at_most: Number | None = None,
-           specimen: str | None = None, void_ratio: Number | None = None, solids_volume: Number | None = None,
-           law: str | None = None, size_factor: Number | None = None, cut_below: Number | None = None,
-           pan_size: Number | None = None, max_steps: Number | None = None, node_limit: Number | None = None,
+           steps: Number | None = None, stress: Number | None = None, axial_strain: Number | None = None,
+           target_tolerance: Number | None = None, friction: Number | None = None,
+           friction_while_filling: Number | None = None, periodic: bool = False, unjammed: bool = False,
+           types: str | None = None, material: Union[str, "os.PathLike[str]", None] = None, young: Number | None = None,
+           poisson: Number | None = None, spread: bool = False, tolerance: Tolerance = None,
+           band: Union[str, "os.PathLike[str]", None] = None, min_per_class: Number | None = None,
+           at_least: Number | None = None, at_most: Number | None = None, specimen: str | None = None,
+           void_ratio: Number | None = None, solids_volume: Number | None = None, law: str | None = None,
+           size_factor: Number | None = None, cut_below: Number | None = None, pan_size: Number | None = None,
+           max_steps: Number | None = None, node_limit: Number | None = None,
            time_limit: Union[Number, float, None] = None, gap: Number | None = None, scale: str | None = None,
            specimen_id: str | None = None, columns: str | None = None, kind: str | None = None,
            skip: Number | None = None, sheet: str | None = None, loss: Number | None = None,
@@ -399,6 +400,7 @@ def export(source: Source | None, to: str, out: Path, *,
             and densities; without it a class has sizes up to 1.41 times its smallest.
         unjammed: a model's result may be grains that are not at rest, or that do not carry each other; without it the
             engine stops there with what it measures.
+        axial_strain: of a triaxial model at its end, 1 - h/h0, up to 0.5 (0.2).
 
     Raises:
         InputError: an option or the source is wrong, or it cannot be written in that format.

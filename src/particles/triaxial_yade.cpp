@@ -1,0 +1,170 @@
+#include "particles/triaxial_columns.hpp"
+#include "particles/triaxial_shear.hpp"
+
+namespace mdm {
+namespace {
+
+const char *const yade_shear_settings =
+    R"script(axial_strain = @strain@  # at the end of the shear
+inertial_number = @inertia@  # of the shear at p = sigma_3, which is the target
+held_within = @within@  # sigma_3 in the rows of the log, a part of it
+most_rows_off = @rows_off@  # part of the rows that may be off by more, or not jammed; the last is neither
+)script";
+
+const char *const yade_other_void_ratio =
+    R"script(    if abs(density()[0] - asked_void_ratio) > tolerance:
+        stop('void ratio %g at %g Pa is not within %g of %g; the friction while compacted was %g at last: a higher '
+             'friction_while_filling is looser' % (density()[0], target, tolerance, asked_void_ratio, state['friction']))
+)script";
+
+/// The gain makes up for what is off in a look: the stiffness of grains under a pressure p is some
+/// E^(2/3) p^(1/3).
+const char *const yade_shear = R"script(
+# Each face is brought to sigma_3 by itself; then the height, along z, shrinks, and the sides keep sigma_3.
+gain = (target / @young@)**(2 / 3) / (@look@ * O.dt)
+axial_rate = inertial_number / (@d50@ * (@density@ / target)**0.5)
+
+
+def stresses():
+    """On the faces x, y and z."""
+    tensor = getStress()
+    return [-tensor[i, i] for i in range(3)]
+
+
+def steer(faces, rate_z):
+    """Moves the faces that are to have sigma_3 for a look, none faster than while compacting."""
+    rates, found = [0, 0, rate_z], stresses()
+    for i in faces:
+        off = found[i] / target - 1
+        state['rates'][i] -= 0.1 * gain * off
+        rates[i] = max(-most_rate, min(most_rate, state['rates'][i] - gain * off))
+    O.cell.velGrad = Matrix3(-rates[0], 0, 0, 0, -rates[1], 0, 0, 0, -rates[2])
+    O.run(@look@, True)
+
+
+def axial():
+    return 1 - O.cell.size[2] / state['height']
+
+
+def volumetric():
+    return 1 - O.cell.volume / state['volume']
+
+
+def sigma_3():
+    return sum(stresses()[:2]) / 2
+
+
+def q():
+    return stresses()[2] - sigma_3()
+
+
+def write_row():
+    found = measured()
+    with open('@log@', 'a') as file:
+        file.write(','.join('%.9g' % value for value in (
+            axial(), volumetric(), density()[1], q(), density()[0], found['z'], found['unbalanced'])) + '\n')
+    inertia = axial_rate * @d50@ * (@density@ / (abs(density()[1]) + 1e-200))**0.5
+    off = abs(sigma_3() / target - 1)
+    state['off'] = max(state['off'], off)
+    state['off_rows'] += off > held_within
+    state['inertia'] = max(state['inertia'], inertia)
+    state['loose_rows'] += not is_jammed()
+    state['lines'] += 1
+    state['row'] = int(axial() / axial_strain * @rows@ + 1e-9) + 1
+    if state['lines'] % 20 == 0:
+        print('step %d, shear: axial strain %g, q %g Pa' % (O.iter, axial(), q()), flush=True)
+        save()
+
+
+if state['phase'] == 'shear':
+    # What was written after the restart is written again.
+    with open('@log@') as file:
+        lines = file.readlines()
+    with open('@log@', 'w') as file:
+        file.writelines(lines[:state['lines'] + 1])
+else:
+    state.update(phase='even', rates=[0, 0, 0])
+    last = O.iter + most_compacting
+    while not (all(abs(stress / target - 1) < tolerance for stress in stresses()) and is_at_rest()):
+        if O.iter >= last:
+            stop('the faces do not have %g Pa each after %d steps: %g, %g and %g Pa; %s' % (
+                target, O.iter, *stresses(), words(measured())))
+        steer((0, 1, 2), 0)
+@other@    judge()
+    state.update(
+        phase='shear', height=O.cell.size[2], volume=O.cell.volume, row=0, lines=0, off=0, off_rows=0,
+        loose_rows=0, inertia=0)
+    with open('@log@', 'w') as file:
+        file.write('@columns@\n')
+while True:
+    if axial() + 1e-9 >= state['row'] * axial_strain / @rows@:
+        write_row()
+    if axial() + 1e-9 >= axial_strain:
+        break
+    steer((0, 1), axial_rate)
+def is_rare(rows):
+    return rows <= most_rows_off * state['lines']
+
+
+if not is_rare(state['off_rows']) or abs(sigma_3() / target - 1) > held_within:
+    stop('sigma_3 was not held: in %d of %d rows of @log@ it is off by more than %g of %g Pa, by %g at most, and by %g at the '
+         'end: more grains or a lower inertial_number make it steadier' % (
+             state['off_rows'], state['lines'], held_within, target, state['off'], abs(sigma_3() / target - 1)))
+if state['inertia'] > @most@:
+    stop('the inertial number was %g, above @most@: lower inertial_number' % state['inertia'])
+if not unjammed and not (is_rare(state['loose_rows']) and is_jammed()):
+    stop('not jammed in %d of %d rows of @log@: a grain that is carried has fewer contacts than %g, %g at the end; take it '
+         'as it is with unjammed = True' % (state['loose_rows'], state['lines'], isostatic, measured()['carrying']))
+)script";
+
+} // namespace
+
+const char *const triaxial_yade_friction =
+    R"script(        # Under the pressure the friction is lowered, and the grains slide into denser places. Where they are dense enough,
+        # they get their own at once.
+        if phase == 'compact' and found <= enough:
+            break
+        if phase == 'compact' and abs(1 - pressure / target) < tolerance and is_at_rest(10):
+            if state['friction'] < 0.01:
+                stop('void ratio %g is beyond the densest that this run finds at %g Pa, %g without friction: ask for less '
+                     'density' % (asked_void_ratio, target, found))
+            state['friction'] *= 0.95
+            set_friction()
+)script";
+
+const char *const triaxial_yade_phases =
+    "['compact', 'hold'][('compact', 'hold', 'even', 'shear').index(state['phase']):]";
+
+const char *const triaxial_yade_words = "; sheared to axial strain %g, volumetric strain %g, q %g Pa; of %d "
+                                        "rows %d have sigma_3 more than %g off %g Pa, "
+                                        "%g at most, and %d are not jammed; inertial number at most %g";
+const char *const triaxial_yade_values =
+    ", axial(), volumetric(), q(), state['lines'], state['off_rows'], held_within, target, state['off'],\n"
+    "    state['loose_rows'], state['inertia']";
+
+std::string triaxial_yade_settings(const SettleScript &s) {
+  const TriaxialShear &asked = *s.model.shear;
+  std::string text;
+  if (asked.void_ratio)
+    text = filled("asked_void_ratio = @e@  # at that pressure, before the shear, within the tolerance\n"
+                  "enough = asked_void_ratio + 0.05 * tolerance\n",
+                  {{"e", digits6(*asked.void_ratio)}});
+  return text + filled(yade_shear_settings, {{"strain", digits6(asked.axial_strain)},
+                                             {"inertia", digits6(TriaxialLimits::inertial_number)},
+                                             {"within", digits6(TriaxialLimits::held_within)},
+                                             {"rows_off", digits6(TriaxialLimits::rows_off)}});
+}
+
+std::string triaxial_yade_shear(const SettleScript &s) {
+  const ShearCourse course(s.model);
+  return filled(yade_shear, {{"other", s.model.shear->void_ratio ? yade_other_void_ratio : ""},
+                             {"columns", triaxial_columns},
+                             {"log", s.name + "-triaxial.csv"},
+                             {"d50", digits17(course.median)},
+                             {"density", digits17(course.density)},
+                             {"look", std::to_string(TriaxialLimits::look)},
+                             {"rows", std::to_string(TriaxialLimits::rows)},
+                             {"most", digits6(TriaxialLimits::most_inertial_number)}});
+}
+
+} // namespace mdm

@@ -1,0 +1,197 @@
+// Drained triaxial tests of a real sand in periodic cells, by LAMMPS and YADE: what the log says is held
+// against the grains that are left, anew here, and by mdm verify and state.py. The strain is small, to be
+// quick.
+
+#include "support.hpp"
+
+#include <cmath>
+
+using namespace cli_test;
+
+namespace {
+
+constexpr double stress = 100000, strain = 0.05;
+
+std::string c778() {
+  return read_file(example("c778-graded-sand"));
+}
+
+Engine sheared(Engine engine) {
+  engine.dump = engine.name == "yade" ? "sand-sheared.xyzr" : "sand-sheared.dump";
+  return engine;
+}
+
+std::string end_of(const Outcome &outcome) {
+  const std::string text = outcome.out + outcome.err;
+  return text.substr(text.size() < 3000 ? 0 : text.size() - 3000);
+}
+
+struct Row {
+  double axial, volumetric, p, q, void_ratio, coordination, unbalanced;
+};
+
+std::vector<Row> log_of(const Model &model) {
+  std::istringstream text(read_file(model.path("sand-triaxial.csv")));
+  std::string line;
+  std::getline(text, line);
+  CHECK(line == "axial_strain,volumetric_strain,p,q,void_ratio,coordination,unbalanced_force");
+  std::vector<Row> rows;
+  while (std::getline(text, line)) {
+    Row r{};
+    REQUIRE(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf,%lf", &r.axial, &r.volumetric, &r.p, &r.q,
+                        &r.void_ratio, &r.coordination, &r.unbalanced) == 7);
+    rows.push_back(r);
+  }
+  return rows;
+}
+
+/// What engines leave: the sides of the cell, and the sum of the radii's cubes.
+struct Cell {
+  std::array<double, 3> sides{};
+  double cubes = 0;
+
+  double void_ratio() const { return sides[0] * sides[1] * sides[2] / (4 * std::acos(-1.0) / 3 * cubes) - 1; }
+};
+
+Cell cell_of(const Engine &engine, const std::string &dump) {
+  Cell cell;
+  if (engine.name == "yade") {
+    REQUIRE(std::sscanf(dump.c_str(), "# x y z r in m; box %lf %lf %lf", &cell.sides[0], &cell.sides[1],
+                        &cell.sides[2]) == 3);
+    std::istringstream text(dump.substr(dump.find('\n')));
+    for (Grain g{}; text >> g.x >> g.y >> g.z >> g.r;)
+      cell.cubes += g.r * g.r * g.r;
+    return cell;
+  }
+  std::istringstream bounds(dump.substr(dump.find("BOX BOUNDS pp pp pp") + 19));
+  for (double &side : cell.sides) {
+    double low = 0, high = 0;
+    bounds >> low >> high;
+    side = high - low;
+  }
+  for (const Grain &g : grains(dump))
+    cell.cubes += g.r * g.r * g.r;
+  return cell;
+}
+
+void check_log(const std::vector<Row> &rows) {
+  REQUIRE(rows.size() > 150);
+  CHECK(rows.size() <= 201);
+  CHECK(rows.front().axial == 0);
+  CHECK(rows.front().volumetric == Approx(0).margin(1e-9));
+  CHECK(std::abs(rows.front().q) < 0.02 * stress);
+  CHECK(rows.back().axial >= strain - 1e-8);
+  CHECK(rows.back().axial < strain + 0.001);
+  std::size_t off = 0;
+  double mean = 0;
+  for (const Row &r : rows) {
+    const double sigma_3 = r.p - r.q / 3;
+    off += std::abs(sigma_3 / stress - 1) > 0.02 ? 1U : 0U;
+    mean += sigma_3 / static_cast<double>(rows.size());
+    // The strain of the volume is what the void ratio says.
+    CHECK((1 + r.void_ratio) / (1 + rows.front().void_ratio) == Approx(1 - r.volumetric).margin(1e-6));
+    CHECK(r.unbalanced >= 0);
+  }
+  CHECK(static_cast<double>(off) <= 0.05 * static_cast<double>(rows.size()));
+  CHECK(mean == Approx(stress).epsilon(0.005));
+  const double ratio = rows.back().q / rows.back().p;
+  CHECK(ratio > 0.3);
+  CHECK(ratio < 1.5);
+}
+
+/// mdm verify counts the contacts and measures the space by itself.
+void check_places(const Model &model, const Engine &engine, const Cell &cell, const Row &last) {
+  Arguments arguments{
+      "verify", model.path("sand.csv"), model.dump(), "--packing", "--tolerance", "1e-6", "--format", "json"};
+  if (engine.name == "yade") {
+    std::ostringstream box;
+    box.precision(17);
+    box << 1000 * cell.sides[0] << "x" << 1000 * cell.sides[1] << "x" << 1000 * cell.sides[2];
+    arguments.insert(arguments.end(), {"--size-unit", "m", "--periodic", "xyz", "--box", box.str()});
+  }
+  const Outcome verdict = mdm(arguments);
+  INFO(verdict.out << verdict.err);
+  REQUIRE(verdict.exit_code == 0);
+  const Json packing = Json::parse(verdict.out).at("packing");
+  CHECK(packing.at("periodic") == "xyz");
+  const auto number = [](const Json &value) {
+    return std::stod((value.is_array() ? value.at(0) : value).get<std::string>());
+  };
+  CHECK(number(packing.at("void_ratio")) == Approx(last.void_ratio).epsilon(1e-4));
+  const double contacts = std::stod(packing.at("contacts").get<std::string>());
+  CHECK(2 * contacts / 500 == Approx(last.coordination).epsilon(0.01));
+}
+
+void check_triaxial(const Engine &engine) {
+  if (!is_there(engine))
+    return;
+  const Model model(engine, c778(), {"--stress", "100000", "--at-least", "500", "--axial-strain", "0.05"},
+                    "triaxial");
+  const Outcome outcome = model.run();
+  INFO(end_of(outcome));
+  REQUIRE(outcome.exit_code == 0);
+  const std::size_t result = outcome.out.find("\nRESULT after ");
+  REQUIRE(result != std::string::npos);
+  CHECK(outcome.out.find("friction 0.5 (0.5 while compacted); sheared to axial strain 0.05", result) !=
+        std::string::npos);
+  model.check_grains({"--at-least", "500"});
+  const std::vector<Row> rows = log_of(model);
+  check_log(rows);
+  const Cell cell = cell_of(engine, read_file(model.dump()));
+  CHECK(cell.void_ratio() == Approx(rows.back().void_ratio).epsilon(1e-6));
+  check_places(model, engine, cell, rows.back());
+  const TemporaryFolder folder;
+  const Outcome state = Process("/usr/bin/python3", {MDM_SOURCE_DIR "/tests/engines/state.py", model.dump(),
+                                                     folder.write("log", outcome.out), "2e8", "0.25"})
+                            .end();
+  INFO(state.out << state.err);
+  CHECK(state.exit_code == 0);
+  CHECK(mdm({"plot", model.path("sand-triaxial.csv"), "-o", folder / "log.svg"}).exit_code == 0);
+}
+
+} // namespace
+
+TEST_CASE("LAMMPS shears a cell of 500 grains at constant sigma_3", "[engines]") {
+  check_triaxial(sheared(lammps));
+}
+
+TEST_CASE("YADE shears a cell of 500 grains at constant sigma_3", "[engines]") {
+  check_triaxial(sheared(yade));
+}
+
+TEST_CASE("LAMMPS stops where a triaxial test is none", "[engines]") {
+  if (!is_there(lammps))
+    return;
+  const Model model(sheared(lammps), c778(),
+                    {"--stress", "100000", "--at-least", "400", "--axial-strain", "0.005"}, "triaxial");
+  const auto stops = [&model](const std::string &options, const std::string &message) {
+    const Outcome outcome = model.run("", options);
+    INFO(end_of(outcome));
+    CHECK(outcome.exit_code == 1);
+    CHECK(outcome.out.find(message) != std::string::npos);
+    CHECK(outcome.out.find("\nRESULT ") == std::string::npos);
+    CHECK(!model.has_dump());
+  };
+  stops("-var held_within 1e-9", "STOP: sigma_3 was not held: in ");
+  stops("-var inertial_number 0.0015 -var held_within 0.9", "STOP: the inertial number was 0.001");
+}
+
+TEST_CASE("LAMMPS brings a cell to a pressure and a void ratio by friction, or says that it cannot",
+          "[engines]") {
+  if (!is_there(lammps))
+    return;
+  const auto model = [](const char *void_ratio) {
+    return Model(
+        sheared(lammps), c778(),
+        {"--stress", "100000", "--void-ratio", void_ratio, "--at-least", "400", "--axial-strain", "0.005"},
+        "triaxial");
+  };
+  const Outcome dense = model("0.45").run();
+  INFO(end_of(dense));
+  REQUIRE(dense.exit_code == 0);
+  CHECK(dense.out.find(", friction 0.5 (0.") != std::string::npos);
+  CHECK(dense.out.find(", friction 0.5 (0.5 while") == std::string::npos);
+  const Outcome loose = model("0.8").run();
+  CHECK(loose.exit_code == 1);
+  CHECK(loose.out.find("is not within 0.01 of 0.8") != std::string::npos);
+}
