@@ -41,7 +41,9 @@ def compile_in(build):
 
 def needed_libraries(file):
     """The shared libraries that a file needs, in paths, but those that every Linux with Python has."""
-    printed = subprocess.run(["ldd", file], stdout=subprocess.PIPE, text=True, check=True).stdout
+    # What is loaded into every program is none of its libraries.
+    environment = {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
+    printed = subprocess.run(["ldd", file], stdout=subprocess.PIPE, text=True, check=True, env=environment).stdout
     if "not found" in printed:
         sys.exit(f"{file} lacks libraries:\n{printed}")
     found = (Path(path) for path in re.findall(r"=> (/\S+)", printed))

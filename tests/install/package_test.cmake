@@ -1,4 +1,4 @@
-# Makes the Debian packages of the build, unpacks both, and runs the programs in them.
+# Makes the Debian packages of the build, unpacks them, and runs the programs in them.
 set(sand ${source}/examples/gradations/athabasca-sand.csv)
 set(root ${work}/root)
 file(REMOVE_RECURSE ${work})
@@ -9,8 +9,8 @@ macro(run)
   execute_process(COMMAND ${ARGV} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
 endmacro()
 
-run(${cpack} --config ${build}/CPackConfig.cmake -G DEB -B ${work} -C ${config})
-foreach(package exactmdm libexactmdm-dev)
+run(${source}/src/cmake/debs ${build} ${work})
+foreach(package exactmdm libexactmdm-dev python3-exactmdm)
   file(GLOB deb ${work}/${package}_*.deb)
   run(dpkg-deb --extract ${deb} ${root})
   run(dpkg-deb --field ${deb} Depends)
@@ -19,10 +19,14 @@ foreach(package exactmdm libexactmdm-dev)
     message(FATAL_ERROR "${package} does not depend on GMP")
   endif()
 endforeach()
-foreach(file bin/mdm bin/mdm-check share/man/man1/mdm.1 share/man/man1/mdm-solve.1
+# Libraries are in a folder for this processor where the build was configured for /usr.
+file(GLOB folder ${root}/usr/lib/cmake ${root}/usr/lib/*/cmake)
+get_filename_component(folder ${folder} DIRECTORY)
+file(RELATIVE_PATH libraries ${root}/usr ${folder})
+foreach(file bin/mdm bin/mdm-check share/man/man1/mdm.1.gz share/man/man1/mdm-solve.1.gz
     share/exactmdm/schemas/mdm-answer-1.schema.json share/doc/exactmdm/copyright include/mdm/match/solve.hpp
-    include/mdm/checker.hpp lib/libmdm_checker.a lib/cmake/mdm/mdmConfig.cmake lib/pkgconfig/exactmdm.pc
-    lib/pkgconfig/exactmdm-checker.pc)
+    include/mdm/checker.hpp ${libraries}/libmdm_checker.a ${libraries}/cmake/mdm/mdmConfig.cmake
+    ${libraries}/pkgconfig/exactmdm.pc ${libraries}/pkgconfig/exactmdm-checker.pc)
   if(NOT EXISTS ${root}/usr/${file})
     message(FATAL_ERROR "no package has /usr/${file}")
   endif()
@@ -34,12 +38,8 @@ if(EXISTS ${build}/web/exactmdm.html)
     message(FATAL_ERROR "exactmdm has not the page of the build")
   endif()
 endif()
-file(GLOB python_package ${work}/python3-exactmdm_*.deb)
-if(python_package)
-  run(dpkg-deb --extract ${python_package} ${root})
-  run(${CMAKE_COMMAND} -E env PYTHONPATH=${root}/usr/lib/python3/dist-packages /usr/bin/python3 -c
-    "import exactmdm; assert exactmdm.solve('${sand}').check()")
-endif()
+run(${CMAKE_COMMAND} -E env PYTHONPATH=${root}/usr/lib/python3/dist-packages PATH=${root}/usr/bin:$ENV{PATH}
+  PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c "import exactmdm; assert exactmdm.solve('${sand}').check()")
 run(${root}/usr/bin/mdm solve ${sand} --proof ${work}/sand.proof)
 run(${root}/usr/bin/mdm-check ${sand} ${work}/sand.proof)
 message("${output}")

@@ -66,7 +66,8 @@ def check_versions():
     """The version of CMakeLists.txt is that of all others."""
     places = {"CMakeLists.txt": r"project\(mdm VERSION ([\d.]+)", "CITATION.cff": r"^version: ([\d.]+)$",
               "CHANGELOG.md": r"^## ([\d.]+)$", "src/web/package.json": r'"version": "([\d.]+)"',
-              "src/web/package-lock.json": r'"version": "([\d.]+)"'}
+              "src/web/package-lock.json": r'"version": "([\d.]+)"',
+              "src/cmake/debian/changelog": r"\Aexactmdm \(([\d.]+)-\d+\)"}
     found = {place: re.search(pattern, (SOURCE / place).read_text(encoding="utf-8"), re.MULTILINE)[1]
              for place, pattern in places.items()}
     assert len(set(found.values())) == 1, found

@@ -80,6 +80,10 @@ def check_debian_names():
     others = [row["debian"] for row in TABLE if row["use"] != "python"]
     assert len(others) == len(set(others)), others
     assert set(others) == build | {"libflint-arb-dev"}, set(others) ^ (build | {"libflint-arb-dev"})
+    # g++ is there wherever Debian builds packages.
+    control = (SOURCE / "src/cmake/debian/control").read_text(encoding="utf-8")
+    needed = re.search(r"^Build-Depends: (.*\n(?: .*\n)*)", control, re.MULTILINE)[1]
+    assert set(others) - {"g++", "catch2", "libbenchmark-dev"} | python <= set(re.findall(r"[a-z][\w.+-]+", needed)), needed
     of_cmake = re.search(r"if\(MDM_PYTHON\)\n(.*?)\nendif\(\)", CMAKE, re.DOTALL)[1]
     assert python == set(re.findall(r"DEBIAN (\S+)\)", of_cmake)) <= everything, python
 

@@ -1,0 +1,33 @@
+"""Archives whose bytes are those of what is in them: names in order, owner 0, one time, the modes 755 and 644."""
+import gzip
+import lzma
+import shutil
+import tarfile
+
+
+def compress(tar, archive):
+    """The file as .xz."""
+    with open(tar, "rb") as plain, lzma.open(archive, "wb") as packed:
+        shutil.copyfileobj(plain, packed)
+
+
+def pack(folder, archive, time):
+    """The folder, by its own name, as .tar.xz or .tar.gz; each file has the given time, in seconds since 1970."""
+    def normal(entry):
+        entry.uid = entry.gid = 0
+        entry.uname = entry.gname = "root"
+        entry.mtime = time
+        entry.mode = 0o755 if entry.isdir() or entry.mode & 0o100 else 0o644
+        return entry
+
+    def write(packed):
+        with tarfile.open(fileobj=packed, mode="w", format=tarfile.GNU_FORMAT) as tar:
+            for path in [folder, *sorted(folder.rglob("*"))]:
+                tar.add(path, path.relative_to(folder.parent), recursive=False, filter=normal)
+
+    if archive.suffix == ".gz":
+        with open(archive, "wb") as file, gzip.GzipFile(filename="", fileobj=file, mode="wb", mtime=time) as packed:
+            write(packed)
+    else:
+        with lzma.open(archive, "wb") as packed:
+            write(packed)
