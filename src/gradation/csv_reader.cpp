@@ -119,8 +119,8 @@ private:
                          : name == material_column ? &material_
                                                    : nullptr;
     if (place == &material_ && kind_ != CsvKind::materials)
-      rows_.refuse(fmt::format("column {} is of a gradation of several materials: mdm solve, mdm verify and "
-                               "mdm export take it; here give the rows of one material, without this column",
+      rows_.refuse(fmt::format("column {} is of a gradation of several materials: mdm solve and mdm verify "
+                               "take it; here give the rows of one material, without this column",
                                material_column));
     if (place == nullptr)
       rows_.refuse(fmt::format("column {} is unknown: after the first two there may be {} and {}",
@@ -219,8 +219,9 @@ Table read_number_csv(std::string_view content, const Source &source, const std:
 
 bool is_material_csv(std::string_view content) {
   const std::vector<std::string> fields = header_fields(content);
-  return fields.size() > 1 && find_size_column(fields[0]) != nullptr &&
-         std::find(fields.begin() + 1, fields.end(), material_column) != fields.end();
+  return std::any_of(fields.begin(), fields.end(),
+                     [](const std::string &name) { return find_size_column(name) != nullptr; }) &&
+         std::find(fields.begin(), fields.end(), material_column) != fields.end();
 }
 
 Table read_material_csv(std::string_view content, const Source &source, const std::string &id) {

@@ -11,6 +11,7 @@
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
 
+#include <algorithm>
 #include <map>
 
 namespace mdm {
@@ -62,6 +63,13 @@ Gradation joined(std::vector<Material> parts, const std::string &id) {
     all.materials_.push_back({std::move(parts[i].name), begin, all.powers().size()});
   }
   return all;
+}
+
+const MaterialRows *find_material(const Gradation &g, std::string_view name) {
+  const auto found =
+      std::lower_bound(g.materials().begin(), g.materials().end(), name,
+                       [](const MaterialRows &rows, std::string_view n) { return rows.name < n; });
+  return found == g.materials().end() || found->name != name ? nullptr : &*found;
 }
 
 bool is_material_gradation(std::string_view content) {

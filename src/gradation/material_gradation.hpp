@@ -17,8 +17,11 @@ struct Material {
 };
 
 /// The gradation that has the classes of all the parts (Theorem 28), in their order.
-/// \pre there is a part; they have one unit and one root, and all or none have factors
+/// \pre there is a part; names ascend; the parts have one unit and one root, and all or none have factors
 Gradation joined(std::vector<Material> parts, const std::string &id);
+
+/// The material of that name; null if g has none.
+const MaterialRows *find_material(const Gradation &g, std::string_view name);
 
 /// True for canonical CSV with the column material.
 bool is_material_gradation(std::string_view content);

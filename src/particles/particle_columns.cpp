@@ -83,6 +83,8 @@ public:
       set_axis(axes_[static_cast<std::size_t>(stem.front() - 'x')], i, name, kind);
     else if (name == "id")
       set(columns_.id, i, name);
+    else if (name == "material")
+      set(columns_.material, i, name);
     else if (name != "type")
       refuse_unknown(name);
   }

@@ -198,7 +198,6 @@ TEST_CASE("several materials are nowhere taken as one", "[cli]") {
                                                            {"judge", file, "--spec", "astm-c33-fine"},
                                                            {"plot", file, "-o", folder / "a.svg"},
                                                            {"report", file, "-o", folder / "a.html"},
-                                                           {"study", file},
                                                            {"blend", mass, file, "--spec", mass}}) {
     INFO(arguments.front());
     const Outcome outcome = mdm(arguments);

@@ -102,12 +102,21 @@ TEST_CASE("a column of materials is told by its name") {
   CHECK(is_material_gradation("\xEF\xBB\xBF# a\nsize_mm,mass,material\n"));
   CHECK(is_material_gradation("sieve,passing_percent,material\n"));
   CHECK_FALSE(is_material_gradation("size_mm,mass,factor\n"));
-  CHECK_FALSE(is_material_gradation("Material,size_mm,mass\n"));
+  CHECK(is_material_gradation("material,size_mm,mass\n")); // which the reader refuses
+  CHECK_FALSE(is_material_gradation("size_mm\n"));
   CHECK_FALSE(is_material_gradation("{\"id\": \"material\"}"));
+}
+
+TEST_CASE("options of reading do not make several materials one") {
+  Reading reading;
+  reading.kind = "mass";
+  const std::string apart = "size_mm,mass,material\n1,1,a\n2,0,a\n4,1,b\n8,0,b\n";
+  CHECK(contains(message_of([&] { read_gradation(apart, "beach.csv", reading); }),
+                 "column material is of a gradation of several materials"));
 }
 
 TEST_CASE("the reader of one material refuses several and names the commands") {
   CHECK(contains(message_of([] { read_gradation(beach, "beach.csv"); }),
-                 "beach.csv:1: column material is of a gradation of several materials: mdm solve, mdm verify "
-                 "and mdm export take it"));
+                 "beach.csv:1: column material is of a gradation of several materials: mdm solve and mdm "
+                 "verify take it"));
 }
