@@ -210,6 +210,10 @@ TEST_CASE("several materials are nowhere taken as one", "[cli]") {
   check_refused(mdm({"export", answer, "--to", "csv"}), "is of a gradation of several materials");
   CHECK(mdm({"solve", mass, "--proof", folder / "mass.proof"}).exit_code == 0);
   CHECK(mdm_check(file, folder / "mass.proof").exit_code == 1);
+  CHECK(mdm({"solve", mass, "--tolerance", "10%", "--proof", folder / "tolerant.proof"}).exit_code == 0);
+  const Outcome tolerant = mdm_check(file, folder / "tolerant.proof");
+  CHECK(tolerant.exit_code == 1);
+  CHECK(contains(tolerant.err, "materials: an exact match without pan-size and cut-below fails"));
   CHECK(mdm({"verify", mass, list, "--proof", folder / "list.proof"}).exit_code == 1);
   CHECK(mdm_check({file, list, folder / "list.proof"}).exit_code == 2);
 }
