@@ -17,6 +17,7 @@ namespace mdm {
 std::string answer_json(const Match &m, const Spectrum *spectrum = nullptr, const std::string &proof = "");
 
 /// lower_<unit>,upper_<unit>,mass,quantity,size_lo_<unit>,size_hi_<unit>: a row a class, empty ones included.
+/// Of several materials there is a last column, material.
 std::string answer_csv(const Match &m);
 
 /// The same with the sizes of a spread's particles, "sizes":[["lo","hi"],...] in each class with particles,

@@ -2,16 +2,20 @@
 #include "answer/answer_rows.hpp"
 #include "text/long_text.hpp"
 #include "text/text_buffer.hpp"
+#include "text/text_table.hpp"
 
 namespace mdm {
 
 std::string answer_csv(const Match &m) {
   TextBuffer out;
   const std::string_view unit = name(m.gradation.unit());
-  add(out, "lower_{0},upper_{0},mass,quantity,size_lo_{0},size_hi_{0}\n", unit);
+  const bool has_materials = !m.gradation.materials().empty();
+  add(out, "lower_{0},upper_{0},mass,quantity,size_lo_{0},size_hi_{0}{1}\n", unit,
+      has_materials ? ",material" : "");
   for (const AnswerRow &r : answer_rows(m))
-    add(out, "{},{},{},{},{},{}\n", r.lower, r.upper, r.mass, r.quantity, r.size ? r.size->lower_text() : "",
-        r.size ? r.size->upper_text() : "");
+    add(out, "{},{},{},{},{},{}{}\n", r.lower, r.upper, r.mass, r.quantity,
+        r.size ? r.size->lower_text() : "", r.size ? r.size->upper_text() : "",
+        has_materials ? "," + csv_field(r.material) : "");
   return fmt::to_string(out);
 }
 

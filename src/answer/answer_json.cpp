@@ -41,11 +41,13 @@ void write_verdict(JsonWriter &json, const Match &m) {
 }
 
 /// The members of a class, all but its spread.
-void write_class(JsonWriter &json, const Match &m, std::size_t j, const AnswerRow &row) {
+void write_class(JsonWriter &json, const Match &m, const AnswerRow &row) {
+  if (!row.material.empty())
+    json.key("material").string(row.material);
   json.key("lower").plain(row.lower).key("upper").plain(row.upper).key("mass").plain(row.mass);
   if (m.gradation.root() > 1) {
-    write(json.key("lower_power"), m.gradation.powers()[j]);
-    write(json.key("upper_power"), m.gradation.powers()[j + 1]);
+    write(json.key("lower_power"), m.gradation.powers()[row.index]);
+    write(json.key("upper_power"), m.gradation.powers()[row.index + 1]);
   }
   json.key("quantity");
   if (row.quantity.empty())
@@ -160,9 +162,8 @@ std::string answer_json(const Match &m, const Spectrum *spectrum, const std::str
   JsonWriter json;
   write_verdict(json.begin_object(), m);
   json.key("classes").begin_array();
-  const std::vector<AnswerRow> rows = answer_rows(m);
-  for (std::size_t j = 0; j < rows.size(); ++j) {
-    write_class(json.begin_object(), m, j, rows[j]);
+  for (const AnswerRow &row : answer_rows(m)) {
+    write_class(json.begin_object(), m, row);
     json.end_object();
   }
   write_rest(json.end_array(), m, spectrum, std::nullopt, proof);
@@ -173,11 +174,10 @@ void spread_json(const Match &m, const Spectrum *spectrum, const Spread &spread,
   JsonWriter json(sink);
   write_verdict(json.begin_object(), m);
   json.key("classes").begin_array();
-  const std::vector<AnswerRow> rows = answer_rows(m);
   auto spread_class = spread.classes.begin();
-  for (std::size_t j = 0; j < rows.size(); ++j) {
-    write_class(json.begin_object(), m, j, rows[j]);
-    if (spread_class != spread.classes.end() && spread_class->index() == j) {
+  for (const AnswerRow &row : answer_rows(m)) {
+    write_class(json.begin_object(), m, row);
+    if (spread_class != spread.classes.end() && spread_class->index() == row.index) {
       json.key("sizes").begin_array();
       for_each_size(*spread_class++, m.digits, [&json](const Enclosure &size) { write(json, size); });
       json.end_array();

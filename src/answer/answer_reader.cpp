@@ -95,6 +95,11 @@ std::pair<Rational, Rational> enclosure(const Json &size, const std::string &pla
   return e;
 }
 
+/// What is wrong with a class's material where one answer has but one.
+constexpr const char *several_materials =
+    "is of a gradation of several materials: mdm verify takes its answer with the gradation, here give the "
+    "answer to a gradation of one";
+
 std::string class_place(std::size_t j) {
   return fmt::format("classes[{}].", j);
 }
@@ -163,6 +168,8 @@ void AnswerReader::add_class(AnswerSample &sample, const Json &from, std::size_t
   c.quantity = natural(from, "quantity", place);
   if (c.quantity == 0)
     return;
+  if (from.contains("material"))
+    c.material = text(from, "material", place);
   c.lower = opening(from, "lower", "lower_power", place);
   c.upper = opening(from, "upper", "upper_power", place);
   c.mass = achieved != nullptr ? fraction((*achieved)[j].get_ref<const std::string &>(), place + "achieved")
@@ -221,6 +228,8 @@ StatedParticles AnswerReader::particles() const {
     const std::string place = class_place(j);
     if (member(classes[j], "quantity", place).is_null())
       return {};
+    if (classes[j].contains("material"))
+      refuse(place + "material", several_materials);
     stated.classes.push_back({natural(classes[j], "quantity", place), std::nullopt});
     const Json &size = member(classes[j], "size", place);
     if (!size.is_null())
@@ -230,7 +239,9 @@ StatedParticles AnswerReader::particles() const {
   return stated;
 }
 
-AnswerSample read_answer(std::string_view content, const std::string &file) {
+namespace {
+
+AnswerSample read_any_answer(std::string_view content, const std::string &file, bool takes_materials) {
   const Source source(file);
   content = without_byte_order_mark(content);
   const std::size_t first = std::min(content.find_first_not_of(" \t\r\n"), content.size());
@@ -241,12 +252,26 @@ AnswerSample read_answer(std::string_view content, const std::string &file) {
                   "this is neither the JSON answer of mdm solve nor a file of particles: give one of them");
   try {
     const Json answer = json_tree(content);
-    return AnswerReader(answer).sample();
+    AnswerSample sample = AnswerReader(answer).sample();
+    for (const AnswerSample::Class &c : sample.classes)
+      if (!c.material.empty() && !takes_materials)
+        refuse(class_place(c.number - 1) + "material", several_materials);
+    return sample;
   } catch (const JsonError &error) {
     source.refuse(error.line, error.what());
   } catch (const InputError &error) {
     source.refuse(line, error.what());
   }
+}
+
+} // namespace
+
+AnswerSample read_answer(std::string_view content, const std::string &file) {
+  return read_any_answer(content, file, false);
+}
+
+AnswerSample read_material_answer(std::string_view content, const std::string &file) {
+  return read_any_answer(content, file, true);
 }
 
 } // namespace mdm

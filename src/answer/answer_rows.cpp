@@ -6,14 +6,19 @@ namespace mdm {
 
 std::vector<AnswerRow> answer_rows(const Match &m) {
   const Gradation &g = m.gradation;
-  std::vector<AnswerRow> rows(g.classes());
-  for (std::size_t j = 0; j < rows.size(); ++j)
-    rows[j] = {j == 0 ? g.opening_text(0) : rows[j - 1].upper, g.opening_text(j + 1), to_decimal(g.mass(j)),
-               "", nullptr};
-  for (std::size_t j = 0; m.has_answer() && j < rows.size(); ++j) {
-    rows[j].quantity = to_string(m.sample->quantities[j]);
+  std::vector<AnswerRow> rows;
+  rows.reserve(g.classes());
+  for (std::size_t j = 0; j < g.classes(); ++j) {
+    if (!g.is_class(j))
+      continue;
+    const bool follows = j > 0 && g.is_class(j - 1);
+    rows.push_back({j, g.material(j), follows ? rows.back().upper : g.opening_text(j), g.opening_text(j + 1),
+                    to_decimal(g.mass(j)), "", nullptr});
+    if (!m.has_answer())
+      continue;
+    rows.back().quantity = to_string(m.sample->quantities[j]);
     if (const std::optional<Enclosure> &size = m.sample->sizes[j])
-      rows[j].size = &*size;
+      rows.back().size = &*size;
   }
   return rows;
 }

@@ -13,6 +13,8 @@ namespace mdm {
 
 /// One class of the gradation as all forms show it.
 struct AnswerRow {
+  std::size_t index = 0; ///< of the class, from 0
+  std::string material;  ///< empty: it has no name
   std::string lower, upper, mass;
   std::string quantity;            ///< empty: no answer
   const Enclosure *size = nullptr; ///< nothing for an empty class

@@ -1,5 +1,6 @@
 #include "answer/answer_sample.hpp"
 
+#include "gradation/material_gradation.hpp"
 #include "gradation/shown.hpp"
 #include "number/common_denominator.hpp"
 #include "particles/particle_format.hpp"
@@ -16,11 +17,13 @@ namespace mdm {
 namespace {
 
 /// The factor of the class of g between the two bounds.
-Rational factor(const Gradation &g, const RootSize &lower, const RootSize &upper) {
+Rational factor(const Gradation &g, const std::string &material, const RootSize &lower,
+                const RootSize &upper) {
   if (!g.has_factors())
     return 1;
   for (std::size_t j = 0; j < g.classes(); ++j)
-    if (compare(g.opening(j), lower) == 0 && compare(g.opening(j + 1), upper) == 0)
+    if (g.is_class(j) && g.material(j) == material && compare(g.opening(j), lower) == 0 &&
+        compare(g.opening(j + 1), upper) == 0)
       return g.factor(j);
   throw InputError(fmt::format("the answer's class ({}, {}] is none of the gradation, whose classes have "
                                "factors: give the gradation that was solved",
@@ -100,6 +103,17 @@ RootSize in_unit(const RootSize &x, const Rational &factor) {
   return {x.power * power(factor, x.degree), x.degree};
 }
 
+/// Adds a class's particles of one size.
+void add_one_size(Description &description, const AnswerSample::Class &c, const RootSize &size) {
+  const Gradation &g = description.gradation();
+  if (g.materials().empty())
+    description.add(size, c.quantity);
+  else if (const MaterialRows *const rows = find_material(g, c.material))
+    description.add(size, c.quantity, *rows);
+  else
+    description.add_foreign(c.material, c.quantity);
+}
+
 } // namespace
 
 void check_power(const AnswerSample &answer, const MassLaw &law) {
@@ -122,7 +136,8 @@ AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const
   std::vector<std::size_t> wrong; // classes whose size is not in its enclosure
   for (const AnswerSample::Class &c : answer.classes) {
     const RootSize lower = in_unit(c.lower, unit), upper = in_unit(c.upper, unit);
-    const Rational mass = c.mass / (factor(result.description.gradation(), lower, upper) * c.quantity);
+    const Rational mass =
+        c.mass / (factor(result.description.gradation(), c.material, lower, upper) * c.quantity);
     particles += c.quantity;
     if (!is_power) {
       const Rational one = answer.scale * mass, lo = c.size_lo * unit; // f(x)
@@ -144,7 +159,7 @@ AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const
       if (!objection.empty())
         result.objections.push_back(fmt::format("class {} of the answer: {}", c.number, objection));
     }
-    result.description.add(size, c.quantity);
+    add_one_size(result.description, c, size);
     result.particles.emplace_back(size, c.quantity);
   }
   if (!wrong.empty())

@@ -16,7 +16,8 @@ namespace mdm {
 struct AnswerSample {
   /// A class with particles.
   struct Class {
-    std::size_t number; ///< in the answer, from 1
+    std::size_t number;   ///< in the answer, from 1
+    std::string material; ///< empty: it has no name
     RootSize lower, upper;
     Rational mass;
     Integer quantity; ///< 1 or more
@@ -38,8 +39,11 @@ struct AnswerSample {
 };
 
 /// Reads an mdm-answer-1. `file` precedes messages.
-/// \throws InputError if it is none, or has no sample (its status is none or unknown)
+/// \throws InputError if it is none, or has no sample (its status is none or unknown), or is of several
+/// materials
 AnswerSample read_answer(std::string_view content, const std::string &file);
+/// The same of an answer whose classes may have materials.
+AnswerSample read_material_answer(std::string_view content, const std::string &file);
 
 /// \throws InputError if the answer's scale is not to the power that the law has it to
 void check_power(const AnswerSample &answer, const MassLaw &law);

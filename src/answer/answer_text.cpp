@@ -117,8 +117,11 @@ void add_table(TextBuffer &out, const Match &m) {
   const std::vector<AnswerRow> rows = answer_rows(m);
   const std::vector<Column> columns = m.tolerance ? tolerant_columns(m) : exact_columns(rows);
   const std::string unit(name(m.gradation.unit()));
+  const bool has_materials = !m.gradation.materials().empty();
   TextTable table;
   table.add_column("class", '>');
+  if (has_materials)
+    table.add_column("material", '<');
   table.add_column("sizes, " + unit + " (above, up to]", '<');
   for (const Column &column : columns)
     table.add_column(column.title, '>');
@@ -126,7 +129,9 @@ void add_table(TextBuffer &out, const Match &m) {
   table.add_column("size of a particle (" + unit + ")", '<');
   for (std::size_t j = 0; j < rows.size(); ++j) {
     table.add_line();
-    table.add(std::to_string(j + 1));
+    table.add(std::to_string(rows[j].index + 1));
+    if (has_materials)
+      table.add(printable(rows[j].material));
     table.add(rows[j].sizes());
     for (const Column &column : columns)
       table.add(column.entries[j]);

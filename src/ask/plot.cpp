@@ -155,7 +155,7 @@ void DrawnSample::add_to(GradationFigure &figure) const {
                                   n, drawn_size(gradation_.opening(j + 1))});
   for (const auto &[size, mass] : gathered_.sieves().masses())
     figure.sizes.push_back({size, mass});
-  figure.outside = d.below().count + d.above().count + d.unplaced().count;
+  figure.outside = d.outside() + d.unplaced().count;
 }
 
 } // namespace mdm

@@ -40,7 +40,7 @@ SampleVerdict SampleVerifier::verdict(const std::string &name) const {
   const Gradation &g = d.gradation();
   SampleVerdict said{verdict == Verdict::undecided ? std::nullopt : std::optional(verdict == Verdict::match),
                      d.particles(),
-                     d.below().count + d.above().count,
+                     d.outside(),
                      v.error.maximum,
                      {},
                      verification_json(v),

@@ -32,7 +32,7 @@ Verdict check(const Input &gradation_file, const Input &certificate_file) {
               question_in_words(certificate),
               {}};
     }
-    const Gradation gradation = read_gradation(gradation_file.text);
+    const Gradation gradation = read_gradation_or_materials(gradation_file.text);
     reading = &certificate_file;
     const Certificate certificate = read_certificate(certificate_file.text);
     const auto verify = certificate.tree.empty() ? verify_exact : verify_tolerant;
@@ -53,7 +53,7 @@ Verdict check(const Input &gradation_file, const Input &certificate_file) {
 
 Verdict print(const Input &gradation) {
   try {
-    std::string csv = canonical_csv(read_gradation(gradation.text));
+    std::string csv = canonical_csv(read_gradation_or_materials(gradation.text));
     csv.pop_back();
     return {Verdict::accepted, std::move(csv), {}, {}};
   } catch (const Malformed &error) {

@@ -20,6 +20,7 @@ struct Row {
   mpq_class size = 0, value = 0, most = 0, factor = 1, tolerance = 0;
   std::string_view place;
   bool is_pan = false;
+  std::string material = {};
 };
 
 /// Turns the percentages or fractions P_j passing, ascending by size, into masses. Where they descend a mass
@@ -43,7 +44,7 @@ void passing_to_masses(std::vector<Row> &rows, const mpq_class &full, bool has_f
 Gradation complete(std::vector<Row> rows, bool has_tolerances) {
   Gradation gradation;
   bool some = false;
-  for (auto &[size, mass, most, factor, tolerance, place, is_pan] : rows) {
+  for (auto &[size, mass, most, factor, tolerance, place, is_pan, material] : rows) {
     demand_form(gradation.openings.empty() ? size >= 0 : size > gradation.openings.back(), place,
                 "a size that is negative, there twice or out of order: give each sieve once, sorted");
     demand_form(mass >= 0, place,
@@ -61,6 +62,22 @@ Gradation complete(std::vector<Row> rows, bool has_tolerances) {
               "the largest sieve retains something: add one that retains nothing");
   demand_form(some, rows.front().place, "nothing is retained anywhere: give the masses");
   return gradation;
+}
+
+/// The same of rows that are sorted by material: each material's are a gradation of its own.
+Gradation complete_materials(const std::vector<Row> &rows) {
+  Gradation all;
+  for (auto begin = rows.begin(); begin != rows.end();) {
+    const auto end =
+        std::find_if(begin, rows.end(), [&](const Row &row) { return row.material != begin->material; });
+    const Gradation part = complete({begin, end}, false);
+    all.openings.insert(all.openings.end(), part.openings.begin(), part.openings.end());
+    all.masses.insert(all.masses.end(), part.masses.begin(), part.masses.end());
+    all.factors.insert(all.factors.end(), part.factors.begin(), part.factors.end());
+    all.materials.insert(all.materials.end(), part.openings.size(), begin->material);
+    begin = end;
+  }
+  return all;
 }
 
 std::string lower_case(std::string_view text) {
@@ -170,7 +187,9 @@ public:
                 "fewer than two rows below a header (one of a band): give the sieves");
     if (header_[0] == "size_phi")
       make_openings(is_band);
-    std::stable_sort(rows_.begin(), rows_.end(), [](const Row &x, const Row &y) { return x.size < y.size; });
+    std::stable_sort(rows_.begin(), rows_.end(), [](const Row &x, const Row &y) {
+      return x.material == y.material ? x.size < y.size : x.material < y.material;
+    });
     const std::vector<Limit> limits = is_band ? make_middle() : std::vector<Limit>();
     const std::string &kind = header_[1];
     const mpq_class full = kind == "passing_fraction" ? 1 : 100;
@@ -181,7 +200,9 @@ public:
     if (kind.starts_with("passing_") || kind.starts_with("cumulative_")) // also cumulative_number_percent
       passing_to_masses(rows_, full, has_column("factor"));
     const bool implied_pan = rows_.size() > written;
-    Gradation gradation = complete(std::move(rows_), has_column("tolerance_percent"));
+    Gradation gradation = has_column("material")
+                              ? complete_materials(rows_)
+                              : complete(std::move(rows_), has_column("tolerance_percent"));
     gradation.root = root_.get_ui();
     gradation.limits = limits;
     gradation.sizes = header_[0];
@@ -240,7 +261,7 @@ private:
   /// other sieves, because a curve does not fall; where they contradict each other, the lower ones count.
   std::vector<Limit> make_middle() {
     std::vector<Limit> limits;
-    for (const auto &[size, least, most, factor, tolerance, place, is_pan] : rows_) {
+    for (const auto &[size, least, most, factor, tolerance, place, is_pan, material] : rows_) {
       demand_form(0 <= least && least <= 100 && 0 <= most && most <= 100, place,
                   "a limit of what passes is not from 0 to 100 percent: correct it");
       demand_form(size != 0 || least == 0, place, "nothing passes the pan: write 0");
@@ -269,7 +290,7 @@ private:
                                    {"mass", "retained_g", "retained_percent", "retained_fraction",
                                     "cumulative_retained_percent", "passing_percent", "passing_fraction",
                                     "number_percent", "cumulative_number_percent"},
-                                   {"tolerance_percent", "factor"}};
+                                   {"tolerance_percent", "factor", "material"}};
     static const Fields band = {"passing_min_percent", "passing_max_percent"};
     demand_form(fields.size() >= 2, line, "a single column: begin with a header such as size_mm,mass");
     const bool is_band = std::equal(fields.begin() + 1, fields.end(), band.begin(), band.end());
@@ -284,6 +305,10 @@ private:
     }
     demand_form(!is_number_column(fields[1]) || fields.size() == 2, line,
                 "no column may follow one of shares by number: drop it");
+    demand_form(std::count(fields.begin(), fields.end(), "material") == 0 ||
+                    ((fields[1] == "mass" || fields[1] == "retained_g") &&
+                     std::count(fields.begin(), fields.end(), "tolerance_percent") == 0),
+                line, "beside a material there is mass or retained_g, and no tolerance: give these");
     header_ = fields;
   }
 
@@ -297,10 +322,19 @@ private:
     row.size = row.is_pan ? mpq_class(0) : size(fields[0], line);
     row.value = number(fields[1], line);
     for (std::size_t i = 2; i < fields.size(); ++i)
-      (header_[i] == "factor"              ? row.factor
-       : header_[i] == "tolerance_percent" ? row.tolerance
-                                           : row.most) = number(fields[i], line);
+      if (header_[i] == "material")
+        row.material = material(fields[i], line);
+      else
+        (header_[i] == "factor"              ? row.factor
+         : header_[i] == "tolerance_percent" ? row.tolerance
+                                             : row.most) = number(fields[i], line);
     rows_.push_back(std::move(row));
+  }
+
+  static std::string material(const std::string &field, std::string_view line) {
+    demand_form(!field.empty() && field.size() <= 100 && trimmed(field).size() == field.size(), line,
+                "is no name of a material: give 1 to 100 bytes without spaces around them", field);
+    return field;
   }
 
   /// The opening in the file's unit (mm for inches and names of sieves), or phi.
@@ -429,6 +463,13 @@ Gradation read_any_gradation(std::string_view text) {
 } // namespace
 
 Gradation read_gradation(std::string_view text) {
+  Gradation gradation = read_gradation_or_materials(text);
+  demand_form(gradation.materials.empty(), text,
+              "several materials, which only certificates of exact matches are of: give a gradation of one");
+  return gradation;
+}
+
+Gradation read_gradation_or_materials(std::string_view text) {
   Gradation gradation = read_any_gradation(text);
   demand_form(!is_number_column(gradation.values), text,
               "has shares of the number of particles, not of their mass: give one by mass", gradation.values);

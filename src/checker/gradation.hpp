@@ -25,6 +25,8 @@ struct Gradation {
   // The file's own way to say it.
   std::string sizes = "size_mm", values = "mass"; ///< the names of its columns, or what JSON has for them
   bool has_factors = false, implied_pan = false;
+  /// Of several materials, that of each row: rows are sorted by material, and openings ascend within each.
+  std::vector<std::string> materials;
 
   /// mm, um or m: that of the openings.
   std::string unit() const;
@@ -32,6 +34,9 @@ struct Gradation {
 
 /// Reads a gradation file, CSV or JSON (section 4).
 Gradation read_gradation(std::string_view text);
+
+/// The same, or one of several materials (section 14).
+Gradation read_gradation_or_materials(std::string_view text);
 
 /// Reads one by number (section 13), whose masses are the shares by number.
 Gradation read_number_gradation(std::string_view text);

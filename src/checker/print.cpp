@@ -17,6 +17,14 @@ std::string number(const mpq_class &value) {
   return short_text(plain_decimal(value));
 }
 
+/// A text in quotes, those in it doubled.
+std::string quoted_field(const std::string &text) {
+  std::string field = "\"";
+  for (const char c : text)
+    field += c == '"' ? "\"\"" : std::string{c};
+  return field + "\"";
+}
+
 std::string size(const Gradation &gradation, const mpq_class &Y) {
   return short_text(opening_text(gradation, Y));
 }
@@ -46,12 +54,14 @@ std::string canonical_csv(const Gradation &gradation) {
     return text;
   }
   const bool has_tolerances = !gradation.tolerances.empty();
+  const bool has_materials = !gradation.materials.empty();
   std::string text = sizes + ",mass" + (has_tolerances ? ",tolerance_percent" : "") +
-                     (gradation.has_factors ? ",factor" : "") + "\n";
+                     (gradation.has_factors ? ",factor" : "") + (has_materials ? ",material" : "") + "\n";
   for (std::size_t j = 0; j < gradation.openings.size(); ++j)
     text += size(gradation, gradation.openings[j]) + "," + number(gradation.masses[j]) +
             (has_tolerances ? "," + number(gradation.tolerances[j]) : "") +
-            (gradation.has_factors ? "," + number(gradation.factors[j]) : "") + "\n";
+            (gradation.has_factors ? "," + number(gradation.factors[j]) : "") +
+            (has_materials ? "," + quoted_field(gradation.materials[j]) : "") + "\n";
   return text;
 }
 

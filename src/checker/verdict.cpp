@@ -56,12 +56,23 @@ void add_tolerances(Parts &parts, const Certificate &c, const Gradation &gradati
   parts.add("passing within the file's limits", c.band_file);
 }
 
+/// The names, each of which has several rows.
+std::string materials_in_words(const std::vector<std::string> &of_rows) {
+  std::string names;
+  for (std::size_t row = 0; row < of_rows.size(); ++row)
+    if (row == 0 || of_rows[row] != of_rows[row - 1])
+      names += (row == 0 ? "" : ", ") + quoted_name(of_rows[row]);
+  return "classes of the materials " + names;
+}
+
 void add_gradation(Parts &parts, const Gradation &gradation) {
   const bool inches = gradation.sizes == "size_in", names = gradation.sizes == "sieve";
   const std::string from = inches ? ", from inches" : names ? ", from sieve names" : "";
   parts.add("sizes in " + (gradation.sizes == "size_phi" ? "phi" : gradation.unit() + from));
   if (gradation.has_factors)
     parts.add("factors from the file");
+  if (!gradation.materials.empty())
+    parts.add(materials_in_words(gradation.materials));
   if (gradation.implied_pan)
     parts.add("a pan implied below the finest sieve");
   const bool percents = gradation.values == "retained_percent";

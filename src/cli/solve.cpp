@@ -14,6 +14,7 @@
 #include "files/progress_line.hpp"
 #include "files/sample_file.hpp"
 #include "files/standard_streams.hpp"
+#include "gradation/material_gradation.hpp"
 #include "gradation/number_gradation.hpp"
 #include "match/costly_fines.hpp"
 #include "proof/coq_file.hpp"
@@ -67,6 +68,10 @@ struct Target {
 Target target(const SolveCommand &c, const Question &question, const std::string &band, std::string content) {
   if (!c.file)
     return {in_file(c.flags.source(c.file), [&] { return middle_of(*question.band); }), band, ""};
+  if (is_material_gradation(content)) {
+    Gradation g = read_material_gradation(content, shown_name(*c.file));
+    return {std::move(g), std::move(content), ""};
+  }
   UnderstoodGradation read = understand_gradation(content, shown_name(*c.file), c.reading.reading());
   return {std::move(read.gradation), std::move(content),
           read.is_canonical ? "" : "mdm-check does not read this file as it was read here"};
@@ -88,7 +93,8 @@ std::optional<SideFile> readable_gradation(const SolveCommand &c, const Target &
 
 /// A hint where most particles are in classes that hold little mass.
 std::string hint(const SolveCommand &c, const Match &m) {
-  const std::optional<CostlyFines> fines = c.file ? costly_fines(m) : std::nullopt;
+  const bool can_cut = c.file && m.gradation.materials().empty();
+  const std::optional<CostlyFines> fines = can_cut ? costly_fines(m) : std::nullopt;
   if (!fines)
     return "";
   const auto percent = [](const Rational &share) { return approximate(Rational(share * 100), 3) + " %"; };
@@ -247,6 +253,24 @@ std::string idle_for_numbers(const SolveCommand &c) {
   return c.reading.given();
 }
 
+/// An option that has no use for a gradation of several materials; empty: none.
+std::string idle_for_materials(const SolveCommand &c) {
+  const std::pair<const char *, bool> given[] = {{"tolerance", !c.flags.tolerances.empty()},
+                                                 {"band", c.flags.band.has_value()},
+                                                 {"pan-size", c.flags.pan_size.has_value()},
+                                                 {"cut-below", c.flags.cut_below.has_value()},
+                                                 {"particles", c.budget.particles.has_value()},
+                                                 {"grid", c.budget.grid.has_value()},
+                                                 {"by", c.budget.by.has_value()},
+                                                 {"coq", c.coq.has_value()},
+                                                 {"seed", c.seed.has_value()},
+                                                 {"spread", c.spread}};
+  for (const auto &[name, is_given] : given)
+    if (is_given)
+      return option(name);
+  return c.reading.given();
+}
+
 Exit run(const SolveCommand &c) {
   check_files(c);
   std::string content;
@@ -255,6 +279,8 @@ Exit run(const SolveCommand &c) {
     content = read_file(*c.file, max_gradation_bytes);
     if (is_number_gradation(content))
       return solve_number({*c.file, content, c.flags, c.output, c.proof, idle_for_numbers(c)});
+    if (is_material_gradation(content))
+      refuse_beside_materials(idle_for_materials(c), *c.file);
   }
   std::string band;
   const ReadBand read_band = [&band](const std::string &path) {
@@ -309,7 +335,8 @@ Run add_solve(CLI::App &app) {
   command.add_option(
       "FILE", c->file,
       "gradation: CSV, JSON, AGS4, or another file that mdm convert reads, or CSV with shares by "
-      "number (number_percent, cumulative_number_percent); - for standard input; needed "
+      "number (number_percent, cumulative_number_percent), or CSV of several materials (material); "
+      "- for standard input; needed "
       "unless there is a --band");
   c->flags.add_to(command);
   c->budget.add_to(command);

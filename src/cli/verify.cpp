@@ -8,6 +8,7 @@
 #include "cli/plot_flag.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/solve_flags.hpp"
+#include "cli/verify_materials.hpp"
 #include "cli/verify_packing.hpp"
 #include "files/byte_source.hpp"
 #include "files/file_lines.hpp"
@@ -17,6 +18,7 @@
 #include "files/sample_file.hpp"
 #include "files/sample_proof_files.hpp"
 #include "files/standard_streams.hpp"
+#include "gradation/material_gradation.hpp"
 #include "particles/particle_reader.hpp"
 #include "plot/timesteps_figure.hpp"
 #include "text/option_name.hpp"
@@ -147,6 +149,11 @@ void check(const VerifyCommand &c) {
     SampleProofFiles::check(*c.proof, {c.gradation, c.sample, c.output.path(), c.asked.band.value_or("-")});
 }
 
+/// An option that has no use with a gradation of several materials, but those of VerifyTexts; empty: none.
+std::string idle_in_verify(const VerifyCommand &c) {
+  return c.proof ? option("proof") : c.over_time ? option("over-time") : c.reading.given();
+}
+
 int run(const VerifyCommand &c) {
   check(c);
   if (is_disc_sizes_file(c.gradation) && c.proof)
@@ -156,8 +163,10 @@ int run(const VerifyCommand &c) {
     return verify_packing(c.gradation, c.sample, c.output);
   static_cast<void>(c.asked.gradation.question()); // what is wrong is said before a file is read
   refuse_sample(c.gradation);
-  UnderstoodGradation read = understand_gradation(read_file(c.gradation, max_gradation_bytes),
-                                                  shown_name(c.gradation), c.reading.reading());
+  const std::string content = read_file(c.gradation, max_gradation_bytes);
+  if (is_material_gradation(content))
+    return verify_materials({c.gradation, content, c.sample, c.asked, c.output, idle_in_verify(c)});
+  UnderstoodGradation read = understand_gradation(content, shown_name(c.gradation), c.reading.reading());
   std::optional<Envelope> band;
   if (c.asked.band)
     band = band_in_file(*c.asked.band);
@@ -197,8 +206,9 @@ Run add_verify(CLI::App &app) {
   CLI::App &command = *app.add_subcommand("verify", "Whether a sample of particles matches a gradation");
   command
       .add_option("GRADATION", c->gradation,
-                  "gradation: CSV, JSON, AGS4, or another file that mdm convert reads; - for standard input; "
-                  "or sizes of discs that mdm generate "
+                  "gradation: CSV, JSON, AGS4, or another file that mdm convert reads, or CSV of several "
+                  "materials (material), with which SAMPLE has a column material too, or is an answer; - for "
+                  "standard input; or sizes of discs that mdm generate "
                   "--sizes wrote, "
                   "of which SAMPLE is a packing that mdm pack wrote")
       ->required();

@@ -55,6 +55,7 @@ public:
     sink_.add_at(place, unit, diameter);
     ++count;
   }
+  void set_material(const std::string &name) override { sink_.set_material(name); }
   bool wants_places() const override { return sink_.wants_places(); }
   void set_box(const ParticleBox &box) override { sink_.set_box(box); }
 

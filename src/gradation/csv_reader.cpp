@@ -19,6 +19,10 @@ namespace {
 
 constexpr std::string_view tolerance_column = "tolerance_percent";
 constexpr std::string_view factor_column = "factor";
+constexpr std::string_view material_column = "material";
+
+/// The kinds of gradations that canonical CSV has, of which a reader takes one.
+enum class CsvKind { masses, numbers, materials };
 
 /// The most bits of all openings of a file of phi: it bounds the memory.
 constexpr std::uint64_t max_phi_bits = std::uint64_t{1} << 31;
@@ -53,8 +57,8 @@ std::vector<std::string> header_fields(std::string_view content) {
 class CsvReader {
 public:
   CsvReader(std::string_view content, const Source &source, const std::string &id, PhiReading phi,
-            bool of_numbers = false)
-      : rows_(content, source), source_(source), phi_reading_(phi), of_numbers_(of_numbers) {
+            CsvKind kind = CsvKind::masses)
+      : rows_(content, source), source_(source), phi_reading_(phi), kind_(kind) {
     table_.id = id;
   }
 
@@ -84,26 +88,40 @@ private:
     if (names.size() < 2)
       rows_.refuse("a second column is missing: use one of " + mass_column_names());
     const MassColumn *const of_numbers = find_number_column(names[1]);
-    if (of_numbers != nullptr && !of_numbers_)
+    if (of_numbers != nullptr && kind_ != CsvKind::numbers)
       rows_.refuse(
           fmt::format("{} is a share of the number of particles, not of their mass: mdm solve "
                       "finds the smallest set with such shares, and mdm describe FILE tells those of the "
                       "mass; here give one of the columns {}",
                       names[1], mass_column_names()));
-    if (of_numbers_ && names.size() > 2)
+    if (kind_ == CsvKind::numbers && names.size() > 2)
       rows_.refuse(
           fmt::format("column {} has no use beside {}: leave it out", in_quotes(names[2]), names[1]));
-    table_.column = of_numbers_ ? of_numbers : find_mass_column(names[1]);
+    table_.column = kind_ == CsvKind::numbers ? of_numbers : find_mass_column(names[1]);
     if (table_.column == nullptr)
       rows_.refuse(fmt::format("second column {} is unknown: use one of {}", in_quotes(names[1]),
                                mass_column_names()));
     for (std::size_t i = 2; i < names.size(); ++i)
       read_optional_column(i);
+    if (kind_ == CsvKind::materials && table_.column->full != 0)
+      rows_.refuse(fmt::format("{} is a part of a whole, and beside {} nothing says of which: give mass or "
+                               "retained_g, in one unit for all materials",
+                               names[1], material_column));
+    if (kind_ == CsvKind::materials && tolerance_ != 0)
+      rows_.refuse(
+          fmt::format("column {} has no use beside {}: leave it out", tolerance_column, material_column));
   }
 
   void read_optional_column(std::size_t i) {
     const std::string &name = rows_.fields()[i];
-    std::size_t *place = name == tolerance_column ? &tolerance_ : name == factor_column ? &factor_ : nullptr;
+    std::size_t *place = name == tolerance_column  ? &tolerance_
+                         : name == factor_column   ? &factor_
+                         : name == material_column ? &material_
+                                                   : nullptr;
+    if (place == &material_ && kind_ != CsvKind::materials)
+      rows_.refuse(fmt::format("column {} is of a gradation of several materials: mdm solve and mdm verify "
+                               "take it; here give the rows of one material, without this column",
+                               material_column));
     if (place == nullptr)
       rows_.refuse(fmt::format("column {} is unknown: after the first two there may be {} and {}",
                                in_quotes(name), tolerance_column, factor_column));
@@ -126,6 +144,17 @@ private:
       table_.tolerances.push_back(rows_.number(tolerance_column, tolerance_));
     if (factor_ != 0)
       table_.factors.push_back(rows_.number(factor_column, factor_));
+    if (material_ != 0)
+      table_.materials.push_back(material_name());
+  }
+
+  const std::string &material_name() const {
+    constexpr std::size_t most_bytes = 100;
+    const std::string &name = rows_.fields()[material_];
+    if (name.empty() || name.size() > most_bytes || trimmed(name).size() != name.size())
+      rows_.refuse(fmt::format("material {} is no name: give 1 to {} bytes without spaces around them",
+                               in_quotes(name), most_bytes));
+    return name;
   }
 
   void read_size() {
@@ -162,11 +191,12 @@ private:
   CsvRows rows_;
   const Source &source_;
   PhiReading phi_reading_;
-  bool of_numbers_;
+  CsvKind kind_;
   std::vector<std::optional<Rational>> phi_; ///< of exact phi sizes; nothing for the pan
   Table table_;
   std::size_t tolerance_ = 0; ///< index of the column, 0 if there is none
   std::size_t factor_ = 0;    ///< index of the column, 0 if there is none
+  std::size_t material_ = 0;  ///< index of the column, 0 if there is none
 };
 
 } // namespace
@@ -184,7 +214,18 @@ bool is_number_csv(std::string_view content) {
 }
 
 Table read_number_csv(std::string_view content, const Source &source, const std::string &id) {
-  return CsvReader(content, source, id, PhiReading::exact, true).read();
+  return CsvReader(content, source, id, PhiReading::exact, CsvKind::numbers).read();
+}
+
+bool is_material_csv(std::string_view content) {
+  const std::vector<std::string> fields = header_fields(content);
+  return std::any_of(fields.begin(), fields.end(),
+                     [](const std::string &name) { return find_size_column(name) != nullptr; }) &&
+         std::find(fields.begin(), fields.end(), material_column) != fields.end();
+}
+
+Table read_material_csv(std::string_view content, const Source &source, const std::string &id) {
+  return CsvReader(content, source, id, PhiReading::exact, CsvKind::materials).read();
 }
 
 Table read_csv(std::string_view content, const Source &source, const std::string &id, PhiReading phi) {

@@ -16,6 +16,12 @@ Table read_csv(std::string_view content, const Source &source, const std::string
 /// The same of a gradation by number: after the sizes it has one of the number_columns, and nothing else.
 Table read_number_csv(std::string_view content, const Source &source, const std::string &id);
 
+/// The same of a gradation of several materials, which the column material names.
+Table read_material_csv(std::string_view content, const Source &source, const std::string &id);
+
+/// True where the header has the column material and a canonical column of sizes, also in the wrong order.
+bool is_material_csv(std::string_view content);
+
 /// True where the header is that of canonical CSV with one of the number_columns.
 bool is_number_csv(std::string_view content);
 

@@ -48,7 +48,7 @@ Description::Description(Gradation g, DescriptionOptions options)
     highest_.push_back({x * above, d});
     hair_beyond_.push_back({x * beyond, d});
     const std::size_t j = highest_.size() - 1;
-    if (j > 0 && compare(highest_[j - 1], lowest_[j]) >= 0)
+    if (j > 0 && g_.is_class(j - 1) && compare(highest_[j - 1], lowest_[j]) >= 0)
       throw InputError(fmt::format("a snap of {} makes one of the openings {} and {}: give a smaller one",
                                    shown(options_.snap), shown(g_.opening(j - 1)), shown(g_.opening(j))));
   }
@@ -70,20 +70,26 @@ void Description::note(Outside &side, const RootSize &size, const Integer &quant
     side.first = size;
 }
 
-/// The number of openings that are smaller than the size and not taken as it.
-std::size_t Description::openings_below(const RootSize &size) const {
-  const auto found = std::partition_point(highest_.begin(), highest_.end(), [&size](const RootSize &highest) {
-    return compare(size, highest) > 0;
-  });
+/// The first of these rows whose opening is not smaller than the size, or is taken as it; or their end.
+std::size_t Description::openings_below(const RootSize &size, const MaterialRows &of) const {
+  const auto at = [this](std::size_t row) { return highest_.begin() + static_cast<std::ptrdiff_t>(row); };
+  const auto found = std::partition_point(
+      at(of.begin), at(of.end), [&size](const RootSize &highest) { return compare(size, highest) > 0; });
   return static_cast<std::size_t>(found - highest_.begin());
 }
 
-void Description::add(const RootSize &size, const Integer &quantity) {
+void Description::add_foreign(const std::string &material, const Integer &quantity) {
+  if (foreign_ == 0)
+    foreign_material_ = material;
+  foreign_ += quantity;
+}
+
+void Description::add(const RootSize &size, const Integer &quantity, const MaterialRows &of) {
   assert(size.power > 0 && quantity >= 1);
-  const std::size_t i = openings_below(size);
-  if (i > 0 && compare(size, hair_beyond_[i - 1]) <= 0)
+  const std::size_t i = openings_below(size, of);
+  if (i > of.begin && compare(size, hair_beyond_[i - 1]) <= 0)
     hair_above_ += quantity;
-  if (i == highest_.size()) {
+  if (i == of.end) {
     note(above_, size, quantity);
     return;
   }
@@ -91,39 +97,39 @@ void Description::add(const RootSize &size, const Integer &quantity) {
   const bool snaps = options_.snap > 0 && compare(size, lowest_[i]) >= 0 && compare(size, opening) != 0;
   if (snaps)
     snapped_ += quantity;
-  if (i == 0)
+  if (i == of.begin)
     note(below_, size, quantity);
   else
     weigh(classes_[i - 1], snaps ? opening : size, quantity);
 }
 
-void Description::add(const SizeRange &size, const Integer &quantity) {
+void Description::add(const SizeRange &size, const Integer &quantity, const MaterialRows &of) {
   assert(options_.mass_unit == 1 && size.lo >= 0 && size.lo <= size.hi);
   if (size.is_point()) {
-    add(RootSize{size.hi}, quantity);
+    add(RootSize{size.hi}, quantity, of);
     return;
   }
   knows_sizes_ = false;
   const RootSize lo{size.lo}, hi{size.hi};
-  std::size_t first = openings_below(lo);
+  std::size_t first = openings_below(lo, of);
   const bool is_above = size.is_open || size.lo == 0; // a size is above 0
-  if (is_above && first < highest_.size() && compare(lo, g_.opening(first)) == 0)
+  if (is_above && first < of.end && compare(lo, g_.opening(first)) == 0)
     ++first;
-  const std::size_t last = openings_below(hi);
+  const std::size_t last = openings_below(hi, of);
   const auto mass = [&](const Rational &x) { // an enclosure of f(x)
     constexpr unsigned bits = 256;
     if (!options_.law.is_power()) // no particle of a class is larger than all openings
-      return Interval(options_.law.powered(std::min(x, g_.sizes().back())));
+      return Interval(options_.law.powered(std::min(x, g_.sizes()[of.end - 1])));
     return root(options_.law.powered(x), options_.law.b, bits);
   };
   const bool is_placed = first == last;
   if (!is_placed)
     note(unplaced_, hi, quantity);
-  else if (last == 0)
+  else if (last == of.begin)
     note(below_, hi, quantity);
-  else if (last == highest_.size())
+  else if (last == of.end)
     note(above_, hi, quantity);
-  for (std::size_t i = std::max<std::size_t>(first, 1); i <= last && i < highest_.size(); ++i) {
+  for (std::size_t i = std::max(first, of.begin + 1); i <= last && i < of.end; ++i) {
     Tally &tally = classes_[i - 1];
     const Rational most = mass(size.hi).hi * quantity;
     tally.most.add(numerator(most), denominator(most));
@@ -275,7 +281,7 @@ std::vector<std::optional<Rational>> Description::exact_shares() const {
 }
 
 Integer Description::particles() const {
-  Integer n = below_.count + above_.count + unplaced_.count;
+  Integer n = outside() + unplaced_.count;
   for (const Tally &tally : classes_)
     n += tally.seen.count;
   return n;

@@ -66,12 +66,17 @@ public:
   /// the law is irrational at the size.
   /// \pre size > 0, quantity >= 1
   void add(const Rational &size, const Integer &quantity = 1) { add(RootSize{size, 1}, quantity); }
-  void add(const RootSize &size, const Integer &quantity);
+  void add(const RootSize &size, const Integer &quantity) { add(size, quantity, all_rows()); }
   void add(const Sample &sample);
   /// Adds particles of sizes in a range, each of its own maybe: what is then said holds for all such sizes.
   /// Cost: two binary searches and sums.
   /// \pre 0 <= lo, quantity >= 1, the options' mass_unit is 1
-  void add(const SizeRange &size, const Integer &quantity);
+  void add(const SizeRange &size, const Integer &quantity) { add(size, quantity, all_rows()); }
+  /// The same of a material of the gradation, in whose classes alone its particles can be.
+  void add(const RootSize &size, const Integer &quantity, const MaterialRows &of);
+  void add(const SizeRange &size, const Integer &quantity, const MaterialRows &of);
+  /// Adds particles of a material that the gradation does not have: they lie outside all classes.
+  void add_foreign(const std::string &material, const Integer &quantity);
 
   /// Adds particles that are known by their mass, f(x), under a law by table or sum. \param near  a decimal
   /// next to their size, for reports
@@ -83,6 +88,9 @@ public:
   const Class &of_class(std::size_t j) const { return classes_[j].seen; }
   const Outside &below() const { return below_; } ///< x <= x_1
   const Outside &above() const { return above_; } ///< x > x_n
+  /// Of materials that the gradation does not have; the name of the first that came.
+  const Integer &foreign() const { return foreign_; }
+  const std::string &foreign_material() const { return foreign_material_; }
   /// Particles in a range with an opening in it: none of the other counts has them.
   const Outside &unplaced() const { return unplaced_; }
   /// True if the size of every particle is known, and not its range alone.
@@ -95,7 +103,9 @@ public:
   const Integer &hair_above() const { return hair_above_; }
 
   /// Cond2 (Eq. 10): no particle lies outside all classes, of those whose class is known.
-  bool describes() const { return below_.count == 0 && above_.count == 0; }
+  bool describes() const { return outside() == 0; }
+  /// All particles that lie outside all classes.
+  Integer outside() const { return below_.count + above_.count + foreign_; }
   /// The finest class that certainly has particles of several sizes.
   std::optional<std::size_t> inarticulate_class() const;
   /// Cond3: Cond2, and an opening x_j with x_i <= x_j < x_{i+1} separates neighbouring sizes. (Eq. 11 has the
@@ -120,7 +130,8 @@ private:
   static void see(Class &seen, const RootSize &size, const Integer &quantity);
   static void see(Class &seen, const SizeRange &size, const Integer &quantity);
   void weigh(Tally &tally, const RootSize &size, const Integer &quantity);
-  std::size_t openings_below(const RootSize &size) const;
+  MaterialRows all_rows() const { return {"", 0, highest_.size()}; }
+  std::size_t openings_below(const RootSize &size, const MaterialRows &of) const;
   Interval mass(const Tally &tally) const;
   std::vector<std::optional<Rational>> exact_shares() const;
 
@@ -133,6 +144,8 @@ private:
   std::vector<Tally> classes_;
   std::vector<RootSize> units_ = {{1, 1}}; ///< of masses; none is a rational multiple of another
   Outside below_, above_, unplaced_;
+  Integer foreign_ = 0;
+  std::string foreign_material_;
   bool knows_sizes_ = true;
   Integer snapped_ = 0;
   Integer hair_above_ = 0;

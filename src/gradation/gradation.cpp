@@ -7,6 +7,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cassert>
+#include <optional>
 
 namespace mdm {
 namespace {
@@ -100,7 +102,30 @@ std::string Gradation::opening_text(std::size_t j) const {
   return root() == 1 ? to_decimal(data_.sizes[j]) : opening(j).text();
 }
 
+std::vector<MaterialRows>::const_iterator Gradation::material_of(std::size_t j) const {
+  return std::partition_point(materials_.begin(), materials_.end(),
+                              [j](const MaterialRows &rows) { return rows.end <= j; });
+}
+
+const std::string &Gradation::material(std::size_t j) const {
+  static const std::string none;
+  return materials_.empty() ? none : material_of(j)->name;
+}
+
+bool Gradation::is_class(std::size_t j) const {
+  return j < classes() && (materials_.empty() || j + 1 < material_of(j)->end);
+}
+
+std::size_t Gradation::coarsest() const {
+  std::optional<std::size_t> coarsest;
+  for (std::size_t j = 0; j < classes(); ++j)
+    if (mass(j) != 0 && (!coarsest || powers()[*coarsest] < powers()[j]))
+      coarsest = j;
+  return coarsest.value();
+}
+
 Gradation Gradation::with_pan_size(const Rational &size) const {
+  assert(materials_.empty());
   if (!has_pan())
     throw InputError(
         fmt::format("there is no pan to give a size to, the finest sieve has {}: leave the pan's size out",
@@ -115,6 +140,7 @@ Gradation Gradation::with_pan_size(const Rational &size) const {
 }
 
 Gradation Gradation::cut_below(const Rational &size) const {
+  assert(materials_.empty());
   const auto found = std::find_if(data_.sizes.begin(), data_.sizes.end(), [&](const Rational &power) {
     return RootSize{power, root()}.is_named_by(size);
   });
@@ -132,6 +158,7 @@ Gradation Gradation::cut_below(const Rational &size) const {
 }
 
 Gradation Gradation::from_class(std::size_t j) const {
+  assert(materials_.empty());
   const auto count = static_cast<std::ptrdiff_t>(j);
   Data data = data_;
   drop_front(data.sizes, count);
@@ -146,10 +173,10 @@ Gradation Gradation::scaled(const Rational &factor) const {
   if (factor <= 0)
     throw InputError(fmt::format("size factor {} must be above 0", shown(factor)));
   const Rational powered = power(factor, root());
-  Data data = data_;
-  for (Rational &size : data.sizes)
+  Gradation scaled = *this;
+  for (Rational &size : scaled.data_.sizes)
     size *= powered;
-  return Gradation(std::move(data));
+  return scaled;
 }
 
 } // namespace mdm

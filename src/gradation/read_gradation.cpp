@@ -114,7 +114,9 @@ Table text_table(std::string_view text, const Source &source, const std::string 
   check_reading(reading, source, is_table ? FileKind::table : FileKind::other);
   if (is_xml(text))
     return read_diggs(text, source, id, reading.specimen);
-  const bool is_canonical = is_table && !reading.describes_table() && is_canonical_csv(text);
+  // Neither options nor a header of the wider grammar make several materials one.
+  const bool is_canonical =
+      is_table && (is_material_csv(text) || (!reading.describes_table() && is_canonical_csv(text)));
   if (is_canonical || !is_table)
     check_one_sample(reading, source);
   if (is_canonical)

@@ -49,6 +49,7 @@ struct Table {
   std::vector<Rational> tolerances;
   std::vector<Rational> roundings;      ///< half a unit of the last digit of each value
   std::vector<Rational> mass_roundings; ///< half a unit of the last digit of each share retained
+  std::vector<std::string> materials;   ///< of a gradation of several
   std::vector<std::size_t> lines;       ///< where each row stands
   std::vector<std::string> notes;
   std::string format;               ///< of the file, as reports name it

@@ -23,7 +23,10 @@ std::optional<Rational> height_of(const Solids &solids) {
 }
 
 /// The coarsest class with particles.
-std::size_t coarsest_of(const MatchSample &sample) {
+std::size_t coarsest_of(const Match &match) {
+  if (!match.gradation.materials().empty())
+    return match.gradation.coarsest();
+  const MatchSample &sample = *match.sample;
   std::size_t j = sample.sizes.size() - 1;
   while (!sample.sizes[j])
     --j;
@@ -32,7 +35,7 @@ std::size_t coarsest_of(const MatchSample &sample) {
 
 /// The largest size over D50, where the curve has it.
 std::optional<std::string> size_ratio(const Match &match, const Enclosure &largest) {
-  if (match.gradation.root() != 1)
+  if (match.gradation.root() != 1 || !match.gradation.materials().empty())
     return std::nullopt;
   const GradingCurve curve(match.gradation);
   const Available<PowerProduct> d50 = curve.diameter(ratio(1, 2));
@@ -44,7 +47,7 @@ std::optional<std::string> size_ratio(const Match &match, const Enclosure &large
 
 std::string representative_note(const Match &match, const Rational &height) {
   const MatchSample &sample = *match.sample;
-  const std::size_t j = coarsest_of(sample);
+  const std::size_t j = coarsest_of(match);
   const Enclosure &largest = *sample.sizes[j];
   const Rational times = height / largest.upper();
   const char *const judged = times < 15   ? "below the 15 to 20"

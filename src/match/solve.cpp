@@ -281,9 +281,7 @@ void note_narrow_specimen(Match &match) {
   const std::optional<Rational> width =
       match.question.solids ? narrowest(*match.question.solids) : std::nullopt;
   const Gradation &g = match.gradation;
-  std::size_t j = g.classes() - 1;
-  while (g.masses()[j] == 0)
-    --j;
+  const std::size_t j = g.coarsest();
   if (width && compare(RootSize{*width, 1}, g.opening(j)) < 0)
     match.notes.push_back("the specimen is " + to_decimal(*width) + " " + std::string(name(g.unit())) +
                           " at its narrowest, and the particles of class " + std::to_string(j + 1) +

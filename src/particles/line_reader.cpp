@@ -119,6 +119,14 @@ void ParticleSource::take_id(std::string_view id) {
                        *number));
 }
 
+void ParticleSource::take_material(const std::string &name) {
+  try {
+    sink_.set_material(name);
+  } catch (const InputError &error) {
+    refuse(error.what());
+  }
+}
+
 std::size_t ParticleSource::column(const std::vector<std::string> &names, std::string_view name,
                                    const char *example) const {
   const auto found = std::find(names.begin(), names.end(), name);

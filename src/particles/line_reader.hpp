@@ -61,6 +61,8 @@ public:
   /// \throws InputError if a particle of the timestep has this id already, or it is no whole number
   void take_id(std::string_view id);
   bool wants_places() const { return sink_.wants_places(); }
+  /// The material of the next particles. \throws InputError where materials have no meaning
+  void take_material(const std::string &name);
   /// The lower and upper bounds of the box along each axis. \throws InputError if they are none
   void set_box(const std::array<std::array<std::string, 2>, 3> &bounds, const std::array<bool, 3> &periodic);
   /// Particles whose size is in [lo, hi], and above `lower` if that is no empty text.

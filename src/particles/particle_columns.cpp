@@ -123,6 +123,8 @@ private:
       set_axis(axes_[static_cast<std::size_t>(stem.front() - 'x')], i, name, kind);
     else if (name == "id")
       set(columns_.id, i, name);
+    else if (name == "material")
+      set(columns_.material, i, name);
     else if (name != "type" && passes_over_)
       columns_.passed_over.push_back(name);
     else if (name != "type")

@@ -161,6 +161,8 @@ private:
     const Integer n = quantity();
     if (n == 0)
       return;
+    if (columns_.material)
+      source_.take_material(fields_[*columns_.material]);
     if (columns_.size) {
       const std::string &field = fields_[*columns_.size];
       if (columns_.place && n == 1) {

@@ -220,6 +220,13 @@ std::optional<ParticleFormat> told_format(std::string_view beginning) {
   return std::nullopt;
 }
 
+void ParticleSink::set_material(const std::string &name) {
+  throw InputError(
+      "material " + in_quotes(name) +
+      ": particles with materials are for mdm verify with a gradation of several materials; here "
+      "leave out the column material");
+}
+
 ParticleReader::ParticleReader(const std::string &file, ParticleSink &sink, const ParticleOptions &options)
     : source_(std::make_unique<ParticleSource>(file, sink, options)) {
   if (options.format)

@@ -41,6 +41,8 @@ public:
     static_cast<void>(unit);
     add(diameter, 1);
   }
+  /// The material of the particles that come next. \throws InputError where materials have no meaning
+  virtual void set_material(const std::string &name);
   /// True if places are wanted: they are not kept elsewhere.
   virtual bool wants_places() const { return false; }
   /// The box of the particles, before they come.

@@ -71,21 +71,35 @@ struct ConditionReport {
   std::string reason;
 };
 
+/// The place of class j among all that are classes, from 1.
+std::size_t place_in_classes(const Gradation &g, std::size_t j) {
+  std::size_t place = 0;
+  for (std::size_t i = 0; i <= j; ++i)
+    place += g.is_class(i) ? std::size_t{1} : 0;
+  return place;
+}
+
 std::string class_name(std::size_t j) {
   return "class " + std::to_string(j + 1);
 }
 
 ConditionReport describes(const Description &d) {
   const Gradation &g = d.gradation();
+  const auto opening = [&g](std::size_t j) {
+    return g.materials().empty() ? ", " + g.opening_text(j) + " " + std::string(name(g.unit()))
+                                 : " of their material";
+  };
   std::string reason;
+  const auto add = [&reason](const std::string &part) { reason += (reason.empty() ? "" : "; ") + part; };
   if (d.below().count > 0)
-    reason =
-        fmt::format("{} not larger than the finest opening, {} {}, the first of {}", counted(d.below().count),
-                    g.opening_text(0), name(g.unit()), shown(*d.below().first, g.unit()));
+    add(fmt::format("{} not larger than the finest opening{}, the first of {}", counted(d.below().count),
+                    opening(0), shown(*d.below().first, g.unit())));
   if (d.above().count > 0)
-    reason += fmt::format("{}{} larger than the largest opening, {} {}, the first of {}",
-                          reason.empty() ? "" : "; ", counted(d.above().count), g.opening_text(g.classes()),
-                          name(g.unit()), shown(*d.above().first, g.unit()));
+    add(fmt::format("{} larger than the largest opening{}, the first of {}", counted(d.above().count),
+                    opening(g.classes()), shown(*d.above().first, g.unit())));
+  if (d.foreign() > 0)
+    add(fmt::format("{} of materials that the gradation does not have, the first of {}", counted(d.foreign()),
+                    in_quotes(d.foreign_material())));
   return {"describes", "nothing outside (describes)", d.describes(), reason};
 }
 
@@ -136,13 +150,24 @@ std::array<ConditionReport, 4> conditions(const Verification &v) {
 void add_table(TextBuffer &out, const Verification &v) {
   using Cells = std::vector<std::string>;
   const Gradation &g = v.description.gradation();
+  const bool has_materials = !g.materials().empty();
   std::vector<Cells> lines = {Cells{"class", fmt::format("sizes, {} (above, up to]", name(g.unit())),
                                     "particles", "target %", "found %", "target - found"}};
-  for (std::size_t j = 0; j < g.classes(); ++j)
-    lines.push_back({std::to_string(j + 1), "(" + g.opening_text(j) + ", " + g.opening_text(j + 1) + "]",
-                     to_string(v.description.of_class(j).count), percent_text(v.error.targets[j], v.digits),
-                     found_percent(v.error, j, v.digits), percent_text(v.error.normalised[j], v.digits)});
-  add(out, "{}", text_table(lines, "><>"));
+  if (has_materials)
+    lines.front().insert(std::next(lines.front().begin()), "material");
+  for (std::size_t j = 0; j < g.classes(); ++j) {
+    if (!g.is_class(j))
+      continue;
+    Cells &line = lines.emplace_back(Cells{std::to_string(j + 1)});
+    if (has_materials)
+      line.push_back(printable(g.material(j)));
+    for (const std::string &cell :
+         {"(" + g.opening_text(j) + ", " + g.opening_text(j + 1) + "]",
+          to_string(v.description.of_class(j).count), percent_text(v.error.targets[j], v.digits),
+          found_percent(v.error, j, v.digits), percent_text(v.error.normalised[j], v.digits)})
+      line.push_back(cell);
+  }
+  add(out, "{}", text_table(lines, has_materials ? "><<>" : "><>"));
 }
 
 } // namespace
@@ -171,7 +196,7 @@ std::string headline(const Verification &v) {
   const std::string broken = check_bounds(v.bounds, v.error, v.description.gradation(), v.digits).reason;
   const std::string worst = fmt::format("the largest error of a share is {} %, in {}",
                                         percent_text(v.error.maximum, v.digits), class_name(v.error.worst));
-  const Integer outside = v.description.below().count + v.description.above().count;
+  const Integer outside = v.description.outside();
   switch (v.verdict()) {
   case Verdict::match:
     return is_zero(v.error.maximum) ? "matches exactly" : "matches" + tolerance + ": " + worst;
@@ -228,11 +253,15 @@ std::string verification_text(const Verification &v) {
 std::string verification_csv(const Verification &v) {
   TextBuffer out;
   const Gradation &g = v.description.gradation();
-  add(out, "lower_{0},upper_{0},quantity,target_percent,found_percent,error_percent\n", name(g.unit()));
+  const bool has_materials = !g.materials().empty();
+  add(out, "lower_{0},upper_{0},quantity,target_percent,found_percent,error_percent{1}\n", name(g.unit()),
+      has_materials ? ",material" : "");
   for (std::size_t j = 0; j < g.classes(); ++j)
-    add(out, "{},{},{},{},{},{}\n", g.opening_text(j), g.opening_text(j + 1),
-        to_string(v.description.of_class(j).count), percent_text(v.error.targets[j], v.digits),
-        percent_text(v.error.shares[j], v.digits), percent_text(v.error.normalised[j], v.digits));
+    if (g.is_class(j))
+      add(out, "{},{},{},{},{},{}{}\n", g.opening_text(j), g.opening_text(j + 1),
+          to_string(v.description.of_class(j).count), percent_text(v.error.targets[j], v.digits),
+          percent_text(v.error.shares[j], v.digits), percent_text(v.error.normalised[j], v.digits),
+          has_materials ? "," + csv_field(g.material(j)) : "");
   return fmt::to_string(out);
 }
 
@@ -249,7 +278,10 @@ std::string verification_json(const Verification &v) {
   json.key("smallest").bounds(to_string(v.smallest.lo), to_string(v.smallest.hi));
   json.key("ratio").plain(v.smallest.ratio_text(d.particles()));
   write(json.key("outside").begin_object().key("below"), d.below().count);
-  write(json.key("above"), d.above().count).end_object();
+  write(json.key("above"), d.above().count);
+  if (!g.materials().empty())
+    write(json.key("other_materials"), d.foreign());
+  json.end_object();
   write(json.key("snapped"), d.snapped());
   json.key("conditions").begin_object();
   for (const ConditionReport &c : conditions(v)) {
@@ -260,7 +292,12 @@ std::string verification_json(const Verification &v) {
   json.end_object().end_object();
   json.key("unit").plain(name(g.unit())).key("classes").begin_array();
   for (std::size_t j = 0; j < g.classes(); ++j) {
-    json.begin_object().key("lower").plain(g.opening_text(j)).key("upper").plain(g.opening_text(j + 1));
+    if (!g.is_class(j))
+      continue;
+    json.begin_object();
+    if (!g.materials().empty())
+      json.key("material").string(g.material(j));
+    json.key("lower").plain(g.opening_text(j)).key("upper").plain(g.opening_text(j + 1));
     write(json.key("quantity"), d.of_class(j).count);
     write(json.key("target"), v.error.targets[j]);
     write_number(json.key("found"), v.error.shares[j]);
@@ -273,7 +310,7 @@ std::string verification_json(const Verification &v) {
   if (is_zero(v.error.maximum))
     json.null();
   else
-    json.number(v.error.worst + 1);
+    json.number(place_in_classes(g, v.error.worst));
   write_number(json.key("maximum_error"), v.error.maximum);
   json.key("maximum_error_percent").plain(percent_text(v.error.maximum, v.digits));
   write_number(json.key("total_error"), v.error.total);

@@ -18,11 +18,21 @@ inline constexpr unsigned max_root = 1000;
 inline constexpr std::string_view convert_remedy =
     "mdm convert writes the openings in mm, rounded to 15 digits";
 
+struct Material;
+
+/// The rows begin, ..., end - 1 of a gradation, counted from 0, that are those of one material.
+struct MaterialRows {
+  std::string name;
+  std::size_t begin = 0, end = 0;
+};
+
 /// G of Arnold, Eq. 5-8, complete (Cond1, Eq. 9): openings x_1 < ... < x_n and the masses m_1, ..., m_n
 /// retained on them, n >= 2, x_1 >= 0 (0 is the pan), m_j >= 0, m_n = 0, not all masses 0. Class j = 1, ...,
 /// n - 1 holds the particles with x_j < x <= x_{j+1}: open below, closed above (Eq. 12). Openings are
 /// fractions in all files but those of phi that is no whole number, where their d-th powers are; d is the
-/// root.
+/// root. One of several materials (Theorem 28), which only `mdm solve` and `mdm verify` read, has the
+/// rows of one material behind those of another: openings ascend within each, and its last row retains
+/// nothing and begins no class.
 class Gradation {
 public:
   /// The parts of a gradation; vectors of n entries, ascending by size.
@@ -71,7 +81,14 @@ public:
   const std::vector<Rational> &factors() const { return data_.factors; }
   bool has_factors() const { return !data_.factors.empty(); }
 
-  /// k = n - 1.
+  /// The materials; none: there is one, and it has no name.
+  const std::vector<MaterialRows> &materials() const { return materials_; }
+  /// The name of the material of row j; empty if it has none.
+  const std::string &material(std::size_t j) const;
+  /// False for the last row of a material, which begins no class.
+  bool is_class(std::size_t j) const;
+
+  /// k = n - 1; of several materials some j < k begin no class, and have no mass.
   std::size_t classes() const { return data_.sizes.size() - 1; }
   /// Bounds (lower, upper] and mass of class j, counted from 0.
   /// \throws InputError as sizes()
@@ -80,6 +97,8 @@ public:
   const Rational &mass(std::size_t j) const { return data_.masses[j]; }
   /// c_j of class j, or for j = k what the largest size's row says.
   Rational factor(std::size_t j) const { return has_factors() ? data_.factors[j] : Rational(1); }
+  /// The class with mass that begins at the largest opening.
+  std::size_t coarsest() const;
 
   /// The same gradation with its pan (x_1 = 0) taken as `size`.
   /// \throws InputError if there is no pan or `size` is not in (0, x_2)
@@ -97,13 +116,16 @@ public:
   void check_invariant() const;
 
 private:
+  friend Gradation joined(std::vector<Material> parts, const std::string &id);
   void require_fractions() const {
     if (data_.root != 1)
       refuse_roots();
   }
   [[noreturn]] void refuse_roots() const;
+  std::vector<MaterialRows>::const_iterator material_of(std::size_t j) const;
 
   Data data_;
+  std::vector<MaterialRows> materials_;
 };
 
 } // namespace mdm

@@ -1,0 +1,219 @@
+// Gradations of several materials, from the file to the verdict.
+
+#include "answer.hpp"
+
+using namespace cli_test;
+
+namespace {
+
+const std::string beach =
+    "size_mm,mass,factor,material\n0.5,3,2.65,quartz\n1,5,2.65,quartz\n2,0,2.65,quartz\n"
+    "0.5,1,2.75,shell\n2,1,2.75,shell\n4,0,2.75,shell\n";
+/// The same table in another order, with other words.
+const std::string shuffled =
+    "# a beach\nsize_mm;retained_g;material;factor\n4;0;shell;2,75\n2;0;quartz;2,65\n2;1;\"shell\";2,75\n"
+    "0,5;1;shell;2,75\n1;5;quartz;2,65\n0,5;3;quartz;2,65\n";
+
+/// The verdict on a proof, and on it with a part replaced.
+struct Proved {
+  TemporaryFolder folder;
+  std::string gradation, proof, text;
+
+  explicit Proved(const Arguments &options = {}, int exit_code = 0, const std::string &content = beach) {
+    gradation = folder.write("beach.csv", content);
+    proof = folder / "beach.proof";
+    Arguments arguments{"solve", gradation, "--proof", proof};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = mdm(arguments);
+    INFO(outcome.err);
+    CHECK(outcome.exit_code == exit_code);
+    text = outcome.out;
+  }
+  Outcome verdict() const { return mdm_check(gradation, proof); }
+  int forged(const std::string &part, const std::string &by) const {
+    std::string certificate = read_file(proof);
+    const std::size_t at = certificate.find(part);
+    INFO(certificate);
+    REQUIRE(at != std::string::npos);
+    certificate.replace(at, part.size(), by);
+    const std::string other = folder / "forged.proof";
+    std::ofstream(other) << certificate;
+    return mdm_check(gradation, other).exit_code;
+  }
+  /// The verdict with another gradation file.
+  int beside(const std::string &content) const {
+    return mdm_check(folder.write("other.csv", content), proof).exit_code;
+  }
+};
+
+std::string replaced(std::string text, const std::string &part, const std::string &by) {
+  text.replace(text.find(part), part.size(), by);
+  return text;
+}
+
+} // namespace
+
+TEST_CASE("the smallest set of several materials has a proof", "[cli]") {
+  const Proved proved;
+  CHECK(contains(proved.text, "the smallest set that matches exactly"));
+  CHECK(contains(proved.text, "shell"));
+  const Outcome verdict = proved.verdict();
+  CHECK(verdict.exit_code == 0);
+  CHECK(contains(verdict.out, "factors from the file; classes of the materials \"quartz\", \"shell\")"));
+  CHECK(proved.beside(shuffled) == 0);
+}
+
+TEST_CASE("options of exact matches hold for several materials, and have proofs", "[cli]") {
+  for (const Arguments &options :
+       std::vector<Arguments>{{"--min-per-class", "7"},
+                              {"--at-least", "500"},
+                              {"--size-factor", "3"},
+                              {"--law", "power:5/2"},
+                              {"--solids-volume", "5000"},
+                              {"--specimen", "cylinder:20x40", "--void-ratio", "0.6"}}) {
+    const Proved proved(options);
+    INFO(read_file(proved.proof));
+    CHECK(proved.verdict().exit_code == 0);
+  }
+}
+
+TEST_CASE("a search over several materials that reaches its limit has a proof of the bounds", "[cli]") {
+  const std::string narrow =
+      "size_mm,mass,material\n1,1,a\n1.0001,0,a\n0.7,2,b\n0.70001,0,b\n0.1,3,c\n0.2,0,c\n";
+  const Proved proved({"--max-steps", "20"}, 3, narrow);
+  const Outcome verdict = proved.verdict();
+  CHECK(verdict.exit_code == 0);
+  CHECK(contains(verdict.out, "is between"));
+}
+
+TEST_CASE("forged certificates of several materials are refused", "[cli]") {
+  const Proved proved({"--min-per-class", "2"});
+  const std::string certificate = read_file(proved.proof);
+  const std::string n = certificate.substr(certificate.find("particles ") + 10,
+                                           certificate.find("\nscale") - certificate.find("particles ") - 10);
+  CHECK(proved.forged("particles " + n, "particles " + std::to_string(std::stoi(n) - 1)) == 1);
+  CHECK(proved.forged("particles " + n, "particles " + std::to_string(std::stoi(n) + 1)) == 1);
+  CHECK(proved.forged("class 4 ", "class 3 ") == 1);
+  CHECK(proved.forged("class 5 ", "class 6 ") == 1);
+  CHECK(proved.forged("chain ", "chain 3 ") == 1);
+  CHECK(proved.forged("chain ", "chain 6 ") == 1);
+  CHECK(proved.forged("min-per-class 2\n", "min-per-class 200\n") == 1);
+  CHECK(proved.forged("law 3\n", "law 2\n") == 1);
+  CHECK(proved.forged("min-per-class 2\n", "cut-below 1\nmin-per-class 2\n") == 1);
+  CHECK(proved.forged("end\n", "end\nend\n") == 2);
+  CHECK(proved.forged("min-per-class 2\n", "retained 1\n") == 2);
+}
+
+TEST_CASE("a proof of one gradation of several materials is none of another", "[cli]") {
+  const Proved proved;
+  CHECK(proved.beside(replaced(beach, "0.5,1,2.75,shell", "0.5,1,2.75,quarry")) == 2);
+  CHECK(proved.beside(replaced(beach, "1,5,2.65", "1,5.1,2.65")) == 1);
+  CHECK(proved.beside(replaced(beach, "2,1,2.75", "2,1,2.7")) == 1);
+  std::string swapped = beach;
+  for (const auto &[from, to] : {std::pair{",quartz", ",Quartz"}, std::pair{",shell", ",A shell"}})
+    for (std::size_t at = 0; (at = swapped.find(from, at)) != std::string::npos;)
+      swapped.replace(at, std::string(from).size(), to);
+  CHECK(proved.beside(swapped) == 1); // "A shell" is before "Quartz"
+  CHECK(proved.beside("size_mm,mass,factor\n0.5,3,2.65\n1,5,2.65\n2,0,2.65\n") == 1);
+  CHECK(proved.beside("size_mm,mass\n0.5,3\n1,5\n2,0\n2.5,1\n3,1\n4,0\n") == 1);
+}
+
+TEST_CASE("mdm-check reads the column of materials as mdm does", "[cli]") {
+  const TemporaryFolder folder;
+  for (const std::string &content :
+       {std::string("size_mm,mass,material\n1,1,a\n2,0,a\n4,0,b\n"),
+        std::string("size_mm,mass,material\n1,1,a\n2,0,a\n1,1,b\n4,1,b\n"),
+        std::string("size_mm,mass,material\n1,1,a\n2,0,a\n1,1,a\n"),
+        std::string("size_mm,mass,material\n1,1,\n2,0,\n"), std::string("size_mm,mass,material\n"),
+        std::string("size_mm,mass,material\n1,1,\" a\"\n2,0,\" a\"\n"),
+        "size_mm,mass,material\n1,1," + std::string(101, 'a') + "\n2,0," + std::string(101, 'a') + "\n",
+        std::string("size_mm,mass,material,material\n1,1,a,a\n2,0,a,a\n"),
+        std::string("size_mm,passing_percent,material\n1,0,a\n2,100,a\n"),
+        std::string("size_mm,retained_percent,material\n1,100,a\n2,0,a\n"),
+        std::string("size_mm,number_percent,material\n1,100,a\n2,0,a\n"),
+        std::string("size_mm,mass,tolerance_percent,material\n1,1,1,a\n2,0,1,a\n"),
+        std::string("material,size_mm,mass\na,1,1\na,2,0\n")}) {
+    INFO(content);
+    const std::string file = folder.write("bad.csv", content);
+    check_refused(mdm({"solve", file}));
+    CHECK(mdm_check({"--print", file}).exit_code == 2);
+  }
+  const std::string file = folder.write("beach.csv", shuffled);
+  const Outcome printed = mdm_check({"--print", file});
+  CHECK(printed.out == "size_mm,mass,factor,material\n0.5,3,2.65,\"quartz\"\n1,5,2.65,\"quartz\"\n"
+                       "2,0,2.65,\"quartz\"\n0.5,1,2.75,\"shell\"\n2,1,2.75,\"shell\"\n4,0,2.75,\"shell\"\n");
+  CHECK(mdm_check({"--print", folder.write("printed.csv", printed.out)}).out == printed.out);
+}
+
+TEST_CASE("names of materials are shown as they are, and cannot lie", "[cli]") {
+  const std::string odd =
+      "size_mm,mass,material\n1,1,\"a \"\"b\"\", c\"\n2,0,\"a \"\"b\"\", c\"\n1,2,d\n3,0,d\n";
+  const Proved proved({"--format", "csv"}, 0, odd);
+  CHECK(contains(proved.text, ",\"a \"\"b\"\", c\"\n"));
+  CHECK(contains(proved.verdict().out, "classes of the materials \"a \\\"b\\\", c\", \"d\")"));
+}
+
+TEST_CASE("answers to several materials have all formats", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("beach.csv", beach);
+  const Json answer = solve_json({file});
+  REQUIRE(answer["classes"].size() == 4);
+  CHECK(answer["classes"][1]["material"] == "quartz");
+  CHECK(answer["classes"][2]["material"] == "shell");
+  CHECK(answer["classes"][2]["lower"] == "0.5");
+  CHECK(answer["classes"][2]["upper"] == "2");
+  const std::string csv = mdm({"solve", file, "--format", "csv"}).out;
+  CHECK(contains(csv, "lower_mm,upper_mm,mass,quantity,size_lo_mm,size_hi_mm,material\n0.5,1,3,"));
+  CHECK(lines_of(csv).size() == 5);
+  const std::string plain = folder.write("plain.csv", "size_mm,mass\n1,1\n2,0\n");
+  CHECK_FALSE(contains(mdm({"solve", plain, "--format", "json"}).out, "material"));
+}
+
+TEST_CASE("what says nothing of several materials is refused", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("beach.csv", beach);
+  for (const Arguments &options : std::vector<Arguments>{{"--tolerance", "retained:1%"},
+                                                         {"--cut-below", "1"},
+                                                         {"--pan-size", "0.1"},
+                                                         {"--particles", "10"},
+                                                         {"--spread"},
+                                                         {"--coq", folder / "sand.v"},
+                                                         {"--unit", "mm"}}) {
+    Arguments arguments{"solve", file};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    check_refused(mdm(arguments), options.front() + ": it is of gradations of one material");
+  }
+}
+
+TEST_CASE("several materials are nowhere taken as one", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("beach.csv", beach);
+  const std::string mass = folder.write("mass.csv", "size_mm,mass\n1,1\n2,1\n4,0\n");
+  const std::string list = folder.write("list.csv", "size_mm,quantity\n1.5,2\n");
+  for (const Arguments &arguments : std::vector<Arguments>{{"describe", file},
+                                                           {"convert", file},
+                                                           {"convert", file, "--kind", "mass"},
+                                                           {"tradeoff", file},
+                                                           {"published", "rounded", file},
+                                                           {"judge", file, "--spec", "astm-c33-fine"},
+                                                           {"plot", file, "-o", folder / "a.svg"},
+                                                           {"report", file, "-o", folder / "a.html"},
+                                                           {"blend", mass, file, "--spec", mass}}) {
+    INFO(arguments.front());
+    const Outcome outcome = mdm(arguments);
+    CHECK(outcome.exit_code == 2);
+    CHECK(contains(outcome.err, "material"));
+    CHECK(outcome.out.empty());
+  }
+  const std::string answer = folder.write("answer.json", mdm({"solve", file, "--format", "json"}).out);
+  check_refused(mdm({"verify", mass, answer}), "is of a gradation of several materials");
+  check_refused(mdm({"export", answer, "--to", "csv"}), "is of a gradation of several materials");
+  CHECK(mdm({"solve", mass, "--proof", folder / "mass.proof"}).exit_code == 0);
+  CHECK(mdm_check(file, folder / "mass.proof").exit_code == 1);
+  CHECK(mdm({"solve", mass, "--tolerance", "10%", "--proof", folder / "tolerant.proof"}).exit_code == 0);
+  const Outcome tolerant = mdm_check(file, folder / "tolerant.proof");
+  CHECK(tolerant.exit_code == 1);
+  CHECK(contains(tolerant.err, "materials: an exact match without pan-size and cut-below fails"));
+  CHECK(mdm({"verify", mass, list, "--proof", folder / "list.proof"}).exit_code == 1);
+  CHECK(mdm_check({file, list, folder / "list.proof"}).exit_code == 2);
+}
