@@ -207,6 +207,7 @@ OPTIONAL = {
     "mdm-verify-1": {"material", "other_materials"},
     "mdm-generate-1": {"quality", "curve", "sizes"},
     "mdm-packing-1": {"positions", "judgement"},
+    "mdm-blend-1": {"id"},
     "mdm-crosscheck-1": {"setting"},
     "mdm-totals-1": {"proofs", "index", "suite", "made", "alone"},
     "mdm-gradation": {"id", "unit", "factors", "tolerances_percent"},
@@ -367,7 +368,7 @@ def main():
     schemas = {path.name.removesuffix(".schema.json"): json.loads(path.read_text(encoding="utf-8"))
                for path in FOLDER.glob("*.schema.json")}
     written = {name for path in (SOURCE / "src").rglob("*.[ch]pp")
-               for name in re.findall(r'mdm-[a-z]+-[0-9]+', path.read_text(encoding="utf-8"))}
+               for name in re.findall(r'mdm-[a-z-]+-[0-9]+', path.read_text(encoding="utf-8"))}
     check(written | {"mdm-gradation"} == set(schemas), f"schemas {sorted(schemas)}, but src names {sorted(written)}")
     check(set(COMMANDS) | {"mdm-suite-1"} == set(schemas), "every schema has commands in this test")
     validators = {}
