@@ -180,7 +180,10 @@ std::string triaxial_lammps_save(const SettleScript &s) {
     text += filled(
         "print \"variable @name@ equal $(v_@name@:%.17g)\" append @base@.restart.state.next screen no\n",
         {{"name", name}});
-  text += "write_restart @base@.restart.next\n"
+  // LAMMPS mixes contacts up where grains have moved since its list of neighbours was made: run 0 makes it
+  // anew.
+  text += "run 0\n"
+          "write_restart @base@.restart.next\n"
           "shell mv @base@.restart.state.next @base@.restart.state\n"
           "shell mv @base@.restart.next @base@.restart\n";
   return filled(text, {{"base", s.name}});
