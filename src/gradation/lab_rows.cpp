@@ -341,8 +341,7 @@ private:
     for (const auto &[place, name] : columns_.others) {
       const std::string_view cell = row().cell(place);
       const bool has_number = number_cell(cell).has_value();
-      if (name.empty() && (has_number || row_words(cell).meaning != RowMeaning::none) &&
-          !counts_rows(place, cell))
+      if (name.empty() && (has_number || names_mass(cell)) && !counts_rows(place, cell))
         refuse(fmt::format(
             "{} is in a column without a name: name it in the header, or choose the columns with {} "
             "SIZE,VALUE",
@@ -350,6 +349,12 @@ private:
       if (!name.empty() && has_number)
         check_named(name, cell);
     }
+  }
+
+  /// True for words of a mass of the table or its sample; `wet` and `total` may be remarks.
+  static bool names_mass(std::string_view cell) {
+    const RowMeaning meaning = row_words(cell).meaning;
+    return meaning != RowMeaning::none && meaning != RowMeaning::moist_mass && meaning != RowMeaning::total;
   }
 
   /// An index of the rows in the first column.

@@ -55,12 +55,12 @@ void describe_rest(Table &table, const LabRows &rows) {
     table.notes.push_back(fmt::format("Rows that are no sizes were left out: {}.", rows.left.text()));
 }
 
-/// The header of sizes in a row of headers; nothing where it has none.
+/// The header of sizes in a row of headers; nothing where it has none, or those of canonical CSV are meant.
 std::optional<std::string_view> size_header(const CellRow &row) {
   std::optional<std::string_view> size;
   std::size_t words = 0;
   for (const std::string &cell : row.cells) {
-    if (number_cell(cell))
+    if (number_cell(cell) || cell.find('_') != std::string::npos)
       return std::nullopt;
     words += cell.empty() ? 0U : 1U;
     if (const std::optional<HeaderMeaning> meaning = header_meaning(cell); meaning && holds_sizes(*meaning))
