@@ -100,7 +100,7 @@ TEST_CASE("over time: a picture", "[timesteps]") {
   CHECK(verify(run, {"--plot", picture}).exit_code == 1);
   const std::string svg = read_file(picture);
   CHECK(contains(svg, "relative breakage"));
-  CHECK(contains(svg, "Z without rattlers"));
+  CHECK(contains(svg, "Z, all particles"));
   check_refused(verify(timestep("0", {coarse, fine}), {"--plot", picture}), "one timestep alone");
   check_refused(mdm({"verify", folder.write("g.csv", two), "-", "--plot", picture}, run), "--over-time");
 }
@@ -111,7 +111,7 @@ TEST_CASE("over time: what has no timesteps is refused", "[timesteps]") {
   check_refused(verify(run, {"--timestep", "500"}), "--timestep");
   check_refused(verify(run, {"--proof", "p"}), "--proof");
   check_refused(verify(timestep("0", {coarse}) + timestep("5", {}) + timestep("6", {coarse})),
-                ":30: timestep 5 has no particles: take it out");
+                ":20: timestep 5 has no particles: take it out");
   check_refused(verify(replaced(run, other + "\n", "")), "the timestep ends after 8 of 9 atoms");
   check_refused(verify(replaced(run, "\n500\n", "\nx\n")), "the timestep is not a whole number");
 }
