@@ -74,9 +74,6 @@ Interval in_percent(const Interval &share) {
   return {Rational(100 * share.lo), Rational(100 * share.hi)};
 }
 
-constexpr const char *blue = "#1f4e79";
-constexpr const char *orange = "#c55a11";
-
 } // namespace
 
 Figure timesteps_figure(const TimestepsReport &r) {
@@ -110,17 +107,17 @@ Figure timesteps_figure(const TimestepsReport &r) {
   const auto segregation = [](const TimestepState &s) {
     return s.packing ? s.packing->segregation : std::nullopt;
   };
-  add_panel(
-      figure, r.states, "shares of the classes", "percent",
-      {{"largest error of a share", blue, [](const TimestepState &s) { return in_percent(s.maximum_error); }},
-       {"fines lost, of their number", orange, fines_lost}});
+  add_panel(figure, r.states, "shares of the classes", "percent",
+            {{"largest error of a share", "#1f4e79",
+              [](const TimestepState &s) { return in_percent(s.maximum_error); }},
+             {"fines lost, of their number", "#c55a11", fines_lost}});
   add_panel(figure, r.states, "coordination", "contacts of a particle",
-            {{"Z, all particles", blue, mean}, {"Z without rattlers", orange, mean_of_others}});
+            {{"Z, all particles", "#0e7c86", mean}, {"Z without rattlers", "#c0392b", mean_of_others}});
   add_panel(figure, r.states, "places", "",
-            {{"void ratio", blue, void_ratio}, {"segregation by height", orange, segregation}});
+            {{"void ratio", "#7d3c98", void_ratio}, {"segregation by height", "#b9770e", segregation}});
   add_panel(figure, r.states, "relative breakage", "",
-            {{"B_r of Hardin", blue, [](const TimestepState &s) { return s.hardin; }},
-             {"B of Einav", orange, [](const TimestepState &s) { return s.einav; }}});
+            {{"B_r of Hardin", "#5d6d7e", [](const TimestepState &s) { return s.hardin; }},
+             {"B of Einav", "#6e2c00", [](const TimestepState &s) { return s.einav; }}});
   return figure;
 }
 
