@@ -121,10 +121,10 @@ TimestepsReport read_timesteps(const VerifyCommand &c, Verifier &verifier) {
 
 int run_over_time(const VerifyCommand &c, Verifier &verifier) {
   const TimestepsReport r = read_timesteps(c, verifier);
+  const std::unique_ptr<Output> plot = c.plot ? c.plot.drawn(timesteps_figure(r), c.output.quiet) : nullptr;
   Output out(c.output.path());
   out.write(c.output.report([&] { return timesteps_text(r); }, [&] { return timesteps_json(r); },
                             [&] { return timesteps_csv(r); }));
-  const std::unique_ptr<Output> plot = c.plot ? c.plot.drawn(timesteps_figure(r), c.output.quiet) : nullptr;
   c.output.tell_notes_beside_csv(r.notes);
   if (plot)
     plot->commit();

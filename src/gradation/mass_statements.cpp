@@ -29,13 +29,14 @@ bool holds_digit(std::string_view text) {
 }
 
 /// A label and the number with its unit of mass at its end: `Wash loss 70 g`; nothing where it does not end
-/// so.
+/// so, as `Dry mass M1 [g]` does.
 std::optional<std::pair<std::string_view, std::string_view>> split_at_mass(std::string_view cell) {
   const std::size_t last = cell.find_last_of("0123456789");
-  if (last == std::string_view::npos || unit_of_words(cell.substr(last + 1)) != ColumnUnit::mass)
+  if (last == std::string_view::npos || cell.find_first_of("([{", last) != std::string_view::npos ||
+      unit_of_words(cell.substr(last + 1)) != ColumnUnit::mass)
     return std::nullopt;
   const std::size_t before = cell.find_last_not_of("0123456789.,", last);
-  if (before == std::string_view::npos)
+  if (before == std::string_view::npos || cell[before] != ' ')
     return std::nullopt;
   return std::pair(without_spaces(cell.substr(0, before + 1)), cell.substr(before + 1));
 }

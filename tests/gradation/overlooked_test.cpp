@@ -58,6 +58,8 @@ TEST_CASE("masses that are stated in one cell with their words are read, or refu
     INFO(unclear);
     CHECK(contains(refusal(unclear + "\n" + header + rows), "sand.csv:1: "));
   }
+  CHECK(masses("Dry mass M1 [g],430\n" + header + rows) == "130 300 0");
+  CHECK(contains(refusal("Dry mass M1 [g],500\n" + header + rows), "500"));
   CHECK(masses("Start: 10:30\n" + header + rows) == "130 300 0");
   CHECK(masses("Start,08.03.2024\n" + header + rows) == "130 300 0");
   CHECK(masses("Sieved 12 March 2024\n" + header + rows) == "130 300 0");
