@@ -68,7 +68,7 @@ def check_program(table):
         for row in rows:
             # Its choices, and what it excludes, may stand before its help.
             name = f"--{row['name']} {row['values']}".strip()
-            between = "(:{[^}]*})?( [.]{3})?( Excludes: --[a-z]+)? "
+            between = "(:{[^}]*})?( [.]{3})?( Excludes: --[a-z-]+)? "
             words = re.escape(name) + between + re.escape(" ".join(row["help"].split()))
             assert re.search(words, help_text), (command, words)
 
