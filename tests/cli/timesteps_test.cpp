@@ -65,8 +65,8 @@ TEST_CASE("over time: a row for each timestep, the verdict of all", "[timesteps]
 TEST_CASE("over time: text and CSV say the same", "[timesteps]") {
   const Outcome text = verify(run, {"--tolerance", "12%"});
   CHECK(text.exit_code == 1);
-  CHECK(contains(text.out,
-                 "matches at 2 of 3 timesteps; at 1000, the first of the others: does not match within 12 %"));
+  CHECK(contains(
+      text.out, "matches at 2 of 3 timesteps; at 1000, the first of the others: does not match within 12 %"));
   const Outcome all = verify(timestep("0", {coarse, fine}) + timestep("7", {fine, coarse}));
   CHECK(all.exit_code == 0);
   CHECK(contains(all.out, "matches at all 2 timesteps"));
