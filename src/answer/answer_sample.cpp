@@ -1,6 +1,5 @@
 #include "answer/answer_sample.hpp"
 
-#include "gradation/material_gradation.hpp"
 #include "gradation/shown.hpp"
 #include "number/common_denominator.hpp"
 #include "particles/particle_format.hpp"
@@ -103,17 +102,6 @@ RootSize in_unit(const RootSize &x, const Rational &factor) {
   return {x.power * power(factor, x.degree), x.degree};
 }
 
-/// Adds a class's particles of one size.
-void add_one_size(Description &description, const AnswerSample::Class &c, const RootSize &size) {
-  const Gradation &g = description.gradation();
-  if (g.materials().empty())
-    description.add(size, c.quantity);
-  else if (const MaterialRows *const rows = find_material(g, c.material))
-    description.add(size, c.quantity, *rows);
-  else
-    description.add_foreign(c.material, c.quantity);
-}
-
 } // namespace
 
 void check_power(const AnswerSample &answer, const MassLaw &law) {
@@ -159,7 +147,10 @@ AnswerDescription describe_answer(const AnswerSample &answer, Gradation g, const
       if (!objection.empty())
         result.objections.push_back(fmt::format("class {} of the answer: {}", c.number, objection));
     }
-    add_one_size(result.description, c, size);
+    if (result.description.gradation().materials().empty())
+      result.description.add(size, c.quantity);
+    else
+      result.description.add_of(c.material, size, c.quantity);
     result.particles.emplace_back(size, c.quantity);
   }
   if (!wrong.empty())

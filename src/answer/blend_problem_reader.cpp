@@ -31,12 +31,8 @@ void check_members(const Json &object, const std::string &where, const auto &kno
                                    in_quotes(key), fmt::join(known, ", ")));
 }
 
-bool has(const Json &object, const char *key) {
-  return object.contains(key) && !object[key].is_null();
-}
-
 Rational number_or(const Json &object, const char *key, const Rational &other, const std::string &where) {
-  return has(object, key) ? stated_number(object[key], where + "." + key) : other;
+  return has_member(object, key) ? stated_number(object[key], where + "." + key) : other;
 }
 
 const Json &array_member(const Json &object, const std::string &key) {
@@ -53,7 +49,7 @@ BlendSieve sieve_of(const Json &stated, const std::string &where) {
   sieve.size = stated_number(member_of(stated, "size"), where + ".size");
   sieve.least = number_or(stated, "least", 0, where);
   sieve.most = number_or(stated, "most", 100, where);
-  if (has(stated, "target"))
+  if (has_member(stated, "target"))
     sieve.target = stated_number(stated["target"], where + ".target");
   for (const Rational &percent : {sieve.least, sieve.most, sieve.target.value_or(0)})
     if (percent < 0 || percent > 100)
@@ -67,21 +63,20 @@ BlendSieve modulus_of(const Json &stated, const std::string &where) {
   constexpr std::array<std::string_view, 3> known = {"name", "least", "most"};
   check_members(stated, where, known);
   const std::string asked = text_member(stated, "name");
-  for (const FinenessModulus modulus : {FinenessModulus::astm, FinenessModulus::en})
-    if (asked == name(modulus)) {
-      BlendSieve sieve{};
-      sieve.modulus = modulus;
-      // The coarser, the less passes: limits change sides.
-      if (has(stated, "most"))
-        sieve.least =
-            std::max(Rational(0), mean_of_modulus(modulus, stated_number(stated["most"], where + ".most")));
-      if (has(stated, "least"))
-        sieve.most = std::min(Rational(100),
-                              mean_of_modulus(modulus, stated_number(stated["least"], where + ".least")));
-      return sieve;
-    }
-  throw InputError(fmt::format("{}.name is {}: write {} or {}", where, in_quotes(asked),
-                               name(FinenessModulus::astm), name(FinenessModulus::en)));
+  const std::optional<FinenessModulus> modulus = fineness_modulus_named(asked);
+  if (!modulus)
+    throw InputError(fmt::format("{}.name is {}: write {} or {}", where, in_quotes(asked),
+                                 name(FinenessModulus::astm), name(FinenessModulus::en)));
+  BlendSieve sieve{};
+  sieve.modulus = modulus;
+  // The coarser, the less passes: limits change sides.
+  if (has_member(stated, "most"))
+    sieve.least =
+        std::max(Rational(0), mean_of_modulus(*modulus, stated_number(stated["most"], where + ".most")));
+  if (has_member(stated, "least"))
+    sieve.most =
+        std::min(Rational(100), mean_of_modulus(*modulus, stated_number(stated["least"], where + ".least")));
+  return sieve;
 }
 
 /// The numbers of an array, in the order of the sieves.
@@ -123,9 +118,8 @@ Stockpile stockpile_of(const Json &stated, const std::string &where, const std::
 }
 
 BlendAim aim_of(const std::string &text) {
-  for (const BlendAim aim : {BlendAim::none, BlendAim::cost, BlendAim::deviation, BlendAim::max_deviation})
-    if (text == name(aim))
-      return aim;
+  if (const std::optional<BlendAim> aim = blend_aim_named(text))
+    return *aim;
   throw InputError("aim is " + in_quotes(text) + ": write none, cost, deviation or max-deviation");
 }
 
@@ -171,12 +165,12 @@ StatedBlendProblem read_blend_problem(std::string_view json) {
   const Json tree = json_tree(json);
   check_members(tree, "", known_members);
   StatedBlendProblem result;
-  if (has(tree, "id"))
+  if (has_member(tree, "id"))
     result.id = text_member(tree, "id");
   BlendProblem &problem = result.problem;
   const std::vector<std::size_t> order = take_sieves(tree, problem);
   std::vector<BlendSieve> moduli;
-  if (has(tree, "moduli"))
+  if (has_member(tree, "moduli"))
     for (const Json &stated : array_member(tree, "moduli"))
       moduli.push_back(modulus_of(stated, fmt::format("moduli[{}]", moduli.size())));
   std::set<std::string> names;
@@ -187,11 +181,11 @@ StatedBlendProblem read_blend_problem(std::string_view json) {
       throw InputError(where + ".name: " + in_quotes(problem.stockpiles.back().name) + " is there twice");
   }
   problem.sieves.insert(problem.sieves.end(), moduli.begin(), moduli.end());
-  if (has(tree, "steps"))
+  if (has_member(tree, "steps"))
     problem.steps = number_member(tree, "steps");
-  if (has(tree, "at_most"))
+  if (has_member(tree, "at_most"))
     problem.at_most = number_member(tree, "at_most");
-  if (has(tree, "aim"))
+  if (has_member(tree, "aim"))
     problem.aim = aim_of(text_member(tree, "aim"));
   return result;
 }

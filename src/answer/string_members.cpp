@@ -4,6 +4,10 @@
 
 namespace mdm {
 
+bool has_member(const nlohmann::json &object, const char *key) {
+  return object.contains(key) && !object[key].is_null();
+}
+
 const nlohmann::json &member_of(const nlohmann::json &object, const std::string &key) {
   if (!object.is_object() || !object.contains(key))
     throw InputError(key + " is missing");

@@ -9,6 +9,8 @@
 
 namespace mdm {
 
+/// True if the object has the member, and it is not null. \pre it is an object
+bool has_member(const nlohmann::json &object, const char *key);
 /// \throws InputError if the object is none, or has no such member
 const nlohmann::json &member_of(const nlohmann::json &object, const std::string &key);
 /// \throws InputError also if the member is no string

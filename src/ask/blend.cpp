@@ -179,16 +179,15 @@ BlendAim BlendTexts::aim() const {
                        option("minimise") + " what a blend is to have least of");
     return !costs.empty() ? BlendAim::cost : target ? BlendAim::deviation : BlendAim::none;
   }
-  for (const BlendAim aim : {BlendAim::none, BlendAim::cost, BlendAim::deviation, BlendAim::max_deviation})
-    if (*minimise == name(aim)) {
-      if (aim == BlendAim::cost && costs.empty())
-        throw InputError(option("minimise") + " cost: it needs " + option("cost"));
-      if ((aim == BlendAim::deviation || aim == BlendAim::max_deviation) && !target)
-        throw InputError(option("minimise") + " " + *minimise + ": it needs " + option("target"));
-      return aim;
-    }
-  throw InputError(option("minimise") + ": " + in_quotes(*minimise) +
-                   " is none of cost, deviation, max-deviation and none");
+  const std::optional<BlendAim> aim = blend_aim_named(*minimise);
+  if (!aim)
+    throw InputError(option("minimise") + ": " + in_quotes(*minimise) +
+                     " is none of cost, deviation, max-deviation and none");
+  if (aim == BlendAim::cost && costs.empty())
+    throw InputError(option("minimise") + " cost: it needs " + option("cost"));
+  if ((aim == BlendAim::deviation || aim == BlendAim::max_deviation) && !target)
+    throw InputError(option("minimise") + " " + *minimise + ": it needs " + option("target"));
+  return *aim;
 }
 
 BlendOptions BlendTexts::search() const {

@@ -39,16 +39,6 @@ Question certified_question(const VerifyQuestion &asked) {
   return asked.question;
 }
 
-/// The question in which shares are measured, for the report: what they may differ by is told apart.
-Question measured(const Question &asked) {
-  Question q;
-  q.law = asked.law;
-  q.pan_size = asked.pan_size;
-  q.cut_below = asked.cut_below;
-  q.size_factor = asked.size_factor;
-  return q;
-}
-
 /// A note where the sizes may have another unit.
 std::optional<std::string> unit_note(const Description &d, const std::optional<SizeUnit> &unit) {
   const std::optional<SizeUnit> other = unit ? likelier_unit(d, *unit) : std::nullopt;
@@ -75,6 +65,15 @@ const std::vector<OptionRow<VerifyTexts>> VerifyTexts::options = {
 
 const std::vector<OptionRow<VerifyTexts>> VerifyTexts::answer_options = {
     {"digits", "D", OptionKind::number, "significant digits of percents (6)", &VerifyTexts::digits}};
+
+Question measured(const Question &asked) {
+  Question q;
+  q.law = asked.law;
+  q.pan_size = asked.pan_size;
+  q.cut_below = asked.cut_below;
+  q.size_factor = asked.size_factor;
+  return q;
+}
 
 VerifyQuestion VerifyTexts::question(SizeUnit unit, const std::optional<Envelope> &envelope) const {
   VerifyQuestion q;

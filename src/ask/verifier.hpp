@@ -25,7 +25,10 @@ struct VerifyQuestion {
   PlaceTexts places = {};
 };
 
-/// The same as texts.
+/// The question in which shares are measured, for the report: what they may differ by is told apart.
+Question measured(const Question &asked);
+
+/// What is asked of a sample, as texts.
 struct VerifyTexts {
   GradationTexts gradation;
   std::vector<std::string> tolerances;

@@ -151,6 +151,13 @@ std::string_view name(BlendAim aim) {
   }
 }
 
+std::optional<BlendAim> blend_aim_named(std::string_view text) {
+  for (const BlendAim aim : {BlendAim::none, BlendAim::cost, BlendAim::deviation, BlendAim::max_deviation})
+    if (text == name(aim))
+      return aim;
+  return std::nullopt;
+}
+
 Rational value_of(const BlendLimit &limit, const BlendProblem &problem) {
   switch (limit.kind) {
   case BlendLimit::Kind::passing:

@@ -8,6 +8,7 @@
 #include "cli/plot_flag.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/solve_flags.hpp"
+#include "cli/verification_output.hpp"
 #include "cli/verify_materials.hpp"
 #include "cli/verify_packing.hpp"
 #include "files/byte_source.hpp"
@@ -17,7 +18,6 @@
 #include "files/paths.hpp"
 #include "files/sample_file.hpp"
 #include "files/sample_proof_files.hpp"
-#include "files/standard_streams.hpp"
 #include "gradation/material_gradation.hpp"
 #include "particles/particle_reader.hpp"
 #include "plot/timesteps_figure.hpp"
@@ -187,12 +187,7 @@ int run(const VerifyCommand &c) {
       const Verifier::Proof proof = verifier.proof(v);
       files->write(proof.text, proof.missing, v.notes);
     });
-  out.write(c.output.report([&] { return verification_text(v); }, [&] { return verification_json(v); },
-                            [&] { return verification_csv(v); }));
-  // CSV has no place for a verdict.
-  if (c.output.is_csv() && v.verdict() != Verdict::match)
-    tell(printable(v.sample) + ": " + headline(v) + "\n");
-  c.output.tell_notes_beside_csv(v.notes);
+  write_verification(v, c.output, out);
   if (files)
     files->commit();
   out.commit();

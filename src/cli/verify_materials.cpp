@@ -3,11 +3,11 @@
 #include "answer/answer_sample.hpp"
 #include "ask/outcome.hpp"
 #include "cli/commands.hpp"
+#include "cli/verification_output.hpp"
 #include "files/byte_source.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "files/sample_file.hpp"
-#include "files/standard_streams.hpp"
 #include "gradation/material_gradation.hpp"
 #include "particles/material_sink.hpp"
 #include "report/allowed_error.hpp"
@@ -74,14 +74,6 @@ DescribedSample described_particles(const MaterialRequest &r, const Gradation &g
   return {sink.description(), {}, std::move(notes)};
 }
 
-/// The question in which shares are measured.
-Question measured_in(const Question &asked) {
-  Question q;
-  q.law = asked.law;
-  q.size_factor = asked.size_factor;
-  return q;
-}
-
 } // namespace
 
 int verify_materials(const MaterialRequest &r) {
@@ -97,7 +89,7 @@ int verify_materials(const MaterialRequest &r) {
       asked.particles.from ? *asked.particles.from == "answer" : r.sample != "-" && is_answer_file(r.sample);
   Output out(r.output.path());
   DescribedSample sample = is_answer ? described_answer(r, g, asked) : described_particles(r, g, asked);
-  Verification v(std::move(sample.description), measured_in(asked.question), allowed.most);
+  Verification v(std::move(sample.description), measured(asked.question), allowed.most);
   v.bounds = allowed.bounds;
   v.within = allowed.within;
   v.smallest = smallest;
@@ -106,11 +98,7 @@ int verify_materials(const MaterialRequest &r) {
   v.objections = std::move(sample.objections);
   v.notes = g.notes();
   v.notes.insert(v.notes.end(), sample.notes.begin(), sample.notes.end());
-  out.write(r.output.report([&] { return verification_text(v); }, [&] { return verification_json(v); },
-                            [&] { return verification_csv(v); }));
-  if (r.output.is_csv() && v.verdict() != Verdict::match)
-    tell(printable(v.sample) + ": " + headline(v) + "\n");
-  r.output.tell_notes_beside_csv(v.notes);
+  write_verification(v, r.output, out);
   out.commit();
   return exit_code(outcome_of(v.verdict()));
 }

@@ -30,14 +30,10 @@ std::vector<Rational> stated_shares(const Json &array, const char *key, const Ra
   return shares;
 }
 
-bool is_stated(const Json &object, const char *key) {
-  return object.contains(key) && !object[key].is_null();
-}
-
 /// Why an answer has no shares.
 void take_failure(const Json &object, OtherBlend &answer) {
-  const std::string status = is_stated(object, "status") ? text_member(object, "status") : "";
-  if (is_stated(object, "reason"))
+  const std::string status = has_member(object, "status") ? text_member(object, "status") : "";
+  if (has_member(object, "reason"))
     answer.reason = text_member(object, "reason");
   const std::optional<AnswerVerdict> named = answer_verdict_named(status);
   if (status == "none" || named == AnswerVerdict::infeasible)
@@ -89,15 +85,15 @@ OtherBlend json_blend(std::string_view text) {
     const Json object = json_tree(text);
     if (!object.is_object())
       throw InputError("the answer is no JSON object");
-    if (is_stated(object, "id"))
+    if (has_member(object, "id"))
       answer.id = text_member(object, "id");
-    if (is_stated(object, "shares") && is_stated(object, "percents"))
+    if (has_member(object, "shares") && has_member(object, "percents"))
       throw InputError("there are \"shares\" and \"percents\": write one of them");
-    if (is_stated(object, "shares"))
+    if (has_member(object, "shares"))
       answer.shares = stated_shares(object["shares"], "shares", 1);
-    else if (is_stated(object, "percents"))
+    else if (has_member(object, "percents"))
       answer.shares = stated_shares(object["percents"], "percents", 100);
-    else if (is_stated(object, "blends") && object["blends"].is_array() && !object["blends"].empty())
+    else if (has_member(object, "blends") && object["blends"].is_array() && !object["blends"].empty())
       answer.shares = stated_shares(member_of(object["blends"][0], "shares"), "shares", 1);
     else
       take_failure(object, answer);

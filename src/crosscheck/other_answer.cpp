@@ -6,6 +6,7 @@
 #include "crosscheck/other_answer.hpp"
 
 #include "answer/answer_reader.hpp"
+#include "answer/string_members.hpp"
 #include "number/long_decimal.hpp"
 #include "particles/particle_format.hpp"
 #include "text/json_tree.hpp"
@@ -73,10 +74,6 @@ const Json &array_of(const Json &object, const char *key) {
   return object.at(key);
 }
 
-bool has(const Json &object, const char *key) {
-  return object.contains(key) && !object.at(key).is_null();
-}
-
 /// The text of a key, or nothing.
 std::string text_or_empty(const Json &object, const char *key) {
   return object.contains(key) && object.at(key).is_string() ? object.at(key).get<std::string>() : "";
@@ -93,14 +90,14 @@ void take_classes(const Json &object, OtherAnswer &answer) {
 
 /// The particles of the simple form.
 void take_particles(const Json &object, OtherAnswer &answer) {
-  if (has(object, "quantities")) {
+  if (has_member(object, "quantities")) {
     for (const Json &q : array_of(object, "quantities"))
       answer.quantities.push_back(quantity(text_of(q, "quantity")));
-    if (has(object, "sizes"))
+    if (has_member(object, "sizes"))
       for (const Json &x : array_of(object, "sizes"))
         answer.sizes.push_back(json_size(x));
   }
-  if (!has(object, "unit"))
+  if (!has_member(object, "unit"))
     return;
   const std::string &unit = text_of(object.at("unit"), "unit");
   const std::optional<SizeUnit> known = parse_size_unit(unit);
@@ -244,7 +241,7 @@ OtherAnswer json_answer(std::string_view text) {
       throw InputError("the answer is no JSON object");
     answer.id = text_or_empty(object, "id");
     take_labels(object, answer);
-    if (has(object, "classes"))
+    if (has_member(object, "classes"))
       take_classes(object, answer);
     else
       take_particles(object, answer);

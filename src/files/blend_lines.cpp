@@ -28,12 +28,12 @@ BlendLine read_line(const FileLines::Line &line, const std::string &path, std::u
 
 bool begin_blends(FileLines &lines) {
   constexpr std::string_view white = " \t\r\n";
+  constexpr std::size_t longest_look = std::size_t{1} << 20;
   std::string_view line;
   do {
     line = lines.look_further();
     line.remove_prefix(std::min(line.find_first_not_of(white), line.size()));
-  } while (!lines.is_at_end() && line.find('\n') == std::string_view::npos &&
-           line.size() < FileLines::longest_line);
+  } while (!lines.is_at_end() && line.find('\n') == std::string_view::npos && line.size() < longest_look);
   line = line.substr(0, line.find('\n'));
   constexpr std::string_view key = "\"stockpiles\"";
   const std::size_t at = line.find(key);

@@ -1,5 +1,6 @@
 #include "gradation/description.hpp"
 
+#include "gradation/material_gradation.hpp"
 #include "gradation/shown.hpp"
 
 #include <mdm/text/error.hpp>
@@ -78,10 +79,25 @@ std::size_t Description::openings_below(const RootSize &size, const MaterialRows
   return static_cast<std::size_t>(found - highest_.begin());
 }
 
-void Description::add_foreign(const std::string &material, const Integer &quantity) {
+/// The rows of the material; null where there are none, and the particles are counted as foreign.
+const MaterialRows *Description::rows_of(const std::string &material, const Integer &quantity) {
+  const MaterialRows *const rows = find_material(g_, material);
+  if (rows != nullptr)
+    return rows;
   if (foreign_ == 0)
     foreign_material_ = material;
   foreign_ += quantity;
+  return nullptr;
+}
+
+void Description::add_of(const std::string &material, const RootSize &size, const Integer &quantity) {
+  if (const MaterialRows *const rows = rows_of(material, quantity))
+    add(size, quantity, *rows);
+}
+
+void Description::add_of(const std::string &material, const SizeRange &size, const Integer &quantity) {
+  if (const MaterialRows *const rows = rows_of(material, quantity))
+    add(size, quantity, *rows);
 }
 
 void Description::add(const RootSize &size, const Integer &quantity, const MaterialRows &of) {

@@ -72,11 +72,10 @@ public:
   /// Cost: two binary searches and sums.
   /// \pre 0 <= lo, quantity >= 1, the options' mass_unit is 1
   void add(const SizeRange &size, const Integer &quantity) { add(size, quantity, all_rows()); }
-  /// The same of a material of the gradation, in whose classes alone its particles can be.
-  void add(const RootSize &size, const Integer &quantity, const MaterialRows &of);
-  void add(const SizeRange &size, const Integer &quantity, const MaterialRows &of);
-  /// Adds particles of a material that the gradation does not have: they lie outside all classes.
-  void add_foreign(const std::string &material, const Integer &quantity);
+  /// The same of a material, in whose classes alone its particles can be; where the gradation does not have
+  /// it, they lie outside all classes.
+  void add_of(const std::string &material, const RootSize &size, const Integer &quantity);
+  void add_of(const std::string &material, const SizeRange &size, const Integer &quantity);
 
   /// Adds particles that are known by their mass, f(x), under a law by table or sum. \param near  a decimal
   /// next to their size, for reports
@@ -130,6 +129,9 @@ private:
   static void see(Class &seen, const RootSize &size, const Integer &quantity);
   static void see(Class &seen, const SizeRange &size, const Integer &quantity);
   void weigh(Tally &tally, const RootSize &size, const Integer &quantity);
+  const MaterialRows *rows_of(const std::string &material, const Integer &quantity);
+  void add(const RootSize &size, const Integer &quantity, const MaterialRows &of);
+  void add(const SizeRange &size, const Integer &quantity, const MaterialRows &of);
   MaterialRows all_rows() const { return {"", 0, highest_.size()}; }
   std::size_t openings_below(const RootSize &size, const MaterialRows &of) const;
   Interval mass(const Tally &tally) const;

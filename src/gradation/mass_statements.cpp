@@ -64,12 +64,12 @@ public:
   void add() {
     for (std::size_t i = 0; i < row_.cells.size(); ++i)
       take(i);
-    const bool is_open = !stated_ && must_be_read(label_) && !loose_.empty();
+    const bool is_open = loose_ && !stated_ && must_be_read(label_);
     const std::string_view label = label_;
     const std::size_t before = statements_.size();
     take_below();
     if (is_open && statements_.size() == before)
-      state_unclear(label, loose_);
+      take_loose(label);
   }
 
 private:
@@ -80,8 +80,8 @@ private:
     if (const std::optional<NumberCell> number = number_cell(cell)) {
       if (!label_.empty())
         state(*number, cell, row_, i);
-      else if (loose_.empty())
-        loose_ = cell;
+      else if (!loose_)
+        loose_ = i;
       return;
     }
     if (unit_of_words(cell) != ColumnUnit::none && !label_.empty()) {
@@ -117,6 +117,14 @@ private:
       state_unclear(label, behind);
       stated_ = true;
     }
+  }
+
+  /// `70,wash loss (g)`: the number of a label is before it.
+  void take_loose(std::string_view label) {
+    label_ = label;
+    stated_ = false;
+    const std::string_view cell = row_.cell(*loose_);
+    state(*number_cell(cell), cell, row_, *loose_);
   }
 
   /// A number that cannot be told from its text: the text is refused where it is read.
@@ -169,8 +177,8 @@ private:
   const CellRow *next_;
   std::vector<MassStatement> &statements_;
   std::string_view label_, unit_;
-  bool stated_ = false;    ///< the label has its number
-  std::string_view loose_; ///< the first number without a label before it
+  bool stated_ = false;              ///< the label has its number
+  std::optional<std::size_t> loose_; ///< column of the first number without a label before it
 };
 
 } // namespace

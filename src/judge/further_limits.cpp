@@ -27,9 +27,8 @@ namespace {
 
 /// The limit of that name, without its ends.
 std::optional<FurtherLimit> named_limit(std::string_view text) {
-  for (const FinenessModulus modulus : {FinenessModulus::astm, FinenessModulus::en})
-    if (name(modulus) == text)
-      return FurtherLimit{modulus, std::nullopt, std::nullopt};
+  if (const std::optional<FinenessModulus> modulus = fineness_modulus_named(text))
+    return FurtherLimit{modulus, std::nullopt, std::nullopt};
   return text == "retained" ? std::optional(FurtherLimit{}) : std::nullopt;
 }
 

@@ -2,7 +2,6 @@
 /// \file
 /// The particles of a file as a gradation of several materials describes them.
 
-#include "gradation/material_gradation.hpp"
 #include "particles/description_sink.hpp"
 
 #include <mdm/text/error.hpp>
@@ -29,10 +28,7 @@ private:
       throw InputError(
           "the particles have no materials, and the gradation has several: give CSV with a column "
           "material, such as size_mm,quantity,material");
-    if (const MaterialRows *const rows = find_material(description_.gradation(), *material_))
-      description_.add(diameter, quantity, *rows);
-    else
-      description_.add_foreign(*material_, quantity);
+    description_.add_of(*material_, diameter, quantity);
   }
 
   Description empty_, description_;

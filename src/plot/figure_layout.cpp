@@ -131,6 +131,17 @@ double panel_width_in(double width, const Figure &figure) {
   return std::max(least, width / static_cast<double>(figure.columns) - around.left - around.right);
 }
 
+void set_two_panels(Figure &figure, double height, const FigureForm &form) {
+  constexpr double narrow = 700;
+  figure.panel_width = 430;
+  figure.panel_height = height;
+  figure.columns = form.width > 0 && form.width < narrow ? 1 : 2;
+  if (form.width == 0)
+    return;
+  figure.panel_width = panel_width_in(form.width, figure);
+  figure.panel_height = std::min(figure.panel_height, std::max(210.0, 0.7 * figure.panel_width));
+}
+
 std::string legend_title(const Series &series) {
   return fitted(series.title, widest_note - legend_sample - 2 * text_gap);
 }

@@ -3,6 +3,7 @@
 /// Where the parts of a figure stand on its page.
 
 #include "plot/canvas.hpp"
+#include "plot/figure_form.hpp"
 
 #include <vector>
 
@@ -32,6 +33,11 @@ bool has_title(const Figure &figure);
 /// The width of the figure's panels in a picture of `width`, and 100 at least: beside them stand their
 /// labels.
 double panel_width_in(double width, const Figure &figure);
+
+/// Lets two panels stand side by side, or in a narrow picture one below the other, as large as they may be.
+/// \pre the panels are there, as their labels take room
+/// \param height  of each, in pt, where there is room
+void set_two_panels(Figure &figure, double height, const FigureForm &form);
 
 /// The title of a series, cut to the legend's room.
 std::string legend_title(const Series &series);

@@ -260,18 +260,6 @@ std::vector<TradeoffRow> with_match(std::vector<TradeoffRow> rows) {
   return rows;
 }
 
-/// The panels side by side, or in a narrow picture one below the other, as large as they may be.
-void set_form(Figure &figure, const FigureForm &form) {
-  constexpr double narrow = 700;
-  figure.panel_width = 430;
-  figure.panel_height = 380;
-  figure.columns = form.width > 0 && form.width < narrow ? 1 : 2;
-  if (form.width == 0)
-    return;
-  figure.panel_width = panel_width_in(form.width, figure);
-  figure.panel_height = std::min(figure.panel_height, std::max(210.0, 0.7 * figure.panel_width));
-}
-
 } // namespace
 
 Figure tradeoff_figure(const StatedTradeoff &t, const FigureForm &form) {
@@ -291,7 +279,7 @@ Figure tradeoff_figure(const StatedTradeoff &t, const FigureForm &form) {
                             drawn_sieve, texts);
   add_lost(right, sieve, by_sieve, texts);
   figure.panels = {std::move(left), std::move(right)};
-  set_form(figure, form);
+  set_two_panels(figure, 380, form);
   add_labels(figure.panels[0], figure, tolerance, by_tolerance, drawn_tolerance);
   add_labels(figure.panels[1], figure, sieve, by_sieve, drawn_sieve);
   return figure;

@@ -3,8 +3,6 @@
 #include "plot/figure_layout.hpp"
 #include "plot/ranges.hpp"
 
-#include <algorithm>
-
 namespace mdm {
 namespace {
 
@@ -47,16 +45,9 @@ Figure triaxial_figure(const std::string &title, const std::vector<TriaxialState
   figure.title = title;
   figure.description = texts.triaxial_shown;
   figure.bare = form.bare;
-  figure.panel_width = 430;
-  figure.panel_height = 320;
-  constexpr double narrow = 700;
-  figure.columns = form.width > 0 && form.width < narrow ? 1 : 2;
   figure.panels = {triaxial_panel(texts.deviator, texts.deviator_unit, states, deviator_in_kpa, texts),
                    triaxial_panel(texts.volume, texts.volumetric_strain, states, volumetric_percent, texts)};
-  if (form.width == 0)
-    return figure;
-  figure.panel_width = panel_width_in(form.width, figure);
-  figure.panel_height = std::min(figure.panel_height, std::max(210.0, 0.7 * figure.panel_width));
+  set_two_panels(figure, 320, form);
   return figure;
 }
 

@@ -16,32 +16,8 @@
 namespace mdm {
 namespace {
 
-const SphereCoordination *coordination(const TimestepState &s) {
-  return s.packing && s.packing->coordination.spheres > 0 ? &s.packing->coordination : nullptr;
-}
-
-std::optional<Interval> void_ratio(const TimestepState &s) {
-  return s.packing ? std::optional(s.packing->void_ratio) : std::nullopt;
-}
-
-std::optional<Interval> mean_coordination(const TimestepState &s) {
-  const SphereCoordination *const c = coordination(s);
-  return c ? std::optional<Interval>(c->mean()) : std::nullopt;
-}
-
-std::optional<Interval> mean_without_rattlers(const TimestepState &s) {
-  const SphereCoordination *const c = coordination(s);
-  const std::optional<Rational> mean = c ? c->mean_without_rattlers() : std::nullopt;
-  return mean ? std::optional<Interval>(*mean) : std::nullopt;
-}
-
-std::optional<Interval> rattlers(const TimestepState &s) {
-  const SphereCoordination *const c = coordination(s);
-  return c ? std::optional<Interval>(ratio(c->rattlers, c->spheres)) : std::nullopt;
-}
-
-std::optional<Interval> segregation(const TimestepState &s) {
-  return s.packing ? s.packing->segregation : std::nullopt;
+bool has_coordination(const TimestepState &s) {
+  return s.packing && s.packing->coordination.spheres > 0;
 }
 
 /// A column of what is measured at each timestep.
@@ -57,11 +33,12 @@ constexpr TimestepMeasure timestep_measures[] = {
      [](const TimestepState &s) { return std::optional(s.maximum_error); }, true},
     {"total_error_percent", "all errors %",
      [](const TimestepState &s) { return std::optional(s.total_error); }, true},
-    {"void_ratio", "void ratio", void_ratio},
-    {"coordination", "Z", mean_coordination},
-    {"coordination_without_rattlers", "Z, no rattlers", mean_without_rattlers},
-    {"rattlers_percent", "rattlers %", rattlers, true},
-    {"segregation", "segregation", segregation},
+    {"void_ratio", "void ratio", [](const TimestepState &s) { return s.void_ratio(); }},
+    {"coordination", "Z", [](const TimestepState &s) { return s.coordination(); }},
+    {"coordination_without_rattlers", "Z, no rattlers",
+     [](const TimestepState &s) { return s.coordination_without_rattlers(); }},
+    {"rattlers_percent", "rattlers %", [](const TimestepState &s) { return s.rattlers(); }, true},
+    {"segregation", "segregation", [](const TimestepState &s) { return s.segregation(); }},
     {"breakage_hardin", "B_r", [](const TimestepState &s) { return s.hardin; }},
     {"breakage_einav", "B", [](const TimestepState &s) { return s.einav; }}};
 
@@ -96,6 +73,30 @@ std::string headline(const TimestepsReport &r) {
 }
 
 } // namespace
+
+std::optional<Interval> TimestepState::void_ratio() const {
+  return packing ? std::optional(packing->void_ratio) : std::nullopt;
+}
+
+std::optional<Interval> TimestepState::coordination() const {
+  return has_coordination(*this) ? std::optional<Interval>(packing->coordination.mean()) : std::nullopt;
+}
+
+std::optional<Interval> TimestepState::coordination_without_rattlers() const {
+  const std::optional<Rational> mean =
+      has_coordination(*this) ? packing->coordination.mean_without_rattlers() : std::nullopt;
+  return mean ? std::optional<Interval>(*mean) : std::nullopt;
+}
+
+std::optional<Interval> TimestepState::rattlers() const {
+  if (!has_coordination(*this))
+    return std::nullopt;
+  return Interval(ratio(packing->coordination.rattlers, packing->coordination.spheres));
+}
+
+std::optional<Interval> TimestepState::segregation() const {
+  return packing ? packing->segregation : std::nullopt;
+}
 
 Verdict TimestepsReport::verdict() const {
   const auto has = [this](Verdict verdict) {

@@ -17,6 +17,13 @@ struct TimestepState {
   Interval maximum_error, total_error;
   std::optional<SphereTexture> packing;  ///< what places say, where there are some
   std::optional<Interval> hardin, einav; ///< relative breakage against the gradation, where it is defined
+
+  // What places say; nothing where there are none, or it has no value.
+  std::optional<Interval> void_ratio() const;
+  std::optional<Interval> coordination() const;
+  std::optional<Interval> coordination_without_rattlers() const;
+  std::optional<Interval> rattlers() const; ///< a share of the particles
+  std::optional<Interval> segregation() const;
 };
 
 /// The timesteps of a file, in its order.

@@ -18,6 +18,13 @@ std::string_view name(FinenessModulus modulus) {
   return modulus == FinenessModulus::astm ? "FM" : "FM-EN";
 }
 
+std::optional<FinenessModulus> fineness_modulus_named(std::string_view text) {
+  for (const FinenessModulus modulus : {FinenessModulus::astm, FinenessModulus::en})
+    if (text == name(modulus))
+      return modulus;
+  return std::nullopt;
+}
+
 const std::vector<Rational> &fineness_sieves(FinenessModulus modulus) {
   static const std::vector<Rational> astm =
       decimals({"150", "75", "37.5", "19", "9.5", "4.75", "2.36", "1.18", "0.6", "0.3", "0.15"});

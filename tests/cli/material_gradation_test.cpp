@@ -1,8 +1,11 @@
 // Gradations of several materials, from the file to the verdict.
 
 #include "answer.hpp"
+#include "proved.hpp"
+#include "replaced.hpp"
 
 using namespace cli_test;
+using mdm_test::replaced;
 
 namespace {
 
@@ -14,42 +17,14 @@ const std::string shuffled =
     "# a beach\nsize_mm;retained_g;material;factor\n4;0;shell;2,75\n2;0;quartz;2,65\n2;1;\"shell\";2,75\n"
     "0,5;1;shell;2,75\n1;5;quartz;2,65\n0,5;3;quartz;2,65\n";
 
-/// The verdict on a proof, and on it with a part replaced.
-struct Proved {
-  TemporaryFolder folder;
-  std::string gradation, proof, text;
-
-  explicit Proved(const Arguments &options = {}, int exit_code = 0, const std::string &content = beach) {
-    gradation = folder.write("beach.csv", content);
-    proof = folder / "beach.proof";
-    Arguments arguments{"solve", gradation, "--proof", proof};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const Outcome outcome = mdm(arguments);
-    INFO(outcome.err);
-    CHECK(outcome.exit_code == exit_code);
-    text = outcome.out;
-  }
-  Outcome verdict() const { return mdm_check(gradation, proof); }
-  int forged(const std::string &part, const std::string &by) const {
-    std::string certificate = read_file(proof);
-    const std::size_t at = certificate.find(part);
-    INFO(certificate);
-    REQUIRE(at != std::string::npos);
-    certificate.replace(at, part.size(), by);
-    const std::string other = folder / "forged.proof";
-    std::ofstream(other) << certificate;
-    return mdm_check(gradation, other).exit_code;
-  }
+struct Proved : ProvedGradation {
+  explicit Proved(const Arguments &options = {}, int exit_code = 0, const std::string &content = beach)
+      : ProvedGradation("beach", content, options, exit_code) {}
   /// The verdict with another gradation file.
   int beside(const std::string &content) const {
     return mdm_check(folder.write("other.csv", content), proof).exit_code;
   }
 };
-
-std::string replaced(std::string text, const std::string &part, const std::string &by) {
-  text.replace(text.find(part), part.size(), by);
-  return text;
-}
 
 } // namespace
 

@@ -1,8 +1,7 @@
 // Gradations by number, from the file to the verdict.
 
 #include "answer.hpp"
-
-#include <fstream>
+#include "proved.hpp"
 
 using namespace cli_test;
 
@@ -11,32 +10,9 @@ namespace {
 const std::string shares = "size_mm,number_percent\n1,50\n2,33.3\n4,0\n8,16.7\n16,0\n";
 const std::string cumulative = "size_mm,cumulative_number_percent\n16,100\n8,83.3\n4,83.3\n2,50\n1,0\n";
 
-/// The verdict on a proof, and on it with a part replaced.
-struct Proved {
-  TemporaryFolder folder;
-  std::string gradation, proof;
-
-  explicit Proved(const Arguments &options, int exit_code = 0, const std::string &content = shares) {
-    gradation = folder.write("sand.csv", content);
-    proof = folder / "sand.proof";
-    Arguments arguments{"solve", gradation, "--proof", proof};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const Outcome outcome = mdm(arguments);
-    INFO(outcome.err);
-    CHECK(outcome.exit_code == exit_code);
-    text = outcome.out;
-  }
-  Outcome verdict() const { return mdm_check(gradation, proof); }
-  int forged(const std::string &part, const std::string &by) const {
-    std::string certificate = read_file(proof);
-    const std::size_t at = certificate.find(part);
-    REQUIRE(at != std::string::npos);
-    certificate.replace(at, part.size(), by);
-    const std::string other = folder / "forged.proof";
-    std::ofstream(other) << certificate;
-    return mdm_check(gradation, other).exit_code;
-  }
-  std::string text;
+struct Proved : ProvedGradation {
+  explicit Proved(const Arguments &options, int exit_code = 0, const std::string &content = shares)
+      : ProvedGradation("sand", content, options, exit_code) {}
 };
 
 } // namespace

@@ -49,7 +49,8 @@ TEST_CASE("cells below no name, or right of the table, are not overlooked") {
 TEST_CASE("masses that are stated in one cell with their words are read, or refused") {
   for (const std::string stated : {"Wash loss 70 g", "Wash loss: 70 g", "Wash loss (g),70",
                                    "Dry mass before washing 500 g\nDry mass after washing 430 g",
-                                   "M1: total dry mass (g),500\nM2: dry mass after washing (g),430"}) {
+                                   "M1: total dry mass (g),500\nM2: dry mass after washing (g),430",
+                                   "70,wash loss (g)", "0.07,wash loss (kg)"}) {
     INFO(stated);
     CHECK(masses(stated + "\n" + header + rows) == "70 130 300 0");
   }

@@ -45,7 +45,7 @@ const std::vector<Rounding> roundings = {
       "particles/sample_set.cpp",      "particles/settle_model.cpp",   "particles/settle_script.cpp",
       "particles/triaxial_lammps.cpp", "particles/triaxial_shear.cpp", "plot/curves_figure.cpp",
       "plot/gradation_figure.cpp",     "plot/limits_series.cpp",       "plot/ranges.hpp",
-      "plot/timesteps_figure.cpp",     "plot/tradeoff_figure.cpp",     "sets/inverse_model.cpp"},
+      "plot/tradeoff_figure.cpp",      "sets/inverse_model.cpp"},
      "lengths of boxes, times, forces and materials in engines, and pictures; bounds of packings, and what "
      "steers "
      "the search for a match, with an exact test behind them"},
@@ -57,7 +57,7 @@ const std::vector<Rounding> roundings = {
     {"to_double(",
      {"match/sweep_problem.hpp", "match/sweep_problem.cpp", "match/least_match.cpp", "number/int128.hpp",
       "papers/accessible_report.cpp", "papers/inverse_report.cpp", "papers/packing_figures.cpp",
-      "plot/ranges.hpp", "plot/triaxial_figure.cpp", "papers/paper_figures.cpp",
+      "plot/ranges.hpp", "plot/timesteps_figure.cpp", "plot/triaxial_figure.cpp", "papers/paper_figures.cpp",
       "papers/size_model_figures.cpp"},
      "bounds of the sweep, with an exact fallback, and pictures"},
     {"strtod(",

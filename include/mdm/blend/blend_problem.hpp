@@ -53,6 +53,9 @@ enum class BlendAim {
 
 /// `none`, `cost`, `deviation`, `max-deviation` or `widening`.
 std::string_view name(BlendAim aim);
+/// The aim of that name that can be asked for, none among them; nothing if there is none: widening follows
+/// from the others.
+std::optional<BlendAim> blend_aim_named(std::string_view text);
 
 /// Shares n_i / steps >= 0 with whole n_i and the sum 1, such that at each sieve the shares of what passes
 /// sum to something within the limits.

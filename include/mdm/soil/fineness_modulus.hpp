@@ -2,6 +2,7 @@
 /// \file
 /// The fineness moduli of the standards.
 
+#include <optional>
 #include <string_view>
 
 namespace mdm {
@@ -14,5 +15,7 @@ enum class FinenessModulus {
 
 /// `FM` or `FM-EN`.
 std::string_view name(FinenessModulus modulus);
+/// The modulus of that name; nothing if there is none.
+std::optional<FinenessModulus> fineness_modulus_named(std::string_view text);
 
 } // namespace mdm
