@@ -142,6 +142,14 @@ variable last equal ${now}+${most_compacting}
 jump SELF look
 )script";
 
+/// The end of a compaction by friction: it has been lowered, or the servo goes on.
+const char *const with_friction = R"script(variable rate equal ${next_rate}
+jump SELF contact
+label servo
+variable rate equal ${next_rate}
+jump SELF look
+)script";
+
 /// Where the lid meets resistance, the friction is lowered, and the grains slide into denser places.
 const char *const compact_to_void_ratio = R"script(
 label compact
@@ -150,11 +158,6 @@ if "${now} >= ${last}" then "print 'STOP: void ratio ${target} is not reached af
 if "${crowded} < 1" then "jump SELF servo"
 if "${mu} < 0.01" then "print 'STOP: void ratio ${target} is beyond the densest that this run finds, ${void_ratio} at ${pressure} Pa without friction: raise most_pressure, or ask for less'" @quit@
 variable mu equal 0.95*${mu}
-variable rate equal ${next_rate}
-jump SELF contact
-label servo
-variable rate equal ${next_rate}
-jump SELF look
 )script";
 
 const char *const compact_to_pressure = R"script(
@@ -276,10 +279,13 @@ std::string phase_loops(const SettleScript &s, const PhaseCommands &c) {
   }
   if (!target)
     text += s.changes_friction() ? "jump SELF reached\n" : "jump SELF judge\n";
-  if (target)
-    text += to_density                                    ? compact_to_void_ratio
-            : s.is_sheared() && s.model.shear->void_ratio ? triaxial_lammps_compaction
-                                                          : compact_to_pressure;
+  if (target) {
+    const bool by_friction = to_density || (s.is_sheared() && s.model.shear->void_ratio);
+    text += to_density    ? compact_to_void_ratio
+            : by_friction ? triaxial_lammps_compaction
+                          : compact_to_pressure;
+    text += by_friction ? with_friction : "";
+  }
   if (s.changes_friction()) {
     text += course_reached;
     text += target && !to_density ? hold_pressure : hold_still;

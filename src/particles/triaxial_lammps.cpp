@@ -46,8 +46,11 @@ variable is_even equal "v_is_even_x*v_is_even_y*v_is_even_z*(v_restless < 1)"
 
 const char *const lammps_by_void_ratio =
     R"script(variable is_pressed equal "(v_missing < v_tolerance)*(v_missing > -v_tolerance)*(v_restless < 10)"
-variable enough equal v_asked_void_ratio+0.05*v_tolerance
-variable is_other equal "abs(v_void_ratio-v_asked_void_ratio) > v_tolerance"
+variable beyond equal (v_void_ratio-v_asked_void_ratio)/v_tolerance
+variable is_dense equal "(v_beyond <= 0.4) || (v_beyond <= 2 && v_pressure < 0.9*v_target)"
+variable is_loose equal "v_beyond > 1"
+variable is_other equal "abs(v_beyond) > 1"
+variable less equal "0.99-0.04*(v_beyond > 4)"
 )script";
 
 /// Proportional and integral; no face is faster than while compacting.
@@ -72,8 +75,19 @@ if "${now} >= ${last}" then "print 'STOP: the faces do not have ${target} Pa eac
 label is_even
 )script";
 
+const char *const lammps_still_loose = R"script(
+# With their own friction they may be too loose: they slide on.
+if "${is_loose} < 1" then "jump SELF dense"
+variable own equal 0
+variable last equal ${now}+${most_compacting}
+variable phase delete
+variable phase string compact
+jump SELF slide
+label dense
+)script";
+
 const char *const lammps_other_void_ratio =
-    R"script(if "${is_other} > 0" then "print 'STOP: void ratio ${void_ratio} at ${target} Pa is not within ${tolerance} of ${asked_void_ratio}; the friction while compacted was ${mu} at last: a higher friction_while_filling is looser'" @quit@
+    R"script(if "${is_other} > 0" then "print 'STOP: void ratio ${void_ratio} at ${target} Pa is not within ${tolerance} of ${asked_void_ratio}; the friction while compacted was ${mu} at last: a higher friction_while_filling is looser, and more grains come nearer'" @quit@
 )script";
 
 const char *const lammps_shear = R"script(
@@ -117,19 +131,15 @@ std::string servos(const char *axes) {
 } // namespace
 
 const char *const triaxial_lammps_compaction = R"script(
-# Under the pressure the friction is lowered, and the grains slide into denser places. Where they are dense enough, they get
-# their own at once.
+# Under the pressure the friction is lowered, and the grains slide into denser places. Where they are dense enough, or nearly so
+# and in a slide, they get their own at once.
 label compact
-if "${void_ratio} <= ${enough}" then "jump SELF reached"
+if "${is_dense} > 0" then "jump SELF reached"
 if "${now} >= ${last}" then "print 'STOP: void ratio ${asked_void_ratio} at ${target} Pa is not reached after ${now} steps: ${void_ratio} at ${pressure} Pa: raise most_compacting'" @quit@
 if "${is_pressed} < 1" then "jump SELF servo"
+label slide
 if "${mu} < 0.01" then "print 'STOP: void ratio ${asked_void_ratio} is beyond the densest that this run finds at ${target} Pa, ${void_ratio} without friction: ask for less density'" @quit@
-variable mu equal 0.95*${mu}
-variable rate equal ${next_rate}
-jump SELF contact
-label servo
-variable rate equal ${next_rate}
-jump SELF look
+variable mu equal ${less}*${mu}
 )script";
 
 const char *const triaxial_lammps_move =
@@ -190,7 +200,8 @@ std::string triaxial_lammps_save(const SettleScript &s) {
 }
 
 std::string triaxial_lammps_faces(const SettleScript &s) {
-  return filled(lammps_faces, {{"look", std::to_string(TriaxialLimits::look)}, {"servos", servos("xyz")}}) +
+  return (s.model.shear->void_ratio ? lammps_still_loose : "") +
+         filled(lammps_faces, {{"look", std::to_string(TriaxialLimits::look)}, {"servos", servos("xyz")}}) +
          (s.model.shear->void_ratio ? lammps_other_void_ratio : "");
 }
 

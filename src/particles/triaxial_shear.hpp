@@ -42,7 +42,8 @@ std::string triaxial_lammps_variables(const SettleScript &s);
 std::string triaxial_lammps_save(const SettleScript &s);
 std::string triaxial_lammps_faces(const SettleScript &s);
 std::string triaxial_lammps_shear(const SettleScript &s);
-/// Instead of the compaction to a pressure alone: lowers the friction until the void ratio is there, too.
+/// Instead of the compaction to a pressure alone, before the friction is lowered: until the void ratio is
+/// there, too.
 extern const char *const triaxial_lammps_compaction;
 /// Moves each pair of faces at its own rate.
 extern const char *const triaxial_lammps_move;
@@ -53,6 +54,8 @@ std::string triaxial_yade_settings(const SettleScript &s);
 std::string triaxial_yade_shear(const SettleScript &s);
 /// Behind each look of the compaction, where a void ratio is asked for, too.
 extern const char *const triaxial_yade_friction;
+/// Behind each phase of it.
+extern const char *const triaxial_yade_still_loose;
 extern const char *const triaxial_yade_phases;
 /// Added to the result: words, and their values.
 extern const char *const triaxial_yade_words, *const triaxial_yade_values;

@@ -83,7 +83,8 @@ def holds():
     return abs(1 - density()[1] / target) < tolerance and is_at_rest()@dense@
 
 
-for phase in @phases@:
+phases = @phases@
+for phase in phases:
     state.update(phase=phase, own=phase == 'hold')
     set_friction()
     last = O.iter + most_compacting
@@ -96,7 +97,7 @@ for phase in @phases@:
         compact(most_rate * (5 if pressure < 0.01 * target else 1) * missing)
         run(@compaction_look@)
     compact(0)
-)";
+@still_loose@)";
 
 const char *const friction_at_end = R"(    state.update(phase='hold', own=True)
     set_friction()
@@ -110,8 +111,9 @@ std::string course_to_pressure(const SettleScript &s) {
   return filled(yade_to_pressure,
                 {{"phases", is_sheared ? triaxial_yade_phases
                                        : "['hold'] if state['phase'] == 'hold' else ['compact', 'hold']"},
-                 {"dense", to_density ? " and (phase == 'hold' or density()[0] <= enough)" : ""},
-                 {"lower_friction", to_density ? triaxial_yade_friction : ""}}) +
+                 {"dense", to_density ? " and phase == 'hold'" : ""},
+                 {"lower_friction", to_density ? triaxial_yade_friction : ""},
+                 {"still_loose", to_density ? triaxial_yade_still_loose : ""}}) +
          (is_sheared ? triaxial_yade_shear(s) : "judge()\n");
 }
 
