@@ -3,7 +3,8 @@
 // goes on with the fewest particles that reach the sieve's band, and with some more. Of two places the one
 // that has no fewer particles and lies inside the other is left out, as are those with many more particles
 // than the fewest: coarse particles do not make up for so many fine ones. Backwards first, it is worked out
-// what must pass a sieve at least, as whole particles of the coarser classes hold no more.
+// what must pass a sieve at least, as whole particles of the coarser classes hold no more, and how many
+// particles the coarser classes need at least.
 //
 // Particles grow with the class, so that counts whose sums from the finest class on are small are the ones
 // that are looked for.
@@ -39,9 +40,14 @@ struct CountWalk::Reach {
   double share_low, share_high; ///< of the class
   double low, high;             ///< of all up to the class
   double noise;
+  double coarser = 0; ///< particles in the coarser classes, at least
 
   double least_mass(double count) const { return count > 0 ? std::max(share_low, count * f) : 0; }
   double most_mass(double count) const { return std::min(share_high, count * F); }
+  /// Particles of the class that have so much mass, at least.
+  double fewest(double mass) const {
+    return std::max(least, std::ceil(std::max(0.0, std::max(mass, share_low) - noise) / F));
+  }
 };
 
 std::vector<CountWalk::Reach> CountWalk::reaches(double mass, const std::vector<double> &least,
@@ -63,16 +69,16 @@ std::vector<CountWalk::Reach> CountWalk::reaches(double mass, const std::vector<
     }
     all[j - 1].low = std::max(all[j - 1].low, above.low - greatest);
     all[j - 1].high = std::min(all[j - 1].high, above.high - above.share_low);
+    all[j - 1].coarser = above.coarser + above.fewest(0);
   }
   return all;
 }
 
-/// The places after one more class, those with the fewest particles first.
-std::vector<CountWalk::Place> CountWalk::next(const std::vector<Place> &places, const Reach &reach) const {
-  const auto fewest_from = [&reach](const Place &place) {
-    const double mass = std::max(reach.low - place.high, reach.share_low) - reach.noise;
-    return std::max(reach.least, std::ceil(std::max(0.0, mass) / reach.F));
-  };
+/// The places after one more class, those with the fewest particles first, where fewer than `limit` are
+/// possible.
+std::vector<CountWalk::Place> CountWalk::next(const std::vector<Place> &places, const Reach &reach,
+                                              double limit) const {
+  const auto fewest_from = [&reach](const Place &place) { return reach.fewest(reach.low - place.high); };
   double fewest = std::numeric_limits<double>::infinity();
   const auto is_open = [&reach](const Place &place, double count) {
     return count <= reach.most && place.low + reach.least_mass(count) <= reach.high + reach.noise &&
@@ -82,11 +88,11 @@ std::vector<CountWalk::Place> CountWalk::next(const std::vector<Place> &places, 
   for (const Place &place : places)
     if (const double count = fewest_from(place); is_open(place, count))
       fewest = std::min(fewest, place.particles + count);
+  const double most = std::min(fewest + most_more, limit - reach.coarser - 1);
   std::vector<Place> all;
   for (std::size_t from = 0; from < places.size(); ++from) {
     const Place &place = places[from];
-    for (double count = fewest_from(place);
-         is_open(place, count) && place.particles + count <= fewest + most_more; ++count)
+    for (double count = fewest_from(place); is_open(place, count) && place.particles + count <= most; ++count)
       all.push_back({place.particles + count, std::max(reach.low, place.low + reach.least_mass(count)),
                      std::min(reach.high, place.high + reach.most_mass(count)), count, from});
   }
@@ -108,8 +114,8 @@ std::vector<double> CountWalk::counts(double mass, const std::vector<double> &le
                                       const std::vector<double> &most, double limit) const {
   std::vector<std::vector<Place>> steps{{{0, 0, 0, 0, 0}}};
   for (const Reach &reach : reaches(mass, least, most)) {
-    steps.push_back(next(steps.back(), reach));
-    if (steps.back().empty() || !(steps.back().front().particles < limit))
+    steps.push_back(next(steps.back(), reach, limit));
+    if (steps.back().empty())
       return {};
   }
   std::vector<double> counts(classes_.size());

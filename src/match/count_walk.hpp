@@ -27,7 +27,7 @@ private:
   struct Reach;
   std::vector<Reach> reaches(double mass, const std::vector<double> &least,
                              const std::vector<double> &most) const;
-  std::vector<Place> next(const std::vector<Place> &places, const Reach &reach) const;
+  std::vector<Place> next(const std::vector<Place> &places, const Reach &reach, double limit) const;
 
   std::vector<Class> classes_;
 };

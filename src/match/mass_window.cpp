@@ -103,7 +103,7 @@ public:
   /// alone.
   Greatest greatest(const Integer &c, const Integer &e, const Integer &mu) const {
     Greatest best;
-    for (const Integer &q : candidates(mu > 0))
+    for (const Integer &q : candidates(c, mu > 0))
       include(best, q, c, e, mu);
     return best;
   }
@@ -111,8 +111,9 @@ public:
 private:
   void limit(const Integer &most) { most_ = most_ ? std::min(*most_, most) : most; }
 
-  /// Beside which the greatest value, a concave function of q, has its kinks.
-  std::vector<Integer> candidates(bool with_target) const {
+  /// Beside which the greatest value, a concave function of q, has its kinks: without the target, those of
+  /// the greatest shares where a share is worth something, of the least where it costs something.
+  std::vector<Integer> candidates(const Integer &c, bool with_target) const {
     std::vector<Integer> all{least_, 1};
     if (most_)
       all.push_back(*most_);
@@ -123,8 +124,10 @@ private:
       all.push_back(q);
       all.push_back(q + 1);
     };
-    beside(of_.h, of_.up_to);
-    beside(of_.l, of_.above);
+    if (with_target || c >= 0)
+      beside(of_.h, of_.up_to);
+    if (with_target || c <= 0)
+      beside(of_.l, of_.above);
     if (with_target) {
       beside(of_.target, of_.up_to);
       beside(of_.target, of_.above);
