@@ -1,5 +1,6 @@
 #include "gradation/cells.hpp"
 
+#include "gradation/cell_numbers.hpp"
 #include "text/lines.hpp"
 
 #include <fmt/core.h>
@@ -20,12 +21,15 @@ bool is_empty(const std::vector<std::string> &cells) {
   return std::all_of(cells.begin(), cells.end(), [](const std::string &c) { return c.empty(); });
 }
 
-/// False for `#4 (4.75 mm)` and `# 200`: a number behind the # may be that of a sieve.
-bool is_comment(std::string_view cell) {
-  if (!cell.starts_with('#'))
+/// False for `#4 (4.75 mm)` and `# 200`: a number behind the # may be that of a sieve. `#N/A,250` is a row of
+/// the table: a number stands in a cell of its own.
+bool is_comment(const std::vector<std::string> &cells) {
+  if (!cells[0].starts_with('#'))
     return false;
-  const std::string_view behind = without_spaces(cell.substr(1));
-  return behind.empty() || !is_digit(behind.front());
+  const std::string_view behind = without_spaces(std::string_view(cells[0]).substr(1));
+  return (behind.empty() || !is_digit(behind.front())) &&
+         std::none_of(cells.begin() + 1, cells.end(),
+                      [](const std::string &cell) { return number_cell(cell).has_value(); });
 }
 
 /// The cells of a line, without the spaces around them.
@@ -79,7 +83,7 @@ Cells cells_of_text(std::string_view text, char delimiter, std::size_t skip, con
       gap = true;
       continue;
     }
-    if (is_comment(cells[0]))
+    if (is_comment(cells))
       continue;
     count += cells.size();
     if (count > max_cells)

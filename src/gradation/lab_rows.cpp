@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 
 namespace mdm {
 namespace {
@@ -24,10 +25,25 @@ std::size_t header_line(const Cells &cells, const TableColumns &columns) {
   return cells.rows[std::min(row, cells.rows.size() - 1)].line;
 }
 
+/// The row without the cells of the table's columns.
+CellRow beside_columns(CellRow row, const TableColumns &columns) {
+  std::vector<std::size_t> known{columns.size, columns.value};
+  for (const std::vector<FurtherColumn> *list : {&columns.further, &columns.names})
+    for (const FurtherColumn &column : *list)
+      known.push_back(column.place);
+  for (const std::size_t place : known)
+    if (place < row.cells.size())
+      row.cells[place].clear();
+  return row;
+}
+
+/// Above the table, and beside its header and its units.
 std::vector<MassStatement> statements_above(const Cells &cells, const TableColumns &columns) {
   std::vector<MassStatement> statements;
   for (std::size_t i = 0; i < columns.above; ++i)
     add_statements(cells.rows[i], i + 1 < columns.above ? &cells.rows[i + 1] : nullptr, statements);
+  for (std::size_t i = columns.above; i < columns.first_row; ++i)
+    add_statements(beside_columns(cells.rows[i], columns), nullptr, statements);
   return statements;
 }
 
@@ -56,6 +72,12 @@ bool has_number(const CellRow &row) {
                      [](const std::string &cell) { return number_cell(cell).has_value(); });
 }
 
+/// `Sample B`, `BH 2`.
+bool names_sample(std::string_view cell) {
+  const std::string words = plain_words(cell);
+  return names_samples(words.substr(0, words.find(' ')));
+}
+
 /// True for what has a row in the table; other masses stand beside it.
 bool belongs_to_table(RowMeaning meaning) {
   return meaning == RowMeaning::pan || meaning == RowMeaning::wash_loss ||
@@ -69,7 +91,7 @@ public:
   RowPass(const Cells &cells, TableColumns columns, const Reading &reading, const Source &source)
       : cells_(cells), columns_(std::move(columns)), reading_(reading), source_(source),
         statements_(statements_above(cells_, columns_)),
-        sign_(sign_of(cells_, columns_, statements_, source)), sizes_(columns_, reading, sign_),
+        sign_(sign_of(cells_, columns_, statements_, source)), sizes_(cells_, columns_, reading, sign_),
         chosen_(columns_.value_name, columns_.values, columns_.grams, sign_),
         beside_(columns_.further, sign_) {
     read_.table.unit = sizes_.unit();
@@ -84,6 +106,7 @@ public:
                      fmt::format("there is no row with a size and a number below {} and {}: {}",
                                  in_quotes(columns_.size_name), in_quotes(columns_.value_name),
                                  column_options()));
+    check_samples();
     sizes_.settle(read_.table, chosen_.meaning().meaning == ColumnMeaning::retained, source_);
     take_stated();
     columns_.values = chosen_.meaning();
@@ -148,7 +171,7 @@ private:
         next->grams != columns_.grams)
       refuse(fmt::format("a second table begins, with {} where the first has {}: leave one of them out",
                          in_quotes(next->value_name), in_quotes(columns_.value_name)));
-    check_second_table();
+    check_second_table(next->first_row);
     columns_.size = next->size;
     columns_.value = next->value;
     columns_.names = next->names;
@@ -161,13 +184,25 @@ private:
     return true;
   }
 
-  /// What is retained below another heading may be of another sample, or of a part of the first.
-  void check_second_table() const {
+  /// What is retained below another heading may be of another sample, or of a part of the first, and so may
+  /// be a stack that begins with an empty sieve again.
+  void check_second_table(std::size_t first_row) const {
+    const bool are_retained = chosen_.meaning().meaning == ColumnMeaning::retained;
+    const std::optional<NumberCell> first = first_row < cells_.rows.size()
+                                                ? number_cell(cells_.rows[first_row].cell(columns_.value))
+                                                : std::nullopt;
+    if (are_retained && first && !read_.table.sizes.empty() &&
+        first->digits.find_first_of("123456789") == std::string_view::npos)
+      refuse(fmt::format("a second table begins with a sieve that retains nothing: it may be of another "
+                         "sample, or of a part of "
+                         "the first, which mdm convert {} joins: leave one of them out, or its header if it "
+                         "is the same stack",
+                         option("split", OptionSpelling::program)));
     const bool are_of_others =
         std::any_of(words_below_.begin(), words_below_.end(), [](const std::string &words) {
           return speaks_of_sample(words) || speaks_of_splitting(words);
         });
-    if (!words_below_.empty() && (chosen_.meaning().meaning == ColumnMeaning::retained || are_of_others))
+    if (!words_below_.empty() && (are_retained || are_of_others))
       refuse(fmt::format(
           "a second table begins below {}: it may be of another sample, or of a part of the first, which "
           "mdm convert {} joins: leave one of them out, or the words between them",
@@ -196,6 +231,10 @@ private:
       add_account(known);
       return true;
     }
+    if (known.meaning == RowMeaning::container && !below_gap_ && are_retained && number_cell(value_cell()))
+      refuse(fmt::format("{} may be the pan, or a container that was weighed: write Pan for what passed the "
+                         "finest sieve, else leave the row out",
+                         in_quotes(first_cell(row()))));
     if (known.meaning == RowMeaning::pan && !below_gap_ && are_retained)
       in_line([this] { chosen_.refuse(value_cell()); });
     const std::size_t before = statements_.size();
@@ -213,12 +252,25 @@ private:
     for (const std::string_view cell : {first_cell(row()), size_cell()})
       if (!begins_with_sieve(cell))
         if (const RowWords known = row_words(cell); known.meaning != RowMeaning::none)
-          return known;
+          return is_beside_sieve(known, cell) ? RowWords{} : known;
     return {};
+  }
+
+  /// True for words that are a remark, as they stand beside a sieve: `wet,0.063,50`.
+  bool is_beside_sieve(const RowWords &known, std::string_view cell) const {
+    const std::optional<NumberCell> size = number_cell(size_cell());
+    const bool is_sieve = size && size->digits.find_first_of("123456789") != std::string_view::npos;
+    if (!is_sieve || cell == size_cell() || !known.sieve.empty())
+      return false;
+    if (belongs_to_table(known.meaning) && may_be_remark(cell) && number_cell(value_cell()))
+      refuse(fmt::format("{} is beside the size {}: leave the size out if it is no sieve, else the word",
+                         in_quotes(cell), in_quotes(size_cell())));
+    return !belongs_to_table(known.meaning);
   }
 
   void add_account(const RowWords &known) {
     check_width();
+    check_words_beside();
     check_mass_unit();
     AccountRow account{known.meaning, 0, false, std::string(first_cell(row())), row().line, {}};
     in_line([&] {
@@ -242,6 +294,9 @@ private:
         chosen_.meaning().unit == ColumnUnit::mass || chosen_.meaning().unit == ColumnUnit::none;
     if (here != 0 && is_mass && here != std::max(columns_.grams, 1U))
       refuse(fmt::format("{} is in another unit of mass than the column {}: write all alike",
+                         in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
+    if (is_mass && unit_in_header(first_cell(row())) == ColumnUnit::percent)
+      refuse(fmt::format("{} is a percentage, and the column {} has masses: write the mass",
                          in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
   }
 
@@ -275,10 +330,10 @@ private:
         may_be_fines(first_cell(row())))
       refuse(fmt::format("{} may be what passed the finest sieve: write Pan if it is, else leave the row out",
                          in_quotes(first_cell(row()))));
-    if (below_gap_) {
+    if (below_gap_)
       add_statements(row(), nullptr, statements_);
+    if (below_gap_ || (!read_.table.sizes.empty() && names_sample(first_cell(row()))))
       words_below_.emplace_back(first_cell(row()));
-    }
     leave();
     return true;
   }
@@ -292,6 +347,24 @@ private:
         if (s.meaning != RowMeaning::none || speaks_of_washing(s.label))
           source_.refuse(s.line, fmt::format("{}: {}", in_quotes(s.label), error.what()));
       }
+    }
+  }
+
+  /// Rows of several samples, one below the other, are no stack of sieves.
+  void check_samples() const {
+    for (const UnusedColumn &column : columns_.others) {
+      if (!names_samples(column.name))
+        continue;
+      std::map<std::string, std::size_t> rows;
+      for (const CellRow *sieve : sieves_)
+        ++rows[std::string(sieve->cell(column.place))];
+      if (rows.size() < 2 || rows.size() == sieves_.size())
+        continue;
+      source_.refuse(
+          sieves_.front()->line,
+          fmt::format("the column {} names several samples, {} and {}: give each a file of its own",
+                      in_quotes(column.name), in_quotes(rows.begin()->first),
+                      in_quotes(std::next(rows.begin())->first)));
     }
   }
 
@@ -317,6 +390,7 @@ private:
       beside_.take(row());
     });
     table.lines.push_back(row().line);
+    sieves_.push_back(&row());
     note_hidden();
     for (const std::size_t column : {columns_.size, columns_.value})
       if (std::binary_search(row().long_numbers.begin(), row().long_numbers.end(), column))
@@ -348,6 +422,19 @@ private:
             in_quotes(cell), option("columns")));
       if (!name.empty() && has_number)
         check_named(name, cell);
+    }
+  }
+
+  /// What is said of the sample beside a row of the pan or a sum must not be overlooked.
+  void check_words_beside() const {
+    if (reading_.columns)
+      return;
+    bool is_label = true;
+    for (const std::string &cell : beside_columns(row(), columns_).cells) {
+      if (!is_label && names_mass(cell))
+        refuse(fmt::format("{} is beside the row {} and is not read: write it above or below the table",
+                           in_quotes(cell), in_quotes(first_cell(row()))));
+      is_label = is_label && cell.empty() && size_cell().empty();
     }
   }
 
@@ -397,7 +484,8 @@ private:
   LabRows read_;
   std::size_t row_ = 0;
   bool below_gap_ = false;
-  std::vector<std::string> words_below_; ///< of rows below a gap that are none of the table
+  std::vector<std::string> words_below_; ///< of rows below a gap that are none of the table, or name a sample
+  std::vector<const CellRow *> sieves_;
 };
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "gradation/csv_rows.hpp"
 #include "gradation/lab_accounts.hpp"
 #include "gradation/lab_values.hpp"
+#include "gradation/row_words.hpp"
 #include "gradation/weighed_sieves.hpp"
 #include "text/option_name.hpp"
 
@@ -55,18 +56,50 @@ void describe_rest(Table &table, const LabRows &rows) {
     table.notes.push_back(fmt::format("Rows that are no sizes were left out: {}.", rows.left.text()));
 }
 
-/// The header of sizes in a row of headers; nothing where it has none, or those of canonical CSV are meant.
-std::optional<std::string_view> size_header(const CellRow &row) {
-  std::optional<std::string_view> size;
+/// The column of sizes in a row of headers; nothing where it has none, or those of canonical CSV are meant.
+std::optional<std::size_t> size_header(const CellRow &row) {
+  std::optional<std::size_t> size;
   std::size_t words = 0;
-  for (const std::string &cell : row.cells) {
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    const std::string &cell = row.cells[i];
     if (number_cell(cell) || cell.find('_') != std::string::npos)
       return std::nullopt;
     words += cell.empty() ? 0U : 1U;
     if (const std::optional<HeaderMeaning> meaning = header_meaning(cell); meaning && holds_sizes(*meaning))
-      size = cell;
+      size = i;
   }
   return words > 1 ? size : std::nullopt;
+}
+
+[[noreturn]] void refuse_columns_beside(const CellRow &header, std::size_t size, const std::string &remedy,
+                                        const Source &source) {
+  source.refuse(header.line,
+                fmt::format("beside {} no column is known to hold what is retained or passes: {}",
+                            in_quotes(header.cells[size]), remedy));
+}
+
+/// A table above the one that is read must not be passed over.
+void refuse_table_above(const Cells &cells, const TableColumns &columns, const Source &source) {
+  for (std::size_t i = 0; i < columns.above; ++i)
+    if (const std::optional<std::size_t> size = size_header(cells.rows[i]))
+      for (std::size_t below = i + 1; below < columns.above && !cells.rows[below].below_gap; ++below)
+        if (number_cell(cells.rows[below].cell(*size)))
+          refuse_columns_beside(cells.rows[i], *size,
+                                fmt::format("correct its header, or leave the table out for that of line {}",
+                                            cells.rows[columns.above].line),
+                                source);
+}
+
+/// `Distribution Base,Number` above a table of percent: what passes is no mass.
+void refuse_number_shares(const Cells &cells, const TableColumns &columns, const Source &source) {
+  for (std::size_t i = 0; i < columns.above; ++i) {
+    const CellRow &row = cells.rows[i];
+    for (std::size_t c = 0; c < row.cells.size(); ++c)
+      for (const std::string &text : {row.cells[c], row.cells[c] + " " + std::string(row.cell(c + 1))})
+        if (speaks_of_number_shares(text))
+          source.refuse(row.line, fmt::format("{} says that the shares are by number: {}", in_quotes(text),
+                                              number_shares_remedy));
+  }
 }
 
 } // namespace
@@ -86,10 +119,8 @@ void refuse_table(const Cells &cells, const Reading &reading, const Source &sour
                                 "what they retain: add one with the difference",
                                 in_quotes(row.cells[sieves->full]), in_quotes(row.cells[sieves->empty])));
   for (const CellRow &row : cells.rows)
-    if (const std::optional<std::string_view> size = size_header(row))
-      source.refuse(row.line,
-                    fmt::format("beside {} no column is known to hold what is retained or passes: {}{}",
-                                in_quotes(*size), column_options(), cells.hint));
+    if (const std::optional<std::size_t> size = size_header(row))
+      refuse_columns_beside(row, *size, column_options() + cells.hint, source);
   source.refuse(line, fmt::format("{}; the file begins {}: {}{}",
                                   unknown_size_column(first, "size_mm,passing_percent"), beginning_of(cells),
                                   column_options(), cells.hint));
@@ -100,6 +131,9 @@ Table read_lab_table(const Cells &cells, const Source &source, const std::string
   std::optional<TableColumns> columns = find_columns(cells, reading, source);
   if (!columns)
     refuse_table(cells, reading, source);
+  refuse_number_shares(cells, *columns, source);
+  if (!reading.columns)
+    refuse_table_above(cells, *columns, source);
   LabRows rows = read_lab_rows(cells, std::move(*columns), reading, source);
   const ComparedValues compared = settle_values(rows, reading, source);
   Table &table = rows.table;

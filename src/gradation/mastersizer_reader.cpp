@@ -2,6 +2,7 @@
 
 #include "gradation/cell_numbers.hpp"
 #include "gradation/plain_words.hpp"
+#include "gradation/row_words.hpp"
 #include "gradation/sample_choice.hpp"
 #include "text/option_name.hpp"
 
@@ -40,6 +41,7 @@ public:
     table_.id = samples[chosen].names.front().empty() ? id : samples[chosen].names.front();
     for (const SampleNames &sample : samples)
       table_.samples.push_back(sample.names.front());
+    refuse_number_shares();
     find_sign();
     read_channels();
     describe(samples.size());
@@ -83,6 +85,16 @@ private:
     if (samples.empty())
       source_.refuse(cells_.rows[1].line, "there is no row of a sample below the sizes: export one");
     return samples;
+  }
+
+  void refuse_number_shares() const {
+    const CellRow &headers = cells_.rows[0];
+    for (std::size_t column = 0; column < begin_; ++column) {
+      const std::string_view cell = sample_->cell(column);
+      if (speaks_of_number_shares(headers.cells[column] + " " + std::string(cell)))
+        source_.refuse(sample_->line, fmt::format("{} is {} here: {}", in_quotes(headers.cells[column]),
+                                                  in_quotes(cell), number_shares_remedy));
+    }
   }
 
   void find_sign() {

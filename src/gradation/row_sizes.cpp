@@ -47,12 +47,21 @@ bool is_numbered(std::string_view cell) {
          words.find("mesh") != std::string::npos;
 }
 
+bool has_one_of(std::string_view list, const std::vector<std::string> &words) {
+  return std::any_of(words.begin(), words.end(),
+                     [list](const std::string &word) { return has_word(list, word); });
+}
+
 /// True for a header that speaks of sieves whose numbers are others than those of ASTM.
 bool names_other_series(std::string_view header) {
-  const std::vector<std::string> words = words_of(header);
-  return std::any_of(words.begin(), words.end(), [](const std::string &word) {
-    return has_word("bs british is indian nf afnor tyler din", word);
-  });
+  return has_one_of("bs british is indian nf afnor tyler din", words_of(header));
+}
+
+/// The same of a line above the table: `Tyler standard screen scale`.
+bool tells_other_series(std::string_view line) {
+  const std::vector<std::string> words = words_of(line);
+  return has_one_of("bs british indian nf afnor tyler din", words) &&
+         has_one_of("sieve sieves mesh screen screens scale series tamis", words);
 }
 
 /// Sieves whose order breaks as where mm become um without a word.
@@ -70,8 +79,14 @@ void check_unit_break(const std::vector<Rational> &sizes, const std::vector<std:
 
 } // namespace
 
-RowSizes::RowSizes(const TableColumns &columns, const Reading &reading, const TableSign &sign)
-    : columns_(columns), reading_(reading), sign_(sign), unit_(table_unit(columns.sizes.unit)) {}
+RowSizes::RowSizes(const Cells &cells, const TableColumns &columns, const Reading &reading,
+                   const TableSign &sign)
+    : columns_(columns), reading_(reading), sign_(sign), unit_(table_unit(columns.sizes.unit)) {
+  for (std::size_t i = 0; i < columns.above; ++i)
+    for (const std::string &cell : cells.rows[i].cells)
+      if (tells_other_series(cell))
+        series_ = cell;
+}
 
 bool RowSizes::may_be_size(std::string_view cell) const {
   return is_above_or_below(cell) || (!cell.empty() && is_digit(cell.front())) || number_cell(cell) ||
@@ -185,7 +200,11 @@ std::optional<Rational> RowSizes::other_size(std::string_view cell, ColumnUnit u
     const std::optional<std::string_view> digits = plain_digits(cell);
     if (!digits)
       return opening(cell);
-    if (is_of_sizes(unit) && unit != ColumnUnit::phi)
+    if (unit == ColumnUnit::none && cell != std::to_string(rows_ + 1)) // which counts the rows
+      return opening("No. " + std::string(*digits));
+    if (unit == ColumnUnit::phi)
+      return phi_size(sign_.decimal(*digits)) / in_mm(unit_);
+    if (is_of_sizes(unit))
       return in_unit(*digits, unit);
   } catch (const InputError &) { // a name that is not known says nothing else
   }
@@ -203,11 +222,11 @@ bool RowSizes::is_sieve(std::string_view cell) const {
 
 /// The opening of a sieve by its name.
 Rational RowSizes::opening(std::string_view cell) const {
-  if (is_numbered(cell) && names_other_series(columns_.size_name))
-    throw InputError(
-        fmt::format("{} in the column {} is not a sieve of ASTM, whose numbers are known: write its "
-                    "opening with its unit",
-                    in_quotes(cell), in_quotes(columns_.size_name)));
+  const std::string &series = names_other_series(columns_.size_name) ? columns_.size_name : series_;
+  if (is_numbered(cell) && !series.empty())
+    throw InputError(fmt::format("{} below {} is not a sieve of ASTM, whose numbers are known: write its "
+                                 "opening with its unit",
+                                 in_quotes(cell), in_quotes(series)));
   return spelled_sieve_opening(cell, sign_.in(cell)) / in_mm(unit_);
 }
 

@@ -12,7 +12,7 @@ namespace mdm {
 class RowSizes {
 public:
   /// \param columns  kept by reference: those of the header above the row that is read
-  RowSizes(const TableColumns &columns, const Reading &reading, const TableSign &sign);
+  RowSizes(const Cells &cells, const TableColumns &columns, const Reading &reading, const TableSign &sign);
 
   /// The unit of the table: that of its first header.
   SizeUnit unit() const { return unit_; }
@@ -44,6 +44,7 @@ private:
   const Reading &reading_;
   TableSign sign_;
   SizeUnit unit_;
+  std::string series_; ///< the line above the table that names other sieves than those of ASTM; mostly empty
   std::size_t rows_ = 0;
   SizeRanges ranges_;
   std::vector<std::size_t> plain_rows_; ///< with sizes that are numbers alone ...

@@ -66,6 +66,12 @@ constexpr std::string_view splitting =
     "reduit reduite reduits cuarteo cuarteado cuarteada submuestra reducida reducido quartatura "
     "sottocampione "
     "ridotto ridotta";
+/// Words of what tells samples apart, and those that may stand beside them.
+constexpr std::string_view telling =
+    "sample samples specimen specimens probe proben borehole boring bohrung bore hole bh sondage station "
+    "site "
+    "location depth tiefe profondeur profondita echantillon muestra campione run";
+constexpr std::string_view beside_telling = "id no nr number name code ref label lab test m ft of from to ";
 /// Words that change nothing.
 constexpr std::string_view filler =
     "the of in on to by a at an and und et y e con mit plus than as als used taken is from im der die das "
@@ -210,10 +216,31 @@ bool speaks_of_sample(std::string_view text) {
   return row_vocabulary::Words(text).have(row_vocabulary::sample);
 }
 
+bool names_samples(std::string_view header) {
+  using namespace row_vocabulary;
+  const std::vector<std::string> words = words_of(header);
+  return Words(header).have(telling) && std::all_of(words.begin(), words.end(), [](const std::string &word) {
+           return has_word(telling, word) || has_word(beside_telling, word);
+         });
+}
+
+bool may_be_remark(std::string_view label) {
+  using namespace row_vocabulary;
+  const Words words(label);
+  return !words.have(pan) || words.have("bottom boden fond fondo") || words.have(washing);
+}
+
 bool may_be_fines(std::string_view text) {
   return row_vocabulary::Words(text).have(
       "rest remainder residue fines filler unterkorn durchgang feinanteil feinkorn "
       "fein schluff ton silt clay finos fins reste resto restos");
+}
+
+bool speaks_of_number_shares(std::string_view text) {
+  const row_vocabulary::Words words(text);
+  return words.have("number anzahl nombre numero") &&
+         words.have("distribution distributions distribucion distribuzione weighted weighting basis base "
+                    "anzahlverteilung verteilung");
 }
 
 bool speaks_of_mass(std::string_view text) {

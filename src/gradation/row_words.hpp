@@ -43,10 +43,22 @@ bool speaks_of_splitting(std::string_view text);
 /// True where a sample is named: sample, specimen, probe.
 bool speaks_of_sample(std::string_view text);
 
+/// True for the header of a column that says whose a row is: Sample, Borehole, Depth (m).
+bool names_samples(std::string_view header);
+
 /// True for words that may be those of what passed the finest sieve: rest, fines, filler.
 bool may_be_fines(std::string_view text);
 
+/// True for words that say that shares are by number: `Number distribution`, `Distribution base Number`.
+bool speaks_of_number_shares(std::string_view text);
+inline constexpr std::string_view number_shares_remedy =
+    "export them by volume, or write canonical CSV with the column number_percent";
+
 /// True where the text names a mass: mass, weight, g, kg.
 bool speaks_of_mass(std::string_view text);
+
+/// True for a row's words that may be a place or a step of the work as well as the pan or a wash: bottom,
+/// wash.
+bool may_be_remark(std::string_view label);
 
 } // namespace mdm

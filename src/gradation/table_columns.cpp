@@ -210,18 +210,36 @@ void take_unit_below(const CellRow &row, std::size_t column, const std::string &
   unit = below;
 }
 
+/// What stands below a header is a unit, or says no more than the header: `by mass`.
+void check_words_below(const CellRow &row, std::size_t column, const std::string &name,
+                       const HeaderMeaning &meaning, const Source &source) {
+  const std::string cell(row.cell(column));
+  if (cell.empty() || unit_of_words(cell) != ColumnUnit::none)
+    return;
+  const std::optional<HeaderMeaning> with = header_meaning(name + " " + cell);
+  if (!with || with->meaning != meaning.meaning)
+    source.refuse(row.line,
+                  fmt::format("below the header {} stands {}, which is no unit that is known: write "
+                              "the whole header into one cell",
+                              in_quotes(name), in_quotes(cell)));
+}
+
 /// Takes the units of the row below a header, if there is such a row.
 void take_unit_row(const Cells &cells, TableColumns &columns, const Source &source) {
   if (columns.first_row >= cells.rows.size() ||
       !is_unit_row(cells.rows[columns.first_row], columns.size, columns.value))
     return;
   const CellRow &row = cells.rows[columns.first_row];
+  check_words_below(row, columns.size, columns.size_name, columns.sizes, source);
+  check_words_below(row, columns.value, columns.value_name, columns.values, source);
   take_unit_below(row, columns.size, columns.size_name, columns.sizes.unit, source);
   take_unit_below(row, columns.value, columns.value_name, columns.values.unit, source);
   if (columns.grams == 0)
     columns.grams = grams_in(row.cell(columns.value));
-  for (FurtherColumn &further : columns.further)
+  for (FurtherColumn &further : columns.further) {
+    check_words_below(row, further.place, further.name, further.meaning, source);
     take_unit_below(row, further.place, further.name, further.meaning.unit, source);
+  }
   ++columns.first_row;
 }
 
@@ -399,6 +417,25 @@ void refuse_second_sample(const TableColumns &columns, std::size_t line, const S
                                       in_quotes(columns.value_name), in_quotes(other), option("columns")));
 }
 
+/// The cell above a header, or the one to its left that is merged with it, may say more than the header:
+/// `Cumulative` above `Retained (g)`.
+void check_words_above(const Cells &cells, std::size_t row, const TableColumns &columns,
+                       const Source &source) {
+  if (row == 0 || cells.rows[row].below_gap)
+    return;
+  const CellRow &above = cells.rows[row - 1];
+  std::size_t place = columns.value;
+  while (place > columns.size + 1 && above.cell(place).empty())
+    --place;
+  const std::optional<HeaderMeaning> with =
+      header_meaning(std::string(above.cell(place)) + " " + columns.value_name);
+  if (with && !above.cell(place).empty() && with->meaning != columns.values.meaning)
+    source.refuse(above.line,
+                  fmt::format("{} is above the header {}, which means another thing with it: write the whole "
+                              "header into one cell",
+                              in_quotes(above.cell(place)), in_quotes(columns.value_name)));
+}
+
 } // namespace
 
 std::string column_options() {
@@ -424,6 +461,7 @@ std::optional<TableColumns> columns_of_row(const Cells &cells, std::size_t row, 
     columns = known_columns(cells.rows[row], reading, source);
     if (columns) {
       refuse_second_sample(*columns, cells.rows[row].line, source);
+      check_words_above(cells, row, *columns, source);
       columns->above = row;
       columns->first_row = row + 1;
     }

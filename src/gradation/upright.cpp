@@ -1,6 +1,8 @@
 #include "gradation/upright.hpp"
 
+#include "gradation/cell_numbers.hpp"
 #include "gradation/header_words.hpp"
+#include "gradation/row_words.hpp"
 #include "text/lines.hpp"
 
 #include <algorithm>
@@ -11,6 +13,14 @@ namespace {
 bool is_long(const CellRow &row) {
   return std::count_if(row.cells.begin(), row.cells.end(), [](const std::string &c) { return !c.empty(); }) >
          2;
+}
+
+/// True for a row with the words of a mass and their number behind its first cell: it is said of the sample.
+bool states_mass(const CellRow &row) {
+  for (std::size_t i = 1; i + 1 < row.cells.size(); ++i)
+    if (row_words(row.cells[i]).meaning != RowMeaning::none && number_cell(row.cells[i + 1]))
+      return true;
+  return false;
 }
 
 /// The meaning of the words that a row of several cells begins with.
@@ -49,7 +59,8 @@ std::optional<Cells> upright(const Cells &cells) {
   const auto sizes = std::find_if(cells.rows.begin(), cells.rows.end(), begins_with_sizes);
   if (sizes == cells.rows.end() || std::none_of(sizes, cells.rows.end(), begins_with_values))
     return std::nullopt;
-  const auto end = std::find_if_not(sizes, cells.rows.end(), is_long);
+  const auto end = std::find_if_not(sizes, cells.rows.end(),
+                                    [](const CellRow &row) { return is_long(row) && !states_mass(row); });
   const std::size_t height = static_cast<std::size_t>(end - sizes);
   std::size_t width = 0;
   for (auto row = sizes; row != end; ++row)

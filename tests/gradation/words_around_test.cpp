@@ -1,0 +1,131 @@
+// What decides how a table is read, and stands around it: lines above, a row of units, words beside a row, a
+// column of samples, a second table. It is read, or the sheet is refused.
+
+#include "support.hpp"
+
+using namespace mdm;
+using namespace mdm::test;
+
+namespace {
+
+const std::string header = "Sieve (mm),Mass retained (g)\n", rows = "4,0\n2,300\n1,130\n";
+
+std::string masses(const std::string &sheet) {
+  return text(read(sheet).masses());
+}
+
+} // namespace
+
+TEST_CASE("a line that begins with # and has a number is a row") {
+  CHECK(contains(refusal(header + "4,0\n#N/A,250\n1,200\n"), "sand.csv:3: "));
+  CHECK(masses("Flag," + header + ",4,0\n#,2,100\n,1,200\n") == "200 100 0");
+  CHECK(masses("# sieved on 3 March\n" + header + "# nobody knows\n" + rows) == "130 300 0");
+}
+
+TEST_CASE("a table above the one that is read is not passed over") {
+  const std::string pounds = "Sieve (mm),Mass retained (lb)\n63,0\n20,12\n10,8\n\n";
+  CHECK(contains(refusal(pounds + header + rows), "sand.csv:1: beside 'Sieve (mm)' no column is known"));
+  CHECK(masses("Sieve,Soil\n" + header + rows) == "130 300 0");
+}
+
+TEST_CASE("rows of several samples are no stack of sieves") {
+  const std::string rows_of_two = "A,20,0\nA,10,500\nB,4,0\nB,2,120\n";
+  for (const std::string name : {"Sample", "Borehole", "Specimen ID", "Lab No. of sample"}) {
+    INFO(name);
+    CHECK(contains(refusal(name + "," + header + rows_of_two), "names several samples, 'A' and 'B'"));
+  }
+  CHECK(masses("Sample," + header + "A,20,0\nA,10,500\n") == "500 0");
+  CHECK(masses("Sample No.," + header + "1,20,0\n2,10,500\n3,5,200\n") == "200 500 0");
+  CHECK(contains(refusal(header + "Sample A,\n20,0\n10,500\nSample B,\n5,0\n2,100\n"), "'Sample B'"));
+  CHECK(masses(header + "Sample A,\n20,0\n10,500\n") == "500 0");
+}
+
+TEST_CASE("a second stack that begins with an empty sieve is not added to the first") {
+  CHECK(contains(refusal(header + "20,0\n10,500\n\n" + header + "5,0\n2,100\n"),
+                 "begins with a sieve that retains nothing"));
+  CHECK(masses(header + "20,0\n10,500\n\n" + header + "5,30\n2,100\n") == "100 30 500 0");
+}
+
+TEST_CASE("a percentage is no mass in a column of masses") {
+  for (const std::string row :
+       {"% passing 0.063,14.5", "Percent finer than No. 200,14.5", "Wash loss (%),14.5", "Loss (%),2.5"}) {
+    INFO(row);
+    CHECK(contains(refusal(header + "4,0\n2,300\n0.063,130\n" + row + "\n"), "is a percentage"));
+  }
+  CHECK(masses("Sieve (mm),Retained (%)\n4,0\n2,70\nPan (%),30\n") == "30 70 0");
+}
+
+TEST_CASE("what stands in a row of units is a unit, or is read") {
+  const std::string names = "Sieve size,Mass retained,,,\n";
+  CHECK(masses(names + "mm,g,,Wash loss (g),70\n" + rows) == "70 130 300 0");
+  for (const std::string units : {"mm,lb", "mm,cumulative %", "mm,g (cumulative)", "mm,Sample B"}) {
+    INFO(units);
+    CHECK(contains(refusal(names + units + "\n" + rows), "which is no unit that is known"));
+  }
+  CHECK(contains(refusal("Size,Passing\n(um),(% by number)\n100,100\n50,60\n"), "(% by number)"));
+  CHECK(masses("Size,Passing\n(um),(% by mass)\n100,100\n50,60\n") == "60 40 0");
+}
+
+TEST_CASE("what is said of the sample beside the table is read or refused") {
+  CHECK(masses("Sieve (mm),Mass retained (g),,Wash loss (g),70\n" + rows) == "70 130 300 0");
+  const std::string wide = "Sieve (mm),Mass retained (g),,,\n";
+  for (const std::string row : {"Pan,5,,Wash loss (g),70", "Total,430,,Wash loss (g),70"}) {
+    INFO(row);
+    CHECK(contains(refusal(wide + rows + row + "\n"), "'Wash loss (g)' is beside the row"));
+  }
+  CHECK(masses("Sieve (mm),4,2,1\nMass retained (g),0,300,130\nOperator,AB,Wash loss (g),70\n") ==
+        "70 130 300 0");
+}
+
+TEST_CASE("a remark beside a sieve is none of its words") {
+  const std::string names = "Method,Sieve (mm),Mass retained (g)\ndry,4,0\ndry,2,100\n";
+  CHECK(masses(names + "wet,0.063,50\n") == "50 100 0");
+  for (const std::string word : {"wash", "Bottom"}) {
+    INFO(word);
+    CHECK(contains(refusal(names + word + ",0.063,50\n"), "is beside the size '0.063'"));
+  }
+  CHECK(masses(names + "Pan,0,50\n") == "50 100 0");
+}
+
+TEST_CASE("a tray among the sieves may be the pan") {
+  CHECK(contains(refusal(header + rows + "Tray,35\n"), "may be the pan"));
+  CHECK(masses(header + rows + "\nMass of tray (g),35\n") == "130 300 0");
+}
+
+TEST_CASE("shares by number are no masses, where a line above says so") {
+  const std::string percent = "Diameter (um),Undersize (%)\n100,100\n50,60\n10,20\n";
+  CHECK(contains(refusal("Distribution Base,Number\n" + percent), "by number"));
+  CHECK(contains(refusal("Number distribution\n" + percent), "by number"));
+  CHECK(masses("Distribution Base,Volume\n" + percent) == masses(percent));
+  CHECK(masses("Sample number,12\n" + percent) == masses(percent));
+  const std::string exported = "Sample Name,Distribution Type,Result Between User Sizes um,,\n,,1,2,4\nS1,";
+  CHECK(contains(refusal(exported + "Number,40.00,60.00,\n"), "'Number'"));
+  CHECK(masses(exported + "Volume,40.00,60.00,\n") == "40 60 0");
+}
+
+TEST_CASE("a line above tells whose sieve numbers they are") {
+  CHECK(contains(refusal("Sieve analysis (sieves to BS 410)\nSieve,Mass retained (g)\nNo. 7,0\nNo. 14,50\n"),
+                 "not a sieve of ASTM"));
+  CHECK(contains(refusal("Tyler standard screen scale\nSieve No.,Mass retained (g)\nNo. 8,0\nNo. 10,50\n"),
+                 "not a sieve of ASTM"));
+  CHECK(masses("This is a sieve analysis\nSieve,Mass retained (g)\nNo. 8,0\nNo. 10,50\n") == "50 0");
+}
+
+TEST_CASE("numbers of sieves and phi are compared with the openings beside them") {
+  const std::string numbers = "Sieve No.,Opening (mm),Mass retained (g)\n4,4.75,0\n10,2,100\n";
+  CHECK(contains(refusal(numbers + "200,0.425,200\n"), "is another sieve"));
+  CHECK(masses(numbers + "40,0.425,200\n") == "200 100 0");
+  CHECK(masses("Sieve No.,Opening (mm),Mass retained (g)\n1,4.75,0\n2,2,100\n3,1,20\n4,0.5,20\n") ==
+        "20 20 100 0");
+  const std::string phi = "phi,Size (mm),Mass retained (g)\n-2,4,0\n-1,2,100\n";
+  CHECK(contains(refusal(phi + "1,0.25,200\n"), "is another sieve"));
+  CHECK(masses(phi + "4,0.063,200\n") == "200 100 0");
+}
+
+TEST_CASE("a word above the header is a part of it") {
+  CHECK(
+      contains(refusal("Sieve,Cumulative,\n(mm),Retained (g)\n4,0\n2,10\n1,45\n"), "'Cumulative' is above"));
+  CHECK(contains(refusal("Sieve,Cumulative,,\n(mm),Passing (g),Retained (g)\n4,0,0\n2,10,5\n"),
+                 "'Cumulative' is above"));
+  CHECK(masses("Sieve,Sample 7,\n(mm),Retained (g)\n4,0\n2,10\n1,45\n") == "45 10 0");
+}
