@@ -74,38 +74,44 @@ std::vector<CountWalk::Reach> CountWalk::reaches(double mass, const std::vector<
   return all;
 }
 
-/// The places after one more class, those with the fewest particles first, where fewer than `limit` are
-/// possible.
+/// The places after one more class, those with the fewest particles first and of these the widest, where
+/// fewer than `limit` are possible.
 std::vector<CountWalk::Place> CountWalk::next(const std::vector<Place> &places, const Reach &reach,
                                               double limit) const {
-  const auto fewest_from = [&reach](const Place &place) { return reach.fewest(reach.low - place.high); };
-  double fewest = std::numeric_limits<double>::infinity();
   const auto is_open = [&reach](const Place &place, double count) {
     return count <= reach.most && place.low + reach.least_mass(count) <= reach.high + reach.noise &&
            place.high + reach.most_mass(count) >= reach.low - reach.noise &&
            reach.least_mass(count) <= reach.most_mass(count) + reach.noise;
   };
-  for (const Place &place : places)
-    if (const double count = fewest_from(place); is_open(place, count))
-      fewest = std::min(fewest, place.particles + count);
-  const double most = std::min(fewest + most_more, limit - reach.coarser - 1);
-  std::vector<Place> all;
-  for (std::size_t from = 0; from < places.size(); ++from) {
-    const Place &place = places[from];
-    for (double count = fewest_from(place); is_open(place, count) && place.particles + count <= most; ++count)
-      all.push_back({place.particles + count, std::max(reach.low, place.low + reach.least_mass(count)),
-                     std::min(reach.high, place.high + reach.most_mass(count)), count, from});
+  std::vector<double> least;
+  double fewest = limit;
+  for (const Place &place : places) {
+    least.push_back(reach.fewest(reach.low - place.high));
+    if (is_open(place, least.back()))
+      fewest = std::min(fewest, place.particles + least.back());
   }
-  std::sort(all.begin(), all.end(), [](const Place &a, const Place &b) {
-    return a.particles != b.particles ? a.particles < b.particles : a.high - a.low > b.high - b.low;
-  });
-  std::vector<Place> kept;
-  for (const Place &place : all) {
-    const auto holds = [&place](const Place &other) {
-      return other.low <= place.low && place.high <= other.high;
-    };
-    if (kept.size() < most_places && std::none_of(kept.begin(), kept.end(), holds))
-      kept.push_back(place);
+  if (fewest == limit)
+    return {};
+  const double most = std::min(fewest + most_more, limit - reach.coarser - 1);
+  std::vector<Place> kept, all;
+  for (double particles = fewest; particles <= most && kept.size() < most_places; ++particles) {
+    all.clear();
+    for (std::size_t from = 0; from < places.size(); ++from) {
+      const Place &place = places[from];
+      const double count = particles - place.particles;
+      if (count >= least[from] && is_open(place, count))
+        all.push_back({particles, std::max(reach.low, place.low + reach.least_mass(count)),
+                       std::min(reach.high, place.high + reach.most_mass(count)), count, from});
+    }
+    std::sort(all.begin(), all.end(),
+              [](const Place &a, const Place &b) { return a.high - a.low > b.high - b.low; });
+    for (const Place &place : all) {
+      const auto holds = [&place](const Place &other) {
+        return other.low <= place.low && place.high <= other.high;
+      };
+      if (kept.size() < most_places && std::none_of(kept.begin(), kept.end(), holds))
+        kept.push_back(place);
+    }
   }
   return kept;
 }

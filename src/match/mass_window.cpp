@@ -154,8 +154,10 @@ private:
       return see(0, true);
     const Integer of_lower = q * of_.above, of_upper = q * of_.up_to;
     const Integer low = std::max(of_.l, of_lower), high = of_.up_to > 0 ? std::min(of_.h, of_upper) : of_.h;
-    see(low, of_lower < of_.l);
-    see(high, of_.up_to == 0 || of_upper > of_.h);
+    if (c <= mu || low == high) // else the other end is greater
+      see(low, of_lower < of_.l);
+    if (c >= 0 || low == high)
+      see(high, of_.up_to == 0 || of_upper > of_.h);
     if (low < of_.target && of_.target < high)
       see(of_.target, true);
     const bool is_flat = (c == 0 && (mu == 0 || high <= of_.target)) || (c == mu && low >= of_.target);
@@ -194,6 +196,8 @@ MassWindows::MassWindows(const TolerantProblem &problem)
     h_.push_back(common.numerators[4 * j + 1]);
     target_.push_back(common.numerators[4 * j + 2]);
     per_mass_.push_back(common.numerators[4 * j + 3]);
+    f_.emplace_back(problem.f(j) * unit_);
+    F_.emplace_back(problem.F(j) * unit_);
   }
 }
 
@@ -220,11 +224,11 @@ WindowVerdict MassWindows::verdict(const MassWindow &window, const CountBounds &
                                    const WindowPrices &prices) const {
   const WindowEnds ends(window);
   const Integer ends_unit = ends.s * ends.S, share_unit = unit_ * ends_unit;
+  const Integer of_above = ends.S_denominator * ends.s, of_up_to = ends.s_denominator * ends.S;
   std::vector<ClassPoints> classes;
   for (std::size_t j = 0; j < l_.size(); ++j) {
     classes.emplace_back(ClassPoints::Shares{l_[j] * ends_unit, h_[j] * ends_unit, target_[j] * ends_unit,
-                                             problem_.f(j) * ends.S_denominator * unit_ * ends.s,
-                                             problem_.F(j) * ends.s_denominator * unit_ * ends.S},
+                                             f_[j] * of_above, F_[j] * of_up_to},
                          bounds.classes[j]);
     if (classes.back().is_empty())
       return {true, 0};

@@ -57,6 +57,7 @@ private:
   std::vector<ShareBounds> shares_;
   Integer unit_; ///< in which all that follows are integers
   std::vector<Integer> l_, h_, target_, per_mass_;
+  std::vector<Integer> f_, F_; ///< in the unit, too
 };
 
 } // namespace mdm

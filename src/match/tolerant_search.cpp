@@ -220,9 +220,7 @@ void TolerantSearch::step_by_windows(SearchTree::Number node) {
   const WindowPoint point = std::move(known->second);
   points_.erase(known);
   if (point.exists())
-    if (std::optional<TolerantMatch> found =
-            branching_->match(window_, bounds_, limit(), point.prices.excess))
-      best_ = std::move(found);
+    look_for_match(point);
   if (!best_ && !find_first_match(node))
     return;
   if (tree_.bound(node) > *most())
@@ -235,6 +233,21 @@ void TolerantSearch::step_by_windows(SearchTree::Number node) {
     tree_.split(node, *split->mass);
   else
     tree_.split(node, split->j, split->j, split->v);
+}
+
+/// Near the middle of the window. The more often nothing has been found, the more windows are passed over.
+void TolerantSearch::look_for_match(const WindowPoint &point) {
+  constexpr std::uint64_t patience = 16;
+  if (best_ && nodes_ < next_try_)
+    return;
+  if (std::optional<TolerantMatch> found =
+          branching_->match(window_, bounds_, limit(), point.prices.excess)) {
+    best_ = std::move(found);
+    tries_in_vain_ = 0;
+  } else {
+    ++tries_in_vain_;
+  }
+  next_try_ = nodes_ + 1 + tries_in_vain_ / patience;
 }
 
 /// Exactly. Closes the node if there is none.

@@ -48,6 +48,7 @@ private:
   void step(SearchTree::Number node);
   void step_by_windows(SearchTree::Number node);
   bool bound_window(SearchTree::Number node, const WindowPoint &point);
+  void look_for_match(const WindowPoint &point);
   bool find_first_match(SearchTree::Number node);
   double limit() const;
   bool bound_node(SearchTree::Number node);
@@ -71,6 +72,8 @@ private:
   std::unique_ptr<ExactNode> exact_;
   std::optional<SearchTree::Number> current_; ///< where the walk goes on
   std::uint64_t nodes_ = 0;
+  std::uint64_t tries_in_vain_ = 0; ///< to find a better match in a window, since the last that was found ...
+  std::uint64_t next_try_ = 0;      ///< ... and the node of the next one
 };
 
 } // namespace mdm
