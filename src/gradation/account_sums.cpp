@@ -77,21 +77,30 @@ private:
               : fmt::format("The rows of {} add up to {}, {} says {}: their rounding may account for it.",
                             quoted(c), shown(whole->value), in_quotes(rows_.total()->label),
                             shown(total.value)));
-    } else if (!is_sum_of_some(c, *whole, total)) {
+    } else if (const std::string_view words = sum_of_some(c, *whole, total); !words.empty()) {
+      notes_.push_back(fmt::format("The rows of {} add up to {}, {} says {}: {}.", quoted(c),
+                                   shown(whole->value), in_quotes(rows_.total()->label), shown(total.value),
+                                   words));
+    } else {
       compare_masses(c, *whole, total, *rows_.total());
     }
   }
 
-  /// True for a total without the pan, without the wash loss, or with what was lost, and for one that the
-  /// shares that decide have.
-  bool is_sum_of_some(std::size_t c, const PrintedNumber &whole, const PrintedNumber &total) const {
+  /// What a total is without the pan, without the wash loss, or with what was lost, or as the shares that
+  /// decide have it; empty where it is none of these.
+  std::string_view sum_of_some(std::size_t c, const PrintedNumber &whole, const PrintedNumber &total) const {
     const AccountColumn &here = column(c);
     const std::optional<PrintedNumber> sieves = here.retained(), wash = in_unit_of(here, stated_.wash_loss),
                                        row = number_of(rows_.wash(), c), loss = number_of(rows_.loss(), c);
-    return (sieves && agree(*sieves, total)) || (wash && agree(whole - *wash, total)) ||
-           (row && here.is_retained() && agree(whole - *row, total)) ||
-           (loss && agree(whole + *loss, total)) ||
-           (compared_.whole && compared_.deciding != c && agree(total, *compared_.whole));
+    if (sieves && agree(*sieves, total))
+      return "that is what is on the sieves";
+    if ((wash && agree(whole - *wash, total)) || (row && here.is_retained() && agree(whole - *row, total)))
+      return "that is without the wash loss";
+    if (loss && agree(whole + *loss, total))
+      return "that is with what was lost";
+    if (compared_.whole && compared_.deciding != c && agree(total, *compared_.whole))
+      return "that is what the shares are of";
+    return {};
   }
 
   /// Two sums of one sample: a note, or an error beyond what may be lost. `where` has the label and the line.

@@ -22,35 +22,69 @@ bool is_empty(const std::vector<std::string> &cells) {
 }
 
 /// False for `#4 (4.75 mm)` and `# 200`: a number behind the # may be that of a sieve. `#N/A,250` is a row of
-/// the table: a number stands in a cell of its own.
+/// the table, as a number stands in a cell of its own, and so is `#,Sieve,Mass`.
 bool is_comment(const std::vector<std::string> &cells) {
   if (!cells[0].starts_with('#'))
     return false;
   const std::string_view behind = without_spaces(std::string_view(cells[0]).substr(1));
   return (behind.empty() || !is_digit(behind.front())) &&
-         std::none_of(cells.begin() + 1, cells.end(),
-                      [](const std::string &cell) { return number_cell(cell).has_value(); });
+         std::none_of(cells.begin() + 1, cells.end(), [&behind](const std::string &cell) {
+           return behind.empty() ? !cell.empty() : number_cell(cell).has_value();
+         });
 }
 
-/// The cells of a line, without the spaces around them.
-std::vector<std::string> split(std::string_view line, char delimiter) {
+/// A field without the quotes around it, and of two quotes in it one.
+std::string unquoted(std::string_view field) {
+  if (field.size() < 2 || field.front() != '"' || field.back() != '"')
+    return std::string(field);
+  std::string text;
+  for (const char c : field.substr(1, field.size() - 2)) {
+    if (c == '"' && text.ends_with('"'))
+      continue;
+    text += c;
+  }
+  return text;
+}
+
+/// The cells of a line, without the spaces around them; nothing where a quoted one is not closed.
+std::optional<std::vector<std::string>> split(std::string_view line, char delimiter) {
   std::vector<std::string> fields;
   if (delimiter == '\t') { // blanks around a field, of which a tab is one, do not separate here
-    for (std::size_t from = 0; from <= line.size() && fields.size() < max_fields;) {
+    for (std::size_t from = 0; from <= line.size();) {
       const std::size_t to = std::min(line.find('\t', from), line.size());
-      std::string_view field = without_spaces(line.substr(from, to - from));
-      if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
-        field = field.substr(1, field.size() - 2);
-      fields.emplace_back(field);
+      fields.push_back(unquoted(without_spaces(line.substr(from, to - from))));
       from = to + 1;
     }
     return fields;
   }
   if (!split_fields(line, delimiter, fields))
-    fields = {std::string(line)};
+    return std::nullopt;
   for (std::string &field : fields)
     field = without_spaces(std::string(field));
   return fields;
+}
+
+/// The cells of the next line, or of several where a line ends within quotes. What is not closed is one cell.
+std::vector<std::string> next_cells(Lines &lines, char delimiter) {
+  constexpr int most_lines = 10;
+  const std::string_view first = lines.text();
+  std::optional<std::vector<std::string>> cells = split(first, delimiter);
+  std::string all(first);
+  Lines ahead = lines;
+  for (int i = 1; !cells && i < most_lines && ahead.next(); ++i) {
+    all += " " + std::string(ahead.text());
+    cells = split(all, delimiter);
+    if (cells)
+      lines = ahead;
+  }
+  return cells ? *std::move(cells) : std::vector<std::string>{std::string(first)};
+}
+
+/// `\u22121` with the sign of minus that is not of ASCII.
+void make_minus_plain(std::string &cell) {
+  constexpr std::string_view minus = "\u2212";
+  if (cell.starts_with(minus) && cell.size() > minus.size() && is_digit(cell[minus.size()]))
+    cell.replace(0, minus.size(), "-");
 }
 
 } // namespace
@@ -78,7 +112,11 @@ Cells cells_of_text(std::string_view text, char delimiter, std::size_t skip, con
   for (Lines lines(text); lines.next();) {
     if (lines.number() <= skip)
       continue;
-    std::vector<std::string> cells = split(lines.text(), delimiter);
+    const std::size_t line = lines.number();
+    std::vector<std::string> cells = next_cells(lines, delimiter);
+    if (cells.size() >= max_fields)
+      source.refuse(line, fmt::format("the row has {} cells or more: give the gradation alone", max_fields));
+    std::for_each(cells.begin(), cells.end(), make_minus_plain);
     if (is_empty(cells)) {
       gap = true;
       continue;
@@ -87,9 +125,9 @@ Cells cells_of_text(std::string_view text, char delimiter, std::size_t skip, con
       continue;
     count += cells.size();
     if (count > max_cells)
-      source.refuse(lines.number(),
+      source.refuse(line,
                     fmt::format("the table has more than {} cells: give the gradation alone", max_cells));
-    table.rows.push_back({lines.number(), gap, std::move(cells)});
+    table.rows.push_back({line, gap, std::move(cells)});
     gap = false;
   }
   return table;

@@ -38,10 +38,32 @@ CellRow beside_columns(CellRow row, const TableColumns &columns) {
 }
 
 /// Above the table, and beside its header and its units.
+/// Units below labels go to them: `Dry mass,Wash loss` above `(g),(g)`. Nothing where the row below has none.
+std::optional<CellRow> with_units_below(const CellRow &row, const CellRow &below) {
+  CellRow labels = row;
+  bool has_units = false;
+  for (std::size_t i = 0; i < below.cells.size(); ++i) {
+    const std::string &unit = below.cells[i];
+    if (unit.empty())
+      continue;
+    if (unit_of_words(unit) == ColumnUnit::none || row.cell(i).empty())
+      return std::nullopt;
+    labels.cells[i] += " " + unit;
+    has_units = true;
+  }
+  return has_units ? std::optional(std::move(labels)) : std::nullopt;
+}
+
 std::vector<MassStatement> statements_above(const Cells &cells, const TableColumns &columns) {
   std::vector<MassStatement> statements;
-  for (std::size_t i = 0; i < columns.above; ++i)
-    add_statements(cells.rows[i], i + 1 < columns.above ? &cells.rows[i + 1] : nullptr, statements);
+  for (std::size_t i = 0; i < columns.above; ++i) {
+    const CellRow *const next = i + 1 < columns.above ? &cells.rows[i + 1] : nullptr;
+    const std::optional<CellRow> labels = next ? with_units_below(cells.rows[i], *next) : std::nullopt;
+    if (labels && i + 2 < columns.above)
+      add_statements(*labels, &cells.rows[i + 2], statements);
+    else
+      add_statements(cells.rows[i], next, statements);
+  }
   for (std::size_t i = columns.above; i < columns.first_row; ++i)
     add_statements(beside_columns(cells.rows[i], columns), nullptr, statements);
   return statements;
@@ -65,6 +87,13 @@ bool begins_with_sieve(std::string_view cell) {
 /// The row's first cell that has something in it.
 std::string_view first_cell(const CellRow &row) {
   return *std::find_if(row.cells.begin(), row.cells.end(), [](const std::string &c) { return !c.empty(); });
+}
+
+/// A number about the whole curve, which labs write below its columns: `Fineness modulus`, `Cu`, `D10`.
+bool names_index(std::string_view cell) {
+  const std::string words = plain_words(cell);
+  return words == "fm" || words == "cu" || words == "cc" || words.find("modul") != std::string::npos ||
+         (words.size() > 1 && words[0] == 'd' && std::all_of(words.begin() + 1, words.end(), is_digit));
 }
 
 bool has_number(const CellRow &row) {
@@ -225,7 +254,7 @@ private:
     if (known.meaning == RowMeaning::none)
       return false;
     const bool are_retained = chosen_.meaning().meaning == ColumnMeaning::retained;
-    const bool may_lack_value = value_cell().empty() && !are_retained;
+    const bool may_lack_value = value_cell().empty() && (!are_retained || known.meaning == RowMeaning::total);
     if (belongs_to_table(known.meaning) &&
         (number_cell(value_cell()) || (may_lack_value && has_number_beside()))) {
       add_account(known);
@@ -322,7 +351,7 @@ private:
       return false;
     if (!below_gap_ ? is_size || !value_cell().empty() : sizes_.is_size(size_cell()) && !value_cell().empty())
       return false;
-    if (!below_gap_ && has_number_beside())
+    if (!below_gap_ && has_number_beside() && !names_index(first_cell(row())))
       refuse(
           fmt::format("the row {} has numbers and no value in the column {}: write it, or leave the row out",
                       in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
@@ -330,8 +359,7 @@ private:
         may_be_fines(first_cell(row())))
       refuse(fmt::format("{} may be what passed the finest sieve: write Pan if it is, else leave the row out",
                          in_quotes(first_cell(row()))));
-    if (below_gap_)
-      add_statements(row(), nullptr, statements_);
+    add_statements(row(), nullptr, statements_);
     if (below_gap_ || (!read_.table.sizes.empty() && names_sample(first_cell(row()))))
       words_below_.emplace_back(first_cell(row()));
     leave();
@@ -341,6 +369,12 @@ private:
   /// Numbers beside words that say nothing of masses may be dates.
   void take_stated() {
     for (const MassStatement &s : statements_) {
+      if (s.meaning == RowMeaning::none && s.grams != 0 &&
+          (speaks_of_washing(s.label) || may_be_fines(s.label)))
+        source_.refuse(s.line,
+                       fmt::format("{} may be a mass that passes the finest sieve: write Wash loss, or a "
+                                   "row Pan, if it is, else leave it out",
+                                   in_quotes(s.label)));
       try {
         read_.stated.push_back({s, printed_number(s.digits, sign_.in(s.digits))});
       } catch (const InputError &error) {
@@ -465,6 +499,14 @@ private:
   /// `0,063,30`: a size with a decimal comma is cut in two.
   void check_decimal_commas() const {
     const std::string_view value = value_cell();
+    const bool has_third =
+        std::any_of(columns_.others.begin(), columns_.others.end(),
+                    [this](const auto &column) { return number_cell(row().cell(column.place)).has_value(); });
+    if (cells_.delimiter == ',' && size_cell() == "0" && has_third)
+      refuse(
+          fmt::format("0 and {} may be a size with a decimal comma: put ; between cells where numbers have "
+                      "decimal commas",
+                      in_quotes(value)));
     if (cells_.delimiter == ',' && value.size() > 1 && value.front() == '0' && is_digit(value[1]))
       refuse(fmt::format(
           "{} begins with 0, as behind a decimal comma: put ; between cells where numbers have decimal "

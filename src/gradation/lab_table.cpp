@@ -56,26 +56,28 @@ void describe_rest(Table &table, const LabRows &rows) {
     table.notes.push_back(fmt::format("Rows that are no sizes were left out: {}.", rows.left.text()));
 }
 
-/// The column of sizes in a row of headers; nothing where it has none, or those of canonical CSV are meant.
+/// The column of sizes in a row of headers, or one in a unit of sizes beside one of values; nothing where it
+/// has none, or those of canonical CSV are meant.
 std::optional<std::size_t> size_header(const CellRow &row) {
-  std::optional<std::size_t> size;
+  std::optional<std::size_t> size, in_unit;
+  bool has_values = false;
   std::size_t words = 0;
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
     const std::string &cell = row.cells[i];
     if (number_cell(cell) || cell.find('_') != std::string::npos)
       return std::nullopt;
     words += cell.empty() ? 0U : 1U;
-    if (const std::optional<HeaderMeaning> meaning = header_meaning(cell); meaning && holds_sizes(*meaning))
+    const std::optional<HeaderMeaning> meaning = header_meaning(cell);
+    if (meaning && holds_sizes(*meaning))
       size = i;
+    else if (meaning)
+      has_values = true;
+    else if (!in_unit && is_of_sizes(unit_in_header(cell)))
+      in_unit = i;
   }
+  if (!size && has_values)
+    size = in_unit;
   return words > 1 ? size : std::nullopt;
-}
-
-[[noreturn]] void refuse_columns_beside(const CellRow &header, std::size_t size, const std::string &remedy,
-                                        const Source &source) {
-  source.refuse(header.line,
-                fmt::format("beside {} no column is known to hold what is retained or passes: {}",
-                            in_quotes(header.cells[size]), remedy));
 }
 
 /// A table above the one that is read must not be passed over.
@@ -84,10 +86,11 @@ void refuse_table_above(const Cells &cells, const TableColumns &columns, const S
     if (const std::optional<std::size_t> size = size_header(cells.rows[i]))
       for (std::size_t below = i + 1; below < columns.above && !cells.rows[below].below_gap; ++below)
         if (number_cell(cells.rows[below].cell(*size)))
-          refuse_columns_beside(cells.rows[i], *size,
-                                fmt::format("correct its header, or leave the table out for that of line {}",
-                                            cells.rows[columns.above].line),
-                                source);
+          source.refuse(
+              cells.rows[i].line,
+              fmt::format("a table with {} begins here and is not read, as its header is not known: correct "
+                          "the header, or leave the table out for that of line {}",
+                          in_quotes(cells.rows[i].cells[*size]), cells.rows[columns.above].line));
 }
 
 /// `Distribution Base,Number` above a table of percent: what passes is no mass.
@@ -120,7 +123,9 @@ void refuse_table(const Cells &cells, const Reading &reading, const Source &sour
                                 in_quotes(row.cells[sieves->full]), in_quotes(row.cells[sieves->empty])));
   for (const CellRow &row : cells.rows)
     if (const std::optional<std::size_t> size = size_header(row))
-      refuse_columns_beside(row, *size, column_options() + cells.hint, source);
+      source.refuse(row.line,
+                    fmt::format("beside {} no column is known to hold what is retained or passes: {}{}",
+                                in_quotes(row.cells[*size]), column_options(), cells.hint));
   source.refuse(line, fmt::format("{}; the file begins {}: {}{}",
                                   unknown_size_column(first, "size_mm,passing_percent"), beginning_of(cells),
                                   column_options(), cells.hint));

@@ -73,9 +73,12 @@ bool never_falls(const Table &table) {
   return std::is_sorted(rows.begin(), rows.end(), less);
 }
 
-/// True where five sieves or more hold mass and none less than the next coarser one, as cumulative masses do.
-bool look_cumulative(const Table &table) {
-  constexpr std::ptrdiff_t enough = 5;
+/// True where five sieves or more hold mass and none less than the next coarser one, as cumulative masses do;
+/// three are enough where the values have no unit and end at 100.
+bool look_cumulative(const Table &table, ColumnUnit unit) {
+  const bool may_be_percent =
+      unit == ColumnUnit::none && *std::max_element(table.values.begin(), table.values.end()) == 100;
+  const std::ptrdiff_t enough = may_be_percent ? 3 : 5;
   const auto is_held = [](const Rational &value) { return value > 0; };
   return never_falls(table) && std::count_if(table.values.begin(), table.values.end(), is_held) >= enough;
 }
@@ -89,7 +92,7 @@ void check_growth(const Table &table, const LabValues &values, const Reading &re
                     "no sieve has less than the next coarser one: say {1} retained or {1} cumulative",
                     in_quotes(values.header), option("kind")));
   if (values.meaning.unit != ColumnUnit::percent && !reading.kind && !values.is_confirmed &&
-      !values.meaning.is_individual && look_cumulative(table))
+      !values.meaning.is_individual && look_cumulative(table, values.meaning.unit))
     source.refuse(
         table.header_line,
         fmt::format("no sieve retains less than the next coarser one, as in a cumulative column: say "

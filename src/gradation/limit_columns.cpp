@@ -4,6 +4,7 @@
 #include "gradation/lab_table.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/shown.hpp"
+#include "gradation/table_file.hpp"
 #include "gradation/text_encoding.hpp"
 #include "gradation/workbook.hpp"
 #include "text/lines.hpp"
@@ -157,8 +158,16 @@ bool is_limit(std::string_view header) {
 
 std::optional<Envelope> envelope_in_table(std::string_view content, const std::string &file) {
   const Source source(file);
-  if (is_workbook(content))
-    return envelope_of(read_workbook(content, std::nullopt, source), source, file);
+  if (is_workbook(content)) {
+    Cells cells = read_workbook(content, std::nullopt, source);
+    const std::string sheet = cells.sheet;
+    std::optional<Envelope> envelope = envelope_of(std::move(cells), source, file);
+    if (envelope && !sheet.empty())
+      if (std::optional<std::string> note =
+              note_on_other_sheets(content, sheet, "give other limits in a file of their own", source))
+        envelope->notes.push_back(*std::move(note));
+    return envelope;
+  }
   const std::optional<DecodedText> decoded = decoded_text(content, source);
   const std::string_view text = decoded ? std::string_view(decoded->text) : without_byte_order_mark(content);
   source.check_text(text, max_gradation_bytes);

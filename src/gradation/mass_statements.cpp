@@ -28,12 +28,13 @@ bool holds_digit(std::string_view text) {
   return std::any_of(text.begin(), text.end(), is_digit);
 }
 
-/// A label and the number with its unit of mass at its end: `Wash loss 70 g`; nothing where it does not end
-/// so, as `Dry mass M1 [g]` does.
+/// A label and the number with its unit at its end: `Wash loss 70 g`, `Wash loss 14 %`; nothing where it does
+/// not end so, as `Dry mass M1 [g]` does.
 std::optional<std::pair<std::string_view, std::string_view>> split_at_mass(std::string_view cell) {
   const std::size_t last = cell.find_last_of("0123456789");
   if (last == std::string_view::npos || cell.find_first_of("([{", last) != std::string_view::npos ||
-      unit_of_words(cell.substr(last + 1)) != ColumnUnit::mass)
+      (unit_of_words(cell.substr(last + 1)) != ColumnUnit::mass &&
+       unit_of_words(cell.substr(last + 1)) != ColumnUnit::percent))
     return std::nullopt;
   const std::size_t before = cell.find_last_not_of("0123456789.,", last);
   if (before == std::string_view::npos || cell[before] != ' ')
@@ -54,6 +55,29 @@ bool must_be_read(std::string_view label) {
   default:
     return false;
   }
+}
+
+/// What may stand between a label and its number: `:`, `Ms`, `M1`, `calc.`.
+bool is_symbol(std::string_view cell) {
+  constexpr std::size_t longest = 5;
+  if (cell == ":" || cell == "=")
+    return true;
+  const std::size_t letters = static_cast<std::size_t>(
+      std::find_if_not(cell.begin(), cell.end(), [](char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }) -
+      cell.begin());
+  const std::string_view behind = cell.substr(letters);
+  return letters > 0 && cell.size() <= longest && unit_of_words(cell) == ColumnUnit::none &&
+         !has_word("yes no ja nein oui non si none nil", plain_words(cell)) &&
+         (behind.empty() || behind == "." || (letters <= 2 && behind.size() == 1 && is_digit(behind[0])));
+}
+
+/// True where a number and a unit of mass stand in the text: `Wash loss 70 g of`.
+bool holds_mass(std::string_view text) {
+  const std::vector<std::string> words = words_of(text);
+  for (std::size_t i = 0; i + 1 < words.size(); ++i)
+    if (is_digit(words[i].front()) && unit_of_words(words[i + 1]) == ColumnUnit::mass)
+      return true;
+  return false;
 }
 
 class RowStatements {
@@ -90,6 +114,8 @@ private:
         give_unit(statements_.back());
       return;
     }
+    if (!stated_ && must_be_read(label_) && is_symbol(cell))
+      return;
     if (!stated_ && must_be_read(label_) && holds_digit(cell) &&
         row_words(cell).meaning == RowMeaning::none) {
       state_unclear(label_, cell);
@@ -105,13 +131,18 @@ private:
     if (behind.empty())
       if (const auto parts = split_at_mass(cell))
         std::tie(label, behind) = *parts;
-    const std::optional<NumberCell> number = number_cell(behind);
+    const bool has_two = !behind.empty() && holds_mass(label) &&
+                         (speaks_of_washing(label) || row_words(label).meaning != RowMeaning::none);
+    const std::optional<NumberCell> number = has_two ? std::nullopt : number_cell(behind);
     // `M1: total dry mass (g)`
     const bool is_numbered = !number && row_words(label).meaning == RowMeaning::none && must_be_read(behind);
     label_ = is_numbered ? behind : label;
     unit_ = {};
     stated_ = false;
-    if (number) {
+    if (has_two) {
+      state_unclear(label, cell);
+      stated_ = true;
+    } else if (number) {
       state(*number, behind, row_, i);
     } else if (!is_numbered && must_be_read(label) && holds_digit(behind)) {
       state_unclear(label, behind);
@@ -136,7 +167,8 @@ private:
 
   /// \param text  of the number, in that column of that row
   void state(const NumberCell &number, std::string_view text, const CellRow &row, std::size_t column) {
-    if (stated_ || is_of_sizes(number.unit) || is_of_sizes(unit_in_header(label_)))
+    const bool is_size = is_of_sizes(unit_in_header(label_)) && row_words(label_).meaning == RowMeaning::none;
+    if (stated_ || is_of_sizes(number.unit) || is_size)
       return;
     MassStatement s{row_words(label_).meaning, std::string(label_), std::string(number.digits)};
     s.line = row_.line;

@@ -152,6 +152,10 @@ Rational RowSizes::row_size(std::string_view cell) {
 Rational RowSizes::size_of(std::string_view cell, ColumnUnit unit) const {
   if (const std::optional<std::string_view> digits = plain_digits(cell))
     return unit == ColumnUnit::none ? plain_size(*digits) : in_unit(*digits, unit);
+  const bool is_fraction = cell.find('/') != std::string_view::npos &&
+                           cell.find_first_not_of("0123456789/ -") == std::string_view::npos;
+  if (is_fraction && columns_.sizes.unit == ColumnUnit::inch)
+    return opening(std::string(cell) + " in");
   try {
     return opening(cell);
   } catch (const InputError &error) {

@@ -28,7 +28,7 @@ constexpr std::string_view gone =
     "loss losses lost verlust waschverlust auswaschverlust eliminees elimines eliminado eliminados eliminada "
     "eliminati eliminate rimossi asportati schlaemmverlust schlaemmanteil ausgewaschen ausgewaschenes "
     "auswaschung abschlaemmbar abschlaemmbares abschlaemmbare abgeschlaemmt abgeschlaemmtes abschlaemmung "
-    "perte "
+    "away perte "
     "pertes perdida perdidas perdita perdite removed out fines fine finer finos fins fini feinanteil through "
     "passing silt clay schluff ton finer washout washings elements bestandteile";
 constexpr std::string_view loss =
@@ -97,7 +97,7 @@ public:
                                           sample, sieving, passing, container, moist, filler})
         if (has_word(list, word))
           return true;
-      return false;
+      return word.size() <= 2; // a symbol
     });
   }
   bool have_two(std::string_view first, std::string_view second) const {
@@ -141,6 +141,14 @@ std::string named_sieve(std::string_view text) {
   return is_of_sizes(unit_of_words(word)) ? sieve + " " + std::string(word) : sieve;
 }
 
+std::string_view from_last_number(std::string_view text) {
+  const std::size_t last = text.find_last_of("0123456789");
+  if (last == std::string_view::npos)
+    return {};
+  const std::size_t behind_words = text.find_last_not_of("0123456789.,/", last);
+  return behind_words == std::string_view::npos ? text : text.substr(behind_words + 1);
+}
+
 /// True for `< 0.063`, `-#200` and `- No. 200`.
 bool has_sign_of_passing(std::string_view text) {
   if (text.find('<') != std::string_view::npos || text.find("\u2264") != std::string_view::npos)
@@ -165,6 +173,8 @@ RowMeaning meaning_of(const Words &words, bool passes) {
     return washes                ? RowMeaning::initial_mass
            : words.have(sieving) ? RowMeaning::sieved_mass
                                  : RowMeaning::none;
+  if (words.have(pan) && words.have(sample) && words.have("and und et y e plus with mit con avec"))
+    return RowMeaning::none; // the pan is weighed with what is in it
   if (words.have(pan) && (washes || !dries))
     return washes ? RowMeaning::pan_and_wash : RowMeaning::pan;
   if (washes)
@@ -189,6 +199,10 @@ RowWords row_words(std::string_view label) {
   using namespace row_vocabulary;
   const Words words(label);
   if (words.empty() || !words.are_known())
+    return {};
+  // `Passing 2 mm, retained 1 mm` is a size class.
+  if (words.have(passing) && words.have("retained") &&
+      named_sieve(label) != named_sieve(from_last_number(label)))
     return {};
   const bool passes = has_sign_of_passing(label);
   RowWords row{meaning_of(words, passes), named_sieve(label)};
@@ -231,9 +245,9 @@ bool may_be_remark(std::string_view label) {
 }
 
 bool may_be_fines(std::string_view text) {
-  return row_vocabulary::Words(text).have(
-      "rest remainder residue fines filler unterkorn durchgang feinanteil feinkorn "
-      "fein schluff ton silt clay finos fins reste resto restos");
+  return row_vocabulary::Words(text).have("rest remainder residue fines dust staub poussiere polvo polvere "
+                                          "p200 p075 p063 filler unterkorn durchgang feinanteil feinkorn "
+                                          "fein schluff ton silt clay finos fins reste resto restos");
 }
 
 bool speaks_of_number_shares(std::string_view text) {

@@ -3,6 +3,8 @@
 #include "gradation/cell_numbers.hpp"
 #include "gradation/limit_columns.hpp"
 #include "gradation/mass_statements.hpp"
+#include "gradation/plain_words.hpp"
+#include "gradation/row_words.hpp"
 #include "gradation/weighed_sieves.hpp"
 #include "text/lines.hpp"
 #include "text/nearest_name.hpp"
@@ -398,6 +400,9 @@ std::optional<TableColumns> known_columns(const CellRow &row, const Reading &rea
 
 /// True where the header says with some words less, at its beginning or end, what `meaning` is.
 bool has_words_of(std::string_view header, const HeaderMeaning &meaning) {
+  constexpr std::size_t longest = 200;
+  if (header.size() > longest)
+    return false;
   const auto is_it = [&meaning](std::string_view part) {
     const std::optional<HeaderMeaning> found = header_meaning(part);
     return found && !found->is_unclear && found->meaning == meaning.meaning && found->unit == meaning.unit;
@@ -408,10 +413,24 @@ bool has_words_of(std::string_view header, const HeaderMeaning &meaning) {
   return false;
 }
 
-/// Refuses a second column of the same values, such as those of another sample; limits are none.
+/// The words of a header without letters and numbers that tell samples apart: `Mass retained A (g)`.
+std::vector<std::string> common_words(std::string_view header) {
+  std::vector<std::string> words = words_of(header);
+  std::erase_if(words, [](const std::string &word) {
+    return word != "g" && (word.size() == 1 || std::all_of(word.begin(), word.end(), is_digit));
+  });
+  return words;
+}
+
+/// Refuses a second column of the same values, such as those of another sample; limits and tares are none.
 void refuse_second_sample(const TableColumns &columns, std::size_t line, const Source &source) {
+  const auto is_second = [&columns](const std::string &other) {
+    return (has_words_of(other, columns.values) && row_words(other).meaning != RowMeaning::container &&
+            !is_limit(other)) ||
+           (!other.empty() && common_words(other) == common_words(columns.value_name));
+  };
   for (const auto &[place, other] : columns.others)
-    if (has_words_of(other, columns.values) && !is_limit(other))
+    if (is_second(other))
       source.refuse(line, fmt::format("the columns {} and {} may be of two samples: choose one with {} "
                                       "SIZE,VALUE",
                                       in_quotes(columns.value_name), in_quotes(other), option("columns")));

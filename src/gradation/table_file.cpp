@@ -40,7 +40,8 @@ Table read_text_table(std::string_view text, const Source &source, const std::st
       return read_camsizer(cells, *header, source, id);
     if (find_columns(cells, reading, source))
       return read_lab_table(cells, source, id, reading);
-    if (const std::optional<Cells> turned = upright(cells); turned && find_columns(*turned, reading, source))
+    if (const std::optional<Cells> turned = upright(cells, source);
+        turned && find_columns(*turned, reading, source))
       return read_lab_table(*turned, source, id, reading);
     if (!first)
       first = std::move(cells);
@@ -58,25 +59,24 @@ Table table_of_sheet(Cells cells, const Source &source, const std::string &id, c
   if (is_mastersizer(cells))
     return read_mastersizer(cells, source, id, reading);
   check_one_sample(reading, source);
-  const std::optional<Cells> turned = find_columns(cells, reading, source) ? std::nullopt : upright(cells);
+  const std::optional<Cells> turned =
+      find_columns(cells, reading, source) ? std::nullopt : upright(cells, source);
   const bool is_turned = turned && find_columns(*turned, reading, source);
   return read_lab_table(is_turned ? *turned : cells, source, id, reading);
 }
 
-/// What is said of sheets that nobody chose: something is written there too.
-std::optional<std::string> note_on_others(std::string_view bytes, const std::string &sheet,
-                                          const Source &source) {
+} // namespace
+
+std::optional<std::string> note_on_other_sheets(std::string_view bytes, const std::string &sheet,
+                                                const std::string &remedy, const Source &source) {
   ShortList others;
   for (const std::string &name : written_sheets(bytes, source))
     if (name != sheet)
       others.add(name);
   if (others.empty())
     return std::nullopt;
-  return fmt::format("Other sheets of the workbook are not read: {}; {} chooses one.", others.text(),
-                     option("sheet"));
+  return fmt::format("Other sheets of the workbook are not read: {}; {}.", others.text(), remedy);
 }
-
-} // namespace
 
 Table read_sheet_table(std::string_view bytes, const Source &source, const std::string &file_id,
                        const Reading &reading) {
@@ -85,7 +85,8 @@ Table read_sheet_table(std::string_view bytes, const Source &source, const std::
   Table table =
       table_of_sheet(std::move(cells), source, sheet.empty() ? file_id : file_id + "/" + sheet, reading);
   if (!sheet.empty() && !reading.sheet)
-    if (const std::optional<std::string> note = note_on_others(bytes, sheet, source))
+    if (const std::optional<std::string> note =
+            note_on_other_sheets(bytes, sheet, option("sheet") + " chooses one", source))
       table.notes.push_back(*note);
   return table;
 }

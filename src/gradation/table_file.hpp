@@ -23,4 +23,9 @@ Table read_sheet_table(std::string_view bytes, const Source &source, const std::
 /// Refuses `--specimen-id` of a file with one sample.
 void check_one_sample(const Reading &reading, const Source &source);
 
+/// A note on the sheets of a workbook that were not chosen and in which something is written; nothing if
+/// there is none. \param remedy  what to do about them
+std::optional<std::string> note_on_other_sheets(std::string_view bytes, const std::string &sheet,
+                                                const std::string &remedy, const Source &source);
+
 } // namespace mdm

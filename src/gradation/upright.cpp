@@ -55,12 +55,14 @@ void add_column(Cells &table, const CellRow &row, std::size_t column) {
 
 } // namespace
 
-std::optional<Cells> upright(const Cells &cells) {
+std::optional<Cells> upright(const Cells &cells, const Source &source) {
   const auto sizes = std::find_if(cells.rows.begin(), cells.rows.end(), begins_with_sizes);
   if (sizes == cells.rows.end() || std::none_of(sizes, cells.rows.end(), begins_with_values))
     return std::nullopt;
   const auto end = std::find_if_not(sizes, cells.rows.end(),
                                     [](const CellRow &row) { return is_long(row) && !states_mass(row); });
+  if (const auto next = std::find_if(end, cells.rows.end(), begins_with_sizes); next != cells.rows.end())
+    source.refuse(next->line, "a second table of sieves in a row begins: leave one of them out");
   const std::size_t height = static_cast<std::size_t>(end - sizes);
   std::size_t width = 0;
   for (auto row = sizes; row != end; ++row)

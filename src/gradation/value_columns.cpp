@@ -31,7 +31,8 @@ PrintedNumber ChosenColumn::read(std::string_view cell) {
   const PrintedNumber printed{sign_.decimal(number->digits),
                               last_digit_unit(number->digits, sign_.in(number->digits)) / 2};
   has_plain_ |= number->unit == ColumnUnit::none && printed.value != 0;
-  if (unit_is_of_cells_ && has_plain_)
+  has_percent_ |= number->unit == ColumnUnit::percent;
+  if ((unit_is_of_cells_ || has_percent_) && has_plain_)
     throw InputError(fmt::format(
         "some values in the column {} have a unit, as {} or others above, and some have none: write all "
         "alike",
@@ -112,6 +113,8 @@ std::optional<PrintedNumber> ColumnsBeside::number(const ColumnBeside &column, c
     return std::nullopt;
   try {
     const PrintedNumber number = printed_number(cell->digits, sign_.in(cell->digits));
+    if (number.value < 0)
+      throw InputError(in_quotes(cell->digits) + " is negative: correct it, or leave the column out");
     return less ? number - printed_number(less->digits, sign_.in(less->digits)) : number;
   } catch (const InputError &error) {
     throw InputError(fmt::format("the column {} is compared with the others: {}",

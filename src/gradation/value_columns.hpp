@@ -32,6 +32,7 @@ private:
   TableSign sign_;
   bool unit_is_of_cells_ = false;
   bool has_plain_ = false;           ///< a value above 0 without a unit
+  bool has_percent_ = false;         ///< cells have percent signs
   std::optional<bool> in_kilograms_; ///< what cells with a unit of mass are in
 };
 

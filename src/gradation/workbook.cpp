@@ -95,21 +95,25 @@ private:
     return path.empty() ? path : path.starts_with('/') ? path.substr(1) : "xl/" + path;
   }
 
-  /// Calls `visit` with the name and path of every sheet that holds cells.
+  /// Calls `visit` with the name and path of every sheet that holds cells, those first that are shown.
   template <class Visit>
   void for_each_sheet(Visit visit) {
     const Part book(archive_, "xl/workbook.xml", source_);
     const Part relations(archive_, "xl/_rels/workbook.xml.rels", source_);
     if (!book.root() || !relations.root())
       source_.refuse(1, "this zip archive is no workbook (.xlsx): unpack it and give the file in it");
-    for_each_below(child_of(book.root(), "sheets"), "sheet", [&](pugi::xml_node sheet) {
-      std::string path;
-      for (const pugi::xml_attribute attribute : sheet.attributes())
-        if (local_name(attribute.name()) == "id" && std::string_view(attribute.name()) != "id")
-          path = path_of(relations.root(), attribute.value());
-      if (!path.empty()) // else it is a chart
-        visit(std::string(sheet.attribute("name").value()), path);
-    });
+    for (const bool are_hidden : {false, true})
+      for_each_below(child_of(book.root(), "sheets"), "sheet", [&](pugi::xml_node sheet) {
+        const std::string_view state = sheet.attribute("state").value();
+        if ((state == "hidden" || state == "veryHidden") != are_hidden)
+          return;
+        std::string path;
+        for (const pugi::xml_attribute attribute : sheet.attributes())
+          if (local_name(attribute.name()) == "id" && std::string_view(attribute.name()) != "id")
+            path = path_of(relations.root(), attribute.value());
+        if (!path.empty()) // else it is a chart
+          visit(std::string(sheet.attribute("name").value()), path);
+      });
   }
 
   std::string sheet_path(const std::optional<std::string> &wanted) {
@@ -193,12 +197,12 @@ private:
 
   /// The text of the next cell of the row.
   std::string cell_text(pugi::xml_node cell, CellRow &row) {
-    if (child_of(cell, "f") && !child_of(cell, "v"))
+    const std::string_view type = cell.attribute("t").value();
+    const std::string value = text_below(child_of(cell, "v"));
+    if (child_of(cell, "f") && value.empty() && (type != "str" || !child_of(cell, "v")))
       source_.refuse(row.line,
                      "a cell has a formula without its value: open the workbook in a spreadsheet and save "
                      "it");
-    const std::string_view type = cell.attribute("t").value();
-    const std::string value = text_below(child_of(cell, "v"));
     if (type.empty() || type == "n")
       return number_text(value, cell.attribute("s").as_uint(), row);
     row.texts.push_back(row.cells.size());

@@ -85,11 +85,18 @@ std::vector<CellStyle> cell_styles(pugi::xml_node root) {
   for_each_below(child_of(root, "numFmts"), "numFmt", [&formats](pugi::xml_node format) {
     formats[format.attribute("numFmtId").as_uint()] = Format(format.attribute("formatCode").value()).read();
   });
+  std::vector<bool> are_struck; // of the fonts
+  for_each_below(child_of(root, "fonts"), "font", [&are_struck](pugi::xml_node font) {
+    const pugi::xml_node strike = child_of(font, "strike");
+    are_struck.push_back(strike && strike.attribute("val").as_bool(true));
+  });
   std::vector<CellStyle> styles;
   for_each_below(child_of(root, "cellXfs"), "xf", [&](pugi::xml_node xf) {
-    const unsigned id = xf.attribute("numFmtId").as_uint();
+    const unsigned id = xf.attribute("numFmtId").as_uint(), font = xf.attribute("fontId").as_uint();
     const auto found = formats.find(id);
     styles.push_back(found == formats.end() ? built_in(id) : found->second);
+    if (font < are_struck.size() && are_struck[font])
+      styles.back().behind += " (struck out)";
   });
   return styles;
 }

@@ -12,6 +12,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import resource
 import shutil
 import subprocess
@@ -251,6 +252,40 @@ def test_hidden_rows_are_named(folder):
     check("Rows that the sheet hides were read too: '2', 'Pan'." in run.stderr, f"hidden rows: {run.stderr}")
 
 
+def test_what_a_workbook_does_not_hold_or_strikes_out_is_refused(folder):
+    first, header = "xl/worksheets/sheet1.xml", ["Size (mm)", "Mass (g)"]
+    path = folder / "cells.xlsx"
+    formula = sheet("<row><c t='inlineStr'><is><t>Size (mm)</t></is></c><c t='inlineStr'><is><t>Mass (g)</t></is></c></row>"
+                    "<row><c><v>4</v></c><c><v>0</v></c></row><row><c><v>2</v></c><c{}><f>A1</f><v></v></c></row>"
+                    "<row><c><v>1</v></c><c><v>3</v></c></row>")
+    refused(workbook_with(path, {first: formula.format("")}), "a cell has a formula without its value")
+    refused(workbook_with(path, {first: formula.format(" t='str'")}), "the size '2' has no value")
+    styles = ("<styleSheet><fonts><font/><font><strike/></font><font><strike val='0'/></font></fonts><cellXfs><xf/>"
+              "<xf fontId='1'/><xf fontId='2'/></cellXfs></styleSheet>")
+    write = lambda rows: workbook_with(path, {first: cells([header, *rows]), "xl/styles.xml": styles})
+    refused(write([[4, 0], [2, (3, 1)], [1, 5]]), "'3 (struck out)' in the column 'Mass (g)' is not a number")
+    refused(write([[4, 0], [(2, 1), 3], [1, 5]]), "'2 (struck out)'")
+    check(converted(write([[4, 0], [(2, 2), (3, 2)]])) == {D(4): D(0), D(2): D(3)}, "a strike that is off")
+
+
+def test_a_sheet_that_is_hidden_is_not_taken(folder):
+    rows = cells([["Size (mm)", "Mass (g)"], [2, 0], [1, 3]])
+    book = zipfile.ZipFile(workbook_with(folder / "b.xlsx", {})).read("xl/workbook.xml").decode()
+    hidden = re.sub(r"<sheet (?=[^>]*Grain size)", '<sheet state="hidden" ', book, count=1)
+    check(hidden != book, "no sheet to hide")
+    path = workbook_with(folder / "hidden.xlsx", {"xl/worksheets/sheet2.xml": rows, "xl/workbook.xml": hidden})
+    run = mdm("convert", path)
+    check(run.stdout.split() == ["size_mm,mass", "1,3", "2,0"] and "not read: 'Grain size'" in run.stderr,
+          f"a hidden sheet: {run.stdout}{run.stderr}")
+
+
+def test_other_sheets_of_limits_are_named(folder):
+    limits = cells([["Sieve (mm)", "Lower", "Upper"], [4, 90, 100], [1, 10, 90]])
+    path = workbook_with(folder / "limits.xlsx", {"xl/worksheets/sheet1.xml": limits, "xl/worksheets/sheet2.xml": limits})
+    run = mdm("judge", FORMATS.parent / "athabasca-sand.csv", "--spec", path)
+    check("Other sheets of the workbook are not read: 'Remarks'" in run.stdout + run.stderr, f"limits: {run.stdout}{run.stderr}")
+
+
 def test_sheets_have_ids(folder):
     path = workbook_with(folder / "two.xlsx", {"xl/worksheets/sheet2.xml": cells([["Size (mm)", "Mass (g)"], [2, 0], [1, 3]])})
     for name in ("Grain size", "Remarks"):
@@ -344,7 +379,7 @@ def test_hostile_texts(folder):
         "deep.xml": (deep.encode(), "no sound XML"),
         "lol.xml": (b'<!DOCTYPE l [<!ENTITY a "l">]><Diggs>&a;</Diggs>', "document type (DTD)"),
         "none.xml": (b"<Diggs/>", "no ParticleSizeTest"),
-        "wide.csv": (wide.encode(), "more cells than the header, 2"),
+        "wide.csv": (wide.encode(), "1000 cells or more"),
         "cells.csv": ((many * 3000).encode(), "more than 2097152 cells"),
         "cut.csv": ("Siebweite [mm]\tRückstand [g]\n1\t2\n".encode("utf-16")[:-1], "in the middle of a character"),
         "old.xls": (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "Excel 97 to 2003"),

@@ -24,7 +24,8 @@ TEST_CASE("a line that begins with # and has a number is a row") {
 
 TEST_CASE("a table above the one that is read is not passed over") {
   const std::string pounds = "Sieve (mm),Mass retained (lb)\n63,0\n20,12\n10,8\n\n";
-  CHECK(contains(refusal(pounds + header + rows), "sand.csv:1: beside 'Sieve (mm)' no column is known"));
+  CHECK(contains(refusal(pounds + header + rows),
+                 "sand.csv:1: a table with 'Sieve (mm)' begins here and is not read"));
   CHECK(masses("Sieve,Soil\n" + header + rows) == "130 300 0");
 }
 
@@ -128,4 +129,88 @@ TEST_CASE("a word above the header is a part of it") {
   CHECK(contains(refusal("Sieve,Cumulative,,\n(mm),Passing (g),Retained (g)\n4,0,0\n2,10,5\n"),
                  "'Cumulative' is above"));
   CHECK(masses("Sieve,Sample 7,\n(mm),Retained (g)\n4,0\n2,10\n1,45\n") == "45 10 0");
+}
+
+TEST_CASE("a second table of sieves in a row is not passed over") {
+  CHECK(
+      contains(refusal("Sieve (mm),20,10,5\nMass retained (g),0,100,200\n\nFine sieving\nSieve (mm),2,1,Pan\n"
+                       "Mass retained (g),50,40,10\n"),
+               "a second table of sieves in a row"));
+}
+
+TEST_CASE("a stated mass is read, whatever its label ends in") {
+  for (const std::string stated :
+       {"Wash loss through 63 um,70", "Washed through 1 mm: 70 g", "Loss on washing over 63 um,70",
+        "Wash loss (g),:,70", "Wash loss,=,70,g", "Wash loss (g),W,70", "Wash loss (g),calc.,70",
+        "Wash loss,M1,g,70", "Washed away,70.0", "Wash loss Wf,70", "Dry mass,Wash loss\n(g),(g)\n500,70",
+        "Dry mass (g),500\nWash loss 14 %"}) {
+    INFO(stated);
+    CHECK(masses(stated + "\n" + header + rows) == "70 130 300 0");
+  }
+  CHECK(masses(header + rows + "Operator,,,Wash loss (g),70\n") == "70 130 300 0");
+  for (const std::string unclear : {"Wash loss 70 g / dry mass 500 g", "Wash loss 70 g of 500 g",
+                                    "What the wash took: 70 g", "Silt + clay: 70 g", "Wash loss,~70"}) {
+    INFO(unclear);
+    CHECK(contains(refusal(unclear + "\n" + header + rows), "sand.csv:1: "));
+  }
+}
+
+TEST_CASE("a total that is without a part of the rows says so") {
+  const Gradation g = read(header + rows + "Pan,70\nTotal,430\n");
+  CHECK(text(g.masses()) == "70 130 300 0");
+  CHECK(std::any_of(g.notes().begin(), g.notes().end(), [](const std::string &note) {
+    return contains(note, "'Total' says 430: that is what is on the sieves");
+  }));
+  CHECK(masses("Sieve (mm),Mass retained (g),Retained (%)\n4,0,0\n2,300,75\n1,100,25\nTotal,,100\n") ==
+        "100 300 0");
+}
+
+TEST_CASE("a pan that is weighed with what is in it, and a class between two sieves, are no pan") {
+  CHECK(contains(refusal("Mass of empty pan (g),100\n" + header + rows + "Mass of pan and soil (g),120\n"),
+                 "sand.csv:6: "));
+  CHECK(contains(refusal(header + "4,0\n2,100\n\"Passing 2 mm, retained 1 mm\",30\n"), "sand.csv:4: "));
+  CHECK(masses(header + "4,0\n2,100\n1,5\nPassing 1 mm,30\n") == "30 5 100 0");
+}
+
+TEST_CASE("columns of two samples are refused, whatever tells them apart") {
+  for (const auto &[first, second] :
+       std::vector<std::pair<std::string, std::string>>{{"Mass retained A (g)", "Mass retained B (g)"},
+                                                        {"Mass retained (g)", "Mass retained (g).1"},
+                                                        {"Mass retained (g)", "Mass retained 2 (g)"},
+                                                        {"R\u00fcckstand [g]", "R\u00fcckstand-2 [g]"}}) {
+    INFO(second);
+    CHECK(contains(refusal("Sieve (mm)," + first + "," + second + "\n4,0,0\n2,10,20\n"),
+                   "may be of two samples"));
+  }
+  CHECK(masses("Sieve (mm),Tare weight (g),Weight retained (g)\n4,400,0\n2,400,10\n") == "10 0");
+}
+
+TEST_CASE("values that grow to 100 may be cumulative percent") {
+  CHECK(contains(refusal("Sieve (mm),Retained\n4,0\n2,10\n1,45\n0.5,80\nPan,100\n"),
+                 "as in a cumulative column"));
+  CHECK(masses("Sieve (mm),Retained\n4,0\n2,50\n1,45\n0.5,80\nPan,100\n") == "100 80 45 50 0");
+}
+
+TEST_CASE("percent signs stand at all values or at none") {
+  CHECK(contains(refusal("Sieve (mm),% passing\n4,100%\n2,60%\n1,25%\n0.063,0.035\n"), "write all alike"));
+  CHECK(masses("Sieve (mm),% passing\n4,100%\n2,60%\n1,0\n") == "60 40 0");
+}
+
+TEST_CASE("a size 0 with a third number beside it may have a decimal comma") {
+  CHECK(contains(refusal("Siebweite (mm),R\u00fcckstand (g),Bemerkung\n4,0,\n2,10,\n0,6,20\n"),
+                 "decimal commas"));
+}
+
+TEST_CASE("spellings of sheets that are ordinary are read") {
+  CHECK(masses("\"Sieve\n(mm)\",\"Mass retained\n(g)\"\n" + rows) == "130 300 0");
+  CHECK(masses("Sieve size (in)\tMass retained (g)\n\"3/4\"\"\"\t0\n\"1/2\"\"\"\t10\n") == "10 0");
+  CHECK(masses("Sieve size (in),Mass retained (g)\n3/4,0\n1/2,10\n") == "10 0");
+  CHECK(masses("#,Sieve (mm),Mass retained (g)\n1,4,0\n2,2,10\n") == "10 0");
+  CHECK(masses("phi,Mass retained (g)\n\u22122,0\n\u22121,10\n0,20\n") == "20 10 0");
+  CHECK(masses("Sieve (mm),Mass retained (g),% passing\n4,0,100\n2,10,0\nFineness modulus,,3.10\n") ==
+        "10 0");
+  std::string wide = header;
+  for (int i = 0; i < 1001; ++i)
+    wide.insert(wide.size() - 1, ",x");
+  CHECK(contains(refusal(wide + rows), "1000 cells or more"));
 }
