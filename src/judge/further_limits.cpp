@@ -129,7 +129,7 @@ bool cut(Interval &interval, const std::optional<Rational> &least, const std::op
 
 const NotAvailable not_told = {
     "whether one curve keeps all limits together is not decided: a sieve that they are about is no sieve of "
-    "the sample, or two fineness moduli hang",
+    "the sample, a sieve of the sample is between two of the specification, or two fineness moduli hang",
     false};
 
 } // namespace
