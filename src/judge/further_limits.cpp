@@ -129,8 +129,43 @@ bool cut(Interval &interval, const std::optional<Rational> &least, const std::op
 
 const NotAvailable not_told = {
     "whether one curve keeps all limits together is not decided: a sieve that they are about is no sieve of "
-    "the sample, a sieve of the sample is between two of the specification, or two fineness moduli hang",
+    "the sample, or two fineness moduli hang",
     false};
+
+/// What may stay between two sieves of a box.
+struct Span {
+  std::size_t lower, upper;
+  Interval retained;
+};
+
+/// Narrows a box to the curves that keep the spans, too; false if there is none. The ends are those of
+/// shortest paths along bounds on differences (Bellman and Ford): they need no more rounds than there are
+/// sieves.
+bool narrow(CurveBox &box, const std::vector<Span> &spans) {
+  for (std::size_t round = 0; box.narrow() && round <= box.passing.size(); ++round) {
+    bool is_narrower = false;
+    const auto raise = [&is_narrower](Rational &end, const Rational &bound) {
+      is_narrower |= end < bound;
+      end = std::max(end, bound);
+    };
+    const auto lower = [&is_narrower](Rational &end, const Rational &bound) {
+      is_narrower |= bound < end;
+      end = std::min(end, bound);
+    };
+    for (const Span &s : spans) {
+      Interval &low = box.passing[s.lower], &high = box.passing[s.upper];
+      raise(high.lo, low.lo + s.retained.lo);
+      lower(high.hi, low.hi + s.retained.hi);
+      raise(low.lo, high.lo - s.retained.hi);
+      lower(low.hi, high.hi - s.retained.lo);
+      if (low.hi < low.lo || high.hi < high.lo)
+        return false;
+    }
+    if (!is_narrower)
+      return true;
+  }
+  return false;
+}
 
 } // namespace
 
@@ -191,6 +226,7 @@ Available<CurveWithin> curve_within_all(CurveBox box, const std::vector<PlacedLi
       return CurveWithin{};
   }
   const LimitVerdict *modulus = nullptr;
+  std::vector<Span> spans;
   for (const LimitVerdict &v : further) {
     if (!is_at_sieves(v.number) || (v.limit.modulus && modulus != nullptr))
       return not_told;
@@ -198,13 +234,11 @@ Available<CurveWithin> curve_within_all(CurveBox box, const std::vector<PlacedLi
       modulus = &v;
       continue;
     }
-    const std::size_t upper = v.number.terms[0].place.i, lower = v.number.terms[1].place.i;
-    if (upper != lower + 1)
-      return not_told;
-    if (!cut(box.retained[lower], v.limit.least, v.limit.most))
-      return CurveWithin{};
+    spans.push_back({v.number.terms[1].place.i,
+                     v.number.terms[0].place.i,
+                     {v.limit.least.value_or(Rational(0)), v.limit.most.value_or(Rational(100))}});
   }
-  if (!box.narrow())
+  if (!narrow(box, spans))
     return CurveWithin{};
   CurvePercents low = box.least_curve();
   const CurvePercents high = box.greatest_curve();

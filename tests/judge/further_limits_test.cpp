@@ -69,7 +69,11 @@ TEST_CASE("verdicts with further limits are those of the corners of all curves",
     const std::array<long, 6> &p = r.passing;
     std::vector<HalfPlane> wanted;
     std::vector<PassingLimits> sieves = {{ratio(1, 4), 0, 100}, {2, 0, 100}};
+    const std::size_t skipped =
+        below(3) == 0 ? 2 + static_cast<std::size_t>(below(2)) : 0; // no sieve of the limits
     for (const std::size_t i : {std::size_t{2}, std::size_t{3}}) {
+      if (i == skipped)
+        continue;
       const long least = std::max(0L, 2 * p[i] - below(7)), most = std::min(200L, 2 * p[i] + below(7));
       sieves.push_back({i == 2 ? ratio(1, 2) : Rational(1), ratio(least, 2), ratio(most, 2)});
       add_range(wanted, i == 2 ? 1 : 0, i == 2 ? 0 : 1, 3 * least, 3 * most);
@@ -84,11 +88,13 @@ TEST_CASE("verdicts with further limits are those of the corners of all curves",
       add_range(wanted, 1, 1, 6 * (600 - most - others), 6 * (600 - least - others));
     }
     if (below(4) != 0) {
-      const long most = std::max({p[2] - p[1], p[3] - p[2], p[4] - p[3]}) + below(5) - 2;
+      const std::size_t first = skipped == 2 ? 3 : 2, last = skipped == 3 ? 2 : 3;
+      const long most = std::max({p[first] - p[1], p[last] - p[first], p[4] - p[last]}) + below(5) - 2;
       further.push_back({std::nullopt, std::nullopt, Rational(most)});
-      wanted.push_back({1, 0, 6 * (most + p[1])});
-      wanted.push_back({-1, 1, 6 * most});
-      wanted.push_back({0, -1, 6 * (most - p[4])});
+      wanted.push_back({first == 2 ? 1 : 0, first == 2 ? 0 : 1, 6 * (most + p[1])});
+      if (first != last)
+        wanted.push_back({-1, 1, 6 * most});
+      wanted.push_back({last == 2 ? -1 : 0, last == 2 ? 0 : -1, 6 * (most - p[4])});
     }
     const std::vector<HalfPlane> box = r.curves();
     const Compliance expected = expected_verdict(box, wanted);
@@ -118,6 +124,22 @@ TEST_CASE("the fineness modulus and what stays between sieves of ASTM C33 are ju
   CHECK(judge(sand, c33, Rational(1), {parse_further_limit("FM=2.81..")}).verdict == Compliance::hangs);
   CHECK(judge(sand, c33, Rational(0), {parse_further_limit("retained=..24.9%")}).verdict ==
         Compliance::fails);
+}
+
+TEST_CASE("what stays between two sieves is judged where the sample has others between them", "[judge]") {
+  const std::vector<FurtherLimit> limit = {parse_further_limit("retained=..97.8")};
+  const UnderstoodGradation sand = soil({"1", "0.5", "0.125"}, {"100", "50.0", "2.2"});
+  const Specification spec = limits({{ratio(1, 8), 0, ratio(49, 4)}, {1, 99, 100}});
+  const Conformity c = judge(sand, spec, ratio(1, 10), limit);
+  CHECK(c.verdict == Compliance::hangs);
+  CHECK(judge(sand, spec, ratio(1, 100), limit).verdict == Compliance::hangs);
+  CHECK(judge(sand, spec, ratio(1, 10), {parse_further_limit("retained=..97.7")}).verdict ==
+        Compliance::fails);
+  // Together: 45 to 46 between 0.25 and 2 mm and at most 20 at each of the three sieves between.
+  const UnderstoodGradation three = soil({"4", "2", "1", "0.5", "0.25"}, {"100", "80", "65", "50", "35"});
+  const Specification ends = limits({{ratio(1, 4), 0, 34}, {2, 81, 100}, {4, 100, 100}});
+  CHECK(judge(three, ends, Rational(4), {parse_further_limit("retained=..46")}).verdict == Compliance::fails);
+  CHECK(judge(three, ends, Rational(4), {parse_further_limit("retained=..48")}).verdict == Compliance::hangs);
 }
 
 TEST_CASE("what is not told of further limits is undecided, and says so", "[judge]") {
