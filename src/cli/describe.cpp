@@ -111,7 +111,7 @@ void check_for_shares(const DescribeCommand &c, const std::string &what) {
 void describe_by_number(const DescribeCommand &c) {
   check_for_shares(c, option("by-number"));
   const std::string &path = c.files.paths.front();
-  const UnderstoodGradation read = any_gradation(path, c.reading, c.output.quiet);
+  const UnderstoodGradation read = any_curve(path, c.reading, c.output.quiet);
   describe_shares(
       in_file(path, [&] { return class_shares(c.asked.soil.with_pan(read.gradation), ShareOf::mass); }),
       c.output, c.digits);

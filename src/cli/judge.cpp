@@ -145,7 +145,7 @@ Judged by_filter_rule(const JudgeCommand &c) {
     throw InputError(
         fmt::format("{}: {} is none of {}", option("rule"), in_quotes(*c.rule), filter_rule_names()));
   const ReadSamples filters = c.files.read(c.reading, c.output.quiet);
-  const UnderstoodGradation base = any_gradation(*c.base, c.reading, c.output.quiet);
+  const UnderstoodGradation base = any_curve(*c.base, c.reading, c.output.quiet);
   RuleReport r =
       judge_filters(filters.samples, base, {*rule, c.dispersive, !c.no_regrade}, rounding_of(c.rounding));
   tell_apart(r.samples, &RuleJudgement::id, filters.files);

@@ -167,7 +167,7 @@ int run_beside(const PlotCommand &c) {
   std::vector<std::string> files = {c.file};
   files.insert(files.end(), c.beside.begin(), c.beside.end());
   for (const std::string &file : files) {
-    const Gradation g = any_gradation(file, c.reading, c.output.quiet).gradation;
+    const Gradation g = any_curve(file, c.reading, c.output.quiet).gradation;
     figure.curves.push_back({g.id(), g});
   }
   tell_apart(figure.curves, &DrawnCurve::name, files);
@@ -200,7 +200,7 @@ int run(const PlotCommand &command) {
   if (c.asked.colour)
     throw InputError(option("colour") + " is for packings: give a FILE that mdm pack -o wrote");
   GradationFigure what = c.asked.figure(is_sample);
-  const Gradation read = is_sample ? any_gradation(c.file, c.reading, c.output.quiet).gradation
+  const Gradation read = is_sample ? any_curve(c.file, c.reading, c.output.quiet).gradation
                                    : read_gradation(content, shown_name(c.file), c.reading.reading());
   const Gradation g = in_file(c.file, [&] { return c.soil.with_pan(read); });
   std::vector<std::string> notes;

@@ -32,7 +32,7 @@ ReadSamples read_samples(const std::vector<std::string> &paths, bool all_sheets,
       for (UnderstoodGradation &sheet : sheets_of(path, reading))
         read.samples.push_back(std::move(sheet));
     else
-      read.samples.push_back(any_gradation(path, reading, quiet));
+      read.samples.push_back(any_curve(path, reading, quiet));
     read.files.resize(read.samples.size(), path);
   }
   return read;

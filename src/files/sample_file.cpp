@@ -139,8 +139,10 @@ void refuse_sample(const std::string &path) {
                                " -o GRADATION.csv writes the one that they have");
 }
 
-UnderstoodGradation any_gradation(const std::string &path, const ReadingTexts &reading, bool quiet,
-                                  PhiReading phi) {
+namespace {
+
+UnderstoodGradation read_any(const std::string &path, const ReadingTexts &reading, bool quiet, PhiReading phi,
+                             SampleClasses classes) {
   const std::string begin = first_bytes(path);
   if (is_generated(begin)) {
     const StatedSet set = read_generated(read_file(path, max_set_bytes), shown_name(path));
@@ -158,7 +160,7 @@ UnderstoodGradation any_gradation(const std::string &path, const ReadingTexts &r
       options.unit = size_unit_of("unit", *reading.unit);
     SampleSieves sieves;
     const std::vector<std::string> notes = read_sample_file(path, options, sieves, quiet);
-    return {sieves.gradation(stem(path), SizeUnit::mm, notes),
+    return {sieves.gradation(stem(path), SizeUnit::mm, notes, classes),
             "file of particles",
             "those of the particles",
             "x^3 times their number",
@@ -166,6 +168,17 @@ UnderstoodGradation any_gradation(const std::string &path, const ReadingTexts &r
             false};
   }
   return understand_gradation(read_file(path, max_gradation_bytes), shown_name(path), reading.reading(phi));
+}
+
+} // namespace
+
+UnderstoodGradation any_gradation(const std::string &path, const ReadingTexts &reading, bool quiet,
+                                  PhiReading phi) {
+  return read_any(path, reading, quiet, phi, SampleClasses::between_sizes);
+}
+
+UnderstoodGradation any_curve(const std::string &path, const ReadingTexts &reading, bool quiet) {
+  return read_any(path, reading, quiet, PhiReading::exact, SampleClasses::at_sizes);
 }
 
 } // namespace mdm

@@ -56,5 +56,7 @@ void refuse_sample(const std::string &path);
 /// \throws InputError naming the file
 UnderstoodGradation any_gradation(const std::string &path, const ReadingTexts &reading, bool quiet,
                                   PhiReading phi = PhiReading::exact);
+/// The same where it is asked what passes between its sieves: of a sample no particle is between two sizes.
+UnderstoodGradation any_curve(const std::string &path, const ReadingTexts &reading, bool quiet);
 
 } // namespace mdm

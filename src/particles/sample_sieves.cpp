@@ -55,21 +55,29 @@ void SampleSieves::add(const SizeRange &diameter, const Integer &quantity) {
   gather(diameter.hi, quantity);
 }
 
-Gradation SampleSieves::gradation(const std::string &id, SizeUnit unit,
-                                  std::vector<std::string> notes) const {
+Gradation SampleSieves::gradation(const std::string &id, SizeUnit unit, std::vector<std::string> notes,
+                                  SampleClasses classes) const {
   Gradation::Data data;
   data.notes = std::move(notes);
   data.id = id;
   data.unit = unit;
   data.sizes.emplace_back(0);
+  const bool has_steps = classes == SampleClasses::at_sizes && digits_ == 0 && !has_ranges_;
   for (const auto &[size, mass] : masses_) {
+    const Rational below = size * (1 - ten_to(-12));
+    if (has_steps && below > data.sizes.back()) { // no particle is between two sizes: a curve has steps
+      data.sizes.push_back(below);
+      data.masses.emplace_back(0);
+    }
     data.sizes.push_back(size);
     data.masses.push_back(mass);
   }
   data.masses.emplace_back(0);
-  data.notes.push_back(
-      fmt::format("a sample of {} spheres: its gradation has a sieve of each size{}", to_string(particles_),
-                  digits_ == 0 ? std::string() : fmt::format(", rounded up to {} digits", digits_)));
+  data.notes.push_back(fmt::format("a sample of {} spheres: its gradation has a sieve of each size{}",
+                                   to_string(particles_),
+                                   has_steps      ? ", and one 10^-12 of it below"
+                                   : digits_ == 0 ? std::string()
+                                                  : fmt::format(", rounded up to {} digits", digits_)));
   if (has_ranges_)
     data.notes.emplace_back("of sizes of which ranges are known the upper ends were taken");
   return Gradation(std::move(data));

@@ -10,9 +10,15 @@
 
 namespace mdm {
 
+/// What the classes of a sample's gradation are.
+enum class SampleClasses {
+  between_sizes, ///< from one size to the next
+  at_sizes       ///< from 10^-12 of a size below it to it: what passes is the same from one size to the next
+};
+
 /// Gathers spheres by size: the gradation of a sample with a sieve of every size that it has. Where there are
 /// more than most_sieves sizes they are rounded up, to 4 significant digits or fewer; masses stay those of
-/// the sizes. Of a range the upper end counts.
+/// the sizes. Of a range the upper end counts. In both cases classes are between sizes.
 class SampleSieves : public ParticleSink {
 public:
   static constexpr std::size_t most_sieves = 1000;
@@ -26,7 +32,8 @@ public:
   const std::map<Rational, Rational> &masses() const { return masses_; }
   /// The gradation, from a pan at 0 on; its notes are those of the reader and what was done.
   /// \throws InputError if there was no particle
-  Gradation gradation(const std::string &id, SizeUnit unit, std::vector<std::string> notes) const;
+  Gradation gradation(const std::string &id, SizeUnit unit, std::vector<std::string> notes,
+                      SampleClasses classes) const;
 
 private:
   void gather(const Rational &size, const Integer &quantity);

@@ -167,12 +167,13 @@ Gradation read_sample(const py::bytes &content, const std::string &file,
   const py::gil_scoped_release unlocked;
   SampleSieves sieves;
   if (is_gsd(text))
-    return sieves.gradation(stem(file), SizeUnit::mm, read_gsd(text, file, sieves, options).notes);
+    return sieves.gradation(stem(file), SizeUnit::mm, read_gsd(text, file, sieves, options).notes,
+                            SampleClasses::between_sizes);
   ParticleReader reader(file, sieves, options);
   for (Lines lines(text); lines.next();)
     reader.line(lines.text());
   reader.end();
-  return sieves.gradation(stem(file), SizeUnit::mm, reader.notes());
+  return sieves.gradation(stem(file), SizeUnit::mm, reader.notes(), SampleClasses::between_sizes);
 }
 
 } // namespace

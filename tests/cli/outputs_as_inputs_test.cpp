@@ -212,6 +212,28 @@ TEST_CASE("Outputs as inputs: the gradation of a sample has a sieve of each size
   CHECK(converted.err.find("a sample of 11 spheres") != std::string::npos);
 }
 
+TEST_CASE("Outputs as inputs: of a sample no particle is between two sizes", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string two = folder.write("two.csv", "size_mm,quantity\n2,1000\n9,11\n");
+  const Outcome described = mdm({"describe", two});
+  INFO(described.out << described.err);
+  CHECK(described.exit_code == 0);
+  for (const std::string line :
+       {"D60     9.000 mm", "fine gravel    4.75 to 19 mm      50.06",
+        "coarse sand    2 to 4.75 mm           0", "fines            to 0.075 mm            0"})
+    CHECK(described.out.find(line) != std::string::npos);
+  CHECK(mdm({"judge", two, "--stability", "kezdi"}).exit_code == 1); // D15 / d85 is 9 / 2
+  const std::string sample = folder.write("sample.csv", "size_mm,quantity\n2,1\n3,1\n");
+  const auto verdict = [&](const std::string &row) {
+    const std::string spec =
+        folder.write("spec.csv", "size_mm,passing_min_percent,passing_max_percent\n" + row + "\n");
+    return mdm({"judge", sample, "--spec", spec}).exit_code;
+  };
+  CHECK(verdict("2.4,50,60") == 1); // 8 / 35 pass
+  CHECK(verdict("2.4,22.8,22.9") == 0);
+  CHECK(verdict("1,0,10") == 0);
+}
+
 TEST_CASE("what mdm writes it reads, whatever the id", "[cli]") {
   const TemporaryFolder folder;
   for (const std::string id :
