@@ -13,6 +13,7 @@ within a tolerance, or the proof of bounds on the smallest, by the program that 
 its proof of correctness in Coq.
 GRADATION is the gradation file (CSV or JSON) and CERTIFICATE what mdm solve --proof wrote;
 one of them may be - for standard input. Of several pairs each has its verdict, in a line.
+Certificates by the law of a table or of a sum are malformed for this program: use mdm-check.
 
 With a SAMPLE, CERTIFICATE is what mdm verify --proof or mdm published --proof wrote of it, and
 says whether the sample matches. This program takes sizes, or powers of them, whose masses are

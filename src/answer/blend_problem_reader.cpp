@@ -161,6 +161,15 @@ Rational stated_number(const Json &value, const std::string &what) {
   }
 }
 
+std::string stated_blend_id(std::string_view json) {
+  try {
+    const Json tree = json_tree(json);
+    return tree.is_object() && has_member(tree, "id") ? text_member(tree, "id") : std::string();
+  } catch (const InputError &) { // what is no JSON has none
+    return {};
+  }
+}
+
 StatedBlendProblem read_blend_problem(std::string_view json) {
   const Json tree = json_tree(json);
   check_members(tree, "", known_members);

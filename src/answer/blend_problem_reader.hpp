@@ -31,4 +31,7 @@ StatedBlendProblem read_blend_problem(std::string_view json);
 /// \throws InputError
 Rational stated_number(const nlohmann::json &value, const std::string &what);
 
+/// The id of a problem that cannot be read otherwise; empty where it has none.
+std::string stated_blend_id(std::string_view json);
+
 } // namespace mdm

@@ -139,7 +139,7 @@ Run add_report(CLI::App &app) {
       ->allow_extra_args(false);
   add_options(command, DescribeTexts::options, c->asked);
   add_options(command, SoilTexts::options, c->asked.soil);
-  command.add_option("--format", c->format, "html, pdf or json; else as OUT ends, else html")
+  command.add_option("--format", c->format, "html, pdf or json; else as OUT ends; html without OUT")
       ->check(CLI::IsMember({"html", "pdf", "json"}));
   command.add_option("-o", c->out, "write the report to OUT instead of standard output")->type_name("OUT");
   command.add_flag("--quiet", c->quiet, "no progress on standard error");

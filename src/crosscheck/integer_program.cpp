@@ -296,8 +296,8 @@ IntegerProgram integer_program(const Gradation &g, const Question &question, Pro
                                const std::string &form_name) {
   if (question.solids)
     throw InputError(form_name +
-                     ": a volume of solids has the factor pi, and such a program has rational "
-                     "numbers: leave it out, or ask for " +
+                     ": a volume of solids is not written, as that of a box has the factor pi and such a "
+                     "program rational numbers: leave it out, or ask for " +
                      option("at-least") + " so many particles");
   const Gradation asked = asked_gradation(g, question);
   IntegerProgram program = question.is_tolerant() ? tolerant_program(asked, question, form, form_name)

@@ -20,6 +20,8 @@ BlendLine read_line(const FileLines::Line &line, const std::string &path, std::u
     result.problem = std::move(stated.problem);
   } catch (const InputError &e) {
     result.error = e.what();
+    if (std::string id = stated_blend_id(*line); !id.empty())
+      result.id = std::move(id);
   }
   return result;
 }

@@ -375,6 +375,9 @@ private:
                        fmt::format("{} may be a mass that passes the finest sieve: write Wash loss, or a "
                                    "row Pan, if it is, else leave it out",
                                    in_quotes(s.label)));
+      if (s.meaning == RowMeaning::none && !s.is_percent && s.line < read_.table.header_line &&
+          (speaks_of_washing(s.label) || may_be_fines(s.label)))
+        read_.left.add(s.label);
       try {
         read_.stated.push_back({s, printed_number(s.digits, sign_.in(s.digits))});
       } catch (const InputError &error) {
@@ -387,7 +390,9 @@ private:
   /// Rows of several samples, one below the other, are no stack of sieves.
   void check_samples() const {
     for (const UnusedColumn &column : columns_.others) {
-      if (!names_samples(column.name))
+      const bool may_be_parts = chosen_.meaning().meaning == ColumnMeaning::retained &&
+                                has_word("test part portion stage", plain_words(column.name));
+      if (!names_samples(column.name) && !may_be_parts)
         continue;
       std::map<std::string, std::size_t> rows;
       for (const CellRow *sieve : sieves_)
@@ -396,7 +401,7 @@ private:
         continue;
       source_.refuse(
           sieves_.front()->line,
-          fmt::format("the column {} names several samples, {} and {}: give each a file of its own",
+          fmt::format("the column {} names several samples or parts, {} and {}: give each a file of its own",
                       in_quotes(column.name), in_quotes(rows.begin()->first),
                       in_quotes(std::next(rows.begin())->first)));
     }

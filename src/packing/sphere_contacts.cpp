@@ -125,7 +125,7 @@ void NearSpheres::add_images() {
     constexpr double wider = 1 + 1e-9;
     const double reach = (2 * largest_radius_ + gap_) * wider;
     if (!(period > 2 * reach))
-      throw InputError("the box is periodic and narrower than two of the largest diameters: give a wider " +
+      throw InputError("the box is periodic and no wider than two of the largest diameters: give a wider " +
                        option("box"));
     const std::size_t before = images_.size();
     for (std::size_t i = 0; i < before; ++i) {

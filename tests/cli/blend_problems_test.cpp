@@ -50,6 +50,7 @@ TEST_CASE("problems of blends: an answer a line, in order, and the exit code of 
   const std::vector<Json> bad = solved(cheap + "\n{}\n" + none, 2);
   REQUIRE(bad.size() == 3);
   CHECK(bad[1] == Json{{"id", "2"}, {"status", "error"}, {"error", "stdin:2: sieves is missing"}});
+  CHECK(solved(cheap + "\n{\"id\":\"y\"}", 2).at(1).at("id") == "y");
   CHECK(solved(cheap, 3, {"--node-limit", "0"}).at(0).at("status") == "unknown");
 }
 

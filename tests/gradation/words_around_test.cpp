@@ -33,8 +33,15 @@ TEST_CASE("rows of several samples are no stack of sieves") {
   const std::string rows_of_two = "A,20,0\nA,10,500\nB,4,0\nB,2,120\n";
   for (const std::string name : {"Sample", "Borehole", "Specimen ID", "Lab No. of sample"}) {
     INFO(name);
-    CHECK(contains(refusal(name + "," + header + rows_of_two), "names several samples, 'A' and 'B'"));
+    CHECK(
+        contains(refusal(name + "," + header + rows_of_two), "names several samples or parts, 'A' and 'B'"));
   }
+  CHECK(contains(refusal("Test," + header + "coarse,20,0\ncoarse,10,500\nfine,4,20\nfine,2,120\n"),
+                 "'coarse' and 'fine'"));
+  CHECK(
+      masses(
+          "Test,Sieve (mm),% passing\nsieve,20,100\nsieve,10,50\nhydrometer,0.02,40\nhydrometer,0.01,30\n") ==
+      "30 10 10 50 0");
   CHECK(masses("Sample," + header + "A,20,0\nA,10,500\n") == "500 0");
   CHECK(masses("Sample No.," + header + "1,20,0\n2,10,500\n3,5,200\n") == "200 500 0");
   CHECK(contains(refusal(header + "Sample A,\n20,0\n10,500\nSample B,\n5,0\n2,100\n"), "'Sample B'"));
@@ -102,6 +109,9 @@ TEST_CASE("shares by number are no masses, where a line above says so") {
   const std::string exported = "Sample Name,Distribution Type,Result Between User Sizes um,,\n,,1,2,4\nS1,";
   CHECK(contains(refusal(exported + "Number,40.00,60.00,\n"), "'Number'"));
   CHECK(masses(exported + "Volume,40.00,60.00,\n") == "40 60 0");
+  const std::string camsizer = "x [mm]\t\tp3 [%]\tQ3 [%]\n0\t0.1\t10.0\t10.0\n0.1\t0.2\t90.0\t100.0\n";
+  CHECK(contains(refusal("Number distribution Q0\n" + camsizer), "by number"));
+  CHECK(masses(camsizer) == "10 90 0");
 }
 
 TEST_CASE("a line above tells whose sieve numbers they are") {
@@ -153,6 +163,12 @@ TEST_CASE("a stated mass is read, whatever its label ends in") {
     INFO(unclear);
     CHECK(contains(refusal(unclear + "\n" + header + rows), "sand.csv:1: "));
   }
+}
+
+TEST_CASE("fines without a unit above the table are named") {
+  const Gradation g = read("Fines,70\n" + header + rows);
+  CHECK(std::any_of(g.notes().begin(), g.notes().end(),
+                    [](const std::string &note) { return contains(note, "left out: 'Fines'"); }));
 }
 
 TEST_CASE("a total that is without a part of the rows says so") {

@@ -169,7 +169,7 @@ def check_refusals(folder):
         (dump % ("ff ff ff", "0", "3"), [], ":8: the box is empty"),
         (dump % ("ff ff ff", "9 1", "3"), [], ":6: the bounds of the box are not three lines"),
         (dump % ("ff ff ff", "x", "3"), [], ":8: bound of the box 'x'"),
-        (dump % ("pp ff ff", "4", "3"), [], "is periodic and narrower than two of the largest diameters"),
+        (dump % ("pp ff ff", "4", "3"), [], "is periodic and no wider than two of the largest diameters"),
         (good.replace("1 1 1 1 2", "1 1 1 1 0"), [], ":10: diameter '0' is not above 0"),
         (good.replace("1 1 1 1 2", "1 1 1 1 nan"), [], ":10: diameter 'nan'"),
         (good[:-10], [], "ends after 1 of 2 atoms"),
