@@ -11,7 +11,8 @@ namespace mdm {
 /// True for a zip archive, which a workbook is.
 bool is_workbook(std::string_view bytes);
 
-/// The cells of a sheet, the first that is shown or that of the name; numbers are the shortest decimals of their doubles.
+/// The cells of a sheet, the first that is shown or that of the name; numbers are the shortest decimals of
+/// their doubles.
 /// \throws InputError if it is no workbook, or larger than max_unpacked_bytes when it is unpacked; or, where the program
 /// was built without libzip and pugixml, in any case
 Cells read_workbook(std::string_view bytes, const std::optional<std::string> &sheet, const Source &source);

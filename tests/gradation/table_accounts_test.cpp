@@ -231,9 +231,9 @@ TEST_CASE("Percent retained must be of the whole") {
 
 TEST_CASE("A row of the table with numbers that is none of these is an error") {
   CHECK(contains(refusal(header + rows + "D50,0.3\n"), "sand.csv:6: 'D50' is no sieve"));
-  CHECK(contains(
-      refusal("Size (mm),Mass retained (g),% passing\n2,0,100\n1,30,40\nDust ratio,,3\nPan,20,0\n"),
-      "sand.csv:4: the row 'Dust ratio' has numbers"));
+  CHECK(
+      contains(refusal("Size (mm),Mass retained (g),% passing\n2,0,100\n1,30,40\nDust ratio,,3\nPan,20,0\n"),
+               "sand.csv:4: the row 'Dust ratio' has numbers"));
 }
 
 TEST_CASE("The option --loss is a percentage of sheets alone") {
