@@ -1,7 +1,7 @@
 #include "gradation/camsizer_reader.hpp"
 
 #include "gradation/cell_numbers.hpp"
-#include "gradation/row_words.hpp"
+#include "gradation/number_shares.hpp"
 #include "gradation/shown.hpp"
 
 #include <mdm/number/decimal.hpp>
@@ -31,7 +31,7 @@ public:
     table_.header_line = cells_.rows[header_].line;
     if (end_ == header_ + 1)
       source_.refuse(table_.header_line, "there is no row of a size class below this header");
-    refuse_number_shares();
+    refuse_number_shares(cells_, header_, source_);
     find_unit();
     find_sign();
     for (row_ = header_ + 1; row_ < end_; ++row_)
@@ -51,17 +51,6 @@ private:
 
   const CellRow &row() const { return cells_.rows[row_]; }
   [[noreturn]] void refuse(const std::string &what) const { source_.refuse(row().line, what); }
-
-  /// p3 is of volume; a line above that says otherwise is right, or the header is.
-  void refuse_number_shares() const {
-    for (std::size_t i = 0; i < header_; ++i)
-      for (const std::string &cell : cells_.rows[i].cells)
-        if (speaks_of_number_shares(cell))
-          source_.refuse(cells_.rows[i].line,
-                         fmt::format("{} says that the shares are by number, and p3 that they are "
-                                     "by volume: {}",
-                                     in_quotes(cell), number_shares_remedy));
-  }
 
   void find_unit() {
     const std::vector<std::string> &header = cells_.rows[header_].cells;

@@ -33,19 +33,6 @@ bool is_comment(const std::vector<std::string> &cells) {
          });
 }
 
-/// A field without the quotes around it, and of two quotes in it one.
-std::string unquoted(std::string_view field) {
-  if (field.size() < 2 || field.front() != '"' || field.back() != '"')
-    return std::string(field);
-  std::string text;
-  for (const char c : field.substr(1, field.size() - 2)) {
-    if (c == '"' && text.ends_with('"'))
-      continue;
-    text += c;
-  }
-  return text;
-}
-
 /// The cells of a line, without the spaces around them; nothing where a quoted one is not closed.
 std::optional<std::vector<std::string>> split(std::string_view line, char delimiter) {
   std::vector<std::string> fields;
@@ -67,9 +54,11 @@ std::optional<std::vector<std::string>> split(std::string_view line, char delimi
 /// The cells of the next line, or of several where a line ends within quotes. What is not closed is one cell.
 std::vector<std::string> next_cells(Lines &lines, char delimiter) {
   constexpr int most_lines = 10;
-  const std::string_view first = lines.text();
-  std::optional<std::vector<std::string>> cells = split(first, delimiter);
-  std::string all(first);
+  std::optional<std::vector<std::string>> cells = split(lines.text(), delimiter);
+  if (cells)
+    return *std::move(cells);
+  const std::string first(lines.text());
+  std::string all = first;
   Lines ahead = lines;
   for (int i = 1; !cells && i < most_lines && ahead.next(); ++i) {
     all += " " + std::string(ahead.text());
@@ -77,7 +66,7 @@ std::vector<std::string> next_cells(Lines &lines, char delimiter) {
     if (cells)
       lines = ahead;
   }
-  return cells ? *std::move(cells) : std::vector<std::string>{std::string(first)};
+  return cells ? *std::move(cells) : std::vector<std::string>{first};
 }
 
 /// `\u22121` with the sign of minus that is not of ASCII.

@@ -37,7 +37,6 @@ CellRow beside_columns(CellRow row, const TableColumns &columns) {
   return row;
 }
 
-/// Above the table, and beside its header and its units.
 /// Units below labels go to them: `Dry mass,Wash loss` above `(g),(g)`. Nothing where the row below has none.
 std::optional<CellRow> with_units_below(const CellRow &row, const CellRow &below) {
   CellRow labels = row;
@@ -54,6 +53,7 @@ std::optional<CellRow> with_units_below(const CellRow &row, const CellRow &below
   return has_units ? std::optional(std::move(labels)) : std::nullopt;
 }
 
+/// Above the table, and beside its header and its units.
 std::vector<MassStatement> statements_above(const Cells &cells, const TableColumns &columns) {
   std::vector<MassStatement> statements;
   for (std::size_t i = 0; i < columns.above; ++i) {
@@ -89,6 +89,10 @@ std::string_view first_cell(const CellRow &row) {
   return *std::find_if(row.cells.begin(), row.cells.end(), [](const std::string &c) { return !c.empty(); });
 }
 
+bool is_zero(const NumberCell &number) {
+  return number.digits.find_first_of("123456789") == std::string_view::npos;
+}
+
 /// A number about the whole curve, which labs write below its columns: `Fineness modulus`, `Cu`, `D10`.
 bool names_index(std::string_view cell) {
   const std::string words = plain_words(cell);
@@ -113,6 +117,8 @@ bool belongs_to_table(RowMeaning meaning) {
          meaning == RowMeaning::pan_and_wash || meaning == RowMeaning::passing ||
          meaning == RowMeaning::total || meaning == RowMeaning::sieve_loss;
 }
+
+constexpr std::string_view comma_remedy = "put ; between cells where numbers have decimal commas";
 
 /// A pass over the rows below the header.
 class RowPass {
@@ -220,8 +226,7 @@ private:
     const std::optional<NumberCell> first = first_row < cells_.rows.size()
                                                 ? number_cell(cells_.rows[first_row].cell(columns_.value))
                                                 : std::nullopt;
-    if (are_retained && first && !read_.table.sizes.empty() &&
-        first->digits.find_first_of("123456789") == std::string_view::npos)
+    if (are_retained && first && is_zero(*first) && !read_.table.sizes.empty())
       refuse(fmt::format("a second table begins with a sieve that retains nothing: it may be of another "
                          "sample, or of a part of "
                          "the first, which mdm convert {} joins: leave one of them out, or its header if it "
@@ -288,8 +293,7 @@ private:
   /// True for words that are a remark, as they stand beside a sieve: `wet,0.063,50`.
   bool is_beside_sieve(const RowWords &known, std::string_view cell) const {
     const std::optional<NumberCell> size = number_cell(size_cell());
-    const bool is_sieve = size && size->digits.find_first_of("123456789") != std::string_view::npos;
-    if (!is_sieve || cell == size_cell() || !known.sieve.empty())
+    if (!size || is_zero(*size) || cell == size_cell() || !known.sieve.empty())
       return false;
     if (belongs_to_table(known.meaning) && may_be_remark(cell) && number_cell(value_cell()))
       refuse(fmt::format("{} is beside the size {}: leave the size out if it is no sieve, else the word",
@@ -369,14 +373,14 @@ private:
   /// Numbers beside words that say nothing of masses may be dates.
   void take_stated() {
     for (const MassStatement &s : statements_) {
-      if (s.meaning == RowMeaning::none && s.grams != 0 &&
-          (speaks_of_washing(s.label) || may_be_fines(s.label)))
+      const bool may_pass =
+          s.meaning == RowMeaning::none && (speaks_of_washing(s.label) || may_be_fines(s.label));
+      if (may_pass && s.grams != 0)
         source_.refuse(s.line,
                        fmt::format("{} may be a mass that passes the finest sieve: write Wash loss, or a "
                                    "row Pan, if it is, else leave it out",
                                    in_quotes(s.label)));
-      if (s.meaning == RowMeaning::none && !s.is_percent && s.line < read_.table.header_line &&
-          (speaks_of_washing(s.label) || may_be_fines(s.label)))
+      if (may_pass && !s.is_percent && s.line < read_.table.header_line)
         read_.left.add(s.label);
       try {
         read_.stated.push_back({s, printed_number(s.digits, sign_.in(s.digits))});
@@ -501,22 +505,21 @@ private:
                       in_quotes(columns_.value_name), in_quotes(name)));
   }
 
-  /// `0,063,30`: a size with a decimal comma is cut in two.
+  /// `0,063,30`, `0,6,20`: a size with a decimal comma is cut in two.
   void check_decimal_commas() const {
+    if (cells_.delimiter != ',')
+      return;
     const std::string_view value = value_cell();
-    const bool has_third =
-        std::any_of(columns_.others.begin(), columns_.others.end(),
-                    [this](const auto &column) { return number_cell(row().cell(column.place)).has_value(); });
-    if (cells_.delimiter == ',' && size_cell() == "0" && has_third)
-      refuse(
-          fmt::format("0 and {} may be a size with a decimal comma: put ; between cells where numbers have "
-                      "decimal commas",
-                      in_quotes(value)));
-    if (cells_.delimiter == ',' && value.size() > 1 && value.front() == '0' && is_digit(value[1]))
-      refuse(fmt::format(
-          "{} begins with 0, as behind a decimal comma: put ; between cells where numbers have decimal "
-          "commas",
-          in_quotes(value)));
+    if (size_cell() == "0" && has_unused_number())
+      refuse(fmt::format("0 and {} may be a size with a decimal comma: {}", in_quotes(value), comma_remedy));
+    if (value.size() > 1 && value.front() == '0' && is_digit(value[1]))
+      refuse(fmt::format("{} begins with 0, as behind a decimal comma: {}", in_quotes(value), comma_remedy));
+  }
+
+  bool has_unused_number() const {
+    return std::any_of(columns_.others.begin(), columns_.others.end(), [this](const UnusedColumn &column) {
+      return number_cell(row().cell(column.place)).has_value();
+    });
   }
 
   const Cells &cells_;

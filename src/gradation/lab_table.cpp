@@ -4,7 +4,7 @@
 #include "gradation/csv_rows.hpp"
 #include "gradation/lab_accounts.hpp"
 #include "gradation/lab_values.hpp"
-#include "gradation/row_words.hpp"
+#include "gradation/number_shares.hpp"
 #include "gradation/weighed_sieves.hpp"
 #include "text/option_name.hpp"
 
@@ -93,18 +93,6 @@ void refuse_table_above(const Cells &cells, const TableColumns &columns, const S
                           in_quotes(cells.rows[i].cells[*size]), cells.rows[columns.above].line));
 }
 
-/// `Distribution Base,Number` above a table of percent: what passes is no mass.
-void refuse_number_shares(const Cells &cells, const TableColumns &columns, const Source &source) {
-  for (std::size_t i = 0; i < columns.above; ++i) {
-    const CellRow &row = cells.rows[i];
-    for (std::size_t c = 0; c < row.cells.size(); ++c)
-      for (const std::string &text : {row.cells[c], row.cells[c] + " " + std::string(row.cell(c + 1))})
-        if (speaks_of_number_shares(text))
-          source.refuse(row.line, fmt::format("{} says that the shares are by number: {}", in_quotes(text),
-                                              number_shares_remedy));
-  }
-}
-
 } // namespace
 
 void refuse_table(const Cells &cells, const Reading &reading, const Source &source) {
@@ -136,7 +124,7 @@ Table read_lab_table(const Cells &cells, const Source &source, const std::string
   std::optional<TableColumns> columns = find_columns(cells, reading, source);
   if (!columns)
     refuse_table(cells, reading, source);
-  refuse_number_shares(cells, *columns, source);
+  refuse_number_shares(cells, columns->above, source);
   if (!reading.columns)
     refuse_table_above(cells, *columns, source);
   LabRows rows = read_lab_rows(cells, std::move(*columns), reading, source);

@@ -32,9 +32,10 @@ bool holds_digit(std::string_view text) {
 /// not end so, as `Dry mass M1 [g]` does.
 std::optional<std::pair<std::string_view, std::string_view>> split_at_mass(std::string_view cell) {
   const std::size_t last = cell.find_last_of("0123456789");
-  if (last == std::string_view::npos || cell.find_first_of("([{", last) != std::string_view::npos ||
-      (unit_of_words(cell.substr(last + 1)) != ColumnUnit::mass &&
-       unit_of_words(cell.substr(last + 1)) != ColumnUnit::percent))
+  if (last == std::string_view::npos || cell.find_first_of("([{", last) != std::string_view::npos)
+    return std::nullopt;
+  const ColumnUnit unit = unit_of_words(cell.substr(last + 1));
+  if (unit != ColumnUnit::mass && unit != ColumnUnit::percent)
     return std::nullopt;
   const std::size_t before = cell.find_last_not_of("0123456789.,", last);
   if (before == std::string_view::npos || cell[before] != ' ')

@@ -1,8 +1,8 @@
 #include "gradation/mastersizer_reader.hpp"
 
 #include "gradation/cell_numbers.hpp"
+#include "gradation/number_shares.hpp"
 #include "gradation/plain_words.hpp"
-#include "gradation/row_words.hpp"
 #include "gradation/sample_choice.hpp"
 #include "text/option_name.hpp"
 

@@ -250,13 +250,6 @@ bool may_be_fines(std::string_view text) {
                                           "fein schluff ton silt clay finos fins reste resto restos");
 }
 
-bool speaks_of_number_shares(std::string_view text) {
-  const row_vocabulary::Words words(text);
-  return words.have("number anzahl nombre numero") &&
-         words.have("distribution distributions distribucion distribuzione weighted weighting basis base "
-                    "anzahlverteilung verteilung");
-}
-
 bool speaks_of_mass(std::string_view text) {
   using namespace row_vocabulary;
   return Words(text).have(mass) || Words(text).have("g gr gram grams kg");

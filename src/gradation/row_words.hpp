@@ -49,11 +49,6 @@ bool names_samples(std::string_view header);
 /// True for words that may be those of what passed the finest sieve: rest, fines, filler.
 bool may_be_fines(std::string_view text);
 
-/// True for words that say that shares are by number: `Number distribution`, `Distribution base Number`.
-bool speaks_of_number_shares(std::string_view text);
-inline constexpr std::string_view number_shares_remedy =
-    "export them by volume, or write canonical CSV with the column number_percent";
-
 /// True where the text names a mass: mass, weight, g, kg.
 bool speaks_of_mass(std::string_view text);
 

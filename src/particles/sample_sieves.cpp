@@ -62,9 +62,10 @@ Gradation SampleSieves::gradation(const std::string &id, SizeUnit unit, std::vec
   data.id = id;
   data.unit = unit;
   data.sizes.emplace_back(0);
+  const Rational part_below = 1 - ten_to(-12);
   const bool has_steps = classes == SampleClasses::at_sizes && digits_ == 0 && !has_ranges_;
   for (const auto &[size, mass] : masses_) {
-    const Rational below = size * (1 - ten_to(-12));
+    const Rational below = size * part_below;
     if (has_steps && below > data.sizes.back()) { // no particle is between two sizes: a curve has steps
       data.sizes.push_back(below);
       data.masses.emplace_back(0);

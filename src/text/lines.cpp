@@ -69,6 +69,14 @@ bool Lines::next() {
   return true;
 }
 
+std::string unquoted(std::string_view field) {
+  if (field.size() < 2 || field.front() != '"' || field.back() != '"')
+    return std::string(field);
+  std::string_view rest = field;
+  std::string text;
+  return take_quoted(rest, text) && rest.empty() ? text : std::string(field.substr(1, field.size() - 2));
+}
+
 bool split_fields(std::string_view line, char delimiter, std::vector<std::string> &fields) {
   fields.clear();
   for (std::string_view rest = line;;) {

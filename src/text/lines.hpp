@@ -51,6 +51,10 @@ private:
 /// The most fields of a line that are looked at: more than any header that is read has. It bounds the memory.
 inline constexpr std::size_t max_fields = 1000;
 
+/// The text between the quotes that `field` begins and ends with, two quotes in it being one, unless a quote
+/// in it stands alone; `field` itself where there are no such quotes.
+std::string unquoted(std::string_view field);
+
 /// Splits a line into fields without the spaces and tabs around them. A field that begins with `"` ends at
 /// the next
 /// `"` that is not doubled, and only spaces and tabs may follow it up to the delimiter.

@@ -1,21 +1,11 @@
 // Numbers of a sheet that stand where no column or row of the table is: read, or refused.
 
-#include "support.hpp"
+#include "sheet.hpp"
 
 #include <mdm/gradation/envelope.hpp>
 
 using namespace mdm;
 using namespace mdm::test;
-
-namespace {
-
-const std::string header = "Sieve (mm),Mass retained (g)\n", rows = "4,0\n2,300\n1,130\n";
-
-std::string masses(const std::string &sheet) {
-  return text(read(sheet).masses());
-}
-
-} // namespace
 
 TEST_CASE("masses in g and in kg do not stand in one table") {
   CHECK(contains(

@@ -1,20 +1,10 @@
 // What decides how a table is read, and stands around it: lines above, a row of units, words beside a row, a
 // column of samples, a second table. It is read, or the sheet is refused.
 
-#include "support.hpp"
+#include "sheet.hpp"
 
 using namespace mdm;
 using namespace mdm::test;
-
-namespace {
-
-const std::string header = "Sieve (mm),Mass retained (g)\n", rows = "4,0\n2,300\n1,130\n";
-
-std::string masses(const std::string &sheet) {
-  return text(read(sheet).masses());
-}
-
-} // namespace
 
 TEST_CASE("a line that begins with # and has a number is a row") {
   CHECK(contains(refusal(header + "4,0\n#N/A,250\n1,200\n"), "sand.csv:3: "));
