@@ -40,21 +40,19 @@ function native(command, args, cwd) {
 
 for (const [folder, code] of [["accepted", 0], ["rejected", 1], ["unparsable", 2]])
   test(`all pairs of ${folder} have the program's verdict, line and message`, () => {
-    let compared = 0;
-    for (const [gradation, certificate] of pairs(folder)) {
+    const all = pairs(folder);
+    assert.ok(all.length > 80, `${all.length} pairs`);
+    for (const [gradation, certificate] of all) {
       const result = mdmCheckVerified(...read(gradation), ...read(certificate));
-      const message = `${certificate}: more than this program can hold: use mdm-check\n`;
-      // Numbers of so many digits need more of the stack than is certain to be there.
-      const isLong = /\d{300}/.test(fs.readFileSync(certificate, "latin1"));
-      if (isLong && result.error === message) {
+      // Numbers of so many digits need more than the stack that is there.
+      if (/\d{10000}/.test(fs.readFileSync(certificate, "latin1"))) {
+        const message = `${certificate}: more than this program can hold: use mdm-check\n`;
         assert.deepStrictEqual(printed(result), { code: 2, output: "", error: message });
         continue;
       }
       assert.deepStrictEqual(printed(result), native(program, [gradation, certificate]), certificate);
       assert.strictEqual(result.code, code);
-      ++compared;
     }
-    assert.ok(compared > 80, `${compared} pairs`);
   });
 
 test("names and bytes that are no UTF-8 have the program's message", () => {
