@@ -40,6 +40,15 @@ Definition check_statement (name : string) (R : reading) (w : string) : result s
   demand_form (gives_openings R (asked (certificate_of D)) && plain_statement s) "a number that the verdict cannot say" ;;
   Ok s.
 
+(* What is said of a certificate w that cannot be read, and what to do. Laws by a table or a sum are those of mdm-check alone. *)
+Definition unreadable_text (w what program : string) : string :=
+  if existsb (fun l => match l with
+      | keyword :: kind :: _ => String.eqb keyword "law" && (String.eqb kind "table" || String.eqb kind "sum")
+      | _ => false
+      end) (words_of w)
+  then "its law is a table or a sum: use mdm-check"
+  else what ++ ": let " ++ program ++ " --proof write it again".
+
 Definition judge (gradation certificate : file) : judgement :=
   match read_gradation (bytes gradation) with
   | Refused what | Malformed what => Unreadable (printable (name gradation) ++ ":" ++ what)
@@ -49,7 +58,7 @@ Definition judge (gradation certificate : file) : judgement :=
     | Refused what =>
       Unproved (refused_line (name gradation)) (printable (name certificate) ++ ": " ++ what ++ " fails")
     | Malformed what =>
-      Unreadable (printable (name certificate) ++ ": " ++ what ++ ": let mdm solve --proof write it again")
+      Unreadable (printable (name certificate) ++ ": " ++ unreadable_text (bytes certificate) what "mdm solve")
     end
   end.
 

@@ -109,7 +109,7 @@ Definition judge_sample (gradation sample certificate : file) : judgement :=
   let refused what :=
     Unproved (refused_sample_line (name gradation) (name sample)) (printable (name certificate) ++ ": " ++ what ++ " fails") in
   let malformed what :=
-    Unreadable (printable (name certificate) ++ ": " ++ what ++ ": let mdm verify --proof write it again") in
+    Unreadable (printable (name certificate) ++ ": " ++ unreadable_text (bytes certificate) what "mdm verify") in
   match read_gradation (bytes gradation) with
   | Refused what | Malformed what => Unreadable (printable (name gradation) ++ ":" ++ what)
   | Ok R =>

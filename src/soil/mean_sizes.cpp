@@ -9,14 +9,19 @@ Real size_at(const GradingCurve &curve, std::size_t i) {
   return fraction ? Real(*fraction) : curve.power_of(i).real();
 }
 
-/// The sum of w_j term(size) over the classes with mass, each at its sieve j + side.
+/// The sum of w_j term(size) over the classes from `first` to `last` with mass, each at its sieve j + side. By halves: the
+/// common denominator of many fractions is long.
+template <class Term>
+Real sum_of_part(const GradingCurve &curve, std::size_t first, std::size_t last, std::size_t side, Term term) {
+  if (first == last)
+    return curve.mass(first) > 0 ? Real(curve.mass(first)) * term(size_at(curve, first + side)) : Real(0);
+  const std::size_t middle = first + (last - first) / 2;
+  return sum_of_part(curve, first, middle, side, term) + sum_of_part(curve, middle + 1, last, side, term);
+}
+
 template <class Term>
 Real sum_over_classes(const GradingCurve &curve, std::size_t side, Term term) {
-  Real sum(0);
-  for (std::size_t j = curve.finest(); j <= curve.coarsest(); ++j)
-    if (curve.mass(j) > 0)
-      sum = sum + Real(curve.mass(j)) * term(size_at(curve, j + side));
-  return sum;
+  return sum_of_part(curve, curve.finest(), curve.coarsest(), side, term);
 }
 
 bool holds_mass_in_pan(const GradingCurve &curve) {

@@ -2,6 +2,7 @@
 // same verdict.
 
 #include "catch.hpp"
+#include "files.hpp"
 #include "match/brute_force.hpp"
 #include "proof/gradation_files.hpp"
 #include "verified/comparison.hpp"
@@ -27,6 +28,16 @@ void demand_agreement(const Agreement &agreement, std::size_t accepted, std::siz
   CHECK(agreement.accepted >= accepted);
   CHECK(agreement.refused >= refused);
   CHECK(agreement.malformed >= malformed);
+}
+
+/// What the program writes to standard error about a pair of files g and p.
+std::string said_of(const std::string &gradation, const std::string &certificate) {
+  const mdm_test::TemporaryFolder folder;
+  folder.write("g", gradation);
+  folder.write("p", certificate);
+  const std::string command = "cd '" + folder.path().string() + "' && '" MDM_VERIFIED "' g p 2>said";
+  CHECK(WEXITSTATUS(std::system(command.c_str())) == 2);
+  return mdm_test::read_file(folder / "said");
 }
 
 /// So many of the texts.
@@ -289,6 +300,15 @@ TEST_CASE(
                          std::string(zeros, '0') + "1\n3,0,100\n",
                      "mdm-certificate 1\nlaw 1000\nband file\nparticles none\nleaf 1 m\nend\n"});
   demand_agreement(compare(MDM_VERIFIED, pairs), 0, 8, 8);
+}
+
+TEST_CASE("the program says which certificates are those of mdm-check alone") {
+  const std::string said = "p: its law is a table or a sum: use mdm-check\n";
+  for (const std::string law : {"table 0 0 5 8", "sum 1 3 2 2"})
+    CHECK(said_of("size_mm,mass\n1,2\n2,1\n3,0\n", "mdm-certificate 1\nlaw " + law + "\nparticles 4\n") ==
+          said);
+  CHECK(said_of("size_mm,mass\n1,2\n2,1\n3,0\n", "mdm-certificate 1\nlaw x\n") ==
+        "p: a number of the line law: let mdm solve --proof write it again\n");
 }
 
 TEST_CASE("the program judges pairs, and says how it wants to be called") {
