@@ -157,7 +157,8 @@ void solve_widened(const BlendProblem &p, const BlendOptions &o, const Watch &wa
   wider.aim = BlendAim::widening;
   wider.widened = o.relaxed ? std::vector<std::size_t>{*o.relaxed} : limited_sieves(p);
   BlendAnswer of_wider;
-  if (!solve_real(wider, watch, of_wider))
+  a.is_widening_decided = !solve_real(wider, watch, of_wider);
+  if (a.is_widening_decided)
     return;
   a.widened_real = of_wider.real;
   BlendOptions one = o;
@@ -165,6 +166,7 @@ void solve_widened(const BlendProblem &p, const BlendOptions &o, const Watch &wa
   solve_in_steps(wider, one, watch, of_wider);
   if (of_wider.status == BlendAnswer::Status::optimal)
     a.widened = of_wider.best.front();
+  a.is_widening_decided = a.widened || of_wider.status == BlendAnswer::Status::none;
 }
 
 } // namespace

@@ -116,7 +116,7 @@ int run(const ExportCommand &command) {
   const ExportTexts c = command.asked();
   if (c.file && is_packing_file(*c.file)) {
     check_export_of_packing(c);
-    check_distinct({*c.file, c.out});
+    check_paths({*c.file}, {c.out});
     const ParticleSetOptions options = set_options(c, false);
     const Packing packing = read_packing_file(*c.file);
     Output out(c.out);
@@ -128,24 +128,19 @@ int run(const ExportCommand &command) {
   const ExportFormat &format = export_format(c);
   check_export(c, format);
   const ParticleSetOptions options = set_options(c, format.has_floats);
-  std::vector<std::string> paths = {c.solve.source(c.file), c.out};
+  std::vector<std::string> inputs = {c.solve.source(c.file)}, outputs = {c.out};
+  for (const std::optional<std::string> &input : {c.solve.band, c.material, c.gradation})
+    if (input)
+      inputs.push_back(*input);
   std::optional<ModelWriter> model;
   if (c.model) {
     model.emplace(*c.model, c.to, c.out);
     for (const std::string &path : model->other_files())
-      paths.push_back(path);
+      outputs.push_back(path);
   }
   for (const FileBeside &file : files_beside(c, format))
-    paths.push_back(file.path);
-  if (c.material)
-    paths.push_back(*c.material);
-  if (c.gradation)
-    paths.push_back(*c.gradation);
-  check_distinct(paths);
-  if (c.solve.band) { // FILE may be the band
-    paths.front() = *c.solve.band;
-    check_distinct(paths);
-  }
+    outputs.push_back(file.path);
+  check_paths(inputs, outputs);
   const ExportedParticles found = exported_particles(c, command.output, options);
   if (!found.set)
     return exit_code(found.outcome);

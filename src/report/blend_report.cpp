@@ -277,13 +277,17 @@ std::string widening_text(const BlendReport &r) {
   const std::string what =
       r.relaxed ? fmt::format("the limits at {} mm alone", short_value(*r.relaxed)) : "all limits of sieves";
   if (!a.widened_real)
-    return fmt::format("  no widening of {} leaves a blend\n", what);
-  std::string text =
-      fmt::format("  {} must be widened by {} points for a blend: {}\n", what,
-                  value_with_fraction(a.widened_real->value), shares_in_words(r.problem, *a.widened_real));
+    return a.is_widening_decided ? fmt::format("  no widening of {} leaves a blend\n", what) : "";
+  const std::string real_shares = shares_in_words(r.problem, *a.widened_real), steps = step_in_words(r);
+  const bool are_kept = a.widened_real->value == 0;
+  std::string text = are_kept ? fmt::format("  real shares keep all limits: {}\n", real_shares)
+                              : fmt::format("  {} must be widened by {} points for a blend: {}\n", what,
+                                            value_with_fraction(a.widened_real->value), real_shares);
   if (a.widened)
-    text += fmt::format("  in {} by {} points: {}\n", step_in_words(r), value_with_fraction(a.widened->value),
-                        shares_in_words(r.problem, *a.widened));
+    text += fmt::format("  in {} {}by {} points: {}\n", steps, are_kept ? what + " must be widened " : "",
+                        value_with_fraction(a.widened->value), shares_in_words(r.problem, *a.widened));
+  else if (a.is_widening_decided)
+    text += fmt::format("  no widening of {} leaves a blend in {}\n", what, steps);
   return text;
 }
 

@@ -81,6 +81,7 @@ struct BlendAnswer {
   /// Blends for which the limits are widened least, by their value: with real shares, and in steps. Nothing
   /// where no widening helps, or a limit came first.
   std::optional<Blend> widened_real, widened;
+  bool is_widening_decided = false; ///< no limit came before these two
 };
 
 /// Finds the best blends.
