@@ -42,8 +42,6 @@ CrosscheckQuestion::CrosscheckQuestion(const CrosscheckTexts &asked, const ReadB
     limits_.max_steps = natural64("max-steps", *asked.max_steps);
   if (asked.node_limit)
     limits_.node_limit = natural64("node-limit", *asked.node_limit);
-  if (asked.at_most)
-    throw InputError(option("at-most") + ": it is of one search: leave it out");
   if (!asked.question_words().empty())
     asked_ = asked.question_of_both(read_band);
 }

@@ -65,13 +65,13 @@ const char *name(OptionKind kind) {
 const std::vector<OptionsOfCommand> &option_table() {
   static const std::vector<OptionsOfCommand> table = {
       {"solve", rows_of(SolveTexts::tolerance_options, BudgetTexts::options, SolveTexts::question_options,
-                        GradationTexts::options, SolveTexts::answer_options, SolveTexts::limit_options)},
+                        SolveTexts::search_options, GradationTexts::options, SolveTexts::answer_options,
+                        SolveTexts::limit_options)},
       {"verify", rows_of(VerifyTexts::options, ParticleTexts::options, GradationTexts::options,
                          VerifyTexts::answer_options, PlaceTexts::options)},
-      // The largest match that is wanted is of a search.
-      {"crosscheck", without("at-most", rows_of(CrosscheckTexts::options, SolveTexts::tolerance_options,
-                                                SolveTexts::question_options, GradationTexts::options,
-                                                CrosscheckTexts::limit_options))},
+      {"crosscheck",
+       rows_of(CrosscheckTexts::options, SolveTexts::tolerance_options, SolveTexts::question_options,
+               GradationTexts::options, CrosscheckTexts::limit_options)},
       {"tradeoff", rows_of(TradeoffTexts::options)}, // and those of solve
       {"blend", without("target", rows_of(BlendTexts::question_options, BlendTexts::answer_options,
                                           BlendTexts::limit_options, ReadingTexts::options))},
@@ -84,11 +84,12 @@ const std::vector<OptionsOfCommand> &option_table() {
        without("sizes", rows_of(PackTexts::disc_options, ReadingTexts::options, PackTexts::gasket_options,
                                 PackTexts::place_options, PackTexts::answer_options))},
       // Sizes in a file of particles have as many digits as its masses need.
-      {"export", without("digits", rows_of(ExportTexts::options, ExportTexts::start_options,
-                                           ExportTexts::model_options, ExportTexts::size_options,
-                                           SolveTexts::tolerance_options, SolveTexts::question_options,
-                                           GradationTexts::options, SolveTexts::limit_options,
-                                           SolveTexts::answer_options, ReadingTexts::options))},
+      {"export",
+       without("digits",
+               rows_of(ExportTexts::options, ExportTexts::start_options, ExportTexts::model_options,
+                       ExportTexts::size_options, SolveTexts::tolerance_options, SolveTexts::question_options,
+                       SolveTexts::search_options, GradationTexts::options, SolveTexts::limit_options,
+                       SolveTexts::answer_options, ReadingTexts::options))},
       {"plot", rows_of(PlotTexts::options, SoilTexts::options, ReadingTexts::options)},
       {"suite", without("shard", rows_of(SuiteTexts::options))}}; // lines with a step are a shard
   return table;

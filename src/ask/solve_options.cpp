@@ -93,8 +93,6 @@ const std::vector<OptionRow<SolveTexts>> SolveTexts::question_options = {
      &SolveTexts::min_per_class},
     {"at-least", "N", OptionKind::number, "the smallest match with at least N particles",
      &SolveTexts::at_least},
-    {"at-most", "N", OptionKind::number, "no match if the smallest has more than N particles",
-     &SolveTexts::at_most},
     {"specimen", "SHAPE", OptionKind::text,
      "at least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, "
      "or in the answer's unit (the file's; mm for inches, phi and sieve names)",
@@ -102,6 +100,10 @@ const std::vector<OptionRow<SolveTexts>> SolveTexts::question_options = {
     {"void-ratio", "E", OptionKind::number, "void ratio e of the specimen", &SolveTexts::void_ratio},
     {"solids-volume", "V", OptionKind::number,
      "at least this volume of solids, in the cube of the answer's unit", &SolveTexts::solids_volume}};
+
+const std::vector<OptionRow<SolveTexts>> SolveTexts::search_options = {
+    {"at-most", "N", OptionKind::number, "no match if the smallest has more than N particles",
+     &SolveTexts::at_most}};
 
 const std::vector<OptionRow<SolveTexts>> SolveTexts::answer_options = {
     {"digits", "D", OptionKind::number, "significant digits of sizes (15)", &SolveTexts::digits},

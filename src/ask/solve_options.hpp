@@ -35,9 +35,9 @@ struct SolveTexts : GradationTexts {
   OptionText digits, scale;
   OptionText max_steps, node_limit, time_limit, gap;
 
-  /// All but those of GradationTexts, by what they are about.
-  static const std::vector<OptionRow<SolveTexts>> tolerance_options, question_options, answer_options,
-      limit_options;
+  /// All but those of GradationTexts, by what they are about; search_options are of one search alone.
+  static const std::vector<OptionRow<SolveTexts>> tolerance_options, question_options, search_options,
+      answer_options, limit_options;
 
   /// The source of the gradation: FILE, or else the band alone.
   const std::string &source(const OptionText &file) const { return file ? *file : *band; }
@@ -60,7 +60,8 @@ void for_each_option(Texts &texts, Visit visit) {
     visit(row.name, texts.*row.text());
   for (const OptionRow<GradationTexts> &row : GradationTexts::options)
     visit(row.name, texts.*row.text());
-  for (const auto *const rows : {&SolveTexts::answer_options, &SolveTexts::limit_options})
+  for (const auto *const rows :
+       {&SolveTexts::search_options, &SolveTexts::answer_options, &SolveTexts::limit_options})
     for (const OptionRow<SolveTexts> &row : *rows)
       visit(row.name, texts.*row.text());
 }

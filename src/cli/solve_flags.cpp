@@ -10,6 +10,17 @@
 
 namespace mdm::cli {
 
+namespace {
+
+void add_question_options(CLI::App &command, SolveTexts &texts,
+                          const std::vector<OptionRow<SolveTexts>> &further = {}) {
+  const OptionGroup group(command, "The question");
+  for (const auto *const rows : {&SolveTexts::tolerance_options, &SolveTexts::question_options, &further})
+    add_options(command, *rows, texts);
+}
+
+} // namespace
+
 Envelope band_in_file(const std::string &path) {
   return read_envelope(read_file(path, max_gradation_bytes), shown_name(path));
 }
@@ -20,16 +31,13 @@ void add_gradation_options(CLI::App &command, GradationTexts &texts) {
 }
 
 void add_asked_options(CLI::App &command, SolveTexts &texts) {
-  {
-    const OptionGroup group(command, "The question");
-    add_options(command, SolveTexts::tolerance_options, texts);
-    add_options(command, SolveTexts::question_options, texts);
-  }
+  add_question_options(command, texts);
   add_gradation_options(command, texts);
 }
 
 void SolveFlags::add_problem(CLI::App &command) {
-  add_asked_options(command, *this);
+  add_question_options(command, *this, search_options);
+  add_gradation_options(command, *this);
   add_limits(command);
 }
 

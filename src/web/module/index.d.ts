@@ -52,8 +52,6 @@ export interface SolveWords {
   minPerClass?: number | string;
   /** The smallest match with at least N particles. */
   atLeast?: number | string;
-  /** No match if the smallest has more than N particles. */
-  atMost?: number | string;
   /**
    * At least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, or in the
    * answer's unit (the file's; mm for inches, phi and sieve names).
@@ -63,6 +61,8 @@ export interface SolveWords {
   voidRatio?: number | string;
   /** At least this volume of solids, in the cube of the answer's unit. */
   solidsVolume?: number | string;
+  /** No match if the smallest has more than N particles. */
+  atMost?: number | string;
   /**
    * Mass of a particle of size x: sphere (x^3), power:a/b or power:2.5, sum:2*x^3+0.5*x^2 with x in mm, or
    * table:FILE, CSV with size_mm and particle_mass, from (0, 0) on and linear between its rows.
