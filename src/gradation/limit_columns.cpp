@@ -29,6 +29,10 @@ constexpr std::string_view other_words =
     "limit limits bound boundary grenze grenzwert grenzlinie limite limites band envelope spec specification "
     "specified "
     "required grading curve passing finer durchgang siebdurchgang passant tamisat pasa que passante of the";
+/// Those of limits that are no limits of the percent that passes.
+constexpr std::string_view retained_words = "retained coarser oversize rueckstand siebrueckstand "
+                                            "rueckstaende retenu retenue retenus refus refuse retenido "
+                                            "retenida retenidos trattenuto trattenuta trattenuti";
 
 /// The columns of sizes and limits, and the row of their headers.
 struct LimitColumns {
@@ -37,39 +41,80 @@ struct LimitColumns {
 
 enum class Limit { none, lower, upper };
 
+/// How many of the words are in a list.
+std::ptrdiff_t count(const std::vector<std::string> &words, std::string_view list) {
+  return std::count_if(words.begin(), words.end(),
+                       [list](const std::string &word) { return has_word(list, word); });
+}
+
+/// What a header says that has one word of a limit, whatever its others are.
+Limit any_limit_of(std::string_view header) {
+  const std::vector<std::string> words = words_in(header, ColumnUnit::percent);
+  const std::ptrdiff_t lower = count(words, lower_words), upper = count(words, upper_words);
+  return lower + upper != 1 ? Limit::none : lower == 1 ? Limit::lower : Limit::upper;
+}
+
 /// What a header says, if all its words are of limits in percent.
 Limit limit_of(std::string_view header) {
   const std::vector<std::string> words = words_in(header, ColumnUnit::percent);
-  const auto count = [&words](std::string_view list) {
-    return std::count_if(words.begin(), words.end(),
-                         [list](const std::string &w) { return has_word(list, w); });
-  };
-  const auto lower = count(lower_words), upper = count(upper_words), others = count(other_words);
-  if (lower + upper != 1 || lower + upper + others != static_cast<std::ptrdiff_t>(words.size()))
-    return Limit::none;
-  return lower == 1 ? Limit::lower : Limit::upper;
+  const bool has_others = count(words, other_words) + 1 != static_cast<std::ptrdiff_t>(words.size());
+  return has_others ? Limit::none : any_limit_of(header);
 }
 
-std::optional<LimitColumns> columns_in(const Cells &cells, std::size_t row) {
+bool says_retained(std::string_view text) {
+  return count(words_in(text, ColumnUnit::percent), retained_words) > 0;
+}
+
+/// Refuses limits of what is retained, which a word of a line says.
+void check_passing(const Cells &cells, const LimitColumns &columns, const Source &source) {
+  for (std::size_t row = 0; row <= columns.row; ++row)
+    for (const std::string &cell : cells.rows[row].cells)
+      if (says_retained(cell))
+        source.refuse(
+            cells.rows[row].line,
+            fmt::format("{} is about what is retained, and limits are of the percent that passes: make "
+                        "these of them (100 less what all coarser sieves and this one retain), or take "
+                        "the words out",
+                        in_quotes(cell)));
+}
+
+/// Refuses limits of several specifications in a row of headers.
+void check_one_pair(const Cells &cells, std::size_t row, const Source &source) {
+  std::vector<std::string> lower, upper;
+  for (const std::string &header : cells.rows[row].cells)
+    if (const Limit limit = any_limit_of(header); limit != Limit::none)
+      (limit == Limit::lower ? lower : upper).push_back(in_quotes(header));
+  if (lower.size() > 1 && lower.size() == upper.size())
+    source.refuse(
+        cells.rows[row].line,
+        fmt::format("there are {} pairs of limits, as {} and {}, {} and {}: give each in a file of its own",
+                    lower.size(), lower[0], upper[0], lower[1], upper[1]));
+}
+
+std::optional<LimitColumns> columns_in(const Cells &cells, std::size_t row, const Source &source) {
   std::vector<std::size_t> sizes, lower, upper;
   const std::vector<std::string> &headers = cells.rows[row].cells;
   for (std::size_t i = 0; i < headers.size(); ++i) {
     const std::optional<HeaderMeaning> meaning = header_meaning(headers[i]);
-    const Limit limit = limit_of(headers[i]);
+    const Limit limit = says_retained(headers[i]) ? any_limit_of(headers[i]) : limit_of(headers[i]);
     if (limit != Limit::none)
       (limit == Limit::lower ? lower : upper).push_back(i);
     else if (meaning && (meaning->meaning == ColumnMeaning::size || meaning->meaning == ColumnMeaning::sieve))
       sizes.push_back(i);
   }
+  if (sizes.size() == 1)
+    check_one_pair(cells, row, source);
   if (sizes.size() != 1 || lower.size() != 1 || upper.size() != 1)
     return std::nullopt;
   return LimitColumns{sizes[0], lower[0], upper[0], row};
 }
 
-std::optional<LimitColumns> columns_in(const Cells &cells) {
+std::optional<LimitColumns> columns_in(const Cells &cells, const Source &source) {
   for (std::size_t row = 0; row < cells.rows.size(); ++row)
-    if (const std::optional<LimitColumns> columns = columns_in(cells, row))
+    if (const std::optional<LimitColumns> columns = columns_in(cells, row, source)) {
+      check_passing(cells, *columns, source);
       return columns;
+    }
   return std::nullopt;
 }
 
@@ -116,7 +161,7 @@ void check(const Table &limits, const Source &source) {
 }
 
 std::optional<Envelope> envelope_of(Cells cells, const Source &source, const std::string &file) {
-  const std::optional<LimitColumns> columns = columns_in(cells);
+  const std::optional<LimitColumns> columns = columns_in(cells, source);
   if (!columns)
     return std::nullopt;
   const auto header = cells.rows.begin() + static_cast<std::ptrdiff_t>(columns->row);

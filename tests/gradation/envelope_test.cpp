@@ -89,10 +89,19 @@ TEST_CASE("limits that may be of something else are refused") {
   CHECK(contains(refusal_of(h + "2,50,60\n1,50,\n"),
                  "band.csv:3: the size '1' has no value in the column 'Upper'"));
   CHECK(contains(refusal_of("Sieve size,Lower,Upper\n1,50,60\n"), "the size '1' has no unit"));
-  for (const std::string headers :
-       {"Sieve (mm),Lower (mm),Upper (mm)", "Sieve (mm),Min % retained,Max % retained",
-        "Sieve (mm),Lower,Mean", "Sieve (mm),Lower,Lower,Upper", "Sieve (mm),Lower (g),Upper (g)"})
+  for (const std::string headers : {"Sieve (mm),Lower (mm),Upper (mm)", "Sieve (mm),Lower,Mean",
+                                    "Sieve (mm),Lower,Lower,Upper", "Sieve (mm),Lower (g),Upper (g)"})
     CHECK(contains(refusal_of(headers + "\n1,50,60,70\n"), "band.csv:1: first column"));
+  CHECK(contains(
+      refusal_of("Sieve (mm),Min % retained,Max % retained\n1,50,60\n"),
+      "band.csv:1: 'Min % retained' is about what is retained, and limits are of the percent that passes"));
+  CHECK(contains(refusal_of("Limits, percent retained\n" + h + "1,50,60\n"),
+                 "band.csv:1: 'percent retained' is about what is retained"));
+  CHECK(contains(refusal_of("Grenzwerte: Siebr\u00fcckstand in %\n" + h + "1,50,60\n"), "band.csv:1: "));
+  CHECK(contains(
+      refusal_of("Sieve (mm),A Lower,A Upper,B Lower,B Upper\n1,50,60,70,80\n"),
+      "band.csv:1: there are 2 pairs of limits, as 'A Lower' and 'A Upper', 'B Lower' and 'B Upper': give "
+      "each in a file of its own"));
 }
 
 TEST_CASE("an envelope that contradicts itself is read, and says where") {
