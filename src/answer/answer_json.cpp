@@ -109,7 +109,7 @@ void write_tolerance(JsonWriter &json, const Match &m) {
     json.string(m.question.band->id);
   else
     json.null();
-  write_bounds(json.key("retained"), t.retained);
+  write_bounds(json.key("retained"), of_classes(m.gradation, t.retained));
   write_bounds(json.key("passing"), t.passing);
   write(json.key("total"), t.total).end_object();
 }
@@ -121,7 +121,7 @@ void write_achieved(JsonWriter &json, const Match &m) {
     return;
   }
   json.begin_array();
-  for (const Rational &share : *m.sample->shares)
+  for (const Rational &share : of_classes(m.gradation, *m.sample->shares))
     write(json, share);
   json.end_array();
 }

@@ -25,6 +25,16 @@ struct AnswerRow {
 /// A row for each class; its sizes are those of `m`, which must outlive it.
 std::vector<AnswerRow> answer_rows(const Match &m);
 
+/// Of one entry a row of the gradation but the last, or of none, those of the rows that begin a class.
+template <class Entry>
+std::vector<Entry> of_classes(const Gradation &g, const std::vector<Entry> &entries) {
+  std::vector<Entry> of_classes;
+  for (std::size_t j = 0; j < entries.size(); ++j)
+    if (g.is_class(j))
+      of_classes.push_back(entries[j]);
+  return of_classes;
+}
+
 /// The margin, which has three digits; with an exponent if it is tiny.
 std::string margin_text(const MatchScale &scale);
 

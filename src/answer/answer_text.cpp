@@ -18,8 +18,12 @@ std::string percent_text(const Rational &share) {
   return exact && exact->size() <= longest ? *exact : approximate(Rational(share * 100), digits);
 }
 
+bool is_limit(const ShareBounds &bounds) {
+  return bounds.lo > 0 || bounds.hi < 1;
+}
+
 std::string limits_text(const ShareBounds &bounds) {
-  if (bounds.lo == 0 && bounds.hi == 1)
+  if (!is_limit(bounds))
     return "-";
   return percent_text(bounds.lo) + " .. " + percent_text(bounds.hi);
 }
@@ -36,13 +40,14 @@ struct ShownShares {
 /// The shares that pass the upper sieves or are retained on the lower ones, as the question asks.
 std::vector<ShownShares> shown_shares(const Match &m) {
   const Tolerance &t = *m.tolerance;
-  const std::vector<Rational> target = shares(m.gradation);
-  const std::vector<Rational> &achieved = *m.sample->shares;
+  const Gradation &g = m.gradation;
+  const std::vector<Rational> target = of_classes(g, shares(g));
+  const std::vector<Rational> achieved = of_classes(g, *m.sample->shares);
   std::vector<ShownShares> shown;
   if (!t.passing.empty())
     shown.push_back({"passes upper (%)", accumulated(target), t.passing, accumulated(achieved)});
   if (!t.retained.empty() || t.total)
-    shown.push_back({"retained (%)", target, t.retained, achieved});
+    shown.push_back({"retained (%)", target, of_classes(g, t.retained), achieved});
   return shown;
 }
 
@@ -97,7 +102,7 @@ std::vector<Column> tolerant_columns(const Match &m) {
   };
   for (const ShownShares &s : shown_shares(m)) {
     add_shares(s.what, s.target);
-    if (!s.limits.empty()) {
+    if (std::any_of(s.limits.begin(), s.limits.end(), is_limit)) {
       columns.push_back({"limits", {}});
       for (const ShareBounds &bounds : s.limits)
         columns.back().entries.push_back(limits_text(bounds));

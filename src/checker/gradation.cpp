@@ -465,7 +465,7 @@ Gradation read_any_gradation(std::string_view text) {
 Gradation read_gradation(std::string_view text) {
   Gradation gradation = read_gradation_or_materials(text);
   demand_form(gradation.materials.empty(), text,
-              "several materials, which only certificates of exact matches are of: give a gradation of one");
+              "several materials, which only certificates of matches are of: give a gradation of one");
   return gradation;
 }
 

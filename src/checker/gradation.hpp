@@ -27,6 +27,8 @@ struct Gradation {
   bool has_factors = false, implied_pan = false;
   /// Of several materials, that of each row: rows are sorted by material, and openings ascend within each.
   std::vector<std::string> materials;
+  /// Whether row j begins a class: the last row of a material does not.
+  bool begins_class(std::size_t j) const { return materials.empty() || materials[j] == materials[j + 1]; }
 
   /// mm, um or m: that of the openings.
   std::string unit() const;

@@ -59,6 +59,8 @@ std::vector<std::array<mpq_class, shares>> derive_shares(const Gradation &gradat
   const std::size_t k = x.size() - 1;
   const bool has_file = !c.retained_file.empty() || !c.passing_file.empty();
   demand(!has_file || !gradation.tolerances.empty(), "a column tolerance_percent");
+  demand(gradation.materials.empty() || (c.passing.empty() && c.passing_each.empty() && c.band.empty()),
+         "materials: tolerances on what is retained and on the total alone");
   demand(c.passing_each.empty() || c.passing_each.size() == k - 1, "passing-each: k - 1 tolerances");
   std::vector<std::array<mpq_class, shares>> of(k, {0, 1, 0, 1, 0, 0});
   const auto narrow = [&](std::size_t j, Share lo, const mpq_class &least, const mpq_class &most) {
@@ -88,6 +90,9 @@ std::vector<std::array<mpq_class, shares>> derive_shares(const Gradation &gradat
     if (!c.passing_each.empty() && j + 1 < k)
       narrow_around(p, G, c.passing_each[j].value);
   }
+  for (std::size_t j = 0; j < k; ++j)
+    if (!gradation.begins_class(j))
+      narrow(j, r, 0, 0);
   for (const auto &[size, least, most] : limits_of(gradation, c)) {
     const auto passes = static_cast<std::size_t>(std::lower_bound(x.begin(), x.end(), size) - x.begin());
     demand(size > x[0] || least == 0, "band: nothing passes the finest opening");
@@ -121,6 +126,10 @@ Problem derive(const Gradation &gradation, const Certificate &certificate) {
                   c * power(in_units(size[j + 1], size_unit), law.a),
                   gradation.masses[j] > 0 ? integer_of(certificate.min_per_class) : mpz_class(0),
                   {}};
+    if (!gradation.begins_class(j)) { // of these bounds nothing depends: it has no share (section 14)
+      class_j.f = 0;
+      class_j.F = 1;
+    }
     for (std::size_t i = 0; i < shares; ++i)
       class_j.share[i] = in_units(of[j][i], unit);
     problem.classes.push_back(std::move(class_j));

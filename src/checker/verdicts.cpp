@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -65,8 +66,11 @@ void Verdicts::write_all() {
       lines[i] = waiting_[i]();
   };
   std::vector<std::thread> helpers;
-  for (std::size_t t = 1; t < std::min<std::size_t>(manner_.threads, lines.size()); ++t)
-    helpers.emplace_back(work);
+  try {
+    for (std::size_t t = 1; t < std::min<std::size_t>(manner_.threads, lines.size()); ++t)
+      helpers.emplace_back(work);
+  } catch (const std::system_error &) { // no more are to be had, as in WebAssembly: those that there are do it
+  }
   work();
   for (std::thread &helper : helpers)
     helper.join();

@@ -93,9 +93,8 @@ Rationals::iterator find_opening(Gradation &gradation, const Certificate &certif
 void apply_question(Gradation &gradation, const Certificate &certificate) {
   demand(gradation.limits.empty() == certificate.band_file.empty(),
          "band file: there with the file of a band, and only there");
-  demand(gradation.materials.empty() ||
-             (certificate.tree.empty() && certificate.pan_size.empty() && certificate.cut_below.empty()),
-         "materials: an exact match without pan-size and cut-below");
+  demand(gradation.materials.empty() || (certificate.pan_size.empty() && certificate.cut_below.empty()),
+         "materials: without pan-size and cut-below");
   Rationals &x = gradation.openings;
   const unsigned long d = gradation.root;
   const auto columns = {&gradation.masses, &gradation.factors, &gradation.tolerances, &gradation.openings};

@@ -255,8 +255,7 @@ std::string idle_for_numbers(const SolveCommand &c) {
 
 /// An option that has no use for a gradation of several materials; empty: none.
 std::string idle_for_materials(const SolveCommand &c) {
-  const std::pair<const char *, bool> given[] = {{"tolerance", !c.flags.tolerances.empty()},
-                                                 {"band", c.flags.band.has_value()},
+  const std::pair<const char *, bool> given[] = {{"band", c.flags.band.has_value()},
                                                  {"pan-size", c.flags.pan_size.has_value()},
                                                  {"cut-below", c.flags.cut_below.has_value()},
                                                  {"particles", c.budget.particles.has_value()},

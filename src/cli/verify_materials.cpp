@@ -30,11 +30,6 @@ std::string idle_for_verify(const MaterialRequest &r) {
 }
 
 void check_question(const Question &question) {
-  using Kind = AskedTolerance::Kind;
-  for (const AskedTolerance &t : question.tolerances)
-    if (t.kind != Kind::retained && t.kind != Kind::total)
-      throw InputError(option("tolerance") + ": " + to_string(t) +
-                       " has no meaning for several materials: use retained:E% or total:E%");
   if (!question.law.is_power())
     throw InputError(option("law") + ": of several materials samples are judged by x^(a/b): give such a law");
 }

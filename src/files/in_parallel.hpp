@@ -8,13 +8,15 @@
 #include <exception>
 #include <map>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
 namespace mdm {
 
-/// Calls work(0), ..., work(n - 1), each once, in any order; throws what one of them threw, at the end.
+/// Calls work(0), ..., work(n - 1), each once, in any order; throws what one of them threw, at the end. By fewer threads
+/// where the system has no more.
 template <class Work>
 void in_parallel(std::size_t n, unsigned threads, const Work &work) {
   std::atomic<std::size_t> next = 0;
@@ -31,8 +33,11 @@ void in_parallel(std::size_t n, unsigned threads, const Work &work) {
     }
   };
   std::vector<std::thread> helpers;
-  for (unsigned t = 1; t < std::min<std::size_t>(threads, n); ++t)
-    helpers.emplace_back(run);
+  try {
+    for (unsigned t = 1; t < std::min<std::size_t>(threads, n); ++t)
+      helpers.emplace_back(run);
+  } catch (const std::system_error &) { // no more are to be had, as in WebAssembly: those that there are do it
+  }
   run();
   for (std::thread &helper : helpers)
     helper.join();

@@ -94,6 +94,14 @@ void narrow_to_envelope(Tolerance &tolerance, const Gradation &g, const Envelope
   }
 }
 
+/// A row of several materials that begins no class has no share.
+void narrow_to_classes(Tolerance &tolerance, const Gradation &g) {
+  tolerance.retained.resize(g.classes());
+  for (std::size_t j = 0; j < g.classes(); ++j)
+    if (!g.is_class(j))
+      tolerance.retained[j] = {0, 0};
+}
+
 /// The number in a text; nothing if it is none.
 std::optional<Rational> decimal_in(std::string_view text) {
   try {
@@ -159,6 +167,9 @@ Tolerance tolerance_of(const Gradation &g, const std::vector<AskedTolerance> &as
                        const std::optional<Envelope> &envelope, const Rational &size_factor) {
   Tolerance tolerance;
   for (const AskedTolerance &a : asked) {
+    if (!g.materials().empty() && a.kind != Kind::retained && a.kind != Kind::total)
+      throw InputError("tolerance " + to_string(a) +
+                       " has no meaning for several materials: use retained:E% or total:E%");
     const std::vector<Rational> everywhere(g.classes(), a.percent);
     switch (a.kind) {
     case Kind::retained:
@@ -182,6 +193,8 @@ Tolerance tolerance_of(const Gradation &g, const std::vector<AskedTolerance> &as
   }
   if (envelope)
     narrow_to_envelope(tolerance, g, *envelope, size_factor);
+  if (!g.materials().empty())
+    narrow_to_classes(tolerance, g);
   return tolerance;
 }
 

@@ -129,8 +129,10 @@ TolerantProblem::TolerantProblem(const Gradation &g, const MassLaw &law, const T
   if (demands.weight)
     weight_ = Rational(*demands.weight * unit_);
   for (std::size_t j = 0; j < k; ++j) {
-    f_.push_back(openings.numerators[j] * factors.numerators[j]);
-    F_.push_back(openings.numerators[j + 1] * factors.numerators[j]);
+    // Between two materials there is no class: its bounds mean nothing, as the tolerance lets it have no
+    // mass.
+    f_.push_back(g.is_class(j) ? Integer(openings.numerators[j] * factors.numerators[j]) : Integer(0));
+    F_.push_back(g.is_class(j) ? Integer(openings.numerators[j + 1] * factors.numerators[j]) : Integer(1));
     least_.push_back(g.mass(j) > 0 ? demands.min_per_class : Integer(0));
     per_mass_.push_back(ratio(factors.denominator, factors.numerators[j]));
   }

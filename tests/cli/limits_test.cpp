@@ -89,6 +89,22 @@ TEST_CASE("a line that takes too much memory leaves the other lines of a batch a
   CHECK(contains(lines_of(outcome.out)[2], "\"optimal\""));
 }
 
+TEST_CASE("where the system has no more threads, the first does it all", "[cli]") {
+  if (MDM_IS_SANITIZED)
+    return;
+  const TemporaryFolder folder;
+  const std::string suite = folder.write("s.jsonl", small + "\n" + small + "\n" + small + "\n");
+  const auto limited = [](const std::string &command) {
+    return Process("/bin/sh", {"-c", "ulimit -s 2000000; ulimit -v 1500000; exec " + command}).end();
+  };
+  const Outcome solved = limited("'" MDM_PROGRAM "' batch -j 4 '" + suite + "' --proofs '" + (folder / "p") + "'");
+  CHECK(solved.exit_code == 0);
+  CHECK(lines_of(solved.out).size() == 3);
+  const Outcome checked = limited("'" MDM_CHECK_PROGRAM "' -j 4 --suite '" + suite + "' '" + (folder / "p") + "'");
+  CHECK(checked.exit_code == 0);
+  CHECK(contains(checked.out, "3 accepted"));
+}
+
 TEST_CASE("where memory ends no file is left", "[cli]") {
   if (MDM_IS_SANITIZED)
     return;

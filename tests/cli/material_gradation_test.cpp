@@ -52,6 +52,50 @@ TEST_CASE("options of exact matches hold for several materials, and have proofs"
   }
 }
 
+TEST_CASE("the smallest set of several materials within a tolerance has a proof", "[cli]") {
+  for (const Arguments &options : std::vector<Arguments>{
+           {"--tolerance", "retained:1%"},
+           {"--tolerance", "total:5%"},
+           {"--tolerance", "retained:2%", "--tolerance", "total:3%", "--min-per-class", "2"},
+           {"--tolerance", "retained:1%", "--at-least", "500"},
+           {"--tolerance", "total:0.1%", "--solids-volume", "5000"}}) {
+    const Proved proved(options);
+    INFO(read_file(proved.proof));
+    const Outcome verdict = proved.verdict();
+    CHECK(verdict.exit_code == 0);
+    CHECK(contains(verdict.out, "within a tolerance"));
+    CHECK(contains(verdict.out, "classes of the materials \"quartz\", \"shell\""));
+    CHECK(proved.beside(shuffled) == 0);
+    CHECK(proved.beside(replaced(beach, "1,5,2.65", "1,9,2.65")) == 1);
+  }
+}
+
+TEST_CASE("forged certificates of several materials within a tolerance are refused", "[cli]") {
+  const Proved proved({"--tolerance", "retained:1%"});
+  CHECK(proved.forged("particles 29", "particles 28") == 1);
+  CHECK(proved.forged("retained 1\n", "retained 2\n") == 1);
+  CHECK(proved.forged("retained 1\n", "retained 0.9\n") == 1);
+  CHECK(proved.forged("retained 1\n", "passing 1\n") == 1);
+  CHECK(proved.forged("retained 1\n", "retained file\n") == 1);
+  CHECK(proved.forged("class 4 1 ", "class 3 1 ") == 1);
+}
+
+TEST_CASE("the shares of an answer within a tolerance are those of its classes", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("beach.csv", beach);
+  CHECK(contains(mdm({"solve", file, "--tolerance", "total:5%"}).out,
+                 "retained (%)  achieved  quantity  size of a particle (mm)\n"));
+  CHECK(
+      contains(mdm({"solve", file, "--tolerance", "retained:1%"}).out,
+               "      4  shell     (0.5, 2]                            10   9 .. 11  9.001282         1  ["));
+  const Json answer = solve_json({file, "--tolerance", "retained:1%"});
+  CHECK(answer["achieved"].size() == 4);
+  CHECK(answer["tolerance"]["retained"].size() == 4);
+  const std::string saved = folder.write("answer.json", answer.dump());
+  CHECK(mdm({"verify", file, saved, "--tolerance", "retained:1%"}).exit_code == 0);
+  CHECK(mdm({"verify", file, saved, "--tolerance", "retained:0.9%"}).exit_code == 1);
+}
+
 TEST_CASE("a search over several materials that reaches its limit has a proof of the bounds", "[cli]") {
   const std::string narrow =
       "size_mm,mass,material\n1,1,a\n1.0001,0,a\n0.7,2,b\n0.70001,0,b\n0.1,3,c\n0.2,0,c\n";
@@ -147,8 +191,7 @@ TEST_CASE("answers to several materials have all formats", "[cli]") {
 TEST_CASE("what says nothing of several materials is refused", "[cli]") {
   const TemporaryFolder folder;
   const std::string file = folder.write("beach.csv", beach);
-  for (const Arguments &options : std::vector<Arguments>{{"--tolerance", "retained:1%"},
-                                                         {"--cut-below", "1"},
+  for (const Arguments &options : std::vector<Arguments>{{"--cut-below", "1"},
                                                          {"--pan-size", "0.1"},
                                                          {"--particles", "10"},
                                                          {"--spread"},
@@ -158,6 +201,16 @@ TEST_CASE("what says nothing of several materials is refused", "[cli]") {
     arguments.insert(arguments.end(), options.begin(), options.end());
     check_refused(mdm(arguments), options.front() + ": it is of gradations of one material");
   }
+}
+
+TEST_CASE("tolerances on what passes are none of several materials", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("beach.csv", beach);
+  for (const std::string tolerance :
+       {"passing:1%", "passing:file", "retained:file", "laboratory", "rounding"})
+    check_refused(mdm({"solve", file, "--tolerance", tolerance}),
+                  "tolerance " + tolerance +
+                      " has no meaning for several materials: use retained:E% or total:E%");
 }
 
 TEST_CASE("several materials are nowhere taken as one", "[cli]") {
@@ -185,10 +238,10 @@ TEST_CASE("several materials are nowhere taken as one", "[cli]") {
   check_refused(mdm({"export", answer, "--to", "csv"}), "is of a gradation of several materials");
   CHECK(mdm({"solve", mass, "--proof", folder / "mass.proof"}).exit_code == 0);
   CHECK(mdm_check(file, folder / "mass.proof").exit_code == 1);
-  CHECK(mdm({"solve", mass, "--tolerance", "10%", "--proof", folder / "tolerant.proof"}).exit_code == 0);
+  CHECK(mdm({"solve", mass, "--tolerance", "passing:10%", "--proof", folder / "tolerant.proof"}).exit_code == 0);
   const Outcome tolerant = mdm_check(file, folder / "tolerant.proof");
   CHECK(tolerant.exit_code == 1);
-  CHECK(contains(tolerant.err, "materials: an exact match without pan-size and cut-below fails"));
+  CHECK(contains(tolerant.err, "materials: tolerances on what is retained and on the total alone fails"));
   CHECK(mdm({"verify", mass, list, "--proof", folder / "list.proof"}).exit_code == 1);
   CHECK(mdm_check({file, list, folder / "list.proof"}).exit_code == 2);
 }

@@ -1,6 +1,7 @@
 #include "brute_force.hpp"
 #include "catch.hpp"
 #include "gradation/material_gradation.hpp"
+#include "tolerant_brute_force.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
@@ -65,6 +66,28 @@ brute::Problem problem(const SmallBeach &beach) {
   return p;
 }
 
+/// The same within tolerances in percent, of which one below 0 is not asked for.
+tolerant_brute::Problem problem_within(const SmallBeach &beach, int retained, int total) {
+  tolerant_brute::Problem p;
+  int all = 0;
+  for (const auto &[name, classes] : beach)
+    for (const SmallClass &c : classes)
+      all += c.mass;
+  for (const auto &[name, classes] : beach)
+    for (const SmallClass &c : classes) {
+      const auto end = [&c](int x) { return ratio(c.factor * x * x * x, 100); };
+      const Rational share = ratio(c.mass, all), width = ratio(retained, 100);
+      p.classes.push_back({end(c.lower), end(c.upper), ratio(c.factor, 100), c.mass > 0});
+      p.target.push_back(share);
+      if (retained >= 0)
+        p.tolerance.retained.push_back(
+            {std::max(Rational(0), Rational(share - width)), std::min(Rational(1), Rational(share + width))});
+    }
+  if (total >= 0)
+    p.tolerance.total = ratio(total, 100);
+  return p;
+}
+
 /// Of the classes with mass.
 std::vector<Integer> quantities(const Match &m) {
   std::vector<Integer> q;
@@ -102,6 +125,34 @@ TEST_CASE("the least match of several materials is that of enumeration", "[match
     larger += *m.particles() > alone ? 1 : 0;
   }
   CHECK(larger > 100);
+}
+
+TEST_CASE("the least number of several materials within a tolerance is that of enumeration", "[match]") {
+  std::mt19937_64 random(30);
+  const auto percent = [&random](unsigned end) { return static_cast<int>(random() % end); };
+  int decided = 0, fewer = 0;
+  for (int i = 0; i < 400; ++i) {
+    const SmallBeach beach = random_beach(random);
+    const int retained = i % 3 == 0 ? -1 : percent(30), total = i % 3 == 1 ? -1 : percent(50);
+    Question question;
+    if (retained >= 0)
+      question.tolerances.push_back({AskedTolerance::Kind::retained, retained});
+    if (total >= 0)
+      question.tolerances.push_back({AskedTolerance::Kind::total, total});
+    CAPTURE(i, csv(beach), retained, total);
+    const Match m = solved(csv(beach), question);
+    REQUIRE(m.status == Status::optimal);
+    for (std::size_t j = 0; j < m.gradation.classes(); ++j)
+      REQUIRE((m.gradation.is_class(j) || m.sample->quantities[j] == 0));
+    constexpr int limit = 8;
+    const std::optional<int> least =
+        tolerant_brute::least_particles(problem_within(beach, retained, total), limit);
+    REQUIRE((least ? *m.particles() == *least : *m.particles() > limit));
+    decided += least ? 1 : 0;
+    fewer += *m.particles() < *solved(csv(beach)).particles() ? 1 : 0;
+  }
+  CHECK(decided > 200);
+  CHECK(fewer > 200);
 }
 
 TEST_CASE("sizes of several materials have the masses that were asked for", "[match]") {

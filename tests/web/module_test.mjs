@@ -54,6 +54,14 @@ test("answers within a tolerance, of bands, solids and laws are the native ones"
     }
 });
 
+test("a batch for several threads is answered by the one that there is", async () => {
+  const lines = '{"id":"a","unit":"mm","sizes":[1,2],"masses":[1,0]}\n'.repeat(3);
+  const words = ["batch", "lines.jsonl", "--format", "csv", "--quiet"];
+  const [one, many] = await Promise.all([[], ["-j", "4"]].map((more) => run([...words, ...more], { "lines.jsonl": lines })));
+  assert.strictEqual(many.code, 0);
+  assert.deepStrictEqual(many, one);
+});
+
 test("all pairs of certificates have the native verdict and message", async () => {
   let compared = 0;
   for (const kind of ["accepted", "rejected", "unparsable"]) {
