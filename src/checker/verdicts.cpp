@@ -69,7 +69,8 @@ void Verdicts::write_all() {
   try {
     for (std::size_t t = 1; t < std::min<std::size_t>(manner_.threads, lines.size()); ++t)
       helpers.emplace_back(work);
-  } catch (const std::system_error &) { // no more are to be had, as in WebAssembly: those that there are do it
+  } catch (const std::system_error &) {
+    // No more are to be had, as in WebAssembly: those that there are do it.
   }
   work();
   for (std::thread &helper : helpers)

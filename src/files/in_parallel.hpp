@@ -36,7 +36,8 @@ void in_parallel(std::size_t n, unsigned threads, const Work &work) {
   try {
     for (unsigned t = 1; t < std::min<std::size_t>(threads, n); ++t)
       helpers.emplace_back(run);
-  } catch (const std::system_error &) { // no more are to be had, as in WebAssembly: those that there are do it
+  } catch (const std::system_error &) {
+    // No more are to be had, as in WebAssembly: those that there are do it.
   }
   run();
   for (std::thread &helper : helpers)

@@ -9,10 +9,11 @@ Real size_at(const GradingCurve &curve, std::size_t i) {
   return fraction ? Real(*fraction) : curve.power_of(i).real();
 }
 
-/// The sum of w_j term(size) over the classes from `first` to `last` with mass, each at its sieve j + side. By halves: the
-/// common denominator of many fractions is long.
+/// The sum of w_j term(size) over the classes from `first` to `last` with mass, each at its sieve j + side.
+/// By halves: the common denominator of many fractions is long.
 template <class Term>
-Real sum_of_part(const GradingCurve &curve, std::size_t first, std::size_t last, std::size_t side, Term term) {
+Real sum_of_part(const GradingCurve &curve, std::size_t first, std::size_t last, std::size_t side,
+                 Term term) {
   if (first == last)
     return curve.mass(first) > 0 ? Real(curve.mass(first)) * term(size_at(curve, first + side)) : Real(0);
   const std::size_t middle = first + (last - first) / 2;
