@@ -15,8 +15,8 @@
 
 namespace mdm {
 
-/// Calls work(0), ..., work(n - 1), each once, in any order; throws what one of them threw, at the end. By fewer threads
-/// where the system has no more.
+/// Calls work(0), ..., work(n - 1), each once, in any order; throws what one of them threw, at the end. By
+/// fewer threads where the system has no more.
 template <class Work>
 void in_parallel(std::size_t n, unsigned threads, const Work &work) {
   std::atomic<std::size_t> next = 0;
