@@ -83,11 +83,11 @@ Descriptor file_with(std::string_view text) {
 
 /// The process groups that run, for the signal handler; 0: a free place.
 std::array<std::atomic<pid_t>, 2048> running;
-std::atomic<bool> dying = false;
-static_assert(std::atomic<pid_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+std::atomic<int> dying = 0; // of bool not each machine has one without a lock
+static_assert(std::atomic<pid_t>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 void kill_children() {
-  dying = true;
+  dying = 1;
   for (const std::atomic<pid_t> &group : running)
     if (const pid_t g = group; g != 0)
       kill(-g, SIGKILL);
@@ -217,7 +217,7 @@ ChildEnd run_child(const std::string &command, std::string_view input, milliseco
       nap = ready > 0 ? milliseconds(1) : std::min(2 * nap, longest_nap);
     }
   }
-  while (dying) // this end is none of the child's own: nobody may see it
+  while (dying != 0) // this end is none of the child's own: nobody may see it
     pause();
   end.last_error = last_line(std::move(error_text));
   return end;

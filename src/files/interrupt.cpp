@@ -6,19 +6,19 @@
 namespace mdm {
 namespace {
 
-std::atomic<bool> pressed = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
+std::atomic<int> pressed = 0; // of bool not each machine has one without a lock
+static_assert(std::atomic<int>::is_always_lock_free);
 struct sigaction replaced_action {};
 
 void note(int signal) {
-  pressed = true;
+  pressed = 1;
   sigaction(signal, &replaced_action, nullptr);
 }
 
 } // namespace
 
 Interrupt::Interrupt() {
-  pressed = false;
+  pressed = 0;
   sigaction(SIGINT, nullptr, &replaced_action);
   if (replaced_action.sa_handler == SIG_IGN)
     return;
@@ -32,7 +32,7 @@ Interrupt::~Interrupt() {
 }
 
 bool Interrupt::was_pressed() {
-  return pressed;
+  return pressed != 0;
 }
 
 } // namespace mdm

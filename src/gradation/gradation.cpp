@@ -95,7 +95,8 @@ void Gradation::refuse_roots() const {
   });
   throw InputError(fmt::format(
       "openings of phi that is no whole number are irrational{}, and here only fractions will do: {}",
-      irrational == data_.sizes.end() ? "" : " (about " + named(data_, *irrational) + ")", convert_remedy));
+      irrational == data_.sizes.end() ? "" : " (about " + named(data_, *irrational) + ")",
+      fractions_remedy()));
 }
 
 std::string Gradation::opening_text(std::size_t j) const {

@@ -54,9 +54,9 @@ void check_powers(const Gradation &g, const std::vector<Rational> &openings, con
       longest(g, openings, min_per_class, bits_of) * degree <= max_power_bits)
     return;
   if (g.root() > 1)
-    throw InputError(
-        "the openings 2^-phi mm are roots of degree " + std::to_string(g.root()) +
-        " of fractions, whose powers are too long with numbers this long: " + std::string(convert_remedy));
+    throw InputError("the openings 2^-phi mm are roots of degree " + std::to_string(g.root()) +
+                     " of fractions, whose powers are too long with numbers this long: " +
+                     std::string(g.fractions_remedy()));
   throw InputError((law.is_power() ? "the exponent " + law.exponent() + " is too large"
                                    : std::string("the values of the mass law are too long")) +
                    " for numbers this long: round one of them");

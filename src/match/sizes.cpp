@@ -48,9 +48,10 @@ Enclosure enclose_size(const Gradation &g, std::size_t j, const MassLaw &law, un
   Enclosure x = enclose_inverse(law, n, d, degree, digits);
   for (unsigned more = 2 * digits; !inside(x, g, j); more *= 2) {
     if (x.lo != x.hi && is_upper())
-      throw InputError("class " + std::to_string(j + 1) + ": the size is the opening " +
-                       g.opening(j + 1).text() + " itself, which is no decimal: choose another scale" +
-                       (g.root() > 1 ? ", or convert the file: " + std::string(convert_remedy) : ""));
+      throw InputError(
+          "class " + std::to_string(j + 1) + ": the size is the opening " + g.opening(j + 1).text() +
+          " itself, which is no decimal: choose another scale" +
+          (g.root() > 1 ? ", or have other openings: " + std::string(g.fractions_remedy()) : ""));
     x = enclose_inverse(law, n, d, degree, more);
   }
   return x;

@@ -135,12 +135,10 @@ void check_no_irrational_size(const Gradation &g, const Problem &problem, const 
     const ProblemClass &c = problem.classes()[i];
     const Rational up_to = ratio(power(q[i], problem.scale_power()) * c.F, c.mass);
     if (up_to * problem.scale_unit() == scale && !g.opening(c.index + 1).fraction())
-      throw InputError(
-          "at the upper end of the scales the particles of class " + std::to_string(c.index + 1) +
-          " have the size of the opening above, which is irrational: choose another " + option("scale") +
-          ", or "
-          "convert the file: " +
-          std::string(convert_remedy));
+      throw InputError("at the upper end of the scales the particles of class " +
+                       std::to_string(c.index + 1) +
+                       " have the size of the opening above, which is irrational: choose another " +
+                       option("scale") + ", or have other openings: " + std::string(g.fractions_remedy()));
   }
 }
 

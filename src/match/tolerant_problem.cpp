@@ -29,7 +29,7 @@ std::vector<Rational> masses_at_openings(const Gradation &g, const MassLaw &law)
       throw InputError(
           "a tolerance needs exact masses, and openings of phi that is no whole number make them "
           "irrational with the law x^(" +
-          law.exponent() + "): " + std::string(convert_remedy));
+          law.exponent() + "): " + std::string(g.fractions_remedy()));
     if (!mass)
       throw InputError(
           "the law x^(" + law.exponent() +

@@ -85,6 +85,10 @@ public:
   const std::vector<MaterialRows> &materials() const { return materials_; }
   /// The name of the material of row j; empty if it has none.
   const std::string &material(std::size_t j) const;
+  /// The remedy where openings must be fractions; mdm convert takes but one material.
+  std::string_view fractions_remedy() const {
+    return materials_.empty() ? convert_remedy : "give the openings in mm";
+  }
   /// False for the last row of a material, which begins no class.
   bool is_class(std::size_t j) const;
 
