@@ -48,6 +48,12 @@ void take_failure(const Json &object, OtherBlend &answer) {
     throw InputError("there are neither \"shares\" nor \"percents\"");
 }
 
+/// A share as it was stated, where that is a decimal: rounded it may look like what it should be.
+std::string stated_percent(const Rational &share) {
+  const Rational percent = 100 * share;
+  return exact_decimal(percent).value_or(approximate(percent, blend_digits));
+}
+
 /// What is wrong with shares that are no blend of the problem; empty if nothing is.
 std::string fault(const BlendProblem &p, const std::vector<Rational> &shares) {
   if (shares.size() != p.stockpiles.size())
@@ -60,14 +66,13 @@ std::string fault(const BlendProblem &p, const std::vector<Rational> &shares) {
       return "the share" + of + " is negative";
     if (denominator(Rational(shares[i] * p.steps)) != 1)
       return fmt::format("the share{} is {} %, no whole number of steps of {} %", of,
-                         approximate(Rational(100 * shares[i]), blend_digits),
-                         approximate(ratio(100, p.steps), blend_digits));
+                         stated_percent(shares[i]), approximate(ratio(100, p.steps), blend_digits));
     if (shares[i] > 0)
       ++used;
     sum += shares[i];
   }
   if (sum != 1)
-    return fmt::format("the shares sum to {} %", approximate(Rational(100 * sum), blend_digits));
+    return fmt::format("the shares sum to {} %", stated_percent(sum));
   if (p.at_most && used > *p.at_most)
     return fmt::format("{} stockpiles have a share, and {} may", used, *p.at_most);
   return "";

@@ -145,6 +145,9 @@ TEST_CASE("blends of another solver: best, worse, none of the problem, and what 
   CHECK(json.at("schema") == "mdm-crosscheck-blends-1");
   CHECK(json.at("rows").size() == 12);
   CHECK(json.at("verdicts").at("best") == "2");
+  const std::string near = "{\"id\":\"a\",\"shares\":[0.3400000000000001,0.6599999999999999]}\n";
+  CHECK(contains(judged(cheap, near, {"--format", "csv"}).out,
+                 "the share of A is 34.00000000000001 %, no whole number of steps of 1 %"));
   const std::string worse = "{\"id\":\"a\",\"percents\":[40,60]}\n";
   const Outcome text = judged(cheap, worse);
   CHECK(text.exit_code == 0);
