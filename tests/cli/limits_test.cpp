@@ -97,10 +97,12 @@ TEST_CASE("where the system has no more threads, the first does it all", "[cli]"
   const auto limited = [](const std::string &command) {
     return Process("/bin/sh", {"-c", "ulimit -s 2000000; ulimit -v 1500000; exec " + command}).end();
   };
-  const Outcome solved = limited("'" MDM_PROGRAM "' batch -j 4 '" + suite + "' --proofs '" + (folder / "p") + "'");
+  const Outcome solved =
+      limited("'" MDM_PROGRAM "' batch -j 4 '" + suite + "' --proofs '" + (folder / "p") + "'");
   CHECK(solved.exit_code == 0);
   CHECK(lines_of(solved.out).size() == 3);
-  const Outcome checked = limited("'" MDM_CHECK_PROGRAM "' -j 4 --suite '" + suite + "' '" + (folder / "p") + "'");
+  const Outcome checked =
+      limited("'" MDM_CHECK_PROGRAM "' --suite '" + suite + "' '" + (folder / "p") + "' -j 4");
   CHECK(checked.exit_code == 0);
   CHECK(contains(checked.out, "3 accepted"));
 }
