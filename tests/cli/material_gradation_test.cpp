@@ -238,7 +238,8 @@ TEST_CASE("several materials are nowhere taken as one", "[cli]") {
   check_refused(mdm({"export", answer, "--to", "csv"}), "is of a gradation of several materials");
   CHECK(mdm({"solve", mass, "--proof", folder / "mass.proof"}).exit_code == 0);
   CHECK(mdm_check(file, folder / "mass.proof").exit_code == 1);
-  CHECK(mdm({"solve", mass, "--tolerance", "passing:10%", "--proof", folder / "tolerant.proof"}).exit_code == 0);
+  CHECK(mdm({"solve", mass, "--tolerance", "passing:10%", "--proof", folder / "tolerant.proof"}).exit_code ==
+        0);
   const Outcome tolerant = mdm_check(file, folder / "tolerant.proof");
   CHECK(tolerant.exit_code == 1);
   CHECK(contains(tolerant.err, "materials: tolerances on what is retained and on the total alone fails"));
