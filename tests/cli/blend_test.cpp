@@ -85,10 +85,11 @@ TEST_CASE("where real shares keep limits that none in steps keep, that is told",
   CHECK(none.at("contradiction").is_null());
   CHECK(none.at("real").is_object());
   CHECK(none.at("widened").at("value") == "1/5"); // 33 %: 59.8
-  CHECK(contains(stockpiles.blend().out,
-                 "no blend of these 2 stockpiles keeps the limits of limits in steps of 1 %\n"
-                 "  real shares keep all limits: 33.3333 % fine, 66.6666 % coarse\n"
-                 "  in steps of 1 % all limits of sieves must be widened by 0.2 points: 33 % fine, 67 % coarse\n"));
+  CHECK(contains(
+      stockpiles.blend().out,
+      "no blend of these 2 stockpiles keeps the limits of limits in steps of 1 %\n"
+      "  real shares keep all limits: 33.3333 % fine, 66.6666 % coarse\n"
+      "  in steps of 1 % all limits of sieves must be widened by 0.2 points: 33 % fine, 67 % coarse\n"));
   CHECK(contains(stockpiles.blend({"--share", "fine=33.4%"}).out,
                  "  real shares keep all limits: 33.4 % fine, 66.6 % coarse\n"
                  "  no widening of all limits of sieves leaves a blend in steps of 1 %\n"));
