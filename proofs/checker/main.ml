@@ -122,6 +122,12 @@ let run arguments =
       demand_arguments arguments (arguments <> [] && List.length arguments mod 2 = 0);
       check_all 0 arguments
 
+(** True if a part of the text is [part]. *)
+let has text part =
+  let n = String.length part in
+  let rec from i = i + n <= String.length text && (String.sub text i n = part || from (i + 1)) in
+  from 0
+
 let () =
   let code =
     try
@@ -132,8 +138,14 @@ let () =
       let code = code_of (fun () -> run (List.tl (Array.to_list Sys.argv))) in
       flush stdout;
       code
-    with Sys_error what ->
-      prerr_endline ("standard output: cannot be written: " ^ what ^ ": send it elsewhere");
-      2
+    with
+    | Sys_error what ->
+        close_out_noerr stdout;
+        if not (has what "Broken pipe") then
+          prerr_endline ("standard output: cannot be written: " ^ what ^ ": send it elsewhere");
+        2
+    | Out_of_memory ->
+        prerr_endline (Program.name ^ ": out of memory: check on a larger machine");
+        2
   in
   exit code

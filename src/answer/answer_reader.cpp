@@ -104,6 +104,13 @@ std::string class_place(std::size_t j) {
   return fmt::format("classes[{}].", j);
 }
 
+AnswerSample of_one_material(AnswerSample sample) {
+  for (const AnswerSample::Class &c : sample.classes)
+    if (!c.material.empty())
+      refuse(class_place(c.number - 1) + "material", several_materials);
+  return sample;
+}
+
 } // namespace
 
 const Json &AnswerReader::array(const char *key) const {
@@ -221,6 +228,46 @@ AnswerSample AnswerReader::sample() {
   return sample;
 }
 
+Gradation AnswerReader::gradation(PhiReading phi) {
+  const AnswerSample of = of_one_material(sample());
+  const Json &classes = array("classes");
+  const Json *const achieved = achieved_shares(classes.size());
+  Gradation::Data data;
+  data.id = of.id;
+  data.unit = of.unit;
+  const bool is_rounded = size_power_ > 1 && phi == PhiReading::rounded;
+  data.root = is_rounded ? 1 : size_power_;
+  const auto bound = [&](std::size_t j, const char *key, const char *power_key) {
+    const RootSize exact = opening(classes[j], key, power_key, class_place(j));
+    return is_rounded ? decimal(classes[j], key, class_place(j)) : exact.power;
+  };
+  for (std::size_t j = 0; j < classes.size(); ++j) {
+    const std::string place = class_place(j);
+    const Rational lower = bound(j, "lower", "lower_power");
+    if (j > 0 && lower != data.sizes.back())
+      refuse(place + "lower",
+             "is not the upper bound of the class before: give the JSON answer of mdm solve");
+    if (j == 0)
+      data.sizes.push_back(lower);
+    data.sizes.push_back(bound(j, "upper", "upper_power"));
+    const std::string share = achieved == nullptr ? "" : (*achieved)[j].get<std::string>();
+    data.masses.push_back(achieved == nullptr ? decimal(classes[j], "mass", place)
+                          : share == "0"      ? Rational(0)
+                                              : fraction(share, fmt::format("achieved[{}]", j)));
+  }
+  if (achieved != nullptr) { // fractions, of which a file of a gradation may have none
+    const CommonDenominator integers(data.masses);
+    data.masses.assign(integers.numerators.begin(), integers.numerators.end());
+  }
+  data.masses.push_back(0);
+  data.notes.push_back(fmt::format("the gradation is that of the {} particles of an answer{}",
+                                   to_string(of.particles),
+                                   achieved == nullptr ? "" : ", with the shares that they have"));
+  if (is_rounded)
+    data.notes.emplace_back("Sizes of phi that is no integer were rounded to 15 significant digits in mm.");
+  return Gradation(std::move(data));
+}
+
 StatedParticles AnswerReader::particles() const {
   StatedParticles stated;
   const Json &classes = array("classes");
@@ -241,7 +288,9 @@ StatedParticles AnswerReader::particles() const {
 
 namespace {
 
-AnswerSample read_any_answer(std::string_view content, const std::string &file, bool takes_materials) {
+/// What `read` makes of the answer's reader; messages name the file and the line.
+template <class Read>
+auto read_with(std::string_view content, const std::string &file, Read read) {
   const Source source(file);
   content = without_byte_order_mark(content);
   const std::size_t first = std::min(content.find_first_not_of(" \t\r\n"), content.size());
@@ -252,12 +301,13 @@ AnswerSample read_any_answer(std::string_view content, const std::string &file, 
                   "this is neither the JSON answer of mdm solve nor a file of particles: give one of them");
   try {
     const Json answer = json_tree(content);
-    AnswerSample sample = AnswerReader(answer).sample();
-    for (const AnswerSample::Class &c : sample.classes)
-      if (!c.material.empty() && !takes_materials)
-        refuse(class_place(c.number - 1) + "material", several_materials);
-    return sample;
+    AnswerReader reader(answer);
+    return read(reader);
   } catch (const JsonError &error) {
+    const std::size_t end = content.find('\n', first);
+    const std::size_t next = content.find_first_not_of(" \t\r\n", std::min(end, content.size()));
+    if (next != std::string_view::npos && content[next] == '{')
+      source.refuse(line + 1, "another answer begins here: give one of them");
     source.refuse(error.line, error.what());
   } catch (const InputError &error) {
     source.refuse(line, error.what());
@@ -266,12 +316,23 @@ AnswerSample read_any_answer(std::string_view content, const std::string &file, 
 
 } // namespace
 
+bool is_answer(std::string_view begin) {
+  const std::string_view text = trimmed(without_byte_order_mark(begin));
+  const std::size_t key = text.find("\"schema\"");
+  return text.starts_with('{') && key != std::string_view::npos &&
+         text.find(answer_schema, key) != std::string_view::npos;
+}
+
 AnswerSample read_answer(std::string_view content, const std::string &file) {
-  return read_any_answer(content, file, false);
+  return read_with(content, file, [](AnswerReader &reader) { return of_one_material(reader.sample()); });
 }
 
 AnswerSample read_material_answer(std::string_view content, const std::string &file) {
-  return read_any_answer(content, file, true);
+  return read_with(content, file, [](AnswerReader &reader) { return reader.sample(); });
+}
+
+Gradation answer_gradation(std::string_view content, const std::string &file, PhiReading phi) {
+  return read_with(content, file, [phi](AnswerReader &reader) { return reader.gradation(phi); });
 }
 
 } // namespace mdm

@@ -5,6 +5,8 @@
 #include "answer/answer_sample.hpp"
 #include "answer/answer_schema.hpp"
 
+#include <mdm/gradation/read_gradation.hpp>
+
 #include <nlohmann/json.hpp>
 
 namespace mdm {
@@ -27,6 +29,8 @@ public:
 
   /// The whole of it, for read_answer.
   AnswerSample sample();
+  /// The classes with the shares of the match, for answer_gradation.
+  Gradation gradation(PhiReading phi);
   /// The particles alone; what does not concern them is not looked at, not even the schema.
   StatedParticles particles() const;
 

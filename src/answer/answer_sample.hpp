@@ -4,6 +4,8 @@
 
 #include "gradation/description.hpp"
 
+#include <mdm/gradation/read_gradation.hpp>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +46,15 @@ struct AnswerSample {
 AnswerSample read_answer(std::string_view content, const std::string &file);
 /// The same of an answer whose classes may have materials.
 AnswerSample read_material_answer(std::string_view content, const std::string &file);
+
+/// True of a text that begins as an mdm-answer-1.
+bool is_answer(std::string_view begin);
+
+/// The gradation that the particles of an answer have: its classes, empty ones too, with the masses of an
+/// exact match, or the shares of one within a tolerance.
+/// \throws InputError as read_answer
+Gradation answer_gradation(std::string_view content, const std::string &file,
+                           PhiReading phi = PhiReading::exact);
 
 /// \throws InputError if the answer's scale is not to the power that the law has it to
 void check_power(const AnswerSample &answer, const MassLaw &law);

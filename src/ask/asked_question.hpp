@@ -22,8 +22,13 @@ struct AskedQuestion {
   std::optional<Length> pan_size, cut_below;
   std::optional<AskedSpecimen> specimen;
 
-  /// The question with its lengths in the gradation's unit.
+  /// The question with its lengths in that unit, which those without one have.
   Question in(SizeUnit unit) const;
+  /// The question to a gradation.
+  /// \throws InputError where a length has no unit, and the gradation's file has inches
+  Question of(const Gradation &g) const;
+  /// The law of sizes in that unit.
+  MassLaw law_in(SizeUnit unit) const;
 };
 
 } // namespace mdm

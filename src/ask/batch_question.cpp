@@ -9,7 +9,7 @@ BatchQuestion::BatchQuestion(const SolveTexts &asked, const ReadBand &read_band,
 BatchMatch BatchQuestion::ask(Gradation g, const ProgressCall &progress) const {
   SolveOptions options = texts_.time_limit ? texts_.options(keep_proof_) : options_;
   options.progress = progress;
-  const Question question = question_.in(g.unit());
+  const Question question = question_.of(g);
   Match m = solve(std::move(g), question, options);
   const Outcome outcome = outcome_of(m, options.limits);
   return {std::move(m), outcome, options.limits};

@@ -47,7 +47,7 @@ CrosscheckQuestion::CrosscheckQuestion(const CrosscheckTexts &asked, const ReadB
 }
 
 Crosscheck CrosscheckQuestion::problem(const Gradation &g) const {
-  return asked_ ? Crosscheck(g, asked_->in(g.unit()), limits_) : Crosscheck(g, limits_);
+  return asked_ ? Crosscheck(g, asked_->of(g), limits_) : Crosscheck(g, limits_);
 }
 
 } // namespace mdm

@@ -35,7 +35,7 @@ public:
   /// The gradation with its least match. \throws InputError where the question does not fit it
   Crosscheck problem(const Gradation &g) const;
   /// What is asked about a gradation in that unit.
-  Question question(SizeUnit unit) const { return asked_ ? asked_->in(unit) : Question(); }
+  Question question(const Gradation &g) const { return asked_ ? asked_->of(g) : Question(); }
 
 private:
   Limits limits_;

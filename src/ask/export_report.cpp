@@ -92,6 +92,12 @@ std::string cheaper(const ExportFormat &format, const SettleModel &model, double
 
 void check_wanted(const ExportTexts &c, const ExportFormat &format, const ParticleSet &set,
                   const Placement *start) {
+  if (c.model && set.has_materials())
+    throw InputError(
+        option("model") +
+        ": it tells classes by their sizes, and those of several materials overlap: leave it out; "
+        "with " +
+        option("to") + " lammps " + option("types") + " class each has a type");
   if (!c.yes_huge && set.particles() > huge && format.id != ExportTo::csv)
     throw InputError(fmt::format("{} particles are more than {}: {} if that is wanted; else a {} or {} needs "
                                  "fewer, and {} csv writes counts alone",
@@ -151,7 +157,9 @@ std::string how_to_verify(const ExportTexts &c, const ExportFormat &format, cons
                           const Placement *start) {
   const ParticleSet &set = *found.set;
   const std::optional<std::string> options = verify_options(c);
-  if (!options || !found.has_gradation || c.file == "-" || c.out == "-" || format.id == ExportTo::mercurydpm)
+  const bool loses_materials = set.has_materials() && format.id != ExportTo::csv;
+  if (!options || !found.has_gradation || c.file == "-" || c.out == "-" || loses_materials ||
+      format.id == ExportTo::mercurydpm)
     return "";
   const std::string unit = format.id == ExportTo::csv ? "" : " --size-unit " + std::string(name(set.unit));
   const std::string specimen =

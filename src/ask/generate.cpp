@@ -42,7 +42,7 @@ std::shared_ptr<const SieveCurve> sieve_curve(const GenerateTexts &c, const Read
                                                             : Interpolation::stair;
   return in_file(*c.curve, [&] {
     if (c.pan_size)
-      g = g.with_pan_size(length("pan-size", *c.pan_size).in(g.unit()));
+      g = g.with_pan_size(length("pan-size", *c.pan_size).in(g));
     return std::make_shared<const SieveCurve>(GradingCurve(g), interpolation);
   });
 }

@@ -61,7 +61,7 @@ void add_fit(InverseTask &task, const GenerateTexts &asked, const ReadCurve &rea
   task.notes = g.notes();
   in_file(file, [&] {
     if (asked.pan_size)
-      g = g.with_pan_size(length("pan-size", *asked.pan_size).in(g.unit()));
+      g = g.with_pan_size(length("pan-size", *asked.pan_size).in(g));
   });
   const GradingCurve curve(g);
   task.c_u = enclosed(uniformity(curve), file);

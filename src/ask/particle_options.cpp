@@ -32,6 +32,7 @@ const std::vector<OptionRow<ParticleTexts>> ParticleTexts::options = {
 ParticleOptions ParticleTexts::reading(SizeUnit target) const {
   ParticleOptions o;
   o.target = target;
+  o.can_choose_timestep = true;
   o.says_otherwise = option("radius") + ", " + option("diameter") + " and " + option("size-unit") + " say";
   if (from)
     o.format = parse_particle_format(*from);

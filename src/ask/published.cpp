@@ -46,14 +46,6 @@ std::uint64_t bounded(const char *name, const std::string &text, std::uint64_t m
   return static_cast<std::uint64_t>(n);
 }
 
-/// `1%` as a fraction.
-Rational share(const char *name, const std::string &text) {
-  if (text.empty() || text.back() != '%')
-    throw InputError(
-        fmt::format("{}: {} has no percent sign: write 1%, for example", option(name), in_quotes(text)));
-  return not_negative(name, text.substr(0, text.size() - 1)) / 100;
-}
-
 SizeChoice size_choice(const PublishedTexts &c) {
   if (c.size_at)
     return {class_position("size-at", *c.size_at)};
@@ -96,6 +88,15 @@ struct ChosenAlgorithm {
   std::optional<Rational> total_error; ///< that is enough
 };
 
+/// The tolerance of the fixed size algorithm, which stops at a total error: `total:1%`, or `1%`.
+Rational total_error(const std::string &text) {
+  const bool is_bare = text.find_first_not_of("0123456789.eE%_+- ") == std::string::npos;
+  const AskedTolerance asked = parse_tolerance(is_bare ? "total:" + text : text);
+  if (asked.kind != AskedTolerance::Kind::total)
+    throw InputError("the fixed size algorithm stops at a total error: write total:1%, or 1%");
+  return asked.percent / 100;
+}
+
 ChosenAlgorithm fixed_size_of(const PublishedTexts &c) {
   FixedSizeOptions o;
   o.sizes = size_choice(c);
@@ -107,7 +108,7 @@ ChosenAlgorithm fixed_size_of(const PublishedTexts &c) {
     kind = PublishedAlgorithm::rounded;
     o.max_iterations = 1;
   } else {
-    o.tolerance = share("tolerance", c.tolerance.value_or("1%"));
+    o.tolerance = named("tolerance", c.tolerance.value_or("1%"), total_error);
     if (c.max_iterations)
       o.max_iterations = bounded("max-iterations", *c.max_iterations, most_iterations);
     settings += fmt::format(", total error up to {} %, at most {} iterations",
@@ -170,8 +171,8 @@ const std::vector<OptionRow<PublishedTexts>> PublishedTexts::options = {
      "rounded, fixed-size: nearest (default, a half up), even (a half to even), up or down",
      &PublishedTexts::rounding,
      {"nearest", "even", "up", "down"}},
-    {"tolerance", "P%", OptionKind::number, "fixed-size: the total error that is enough (1%)",
-     &PublishedTexts::tolerance},
+    {"tolerance", "WHICH", OptionKind::number,
+     "fixed-size: the total error that is enough, total:1% or 1% (1%)", &PublishedTexts::tolerance},
     {"start", "T", OptionKind::number,
      "spanned-integer: the first x_nS as a part T of its class, 0 < T <= 1, as 0.5 or 1/127 (0.001)",
      &PublishedTexts::start},
@@ -194,7 +195,7 @@ PublishedRun::PublishedRun(const PublishedTexts &asked) {
 }
 
 PublishedReport PublishedRun::report(const Gradation &read) const {
-  const Question question = question_.in(read.unit());
+  const Question question = question_.of(read);
   const Gradation g = asked_gradation(read, question);
   return {kind_,   settings_, g, question.law, run_(g, question.law), smallest_match(g, question.law),
           digits_, g.notes()};
@@ -202,7 +203,7 @@ PublishedReport PublishedRun::report(const Gradation &read) const {
 
 std::optional<CertifiedSample> PublishedRun::certified(const PublishedReport &report,
                                                        const SampleCertifier::Begin &begin) const {
-  Question question = question_.in(report.gradation.unit());
+  Question question = question_.of(report.gradation);
   if (total_error_)
     question.tolerances.push_back({AskedTolerance::Kind::total, Rational(100 * *total_error_)});
   SampleCertifier certifier(report.gradation, question, begin);

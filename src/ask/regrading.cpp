@@ -84,7 +84,7 @@ Regraded RegradingTexts::joined_parts(const UnderstoodGradation &c, const Unders
     throw file_error(names[0], option("fine-mass") + ": it is a mass beside masses, and this file has " +
                                    c.kind + ": give the pan a row there");
   const NamedGradation coarse{c.gradation, names[0]}, fine{f.gradation, names[1]};
-  const Rational joint = length("at", *at).in(coarse.gradation.unit());
+  const Rational joint = length("at", *at).in(coarse.gradation);
   if (!join.empty())
     return joined(coarse, fine, joint);
   return composed(coarse, fine, joint,
@@ -92,9 +92,8 @@ Regraded RegradingTexts::joined_parts(const UnderstoodGradation &c, const Unders
 }
 
 Regraded RegradingTexts::changed(Regraded g, const std::string &file) const {
-  const SizeUnit unit = g.gradation.unit();
   if (scalp) {
-    const Rational above = size_above("scalp", *scalp).in(unit);
+    const Rational above = size_above("scalp", *scalp).in(g.gradation);
     g = then(std::move(g), file, "scalp", [&](const Gradation &of) { return scalped(of, above); });
   }
   if (!replace.empty()) {
@@ -103,7 +102,7 @@ Regraded RegradingTexts::changed(Regraded g, const std::string &file) const {
                                    option("replace"), in_quotes(replace[1])));
     const Length above = size_above("replace", replace[0]);
     const auto [from, to] = range_of_sizes("replace", replace[2]);
-    const Replacement r{above.in(unit), from.in(unit), to.in(unit)};
+    const Replacement r{above.in(g.gradation), from.in(g.gradation), to.in(g.gradation)};
     g = then(std::move(g), file, "replace", [&](const Gradation &of) { return replaced(of, r); });
   }
   if (parallel_ratio) {

@@ -33,7 +33,7 @@ Gradation SoilTexts::with_pan(const Gradation &g) const {
   if (extrapolate && !g.has_pan())
     throw InputError(option("extrapolate") +
                      ": there is no pan, nothing passes the finest sieve: leave it out");
-  return pan_size ? g.with_pan_size(length("pan-size", *pan_size).in(g.unit())) : g;
+  return pan_size ? g.with_pan_size(length("pan-size", *pan_size).in(g)) : g;
 }
 
 } // namespace mdm

@@ -20,8 +20,8 @@ ScaleChoice scale_of(const std::string &text) {
   throw InputError(option("scale") + ": " + in_quotes(text) + " is neither robust nor upper");
 }
 
-/// What is in the file of a law by table.
-std::string law_file(const std::string &path) {
+/// The file as it is.
+std::string plain_file(const std::string &path) {
   std::ifstream file(path, std::ios::binary);
   std::string text;
   std::array<char, 4096> piece{};
@@ -36,13 +36,12 @@ std::string law_file(const std::string &path) {
 
 /// The law; of a table by the file's name, or by the text of it, if that has lines.
 MassLaw law_of(const std::string &text) {
-  constexpr std::string_view table = "table:";
-  if (!text.starts_with(table))
+  if (!text.starts_with(law_by_table))
     return parse_mass_law(text);
-  const std::string file = text.substr(table.size());
+  const std::string file = text.substr(law_by_table.size());
   if (file.find('\n') != std::string::npos)
     return read_law_table(file, "table");
-  return read_law_table(law_file(file), shown_name(file));
+  return read_law_table(read_law_file(file), shown_name(file));
 }
 
 /// Refuses options beside a budget that chooses the size factor.
@@ -63,6 +62,8 @@ std::string kind_of(const SolveTexts &others) {
 }
 
 } // namespace
+
+std::string (*read_law_file)(const std::string &path) = plain_file;
 
 const std::vector<OptionRow<GradationTexts>> GradationTexts::options = {
     {"law", "LAW", OptionKind::text,
@@ -95,7 +96,7 @@ const std::vector<OptionRow<SolveTexts>> SolveTexts::question_options = {
      &SolveTexts::at_least},
     {"specimen", "SHAPE", OptionKind::text,
      "at least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, "
-     "or in the answer's unit (the file's; mm for inches, phi and sieve names)",
+     "or in the file's unit (mm for sieve names and phi; beside inches a unit is needed)",
      &SolveTexts::specimen},
     {"void-ratio", "E", OptionKind::number, "void ratio e of the specimen", &SolveTexts::void_ratio},
     {"solids-volume", "V", OptionKind::number,
@@ -172,6 +173,14 @@ AskedQuestion SolveTexts::question(const ReadBand &read_band) const {
     throw InputError(option("gap") + ": it is of matches within a tolerance: give " + option("max-steps") +
                      ", or " + option("time-limit"));
   return question_of_both(read_band);
+}
+
+std::optional<std::string> SolveTexts::idle_for_materials() const {
+  for (const auto &[name, text] :
+       {std::pair{"band", band}, std::pair{"pan-size", pan_size}, std::pair{"cut-below", cut_below}})
+    if (text)
+      return option(name);
+  return std::nullopt;
 }
 
 AskedQuestion SolveTexts::question_of_both(const ReadBand &read_band) const {

@@ -14,6 +14,13 @@
 
 namespace mdm {
 
+/// What stands before the file of a law by table.
+inline constexpr std::string_view law_by_table = "table:";
+
+/// Reads that file, of at most max_gradation_bytes and a little more; as it is, unless the program sets
+/// another way.
+extern std::string (*read_law_file)(const std::string &path);
+
 /// The options that say how a gradation is to be taken. All members throw an InputError that names the option
 /// where its value does not serve.
 struct GradationTexts {
@@ -49,6 +56,8 @@ struct SolveTexts : GradationTexts {
   /// The same for a command that looks for exact matches and for those within a tolerance: limits of either
   /// serve.
   AskedQuestion question_of_both(const ReadBand &read_band) const;
+  /// An option that has no use for a gradation of several materials, as messages name it.
+  std::optional<std::string> idle_for_materials() const;
   /// The deadline counts from this call.
   SolveOptions options(bool keep_proof = false) const;
 };

@@ -20,6 +20,9 @@ std::vector<std::string> listed(const std::string &text) {
 void add_tolerances(const TradeoffTexts &asked, TradeoffOptions &o) {
   for (const std::string &part : listed(asked.tolerances.value_or("0,0.1,0.2,0.5,1,2,5"))) {
     const std::string text(trimmed(part));
+    if (text.find(':') != std::string::npos)
+      throw InputError(option("tolerances") + ": " + in_quotes(text) + ": write values alone, and " +
+                       option("kind") + " beside them");
     const AskedTolerance t =
         named("tolerances", asked.kind.value_or("retained") + ":" + text + (text.ends_with('%') ? "" : "%"),
               parse_tolerance);

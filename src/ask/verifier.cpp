@@ -75,13 +75,13 @@ Question measured(const Question &asked) {
   return q;
 }
 
-VerifyQuestion VerifyTexts::question(SizeUnit unit, const std::optional<Envelope> &envelope) const {
+VerifyQuestion VerifyTexts::question(const Gradation &g, const std::optional<Envelope> &envelope) const {
   VerifyQuestion q;
   if (snap)
     q.snap = not_negative("snap", *snap);
   if (digits)
     q.digits = digits_of("digits", *digits);
-  q.question = gradation.question().in(unit);
+  q.question = gradation.question().of(g);
   for (const std::string &text : tolerances)
     q.question.tolerances.push_back(named("tolerance", text, parse_tolerance));
   q.question.band = envelope;

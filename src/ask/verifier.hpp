@@ -39,9 +39,8 @@ struct VerifyTexts {
   /// All but those of particles, places and gradation.
   static const std::vector<OptionRow<VerifyTexts>> options, answer_options;
 
-  /// The question to a gradation in this unit. \throws InputError naming the option where its value does not
-  /// serve
-  VerifyQuestion question(SizeUnit unit, const std::optional<Envelope> &envelope) const;
+  /// The question to a gradation. \throws InputError naming the option where its value does not serve
+  VerifyQuestion question(const Gradation &g, const std::optional<Envelope> &envelope) const;
 };
 
 /// The judge of one sample, which is handed on to its sinks while it is read, or taken as an answer. One

@@ -215,8 +215,9 @@ BlendProblem blend_problem(const std::vector<Gradation> &stockpiles, const Envel
   std::set<std::string> names;
   for (const Gradation &g : stockpiles) {
     if (!names.insert(g.id()).second)
-      throw InputError(fmt::format("two stockpiles have the name {}: give their files different names",
-                                   in_quotes(g.id())));
+      throw InputError(fmt::format(
+          "two stockpiles have the name {}: give their files, or the ids in them, different names",
+          in_quotes(g.id())));
     add_notes_of(g, problem.notes);
     Stockpile stockpile;
     stockpile.name = g.id();

@@ -48,7 +48,9 @@ public:
         read_tolerance(question);
       else if (key == "question")
         question.words = string();
-      else
+      else if (key == "unit" && !take_null())
+        answer.unit = string();
+      else if (key != "unit")
         skip();
     });
     demand_form(peek() == '\0', rest_, "follows the JSON object: give one object a line", rest_);
@@ -130,14 +132,52 @@ private:
 constexpr const char *csv_columns = "id,class,lower,upper,share_percent,quantity,size_lo,size_hi";
 constexpr const char *tolerant_columns = "id,class,lower,upper,match_share_percent,quantity,size_lo,size_hi";
 
-/// Whether the line is the header of answers in CSV, in whatever unit. The shares are not compared: a table
-/// may say that they are those of the matches.
-bool is_csv_header(const std::string &line) {
-  std::string names = line;
-  for (const std::string unit : {"_mm", "_um", "_m"})
-    for (std::size_t at = names.find(unit + ","); at != std::string::npos; at = names.find(unit + ","))
-      names.erase(at, unit.size());
-  return names.starts_with(csv_columns) || names.starts_with(tolerant_columns);
+/// The unit of the header of answers in CSV, empty where it names none; nothing of another line. The shares
+/// are not compared: a table may say that they are those of the matches.
+std::optional<std::string> unit_of_header(const std::string &line) {
+  for (const std::string unit : {"", "mm", "um", "m"}) {
+    const std::string ending = unit.empty() ? "" : "_" + unit;
+    std::string names = line;
+    for (std::size_t at = 0; !ending.empty() && (at = names.find(ending + ",", at)) != std::string::npos;)
+      names.erase(at, ending.size());
+    if (names.ends_with(ending))
+      names.erase(names.size() - ending.size());
+    if (names.starts_with(csv_columns) || names.starts_with(tolerant_columns))
+      return unit;
+  }
+  return std::nullopt;
+}
+
+/// What batch calls the answer of a line: its id, or else its number; nothing of a line that is no object.
+std::optional<std::string> id_of(const Input &line, std::uint64_t number) {
+  class Id : JsonText {
+  public:
+    using JsonText::JsonText;
+    std::optional<std::string> read() {
+      std::optional<std::string> id;
+      object([&](const std::string &key) {
+        if (key == "id")
+          id = peek() == '"' ? string() : std::string(number());
+        else
+          skip();
+      });
+      return id;
+    }
+  };
+  try {
+    return Id(line.text).read().value_or(std::to_string(number));
+  } catch (const Malformed &) {
+    return std::nullopt;
+  }
+}
+
+bool is_gradation(const Input &line) {
+  try {
+    read_gradation(line.text);
+    return true;
+  } catch (const Malformed &) {
+    return false;
+  }
 }
 
 /// Column 1 is the class, from 1.
@@ -283,9 +323,12 @@ std::optional<Input> Answers::next_line() {
 }
 
 SharedAnswer Answers::next() {
+  if (later_)
+    return std::exchange(later_, nullptr);
   std::optional<Input> line = row_ ? std::exchange(row_, std::nullopt) : next_line();
-  if (line && lines_.number() == 1 && is_csv_header(line->text)) {
+  if (const auto unit = line && lines_.number() == 1 ? unit_of_header(line->text) : std::nullopt) {
     is_csv_ = true;
+    unit_ = *unit;
     line = next_line();
   }
   if (!line)
@@ -298,6 +341,8 @@ SharedAnswer Answers::next() {
     }
     auto answer = std::make_shared<Answer>();
     answer->place = printable(line->name);
+    answer->id = csv_row(*line)[0];
+    answer->unit = unit_;
     do
       answer->classes.push_back(csv_class(*line));
     while ((line = next_line()) && csv_row(*line)[1] != "1");
@@ -308,11 +353,24 @@ SharedAnswer Answers::next() {
   }
 }
 
+SharedAnswer Answers::of(const Input &line, std::uint64_t number) {
+  SharedAnswer answer = next();
+  if (!answer && !is_csv_)
+    throw Broken(printable(name()) + ": no answer of " + printable(line.name) +
+                 ": give the answers of this suite");
+  if (!answer || !is_csv_ || (answer->id == id_of(line, number) && is_gradation(line)))
+    return answer;
+  later_ = std::move(answer);
+  return nullptr;
+}
+
 std::string difference(const Answer &answer, std::string_view gradation_text,
                        std::string_view certificate_text) {
   Gradation gradation = read_gradation(gradation_text);
   const Certificate certificate = read_certificate(certificate_text);
   apply_question(gradation, certificate);
+  if (!answer.unit.empty() && answer.unit != gradation.unit())
+    return "the answer has lengths in " + quoted(answer.unit) + ", the gradation in " + gradation.unit();
   if (answer.question)
     if (std::string what = difference_of_question(*answer.question, gradation, certificate); !what.empty())
       return what;

@@ -31,6 +31,8 @@ struct AnswerQuestion {
 /// An answer of mdm batch: a line of JSON (mdm-answer-1) or the rows of CSV.
 struct Answer {
   std::string place; ///< file:line, for messages
+  std::string id;    ///< of CSV alone, whose rows are of the lines that have one
+  std::string unit;  ///< of lengths; empty: it is not said
   std::vector<AnswerClass> classes;
   bool has_powers =
       false; ///< openings are to the power of the root; without, and with a root, they are rounded
@@ -51,6 +53,10 @@ public:
 
   /// The next one; nothing at the end. Throws Broken.
   SharedAnswer next();
+  /// The next one, if it is of this line of the suite; nothing where it is of a later one, or at the end of
+  /// CSV, which has no rows of a line that is no gradation. Throws Broken at the end of JSON, which has one
+  /// of every line.
+  SharedAnswer of(const Input &line, std::uint64_t number);
   const std::string &name() const { return lines_.name(); }
 
 private:
@@ -58,6 +64,8 @@ private:
 
   InputLines lines_;
   std::optional<Input> row_; ///< of CSV, the first of the next answer
+  SharedAnswer later_;       ///< of CSV, one that is of a later line
+  std::string unit_;         ///< of CSV
   bool is_csv_ = false;
 };
 

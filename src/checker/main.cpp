@@ -1,6 +1,7 @@
 #include "program_files.hpp"
 #include "suite.hpp"
 #include "text.hpp"
+#include "verdicts.hpp"
 
 #include <mdm/checker.hpp>
 
@@ -35,7 +36,8 @@ With other files than these, more than two, the first is the specification of a 
 CERTIFICATE what mdm blend --proof wrote of the stockpiles, in their order.
 SUITE has a gradation in JSON a line and FOLDER what mdm batch --proofs wrote of it: each
 certificate is checked against the line whose number its name begins with. Without SUITE,
-each NAME.proof is checked against NAME.gradation beside it. STREAM has all certificates of
+each NAME.proof is checked against NAME.gradation beside it. FOLDER may also be of mdm crosscheck
+--proofs: NAME.proof is then of NAME.sample.csv, and beside it is NAME.gradation.json. STREAM has all certificates of
 a suite one after the other, and STREAM.index says which line each is of. A file whose name ends in
 .zst is unpacked.
 A certificate says what was asked. With ANSWERS, what mdm batch wrote of SUITE (JSON or CSV), each
@@ -158,22 +160,6 @@ int run_suite(const Words &words) {
                            : check_suite(files[0], files[1], words.manner, words.answers);
 }
 
-/// A gradation, a sample that is read as it is judged, and its certificate.
-Verdict check_sample_files(const std::vector<std::string> &files, const Input &certificate) {
-  const Input gradation = read_input(files[0], most_gradation_bytes);
-  InputBytes sample(files[1]);
-  std::size_t taken = 0;
-  return check_sample(
-      gradation, sample.name(),
-      [&] {
-        sample.take(taken);
-        const std::string_view piece = sample.some();
-        taken = piece.size();
-        return piece;
-      },
-      certificate);
-}
-
 /// The specification, the stockpiles and the certificate of a blend; or the three files of a sample.
 Verdict check_several_files(const std::vector<std::string> &files) {
   if (std::count(files.begin(), files.end(), "-") > 1)
@@ -182,7 +168,7 @@ Verdict check_several_files(const std::vector<std::string> &files) {
   if (is_sample_certificate(certificate.text)) {
     if (files.size() != 3)
       fail(certificate.name, "it is a certificate of a sample: give a gradation, a sample and it");
-    return check_sample_files(files, certificate);
+    return check_sample_file(read_input(files[0], most_gradation_bytes), files[1], certificate);
   }
   const Input specification = read_input(files.front(), most_gradation_bytes);
   std::vector<Input> stockpiles;
@@ -235,6 +221,8 @@ int main(int argc, char **argv) {
   mp_set_memory_functions([](std::size_t size) { return reallocate(nullptr, 0, size); }, reallocate, nullptr);
   try {
     return run({argv + (argc > 0 ? 1 : 0), argv + argc});
+  } catch (const ClosedPipe &) {
+    return Verdict::malformed; // the reader has what it wanted
   } catch (const std::exception &error) {
     std::fprintf(stderr, "%s\n", error.what());
     return Verdict::malformed;

@@ -47,9 +47,11 @@ Input read_input(const std::string &path, std::size_t most_bytes) {
 }
 
 void print(const std::string &text) {
-  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-    fail("standard output",
-         std::string("cannot be written: ") + std::strerror(errno) + ": send it elsewhere");
+  if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0)
+    return;
+  if (errno == EPIPE)
+    throw ClosedPipe();
+  fail("standard output", std::string("cannot be written: ") + std::strerror(errno) + ": send it elsewhere");
 }
 
 InputBytes::InputBytes(const std::string &path)

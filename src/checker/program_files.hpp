@@ -24,7 +24,12 @@ constexpr std::size_t most_certificate_bytes = std::size_t{256} << 20U;
 /// std::runtime_error where it cannot be read.
 Input read_input(const std::string &path, std::size_t most_bytes);
 
-/// Writes to standard output. Throws std::runtime_error.
+/// The reader of standard output has gone.
+struct ClosedPipe : std::runtime_error {
+  ClosedPipe() : std::runtime_error("standard output is closed") {}
+};
+
+/// Writes to standard output. Throws ClosedPipe, or std::runtime_error.
 void print(const std::string &text);
 
 /// The bytes of a file, or of standard input for `-`, one piece after the other in memory. What ends in .zst

@@ -14,7 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view proof_ending = ".proof", gradation_ending = ".gradation";
+constexpr std::string_view proof_ending = ".proof";
+/// Of mdm batch and mdm crosscheck.
+constexpr std::string_view gradation_endings[] = {".gradation", ".gradation.json"};
 
 /// The names in a folder that have an ending, without it.
 std::set<std::string> names_with(std::string_view ending, const std::string &folder) {
@@ -48,15 +50,13 @@ bool is_blank(const Input &line) {
   return line.text.find_first_not_of(" \t\r") == std::string::npos;
 }
 
-/// The answer of the next line, if there is a file of answers.
-SharedAnswer next_answer(std::optional<Answers> &answers, const Input &line) {
-  if (!answers)
-    return {};
-  SharedAnswer answer = answers->next();
-  if (!answer)
-    throw Answers::Broken(printable(answers->name()) + ": no answer of " + printable(line.name) +
-                          ": give the answers of this suite");
-  return answer;
+/// Says that a line has a certificate and no answer, where there is a file of answers.
+bool misses_answer(const std::optional<Answers> &answers, const SharedAnswer &answer, const Input &line,
+                   Verdicts &verdicts) {
+  if (!answers || answer)
+    return false;
+  verdicts.missing(printable(line.name) + ": no answer in " + checker::quoted(answers->name()));
+  return true;
 }
 
 void check_end(std::optional<Answers> &answers, const std::string &suite) {
@@ -77,10 +77,12 @@ void check_lines(InputLines &lines, ProofStream &proofs, std::optional<Answers> 
                                 " is blank: give the suite of these proofs");
     if (is_blank(*line))
       continue;
-    SharedAnswer answer = next_answer(answers, *line);
-    if (has_proof)
-      verdicts.check(std::move(*line), proofs.take(), std::move(answer));
-    else
+    SharedAnswer answer = answers ? answers->of(*line, lines.number()) : nullptr;
+    if (has_proof) {
+      Input proof = proofs.take();
+      if (!misses_answer(answers, answer, *line, verdicts))
+        verdicts.check(std::move(*line), std::move(proof), std::move(answer));
+    } else
       verdicts.missing(printable(line->name) + ": no certificate in the stream");
   }
   if (proofs.number())
@@ -111,10 +113,11 @@ void check_lines(InputLines &lines, std::multimap<std::uint64_t, std::string> &p
   while (const std::optional<Input> line = lines.next()) {
     if (is_blank(*line))
       continue;
-    const SharedAnswer answer = next_answer(answers, *line);
+    const SharedAnswer answer = answers ? answers->of(*line, lines.number()) : nullptr;
     const auto [first, last] = proofs.equal_range(lines.number());
     for (auto proof = first; proof != last; ++proof)
-      verdicts.check_file(*line, proof->second, answer);
+      if (!misses_answer(answers, answer, *line, verdicts))
+        verdicts.check_file(*line, proof->second, answer);
     if (first == last)
       verdicts.missing(printable(line->name) + ": no certificate in " + checker::quoted(folder));
     proofs.erase(first, last);
@@ -155,21 +158,25 @@ int check_suite(const std::string &suite, const std::string &proofs, const Manne
 }
 
 int check_folder(const std::string &folder, const Manner &manner) {
-  const std::set<std::string> proofs = names_with(proof_ending, folder),
-                              gradations = names_with(gradation_ending, folder);
+  const std::set<std::string> proofs = names_with(proof_ending, folder);
+  std::map<std::string, std::string> gradations;
+  for (const std::string_view ending : gradation_endings)
+    for (const std::string &name : names_with(ending, folder))
+      gradations.emplace(name, path_of(folder, name, ending));
   std::set<std::string> all = proofs;
-  all.insert(gradations.begin(), gradations.end());
+  for (const auto &[name, path] : gradations)
+    all.insert(name);
   Verdicts verdicts(manner);
   for (const std::string &name : all) {
-    const std::string proof = path_of(folder, name, proof_ending),
-                      gradation = path_of(folder, name, gradation_ending);
+    const std::string proof = path_of(folder, name, proof_ending);
+    const auto gradation = gradations.find(name);
     if (proofs.count(name) == 0)
-      verdicts.missing(printable(gradation) + ": no certificate beside it");
-    else if (gradations.count(name) == 0)
+      verdicts.missing(printable(gradation->second) + ": no certificate beside it");
+    else if (gradation == gradations.end())
       verdicts.missing(printable(proof) + ": no gradation beside it: give the suite");
     else
       try {
-        verdicts.check_file(read_input(gradation, most_gradation_bytes), proof);
+        verdicts.check_file(read_input(gradation->second, most_gradation_bytes), proof);
       } catch (const std::runtime_error &error) {
         verdicts.malformed(error.what());
       }

@@ -9,6 +9,28 @@
 #include <utility>
 
 namespace mdm::checker {
+namespace {
+
+/// NAME.sample.csv beside NAME.proof.
+std::string sample_beside(const std::string &certificate) {
+  return certificate.substr(0, certificate.rfind('.')) + ".sample.csv";
+}
+
+} // namespace
+
+Verdict check_sample_file(const Input &gradation, const std::string &sample, const Input &certificate) {
+  InputBytes bytes(sample);
+  std::size_t taken = 0;
+  return check_sample(
+      gradation, bytes.name(),
+      [&] {
+        bytes.take(taken);
+        const std::string_view piece = bytes.some();
+        taken = piece.size();
+        return piece;
+      },
+      certificate);
+}
 
 void Verdicts::check(Input gradation, Input certificate, SharedAnswer answer) {
   const std::size_t bytes = gradation.text.size() + certificate.text.size();
@@ -23,7 +45,10 @@ void Verdicts::check_file(Input gradation, const std::string &certificate, Share
   has_answers_ = has_answers_ || answer;
   add(bytes, [g = std::move(gradation), certificate, a = std::move(answer)]() -> Line {
     try {
-      return judged(g, read_input(certificate, most_certificate_bytes), a);
+      const Input read = read_input(certificate, most_certificate_bytes);
+      if (is_sample_certificate(read.text))
+        return line_of(check_sample_file(g, sample_beside(certificate), read));
+      return judged(g, read, a);
     } catch (const std::runtime_error &error) {
       return {malformed_, error.what()};
     }
@@ -44,6 +69,10 @@ Verdicts::Line Verdicts::judged(const Input &gradation, const Input &certificate
   if (verdict.code == Verdict::accepted && answer)
     if (const std::string what = difference(*answer, gradation.text, certificate.text); !what.empty())
       return {different, answer->place + ": not as " + printable(certificate.name) + " proves: " + what};
+  return line_of(std::move(verdict));
+}
+
+Verdicts::Line Verdicts::line_of(Verdict verdict) {
   if (verdict.code == Verdict::accepted)
     return {accepted, std::move(verdict.line), std::move(verdict.question)};
   return {verdict.code == Verdict::refused ? refused : malformed_, std::move(verdict.reason)};

@@ -10,6 +10,9 @@
 
 namespace mdm::checker {
 
+/// Judges the certificate of a sample that is in a file. Throws std::runtime_error where that cannot be read.
+Verdict check_sample_file(const Input &gradation, const std::string &sample, const Input &certificate);
+
 /// How many certificates are judged.
 struct Manner {
   bool verbose = false; ///< accepted ones are written, too
@@ -22,8 +25,9 @@ class Verdicts {
 public:
   explicit Verdicts(const Manner &manner) : manner_(manner) {}
 
-  /// Judges a certificate that is in memory, or is read when its turn comes. Throws std::runtime_error where
-  /// standard output cannot be written, as those below do.
+  /// Judges a certificate that is in memory, or is read when its turn comes, from NAME.proof; one of a sample
+  /// with NAME.sample.csv. Throws std::runtime_error where standard output cannot be written, as those below
+  /// do.
   /// An accepted one is compared with the answer, if there is one.
   void check(Input gradation, Input certificate, SharedAnswer answer = {});
   void check_file(Input gradation, const std::string &certificate, SharedAnswer answer = {});
@@ -43,6 +47,7 @@ private:
   };
   using Job = std::function<Line()>;
 
+  static Line line_of(Verdict verdict);
   static Line judged(const Input &gradation, const Input &certificate, const SharedAnswer &answer);
   std::string questions() const;
   void add(std::size_t bytes, Job job);

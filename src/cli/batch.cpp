@@ -81,8 +81,6 @@ void check_files(const BatchCommand &c) {
   const bool reads_stdin = c.files.empty() || std::count(c.files.begin(), c.files.end(), "-") > 0;
   if (reads_stdin && c.flags.band == "-")
     throw InputError(option("band") + ": standard input has the gradations: give the band by name");
-  if (c.flags.band)
-    check_distinct({*c.flags.band, c.output.path()});
   if (c.has_proof_stream() && c.files.size() > 1)
     throw InputError(option("proofs") +
                      ": a stream of proofs is that of one suite: give one, or a folder for the proofs");

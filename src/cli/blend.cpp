@@ -11,6 +11,7 @@
 #include "cli/reading_flags.hpp"
 #include "cli/whole_number.hpp"
 #include "files/byte_source.hpp"
+#include "files/file_ending.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "files/sample_file.hpp"
@@ -53,7 +54,7 @@ std::optional<std::string> blended_file(const BlendCommand &c, const Blending &b
 /// The gradation of a stockpile; where there is to be a proof, of a file that mdm-check reads as it is.
 Gradation stockpile_in(const std::string &file, const BlendCommand &c) {
   UnderstoodGradation g = any_gradation(file, c.reading, c.output.quiet);
-  if (c.proof && (!g.is_canonical || c.reading.is_given()))
+  if (c.proof && (!g.is_canonical || c.reading.is_given() || !is_plain_file(file)))
     throw InputError(option("proof") + ": mdm-check does not read " + shown_name(file) +
                      " as it was read: let mdm convert write it, and give that");
   return std::move(g.gradation);
@@ -71,7 +72,8 @@ Envelope specification_in(const BlendCommand &c) {
   }
   const std::string content = read_file(c.specification, max_gradation_bytes);
   Envelope e = read_envelope(content, shown_name(c.specification));
-  if (c.proof && (!is_canonical_csv(content) || e.passing_max.back() != 100))
+  if (c.proof &&
+      (!is_canonical_envelope(content) || e.passing_max.back() != 100 || !is_plain_file(c.specification)))
     throw InputError(
         option("proof") + ": mdm-check does not read " + shown_name(c.specification) +
         ": give size_mm,passing_min_percent,passing_max_percent, with a largest sieve that lets 100 "
@@ -138,6 +140,9 @@ int run(const BlendCommand &c) {
     check_alone(c);
     return blend_problems(*c.problems, c.asked, c.threads, c.output);
   }
+  if (c.output.out && !c.output.asked_format)
+    check_ending(*c.output.out, {"txt", "json", "csv"}, "blend",
+                 "; .jsonl is for " + option("problems") + ", with one answer a line");
   if (c.files.empty() || c.specification.empty())
     throw InputError("give the gradations of stockpiles and " + option("spec") + ", or " +
                      option("problems"));
@@ -214,7 +219,7 @@ Run add_blend(CLI::App &app) {
   add_question(command, *c);
   add_answer(command, *c);
   c->output.add_format(command);
-  c->output.add_out(command);
+  c->output.add_out(command, "write", {"txt", "json", "jsonl", "csv"});
   c->output.add_quiet(command, "no progress and no notes on standard error");
   c->reading.add_to(command);
   command.footer(footer(

@@ -231,7 +231,7 @@ int run(const CrosscheckCommand &c) {
   if (c.solution) {
     const Gradation &g = suite.front().gradation;
     const Solution solution =
-        in_file(*c.solution, [&] { return solution_in(*c.solution, g, question.question(g.unit())); });
+        in_file(*c.solution, [&] { return solution_in(*c.solution, g, question.question(g)); });
     Report report(c, size_tolerance);
     const Judge judge = [&](const Crosscheck &problem, const SuiteLine &entry) {
       if (proofs)

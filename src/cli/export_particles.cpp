@@ -10,6 +10,7 @@
 #include "files/progress_line.hpp"
 #include "files/sample_file.hpp"
 #include "files/standard_streams.hpp"
+#include "gradation/material_gradation.hpp"
 #include "particles/sample_set.hpp"
 #include "text/json_member.hpp"
 #include "text/lines.hpp"
@@ -26,7 +27,7 @@ ExportedParticles answer_particles(const ExportTexts &c, const OutputFlags &outp
                                    const std::string &content, const ParticleSetOptions &options) {
   refuse_options_of_solving(c, "the answer");
   const AnswerSample answer = read_answer(content, shown_name(*c.file));
-  const MassLaw law = c.solve.GradationTexts::question().in(answer.unit).law;
+  const MassLaw law = c.solve.GradationTexts::question().law_in(answer.unit);
   output.tell_notes(answer.notes);
   return {in_file(*c.file, [&] { return particle_set(answer, law, options); }), Outcome::done, answer.unit,
           answer.question, false};
@@ -59,6 +60,13 @@ ExportedParticles sample_particles(const ExportTexts &c, const OutputFlags &outp
   return found;
 }
 
+/// An option that has no use for a gradation of several materials; empty: none.
+std::string idle_for_materials(const ExportTexts &c) {
+  return c.solve.idle_for_materials().value_or(c.spread      ? option("spread")
+                                               : c.gradation ? option("gradation")
+                                                             : c.reading.given());
+}
+
 /// \param content of FILE; open: there is the band alone
 ExportedParticles solved_particles(const ExportTexts &c, const OutputFlags &output,
                                    const std::optional<std::string> &content,
@@ -66,9 +74,20 @@ ExportedParticles solved_particles(const ExportTexts &c, const OutputFlags &outp
   const AskedQuestion asked = texts_of_solving(c).question(band_in_file);
   ProgressLine progress([] { return std::string("solving"); }, output.quiet);
   const std::string &source = c.solve.source(c.file);
-  const Gradation g = content ? read_gradation(*content, shown_name(source), c.reading.reading())
-                              : in_file(source, [&] { return middle_of(*asked.rest.band); });
-  const Question question = asked.in(g.unit());
+  const auto read = [&] {
+    if (!content)
+      return in_file(source, [&] { return middle_of(*asked.rest.band); });
+    if (!is_material_gradation(*content))
+      return read_gradation(*content, shown_name(source), c.reading.reading());
+    refuse_beside_materials(idle_for_materials(c), source);
+    Gradation of = read_material_gradation(*content, shown_name(source));
+    if (of.has_factors() && !c.density)
+      throw file_error(source, "its factors are multiplied by " + option("density") +
+                                   ": give it, 1000 where they are densities in g/cm^3");
+    return of;
+  };
+  const Gradation g = read();
+  const Question question = asked.of(g);
   const SolveOptions solve_options = c.solve.options();
   const Match m = in_file(source, [&] { return solve(g, question, solve_options); });
   output.tell_notes(m.gradation.notes()); // solve's own are of doubles that may leave their class

@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
+#include "cli/solve_flags.hpp"
 #include "cli/usage_error.hpp"
 #include "files/number_pool.hpp"
 #include "files/output.hpp"
@@ -161,6 +162,7 @@ int main(int argc, char **argv) {
   occupy_standard_streams();
   spell_options_as_asked();
   use_number_pool();
+  mdm::read_law_file = law_in_file;
   remove_unfinished_at_signals();
   // A closed pipe and a limit of the file size are then errors of write, with a message and an exit code.
   std::signal(SIGPIPE, SIG_IGN);

@@ -3,6 +3,7 @@
 /// The tables of options as options of a command.
 
 #include "ask/option_row.hpp"
+#include "files/paths.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -24,6 +25,8 @@ void add_options(CLI::App &command, const std::vector<Row> &rows, Texts &texts) 
         return command.add_option(name, texts.*place, row.help);
     };
     CLI::Option *const added = std::visit(add, row.place);
+    if (row.kind == OptionKind::file)
+      added->each(protect_input);
     if (row.kind == OptionKind::tolerances)
       added->allow_extra_args(false);
     if (*row.values != '\0')

@@ -201,7 +201,9 @@ int run(const PlotCommand &command) {
     throw InputError(option("colour") + " is for packings: give a FILE that mdm pack -o wrote");
   GradationFigure what = c.asked.figure(is_sample);
   const Gradation read = is_sample ? any_curve(c.file, c.reading, c.output.quiet).gradation
-                                   : read_gradation(content, shown_name(c.file), c.reading.reading());
+                         : is_answer(content)
+                             ? answer_gradation(content, shown_name(c.file))
+                             : read_gradation(content, shown_name(c.file), c.reading.reading());
   const Gradation g = in_file(c.file, [&] { return c.soil.with_pan(read); });
   std::vector<std::string> notes;
   if (c.asked.band) {

@@ -1,6 +1,7 @@
 #include "cli/plot_flag.hpp"
 
 #include "cli/picture.hpp"
+#include "files/paths.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
@@ -16,6 +17,8 @@ void PlotFlag::check() const {
     throw InputError(option("plot") + " needs a file: standard output has the report");
   if (out && !picture_at(*out))
     throw InputError(option("plot") + ": " + printable(*out) + ": let OUT end in .svg, .png or .pdf");
+  if (out)
+    refuse_protected(*out);
 }
 
 std::unique_ptr<Output> PlotFlag::drawn(const Figure &figure, bool quiet) const {

@@ -42,7 +42,7 @@ void ProblemFlags::check(const OutputFlags &output) const {
 
 std::string ProblemFlags::text(const Gradation &g) const {
   const ProgramLanguage asked_language = program_language_named(*language).value();
-  const Question question = CrosscheckQuestion(asked, band_in_file).question(g.unit());
+  const Question question = CrosscheckQuestion(asked, band_in_file).question(g);
   return program_text(integer_program(g, question, form_of(asked_language), *language), asked_language);
 }
 

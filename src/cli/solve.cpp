@@ -57,38 +57,42 @@ struct SideFile {
   std::string text;
 };
 
-/// The gradation of the proof, the bytes of its file, and why the checker could not read it in them.
+/// The gradation of the proof, the bytes of its file, and whether the checker reads it in them.
 struct Target {
   Gradation gradation;
+  std::optional<Envelope> limits; ///< where the file is that of a band
   std::string bytes;
-  std::string unreadable; ///< empty: it could
+  bool is_canonical = true;
+
+  std::string canonical() const { return limits ? envelope_csv(*limits) : gradation_csv(gradation); }
 };
 
 /// \param band  the bytes of the band's file
 Target target(const SolveCommand &c, const Question &question, const std::string &band, std::string content) {
   if (!c.file)
-    return {in_file(c.flags.source(c.file), [&] { return middle_of(*question.band); }), band, ""};
+    return {in_file(c.flags.source(c.file), [&] { return middle_of(*question.band); }), question.band, band,
+            is_canonical_envelope(band)};
   if (is_material_gradation(content)) {
     Gradation g = read_material_gradation(content, shown_name(*c.file));
-    return {std::move(g), std::move(content), ""};
+    return {std::move(g), std::nullopt, std::move(content)};
   }
   UnderstoodGradation read = understand_gradation(content, shown_name(*c.file), c.reading.reading());
-  return {std::move(read.gradation), std::move(content),
-          read.is_canonical ? "" : "mdm-check does not read this file as it was read here"};
+  return {std::move(read.gradation), std::nullopt, std::move(content), read.is_canonical};
 }
 
 /// The gradation file that the checker reads beside the proof, where it cannot read the user's own.
 /// \pre c.proof
 std::optional<SideFile> readable_gradation(const SolveCommand &c, const Target &of,
                                            std::vector<std::string> &notes) {
-  if (of.unreadable.empty())
+  const std::string &source = c.flags.source(c.file);
+  if (of.is_canonical && (source == "-" || is_plain_file(source)))
     return std::nullopt;
   const std::string path = *c.proof + ".gradation.csv";
-  check_distinct(
-      {c.flags.source(c.file), *c.proof, path, c.vipr.value_or("-"), c.coq.value_or("-"), c.output.path()});
-  notes.push_back(of.unreadable + ": the gradation is in " + printable(path) + "; check with: mdm-check " +
-                  shell_word(path) + " " + shell_word(*c.proof));
-  return SideFile{std::make_unique<Output>(path), gradation_csv(of.gradation)};
+  check_distinct({source, *c.proof, path, c.vipr.value_or("-"), c.coq.value_or("-"), c.output.path()});
+  notes.push_back("mdm-check does not read this file as it was read here: " +
+                  std::string(of.limits ? "the band" : "the gradation") + " is in " + printable(path) +
+                  "; check with: mdm-check " + shell_word(path) + " " + shell_word(*c.proof));
+  return SideFile{std::make_unique<Output>(path), of.canonical()};
 }
 
 /// A hint where most particles are in classes that hold little mass.
@@ -142,9 +146,8 @@ std::string theorem(const SolveCommand &c, const Target &asked, const Match &m,
   const std::string file = std::filesystem::path(*c.coq).filename().string();
   const std::string source = c.flags.source(c.file);
   const std::string name = source == "-" ? "standard input" : printable(source);
-  const bool is_readable = asked.unreadable.empty();
-  return coq_file(m, {is_readable ? name : name + " as canonical CSV",
-                      is_readable ? asked.bytes : gradation_csv(asked.gradation), certificate,
+  return coq_file(m, {asked.is_canonical ? name : name + " as canonical CSV",
+                      asked.is_canonical ? asked.bytes : asked.canonical(), certificate,
                       "coqc -Q " MDM_COQ_FOLDER " Mdm " + file});
 }
 
@@ -176,10 +179,7 @@ void check_files(const SolveCommand &c) {
   if (c.proof && c.budget.is_asked())
     paths.push_back(finer_proof(c));
   check_distinct(paths);
-  if (c.flags.band) {
-    paths.front() = *c.flags.band;
-    check_distinct(paths);
-  }
+  std::for_each(paths.begin() + 1, paths.end(), refuse_protected);
 }
 
 std::uint64_t seed_of(const SolveCommand &c) {
@@ -255,10 +255,9 @@ std::string idle_for_numbers(const SolveCommand &c) {
 
 /// An option that has no use for a gradation of several materials; empty: none.
 std::string idle_for_materials(const SolveCommand &c) {
-  const std::pair<const char *, bool> given[] = {{"band", c.flags.band.has_value()},
-                                                 {"pan-size", c.flags.pan_size.has_value()},
-                                                 {"cut-below", c.flags.cut_below.has_value()},
-                                                 {"particles", c.budget.particles.has_value()},
+  if (const std::optional<std::string> idle = c.flags.idle_for_materials())
+    return *idle;
+  const std::pair<const char *, bool> given[] = {{"particles", c.budget.particles.has_value()},
                                                  {"grid", c.budget.grid.has_value()},
                                                  {"by", c.budget.by.has_value()},
                                                  {"coq", c.coq.has_value()},
@@ -290,7 +289,7 @@ Exit run(const SolveCommand &c) {
                                                    : c.flags.SolveTexts::question(read_band);
   const std::uint64_t seed = seed_of(c);
   const Target asked = target(c, stated.rest, band, std::move(content));
-  Question question = stated.in(asked.gradation.unit());
+  Question question = stated.of(asked.gradation);
   question.band_alone = !c.file;
   Output out(c.output.path());
 

@@ -8,6 +8,8 @@
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
 
+#include <map>
+
 namespace mdm::cli {
 
 namespace {
@@ -21,6 +23,15 @@ void add_question_options(CLI::App &command, SolveTexts &texts,
 
 } // namespace
 
+std::string law_in_file(const std::string &path) {
+  static std::map<std::string, std::string>
+      read; // a law is asked for more than once, and a pipe is read once
+  const auto [at, is_new] = read.try_emplace(path);
+  if (is_new)
+    at->second = read_file(path, max_gradation_bytes);
+  return at->second;
+}
+
 Envelope band_in_file(const std::string &path) {
   return read_envelope(read_file(path, max_gradation_bytes), shown_name(path));
 }
@@ -28,6 +39,10 @@ Envelope band_in_file(const std::string &path) {
 void add_gradation_options(CLI::App &command, GradationTexts &texts) {
   const OptionGroup group(command, "The gradation");
   add_options(command, GradationTexts::options, texts);
+  command.get_option("--law")->each([](const std::string &law) {
+    if (law.starts_with(law_by_table))
+      protect_input(law.substr(law_by_table.size()));
+  });
 }
 
 void add_asked_options(CLI::App &command, SolveTexts &texts) {
@@ -68,12 +83,19 @@ std::string SolveFlags::words() const {
   };
   for (const std::string &tolerance : tolerances)
     add("tolerance", tolerance);
-  if (band) {
+  const auto digest_of = [](const std::string &content) {
     Digest digest;
-    digest.add(read_file(*band, max_gradation_bytes));
-    add("band", "sha256:" + digest.sha256());
-  }
-  for_each_option(*this, [&add](const char *name, const OptionText &value) { add(name, value); });
+    digest.add(content);
+    return "sha256:" + digest.sha256();
+  };
+  if (band)
+    add("band", digest_of(read_file(*band, max_gradation_bytes)));
+  for_each_option(*this, [&](const char *name, const OptionText &value) {
+    const bool is_table = value && std::string_view(name) == "law" && value->starts_with(law_by_table);
+    add(name, is_table ? OptionText(std::string(law_by_table) +
+                                    digest_of(law_in_file(value->substr(law_by_table.size()))))
+                       : value);
+  });
   return text;
 }
 

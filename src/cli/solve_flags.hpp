@@ -16,6 +16,9 @@ void add_gradation_options(CLI::App &command, GradationTexts &texts);
 /// Adds what is asked alone, without limits.
 void add_asked_options(CLI::App &command, SolveTexts &texts);
 
+/// The file of a law by table, unpacked, which is read once.
+std::string law_in_file(const std::string &path);
+
 /// The envelope in a file. \throws InputError naming it
 Envelope band_in_file(const std::string &path);
 
@@ -28,7 +31,8 @@ struct SolveFlags : SolveTexts {
   /// Those of the texts, with the band read from its file.
   AskedQuestion question() const;
   AskedQuestion question_of_both() const;
-  /// The options that were given, in one order, as a command has them; the band by its SHA-256.
+  /// The options that were given, in one order, as a command has them; the band and the law by a table by
+  /// their SHA-256.
   /// \throws InputError if the band cannot be read, or there is no libcrypto
   std::string words() const;
 

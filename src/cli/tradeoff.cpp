@@ -49,8 +49,6 @@ Tradeoff searched(const TradeoffCommand &c, const Gradation &g, const Question &
 int run(const TradeoffCommand &c) {
   c.flags.check_source(c.file, c.reading.given(), "tradeoff");
   check_distinct({c.file, c.output.path(), c.plot.path()});
-  if (c.flags.band)
-    check_distinct({*c.flags.band, c.output.path(), c.plot.path()});
   c.plot.check();
   TradeoffTexts texts = c.own;
   texts.solve = c.flags;
@@ -59,7 +57,7 @@ int run(const TradeoffCommand &c) {
   refuse_sample(c.file);
   const Gradation g =
       read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
-  const Question q = asked.in(g.unit());
+  const Question q = asked.of(g);
   Output out(c.output.path());
   const Tradeoff t = searched(c, g, q, o);
   const std::unique_ptr<Output> plot = c.plot ? c.plot.drawn(tradeoff_figure(t), c.output.quiet) : nullptr;

@@ -65,10 +65,13 @@ std::string usage_error(const CLI::ParseError &error, const CLI::App &app) {
     ShortList list;
     for (const std::string &argument : unknown)
       list.add(argument);
+    const std::string option = unknown.front().substr(0, unknown.front().find('='));
+    const std::vector<std::string> known = option_names(app);
+    if (std::find(known.begin(), known.end(), option) != known.end())
+      return in_quotes(option) + " stands before the command: write it behind that";
     return list.text() + (list.size() == 1 ? " was" : " were") + " not expected" +
-           (unknown.front().starts_with("--")
-                ? did_you_mean(unknown.front().substr(0, unknown.front().find('=')), option_names(app))
-                : one_at_a_time(unknown.front(), app));
+           (unknown.front().starts_with("--") ? did_you_mean(option, known)
+                                              : one_at_a_time(unknown.front(), app));
   }
   const std::string text = error.what();
   constexpr std::string_view unconverted = "Could not convert: ";

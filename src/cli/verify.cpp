@@ -46,7 +46,7 @@ struct VerifyCommand {
 /// True if the checker reads the sample as it is, and as it is read here.
 bool is_canonical_sample(const VerifyCommand &c) {
   const ParticleTexts &said = c.asked.particles;
-  if (c.sample == "-" || said.say_sizes() || (said.from && *said.from != "csv"))
+  if (!is_plain_file(c.sample) || said.say_sizes() || (said.from && *said.from != "csv"))
     return false;
   ByteSource bytes(c.sample);
   CanonicalSampleTest test;
@@ -174,8 +174,8 @@ int run(const VerifyCommand &c) {
   if (c.proof)
     files.emplace(*c.proof, c.gradation, read,
                   is_canonical_sample(c) ? std::optional(c.sample) : std::nullopt);
-  const SizeUnit unit = read.gradation.unit();
-  Verifier verifier(std::move(read.gradation), shown_name(c.gradation), c.asked.question(unit, band),
+  VerifyQuestion asked = in_file(c.gradation, [&] { return c.asked.question(read.gradation, band); });
+  Verifier verifier(std::move(read.gradation), shown_name(c.gradation), std::move(asked),
                     files ? std::optional(Verifier::AskedProof{files->begin()}) : std::nullopt);
   if (c.over_time)
     return run_over_time(c, verifier);

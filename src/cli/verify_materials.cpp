@@ -74,7 +74,7 @@ DescribedSample described_particles(const MaterialRequest &r, const Gradation &g
 int verify_materials(const MaterialRequest &r) {
   refuse_beside_materials(idle_for_verify(r), r.gradation);
   const Gradation as_read = read_material_gradation(r.content, shown_name(r.gradation));
-  const VerifyQuestion asked = r.asked.question(as_read.unit(), std::nullopt);
+  const VerifyQuestion asked = r.asked.question(as_read, std::nullopt);
   check_question(asked.question);
   const Gradation g = asked_gradation(as_read, asked.question);
   const AllowedError allowed =

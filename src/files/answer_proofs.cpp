@@ -33,19 +33,18 @@ void AnswerProofs::add(const SuiteLine &entry, const Gradation &asked, const Oth
 
 std::string AnswerProofs::note() const {
   const std::uint64_t missing = answers_ - proofs_;
-  return fmt::format(
-      "{} certificates are in {}; check one with: mdm-check NUMBER.gradation.json NUMBER.sample.csv "
-      "NUMBER.proof{}",
-      proofs_.load(), printable(folder_),
-      missing > 0 ? fmt::format("; of {} answers there is none: sizes that are not stated, or have "
-                                "a tolerance, leave it open whether they match",
-                                missing)
-                  : "");
+  return fmt::format("{} certificates are in {}; check them with: mdm-check --suite {}{}", proofs_.load(),
+                     printable(folder_), shell_word(folder_),
+                     missing > 0
+                         ? fmt::format("; of {} answers there is none: sizes that are not stated, or have "
+                                       "a tolerance, leave it open whether they match",
+                                       missing)
+                         : "");
 }
 
 std::optional<AnswerProof> AnswerProofs::made(const Gradation &asked, const OtherAnswer &answer) const {
   try {
-    return answer_proof(asked, question_.question(asked.unit()), answer, size_tolerance_);
+    return answer_proof(asked, question_.question(asked), answer, size_tolerance_);
   } catch (const InputError &) {
     return std::nullopt;
   }

@@ -3,15 +3,50 @@
 #include "files/paths.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <map>
+#include <mutex>
+#include <utility>
 
 namespace mdm {
 namespace {
 
 constexpr std::size_t bytes_at_once = std::size_t{1} << 16;
+constexpr std::size_t packed_mark = 4; // bytes that tell a packed file
+
+/// A pipe that is open, and what was looked at of it.
+struct OpenPipe {
+  int descriptor;
+  std::string ahead;
+};
+
+/// The pipes of the run by their names; without one where it was read.
+std::mutex pipes_mutex;
+std::map<std::string, std::optional<OpenPipe>> pipes;
+
+bool is_pipe(const std::string &path) {
+  struct stat status {};
+  return path == "-" ||
+         (stat(path.c_str(), &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode)));
+}
+
+/// The pipe that was looked at; nothing of one that is new.
+std::optional<OpenPipe> taken_up(const std::string &path) {
+  const std::lock_guard lock(pipes_mutex);
+  const auto [known, is_new] = pipes.try_emplace(path);
+  if (is_new)
+    return std::nullopt;
+  if (!known->second && path == "-") // it is at its end
+    return OpenPipe{STDIN_FILENO, ""};
+  if (!known->second)
+    throw file_error(path, "it is a pipe, which can be read once: write it to a file and give that");
+  return std::exchange(known->second, std::nullopt);
+}
 
 int open_for_reading(const std::string &path) {
   if (path == "-")
@@ -25,16 +60,37 @@ int open_for_reading(const std::string &path) {
 } // namespace
 
 ByteSource::ByteSource(std::string path) : path_(std::move(path)) {
-  unpacker_ = in_file(path_, [this] { return unpacker_of(path_); });
-  descriptor_ = open_for_reading(path_);
+  is_pipe_ = is_pipe(path_);
+  if (std::optional<OpenPipe> pipe = is_pipe_ ? taken_up(path_) : std::nullopt) {
+    descriptor_ = pipe->descriptor;
+    ahead_ = std::move(pipe->ahead);
+  } else {
+    descriptor_ = open_for_reading(path_);
+  }
 }
 
 ByteSource::~ByteSource() {
-  if (descriptor_ > STDIN_FILENO)
+  if (is_looking_)
+    put_back();
+  else if (descriptor_ > STDIN_FILENO)
     close(descriptor_);
 }
 
 bool ByteSource::read_raw(std::string &text) {
+  const std::size_t before = text.size();
+  if (!ahead_.empty())
+    text += std::exchange(ahead_, {});
+  else
+    read_descriptor(text);
+  const std::string_view bytes = std::string_view(text).substr(before);
+  if (digest_)
+    digest_->add(bytes);
+  if (is_looking_)
+    raw_ += bytes;
+  return !bytes.empty();
+}
+
+void ByteSource::read_descriptor(std::string &text) {
   const std::size_t before = text.size();
   text.resize(before + bytes_at_once);
   ssize_t n = 0;
@@ -45,13 +101,30 @@ bool ByteSource::read_raw(std::string &text) {
   text.resize(before + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
   if (n < 0)
     cannot_read(path_ == "-" ? "standard input" : path_, error);
-  if (digest_)
-    digest_->add(std::string_view(text).substr(before));
-  return n > 0;
 }
 
 bool ByteSource::read_some(std::string &text) {
+  if (!std::exchange(has_begun_, true))
+    return begin(text);
   return unpacker_ ? unpack_some(text) : read_raw(text);
+}
+
+bool ByteSource::begin(std::string &text) {
+  std::string first;
+  while (first.size() < packed_mark && read_raw(first)) {
+  }
+  unpacker_ = in_file(path_, [&] { return unpacker_of(first, path_); });
+  if (unpacker_) {
+    packed_ = std::move(first);
+    return unpack_some(text);
+  }
+  text += first;
+  return !first.empty();
+}
+
+void ByteSource::put_back() {
+  const std::lock_guard lock(pipes_mutex);
+  pipes[path_] = OpenPipe{std::exchange(descriptor_, -1), std::move(raw_)};
 }
 
 bool ByteSource::unpack_some(std::string &text) {
@@ -82,17 +155,26 @@ std::string read_file(const std::string &path, std::size_t most) {
 }
 
 std::string beginning_of_file(const std::string &path, std::size_t most) {
-  if (path == "-")
-    return "";
   std::string begin;
   try {
     ByteSource bytes(path);
+    bytes.is_looking_ = bytes.is_pipe_;
     while (begin.size() < most && bytes.read_some(begin)) {
     }
   } catch (const InputError &) { // who reads all of it says so
     return "";
   }
   return begin.substr(0, most);
+}
+
+bool is_plain_file(const std::string &path) {
+  if (!file_bytes(path))
+    return false;
+  const int descriptor = open_for_reading(path);
+  std::array<char, packed_mark> begin{};
+  const ssize_t n = read(descriptor, begin.data(), begin.size());
+  close(descriptor);
+  return !is_packed({begin.data(), static_cast<std::size_t>(std::max<ssize_t>(n, 0))});
 }
 
 } // namespace mdm

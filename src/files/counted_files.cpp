@@ -1,6 +1,7 @@
 #include "files/counted_files.hpp"
 
 #include "files/byte_source.hpp"
+#include "files/file_totals.hpp"
 #include "files/paths.hpp"
 #include "text/option_name.hpp"
 
@@ -67,7 +68,8 @@ std::optional<Totals> CountedFiles::complete() const {
   try {
     Totals t = read_totals_of(answers_path_);
     const auto is_there = [this](const std::string &path, const NamedFileTotals &file) {
-      return file.name == name_beside(answers_path_, path) && file_bytes(path) == file.bytes;
+      return file.name == name_beside(answers_path_, path) && file_bytes(path) == file.bytes &&
+             file_totals(path) == FileTotals{file.bytes, file.sha256};
     };
     const bool has_proofs = proofs_path_ ? t.proofs && t.index && is_there(*proofs_path_, *t.proofs) &&
                                                is_there(proof_index_path(*proofs_path_), *t.index)

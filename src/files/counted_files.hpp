@@ -25,7 +25,7 @@ public:
   /// Takes the files for this run. \throws InputError if they cannot be written, or another run has them
   CountedFiles(std::string answers, std::optional<std::string> proofs);
 
-  /// The totals of an earlier run, if its files are there with these names and as long as they were.
+  /// The totals of an earlier run, if its files are there with these names and as it left them.
   std::optional<Totals> complete() const;
 
   /// Begins to write. \throws InputError if that cannot be

@@ -20,6 +20,7 @@ namespace mdm {
 JournalFile::JournalFile(std::string path) : path_(std::move(path)) {
   if (names_zstd(path_))
     throw file_error(path_, "a journal is not compressed: give a name without .zst");
+  refuse_protected(path_);
   descriptor_ = open(path_.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor_ < 0)
     fail(errno);

@@ -99,6 +99,9 @@ void remove_unfinished_at_signals() {
 }
 
 Output::Output(std::string path) : path_(std::move(path)) {
+  refuse_protected(path_);
+  if (path_.ends_with(".gz"))
+    throw file_error(path_, "mdm writes no .gz: let the name end in .zst, or pack the file with gzip");
   if (names_zstd(path_))
     in_file(path_, [this] { compressor_.emplace(); });
   if (path_ == "-") {

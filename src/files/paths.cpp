@@ -37,6 +37,18 @@ std::string behind_links(std::filesystem::path path) {
   return path.string();
 }
 
+bool is_regular_file(const std::string &path) {
+  struct stat status {};
+  return path != "-" && stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+/// The canonical paths of the inputs that no output may take.
+std::set<std::string> protected_inputs;
+
+[[noreturn]] void would_be_overwritten(const std::string &path) {
+  throw file_error(path, "would be overwritten: give input and outputs different names");
+}
+
 } // namespace
 
 void refuse_file(const std::string &path, const std::string &what, int error, const std::string &remedy) {
@@ -59,11 +71,22 @@ std::string canonical_path(const std::string &path) {
 void check_paths(const std::vector<std::string> &inputs, const std::vector<std::string> &outputs) {
   if (std::count(inputs.begin(), inputs.end(), "-") > 1)
     throw InputError("-: standard input is one file: give the others by name");
+  std::for_each(outputs.begin(), outputs.end(), refuse_protected);
   for (const std::string &input : inputs) {
     std::vector<std::string> paths = outputs;
     paths.insert(paths.begin(), input);
     check_distinct(paths);
   }
+}
+
+void protect_input(const std::string &path) {
+  if (is_regular_file(path))
+    protected_inputs.insert(canonical_path(path));
+}
+
+void refuse_protected(const std::string &path) {
+  if (!protected_inputs.empty() && is_regular_file(path) && protected_inputs.count(canonical_path(path)) != 0)
+    would_be_overwritten(path);
 }
 
 void check_readable(const std::string &path) {
@@ -105,7 +128,7 @@ void check_distinct(const std::vector<std::string> &paths) {
     if (path == "-" || (exists && !S_ISREG(status.st_mode)))
       continue;
     if (!seen.insert(canonical_path(path)).second)
-      throw file_error(path, "would be overwritten: give input and outputs different names");
+      would_be_overwritten(path);
   }
 }
 

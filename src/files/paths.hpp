@@ -27,9 +27,16 @@ std::string canonical_path(const std::string &path);
 /// count. \throws InputError naming the second
 void check_distinct(const std::vector<std::string> &paths);
 
-/// Refuses standard input that is given twice, and an output that is one of the inputs or another output.
+/// Refuses standard input that is given twice, and an output that is one of the inputs, protected or another
+/// output.
 /// \throws InputError
 void check_paths(const std::vector<std::string> &inputs, const std::vector<std::string> &outputs);
+
+/// Keeps a regular file that an option names as an input from being overwritten in this run.
+void protect_input(const std::string &path);
+
+/// \throws InputError if the path is that of a protected input
+void refuse_protected(const std::string &path);
 
 /// Refuses a file that cannot be read, before any work is done. \throws InputError
 void check_readable(const std::string &path);

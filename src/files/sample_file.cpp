@@ -1,5 +1,6 @@
 #include "files/sample_file.hpp"
 
+#include "answer/answer_sample.hpp"
 #include "answer/generated_reader.hpp"
 #include "ask/option_values.hpp"
 #include "files/packing_file.hpp"
@@ -153,6 +154,13 @@ UnderstoodGradation read_any(const std::string &path, const ReadingTexts &readin
             {},
             false};
   }
+  if (is_answer(begin) && !reading.is_given())
+    return {answer_gradation(read_file(path, max_set_bytes), shown_name(path), phi),
+            "answer of mdm solve",
+            "bounds of classes",
+            "masses of the particles",
+            {},
+            false};
   if (reading.is_unit_at_most() && (is_gsd(begin) || told_format(begin))) {
     ParticleOptions options;
     options.says_otherwise = option("unit") + " says";

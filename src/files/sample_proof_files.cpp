@@ -18,16 +18,18 @@ constexpr const char *sample_ending = ".sample.csv", *gradation_ending = ".grada
 void SampleProofFiles::check(const std::string &proof, const std::vector<std::string> &others) {
   if (proof == "-")
     throw InputError(option("proof") + " needs a file: standard output has the report");
-  for (const char *const ending : {"", sample_ending, gradation_ending})
+  for (const char *const ending : {"", sample_ending, gradation_ending}) {
     for (const std::string &other : others)
       check_distinct({other, proof + ending});
+    refuse_protected(proof + ending);
+  }
 }
 
 SampleProofFiles::SampleProofFiles(std::string proof, std::string gradation, const UnderstoodGradation &read,
                                    std::optional<std::string> sample)
     : path_(std::move(proof)), gradation_path_(std::move(gradation)), sample_path_(std::move(sample)),
       proof_(path_) {
-  if (read.is_canonical && gradation_path_ != "-")
+  if (read.is_canonical && is_plain_file(gradation_path_))
     return;
   gradation_path_ = path_ + gradation_ending;
   gradation_.emplace(gradation_path_);

@@ -19,14 +19,17 @@ public:
   virtual bool is_whole() const = 0;
 };
 
-/// That of files whose names end in .zst: frames that ask for more than 128 MiB are refused.
+/// That of zstd's frames; those that ask for more than 128 MiB are refused.
 /// \throws InputError if the program was built without libzstd
 std::unique_ptr<Unpacker> zstd_unpacker();
-/// That of files whose names end in .gz.
+/// That of gzip's members.
 /// \throws InputError if the program was built without zlib
 std::unique_ptr<Unpacker> gzip_unpacker();
 
-/// The one for a file of this name; null where nothing is to be unpacked. \throws InputError as these
-std::unique_ptr<Unpacker> unpacker_of(std::string_view path);
+/// True of the first bytes of a file that gzip or zstd packed.
+bool is_packed(std::string_view begin);
+/// The one that the first bytes of a file tell, or else its name (.zst, .gz); null where nothing is to be
+/// unpacked. \throws InputError as these
+std::unique_ptr<Unpacker> unpacker_of(std::string_view begin, std::string_view path);
 
 } // namespace mdm

@@ -34,6 +34,8 @@ public:
       check_initial(*mass_column_);
       check_washed(*mass_column_);
       check_loss(*mass_column_);
+    } else {
+      check_share_of_loss();
     }
     check_percent_of_loss();
     if (deciding().is_share()) {
@@ -195,6 +197,19 @@ private:
                                              shown(a_.loss.percent()), shown(whole->value), option("loss")));
     notes_.push_back(
         fmt::format("{} is {}; it belongs to no sieve.", in_quotes(where.label), shown(loss.value)));
+  }
+
+  /// The row of a loss where all columns have shares.
+  void check_share_of_loss() {
+    const std::optional<PrintedNumber> loss = number_of(rows_.loss(), compared_.deciding);
+    if (!loss || loss->value == 0)
+      return;
+    const std::string label = in_quotes(rows_.loss()->label);
+    if (!a_.loss.explains(*loss, {0, 0}, 100))
+      source_.refuse(rows_.loss()->line,
+                     fmt::format("{} is {} percent, more than {}: allow it with {}, or correct the sheet",
+                                 label, shown(loss->value), shown(a_.loss.percent()), option("loss")));
+    notes_.push_back(fmt::format("{} is {} percent; it belongs to no sieve.", label, shown(loss->value)));
   }
 
   void check_percent_of_loss() const {

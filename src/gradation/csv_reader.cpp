@@ -70,6 +70,7 @@ public:
     if (!phi_.empty())
       set_phi_sizes();
     table_.unit = rows_.unit();
+    table_.file_unit = rows_.file_unit();
     table_.notes = rows_.notes();
     table_.format = "CSV";
     table_.sizes_from = "column " + std::string(rows_.size_name());

@@ -199,6 +199,10 @@ char CsvRows::decimal_sign(std::string_view number) {
   return sign_;
 }
 
+std::string CsvRows::file_unit() const {
+  return size_column_->kind == SizeKind::inch ? "inches" : size_column_->kind == SizeKind::phi ? "phi" : "";
+}
+
 SizeUnit CsvRows::unit() const {
   switch (size_column_->kind) {
   case SizeKind::um:

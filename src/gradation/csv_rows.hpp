@@ -59,6 +59,8 @@ public:
   Rational last_digit(std::size_t field);
 
   SizeUnit unit() const;
+  /// As in Gradation::Data.
+  std::string file_unit() const;
   /// The assumptions made about sizes.
   std::vector<std::string> notes() const;
 

@@ -63,14 +63,13 @@ void check_different(const LimitsRow &finer, const LimitsRow &coarser, const Sou
                                             shown(coarser.size), finer.line));
 }
 
-/// True where the header has the names that a band has.
-bool names_columns(std::string_view content) {
+} // namespace
+
+bool is_canonical_envelope(std::string_view content) {
   return !is_workbook(content) && is_canonical_csv(without_byte_order_mark(content)) &&
          (content.find(min_column) != std::string_view::npos ||
           content.find(max_column) != std::string_view::npos);
 }
-
-} // namespace
 
 std::optional<std::string> contradiction(const Envelope &e) {
   std::size_t demanding = 0; // the sieve up to i that most must pass
@@ -88,7 +87,7 @@ std::optional<std::string> contradiction(const Envelope &e) {
 Envelope read_envelope(std::string_view content, const std::string &file) {
   const Source source(file);
   source.check_length(content, max_gradation_bytes);
-  if (!names_columns(content))
+  if (!is_canonical_envelope(content))
     if (std::optional<Envelope> e = envelope_in_table(content, file))
       return *std::move(e);
   const std::string_view text = without_byte_order_mark(content);

@@ -315,6 +315,7 @@ Gradation Handler::gradation(const std::string &fallback_id, std::optional<unsig
   if (data.id.empty() && is_named)
     data.id = fallback_id;
   data.unit = unit_;
+  data.file_unit = inches_ ? "inches" : "";
   data.sizes = std::move(columns_[sizes]);
   data.masses = std::move(columns_[masses]);
   if (const std::optional<std::string> note = settle_digits(data.masses, round))

@@ -130,6 +130,7 @@ public:
         chosen_(columns_.value_name, columns_.values, columns_.grams, sign_),
         beside_(columns_.further, sign_) {
     read_.table.unit = sizes_.unit();
+    read_.table.file_unit = sizes_.file_unit();
     read_.table.header_line = header_line(cells_, columns_);
   }
 
@@ -277,7 +278,8 @@ private:
         statements_.size() > before && has_number_beside())
       refuse(fmt::format("the row {} has no value in the column {}: write it, or 0",
                          in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
-    leave();
+    if (!belongs_to_table(known.meaning) || statements_.size() == before)
+      leave();
     return true;
   }
 
@@ -380,6 +382,10 @@ private:
                        fmt::format("{} may be a mass that passes the finest sieve: write Wash loss, or a "
                                    "row Pan, if it is, else leave it out",
                                    in_quotes(s.label)));
+      if (s.meaning == RowMeaning::none && s.grams != 0 && speaks_of_retaining(s.label))
+        source_.refuse(s.line, fmt::format("{} is a mass on a sieve, outside the table: write it as a row of "
+                                           "the table, or leave it out",
+                                           in_quotes(s.label)));
       if (may_pass && !s.is_percent && s.line < read_.table.header_line)
         read_.left.add(s.label);
       try {

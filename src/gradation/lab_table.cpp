@@ -24,7 +24,8 @@ std::string shown_column(const std::string &header, std::size_t place) {
 void describe_columns(Table &table, const TableColumns &columns, const std::string &format) {
   table.format = format;
   table.sizes_from =
-      fmt::format("column {}, in {}", shown_column(columns.size_name, columns.size), name(table.unit));
+      fmt::format("column {}, in {}", shown_column(columns.size_name, columns.size),
+                  table.file_unit.empty() ? name(table.unit) : std::string_view(table.file_unit));
   table.masses_from =
       fmt::format("column {}: {}", shown_column(columns.value_name, columns.value), table.column->words);
   table.is_canonical = false;

@@ -1,9 +1,12 @@
 #include "gradation/length.hpp"
 
+#include "gradation/shown.hpp"
 #include "number/typed_number.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
 
 namespace mdm {
 namespace {
@@ -18,6 +21,13 @@ std::size_t number_length(std::string_view text) {
 
 Rational Length::in(SizeUnit target) const {
   return unit ? Rational(value * in_mm(*unit) / in_mm(target)) : value;
+}
+
+Rational Length::in(const Gradation &g) const {
+  if (!unit && g.file_unit() == "inches")
+    throw InputError(fmt::format(
+        "{0} has no unit, and the sizes of the file are in inches: write {0}in or {0}mm", shown(value)));
+  return in(g.unit());
 }
 
 Length parse_length(std::string_view text) {

@@ -2,7 +2,7 @@
 /// \file
 /// Lengths as users write them, with a unit or without one.
 
-#include <mdm/gradation/size_unit.hpp>
+#include <mdm/gradation/gradation.hpp>
 
 #include <optional>
 #include <vector>
@@ -16,6 +16,9 @@ struct Length {
 
   /// The number of that unit.
   Rational in(SizeUnit target) const;
+  /// The number of the gradation's unit, mm of phi.
+  /// \throws InputError if it has no unit, and the gradation's file has inches
+  Rational in(const Gradation &g) const;
 };
 
 /// Reads `50mm`, `63um`, `0.5in`, `2m` or `50`.

@@ -168,7 +168,9 @@ private:
 
   /// \param text  of the number, in that column of that row
   void state(const NumberCell &number, std::string_view text, const CellRow &row, std::size_t column) {
-    const bool is_size = is_of_sizes(unit_in_header(label_)) && row_words(label_).meaning == RowMeaning::none;
+    const bool is_mass_on_sieve = number.unit == ColumnUnit::mass && speaks_of_retaining(label_);
+    const bool is_size = is_of_sizes(unit_in_header(label_)) && !is_mass_on_sieve &&
+                         row_words(label_).meaning == RowMeaning::none;
     if (stated_ || is_of_sizes(number.unit) || is_size)
       return;
     MassStatement s{row_words(label_).meaning, std::string(label_), std::string(number.digits)};

@@ -25,6 +25,7 @@ std::map<std::string, Table> by_material(const Table &all) {
     if (part.sizes.empty()) {
       part.column = all.column;
       part.unit = all.unit;
+      part.file_unit = all.file_unit;
       part.root = all.root;
       part.header_line = all.lines[row];
     }

@@ -88,6 +88,12 @@ RowSizes::RowSizes(const Cells &cells, const TableColumns &columns, const Readin
         series_ = cell;
 }
 
+std::string RowSizes::file_unit() const {
+  return columns_.sizes.unit == ColumnUnit::inch  ? "inches"
+         : columns_.sizes.unit == ColumnUnit::phi ? "phi"
+                                                  : "";
+}
+
 bool RowSizes::may_be_size(std::string_view cell) const {
   return is_above_or_below(cell) || (!cell.empty() && is_digit(cell.front())) || number_cell(cell) ||
          is_sieve(cell);

@@ -16,6 +16,8 @@ public:
 
   /// The unit of the table: that of its first header.
   SizeUnit unit() const { return unit_; }
+  /// As in Gradation::Data.
+  std::string file_unit() const;
   /// True for a size, or what looks like one and must not be overlooked: `<0.063`, `0.02*`.
   bool may_be_size(std::string_view cell) const;
   /// True for what is certainly a size.

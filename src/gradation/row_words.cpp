@@ -250,6 +250,11 @@ bool may_be_fines(std::string_view text) {
                                           "fein schluff ton silt clay finos fins reste resto restos");
 }
 
+bool speaks_of_retaining(std::string_view text) {
+  return row_vocabulary::Words(text).have("retained retaining oversize rueckstand siebrueckstand ueberkorn "
+                                          "refus retenu retenida retenido trattenuto trattenuta");
+}
+
 bool speaks_of_mass(std::string_view text) {
   using namespace row_vocabulary;
   return Words(text).have(mass) || Words(text).have("g gr gram grams kg");

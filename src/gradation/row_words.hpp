@@ -49,6 +49,9 @@ bool names_samples(std::string_view header);
 /// True for words that may be those of what passed the finest sieve: rest, fines, filler.
 bool may_be_fines(std::string_view text);
 
+/// True for words of what stays on a sieve: retained, oversize.
+bool speaks_of_retaining(std::string_view text);
+
 /// True where the text names a mass: mass, weight, g, kg.
 bool speaks_of_mass(std::string_view text);
 

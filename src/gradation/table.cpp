@@ -26,7 +26,7 @@ public:
       passing_to_masses();
     return Gradation({std::move(t_.id), t_.unit, std::move(t_.sizes), std::move(t_.values),
                       std::move(t_.factors), std::move(t_.tolerances), std::move(t_.roundings),
-                      std::move(t_.notes), t_.root});
+                      std::move(t_.notes), t_.root, std::move(t_.file_unit)});
   }
 
 private:

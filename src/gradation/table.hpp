@@ -41,6 +41,7 @@ struct Table {
   const MassColumn *column = nullptr;
   std::string id;
   SizeUnit unit = SizeUnit::mm;
+  std::string file_unit; ///< as in Gradation::Data
   unsigned root = 1;
   std::size_t header_line = 1;
   std::vector<Rational> sizes; ///< to the power `root`

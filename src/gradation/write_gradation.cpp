@@ -99,4 +99,12 @@ std::string gradation_json(const Gradation &g) {
   return json.take() + "\n";
 }
 
+std::string envelope_csv(const Envelope &envelope) {
+  std::string text = fmt::format("size_{},passing_min_percent,passing_max_percent\n", name(envelope.unit));
+  for (std::size_t i = 0; i < envelope.sizes.size(); ++i)
+    text += fmt::format("{},{},{}\n", file_decimal(envelope.sizes[i]), file_decimal(envelope.passing_min[i]),
+                        file_decimal(envelope.passing_max[i]));
+  return text;
+}
+
 } // namespace mdm

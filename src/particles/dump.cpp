@@ -56,9 +56,9 @@ public:
       source_.note(
           fmt::format("Timestep {} is there {} times; the last was taken.", to_string(*asked), found_));
     if (!asked && timesteps_ > 1 && !source_.options().every_timestep)
-      source_.note(fmt::format("The file has {} timesteps; the last, {}, was taken. Use {} for "
-                               "another.",
-                               timesteps_, to_string(timestep_), option("timestep")));
+      source_.note(fmt::format(
+          "The file has {} timesteps; the last, {}, was taken.{}", timesteps_, to_string(timestep_),
+          source_.options().can_choose_timestep ? " Use " + option("timestep") + " for another." : ""));
     check_some();
     source_.check_some();
   }

@@ -58,8 +58,7 @@ void add_liggghts_insertion(const ParticleSet &set, std::uint64_t seed, LongText
     const bool is_largest = total == 0;
     total += size.quantity;
     const std::string name = is_largest ? "mdm_largest" : "mdm_size";
-    text.add("\n# class {}, ({}, {}]: {} of radius {}\n", c.number, short_decimal(c.lower),
-             short_decimal(c.upper), to_string(size.quantity), size.radius.text);
+    text.add("\n# {}: {} of radius {}\n", c.text(), to_string(size.quantity), size.radius.text);
     text.add("fix {} all particletemplate/sphere {} atom_type 1 volume_limit {} density constant {} radius "
              "constant {}\n",
              name, seeds.next(), limit, short_decimal(c.density), size.radius.text);

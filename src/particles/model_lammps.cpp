@@ -139,7 +139,7 @@ group class delete
 )",
                         fmt::arg("least", c->sizes.front().diameter.text),
                         fmt::arg("most", c->sizes.back().diameter.text),
-                        fmt::arg("quantity", to_string(c->quantity())), fmt::arg("class_", class_name(*c)));
+                        fmt::arg("quantity", to_string(c->quantity())), fmt::arg("class_", c->text()));
   return text + fmt::format(R"(
 variable n equal atoms
 if "$n != {total}" then "print 'STOP: $n grains are there, not {total}'" "quit 1"

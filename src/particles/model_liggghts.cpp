@@ -136,7 +136,7 @@ variable n delete
 )",
                         fmt::arg("number", c->number), fmt::arg("least", c->sizes.front().diameter.text),
                         fmt::arg("most", c->sizes.back().diameter.text),
-                        fmt::arg("quantity", to_string(c->quantity())), fmt::arg("class_", class_name(*c)));
+                        fmt::arg("quantity", to_string(c->quantity())), fmt::arg("class_", c->text()));
   return text + "\nthermo_style custom step atoms ke c_top f_lid[3] f_lid[9]" + state_columns() +
          "\nthermo_modify lost error norm no\nvariable n equal atoms\n";
 }

@@ -171,9 +171,9 @@ std::string class_rows(const SettleScript &s) {
   for (std::size_t i = s.set.classes.size(); i > 0; --i) {
     const ParticleClass &c = s.set.classes[i - 1];
     const GrainMaterial m = s.material(i);
-    text += fmt::format("    ('{}', {}, {}, {}, {}, {}, {}, {}, {}),\n", class_name(c),
-                        short_decimal(c.density), c.sizes.front().radius.text, c.sizes.back().radius.text,
-                        to_string(c.quantity()), digits6(m.elasticity.young.convert_to<double>()),
+    text += fmt::format("    ('{}', {}, {}, {}, {}, {}, {}, {}, {}),\n", c.text(), short_decimal(c.density),
+                        c.sizes.front().radius.text, c.sizes.back().radius.text, to_string(c.quantity()),
+                        digits6(m.elasticity.young.convert_to<double>()),
                         digits6(m.elasticity.poisson.convert_to<double>()), digits6(m.friction),
                         digits6(m.restitution));
   }

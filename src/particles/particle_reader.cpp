@@ -117,10 +117,19 @@ void refuse_spaced_table(const std::string &above, const ParticleSource &source)
         "table alone");
 }
 
+/// The unit in the heading that mdm export writes: `Particles of sand: 1485 in 7 classes, by exactmdm;
+/// lengths in m, density ...`.
+std::optional<SizeUnit> unit_of_heading(std::string_view line) {
+  constexpr std::string_view before = ", by exactmdm; lengths in ";
+  const std::size_t at = line.rfind(before);
+  if (at == std::string_view::npos)
+    return std::nullopt;
+  const std::string_view rest = line.substr(at + before.size());
+  return parse_size_unit(rest.substr(0, rest.find(',')));
+}
+
 /// Refuses files that are no text, by their first line.
 void refuse_binary(std::string_view text, const ParticleSource &source) {
-  if (text.starts_with("\x1f\x8b"))
-    source.refuse("the file is packed by gzip: let its name end in .gz, or unpack it with gunzip");
   if (text.find('\0') != std::string_view::npos)
     source.refuse(
         "the file is binary, which is not read: write it as text; of a restart file of LAMMPS or LIGGGHTS "
@@ -250,9 +259,18 @@ void ParticleReader::begin(ParticleFormat format) {
   reader_ = line_reader(format, *source_);
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     source_->set_line(i + 1);
-    reader_->line(pending_[i]);
+    hand_on(pending_[i]);
   }
   pending_.clear();
+}
+
+void ParticleReader::hand_on(std::string_view text) {
+  // Most formats have no unit of their own, and CSV has it in its header.
+  constexpr std::uint64_t most_lines = 8;
+  if (source_->line() <= most_lines && format_ != ParticleFormat::csv)
+    if (const std::optional<SizeUnit> unit = unit_of_heading(text))
+      source_->take_unit({name(*unit), in_mm(*unit)}, fmt::format("{} in its heading", name(*unit)));
+  reader_->line(text);
 }
 
 void ParticleReader::line(std::string_view text) {
@@ -267,7 +285,7 @@ void ParticleReader::line(std::string_view text) {
     source_->refuse(
         "a carriage return (CR) is there that no line feed (LF) follows: end lines with LF or CR LF");
   if (reader_) {
-    reader_->line(text);
+    hand_on(text);
     return;
   }
   pending_.emplace_back(text);

@@ -62,6 +62,8 @@ struct ParticleOptions {
   std::optional<Integer> timestep;
   /// Hands on each timestep, one after the other; without `timestep`.
   bool every_timestep = false;
+  /// The user can say which, for the note about the last.
+  bool can_choose_timestep = false;
   /// The unit that diameters are handed on in.
   SizeUnit target = SizeUnit::mm;
   /// The options that say meaning and unit otherwise, for the note about them: `--a and --b`; or none.
@@ -107,6 +109,7 @@ public:
 
 private:
   void begin(ParticleFormat format);
+  void hand_on(std::string_view text);
 
   std::unique_ptr<ParticleSource> source_;
   std::unique_ptr<LineReader> reader_; ///< null until the format is known

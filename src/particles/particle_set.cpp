@@ -27,9 +27,9 @@ public:
 
   /// A class without particles. An irrational opening becomes a fraction next to it, on the side of the
   /// class: what lies between the fractions lies in the class.
-  ParticleClass empty(std::size_t number, const RootSize &lower, const RootSize &upper,
-                      const Rational &factor) const {
-    return {number, bounds(lower).hi * unit_, bounds(upper).lo * unit_, density_ * factor, {}, 0};
+  ParticleClass empty(std::size_t number, const std::string &material, const RootSize &lower,
+                      const RootSize &upper, const Rational &factor) const {
+    return {number, material, bounds(lower).hi * unit_, bounds(upper).lo * unit_, density_ * factor, {}, 0};
   }
 
   /// The law of sizes in the unit that is written.
@@ -98,9 +98,14 @@ ParticleSet match_set(const Match &m, const Writer &writer, SizeUnit unit, Fill 
     const Integer &q = m.sample->quantities[j];
     if (q == 0)
       continue;
-    set.classes.push_back(writer.empty(j + 1, g.opening(j), g.opening(j + 1), g.factor(j)));
+    set.classes.push_back(writer.empty(j + 1, g.material(j), g.opening(j), g.opening(j + 1), g.factor(j)));
     fill(set.classes.back(), q, Rational(masses[j] / power(g.factor(j), m.scale_power())));
   }
+  // The classes of one material come behind those of another, and theirs overlap.
+  std::stable_sort(set.classes.begin(), set.classes.end(),
+                   [](const ParticleClass &a, const ParticleClass &b) {
+                     return a.sizes.front().diameter.value < b.sizes.front().diameter.value;
+                   });
   return set;
 }
 
@@ -120,6 +125,11 @@ Integer ParticleClass::quantity() const {
   for (const ParticleSize &size : sizes)
     n += size.quantity;
   return n;
+}
+
+std::string ParticleClass::text() const {
+  return fmt::format("class {} ({}, {}]{}", number, short_decimal(lower), short_decimal(upper),
+                     material.empty() ? "" : " of " + printable(material));
 }
 
 Integer ParticleSet::particles() const {
@@ -185,7 +195,7 @@ ParticleSet particle_set(const SizedSample &sample, const MassLaw &law, const Pa
   const Writer writer(sample.unit, law, sample.root, options);
   ParticleSet set{sample.name, options.unit, writer.law(), {}, sample.share_error};
   for (const SizedSample::Class &c : sample.classes) {
-    set.classes.push_back(writer.empty(c.number, c.lower, c.upper, 1));
+    set.classes.push_back(writer.empty(c.number, "", c.lower, c.upper, 1));
     writer.add(set.classes.back(), c.powered, c.quantity);
   }
   return set;

@@ -23,12 +23,15 @@ struct ParticleSize {
 /// and as doubles.
 struct ParticleClass {
   std::size_t number = 0;          ///< of the gradation, from 1
+  std::string material;            ///< of a gradation of several; else empty
   Rational lower, upper;           ///< in the unit of the set; irrational ones a hair inside the class
   Rational density;                ///< in kg per cube of the unit of the set
   std::vector<ParticleSize> sizes; ///< ascending but for their rounding, one or more
   Rational mass_error; ///< greatest relative error of the mass of any of them, as decimal or double
 
   Integer quantity() const;
+  /// `class 3 (0.1, 0.2]`, and ` of quartz` where it has a material.
+  std::string text() const;
 };
 
 /// The particles of a match as they are written to files.
@@ -36,10 +39,11 @@ struct ParticleSet {
   std::string name; ///< of the gradation
   SizeUnit unit = SizeUnit::m;
   MassLaw law;                        ///< of sizes in the unit
-  std::vector<ParticleClass> classes; ///< those with particles, ascending
+  std::vector<ParticleClass> classes; ///< those with particles, ascending by their sizes
   /// Greatest difference of a class's share of the mass from that in the gradation: 0 for exact matches.
   Rational share_error = 0;
 
+  bool has_materials() const { return !classes.front().material.empty(); }
   Integer particles() const;
   /// The greatest of the classes: the mass of each is off by no more than this part of itself.
   Rational mass_error() const;
@@ -61,7 +65,7 @@ struct ParticleSetOptions {
   bool has_floats = false;                         ///< sizes are read as floats, not as doubles
 };
 
-/// The particles of a match.
+/// The particles of a match, which may be one of several materials.
 /// \pre m.sample
 /// \throws InputError if a class has no double, or float, close enough to its size
 ParticleSet particle_set(const Match &m, const ParticleSetOptions &options = {});

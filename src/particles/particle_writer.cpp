@@ -2,6 +2,7 @@
 
 #include "text/long_text.hpp"
 #include "text/option_name.hpp"
+#include "text/text_table.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
@@ -57,10 +58,12 @@ std::string comment_lines(const ParticleSet &set) {
 
 void write_size_csv(const ParticleSet &set, const Sink &out) {
   LongText text(out);
-  text.add("{}size_{},quantity\n", comment_lines(set), name(set.unit));
+  const bool has_materials = set.has_materials();
+  text.add("{}size_{},quantity{}\n", comment_lines(set), name(set.unit), has_materials ? ",material" : "");
   for (const ParticleClass &c : set.classes)
     for (const ParticleSize &size : c.sizes)
-      text.add("{},{}\n", size.diameter.text, to_string(size.quantity));
+      text.add("{},{}{}\n", size.diameter.text, to_string(size.quantity),
+               has_materials ? "," + csv_field(c.material) : "");
   text.finish();
 }
 

@@ -30,8 +30,7 @@ void write_data(const Placement &start, bool is_typed, const Sink &out) {
   if (is_typed)
     text.add("# Type {} is of walls; the others are the classes:\n", set.classes.size() + 1);
   for (std::size_t i = 0; is_typed && i < set.classes.size(); ++i)
-    text.add("# {} class {} ({}, {}]\n", i + 1, set.classes[i].number, short_decimal(set.classes[i].lower),
-             short_decimal(set.classes[i].upper));
+    text.add("# {} {}\n", i + 1, set.classes[i].text());
   text.add("\n{} atoms\n{} atom types\n\n", to_string(set.particles()),
            is_typed ? set.classes.size() + 1 : 1);
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -93,9 +92,9 @@ void write_extxyz(const Placement &start, const Sink &out) {
   std::replace(heading.begin(), heading.end(), '\\', '/');
   // X is the species of what is no element.
   text.add("{}\nLattice=\"{} 0 0 0 {} 0 0 0 {}\" Properties=species:S:1:type:I:1:pos:R:3:radius:R:1:id:I:1 "
-           "pbc=\"{}\" Title=\"{}\"\n",
+           "pbc=\"{}\" unit={} Title=\"{}\"\n",
            to_string(set.particles()), start.text(a), start.text(b), start.text(height),
-           start.sides() == Sides::periodic ? "T T F" : "F F F", heading);
+           start.sides() == Sides::periodic ? "T T F" : "F F F", name(set.unit), heading);
   std::uint64_t id = 0;
   start.each([&](const Placement::Sphere &s) {
     text.add("X {} {} {} {} {} {}\n", set.classes[s.class_index].number, start.text(s.at[0]),

@@ -147,7 +147,7 @@ ParticleSet SampleSet::set(const std::string &name, SizeUnit from, const Particl
     const auto number = static_cast<std::size_t>(upper - openings.begin());
     if (set.classes.empty() || set.classes.back().number != number) {
       const Rational factor = sieves != nullptr ? sieves->factor(number - 1) : Rational(1);
-      set.classes.push_back({number, *(upper - 1), *upper, density * factor, {}, 0});
+      set.classes.push_back({number, "", *(upper - 1), *upper, density * factor, {}, 0});
     }
     ParticleClass &c = set.classes.back();
     const SizeRange radius{diameter.lo / 2, diameter.hi / 2};

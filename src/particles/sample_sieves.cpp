@@ -8,6 +8,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace mdm {
 namespace {
 
@@ -23,9 +25,13 @@ void SampleSieves::restart() {
   *this = SampleSieves();
 }
 
-void SampleSieves::gather(const Rational &size, const Integer &quantity) {
+void SampleSieves::gather(const Rational &least, const Rational &size, const Integer &quantity) {
   masses_[digits_ == 0 ? size : rounded_up(size, digits_)] += power(size, 3) * Rational(quantity);
   particles_ += quantity;
+  if (digits_ == 0) {
+    Rational &known = least_.try_emplace(size, least).first->second;
+    known = std::min(known, least);
+  }
   if (masses_.size() > most_sieves)
     coarsen();
 }
@@ -38,21 +44,22 @@ void SampleSieves::coarsen() {
     for (const auto &[size, mass] : masses_)
       coarser[rounded_up(size, digits_)] += mass;
     masses_ = std::move(coarser);
+    least_.clear();
   } while (masses_.size() > most_sieves && digits_ > 1);
 }
 
 void SampleSieves::add(const RootSize &diameter, const Integer &quantity) {
   constexpr unsigned digits = 15;
-  gather(diameter.degree == 1
-             ? diameter.power
-             : enclose_root(numerator(diameter.power), denominator(diameter.power), diameter.degree, digits)
-                   .upper(),
-         quantity);
+  if (diameter.degree == 1)
+    return gather(diameter.power, diameter.power, quantity);
+  const Enclosure size =
+      enclose_root(numerator(diameter.power), denominator(diameter.power), diameter.degree, digits);
+  gather(size.lower(), size.upper(), quantity);
 }
 
 void SampleSieves::add(const SizeRange &diameter, const Integer &quantity) {
   has_ranges_ = has_ranges_ || !diameter.is_point();
-  gather(diameter.hi, quantity);
+  gather(diameter.lo, diameter.hi, quantity);
 }
 
 Gradation SampleSieves::gradation(const std::string &id, SizeUnit unit, std::vector<std::string> notes,
@@ -63,13 +70,13 @@ Gradation SampleSieves::gradation(const std::string &id, SizeUnit unit, std::vec
   data.unit = unit;
   data.sizes.emplace_back(0);
   const Rational part_below = 1 - ten_to(-12);
-  const bool has_steps = classes == SampleClasses::at_sizes && digits_ == 0 && !has_ranges_;
+  const bool has_steps = classes == SampleClasses::at_sizes && digits_ == 0;
   for (const auto &[size, mass] : masses_) {
-    const Rational below = size * part_below;
-    if (has_steps && below > data.sizes.back()) { // no particle is between two sizes: a curve has steps
-      data.sizes.push_back(below);
-      data.masses.emplace_back(0);
-    }
+    if (has_steps) // no particle is between two sizes: a curve has steps
+      if (const Rational below = least_.at(size) * part_below; below > data.sizes.back()) {
+        data.sizes.push_back(below);
+        data.masses.emplace_back(0);
+      }
     data.sizes.push_back(size);
     data.masses.push_back(mass);
   }

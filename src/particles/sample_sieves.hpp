@@ -13,12 +13,13 @@ namespace mdm {
 /// What the classes of a sample's gradation are.
 enum class SampleClasses {
   between_sizes, ///< from one size to the next
-  at_sizes       ///< from 10^-12 of a size below it to it: what passes is the same from one size to the next
+  at_sizes       ///< from 10^-12 of a size, or of the lower end of a range, below it to it: what passes is
+                 ///< the same from one size to the next
 };
 
 /// Gathers spheres by size: the gradation of a sample with a sieve of every size that it has. Where there are
 /// more than most_sieves sizes they are rounded up, to 4 significant digits or fewer; masses stay those of
-/// the sizes. Of a range the upper end counts. In both cases classes are between sizes.
+/// the sizes, and classes are between sizes. The mass of a range is that of its upper end.
 class SampleSieves : public ParticleSink {
 public:
   static constexpr std::size_t most_sieves = 1000;
@@ -36,10 +37,11 @@ public:
                       SampleClasses classes) const;
 
 private:
-  void gather(const Rational &size, const Integer &quantity);
+  void gather(const Rational &least, const Rational &size, const Integer &quantity);
   void coarsen();
 
   std::map<Rational, Rational> masses_;
+  std::map<Rational, Rational> least_; ///< of the ranges that end at a size, the least lower end
   Integer particles_ = 0;
   unsigned digits_ = 0; ///< of sizes; 0: all
   bool has_ranges_ = false;

@@ -48,10 +48,6 @@ std::string comment_word(const std::string &text) {
   return word;
 }
 
-std::string class_name(const ParticleClass &c) {
-  return fmt::format("class {} ({}, {}]", c.number, short_decimal(c.lower), short_decimal(c.upper));
-}
-
 std::string script_setting(const char *name, const std::string &value, const std::string &meaning) {
   return fmt::format("{:<46}# {}\n", fmt::format("variable {} index {}", name, value), meaning);
 }

@@ -16,9 +16,6 @@ std::string file_word(const std::string &name);
 /// Text for a comment or a message of a script: ASCII without signs that are replaced or end it.
 std::string comment_word(const std::string &text);
 
-/// `class 2 (0.00015, 0.0003]`, in m.
-std::string class_name(const ParticleClass &c);
-
 /// A number with six digits, as it stands in scripts.
 std::string digits6(double x);
 /// With 17, from which the same double is read.

@@ -37,7 +37,7 @@ py::tuple solve_exact_or_tolerant(const std::optional<Gradation> &g, const Words
     if (!g && !stated.rest.band)
       throw InputError("a gradation is missing: give one, or a band alone");
     const Gradation target = g ? *g : middle_of(*stated.rest.band);
-    Question question = stated.in(target.unit());
+    Question question = stated.of(target);
     question.band_alone = !g;
     SolveOptions options = options_of(words, keep_proof);
     options.progress = listener.call();
@@ -57,7 +57,7 @@ py::tuple solve_budget(const Gradation &g, const Words &words, bool keep_proof, 
     const SolveTexts others = solve_texts(words);
     const BudgetTexts asked = budget_texts(words);
     const Budget budget = asked.budget(others);
-    const Question question = asked.question(others, band_of(words)).in(g.unit());
+    const Question question = asked.question(others, band_of(words)).of(g);
     SolveOptions options = options_of(words, keep_proof);
     options.progress = listener.call();
     BudgetMatch both = solve_within_budget(g, question, budget, options);

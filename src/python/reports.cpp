@@ -46,8 +46,7 @@ py::tuple tradeoff_of(const Gradation &g, const std::map<std::string, std::strin
     if (is_empty)
       options.tolerances.clear();
     options.progress = listener.call();
-    json =
-        tradeoff_json(mdm::tradeoff(g, asked.solve.question_of_both(band_of(words)).in(g.unit()), options));
+    json = tradeoff_json(mdm::tradeoff(g, asked.solve.question_of_both(band_of(words)).of(g), options));
   }
   return py::make_tuple(json, listener.error());
 }

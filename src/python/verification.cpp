@@ -100,8 +100,7 @@ public:
 
 private:
   Sample(const Gradation &g, const Words &words)
-      : verifier_(g, "", verify_texts(words).question(g.unit(), envelope_of(words))),
-        factor_(factor_of_sizes()) {}
+      : verifier_(g, "", verify_texts(words).question(g, envelope_of(words))), factor_(factor_of_sizes()) {}
 
   Verification verification(const std::string &sample) {
     if (reader_) {

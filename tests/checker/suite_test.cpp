@@ -284,7 +284,9 @@ TEST_CASE("the tolerance of an answer is compared as bounds on shares", "[checke
 
 TEST_CASE("answers in CSV are compared, and answers that are too many, too few or none are malformed",
           "[checker]") {
-  const Suite s(line + "\n" + line + "\n");
+  std::string named = line;
+  named.replace(named.find("\"a\""), 3, "\"a,b\"");
+  const Suite s(named + "\n" + named + "\n");
   s.add("1.proof", certificate("accepted/sphere_two_classes.proof"));
   s.add("2.proof", certificate("accepted/sphere_two_classes.proof"));
   const std::string header = "id,class,lower_mm,upper_mm,share_percent,quantity,size_lo_mm,size_hi_mm\n",
@@ -302,12 +304,41 @@ TEST_CASE("answers in CSV are compared, and answers that are too many, too few o
   wrong.replace(wrong.find(",3,1.88"), 2, ",2");
   CHECK(outcome(header + rows + wrong).out.find("class 1 has 2 particles") != std::string::npos);
   CHECK(outcome(header + rows + wrong).exit_code == 1);
-  CHECK(outcome(header + rows).out.find("no answer of ") != std::string::npos);
+  CHECK(outcome(header + rows).out.find("missing: " + s.file + ":2: no answer in ") != std::string::npos);
+  CHECK(outcome(header + rows).exit_code == 1);
   CHECK(outcome(header + rows + rows + rows).out.find("no line of ") != std::string::npos);
   for (const std::string &text :
-       {header + rows, header + rows + rows + rows, rows + rows, answer() + "\n{", std::string("[]"),
+       {header + rows + rows + rows, rows + rows, answer() + "\n{", std::string("[]"),
         header + rows + "a,1,1\n", answer(R"("4")", R"("4.5")") + "\n", std::string()})
     CHECK(outcome(text).exit_code == 2);
+}
+
+TEST_CASE("a line that is no gradation has no rows of CSV", "[checker]") {
+  const std::string negative = R"({"id": "a", "sizes": [1, 2, 3], "masses": [2, -1, 0]})",
+                    header = "id,class,lower_mm,upper_mm,share_percent,quantity,size_lo_mm,size_hi_mm\n",
+                    rows = "a,1,1,2,66.7,3,1.882072057762,1.882072057763\n"
+                           "a,2,2,3,33.3,1,2.154434690031,2.154434690032\n";
+  const Suite s("nonsense\n" + negative + "\n" + line + "\n");
+  s.add("3.proof", certificate("accepted/sphere_two_classes.proof"));
+  const std::string answers = write_file(s.folder.path() / "answers", header + rows).string();
+  const Outcome outcome = run({"--suite", s.file, s.proofs, "--answers", answers});
+  CHECK(outcome.out.find("1 accepted, 0 refused, 0 malformed, 2 missing, 0 different") != std::string::npos);
+  CHECK(outcome.exit_code == 1);
+}
+
+TEST_CASE("an answer in another unit is different", "[checker]") {
+  const Suite s(line + "\n");
+  s.add("1.proof", certificate("accepted/sphere_two_classes.proof"));
+  const std::string rows = "a,1,1,2,66.7,3,1.882072057762,1.882072057763\n"
+                           "a,2,2,3,33.3,1,2.154434690031,2.154434690032\n",
+                    header = "id,class,lower_um,upper_um,share_percent,quantity,size_lo_um,size_hi_um\n";
+  for (const std::string &text : {header + rows, answer(R"("unit": "mm")", R"("unit": "um")") + "\n"}) {
+    const std::string answers = write_file(s.folder.path() / "answers", text).string();
+    const Outcome outcome = run({"--suite", s.file, s.proofs, "--answers", answers});
+    INFO(outcome.out);
+    CHECK(outcome.out.find("the answer has lengths in 'um', the gradation in mm") != std::string::npos);
+    CHECK(outcome.exit_code == 1);
+  }
 }
 
 TEST_CASE("answers need a suite", "[checker]") {

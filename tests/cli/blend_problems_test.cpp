@@ -54,6 +54,15 @@ TEST_CASE("problems of blends: an answer a line, in order, and the exit code of 
   CHECK(solved(cheap, 3, {"--node-limit", "0"}).at(0).at("status") == "unknown");
 }
 
+TEST_CASE("answers to problems go to a file of JSON Lines", "[blend]") {
+  const TemporaryFolder folder;
+  const std::string problems = folder.write("p.jsonl", cheap + "\n"), answers = folder / "answers.jsonl";
+  CHECK(mdm({"blend", "--problems", problems, "-o", answers}).exit_code == 0);
+  CHECK(std::filesystem::exists(answers));
+  check_refused(mdm({"blend", example("athabasca-sand"), "--spec", "x.csv", "-o", answers}),
+                ".jsonl is for --problems");
+}
+
 TEST_CASE("an answer is its own problem", "[blend]") {
   const Outcome first = mdm({"blend", "--problems", "-"}, cheap + "\n" + none + "\n");
   CHECK(mdm({"blend", "--problems", "-"}, first.out).out == first.out);

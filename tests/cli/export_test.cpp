@@ -345,3 +345,18 @@ TEST_CASE("a box that is rounded is told", "[cli]") {
   CHECK(contains(told("50.00000123x60"), "note: the box's side of 0.05000000123 m was rounded down to 0.05"));
   CHECK_FALSE(contains(told("50x60"), "rounded"));
 }
+
+TEST_CASE("a file says its unit in its heading, and is read back in it", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string sand = example("athabasca-sand");
+  for (const std::string format : {"yade", "diameters", "extxyz"})
+    for (const std::string unit : {"m", "um"}) {
+      INFO(format << ' ' << unit);
+      const std::string file = folder / (format + unit + ".txt");
+      REQUIRE(mdm({"export", sand, "--to", format, "--unit", unit, "-o", file, "--quiet"}).exit_code == 0);
+      CHECK(mdm({"verify", sand, file, "--tolerance", "1e-6"}).exit_code == 0);
+      CHECK(mdm({"verify", sand, file, "--tolerance", "1e-6", "--size-unit", unit}).exit_code == 0);
+      CHECK(
+          contains(mdm({"verify", sand, file, "--size-unit", "mm"}).err, "and mm was given: leave that out"));
+    }
+}

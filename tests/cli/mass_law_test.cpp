@@ -68,3 +68,38 @@ TEST_CASE("bad laws are refused with file and line, and where they do not serve"
   refused("table:" + good, "--coq: the theorem is of laws that are powers", {"--coq", folder / "proof.v"});
   refused("table:" + good, "a law that is a power alone", {"--spread"});
 }
+
+TEST_CASE("no output takes the place of the table of a law", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("law.csv", table), law = "table:" + file,
+                    g = folder.write("g.csv", "size_mm,mass\n0.063,1\n0.125,3\n0.25,2\n0.5,0\n"),
+                    sample = folder.write("s.csv", "size_mm,quantity\n0.1,1\n0.2,1\n0.4,1\n"),
+                    suite = folder.write("suite.jsonl", R"({"sizes":["1","2"],"masses":["1","0"]})"
+                                                        "\n"),
+                    answers = folder.write("answers.csv", "id,quantities\n1,1\n"), link = folder / "link.csv";
+  std::filesystem::create_symlink(file, link);
+  const Arguments commands[] = {{"solve", g, "--law", law, "-o", file},
+                                {"solve", g, "--law", law, "-o", link},
+                                {"solve", g, "--law", law, "--proof", file},
+                                {"solve", g, "--law", law, "--vipr", file},
+                                {"batch", suite, "--law", law, "-o", file},
+                                {"batch", suite, "--law", law, "--proofs", file},
+                                {"tradeoff", g, "--law", law, "-o", file},
+                                {"verify", g, sample, "--law", law, "-o", file},
+                                {"verify", g, sample, "--law", law, "--proof", file},
+                                {"crosscheck", suite, answers, "--law", law, "-o", file},
+                                {"crosscheck", suite, "--solver", "true", "--law", law, "--journal", file},
+                                {"published", "rounded", g, "--law", law, "-o", file},
+                                {"convert", g, "--problem", "lp", "--law", law, "-o", file},
+                                {"export", g, "--to", "csv", "--law", law, "-o", file}};
+  for (const Arguments &command : commands) {
+    const Outcome outcome = mdm(command);
+    INFO(command[0] << ' ' << command[command.size() - 2] << ": " << outcome.out << outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(read_file(file) == table);
+  }
+  const std::string limits = "size_mm,passing_min_percent,passing_max_percent\n2,100,100\n",
+                    band = folder.write("band.csv", limits);
+  check_refused(mdm({"crosscheck", suite, answers, "--band", band, "-o", band}), "would be overwritten");
+  CHECK(read_file(band) == limits);
+}

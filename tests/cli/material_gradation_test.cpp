@@ -246,3 +246,28 @@ TEST_CASE("several materials are nowhere taken as one", "[cli]") {
   CHECK(mdm({"verify", mass, list, "--proof", folder / "list.proof"}).exit_code == 1);
   CHECK(mdm_check({file, list, folder / "list.proof"}).exit_code == 2);
 }
+
+TEST_CASE("particles of several materials are exported, each with its material and density", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("beach.csv", beach), csv = folder / "grains.csv",
+                    data = folder / "grains.data";
+  const auto exported = [&](Arguments more) {
+    Arguments words{"export", file, "--at-least", "200", "--density", "1000"};
+    words.insert(words.end(), more.begin(), more.end());
+    return mdm(words);
+  };
+  CHECK(exported({"--to", "csv", "-o", csv}).exit_code == 0);
+  CHECK(contains(read_file(csv), "size_m,quantity,material\n"));
+  CHECK(mdm({"verify", file, csv, "--tolerance", "1e-6"}).exit_code == 0);
+  CHECK(exported({"--to", "lammps", "--types", "class", "-o", data}).exit_code == 0);
+  for (const char *part : {"] of quartz\n", "] of shell\n", " 2650 ", " 2750 "})
+    CHECK(contains(read_file(data), part));
+  check_refused(exported({"--to", "lammps", "--model", "settle", "-o", folder / "x"}),
+                "--model: it tells classes by their sizes, and those of several materials overlap");
+  check_refused(mdm({"export", file, "--to", "csv", "-o", folder / "x.csv"}),
+                "1000 where they are densities in g/cm^3");
+  check_refused(exported({"--to", "csv", "--spread", "-o", folder / "x.csv"}),
+                "--spread: it is of gradations of one");
+  check_refused(exported({"--to", "csv", "--pan-size", "1um", "-o", folder / "x.csv"}),
+                "--pan-size: it is of");
+}

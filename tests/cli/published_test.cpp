@@ -132,6 +132,15 @@ TEST_CASE("an interior sieve with nothing retained is no obstacle", "[cli]") {
   }
 }
 
+TEST_CASE("the tolerance of the fixed size algorithm has the words of every tolerance", "[cli]") {
+  const auto settings = [](const std::string &tolerance) {
+    return mdm({"published", "fixed-size", athabasca, "--tolerance", tolerance}).out;
+  };
+  CHECK(settings("total:2%") == settings("2%"));
+  CHECK(settings("2") == settings("2%"));
+  CHECK(contains(settings("total:2"), "total error up to 2 %"));
+}
+
 TEST_CASE("published refuses what it cannot do, with a remedy", "[cli]") {
   const TemporaryFolder folder;
   const auto refused = [&](Arguments arguments, const std::string &part) {
@@ -143,8 +152,9 @@ TEST_CASE("published refuses what it cannot do, with a remedy", "[cli]") {
   refused({"best", athabasca}, "spanned-integer");
   refused({"rounded", athabasca, "--tolerance", "1%"}, "not an option of rounded");
   refused({"fixed-size", athabasca, "--start", "0.5"}, "not an option of fixed-size");
-  refused({"fixed-size", athabasca, "--tolerance", "1"}, "percent sign");
-  refused({"fixed-size", athabasca, "--tolerance", "-1%"}, "negative");
+  refused({"fixed-size", athabasca, "--tolerance", "retained:1%"}, "stops at a total error: write total:1%");
+  refused({"fixed-size", athabasca, "--tolerance", "laboratory"}, "stops at a total error: write total:1%");
+  refused({"fixed-size", athabasca, "--tolerance", "-1%"}, "not between 0 and 200");
   refused({"fixed-size", athabasca, "--sizes", "upper", "--size-at", "0.5"}, "give one of them");
   refused({"fixed-size", athabasca, "--size-at", "0"}, "not positive");
   refused({"fixed-size", athabasca, "--size-at", "1.01"}, "above 1");

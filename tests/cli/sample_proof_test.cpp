@@ -172,4 +172,10 @@ TEST_CASE("crosscheck --proofs: answers that match and answers that do not are c
   CHECK(
       has(check("1-2").out, ": class 1 holds 17.7631 to 17.7632 %, and at least 66.6666 % are asked for; "));
   CHECK_FALSE(std::filesystem::exists(proofs + "/2.proof"));
+  CHECK(has(judged.out, "check them with: mdm-check --suite " + proofs));
+  const Outcome all = mdm_check({"--suite", proofs});
+  CHECK(has(all.out, ": 2 accepted, 0 refused, 0 malformed, 0 missing"));
+  CHECK(all.exit_code == 0);
+  const Outcome by_line = mdm_check({"--suite", suite, proofs});
+  CHECK(has(by_line.out, ": 2 accepted, 0 refused, 0 malformed, 1 missing"));
 }

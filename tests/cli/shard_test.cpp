@@ -118,6 +118,11 @@ TEST_CASE("a shard is solved again where anything is another", "[cli]") {
   CHECK(is_solved_again([](const ShardFolder &s) { std::filesystem::remove(s.proofs("1")); }));
   CHECK(is_solved_again([](const ShardFolder &s) { std::filesystem::remove(s.proofs("1") + ".index"); }));
   CHECK(is_solved_again([](const ShardFolder &s) { s.folder.write("1.jsonl", "cut short"); }));
+  CHECK(is_solved_again([](const ShardFolder &s) {
+    std::string damaged = read_file(s.answers("1"));
+    damaged[damaged.size() / 2] ^= 1; // of the same length
+    s.folder.write("1.jsonl", damaged);
+  }));
   CHECK(is_solved_again([](const ShardFolder &s) { s.folder.write("1.jsonl.totals", "{\"schema\":"); }));
   CHECK(is_solved_again(replaced("\"mdm\":\"", "\"mdm\":\"9.")));
   CHECK(is_solved_again(replaced("\"of\":\"2\"", "\"of\":\"3\"")));

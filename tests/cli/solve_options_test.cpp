@@ -48,6 +48,26 @@ TEST_CASE("every class with mass holds --min-per-class particles", "[cli]") {
   CHECK(proved({"--min-per-class", "0"}).at("particles") == "1485");
 }
 
+TEST_CASE("a length without a unit is refused where the file has inches", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string inches = folder.write("in.csv", "size_in,mass\n0,1\n0.02,3\n0.04,2\n0.08,0\n"),
+                    phi = folder.write("phi.csv", "size_phi,mass\npan,1\n2,3\n1,2\n0,0\n"),
+                    table = folder.write("table.csv",
+                                         "Opening (in),Retained (g)\n0.08,0\n0.04,2\n0.02,3\nPan,1\n"),
+                    json = folder.write("a.json",
+                                        R"({"unit":"in","sizes":["0","1","2"],"masses":["2","1","0"]})"),
+                    names = folder.write("names.csv", "sieve,mass\npan,1\n1 mm,3\n2 mm,2\n4 mm,0\n");
+  for (const std::string &file : {inches, table})
+    check_refused(
+        mdm({"solve", file, "--pan-size", "0.01"}),
+        "--pan-size: 0.01 has no unit, and the sizes of the file are in inches: write 0.01in or 0.01mm");
+  check_refused(mdm({"solve", json, "--cut-below", "1"}), "write 1in or 1mm");
+  check_refused(mdm({"solve", inches, "--specimen", "box:1mmx1x1mm", "--void-ratio", "0.6"}), "--specimen");
+  CHECK(contains(mdm({"solve", inches, "--pan-size", "0.01in"}).out, "pan counted as size 0.254 mm"));
+  CHECK(contains(mdm({"solve", phi, "--pan-size", "63um"}).out, "pan counted as size 0.063 mm"));
+  CHECK(contains(mdm({"solve", names, "--pan-size", "0.01"}).out, "pan counted as size 0.01 mm"));
+}
+
 TEST_CASE("option --at-least is met, mostly exactly", "[cli]") {
   CHECK(proved({"--at-least", "1485"}).at("particles") == "1485");
   const Json answer = proved({"--at-least", "100000"});

@@ -127,6 +127,7 @@ TEST_CASE("words of the user are quoted, escaped and cut", "[cli]") {
     check_refused(mdm(arguments), shown);
   check_refused(mdm({"solve", "a", "--format", "json not in {text}"}),
                 "'json not in {text}' is not in {text,");
+  check_refused(mdm({"--quiet", "solve", "a"}), "'--quiet' stands before the command: write it behind that");
   check_refused(mdm({"solve", "a", "b", "-z", "--c=d"}), "'b', '-z', '--c=d' were not expected");
   check_refused(mdm({"solve", "a", "b.csv"}),
                 "'b.csv' was not expected: mdm solve takes one file at a time (mdm batch solves many); see");

@@ -220,3 +220,24 @@ TEST_CASE("spellings of sheets that are ordinary are read") {
     wide.insert(wide.size() - 1, ",x");
   CHECK(contains(refusal(wide + rows), "1000 cells or more"));
 }
+
+TEST_CASE("a loss beside percents is accounted for") {
+  const std::string percents = "Sieve (mm),Percent passing\n4,100\n2,60\n1,20\n";
+  CHECK(contains(refusal(percents + "Loss,50\n"), "'Loss' is 50 percent, more than 1: allow it with --loss"));
+  CHECK(masses(percents + "Loss,0.4\n") == "20 40 40 0");
+  CHECK(masses(percents + "Loss,0\n") == "20 40 40 0");
+  CHECK(contains(refusal("Sieve (mm),Fraction passing\n4,1\n2,0.6\n1,0.2\nLoss,0.5\n"), "'Loss' is "));
+}
+
+TEST_CASE("a mass on a sieve outside the table is not passed over") {
+  CHECK(contains(refusal(header + rows + "\nRetained on 8 mm: 500 g\n"),
+                 "is a mass on a sieve, outside the table"));
+  CHECK(contains(refusal("Oversize: 500 g\n" + header + rows), "is a mass on a sieve, outside the table"));
+}
+
+TEST_CASE("a wash loss below the table is used, and no note says that it is not") {
+  const Gradation g = read(header + "4,0\n2,60\n1,20\nPan,5\nWash loss: 5\n");
+  CHECK(text(g.masses()) == "10 20 60 0");
+  for (const std::string &note : g.notes())
+    CHECK_FALSE(contains(note, "left out"));
+}

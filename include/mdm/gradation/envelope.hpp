@@ -25,6 +25,10 @@ struct Envelope {
 /// may pass 2.36 mm`; nothing if one is.
 std::optional<std::string> contradiction(const Envelope &envelope);
 
+/// True of the content of a CSV file whose header names passing_min_percent or passing_max_percent: what
+/// read_envelope reads of it, mdm-check reads too.
+bool is_canonical_envelope(std::string_view content);
+
 /// Reads an envelope from the content of a CSV file with a column of sizes as in a gradation file and the
 /// columns passing_min_percent and passing_max_percent, or of a table with lower and upper limits of the
 /// percent that passes. `file` names it in messages.

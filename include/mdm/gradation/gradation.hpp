@@ -47,6 +47,7 @@ public:
     std::vector<Rational> roundings;  ///< half a unit of the last digit of what passes, percent, or empty
     std::vector<std::string> notes;   ///< what the reader assumed, for the report
     unsigned root = 1;                ///< d, from 1 to max_root
+    std::string file_unit = {};       ///< `inches` or `phi` where the file has its sizes so; else empty
   };
 
   /// \throws InputError naming the size where an invariant of the class does not hold
@@ -58,6 +59,8 @@ public:
 
   const std::string &id() const { return data_.id; }
   SizeUnit unit() const { return data_.unit; }
+  /// `inches` or `phi` where the file has its sizes so and they were converted; else empty.
+  const std::string &file_unit() const { return data_.file_unit; }
   /// d: openings are the d-th roots of fractions.
   unsigned root() const { return data_.root; }
   /// x_j^d of all openings.

@@ -53,8 +53,8 @@ export interface SolveWords {
   /** The smallest match with at least N particles. */
   atLeast?: number | string;
   /**
-   * At least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, or in the
-   * answer's unit (the file's; mm for inches, phi and sieve names).
+   * At least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, or in the file's
+   * unit (mm for sieve names; none of inches and phi).
    */
   specimen?: string;
   /** Void ratio e of the specimen. */
