@@ -1,6 +1,7 @@
 #include "answer/answer_reader.hpp"
 
 #include "number/common_denominator.hpp"
+#include "number/decimal_exponent.hpp"
 #include "number/long_decimal.hpp"
 #include "text/json_tree.hpp"
 #include "text/lines.hpp"
@@ -268,6 +269,30 @@ Gradation AnswerReader::gradation(PhiReading phi) {
   return Gradation(std::move(data));
 }
 
+Gradation AnswerReader::curve() {
+  const AnswerSample of = of_one_material(sample());
+  if (of.has_spread)
+    return gradation(PhiReading::exact);
+  const Rational part_below = 1 - ten_to(-12);
+  Gradation::Data data;
+  data.id = of.id;
+  data.unit = of.unit;
+  data.sizes = {0};
+  for (const AnswerSample::Class &c : of.classes) {
+    if (const Rational below = c.size_lo * part_below; below > data.sizes.back()) {
+      data.sizes.push_back(below);
+      data.masses.emplace_back(0);
+    }
+    data.sizes.push_back(c.size_hi);
+    data.masses.push_back(c.mass);
+  }
+  data.masses.emplace_back(0);
+  data.notes.push_back(
+      fmt::format("the curve is that of the {} particles of an answer: it rises at their sizes",
+                  to_string(of.particles)));
+  return Gradation(std::move(data));
+}
+
 StatedParticles AnswerReader::particles() const {
   StatedParticles stated;
   const Json &classes = array("classes");
@@ -329,6 +354,10 @@ AnswerSample read_answer(std::string_view content, const std::string &file) {
 
 AnswerSample read_material_answer(std::string_view content, const std::string &file) {
   return read_with(content, file, [](AnswerReader &reader) { return reader.sample(); });
+}
+
+Gradation answer_curve(std::string_view content, const std::string &file) {
+  return read_with(content, file, [](AnswerReader &reader) { return reader.curve(); });
 }
 
 Gradation answer_gradation(std::string_view content, const std::string &file, PhiReading phi) {

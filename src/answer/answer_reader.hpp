@@ -31,6 +31,8 @@ public:
   AnswerSample sample();
   /// The classes with the shares of the match, for answer_gradation.
   Gradation gradation(PhiReading phi);
+  /// The particles' curve, for answer_curve.
+  Gradation curve();
   /// The particles alone; what does not concern them is not looked at, not even the schema.
   StatedParticles particles() const;
 

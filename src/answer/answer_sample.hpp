@@ -56,6 +56,11 @@ bool is_answer(std::string_view begin);
 Gradation answer_gradation(std::string_view content, const std::string &file,
                            PhiReading phi = PhiReading::exact);
 
+/// The curve of the particles of an answer, with steps at their sizes: nothing is between two. Of a spread,
+/// whose sizes are many, the gradation.
+/// \throws InputError as read_answer
+Gradation answer_curve(std::string_view content, const std::string &file);
+
 /// \throws InputError if the answer's scale is not to the power that the law has it to
 void check_power(const AnswerSample &answer, const MassLaw &law);
 

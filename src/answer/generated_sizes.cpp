@@ -117,7 +117,8 @@ void write_classes(const GeneratedSet &set, const Draws &draws, SizeWriter &out)
 
 void write_sizes_csv(const GeneratedSet &set, const Draws &draws, const Sink &sink) {
   LongText out(sink);
-  out.add("class,size_lo,size_hi\n");
+  const std::string unit = set.unit.empty() ? "" : "_" + set.unit;
+  out.add("class,size_lo{0},size_hi{0}\n", unit);
   CsvSizes rows(out);
   write_classes(set, draws, rows);
   out.finish();

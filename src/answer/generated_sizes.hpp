@@ -7,7 +7,7 @@
 
 namespace mdm {
 
-/// Rows class,size_lo,size_hi.
+/// Rows class,size_lo,size_hi; the header has the unit of the sizes, if they have one.
 void write_sizes_csv(const GeneratedSet &set, const Draws &draws, const Sink &sink);
 
 /// An array of "p/q" or ["lo","hi"].

@@ -144,12 +144,12 @@ std::string cost_guide(const ExportFormat &format, const ParticleSet &set, const
   if (!format.has_comments && !set.law.is_sphere())
     text += law_statement(set).substr(1) + "\n";
   if (start)
-    text += fmt::format(
-        "{}: {} x {} x {} {}{}, void ratio {}; {}\n",
-        start->sides() == Sides::cylinder ? "cylinder in a box" : "box", start->text(start->box()[0]),
-        start->text(start->box()[1]), start->text(start->box()[2]), name(set.unit),
-        start->sides() == Sides::periodic ? ", repeated in x and y" : "", certain_digits(start->void_ratio()),
-        start->is_kept() ? "the particles are where they were" : "no two particles overlap");
+    text +=
+        fmt::format("{}: {} x {} x {} {}{}, void ratio {}; {}\n",
+                    start->sides() == Sides::cylinder ? "cylinder in a box" : "box",
+                    start->text(start->box()[0]), start->text(start->box()[1]), start->text(start->box()[2]),
+                    name(set.unit), start->repeated_text(), certain_digits(start->void_ratio()),
+                    start->is_kept() ? "the particles are where they were" : "no two particles overlap");
   return text;
 }
 

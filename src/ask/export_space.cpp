@@ -142,10 +142,9 @@ Placement kept(const ExportTexts &c, const ExportedParticles &found) {
                                  option("start")));
   if (asked_space(c) == Space::cylinder && std::abs(places.box[0] - places.box[1]) > 1e-9 * places.box[0])
     throw InputError(option("sides") + " cylinder: the file's box is not as long as wide: leave it out");
-  const Sides sides = asked_space(c) == Space::box && !c.sides && !c.model && is_pillar
-                          ? Sides::periodic
-                          : sides_of(asked_space(c));
-  return {*found.set, places, sides};
+  const bool is_as_there = asked_space(c) == Space::box && !c.sides && !c.model;
+  const Sides sides = is_as_there && is_pillar ? Sides::periodic : sides_of(asked_space(c));
+  return {*found.set, places, sides, is_as_there};
 }
 
 } // namespace
@@ -177,6 +176,9 @@ Placement placed(const ExportTexts &c, const ExportedParticles &found,
 std::vector<std::string> rounding_notes(const ExportTexts &c, const ExportedParticles &found,
                                         const Placement &start) {
   std::vector<std::string> notes;
+  if (c.to == "gsd" && start.repeated() != std::array<bool, 3>{true, true, true})
+    notes.push_back(
+        "GSD has no walls: who reads the file takes its box as one that is repeated on all sides");
   if (start.is_kept()) {
     notes.push_back("the particles stay where they lie in FILE, from the lower corner of " +
                     std::string(found.places->has_box ? "its box" : "the smallest box around them") +

@@ -202,7 +202,7 @@ int run(const PlotCommand &command) {
   GradationFigure what = c.asked.figure(is_sample);
   const Gradation read = is_sample ? any_curve(c.file, c.reading, c.output.quiet).gradation
                          : is_answer(content)
-                             ? answer_gradation(content, shown_name(c.file))
+                             ? answer_curve(content, shown_name(c.file))
                              : read_gradation(content, shown_name(c.file), c.reading.reading());
   const Gradation g = in_file(c.file, [&] { return c.soil.with_pan(read); });
   std::vector<std::string> notes;

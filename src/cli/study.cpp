@@ -111,7 +111,7 @@ int run_specimens(const StudyCommand &c) {
     throw InputError("study specimens takes two files: mdm study specimens GRADATION SPECIMENS");
   if (c.plots)
     throw InputError(option("plots") + ": not an option of specimens: leave it out");
-  check_distinct(c.files);
+  check_paths(c.files, {c.out ? *c.out + "/specimens.csv" : "-"});
   const std::string &file = c.files[0];
   const Gradation g = read_gradation(read_file(file, max_gradation_bytes), shown_name(file));
   if (g.unit() != SizeUnit::mm)

@@ -155,7 +155,9 @@ UnderstoodGradation read_any(const std::string &path, const ReadingTexts &readin
             false};
   }
   if (is_answer(begin) && !reading.is_given())
-    return {answer_gradation(read_file(path, max_set_bytes), shown_name(path), phi),
+    return {classes == SampleClasses::at_sizes
+                ? answer_curve(read_file(path, max_set_bytes), shown_name(path))
+                : answer_gradation(read_file(path, max_set_bytes), shown_name(path), phi),
             "answer of mdm solve",
             "bounds of classes",
             "masses of the particles",

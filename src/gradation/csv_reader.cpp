@@ -120,8 +120,8 @@ private:
                          : name == material_column ? &material_
                                                    : nullptr;
     if (place == &material_ && kind_ != CsvKind::materials)
-      rows_.refuse(fmt::format("column {} is of a gradation of several materials: mdm solve and mdm verify "
-                               "take it; here give the rows of one material, without this column",
+      rows_.refuse(fmt::format("column {} is of a gradation of several materials: mdm solve, verify and "
+                               "export take it; here give the rows of one material, without this column",
                                material_column));
     if (place == nullptr)
       rows_.refuse(fmt::format("column {} is unknown: after the first two there may be {} and {}",
@@ -152,9 +152,12 @@ private:
   const std::string &material_name() const {
     constexpr std::size_t most_bytes = 100;
     const std::string &name = rows_.fields()[material_];
-    if (name.empty() || name.size() > most_bytes || trimmed(name).size() != name.size())
-      rows_.refuse(fmt::format("material {} is no name: give 1 to {} bytes without spaces around them",
-                               in_quotes(name), most_bytes));
+    if (name.empty() || name.size() > most_bytes || trimmed(name).size() != name.size() ||
+        printable(name) != name)
+      rows_.refuse(
+          fmt::format("material {} is no name: give 1 to {} bytes that can be printed, without spaces "
+                      "around them",
+                      in_quotes(name), most_bytes));
     return name;
   }
 

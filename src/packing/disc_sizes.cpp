@@ -13,7 +13,7 @@ namespace {
 
 /// Digits of a size; 10^18 is below 2^63.
 constexpr unsigned most_digits = 18;
-constexpr std::string_view csv_header = "class,size_lo,size_hi";
+constexpr std::string_view csv_begins = "class,size_lo";
 
 /// A positive decimal, as an enclosure of itself.
 Enclosure enclosed(const Rational &size) {
@@ -47,6 +47,16 @@ Enclosure enclosed_json(const nlohmann::json &size) {
   return enclose_root(numerator(r), denominator(r), 1, digits);
 }
 
+/// The unit that a header class,size_lo,size_hi names, empty where it names none; nothing of another line.
+std::optional<std::string> unit_of_header(std::string_view line) {
+  for (const std::string unit : {"", "mm", "um", "m", "in"}) {
+    const std::string ending = unit.empty() ? "" : "_" + unit;
+    if (line == "class,size_lo" + ending + ",size_hi" + ending)
+      return unit;
+  }
+  return std::nullopt;
+}
+
 /// Rows of class, size_lo and size_hi.
 DiscSizes sizes_of_csv(std::string_view csv, std::string_view file) {
   const Source source(file);
@@ -55,8 +65,10 @@ DiscSizes sizes_of_csv(std::string_view csv, std::string_view file) {
   Lines lines(csv);
   std::vector<std::string> fields;
   lines.next();
-  if (lines.text() != csv_header)
+  const std::optional<std::string> unit = unit_of_header(lines.text());
+  if (!unit)
     source.refuse(1, "more columns than class,size_lo,size_hi: write the sizes with mdm generate --sizes");
+  sizes.unit = *unit;
   while (lines.next()) {
     if (trimmed(lines.text()).empty())
       continue;
@@ -128,12 +140,11 @@ std::int64_t DiscSizes::radius(const DiscSize &diameter, unsigned places) {
 }
 
 bool has_disc_sizes(std::string_view text) {
-  return text.starts_with(csv_header) || json_schema(text) == "mdm-generate-1";
+  return text.starts_with(csv_begins) || json_schema(text) == "mdm-generate-1";
 }
 
 DiscSizes read_disc_sizes(std::string_view text, std::string_view file) {
-  return text.substr(0, csv_header.size()) == csv_header ? sizes_of_csv(text, file)
-                                                         : sizes_of_json(text, file);
+  return text.starts_with(csv_begins) ? sizes_of_csv(text, file) : sizes_of_json(text, file);
 }
 
 } // namespace mdm

@@ -37,8 +37,8 @@ struct DiscSizes {
 /// True for a text that begins as a file of sizes does.
 bool has_disc_sizes(std::string_view text);
 
-/// Reads the sizes that `mdm generate --sizes` writes: rows of `class,size_lo,size_hi`, or the JSON of a set
-/// of discs.
+/// Reads the sizes that `mdm generate --sizes` writes: rows of `class,size_lo,size_hi`, the sizes with their
+/// unit, or the JSON of a set of discs.
 /// \throws InputError `file:line: what`
 DiscSizes read_disc_sizes(std::string_view text, std::string_view file);
 

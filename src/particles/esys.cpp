@@ -127,10 +127,10 @@ std::unique_ptr<LineReader> read_esys(ParticleSource &source) {
 void write_esys(const Placement &start, const Sink &out) {
   const ParticleSet &set = start.set();
   const auto &[a, b, height] = start.box();
-  const char *const periodic = start.sides() == Sides::periodic ? "1 1 0" : "0 0 0";
+  const auto [x, y, z] = start.repeated();
   LongText text(out);
-  text.add("LSMGeometry 1.2\nBoundingBox 0 0 0 {} {} {}\nPeriodicBoundaries {}\nDimension 3D\n",
-           start.text(a), start.text(b), start.text(height), periodic);
+  text.add("LSMGeometry 1.2\nBoundingBox 0 0 0 {} {} {}\nPeriodicBoundaries {:d} {:d} {:d}\nDimension 3D\n",
+           start.text(a), start.text(b), start.text(height), x, y, z);
   text.add("BeginParticles\nSimple\n{}\n", to_string(set.particles()));
   std::uint64_t id = 0;
   start.each([&](const Placement::Sphere &s) {

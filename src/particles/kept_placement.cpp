@@ -9,8 +9,10 @@
 
 namespace mdm {
 
-Placement::Placement(const ParticleSet &set, const KeptPlaces &places, Sides sides)
+Placement::Placement(const ParticleSet &set, const KeptPlaces &places, Sides sides, bool is_repeated)
     : set_(&set), seed_(0), sides_(sides), is_kept_(true) {
+  if (is_repeated)
+    kept_repeated_ = places.periodic;
   check_simulated(set);
   choose_unit();
   refine_unit(exact_value(*std::max_element(places.box.begin(), places.box.end())));

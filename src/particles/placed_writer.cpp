@@ -18,8 +18,7 @@ std::string box_line(const Placement &start) {
     return fmt::format("Cylinder: diameter {}, height {}, in the box of that width from the origin; {}.",
                        start.text(a), start.text(height), how);
   return fmt::format("Box: {} x {} x {}, from the origin{}; {}.", start.text(a), start.text(b),
-                     start.text(height), start.sides() == Sides::periodic ? ", repeated in x and y" : "",
-                     how);
+                     start.text(height), start.repeated_text(), how);
 }
 
 /// \param is_typed each class has a type of its own, from 1 on, and there is one more for walls
@@ -90,11 +89,14 @@ void write_extxyz(const Placement &start, const Sink &out) {
   std::string heading = title(set) + ". " + mass_statement(set);
   std::replace(heading.begin(), heading.end(), '"', '\'');
   std::replace(heading.begin(), heading.end(), '\\', '/');
+  std::string pbc;
+  for (const bool is_repeated : start.repeated())
+    pbc += std::string(pbc.empty() ? "" : " ") + (is_repeated ? "T" : "F");
   // X is the species of what is no element.
   text.add("{}\nLattice=\"{} 0 0 0 {} 0 0 0 {}\" Properties=species:S:1:type:I:1:pos:R:3:radius:R:1:id:I:1 "
            "pbc=\"{}\" unit={} Title=\"{}\"\n",
-           to_string(set.particles()), start.text(a), start.text(b), start.text(height),
-           start.sides() == Sides::periodic ? "T T F" : "F F F", name(set.unit), heading);
+           to_string(set.particles()), start.text(a), start.text(b), start.text(height), pbc, name(set.unit),
+           heading);
   std::uint64_t id = 0;
   start.each([&](const Placement::Sphere &s) {
     text.add("X {} {} {} {} {} {}\n", set.classes[s.class_index].number, start.text(s.at[0]),

@@ -150,6 +150,20 @@ void Placement::add_slab(std::size_t class_index) {
   slabs_.push_back(slab);
 }
 
+std::array<bool, 3> Placement::repeated() const {
+  const bool is_pillar = sides_ == Sides::periodic;
+  return kept_repeated_.value_or(std::array<bool, 3>{is_pillar, is_pillar, false});
+}
+
+std::string Placement::repeated_text() const {
+  std::string axes;
+  const std::array<bool, 3> are = repeated();
+  for (std::size_t axis = 0; axis < are.size(); ++axis)
+    if (are[axis])
+      axes += axes.empty() ? std::string(1, "xyz"[axis]) : std::string(" and ") + "xyz"[axis];
+  return axes.empty() ? "" : ", repeated in " + axes;
+}
+
 std::string Placement::text(std::int64_t units) const {
   std::string digits = std::to_string(units);
   if (places_ == 0)

@@ -97,14 +97,19 @@ public:
             Start start = Start::layers, const StartProgress &progress = {});
   Placement(ParticleSet &&set, const std::optional<Footprint> &floor, std::uint64_t seed) = delete;
   /// The places of a file, rounded to some 10^-9 of the smallest size or less; they may overlap.
+  /// \param is_repeated  the box is repeated as that of the file; else as the sides say
   /// \throws InputError as above
-  Placement(const ParticleSet &set, const KeptPlaces &places, Sides sides);
+  Placement(const ParticleSet &set, const KeptPlaces &places, Sides sides, bool is_repeated);
 
   const ParticleSet &set() const { return *set_; }
   /// The box is [0, a] x [0, b] x [0, height], in units.
   const std::array<std::int64_t, 3> &box() const { return box_; }
   /// The box's sides; a cylinder stands in the box and touches its sides.
   Sides sides() const { return sides_; }
+  /// The axes along which the box is repeated.
+  std::array<bool, 3> repeated() const;
+  /// `, repeated in x and y`; empty of a box that is not.
+  std::string repeated_text() const;
   /// True if the places are those of a file.
   bool is_kept() const { return is_kept_; }
   unsigned places() const { return places_; }
@@ -150,6 +155,7 @@ private:
   unsigned places_ = 0;
   std::array<std::int64_t, 3> box_{};
   Sides sides_ = Sides::walls;
+  std::optional<std::array<bool, 3>> kept_repeated_; ///< of a file's box
   bool is_kept_ = false;
   std::vector<Slab> slabs_;     ///< of layers
   std::vector<Sphere> spheres_; ///< of all starts but layers

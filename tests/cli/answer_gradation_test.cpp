@@ -79,6 +79,9 @@ TEST_CASE("sizes in ranges are steps of the curve, as single sizes are", "[cli]"
   };
   CHECK(contains(passing(grains), ",81.35"));
   CHECK(contains(passing(answer), ",81.35"));
+  const std::string json = folder / "a.json";
+  REQUIRE(mdm({"solve", sand, "-o", json}).exit_code == 0);
+  CHECK(contains(passing(json), ",81.35"));
 }
 
 TEST_CASE("an answer without particles, or of several materials, is no gradation", "[cli]") {

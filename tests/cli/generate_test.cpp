@@ -535,3 +535,17 @@ TEST_CASE("the help names what its options take", "[generate]") {
   CHECK(help.out.find(" :{") == std::string::npos);
   CHECK(help.out.find("--method TEXT:{paper,match}") != std::string::npos);
 }
+
+TEST_CASE("the sizes of a set whose unit is known have it in their header", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string um = folder.write("um.csv", "size_um,mass\n100,1\n200,3\n400,0\n"),
+                    sizes = folder / "sizes.csv";
+  REQUIRE(mdm({"generate", "--curve", um, "--sizes", "--at-least", "10", "--min-per-class", "1", "-o", sizes})
+              .exit_code == 0);
+  CHECK(read_file(sizes).starts_with("class,size_lo_mm,size_hi_mm\n"));
+  CHECK(mdm({"verify", um, sizes, "--tolerance", "30"}).exit_code == 0);
+  const std::string discs = folder / "discs.csv";
+  REQUIRE(mdm({"generate", "--curve", um, "--dimension", "2", "--sizes", "--at-least", "10", "-o", discs})
+              .exit_code == 0);
+  CHECK(mdm({"pack", discs, "-o", folder / "p", "--quiet"}).exit_code == 0);
+}

@@ -271,3 +271,10 @@ TEST_CASE("particles of several materials are exported, each with its material a
   check_refused(exported({"--to", "csv", "--pan-size", "1um", "-o", folder / "x.csv"}),
                 "--pan-size: it is of");
 }
+
+TEST_CASE("a material whose name cannot be printed is refused", "[cli]") {
+  const TemporaryFolder folder;
+  for (const std::string name : {"a\tb", "\xEF\xBB\xBF"
+                                         "c"})
+    check_refused(mdm({"solve", folder.write("m.csv", replaced(beach, "quartz", name))}), "is no name");
+}
