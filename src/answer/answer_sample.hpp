@@ -57,7 +57,7 @@ Gradation answer_gradation(std::string_view content, const std::string &file,
                            PhiReading phi = PhiReading::exact);
 
 /// The curve of the particles of an answer, with steps at their sizes: nothing is between two. Of a spread,
-/// whose sizes are many, the gradation.
+/// whose particles have sizes of their own, its gradation.
 /// \throws InputError as read_answer
 Gradation answer_curve(std::string_view content, const std::string &file);
 

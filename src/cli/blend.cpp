@@ -53,7 +53,7 @@ std::optional<std::string> blended_file(const BlendCommand &c, const Blending &b
 
 /// The gradation of a stockpile; where there is to be a proof, of a file that mdm-check reads as it is.
 Gradation stockpile_in(const std::string &file, const BlendCommand &c) {
-  UnderstoodGradation g = any_gradation(file, c.reading, c.output.quiet);
+  UnderstoodGradation g = any_curve(file, c.reading, c.output.quiet);
   if (c.proof && (!g.is_canonical || c.reading.is_given() || !is_plain_file(file)))
     throw InputError(option("proof") + ": mdm-check does not read " + shown_name(file) +
                      " as it was read: let mdm convert write it, and give that");
@@ -85,7 +85,7 @@ Envelope specification_in(const BlendCommand &c) {
 Gradation target_in(const BlendCommand &c, const Envelope &specification) {
   const std::string &target = *c.asked.target;
   if (!names_target_curve(target))
-    return any_gradation(target, {}, c.output.quiet).gradation;
+    return any_curve(target, {}, c.output.quiet).gradation;
   return gradation_of(named("target", target, parse_target_curve), specification, target);
 }
 

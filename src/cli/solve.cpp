@@ -85,7 +85,7 @@ Target target(const SolveCommand &c, const Question &question, const std::string
 std::optional<SideFile> readable_gradation(const SolveCommand &c, const Target &of,
                                            std::vector<std::string> &notes) {
   const std::string &source = c.flags.source(c.file);
-  if (of.is_canonical && (source == "-" || is_plain_file(source)))
+  if (of.is_canonical && is_plain_file(source))
     return std::nullopt;
   const std::string path = *c.proof + ".gradation.csv";
   check_distinct({source, *c.proof, path, c.vipr.value_or("-"), c.coq.value_or("-"), c.output.path()});

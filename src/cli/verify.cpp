@@ -46,7 +46,7 @@ struct VerifyCommand {
 /// True if the checker reads the sample as it is, and as it is read here.
 bool is_canonical_sample(const VerifyCommand &c) {
   const ParticleTexts &said = c.asked.particles;
-  if (!is_plain_file(c.sample) || said.say_sizes() || (said.from && *said.from != "csv"))
+  if (c.sample == "-" || !is_plain_file(c.sample) || said.say_sizes() || (said.from && *said.from != "csv"))
     return false;
   ByteSource bytes(c.sample);
   CanonicalSampleTest test;

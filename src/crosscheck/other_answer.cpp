@@ -7,6 +7,7 @@
 
 #include "answer/answer_reader.hpp"
 #include "answer/string_members.hpp"
+#include "crosscheck/batch_rows.hpp"
 #include "number/long_decimal.hpp"
 #include "particles/particle_format.hpp"
 #include "text/json_tree.hpp"
@@ -285,6 +286,8 @@ std::vector<OtherAnswer> read_answers(std::string_view content, const std::strin
   content = without_byte_order_mark(content);
   const std::size_t first = content.find_first_not_of(" \t\r\n");
   const bool json = first != std::string_view::npos && content[first] == '{';
+  if (is_batch_header(trimmed(content.substr(0, content.find('\n')))))
+    return read_batch_rows(content, file);
   std::vector<OtherAnswer> answers;
   std::optional<Table> table;
   Lines lines(content);

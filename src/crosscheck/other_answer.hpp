@@ -49,7 +49,8 @@ std::string answer_line(const OtherAnswer &answer,
 /// Reads a file of answers: CSV with a header, or JSON Lines (if it begins with `{`). The columns of CSV are
 /// `id`, `quantities` (whole numbers separated by spaces), optionally one of `sizes_mm`, `sizes_um`,
 /// `sizes_m`, `sizes_in` (decimals separated by spaces), and any others as labels. A line that cannot be read
-/// is an answer that is garbage. Blank lines and, in CSV, those that begin with # are skipped.
+/// is an answer that is garbage. A table of mdm batch is read too. Blank lines and, in CSV, those that begin
+/// with # are skipped.
 /// \throws InputError `file:line: ...` if the header is broken
 std::vector<OtherAnswer> read_answers(std::string_view content, const std::string &file);
 

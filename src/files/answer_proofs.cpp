@@ -2,6 +2,7 @@
 
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/text/error.hpp>
@@ -33,8 +34,8 @@ void AnswerProofs::add(const SuiteLine &entry, const Gradation &asked, const Oth
 
 std::string AnswerProofs::note() const {
   const std::uint64_t missing = answers_ - proofs_;
-  return fmt::format("{} certificates are in {}; check them with: mdm-check --suite {}{}", proofs_.load(),
-                     printable(folder_), shell_word(folder_),
+  return fmt::format("{} certificates are in {}; check them with: mdm-check {} {}{}", proofs_.load(),
+                     printable(folder_), option("suite", OptionSpelling::program), shell_word(folder_),
                      missing > 0
                          ? fmt::format("; of {} answers there is none: sizes that are not stated, or have "
                                        "a tolerance, leave it open whether they match",

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <map>
 #include <mutex>
@@ -28,6 +29,8 @@ struct OpenPipe {
 /// The pipes of the run by their names; without one where it was read.
 std::mutex pipes_mutex;
 std::map<std::string, std::optional<OpenPipe>> pipes;
+
+std::atomic<bool> standard_input_is_packed = false;
 
 bool is_pipe(const std::string &path) {
   struct stat status {};
@@ -114,6 +117,8 @@ bool ByteSource::begin(std::string &text) {
   while (first.size() < packed_mark && read_raw(first)) {
   }
   unpacker_ = in_file(path_, [&] { return unpacker_of(first, path_); });
+  if (path_ == "-")
+    standard_input_is_packed = unpacker_ != nullptr;
   if (unpacker_) {
     packed_ = std::move(first);
     return unpack_some(text);
@@ -168,6 +173,8 @@ std::string beginning_of_file(const std::string &path, std::size_t most) {
 }
 
 bool is_plain_file(const std::string &path) {
+  if (path == "-")
+    return !standard_input_is_packed;
   if (!file_bytes(path))
     return false;
   const int descriptor = open_for_reading(path);

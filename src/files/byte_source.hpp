@@ -62,7 +62,8 @@ std::string read_file(const std::string &path, std::size_t most);
 /// that comes next has them too.
 std::string beginning_of_file(const std::string &path, std::size_t most);
 
-/// True of a regular file that is not packed: programs that only know its name can read it as it is.
+/// True of a regular file that is not packed: programs that only know its name can read it as it is. Of
+/// standard input, that what was read of it is not packed.
 bool is_plain_file(const std::string &path);
 
 } // namespace mdm

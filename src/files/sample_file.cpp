@@ -142,27 +142,54 @@ void refuse_sample(const std::string &path) {
 
 namespace {
 
+/// That of its particles.
+Gradation curve_of_set(const StatedSet &set) {
+  SampleSieves sieves;
+  for (const SizeRange &size : set.sizes)
+    sieves.add(size, 1);
+  std::vector<std::string> notes;
+  if (!set.unit)
+    notes.emplace_back("the set names no unit: its sizes were taken as mm");
+  return sieves.gradation(set.id, set.unit.value_or(SizeUnit::mm), notes, SampleClasses::at_sizes);
+}
+
+/// That of its particles; of a spread, of each size of them.
+Gradation curve_of_answer(const std::string &content, const std::string &path) {
+  const AnswerSample answer = read_answer(content, shown_name(path));
+  if (!answer.has_spread)
+    return answer_curve(content, shown_name(path));
+  SampleSieves sieves;
+  for (const AnswerSample::Class &c : answer.classes)
+    for (const auto &[lo, hi] : c.sizes)
+      sieves.add(SizeRange{lo, hi}, 1);
+  return sieves.gradation(answer.id, answer.unit, {}, SampleClasses::at_sizes);
+}
+
 UnderstoodGradation read_any(const std::string &path, const ReadingTexts &reading, bool quiet, PhiReading phi,
                              SampleClasses classes) {
   const std::string begin = first_bytes(path);
   if (is_generated(begin)) {
     const StatedSet set = read_generated(read_file(path, max_set_bytes), shown_name(path));
-    return {in_file(path, [&set] { return set_gradation(set); }),
+    const bool has_spheres = !set.sizes.empty() && set.dimension == 3;
+    return {classes == SampleClasses::at_sizes && has_spheres
+                ? curve_of_set(set)
+                : in_file(path, [&set] { return set_gradation(set); }),
             "set of mdm generate",
             "bounds of classes",
             "volume fractions",
             {},
             false};
   }
-  if (is_answer(begin) && !reading.is_given())
-    return {classes == SampleClasses::at_sizes
-                ? answer_curve(read_file(path, max_set_bytes), shown_name(path))
-                : answer_gradation(read_file(path, max_set_bytes), shown_name(path), phi),
+  if (is_answer(begin) && !reading.is_given()) {
+    const std::string content = read_file(path, max_set_bytes);
+    return {classes == SampleClasses::at_sizes ? curve_of_answer(content, path)
+                                               : answer_gradation(content, shown_name(path), phi),
             "answer of mdm solve",
             "bounds of classes",
             "masses of the particles",
             {},
             false};
+  }
   if (reading.is_unit_at_most() && (is_gsd(begin) || told_format(begin))) {
     ParticleOptions options;
     options.says_otherwise = option("unit") + " says";

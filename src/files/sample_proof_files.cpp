@@ -1,5 +1,6 @@
 #include "files/sample_proof_files.hpp"
 
+#include "files/byte_source.hpp"
 #include "files/paths.hpp"
 #include "text/lines.hpp"
 #include "text/option_name.hpp"
@@ -29,7 +30,7 @@ SampleProofFiles::SampleProofFiles(std::string proof, std::string gradation, con
                                    std::optional<std::string> sample)
     : path_(std::move(proof)), gradation_path_(std::move(gradation)), sample_path_(std::move(sample)),
       proof_(path_) {
-  if (read.is_canonical && is_plain_file(gradation_path_))
+  if (read.is_canonical && gradation_path_ != "-" && is_plain_file(gradation_path_))
     return;
   gradation_path_ = path_ + gradation_ending;
   gradation_.emplace(gradation_path_);

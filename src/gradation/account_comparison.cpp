@@ -53,9 +53,9 @@ std::optional<FarthestApart> farthest_apart(const AccountColumn &first, const Ac
   return farthest;
 }
 
-/// True for shares that say by themselves what passes the finest sieve.
-bool have_rest(const AccountColumn &shares) {
-  return !shares.is_retained() && shares.below && shares.below->value > 0;
+/// True for a column that says by itself that something passes the finest sieve, whatever its rounding.
+bool have_rest(const AccountColumn &column) {
+  return !column.is_retained() && column.below && column.below->range().lo > 0;
 }
 
 /// True where both have one unit that is known.
@@ -126,9 +126,18 @@ private:
     say(fmt::format("the columns {} and {} differ at {}: {}", quoted(a), quoted(b), size(sieve), what_to_do));
   }
 
+  /// True for masses of the sieves alone beside a column by which something passes the finest sieve.
+  bool lacks_rest(const AccountColumn &masses, const AccountColumn &other) const {
+    return !a_.rows.have_fines() && masses.adds_masses() && have_rest(other);
+  }
+
   /// What passes the finest sieve by two columns of one unit.
   std::optional<std::string> difference_below(std::size_t a, std::size_t b) const {
     const AccountColumn &first = column(a), &second = column(b);
+    if (lacks_rest(first, second) && share_unit(first, second))
+      return fmt::format(
+          "{} passes the finest sieve by the column {}, and {} has no row of the pan: write it",
+          shown(second.below->value), quoted(b), quoted(a));
     if (!first.below || !second.below || !share_unit(first, second) || !first.whole() ||
         a_.loss.explains(*first.below, *second.below, first.whole()->value))
       return std::nullopt;
@@ -140,13 +149,15 @@ private:
   std::optional<std::string> difference_of_wholes(std::size_t a, std::size_t b, const Interval &whole) {
     const AccountColumn &masses = column(a);
     const std::optional<PrintedNumber> sum = masses.whole();
-    if (!sum || agree(*sum, whole))
+    if (!sum)
       return std::nullopt;
-    if (!a_.rows.have_fines() && sum->range().hi < whole.lo && have_rest(column(b))) {
-      deciding_shares_.push_back(b);
+    if (lacks_rest(masses, column(b)) && sum->range().lo <= whole.hi) {
+      with_rest_.push_back(b);
       result_.whole = whole;
       return std::nullopt;
     }
+    if (agree(*sum, whole))
+      return std::nullopt;
     for (const std::optional<PrintedNumber> &other :
          {number_of(a_.rows.total(), a), in_unit_of(masses, a_.stated.initial)})
       if (other && agree(*other, whole) && a_.loss.explains(*other, *sum))
@@ -156,21 +167,21 @@ private:
                        remedy(masses, column(b)));
   }
 
-  /// Masses without a row of the pan give way to shares that say what passes the finest sieve.
+  /// Masses without a row of the pan give way to a column that says what passes the finest sieve.
   void find_deciding() {
-    if (a_.is_asked || column(0).is_share() || deciding_shares_.empty())
+    if (a_.is_asked || !column(0).adds_masses() || with_rest_.empty())
       return;
     const auto is_full = [this](std::size_t c) {
       return std::all_of(column(c).sieves.begin(), column(c).sieves.end(),
                          [](const std::optional<PrintedNumber> &n) { return n.has_value(); });
     };
-    const auto found = std::find_if(deciding_shares_.begin(), deciding_shares_.end(), is_full);
-    if (found == deciding_shares_.end())
+    const auto found = std::find_if(with_rest_.begin(), with_rest_.end(), is_full);
+    if (found == with_rest_.end())
       source_.refuse(
           a_.header_line,
           fmt::format("the masses in {} have no row of the pan, and {}, by which something passes the "
                       "finest sieve, has empty cells: fill them, or write the row of the pan",
-                      quoted(0), quoted(deciding_shares_[0])));
+                      quoted(0), quoted(with_rest_[0])));
     result_.deciding = *found;
     notes_.push_back(fmt::format("The masses in {} have no row of the pan; {} decides, where {} "
                                  "percent pass the finest sieve, {}.",
@@ -182,8 +193,8 @@ private:
   const Source &source_;
   std::vector<std::string> &notes_;
   ColumnsCompared result_;
-  std::vector<std::size_t> deciding_shares_;
-  ShortList agreeing_; ///< with the chosen one
+  std::vector<std::size_t> with_rest_; ///< by which something passes the finest sieve
+  ShortList agreeing_;                 ///< with the chosen one
 };
 
 } // namespace

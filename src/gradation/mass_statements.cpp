@@ -24,6 +24,24 @@ std::pair<std::string_view, std::string_view> split_statement(std::string_view c
   return {without_spaces(cell.substr(0, sign)), without_spaces(cell.substr(sign + 1))};
 }
 
+/// `Wash loss 20 g` of `Remarks: wash loss 20 g`.
+std::string_view without_word_of_note(std::string_view cell) {
+  const std::size_t colon = cell.find(':');
+  const bool is_note = colon != std::string_view::npos &&
+                       has_word("note notes remark remarks comment comments anmerkung anmerkungen bemerkung "
+                                "bemerkungen hinweis remarque remarques nota notas observacion observaciones "
+                                "osservazione osservazioni",
+                                plain_words(cell.substr(0, colon)));
+  return is_note ? without_spaces(cell.substr(colon + 1)) : cell;
+}
+
+/// The digits of the last whole number in a text. \pre it has a digit
+std::string_view last_digits(std::string_view text) {
+  const std::size_t last = text.find_last_of("0123456789");
+  const std::size_t before = text.find_last_not_of("0123456789", last);
+  return text.substr(before + 1, last - before);
+}
+
 bool holds_digit(std::string_view text) {
   return std::any_of(text.begin(), text.end(), is_digit);
 }
@@ -127,7 +145,8 @@ private:
   }
 
   /// A cell of words, with a number in it or without.
-  void take_label(std::string_view cell, std::size_t i) {
+  void take_label(std::string_view whole_cell, std::size_t i) {
+    const std::string_view cell = without_word_of_note(whole_cell);
     auto [label, behind] = split_statement(cell);
     if (behind.empty())
       if (const auto parts = split_at_mass(cell))
@@ -147,6 +166,11 @@ private:
       state(*number, behind, row_, i);
     } else if (!is_numbered && must_be_read(label) && holds_digit(behind)) {
       state_unclear(label, behind);
+      stated_ = true;
+    } else if (speaks_of_splitting(cell) && holds_digit(cell)) {
+      MassStatement s{RowMeaning::none, std::string(cell), std::string(last_digits(cell))};
+      s.line = row_.line;
+      statements_.push_back(std::move(s));
       stated_ = true;
     }
   }

@@ -51,7 +51,8 @@ constexpr std::string_view sample =
 constexpr std::string_view sieving =
     "sieving sieved sieve siebung sieben tamisage tamizado setacciatura vagliatura";
 constexpr std::string_view passing =
-    "passing passes passed minus finer smaller less below under kleiner unter durchgang passant passants "
+    "passing passes passed minus finer smaller less below under kleiner unter durchgang siebdurchgang "
+    "passant passants "
     "pasa "
     "pasante passante tamisat inferieur inferieure inferior menor inferiore minore undersize";
 constexpr std::string_view container =
@@ -62,7 +63,8 @@ constexpr std::string_view moist =
 constexpr std::string_view splitting =
     "split splits splitting subsample subsamples subsampled riffle riffled riffling riffler quartered "
     "quartering "
-    "reduced reduction teilprobe teilproben probenteilung probeteilung geteilt riffelteiler quartage quarte "
+    "reduced reduction geviertelt viertelung teilprobe teilproben probenteilung probeteilung geteilt "
+    "riffelteiler quartage quarte "
     "reduit reduite reduits cuarteo cuarteado cuarteada submuestra reducida reducido quartatura "
     "sottocampione "
     "ridotto ridotta";
@@ -103,6 +105,17 @@ public:
   bool have_two(std::string_view first, std::string_view second) const {
     for (std::size_t i = 0; i + 1 < all_.size(); ++i)
       if (all_[i] == first && has_word(second, all_[i + 1]))
+        return true;
+    return false;
+  }
+
+  /// `100 g of 400 g`.
+  bool have_part_of_mass() const {
+    const auto is_mass = [this](std::size_t i) {
+      return i + 1 < all_.size() && is_digit(all_[i].front()) && has_word("g gr gram grams kg", all_[i + 1]);
+    };
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      if (is_mass(i) && is_mass(i + 3) && has_word("of from von aus de sur di su", all_[i + 2]))
         return true;
     return false;
   }
@@ -222,8 +235,9 @@ bool speaks_of_washing(std::string_view text) {
 bool speaks_of_splitting(std::string_view text) {
   using namespace row_vocabulary;
   const Words words(text);
-  return (words.have(splitting) && !words.have_two("split", "spoon barrel tube")) ||
-         words.have_two("sub", "sample samples");
+  return (words.have(splitting) && !words.have_two("split", "spoon barrel tube") &&
+          !words.have_two("reduced", "level")) ||
+         words.have_two("sub", "sample samples") || words.have_part_of_mass();
 }
 
 bool speaks_of_sample(std::string_view text) {

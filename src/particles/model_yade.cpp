@@ -158,7 +158,7 @@ settled = [body for body in O.bodies if isinstance(body.shape, Sphere)]
 @inside@if len(inside) != total:
     stop('%d grains are in the box at the end, not %d' % (len(inside), total))
 with open('@dump@', 'w') as file:
-    file.write('# x y z r in m; box %r %r %r\n' % (@box@))
+    file.write('# x y z r in m; box %r %r %r@repeated@\n' % (@box@))
     for body in settled:
         file.write('%r %r %r %r\n' % (*@position@, body.shape.radius))
 save()
@@ -291,6 +291,7 @@ std::string yade_model(const SettleModel &model) {
        {"result", s.result},
        {"inside", has_lid ? inside_walls : "inside = settled\n"},
        {"dump", s.dump},
+       {"repeated", has_lid ? "" : ", repeated in x y z"},
        {"box", has_lid ? "x, y, z" : "*O.cell.size,"},
        {"position", has_lid ? "body.state.pos" : "O.cell.wrap(body.state.pos)"}});
 }

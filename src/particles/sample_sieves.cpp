@@ -26,12 +26,11 @@ void SampleSieves::restart() {
 }
 
 void SampleSieves::gather(const Rational &least, const Rational &size, const Integer &quantity) {
-  masses_[digits_ == 0 ? size : rounded_up(size, digits_)] += power(size, 3) * Rational(quantity);
+  const Rational sieve = digits_ == 0 ? size : rounded_up(size, digits_);
+  masses_[sieve] += power(size, 3) * Rational(quantity);
   particles_ += quantity;
-  if (digits_ == 0) {
-    Rational &known = least_.try_emplace(size, least).first->second;
-    known = std::min(known, least);
-  }
+  Rational &known = least_.try_emplace(sieve, least).first->second;
+  known = std::min(known, least);
   if (masses_.size() > most_sieves)
     coarsen();
 }
@@ -40,11 +39,15 @@ void SampleSieves::coarsen() {
   constexpr unsigned first_digits = 4;
   do {
     digits_ = digits_ == 0 ? first_digits : digits_ - 1;
-    std::map<Rational, Rational> coarser;
-    for (const auto &[size, mass] : masses_)
-      coarser[rounded_up(size, digits_)] += mass;
+    std::map<Rational, Rational> coarser, least;
+    for (const auto &[size, mass] : masses_) {
+      const Rational sieve = rounded_up(size, digits_);
+      coarser[sieve] += mass;
+      Rational &known = least.try_emplace(sieve, least_.at(size)).first->second;
+      known = std::min(known, least_.at(size));
+    }
     masses_ = std::move(coarser);
-    least_.clear();
+    least_ = std::move(least);
   } while (masses_.size() > most_sieves && digits_ > 1);
 }
 
@@ -70,7 +73,7 @@ Gradation SampleSieves::gradation(const std::string &id, SizeUnit unit, std::vec
   data.unit = unit;
   data.sizes.emplace_back(0);
   const Rational part_below = 1 - ten_to(-12);
-  const bool has_steps = classes == SampleClasses::at_sizes && digits_ == 0;
+  const bool has_steps = classes == SampleClasses::at_sizes;
   for (const auto &[size, mass] : masses_) {
     if (has_steps) // no particle is between two sizes: a curve has steps
       if (const Rational below = least_.at(size) * part_below; below > data.sizes.back()) {
@@ -81,11 +84,10 @@ Gradation SampleSieves::gradation(const std::string &id, SizeUnit unit, std::vec
     data.masses.push_back(mass);
   }
   data.masses.emplace_back(0);
-  data.notes.push_back(fmt::format("a sample of {} spheres: its gradation has a sieve of each size{}",
+  data.notes.push_back(fmt::format("a sample of {} spheres: its gradation has a sieve of each size{}{}",
                                    to_string(particles_),
-                                   has_steps      ? ", and one 10^-12 of it below"
-                                   : digits_ == 0 ? std::string()
-                                                  : fmt::format(", rounded up to {} digits", digits_)));
+                                   digits_ == 0 ? "" : fmt::format(", rounded up to {} digits", digits_),
+                                   has_steps ? ", and one 10^-12 of it below" : ""));
   if (has_ranges_)
     data.notes.emplace_back("of sizes of which ranges are known the upper ends were taken");
   return Gradation(std::move(data));

@@ -41,7 +41,7 @@ private:
   void coarsen();
 
   std::map<Rational, Rational> masses_;
-  std::map<Rational, Rational> least_; ///< of the ranges that end at a size, the least lower end
+  std::map<Rational, Rational> least_; ///< of what is gathered at a size, the least lower end
   Integer particles_ = 0;
   unsigned digits_ = 0; ///< of sizes; 0: all
   bool has_ranges_ = false;

@@ -206,7 +206,8 @@ std::string headline(const Verification &v) {
             : v.description.knows_sizes()
                 ? "undecided: 4096 bits do not tell whether it matches" + tolerance
                 : "undecided: the ranges that are known of the sizes do not tell whether it matches" +
-                      tolerance + " (a " + option("tolerance") + " of 1e-6 or so does)") +
+                      tolerance +
+                      (tolerance.empty() ? " (a " + option("tolerance") + " of 1e-6 or so does)" : "")) +
            ": " + worst;
   default:
     if (!v.objections.empty())

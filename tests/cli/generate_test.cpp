@@ -545,7 +545,7 @@ TEST_CASE("the sizes of a set whose unit is known have it in their header", "[cl
   CHECK(read_file(sizes).starts_with("class,size_lo_mm,size_hi_mm\n"));
   CHECK(mdm({"verify", um, sizes, "--tolerance", "30"}).exit_code == 0);
   const std::string discs = folder / "discs.csv";
-  REQUIRE(mdm({"generate", "--curve", um, "--dimension", "2", "--sizes", "--at-least", "10", "-o", discs})
+  REQUIRE(mdm({"generate", "--curve", um, "--dimension", "2", "--sizes", "--at-least", "300", "-o", discs})
               .exit_code == 0);
   CHECK(mdm({"pack", discs, "-o", folder / "p", "--quiet"}).exit_code == 0);
 }

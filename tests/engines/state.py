@@ -25,7 +25,7 @@ def number(pattern):
 with open(dump, encoding="ascii") as file:
     text = file.read()
 if text.startswith("#"):  # YADE
-    box = np.array([float(word) for word in text.splitlines()[0].rpartition("box ")[2].split()])
+    box = np.array([float(word) for word in text.splitlines()[0].rpartition("box ")[2].partition(",")[0].split()])
     low = np.zeros(3)
     grains = np.loadtxt(dump)
 else:

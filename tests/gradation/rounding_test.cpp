@@ -18,7 +18,7 @@ struct Rounding {
 
 const std::vector<Rounding> roundings = {
     {"PhiReading::rounded",
-     {"cli/convert.cpp", "cli/regrading_flags.cpp", "gradation/csv_reader.cpp"},
+     {"answer/answer_reader.cpp", "cli/convert.cpp", "cli/regrading_flags.cpp", "gradation/csv_reader.cpp"},
      "mdm convert alone asks for it"},
     {"phi_size(",
      {"gradation/phi.hpp", "gradation/phi.cpp", "gradation/csv_rows.cpp", "gradation/envelope.cpp",

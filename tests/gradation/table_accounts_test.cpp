@@ -261,3 +261,23 @@ TEST_CASE("A total in the columns of weighed sieves is compared too") {
                   "0.1,350,365,15\nPan,300,309,9\nTotal,1500,1579,79\n")
                  .masses()) == "9 15 55 0");
 }
+
+TEST_CASE("Whole percents that say that something passes the finest sieve decide, whatever the rounding") {
+  const std::string sheet =
+      "Sieve (mm),Mass retained (g),% passing\n4.75,0,100\n2,98,90\n0.85,303,60\n0.425,400,20\n0.075,179,2\n";
+  const Gradation g = read(sheet);
+  CHECK(text(g.masses()) == "2 18 40 30 10 0");
+  CHECK(has_note(g, "'% passing' decides, where 2 percent pass the finest sieve"));
+  CHECK(text(read(sheet + "Pan,20\n").masses()) == "20 179 400 303 98 0");
+  CHECK(text(read("Sieve (mm),Mass retained (g),% passing\n4,0,100\n2,98,90\n1,902,0\n").masses()) ==
+        "902 98 0");
+}
+
+TEST_CASE("A mass that passes the finest sieve is not dropped where there is no row of the pan") {
+  const std::string sheet = "Sieve (mm),Mass retained (g),Mass passing (g)\n4.75,0.0,1000.0\n2,98.0,902.0\n"
+                            "0.85,303.0,599.0\n0.425,400.0,199.0\n0.075,149.0,50.0\n";
+  CHECK(contains(refusal(sheet),
+                 "50 passes the finest sieve by the column 'Mass passing (g)', and 'Mass retained (g)' "
+                 "has no row of the pan: write it"));
+  CHECK(text(read(sheet + "Pan,50.0,0\n").masses()) == "50 149 400 303 98 0");
+}

@@ -241,3 +241,30 @@ TEST_CASE("a wash loss below the table is used, and no note says that it is not"
   for (const std::string &note : g.notes())
     CHECK_FALSE(contains(note, "left out"));
 }
+
+TEST_CASE("words of a split with a number above the table are not passed over") {
+  const std::string stack = "31.5,0\n16,400\n8,300\n4,200\n2,50\n1,30\n0.5,10\nPan,10\n";
+  for (const std::string line : {"Split factor 4", "Split: 1/4 below 4 mm", "Riffled at 4 mm: 100 g of 400 g",
+                                 "Geteilt 1/4", "Fine fraction: 100 g of 400 g sieved"}) {
+    INFO(line);
+    CHECK(contains(refusal(line + "\n" + header + stack), "may be of a part of the sample"));
+  }
+  for (const std::string line : {"Split-spoon sample 3", "Reduced level 12.3", "Sample 4 of 7"})
+    CHECK(masses(line + "\n" + header + stack) == "10 10 30 50 200 300 400 0");
+}
+
+TEST_CASE("what a remark says of masses is read") {
+  const std::string stack = "4,0\n2,10\n1,30\n0.5,40\n0.25,15\nPan,5\n";
+  CHECK(masses("Anmerkung: Waschverlust 20 g\n\n" + header + stack) == "25 15 40 30 10 0");
+  CHECK(masses(header + stack + "Remarks: wash loss 20 g\n") == "25 15 40 30 10 0");
+  CHECK(contains(refusal(header + stack + "Note: initial mass 120 g\n"), "120"));
+}
+
+TEST_CASE("columns of more names are compared") {
+  for (const std::string name : {"Massenanteil (%)", "R\u00fcckst. %", "Net mass"}) {
+    INFO(name);
+    CHECK(contains(
+        refusal("Sieve (mm),Mass retained (g)," + name + "\n4,0,0\n2,10,20\n1,30,30\n0.5,40,30\nPan,20,20\n"),
+        "correct one"));
+  }
+}

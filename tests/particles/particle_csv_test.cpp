@@ -93,7 +93,8 @@ TEST_CASE("a comment of a sample that may be a sieve is refused") {
 }
 
 TEST_CASE("a comment that names the columns of a list of spheres is no table") {
-  CHECK(read("# x y z r in m\n0 0 0.1 0.002\n").particles == "0.004");
+  CHECK(read("# x y z r in m\n0 0 0.1 0.002\n").particles == "4");
+  CHECK(read("# x y z r in m; box 1 2 3, repeated in x y z\n0 0 0.1 0.002\n").particles == "4");
 }
 
 TEST_CASE("two tables of particles side by side are refused as such") {

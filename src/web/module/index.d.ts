@@ -54,7 +54,7 @@ export interface SolveWords {
   atLeast?: number | string;
   /**
    * At least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, or in the file's
-   * unit (mm for sieve names; none of inches and phi).
+   * unit (mm for sieve names and phi; beside inches a unit is needed).
    */
   specimen?: string;
   /** Void ratio e of the specimen. */

@@ -1,0 +1,83 @@
+#include "crosscheck/batch_rows.hpp"
+
+#include "text/lines.hpp"
+#include "text/source.hpp"
+
+#include <mdm/gradation/size_unit.hpp>
+#include <mdm/number/decimal.hpp>
+#include <mdm/text/error.hpp>
+
+#include <fmt/format.h>
+
+namespace mdm {
+namespace {
+
+/// The places of the columns.
+constexpr std::size_t at_id = 0, at_class = 1, at_quantity = 5, at_size_lo = 6, at_size_hi = 7,
+                      batch_columns = 8;
+
+/// The unit of the header; nothing of another line. The share may be that of the match.
+std::optional<SizeUnit> unit_of_header(std::string_view line) {
+  for (const SizeUnit unit : {SizeUnit::mm, SizeUnit::um, SizeUnit::m})
+    for (const char *const of : {"", "match_"})
+      if (line ==
+          fmt::format("id,class,lower_{0},upper_{0},{1}share_percent,quantity,size_lo_{0},size_hi_{0}",
+                      name(unit), of))
+        return unit;
+  return std::nullopt;
+}
+
+void add_class(OtherAnswer &answer, const std::vector<std::string> &fields) {
+  if (fields[at_quantity].empty()) { // there is no answer
+    answer.failure = AnswerVerdict::no_answer;
+    answer.reason = "there are no quantities";
+    return;
+  }
+  const std::optional<Integer> q = parse_natural(fields[at_quantity]);
+  if (!q)
+    throw InputError(in_quotes(fields[at_quantity]) + " is no quantity");
+  answer.quantities.push_back(*q);
+  answer.sizes.emplace_back();
+  if (!fields[at_size_lo].empty())
+    answer.sizes.back() = {parse_decimal(fields[at_size_lo]), parse_decimal(fields[at_size_hi])};
+}
+
+} // namespace
+
+bool is_batch_header(std::string_view line) {
+  return unit_of_header(line).has_value();
+}
+
+std::vector<OtherAnswer> read_batch_rows(std::string_view content, const std::string &file) {
+  const Source source(file);
+  std::vector<OtherAnswer> answers;
+  std::optional<SizeUnit> unit;
+  std::vector<std::string> fields;
+  Lines lines(without_byte_order_mark(content));
+  while (lines.next()) {
+    const std::string_view line = trimmed(lines.text());
+    if (line.empty())
+      continue;
+    if (!unit) {
+      unit = unit_of_header(line);
+      continue;
+    }
+    if (!split_fields(line, ',', fields) || fields.size() != batch_columns)
+      source.refuse(lines.number(), "this is no row of mdm batch: give what it wrote");
+    try {
+      if (fields[at_class] == "1") {
+        answers.emplace_back();
+        answers.back().id = fields[at_id];
+        answers.back().unit_mm = in_mm(*unit);
+      }
+      if (answers.empty() || answers.back().id != fields[at_id])
+        throw InputError("class 1 of this answer is missing");
+      add_class(answers.back(), fields);
+    } catch (const InputError &error) {
+      source.refuse(lines.number(), std::string(error.what()) + ": give what mdm batch wrote");
+    }
+  }
+  return answers;
+}
+
+} // namespace mdm
