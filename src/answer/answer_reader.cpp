@@ -1,8 +1,9 @@
 #include "answer/answer_reader.hpp"
 
+#include "gradation/step_curve.hpp"
 #include "number/common_denominator.hpp"
-#include "number/decimal_exponent.hpp"
 #include "number/long_decimal.hpp"
+#include "particles/sample_sieves.hpp"
 #include "text/json_tree.hpp"
 #include "text/lines.hpp"
 #include "text/source.hpp"
@@ -110,6 +111,14 @@ AnswerSample of_one_material(AnswerSample sample) {
     if (!c.material.empty())
       refuse(class_place(c.number - 1) + "material", several_materials);
   return sample;
+}
+
+Gradation curve_of_spread(const AnswerSample &spread) {
+  SampleSieves sieves;
+  for (const AnswerSample::Class &c : spread.classes)
+    for (const auto &[lo, hi] : c.sizes)
+      sieves.add(SizeRange{lo, hi}, 1);
+  return sieves.gradation(spread.id, spread.unit, {}, SampleClasses::at_sizes);
 }
 
 } // namespace
@@ -272,20 +281,13 @@ Gradation AnswerReader::gradation(PhiReading phi) {
 Gradation AnswerReader::curve() {
   const AnswerSample of = of_one_material(sample());
   if (of.has_spread)
-    return gradation(PhiReading::exact);
-  const Rational part_below = 1 - ten_to(-12);
+    return curve_of_spread(of);
   Gradation::Data data;
   data.id = of.id;
   data.unit = of.unit;
   data.sizes = {0};
-  for (const AnswerSample::Class &c : of.classes) {
-    if (const Rational below = c.size_lo * part_below; below > data.sizes.back()) {
-      data.sizes.push_back(below);
-      data.masses.emplace_back(0);
-    }
-    data.sizes.push_back(c.size_hi);
-    data.masses.push_back(c.mass);
-  }
+  for (const AnswerSample::Class &c : of.classes)
+    add_step(data, c.size_lo, c.size_hi, c.mass);
   data.masses.emplace_back(0);
   data.notes.push_back(
       fmt::format("the curve is that of the {} particles of an answer: it rises at their sizes",

@@ -56,8 +56,8 @@ bool is_answer(std::string_view begin);
 Gradation answer_gradation(std::string_view content, const std::string &file,
                            PhiReading phi = PhiReading::exact);
 
-/// The curve of the particles of an answer, with steps at their sizes: nothing is between two. Of a spread,
-/// whose particles have sizes of their own, its gradation.
+/// The curve of the particles of an answer, with steps at their sizes: nothing is between two. Those of a
+/// spread are taken as spheres.
 /// \throws InputError as read_answer
 Gradation answer_curve(std::string_view content, const std::string &file);
 

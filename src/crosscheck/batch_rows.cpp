@@ -1,13 +1,12 @@
 #include "crosscheck/batch_rows.hpp"
 
+#include "answer/batch_csv.hpp"
 #include "text/lines.hpp"
 #include "text/source.hpp"
 
 #include <mdm/gradation/size_unit.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
-
-#include <fmt/format.h>
 
 namespace mdm {
 namespace {
@@ -18,12 +17,12 @@ constexpr std::size_t at_id = 0, at_class = 1, at_quantity = 5, at_size_lo = 6, 
 
 /// The unit of the header; nothing of another line. The share may be that of the match.
 std::optional<SizeUnit> unit_of_header(std::string_view line) {
+  std::string plain(line);
+  if (const std::size_t at = plain.find("match_share"); at != std::string::npos)
+    plain.erase(at, std::string_view("match_").size());
   for (const SizeUnit unit : {SizeUnit::mm, SizeUnit::um, SizeUnit::m})
-    for (const char *const of : {"", "match_"})
-      if (line ==
-          fmt::format("id,class,lower_{0},upper_{0},{1}share_percent,quantity,size_lo_{0},size_hi_{0}",
-                      name(unit), of))
-        return unit;
+    if (plain + "\n" == batch_csv_header(name(unit)))
+      return unit;
   return std::nullopt;
 }
 

@@ -153,18 +153,6 @@ Gradation curve_of_set(const StatedSet &set) {
   return sieves.gradation(set.id, set.unit.value_or(SizeUnit::mm), notes, SampleClasses::at_sizes);
 }
 
-/// That of its particles; of a spread, of each size of them.
-Gradation curve_of_answer(const std::string &content, const std::string &path) {
-  const AnswerSample answer = read_answer(content, shown_name(path));
-  if (!answer.has_spread)
-    return answer_curve(content, shown_name(path));
-  SampleSieves sieves;
-  for (const AnswerSample::Class &c : answer.classes)
-    for (const auto &[lo, hi] : c.sizes)
-      sieves.add(SizeRange{lo, hi}, 1);
-  return sieves.gradation(answer.id, answer.unit, {}, SampleClasses::at_sizes);
-}
-
 UnderstoodGradation read_any(const std::string &path, const ReadingTexts &reading, bool quiet, PhiReading phi,
                              SampleClasses classes) {
   const std::string begin = first_bytes(path);
@@ -182,7 +170,7 @@ UnderstoodGradation read_any(const std::string &path, const ReadingTexts &readin
   }
   if (is_answer(begin) && !reading.is_given()) {
     const std::string content = read_file(path, max_set_bytes);
-    return {classes == SampleClasses::at_sizes ? curve_of_answer(content, path)
+    return {classes == SampleClasses::at_sizes ? answer_curve(content, shown_name(path))
                                                : answer_gradation(content, shown_name(path), phi),
             "answer of mdm solve",
             "bounds of classes",

@@ -1,5 +1,6 @@
 #include "particles/sample_sieves.hpp"
 
+#include "gradation/step_curve.hpp"
 #include "number/decimal_exponent.hpp"
 
 #include <mdm/number/decimal.hpp>
@@ -72,17 +73,9 @@ Gradation SampleSieves::gradation(const std::string &id, SizeUnit unit, std::vec
   data.id = id;
   data.unit = unit;
   data.sizes.emplace_back(0);
-  const Rational part_below = 1 - ten_to(-12);
   const bool has_steps = classes == SampleClasses::at_sizes;
-  for (const auto &[size, mass] : masses_) {
-    if (has_steps) // no particle is between two sizes: a curve has steps
-      if (const Rational below = least_.at(size) * part_below; below > data.sizes.back()) {
-        data.sizes.push_back(below);
-        data.masses.emplace_back(0);
-      }
-    data.sizes.push_back(size);
-    data.masses.push_back(mass);
-  }
+  for (const auto &[size, mass] : masses_)
+    add_step(data, has_steps ? least_.at(size) : Rational(0), size, mass);
   data.masses.emplace_back(0);
   data.notes.push_back(fmt::format("a sample of {} spheres: its gradation has a sieve of each size{}{}",
                                    to_string(particles_),
