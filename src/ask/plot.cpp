@@ -46,6 +46,14 @@ const std::vector<OptionRow<PlotTexts>> PlotTexts::options = {
      "(cells)",
      &PlotTexts::colour,
      {"size", "contacts", "cells"}},
+    {"texture",
+     "SYSTEM",
+     OptionKind::text,
+     "the triangle of textures with the gradation as a point in it: folk (mud, sand, gravel), shepard or "
+     "usda "
+     "(sand, silt, clay)",
+     &PlotTexts::texture,
+     {"folk", "shepard", "usda"}},
     {"size-unit", "UNIT", OptionKind::text,
      "unit of SAMPLE where it is a file of particles: as in mdm verify", &PlotTexts::size_unit},
     {"width", "PT", OptionKind::number,
@@ -115,8 +123,16 @@ PackingColour PlotTexts::packing_colour() const {
                             : PackingColour::cells;
 }
 
+std::optional<TextureSystem> PlotTexts::texture_system() const {
+  if (!texture)
+    return std::nullopt;
+  return *texture == "folk"      ? TextureSystem::folk
+         : *texture == "shepard" ? TextureSystem::shepard
+                                 : TextureSystem::usda;
+}
+
 bool PlotTexts::is_of_gradation() const {
-  return sample || match || what || band || bands || coarse_left || sieve_names || soil.is_given();
+  return sample || texture || match || what || band || bands || coarse_left || sieve_names || soil.is_given();
 }
 
 std::vector<DrawnClass> drawn(const AnswerSample &answer, SizeUnit unit) {

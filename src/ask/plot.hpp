@@ -10,6 +10,7 @@
 #include "particles/sample_sieves.hpp"
 #include "plot/gradation_figure.hpp"
 #include "plot/packing_figure.hpp"
+#include "soil/texture.hpp"
 
 #include <mdm/match/match.hpp>
 
@@ -21,7 +22,7 @@ namespace mdm {
 struct PlotTexts {
   OptionText sample; ///< its name: an answer, or another file of particles
   bool match = false, coarse_left = false;
-  OptionText what, band, bands, sieve_names, colour, size_unit;
+  OptionText what, band, bands, sieve_names, colour, size_unit, texture;
   bool bare = false;
   OptionText language, width, caption;
   SoilTexts soil;
@@ -35,6 +36,8 @@ struct PlotTexts {
   /// The figure as far as options say it. \param is_sample  the curve is that of particles
   GradationFigure figure(bool is_sample) const;
   PackingColour packing_colour() const;
+  /// Whose triangle is drawn; nothing: none.
+  std::optional<TextureSystem> texture_system() const;
   /// What is said of the figure's form.
   FigureForm form() const;
   /// True if one of the options is given that only a picture of a gradation has a use for.

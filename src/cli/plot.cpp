@@ -23,6 +23,7 @@
 #include "plot/gradation_figure.hpp"
 #include "plot/packing_figure.hpp"
 #include "plot/section_figure.hpp"
+#include "plot/texture_figure.hpp"
 #include "plot/tradeoff_figure.hpp"
 #include "plot/triaxial_figure.hpp"
 #include "report/sample_notes.hpp"
@@ -52,6 +53,17 @@ struct PlotCommand {
 /// Answers have a line a class.
 constexpr std::size_t max_answer_bytes = std::size_t{1} << 30;
 
+/// Refuses what a triangle of textures has no use for.
+void check_texture(const PlotCommand &c) {
+  const PlotTexts &a = c.asked;
+  if (a.sample || a.match || a.what || a.band || a.bands || a.coarse_left || a.sieve_names || a.colour ||
+      a.size_unit || a.soil.is_given())
+    throw InputError(option("texture") +
+                     " shows gradations as points of a triangle: of the options for what is drawn " +
+                     option("beside") + ", " + option("width") + ", " + option("language") + ", " +
+                     option("caption") + " and " + option("bare") + " are for it: leave out the others");
+}
+
 /// Refuses what curves of several gradations have no use for.
 void check_beside(const PlotCommand &c) {
   const PlotTexts &a = c.asked;
@@ -64,7 +76,9 @@ void check_beside(const PlotCommand &c) {
 
 void check(const PlotCommand &c) {
   c.picture.picture();
-  if (!c.beside.empty())
+  if (c.asked.texture)
+    check_texture(c);
+  else if (!c.beside.empty())
     check_beside(c);
   c.asked.check();
   std::vector<std::string> inputs = c.beside;
@@ -156,6 +170,40 @@ Envelope band_with_curve(const std::string &file) {
   return band;
 }
 
+/// The gradations of all files, with names that tell them apart.
+std::vector<DrawnCurve> all_curves(const PlotCommand &c) {
+  std::vector<std::string> files = {c.file};
+  files.insert(files.end(), c.beside.begin(), c.beside.end());
+  std::vector<DrawnCurve> curves;
+  for (const std::string &file : files) {
+    const Gradation g = any_curve(file, c.reading, c.output.quiet).gradation;
+    curves.push_back({g.id(), g});
+  }
+  tell_apart(curves, &DrawnCurve::name, files);
+  return curves;
+}
+
+/// The notes of reading them.
+std::vector<std::string> notes_of(const std::vector<DrawnCurve> &curves) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> notes;
+  for (const DrawnCurve &curve : curves)
+    notes.emplace_back(curve.name, curve.gradation.notes());
+  return notes_of_samples(notes);
+}
+
+int run_texture(const PlotCommand &c) {
+  const std::vector<DrawnCurve> curves = all_curves(c);
+  std::vector<NamedCurve> named;
+  named.reserve(curves.size());
+  for (const DrawnCurve &curve : curves)
+    named.push_back({curve.name, GradingCurve(curve.gradation)});
+  Figure drawn = texture_figure(*c.asked.texture_system(), named, c.asked.form());
+  const std::vector<std::string> notes = notes_of(curves);
+  drawn.remarks.insert(drawn.remarks.end(), notes.begin(), notes.end());
+  c.output.tell_notes(drawn.remarks);
+  return run_figure(c, std::move(drawn));
+}
+
 /// The curves of several gradations.
 int run_beside(const PlotCommand &c) {
   const PlotTexts &a = c.asked;
@@ -163,18 +211,9 @@ int run_beside(const PlotCommand &c) {
   figure.form = a.form();
   if (a.band)
     figure.limits = band_with_curve(*a.band);
-  std::vector<std::pair<std::string, std::vector<std::string>>> notes;
-  std::vector<std::string> files = {c.file};
-  files.insert(files.end(), c.beside.begin(), c.beside.end());
-  for (const std::string &file : files) {
-    const Gradation g = any_curve(file, c.reading, c.output.quiet).gradation;
-    figure.curves.push_back({g.id(), g});
-  }
-  tell_apart(figure.curves, &DrawnCurve::name, files);
-  for (const DrawnCurve &curve : figure.curves)
-    notes.emplace_back(curve.name, curve.gradation.notes());
+  figure.curves = all_curves(c);
   Figure drawn = curves_figure(figure);
-  drawn.remarks = notes_of_samples(notes);
+  drawn.remarks = notes_of(figure.curves);
   if (figure.limits)
     drawn.remarks.insert(drawn.remarks.end(), figure.limits->notes.begin(), figure.limits->notes.end());
   c.output.tell_notes(drawn.remarks);
@@ -185,6 +224,8 @@ int run(const PlotCommand &command) {
   PlotCommand c = command;
   c.asked.soil = command.soil;
   check(c);
+  if (c.asked.texture)
+    return run_texture(c);
   if (!c.beside.empty())
     return run_beside(c);
   if (is_packing_file(c.file))
@@ -279,6 +320,7 @@ Run add_plot(CLI::App &app) {
               "mdm plot sand.csv settled.dump --what section -o settled.png",
               "mdm plot sand.csv --band limits.csv -o sand.pdf",
               "mdm plot bh1.csv --beside bh2.csv --beside bh3.csv -o bh.svg",
+              "mdm plot station1.csv --beside station2.csv --texture folk -o stations.svg",
               "mdm plot start.packing --colour contacts -o start.png",
               "mdm plot sand-triaxial.csv -o sand-triaxial.svg",
               "mdm plot tradeoff.json --language de --width 500 -o tradeoff.svg"}));

@@ -217,6 +217,7 @@ private:
     row_ = next->first_row - 1;
     below_gap_ = false;
     words_below_.clear();
+    words_among_ = nullptr;
     return true;
   }
 
@@ -304,6 +305,7 @@ private:
   }
 
   void add_account(const RowWords &known) {
+    check_words_among();
     check_width();
     check_words_beside();
     check_mass_unit();
@@ -368,8 +370,20 @@ private:
     add_statements(row(), nullptr, statements_);
     if (below_gap_ || (!read_.table.sizes.empty() && names_sample(first_cell(row()))))
       words_below_.emplace_back(first_cell(row()));
+    else if (!read_.table.sizes.empty())
+      words_among_ = &row();
     leave();
     return true;
+  }
+
+  /// Words that another row of the table follows may head a part of it, or be a sieve that is not known.
+  void check_words_among() const {
+    if (words_among_ != nullptr)
+      source_.refuse(
+          words_among_->line,
+          fmt::format("{} is among the rows of the table, and is no sieve, pan, loss or total: write "
+                      "it above or below the table, or leave it out",
+                      in_quotes(first_cell(*words_among_))));
   }
 
   /// Numbers beside words that say nothing of masses may be dates.
@@ -428,6 +442,7 @@ private:
           "the row of {} is below {}, which may begin another table: leave out what is none of the "
           "curve",
           in_quotes(size_cell()), in_quotes(words_below_.back())));
+    check_words_among();
     check_width();
     check_unused();
     check_decimal_commas();
@@ -541,6 +556,7 @@ private:
   std::size_t row_ = 0;
   bool below_gap_ = false;
   std::vector<std::string> words_below_; ///< of rows below a gap that are none of the table, or name a sample
+  const CellRow *words_among_ = nullptr; ///< the last row of words behind a sieve, with no gap above it
   std::vector<const CellRow *> sieves_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "plot/figure_layout.hpp"
 #include "plot/limits_series.hpp"
+#include "plot/palette.hpp"
 #include "soil/grading_curve.hpp"
 
 #include <fmt/format.h>
@@ -13,8 +14,6 @@
 namespace mdm {
 namespace {
 
-constexpr std::array<const char *, 8> curve_colors = {"#1f4e79", "#c0392b", "#7d3c98", "#b9770e",
-                                                      "#0e7c86", "#5d6d7e", "#6e2c00", "#c2185b"};
 constexpr const char *missed_color = "#e60000";
 
 /// The points of the curve whose sizes are above 0.
@@ -30,11 +29,11 @@ std::vector<Point> curve_points(const GradingCurve &curve) {
 Series curve_series(const DrawnCurve &c, const GradingCurve &curve, std::size_t i) {
   Series s;
   s.points = curve_points(curve);
-  s.color = curve_colors.at(i % curve_colors.size());
+  s.color = series_color(i);
   s.width = c.weight == DrawnCurve::Weight::thin ? 0.9 : 2;
   constexpr std::array<Stroke, 3> strokes = {Stroke::solid, Stroke::dashed, Stroke::dotted};
   s.stroke = c.weight == DrawnCurve::Weight::dashed ? Stroke::dashed
-                                                    : strokes.at(i / curve_colors.size() % strokes.size());
+                                                    : strokes.at(i / series_colors % strokes.size());
   constexpr std::size_t most_marks = 60;
   if (c.weight == DrawnCurve::Weight::thick && s.points.size() <= most_marks) {
     s.mark = Mark::disc;

@@ -104,6 +104,7 @@ struct Panel {
   std::string right_title;      ///< of the right side, if it has ticks
   std::vector<Tick> right;      ///< marks of the right side
   bool grid = false;            ///< lines at the ticks of y and the labelled ones of x
+  bool framed = true;           ///< a line around it
   std::vector<Rectangle> back;  ///< behind everything
   std::vector<Rectangle> boxes; ///< in front of the grid
   std::vector<Series> series;

@@ -44,7 +44,10 @@ constexpr FigureTexts english_texts = {
     .volume = "change of volume, compression positive",
     .volumetric_strain = "volumetric strain (percent)",
     .triaxial_shown =
-        "Of a triaxial test the deviator stress and the volumetric strain over the axial strain."};
+        "Of a triaxial test the deviator stress and the volumetric strain over the axial strain.",
+    .no_texture = "no texture",
+    .texture_shown = "A triangle of three parts of the mass, with the fields of the textures; a point for "
+                     "each gradation."};
 
 constexpr FigureTexts german_texts = {
     .size = "Größe",
@@ -83,17 +86,21 @@ constexpr FigureTexts german_texts = {
     .volume = "Volumenänderung, Verdichtung positiv",
     .volumetric_strain = "Volumendehnung (Prozent)",
     .triaxial_shown =
-        "Von einem Triaxialversuch die Deviatorspannung und die Volumendehnung über der axialen Dehnung."};
+        "Von einem Triaxialversuch die Deviatorspannung und die Volumendehnung über der axialen Dehnung.",
+    .no_texture = "keine Bodenart",
+    .texture_shown = "Ein Dreieck aus drei Anteilen der Masse mit den Feldern der Bodenarten; ein Punkt für "
+                     "jede Körnung."};
 
 using Pair = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Pair, 8> german_bands = {{{"large boulders", "große Blöcke"},
+constexpr std::array<Pair, 9> german_bands = {{{"large boulders", "große Blöcke"},
                                                {"boulders", "Blöcke"},
                                                {"cobbles", "Steine"},
                                                {"gravel", "Kies"},
                                                {"sand", "Sand"},
                                                {"silt", "Schluff"},
                                                {"clay", "Ton"},
+                                               {"mud", "Schlamm"},
                                                {"fines", "Feinkorn"}}};
 constexpr std::array<Pair, 3> german_parts = {{{"coarse", "grob"}, {"medium", "mittel"}, {"fine", "fein"}}};
 

@@ -30,6 +30,8 @@ struct FigureTexts {
       of_total, smallest_sieve, pan, lost, lost_at_right, tradeoff_shown;
   // of triaxial tests
   std::string_view axial_strain, deviator, deviator_unit, volume, volumetric_strain, triaxial_shown;
+  // of textures
+  std::string_view no_texture, texture_shown;
 };
 
 const FigureTexts &figure_texts(FigureLanguage language);

@@ -30,4 +30,10 @@ std::string palette_color(double share) {
   return fmt::format("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2));
 }
 
+const char *series_color(std::size_t i) {
+  static constexpr std::array<const char *, series_colors> colors = {
+      "#1f4e79", "#c0392b", "#7d3c98", "#b9770e", "#0e7c86", "#5d6d7e", "#6e2c00", "#c2185b"};
+  return colors.at(i % series_colors);
+}
+
 } // namespace mdm

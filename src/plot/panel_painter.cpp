@@ -57,7 +57,8 @@ public:
     for (const Series &s : p_.series)
       paint_series(s);
     canvas_.unclip();
-    canvas_.lines({corners(r_)}, true, frame_line);
+    if (p_.framed)
+      canvas_.lines({corners(r_)}, true, frame_line);
     paint_ticks();
     paint_strips();
     paint_top_labels();

@@ -242,9 +242,9 @@ SedimentDescription describe_sediment(const Gradation &g, bool extrapolate) {
     s.notes.push_back("The graphic measures are not available: " + d.why().reason + ".");
   if (!s.moments.mean.value)
     s.notes.push_back("The moments are not available: " + s.moments.mean.value.why().reason + ".");
-  s.folk = texture_word("Folk", folk_texture(curve), s.notes);
-  s.shepard = texture_word("Shepard", shepard_texture(curve), s.notes);
-  s.usda = texture_word("the USDA", usda_texture(curve), s.notes);
+  s.folk = texture_word("Folk", texture(TextureSystem::folk, curve), s.notes);
+  s.shepard = texture_word("Shepard", texture(TextureSystem::shepard, curve), s.notes);
+  s.usda = texture_word("the USDA", texture(TextureSystem::usda, curve), s.notes);
   if (s.limited())
     s.notes.emplace_back(
         "Where a word is undecided, 1,200 digits do not tell its number from a limit of the words.");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace mdm {
 namespace {
@@ -14,39 +15,42 @@ bool is_at_least(const Real &a, const Rational &factor, const Real &b) {
   return order != Order::less;
 }
 
-/// TextureShares of the mass.
-struct TextureShares {
-  Real coarser, sand, silt, clay;
-};
-
-/// The shares of sand up to 2 mm, and of silt and clay up to these sizes in mm.
-/// \throws NotAvailable where the curve does not tell, or nothing is as fine as sand
-TextureShares shares_of(const GradingCurve &curve, const Rational &silt, const Rational &clay) {
-  std::array<Real, 3> passing = {Real(0), Real(0), Real(0)};
-  const std::array<Rational, 3> sizes = {2, silt, clay};
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const Available<Real> share = curve.passing(sizes[i]);
+/// The shares of the mass that pass these sizes in mm. \throws NotAvailable where the curve does not tell
+std::vector<Real> shares_passing(const GradingCurve &curve, const std::vector<Rational> &sizes) {
+  std::vector<Real> shares;
+  for (const Rational &size : sizes) {
+    const Available<Real> share = curve.passing(size);
     if (!share)
       throw share.why();
-    passing[i] = *share;
+    shares.push_back(*share);
   }
+  return shares;
+}
+
+/// Parts of the mass, and their sum.
+struct Parts {
+  Real whole;
+  std::array<Real, 3> each; ///< in the system's order
+};
+
+/// \throws NotAvailable where the curve does not tell, or nothing is as fine as sand
+Parts parts_of(TextureSystem system, const GradingCurve &curve) {
+  if (system == TextureSystem::folk) {
+    const std::vector<Real> passing = shares_passing(curve, {2, ratio(1, 16)});
+    return {1, {passing[1], passing[0] - passing[1], Real(1) - passing[0]}};
+  }
+  const bool is_shepard = system == TextureSystem::shepard;
+  const Rational silt = is_shepard ? ratio(1, 16) : ratio(5, 100),
+                 clay = is_shepard ? ratio(1, 256) : ratio(2, 1000);
+  const std::vector<Real> passing = shares_passing(curve, {2, silt, clay});
   if (passing[0].exact() == Rational(0))
     throw NotAvailable{"nothing passes 2 mm"};
-  return {Real(1) - passing[0], passing[0] - passing[1], passing[1] - passing[2], passing[2]};
+  return {passing[0], {passing[0] - passing[1], passing[1] - passing[2], passing[2]}};
 }
 
-/// What decide() says, or why it says nothing.
-template <class Decide>
-Available<std::string> decided(Decide decide) {
-  try {
-    return std::string(decide());
-  } catch (const NotAvailable &why) {
-    return why;
-  }
-}
-
-const char *folk_name(const Real &gravel, const Real &sand, const Real &mud) {
-  const Real one(1);
+const char *folk_name(const Parts &p) {
+  const auto &[mud, sand, gravel] = p.each;
+  const Real &one = p.whole;
   if (is_at_least(gravel, ratio(80, 100), one))
     return "gravel";
   const int sandiness = is_at_least(sand, 9, mud)             ? 3
@@ -65,19 +69,18 @@ const char *folk_name(const Real &gravel, const Real &sand, const Real &mud) {
   return (slightly ? with_gravel : names).at(static_cast<std::size_t>(sandiness));
 }
 
-const char *shepard_name(const TextureShares &s) {
-  const std::array<const Real *, 3> parts = {&s.sand, &s.silt, &s.clay};
-  const Real all = Real(1) - s.coarser;
+const char *shepard_name(const Parts &p) {
+  const auto &[all, parts] = p;
   static constexpr std::array<const char *, 3> nouns = {"sand", "silt", "clay"};
   for (std::size_t i = 0; i < parts.size(); ++i)
-    if (is_at_least(*parts[i], ratio(75, 100), all))
+    if (is_at_least(parts[i], ratio(75, 100), all))
       return nouns[i];
   if (std::all_of(parts.begin(), parts.end(),
-                  [&](const Real *part) { return is_at_least(*part, ratio(20, 100), all); }))
+                  [&p](const Real &part) { return is_at_least(part, ratio(20, 100), p.whole); }))
     return "sand-silt-clay";
   std::array<std::size_t, 3> order = {0, 1, 2};
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t i, std::size_t j) { return !is_at_least(*parts[j], 1, *parts[i]); });
+                   [&p](std::size_t i, std::size_t j) { return !is_at_least(p.each[j], 1, p.each[i]); });
   static constexpr std::array<std::array<const char *, 3>, 3> names = {
       {{"sand", "silty sand", "clayey sand"},
        {"sandy silt", "silt", "clayey silt"},
@@ -85,9 +88,9 @@ const char *shepard_name(const TextureShares &s) {
   return names.at(order[0]).at(order[1]);
 }
 
-const char *usda_name(const TextureShares &s) {
-  const auto &[coarser, sand, silt, clay] = s;
-  const Real all = Real(1) - coarser;
+const char *usda_name(const Parts &p) {
+  const Real &all = p.whole;
+  const auto &[sand, silt, clay] = p.each;
   const auto at_least = [&all](const Real &part, unsigned percent) {
     return is_at_least(part, ratio(percent, 100), all);
   };
@@ -115,23 +118,35 @@ const char *usda_name(const TextureShares &s) {
   return "sandy loam";
 }
 
+const char *name_of(TextureSystem system, const Parts &parts) {
+  switch (system) {
+  case TextureSystem::folk:
+    return folk_name(parts);
+  case TextureSystem::shepard:
+    return shepard_name(parts);
+  case TextureSystem::usda:
+    break;
+  }
+  return usda_name(parts);
+}
+
 } // namespace
 
-Available<std::string> folk_texture(const GradingCurve &curve) {
-  return decided([&] {
-    const Available<Real> to_gravel = curve.passing(2), to_sand = curve.passing(ratio(1, 16));
-    if (!to_gravel || !to_sand)
-      throw(to_gravel ? to_sand : to_gravel).why();
-    return folk_name(Real(1) - *to_gravel, *to_gravel - *to_sand, *to_sand);
-  });
+Available<std::array<Real, 3>> texture_parts(TextureSystem system, const GradingCurve &curve) {
+  try {
+    const auto &[whole, parts] = parts_of(system, curve);
+    return std::array<Real, 3>{parts[0] / whole, parts[1] / whole, parts[2] / whole};
+  } catch (const NotAvailable &why) {
+    return why;
+  }
 }
 
-Available<std::string> shepard_texture(const GradingCurve &curve) {
-  return decided([&] { return shepard_name(shares_of(curve, ratio(1, 16), ratio(1, 256))); });
-}
-
-Available<std::string> usda_texture(const GradingCurve &curve) {
-  return decided([&] { return usda_name(shares_of(curve, ratio(5, 100), ratio(2, 1000))); });
+Available<std::string> texture(TextureSystem system, const GradingCurve &curve) {
+  try {
+    return std::string(name_of(system, parts_of(system, curve)));
+  } catch (const NotAvailable &why) {
+    return why;
+  }
 }
 
 } // namespace mdm

@@ -71,20 +71,20 @@ bool wait_until_gone(const std::string &pid) {
 
 TEST_CASE("the answers of batch are judged, as JSON Lines and as CSV", "[cli]") {
   const TemporaryFolder folder;
-  const std::string suite =
-      folder.write("suite.jsonl", R"({"id":"a,b","sizes":["1","2","3"],"masses":["2","1","0"]})"
-                                  "\n"
-                                  R"({"sizes":["1","2"],"masses":["1","0"]})"
-                                  "\n");
+  const std::string problems =
+      folder.write("problems.jsonl", R"({"id":"a,b","sizes":["1","2","3"],"masses":["2","1","0"]})"
+                                     "\n"
+                                     R"({"sizes":["1","2"],"masses":["1","0"]})"
+                                     "\n");
   for (const std::string name : {"answers.jsonl", "answers.csv"}) {
     const std::string answers = folder / name;
-    REQUIRE(mdm({"batch", suite, "-o", answers}).exit_code == 0);
-    const Outcome judged = mdm({"crosscheck", suite, answers, "--require-minimal"});
+    REQUIRE(mdm({"batch", problems, "-o", answers}).exit_code == 0);
+    const Outcome judged = mdm({"crosscheck", problems, answers, "--require-minimal"});
     INFO(judged.out << judged.err);
     CHECK(judged.exit_code == 0);
   }
   check_refused(
-      mdm({"crosscheck", suite,
+      mdm({"crosscheck", problems,
            folder.write("cut.csv", "id,class,lower_mm,upper_mm,share_percent,quantity,size_lo_mm,size_hi_mm\n"
                                    "a,2,1,2,50,1,1.5,1.5\n")}),
       "cut.csv:2: class 1 of this answer is missing");

@@ -74,7 +74,8 @@ TEST_CASE("Names of sieves and cells with units") {
 
 TEST_CASE("The rows of a hydrometer below belong to the same curve") {
   const std::string sieves = "Sieve size (mm),Percent finer\n2,100\n0.075,40\n";
-  CHECK(text(read(sieves + "Hydrometer,\n0.02,21\n0.002,5\n").sizes()) == "0 0.002 0.02 0.075 2");
+  CHECK(text(read(sieves + "0.02,21\n0.002,5\n").sizes()) == "0 0.002 0.02 0.075 2");
+  CHECK(contains(refusal(sieves + "Hydrometer,\n0.02,21\n0.002,5\n"), "'Hydrometer' is among the rows"));
   CHECK(text(read(sieves + "\nHydrometer\nDiameter (µm),Percent finer\n20,21\n2,5\n").sizes()) ==
         "0 0.002 0.02 0.075 2");
   CHECK(contains(

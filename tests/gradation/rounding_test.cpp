@@ -45,7 +45,7 @@ const std::vector<Rounding> roundings = {
       "particles/sample_set.cpp",      "particles/settle_model.cpp",   "particles/settle_script.cpp",
       "particles/triaxial_lammps.cpp", "particles/triaxial_shear.cpp", "plot/curves_figure.cpp",
       "plot/gradation_figure.cpp",     "plot/limits_series.cpp",       "plot/ranges.hpp",
-      "plot/tradeoff_figure.cpp",      "sets/inverse_model.cpp"},
+      "plot/texture_figure.cpp",       "plot/tradeoff_figure.cpp",     "sets/inverse_model.cpp"},
      "lengths of boxes, times, forces and materials in engines, and pictures; bounds of packings, and what "
      "steers "
      "the search for a match, with an exact test behind them"},

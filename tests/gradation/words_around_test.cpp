@@ -253,6 +253,17 @@ TEST_CASE("words of a split with a number above the table are not passed over") 
     CHECK(masses(line + "\n" + header + stack) == "10 10 30 50 200 300 400 0");
 }
 
+TEST_CASE("a row of words among the rows of the table is named") {
+  const std::string words = "oversize removed by hand\n";
+  for (const std::string &sheet :
+       {header + "4,0\n2,10\n" + words + "1,30\nPan,5\n", header + "4,0\n2,10\n1,30\n" + words + "Pan,5\n"}) {
+    INFO(sheet);
+    CHECK(contains(refusal(sheet), "'oversize removed by hand' is among the rows of the table"));
+  }
+  CHECK(masses(header + words + "4,0\n2,10\n1,30\nPan,5\n") == "5 30 10 0");
+  CHECK(masses(header + "4,0\n2,10\n1,30\nPan,5\n" + words) == "5 30 10 0");
+}
+
 TEST_CASE("what a remark says of masses is read") {
   const std::string stack = "4,0\n2,10\n1,30\n0.5,40\n0.25,15\nPan,5\n";
   CHECK(masses("Anmerkung: Waschverlust 20 g\n\n" + header + stack) == "25 15 40 30 10 0");

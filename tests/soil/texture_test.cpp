@@ -11,19 +11,19 @@ using grading_test::curve;
 namespace {
 
 std::string shepard(int sand, int silt, int clay) {
-  return *shepard_texture(curve({{"0.0001", "0"},
-                                 {"0.00390625", std::to_string(clay)},
-                                 {"0.0625", std::to_string(clay + silt)},
-                                 {"2", std::to_string(clay + silt + sand)}}));
+  return *texture(TextureSystem::shepard, curve({{"0.0001", "0"},
+                                                 {"0.00390625", std::to_string(clay)},
+                                                 {"0.0625", std::to_string(clay + silt)},
+                                                 {"2", std::to_string(clay + silt + sand)}}));
 }
 
 /// Of percents of all, as much coarser than 2 mm as is left.
 Available<std::string> usda(int sand, int silt, int clay) {
-  return usda_texture(curve({{"0.0001", "0"},
-                             {"0.002", std::to_string(clay)},
-                             {"0.05", std::to_string(clay + silt)},
-                             {"2", std::to_string(clay + silt + sand)},
-                             {"64", "100"}}));
+  return texture(TextureSystem::usda, curve({{"0.0001", "0"},
+                                             {"0.002", std::to_string(clay)},
+                                             {"0.05", std::to_string(clay + silt)},
+                                             {"2", std::to_string(clay + silt + sand)},
+                                             {"64", "100"}}));
 }
 
 /// The Soil Survey Manual, class by class; of two that meet the first.
@@ -87,7 +87,7 @@ TEST_CASE("textures of Shepard, at their limits too", "[texture]") {
 
 TEST_CASE("a texture is not available where a pan hides a share", "[texture]") {
   const GradingCurve sand = curve({{"0", "0"}, {"0.0625", "10"}, {"2", "100"}});
-  CHECK(*folk_texture(sand) == "sand"); // nine times the mud
-  CHECK_FALSE(shepard_texture(sand));
-  CHECK(usda_texture(sand).why().reason == "below 0.0625 mm, the finest sieve");
+  CHECK(*texture(TextureSystem::folk, sand) == "sand"); // nine times the mud
+  CHECK_FALSE(texture(TextureSystem::shepard, sand));
+  CHECK(texture(TextureSystem::usda, sand).why().reason == "below 0.0625 mm, the finest sieve");
 }

@@ -413,8 +413,8 @@ def picture(source: Source, out: Path, *,
             # Options of plot, by src/ask/write_modules.
             match: bool = False, what: str | None = None, band: Union[str, "os.PathLike[str]", None] = None,
             bands: str | None = None, sieve_names: str | None = None, coarse_left: bool = False,
-            colour: str | None = None, size_unit: str | None = None, width: Number | None = None,
-            language: str | None = None, caption: str | None = None, bare: bool = False,
+            colour: str | None = None, texture: str | None = None, size_unit: str | None = None,
+            width: Number | None = None, language: str | None = None, caption: str | None = None, bare: bool = False,
             liquid_limit: Number | None = None, plastic_limit: Number | None = None, pan_size: Number | None = None,
             extrapolate: bool = False, specimen_id: str | None = None, columns: str | None = None,
             kind: str | None = None, unit: str | None = None, skip: Number | None = None, sheet: str | None = None,
@@ -457,6 +457,8 @@ def picture(source: Source, out: Path, *,
         language: language of the picture's own words: en (the default) or de; names and notes stay as they are.
         caption: a sentence to stand below the picture, before the notes.
         bare: the diagram with its legend alone, without title, index numbers and notes: for a page that has them.
+        texture: the triangle of textures with the gradation as a point in it: folk (mud, sand, gravel), shepard or usda
+            (sand, silt, clay).
 
     Raises:
         InputError: an option or a file is wrong, or neither `out` nor `format` says what it is to be.
