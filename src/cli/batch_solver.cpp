@@ -4,6 +4,7 @@
 #include "answer/batch_csv.hpp"
 #include "answer/error_line.hpp"
 #include "files/paths.hpp"
+#include "gradation/material_gradation.hpp"
 #include "text/json_writer.hpp"
 #include "text/option_name.hpp"
 
@@ -66,6 +67,12 @@ BatchAnswer BatchSolver::error(const std::string &id, const std::string &message
 }
 
 BatchAnswer BatchSolver::solved(Gradation g, const BatchItem &item) const {
+  if (!g.materials().empty())
+    refuse_beside_materials(command_.flags.idle_for_materials().value_or(""), item.where);
+  if (command_.output.is_csv() && !g.materials().empty())
+    throw InputError(printable(item.where) +
+                     ": of several materials, for which the CSV has no column: leave it out, or give " +
+                     option("format") + " json");
   const std::string checked = command_.has_proof_folder() && item.checked_as ? item.checked_as(g) : "";
   BatchMatch answered = in_file(item.where, [&] { return question_.ask(std::move(g)); });
   Match &m = answered.match;

@@ -1,6 +1,7 @@
 #include "files/batch_sources.hpp"
 
 #include "files/paths.hpp"
+#include "gradation/material_gradation.hpp"
 #include "gradation/workbook.hpp"
 #include "text/lines.hpp"
 #include "text/option_name.hpp"
@@ -154,10 +155,19 @@ void BatchSources::open(const std::string &file) {
   }
 }
 
+void BatchSources::add_materials(const std::string &file, std::shared_ptr<const std::string> text) {
+  refuse_beside_materials(asked_, file);
+  waiting_.push_back({++count_, file, [file] { return stem(file); },
+                      [text, file] { return read_material_gradation(*text, file); },
+                      [text](const Gradation &) { return *text; }});
+}
+
 void BatchSources::add_gradations(const std::string &file, FileLines &content) {
   try {
     const auto text = std::make_shared<const std::string>(content.rest(max_gradation_bytes));
     waiting_bytes_ += text->size();
+    if (is_material_gradation(*text))
+      return add_materials(file, text);
     const bool is_one = !is_ags4(*text);
     for (UnreadGradation &g : gradations_in(*text, file, reading_)) {
       BatchItem item{++count_, file, [id = g.id] { return id; }, std::move(g.read), {}};

@@ -59,6 +59,7 @@ public:
 private:
   void open(const std::string &file);
   void add_gradations(const std::string &file, FileLines &content);
+  void add_materials(const std::string &file, std::shared_ptr<const std::string> text);
   void add_lines(std::vector<BatchItem> &items, std::size_t most);
   bool is_ours(const FileLines::Line &line);
   void take_made(const std::string &line);

@@ -120,8 +120,8 @@ private:
                          : name == material_column ? &material_
                                                    : nullptr;
     if (place == &material_ && kind_ != CsvKind::materials)
-      rows_.refuse(fmt::format("column {} is of a gradation of several materials: mdm solve, verify and "
-                               "export take it; here give the rows of one material, without this column",
+      rows_.refuse(fmt::format("column {} is of a gradation of several materials: mdm solve, batch, verify "
+                               "and export take it; here give the rows of one material, without this column",
                                material_column));
     if (place == nullptr)
       rows_.refuse(fmt::format("column {} is unknown: after the first two there may be {} and {}",

@@ -42,6 +42,8 @@ std::string header_hint(std::string_view first, std::string_view example) {
     return " (this is a packing: give the gradation)";
   if (first.starts_with('[') || first.starts_with('{'))
     return " (a JSON file holds one object; mdm batch reads many, one a line)";
+  if (first == "material")
+    return " (write size_mm,mass,material: the material stands behind)";
   std::string small(first);
   std::transform(small.begin(), small.end(), small.begin(), lower);
   if (small != first && find_size_column(small) != nullptr)

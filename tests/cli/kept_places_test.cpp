@@ -124,20 +124,20 @@ TEST_CASE("places are kept where there are some, in the box that they have", "[c
 TEST_CASE("a box that is repeated stays so in other formats", "[cli]") {
   const TemporaryFolder folder;
   const std::string g = folder.write("g.csv", "size_mm,mass\n1,1\n2,3\n4,0\n"),
-                    dump = folder.write("per.dump", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\n"
-                                                    "ITEM: BOX BOUNDS pp pp pp\n0 0.01\n0 0.01\n0 0.01\n"
-                                                    "ITEM: ATOMS id type x y z radius\n"
-                                                    "1 1 0.0008 0.002 0.0015 0.000833055\n"
-                                                    "2 1 0.0088 0.002 0.0015 0.001201473\n");
+                    repeated = folder.write("per.dump", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\n"
+                                                        "ITEM: BOX BOUNDS pp pp pp\n0 0.01\n0 0.01\n0 0.01\n"
+                                                        "ITEM: ATOMS id type x y z radius\n"
+                                                        "1 1 0.0008 0.002 0.0015 0.000833055\n"
+                                                        "2 1 0.0088 0.002 0.0015 0.001201473\n");
   const auto packing = [&](const std::string &file) {
     const std::string out = mdm({"verify", g, file, "--tolerance", "1e-2", "--packing"}).out;
     return out.substr(out.find("packing, "), 400);
   };
   const std::string xyz = folder / "per.xyz", esys = folder / "per.geo";
-  REQUIRE(mdm({"export", dump, "--to", "extxyz", "-o", xyz, "--quiet"}).exit_code == 0);
-  REQUIRE(mdm({"export", dump, "--to", "esys", "-o", esys, "--quiet"}).exit_code == 0);
+  REQUIRE(mdm({"export", repeated, "--to", "extxyz", "-o", xyz, "--quiet"}).exit_code == 0);
+  REQUIRE(mdm({"export", repeated, "--to", "esys", "-o", esys, "--quiet"}).exit_code == 0);
   CHECK(contains(read_file(xyz), "pbc=\"T T T\""));
   CHECK(contains(read_file(esys), "PeriodicBoundaries 1 1 1\n"));
-  CHECK(packing(xyz) == packing(dump));
+  CHECK(packing(xyz) == packing(repeated));
   CHECK(contains(mdm({"export", g, "--to", "gsd", "-o", folder / "g.gsd"}).err, "GSD has no walls"));
 }

@@ -213,6 +213,28 @@ TEST_CASE("tolerances on what passes are none of several materials", "[cli]") {
                       " has no meaning for several materials: use retained:E% or total:E%");
 }
 
+TEST_CASE("batch answers gradations of several materials as solve does", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("beach.csv", beach), proofs = folder / "proofs",
+                    mass = folder.write("mass.csv", "size_mm,mass\n1,1\n2,1\n4,0\n");
+  const Outcome batch = mdm({"batch", file, mass, "--tolerance", "retained:1%", "--proofs", proofs});
+  CHECK(batch.exit_code == 0);
+  const std::vector<std::string> lines = lines_of(batch.out);
+  REQUIRE(lines.size() == 2);
+  const Json one = Json::parse(lines[0]), alone = solve_json({file, "--tolerance", "retained:1%"});
+  CHECK(one.at("classes") == alone.at("classes"));
+  CHECK(mdm_check(file, proofs + "/000001-beach.proof").exit_code == 0);
+  const Outcome csv = mdm({"batch", file, mass, "--format", "csv"});
+  CHECK(csv.exit_code == 2);
+  CHECK(contains(csv.err, "several materials, for which the CSV has no column"));
+  CHECK(contains(csv.out, "mass,1,1,2,50,"));
+  const Outcome cut = mdm({"batch", file, "--cut-below", "1"});
+  CHECK(cut.exit_code == 2);
+  CHECK(contains(cut.out, "--cut-below: it is of gradations of one material"));
+  CHECK(contains(mdm({"solve", folder.write("first.csv", "material,size_mm,mass\na,1,1\na,2,0\n")}).err,
+                 "write size_mm,mass,material"));
+}
+
 TEST_CASE("several materials are nowhere taken as one", "[cli]") {
   const TemporaryFolder folder;
   const std::string file = folder.write("beach.csv", beach);

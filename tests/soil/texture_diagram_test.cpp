@@ -57,14 +57,15 @@ const std::map<std::string, TextureSystem> systems = {
 } // namespace
 
 TEST_CASE("between places with different names there is a line", "[texture]") {
-  for (const auto &[words, system] : systems) {
+  for (const auto &entry : systems) {
+    const TextureSystem system = entry.second;
     const TextureDiagram &diagram = texture_diagram(system);
     const auto check = [&](const TexturePlace &p, const TexturePlace &q) {
       if (!is_inside(q) || name(system, p) == name(system, q))
         return;
       const bool has_line = std::any_of(diagram.lines.begin(), diagram.lines.end(),
                                         [&](const auto &line) { return meet(line[0], line[1], p, q); });
-      CAPTURE(words, p[0], p[1], p[2], q[0], q[1], q[2]);
+      CAPTURE(entry.first, p[0], p[1], p[2], q[0], q[1], q[2]);
       CHECK(has_line);
     };
     constexpr double step = 2, off = 0.3; // places off the lines

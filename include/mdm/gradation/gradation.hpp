@@ -30,7 +30,7 @@ struct MaterialRows {
 /// retained on them, n >= 2, x_1 >= 0 (0 is the pan), m_j >= 0, m_n = 0, not all masses 0. Class j = 1, ...,
 /// n - 1 holds the particles with x_j < x <= x_{j+1}: open below, closed above (Eq. 12). Openings are
 /// fractions in all files but those of phi that is no whole number, where their d-th powers are; d is the
-/// root. One of several materials (Theorem 28), which only `mdm solve` and `mdm verify` read, has the
+/// root. One of several materials (Theorem 28), which `mdm solve`, `batch`, `verify` and `export` read, has
 /// rows of one material behind those of another: openings ascend within each, and its last row retains
 /// nothing and begins no class.
 class Gradation {
