@@ -1,5 +1,5 @@
-"""The certificates of samples, of sets by number and of blends: the files that a checker is given with each, and whether the
-certificate says what its answer says. That what it says is true is the checker's business.
+"""The certificates of samples, of sets by number, of blends and of materials: the files that a checker is given with each, and
+whether the certificate says what its answer says. That what it says is true is the checker's business.
 
 Each certificate is given as its name, the folder and the names of the files, whether it says so, and what the checker has to
 print of it."""
@@ -13,7 +13,7 @@ import sys
 import tempfile
 from fractions import Fraction
 
-from proofs import HOME
+from proofs import HOME, witness
 
 sys.path.append(str(HOME / "blends"))
 from problem_files import claim, write_files
@@ -98,7 +98,22 @@ def drawn():
             yield of_blend(problem, answer, folder, files)
 
 
-ALL = {"samples": samples, "number": number, "blends/published": published, "blends/drawn": drawn}
+def materials():
+    """The sample in a certificate is that of the answer, class by class."""
+    rows = table("materials/materials.answers.csv")
+    for question in table("materials/materials.csv"):
+        answer = [row for row in rows if row["id"] == question["id"]]
+        words, particles = question["options"].replace("--tolerance ", "--").replace(":", " ").split(), answer[0]["particles"]
+        lines = [f"{option[2:]} {number.removesuffix('%')}" for option, number in zip(words[::2], words[1::2])]
+        lines = sorted(["law 3", *lines, f"particles {particles}"])
+        proof = (HOME / "materials" / f"{question['id']}.proof").read_text()
+        counted = [(row["class"], row["quantity"], row["size_lo"], row["size_hi"]) for row in answer if row["quantity"] != "0"]
+        says = sorted(proof.splitlines()[1:len(lines) + 1]) == lines and witness(proof) == counted
+        value = f"accepted: N = {particles} is the smallest number of particles"
+        yield question["id"], HOME / "materials", [question["gradation"], f"{question['id']}.proof"], says, value
+
+
+ALL = {"samples": samples, "number": number, "blends/published": published, "blends/drawn": drawn, "materials": materials}
 
 
 def judge(kind, given, checker):

@@ -45,6 +45,8 @@ void write_class(JsonWriter &json, const Match &m, const AnswerRow &row) {
   if (!row.material.empty())
     json.key("material").string(row.material);
   json.key("lower").plain(row.lower).key("upper").plain(row.upper).key("mass").plain(row.mass);
+  if (m.gradation.has_factors())
+    write_decimal(json.key("factor"), m.gradation.factor(row.index));
   if (m.gradation.root() > 1) {
     write(json.key("lower_power"), m.gradation.powers()[row.index]);
     write(json.key("upper_power"), m.gradation.powers()[row.index + 1]);

@@ -264,7 +264,11 @@ Gradation AnswerReader::gradation(PhiReading phi) {
     data.masses.push_back(achieved == nullptr ? decimal(classes[j], "mass", place)
                           : share == "0"      ? Rational(0)
                                               : fraction(share, fmt::format("achieved[{}]", j)));
+    if (classes[j].contains("factor"))
+      data.factors.push_back(decimal(classes[j], "factor", place));
   }
+  if (!data.factors.empty())
+    data.factors.emplace_back(1);
   if (achieved != nullptr) { // fractions, of which a file of a gradation may have none
     const CommonDenominator integers(data.masses);
     data.masses.assign(integers.numerators.begin(), integers.numerators.end());

@@ -123,6 +123,14 @@ BlendAim aim_of(const std::string &text) {
   throw InputError("aim is " + in_quotes(text) + ": write none, cost, deviation or max-deviation");
 }
 
+/// A cost that is not stated is none: it must not count as 0.
+void check_costs(const Json &stockpiles) {
+  for (std::size_t i = 0; i < stockpiles.size(); ++i)
+    if (!has_member(stockpiles[i], "cost"))
+      throw InputError(
+          fmt::format("stockpiles[{}].cost is missing, and the aim is the least cost: add it", i));
+}
+
 /// The sieves as they are stated, and their order by size.
 std::vector<std::size_t> take_sieves(const Json &tree, BlendProblem &problem) {
   std::vector<BlendSieve> stated;
@@ -196,6 +204,8 @@ StatedBlendProblem read_blend_problem(std::string_view json) {
     problem.at_most = number_member(tree, "at_most");
   if (has_member(tree, "aim"))
     problem.aim = aim_of(text_member(tree, "aim"));
+  if (problem.aim == BlendAim::cost)
+    check_costs(array_member(tree, "stockpiles"));
   return result;
 }
 

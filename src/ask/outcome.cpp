@@ -63,10 +63,16 @@ Outcome outcome_of(const Tradeoff &tradeoff) {
   const auto are_certain = [](const std::vector<TradeoffRow> &rows) {
     return std::all_of(rows.begin(), rows.end(), [](const TradeoffRow &row) { return row.is_certain(); });
   };
-  return are_certain(tradeoff.by_tolerance) && are_certain(tradeoff.by_sieve) &&
-                 are_certain(tradeoff.by_size_factor)
-             ? Outcome::done
-             : Outcome::limited;
+  const bool all_are_certain = are_certain(tradeoff.by_tolerance) && are_certain(tradeoff.by_sieve) &&
+                               are_certain(tradeoff.by_size_factor) &&
+                               std::all_of(tradeoff.missed.begin(), tradeoff.missed.end(),
+                                           [](const Tradeoff::MissedBudget &b) { return b.is_certain; });
+  if (!all_are_certain)
+    return Outcome::limited;
+  const auto have_none = [](const std::vector<TradeoffRow> &rows) {
+    return std::all_of(rows.begin(), rows.end(), [](const TradeoffRow &row) { return row.has_none; });
+  };
+  return have_none(tradeoff.by_tolerance) && have_none(tradeoff.by_sieve) ? Outcome::negative : Outcome::done;
 }
 
 Outcome outcome_of(const SoilDescription &description) {

@@ -31,10 +31,23 @@ std::pair<Length, Length> range_of_sizes(const std::string &name, const std::str
 
 /// `1/5` or `0.2`.
 Rational ratio_of(const std::string &name, const std::string &text) {
+  if (text.ends_with('%'))
+    throw InputError(fmt::format("{}: {} is a percentage: write the ratio of the sizes, as 0.2 or 1/5",
+                                 option(name), in_quotes(text)));
   const std::size_t slash = text.find('/');
   if (slash == std::string::npos)
     return positive(name, text);
   return positive(name, text.substr(0, slash)) / positive(name, text.substr(slash + 1));
+}
+
+/// Percents that were rounded are masses from here on, which nothing says of them by itself.
+void add_lost_rounding(std::vector<std::string> &history, const Gradation &before, const Gradation &after,
+                       const std::string &file) {
+  if (!before.roundings().empty() && after.roundings().empty())
+    history.push_back(
+        fmt::format("the percents of {} were rounded to their last digit; here they are masses, which mdm "
+                    "judge takes as exact unless {} says otherwise",
+                    file, option("rounding", OptionSpelling::program)));
 }
 
 /// The change of a gradation, with its history behind that so far; messages name the file and the option.
@@ -43,6 +56,7 @@ Regraded then(Regraded before, const std::string &file, const std::string &name,
   try {
     Regraded after = change(before.gradation);
     before.history.insert(before.history.end(), after.history.begin(), after.history.end());
+    add_lost_rounding(before.history, before.gradation, after.gradation, file);
     return {std::move(after.gradation), std::move(before.history)};
   } catch (const InputError &e) {
     throw file_error(file, option(name) + ": " + e.what());
@@ -85,10 +99,13 @@ Regraded RegradingTexts::joined_parts(const UnderstoodGradation &c, const Unders
                                    c.kind + ": give the pan a row there");
   const NamedGradation coarse{c.gradation, names[0]}, fine{f.gradation, names[1]};
   const Rational joint = length("at", *at).in(coarse.gradation);
-  if (!join.empty())
-    return joined(coarse, fine, joint);
-  return composed(coarse, fine, joint,
-                  fine_mass ? std::optional(positive("fine-mass", *fine_mass)) : std::nullopt);
+  Regraded both = !join.empty()
+                      ? joined(coarse, fine, joint)
+                      : composed(coarse, fine, joint,
+                                 fine_mass ? std::optional(positive("fine-mass", *fine_mass)) : std::nullopt);
+  for (const NamedGradation *part : {&coarse, &fine})
+    add_lost_rounding(both.history, part->gradation, both.gradation, part->name);
+  return both;
 }
 
 Regraded RegradingTexts::changed(Regraded g, const std::string &file) const {

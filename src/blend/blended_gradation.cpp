@@ -1,11 +1,14 @@
 #include "blend/blended_gradation.hpp"
 
+#include "gradation/shown.hpp"
 #include "number/common_denominator.hpp"
 #include "soil/grading_curve.hpp"
 
 #include <mdm/blend/blend_problem.hpp>
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
@@ -29,11 +32,16 @@ std::optional<PassingAt> blended_passing(const std::vector<Gradation> &stockpile
   return blended;
 }
 
-/// The sizes of the sieves, ascending, with the pan where something passes the finest one.
-std::vector<Rational> blended_sieves(const std::vector<Gradation> &stockpiles,
-                                     const std::vector<Rational> &shares,
-                                     const std::vector<Rational> &asked) {
-  std::set<Rational> sizes(asked.begin(), asked.end());
+/// Sieves of the blend.
+struct BlendedSieves {
+  std::vector<Rational> sizes; ///< ascending, with the pan where something passes the finest one
+  std::set<Rational>
+      interpolated; ///< sieves of a stockpile at which another is interpolated: they are left out
+};
+
+BlendedSieves blended_sieves(const std::vector<Gradation> &stockpiles, const std::vector<Rational> &shares,
+                             const std::vector<Rational> &asked) {
+  std::set<Rational> sizes(asked.begin(), asked.end()), interpolated;
   for (std::size_t i = 0; i < stockpiles.size(); ++i) {
     if (shares[i] == 0)
       continue;
@@ -42,12 +50,24 @@ std::vector<Rational> blended_sieves(const std::vector<Gradation> &stockpiles,
       const std::optional<PassingAt> at = blended_passing(stockpiles, shares, size);
       if (at && !at->interpolated)
         sizes.insert(size);
+      else if (size > 0 && sizes.count(size) == 0)
+        interpolated.insert(size);
     }
   }
   sizes.erase(Rational(0));
   if (blended_passing(stockpiles, shares, *sizes.begin())->percent > 0)
     sizes.insert(Rational(0));
-  return {sizes.begin(), sizes.end()};
+  return {{sizes.begin(), sizes.end()}, std::move(interpolated)};
+}
+
+std::string left_out_note(const std::set<Rational> &sieves) {
+  std::vector<std::string> texts;
+  for (const Rational &size : sieves)
+    texts.push_back(shown(size));
+  return fmt::format(
+      "Left out of the blend's gradation are sieves at which a stockpile is interpolated, or not known: "
+      "{} mm.",
+      fmt::join(texts, ", "));
 }
 
 /// Where a mass is no decimal, whole multiples of all.
@@ -71,7 +91,10 @@ Gradation blended_gradation(const std::vector<Gradation> &stockpiles, const std:
           "out to blend masses");
   Gradation::Data data;
   data.id = id;
-  data.sizes = blended_sieves(stockpiles, shares, sieves);
+  BlendedSieves all = blended_sieves(stockpiles, shares, sieves);
+  data.sizes = std::move(all.sizes);
+  if (!all.interpolated.empty())
+    data.notes.push_back(left_out_note(all.interpolated));
   std::vector<Rational> retained;
   Rational passed = 100;
   for (std::size_t i = data.sizes.size(); i-- > 0;) {

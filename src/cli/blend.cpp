@@ -43,11 +43,12 @@ struct BlendCommand {
   OutputFlags output;
 };
 
-/// The gradation of the best blend, where it is to be written and there is one.
+/// The gradation of the best blend, where it is to be written and there is one; notes are told.
 std::optional<std::string> blended_file(const BlendCommand &c, const Blending &blending) {
   const std::optional<Gradation> g = c.blended ? blending.blended() : std::nullopt;
   if (!g)
     return std::nullopt;
+  c.output.tell_notes(g->notes());
   return c.blended->ends_with(".json") ? gradation_json(*g) : gradation_csv(*g);
 }
 
@@ -132,6 +133,9 @@ void check_alone(const BlendCommand &c) {
                      ", -j, -o and " + option("quiet") + " alone");
   if (c.output.asked_format && !c.output.is_json())
     throw InputError(option("problems") + ": the answers are JSON Lines: leave out " + option("format"));
+  if (c.output.out && !c.output.asked_format)
+    check_ending(*c.output.out, {"jsonl", "ndjson", "json"}, "blend",
+                 "; the answers to " + option("problems") + " are JSON Lines");
   check_distinct({*c.problems, c.output.path()});
 }
 

@@ -241,7 +241,7 @@ Run add_verify(CLI::App &app) {
           paragraph(
               "Exit 0 if no particle lies outside all classes, none has its centre outside the box of the "
               "file, --box or --specimen, and every share is within the tolerance; 1 if not; 3 if an "
-              "irrational law leaves it open.") +
+              "irrational law, or ranges of sizes as in CSV answers, leave it open.") +
           "\n" +
           paragraph("With --over-time the exit code is that of all timesteps together. Breakage is told "
                     "against the "

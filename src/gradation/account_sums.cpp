@@ -32,6 +32,7 @@ public:
         check_total(c, *total);
     if (mass_column_) {
       check_initial(*mass_column_);
+      check_uncompared(*mass_column_);
       check_washed(*mass_column_);
       check_loss(*mass_column_);
     } else {
@@ -197,6 +198,21 @@ private:
                                              shown(a_.loss.percent()), shown(whole->value), option("loss")));
     notes_.push_back(
         fmt::format("{} is {}; it belongs to no sieve.", in_quotes(where.label), shown(loss.value)));
+  }
+
+  /// A mass that is more than all rows together may be the sample before something was lost.
+  void check_uncompared(std::size_t c) const {
+    const std::optional<PrintedNumber> whole = column(c).whole();
+    if (!whole || stated_.initial)
+      return;
+    for (const StatedMass &stated : stated_.uncompared)
+      if (const PrintedNumber mass = *in_unit_of(column(c), stated);
+          mass.range().lo > whole->range().hi && !a_.loss.explains(*whole, mass))
+        source_.refuse(
+            stated.line,
+            fmt::format("{} is {}, more than the {} of all rows: write 'Initial dry mass' if it is the mass "
+                        "of the sample, else leave it out",
+                        in_quotes(stated.label), shown(mass.value), shown(whole->value)));
   }
 
   /// The row of a loss where all columns have shares.

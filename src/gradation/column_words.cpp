@@ -45,7 +45,7 @@ constexpr std::array vocabulary = {
     RoleWords{mesh, "mesh"},
     RoleWords{grain, "particle particles grain grains equivalent"},
     RoleWords{number, "no nos number numbers"},
-    RoleWords{standard, "us u s usa bs british astm iso din is indian standard test nominal square name "
+    RoleWords{standard, "us u s usa as bs british astm iso din is indian standard test nominal square name "
                         "designation nf une uni cnr"},
     RoleWords{retained, "retained ret"},
     RoleWords{retained | cumulative, "oversize coarser"},

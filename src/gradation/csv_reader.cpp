@@ -83,9 +83,10 @@ private:
     const std::vector<std::string> &names = rows_.fields();
     table_.header_line = rows_.line();
     if (names.size() == 3 && names[1] == "passing_min_percent" && names[2] == "passing_max_percent")
-      rows_.refuse(fmt::format(
-          "this is a band of allowed gradations: give it to {}; a gradation has one of the columns {}",
-          option("band"), mass_column_names()));
+      rows_.refuse(fmt::format("this is a band of allowed gradations, where a gradation is asked for, which "
+                               "has one of the columns {}; "
+                               "a band is for {} or {}",
+                               mass_column_names(), option("band"), option("spec")));
     if (names.size() < 2)
       rows_.refuse("a second column is missing: use one of " + mass_column_names());
     const MassColumn *const of_numbers = find_number_column(names[1]);

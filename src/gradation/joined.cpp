@@ -139,6 +139,17 @@ void add_overlap(std::vector<std::string> &history, const CutPart &coarse, const
   add_left_out(history, fine, o.left_out_of_fine, unit);
 }
 
+/// Factors are of classes: of one part alone nothing says what the other's are.
+void check_factors(const CutPart &coarse, const CutPart &fine) {
+  const bool has_coarse = coarse.of.gradation.has_factors();
+  if (has_coarse == fine.of.gradation.has_factors())
+    return;
+  throw InputError(
+      fmt::format("{}: its classes have factors, and those of {} have none: give both the column "
+                  "factor, or neither",
+                  (has_coarse ? coarse : fine).of.name, (has_coarse ? fine : coarse).of.name));
+}
+
 /// Joins the parts. \param passing  mass that passes the joint, of `whole`
 Regraded joined_parts(const CutPart &coarse, const CutPart &fine, const Rational &at,
                       const Rational &passing) {
@@ -147,6 +158,7 @@ Regraded joined_parts(const CutPart &coarse, const CutPart &fine, const Rational
   check_passing(coarse, passing, joint);
   check_passing(fine, fine.passing, joint);
   const Gradation &c = coarse.of.gradation, &f = fine.of.gradation;
+  check_factors(coarse, fine);
   const Rational whole = mass_of(c, coarse.below, c.classes()) + passing;
   const Rational share = passing / whole, share_of_fine = fine.passing / mass_of(f, 0, f.classes());
   const Gradation both = rows_of_both(coarse, fine, at, passing / fine.passing);
@@ -180,6 +192,12 @@ Regraded composed(const NamedGradation &coarse, const NamedGradation &fine, cons
     throw InputError(fmt::format("{}: the mass {} is above {}, and so no part of what passes it: correct it, "
                                  "or join two analyses of the whole",
                                  fine.name, shown(above), split));
+  if (const std::size_t first = c.sizes.front() > 0 ? 0 : 1;
+      first < c.below && mass_of(coarse.gradation, first, c.below) != 0)
+    throw InputError(fmt::format(
+        "{}: the mass {} was weighed on sieves below {}, and the part takes its place: "
+        "split at its finest sieve, {}, or join two analyses of the whole",
+        coarse.name, shown(mass_of(coarse.gradation, first, c.below)), split, shown(c.sizes[first], unit)));
   if (c.passing == 0 && !passed)
     throw InputError(fmt::format("{}: it has no mass below {}: give a row for the pan, or the mass of all "
                                  "that passed",

@@ -100,6 +100,26 @@ bool names_index(std::string_view cell) {
          (words.size() > 1 && words[0] == 'd' && std::all_of(words.begin() + 1, words.end(), is_digit));
 }
 
+/// A number about the sheet or the soil, which labs write below its columns: `Page`, `Moisture`, `Density`.
+bool names_remark(std::string_view cell) {
+  constexpr std::string_view names = "date datum fecha data page seite pagina folio report bericht project "
+                                     "projekt job order auftrag lab labor "
+                                     "test versuch sheet no nr number id ref year time temperature "
+                                     "temperatur revision rev version phone tel "
+                                     "moisture water wassergehalt humidity humedad umidita teneur content "
+                                     "density dichte densite densidad densita "
+                                     "gravity kornrohdichte porosity void ll pl pi wl wp ip limit plasticity "
+                                     "depth tiefe profondeur profundidad "
+                                     "profondita bohrung coefficient ungleichfoermigkeit "
+                                     "ungleichfoermigkeitszahl kruemmungszahl uniformity curvature "
+                                     "cu cc u c k kf permeability fineness modul modulus operator checked "
+                                     "tested by span sorting skewness kurtosis "
+                                     "mean median mode";
+  const std::vector<std::string> words = words_of(cell);
+  return std::any_of(words.begin(), words.end(),
+                     [names](const std::string &word) { return has_word(names, word); });
+}
+
 bool has_number(const CellRow &row) {
   return std::any_of(row.cells.begin(), row.cells.end(),
                      [](const std::string &cell) { return number_cell(cell).has_value(); });
@@ -144,6 +164,7 @@ public:
                                  column_options()));
     check_samples();
     sizes_.settle(read_.table, chosen_.meaning().meaning == ColumnMeaning::retained, source_);
+    check_corrected();
     take_stated();
     columns_.values = chosen_.meaning();
     read_.columns = columns_;
@@ -211,6 +232,8 @@ private:
     columns_.size = next->size;
     columns_.value = next->value;
     columns_.names = next->names;
+    if (next->sizes.unit != columns_.sizes.unit)
+      sizes_.begin_unit();
     columns_.sizes = next->sizes;
     columns_.width = next->width;
     beside_.go_on(next->further);
@@ -267,10 +290,16 @@ private:
       add_account(known);
       return true;
     }
-    if (known.meaning == RowMeaning::container && !below_gap_ && are_retained && number_cell(value_cell()))
+    if (known.meaning == RowMeaning::container && are_retained && number_cell(value_cell()) &&
+        (!below_gap_ || !speaks_of_mass(first_cell(row()))))
       refuse(fmt::format("{} may be the pan, or a container that was weighed: write Pan for what passed the "
                          "finest sieve, else leave the row out",
                          in_quotes(first_cell(row()))));
+    if (known.meaning == RowMeaning::moist_mass && !below_gap_ && number_cell(value_cell()) &&
+        !speaks_of_mass(first_cell(row())))
+      refuse(fmt::format(
+          "{} may be a row of the table, or a moist mass: write the sieve, Pan or Wash loss, or Moist mass",
+          in_quotes(first_cell(row()))));
     if (known.meaning == RowMeaning::pan && !below_gap_ && are_retained)
       in_line([this] { chosen_.refuse(value_cell()); });
     const std::size_t before = statements_.size();
@@ -307,6 +336,7 @@ private:
   void add_account(const RowWords &known) {
     check_words_among();
     check_width();
+    check_unit_beside();
     check_words_beside();
     check_mass_unit();
     AccountRow account{known.meaning, 0, false, std::string(first_cell(row())), row().line, {}};
@@ -363,10 +393,11 @@ private:
       refuse(
           fmt::format("the row {} has numbers and no value in the column {}: write it, or leave the row out",
                       in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
-    if (below_gap_ && chosen_.meaning().meaning == ColumnMeaning::retained && number_cell(value_cell()) &&
-        may_be_fines(first_cell(row())))
-      refuse(fmt::format("{} may be what passed the finest sieve: write Pan if it is, else leave the row out",
-                         in_quotes(first_cell(row()))));
+    if (below_gap_ && number_cell(value_cell()) && !is_remark_with_number())
+      refuse(fmt::format(
+          "{} has {} in the column {}, and may be a sieve or what passed the finest one: write the "
+          "sieve's size or Pan, else leave the row out",
+          in_quotes(first_cell(row())), in_quotes(value_cell()), in_quotes(columns_.value_name)));
     add_statements(row(), nullptr, statements_);
     if (below_gap_ || (!read_.table.sizes.empty() && names_sample(first_cell(row()))))
       words_below_.emplace_back(first_cell(row()));
@@ -374,6 +405,12 @@ private:
       words_among_ = &row();
     leave();
     return true;
+  }
+
+  /// A row below the table whose number is none of a mass.
+  bool is_remark_with_number() const {
+    const std::string_view label = first_cell(row());
+    return names_index(label) || names_remark(label) || (number_cell(label) && label != value_cell());
   }
 
   /// Words that another row of the table follows may head a part of it, or be a sieve that is not known.
@@ -386,11 +423,30 @@ private:
                       in_quotes(first_cell(*words_among_))));
   }
 
+  /// What was washed through a coarser sieve than the finest need not pass that.
+  void check_washing_sieve(const MassStatement &s) const {
+    const std::string sieve = row_words(s.label).sieve;
+    if ((s.meaning != RowMeaning::wash_loss && s.meaning != RowMeaning::pan_and_wash) || sieve.empty())
+      return;
+    const auto is_sieve = [](const Rational &size) { return size > 0; };
+    std::vector<Rational> sieves;
+    std::copy_if(read_.table.sizes.begin(), read_.table.sizes.end(), std::back_inserter(sieves), is_sieve);
+    const Rational washed = in_line([&] { return sizes_.named(sieve); });
+    if (!sieves.empty() && washed > *std::min_element(sieves.begin(), sieves.end()))
+      source_.refuse(
+          s.line,
+          fmt::format(
+              "{} is of a sieve that is coarser than the finest one: write it into the row of the sieve "
+              "below which it belongs",
+              in_quotes(s.label)));
+  }
+
   /// Numbers beside words that say nothing of masses may be dates.
   void take_stated() {
     for (const MassStatement &s : statements_) {
       const bool may_pass =
-          s.meaning == RowMeaning::none && (speaks_of_washing(s.label) || may_be_fines(s.label));
+          s.meaning == RowMeaning::none &&
+          ((speaks_of_washing(s.label) && !names_washed_part(s.label)) || may_be_fines(s.label));
       if (may_pass && s.grams != 0)
         source_.refuse(s.line,
                        fmt::format("{} may be a mass that passes the finest sieve: write Wash loss, or a "
@@ -407,7 +463,9 @@ private:
       } catch (const InputError &error) {
         if (s.meaning != RowMeaning::none || speaks_of_washing(s.label))
           source_.refuse(s.line, fmt::format("{}: {}", in_quotes(s.label), error.what()));
+        continue;
       }
+      check_washing_sieve(s);
     }
   }
 
@@ -431,6 +489,57 @@ private:
     }
   }
 
+  /// A column that has the masses in some rows and others in the rest has those of the whole, or of a part.
+  void check_corrected() const {
+    if (reading_.columns || chosen_.meaning().meaning != ColumnMeaning::retained)
+      return;
+    for (const UnusedColumn &column : columns_.others) {
+      if (speaks_of_splitting(column.name) && has_numbers(column))
+        source_.refuse(
+            read_.table.header_line,
+            fmt::format(
+                "the column {} may be of a part of the sample that was sieved for the whole: choose the "
+                "masses of the whole with {} SIZE,VALUE, or leave it out",
+                in_quotes(column.name), option("columns")));
+      if (is_corrected(column))
+        source_.refuse(
+            read_.table.header_line,
+            fmt::format(
+                "the column {} has the numbers of {} in some rows, and others in the rest: choose one "
+                "with {} SIZE,VALUE",
+                in_quotes(column.name), in_quotes(columns_.value_name), option("columns")));
+    }
+  }
+
+  bool has_numbers(const UnusedColumn &column) const {
+    return std::any_of(sieves_.begin(), sieves_.end(),
+                       [&](const CellRow *row) { return number_cell(row->cell(column.place)).has_value(); });
+  }
+
+  /// True where it is neither the same column nor the masses added up from either end.
+  bool is_corrected(const UnusedColumn &column) const {
+    std::size_t same = 0, others = 0, sums = 0;
+    Rational down = 0, up = 0;
+    for (std::size_t i = 0; i < sieves_.size(); ++i)
+      up += read_.table.values[i];
+    for (std::size_t i = 0; i < sieves_.size(); ++i) {
+      const std::optional<NumberCell> number = number_cell(sieves_[i]->cell(column.place));
+      if (!number)
+        return false;
+      const Rational &mass = read_.table.values[i],
+                     value = printed_number(number->digits, sign_.in(number->digits)).value;
+      down += mass;
+      if (mass != 0 && value == mass)
+        ++same;
+      else if (value != mass)
+        ++others;
+      if (value == down || value == up)
+        ++sums;
+      up -= mass;
+    }
+    return same > 0 && others > 0 && sums < sieves_.size();
+  }
+
   // ---- sieves
 
   void read_sieve() {
@@ -445,6 +554,7 @@ private:
     check_words_among();
     check_width();
     check_unused();
+    check_unit_beside();
     check_decimal_commas();
     in_line([&] {
       table.sizes.push_back(sizes_.next(row()));
@@ -486,6 +596,30 @@ private:
             in_quotes(cell), option("columns")));
       if (!name.empty() && has_number)
         check_named(name, cell);
+      if (const RowMeaning meaning = row_words(cell).meaning;
+          !name.empty() && (meaning == RowMeaning::pan || meaning == RowMeaning::pan_and_wash) &&
+          !may_be_remark(cell))
+        refuse(fmt::format(
+            "{} is in the column {}, which is not read: write a second part of the table below the first",
+            in_quotes(cell), in_quotes(name)));
+    }
+  }
+
+  /// Units beside the masses must be one.
+  void check_unit_beside() {
+    if (reading_.columns)
+      return;
+    for (const UnusedColumn &column : columns_.others) {
+      const std::string_view cell = row().cell(column.place);
+      if (unit_of_words(cell) != ColumnUnit::mass)
+        continue;
+      const std::string unit = plain_words(cell);
+      std::string &before = units_beside_[column.place];
+      const bool is_others = columns_.grams != 0 && grams_in(cell) != columns_.grams;
+      if (is_others || (!before.empty() && before != unit))
+        refuse(fmt::format("the mass in {} is in {}, and others are not: write all alike",
+                           in_quotes(columns_.value_name), in_quotes(cell)));
+      before = unit;
     }
   }
 
@@ -557,6 +691,7 @@ private:
   bool below_gap_ = false;
   std::vector<std::string> words_below_; ///< of rows below a gap that are none of the table, or name a sample
   const CellRow *words_among_ = nullptr; ///< the last row of words behind a sieve, with no gap above it
+  std::map<std::size_t, std::string> units_beside_; ///< of the masses, by the column of the unit
   std::vector<const CellRow *> sieves_;
 };
 

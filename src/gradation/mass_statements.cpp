@@ -35,6 +35,14 @@ std::string_view without_word_of_note(std::string_view cell) {
   return is_note ? without_spaces(cell.substr(colon + 1)) : cell;
 }
 
+/// `1` and `234.5 g`: the number may be cut in two between its thousands.
+bool are_thousands(std::string_view label, std::string_view behind) {
+  constexpr std::size_t thousand = 3;
+  const std::size_t digits = std::min(behind.find_first_not_of("0123456789"), behind.size());
+  return !label.empty() && is_digit(label.back()) && digits == thousand &&
+         (label.size() == 1 || label[label.find_last_not_of("0123456789")] == ' ');
+}
+
 /// The digits of the last whole number in a text. \pre it has a digit
 std::string_view last_digits(std::string_view text) {
   const std::size_t last = text.find_last_of("0123456789");
@@ -151,8 +159,9 @@ private:
     if (behind.empty())
       if (const auto parts = split_at_mass(cell))
         std::tie(label, behind) = *parts;
-    const bool has_two = !behind.empty() && holds_mass(label) &&
-                         (speaks_of_washing(label) || row_words(label).meaning != RowMeaning::none);
+    const bool says_mass = speaks_of_washing(label) || row_words(label).meaning != RowMeaning::none;
+    const bool has_two = says_mass && (behind.empty() ? holds_mass(cell) && must_be_read(cell)
+                                                      : holds_mass(label) || are_thousands(label, behind));
     const std::optional<NumberCell> number = has_two ? std::nullopt : number_cell(behind);
     // `M1: total dry mass (g)`
     const bool is_numbered = !number && row_words(label).meaning == RowMeaning::none && must_be_read(behind);
@@ -192,8 +201,7 @@ private:
 
   /// \param text  of the number, in that column of that row
   void state(const NumberCell &number, std::string_view text, const CellRow &row, std::size_t column) {
-    const bool is_mass_on_sieve = number.unit == ColumnUnit::mass && speaks_of_retaining(label_);
-    const bool is_size = is_of_sizes(unit_in_header(label_)) && !is_mass_on_sieve &&
+    const bool is_size = is_of_sizes(unit_in_header(label_)) && number.unit != ColumnUnit::mass &&
                          row_words(label_).meaning == RowMeaning::none;
     if (stated_ || is_of_sizes(number.unit) || is_size)
       return;

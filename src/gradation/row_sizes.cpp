@@ -147,7 +147,7 @@ Rational RowSizes::row_size(std::string_view cell) {
     return ranges_.lower();
   }
   const Rational size = size_of(cell, ColumnUnit::none);
-  if (const std::optional<std::string_view> digits = plain_digits(cell)) {
+  if (const std::optional<std::string_view> digits = plain_digits(cell); digits && !has_own_unit_) {
     plain_rows_.push_back(rows_);
     plain_sizes_.push_back(sign_.decimal(*digits));
   }

@@ -25,6 +25,8 @@ public:
   /// The size of the table's next row. Other columns of sizes must name the same sieve.
   /// \throws InputError where the cell is no size, or its unit is not certain
   Rational next(const CellRow &row);
+  /// The sizes below are in another unit than those above, as their header says.
+  void begin_unit() { has_own_unit_ = true; }
   /// The size of the sieve that words name.
   /// \throws InputError as above
   Rational named(std::string_view sieve) const;
@@ -49,7 +51,8 @@ private:
   std::string series_; ///< the line above the table that names other sieves than those of ASTM; mostly empty
   std::size_t rows_ = 0;
   SizeRanges ranges_;
-  std::vector<std::size_t> plain_rows_; ///< with sizes that are numbers alone ...
+  bool has_own_unit_ = false;
+  std::vector<std::size_t> plain_rows_; ///< below the first unit, with sizes that are numbers alone ...
   std::vector<Rational> plain_sizes_;   ///< ... and these numbers
 };
 

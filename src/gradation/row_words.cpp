@@ -23,6 +23,12 @@ constexpr std::string_view washing =
     "abschlaemmung schlaemmen schlaemmverlust schlaemmanteil decanted decantation elutriation elutriated "
     "lavage "
     "lave laves lavee lavees lavado lavados lavada lavadas lavaggio lavato lavati lavata lavate";
+/// Words of washing that are of what went as well as of what stayed.
+constexpr std::string_view washed =
+    "washed gewaschen lave laves lavee lavees lavados lavada lavadas lavato lavati lavata lavate decanted "
+    "elutriated";
+/// Words beside washing of what may have stayed.
+constexpr std::string_view stayed = "residue retained rest collected on over rueckstand";
 /// Words beside washing that say that its number is what went.
 constexpr std::string_view gone =
     "loss losses lost verlust waschverlust auswaschverlust eliminees elimines eliminado eliminados eliminada "
@@ -61,7 +67,8 @@ constexpr std::string_view container =
 constexpr std::string_view moist =
     "moist wet damp feucht feuchte feuchtmasse nass humide humeda humedo umida umido bulk";
 constexpr std::string_view splitting =
-    "split splits splitting subsample subsamples subsampled riffle riffled riffling riffler quartered "
+    "split splits splitting aliquot aliquots aliquota aliquote quarter quarters tenth subsample subsamples "
+    "subsampled riffle riffled riffling riffler quartered "
     "quartering "
     "reduced reduction geviertelt viertelung teilprobe teilproben probenteilung probeteilung geteilt "
     "riffelteiler quartage quarte "
@@ -118,6 +125,17 @@ public:
       if (is_mass(i) && is_mass(i + 3) && has_word("of from von aus de sur di su", all_[i + 2]))
         return true;
     return false;
+  }
+
+  /// `Fine fraction sieved`, `10 % of minus 1 mm tested`.
+  bool have_part_sieved() const {
+    return have("fraction fractions fraccion portion minus fine fines finos fins") &&
+           have("sieved tested taken ensayada ensayado essayee tamisee");
+  }
+  /// `Fine factor`, `Ratio total/sieved`.
+  bool have_factor_of_part() const {
+    return have("factor faktor facteur fattore ratio multiplier") &&
+           have("fine fines sieved fein fins finos portion fraction corrected");
   }
 
 private:
@@ -190,12 +208,18 @@ RowMeaning meaning_of(const Words &words, bool passes) {
     return RowMeaning::none; // the pan is weighed with what is in it
   if (words.have(pan) && (washes || !dries))
     return washes ? RowMeaning::pan_and_wash : RowMeaning::pan;
-  if (washes)
-    return words.have(gone) || (!dries && !weighs) ? RowMeaning::wash_loss
-           : dries                                 ? RowMeaning::washed_mass
-                                                   : RowMeaning::none;
+  if (washes) {
+    const bool is_unclear = weighs || words.have(washed) || words.have(stayed) || words.have(sample) ||
+                            words.have(total) || words.have(sieving);
+    return words.have(gone) ? RowMeaning::wash_loss
+           : dries          ? RowMeaning::washed_mass
+           : is_unclear     ? RowMeaning::none
+                            : RowMeaning::wash_loss;
+  }
   if (words.have(moist))
-    return RowMeaning::moist_mass;
+    return passes || words.have(passing) || words.have(gone) || words.have(loss) || words.have(sieving)
+               ? RowMeaning::none
+               : RowMeaning::moist_mass;
   if (passes || words.have(passing))
     return RowMeaning::passing;
   if (words.have(loss))
@@ -219,7 +243,9 @@ RowWords row_words(std::string_view label) {
     return {};
   const bool passes = has_sign_of_passing(label);
   RowWords row{meaning_of(words, passes), named_sieve(label)};
-  if (row.meaning == RowMeaning::passing && row.sieve.empty())
+  const bool needs_sieve = row.meaning == RowMeaning::passing,
+             has_none = row.meaning == RowMeaning::moist_mass;
+  if ((needs_sieve && row.sieve.empty()) || (has_none && !row.sieve.empty()))
     row.meaning = RowMeaning::none;
   return row;
 }
@@ -237,7 +263,9 @@ bool speaks_of_splitting(std::string_view text) {
   const Words words(text);
   return (words.have(splitting) && !words.have_two("split", "spoon barrel tube") &&
           !words.have_two("reduced", "level")) ||
-         words.have_two("sub", "sample samples") || words.have_part_of_mass();
+         words.have_two("sub", "sample samples") || words.have_part_of_mass() || words.have_part_sieved() ||
+         words.have_factor_of_part() ||
+         (words.have("portion prise") && (words.have(passing) || has_sign_of_passing(text)));
 }
 
 bool speaks_of_sample(std::string_view text) {
@@ -267,6 +295,18 @@ bool may_be_fines(std::string_view text) {
 bool speaks_of_retaining(std::string_view text) {
   return row_vocabulary::Words(text).have("retained retaining oversize rueckstand siebrueckstand ueberkorn "
                                           "refus retenu retenida retenido trattenuto trattenuta");
+}
+
+bool speaks_of_moisture_or_container(std::string_view text) {
+  using namespace row_vocabulary;
+  return Words(text).have(moist) || Words(text).have(container) ||
+         Words(text).have("water wasser eau agua acqua");
+}
+
+bool names_washed_part(std::string_view text) {
+  using namespace row_vocabulary;
+  const Words words(text);
+  return words.have(washing) && (words.have(sample) || words.have(stayed) || words.have(total));
 }
 
 bool speaks_of_mass(std::string_view text) {

@@ -52,6 +52,12 @@ bool may_be_fines(std::string_view text);
 /// True for words of what stays on a sieve: retained, oversize.
 bool speaks_of_retaining(std::string_view text);
 
+/// True for words of a moist mass, of water, or of a container with what is in it.
+bool speaks_of_moisture_or_container(std::string_view text);
+
+/// True for words of what was washed, or stayed: washed sample, wash residue.
+bool names_washed_part(std::string_view text);
+
 /// True where the text names a mass: mass, weight, g, kg.
 bool speaks_of_mass(std::string_view text);
 

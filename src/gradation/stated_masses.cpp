@@ -40,9 +40,10 @@ private:
       return leave_row(s);
     std::optional<StatedMass> *place = place_of(s.meaning);
     if (place == nullptr)
-      return leave(s);
+      return leave(number);
     if (s.is_percent)
       return take_percent(number);
+    check_unit(s);
     const StatedMass stated = in_grams(number);
     if (*place && !agree((*place)->mass, stated.mass))
       source_.refuse(s.line, fmt::format("{} is {} here, and {} in line {}: leave the wrong one out",
@@ -50,6 +51,14 @@ private:
                                          shown((*place)->mass.value), (*place)->line));
     if (!*place)
       *place = stated;
+  }
+
+  /// A mass that is not in grams cannot be compared with a column that does not say its unit.
+  void check_unit(const MassStatement &s) const {
+    if (s.grams > 1 && chosen_.grams == 0 && !chosen_.is_share())
+      source_.refuse(
+          s.line, fmt::format("{} is not in g, and the column {} has no unit of mass: write it in the header",
+                              in_quotes(s.label), in_quotes(chosen_.header)));
   }
 
   static bool is_row(RowMeaning meaning) {
@@ -94,7 +103,7 @@ private:
     else if (s.meaning == RowMeaning::sieve_loss)
       masses_.sieve_loss_percent = stated;
     else
-      leave(s);
+      leave(number);
   }
 
   /// A row of the table that is not in it; in a heading a pan may be an empty one.
@@ -109,7 +118,8 @@ private:
     masses_.left.add(s.label);
   }
 
-  void leave(const MassStatement &s) {
+  void leave(const StatedNumber &number) {
+    const MassStatement &s = number.statement;
     if (speaks_of_washing(s.label) && number_may_be_mass(s))
       source_.refuse(s.line,
                      fmt::format("{} may be what was washed out, or not: write 'Wash loss' for what went, "
@@ -117,10 +127,12 @@ private:
                                  in_quotes(s.label)));
     if (s.grams != 0 || speaks_of_mass(s.label))
       masses_.left.add(s.label);
+    if (s.grams != 0 && !speaks_of_moisture_or_container(s.label))
+      masses_.uncompared.push_back(in_grams(number));
   }
   /// Numbers of standards, dates and times stand beside words of washing too.
   static bool number_may_be_mass(const MassStatement &s) {
-    return s.grams != 0 || s.is_percent || speaks_of_mass(s.label);
+    return s.grams != 0 || s.is_percent || speaks_of_mass(s.label) || names_washed_part(s.label);
   }
 
   /// The dry mass of what was weighed in a container.
@@ -138,6 +150,12 @@ private:
                                              in_quotes(loss->label), shown(loss->mass.value),
                                              in_quotes(initial->label), in_quotes(washed->label),
                                              shown(Rational(initial->mass.value - washed->mass.value))));
+    if (initial && washed && (washed->mass - initial->mass).range().lo > 0)
+      source_.refuse(washed->line,
+                     fmt::format("{} is {}, and {} is {}: a sample gains nothing by washing: correct one of "
+                                 "them",
+                                 in_quotes(washed->label), shown(washed->mass.value),
+                                 in_quotes(initial->label), shown(initial->mass.value)));
     if (!loss && initial && washed)
       loss = with_mass(*washed, initial->mass - washed->mass);
     else if (!loss && initial && masses_.wash_percent)

@@ -59,15 +59,23 @@ DiameterRange diameters(const OuterCurves &curves, const Interval &percent) {
   return {diameter(curves.box, curves.fine, percent.lo), hi ? *hi : curves.finest()};
 }
 
-std::optional<Real> reported_diameter(const OuterCurves &curves, const Rational &percent) {
-  const std::optional<PowerProduct> d = diameter(curves.box, curves.box.reported, percent);
-  return d ? std::optional(d->real()) : std::nullopt;
+std::optional<Real> reported_diameter(const OuterCurves &curves, const Interval &percent) {
+  const std::optional<PowerProduct> lo = diameter(curves.box, curves.box.reported, percent.lo);
+  if (!lo || percent.is_point())
+    return lo ? std::optional(lo->real()) : std::nullopt;
+  const std::optional<PowerProduct> hi = diameter(curves.box, curves.box.reported, percent.hi);
+  return real_between(lo->real(), hi->real());
+}
+
+Real real_between(const Real &lo, const Real &hi) {
+  return Real([lo, hi](unsigned bits) { return hull(lo.ball(bits), hi.ball(bits)); });
 }
 
 Interval fractions_around(const Real &y) {
   if (const std::optional<Rational> exact = y.exact())
     return *exact;
-  const Enclosure digits = enclose(y, 32);
+  constexpr unsigned beyond_print = 1100; // at most 1,000 digits are printed
+  const Enclosure digits = enclose(y, beyond_print);
   return {digits.lower(), digits.upper()};
 }
 

@@ -36,17 +36,20 @@ std::optional<PowerProduct> upper_diameter(const CurveBox &box, const CurvePerce
 /// D_p for all curves and all p in `percent`, in (0, 100].
 DiameterRange diameters(const OuterCurves &curves, const Interval &percent);
 
-/// D_p of the reported curve; nothing where it lies below the finest sieve.
-std::optional<Real> reported_diameter(const OuterCurves &curves, const Rational &percent);
+/// D_p of the reported curve for a p in `percent`; nothing where it lies below the finest sieve.
+std::optional<Real> reported_diameter(const OuterCurves &curves, const Interval &percent);
 
-/// A fraction that is y, or two within 10^-30 of it.
+/// y between two numbers, known as well as they are near each other.
+Real real_between(const Real &lo, const Real &hi);
+
+/// A fraction that is y, or two around it that agree to more digits than are ever printed.
 Interval fractions_around(const Real &y);
 
 /// What passes `size`, at or above the finest sieve, on the curve through these percents.
 /// \throws NotAvailable where no precision tells between which sieves it lies
 Real passing(const CurveBox &box, const CurvePercents &percents, const PowerProduct &size);
 
-/// What passes `size` (mm) on all curves, as fractions within 10^-30; below the finest sieve from 0 on.
+/// What passes `size` (mm) on all curves, as fractions_around() it; below the finest sieve from 0 on.
 /// \throws NotAvailable as above
 Interval passing_range(const OuterCurves &curves, const Rational &size);
 

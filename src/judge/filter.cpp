@@ -149,6 +149,7 @@ public:
     const Interval whole(100);
     const Interval passed = has_categories() && options.regrade ? passing_range(curves_, no_4()) : whole;
     is_regraded_ = passed.lo < 100;
+    has_irrational_percents_ = !passed.is_point() && curves_.box.is_exact;
     if (passed.lo == 0)
       throw InputError(report.gradation.id() +
                        ": nothing of the base is known to pass 4.75 mm, to which it is regraded");
@@ -178,6 +179,14 @@ public:
                                  greatest_of(all->hi, one.hi)};
       }
     return *all;
+  }
+
+  /// The least retention() as it is printed: of a base that is exact both ends are one number.
+  std::optional<Real> printed(const LengthRange &retention) const {
+    if (!retention.lo)
+      return std::nullopt;
+    return has_irrational_percents_ ? real_between(retention.lo->value, retention.hi.value)
+                                    : retention.lo->value;
   }
 
   /// The least D15 of a filter that lets the water of this base pass.
@@ -210,6 +219,7 @@ public:
   /// Of the reported curve.
   std::vector<RuleNumber> numbers() const {
     const Real passed = is_regraded_ ? reported_passing(no_4()) : Real(100);
+    const Interval around = fractions_around(passed);
     std::vector<RuleNumber> all;
     if (has_categories()) {
       const int category = the_category();
@@ -220,8 +230,8 @@ public:
                      "%"});
     }
     all.push_back({is_regraded_ ? "d85, regraded" : "d85",
-                   reported_diameter(part(85, fractions_around(passed).lo)), "mm"});
-    all.push_back({"d15", reported_diameter(15), "mm"});
+                   reported_diameter({part(85, around.lo), part(85, around.hi)}), "mm"});
+    all.push_back({"d15", reported_diameter(Rational(15)), "mm"});
     return all;
   }
 
@@ -242,7 +252,7 @@ private:
     return passing(curves_.box, curves_.box.reported, PowerProduct(size));
   }
 
-  std::optional<Real> reported_diameter(const Rational &percent) const {
+  std::optional<Real> reported_diameter(const Interval &percent) const {
     return mdm::reported_diameter(curves_, percent);
   }
 
@@ -300,7 +310,7 @@ private:
 
   FilterOptions options_;
   OuterCurves curves_;
-  bool is_regraded_ = false;
+  bool is_regraded_ = false, has_irrational_percents_ = false;
   DiameterRange d15_{std::nullopt, PowerProduct()}, d85_{std::nullopt, PowerProduct()};
   Interval fines_; ///< percent finer than 0.075 mm
   std::vector<std::string> notes_;
@@ -319,8 +329,10 @@ public:
   RuleJudgement run(const Base &base, const NamedFilterRule &rule) {
     const DiameterRange d15 = diameters(curves_, Rational(15));
     const LengthRange most = base.retention(), least = base.permeability();
-    add("retention", "D15", d15, true, most, base.retention_text());
-    add("permeability", "D15", d15, false, least, base.permeability_text());
+    result_.requirements.push_back(
+        {"retention", d15_of_report(), true, base.printed(most), base.retention_text(), at_most(d15, most)});
+    result_.requirements.push_back({"permeability", d15_of_report(), false, least.hi.value,
+                                    base.permeability_text(), at_least(d15, least)});
     if (rule.largest > 0) {
       fines();
       largest(rule.largest);
@@ -338,16 +350,7 @@ private:
     return mdm::reported_diameter(curves_, percent);
   }
 
-  void add(const char *name, const char *of, const DiameterRange &value, bool is_upper,
-           const LengthRange &limit, std::string text) {
-    const std::optional<Length> &shown_limit = is_upper ? limit.lo : std::optional<Length>(limit.hi);
-    result_.requirements.push_back({name,
-                                    {of, reported_diameter(15), "mm"},
-                                    is_upper,
-                                    shown_limit ? std::optional(shown_limit->value) : std::nullopt,
-                                    std::move(text),
-                                    is_upper ? at_most(value, limit) : at_least(value, limit)});
-  }
+  RuleNumber d15_of_report() const { return {"D15", reported_diameter(15), "mm"}; }
 
   void fines() {
     const Rational most = 5, size = decimal("0.075");

@@ -29,19 +29,24 @@ public:
     return row;
   }
 
-  /// A row at the least tolerance or factor with which the budget suffices; nothing if none is known.
-  std::optional<TradeoffRow> within(const Integer &particles, BudgetBy by, TradeoffRow row,
-                                    const Gradation &g, const Question &question) {
+  /// Adds a row at the least tolerance or factor with which the budget suffices, where one is known.
+  void add_within(std::vector<TradeoffRow> &rows, const Integer &particles, BudgetBy by, TradeoffRow row,
+                  const Gradation &g, const Question &question) {
     const Match m =
         solve_within_budget(g, question, {particles, by, options_.kind, options_.grid}, solve_options())
             .match;
-    if (!m.budget->enough || !m.has_answer())
-      return std::nullopt;
+    if (!m.budget->enough || !m.has_answer()) {
+      missed_.push_back({particles, by, m.status == Status::none});
+      return;
+    }
     (by == BudgetBy::tolerance ? row.tolerance : row.size_factor) = *m.budget->enough;
     set_match(row, m);
     row.has_none = false;
-    return row;
+    rows.push_back(std::move(row));
   }
+
+  /// The budgets for which there was no row.
+  std::vector<Tradeoff::MissedBudget> missed() && { return std::move(missed_); }
 
 private:
   static void set_match(TradeoffRow &row, const Match &m) {
@@ -74,6 +79,7 @@ private:
 
   const TradeoffOptions &options_;
   bool stopped_ = false;
+  std::vector<Tradeoff::MissedBudget> missed_;
 };
 
 /// True if something must pass a sieve of the band below which the gradation has no class: without its finest
@@ -167,8 +173,7 @@ std::vector<TradeoffRow> size_factor_rows(const std::vector<Integer> &budgets, c
                                           const TradeoffRow &whole) {
   std::vector<TradeoffRow> rows;
   for (const Integer &particles : budgets)
-    if (std::optional<TradeoffRow> row = of.within(particles, BudgetBy::size_factor, whole, g, question))
-      rows.push_back(std::move(*row));
+    of.add_within(rows, particles, BudgetBy::size_factor, whole, g, question);
   if (!budgets.empty())
     rows.push_back(whole);
   sort_rows(rows, &TradeoffRow::size_factor);
@@ -185,7 +190,7 @@ bool survives_cuts(const Question &q) {
 
 Tradeoff tradeoff(Gradation g, const Question &question, const TradeoffOptions &options) {
   assert(!question.is_tolerant() || (options.budgets.empty() && !options.all_budgets));
-  Tradeoff result{question, asked_gradation(g, question), options.kind, {}, {}, {}};
+  Tradeoff result{question, asked_gradation(g, question), options.kind, {}, {}, {}, {}, {}};
   Question changes = question; // what is not changed in `base` yet
   changes.pan_size = changes.cut_below = std::nullopt;
   Question done = question;
@@ -199,13 +204,13 @@ Tradeoff tradeoff(Gradation g, const Question &question, const TradeoffOptions &
     result.by_tolerance.push_back(tolerance_row(base, changes, {options.kind, percent}, of, result.whole()));
   const std::vector<Integer> budgets = budgets_of(options, result.whole().lower_bound);
   for (const Integer &particles : budgets)
-    if (std::optional<TradeoffRow> row =
-            of.within(particles, BudgetBy::tolerance, result.whole(), base, changes))
-      result.by_tolerance.push_back(std::move(*row));
+    of.add_within(result.by_tolerance, particles, BudgetBy::tolerance, result.whole(), base, changes);
   sort_rows(result.by_tolerance, &TradeoffRow::tolerance);
   share_bounds(result.by_tolerance);
   if (question.solids && question.size_factor == 1)
     result.by_size_factor = size_factor_rows(budgets, base, changes, of, result.whole());
+  result.missed = std::move(of).missed();
+  result.at_most = options.limits.at_most;
   return result;
 }
 

@@ -89,8 +89,11 @@ private:
         void_ratio_of(t_.is_cylinder ? box * pi_interval() * Interval(ratio(1, 4)) : box, cubes.interval());
   }
 
-  /// True if the centre is between two bounds, the upper one excluded.
-  bool is_between(std::size_t i, std::size_t axis, const Rational &low, const Rational &high) const {
+  /// Whether a centre at the upper bound of a box is in it: of the whole space it is, of its inner part not.
+  enum class UpperBound { open, closed };
+
+  bool is_between(std::size_t i, std::size_t axis, const Rational &low, const Rational &high,
+                  UpperBound bound) const {
     const SphereImage &s = near_.moved(i);
     const double x = s.centre[axis], below = x - cut_double(low), above = cut_double(high) - x;
     if (below > bound_error(low) && above > bound_error(high))
@@ -98,22 +101,22 @@ private:
     if (below < -bound_error(low) || above < -bound_error(high))
       return false;
     const Rational exact = near_.exact(s, axis);
-    return exact >= low && exact < high;
+    return exact >= low && (exact < high || (bound == UpperBound::closed && exact == high));
   }
   /// More than the error of the difference of a centre and a bound.
   double bound_error(const Rational &bound) const {
     return near_.error() + std::abs(cut_double(bound)) * 4 * std::numeric_limits<double>::epsilon();
   }
-  bool is_in(std::size_t i, const SpaceBox &box) const {
+  bool is_in(std::size_t i, const SpaceBox &box, UpperBound bound) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (!t_.periodic[axis] && !is_between(i, axis, box.low[axis], box.high[axis]))
+      if (!t_.periodic[axis] && !is_between(i, axis, box.low[axis], box.high[axis], bound))
         return false;
     return true;
   }
   bool is_in_space(std::size_t i) const {
     if (!t_.is_cylinder)
-      return is_in(i, t_.space);
-    if (!is_between(i, 2, t_.space.low[2], t_.space.high[2]))
+      return is_in(i, t_.space, UpperBound::closed);
+    if (!is_between(i, 2, t_.space.low[2], t_.space.high[2], UpperBound::closed))
       return false;
     const SphereImage &s = near_.moved(i);
     const Rational r = t_.space.side(0) / 2;
@@ -210,7 +213,7 @@ private:
     }
     for (std::size_t i = 0; i < sample_.size(); ++i) {
       count(touched[i], t_.coordination);
-      if (t_.inner && is_in(i, *t_.inner))
+      if (t_.inner && is_in(i, *t_.inner, UpperBound::open))
         count(touched[i], t_.inner_coordination);
     }
     t_.contacts = t_.coordination.ends / 2;

@@ -83,8 +83,9 @@ std::string blend_headline(const BlendReport &r) {
   const std::string limits = printable(r.specification);
   const BlendAnswer &a = r.answer;
   if (a.status == BlendStatus::none)
-    return fmt::format("no blend of these {} stockpiles keeps the limits of {}{}\n", p.stockpiles.size(),
-                       limits, a.contradiction ? "" : " in " + step_in_words(r));
+    return fmt::format("no blend of {}these {} stockpiles keeps the limits of {}{}\n",
+                       p.at_most && !a.contradiction ? fmt::format("at most {} of ", *p.at_most) : "",
+                       p.stockpiles.size(), limits, a.contradiction ? "" : " in " + step_in_words(r));
   if (a.status == BlendStatus::unknown)
     return fmt::format("a limit came before a blend within {} was found\n", limits);
   std::string text = fmt::format("{}: within {}\n", shares_in_words(p, a.best.front()), limits);
@@ -280,9 +281,10 @@ std::string widening_text(const BlendReport &r) {
     return a.is_widening_decided ? fmt::format("  no widening of {} leaves a blend\n", what) : "";
   const std::string real_shares = shares_in_words(r.problem, *a.widened_real), steps = step_in_words(r);
   const bool are_kept = a.widened_real->value == 0;
-  std::string text = are_kept ? fmt::format("  real shares keep all limits: {}\n", real_shares)
-                              : fmt::format("  {} must be widened by {} points for a blend: {}\n", what,
-                                            value_with_fraction(a.widened_real->value), real_shares);
+  const std::string of_all = r.problem.at_most ? " of any number of stockpiles" : "";
+  std::string text = are_kept ? fmt::format("  real shares{} keep all limits: {}\n", of_all, real_shares)
+                              : fmt::format("  {} must be widened by {} points for a blend{}: {}\n", what,
+                                            value_with_fraction(a.widened_real->value), of_all, real_shares);
   if (a.widened)
     text += fmt::format("  in {} {}by {} points: {}\n", steps, are_kept ? what + " must be widened " : "",
                         value_with_fraction(a.widened->value), shares_in_words(r.problem, *a.widened));

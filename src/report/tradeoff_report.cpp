@@ -1,13 +1,14 @@
 #include "report/tradeoff_report.hpp"
 
 #include "answer/json_values.hpp"
+#include "text/option_name.hpp"
 #include "text/text_table.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 namespace mdm {
 namespace {
@@ -144,6 +145,22 @@ std::string csv_row(const Tradeoff &t, const TradeoffRow &row) {
                      status_name(row), t.by_size_factor.empty() ? "" : "," + to_decimal(row.size_factor));
 }
 
+/// Says of the budgets that no row tells of why that is.
+void add_missed(std::vector<std::string> &notes, const Tradeoff &t, BudgetBy by, bool is_certain) {
+  std::vector<std::string> numbers;
+  for (const Tradeoff::MissedBudget &budget : t.missed)
+    if (budget.by == by && budget.is_certain == is_certain)
+      numbers.push_back(to_string(budget.particles));
+  if (numbers.empty())
+    return;
+  const char *const what = by == BudgetBy::tolerance ? "tolerance" : "size factor";
+  const std::string all = fmt::format("{}", fmt::join(numbers, ", "));
+  notes.push_back(
+      is_certain ? fmt::format("there is no {} with which so few particles suffice: {}", what, all)
+                 : fmt::format("a limit came before a {} was found with which so few particles suffice: {}",
+                               what, all));
+}
+
 } // namespace
 
 std::string tradeoff_text(const Tradeoff &t) {
@@ -193,6 +210,12 @@ std::vector<std::string> tradeoff_notes(const Tradeoff &t) {
                       to_decimal(row.size_factor), fewest_beside_each_other, fewest_beside_each_other));
       break;
     }
+  if (t.at_most)
+    notes.push_back(fmt::format("where more than {} particles are needed there is none: {}",
+                                to_string(*t.at_most), option("at-most")));
+  for (const BudgetBy by : {BudgetBy::tolerance, BudgetBy::size_factor})
+    for (const bool is_certain : {true, false})
+      add_missed(notes, t, by, is_certain);
   return notes;
 }
 

@@ -182,23 +182,31 @@ Real density(const GradingCurve &curve, std::size_t j) {
   return Real(curve.mass(j)) / logarithm(curve.power_of(j + 1) / curve.power_of(j), two());
 }
 
-/// Empty classes and a pan, of which no density is known, are lower than all others.
+/// Empty classes and a pan, of which no density is known, are lower than all others. Neighbours of one density
+/// are one mode.
 std::vector<SizeMode> modes_of(const GradingCurve &curve) {
-  std::vector<std::pair<Real, std::size_t>> peaks;
+  struct Peak {
+    Real height;
+    std::size_t from, to;
+  };
+  std::vector<Peak> peaks;
   const std::size_t first = std::max<std::size_t>(curve.finest(), curve.has_pan() ? 1 : 0),
                     last = curve.coarsest();
-  for (std::size_t j = first; j <= last; ++j) {
+  for (std::size_t j = first, next = first; j <= last; j = next) {
+    const Real height = density(curve, j);
+    for (next = j + 1; next <= last && compare(density(curve, next), height) == Order::equal;)
+      ++next;
     const auto is_higher_than = [&](std::size_t i) {
-      return i < first || i > last || compare(density(curve, i), density(curve, j)) == Order::less;
+      return i < first || i > last || compare(density(curve, i), height) == Order::less;
     };
-    if (curve.mass(j) > 0 && (j == 0 || is_higher_than(j - 1)) && is_higher_than(j + 1))
-      peaks.emplace_back(density(curve, j), j);
+    if (curve.mass(j) > 0 && (j == 0 || is_higher_than(j - 1)) && is_higher_than(next))
+      peaks.push_back({height, j, next});
   }
   std::stable_sort(peaks.begin(), peaks.end(),
-                   [](const auto &a, const auto &b) { return compare(b.first, a.first) == Order::less; });
+                   [](const Peak &a, const Peak &b) { return compare(b.height, a.height) == Order::less; });
   std::vector<SizeMode> modes;
-  for (const auto &[height, j] : peaks)
-    modes.push_back({curve.opening(j), curve.opening(j + 1)});
+  for (const Peak &peak : peaks)
+    modes.push_back({curve.opening(peak.from), curve.opening(peak.to)});
   return modes;
 }
 

@@ -20,7 +20,8 @@ struct PhiMeasures {
   NamedMeasure mean, sorting, skewness, kurtosis;
 };
 
-/// A class (above, up_to] in which the mass over the width in phi is greater than in its neighbours.
+/// A class (above, up_to], or several of one density, in which the mass over the width in phi is greater than
+/// in the neighbours.
 struct SizeMode {
   RootSize above, up_to; ///< mm
 };

@@ -46,6 +46,12 @@ TEST_CASE("the gradation of an answer in um, or whose classes were changed", "[c
         "size_um,mass\n126,1\n250,3\n500,0\n1000,0\n");
 }
 
+TEST_CASE("the gradation of an answer has the factors that its classes had", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string shells = folder.write("f.csv", "size_mm,mass,factor\n1,1,2\n2,1,3.5\n4,0,1\n");
+  CHECK(round_trip(shells) == "size_mm,mass,factor\n1,1,2\n2,1,3.5\n4,0,1\n");
+}
+
 TEST_CASE("an answer of irrational openings is a gradation, too", "[cli]") {
   const TemporaryFolder folder;
   const std::string phi = folder.write("phi.csv", "size_phi,mass\n2.5,3\n1.5,2\n0.5,0\n"),

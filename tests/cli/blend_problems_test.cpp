@@ -61,6 +61,15 @@ TEST_CASE("answers to problems go to a file of JSON Lines", "[blend]") {
   CHECK(std::filesystem::exists(answers));
   check_refused(mdm({"blend", example("athabasca-sand"), "--spec", "x.csv", "-o", answers}),
                 ".jsonl is for --problems");
+  check_refused(mdm({"blend", "--problems", problems, "-o", folder / "answers.csv"}), "JSON Lines");
+}
+
+TEST_CASE("a cost that is missing is none, where the least cost is asked for", "[blend]") {
+  const std::string problem =
+      R"({"stockpiles":[{"name":"A","passing":["50","100"],"cost":"1"},{"name":"B","passing":["10","100"]}],)"
+      R"("sieves":[{"size":"1","least":"20","most":"40"},{"size":"2","least":"100","most":"100"}],"steps":"100",)"
+      R"("aim":"cost"})";
+  CHECK(contains(solved(problem, 2).at(0).at("error").get<std::string>(), "stockpiles[1].cost is missing"));
 }
 
 TEST_CASE("an answer is its own problem", "[blend]") {

@@ -96,6 +96,24 @@ TEST_CASE("where real shares keep limits that none in steps keep, that is told",
   CHECK(stockpiles.json({"--step", "1kg of 3kg"}).at("status") == "optimal");
 }
 
+TEST_CASE("shares of more stockpiles than asked for are told as such", "[cli]") {
+  const std::string none = Stockpiles().blend({"--at-most-stockpiles", "1"}).out;
+  CHECK(contains(none, "no blend of at most 1 of these 2 stockpiles keeps the limits"));
+  CHECK(contains(none, "  real shares of any number of stockpiles keep all limits: "));
+}
+
+TEST_CASE("sieves of stockpiles that a blend's gradation lacks are named", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string a = folder.write("a.csv", "size_mm,passing_percent\n20,100\n10,50\n1,0\n"),
+                    b = folder.write("b.csv", "size_mm,passing_percent\n5,100\n0.5,10\n0.1,0\n"),
+                    limits = folder.write("limits.csv", "size_mm,passing_min_percent,passing_max_percent\n"
+                                                        "20,100,100\n4,40,55\n0.3,0,10\n");
+  const Outcome blended = mdm({"blend", a, b, "--spec", limits, "--blended", folder / "m.csv"});
+  CHECK(blended.exit_code == 0);
+  CHECK(contains(blended.err, "Left out of the blend's gradation are sieves at which a stockpile is "
+                              "interpolated, or not known: 1, 5 mm."));
+}
+
 TEST_CASE("all blends in steps, in their order", "[cli]") {
   const Json all = Stockpiles("4,52,70\n1,0,30\n").json({"--step", "5%", "--all", "100"});
   CHECK(all.at("all") == true);

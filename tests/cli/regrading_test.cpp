@@ -165,6 +165,38 @@ TEST_CASE("a parallel gradation has all sizes in one ratio", "[cli]") {
   check_refused(mdm({"convert", path, "--parallel", "1/3"}), "is no decimal");
   for (const char *wrong : {"0", "-1", "1/0", "1/-5", "a", "1/5/2", ""})
     check_refused(mdm({"convert", path, "--parallel", wrong}), "--parallel");
+  check_refused(mdm({"convert", path, "--parallel", "20%"}), "write the ratio of the sizes, as 0.2 or 1/5");
+}
+
+TEST_CASE("factors of one file alone are refused where two are joined", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string coarse_part = folder.write(
+                        "c.csv", "size_mm,mass,factor\n0.02,50,2.65\n0.075,20,2.65\n0.15,0,2.65\n"),
+                    fine_part = folder.write("f.csv", "size_mm,mass\n0.002,30\n0.02,60\n0.075,0\n");
+  check_refused(mdm({"convert", "--join", coarse_part, fine_part, "--at", "0.075mm"}),
+                "its classes have factors");
+}
+
+TEST_CASE("percents that become masses are told to have been rounded", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string path =
+      folder.write("p.csv", "size_mm,passing_percent\n0.075,10\n0.15,40\n0.3,70\n0.6,100\n");
+  for (const Arguments &change : std::vector<Arguments>{
+           {"--scalp", "above:0.3mm"}, {"--replace", "above:0.3mm", "into", "0.075mm..0.3mm"}}) {
+    Arguments all{"convert", path};
+    all.insert(all.end(), change.begin(), change.end());
+    CHECK(contains(mdm(all).out, "were rounded to their last digit; here they are masses"));
+  }
+}
+
+TEST_CASE("a split above the finest sieve of the coarse part is refused where that has weighed there",
+          "[cli]") {
+  const TemporaryFolder folder;
+  const std::string coarse_part = folder.write("co.csv", "size_mm,mass\npan,500\n0.6,300\n1.2,200\n2.4,0\n"),
+                    fine_part = folder.write("fi.csv", "size_mm,mass\npan,20\n0.15,30\n0.3,50\n0.6,0\n");
+  check_refused(mdm({"convert", "--split", coarse_part, fine_part, "--at", "1.2mm"}),
+                "split at its finest sieve, 0.6 mm");
+  CHECK(mdm({"convert", "--split", coarse_part, fine_part, "--at", "0.6mm"}).exit_code == 0);
 }
 
 TEST_CASE("JSON has no comments: the history is on standard error", "[cli]") {

@@ -229,7 +229,7 @@ TEST_CASE("a band beside a gradation bounds its curve", "[cli]") {
                 "the band's sieve 1.5 mm is no sieve of the gradation: add a row for it, or leave it out");
   check_refused(mdm({"solve", curve, "--band", band("1,40,60\n")}), "add a row 'pan'");
   check_refused(mdm({"solve", "--band", band("2,40,60\n")}), "add a larger sieve that lets 100 pass");
-  check_refused(mdm({"solve", band("2,40,60\n")}), "give it to --band");
+  check_refused(mdm({"solve", band("2,40,60\n")}), "a band is for --band");
 }
 
 TEST_CASE("solve needs a gradation or a band, each of its own", "[cli]") {

@@ -144,6 +144,15 @@ TEST_CASE("rows of the trade-off without a match say so", "[cli]") {
                 "nothing can be drawn");
 }
 
+TEST_CASE("budgets that no tolerance reaches, and matches that are too large, are told", "[cli]") {
+  const Outcome missed = tradeoff({sand, "--at-least", "2000", "--particles", "50", "--tolerances", "0"});
+  CHECK(missed.exit_code == 0);
+  CHECK(contains(missed.out, "note: there is no tolerance with which so few particles suffice: 50\n"));
+  const Outcome at_most = tradeoff({sand, "--at-most", "1", "--tolerances", "0"});
+  CHECK(at_most.exit_code == 0); // without its finer classes one particle is enough
+  CHECK(contains(at_most.out, "note: where more than 1 particles are needed there is none: --at-most\n"));
+}
+
 TEST_CASE("a limit leaves rows with bounds and exit code 3", "[cli]") {
   const Json t = json({example("ottawa-f65-sand"), "--node-limit", "2", "--tolerances", "0,1"}, 3);
   CHECK(t.at("by_tolerance").at(0).at("status") == "optimal");

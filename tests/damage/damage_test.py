@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """damage_test.py SOURCE: check.py of the reference set in SOURCE/examples accepts the set, and refuses 200 damaged copies;
-so do those of samples, sets by number, blends and judgements (kinds.py), each some dozens.
+so do those of samples, sets by number, blends, materials and judgements (kinds.py), each some dozens.
 
 Each copy has one thing changed that matters: what is drawn, and where, is the same in every run.
 """

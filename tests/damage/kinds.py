@@ -1,4 +1,4 @@
-"""Damaged copies of samples, sets by number, blends and judgements of the reference set: the check.py of each kind refuses them."""
+"""Damaged copies of samples, sets by number, blends, materials and judgements of the reference set: each check.py refuses them."""
 
 import contextlib
 import csv
@@ -24,10 +24,18 @@ class Kind:
     def text(self, name):
         return (self.folder / name).read_text(encoding="utf-8")
 
+    def count(self):
+        """How many answers there are: of materials several rows are one."""
+        return len({row["id"] for row in self.rows()}) if self.answers.endswith(".csv") else len(self.lines)
+
     def with_row(self, i, **changes):
         """The answers with other fields in row i."""
+        return self.with_rows({i: changes})
+
+    def with_rows(self, changes):
         out, rows = io.StringIO(), self.rows()
-        rows[i].update(changes)
+        for i, fields in changes.items():
+            rows[i].update(fields)
         writer = csv.DictWriter(out, rows[0], lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
@@ -245,6 +253,71 @@ def line_removed(draw, kind):
     return {kind.answers: "".join(kind.lines[:i] + kind.lines[i + 1:])}
 
 
+# materials
+
+def doubled_match(draw, kind):
+    """It has the shares, and twice the particles that are needed."""
+    rows = kind.rows()
+    name = draw.choice(sorted({row["id"] for row in rows}))
+    return kind.with_rows({i: {column: str(2 * int(row[column])) for column in ("quantity", "particles")}
+                           for i, row in enumerate(rows) if row["id"] == name})
+
+
+def quantity_of_class(draw, kind):
+    i, row = chosen(draw, kind.rows())
+    return kind.with_row(i, quantity=str(int(row["quantity"]) + 1))
+
+
+def size_of_class(draw, kind):
+    i, row = chosen(draw, kind.rows(), lambda row: row["size_lo"])
+    return kind.with_row(i, size_lo=nearly(row["size_lo"]), size_hi=nearly(row["size_hi"]))
+
+
+def share_of_class(draw, kind):
+    i, row = chosen(draw, kind.rows())
+    return kind.with_row(i, share=nearly(row["share"]))
+
+
+def material_of_class(draw, kind):
+    i, row = chosen(draw, kind.rows())
+    return kind.with_row(i, material=row["material"] + " ")
+
+
+def row_removed(draw, kind):
+    i = draw.randrange(1, len(kind.lines))
+    return {kind.answers: "".join(kind.lines[:i] + kind.lines[i + 1:])}
+
+
+def other_options(kind, old, new):
+    return {"materials.csv": kind.text("materials.csv").replace(old, new)}
+
+
+def finer_edge(draw, kind):
+    return other_options(kind, *draw.choice(((":1.1%", ":1.09999999999999999999999%"), ("total:2.2%", "total:2.199999999999999999999%"),
+                                             ("retained:0.0002%", "retained:0.00019999999999999999999999%"))))
+
+
+def coarser_edge(draw, kind):
+    return other_options(kind, *draw.choice(((":1.0999999999999999999%", ":1.1%"), ("total:2.1999999999999999999%", "total:2.2%"),
+                                             ("retained:5%", "retained:5.0000000000000000000001%"))))
+
+
+def fewer_asked(draw, kind):
+    """Another question, which fewer particles match."""
+    return other_options(kind, *draw.choice(((" --at-least 20", ""), ("--at-least 1000", "--at-least 999"), ("--min-per-class 10", ""))))
+
+
+def number_in_mixture(draw, kind):
+    """The mass or the factor of a class is another: exact questions are asked of each gradation."""
+    name = draw.choice(sorted({line.split(",")[1] for line in kind.text("materials.csv").splitlines()[1:]}))
+    lines = kind.text(name).splitlines()
+    i = draw.choice([i for i, line in enumerate(lines) if re.match(r"[\d.]+,[\d.]*[1-9]", line)])
+    fields = lines[i].split(",")
+    place = draw.choice([place for place, column in enumerate(lines[1].split(",")) if column in ("mass", "retained_g", "factor")])
+    fields[place] = nearly(fields[place])
+    return {name: "\n".join([*lines[:i], ",".join(fields), *lines[i + 1:], ""])}
+
+
 # judgements
 
 def other_verdict(draw, kind):
@@ -294,6 +367,8 @@ def decimal_added(draw, kind):
 SAMPLES = (verdict, particles, sides, error_end, tolerance_dropped, quantity_in_sample, size_in_sample, mass_in_gradation, other_sample)
 NUMBER = (doubled_set, quantity_by_one, other_set, finer_tolerance, coarser_tolerance, share_in_gradation, answer_removed)
 BLENDS = (none_said, blend_said, value, half_a_step, worse_blend, limit, cost, modulus, line_removed)
+MATERIALS = (doubled_match, quantity_of_class, size_of_class, share_of_class, material_of_class, row_removed, finer_edge, coarser_edge,
+             fewer_asked, number_in_mixture)
 JUDGEMENTS = (other_verdict, curves_swapped, curve_beyond, curve_missing, limit_at_report, decimal_added)
 UNREADABLE = (answer_removed, modulus)  # that is no wrong answer, but a table without one, or a problem that contradicts itself
 TIMES = 3
@@ -304,13 +379,14 @@ def check_kinds(draw, load, folder, expect):
     kinds = ((Kind(folder / "samples", load(folder / "samples/check.py"), "samples.answers.csv"), SAMPLES),
              (Kind(folder / "number", load(folder / "number/check.py"), "number.answers.csv"), NUMBER),
              (Kind(folder / "blends", load(folder / "blends/check.py"), "drawn.answers.jsonl", "drawn"), BLENDS),
+             (Kind(folder / "materials", load(folder / "materials/check.py"), "materials.answers.csv"), MATERIALS),
              (Kind(folder / "judgements", load(folder / "judgements/check.py"), "judgements.answers.csv"), JUDGEMENTS))
     copies = 0
     for kind, damages in kinds:
         lines = (kind.folder / "check.py").read_text(encoding="utf-8").splitlines()
         expect(len(lines) <= 200, f"{kind.folder.name}/check.py has {len(lines)} lines")
         code, said = kind.run()
-        expect(code == 0 and f"{len(kind.lines) - (kind.answers.endswith('.csv'))} right" in said, f"{kind.folder.name} is refused: {said}")
+        expect(code == 0 and f"{kind.count()} right" in said, f"{kind.folder.name} is refused: {said}")
         for damage in TIMES * damages:
             copies += 1
             changed = damage(draw, kind)

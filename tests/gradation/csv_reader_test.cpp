@@ -145,7 +145,7 @@ TEST_CASE("CSV: the header is told what columns there are") {
   CHECK(contains(refusal("mdm-certificate 1\nlaw 3\n"), "(this is a proof: give the gradation first"));
   CHECK(contains(refusal("mdm-packing 1\nunit mm\n"), "(this is a packing: give the gradation)"));
   CHECK(contains(refusal("size_mm,passing_min_percent,passing_max_percent\n1,0,10\n2,100,100\n"),
-                 "sand.csv:1: this is a band of allowed gradations: give it to --band"));
+                 "sand.csv:1: this is a band of allowed gradations, where a gradation is asked for"));
 }
 
 TEST_CASE("CSV: the largest sieve must retain nothing (Cond1), and the message says what to add") {

@@ -117,6 +117,6 @@ TEST_CASE("options of reading do not make several materials one") {
 
 TEST_CASE("the reader of one material refuses several and names the commands") {
   CHECK(contains(message_of([] { read_gradation(beach, "beach.csv"); }),
-                 "beach.csv:1: column material is of a gradation of several materials: mdm solve, "
+                 "beach.csv:1: column material is of a gradation of several materials: mdm solve, batch, "
                  "verify and export take it"));
 }

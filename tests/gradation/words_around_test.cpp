@@ -264,6 +264,107 @@ TEST_CASE("a row of words among the rows of the table is named") {
   CHECK(masses(header + "4,0\n2,10\n1,30\nPan,5\n" + words) == "5 30 10 0");
 }
 
+const std::string washed_stack = "8,0\n4,25\n2,80\n1,150\n0.5,120\n0.25,70\n0.125,35\n0.063,12\nPan,8\n";
+
+TEST_CASE("a row with a number below an empty row is not passed over") {
+  const std::string sieves = header + "4,0\n2,80\n1,150\n\n";
+  for (const std::string row : {"Catch pan,50", "Undersize,50", "Tray,50", "Fundo,50", "#200 wet,30\nPan,8",
+                                "N200,30\nPan,8", "Retained on 0.063,30\nPan,8"}) {
+    INFO(row);
+    CHECK_FALSE(refusal(sieves + row + "\n").empty());
+  }
+  for (const std::string row :
+       {"D10,0.15", "FM,2.9", "Cu,4.3", "Moisture content (%),4.2", "Page,1", "Total,230"})
+    CHECK(masses(sieves + row + "\n") == "150 80 0");
+}
+
+TEST_CASE("a washed sample is not what was washed out") {
+  for (const std::string line :
+       {"Washed sample (g): 500", "Washed soil: 500 g", "Wash residue,500", "Washed sample,500",
+        "Muestra lavada (g),500", "Washed: 500 g", "Total washed (g),500"}) {
+    INFO(line);
+    CHECK(contains(refusal(line + "\n" + header + washed_stack), "'Dry mass after wash'") !=
+          contains(refusal(line + "\n" + header + washed_stack), "write Wash loss, or a row Pan"));
+  }
+  for (const std::string line : {"Wash loss: 70 g", "Washing: 70 g", "Lavage: 70 g", "Washed out,70"})
+    CHECK(masses(line + "\n" + header + washed_stack) == "78 12 35 70 120 150 80 25 0");
+  CHECK(contains(
+      refusal("Dry mass before washing: 494 g\nDry mass after washing: 500 g\n" + header + washed_stack),
+      "gains nothing by washing"));
+}
+
+TEST_CASE("a wet sieve among the rows is no moist mass") {
+  for (const std::string row :
+       {"Wet sieve 0.063,30", "Wet loss,70", "Wet #200,12", "Nass 0.063,12", "Damp fines,70"})
+    CHECK(contains(refusal(header + "4,0\n2,80\n1,150\n" + row + "\nPan,8\n"), "is no sieve"));
+}
+
+TEST_CASE("a stated number that is cut between its thousands is refused") {
+  for (const std::string line : {"Wash loss 1 234.5 g", "Wash loss 1 234 g", "Wash loss 1'234.5 g"})
+    CHECK(contains(refusal(line + "\n" + header + washed_stack), "is not a number"));
+  CHECK(masses("Wash loss 63 um (g),70\n" + header + washed_stack) == "78 12 35 70 120 150 80 25 0");
+}
+
+TEST_CASE("a stated mass that is more than all rows is not passed over") {
+  for (const std::string lines : {"M1 = 570 g\nM2 = 500 g", "M1 (g),570\nM2 (g),500",
+                                  "Dry mass (before): 570 g\nDry mass (after): 500 g"})
+    CHECK(contains(refusal(lines + "\n" + header + washed_stack), "more than the 500 of all rows"));
+  CHECK(masses("Mass of tin + wet soil (g),700\n" + header + washed_stack) == "8 12 35 70 120 150 80 25 0");
+}
+
+TEST_CASE("what was washed through a coarser sieve than the finest need not pass that") {
+  CHECK(contains(refusal("Material finer than 75 um by washing: 70 g\n" + header + washed_stack),
+                 "is coarser"));
+  CHECK(masses("Material finer than 63 um by washing: 70 g\n" + header + washed_stack) ==
+        "78 12 35 70 120 150 80 25 0");
+}
+
+TEST_CASE("a second block beside the first is not passed over") {
+  CHECK(contains(
+      refusal("Sieve size (mm),Mass retained (g),,Size 2 (mm),Mass 2 (g)\n8,0,,0.25,70\n4,25,,0.125,35\n"
+              "2,80,,0.063,12\n1,150,,Pan,8\n0.5,120,,,\n"),
+      "'Pan' is in the column 'Size 2 (mm)'"));
+}
+
+TEST_CASE("units beside masses are one, and a stated kg needs a unit in the table") {
+  for (const std::string columns : {"Mass retained,", "Mass retained (g),Unit"})
+    CHECK(contains(refusal("Sieve (mm)," + columns + "\n8,0,g\n4,25,g\n1,0.15,kg\n0.5,245,g\n"),
+                   "write all alike"));
+  CHECK(masses("Sieve (mm),Mass retained,Unit\n8,0,g\n4,25,g\n1,5,g\n") == "5 25 0");
+  CHECK(contains(refusal("Wash loss: 0.07 kg\nSieve (mm),Weight retained\n4,0\n2,0.105\nPan,0.008\n"),
+                 "has no unit of mass"));
+  CHECK(masses("Wash loss: 70 g\nSieve (mm),Weight retained\n4,0\n2,105\nPan,8\n") == "78 105 0");
+}
+
+TEST_CASE("a column of corrected masses, or of a split, is not passed over") {
+  for (const std::string names :
+       {"Factor,Corrected (g)", "Multiplier,Total (g)", "Dilution,Final", "Split,Whole (g)"})
+    CHECK(contains(refusal("Sieve (mm),Mass retained (g)," + names +
+                           "\n4,0,1,0\n2,80,1,80\n1,150,1,150\n0.5,12,10,120\nPan,0.8,10,8\n"),
+                   "--columns SIZE,VALUE"));
+  CHECK(masses("Sieve (mm),Mass retained (g),Siebsumme\n4,0,0\n2,80,80\n1,150,230\nPan,1,231\n") ==
+        "1 150 80 0");
+}
+
+TEST_CASE("words of a part that was sieved, tested or taken are not passed over") {
+  for (const std::string line :
+       {"Fine fraction sieved (g),24.5", "Aliquot sieved: 24.5 g", "Quarter taken: 24.5 g", "Fine factor,10",
+        "Test portion of minus 1 mm: 24.5 g", "Ratio total/sieved fines: 10", "1/10 of minus 1 mm sieved",
+        "Prise d'essai < 1 mm: 24.5 g", "Fraccion fina ensayada (g),24.5"}) {
+    INFO(line);
+    CHECK(contains(refusal(line + "\n" + header + washed_stack), "may be of a part of the sample"));
+  }
+  CHECK(masses("Prise d'essai: 500 g\n" + header + washed_stack) == "8 12 35 70 120 150 80 25 0");
+}
+
+TEST_CASE("a second header may have another unit") {
+  CHECK(
+      masses(header +
+             "8,0\n4,25\n2,80\n1,150\n\nSieve size (\u00b5m),Mass retained (g)\n500,120\n250,70\nPan,8\n") ==
+      "8 70 120 150 80 25 0");
+  CHECK(masses("AS Sieve (mm),Mass retained (g)\n4,0\n2,10\n") == "10 0");
+}
+
 TEST_CASE("what a remark says of masses is read") {
   const std::string stack = "4,0\n2,10\n1,30\n0.5,40\n0.25,15\nPan,5\n";
   CHECK(masses("Anmerkung: Waschverlust 20 g\n\n" + header + stack) == "25 15 40 30 10 0");

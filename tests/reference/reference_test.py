@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """reference_test.py BIN SOURCE: the reference set of SOURCE/examples is what its `make` makes with the programs in BIN.
 
-And its files are verified, changed ones refused, its pages right, and the programs on its page judge a solver as they say.
+And its files are verified, changed ones refused, its pages right, and the programs on its page judge a solver as they say. R and
+jsonlite may be missing unless MDM_REQUIRE_TOOLS is set in the environment.
 """
 
 import csv
@@ -23,6 +24,16 @@ BIN, SOURCE = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
 SET = SOURCE / "examples/reference"
 DEVELOPMENT = BIN.parent / "proofs/coq"
 ENVIRONMENT = dict(os.environ, MDM_BIN=str(BIN), PATH=f"{BIN}:{os.environ['PATH']}", LC_ALL="C")
+
+# A solver that knows the answers to higher/long-numbers, but for the last digit of the largest quantity.
+NEARLY_RIGHT = """#!/usr/bin/python3
+import csv, json, sys
+rows = list(csv.DictReader(open("higher/long-numbers.answers.csv")))
+largest = max(rows, key=lambda row: int(row["quantity"]))
+largest["quantity"] = str(int(largest["quantity"]) + 1)
+name = json.load(sys.stdin)["id"]
+print(json.dumps({"quantities": [int(row["quantity"]) for row in rows if row["id"] == name]}))
+"""
 
 failures = []
 
@@ -141,13 +152,13 @@ def check_kinds(folder):
         return (folder / name).read_text(encoding="utf-8").splitlines()
     counts = {"samples": len(lines("samples/samples.answers.csv")) - 1, "number": len(lines("number/number.answers.csv")) - 1,
               "blends": len(lines("blends/published.answers.jsonl")) + len(lines("blends/drawn.answers.jsonl")),
-              "judgements": len(lines("judgements/judgements.answers.csv")) - 1}
+              "materials": len(lines("materials/materials.csv")) - 1, "judgements": len(lines("judgements/judgements.answers.csv")) - 1}
     page = "\n".join(lines("README.md"))
     for kind, count in counts.items():
         check(re.search(rf"\| \[{kind}\]\({kind}\) \| .* \| {count} \|", page), f"README: {kind} has {count} answers")
     total = sum(counts.values()) + sum(int(row.split(",")[2]) for row in lines("batches.csv")[1:])
     check(f"{total:,} reference answers" in (SOURCE / "README.md").read_text(encoding="utf-8"), f"the set has {total} answers")
-    for kind in ("samples", "number", "judgements"):
+    for kind in ("samples", "number", "materials", "judgements"):
         check(f"{counts[kind]} questions" in " ".join(lines(f"{kind}/README.md")), f"{kind}/README.md: {counts[kind]} questions")
     none = sum('"none"' in line for line in lines("blends/drawn.answers.jsonl"))
     check(f"for {none} of them there is no blend" in " ".join(lines("blends/README.md")), f"blends/README.md: {none} have none")
@@ -174,7 +185,11 @@ def check_damaged_kinds(folder):
                ("blends/published", "tutorsglobe-4", "tutorsglobe-4/limits.csv", "0.4,22,28", "0.4,22,27.9"),
                ("blends/published", "doh-cold", "published.answers.jsonl", '["6/25", "18/25"', '["18/25", "6/25"'),
                ("blends/drawn", "drawn-02", "drawn.answers.jsonl", "3859/200", "3859/201"),
-               ("blends/drawn", "drawn-01", "drawn.jsonl", '"cost": "', '"cost": "1'))
+               ("blends/drawn", "drawn-01", "drawn.jsonl", '"cost": "', '"cost": "1'),
+               ("materials", "tie-exact", "tie-exact.proof", "particles 3", "particles 2"),
+               ("materials", "edge-retained-1.1", "materials.csv", "retained:1.1%", "retained:1.2%"),
+               ("materials", "eight-exact", "materials.answers.csv", "eight-exact,46,1,", "eight-exact,46,2,"),
+               ("materials", "gold-exact", "materials.answers.csv", "gold-exact,75,", "gold-exact,74,"))
     kept = {}
     for kind, _, name, old, new in damages:
         path = folder / kind.split("/")[0] / name
@@ -183,7 +198,7 @@ def check_damaged_kinds(folder):
         check(old in text, f"{path} has no {old}")
         path.write_text(text.replace(old, new, 1), encoding="utf-8")
     done = run(folder, "./verify-proofs")
-    check(done.returncode == 1 and "4 batches failed" in done.stdout, f"damaged kinds: {done.stdout[-500:]}{done.stderr[-500:]}")
+    check(done.returncode == 1 and "5 batches failed" in done.stdout, f"damaged kinds: {done.stdout[-500:]}{done.stderr[-500:]}")
     named = re.findall(r"FAILED: (.*): (.*): its certificate", done.stdout)
     check(sorted(named) == sorted((kind, what) for kind, what, *_ in damages), f"these are named: {named}")
     for path, text in kept.items():
@@ -206,7 +221,7 @@ def check_other_question(folder, program):
     alone = run(folder, str(BIN / "mdm-check"), "--suite", "average/suite-2750.jsonl", stream)
     check("2750 accepted as the smallest number of particles that matches within a tolerance (retained within 100%"
           in alone.stdout.splitlines()[-1], f"the summary hides the question: {alone.stdout[-500:]}")
-    others = 688 if program == "verify-proofs" else 556
+    others = 748 if program == "verify-proofs" else 556
     verify(folder, program, 1, f"{others} proofs accepted, 1 batches failed")
     stream.write_bytes(kept[0])
     index.write_bytes(kept[1])
@@ -227,14 +242,26 @@ def check_theorems(folder):
 
 
 def check_judges(folder):
-    """The two programs on the page judge the float solver as the page says."""
-    shutil.copy(SOURCE / "examples/04-cross-check/float_solver", folder / "my-solver")
-    shell, printed, python, printed_by_python = list(blocks((folder / "README.md").read_text(encoding="utf-8")))[:4]
-    for text, interpreter, expected in ((shell, "sh", printed), (python, "/usr/bin/python3", printed_by_python)):
+    """The programs on the page judge the float solver as the page says; those of this folder alone see a last digit of 41."""
+    solver = folder / "my-solver"
+    shutil.copy(SOURCE / "examples/04-cross-check/float_solver", solver)
+    shell, printed, python, printed_by_python, in_r, printed_by_r = list(blocks((folder / "README.md").read_text(encoding="utf-8")))[:6]
+    judges = [(python, ("/usr/bin/python3", "-c"), printed_by_python), (in_r, ("Rscript", "-e"), printed_by_r)]
+    if not (shutil.which("Rscript") and run(folder, "Rscript", "-e", "library(jsonlite)").returncode == 0):
+        check("MDM_REQUIRE_TOOLS" not in os.environ, "there is no R with jsonlite: r-base-core r-cran-jsonlite")
+        judges.pop()
+    for text, interpreter, expected in [(shell, ("sh", "-c"), printed), *judges]:
         check(len(text.splitlines()) <= 11, f"more than ten lines or so: {text}")
-        done = run(folder, interpreter, "-c", text)
-        check(done.stdout == expected, f"{interpreter} prints {done.stdout!r}, not {expected!r}: {done.stderr[-500:]}")
-    (folder / "my-solver").unlink()
+        check_prints(folder, interpreter, text, expected)
+    solver.write_text(NEARLY_RIGHT, encoding="utf-8")
+    for text, interpreter, _ in judges:
+        check_prints(folder, interpreter, text.replace("higher/ties", "higher/long-numbers"), "39 of 40 are right\n")
+    solver.unlink()
+
+
+def check_prints(folder, interpreter, text, expected):
+    done = run(folder, *interpreter, text)
+    check(done.stdout == expected, f"{interpreter} prints {done.stdout!r}, not {expected!r}: {done.stderr[-500:]}")
 
 
 def main():

@@ -173,6 +173,16 @@ TEST_CASE("what the pan hides is not available", "[sediment]") {
   CHECK_FALSE(little.moments.mean.value);
 }
 
+TEST_CASE("neighbours of one height are one mode", "[sediment]") {
+  const SedimentDescription s = of({"1", "2", "4", "8", "16", "32"}, {"20", "5", "30", "30", "10", "0"});
+  REQUIRE(s.modes.size() == 2);
+  CHECK(s.modes[0].above.text() == "4");
+  CHECK(s.modes[0].up_to.text() == "16");
+  CHECK(s.modes[1].up_to.text() == "2");
+  CHECK(of({"1", "2", "4", "8"}, {"5", "5", "5", "0"}).modes.size() == 1);
+  CHECK(of({"1", "2", "4", "8"}, {"5", "5", "6", "0"}).modes.size() == 1);
+}
+
 TEST_CASE("modes stand above their neighbours, the highest first", "[sediment]") {
   const SedimentDescription s = of({"1", "2", "4", "8", "16", "64"}, {"3", "1", "4", "1", "6", "0"});
   REQUIRE(s.modes.size() == 3);

@@ -52,6 +52,15 @@ struct Tradeoff {
   /// budgets are asked for and the question has no factor, else empty.
   std::vector<TradeoffRow> by_size_factor;
 
+  /// A budget that no row tells of: no tolerance or factor suffices for it, or a limit left that open.
+  struct MissedBudget {
+    Integer particles;
+    BudgetBy by = BudgetBy::tolerance;
+    bool is_certain = false; ///< nothing suffices
+  };
+  std::vector<MissedBudget> missed;
+  std::optional<Integer> at_most; ///< matches of more particles count as none
+
   /// The match of the whole gradation as asked, without more tolerance.
   const TradeoffRow &whole() const { return by_sieve.front(); }
 };
