@@ -4,6 +4,7 @@
 #include "cli/commands.hpp"
 #include "cli/crosscheck_blends.hpp"
 #include "cli/help.hpp"
+#include "cli/known_minima.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/solve_flags.hpp"
@@ -40,7 +41,7 @@ namespace {
 
 struct CrosscheckCommand {
   std::string suite;
-  std::optional<std::string> answers, solver, solution, by, journal, proofs;
+  std::optional<std::string> answers, solver, solution, by, journal, proofs, minimum;
   std::optional<std::string> time_limit; ///< of a solver
   CrosscheckTexts asked;
   OutputFlags output;
@@ -79,9 +80,12 @@ void check_options(const CrosscheckCommand &c) {
                  ", or say with " + option("format") + " json what it holds");
   if (c.output.is_text() && c.output.out == "-")
     throw InputError("-o -: standard output has the summary: use " + option("format") + " csv");
+  if (c.minimum && (c.solution || c.asked.question_words().empty()))
+    throw InputError(option("minimum") + ": the least match of this question is found at once: leave it out");
   if (c.journal == "-")
     throw InputError(option("journal") + " needs a file: name one");
-  for (const std::string &input : {c.suite, c.answers.value_or("-"), c.solution.value_or("-")})
+  for (const std::string &input :
+       {c.suite, c.answers.value_or("-"), c.solution.value_or("-"), c.minimum.value_or("-")})
     check_distinct({input, c.journal.value_or("-"), c.output.path()});
 }
 
@@ -150,12 +154,17 @@ private:
 /// Judges all gradations of the suite.
 void report_suite(const CrosscheckCommand &c, const CrosscheckQuestion &question,
                   const std::vector<SuiteLine> &suite, const Judge &judge, Report &report) {
+  const std::optional<KnownMinima> minima = c.minimum ? std::optional<KnownMinima>(*c.minimum) : std::nullopt;
   std::atomic<std::size_t> done = 0;
   ProgressLine progress([&] { return fmt::format("{} of {} gradations", done.load(), suite.size()); },
                         c.output.quiet);
   const auto rows = [&](std::size_t i) {
     const SuiteLine &of = suite[i];
-    const auto problem = [&] { return question.problem(of.gradation); };
+    const auto problem = [&] {
+      const Question asked = question.question(of.gradation);
+      const std::optional<KnownMinimum> known = minima ? minima->of(of, asked) : std::nullopt;
+      return known ? Crosscheck::with_minimum(of.gradation, asked, *known) : question.problem(of.gradation);
+    };
     return judge(question.is_plain() ? problem() : in_file(line_name(c.suite, of.line), problem), of);
   };
   in_order<Rows>(suite.size(), c.threads, rows, [&](const Rows &judged) {
@@ -182,8 +191,8 @@ Solution solution_in(const std::string &path, const Gradation &g, const Question
 
 /// Judges blends. \throws InputError where an option is given that is of gradations
 int run_blends(const CrosscheckCommand &c, FileLines &lines) {
-  if (c.solution || c.by || c.journal || c.proofs || c.asked.size_tolerance || c.asked.max_steps ||
-      c.asked.node_limit || !c.asked.question_words().empty())
+  if (c.solution || c.by || c.journal || c.proofs || c.minimum || c.asked.size_tolerance ||
+      c.asked.max_steps || c.asked.node_limit || !c.asked.question_words().empty())
     throw file_error(c.suite,
                      "it has problems of blends, whose lines say all that is asked: leave out the options of "
                      "gradations");
@@ -337,6 +346,12 @@ Run add_crosscheck(CLI::App &app) {
   command.add_flag("--require-minimal", c->require_minimal, "exit 1 also if a match is larger than needed");
   command
       .add_option(
+          "--minimum", c->minimum,
+          "least matches that are known: the proofs that mdm batch SUITE --proofs STREAM wrote with the same "
+          "question; they are checked, and only lines without one are solved")
+      ->type_name("STREAM");
+  command
+      .add_option(
           "--proofs", c->proofs,
           "write to the folder a certificate of each answer, that it matches or does not, with its sample in "
           "canonical CSV and its gradation, for mdm-check")
@@ -348,12 +363,13 @@ Run add_crosscheck(CLI::App &app) {
   c->output.add_out(command, "write csv or json")
       ->description("write csv or json to OUT instead of standard output; with text, the rows as CSV");
   c->output.add_quiet(command, "no progress and no notes on standard error");
-  command.footer(
-      footer(about(), {"mdm crosscheck suite.jsonl answers.csv --by x_n_factor",
-                       "mdm crosscheck suite.jsonl answers.csv --tolerance passing:1% --min-per-class 5",
-                       "mdm crosscheck suite.jsonl --solver ./my-solver -j 2 -o rows.csv",
-                       "mdm crosscheck sand.csv --solution glpk.sol --tolerance retained:1%",
-                       "mdm crosscheck suite.jsonl --solver './my-solver --json' --journal run.jsonl"}));
+  command.footer(footer(
+      about(), {"mdm crosscheck suite.jsonl answers.csv --by x_n_factor",
+                "mdm crosscheck suite.jsonl answers.csv --tolerance passing:1% --min-per-class 5",
+                "mdm crosscheck suite.jsonl answers.csv --tolerance retained:1% --minimum suite.proofs",
+                "mdm crosscheck suite.jsonl --solver ./my-solver -j 2 -o rows.csv",
+                "mdm crosscheck sand.csv --solution glpk.sol --tolerance retained:1%",
+                "mdm crosscheck suite.jsonl --solver './my-solver --json' --journal run.jsonl"}));
   return [c] { return run(*c); };
 }
 

@@ -43,6 +43,7 @@ class Crosscheck::State {
 public:
   State(Gradation g, Limits limits);
   State(Gradation g, const Question &question, const Limits &limits);
+  State(Gradation g, const Question &question, KnownMinimum known);
   const Gradation &gradation() const { return g_; }
   CrosscheckRow judge(const OtherAnswer &answer, const Rational &size_tolerance) const;
 
@@ -55,7 +56,7 @@ private:
   /// A question that is not the plain one, with what is known of its least match.
   struct Asked {
     CountsJudge judge;
-    Match known;
+    KnownMinimum known;
   };
   CrosscheckRow judge_asked(const OtherAnswer &answer, const Rational &size_tolerance) const;
   std::string spread_over_classes(const OtherAnswer &answer, std::vector<Integer> &q,
@@ -83,6 +84,11 @@ Crosscheck::State::State(Gradation g, Limits limits) : g_(std::move(g)) {
       with_mass_.push_back(j);
 }
 
+Crosscheck::State::State(Gradation g, const Question &question, KnownMinimum known)
+    : g_(asked_gradation(std::move(g), question)) {
+  asked_.emplace(Asked{CountsJudge(g_, question), std::move(known)});
+}
+
 Crosscheck::State::State(Gradation g, const Question &question, const Limits &limits)
     : g_(asked_gradation(std::move(g), question)) {
   Question rest = question; // what changes the gradation is made
@@ -93,7 +99,10 @@ Crosscheck::State::State(Gradation g, const Question &question, const Limits &li
   options.limits = limits;
   options.limits.keep_proof = false;
   CountsJudge judge(g_, question);
-  asked_.emplace(Asked{std::move(judge), solve(g_, rest, options)});
+  const Match least = solve(g_, rest, options);
+  asked_.emplace(Asked{
+      std::move(judge),
+      {least.lower_bound, least.sample ? least.particles() : std::nullopt, least.status == Status::none}});
 }
 
 /// `class 2 (0.3, 0.6]`.
@@ -252,13 +261,13 @@ CrosscheckRow Crosscheck::State::judge(const OtherAnswer &answer, const Rational
 
 CrosscheckRow Crosscheck::State::judge_asked(const OtherAnswer &answer,
                                              const Rational &size_tolerance) const {
-  const Match &known = asked_->known;
+  const KnownMinimum &known = asked_->known;
   CrosscheckRow row;
   row.id = g_.id();
-  if (known.status == Status::optimal)
-    row.minimum = known.particles();
+  if (known.particles == known.lower_bound)
+    row.minimum = known.particles;
   if (answer.failure) {
-    const bool is_none = answer.failure == AnswerVerdict::infeasible && known.status == Status::none;
+    const bool is_none = answer.failure == AnswerVerdict::infeasible && known.has_none;
     row.verdict = is_none ? AnswerVerdict::minimal : *answer.failure;
     row.reason = is_none ? "there is no match, as the answer says" : answer.reason;
     return row;
@@ -310,7 +319,7 @@ std::string Crosscheck::State::spread_over_classes(const OtherAnswer &answer, st
 
 /// The verdict on a match.
 void Crosscheck::State::compare_with_known(CrosscheckRow &row) const {
-  const Match &known = asked_->known;
+  const KnownMinimum &known = asked_->known;
   if (*row.particles == known.lower_bound) {
     row.verdict = AnswerVerdict::minimal;
     row.minimum = known.lower_bound;
@@ -319,8 +328,8 @@ void Crosscheck::State::compare_with_known(CrosscheckRow &row) const {
     row.verdict = AnswerVerdict::larger;
     row.ratio = ratio(*row.particles, *row.minimum);
   } else {
-    row.verdict = known.sample && *row.particles > *known.particles() ? AnswerVerdict::larger
-                                                                      : AnswerVerdict::undecided;
+    row.verdict = known.particles && *row.particles > *known.particles ? AnswerVerdict::larger
+                                                                       : AnswerVerdict::undecided;
     row.reason = "stopped at a limit: the smallest number is " + to_string(known.lower_bound) + " or more";
   }
 }
@@ -330,6 +339,10 @@ Crosscheck::Crosscheck(Gradation g, const Limits &limits)
 
 Crosscheck::Crosscheck(Gradation g, const Question &question, const Limits &limits)
     : state_(std::make_shared<const State>(std::move(g), question, limits)) {}
+
+Crosscheck Crosscheck::with_minimum(Gradation g, const Question &question, KnownMinimum known) {
+  return Crosscheck(std::make_shared<const State>(std::move(g), question, std::move(known)));
+}
 
 const Gradation &Crosscheck::gradation() const {
   return state_->gradation();

@@ -190,7 +190,7 @@ bool survives_cuts(const Question &q) {
 
 Tradeoff tradeoff(Gradation g, const Question &question, const TradeoffOptions &options) {
   assert(!question.is_tolerant() || (options.budgets.empty() && !options.all_budgets));
-  Tradeoff result{question, asked_gradation(g, question), options.kind, {}, {}, {}, {}, {}};
+  Tradeoff result{question, asked_gradation(g, question), options.kind, {}, {}, {}};
   Question changes = question; // what is not changed in `base` yet
   changes.pan_size = changes.cut_below = std::nullopt;
   Question done = question;

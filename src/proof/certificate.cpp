@@ -139,6 +139,12 @@ std::string question_lines(const Match &m) {
   return text;
 }
 
+std::string asked_lines(const Gradation &g, const Question &question) {
+  const Match asked(question, asked_gradation(g, question));
+  return question_lines(asked) +
+         (question.is_tolerant() ? tolerance_lines(question, asked.gradation).text : "");
+}
+
 namespace {
 
 /// The match's sizes if they are precise and short enough for the format, else such ones.

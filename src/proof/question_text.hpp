@@ -8,6 +8,10 @@
 
 namespace mdm {
 
+/// All lines of a certificate that say what was asked of g, but those of `pi`.
+/// \throws InputError as tolerance_lines()
+std::string asked_lines(const Gradation &g, const Question &question);
+
 /// The lines from `law` to `size-factor`.
 std::string law_and_openings_lines(const Question &question);
 

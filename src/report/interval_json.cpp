@@ -28,6 +28,13 @@ std::string interval_text(const Interval &y) {
   return "[" + approximate(y.lo, digits) + ", " + approximate(y.hi, digits) + "]";
 }
 
+unsigned digits_apart(const Rational &a, const Rational &b, unsigned digits) {
+  constexpr unsigned most = 100;
+  while (a != b && digits < most && percent_text(Interval(a), digits) == percent_text(Interval(b), digits))
+    ++digits;
+  return digits;
+}
+
 std::string percent_text(const Interval &y, unsigned digits) {
   const std::string lo = approximate(Rational(100 * y.lo), digits);
   if (y.is_point())

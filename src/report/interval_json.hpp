@@ -16,5 +16,8 @@ std::string interval_text(const Interval &y);
 
 /// 100 y cut to so many significant digits, or a range where that does not tell it.
 std::string percent_text(const Interval &y, unsigned digits);
+/// As many digits, `digits` or more, as tell the two shares apart in percent; some that do not, where they
+/// are nearer than 10^-100 to each other.
+unsigned digits_apart(const Rational &a, const Rational &b, unsigned digits);
 
 } // namespace mdm

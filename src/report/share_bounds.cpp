@@ -1,5 +1,7 @@
 #include "report/share_bounds.hpp"
 
+#include "report/interval_json.hpp"
+
 #include <mdm/number/decimal.hpp>
 
 #include <fmt/core.h>
@@ -33,6 +35,7 @@ std::string percent_text(const Rational &share, unsigned digits) {
 
 std::string outside_text(const std::string &what, const Interval &found, const ShareBounds &bounds,
                          unsigned digits) {
+  digits = digits_apart(found.lo, bounds.lo, digits_apart(found.lo, bounds.hi, digits));
   return fmt::format("{} is {} %, and the limits are {} and {} %", what, percent_text(found.lo, digits),
                      percent_text(bounds.lo, digits), percent_text(bounds.hi, digits));
 }
@@ -55,9 +58,10 @@ BoundsVerdict check_bounds(const Tolerance &bounds, const MatchError &e, const G
   }
   if (bounds.total) {
     const ShareBounds most{0, *bounds.total};
+    const unsigned apart = digits_apart(e.total.lo, most.hi, digits);
     note(verdict, lies_within(e.total, most),
          fmt::format("the errors of all shares sum to {} %, and the limit is {} %",
-                     percent_text(e.total.lo, digits), percent_text(most.hi, digits)));
+                     percent_text(e.total.lo, apart), percent_text(most.hi, apart)));
   }
   return verdict;
 }

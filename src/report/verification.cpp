@@ -194,8 +194,10 @@ std::string headline(const Verification &v) {
                                 : v.tolerance == 0 ? ""
                                                    : " within " + percent_text(v.tolerance, 15) + " %";
   const std::string broken = check_bounds(v.bounds, v.error, v.description.gradation(), v.digits).reason;
-  const std::string worst = fmt::format("the largest error of a share is {} %, in {}",
-                                        percent_text(v.error.maximum, v.digits), class_name(v.error.worst));
+  const std::string worst =
+      fmt::format("the largest error of a share is {} %, in {}",
+                  percent_text(v.error.maximum, digits_apart(v.error.maximum.lo, v.tolerance, v.digits)),
+                  class_name(v.error.worst));
   const Integer outside = v.description.outside();
   switch (v.verdict()) {
   case Verdict::match:

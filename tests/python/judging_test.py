@@ -45,6 +45,26 @@ def test_none_is_no_answer_and_an_exception_a_crash():
     assert row.verdict == "crashed" and row.reason == "ZeroDivisionError: division by zero"
 
 
+def test_a_call_that_takes_too_long_is_killed_and_the_next_one_asked():
+    import os
+    import time
+
+    def solver(gradation):
+        if gradation.id == "slow":
+            time.sleep(60)
+        if gradation.id == "dies":
+            os._exit(3)
+        return [3, 1] if gradation.id == "right" else 1 / 0
+
+    small = [mdm.Gradation(["1", "2", "3"], [2, 1, 0], id=id) for id in ("slow", "dies", "right", "raises")]
+    judged = mdm.crosscheck(small, solver, time_limit=2)
+    assert [row.verdict for row in judged.rows] == ["timeout", "crashed", "minimal", "crashed"]
+    assert judged.rows[0].reason == "killed after 2 s"
+    assert judged.rows[1].reason == "its process ended without an answer"
+    with pytest.raises(mdm.InputError, match="is not above 0"):
+        mdm.crosscheck(small, solver, time_limit=0)
+
+
 @pytest.mark.parametrize("solver", ["./solver", None, 3])
 def test_what_is_no_function_is_refused(solver):
     with pytest.raises(mdm.InputError, match="is no function: give one"):

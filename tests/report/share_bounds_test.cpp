@@ -58,3 +58,17 @@ TEST_CASE("Enclosures of shares around a bound leave it open") {
   CHECK(check_bounds(t, e, g, 6).holds == false);
   CHECK(check_bounds(t, e, g, 6).reason.find("class 2") != std::string::npos);
 }
+
+TEST_CASE("A share and the limit that it misses have digits that tell them apart") {
+  const Gradation g = gradation();
+  const Rational little = ratio(1, Integer("1000000000000"));
+  const MatchError e = found({Rational(ratio(1, 4) + little), ratio(1, 2), ratio(1, 4)});
+  Tolerance t;
+  t.retained = {{0, ratio(1, 4)}, {0, 1}, {0, 1}};
+  CHECK(check_bounds(t, e, g, 6).reason ==
+        "the share of class 1 is 25.0000000001 %, and the limits are 0 and 25 %");
+  t = {};
+  t.total = ratio(1, 4);
+  CHECK(check_bounds(t, e, g, 6).reason ==
+        "the errors of all shares sum to 25.0000000001 %, and the limit is 25 %");
+}

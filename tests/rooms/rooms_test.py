@@ -3,7 +3,7 @@
 
 SOURCE is the top folder of the project. A room is a folder of src and of include/mdm; a file that stands in neither's
 folders is a room of its own, by its name without an ending. The table has a row a room, from the bottom of the house's
-dependencies up: `| number | ... |`. Nobody includes `cli`, which alone includes CLI11. `checker` includes no room but itself; of it `python` alone includes the installed
+dependencies up: `| number | ... |`. Nobody includes `cli`, which alone includes CLI11. `checker` includes no room but itself; of it `python` and `cli` alone include the installed
 header. What is installed is complete: a header of include/mdm includes none of src, and include/mdm/mdm.hpp includes all others but that of the checker, a library apart.
 """
 
@@ -88,7 +88,7 @@ def main():
                 # What the operating system has is of the programs and the module: the library is linked without it.
                 of_program = room_of(other) == "cli" or (room_of(other) == "files" and room not in ("cli", "python"))
                 apart = room != room_of(other) and ("checker" in (room, room_of(other)) or of_program)
-                if room == "python" and other == CHECKER:
+                if room in ("python", "cli") and other == CHECKER:
                     continue
                 if not apart and level.get(room_of(other), 0) <= level.get(room, 0):
                     continue

@@ -203,7 +203,7 @@ OPTIONAL = {
     "mdm-describe-1": {"kKozenyCarman"},
     "mdm-report-1": {"kKozenyCarman"},
     "mdm-answer-1": {"upper_bound", "spectrum", "seed", "question", "start", "scale_power", "sizes", "size_power",
-                     "lower_power", "upper_power", "proof", "material"},
+                     "lower_power", "upper_power", "proof", "material", "factor"},
     "mdm-verify-1": {"material", "other_materials"},
     "mdm-generate-1": {"quality", "curve", "sizes"},
     "mdm-packing-1": {"positions", "judgement"},
@@ -233,7 +233,7 @@ FILES = {
     "sizes.dump": "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS diameter\n0.0001\n0.0002\n",
     "places.txt": "1 1 1 0.1\n1 1 1.19 0.1\n5 5 0.25 0.25\n9 9 12 0.4\n9 9.7 12 0.3\n3 3 3 0.06\n",
     "sample.csv": "size_mm,quantity\n0.05,3000\n0.1,300\n0.12,100\n0.13,200\n0.2,250\n0.4,20\n0.8,2\n0.9,1\n3,1\n",
-    "problems.jsonl": '{"id":"a","stockpiles":[{"name":"A","passing":["60"]},{"name":"B","passing":["1/3"],"cost":"2"}],'
+    "problems.jsonl": '{"id":"a","stockpiles":[{"name":"A","passing":["60"],"cost":"0"},{"name":"B","passing":["1/3"],"cost":"2"}],'
                       '"sieves":[{"size":"4","least":"10","most":"20"}],"aim":"cost"}\n',
     "blends.jsonl": '{"id":"a","percents":["20","80"]}\n{"id":"a","status":"infeasible"}\n{"percents":[]}\n{"id":"b"}\n',
     "answers.csv": "id,quantities,sizes_mm,setting\na,2 1,,x\na,3 1,0.1 0.2,y\nb,1 1,,x\nb,,,y\nc,1,,x\n",

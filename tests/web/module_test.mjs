@@ -9,7 +9,7 @@ import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 
 const [folder, mdm, mdmCheck, source, certificates] = process.argv.slice(2).map((name) => resolve(name));
-const { InputError, batch, blend, check, convert, describe, judge, run, runCheck, solve, tradeoff, verify } = await import(
+const { InputError, batch, blend, check, convert, crosscheck, describe, judge, run, runCheck, solve, tradeoff, verify } = await import(
   pathToFileURL(join(folder, "index.js"))
 );
 
@@ -52,6 +52,25 @@ test("answers within a tolerance, of bands, solids and laws are the native ones"
         `${file} ${words}`,
       );
     }
+});
+
+test("a solver's answers are judged, whatever becomes of them", async () => {
+  const gradation = { sizes: ["1", "2", "3"], masses: ["2", "1", "0"] };
+  const solvers = {
+    minimal: () => [3n, 1],
+    larger: async () => ({ quantities: ["6", "2"] }),
+    "not-a-match": () => [1, 1],
+    "no-answer": () => null,
+    "gave-up": () => ({ status: "gave up" }),
+    crashed: () => { throw new Error("lost"); },
+  };
+  for (const [verdict, solver] of Object.entries(solvers)) {
+    const judged = await crosscheck([gradation, { ...gradation, id: "b" }], solver);
+    assert.deepStrictEqual(judged.rows.map((row) => [row.id, row.verdict]), [["1", verdict], ["b", verdict]]);
+  }
+  const tolerant = await crosscheck([gradation], () => [1, 1], { tolerance: "retained:20%" });
+  assert.strictEqual(tolerant.rows[0].verdict, "minimal");
+  await assert.rejects(crosscheck([{ ...gradation, id: "a" }, { ...gradation, id: "a" }], () => null), InputError);
 });
 
 test("a batch for several threads is answered by the one that there is", async () => {

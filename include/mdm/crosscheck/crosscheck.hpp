@@ -28,6 +28,15 @@ struct CrosscheckRow {
   std::string reason; ///< why it is no match, or cannot be judged
 };
 
+/// What is known of the least number of particles of a match.
+struct KnownMinimum {
+  Integer lower_bound;              ///< no match has fewer
+  std::optional<Integer> particles; ///< a match has so many; nothing: none is known
+  bool has_none = false;            ///< there is no match
+
+  bool is_certain() const { return has_none || particles == lower_bound; }
+};
+
 /// A gradation with the least match for a question, to judge answers by.
 class Crosscheck {
 public:
@@ -38,6 +47,9 @@ public:
   /// Of any question.
   /// \throws InputError likewise, or if the law is irrational at an opening
   Crosscheck(Gradation g, const Question &question, const Limits &limits);
+  /// Of any question about whose least match so much is known: nothing is searched for.
+  /// \throws InputError likewise
+  static Crosscheck with_minimum(Gradation g, const Question &question, KnownMinimum known);
 
   /// With the pan, the cut and the size factor of the question made.
   const Gradation &gradation() const;
@@ -55,6 +67,8 @@ public:
 
 private:
   class State;
+  explicit Crosscheck(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+
   std::shared_ptr<const State> state_;
 };
 

@@ -58,8 +58,8 @@ struct Tradeoff {
     BudgetBy by = BudgetBy::tolerance;
     bool is_certain = false; ///< nothing suffices
   };
-  std::vector<MissedBudget> missed;
-  std::optional<Integer> at_most; ///< matches of more particles count as none
+  std::vector<MissedBudget> missed = {};
+  std::optional<Integer> at_most = {}; ///< matches of more particles count as none
 
   /// The match of the whole gradation as asked, without more tolerance.
   const TradeoffRow &whole() const { return by_sieve.front(); }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import multiprocessing
 import os
 from collections import Counter
 from collections.abc import Callable, Iterable
@@ -76,6 +77,7 @@ class Crosscheck:
 
 
 def crosscheck(gradations: Union[Iterable[Gradation], str, "os.PathLike[str]"], solver: Solver, *,
+               time_limit: float | None = None,
                # Options of crosscheck, by src/ask/write_modules.
                size_tolerance: Number | None = None, tolerance: Tolerance = None,
                band: Union[str, "os.PathLike[str]", None] = None, min_per_class: Number | None = None,
@@ -88,11 +90,12 @@ def crosscheck(gradations: Union[Iterable[Gradation], str, "os.PathLike[str]"], 
     """Judges a solver, a Python callable, on gradations, as `mdm crosscheck` judges programs: on exact matches of spheres,
     or on any question of `solve`. That the question was asked is yours to tell the solver.
 
-    An Exception that the solver raises is the verdict "crashed" of that gradation; None is "no-answer". Sizes that are
-    floats count as the decimals that are printed of them; they are in the gradation's unit.
+    An Exception that the solver raises is the verdict "crashed" of that gradation; None is "no-answer"; with a time limit
+    each call is a process of its own, forked from this one, and one that is killed is "timeout". Sizes that are floats count as the decimals that are printed of them; they are in the gradation's unit.
 
     Args:
         gradations: any iterable, or the path of a suite: JSON Lines, a gradation each.
+        time_limit: seconds after which a call of the solver is killed (not on Windows).
         size_tolerance: how far sizes may be off, as a part of the size as stated (1e-9).
         max_steps, node_limit: of the search for the smallest match; then the verdict is "undecided".
         tolerance: the smallest match within a tolerance: retained:1%, passing:0.5%, total:1% (percentage points),
@@ -124,23 +127,53 @@ def crosscheck(gradations: Union[Iterable[Gradation], str, "os.PathLike[str]"], 
     if not callable(solver):
         raise InputError(f"solver: {type(solver).__name__} is no function: give one that is called with a Gradation; "
                          "exactmdm.program.run(\"crosscheck\", SUITE, \"--solver\", COMMAND) judges programs")
+    if time_limit is not None and not time_limit > 0:
+        raise InputError(f"time_limit: {time_limit} is not above 0: give seconds")
     question = _core.JudgedQuestion(words.values, words.tolerances)
-    return Crosscheck(tuple(_judged(question.judge_of(gradation._handle), gradation, solver)
+    return Crosscheck(tuple(_judged(question.judge_of(gradation._handle), gradation, solver, time_limit)
                             for gradation in suite(gradations)))
 
 
-def _judged(judge: _core.Judge, gradation: Gradation, solver: Solver) -> JudgedAnswer:
+def _judged(judge: _core.Judge, gradation: Gradation, solver: Solver, time_limit: float | None) -> JudgedAnswer:
+    verdict, text = _answered(gradation, solver) if time_limit is None else _answered_within(gradation, solver, time_limit)
+    return _row(judge.failed(verdict, text) if verdict else judge.judge(text))
+
+
+def _answered(gradation: Gradation, solver: Solver) -> tuple[str, str]:
+    """The verdict of a failure and its reason, or "" and the answer in JSON."""
     try:
         answer = solver(gradation)
     except Exception as error:
-        return _row(judge.failed("crashed", f"{type(error).__name__}: {error}"))
+        return "crashed", f"{type(error).__name__}: {error}"
     if answer is None:
-        return _row(judge.failed("no-answer", "the solver returned None"))
+        return "no-answer", "the solver returned None"
     try:
-        line = _line(answer, gradation.unit)
+        return "", _line(answer, gradation.unit)
     except (InputError, TypeError, ValueError) as error:
-        return _row(judge.failed("garbage", str(error)))
-    return _row(judge.judge(line))
+        return "garbage", str(error)
+
+
+def _answered_within(gradation: Gradation, solver: Solver, seconds: float) -> tuple[str, str]:
+    """The same by a process of its own, which is killed after so many seconds."""
+    try:
+        forking = multiprocessing.get_context("fork")
+    except ValueError:
+        raise InputError("time_limit: this system has no fork, by which a call can be killed: leave it out") from None
+    receiver, sender = forking.Pipe(duplex=False)
+    process = forking.Process(target=lambda: sender.send(_answered(gradation, solver)))
+    process.start()
+    sender.close()
+    try:
+        if not receiver.poll(seconds):
+            return "timeout", f"killed after {seconds} s"
+        verdict, text = receiver.recv()
+        return verdict, text
+    except EOFError:
+        return "crashed", "its process ended without an answer"
+    finally:
+        process.kill()
+        process.join()
+        receiver.close()
 
 
 def _row(row: tuple[str, str, int | None, int | None, str | None, str | None, str]) -> JudgedAnswer:

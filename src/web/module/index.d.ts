@@ -165,6 +165,50 @@ export interface VerifyWords {
   margin?: number | string;
 }
 
+/** Options of `mdm crosscheck`. */
+export interface CrosscheckWords {
+  /** How far sizes may be off, as a part of the size as stated (1e-9). */
+  sizeTolerance?: number | string;
+  /**
+   * The smallest match within a tolerance: retained:1%, passing:0.5%, total:1% (percentage points), retained:file,
+   * passing:file (column tolerance_percent), laboratory, rounding; may be repeated.
+   */
+  tolerance?: string | number | (string | number)[];
+  /**
+   * The smallest match within the envelope in FILE: CSV with passing_min_percent and passing_max_percent of each
+   * sieve, or a table with columns such as Lower and Upper.
+   */
+  band?: string | Uint8Array;
+  /** At least R particles in every class with mass. */
+  minPerClass?: number | string;
+  /** The smallest match with at least N particles. */
+  atLeast?: number | string;
+  /**
+   * At least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, or in the file's
+   * unit (mm for sieve names and phi; beside inches a unit is needed).
+   */
+  specimen?: string;
+  /** Void ratio e of the specimen. */
+  voidRatio?: number | string;
+  /** At least this volume of solids, in the cube of the answer's unit. */
+  solidsVolume?: number | string;
+  /**
+   * Mass of a particle of size x: sphere (x^3), power:a/b or power:2.5, sum:2*x^3+0.5*x^2 with x in mm, or
+   * table:FILE, CSV with size_mm and particle_mass, from (0, 0) on and linear between its rows.
+   */
+  law?: string;
+  /** Multiply every size of the gradation by K. */
+  sizeFactor?: number | string;
+  /** Leave out the classes below the sieve SIZE, as 63um or in the file's unit (before sizeFactor). */
+  cutBelow?: number | string;
+  /** Count the pan as SIZE, as 2um or in the file's unit, instead of 0 (before sizeFactor). */
+  panSize?: number | string;
+  /** Stop the search for a smallest match after so many steps (67108864; undecided, exit 3). */
+  maxSteps?: number | string;
+  /** Stop after so many nodes of the search for a tolerance. */
+  nodeLimit?: number | string;
+}
+
 /** Options of `mdm tradeoff`. */
 export interface TradeoffWords {
   /**
@@ -346,6 +390,22 @@ export function verify(
   gradation: GradationInput,
   sample: string | Uint8Array,
   options?: Options & VerifyWords & ConvertWords & { sampleName?: string },
+): Promise<Record<string, unknown>>;
+
+/**
+ * What a solver answers to a gradation: the quantities of its classes, ascending (all classes or those with mass), an
+ * object as `mdm crosscheck` reads it from JSON, or nothing.
+ */
+export type SolverAnswer = (bigint | number | string)[] | Record<string, unknown> | null | undefined;
+
+/**
+ * Judges a solver's answers to a question about each gradation, as `mdm crosscheck` has it in JSON. That the question was
+ * asked is yours to tell the solver; what it throws is the verdict "crashed".
+ */
+export function crosscheck(
+  gradations: (object | string)[],
+  solver: (gradation: Record<string, unknown>) => SolverAnswer | Promise<SolverAnswer>,
+  options?: CrosscheckWords,
 ): Promise<Record<string, unknown>>;
 
 export interface TradeoffOptions

@@ -127,6 +127,34 @@ export async function verify(gradation, sample, { name, sampleName = "sample.txt
   return JSON.parse(printed(result));
 }
 
+/** What a solver says of a gradation, as a line of answers. */
+async function answered(gradation, solver) {
+  try {
+    const answer = await solver(gradation);
+    if (answer === null || answer === undefined) return { status: "no-answer", reason: "the solver returned nothing" };
+    return Array.isArray(answer) ? { quantities: answer.map(String) } : answer;
+  } catch (error) {
+    return { status: "crashed", reason: String(error) };
+  }
+}
+
+export async function crosscheck(gradations, solver, options = {}) {
+  const suite = gradations.map((given, i) => {
+    const gradation = typeof given === "string" ? JSON.parse(given) : given;
+    return { id: String(i + 1), ...gradation };
+  });
+  if (new Set(suite.map(({ id }) => id)).size < suite.length)
+    throw new InputError("gradations: two have one id: give each its own");
+  const answers = [];
+  for (const gradation of suite)
+    answers.push({ ...(await answered(gradation, solver)), id: gradation.id });
+  const inLines = (objects) => objects.map((object) => JSON.stringify(object) + "\n").join("");
+  const { words, files } = asked(options);
+  const all = { ...files, "suite.jsonl": inLines(suite), "answers.jsonl": inLines(answers) };
+  const commandLine = ["crosscheck", ...words, "--format=json", "--quiet", "suite.jsonl", "answers.jsonl"];
+  return JSON.parse(printed(await runCommand(commandLine, all)));
+}
+
 export async function tradeoff(gradation, { name, onProgress, ...options } = {}) {
   const file = fileName(gradation, name, "gradation");
   const { words, files } = asked(options);
