@@ -100,24 +100,26 @@ bool names_index(std::string_view cell) {
          (words.size() > 1 && words[0] == 'd' && std::all_of(words.begin() + 1, words.end(), is_digit));
 }
 
-/// A number about the sheet or the soil, which labs write below its columns: `Page`, `Moisture`, `Density`.
+/// A number about the sheet or the soil, which labs write below its columns: `Page`, `Moisture content`. All
+/// words must be such words: `Pan content` and `Test sieve 0.063` are none.
 bool names_remark(std::string_view cell) {
-  constexpr std::string_view names = "date datum fecha data page seite pagina folio report bericht project "
-                                     "projekt job order auftrag lab labor "
-                                     "test versuch sheet no nr number id ref year time temperature "
-                                     "temperatur revision rev version phone tel "
-                                     "moisture water wassergehalt humidity humedad umidita teneur content "
-                                     "density dichte densite densidad densita "
-                                     "gravity kornrohdichte porosity void ll pl pi wl wp ip limit plasticity "
-                                     "depth tiefe profondeur profundidad "
-                                     "profondita bohrung coefficient ungleichfoermigkeit "
-                                     "ungleichfoermigkeitszahl kruemmungszahl uniformity curvature "
-                                     "cu cc u c k kf permeability fineness modul modulus operator checked "
-                                     "tested by span sorting skewness kurtosis "
-                                     "mean median mode";
+  constexpr std::string_view names =
+      "date datum fecha data page seite pagina folio report bericht project projekt job order auftrag lab "
+      "labor "
+      "laboratory no nr number id ref reference year time temperature temperatur revision rev version phone "
+      "tel test "
+      "versuch operator checked tested moisture water wassergehalt humidity humedad umidita teneur contenido "
+      "content "
+      "density dichte densite densidad densita particle specific gravity kornrohdichte porosity void ratio "
+      "ll pl pi wl "
+      "wp liquid plastic limit plasticity index depth tiefe profondeur profundidad profondita bohrung "
+      "coefficient "
+      "ungleichfoermigkeit ungleichfoermigkeitszahl kruemmungszahl uniformity curvature cu cc kf "
+      "permeability fineness "
+      "modulus modul span sorting skewness kurtosis median mode percent of the de la du";
   const std::vector<std::string> words = words_of(cell);
-  return std::any_of(words.begin(), words.end(),
-                     [names](const std::string &word) { return has_word(names, word); });
+  return !words.empty() && std::all_of(words.begin(), words.end(),
+                                       [names](const std::string &word) { return has_word(names, word); });
 }
 
 bool has_number(const CellRow &row) {

@@ -268,8 +268,10 @@ const std::string washed_stack = "8,0\n4,25\n2,80\n1,150\n0.5,120\n0.25,70\n0.12
 
 TEST_CASE("a row with a number below an empty row is not passed over") {
   const std::string sieves = header + "4,0\n2,80\n1,150\n\n";
-  for (const std::string row : {"Catch pan,50", "Undersize,50", "Tray,50", "Fundo,50", "#200 wet,30\nPan,8",
-                                "N200,30\nPan,8", "Retained on 0.063,30\nPan,8"}) {
+  for (const std::string row :
+       {"Catch pan,50", "Undersize,50", "Tray,50", "Fundo,50", "#200 wet,30\nPan,8", "N200,30\nPan,8",
+        "Retained on 0.063,30\nPan,8", "Pan content,50", "Test sieve 0.063,30\nPan,8", "Number 230,30\nPan,8",
+        "Passing by difference,50", "Lab tray,50"}) {
     INFO(row);
     CHECK_FALSE(refusal(sieves + row + "\n").empty());
   }
