@@ -158,6 +158,10 @@ private:
     }
     if (agree(*sum, whole))
       return std::nullopt;
+    const bool is_rest_elsewhere = std::any_of(a_.columns.begin(), a_.columns.end(), have_rest);
+    if (column(b).is_retained() && !column(b).below && !a_.rows.have_fines() && is_rest_elsewhere &&
+        sum->range().lo <= whole.hi)
+      return std::nullopt; // both lack what passes the finest sieve, which another column says
     for (const std::optional<PrintedNumber> &other :
          {number_of(a_.rows.total(), a), in_unit_of(masses, a_.stated.initial)})
       if (other && agree(*other, whole) && a_.loss.explains(*other, *sum))

@@ -18,6 +18,18 @@ namespace {
 constexpr std::size_t lower_column = 0, upper_column = 1, share_column = 2, finer_column = 3,
                       camsizer_columns = 4;
 
+bool is_camsizer_header(const CellRow &row) {
+  const std::vector<std::string> &c = row.cells;
+  const auto share = std::find(c.begin(), c.end(), "p3 [%]");
+  const auto place = static_cast<std::size_t>(share - c.begin());
+  const bool names_unit = std::any_of(c.begin(), share, [](const std::string &cell) {
+    return cell.find("[mm]") != std::string::npos || cell.find("[\u00B5m]") != std::string::npos ||
+           cell.find("[\u03BCm]") != std::string::npos;
+  });
+  // The two columns of sizes have one name or two.
+  return (place == 1 || place == 2) && names_unit && place + 1 < c.size() && c[place + 1] == "Q3 [%]";
+}
+
 class Camsizer {
 public:
   Camsizer(const Cells &cells, std::size_t header, const Source &source)
@@ -37,6 +49,7 @@ public:
     for (row_ = header_ + 1; row_ < end_; ++row_)
       read_class();
     add_row(top_, 0);
+    check_end();
     describe();
     return std::move(table_);
   }
@@ -109,12 +122,27 @@ private:
   void check_sum() {
     sum_ += number(share_column);
     error_ += last_digit_unit(digits(share_column), point_) / 2;
-    const Rational finer = number(finer_column);
-    const Rational error = error_ + last_digit_unit(digits(finer_column), point_) / 2;
-    if (abs(Rational(finer - sum_)) > error)
+    finer_ = number(finer_column);
+    finer_error_ = last_digit_unit(digits(finer_column), point_) / 2;
+    if (abs(Rational(finer_ - sum_)) > error_ + finer_error_)
       refuse(fmt::format(
           "Q3 is {}, but p3 adds up to {} so far: export the whole table, from the finest class on",
-          shown(finer), shown(sum_)));
+          shown(finer_), shown(sum_)));
+  }
+
+  /// All of the sample is in the classes, and no row of a class has another form.
+  void check_end() const {
+    const CellRow &last = cells_.rows[end_ - 1];
+    if (const Rational missing = abs(Rational(100 - finer_)); missing > finer_error_)
+      source_.refuse(
+          last.line,
+          fmt::format("Q3 ends at {}, not at 100: what is coarser than {} has no class here: export "
+                      "the whole table",
+                      shown(finer_), shown(top_)));
+    for (std::size_t i = end_; i < cells_.rows.size(); ++i)
+      if (is_camsizer_header(cells_.rows[i]))
+        source_.refuse(cells_.rows[i].line,
+                       "a second table of classes, which is not read: give a file of one measurement");
   }
 
   void describe() {
@@ -132,24 +160,15 @@ private:
   char point_ = '.';
   Table table_;
   Rational top_ = 0, sum_ = 0, error_ = 0;
+  Rational finer_ = 0, finer_error_ = 0; ///< Q3 of the class, and half a unit of its last digit
 };
 
 } // namespace
 
 std::optional<std::size_t> camsizer_header(const Cells &cells) {
-  for (std::size_t row = 0; row < cells.rows.size(); ++row) {
-    const std::vector<std::string> &c = cells.rows[row].cells;
-    const auto share = std::find(c.begin(), c.end(), "p3 [%]");
-    const auto place = static_cast<std::size_t>(share - c.begin());
-    const bool names_unit = std::any_of(c.begin(), share, [](const std::string &cell) {
-      return cell.find("[mm]") != std::string::npos || cell.find("[\u00B5m]") != std::string::npos ||
-             cell.find("[\u03BCm]") != std::string::npos;
-    });
-    // The two columns of sizes have one name or two.
-    if ((place == 1 || place == 2) && names_unit && place + 1 < c.size() && c[place + 1] == "Q3 [%]")
-      return row;
-  }
-  return std::nullopt;
+  const auto found = std::find_if(cells.rows.begin(), cells.rows.end(), is_camsizer_header);
+  return found == cells.rows.end() ? std::nullopt
+                                   : std::optional(static_cast<std::size_t>(found - cells.rows.begin()));
 }
 
 Table read_camsizer(const Cells &cells, std::size_t header, const Source &source, const std::string &id) {

@@ -1,5 +1,7 @@
 #include "gradation/coulter_reader.hpp"
 
+#include "gradation/header_words.hpp"
+#include "gradation/number_shares.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -61,7 +63,21 @@ private:
         section_->line = lines_.number();
     } else if (section_ != nullptr && !line.empty()) {
       read_number(line);
+    } else if (const std::size_t sign = line.find('='); sign != std::string_view::npos) {
+      check_setting(trimmed(line.substr(0, sign)), trimmed(line.substr(sign + 1)));
     }
+  }
+
+  /// What other sections say of the sizes and the heights.
+  void check_setting(std::string_view key, std::string_view value) const {
+    if (states_other_shares(key, value))
+      source_.refuse(lines_.number(), fmt::format("{} is {} here: {}", in_quotes(key), in_quotes(value),
+                                                  number_shares_remedy));
+    if (key == "Binunits" && unit_of_words(value) != ColumnUnit::um)
+      source_.refuse(
+          lines_.number(),
+          fmt::format("the sizes are in {}, and those of such files are read in um: write them as CSV",
+                      in_quotes(value)));
   }
 
   void read_number(std::string_view line) {

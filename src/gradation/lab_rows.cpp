@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace mdm {
 namespace {
@@ -261,7 +262,7 @@ private:
                          option("split", OptionSpelling::program)));
     const bool are_of_others =
         std::any_of(words_below_.begin(), words_below_.end(), [](const std::string &words) {
-          return speaks_of_sample(words) || speaks_of_splitting(words);
+          return speaks_of_sample(words) || speaks_of_splitting(words) || speaks_of_part(words);
         });
     if (!words_below_.empty() && (are_retained || are_of_others))
       refuse(fmt::format(
@@ -310,6 +311,8 @@ private:
         statements_.size() > before && has_number_beside())
       refuse(fmt::format("the row {} has no value in the column {}: write it, or 0",
                          in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
+    if (below_gap_ && known.meaning == RowMeaning::passing)
+      words_below_.emplace_back(first_cell(row()));
     if (!belongs_to_table(known.meaning) || statements_.size() == before)
       leave();
     return true;
@@ -491,19 +494,20 @@ private:
     }
   }
 
-  /// A column that has the masses in some rows and others in the rest has those of the whole, or of a part.
+  /// A column that has the values in some rows and others in the rest has those of the whole, or of a part.
   void check_corrected() const {
-    if (reading_.columns || chosen_.meaning().meaning != ColumnMeaning::retained)
+    if (reading_.columns)
       return;
+    const bool are_retained = chosen_.meaning().meaning == ColumnMeaning::retained;
     for (const UnusedColumn &column : columns_.others) {
-      if (speaks_of_splitting(column.name) && has_numbers(column))
+      if (are_retained && speaks_of_splitting(column.name) && has_numbers(column))
         source_.refuse(
             read_.table.header_line,
             fmt::format(
                 "the column {} may be of a part of the sample that was sieved for the whole: choose the "
                 "masses of the whole with {} SIZE,VALUE, or leave it out",
                 in_quotes(column.name), option("columns")));
-      if (is_corrected(column))
+      if (are_retained ? has_corrected_masses(column) : has_corrected_percents(column))
         source_.refuse(
             read_.table.header_line,
             fmt::format(
@@ -518,28 +522,59 @@ private:
                        [&](const CellRow *row) { return number_cell(row->cell(column.place)).has_value(); });
   }
 
+  /// Its numbers beside the sieves; nothing where one is none, such as a range or a date.
+  std::optional<std::vector<Rational>> numbers_of(const UnusedColumn &column) const {
+    std::vector<Rational> numbers;
+    for (const CellRow *row : sieves_) {
+      const std::optional<NumberCell> number = number_cell(row->cell(column.place));
+      if (!number)
+        return std::nullopt;
+      try {
+        numbers.push_back(printed_number(number->digits, sign_.in(number->digits)).value);
+      } catch (const InputError &) {
+        return std::nullopt;
+      }
+    }
+    return numbers;
+  }
+
   /// True where it is neither the same column nor the masses added up from either end.
-  bool is_corrected(const UnusedColumn &column) const {
+  bool has_corrected_masses(const UnusedColumn &column) const {
+    const std::optional<std::vector<Rational>> numbers = numbers_of(column);
+    if (!numbers)
+      return false;
+    const std::vector<Rational> &masses = read_.table.values;
     std::size_t same = 0, others = 0, sums = 0;
     Rational down = 0, up = 0;
-    for (std::size_t i = 0; i < sieves_.size(); ++i)
-      up += read_.table.values[i];
-    for (std::size_t i = 0; i < sieves_.size(); ++i) {
-      const std::optional<NumberCell> number = number_cell(sieves_[i]->cell(column.place));
-      if (!number)
-        return false;
-      const Rational &mass = read_.table.values[i],
-                     value = printed_number(number->digits, sign_.in(number->digits)).value;
-      down += mass;
-      if (mass != 0 && value == mass)
-        ++same;
-      else if (value != mass)
-        ++others;
-      if (value == down || value == up)
-        ++sums;
-      up -= mass;
+    for (const Rational &mass : masses)
+      up += mass;
+    for (std::size_t i = 0; i < numbers->size(); ++i) {
+      const Rational &value = (*numbers)[i];
+      down += masses[i];
+      same += masses[i] != 0 && value == masses[i] ? 1U : 0U;
+      others += value != masses[i] ? 1U : 0U;
+      sums += value == down || value == up ? 1U : 0U;
+      up -= masses[i];
     }
-    return same > 0 && others > 0 && sums < sieves_.size();
+    return same > 0 && others > 0 && sums < numbers->size();
+  }
+
+  /// True where it is the same for the coarse sieves, of which one tells, and another for the finer ones.
+  bool has_corrected_percents(const UnusedColumn &column) const {
+    const std::optional<std::vector<Rational>> numbers = numbers_of(column);
+    if (!numbers)
+      return false;
+    std::vector<std::size_t> from_coarsest(numbers->size());
+    std::iota(from_coarsest.begin(), from_coarsest.end(), std::size_t{0});
+    std::sort(from_coarsest.begin(), from_coarsest.end(),
+              [this](std::size_t a, std::size_t b) { return read_.table.sizes[a] > read_.table.sizes[b]; });
+    const std::vector<Rational> &values = read_.table.values;
+    const auto is_same = [&](std::size_t i) { return (*numbers)[i] == values[i]; };
+    const auto first_other = std::find_if_not(from_coarsest.begin(), from_coarsest.end(), is_same);
+    const Rational &all = values[from_coarsest.front()];
+    return first_other != from_coarsest.end() && std::none_of(first_other, from_coarsest.end(), is_same) &&
+           std::any_of(from_coarsest.begin(), first_other,
+                       [&](std::size_t i) { return values[i] != 0 && values[i] != all; });
   }
 
   // ---- sieves

@@ -44,6 +44,7 @@ public:
     refuse_number_shares();
     find_sign();
     read_channels();
+    check_whole();
     describe(samples.size());
     return std::move(table_);
   }
@@ -91,7 +92,8 @@ private:
     const CellRow &headers = cells_.rows[0];
     for (std::size_t column = 0; column < begin_; ++column) {
       const std::string_view cell = sample_->cell(column);
-      if (speaks_of_number_shares(headers.cells[column] + " " + std::string(cell)))
+      if (speaks_of_number_shares(headers.cells[column] + " " + std::string(cell)) ||
+          states_other_shares(headers.cells[column], cell))
         source_.refuse(sample_->line, fmt::format("{} is {} here: {}", in_quotes(headers.cells[column]),
                                                   in_quotes(cell), number_shares_remedy));
     }
@@ -133,6 +135,23 @@ private:
       if (!is_between_)
         table_.roundings.push_back(last_digit_unit(number_cell(sample_->cell(column))->digits, point_) / 2);
     }
+  }
+
+  /// Shares between the user's sizes are of all that was measured.
+  void check_whole() const {
+    if (!is_between_)
+      return;
+    Rational sum = 0, error = 0;
+    for (std::size_t i = 0; i < table_.values.size(); ++i) {
+      sum += table_.values[i];
+      if (const std::optional<NumberCell> cell = number_cell(sample_->cell(begin_ + i)))
+        error += last_digit_unit(cell->digits, point_) / 2;
+    }
+    if (abs(Rational(100 - sum)) > error)
+      source_.refuse(sample_->line,
+                     fmt::format("the shares add up to {}, not to 100: the rest is outside of these sizes: "
+                                 "export sizes that hold all of it",
+                                 approximate(sum, 6)));
   }
 
   void describe(std::size_t samples) {

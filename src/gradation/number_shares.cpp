@@ -19,6 +19,36 @@ bool speaks_of_number_shares(std::string_view text) {
               "anzahlverteilung verteilung");
 }
 
+bool states_other_shares(std::string_view label, std::string_view value) {
+  constexpr std::string_view labels =
+      "distribution distributions distribucion distribuzione verteilung verteilungsart type typ tipo art "
+      "unit units result "
+      "results resultat ergebnis basis base weighted weighting by report reported mode quantity mengenart";
+  constexpr std::string_view kinds =
+      "number numbers anzahl nombre numero count counts surface surfaces oberflaeche "
+      "superficie length lengths laenge longueur longitud lunghezza";
+  constexpr std::string_view beside = "area percent weighted based basis distribution by";
+  const std::vector<std::string> of_label = words_of(label), of_value = words_of(value);
+  const auto is_kind = [](const std::string &w) { return has_word(kinds, w); };
+  return std::any_of(of_label.begin(), of_label.end(),
+                     [](const std::string &w) { return has_word(labels, w); }) &&
+         std::any_of(of_value.begin(), of_value.end(), is_kind) &&
+         std::all_of(of_value.begin(), of_value.end(),
+                     [&](const std::string &w) { return is_kind(w) || has_word(beside, w); });
+}
+
+namespace {
+
+/// True of a cell, or of one with the next.
+bool states_other_shares_in(const CellRow &row, std::size_t column) {
+  const std::string_view cell = row.cell(column);
+  const std::size_t sign = cell.find_last_of(":=");
+  return states_other_shares(cell, row.cell(column + 1)) ||
+         (sign != std::string_view::npos && states_other_shares(cell.substr(0, sign), cell.substr(sign + 1)));
+}
+
+} // namespace
+
 void refuse_number_shares(const Cells &cells, std::size_t above, const Source &source) {
   for (std::size_t i = 0; i < above; ++i) {
     const CellRow &row = cells.rows[i];
@@ -27,6 +57,12 @@ void refuse_number_shares(const Cells &cells, std::size_t above, const Source &s
         if (speaks_of_number_shares(text))
           source.refuse(row.line, fmt::format("{} says that the shares are by number: {}", in_quotes(text),
                                               number_shares_remedy));
+    for (std::size_t c = 0; c < row.cells.size(); ++c)
+      if (states_other_shares_in(row, c))
+        source.refuse(row.line, fmt::format("{} {} says that the shares are not by mass or volume: {}",
+                                            in_quotes(row.cell(c)),
+                                            row.cell(c + 1).empty() ? "" : in_quotes(row.cell(c + 1)),
+                                            number_shares_remedy));
   }
 }
 

@@ -268,6 +268,14 @@ bool speaks_of_splitting(std::string_view text) {
          (words.have("portion prise") && (words.have(passing) || has_sign_of_passing(text)));
 }
 
+bool speaks_of_part(std::string_view text) {
+  using namespace row_vocabulary;
+  return Words(text).have(
+             "fraction fractions fraccion frazione part portion fines fine fein feinanteil feinanteils "
+             "finos fins") ||
+         Words(text).have(passing) || has_sign_of_passing(text);
+}
+
 bool speaks_of_sample(std::string_view text) {
   return row_vocabulary::Words(text).have(row_vocabulary::sample);
 }

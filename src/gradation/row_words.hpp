@@ -40,6 +40,9 @@ bool speaks_of_washing(std::string_view text);
 /// reduced.
 bool speaks_of_splitting(std::string_view text);
 
+/// True for words of what passes a sieve, whose percents may be of that part: fraction, fines, < 63 um.
+bool speaks_of_part(std::string_view text);
+
 /// True where a sample is named: sample, specimen, probe.
 bool speaks_of_sample(std::string_view text);
 

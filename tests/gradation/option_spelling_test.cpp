@@ -46,8 +46,9 @@ TEST_CASE("A file that does not say what it holds asks for options in the spelli
                   {"say --kind cumulative if 'Retained (g)' is one, else --kind retained",
                    "say kind cumulative if 'Retained (g)' is one, else kind retained",
                    "say kind cumulative if 'Retained (g)' is one, else kind retained"});
-  check_spellings(refusal("size_mm,passing_min_percent,passing_max_percent\n1,0,10\n2,100,100\n"),
-                  {"a band is for --band or --spec", "a band is for band or spec", "a band is for band or spec"});
+  check_spellings(
+      refusal("size_mm,passing_min_percent,passing_max_percent\n1,0,10\n2,100,100\n"),
+      {"a band is for --band or --spec", "a band is for band or spec", "a band is for band or spec"});
 }
 
 TEST_CASE("An option of reading that is wrong is named in the spelling of the front end") {

@@ -348,6 +348,39 @@ TEST_CASE("a column of corrected masses, or of a split, is not passed over") {
         "1 150 80 0");
 }
 
+TEST_CASE("a column of ranges, dates or names beside the values is not one of numbers") {
+  for (const std::string other : {"Spec\n4,0,95-100\n2,80,90-100\n1,150,44-54\nPan,8,",
+                                  "Date\n4,0,12.05.2020\n2,80,2020-05-12\n1,150,2020-05-12\nPan,8,",
+                                  "Test id\n4,0,1-1\n2,80,1-2\n1,150,1-3\nPan,8,"})
+    CHECK(masses("Sieve (mm),Mass retained (g)," + other + "\n") == "8 150 80 0");
+}
+
+TEST_CASE("percents of the whole beside those of a part are not passed over") {
+  for (const std::string name : {"Combined (%)", "Whole sample (%)", "N' (%)", "Gesamt (%)"})
+    CHECK(contains(refusal("Sieve (mm),% passing," + name +
+                           "\n8,100,100\n4,95,95\n2,79,79\n1,60,49\n0.5,50,25\n0.063,3.2,1.6\n"),
+                   "has the numbers of '% passing' in some rows"));
+  CHECK(masses("Sieve (mm),% passing,Limit\n8,100,100\n4,95,90\n2,79,70\n1,60,60\n") == "60 19 16 5 0");
+}
+
+TEST_CASE("a second table of percents of a part is refused") {
+  const std::string coarse = "Sieve (mm),% passing\n4,100\n1,90\n0.063,70\n\n",
+                    fines = "Particle size (mm),% finer\n0.02,62\n0.002,20\n";
+  for (const std::string words :
+       {"Sedimentation of fraction < 63 um", "Hydrometer analysis of the fines", "Percent of fines",
+        "Minus No. 230 material", "Schl\u00e4mmanalyse des Feinanteils",
+        "S\u00e9dimentom\u00e9trie sur le passant \u00e0 63 \u00b5m", "Part 2"}) {
+    INFO(words);
+    CHECK(contains(refusal(coarse + words + "\n" + fines), "a second table begins below"));
+  }
+  CHECK(masses(coarse + "Hydrometer\n" + fines) == "20 42 8 20 10 0");
+}
+
+TEST_CASE("percent passing decides where neither masses nor percent retained have a pan") {
+  CHECK(masses("Sieve size (mm),Retained (g),% retained,% passing\n8,0,0.0,100\n4,25,5.0,95\n2,80,16.0,79\n"
+               "1,150,30.0,49\n0.5,100,20.0,29\n0.063,70,14.0,15\n") == "15 14 20 30 16 5 0");
+}
+
 TEST_CASE("words of a part that was sieved, tested or taken are not passed over") {
   for (const std::string line :
        {"Fine fraction sieved (g),24.5", "Aliquot sieved: 24.5 g", "Quarter taken: 24.5 g", "Fine factor,10",
