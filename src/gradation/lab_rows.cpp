@@ -94,11 +94,22 @@ bool is_zero(const NumberCell &number) {
   return number.digits.find_first_of("123456789") == std::string_view::npos;
 }
 
-/// A number about the whole curve, which labs write below its columns: `Fineness modulus`, `Cu`, `D10`.
+/// True for D and a number: `d10`, `10`.
+bool names_diameter(const std::vector<std::string> &words) {
+  const auto is_number = [](std::string_view word) {
+    return !word.empty() && std::all_of(word.begin(), word.end(), is_digit);
+  };
+  return words.front().front() == 'd' && (is_number(std::string_view(words.front()).substr(1)) ||
+                                          (words.front() == "d" && words.size() > 1 && is_number(words[1])));
+}
+
+/// A number about the whole curve, which labs write below its columns: `Fineness modulus`, `Cu`, `D10 (mm)`,
+/// `D60/D10`.
 bool names_index(std::string_view cell) {
-  const std::string words = plain_words(cell);
-  return words == "fm" || words == "cu" || words == "cc" || words.find("modul") != std::string::npos ||
-         (words.size() > 1 && words[0] == 'd' && std::all_of(words.begin() + 1, words.end(), is_digit));
+  const std::vector<std::string> words = words_of(cell);
+  const std::string all = plain_words(cell);
+  return !words.empty() && (all == "fm" || all == "f m" || all == "cu" || all == "cc" ||
+                            all.find("modul") != std::string::npos || names_diameter(words));
 }
 
 /// A number about the sheet or the soil, which labs write below its columns: `Page`, `Moisture content`. All
@@ -117,7 +128,9 @@ bool names_remark(std::string_view cell) {
       "coefficient "
       "ungleichfoermigkeit ungleichfoermigkeitszahl kruemmungszahl uniformity curvature cu cc kf "
       "permeability fineness "
-      "modulus modul span sorting skewness kurtosis median mode percent of the de la du";
+      "modulus modul span sorting skewness kurtosis median mode percent of the de la du mm um m s cm cm3 m3 "
+      "kg g mg c effective maximum max nominal size calibration "
+      "equivalent group surface area";
   const std::vector<std::string> words = words_of(cell);
   return !words.empty() && std::all_of(words.begin(), words.end(),
                                        [names](const std::string &word) { return has_word(names, word); });
@@ -398,11 +411,15 @@ private:
       refuse(
           fmt::format("the row {} has numbers and no value in the column {}: write it, or leave the row out",
                       in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
+    if (below_gap_ && is_row_beside())
+      refuse(fmt::format(
+          "{} begins a row beside the columns {} and {}: write all rows of the table below each other",
+          in_quotes(first_cell(row())), in_quotes(columns_.size_name), in_quotes(columns_.value_name)));
     if (below_gap_ && number_cell(value_cell()) && !is_remark_with_number())
       refuse(fmt::format(
           "{} has {} in the column {}, and may be a sieve or what passed the finest one: write the "
           "sieve's size or Pan, else leave the row out",
-          in_quotes(first_cell(row())), in_quotes(value_cell()), in_quotes(columns_.value_name)));
+          in_quotes(first_words()), in_quotes(value_cell()), in_quotes(columns_.value_name)));
     add_statements(row(), nullptr, statements_);
     if (below_gap_ || (!read_.table.sizes.empty() && names_sample(first_cell(row()))))
       words_below_.emplace_back(first_cell(row()));
@@ -412,10 +429,54 @@ private:
     return true;
   }
 
-  /// A row below the table whose number is none of a mass.
+  /// A row below the table whose number is none of a mass or of a sieve.
   bool is_remark_with_number() const {
-    const std::string_view label = first_cell(row());
-    return names_index(label) || names_remark(label) || (number_cell(label) && label != value_cell());
+    const std::string_view label = first_words();
+    if (names_index(label) || names_remark(label) || is_sum_alone())
+      return true;
+    if (label.empty() ||
+        std::any_of(label.begin(), label.end(), [](char c) { return is_digit(c) || c == '#'; }))
+      return false;
+    const std::vector<std::string> words = words_of(label);
+    const bool is_percent = std::find(words.begin(), words.end(), "percent") != words.end();
+    return chosen_.meaning().meaning == ColumnMeaning::passing || (is_percent && has_pan());
+  }
+
+  /// The row's first cell that is no number; empty if it has none.
+  std::string_view first_words() const {
+    const std::vector<std::string> &cells = row().cells;
+    const auto found = std::find_if(cells.begin(), cells.end(),
+                                    [](const std::string &c) { return !c.empty() && !number_cell(c); });
+    return found == cells.end() ? std::string_view() : std::string_view(*found);
+  }
+
+  bool has_pan() const {
+    return std::any_of(read_.accounts.begin(), read_.accounts.end(), [](const AccountRow &account) {
+      return account.meaning == RowMeaning::pan || account.meaning == RowMeaning::pan_and_wash;
+    });
+  }
+
+  /// The sum of all rows without a label.
+  bool is_sum_alone() const {
+    const std::vector<std::string> &cells = row().cells;
+    if (std::count_if(cells.begin(), cells.end(), [](const std::string &c) { return !c.empty(); }) != 1)
+      return false;
+    Rational sum = std::accumulate(read_.table.values.begin(), read_.table.values.end(), Rational(0));
+    for (const AccountRow &account : read_.accounts)
+      if (account.meaning != RowMeaning::total && account.numbers.front())
+        sum += account.numbers.front()->value;
+    const NumberCell number = *number_cell(value_cell());
+    return in_line([&] { return printed_number(number.digits, sign_.in(number.digits)).value; }) == sum;
+  }
+
+  /// `,,,0.5,120`: a row of another table, beside the columns of this one.
+  bool is_row_beside() const {
+    const std::vector<std::string> &cells = row().cells;
+    const auto first =
+        std::find_if(cells.begin(), cells.end(), [](const std::string &c) { return !c.empty(); });
+    return sizes_.is_size(*first) && size_cell().empty() && value_cell().empty() &&
+           std::any_of(first + 1, cells.end(),
+                       [](const std::string &c) { return number_cell(c).has_value(); });
   }
 
   /// Words that another row of the table follows may head a part of it, or be a sieve that is not known.

@@ -275,9 +275,37 @@ TEST_CASE("a row with a number below an empty row is not passed over") {
     INFO(row);
     CHECK_FALSE(refusal(sieves + row + "\n").empty());
   }
-  for (const std::string row :
-       {"D10,0.15", "FM,2.9", "Cu,4.3", "Moisture content (%),4.2", "Page,1", "Total,230"})
+  for (const std::string row : {"D10,0.15", "D10 (mm),0.15", "d 10,0.15", "D60/D10,4", "F.M.,2.9", "FM,2.9",
+                                "Cu,4.3", "Moisture content (%),4.2", "Page,1", "Total,230"})
     CHECK(masses(sieves + row + "\n") == "150 80 0");
+}
+
+TEST_CASE("an index before the label of a row below an empty one hides nothing") {
+  const std::string table = "No.,Sieve (mm),Mass retained (g)\n1,4,0\n2,2,80\n3,1,150\n\n";
+  for (const std::string row : {"4,Catch pan,50", "4,Fines,50", "4,Sieve 0.063,30"})
+    CHECK_FALSE(refusal(table + row + "\n").empty());
+  CHECK(masses(table + "4,Pan,50\n") == "50 150 80 0");
+  CHECK(masses(table + "4,Median (mm),1.2\n") == "150 80 0");
+}
+
+TEST_CASE("shares of soils and sums below a table hide no mass") {
+  const std::string percents = "Sieve (mm),% passing\n4,100\n2,80\n1,50\n0.063,2\n\n";
+  for (const std::string row :
+       {"Gravel (%),20", "Sand,78", "Fines (%),2", "Gs,2.65", "Sand equivalent,70", "D10 (mm),0.24"})
+    CHECK(masses(percents + row + "\n") == "2 48 30 20 0");
+  const std::string weights = header + "4,0\n2,80\n1,150\nPan,20\n\n";
+  for (const std::string row : {"Gravel (%),20", "Silt (%),8", ",250"})
+    CHECK(masses(weights + row + "\n") == "20 150 80 0");
+  CHECK_FALSE(refusal(weights + ",251\n").empty());
+  CHECK_FALSE(refusal(header + "4,0\n2,80\n1,150\n\nSilt (%),8\n").empty());
+}
+
+TEST_CASE("a block to the right below the first is not passed over") {
+  const std::string first = header + "4,0\n2,80\n1,150\n\n";
+  CHECK(contains(refusal(first + ",,,Sieve size (mm),Mass retained (g)\n,,,0.5,120\n,,,0.25,70\n"),
+                 "beside the columns"));
+  CHECK(contains(refusal(first + ",,,0.5,120\n"), "beside the columns"));
+  CHECK(masses(first + "D10,,0.2,D60,1.1\n") == "150 80 0");
 }
 
 TEST_CASE("a washed sample is not what was washed out") {
