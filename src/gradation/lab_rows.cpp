@@ -3,6 +3,8 @@
 #include "gradation/cell_numbers.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/row_sizes.hpp"
+#include "gradation/sheet_remarks.hpp"
+#include "gradation/unused_columns.hpp"
 #include "gradation/weighed_sieves.hpp"
 #include "text/lines.hpp"
 #include "text/option_name.hpp"
@@ -94,48 +96,6 @@ bool is_zero(const NumberCell &number) {
   return number.digits.find_first_of("123456789") == std::string_view::npos;
 }
 
-/// True for D and a number: `d10`, `10`.
-bool names_diameter(const std::vector<std::string> &words) {
-  const auto is_number = [](std::string_view word) {
-    return !word.empty() && std::all_of(word.begin(), word.end(), is_digit);
-  };
-  return words.front().front() == 'd' && (is_number(std::string_view(words.front()).substr(1)) ||
-                                          (words.front() == "d" && words.size() > 1 && is_number(words[1])));
-}
-
-/// A number about the whole curve, which labs write below its columns: `Fineness modulus`, `Cu`, `D10 (mm)`,
-/// `D60/D10`.
-bool names_index(std::string_view cell) {
-  const std::vector<std::string> words = words_of(cell);
-  const std::string all = plain_words(cell);
-  return !words.empty() && (all == "fm" || all == "f m" || all == "cu" || all == "cc" ||
-                            all.find("modul") != std::string::npos || names_diameter(words));
-}
-
-/// A number about the sheet or the soil, which labs write below its columns: `Page`, `Moisture content`. All
-/// words must be such words: `Pan content` and `Test sieve 0.063` are none.
-bool names_remark(std::string_view cell) {
-  constexpr std::string_view names =
-      "date datum fecha data page seite pagina folio report bericht project projekt job order auftrag lab "
-      "labor "
-      "laboratory no nr number id ref reference year time temperature temperatur revision rev version phone "
-      "tel test "
-      "versuch operator checked tested moisture water wassergehalt humidity humedad umidita teneur contenido "
-      "content "
-      "density dichte densite densidad densita particle specific gravity kornrohdichte porosity void ratio "
-      "ll pl pi wl "
-      "wp liquid plastic limit plasticity index depth tiefe profondeur profundidad profondita bohrung "
-      "coefficient "
-      "ungleichfoermigkeit ungleichfoermigkeitszahl kruemmungszahl uniformity curvature cu cc kf "
-      "permeability fineness "
-      "modulus modul span sorting skewness kurtosis median mode percent of the de la du mm um m s cm cm3 m3 "
-      "kg g mg c effective maximum max nominal size calibration "
-      "equivalent group surface area";
-  const std::vector<std::string> words = words_of(cell);
-  return !words.empty() && std::all_of(words.begin(), words.end(),
-                                       [names](const std::string &word) { return has_word(names, word); });
-}
-
 bool has_number(const CellRow &row) {
   return std::any_of(row.cells.begin(), row.cells.end(),
                      [](const std::string &cell) { return number_cell(cell).has_value(); });
@@ -164,7 +124,7 @@ public:
         statements_(statements_above(cells_, columns_)),
         sign_(sign_of(cells_, columns_, statements_, source)), sizes_(cells_, columns_, reading, sign_),
         chosen_(columns_.value_name, columns_.values, columns_.grams, sign_),
-        beside_(columns_.further, sign_) {
+        beside_(columns_.further, sign_), unused_(columns_, reading.columns.has_value(), sign_, source) {
     read_.table.unit = sizes_.unit();
     read_.table.file_unit = sizes_.file_unit();
     read_.table.header_line = header_line(cells_, columns_);
@@ -180,7 +140,7 @@ public:
                                  column_options()));
     check_samples();
     sizes_.settle(read_.table, chosen_.meaning().meaning == ColumnMeaning::retained, source_);
-    check_corrected();
+    unused_.check_corrected(read_.table, sieves_, chosen_.meaning().meaning);
     take_stated();
     columns_.values = chosen_.meaning();
     read_.columns = columns_;
@@ -354,7 +314,7 @@ private:
   void add_account(const RowWords &known) {
     check_words_among();
     check_width();
-    check_unit_beside();
+    unused_.check_unit(row());
     check_words_beside();
     check_mass_unit();
     AccountRow account{known.meaning, 0, false, std::string(first_cell(row())), row().line, {}};
@@ -555,89 +515,6 @@ private:
     }
   }
 
-  /// A column that has the values in some rows and others in the rest has those of the whole, or of a part.
-  void check_corrected() const {
-    if (reading_.columns)
-      return;
-    const bool are_retained = chosen_.meaning().meaning == ColumnMeaning::retained;
-    for (const UnusedColumn &column : columns_.others) {
-      if (are_retained && speaks_of_splitting(column.name) && has_numbers(column))
-        source_.refuse(
-            read_.table.header_line,
-            fmt::format(
-                "the column {} may be of a part of the sample that was sieved for the whole: choose the "
-                "masses of the whole with {} SIZE,VALUE, or leave it out",
-                in_quotes(column.name), option("columns")));
-      if (are_retained ? has_corrected_masses(column) : has_corrected_percents(column))
-        source_.refuse(
-            read_.table.header_line,
-            fmt::format(
-                "the column {} has the numbers of {} in some rows, and others in the rest: choose one "
-                "with {} SIZE,VALUE",
-                in_quotes(column.name), in_quotes(columns_.value_name), option("columns")));
-    }
-  }
-
-  bool has_numbers(const UnusedColumn &column) const {
-    return std::any_of(sieves_.begin(), sieves_.end(),
-                       [&](const CellRow *row) { return number_cell(row->cell(column.place)).has_value(); });
-  }
-
-  /// Its numbers beside the sieves; nothing where one is none, such as a range or a date.
-  std::optional<std::vector<Rational>> numbers_of(const UnusedColumn &column) const {
-    std::vector<Rational> numbers;
-    for (const CellRow *row : sieves_) {
-      const std::optional<NumberCell> number = number_cell(row->cell(column.place));
-      if (!number)
-        return std::nullopt;
-      try {
-        numbers.push_back(printed_number(number->digits, sign_.in(number->digits)).value);
-      } catch (const InputError &) {
-        return std::nullopt;
-      }
-    }
-    return numbers;
-  }
-
-  /// True where it is neither the same column nor the masses added up from either end.
-  bool has_corrected_masses(const UnusedColumn &column) const {
-    const std::optional<std::vector<Rational>> numbers = numbers_of(column);
-    if (!numbers)
-      return false;
-    const std::vector<Rational> &masses = read_.table.values;
-    std::size_t same = 0, others = 0, sums = 0;
-    Rational down = 0, up = 0;
-    for (const Rational &mass : masses)
-      up += mass;
-    for (std::size_t i = 0; i < numbers->size(); ++i) {
-      const Rational &value = (*numbers)[i];
-      down += masses[i];
-      same += masses[i] != 0 && value == masses[i] ? 1U : 0U;
-      others += value != masses[i] ? 1U : 0U;
-      sums += value == down || value == up ? 1U : 0U;
-      up -= masses[i];
-    }
-    return same > 0 && others > 0 && sums < numbers->size();
-  }
-
-  /// True where it is the same for the coarse sieves, of which one tells, and another for the finer ones.
-  bool has_corrected_percents(const UnusedColumn &column) const {
-    const std::optional<std::vector<Rational>> numbers = numbers_of(column);
-    if (!numbers)
-      return false;
-    std::vector<std::size_t> from_coarsest(numbers->size());
-    std::iota(from_coarsest.begin(), from_coarsest.end(), std::size_t{0});
-    std::sort(from_coarsest.begin(), from_coarsest.end(),
-              [this](std::size_t a, std::size_t b) { return read_.table.sizes[a] > read_.table.sizes[b]; });
-    const std::vector<Rational> &values = read_.table.values;
-    const auto is_same = [&](std::size_t i) { return (*numbers)[i] == values[i]; };
-    const auto first_other = std::find_if_not(from_coarsest.begin(), from_coarsest.end(), is_same);
-    const Rational &all = values[from_coarsest.front()];
-    return first_other != from_coarsest.end() && std::none_of(first_other, from_coarsest.end(), is_same) &&
-           std::any_of(from_coarsest.begin(), first_other,
-                       [&](std::size_t i) { return values[i] != 0 && values[i] != all; });
-  }
-
   // ---- sieves
 
   void read_sieve() {
@@ -651,8 +528,8 @@ private:
           in_quotes(size_cell()), in_quotes(words_below_.back())));
     check_words_among();
     check_width();
-    check_unused();
-    check_unit_beside();
+    unused_.check_sieve(row(), read_.table.sizes.size(), beside_.all().empty());
+    unused_.check_unit(row());
     check_decimal_commas();
     in_line([&] {
       table.sizes.push_back(sizes_.next(row()));
@@ -680,82 +557,17 @@ private:
             columns_.width, in_quotes(cells[i])));
   }
 
-  /// What stands below no name, or in a column whose mass belongs to the table, must not be overlooked.
-  void check_unused() const {
-    if (reading_.columns)
-      return;
-    for (const auto &[place, name] : columns_.others) {
-      const std::string_view cell = row().cell(place);
-      const bool has_number = number_cell(cell).has_value();
-      if (name.empty() && (has_number || names_mass(cell)) && !counts_rows(place, cell))
-        refuse(fmt::format(
-            "{} is in a column without a name: name it in the header, or choose the columns with {} "
-            "SIZE,VALUE",
-            in_quotes(cell), option("columns")));
-      if (!name.empty() && has_number)
-        check_named(name, cell);
-      if (const RowMeaning meaning = row_words(cell).meaning;
-          !name.empty() && (meaning == RowMeaning::pan || meaning == RowMeaning::pan_and_wash) &&
-          !may_be_remark(cell))
-        refuse(fmt::format(
-            "{} is in the column {}, which is not read: write a second part of the table below the first",
-            in_quotes(cell), in_quotes(name)));
-    }
-  }
-
-  /// Units beside the masses must be one.
-  void check_unit_beside() {
-    if (reading_.columns)
-      return;
-    for (const UnusedColumn &column : columns_.others) {
-      const std::string_view cell = row().cell(column.place);
-      if (unit_of_words(cell) != ColumnUnit::mass)
-        continue;
-      const std::string unit = plain_words(cell);
-      std::string &before = units_beside_[column.place];
-      const bool is_others = columns_.grams != 0 && grams_in(cell) != columns_.grams;
-      if (is_others || (!before.empty() && before != unit))
-        refuse(fmt::format("the mass in {} is in {}, and others are not: write all alike",
-                           in_quotes(columns_.value_name), in_quotes(cell)));
-      before = unit;
-    }
-  }
-
   /// What is said of the sample beside a row of the pan or a sum must not be overlooked.
   void check_words_beside() const {
     if (reading_.columns)
       return;
     bool is_label = true;
     for (const std::string &cell : beside_columns(row(), columns_).cells) {
-      if (!is_label && names_mass(cell))
+      if (!is_label && UnusedColumns::names_mass(cell))
         refuse(fmt::format("{} is beside the row {} and is not read: write it above or below the table",
                            in_quotes(cell), in_quotes(first_cell(row()))));
       is_label = is_label && cell.empty() && size_cell().empty();
     }
-  }
-
-  /// True for words of a mass of the table or its sample; `wet` and `total` may be remarks.
-  static bool names_mass(std::string_view cell) {
-    const RowMeaning meaning = row_words(cell).meaning;
-    return meaning != RowMeaning::none && meaning != RowMeaning::moist_mass && meaning != RowMeaning::total;
-  }
-
-  /// An index of the rows in the first column.
-  bool counts_rows(std::size_t place, std::string_view cell) const {
-    const std::size_t rows = read_.table.sizes.size();
-    return place == 0 && (cell == std::to_string(rows) || cell == std::to_string(rows + 1));
-  }
-
-  /// \param cell  a number in a column of that name, which is not used
-  void check_named(const std::string &name, std::string_view cell) const {
-    const RowMeaning meaning = row_words(name).meaning;
-    if (meaning == RowMeaning::pan || meaning == RowMeaning::wash_loss || meaning == RowMeaning::pan_and_wash)
-      refuse(fmt::format("{} in the column {} is not read: write it in a row of the table", in_quotes(cell),
-                         in_quotes(name)));
-    if (names_empty_sieves(name) && names_mass_alone(columns_.value_name) && beside_.all().empty())
-      refuse(
-          fmt::format("{} may be with what is in {}, which is weighed too: give a column of what is retained",
-                      in_quotes(columns_.value_name), in_quotes(name)));
   }
 
   /// `0,063,30`, `0,6,20`: a size with a decimal comma is cut in two.
@@ -784,12 +596,12 @@ private:
   RowSizes sizes_;
   ChosenColumn chosen_;
   ColumnsBeside beside_;
+  UnusedColumns unused_;
   LabRows read_;
   std::size_t row_ = 0;
   bool below_gap_ = false;
   std::vector<std::string> words_below_; ///< of rows below a gap that are none of the table, or name a sample
   const CellRow *words_among_ = nullptr; ///< the last row of words behind a sieve, with no gap above it
-  std::map<std::size_t, std::string> units_beside_; ///< of the masses, by the column of the unit
   std::vector<const CellRow *> sieves_;
 };
 

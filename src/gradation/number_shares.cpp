@@ -29,9 +29,9 @@ bool states_other_shares(std::string_view label, std::string_view value) {
       "superficie length lengths laenge longueur longitud lunghezza";
   constexpr std::string_view beside = "area percent weighted based basis distribution by";
   const std::vector<std::string> of_label = words_of(label), of_value = words_of(value);
-  const auto is_kind = [](const std::string &w) { return has_word(kinds, w); };
+  const auto is_kind = [kinds](const std::string &w) { return has_word(kinds, w); };
   return std::any_of(of_label.begin(), of_label.end(),
-                     [](const std::string &w) { return has_word(labels, w); }) &&
+                     [labels](const std::string &w) { return has_word(labels, w); }) &&
          std::any_of(of_value.begin(), of_value.end(), is_kind) &&
          std::all_of(of_value.begin(), of_value.end(),
                      [&](const std::string &w) { return is_kind(w) || has_word(beside, w); });

@@ -1,0 +1,125 @@
+#include "gradation/unused_columns.hpp"
+
+#include "gradation/cell_numbers.hpp"
+#include "gradation/corrected_values.hpp"
+#include "gradation/mass_statements.hpp"
+#include "gradation/plain_words.hpp"
+#include "gradation/row_words.hpp"
+#include "gradation/weighed_sieves.hpp"
+#include "text/lines.hpp"
+#include "text/option_name.hpp"
+
+#include <mdm/text/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mdm {
+
+bool UnusedColumns::names_mass(std::string_view cell) {
+  const RowMeaning meaning = row_words(cell).meaning;
+  return meaning != RowMeaning::none && meaning != RowMeaning::moist_mass && meaning != RowMeaning::total;
+}
+
+void UnusedColumns::check_sieve(const CellRow &row, std::size_t rows, bool is_alone) const {
+  if (are_chosen_)
+    return;
+  for (const auto &[place, name] : columns_.others) {
+    const std::string_view cell = row.cell(place);
+    const bool has_number = number_cell(cell).has_value();
+    const bool counts_rows = place == 0 && (cell == std::to_string(rows) || cell == std::to_string(rows + 1));
+    if (name.empty() && (has_number || names_mass(cell)) && !counts_rows)
+      refuse(row,
+             fmt::format(
+                 "{} is in a column without a name: name it in the header, or choose the columns with {} "
+                 "SIZE,VALUE",
+                 in_quotes(cell), option("columns")));
+    if (!name.empty() && has_number)
+      check_named(row, name, cell, is_alone);
+    const RowMeaning meaning = row_words(cell).meaning;
+    if (!name.empty() && (meaning == RowMeaning::pan || meaning == RowMeaning::pan_and_wash) &&
+        !may_be_remark(cell))
+      refuse(row, fmt::format(
+                      "{} is in the column {}, which is not read: write a second part of the table below the "
+                      "first",
+                      in_quotes(cell), in_quotes(name)));
+  }
+}
+
+/// \param cell  a number in a column of that name
+void UnusedColumns::check_named(const CellRow &row, const std::string &name, std::string_view cell,
+                                bool is_alone) const {
+  const RowMeaning meaning = row_words(name).meaning;
+  if (meaning == RowMeaning::pan || meaning == RowMeaning::wash_loss || meaning == RowMeaning::pan_and_wash)
+    refuse(row, fmt::format("{} in the column {} is not read: write it in a row of the table",
+                            in_quotes(cell), in_quotes(name)));
+  if (names_empty_sieves(name) && names_mass_alone(columns_.value_name) && is_alone)
+    refuse(row, fmt::format(
+                    "{} may be with what is in {}, which is weighed too: give a column of what is retained",
+                    in_quotes(columns_.value_name), in_quotes(name)));
+}
+
+void UnusedColumns::check_unit(const CellRow &row) {
+  if (are_chosen_)
+    return;
+  for (const UnusedColumn &column : columns_.others) {
+    const std::string_view cell = row.cell(column.place);
+    if (unit_of_words(cell) != ColumnUnit::mass)
+      continue;
+    const std::string unit = plain_words(cell);
+    std::string &before = units_[column.place];
+    const bool is_others = columns_.grams != 0 && grams_in(cell) != columns_.grams;
+    if (is_others || (!before.empty() && before != unit))
+      refuse(row, fmt::format("the mass in {} is in {}, and others are not: write all alike",
+                              in_quotes(columns_.value_name), in_quotes(cell)));
+    before = unit;
+  }
+}
+
+/// Its numbers beside the sieves; nothing where one is none, such as a range or a date.
+std::optional<std::vector<Rational>>
+UnusedColumns::numbers_in(const UnusedColumn &column, const std::vector<const CellRow *> &sieves) const {
+  std::vector<Rational> numbers;
+  for (const CellRow *row : sieves) {
+    const std::optional<NumberCell> number = number_cell(row->cell(column.place));
+    if (!number)
+      return std::nullopt;
+    try {
+      numbers.push_back(printed_number(number->digits, sign_.in(number->digits)).value);
+    } catch (const InputError &) {
+      return std::nullopt;
+    }
+  }
+  return numbers;
+}
+
+void UnusedColumns::check_corrected(const Table &table, const std::vector<const CellRow *> &sieves,
+                                    ColumnMeaning values) const {
+  if (are_chosen_)
+    return;
+  const bool are_retained = values == ColumnMeaning::retained;
+  for (const UnusedColumn &column : columns_.others) {
+    const bool has_number = std::any_of(sieves.begin(), sieves.end(), [&column](const CellRow *row) {
+      return number_cell(row->cell(column.place)).has_value();
+    });
+    if (are_retained && speaks_of_splitting(column.name) && has_number)
+      source_.refuse(
+          table.header_line,
+          fmt::format(
+              "the column {} may be of a part of the sample that was sieved for the whole: choose the "
+              "masses of the whole with {} SIZE,VALUE, or leave it out",
+              in_quotes(column.name), option("columns")));
+    const std::optional<std::vector<Rational>> numbers = numbers_in(column, sieves);
+    if (numbers && (are_retained ? are_corrected_masses(table.values, *numbers)
+                                 : are_corrected_percents(table.sizes, table.values, *numbers)))
+      source_.refuse(
+          table.header_line,
+          fmt::format(
+              "the column {} has the numbers of {} in some rows, and others in the rest: choose one with "
+              "{} SIZE,VALUE",
+              in_quotes(column.name), in_quotes(columns_.value_name), option("columns")));
+  }
+}
+
+} // namespace mdm

@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// The columns of a sheet that are not read, in which nothing must be overlooked.
+
+#include "gradation/table.hpp"
+#include "gradation/table_columns.hpp"
+#include "gradation/table_sign.hpp"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mdm {
+
+/// Looks through the cells of such columns, row by row. Where the user has chosen the columns, nothing is
+/// refused. All members throw an InputError with the line.
+class UnusedColumns {
+public:
+  /// \param columns  kept by reference: those of the header above the row that is read; so is `source`
+  UnusedColumns(const TableColumns &columns, bool are_chosen, const TableSign &sign, const Source &source)
+      : columns_(columns), are_chosen_(are_chosen), sign_(sign), source_(source) {}
+
+  /// What stands below no name, in a column whose mass belongs to the table, or is the pan of a block beside
+  /// it.
+  /// \param rows  read so far; \param is_alone  no other column of masses is read
+  void check_sieve(const CellRow &row, std::size_t rows, bool is_alone) const;
+  /// Units beside the masses must be one.
+  void check_unit(const CellRow &row);
+  /// A column that has the values in some rows and others in the rest has those of the whole, or of a part.
+  /// \param sieves  the rows of the table's sizes
+  void check_corrected(const Table &table, const std::vector<const CellRow *> &sieves,
+                       ColumnMeaning values) const;
+
+  /// True for words of a mass of the table or its sample; `wet` and `total` may be remarks.
+  static bool names_mass(std::string_view cell);
+
+private:
+  [[noreturn]] void refuse(const CellRow &row, const std::string &what) const {
+    source_.refuse(row.line, what);
+  }
+  void check_named(const CellRow &row, const std::string &name, std::string_view cell, bool is_alone) const;
+  std::optional<std::vector<Rational>> numbers_in(const UnusedColumn &column,
+                                                  const std::vector<const CellRow *> &sieves) const;
+
+  const TableColumns &columns_;
+  bool are_chosen_;
+  TableSign sign_;
+  const Source &source_;
+  std::map<std::size_t, std::string> units_; ///< beside the masses, by their column
+};
+
+} // namespace mdm
