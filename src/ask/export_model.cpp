@@ -6,6 +6,7 @@
 #include "text/file_names.hpp"
 #include "text/lines.hpp"
 
+#include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
@@ -66,6 +67,18 @@ std::optional<DensityTarget> density_target(const ExportTexts &c) {
     target.tolerance = tolerance.convert_to<double>();
   }
   return target;
+}
+
+/// A cell that is repeated is only compressed.
+void check_reachable(const SettleModel &model, const Placement &start) {
+  if (model.space != Space::periodic_cell || !model.target || !model.target->void_ratio)
+    return;
+  const Rational most = start.void_ratio().second;
+  if (*model.target->void_ratio > most.convert_to<double>())
+    throw InputError(
+        fmt::format("{}: {:.6g} is above {}, that of the start, and the cell is compressed from there: ask "
+                    "for less",
+                    option("void-ratio"), *model.target->void_ratio, approximate(most, 4)));
 }
 
 std::optional<TriaxialShear> shear_of(const ExportTexts &c) {
@@ -136,6 +149,7 @@ SettleModel ModelWriter::model(const ExportTexts &c, const ExportedParticles &fo
                     std::filesystem::path(out_).stem().string()};
   model.space = asked_space(c);
   model.target = density_target(c);
+  check_reachable(model, start);
   model.shear = shear_of(c);
   if (c.steps)
     model.steps = steps_of(*c.steps);

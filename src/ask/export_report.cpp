@@ -48,6 +48,24 @@ std::string bytes_text(const Integer &bytes) {
   return approximate(n, 3) + " " + units.at(i);
 }
 
+/// Densities in kg/m^3 that no grains have are mostly wrong units.
+std::string odd_densities(const ParticleSet &set) {
+  const Rational least_usual = 100, most_usual = 25000;
+  const auto [least, most] = std::minmax_element(
+      set.classes.begin(), set.classes.end(),
+      [](const ParticleClass &a, const ParticleClass &b) { return a.density < b.density; });
+  const Rational in_cubic_metre = power(in_metres(set, 1), 3);
+  const Rational lo = least->density / in_cubic_metre, hi = most->density / in_cubic_metre;
+  if (lo >= least_usual && hi <= most_usual)
+    return "";
+  const std::string what =
+      lo == hi ? fmt::format("a density of {} kg/m^3", approximate(lo, 4))
+               : fmt::format("densities from {} to {} kg/m^3, by the factors of the gradation times {}",
+                             approximate(lo, 4), approximate(hi, 4), option("density"));
+  return fmt::format("{}: {} is in kg/m^3, 1 where factors are, and 1000 where they are in g/cm^3\n", what,
+                     option("density"));
+}
+
 /// The digits that two bounds of a number have in common, four at most.
 std::string certain_digits(const std::pair<Rational, Rational> &bounds) {
   unsigned digits = 4;
@@ -141,6 +159,7 @@ std::string cost_guide(const ExportFormat &format, const ParticleSet &set, const
   if (format.id == ExportTo::dem_engine)
     text += "each clump_type is r and a radius: give it to DEM-Engine by LoadSphereType(mass, radius, "
             "material)->AssignName(clump_type)\n";
+  text += odd_densities(set);
   if (!format.has_comments && !set.law.is_sphere())
     text += law_statement(set).substr(1) + "\n";
   if (start)
@@ -149,7 +168,9 @@ std::string cost_guide(const ExportFormat &format, const ParticleSet &set, const
                     start->sides() == Sides::cylinder ? "cylinder in a box" : "box",
                     start->text(start->box()[0]), start->text(start->box()[1]), start->text(start->box()[2]),
                     name(set.unit), start->repeated_text(), certain_digits(start->void_ratio()),
-                    start->is_kept() ? "the particles are where they were" : "no two particles overlap");
+                    start->is_kept()    ? "the particles are where they were"
+                    : format.has_floats ? "no two particles overlap by more than places are rounded"
+                                        : "no two particles overlap");
   return text;
 }
 

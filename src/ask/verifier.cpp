@@ -44,9 +44,9 @@ std::optional<std::string> unit_note(const Description &d, const std::optional<S
   const std::optional<SizeUnit> other = unit ? likelier_unit(d, *unit) : std::nullopt;
   if (!other)
     return std::nullopt;
-  return fmt::format("The sizes were read in {}, and no particle lies in a class (the pan's aside); with "
-                     "{} {} the first would.",
-                     name(*unit), option("size-unit"), name(*other));
+  return fmt::format("The sizes were read in {}, and no particle lies in a class (the pan's aside); in "
+                     "{} the first would: say so by {}, or in the header that names the unit.",
+                     name(*unit), name(*other), option("size-unit"));
 }
 
 } // namespace

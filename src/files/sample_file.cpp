@@ -121,8 +121,12 @@ ReadParticles read_gsd_file(const std::string &path, const ParticleOptions &opti
 std::vector<std::string> read_sample_file(const std::string &path, const ParticleOptions &options,
                                           ParticleSink &sink, bool quiet) {
   if (is_packing_file(path))
-    throw file_error(path, "it is a packing: mdm export " + shell_word(path) +
-                               " --to csv writes the sizes of its discs");
+    throw file_error(
+        path,
+        "it is a packing: mdm export " + shell_word(path) +
+            " --to csv -o DISCS.csv writes its discs, which are judged by mdm verify GRADATION DISCS.csv " +
+            option("size-column") + " radius_m " + option("radius") + " " + option("law") +
+            " power:2 (radius_mm or the like by their unit)");
   if (!options.format && is_generated_file(path)) {
     const StatedSet set = read_generated(read_file(path, max_set_bytes), shown_name(path));
     in_file(path, [&] { hand_on(set, options, sink); });

@@ -66,8 +66,10 @@ SpaceBox space_of(const SphereSample &sample, const SampleSpace &asked) {
   if (!asked.box)
     return box_around(sample);
   SpaceBox box = *asked.box;
-  if (asked.to_top)
-    box.high[2] = end_of(sample, 2, 1);
+  if (asked.to_top) {
+    const Rational top = end_of(sample, 2, 1);
+    box.high[2] = asked.has_top ? std::min(box.high[2], top) : top;
+  }
   if (box.is_empty())
     throw InputError("all particles are below the floor of their box: is the box right?");
   return box;

@@ -123,24 +123,34 @@ private:
     item_ = Item::other;
   }
 
-  /// `BOX BOUNDS pp pp ff` with a line `lo hi` for each axis: pp is periodic. That of a sheared box begins
-  /// with xy and is passed over.
+  /// `BOX BOUNDS pp pp ff` with a line `lo hi` for each axis: pp is periodic. That of a tilted box has `xy xz
+  /// yz` ahead of them, and a tilt behind each line; a general one is `BOX BOUNDS abc origin`.
   void begin_box() {
     check_complete_atoms();
-    item_ = words_.size() > 2 && words_[2] == "xy" ? Item::other : Item::box;
+    const bool is_general = words_.size() > 2 && words_[2] == "abc";
+    const std::size_t ahead = words_.size() > 2 && words_[2] == "xy" ? 3 : 0;
+    if (is_general && taken_)
+      source_.leave_out_places();
+    item_ = is_general ? Item::other : Item::box;
     axis_ = 0;
+    numbers_of_axis_ = ahead == 0 ? 2 : 3;
+    is_tilted_ = false;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      periodic_[axis] = words_.size() == 5 && words_[2 + axis] == "pp";
+      periodic_[axis] = words_.size() == 5 + ahead && words_[2 + ahead + axis] == "pp";
   }
 
   void read_bounds() {
-    if (words_.size() != 2 || axis_ == 3)
+    if (words_.size() != numbers_of_axis_ || axis_ == 3)
       source_.refuse("the bounds of the box are not three lines with a lower and an upper one: is the file "
                      "damaged?");
+    is_tilted_ = is_tilted_ || (numbers_of_axis_ == 3 && !is_zero_number(words_[2]));
     bounds_[axis_++] = {std::string(words_[0]), std::string(words_[1])};
     if (axis_ < 3 || !taken_)
       return;
-    source_.set_box(bounds_, periodic_);
+    if (is_tilted_)
+      source_.leave_out_places();
+    else
+      source_.set_box(bounds_, periodic_);
   }
 
   /// The column of that name; the width where there is none.
@@ -237,6 +247,8 @@ private:
   std::size_t id_ = 0, radius_ = 0, diameter_ = 0, column_ = 0;
   bool has_both_ = false; ///< radius and diameter count, and agree
   std::size_t axis_ = 0;  ///< of the bounds that come next
+  std::size_t numbers_of_axis_ = 2;
+  bool is_tilted_ = false; ///< the box of this timestep
   std::array<std::array<std::string, 2>, 3> bounds_;
   std::array<bool, 3> periodic_{};
   bool has_places_ = false;

@@ -110,7 +110,7 @@ private:
   }
 
   /// `Lattice="a 0 0 0 b 0 0 0 c"` is a box from `Origin="x y z"`, or from 0; `pbc="T T F"` says which sides
-  /// are periodic: all, if it is not there. A sheared one is passed over.
+  /// are periodic: all, if it is not there. With a tilted one the places are left out.
   void read_box(std::string_view comment) {
     std::vector<std::string_view> sides, origin, periodic;
     split_words(value_of("Lattice=", comment).value_or(""), sides);
@@ -130,8 +130,8 @@ private:
     std::array<bool, 3> repeats{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (std::size_t other = 0; other < 3; ++other)
-        if (other != axis && sides[3 * axis + other].find_first_of("123456789") != std::string_view::npos)
-          return;
+        if (other != axis && !is_zero_number(sides[3 * axis + other]))
+          return source_.leave_out_places();
       repeats[axis] = lower(periodic[axis].front()) == 't';
       bounds[axis] = {std::string(origin[axis]),
                       exact_decimal(parse_decimal(origin[axis]) + parse_decimal(sides[4 * axis])).value()};

@@ -68,9 +68,11 @@ private:
       source_.refuse(fmt::format("{} is no number of atoms: write a whole number", in_quotes(words_[0])));
   }
 
-  /// `lo hi xlo xhi`, and the same of y and z.
+  /// `lo hi xlo xhi`, and the same of y and z; `xy xz yz` are the tilts.
   void read_bounds() {
     constexpr std::array<std::string_view, 3> names = {"xlo", "ylo", "zlo"};
+    if (words_.size() == 6 && words_[3] == "xy")
+      is_tilted_ = !std::all_of(words_.begin(), words_.begin() + 3, is_zero_number);
     if (words_.size() != 4)
       return;
     const auto found = std::find(names.begin(), names.end(), words_[2]);
@@ -82,6 +84,8 @@ private:
 
   /// The file does not say which sides are periodic.
   void hand_on_box() const {
+    if (is_tilted_)
+      return source_.leave_out_places();
     for (const std::array<std::string, 2> &of_axis : bounds_)
       if (of_axis[0].empty())
         return;
@@ -137,6 +141,7 @@ private:
   std::uint64_t read_ = 0;
   bool has_atoms_ = false;
   bool named_style_ = false;
+  bool is_tilted_ = false;
 };
 
 } // namespace

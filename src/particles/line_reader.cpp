@@ -57,13 +57,13 @@ RootSize ParticleSource::diameter(std::string_view text, char point, const ReadS
 void ParticleSource::particle(std::string_view text, const Integer &quantity, char point,
                               const ReadSize &read) {
   sink_.add(diameter(text, point, read), quantity);
-  any_ = true;
+  count(quantity);
 }
 
 void ParticleSource::particle_at(const SphereSample::Place &place, std::string_view size, char point,
                                  const ReadSize &read) {
   check_place(place);
-  if (!sink_.wants_places()) {
+  if (!sink_.wants_places() || is_tilted_) {
     particle(size, 1, point, read);
     return;
   }
@@ -73,7 +73,15 @@ void ParticleSource::particle_at(const SphereSample::Place &place, std::string_v
   } catch (const InputError &error) {
     refuse(std::string("coordinate ") + error.what());
   }
-  any_ = true;
+  count(1);
+}
+
+void ParticleSource::leave_out_places() {
+  const std::string left_out =
+      "The box is tilted: the places are left out, as boxes have sides along the axes here.";
+  if (sink_.wants_places() && std::find(notes_.begin(), notes_.end(), left_out) == notes_.end())
+    note(left_out);
+  is_tilted_ = true;
 }
 
 void ParticleSource::check_number(std::string_view word) const {
@@ -137,6 +145,7 @@ std::size_t ParticleSource::column(const std::vector<std::string> &names, std::s
 
 void ParticleSource::set_box(const std::array<std::array<std::string, 2>, 3> &bounds,
                              const std::array<bool, 3> &periodic) {
+  is_tilted_ = false;
   if (!sink_.wants_places())
     return;
   ParticleBox box;
@@ -170,13 +179,34 @@ void ParticleSource::particle_between(std::string_view lo, std::string_view hi, 
   size.lo *= factor_;
   size.hi *= factor_;
   sink_.add(size, quantity);
-  any_ = true;
+  count(quantity);
 }
 
 void ParticleSource::begin_timestep(const Integer &number) {
   sink_.begin_timestep(number);
   ids_.clear();
   any_ = false;
+  count_ = 0;
+}
+
+void ParticleSource::take_title(std::string_view line) {
+  constexpr std::string_view begin = "Particles of ", end = " classes, by exactmdm; ";
+  const std::size_t words = std::min(line.find_first_not_of("#/ "), line.size());
+  const std::size_t last = line.find(end);
+  if (line_ > 3 || words == 0 || !line.substr(words).starts_with(begin) || last == std::string_view::npos)
+    return;
+  // `: 141 in 5`
+  const std::size_t colon = line.rfind(": ", last);
+  const std::string_view count = line.substr(std::min(colon, line.size() - 2) + 2);
+  stated_count_ = parse_natural(count.substr(0, count.find(' ')));
+}
+
+void ParticleSource::check_count() const {
+  if (stated_count_ && *stated_count_ != count_)
+    refuse(fmt::format(
+        "the file's title says {} particles, and there are {}: is the file cut off? else leave its title "
+        "out",
+        to_string(*stated_count_), to_string(count_)));
 }
 
 std::string ParticleSource::size_note() const {
@@ -235,6 +265,11 @@ bool is_number(std::string_view text) {
       return false;
   }
   return at == text.size();
+}
+
+bool is_zero_number(std::string_view text) {
+  return is_number(text) &&
+         text.substr(0, text.find_first_of("eE")).find_first_of("123456789") == std::string_view::npos;
 }
 
 std::optional<std::uint64_t> parse_count(std::string_view text) {

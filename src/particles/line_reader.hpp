@@ -65,6 +65,9 @@ public:
   void take_material(const std::string &name);
   /// The lower and upper bounds of the box along each axis. \throws InputError if they are none
   void set_box(const std::array<std::array<std::string, 2>, 3> &bounds, const std::array<bool, 3> &periodic);
+  /// The box is tilted: mdm knows boxes along the axes alone. The places that follow are left out, with a
+  /// note.
+  void leave_out_places();
   /// Particles whose size is in [lo, hi], and above `lower` if that is no empty text.
   void particle_between(std::string_view lo, std::string_view hi, std::string_view lower,
                         const Integer &quantity, char point);
@@ -73,6 +76,10 @@ public:
 
   /// \throws InputError if there was no particle
   void check_some() const;
+  /// Takes the number of particles from a title that mdm export writes.
+  void take_title(std::string_view line);
+  /// \throws InputError if there are not as many particles as such a title says
+  void check_count() const;
 
   void note(const std::string &text) { notes_.push_back(text); }
   const std::vector<std::string> &notes() const { return notes_; }
@@ -80,6 +87,11 @@ public:
   std::string size_note() const;
 
 private:
+  void count(const Integer &quantity) {
+    any_ = true;
+    if (stated_count_)
+      count_ += quantity;
+  }
   RootSize diameter(std::string_view text, char point, const ReadSize &read) const;
   Rational number(const char *what, std::string_view text) const;
 
@@ -94,6 +106,9 @@ private:
   std::optional<StatedUnit> stated_;
   ParticleIds ids_;
   bool any_ = false;
+  std::optional<Integer> stated_count_;
+  Integer count_ = 0;      ///< of particles, where one is stated
+  bool is_tilted_ = false; ///< the box that was read last
   std::vector<std::string> notes_;
 };
 
@@ -131,6 +146,9 @@ void split_words(std::string_view line, std::vector<std::string_view> &words);
 
 /// True for a decimal such as `-1.5e-3`, whatever its length.
 bool is_number(std::string_view text);
+
+/// True for a number that is 0, as `0`, `-0.0` or `0.000e+00`.
+bool is_zero_number(std::string_view text);
 
 /// A count that a file gives; at most 2^62.
 std::optional<std::uint64_t> parse_count(std::string_view text);

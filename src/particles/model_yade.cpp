@@ -40,6 +40,7 @@ def friction_of(row):
 
 
 def set_friction():
+    state['since'] = 0
     for number, row in enumerate(classes):
         O.materials[number + 1].frictionAngle = atan(friction_of(row))
     for contact in O.interactions:
@@ -55,6 +56,7 @@ def set_friction():
 def run(count):
     O.run(count, True)
     state['looks'] += 1
+    state['since'] += 1
     print('step %d, %s: kinetic energy %g J@show@' % (O.iter, state['phase'], kineticEnergy()@shown@), flush=True)
     if state['looks'] % 20 == 0:
         save()
@@ -62,7 +64,7 @@ def run(count):
 
 def rest(last, times=1):
     """Runs until the grains are at rest, or so many times above it, but no further than the step last."""
-    while O.iter < last and (state['looks'] == 0 or not is_at_rest(times)):
+    while O.iter < last and not is_at_rest(times):
         run(look)
     return is_at_rest(times)
 
@@ -98,8 +100,9 @@ def rest(last, times=1):
 if go_on:
     O.load(go_on)
     state = json.loads(O.tags['state'])
+    state.setdefault('since', 0)
 else:
-    state = dict(phase='@phase@', friction=friction_while_filling, own=False, looks=0)
+    state = dict(phase='@phase@', friction=friction_while_filling, own=False, looks=0, since=0)
     build()
 )";
 
@@ -237,7 +240,7 @@ std::string yade_model(const SettleModel &model) {
   const std::string area =
       is_round ? fmt::format("({} * tan(pi / {}) * x**2 / 4)", facets, facets) : "(x * y)";
   std::string text = s.head({"YADE", "yade -n -x THIS_FILE", "yade -n -x THIS_FILE 1000",
-                             "yade -n -x THIS_FILE STEPS NAME.restart.gz",
+                             "yade -n -x THIS_FILE STEPS NAME.restart.gz, STEPS in all",
                              "On P cores: yade -n -j P -x THIS_FILE", " --size-unit m"});
   text += yade_begin;
   text += has_lid ? lid_functions : cell_functions;

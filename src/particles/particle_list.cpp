@@ -62,16 +62,16 @@ public:
 private:
   static constexpr std::size_t radius = 3;
 
-  /// YADE's export.textExt says so what its columns are, and models of mdm: `# x y z r in m; box 1 2 3,
-  /// repeated in x y z`.
+  /// YADE's export.textExt says so what its columns are, and models of mdm: `# x y z r in m; box 1 2 3`, or
+  /// `...; box 1 2 3, repeated in x y z`.
   void comment() override {
     constexpr std::string_view ours[] = {"#", "x", "y", "z", "r", "in"};
     constexpr std::size_t unit = std::size(ours), box = unit + 2;
     if (words_.size() > unit && std::equal(std::begin(ours), std::end(ours), words_.begin()) &&
         words_[unit].starts_with('m')) {
       source_.take_unit({"m", 1000}, "m in its first line");
-      if (words_.size() > box + 3 && words_[box + 3] == "repeated")
-        set_cell(words_[box], words_[box + 1], words_[box + 2]);
+      if (words_.size() >= box + 3 && words_[unit + 1] == "box")
+        set_box(words_.size() > box + 3 && words_[box + 3] == "repeated");
     }
     if (words_.size() >= 2 && words_[0] == "#format" && !words_[1].starts_with("x_y_z_r"))
       source_.refuse(fmt::format("the columns are {}: write x y z r first", in_quotes(words_[1])));
@@ -93,11 +93,16 @@ private:
     source_.particle_at({words_[0], words_[1], words_[2]}, words_[radius]);
   }
 
-  /// A box from 0 on that is repeated on all sides.
-  void set_cell(std::string_view x, std::string_view y, std::string_view z) {
-    z.remove_suffix(z.ends_with(',') ? 1 : 0);
-    source_.set_box({{{"0", std::string(x)}, {"0", std::string(y)}, {"0", std::string(z)}}},
-                    {true, true, true});
+  /// A box from 0 on, whose sides are the words behind `box`; repeated on all sides, or on none.
+  void set_box(bool is_repeated) {
+    constexpr std::size_t first = 8;
+    std::array<std::array<std::string, 2>, 3> bounds;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::string_view side = words_[first + axis];
+      side.remove_suffix(side.ends_with(',') || side.ends_with(';') ? 1 : 0);
+      bounds[axis] = {"0", std::string(side)};
+    }
+    source_.set_box(bounds, {is_repeated, is_repeated, is_repeated});
   }
 
   std::size_t width_ = 0;

@@ -284,6 +284,7 @@ void ParticleReader::line(std::string_view text) {
   if (text.find('\r') != std::string_view::npos)
     source_->refuse(
         "a carriage return (CR) is there that no line feed (LF) follows: end lines with LF or CR LF");
+  source_->take_title(text);
   if (reader_) {
     hand_on(text);
     return;
@@ -304,6 +305,7 @@ void ParticleReader::end() {
   if (!reader_)
     source_->refuse("there are no particles: the file ends before the first");
   reader_->end();
+  source_->check_count();
 }
 
 std::optional<SizeUnit> ParticleReader::unit() const {

@@ -10,7 +10,7 @@
 namespace mdm {
 namespace {
 
-constexpr std::string_view diameter_heading = "// diameter ";
+constexpr std::string_view diameter_heading = "// diameter ", count_word = "maxNumberOfParticles";
 
 /// The particlesDict that mdm export writes: a selector for each size, from `// diameter D` to `begin B; end
 /// E;`.
@@ -26,12 +26,17 @@ public:
       begin(row.substr(diameter_heading.size()));
     else if (row.starts_with("stridedRangeInfo"))
       read_range(row);
+    else if (row.starts_with(count_word))
+      most_ = number(trimmed(row.substr(count_word.size())));
   }
 
   void end() override {
     if (!size_.empty())
       refuse_without_range();
     source_.check_some();
+    if (most_ != none && most_ != next_)
+      source_.refuse(
+          fmt::format("{} is {}, and the ranges have {}: is the file cut off?", count_word, most_, next_));
   }
 
 private:
@@ -72,8 +77,8 @@ private:
 
   ParticleSource &source_;
   std::vector<std::string_view> words_;
-  std::string size_; ///< whose range is to come
-  std::uint64_t next_ = 0;
+  std::string size_;                     ///< whose range is to come
+  std::uint64_t next_ = 0, most_ = none; ///< particles so far, and in all
 };
 
 std::string head(const std::string &name, const ParticleSet &set) {

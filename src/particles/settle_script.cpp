@@ -189,9 +189,9 @@ std::string material_lines(const SettleScript &s) {
 std::string SettleScript::head(const RunCommands &c) const {
   return filled(R"(# @name@: @n@ grains @purpose@. Written by mdm export for @engine@; SI units.
 # The mass of each class is exact to @error@ of itself, the count of each is exact, and checked as it comes in.@law@
-# Run it in its folder: @run@   (fewer or more steps: @fewer@)
+# Run it in its folder: @run@@fewer@
 # @parallel@
-# It writes @base@.restart from time to time; to go on from there: @go_on@
+# It writes @base@.restart@packed@ from time to time; to go on from there: @go_on@
 @verification@#
 @material@
 # Time step: a fifth of the Rayleigh time of the smallest grain,
@@ -206,7 +206,7 @@ std::string SettleScript::head(const RunCommands &c) const {
                  {"error", stated_error(set)},
                  {"law", set.law.is_sphere() ? "" : "\n#" + law_statement(set)},
                  {"run", c.run},
-                 {"fewer", c.fewer_steps},
+                 {"fewer", has_lid() ? fmt::format("   (fewer or more steps: {})", c.fewer_steps) : ""},
                  {"parallel", c.in_parallel},
                  {"go_on", c.go_on},
                  {"verification", verification(c.verify_options)},
@@ -218,6 +218,7 @@ std::string SettleScript::head(const RunCommands &c) const {
                  {"without", has_lid() ? "" : ", without rattlers"},
                  {"height", height_line(*this)},
                  {"triaxial", is_sheared() ? triaxial_lines(*this) : ""},
+                 {"packed", std::string(c.engine) == "YADE" ? ".gz" : ""},
                  {"base", name}});
 }
 

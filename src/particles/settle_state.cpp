@@ -80,8 +80,9 @@ def words(found):
 
 
 def is_at_rest(times=1):
+    """Two looks at least after the friction was set: a state that was at rest with another one is none with this."""
     found = measured()
-    return found['energy'] < times * at_rest and found['unbalanced'] < times * most_unbalanced
+    return state['since'] >= 2 and found['energy'] < times * at_rest and found['unbalanced'] < times * most_unbalanced
 
 
 def is_jammed():

@@ -121,6 +121,44 @@ TEST_CASE("places are kept where there are some, in the box that they have", "[c
                 "--periodic");
 }
 
+TEST_CASE("a tilted box is none that is known: the places are left out, and a tilt of 0 is none", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string g = folder.write("g.csv", "size_mm,mass\n1,1\n2,3\n4,0\n");
+  const auto written = [&folder](const std::string &bounds) {
+    return folder.write("tilted.dump", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS " +
+                                           bounds +
+                                           "ITEM: ATOMS id type x y z radius\n"
+                                           "1 1 0.0008 0.002 0.0015 0.000833055\n"
+                                           "2 1 0.0088 0.002 0.0015 0.001201473\n");
+  };
+  const auto verified = [&g](const std::string &file) {
+    return mdm({"verify", g, file, "--tolerance", "1e-2"});
+  };
+  const std::string upright = verified(written("pp pp pp\n0 0.01\n0 0.01\n0 0.01\n")).out;
+  CHECK(contains(upright, "periodic"));
+  const std::string zero =
+      verified(written("xy xz yz pp pp pp\n0 0.01 0\n0 0.01 -0.0\n0 0.01 0.0e+00\n")).out;
+  CHECK(zero == upright);
+  for (const std::string bounds : {"xy xz yz pp pp pp\n0 0.013 0.003\n0 0.01 0\n0 0.01 0\n",
+                                   "abc origin pp pp pp\n0.01 0 0 0\n0.003 0.01 0 0\n0 0 0.01 0\n"}) {
+    const Outcome tilted = verified(written(bounds));
+    CHECK(tilted.exit_code == 0);
+    CHECK(contains(tilted.out, "The box is tilted: the places are left out"));
+    CHECK_FALSE(contains(tilted.out, "void ratio"));
+    CHECK(mdm({"verify", g, folder / "tilted.dump", "--packing"}).exit_code == 2);
+  }
+  const std::string lattice =
+      folder.write("t.xyz", "1\nLattice=\"0.01 0 0 0.003 0.01 0 0 0 0.01\" "
+                            "Properties=pos:R:3:radius:R:1\n0.001 0.002 0.003 0.00075\n");
+  CHECK(contains(mdm({"verify", g, lattice, "--size-unit", "m"}).out, "The box is tilted"));
+  const std::string data =
+      folder.write("t.data", "tilted\n\n1 atoms\n0 0.01 xlo xhi\n0 0.01 ylo yhi\n0 0.01 zlo zhi\n"
+                             "0.003 0 0 xy xz yz\n\nAtoms # sphere\n\n1 1 0.0015 2650 0.0115 0.002 0.003\n");
+  const Outcome outside = mdm({"verify", g, data, "--tolerance", "100%"});
+  CHECK(contains(outside.out, "The box is tilted"));
+  CHECK_FALSE(contains(outside.out, "outside the space"));
+}
+
 TEST_CASE("a box that is repeated stays so in other formats", "[cli]") {
   const TemporaryFolder folder;
   const std::string g = folder.write("g.csv", "size_mm,mass\n1,1\n2,3\n4,0\n"),

@@ -3,6 +3,8 @@
 
 #include "run.hpp"
 
+#include <algorithm>
+
 using namespace cli_test;
 
 namespace {
@@ -81,6 +83,35 @@ void check_rows(const Outputs &outputs, const Arguments &command, const std::vec
 }
 
 } // namespace
+
+TEST_CASE("an exported file that was cut between its lines is refused by its title", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string sand = example("c778-graded-sand");
+  for (const std::string format : {"liggghts", "yade", "diameters", "csv", "phasicflow"}) {
+    INFO(format);
+    const std::string out = folder / ("whole." + format);
+    REQUIRE(mdm({"export", sand, "--to", format, "-o", out, "--quiet"}).exit_code == 0);
+    const Arguments verify = {"verify", sand, out, "--tolerance", "1e-4"};
+    const bool states_unit = format == "csv";
+    Arguments whole = verify;
+    if (!states_unit)
+      whole.insert(whole.end(), {"--size-unit", "m"});
+    CHECK(mdm(whole).exit_code == 0);
+    std::vector<std::string> lines = lines_of(read_file(out));
+    const auto is_class = [](const std::string &line) { return line.rfind("# class ", 0) == 0; };
+    const auto last_class = std::find_if(lines.rbegin(), lines.rend(), is_class);
+    lines.resize(format == "liggghts"     ? static_cast<std::size_t>(lines.rend() - last_class) - 1
+                 : format == "phasicflow" ? lines.size() - 8
+                                          : lines.size() - 1);
+    std::string cut;
+    for (const std::string &line : lines)
+      cut += line + "\n";
+    folder.write("whole." + format, cut);
+    const Outcome refused = mdm(whole);
+    CHECK(refused.exit_code == 2);
+    CHECK(contains(refused.err, "is the file cut off?"));
+  }
+}
 
 TEST_CASE("Outputs as inputs: the table of commands and files") {
   const Outputs o;

@@ -284,7 +284,7 @@ TEST_CASE("verify: particle files of the engines", "[cli]") {
     CHECK(exit_of(sand, dump, with({"--size-unit", "mm", "--from", format, "--timestep", "9"})) == 0);
   const Outcome metres = verify(sand, dump, within);
   CHECK(metres.exit_code == 1);
-  CHECK(metres.out.find("with --size-unit mm the first would") != std::string::npos);
+  CHECK(metres.out.find("in mm the first would: say so by --size-unit") != std::string::npos);
   CHECK(metres.out.find("diameters in m;") != std::string::npos);
 }
 

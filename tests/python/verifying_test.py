@@ -68,7 +68,7 @@ def test_radii_and_units():
 
 
 def test_sizes_in_another_unit_are_suspected():
-    assert 'with size_unit m the first would' in mdm.verify(G, ["0.002", "0.003"]).notes[0]
+    assert 'in m the first would: say so by size_unit' in mdm.verify(G, ["0.002", "0.003"]).notes[0]
     assert mdm.verify(G, [2, 7]).notes == ()
 
 
