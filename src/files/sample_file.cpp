@@ -125,8 +125,8 @@ std::vector<std::string> read_sample_file(const std::string &path, const Particl
         path,
         "it is a packing: mdm export " + shell_word(path) +
             " --to csv -o DISCS.csv writes its discs, which are judged by mdm verify GRADATION DISCS.csv " +
-            option("size-column") + " radius_m " + option("radius") + " " + option("law") +
-            " power:2 (radius_mm or the like by their unit)");
+            option("size-column") + " radius " + option("radius") + " " + option("law") +
+            " power:2; where they have a unit, the column is radius_m or the like");
   if (!options.format && is_generated_file(path)) {
     const StatedSet set = read_generated(read_file(path, max_set_bytes), shown_name(path));
     in_file(path, [&] { hand_on(set, options, sink); });
