@@ -15,7 +15,8 @@ COLUMNS = {
     "infeasible": (["infeasible"], "#7b3f8c", "there is no match, says the solver; there always is one"),
     "gave up": (["gave-up"], "#98a0a8", "no answer, for example because numbers are beyond the solver's limits"),
     "timeout": (["timeout"], "#c9cdd2", "nothing within the time limit"),
-    "failed": (["crashed", "garbage", "no-answer", "undecided"], "#3d434d", "a crash, or no answer"),
+    "new": (["undecided"], "#d4b106", "of an open problem a smaller match than any that is known"),
+    "failed": (["crashed", "garbage", "no-answer"], "#3d434d", "a crash, or no answer"),
 }
 
 

@@ -73,7 +73,9 @@ void ParticleSource::particle_at(const SphereSample::Place &place, std::string_v
   } catch (const InputError &error) {
     refuse(std::string("coordinate ") + error.what());
   }
-  count(1);
+  any_ = true;
+  if (stated_count_)
+    ++count_;
 }
 
 void ParticleSource::leave_out_places() {
@@ -193,7 +195,7 @@ void ParticleSource::take_title(std::string_view line) {
   constexpr std::string_view begin = "Particles of ", end = " classes, by exactmdm; ";
   const std::size_t words = std::min(line.find_first_not_of("#/ "), line.size());
   const std::size_t last = line.find(end);
-  if (line_ > 3 || words == 0 || !line.substr(words).starts_with(begin) || last == std::string_view::npos)
+  if (words == 0 || !line.substr(words).starts_with(begin) || last == std::string_view::npos)
     return;
   // `: 141 in 5`
   const std::size_t colon = line.rfind(": ", last);

@@ -284,7 +284,9 @@ void ParticleReader::line(std::string_view text) {
   if (text.find('\r') != std::string_view::npos)
     source_->refuse(
         "a carriage return (CR) is there that no line feed (LF) follows: end lines with LF or CR LF");
-  source_->take_title(text);
+  constexpr std::uint64_t last_line_of_title = 3;
+  if (source_->line() <= last_line_of_title)
+    source_->take_title(text);
   if (reader_) {
     hand_on(text);
     return;

@@ -40,7 +40,7 @@ PLANTED = {
     "mumbling": ("print('quantities: 12')", "failed"),
     "hanging": ("time.sleep(60)", "timeout"),
 }
-COUNTED = ("right", "larger", "not_a_match", "impossible", "infeasible", "gave_up", "timeout", "failed")
+COUNTED = ("right", "larger", "not_a_match", "impossible", "infeasible", "gave_up", "timeout", "new", "failed")
 
 
 class League(unittest.TestCase):
