@@ -61,7 +61,7 @@ class Result:
         row = min(wrong, key=lambda row: len(row["gradation"]["sizes"]))
         asked = f"{row['id']} {row['options']}".strip()
         return (f"{asked}, {len(row['gradation']['sizes']) - 1} classes", cut(" ".join(row["quantities"]), 120),
-                f"N = {row['particles']}, of the smallest match {row['minimum']}: {row['reason']}")
+                f"N = {row['particles']}, of the smallest match {row['minimum'] or 'open'}: {cut(row['reason'], 300)}")
 
     def excuse(self):
         """Why the first answer that is missing is."""

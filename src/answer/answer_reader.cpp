@@ -264,8 +264,10 @@ Gradation AnswerReader::gradation(PhiReading phi) {
     data.masses.push_back(achieved == nullptr ? decimal(classes[j], "mass", place)
                           : share == "0"      ? Rational(0)
                                               : fraction(share, fmt::format("achieved[{}]", j)));
-    if (classes[j].contains("factor"))
+    if (classes[0].contains("factor"))
       data.factors.push_back(decimal(classes[j], "factor", place));
+    else if (classes[j].contains("factor"))
+      refuse(place + "factor", "is of a class behind one without: give the JSON answer of mdm solve");
   }
   if (!data.factors.empty())
     data.factors.emplace_back(1);

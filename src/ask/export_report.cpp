@@ -48,9 +48,9 @@ std::string bytes_text(const Integer &bytes) {
   return approximate(n, 3) + " " + units.at(i);
 }
 
-/// Densities in kg/m^3 that no grains have are mostly wrong units.
+/// Densities that few grains have are mostly factors in other units.
 std::string odd_densities(const ParticleSet &set) {
-  const Rational least_usual = 100, most_usual = 25000;
+  const Rational least_usual = 100, most_usual = 6000;
   const auto [least, most] = std::minmax_element(
       set.classes.begin(), set.classes.end(),
       [](const ParticleClass &a, const ParticleClass &b) { return a.density < b.density; });
@@ -58,12 +58,10 @@ std::string odd_densities(const ParticleSet &set) {
   const Rational lo = least->density / in_cubic_metre, hi = most->density / in_cubic_metre;
   if (lo >= least_usual && hi <= most_usual)
     return "";
-  const std::string what =
-      lo == hi ? fmt::format("a density of {} kg/m^3", approximate(lo, 4))
-               : fmt::format("densities from {} to {} kg/m^3, by the factors of the gradation times {}",
-                             approximate(lo, 4), approximate(hi, 4), option("density"));
-  return fmt::format("{}: {} is in kg/m^3, 1 where factors are, and 1000 where they are in g/cm^3\n", what,
-                     option("density"));
+  return fmt::format(
+      "densities: {} to {} kg/m^3, {} times the factors of the gradation, where it has some: give 1 where "
+      "these are in kg/m^3, 1000 where they are in g/cm^3\n",
+      approximate(lo, 4), approximate(hi, 4), option("density"));
 }
 
 /// The digits that two bounds of a number have in common, four at most.

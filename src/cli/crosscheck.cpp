@@ -20,6 +20,7 @@
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "files/progress_line.hpp"
+#include "files/proof_stream.hpp"
 #include "files/solver.hpp"
 #include "files/suite_lines.hpp"
 #include "text/json_writer.hpp"
@@ -80,12 +81,15 @@ void check_options(const CrosscheckCommand &c) {
                  ", or say with " + option("format") + " json what it holds");
   if (c.output.is_text() && c.output.out == "-")
     throw InputError("-o -: standard output has the summary: use " + option("format") + " csv");
-  if (c.minimum && (c.solution || c.asked.question_words().empty()))
+  if (c.minimum && c.solution)
+    throw InputError(option("minimum") + " is of the lines of a suite, and " + option("solution") +
+                     " of one gradation: leave it out");
+  if (c.minimum && c.asked.question_words().empty())
     throw InputError(option("minimum") + ": the least match of this question is found at once: leave it out");
   if (c.journal == "-")
     throw InputError(option("journal") + " needs a file: name one");
-  for (const std::string &input :
-       {c.suite, c.answers.value_or("-"), c.solution.value_or("-"), c.minimum.value_or("-")})
+  for (const std::string &input : {c.suite, c.answers.value_or("-"), c.solution.value_or("-"),
+                                   c.minimum.value_or("-"), c.minimum ? proof_index_path(*c.minimum) : "-"})
     check_distinct({input, c.journal.value_or("-"), c.output.path()});
 }
 

@@ -130,7 +130,7 @@ private:
           shown(finer_), shown(sum_)));
   }
 
-  /// All of the sample is in the classes, and no row of a class has another form.
+  /// All of the sample is in the classes of this table.
   void check_end() const {
     const CellRow &last = cells_.rows[end_ - 1];
     if (const Rational missing = abs(Rational(100 - finer_)); missing > finer_error_)

@@ -1,11 +1,13 @@
 #include "gradation/corrected_values.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace mdm {
 
 bool are_corrected_masses(const std::vector<Rational> &masses, const std::vector<Rational> &others) {
+  assert(masses.size() == others.size());
   std::size_t same = 0, different = 0, sums = 0;
   Rational down = 0, up = std::accumulate(masses.begin(), masses.end(), Rational(0));
   for (std::size_t i = 0; i < masses.size(); ++i) {
@@ -20,6 +22,7 @@ bool are_corrected_masses(const std::vector<Rational> &masses, const std::vector
 
 bool are_corrected_percents(const std::vector<Rational> &sizes, const std::vector<Rational> &percents,
                             const std::vector<Rational> &others) {
+  assert(!sizes.empty() && sizes.size() == percents.size() && sizes.size() == others.size());
   std::vector<std::size_t> from_coarsest(sizes.size());
   std::iota(from_coarsest.begin(), from_coarsest.end(), std::size_t{0});
   std::sort(from_coarsest.begin(), from_coarsest.end(),

@@ -8,7 +8,7 @@
 
 namespace mdm {
 
-// One number a row in each vector.
+// One number a row in each vector, of as many rows, and of one at least.
 
 /// True where some masses are the same, not 0, and some are others, and the others are not the masses added
 /// up from either end.

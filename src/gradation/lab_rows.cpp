@@ -139,8 +139,9 @@ public:
                                  in_quotes(columns_.size_name), in_quotes(columns_.value_name),
                                  column_options()));
     check_samples();
+    unused_.check_corrected(read_.table, sieves_,
+                            chosen_.meaning().meaning); // ranges have no row of their top yet
     sizes_.settle(read_.table, chosen_.meaning().meaning == ColumnMeaning::retained, source_);
-    unused_.check_corrected(read_.table, sieves_, chosen_.meaning().meaning);
     take_stated();
     columns_.values = chosen_.meaning();
     read_.columns = columns_;

@@ -21,17 +21,17 @@ bool speaks_of_number_shares(std::string_view text) {
 
 bool states_other_shares(std::string_view label, std::string_view value) {
   constexpr std::string_view labels =
-      "distribution distributions distribucion distribuzione verteilung verteilungsart type typ tipo art "
-      "unit units result "
-      "results resultat ergebnis basis base weighted weighting by report reported mode quantity mengenart";
+      "distribution distributions distribucion distribuzione verteilung verteilungsart "
+      "result results resultat ergebnis basis base weighted weighting mode mengenart";
   constexpr std::string_view kinds =
       "number numbers anzahl nombre numero count counts surface surfaces oberflaeche "
       "superficie length lengths laenge longueur longitud lunghezza";
   constexpr std::string_view beside = "area percent weighted based basis distribution by";
   const std::vector<std::string> of_label = words_of(label), of_value = words_of(value);
+  const auto is_label = [labels](const std::string &w) { return has_word(labels, w); };
   const auto is_kind = [kinds](const std::string &w) { return has_word(kinds, w); };
-  return std::any_of(of_label.begin(), of_label.end(),
-                     [labels](const std::string &w) { return has_word(labels, w); }) &&
+  const bool is_report = of_label == std::vector<std::string>{"report", "by"};
+  return (is_report || std::any_of(of_label.begin(), of_label.end(), is_label)) &&
          std::any_of(of_value.begin(), of_value.end(), is_kind) &&
          std::all_of(of_value.begin(), of_value.end(),
                      [&](const std::string &w) { return is_kind(w) || has_word(beside, w); });
@@ -39,12 +39,15 @@ bool states_other_shares(std::string_view label, std::string_view value) {
 
 namespace {
 
-/// True of a cell, or of one with the next.
-bool states_other_shares_in(const CellRow &row, std::size_t column) {
-  const std::string_view cell = row.cell(column);
+/// What a cell, or one with the next where the row has no more, says that shares are of; else nothing.
+std::string other_shares_in(const CellRow &row, std::size_t column) {
+  const std::string_view cell = row.cell(column), next = row.cell(column + 1);
   const std::size_t sign = cell.find_last_of(":=");
-  return states_other_shares(cell, row.cell(column + 1)) ||
-         (sign != std::string_view::npos && states_other_shares(cell.substr(0, sign), cell.substr(sign + 1)));
+  if (sign != std::string_view::npos && states_other_shares(cell.substr(0, sign), cell.substr(sign + 1)))
+    return in_quotes(cell);
+  const auto filled =
+      std::count_if(row.cells.begin(), row.cells.end(), [](const std::string &c) { return !c.empty(); });
+  return filled == 2 && states_other_shares(cell, next) ? in_quotes(cell) + " " + in_quotes(next) : "";
 }
 
 } // namespace
@@ -58,10 +61,8 @@ void refuse_number_shares(const Cells &cells, std::size_t above, const Source &s
           source.refuse(row.line, fmt::format("{} says that the shares are by number: {}", in_quotes(text),
                                               number_shares_remedy));
     for (std::size_t c = 0; c < row.cells.size(); ++c)
-      if (states_other_shares_in(row, c))
-        source.refuse(row.line, fmt::format("{} {} says that the shares are not by mass or volume: {}",
-                                            in_quotes(row.cell(c)),
-                                            row.cell(c + 1).empty() ? "" : in_quotes(row.cell(c + 1)),
+      if (const std::string stated = other_shares_in(row, c); !stated.empty())
+        source.refuse(row.line, fmt::format("{} says that the shares are not by mass or volume: {}", stated,
                                             number_shares_remedy));
   }
 }

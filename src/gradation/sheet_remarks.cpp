@@ -8,13 +8,28 @@
 namespace mdm {
 namespace {
 
-/// True for D and a number: `d10`, `10`.
-bool names_diameter(const std::vector<std::string> &words) {
-  const auto is_number = [](std::string_view word) {
-    return !word.empty() && std::all_of(word.begin(), word.end(), is_digit);
-  };
-  return words.front().front() == 'd' && (is_number(std::string_view(words.front()).substr(1)) ||
-                                          (words.front() == "d" && words.size() > 1 && is_number(words[1])));
+/// True for diameters of the curve alone, each D and a usual percent, with a unit or not: `d10`, `d 10
+/// (mm)`, `D60/D10`; `d 0.063 mm` and `d > 4 mm` may be sieves.
+bool names_diameters(std::string_view cell) {
+  if (cell.find_first_of("<>=.,-") != std::string_view::npos)
+    return false;
+  constexpr std::string_view percents =
+      "5 10 15 16 17 20 25 30 35 40 45 50 60 65 70 75 80 83 84 85 90 95 97 98 99";
+  const auto is_percent = [percents](std::string_view word) { return has_word(percents, word); };
+  const std::vector<std::string> words = words_of(cell);
+  bool has_diameter = false;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string_view word = words[i];
+    const bool is_apart =
+        word == "d" && i + 1 < words.size() && is_percent(words[i + 1]) && words.size() <= i + 3;
+    if (is_apart)
+      ++i;
+    if (is_apart || (word.starts_with('d') && is_percent(word.substr(1))))
+      has_diameter = true;
+    else if (word != "mm" && word != "um" && word != "m")
+      return false;
+  }
+  return has_diameter;
 }
 
 } // namespace
@@ -23,7 +38,7 @@ bool names_index(std::string_view cell) {
   const std::vector<std::string> words = words_of(cell);
   const std::string all = plain_words(cell);
   return !words.empty() && (all == "fm" || all == "f m" || all == "cu" || all == "cc" ||
-                            all.find("modul") != std::string::npos || names_diameter(words));
+                            all.find("modul") != std::string::npos || names_diameters(cell));
 }
 
 bool names_remark(std::string_view cell) {

@@ -188,6 +188,7 @@ void ParticleSource::begin_timestep(const Integer &number) {
   sink_.begin_timestep(number);
   ids_.clear();
   any_ = false;
+  is_tilted_ = false;
   count_ = 0;
 }
 
@@ -205,10 +206,10 @@ void ParticleSource::take_title(std::string_view line) {
 
 void ParticleSource::check_count() const {
   if (stated_count_ && *stated_count_ != count_)
-    refuse(fmt::format(
-        "the file's title says {} particles, and there are {}: is the file cut off? else leave its title "
-        "out",
-        to_string(*stated_count_), to_string(count_)));
+    refuse(fmt::format("the file's title says {} particles, and there are {}: is the file cut off? else put "
+                       "the number in its "
+                       "title right",
+                       to_string(*stated_count_), to_string(count_)));
 }
 
 std::string ParticleSource::size_note() const {

@@ -100,7 +100,7 @@ def rest(last, times=1):
 if go_on:
     O.load(go_on)
     state = json.loads(O.tags['state'])
-    state.setdefault('since', 0)
+    state.setdefault('since', 2)
 else:
     state = dict(phase='@phase@', friction=friction_while_filling, own=False, looks=0, since=0)
     build()

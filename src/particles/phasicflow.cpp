@@ -36,7 +36,8 @@ public:
     source_.check_some();
     if (most_ != none && most_ != next_)
       source_.refuse(
-          fmt::format("{} is {}, and the ranges have {}: is the file cut off?", count_word, most_, next_));
+          fmt::format("{} is {}, and the ranges have {}: is the file cut off? else make the two the same",
+                      count_word, most_, next_));
   }
 
 private:

@@ -32,7 +32,7 @@ Series line_of(const std::vector<TexturePlace> &places, const char *color, doubl
   return s;
 }
 
-/// The place where part i is `percent`, and the part that is third to i and j the rest.
+/// The place where part i is `percent`, and the part `rest` all else.
 TexturePlace on_edge(std::size_t i, std::size_t rest, double percent) {
   TexturePlace place{};
   place.at(i) = percent;

@@ -182,8 +182,8 @@ Real density(const GradingCurve &curve, std::size_t j) {
   return Real(curve.mass(j)) / logarithm(curve.power_of(j + 1) / curve.power_of(j), two());
 }
 
-/// Empty classes and a pan, of which no density is known, are lower than all others. Neighbours of one density
-/// are one mode.
+/// Empty classes and a pan, of which no density is known, are lower than all others. Neighbours of one
+/// density are one mode.
 std::vector<SizeMode> modes_of(const GradingCurve &curve) {
   struct Peak {
     Real height;

@@ -7,14 +7,14 @@ using namespace mdm::test;
 
 TEST_CASE("shares by number, surface or length are refused, whatever the sheet calls that") {
   const std::string table = "Size (\u00b5m),Undersize (%)\n1,0\n10,40\n100,100\n";
-  for (const std::string line :
-       {"Result units,Number", "Result type: number", "Verteilungsart: Anzahl", "Basis: Surface",
-        "Distribution,Surface area", "Report by,Number", "Units: Length"}) {
+  for (const std::string line : {"Result units,Number", "Result type: number", "Verteilungsart: Anzahl",
+                                 "Basis: Surface", "Distribution,Surface area", "Report by,Number"}) {
     INFO(line);
     CHECK(contains(refusal(line + "\n" + table), "by volume"));
   }
-  for (const std::string line : {"Report number,12", "Sample type,Sand", "Number of tests: 3",
-                                 "Specific surface area,0.5", "Result units,Volume"})
+  for (const std::string line :
+       {"Report number,12", "Sample type,Sand", "Number of tests: 3", "Specific surface area,0.5",
+        "Result units,Volume", "Project report,Number,17", "Units,Length,mm", "Type,Length", "Units: Length"})
     CHECK(masses(line + "\n" + table) == "40 60 0");
 }
 

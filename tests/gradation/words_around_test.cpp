@@ -271,7 +271,8 @@ TEST_CASE("a row with a number below an empty row is not passed over") {
   for (const std::string row :
        {"Catch pan,50", "Undersize,50", "Tray,50", "Fundo,50", "#200 wet,30\nPan,8", "N200,30\nPan,8",
         "Retained on 0.063,30\nPan,8", "Pan content,50", "Test sieve 0.063,30\nPan,8", "Number 230,30\nPan,8",
-        "Passing by difference,50", "Lab tray,50"}) {
+        "d 0.063 mm,12", "D 63,12", "d=0.063,12", "D 2 - 4 mm,12", "d > 4 mm,12", "Passing by difference,50",
+        "Lab tray,50"}) {
     INFO(row);
     CHECK_FALSE(refusal(sieves + row + "\n").empty());
   }
@@ -381,6 +382,12 @@ TEST_CASE("a column of ranges, dates or names beside the values is not one of nu
                                   "Date\n4,0,12.05.2020\n2,80,2020-05-12\n1,150,2020-05-12\nPan,8,",
                                   "Test id\n4,0,1-1\n2,80,1-2\n1,150,1-3\nPan,8,"})
     CHECK(masses("Sieve (mm),Mass retained (g)," + other + "\n") == "8 150 80 0");
+}
+
+TEST_CASE("a column beside sizes that are ranges has no row of the top") {
+  CHECK(masses("Size,Retained (g),Other\n2-4 mm,10,7\n1-2 mm,20,8\n0.5-1 mm,5,9\n") == "5 20 10 0");
+  CHECK(contains(refusal("Size,Retained (g),Corrected\n2-4 mm,10,10\n1-2 mm,20,20\n0.5-1 mm,5,50\n"),
+                 "choose one with"));
 }
 
 TEST_CASE("percents of the whole beside those of a part are not passed over") {

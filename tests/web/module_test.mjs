@@ -57,11 +57,12 @@ test("answers within a tolerance, of bands, solids and laws are the native ones"
 test("a solver's answers are judged, whatever becomes of them", async () => {
   const gradation = { sizes: ["1", "2", "3"], masses: ["2", "1", "0"] };
   const solvers = {
-    minimal: () => [3n, 1],
+    minimal: () => ({ quantities: [3n, 1n] }),
     larger: async () => ({ quantities: ["6", "2"] }),
     "not-a-match": () => [1, 1],
     "no-answer": () => null,
     "gave-up": () => ({ status: "gave up" }),
+    garbage: () => { const round = {}; round.round = round; return round; },
     crashed: () => { throw new Error("lost"); },
   };
   for (const [verdict, solver] of Object.entries(solvers)) {

@@ -33,8 +33,6 @@ struct KnownMinimum {
   Integer lower_bound;              ///< no match has fewer
   std::optional<Integer> particles; ///< a match has so many; nothing: none is known
   bool has_none = false;            ///< there is no match
-
-  bool is_certain() const { return has_none || particles == lower_bound; }
 };
 
 /// A gradation with the least match for a question, to judge answers by.

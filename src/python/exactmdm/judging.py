@@ -29,6 +29,9 @@ if TYPE_CHECKING:
 Solver = Callable[[Gradation], Any]
 
 
+MOST_SECONDS = 10**6  #: that may be waited for an answer
+
+
 @dataclass(frozen=True)
 class JudgedAnswer:
     """The judgement of one answer."""
@@ -91,7 +94,8 @@ def crosscheck(gradations: Union[Iterable[Gradation], str, "os.PathLike[str]"], 
     or on any question of `solve`. That the question was asked is yours to tell the solver.
 
     An Exception that the solver raises is the verdict "crashed" of that gradation; None is "no-answer"; with a time limit
-    each call is a process of its own, forked from this one, and one that is killed is "timeout". Sizes that are floats count as the decimals that are printed of them; they are in the gradation's unit.
+    each call is a process of its own, forked from this one, and one that is killed is "timeout". Sizes that are floats
+    count as the decimals that are printed of them; they are in the gradation's unit.
 
     Args:
         gradations: any iterable, or the path of a suite: JSON Lines, a gradation each.
@@ -127,8 +131,8 @@ def crosscheck(gradations: Union[Iterable[Gradation], str, "os.PathLike[str]"], 
     if not callable(solver):
         raise InputError(f"solver: {type(solver).__name__} is no function: give one that is called with a Gradation; "
                          "exactmdm.program.run(\"crosscheck\", SUITE, \"--solver\", COMMAND) judges programs")
-    if time_limit is not None and not time_limit > 0:
-        raise InputError(f"time_limit: {time_limit} is not above 0: give seconds")
+    if time_limit is not None and not 0 < time_limit < MOST_SECONDS:
+        raise InputError(f"time_limit: {time_limit} is not above 0, or too long: give seconds")
     question = _core.JudgedQuestion(words.values, words.tolerances)
     return Crosscheck(tuple(_judged(question.judge_of(gradation._handle), gradation, solver, time_limit)
                             for gradation in suite(gradations)))
@@ -168,7 +172,7 @@ def _answered_within(gradation: Gradation, solver: Solver, seconds: float) -> tu
             return "timeout", f"killed after {seconds} s"
         verdict, text = receiver.recv()
         return verdict, text
-    except EOFError:
+    except (EOFError, OSError):
         return "crashed", "its process ended without an answer"
     finally:
         process.kill()

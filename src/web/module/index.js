@@ -127,30 +127,33 @@ export async function verify(gradation, sample, { name, sampleName = "sample.txt
   return JSON.parse(printed(result));
 }
 
+/** An object as a line of JSON, whole numbers of any length as strings. */
+const inLine = (object) => JSON.stringify(object, (_, value) => (typeof value === "bigint" ? String(value) : value)) + "\n";
+
 /** What a solver says of a gradation, as a line of answers. */
-async function answered(gradation, solver) {
+async function answered(gradation, solver, id) {
+  let answer;
   try {
-    const answer = await solver(gradation);
-    if (answer === null || answer === undefined) return { status: "no-answer", reason: "the solver returned nothing" };
-    return Array.isArray(answer) ? { quantities: answer.map(String) } : answer;
+    answer = await solver(gradation);
   } catch (error) {
-    return { status: "crashed", reason: String(error) };
+    return inLine({ id, status: "crashed", reason: String(error) });
+  }
+  if (answer === null || answer === undefined) return inLine({ id, status: "no-answer", reason: "the solver returned nothing" });
+  try {
+    return inLine({ ...(Array.isArray(answer) ? { quantities: answer.map(String) } : answer), id });
+  } catch (error) {
+    return inLine({ id, status: "garbage", reason: String(error) });
   }
 }
 
 export async function crosscheck(gradations, solver, options = {}) {
-  const suite = gradations.map((given, i) => {
-    const gradation = typeof given === "string" ? JSON.parse(given) : given;
-    return { id: String(i + 1), ...gradation };
-  });
-  if (new Set(suite.map(({ id }) => id)).size < suite.length)
-    throw new InputError("gradations: two have one id: give each its own");
-  const answers = [];
-  for (const gradation of suite)
-    answers.push({ ...(await answered(gradation, solver)), id: gradation.id });
-  const inLines = (objects) => objects.map((object) => JSON.stringify(object) + "\n").join("");
+  const suite = gradations.map((given) => (typeof given === "string" ? given.trim() : JSON.stringify(given)));
+  const ids = suite.map((line, i) => String(JSON.parse(line).id ?? i + 1));
+  if (new Set(ids).size < ids.length) throw new InputError("gradations: two have one id: give each its own");
+  let answers = "";
+  for (const [i, line] of suite.entries()) answers += await answered(JSON.parse(line), solver, ids[i]);
   const { words, files } = asked(options);
-  const all = { ...files, "suite.jsonl": inLines(suite), "answers.jsonl": inLines(answers) };
+  const all = { ...files, "suite.jsonl": suite.join("\n") + "\n", "answers.jsonl": answers };
   const commandLine = ["crosscheck", ...words, "--format=json", "--quiet", "suite.jsonl", "answers.jsonl"];
   return JSON.parse(printed(await runCommand(commandLine, all)));
 }
