@@ -56,7 +56,7 @@ std::optional<DensityTarget> density_target(const ExportTexts &c) {
     return std::nullopt;
   DensityTarget target;
   if (c.pressure)
-    target.pressure = physical("stress", *c.pressure).convert_to<double>();
+    target.pressure = pressure("stress", *c.pressure).convert_to<double>();
   else
     target.void_ratio = void_ratio_of(*c.solve.void_ratio);
   if (c.tolerance) {

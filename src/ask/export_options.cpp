@@ -2,6 +2,7 @@
 
 #include "ask/option_values.hpp"
 #include "text/file_names.hpp"
+#include "text/lines.hpp"
 
 #include <mdm/text/error.hpp>
 
@@ -40,6 +41,17 @@ Rational physical(const std::string &name, const std::string &text) {
   return r;
 }
 
+Rational pressure(const std::string &name, const std::string &text) {
+  constexpr std::array<std::pair<std::string_view, unsigned>, 4> units = {
+      {{"kPa", 3}, {"MPa", 6}, {"GPa", 9}, {"Pa", 0}}};
+  for (const auto &[unit, exponent] : units)
+    if (text.ends_with(unit)) {
+      const std::string_view number = trimmed(std::string_view(text).substr(0, text.size() - unit.size()));
+      return physical(name, std::string(number)) * power_of_ten(exponent);
+    }
+  return physical(name, text);
+}
+
 std::uint64_t export_seed(const ExportTexts &c) {
   return seed64("seed", c.seed.value_or("1"));
 }
@@ -47,7 +59,7 @@ std::uint64_t export_seed(const ExportTexts &c) {
 Elasticity elasticity(const ExportTexts &c) {
   Elasticity e;
   if (c.young)
-    e.young = physical("young", *c.young);
+    e.young = pressure("young", *c.young);
   if (c.poisson)
     e.poisson = not_negative("poisson", *c.poisson);
   if (e.poisson > ratio(1, 2))
@@ -293,7 +305,8 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
      "fall from the top of the box",
      &ExportTexts::steps},
     {"stress", "S", OptionKind::number,
-     "pressure in Pa to which the model compacts the particles, by a lid or the faces of a "
+     "pressure in Pa (or as 100kPa, 5MPa) to which the model compacts the particles, by a lid or the faces "
+     "of a "
      "--periodic box; --void-ratio is another such target; of a triaxial model sigma_3, which its sides keep",
      &ExportTexts::pressure},
     {"axial-strain", "E", OptionKind::number, "of a triaxial model at its end, 1 - h/h0, up to 0.5 (0.2)",
@@ -322,7 +335,8 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
      "young_modulus, poisson, friction, restitution; implies --types class",
      &ExportTexts::material},
     {"young", "E", OptionKind::number,
-     "Young's modulus for the time step, in Pa (7e10; a model is softer, and says so)", &ExportTexts::young},
+     "Young's modulus for the time step, in Pa (or as 70GPa; 7e10; a model is softer, and says so)",
+     &ExportTexts::young},
     {"poisson", "NU", OptionKind::number, "Poisson's ratio for the time step (0.25)", &ExportTexts::poisson}};
 
 const std::vector<OptionRow<ExportTexts>> ExportTexts::size_options = {

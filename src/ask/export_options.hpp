@@ -58,6 +58,8 @@ std::vector<FileBeside> files_beside(const ExportTexts &c, const ExportFormat &f
 
 /// A positive number that engines compute with as a double.
 Rational physical(const std::string &name, const std::string &text);
+/// One in Pa, or with its unit: 100kPa, 5 MPa, 70GPa.
+Rational pressure(const std::string &name, const std::string &text);
 
 ParticleSetOptions set_options(const ExportTexts &c, bool has_floats);
 /// The options of solving as far as a model does not take them for itself.

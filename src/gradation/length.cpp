@@ -36,14 +36,20 @@ Length parse_length(std::string_view text) {
   if (digits > 0 && unit.starts_with(' '))
     unit.remove_prefix(1);
   Length length;
-  if (digits > 0 && !unit.empty()) {
+  Rational in_its_unit = 1;
+  if (digits > 0 && unit == "cm") {
+    constexpr int millimetres = 10;
+    length.unit = SizeUnit::mm;
+    in_its_unit = millimetres;
+    text = text.substr(0, digits);
+  } else if (digits > 0 && !unit.empty()) {
     length.unit = unit == "\u00b5m" || unit == "\u03bcm" ? SizeUnit::um : parse_size_unit(unit);
     if (!length.unit)
       throw InputError(in_quotes(text) + ": " + in_quotes(unit) +
-                       " is no unit that is known: write mm, um, m or in, or the number alone");
+                       " is no unit that is known: write mm, cm, um, m or in, or the number alone");
     text = text.substr(0, digits);
   }
-  length.value = parse_typed_decimal(text);
+  length.value = parse_typed_decimal(text) * in_its_unit;
   if (length.value <= 0)
     throw InputError(in_quotes(text) + " is not positive: write a length above 0");
   return length;

@@ -22,6 +22,8 @@ TEST_CASE("length: a unit is taken exactly") {
   CHECK(micrometres("2e-3m") == 2000);
   CHECK(micrometres("0.375in") == 9525);
   CHECK(parse_length("0.375in").in(SizeUnit::m) == ratio(9525, 1000000));
+  CHECK(parse_length("3cm").in(SizeUnit::mm) == 30);
+  CHECK(parse_length("0.5 cm").in(SizeUnit::m) == ratio(5, 1000));
 }
 
 TEST_CASE("length: without a unit a number is in the unit of the file") {
@@ -37,7 +39,7 @@ TEST_CASE("length: what is none is refused") {
     INFO(text);
     CHECK_THROWS_AS(parse_length(text), InputError);
   }
-  CHECK(message_of([] { parse_length("3cm"); }) ==
-        "'3cm': 'cm' is no unit that is known: write mm, um, m or in, or the number alone");
+  CHECK(message_of([] { parse_length("3km"); }) ==
+        "'3km': 'km' is no unit that is known: write mm, cm, um, m or in, or the number alone");
   CHECK(contains(message_of([] { parse_length("-1mm"); }), "is not positive"));
 }
