@@ -120,7 +120,7 @@ Stockpile stockpile_of(const Json &stated, const std::string &where, const std::
 BlendAim aim_of(const std::string &text) {
   if (const std::optional<BlendAim> aim = blend_aim_named(text))
     return *aim;
-  throw InputError("aim is " + in_quotes(text) + ": write none, cost, deviation or max-deviation");
+  throw InputError("aim is " + in_quotes(text) + ": write none, cost, deviation, max-deviation or squares");
 }
 
 /// A cost that is not stated is none: it must not count as 0.

@@ -138,7 +138,7 @@ std::vector<ModulusLimits> moduli_of(const std::vector<std::string> &texts) {
 const std::vector<OptionRow<BlendTexts>> BlendTexts::question_options = {
     {"minimise", "WHAT", OptionKind::text,
      "what a blend is to have least of: cost, deviation (the sum of the distances from the target), "
-     "max-deviation (the largest of them) or none; without it cost where there is --cost, deviation "
+     "max-deviation (the largest of them), squares (the sum of their squares) or none; without it cost where there is --cost, deviation "
      "where there is --target",
      &BlendTexts::minimise},
     {"cost", "NAME=COST,...", OptionKind::texts,
@@ -182,10 +182,10 @@ BlendAim BlendTexts::aim() const {
   const std::optional<BlendAim> aim = blend_aim_named(*minimise);
   if (!aim)
     throw InputError(option("minimise") + ": " + in_quotes(*minimise) +
-                     " is none of cost, deviation, max-deviation and none");
+                     " is none of cost, deviation, max-deviation, squares and none");
   if (aim == BlendAim::cost && costs.empty())
     throw InputError(option("minimise") + " cost: it needs " + option("cost"));
-  if ((aim == BlendAim::deviation || aim == BlendAim::max_deviation) && !target)
+  if (aims_at_target(*aim) && !target)
     throw InputError(option("minimise") + " " + *minimise + ": it needs " + option("target"));
   return *aim;
 }

@@ -10,6 +10,7 @@
 #include "blend/contradiction.hpp"
 #include "blend/relaxation.hpp"
 #include "blend/search.hpp"
+#include "blend/tangent.hpp"
 
 #include <mdm/blend/blend.hpp>
 #include <mdm/text/error.hpp>
@@ -21,10 +22,6 @@
 
 namespace mdm {
 namespace {
-
-bool aims_at_target(BlendAim aim) {
-  return aim == BlendAim::deviation || aim == BlendAim::max_deviation;
-}
 
 void check_stockpile(const Stockpile &s, const BlendProblem &p) {
   if (s.passing.size() != p.sieves.size())
@@ -73,7 +70,9 @@ Rational value_of_aim(const BlendProblem &p, const Blend &blend) {
       if (p.sieves[s].modulus)
         continue;
       const Rational deviation = abs(blend.passing[s] - p.sieves[s].target.value());
-      value = p.aim == BlendAim::deviation ? Rational(value + deviation) : std::max(value, deviation);
+      value = p.aim == BlendAim::max_deviation ? std::max(value, deviation)
+              : p.aim == BlendAim::deviation   ? Rational(value + deviation)
+                                               : Rational(value + deviation * deviation);
     }
   if (p.aim == BlendAim::widening)
     for (const std::size_t s : p.widened)
@@ -109,6 +108,24 @@ std::vector<Rational> rounded_shares(const std::vector<Rational> &shares, const 
   return shares_of(counts, p);
 }
 
+/// Multiples of conditions that add up to: the aim is at least its least value.
+std::vector<BlendMultiple> multiples_of_least(const BlendProblem &p, const Watch &watch) {
+  BlendRelaxation relaxation(p, watch);
+  relaxation.demand_less(relaxation.least_value().value());
+  relaxation.is_feasible();
+  return relaxation.multiples();
+}
+
+/// The same of the tangent at the least squares, whose least value is theirs.
+std::vector<BlendMultiple> prices_of_squares(const BlendProblem &p, const Blend &least, const Watch &watch) {
+  const Tangent tangent = tangent_with(p, slopes_at(p, least.passing));
+  std::vector<BlendMultiple> prices = multiples_of_least(tangent.problem, watch);
+  for (BlendMultiple &m : prices)
+    if (m.limit.kind == BlendLimit::Kind::sum)
+      m.multiplier -= tangent.raised;
+  return prices;
+}
+
 /// The real optimum, its prices, and what rounding makes of it. False if no real shares will do.
 bool solve_real(const BlendProblem &p, const Watch &watch, BlendAnswer &a) {
   BlendRelaxation relaxation(p, watch);
@@ -119,9 +136,8 @@ bool solve_real(const BlendProblem &p, const Watch &watch, BlendAnswer &a) {
   a.bound = a.real->value;
   if (p.aim == BlendAim::none)
     return true;
-  relaxation.demand_less(a.real->value);
-  relaxation.is_feasible();
-  a.prices = relaxation.multiples();
+  a.prices =
+      p.aim == BlendAim::squares ? prices_of_squares(p, *a.real, watch) : multiples_of_least(p, watch);
   return true;
 }
 

@@ -146,13 +146,20 @@ std::string_view name(BlendAim aim) {
     return "deviation";
   case BlendAim::max_deviation:
     return "max-deviation";
+  case BlendAim::squares:
+    return "squares";
   default:
     return "widening";
   }
 }
 
+bool aims_at_target(BlendAim aim) {
+  return aim == BlendAim::deviation || aim == BlendAim::max_deviation || aim == BlendAim::squares;
+}
+
 std::optional<BlendAim> blend_aim_named(std::string_view text) {
-  for (const BlendAim aim : {BlendAim::none, BlendAim::cost, BlendAim::deviation, BlendAim::max_deviation})
+  for (const BlendAim aim : {BlendAim::none, BlendAim::cost, BlendAim::deviation, BlendAim::max_deviation,
+                             BlendAim::squares})
     if (text == name(aim))
       return aim;
   return std::nullopt;

@@ -3,7 +3,9 @@
 // add up to a contradiction (Farkas).
 //
 // Variables are the shares, and for aims at targets one deviation a sieve, or one for all. A deviation is
-// at least the difference from the target in both directions. first_shares() makes one share after the
+// at least the difference from the target in both directions. The sum of squares has its least value at the
+// point of the polytope that is nearest to the target, which is found with linear programs along directions
+// (nearest_point.cpp). first_shares() makes one share after the
 // other as small as it can be while the value stays the least. What the simplex method gives as a
 // contradiction are the numbers lambda, mu, alpha and beta of the theorem; those of bounds on shares follow
 // from them and are left out.
@@ -104,7 +106,8 @@ void BlendRelaxation::set_bounds() {
     bound_share(i, problem_.stockpiles[i].least, problem_.stockpiles[i].most);
   for (std::size_t d = 0; d < further_; ++d)
     program_.set_lower(k + d, bound_at(0));
-  program_.set_lower(aim_, bound_at(0));
+  if (problem_.aim != BlendAim::squares)
+    program_.set_lower(aim_, bound_at(0));
   program_.set_lower(sum_, bound_at(1));
   program_.set_upper(sum_, bound_at(1));
   for (std::size_t s = 0; s < problem_.sieves.size(); ++s) {
@@ -157,11 +160,44 @@ bool BlendRelaxation::is_feasible() {
 std::optional<Rational> BlendRelaxation::least_value() {
   if (!is_feasible())
     return std::nullopt;
+  if (problem_.aim == BlendAim::squares) {
+    nearest_ = nearest_point(placed(values_of_shares()), [this](const std::vector<Rational> &direction) {
+      aim_along(direction);
+      program_.minimise(aim_);
+      return placed(values_of_shares());
+    });
+    return scalar_product(nearest_.place, nearest_.place);
+  }
   program_.minimise(aim_);
   return program_.value(aim_).value;
 }
 
+/// The deviations from the target of what shares let pass, one a sieve; 0 of those without one.
+PlacedPoint BlendRelaxation::placed(const std::vector<Rational> &shares) const {
+  std::vector<Rational> deviations(problem_.sieves.size());
+  for (std::size_t s = 0; s < deviations.size(); ++s) {
+    if (!problem_.sieves[s].target)
+      continue;
+    deviations[s] = -*problem_.sieves[s].target;
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      deviations[s] += shares[i] * problem_.stockpiles[i].passing[s];
+  }
+  return {shares, deviations};
+}
+
+/// Lets the aim be the scalar product of the deviations with a direction, up to a constant.
+void BlendRelaxation::aim_along(const std::vector<Rational> &direction) {
+  Terms terms;
+  for (std::size_t i = 0; i < problem_.stockpiles.size(); ++i)
+    terms.emplace_back(i, scalar_product(direction, problem_.stockpiles[i].passing));
+  program_.change_form(aim_, terms);
+}
+
 std::vector<Rational> BlendRelaxation::some_shares() const {
+  return problem_.aim == BlendAim::squares ? nearest_.shares : values_of_shares();
+}
+
+std::vector<Rational> BlendRelaxation::values_of_shares() const {
   std::vector<Rational> shares;
   for (std::size_t i = 0; i < problem_.stockpiles.size(); ++i)
     shares.push_back(program_.value(i).value);
@@ -169,7 +205,37 @@ std::vector<Rational> BlendRelaxation::some_shares() const {
 }
 
 std::vector<Rational> BlendRelaxation::first_shares() {
+  if (problem_.aim == BlendAim::squares)
+    return first_shares_of_squares();
   program_.set_upper(aim_, program_.value(aim_));
+  std::vector<Rational> shares = first_of_kept();
+  program_.set_upper(aim_, std::nullopt);
+  return shares;
+}
+
+/// All shares with the least squares let the same pass each sieve: between two others there are less.
+std::vector<Rational> BlendRelaxation::first_shares_of_squares() {
+  std::vector<std::pair<Simplex::Bound, Simplex::Bound>> bounds;
+  for (std::size_t s = 0; s < problem_.sieves.size(); ++s) {
+    const std::size_t form = first_passing_ + s;
+    bounds.emplace_back(program_.lower(form), program_.upper(form));
+    if (!problem_.sieves[s].target)
+      continue;
+    const Simplex::Bound passing = bound_at(nearest_.place[s] + *problem_.sieves[s].target);
+    program_.set_lower(form, passing);
+    program_.set_upper(form, passing);
+  }
+  is_feasible();
+  std::vector<Rational> shares = first_of_kept();
+  for (std::size_t s = 0; s < bounds.size(); ++s) {
+    program_.set_lower(first_passing_ + s, bounds[s].first);
+    program_.set_upper(first_passing_ + s, bounds[s].second);
+  }
+  return shares;
+}
+
+/// The shares that come first of those within all bounds.
+std::vector<Rational> BlendRelaxation::first_of_kept() {
   std::vector<Rational> shares;
   std::vector<Simplex::Bound> most;
   for (std::size_t i = 0; i < problem_.stockpiles.size(); ++i) {
@@ -178,7 +244,6 @@ std::vector<Rational> BlendRelaxation::first_shares() {
     shares.push_back(program_.value(i).value);
     program_.set_upper(i, bound_at(shares.back()));
   }
-  program_.set_upper(aim_, std::nullopt);
   for (std::size_t i = 0; i < most.size(); ++i)
     program_.set_upper(i, most[i]);
   return shares;

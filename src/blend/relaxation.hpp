@@ -2,13 +2,16 @@
 /// \file
 /// Blends with real shares: a linear program.
 
+#include "blend/nearest_point.hpp"
 #include "match/simplex.hpp"
 
 #include <mdm/blend/blend.hpp>
 
 namespace mdm {
 
-/// The limits of a blend and its aim, decided exactly. Bounds on shares change as a search goes on.
+/// The limits of a blend and its aim, decided exactly. Bounds on shares change as a search goes on. Squares
+/// are least at the point nearest to the target; their demands and multiples are those of a tangent
+/// (tangent.hpp), which has a relaxation of its own.
 class BlendRelaxation {
 public:
   /// Soon after the watch's end all that takes long throws Simplex::Interrupted.
@@ -18,7 +21,7 @@ public:
   /// Drops a limit, which is one of limits_of the problem.
   void leave_out(const BlendLimit &limit);
   void take_back(const BlendLimit &limit);
-  /// Demands less than this of the aim.
+  /// Demands less than this of the aim, which is not squares.
   void demand_less(const Rational &value);
 
   /// True if some shares are within all bounds; else multiples() contradict each other.
@@ -52,12 +55,18 @@ private:
   void add_forms();
   void set_limit(const BlendLimit &limit, const Simplex::Bound &bound);
   void set_bounds();
+  PlacedPoint placed(const std::vector<Rational> &shares) const;
+  void aim_along(const std::vector<Rational> &direction);
+  std::vector<Rational> values_of_shares() const;
+  std::vector<Rational> first_shares_of_squares();
+  std::vector<Rational> first_of_kept();
 
   const BlendProblem &problem_;
   std::vector<Soft> soft_;
   std::size_t further_; ///< variables behind the shares, >= 0
   Simplex program_;
   std::size_t sum_ = 0, first_passing_ = 0, aim_ = 0; ///< forms; the aim may be a variable
+  PlacedPoint nearest_;                               ///< to the target, of squares
 };
 
 } // namespace mdm

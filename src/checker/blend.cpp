@@ -119,11 +119,10 @@ private:
       require(limits.stockpile <= k_, "a share is limited of a stockpile that is not there");
     if (c_.aim == Aim::cost)
       require(c_.of_aim.size() == k_, "there are not as many costs as stockpiles");
-    if (has_targets())
+    if (c_.has_targets())
       require(c_.of_aim.size() == sieves_.size() - c_.moduli.size(),
               "there are not as many targets as sieves");
   }
-  bool has_targets() const { return c_.aim == Aim::deviation || c_.aim == Aim::max_deviation; }
 
   Box whole_box() const {
     Box box{Counts(k_, 0), Counts(k_, c_.steps)};
@@ -155,9 +154,11 @@ private:
         passing += integer(n[i]) * sieves_[s].passing[i];
       passing /= integer(c_.steps);
       require(sieves_[s].least <= passing && passing <= sieves_[s].most, "the blend does not keep a limit");
-      if (has_targets() && !sieves_[s].is_modulus) {
+      if (c_.has_targets() && !sieves_[s].is_modulus) {
         const mpq_class deviation = abs(passing - c_.of_aim[s]);
-        value = c_.aim == Aim::deviation ? mpq_class(value + deviation) : std::max(value, deviation);
+        value = c_.aim == Aim::max_deviation ? std::max(value, deviation)
+                : c_.aim == Aim::deviation   ? mpq_class(value + deviation)
+                                             : mpq_class(value + deviation * deviation);
       }
     }
     if (c_.aim == Aim::cost) {
@@ -213,7 +214,7 @@ private:
     if (is_leaf && c_.aim == Aim::cost)
       e = c_.of_aim;
     mpq_class constant = 0, most_of_one = 0, of_all = 0;
-    std::vector<mpq_class> of_target(has_targets() ? sieves_.size() : 0);
+    std::vector<mpq_class> of_target(c_.has_targets() ? sieves_.size() : 0);
     for (const SieveMultiple &m : node.multiples) {
       require(m.sieve <= sieves_.size(), "a multiplier is of a sieve that is not there");
       const JudgedSieve &sieve = sieves_[m.sieve - 1];
@@ -224,7 +225,11 @@ private:
       constant += sign * (is_target ? c_.of_aim[m.sieve - 1] : falls ? sieve.least : sieve.most);
       for (std::size_t i = 0; i < k_; ++i)
         e[i] -= sign * sieve.passing[i];
-      if (is_target) {
+      if (is_target && c_.aim == Aim::squares) {
+        require(of_target[m.sieve - 1] == 0, "multipliers of a leaf are of both sides of a target");
+        of_target[m.sieve - 1] = m.m;
+        constant -= m.m * m.m / 4;
+      } else if (is_target) {
         of_all += m.m;
         most_of_one = std::max(most_of_one, of_target[m.sieve - 1] += m.m);
       }

@@ -114,7 +114,8 @@ void read_aim(BlendLines &lines, BlendCertificate &c) {
   constexpr std::pair<const char *, Aim> aims[] = {{"minimise none", Aim::no_aim},
                                                    {"minimise cost", Aim::cost},
                                                    {"minimise deviation", Aim::deviation},
-                                                   {"minimise max-deviation", Aim::max_deviation}};
+                                                   {"minimise max-deviation", Aim::max_deviation},
+                                                   {"minimise squares", Aim::squares}};
   for (const auto &[words, aim] : aims)
     if (lines.take(words)) {
       for (c.aim = aim; lines.more();) {
@@ -131,7 +132,6 @@ void read_aim(BlendLines &lines, BlendCertificate &c) {
 
 /// Reads nodes until every split has its two subtrees.
 void read_tree(BlendLines &lines, BlendCertificate &c) {
-  const bool has_targets = c.aim == BlendCertificate::deviation || c.aim == BlendCertificate::max_deviation;
   const auto grow = [&] {
     lines.check(++c.terms <= most_terms, "more than 4194304 nodes and multiples: search for a smaller tree");
   };
@@ -149,7 +149,7 @@ void read_tree(BlendLines &lines, BlendCertificate &c) {
         lines.demand("none");
       std::set<std::pair<char, std::uint64_t>> conditions;
       for (--open; lines.more(); grow()) {
-        node.multiples.push_back(lines.multiple(is_leaf && has_targets));
+        node.multiples.push_back(lines.multiple(is_leaf && c.has_targets()));
         const SieveMultiple &m = node.multiples.back();
         lines.check(conditions.emplace(m.condition, m.sieve).second,
                     "a condition is twice in a leaf: add its multipliers");

@@ -44,7 +44,7 @@ const Rationals &modulus_sieves(ModulusLimits::Standard standard);
 
 /// The numbers of each line of a certificate of a blend (section 11).
 struct BlendCertificate {
-  enum Aim { no_aim, cost, deviation, max_deviation };
+  enum Aim { no_aim, cost, deviation, max_deviation, squares };
   std::uint64_t steps = 0;
   std::vector<ShareLimits> shares;
   std::optional<std::uint64_t> at_most;
@@ -54,6 +54,8 @@ struct BlendCertificate {
   std::optional<std::vector<std::uint64_t>> blend; ///< steps of each stockpile; or there is none
   std::vector<BlendNode> tree;                     ///< in preorder; empty where a blend has no aim
   std::uint64_t terms = 0, longest_leaf = 0, longest_bits = 0; ///< for the limits
+
+  bool has_targets() const { return aim == deviation || aim == max_deviation || aim == squares; }
 };
 
 /// Reads a certificate (section 11).

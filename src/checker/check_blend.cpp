@@ -63,6 +63,7 @@ std::string question_of(const BlendCertificate &c, const std::vector<JudgedSieve
 const char *words_of(Aim aim) {
   return aim == Aim::cost        ? "cost"
          : aim == Aim::deviation ? "sum of deviations from the target"
+         : aim == Aim::squares   ? "sum of squared deviations from the target"
                                  : "largest deviation from the target";
 }
 

@@ -12,6 +12,7 @@
 #include "number/common_denominator.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace mdm {
 namespace {
@@ -77,13 +78,11 @@ std::size_t Simplex::column_of(std::size_t variable) const {
   return static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), variable) - columns_.begin());
 }
 
-std::size_t Simplex::add_form(const std::vector<std::pair<std::size_t, Rational>> &terms) {
+/// Computes the row of a basic form, and its value.
+void Simplex::define(std::size_t form, Row &row, const std::vector<std::pair<std::size_t, Rational>> &terms) {
   look();
-  const std::size_t form = values_.size();
   std::vector<Rational> coefficients(columns_.size());
-  values_.emplace_back();
-  lower_.emplace_back();
-  upper_.emplace_back();
+  values_[form] = {};
   for (const auto &[variable, coefficient] : terms) {
     add_multiple(values_[form], values_[variable], coefficient);
     if (row_of_[variable]) {
@@ -96,9 +95,24 @@ std::size_t Simplex::add_form(const std::vector<std::pair<std::size_t, Rational>
     }
   }
   CommonDenominator cleared(coefficients);
+  row = {form, std::move(cleared.denominator), std::move(cleared.numerators)};
+}
+
+std::size_t Simplex::add_form(const std::vector<std::pair<std::size_t, Rational>> &terms) {
+  const std::size_t form = values_.size();
+  values_.emplace_back();
+  lower_.emplace_back();
+  upper_.emplace_back();
+  Row row;
+  define(form, row, terms);
   row_of_.emplace_back(rows_.size());
-  rows_.push_back({form, std::move(cleared.denominator), std::move(cleared.numerators)});
+  rows_.push_back(std::move(row));
   return form;
+}
+
+void Simplex::change_form(std::size_t form, const std::vector<std::pair<std::size_t, Rational>> &terms) {
+  assert(row_of_[form]); // only a variable with a bound leaves the basis
+  define(form, rows_[*row_of_[form]], terms);
 }
 
 void Simplex::set_lower(std::size_t variable, const Bound &bound) {

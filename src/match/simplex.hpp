@@ -39,6 +39,8 @@ public:
 
   /// Adds the form sum coefficient * variable over earlier variables that are no forms; its number.
   std::size_t add_form(const std::vector<std::pair<std::size_t, Rational>> &terms);
+  /// Makes another form of one that never had bounds.
+  void change_form(std::size_t form, const std::vector<std::pair<std::size_t, Rational>> &terms);
 
   using Bound = std::optional<Infinitesimal>;
   /// Sets a bound, or removes it.
@@ -79,6 +81,7 @@ private:
 
   /// \throws Interrupted after the watch's end
   void look() const;
+  void define(std::size_t form, Row &row, const std::vector<std::pair<std::size_t, Rational>> &terms);
   std::size_t column_of(std::size_t variable) const;
   bool is_below(std::size_t variable) const;
   bool is_above(std::size_t variable) const;

@@ -73,6 +73,8 @@ std::string_view aim_in_words(BlendAim aim) {
     return "sum of all deviations from the target (points)";
   case BlendAim::max_deviation:
     return "largest deviation from the target (points)";
+  case BlendAim::squares:
+    return "sum of squared deviations from the target (square points)";
   default:
     return "widening of the limits (points)";
   }

@@ -56,6 +56,8 @@ std::optional<Rational> judged(const BlendProblem &p, const std::vector<int> &co
       value += abs(found - *p.sieves[s].target);
     if (p.aim == BlendAim::max_deviation)
       value = std::max(value, Rational(abs(found - *p.sieves[s].target)));
+    if (p.aim == BlendAim::squares)
+      value += (found - *p.sieves[s].target) * (found - *p.sieves[s].target);
   }
   return p.aim == BlendAim::cost ? cost : value;
 }
@@ -85,7 +87,7 @@ BlendProblem random_problem(std::mt19937_64 &random) {
   BlendProblem p;
   const int stockpiles = 2 + upto(3), sieves = 1 + upto(4);
   p.steps = static_cast<std::uint64_t>(stockpiles == 2 ? 20 : 12 - 2 * (stockpiles - 3));
-  p.aim = static_cast<BlendAim>(upto(4));
+  p.aim = static_cast<BlendAim>(upto(5));
   for (int i = 0; i < stockpiles; ++i) {
     Stockpile s{std::string(1, static_cast<char>('A' + i)), {}, 0, 1, Rational(upto(30)) / 4};
     for (int j = 0; j < sieves; ++j)

@@ -38,6 +38,8 @@ class Problem:
         if self.aim == "cost":
             return sum(c * v for c, v in zip(self.of_aim, counts)) / self.steps
         gaps = [abs(v - t) for v, t in zip(found, self.of_aim)] or [F(0)]
+        if self.aim == "squares":
+            return sum(gap * gap for gap in gaps)
         return sum(gaps) if self.aim == "deviation" else max(gaps)
 
     def best(self):
@@ -47,13 +49,16 @@ class Problem:
     def bound(self, leaf, chosen, lo, hi):
         """Theorem 22 (a) for multipliers {(letter, sieve): m} and n from lo to hi; nothing where they are not allowed."""
         of_targets = [m for (letter, _), m in chosen.items() if letter in "ab"]
-        if of_targets and (not leaf or (sum if self.aim == "max-deviation" else max)(of_targets) > 1):
+        limit = {"max-deviation": sum, "deviation": max, "squares": lambda of_targets: 0}.get(self.aim)
+        if of_targets and (not leaf or limit(of_targets) > 1):
             return None
         D, e = F(0), list(self.of_aim) if leaf and self.aim == "cost" else [F(0), F(0)]
         for (letter, s), m in chosen.items():
             sign = m if letter in "la" else -m
             D += sign * (self.of_aim[s] if letter in "ab" else self.L[s] if letter == "l" else self.U[s])
             e = [v - sign * p for v, p in zip(e, self.p[s])]
+            if letter in "ab" and self.aim == "squares":
+                D -= m * m / 4
         return min(D + (e[0] * (self.steps - n) + e[1] * n) / self.steps for n in (lo, hi))
 
     def leaf(self, leaf, lo, hi, best):
@@ -70,6 +75,10 @@ class Problem:
             for m in {F(1), own / slope(c) if slope(c) else F(1)}:
                 if m > 0 and suffices(self.bound(leaf, {c: m}, lo, hi)):
                     return {c: m}
+        if leaf and self.aim == "squares":
+            tangent = self.tangent(lo, hi)
+            if suffices(self.bound(leaf, tangent, lo, hi)):
+                return tangent
         if leaf and self.aim == "deviation": # the signs that all deviations have somewhere
             for n in (lo, hi):
                 signs = {("a" if t >= self.passes(s, n) else "b", s): F(1) for s, t in enumerate(self.of_aim)}
@@ -83,6 +92,15 @@ class Problem:
                     if suffices(self.bound(leaf, chosen, lo, hi)):
                         return chosen
         return None
+
+    def tangent(self, lo, hi):
+        """Twice the deviations at the least sum of squares from lo to hi, where the parabola in n has its vertex."""
+        gap = [self.p[s][0] - t for s, t in enumerate(self.of_aim)]
+        step = [(self.p[s][1] - self.p[s][0]) / self.steps for s in range(len(self.p))]
+        square = sum(v * v for v in step)
+        n = min(max(-sum(v * w for v, w in zip(gap, step)) / square, F(lo)), F(hi)) if square else F(lo)
+        slopes = [2 * (v + w * n) for v, w in zip(gap, step)]
+        return {("b" if v > 0 else "a", s): abs(v) for s, v in enumerate(slopes) if v != 0}
 
     def tree(self, lo, hi, best):
         """Lines for n from lo to hi, halved where no multipliers suffice."""
@@ -151,6 +169,10 @@ ACCEPTED = {
     "cost-of-the-other": both(aim="cost", of_aim=("9", "2")),
     "deviation": both(aim="deviation", of_aim=(3, 55, 93, 100)),
     "max-deviation": both(aim="max-deviation", of_aim=(3, 55, 93, 100)),
+    "squares": both(aim="squares", of_aim=(3, 55, 93, 100)),
+    "squares-at-a-limit": both(aim="squares", of_aim=(8, 90, 97, 100)),
+    "squares-in-the-middle": both(limits=[("4.75", 50, 70), ("19", 100, 100)], passing=[(16, 96), (100, 100)], steps=7,
+                                  aim="squares", of_aim=("58.4", 100)),
     "impossible": both(limits=IMPOSSIBLE),
     "none-in-steps": both(limits=BETWEEN, passing=[(16, 96), (100, 100)], steps=10),
     "shares": both(aim="cost", of_aim=("9", "2"), shares=((1, "2/5", "1"), (2, "0", "29/50"))),
@@ -203,6 +225,10 @@ def main(blends):
         "deviations-counted-twice": (ACCEPTED["max-deviation"],
                                      ["mdm-certificate blend 1", "steps 100", "minimise max-deviation 3 55 93 100",
                                       "blend 50 50", "leaf 2 a2 2 b2 1 a3", "end"]),
+        "squares-with-half-slopes": (ACCEPTED["squares"], [
+            "leaf 1 b1" if line.startswith("leaf") else line for line in ACCEPTED["squares"].certificate()]),
+        "squares-of-both-sides": (ACCEPTED["squares"], [
+            "leaf 1 a1 1 b1" if line.startswith("leaf") else line for line in ACCEPTED["squares"].certificate()]),
         "at-most-one": (cost, good[:2] + ["at-most 1"] + good[2:]),
     }
     for name, (problem, lines) in rejected.items():

@@ -48,11 +48,14 @@ enum class BlendAim {
   cost,          ///< of a unit of mass
   deviation,     ///< the sum over all sieves
   max_deviation, ///< the largest
+  squares,       ///< the sum of their squares
   widening       ///< the points by which limits of sieves must be widened, all by the same
 };
 
-/// `none`, `cost`, `deviation`, `max-deviation` or `widening`.
+/// `none`, `cost`, `deviation`, `max-deviation`, `squares` or `widening`.
 std::string_view name(BlendAim aim);
+/// True of aims at a target.
+bool aims_at_target(BlendAim aim);
 /// The aim of that name that can be asked for, none among them; nothing if there is none: widening follows
 /// from the others.
 std::optional<BlendAim> blend_aim_named(std::string_view text);

@@ -52,7 +52,7 @@ class Blends:
     """The best blends, or why there is none. It is true if there is one."""
 
     status: str  #: "optimal", "feasible" (a limit came first), "none" or "unknown"
-    aim: str  #: "none", "cost", "deviation" or "max-deviation"
+    aim: str  #: "none", "cost", "deviation", "max-deviation" or "squares"
     steps: int  #: shares are whole numbers of so many parts
     best: tuple[Blend, ...]  #: the best one first
     complete: bool  #: there are no blends besides
