@@ -17,10 +17,11 @@ namespace {
 using Json = nlohmann::json;
 
 /// The members of mdm-blend-1 and the name of a problem; those of its answer are passed over.
-constexpr std::array<std::string_view, 23> known_members = {
-    "id",     "schema",  "specification", "status",       "unit",    "stockpiles", "sieves",  "moduli",
-    "steps",  "at_most", "aim",           "blends",       "all",     "bound",      "splits",  "real",
-    "prices", "rounded", "contradiction", "widened_real", "widened", "notes",      "versions"};
+constexpr std::array<std::string_view, 24> known_members = {
+    "id",      "schema",        "specification", "status",  "unit",    "stockpiles",
+    "sieves",  "moduli",        "coarseness",    "steps",   "at_most", "aim",
+    "blends",  "all",           "bound",         "splits",  "real",    "prices",
+    "rounded", "contradiction", "widened_real",  "widened", "notes",   "versions"};
 
 void check_members(const Json &object, const std::string &where, const auto &known) {
   if (!object.is_object())
@@ -93,7 +94,8 @@ std::vector<Rational> numbers(const Json &array, const std::string &where, std::
 /// \param order  of the sieves as they were stated, ascending by size
 Stockpile stockpile_of(const Json &stated, const std::string &where, const std::vector<std::size_t> &order,
                        const std::vector<BlendSieve> &moduli) {
-  constexpr std::array<std::string_view, 6> known = {"name", "passing", "moduli", "least", "most", "cost"};
+  constexpr std::array<std::string_view, 7> known = {"name",  "passing", "moduli", "coarse",
+                                                     "least", "most",    "cost"};
   check_members(stated, where, known);
   Stockpile s;
   s.name = text_member(stated, "name");
@@ -110,6 +112,13 @@ Stockpile stockpile_of(const Json &stated, const std::string &where, const std::
         numbers(array_member(stated, "moduli"), where + ".moduli", moduli.size(), "moduli");
     for (std::size_t i = 0; i < moduli.size(); ++i)
       s.passing.push_back(mean_of_modulus(*moduli[i].modulus, values[i]));
+  }
+  if (has_member(stated, "coarse") && !stated["coarse"].empty()) {
+    const std::vector<Rational> coarse =
+        numbers(array_member(stated, "coarse"), where + ".coarse", 2, "sieves, 9.5 mm and 2.36 mm");
+    if (coarse[1] < 0 || coarse[0] < coarse[1] || coarse[0] > 100)
+      throw InputError(where + ".coarse: a percent is below 0, above 100, or less than one of a finer sieve");
+    s.coarse = CoarsePassing{coarse[0], coarse[1]};
   }
   s.least = number_or(stated, "least", 0, where);
   s.most = number_or(stated, "most", 1, where);
@@ -129,6 +138,21 @@ void check_costs(const Json &stockpiles) {
     if (!has_member(stockpiles[i], "cost"))
       throw InputError(
           fmt::format("stockpiles[{}].cost is missing, and the aim is the least cost: add it", i));
+}
+
+void take_coarseness(const Json &stated, BlendProblem &problem) {
+  constexpr std::array<std::string_view, 2> known = {"least", "most"};
+  check_members(stated, "coarseness", known);
+  const CoarsenessLimits limits{number_or(stated, "least", 0, "coarseness"),
+                                number_or(stated, "most", 100, "coarseness")};
+  if (limits.least < 0 || limits.most > 100 || limits.most < limits.least)
+    throw InputError("coarseness: its limits are not in order from 0 to 100");
+  for (std::size_t i = 0; i < problem.stockpiles.size(); ++i)
+    if (!problem.stockpiles[i].coarse)
+      throw InputError(fmt::format("stockpiles[{}].coarse is missing: it has what passes 9.5 mm and 2.36 mm, "
+                                   "which the coarseness factor needs",
+                                   i));
+  limit_coarseness(problem, limits);
 }
 
 /// The sieves as they are stated, and their order by size.
@@ -198,6 +222,8 @@ StatedBlendProblem read_blend_problem(std::string_view json) {
       throw InputError(where + ".name: " + in_quotes(problem.stockpiles.back().name) + " is there twice");
   }
   problem.sieves.insert(problem.sieves.end(), moduli.begin(), moduli.end());
+  if (has_member(tree, "coarseness"))
+    take_coarseness(tree["coarseness"], problem);
   if (has_member(tree, "steps"))
     problem.steps = number_member(tree, "steps");
   if (has_member(tree, "at_most"))

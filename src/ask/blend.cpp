@@ -120,17 +120,44 @@ std::size_t relaxed_sieve(const std::string &text, const BlendProblem &p, SizeUn
                                in_quotes(text), fmt::join(sizes, ", ")));
 }
 
-/// Limits on fineness moduli.
-std::vector<ModulusLimits> moduli_of(const std::vector<std::string> &texts) {
+/// What --limit asks of a blend.
+struct LimitsOfBlend {
   std::vector<ModulusLimits> moduli;
+  std::optional<CoarsenessLimits> coarseness;
+};
+
+CoarsenessLimits coarseness_of(const NamedLimits &limits, const std::string &text) {
+  const CoarsenessLimits coarseness{limits.least.value_or(0), limits.most.value_or(100)};
+  if (coarseness.least > 100 || coarseness.most < 0)
+    throw InputError(option("limit") + ": " + in_quotes(text) +
+                     ": CF is from 0 to 100: no blend keeps these limits");
+  return {std::max(coarseness.least, Rational(0)), std::min(coarseness.most, Rational(100))};
+}
+
+LimitsOfBlend limits_of(const std::vector<std::string> &texts) {
+  constexpr const char *forms = "FM=2.3..3.1, FM-EN=2.4..3.0 or CF=45..75";
+  LimitsOfBlend all;
   for (const std::string &text : texts) {
-    const FurtherLimit limit = parse_further_limit(text);
-    if (!limit.modulus)
-      throw InputError(option("limit") + ": " + in_quotes(text) +
-                       " is for mdm judge: a blend takes FM=2.3..3.1 and FM-EN=2.4..3.0");
-    moduli.push_back({*limit.modulus, limit.least, limit.most});
+    const NamedLimits limits = parse_named_limits(text, forms);
+    if (const std::optional<FinenessModulus> modulus = fineness_modulus_named(limits.name)) {
+      all.moduli.push_back({*modulus, limits.least, limits.most});
+      continue;
+    }
+    if (limits.name != "CF")
+      throw InputError(
+          option("limit") + ": " + in_quotes(text) +
+          (limits.name == "retained" ? " is for mdm judge: a blend takes " : " is no limit: write ") + forms);
+    if (all.coarseness)
+      throw InputError("CF is limited twice: give its limits once");
+    all.coarseness = coarseness_of(limits, text);
   }
-  return moduli;
+  return all;
+}
+
+BlendProblem problem_of(const BlendTexts &asked, const std::vector<Gradation> &stockpiles,
+                        const Envelope &specification, const std::optional<Gradation> &target) {
+  const LimitsOfBlend limits = limits_of(asked.limits);
+  return blend_problem(stockpiles, specification, target, limits.moduli, limits.coarseness);
 }
 
 } // namespace
@@ -138,7 +165,8 @@ std::vector<ModulusLimits> moduli_of(const std::vector<std::string> &texts) {
 const std::vector<OptionRow<BlendTexts>> BlendTexts::question_options = {
     {"minimise", "WHAT", OptionKind::text,
      "what a blend is to have least of: cost, deviation (the sum of the distances from the target), "
-     "max-deviation (the largest of them), squares (the sum of their squares) or none; without it cost where there is --cost, deviation "
+     "max-deviation (the largest of them), squares (the sum of their squares) or none; without it cost where "
+     "there is --cost, deviation "
      "where there is --target",
      &BlendTexts::minimise},
     {"cost", "NAME=COST,...", OptionKind::texts,
@@ -154,8 +182,10 @@ const std::vector<OptionRow<BlendTexts>> BlendTexts::question_options = {
     {"share", "NAME=SHARE,...", OptionKind::texts,
      "limits of a stockpile's share: A=10..40%, A=10.., A=..40%, or A=25%", &BlendTexts::shares},
     {"limit", "NAME=MIN..MAX", OptionKind::texts,
-     "limits of the blend's fineness modulus: FM=2.3..3.1 of ASTM C125, FM-EN=2.4..3.0 of EN 12620, either "
-     "end may be left out",
+     "limits of the blend's fineness modulus, FM=2.3..3.1 of ASTM C125 or FM-EN=2.4..3.0 of EN 12620, or of "
+     "its coarseness factor, CF=45..75: of what stays on 2.36 mm the percent that stays on 9.5 mm; either "
+     "end "
+     "may be left out",
      &BlendTexts::limits},
     {"at-most-stockpiles", "N", OptionKind::number, "so many stockpiles at most have a share",
      &BlendTexts::at_most}};
@@ -205,7 +235,7 @@ BlendOptions BlendTexts::search() const {
 Blending::Blending(const BlendTexts &asked, std::vector<Gradation> stockpiles, const Envelope &specification,
                    const std::optional<Gradation> &target)
     : stockpiles_(std::move(stockpiles)), specification_(specification.id),
-      problem_(blend_problem(stockpiles_, specification, target, moduli_of(asked.limits))) {
+      problem_(problem_of(asked, stockpiles_, specification, target)) {
   problem_.aim = asked.aim();
   take_costs(asked.costs, problem_);
   for (const std::string &share : between_commas(asked.shares))
@@ -229,7 +259,7 @@ std::optional<Gradation> Blending::blended() const {
     return std::nullopt;
   std::vector<Rational> sieves;
   for (const BlendSieve &s : problem_.sieves)
-    if (!s.modulus)
+    if (s.is_sieve())
       sieves.push_back(s.size);
   return blended_gradation(stockpiles_, answer_.best.front().shares, sieves, "blend");
 }

@@ -44,12 +44,12 @@ void check_problem(const BlendProblem &p, const BlendOptions &o) {
     throw InputError("a blend of no stockpiles is none: allow one or more");
   if (aims_at_target(p.aim))
     for (const BlendSieve &sieve : p.sieves)
-      if (!sieve.target && !sieve.modulus)
+      if (!sieve.target && sieve.is_sieve())
         throw InputError("a deviation needs a target at each sieve: give one");
   if (o.best == 0)
     throw InputError("no blend is asked for: ask for one or more");
   for (const std::size_t s : p.widened)
-    if (s >= p.sieves.size() || p.sieves[s].modulus)
+    if (s >= p.sieves.size() || !p.sieves[s].is_sieve())
       throw InputError("there is no such sieve whose limits could be widened");
   if (o.relaxed && *o.relaxed >= p.sieves.size())
     throw InputError("there is no such sieve whose limits could be widened");
@@ -67,7 +67,7 @@ Rational value_of_aim(const BlendProblem &p, const Blend &blend) {
       value += blend.shares[i] * p.stockpiles[i].cost;
   if (aims_at_target(p.aim))
     for (std::size_t s = 0; s < p.sieves.size(); ++s) {
-      if (p.sieves[s].modulus)
+      if (!p.sieves[s].is_sieve())
         continue;
       const Rational deviation = abs(blend.passing[s] - p.sieves[s].target.value());
       value = p.aim == BlendAim::max_deviation ? std::max(value, deviation)
@@ -136,8 +136,7 @@ bool solve_real(const BlendProblem &p, const Watch &watch, BlendAnswer &a) {
   a.bound = a.real->value;
   if (p.aim == BlendAim::none)
     return true;
-  a.prices =
-      p.aim == BlendAim::squares ? prices_of_squares(p, *a.real, watch) : multiples_of_least(p, watch);
+  a.prices = p.aim == BlendAim::squares ? prices_of_squares(p, *a.real, watch) : multiples_of_least(p, watch);
   return true;
 }
 

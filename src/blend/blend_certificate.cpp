@@ -2,8 +2,8 @@
 // leaf of the tree gets its multipliers. The box of a leaf is set in the relaxation with less demanded of
 // the aim than the claim, which it cannot have, and the contradiction's multiples are written: `none` where
 // they do not need the aim, else `leaf`. Of squares it is the relaxation of a tangent: the one that touches
-// at the least value of the box, with slopes as short as will do. What the checker can see by itself, a box whose counts cannot sum
-// to the whole, needs none.
+// at the least value of the box, with slopes as short as will do. What the checker can see by itself, a box
+// whose counts cannot sum to the whole, needs none.
 
 #include "blend/blend_certificate.hpp"
 
@@ -175,13 +175,15 @@ void write_blend_question(const BlendProblem &p, fmt::memory_buffer &out) {
       fmt::format_to(end, "modulus {} {} {}\n", *s.modulus == FinenessModulus::astm ? "astm" : "en",
                      to_string(modulus_of_mean(*s.modulus, s.most)),
                      to_string(modulus_of_mean(*s.modulus, s.least)));
+  if (p.coarseness)
+    fmt::format_to(end, "coarseness {} {}\n", to_string(p.coarseness->least), to_string(p.coarseness->most));
   fmt::format_to(end, "minimise {}", name(p.aim));
   if (p.aim == BlendAim::cost)
     for (const Stockpile &s : p.stockpiles)
       fmt::format_to(end, " {}", to_string(s.cost));
   else if (p.aim != BlendAim::none)
     for (const BlendSieve &s : p.sieves)
-      if (!s.modulus)
+      if (s.is_sieve())
         fmt::format_to(end, " {}", to_string(*s.target));
   out.push_back('\n');
 }

@@ -126,6 +126,15 @@ std::string modulus_in_words(const BlendSieve &sieve, bool is_upper) {
                      to_string(mean));
 }
 
+/// `coarseness factor at most 75, which is at least 25 % passing 9.5 mm less 0.75 times what passes 2.36 mm`.
+std::string coarseness_in_words(const BlendSieve &sieve, bool is_upper) {
+  return fmt::format(
+      "coarseness factor at {} {}, which is at {} {} % passing 9.5 mm less {} times what passes "
+      "2.36 mm",
+      is_upper ? "least" : "most", shown(*sieve.coarseness), is_upper ? "most" : "least",
+      shown(is_upper ? sieve.most : sieve.least), shown(Rational(*sieve.coarseness / 100)));
+}
+
 } // namespace
 
 Rational modulus_of_mean(FinenessModulus modulus, const Rational &mean) {
@@ -158,8 +167,8 @@ bool aims_at_target(BlendAim aim) {
 }
 
 std::optional<BlendAim> blend_aim_named(std::string_view text) {
-  for (const BlendAim aim : {BlendAim::none, BlendAim::cost, BlendAim::deviation, BlendAim::max_deviation,
-                             BlendAim::squares})
+  for (const BlendAim aim :
+       {BlendAim::none, BlendAim::cost, BlendAim::deviation, BlendAim::max_deviation, BlendAim::squares})
     if (text == name(aim))
       return aim;
   return std::nullopt;
@@ -184,6 +193,8 @@ std::string in_words(const BlendLimit &limit, const BlendProblem &problem) {
   const bool is_share = limit.kind == BlendLimit::Kind::share;
   if (!is_share && problem.sieves[limit.index].modulus)
     return modulus_in_words(problem.sieves[limit.index], limit.is_upper);
+  if (!is_share && problem.sieves[limit.index].coarseness)
+    return coarseness_in_words(problem.sieves[limit.index], limit.is_upper);
   const Rational percent = is_share ? Rational(100 * value_of(limit, problem)) : value_of(limit, problem);
   return fmt::format("{} {} % {}", limit.is_upper ? "at most" : "at least", shown(percent),
                      is_share ? "of " + printable(problem.stockpiles[limit.index].name)
@@ -209,7 +220,8 @@ std::optional<PassingAt> passing_at(const Gradation &g, const Rational &size) {
 }
 
 BlendProblem blend_problem(const std::vector<Gradation> &stockpiles, const Envelope &specification,
-                           const std::optional<Gradation> &target, const std::vector<ModulusLimits> &moduli) {
+                           const std::optional<Gradation> &target, const std::vector<ModulusLimits> &moduli,
+                           const std::optional<CoarsenessLimits> &coarseness) {
   BlendProblem problem;
   problem.sieves = judged_sieves(stockpiles, specification, problem.notes);
   if (!problem.sieves.empty())
@@ -232,6 +244,9 @@ BlendProblem blend_problem(const std::vector<Gradation> &stockpiles, const Envel
     for (const BlendSieve &sieve : problem.sieves)
       stockpile.passing.push_back(sieve.modulus ? mean_passing(*sieve.modulus, interpolations)
                                                 : interpolations.passing(sieve.size));
+    if (coarseness)
+      stockpile.coarse =
+          CoarsePassing{interpolations.passing(ratio(95, 10)), interpolations.passing(ratio(236, 100))};
     interpolations.add_note(problem.notes);
     problem.stockpiles.push_back(std::move(stockpile));
   }
@@ -243,13 +258,40 @@ BlendProblem blend_problem(const std::vector<Gradation> &stockpiles, const Envel
         sieve.target = interpolations.passing(sieve.size);
     interpolations.add_note(problem.notes);
   }
+  if (coarseness)
+    limit_coarseness(problem, *coarseness);
   return problem;
+}
+
+void limit_coarseness(BlendProblem &problem, const CoarsenessLimits &limits) {
+  const auto add = [&problem](const Rational &c, const Rational &least, const Rational &most) {
+    problem.sieves.push_back({0, least, most, std::nullopt, std::nullopt, c});
+    for (Stockpile &s : problem.stockpiles)
+      s.passing.push_back(s.coarse->at_9_5_mm - c / 100 * s.coarse->at_2_36_mm);
+  };
+  // 100 (100 - a) >= c (100 - b), with a and b that pass 9.5 and 2.36 mm, is a - c / 100 b <= 100 - c.
+  if (limits.least == 0 && limits.most == 100)
+    return;
+  if (limits.least > 0)
+    add(limits.least, -100, 100 - limits.least);
+  if (limits.most < 100)
+    add(limits.most, 100 - limits.most, 100);
+  problem.coarseness = limits;
+}
+
+std::optional<Rational> coarseness_factor(const BlendProblem &problem, const std::vector<Rational> &shares) {
+  Rational coarse = 0, all = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    coarse += shares[i] * (100 - problem.stockpiles[i].coarse->at_9_5_mm);
+    all += shares[i] * (100 - problem.stockpiles[i].coarse->at_2_36_mm);
+  }
+  return all == 0 ? std::nullopt : std::optional<Rational>(100 * coarse / all);
 }
 
 std::vector<std::size_t> limited_sieves(const BlendProblem &problem) {
   std::vector<std::size_t> limited;
   for (std::size_t s = 0; s < problem.sieves.size(); ++s)
-    if (!problem.sieves[s].modulus && limits_something(problem.sieves[s]))
+    if (problem.sieves[s].is_sieve() && limits_something(problem.sieves[s]))
       limited.push_back(s);
   return limited;
 }

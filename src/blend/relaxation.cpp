@@ -40,7 +40,7 @@ std::vector<BlendRelaxation::Soft> BlendRelaxation::soft_limits(const BlendProbl
   if (p.aim == BlendAim::deviation || p.aim == BlendAim::max_deviation)
     for (std::size_t s = 0; s < p.sieves.size(); ++s)
       for (const bool is_upper : {false, true})
-        if (!p.sieves[s].modulus)
+        if (p.sieves[s].is_sieve())
           soft.push_back({{Kind::target, s, is_upper},
                           p.aim == BlendAim::deviation ? k + s : k,
                           p.sieves[s].target.value()});

@@ -72,7 +72,8 @@ Passing passing_at(const Curve &c, const mpq_class &size) {
 JudgedSieve judged_modulus(const ModulusLimits &limits, const std::vector<Curve> &curves) {
   const Rationals &sieves = modulus_sieves(limits.standard);
   const mpq_class n(static_cast<unsigned long>(sieves.size()));
-  JudgedSieve mean{0, 100 * (1 - limits.most / n), 100 * (1 - limits.least / n), {}, {}, true};
+  JudgedSieve mean{0,  100 * (1 - limits.most / n), 100 * (1 - limits.least / n), {},
+                   {}, JudgedSieve::modulus};
   for (std::size_t i = 0; i < curves.size(); ++i) {
     mpq_class sum = 0;
     bool is_interpolated = false;
@@ -87,6 +88,22 @@ JudgedSieve judged_modulus(const ModulusLimits &limits, const std::vector<Curve>
       mean.interpolated.push_back(i);
   }
   return mean;
+}
+
+/// 100 (100 - a) / (100 - b) >= c, with a and b that pass 9.5 mm and 2.36 mm, is a - c / 100 b <= 100 - c.
+JudgedSieve judged_factor(const mpq_class &c, const mpq_class &least, const mpq_class &most,
+                          const std::vector<Curve> &curves) {
+  JudgedSieve difference{0, least, most, {}, {}, JudgedSieve::factor};
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const Passing coarse = passing_at(curves[i], mpq_class(19, 2)),
+                  fine = passing_at(curves[i], mpq_class(59, 25));
+    require(coarse.known && fine.known,
+            "a stockpile does not tell what passes a sieve of the coarseness factor");
+    difference.passing.push_back(coarse.percent - c / 100 * fine.percent);
+    if (coarse.interpolated || fine.interpolated)
+      difference.interpolated.push_back(i);
+  }
+  return difference;
 }
 
 /// Bounds of the steps of each stockpile.
@@ -112,6 +129,7 @@ public:
   }
 
 private:
+  static bool is_sieve(const JudgedSieve &s) { return s.kind == JudgedSieve::sieve; }
   void check_question() const {
     require(!c_.blend || c_.blend->size() == k_,
             "the blend does not have as many stockpiles as there are files");
@@ -120,7 +138,8 @@ private:
     if (c_.aim == Aim::cost)
       require(c_.of_aim.size() == k_, "there are not as many costs as stockpiles");
     if (c_.has_targets())
-      require(c_.of_aim.size() == sieves_.size() - c_.moduli.size(),
+      require(c_.of_aim.size() ==
+                  static_cast<std::size_t>(std::count_if(sieves_.begin(), sieves_.end(), is_sieve)),
               "there are not as many targets as sieves");
   }
 
@@ -154,7 +173,7 @@ private:
         passing += integer(n[i]) * sieves_[s].passing[i];
       passing /= integer(c_.steps);
       require(sieves_[s].least <= passing && passing <= sieves_[s].most, "the blend does not keep a limit");
-      if (c_.has_targets() && !sieves_[s].is_modulus) {
+      if (c_.has_targets() && is_sieve(sieves_[s])) {
         const mpq_class deviation = abs(passing - c_.of_aim[s]);
         value = c_.aim == Aim::max_deviation ? std::max(value, deviation)
                 : c_.aim == Aim::deviation   ? mpq_class(value + deviation)
@@ -219,7 +238,7 @@ private:
       require(m.sieve <= sieves_.size(), "a multiplier is of a sieve that is not there");
       const JudgedSieve &sieve = sieves_[m.sieve - 1];
       const bool is_target = m.condition == 'a' || m.condition == 'b';
-      require(!is_target || !sieve.is_modulus, "a fineness modulus has no target");
+      require(!is_target || is_sieve(sieve), "a fineness modulus or a coarseness factor has no target");
       const bool falls = m.condition == 'l' || m.condition == 'a'; // the more passes, the less is left of it
       const mpq_class sign = falls ? mpq_class(m.m) : mpq_class(-m.m);
       constant += sign * (is_target ? c_.of_aim[m.sieve - 1] : falls ? sieve.least : sieve.most);
@@ -265,7 +284,7 @@ private:
 
 std::vector<JudgedSieve> judged_sieves(const Gradation &specification,
                                        const std::vector<Gradation> &stockpiles,
-                                       const std::vector<ModulusLimits> &moduli) {
+                                       const BlendCertificate &certificate) {
   require(!specification.limits.empty(), "the specification's file has no limits");
   std::vector<Curve> curves;
   for (const Gradation &g : stockpiles)
@@ -290,8 +309,15 @@ std::vector<JudgedSieve> judged_sieves(const Gradation &specification,
       sieves.push_back(std::move(sieve));
   }
   require(!sieves.empty(), "the specification limits nothing");
-  for (const ModulusLimits &limits : moduli)
+  for (const ModulusLimits &limits : certificate.moduli)
     sieves.push_back(judged_modulus(limits, curves));
+  if (certificate.coarseness) {
+    const mpq_class &least = certificate.coarseness->least, &most = certificate.coarseness->most;
+    if (least > 0)
+      sieves.push_back(judged_factor(least, -100, 100 - least, curves));
+    if (most < 100)
+      sieves.push_back(judged_factor(most, 100 - most, 100, curves));
+  }
   return sieves;
 }
 

@@ -9,20 +9,23 @@
 namespace mdm::checker {
 
 /// A sieve at which blends are judged: limits and what passes each stockpile, in percent. Or a fineness
-/// modulus in its place: the mean of what passes its sieves.
+/// modulus in its place: the mean of what passes its sieves; or a limit c of the coarseness factor: what
+/// passes 9.5 mm less c / 100 of what passes 2.36 mm.
 struct JudgedSieve {
-  mpq_class size; ///< mm; of a modulus 0
+  enum Kind { sieve, modulus, factor };
+  mpq_class size; ///< mm; 0 where it is no sieve
   mpq_class least, most;
   Rationals passing;
   std::vector<std::size_t> interpolated; ///< stockpiles, counted from 0
-  bool is_modulus = false;
+  Kind kind = sieve;
 };
 
 /// The sieves of the specification that limit something, and those that all stockpiles tell of, ascending,
-/// then the fineness moduli (section 11). Throws Refused where a stockpile does not tell of one with a limit.
+/// then the certificate's fineness moduli, then its coarseness factor (section 11). Throws Refused where a
+/// stockpile does not tell of one with a limit.
 std::vector<JudgedSieve> judged_sieves(const Gradation &specification,
                                        const std::vector<Gradation> &stockpiles,
-                                       const std::vector<ModulusLimits> &moduli);
+                                       const BlendCertificate &certificate);
 
 /// Verifies the claim of a certificate; the value of the blend's aim. Throws Refused at the first thing that
 /// fails, Malformed where it would take too long.

@@ -109,6 +109,17 @@ void read_moduli(BlendLines &lines, BlendCertificate &c) {
   }
 }
 
+void read_coarseness(BlendLines &lines, BlendCertificate &c) {
+  if (!lines.take("coarseness"))
+    return;
+  c.coarseness = CoarsenessLimits{lines.rational(), lines.rational()};
+  const mpq_class &least = c.coarseness->least, &most = c.coarseness->most;
+  lines.check(
+      least <= most && most <= 100 && (least > 0 || most < 100),
+      "limits of a coarseness factor that say nothing, or are not in order from 0 to 100: correct them");
+  lines.end();
+}
+
 void read_aim(BlendLines &lines, BlendCertificate &c) {
   using Aim = BlendCertificate::Aim;
   constexpr std::pair<const char *, Aim> aims[] = {{"minimise none", Aim::no_aim},
@@ -186,6 +197,7 @@ BlendCertificate read_blend_certificate(std::string_view text) {
     lines.end();
   }
   read_moduli(lines, c);
+  read_coarseness(lines, c);
   read_aim(lines, c);
   lines.demand("blend");
   if (!lines.take(" none")) {

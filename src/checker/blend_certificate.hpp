@@ -42,6 +42,11 @@ struct ModulusLimits {
 /// The sieves of a fineness modulus, in mm.
 const Rationals &modulus_sieves(ModulusLimits::Standard standard);
 
+/// Limits of the coarseness factor.
+struct CoarsenessLimits {
+  mpq_class least, most;
+};
+
 /// The numbers of each line of a certificate of a blend (section 11).
 struct BlendCertificate {
   enum Aim { no_aim, cost, deviation, max_deviation, squares };
@@ -49,6 +54,7 @@ struct BlendCertificate {
   std::vector<ShareLimits> shares;
   std::optional<std::uint64_t> at_most;
   std::vector<ModulusLimits> moduli;
+  std::optional<CoarsenessLimits> coarseness;
   Aim aim = no_aim;
   Rationals of_aim;                                ///< costs, or targets
   std::optional<std::vector<std::uint64_t>> blend; ///< steps of each stockpile; or there is none

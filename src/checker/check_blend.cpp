@@ -34,27 +34,35 @@ std::string question_of(const BlendCertificate &c, const std::vector<JudgedSieve
   for (const ModulusLimits &m : c.moduli)
     text += std::string("; fineness modulus of ") + standard_of(m) + " from " + m.least.get_str() + " to " +
             m.most.get_str();
+  if (c.coarseness)
+    text +=
+        "; coarseness factor from " + c.coarseness->least.get_str() + " to " + c.coarseness->most.get_str();
   if (c.aim == Aim::cost)
     text += "; costs " + listed(c.of_aim);
   else if (c.aim != Aim::no_aim)
     text += "; targets " + listed(c.of_aim) + " percent";
   text += "; sieves in mm";
   for (const JudgedSieve &s : sieves)
-    if (!s.is_modulus)
+    if (s.kind == JudgedSieve::sieve)
       text += (&s == &sieves.front() ? " " : ", ") + s.size.get_str();
   for (std::size_t i = 0; i < stockpiles.size(); ++i) {
     Rationals at;
-    bool is_modulus = false;
+    bool is_modulus = false, is_factor = false;
     for (const JudgedSieve &s : sieves) {
       if (std::count(s.interpolated.begin(), s.interpolated.end(), i) == 0)
         continue;
-      is_modulus = is_modulus || s.is_modulus;
-      if (!s.is_modulus)
+      is_modulus = is_modulus || s.kind == JudgedSieve::modulus;
+      is_factor = is_factor || s.kind == JudgedSieve::factor;
+      if (s.kind == JudgedSieve::sieve)
         at.push_back(s.size);
     }
-    if (!at.empty() || is_modulus)
-      text += "; " + quoted_name(stockpiles[i].name) + " interpolated linear in size at " + listed(at) +
-              (is_modulus ? (at.empty() ? "sieves of the modulus" : " and at sieves of the modulus") : "");
+    std::string where = listed(at);
+    for (const auto &[is_there, words] :
+         {std::pair{is_modulus, "sieves of the modulus"}, std::pair{is_factor, "sieves of the factor"}})
+      if (is_there)
+        where += (where.empty() ? "" : " and at ") + std::string(words);
+    if (!where.empty())
+      text += "; " + quoted_name(stockpiles[i].name) + " interpolated linear in size at " + where;
   }
   return text;
 }
@@ -105,7 +113,7 @@ Verdict check_blend(const Input &specification, const std::vector<Input> &stockp
     }
     reading = &certificate;
     const BlendCertificate c = read_blend_certificate(certificate.text);
-    const std::vector<JudgedSieve> sieves = judged_sieves(limits, gradations, c.moduli);
+    const std::vector<JudgedSieve> sieves = judged_sieves(limits, gradations, c);
     const mpq_class value = verify_blend(sieves, stockpiles.size(), c, certificate.text);
     const std::string question = question_of(c, sieves, stockpiles);
     return {Verdict::accepted,

@@ -25,13 +25,6 @@
 namespace mdm {
 namespace {
 
-/// The limit of that name, without its ends.
-std::optional<FurtherLimit> named_limit(std::string_view text) {
-  if (const std::optional<FinenessModulus> modulus = fineness_modulus_named(text))
-    return FurtherLimit{modulus, std::nullopt, std::nullopt};
-  return text == "retained" ? std::optional(FurtherLimit{}) : std::nullopt;
-}
-
 std::optional<Rational> limit_number(std::string text, bool is_percent) {
   if (is_percent && text.ends_with('%'))
     text.pop_back();
@@ -169,23 +162,30 @@ bool narrow(CurveBox &box, const std::vector<Span> &spans) {
 
 } // namespace
 
-FurtherLimit parse_further_limit(const std::string &text) {
+NamedLimits parse_named_limits(const std::string &text, const char *forms) {
   const std::size_t equals = text.find('='), dots = text.find("..");
-  std::optional<FurtherLimit> limit = equals < dots && dots != std::string::npos
-                                          ? named_limit(std::string_view(text).substr(0, equals))
-                                          : std::nullopt;
-  if (!limit)
-    throw InputError(option("limit") + ": " + in_quotes(text) +
-                     " is no limit: write FM=2.3..3.1, FM-EN=2.4..3.0 or retained=..45%");
-  limit->least = limit_number(text.substr(equals + 1, dots - equals - 1), !limit->modulus);
-  limit->most = limit_number(text.substr(dots + 2), !limit->modulus);
-  if (!limit->least && !limit->most)
+  if (dots == std::string::npos || equals > dots)
+    throw InputError(option("limit") + ": " + in_quotes(text) + " is no limit: write " + forms);
+  NamedLimits limits{text.substr(0, equals), std::nullopt, std::nullopt};
+  const bool is_percent = !fineness_modulus_named(limits.name);
+  limits.least = limit_number(text.substr(equals + 1, dots - equals - 1), is_percent);
+  limits.most = limit_number(text.substr(dots + 2), is_percent);
+  if (!limits.least && !limits.most)
     throw InputError(option("limit") + ": " + in_quotes(text) +
                      " limits nothing: give a number before or behind the dots");
-  if (limit->least && limit->most && *limit->least > *limit->most)
+  if (limits.least && limits.most && *limits.least > *limits.most)
     throw InputError(option("limit") + ": " + in_quotes(text) +
                      ": no number is from the first to the second: exchange them");
-  return *limit;
+  return limits;
+}
+
+FurtherLimit parse_further_limit(const std::string &text) {
+  constexpr const char *forms = "FM=2.3..3.1, FM-EN=2.4..3.0 or retained=..45%";
+  const NamedLimits limits = parse_named_limits(text, forms);
+  const std::optional<FinenessModulus> modulus = fineness_modulus_named(limits.name);
+  if (!modulus && limits.name != "retained")
+    throw InputError(option("limit") + ": " + in_quotes(text) + " is no limit: write " + forms);
+  return {modulus, limits.least, limits.most};
 }
 
 std::vector<Rational> sizes_of(const FurtherLimit &limit) {

@@ -19,6 +19,17 @@ struct FurtherLimit {
   std::optional<Rational> least, most; ///< one of them at least
 };
 
+/// The name and the ends of `NAME=2.3..3.1`, of which one may be missing.
+struct NamedLimits {
+  std::string name;
+  std::optional<Rational> least, most;
+};
+
+/// Percent signs are taken where the name is none of a fineness modulus.
+/// \param forms  what may be written, for a message
+/// \throws InputError where it is none, has no end, or no number is from the first to the second
+NamedLimits parse_named_limits(const std::string &text, const char *forms);
+
 /// `FM=2.3..3.1`, `FM-EN=2.4..`, `retained=..45%`.
 /// \throws InputError where it is none of them, or no number keeps it
 FurtherLimit parse_further_limit(const std::string &text);

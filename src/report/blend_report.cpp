@@ -166,7 +166,7 @@ std::string sieve_table(const BlendReport &r, const Blend &blend) {
     table.add_column("price of a point", '>');
   for (std::size_t s = p.sieves.size(); s-- > 0;) {
     const BlendSieve &sieve = p.sieves[s];
-    if (sieve.modulus)
+    if (!sieve.is_sieve())
       continue;
     const std::optional<Rational> slack = slack_at(sieve, blend.passing[s]);
     const std::optional<Rational> price = price_at(r.answer, s);
@@ -184,10 +184,10 @@ std::string sieve_table(const BlendReport &r, const Blend &blend) {
   return table.text();
 }
 
-/// The fineness moduli of a blend and their limits; empty where none is limited.
-std::string modulus_table(const BlendProblem &p, const Blend &blend) {
+/// The fineness moduli of a blend, its coarseness factor, and their limits; empty where none is limited.
+std::string further_limits_table(const BlendProblem &p, const Blend &blend) {
   TextTable table;
-  table.add_column("fineness modulus", '<');
+  table.add_column("", '<');
   for (const char *title : {"at least", "blend", "at most"})
     table.add_column(title, '>');
   bool is_empty = true;
@@ -200,10 +200,19 @@ std::string modulus_table(const BlendProblem &p, const Blend &blend) {
     };
     is_empty = false;
     table.add_line();
-    table.add(std::string(name(*sieve.modulus)));
+    table.add("fineness modulus " + std::string(name(*sieve.modulus)));
     table.add(sieve.most < 100 ? modulus(sieve.most) : "-");
     table.add(modulus(blend.passing[s]));
     table.add(sieve.least > 0 ? modulus(sieve.least) : "-");
+  }
+  if (p.coarseness) {
+    const std::optional<Rational> factor = coarseness_factor(p, blend.shares);
+    is_empty = false;
+    table.add_line();
+    table.add("coarseness factor CF");
+    table.add(p.coarseness->least > 0 ? short_value(p.coarseness->least) : "-");
+    table.add(factor ? short_value(*factor) : "none");
+    table.add(p.coarseness->most < 100 ? short_value(p.coarseness->most) : "-");
   }
   return is_empty ? "" : "\n" + table.text();
 }
@@ -304,8 +313,12 @@ std::string notes_text(const BlendProblem &p) {
 
 void write_limit(JsonWriter &json, const BlendMultiple &m, const BlendProblem &p) {
   const char *const of[] = {"passing", "target", "share", "sum"};
-  const bool is_modulus = m.limit.kind == BlendLimit::Kind::passing && p.sieves[m.limit.index].modulus;
-  json.begin_object().key("of").plain(is_modulus ? "modulus" : of[static_cast<std::size_t>(m.limit.kind)]);
+  const bool is_passing = m.limit.kind == BlendLimit::Kind::passing;
+  const bool is_modulus = is_passing && p.sieves[m.limit.index].modulus;
+  const bool is_coarseness = is_passing && p.sieves[m.limit.index].coarseness;
+  json.begin_object().key("of").plain(is_modulus      ? "modulus"
+                                      : is_coarseness ? "coarseness"
+                                                      : of[static_cast<std::size_t>(m.limit.kind)]);
   json.key("name");
   if (m.limit.kind == BlendLimit::Kind::share)
     json.string(p.stockpiles[m.limit.index].name);
@@ -313,6 +326,8 @@ void write_limit(JsonWriter &json, const BlendMultiple &m, const BlendProblem &p
     json.null();
   else if (is_modulus)
     json.plain(name(*p.sieves[m.limit.index].modulus));
+  else if (is_coarseness)
+    json.plain(to_string(*p.sieves[m.limit.index].coarseness));
   else
     json.plain(to_string(p.sieves[m.limit.index].size));
   json.key("side").plain(m.limit.kind == BlendLimit::Kind::sum ? "equal"
@@ -340,7 +355,7 @@ void write_rationals(JsonWriter &json, const std::vector<Rational> &numbers) {
 void write_passing(JsonWriter &json, const std::vector<Rational> &passing, const BlendProblem &p) {
   json.key("passing").begin_array();
   for (std::size_t s = 0; s < passing.size(); ++s)
-    if (!p.sieves[s].modulus)
+    if (p.sieves[s].is_sieve())
       write(json, passing[s]);
   json.end_array().key("moduli").begin_array();
   for (std::size_t s = 0; s < passing.size(); ++s)
@@ -352,6 +367,8 @@ void write_passing(JsonWriter &json, const std::vector<Rational> &passing, const
 void write_blend(JsonWriter &json, const Blend &blend, const BlendProblem &p) {
   write_rationals(json.begin_object().key("shares"), blend.shares);
   write_passing(json, blend.passing, p);
+  if (p.coarseness)
+    write(json.key("coarseness"), coarseness_factor(p, blend.shares));
   write(json.key("value"), blend.value).key("broken").begin_array();
   for (const BlendLimit &limit : broken_limits(p, blend))
     json.string(in_words(limit, p));
@@ -370,13 +387,18 @@ void write_problem(JsonWriter &json, const BlendProblem &p) {
   for (const Stockpile &s : p.stockpiles) {
     json.begin_object().key("name").string(s.name);
     write_passing(json, s.passing, p);
+    if (p.coarseness) {
+      write(json.key("coarse").begin_array(), s.coarse->at_9_5_mm);
+      write(json, s.coarse->at_2_36_mm);
+      json.end_array();
+    }
     write(json.key("least"), s.least);
     write(json.key("most"), s.most);
     write(json.key("cost"), s.cost).end_object();
   }
   json.end_array().key("sieves").begin_array();
   for (const BlendSieve &s : p.sieves) {
-    if (s.modulus)
+    if (!s.is_sieve())
       continue;
     write(json.begin_object().key("size"), s.size);
     write(json.key("least"), s.least);
@@ -390,7 +412,12 @@ void write_problem(JsonWriter &json, const BlendProblem &p) {
       write(json.key("least"), modulus_of_mean(*s.modulus, s.most));
       write(json.key("most"), modulus_of_mean(*s.modulus, s.least)).end_object();
     }
-  json.end_array().key("steps").number(p.steps).key("at_most");
+  json.end_array();
+  if (p.coarseness) {
+    write(json.key("coarseness").begin_object().key("least"), p.coarseness->least);
+    write(json.key("most"), p.coarseness->most).end_object();
+  }
+  json.key("steps").number(p.steps).key("at_most");
   if (p.at_most)
     json.number(*p.at_most);
   else
@@ -455,7 +482,7 @@ std::string blend_text(const BlendReport &r) {
   std::string text = blend_headline(r);
   if (!a.best.empty())
     text += "\n" + stockpile_table(r) + "\n" + sieve_table(r, a.best.front()) +
-            modulus_table(r.problem, a.best.front());
+            further_limits_table(r.problem, a.best.front());
   if (a.status == BlendStatus::none) {
     if (a.contradiction)
       text += contradiction_text(r.problem, *a.contradiction);

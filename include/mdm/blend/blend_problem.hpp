@@ -24,6 +24,12 @@ struct ModulusLimits {
   std::optional<Rational> least, most;
 };
 
+/// Limits on the coarseness factor (Shilstone 1990), closed: of the mass that stays on 2.36 mm the percent
+/// that stays on 9.5 mm. A blend of which nothing stays on 2.36 mm keeps them.
+struct CoarsenessLimits {
+  Rational least = 0, most = 100; ///< in order from 0 to 100
+};
+
 /// A sieve at which a blend is judged. Percents are of the mass that passes.
 struct BlendSieve {
   Rational size;                  ///< mm
@@ -32,6 +38,16 @@ struct BlendSieve {
   /// In the place of a sieve: what passes is the mean of what passes the sieves of the modulus. It has no
   /// size and no target.
   std::optional<FinenessModulus> modulus = std::nullopt;
+  /// In the place of a sieve, for a limit c of the coarseness factor: what passes is what passes 9.5 mm, less
+  /// c / 100 of what passes 2.36 mm. It has no size and no target, and c from below is a limit from above.
+  std::optional<Rational> coarseness = std::nullopt;
+
+  bool is_sieve() const { return !modulus && !coarseness; }
+};
+
+/// The percents of a mass that pass two sieves.
+struct CoarsePassing {
+  Rational at_9_5_mm, at_2_36_mm;
 };
 
 /// A material that a blend may have a share of.
@@ -40,6 +56,7 @@ struct Stockpile {
   std::vector<Rational> passing; ///< percent, at each sieve of the problem
   Rational least = 0, most = 1;  ///< limits on its share of the mass, closed, from 0 to 1
   Rational cost = 0;             ///< of a unit of mass, >= 0
+  std::optional<CoarsePassing> coarse = std::nullopt; ///< where the coarseness factor is limited
 };
 
 /// What a blend has least of. Deviations are those of what passes from the target, in percentage points.
@@ -64,8 +81,9 @@ std::optional<BlendAim> blend_aim_named(std::string_view text);
 /// sum to something within the limits.
 struct BlendProblem {
   std::vector<Stockpile> stockpiles; ///< at least one
-  std::vector<BlendSieve> sieves;    ///< ascending by size, then the fineness moduli
-  std::uint64_t steps = 100;         ///< from 1 to most_blend_steps
+  std::vector<BlendSieve> sieves;    ///< ascending by size, then the fineness moduli, then the factor
+  std::optional<CoarsenessLimits> coarseness = std::nullopt;
+  std::uint64_t steps = 100; ///< from 1 to most_blend_steps
   BlendAim aim = BlendAim::none;
   std::optional<std::size_t> at_most; ///< stockpiles that have a share
   std::vector<std::size_t> widened;   ///< sieves whose limits are widened, of that aim
@@ -114,9 +132,18 @@ std::optional<PassingAt> passing_at(const Gradation &g, const Rational &size);
 /// sieve that is needed, or a modulus is limited twice or to more than it can be
 BlendProblem blend_problem(const std::vector<Gradation> &stockpiles, const Envelope &specification,
                            const std::optional<Gradation> &target = std::nullopt,
-                           const std::vector<ModulusLimits> &moduli = {});
+                           const std::vector<ModulusLimits> &moduli = {},
+                           const std::optional<CoarsenessLimits> &coarseness = std::nullopt);
 
-/// The sieves of which at least one limit is to be kept; no moduli.
+/// Limits the coarseness factor: adds a sieve for each limit that is one, behind the others.
+/// \pre the stockpiles have what passes 9.5 mm and 2.36 mm
+void limit_coarseness(BlendProblem &problem, const CoarsenessLimits &limits);
+
+/// That of a blend; nothing where nothing stays on 2.36 mm.
+/// \pre it is limited
+std::optional<Rational> coarseness_factor(const BlendProblem &problem, const std::vector<Rational> &shares);
+
+/// The sieves of which at least one limit is to be kept; no moduli and no factor.
 std::vector<std::size_t> limited_sieves(const BlendProblem &problem);
 
 /// All limits of sieves from the coarsest on, then those of shares; without those that hold of themselves.

@@ -34,16 +34,19 @@ class Blend:
     value: Fraction  #: of what is minimised; 0 without an aim
     broken: tuple[str, ...]  #: the limits that it does not keep, in words
     moduli: dict[str, Fraction]  #: the fineness moduli that are limited, by their names
+    coarseness: Fraction | None  #: the coarseness factor, where it is limited and something stays on 2.36 mm
 
 
 @dataclass(frozen=True)
 class BlendCondition:
     """A limit with its multiplier: a price, or its part in a contradiction."""
 
-    of: str  #: "passing", "modulus", "target", "share" or "sum"
-    name: Union[Fraction, str, None]  #: the sieve (mm), the modulus, the stockpile, or None of the sum of all shares
+    of: str  #: "passing", "modulus", "coarseness", "target", "share" or "sum"
+    #: the sieve (mm), the modulus, the stockpile, the limit c of the coarseness factor, or None of the sum of all shares
+    name: Union[Fraction, str, None]
     side: str  #: "least", "most" or "equal"
-    value: Fraction  #: of a modulus the mean percent that passes its sieves
+    #: of a modulus the mean percent that passes its sieves; of a factor what passes 9.5 mm less c / 100 of 2.36 mm
+    value: Fraction
     multiplier: Fraction
 
 
@@ -175,10 +178,11 @@ def _read(report: str, blended: Gradation | None) -> Blends:
     def one(found: dict[str, Any] | None) -> Blend | None:
         return None if found is None else Blend(
             dict(zip(names, map(Fraction, found["shares"]))), dict(zip(sieves, map(Fraction, found["passing"]))),
-            Fraction(found["value"]), tuple(found["broken"]), dict(zip(moduli, map(Fraction, found["moduli"]))))
+            Fraction(found["value"]), tuple(found["broken"]), dict(zip(moduli, map(Fraction, found["moduli"]))),
+            optional_fraction(found.get("coarseness")))
 
     def conditions(found: list[dict[str, Any]]) -> tuple[BlendCondition, ...]:
-        return tuple(BlendCondition(c["of"], Fraction(c["name"]) if c["of"] in ("passing", "target") else c["name"],
+        return tuple(BlendCondition(c["of"], Fraction(c["name"]) if c["of"] in ("passing", "target", "coarseness") else c["name"],
                                     c["side"], Fraction(c["value"]), Fraction(c["multiplier"])) for c in found)
 
     return Blends(tree["status"], tree["aim"], int(tree["steps"]),

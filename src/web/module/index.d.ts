@@ -231,7 +231,8 @@ export interface TradeoffWords {
 export interface BlendWords {
   /**
    * What a blend is to have least of: cost, deviation (the sum of the distances from the target), max-deviation (the
-   * largest of them) or none; without it cost where there is cost, deviation where there is --target.
+   * largest of them), squares (the sum of their squares) or none; without it cost where there is cost, deviation
+   * where there is --target.
    */
   minimise?: string;
   /** The cost of a unit of mass of each stockpile, as A=12.5,B=9. */
@@ -241,8 +242,9 @@ export interface BlendWords {
   /** Limits of a stockpile's share: A=10..40%, A=10.., A=..40%, or A=25%. */
   share?: string | string[];
   /**
-   * Limits of the blend's fineness modulus: FM=2.3..3.1 of ASTM C125, FM-EN=2.4..3.0 of EN 12620, either end may be
-   * left out.
+   * Limits of the blend's fineness modulus, FM=2.3..3.1 of ASTM C125 or FM-EN=2.4..3.0 of EN 12620, or of its
+   * coarseness factor, CF=45..75: of what stays on 2.36 mm the percent that stays on 9.5 mm; either end may be left
+   * out.
    */
   limit?: string | string[];
   /** So many stockpiles at most have a share. */
