@@ -119,6 +119,28 @@ BlendProblem random_problem(std::mt19937_64 &random) {
   return p;
 }
 
+/// The problem with percents that pass 9.5 mm and 2.36 mm, and limits on the coarseness factor.
+BlendProblem with_coarseness(BlendProblem p, std::mt19937_64 &random) {
+  const auto upto = [&random](unsigned most) { return static_cast<int>(random() % (most + 1)); };
+  for (Stockpile &s : p.stockpiles) {
+    const int coarse = upto(100);
+    s.coarse = CoarsePassing{Rational(coarse), Rational(upto(static_cast<unsigned>(coarse)))};
+  }
+  const int least = upto(70);
+  limit_coarseness(p, {Rational(least), Rational(least + upto(30))});
+  return p;
+}
+
+/// Whether 100 (mass on 9.5 mm) / (mass on 2.36 mm) is within the limits.
+bool keeps_coarseness(const BlendProblem &p, const std::vector<int> &counts) {
+  Rational coarse = 0, all = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    coarse += counts[i] * (100 - p.stockpiles[i].coarse->at_9_5_mm);
+    all += counts[i] * (100 - p.stockpiles[i].coarse->at_2_36_mm);
+  }
+  return all == 0 || (p.coarseness->least <= 100 * coarse / all && 100 * coarse / all <= p.coarseness->most);
+}
+
 /// The sum of the multiples is a contradiction.
 void check_contradiction(const BlendProblem &p, const BlendContradiction &c) {
   std::vector<Rational> left(p.stockpiles.size(), c.sum);
@@ -311,6 +333,35 @@ TEST_CASE("the best blends of random problems are those of enumeration, in its o
   CHECK(with_blends > 50);
   CHECK(contradictions > 50);
   CHECK(without > 5);
+}
+
+TEST_CASE("blends whose coarseness factor is limited are those of enumeration that keep its limits") {
+  std::mt19937_64 random(10);
+  int with_blends = 0, fewer = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    CAPTURE(trial);
+    const BlendProblem without = random_problem(random);
+    if (without.aim == BlendAim::widening)
+      continue;
+    const BlendProblem p = with_coarseness(without, random);
+    std::vector<Enumerated> expected = enumerated(without);
+    const std::size_t all = expected.size();
+    expected.erase(std::remove_if(expected.begin(), expected.end(),
+                                  [&p](const Enumerated &e) { return !keeps_coarseness(p, e.second); }),
+                   expected.end());
+    BlendOptions o;
+    o.best = 4;
+    const BlendAnswer a = solve_blend(p, o);
+    REQUIRE(a.best.size() == std::min<std::size_t>(4, expected.size()));
+    for (std::size_t i = 0; i < a.best.size(); ++i) {
+      CHECK(counts_of(a.best[i], p) == expected[i].second);
+      CHECK(a.best[i].value == expected[i].first);
+    }
+    with_blends += !expected.empty();
+    fewer += !expected.empty() && expected.size() < all;
+  }
+  CHECK(with_blends > 30);
+  CHECK(fewer > 30);
 }
 
 TEST_CASE("of two stockpiles each limit of a contradiction is needed") {

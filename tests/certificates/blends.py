@@ -12,12 +12,21 @@ from itertools import product
 class Problem:
     """Stockpiles as lists of (size, percent passing), the specification as a list of (size, least, most)."""
 
-    def __init__(self, stockpiles, limits, passing, steps=100, aim="none", of_aim=(), shares=(), at_most=None):
-        """`passing` has what passes each sieve of the limits, worked out by hand where it is between sieves."""
+    def __init__(self, stockpiles, limits, passing, steps=100, aim="none", of_aim=(), shares=(), at_most=None, coarseness=None):
+        """`passing` has what passes each sieve of the limits, worked out by hand where it is between sieves; `coarseness` the
+        limits of the factor and what passes 9.5 mm and 2.36 mm."""
         self.stockpiles, self.limits, self.steps, self.aim = stockpiles, limits, steps, aim
         self.p = [[F(v) for v in row] for row in passing]
         self.L, self.U = [F(v[1]) for v in limits], [F(v[2]) for v in limits]
         self.of_aim, self.shares, self.at_most = [F(v) for v in of_aim], shares, at_most
+        self.coarseness = coarseness
+        if coarseness:
+            x, y, coarse, fine = coarseness
+            for c, least, most in ((F(x), -100, 100 - F(x)), (F(y), 100 - F(y), 100)):
+                if 0 < c < 100:
+                    self.p.append([a - c / 100 * b for a, b in zip(coarse, fine)])
+                    self.L.append(F(least))
+                    self.U.append(F(most))
         self.lo, self.hi = [0, 0], [steps, steps]
         for i, x, y in shares:
             self.lo[i - 1], self.hi[i - 1] = -int(-F(x) * steps // 1), int(F(y) * steps // 1)
@@ -120,6 +129,7 @@ class Problem:
         lines = ["mdm-certificate blend 1", f"steps {self.steps}"]
         lines += [f"share {i} {x} {y}" for i, x, y in self.shares]
         lines += [f"at-most {self.at_most}"] if self.at_most else []
+        lines += ["coarseness {} {}".format(*self.coarseness)] if self.coarseness else []
         lines.append(" ".join(["minimise", self.aim] + [str(v) for v in self.of_aim]))
         best = self.best()
         lines.append(f"blend {self.steps - best[1]} {best[1]}" if best else "blend none")
@@ -155,6 +165,11 @@ LIMITS = [("0.075", 0, 10), ("4.75", 50, 70), ("12.5", 80, 100), ("19", 100, 100
 PASSING = [(0, 9), (16, 96), (90, 100), (100, 100)]
 
 
+# 9.5 mm is at 19/31 of the way from 4.75 to 12.5, 2.36 mm at 457/935 of that from 0.075 to 4.75.
+COARSE_AT = (16 + F(19, 31) * 74, 96 + F(19, 31) * 4)
+FINE_AT = (F(457, 935) * 16, 9 + F(457, 935) * 87)
+
+
 def both(limits=LIMITS, passing=PASSING, **options):
     return Problem([COARSE, FINE], limits, passing, **options)
 
@@ -173,6 +188,12 @@ ACCEPTED = {
     "squares-at-a-limit": both(aim="squares", of_aim=(8, 90, 97, 100)),
     "squares-in-the-middle": both(limits=[("4.75", 50, 70), ("19", 100, 100)], passing=[(16, 96), (100, 100)], steps=7,
                                   aim="squares", of_aim=("58.4", 100)),
+    "coarseness": both(limits=[("4.75", 50, 70), ("19", 100, 100)], passing=[(16, 96), (100, 100)], aim="cost",
+                       of_aim=("9", "2"), coarseness=(25, 32, COARSE_AT, FINE_AT)),
+    "coarseness-from-below": both(limits=[("19", 100, 100)], passing=[(100, 100)], aim="cost", of_aim=("9", "2"),
+                                  coarseness=(15, 100, COARSE_AT, FINE_AT)),
+    "coarseness-impossible": both(limits=[("4.75", 50, 70), ("19", 100, 100)], passing=[(16, 96), (100, 100)],
+                                  coarseness=(0, 5, COARSE_AT, FINE_AT)),
     "impossible": both(limits=IMPOSSIBLE),
     "none-in-steps": both(limits=BETWEEN, passing=[(16, 96), (100, 100)], steps=10),
     "shares": both(aim="cost", of_aim=("9", "2"), shares=((1, "2/5", "1"), (2, "0", "29/50"))),
@@ -229,6 +250,10 @@ def main(blends):
             "leaf 1 b1" if line.startswith("leaf") else line for line in ACCEPTED["squares"].certificate()]),
         "squares-of-both-sides": (ACCEPTED["squares"], [
             "leaf 1 a1 1 b1" if line.startswith("leaf") else line for line in ACCEPTED["squares"].certificate()]),
+        "coarseness-beyond": (cost, good[:2] + ["coarseness 90 100"] + good[2:]),
+        "target-of-a-factor": (ACCEPTED["squares"], [
+            "leaf 1 a5" if line.startswith("leaf") else line
+            for line in ACCEPTED["squares"].certificate()[:2] + ["coarseness 0 99"] + ACCEPTED["squares"].certificate()[2:]]),
         "at-most-one": (cost, good[:2] + ["at-most 1"] + good[2:]),
     }
     for name, (problem, lines) in rejected.items():
@@ -258,6 +283,9 @@ def main(blends):
         "shares-that-do-not-ascend": good[:2] + ["share 2 0 9/10", "share 1 0 9/10"] + good[2:],
         "share-of-everything": good[:2] + ["share 1 0 1"] + good[2:],
         "share-above-one": good[:2] + ["share 1 0 3/2"] + good[2:],
+        "coarseness-of-everything": good[:2] + ["coarseness 0 100"] + good[2:],
+        "coarseness-above-100": good[:2] + ["coarseness 0 101"] + good[2:],
+        "coarseness-twice": good[:2] + 2 * ["coarseness 0 99"] + good[2:],
         "behind-the-end": good + ["end"],
     }
     for name, lines in unparsable.items():

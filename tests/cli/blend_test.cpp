@@ -206,7 +206,8 @@ TEST_CASE("what is wrong with a question of blends is refused", "[cli]") {
   refuses({"--step", "3%"}, "--step: '3%': the whole is 33.3333 steps");
   refuses({"--step", "5kg"}, "--step: '5kg' is no step");
   refuses({"--step", "5kg of 1000g"}, "--step: '5kg of 1000g' is no step");
-  refuses({"--minimise", "price"}, "--minimise: 'price' is none of cost, deviation, max-deviation and none");
+  refuses({"--minimise", "price"},
+          "--minimise: 'price' is none of cost, deviation, max-deviation, squares and none");
   refuses({"--minimise", "cost"}, "--minimise cost: it needs --cost");
   refuses({"--minimise", "deviation"}, "--minimise deviation: it needs --target");
   refuses({"--relax", "3mm"}, "--relax: '3mm' is no sieve with limits; there are 1, 4 mm");
@@ -306,7 +307,7 @@ TEST_CASE("a fineness modulus is limited, told and proved", "[cli]") {
   const Outcome found = mdm(with({"FM-EN=..3", "--cost", "fine=2,coarse=1", "--proof", proof}));
   CHECK(found.exit_code == 0);
   CHECK(contains(found.out, "73 % fine, 27 % coarse: within limits"));
-  CHECK(contains(found.out, "FM-EN                    -  2.98361        3"));
+  CHECK(contains(found.out, "fineness modulus FM-EN         -  2.98361        3"));
   const Outcome verdict = mdm_check({spec, fine, coarse, proof});
   CHECK(verdict.exit_code == 0);
   CHECK(contains(verdict.out, "fineness modulus of EN 12620 from 0 to 3"));
@@ -319,4 +320,79 @@ TEST_CASE("a fineness modulus is limited, told and proved", "[cli]") {
     CHECK(refused.exit_code == 2);
     CHECK(refused.out.empty());
   }
+}
+
+TEST_CASE("least squares from a target, told and proved", "[cli]") {
+  const Stockpiles stockpiles("8,100,100\n4,60,70\n1,10,30\n");
+  const std::string curve = stockpiles.folder().write("curve.csv",
+                                                      "size_mm,passing_percent\n8,100\n4,65\n1,18\n0.5,0\n"),
+                    proof = stockpiles.folder() / "proof";
+  const Arguments squares = {"--target", curve, "--minimise", "squares", "--proof", proof};
+  // (60 f - 25)^2 + (60 f - 18)^2 is least at 60 f = 21.5: 24.5; in steps at 36 %, (-3.4)^2 + 3.6^2.
+  const Json answer = stockpiles.json(squares);
+  CHECK(answer.at("aim") == "squares");
+  CHECK(answer.at("real").at("value") == "49/2");
+  CHECK(shares(answer.at("real")).at(0) == Rational(215, 600));
+  CHECK(answer.at("blends").at(0).at("value") == "613/25");
+  CHECK(shares(answer.at("blends").at(0)).at(0) == Rational(36, 100));
+  const Outcome verdict = mdm_check({stockpiles.folder() / "limits.csv", stockpiles.folder() / "fine.csv",
+                                     stockpiles.folder() / "coarse.csv", proof});
+  CHECK(verdict.exit_code == 0);
+  CHECK(contains(verdict.out, "none has a lower sum of squared deviations from the target than its 613/25"));
+  check_refused(stockpiles.blend({"--minimise", "squares"}), "it needs --target");
+}
+
+TEST_CASE("the coarseness factor is limited, told and proved", "[cli]") {
+  const TemporaryFolder folder;
+  // On 2.36 mm stay 50 and 100 percent, on 9.5 mm 10 and 80: with the share f of the first the factor is
+  // 100 (80 - 70 f) / (100 - 50 f), at most 60 from f = 1/2 on, at least 50 up to f = 2/3.
+  const std::string a = folder.write("a.csv", "size_mm,passing_percent\n19,100\n9.5,90\n2.36,50\n0.1,0\n"),
+                    b = folder.write("b.csv", "size_mm,passing_percent\n19,100\n9.5,20\n2.36,0\n"),
+                    spec = folder.write("limits.csv", "size_mm,passing_min_percent,passing_max_percent\n"
+                                                      "19,100,100\n2.36,0,45\n"),
+                    proof = folder / "proof";
+  const auto blend = [&](const Arguments &more) {
+    Arguments all = {"blend", a, b, "--spec", spec};
+    all.insert(all.end(), more.begin(), more.end());
+    return mdm(all);
+  };
+  for (const auto &[costs, share, value] :
+       {std::tuple{"a=2,b=1", "50 % a, 50 % b", "60"}, std::tuple{"a=1,b=2", "66 % a, 34 % b", "50.4477"}}) {
+    const Outcome found = blend({"--limit", "CF=50..60%", "--cost", costs, "--proof", proof});
+    CHECK(contains(found.out, share));
+    CHECK(contains(found.out, "coarseness factor CF"));
+    CHECK(contains(found.out, value));
+    const Outcome verdict = mdm_check({spec, a, b, proof});
+    CHECK(verdict.exit_code == 0);
+    CHECK(contains(verdict.out, "; coarseness factor from 50 to 60;"));
+  }
+  const Outcome none = blend({"--limit", "CF=..15", "--proof", proof});
+  CHECK(none.exit_code == 1);
+  CHECK(contains(none.out,
+                 "coarseness factor at most 15, which is at least 85 % passing 9.5 mm less 0.15 times"));
+  CHECK(mdm_check({spec, a, b, proof}).exit_code == 0);
+  check_refused(blend({"--limit", "CF=101.."}), "CF is from 0 to 100");
+  check_refused(blend({"--limit", "CF=1..2", "--limit", "CF=3..4"}), "CF is limited twice");
+  check_refused(blend({"--limit", "WF=1..2"}),
+                "'WF=1..2' is no limit: write FM=2.3..3.1, FM-EN=2.4..3.0 or CF=45..75");
+}
+
+TEST_CASE("an answer with a coarseness factor is a problem for many, and what is wrong in one is told",
+          "[cli]") {
+  const TemporaryFolder folder;
+  const std::string stockpiles = R"("stockpiles":[{"name":"a","passing":["100"],"coarse":["90","50"]},)"
+                                 R"({"name":"b","passing":["100"],"coarse":["20","0"]}],)"
+                                 R"("sieves":[{"size":"19","least":"100"}],"steps":"100",)";
+  const std::string lines = folder.write(
+      "problems.jsonl", "{" + stockpiles + R"("coarseness":{"least":"50","most":"60"}})" + "\n{" +
+                            stockpiles + R"("coarseness":{"least":"60","most":"50"}})" + "\n" +
+                            R"({"stockpiles":[{"name":"a","passing":["100"]}],"sieves":[{"size":"19"}],)" +
+                            R"("coarseness":{"least":"50"}})" + "\n");
+  const Outcome outcome = mdm({"blend", "--problems", lines});
+  CHECK(contains(outcome.out, R"("shares":["1/2","1/2"])"));
+  CHECK(contains(outcome.out, R"("coarseness":"60")"));
+  CHECK(contains(outcome.out, "coarseness: its limits are not in order from 0 to 100"));
+  CHECK(contains(outcome.out, "stockpiles[0].coarse is missing"));
+  const std::string answer = folder.write("answer.jsonl", outcome.out.substr(0, outcome.out.find('\n') + 1));
+  CHECK(mdm({"blend", "--problems", answer}).out == outcome.out.substr(0, outcome.out.find('\n') + 1));
 }

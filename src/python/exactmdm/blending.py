@@ -112,8 +112,8 @@ def blend(stockpiles: Iterable[Source], specification: Path, *, target: Source |
         share: limits of shares: {"A": "10..40%"}, or texts as "A=10..40%".
         proof: the file of a proof, for `mdm-check` with the files of the specification and of the stockpiles.
         minimise: what a blend is to have least of: cost, deviation (the sum of the distances from the target),
-            max-deviation (the largest of them) or none; without it cost where there is cost, deviation where there is
-            target.
+            max-deviation (the largest of them), squares (the sum of their squares) or none; without it cost where there is
+            cost, deviation where there is target.
         step: shares are whole numbers of steps: 1% (without this option), 0.5%, or masses as '5kg of 1000kg'.
         at_most_stockpiles: so many stockpiles at most have a share.
         all: the N best blends.
@@ -129,8 +129,9 @@ def blend(stockpiles: Iterable[Source], specification: Path, *, target: Source |
         sheet: the sheet of a workbook (the first).
         loss: what the rows of a sheet may lack of its initial mass (1%).
         round: take all masses to D significant digits before anything else.
-        limit: limits of the blend's fineness modulus: FM=2.3..3.1 of ASTM C125, FM-EN=2.4..3.0 of EN 12620, either end
-            may be left out.
+        limit: limits of the blend's fineness modulus, FM=2.3..3.1 of ASTM C125 or FM-EN=2.4..3.0 of EN 12620, or of its
+            coarseness factor, CF=45..75: of what stays on 2.36 mm the percent that stays on 9.5 mm; either end may be left
+            out.
 
     Raises:
         InputError: an option or a file is wrong.
