@@ -44,21 +44,35 @@ std::pair<Stockpile *, std::string> of_stockpile(const std::string &of, const st
                                fmt::join(names, ", ")));
 }
 
+/// The values of `NAME=VALUE,...`, one a stockpile.
+std::vector<Rational> values_of(const char *of, const std::vector<std::string> &texts, BlendProblem &p,
+                                Rational (*number)(const std::string &, const std::string &)) {
+  std::vector<std::optional<Rational>> known(p.stockpiles.size());
+  for (const std::string &text : between_commas(texts)) {
+    const auto [stockpile, value] = of_stockpile(of, text, p);
+    std::optional<Rational> &place = known[static_cast<std::size_t>(stockpile - p.stockpiles.data())];
+    if (place)
+      throw InputError(
+          fmt::format("{}: {} has two values: give one", option(of), in_quotes(stockpile->name)));
+    place = number(of, value);
+  }
+  std::vector<Rational> values;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const std::string &name = p.stockpiles[i].name;
+    if (!known[i])
+      throw InputError(fmt::format("{}: the {} of {} is missing: add {}=VALUE", option(of), of,
+                                   in_quotes(name), printable(name)));
+    values.push_back(*known[i]);
+  }
+  return values;
+}
+
 void take_costs(const std::vector<std::string> &texts, BlendProblem &p) {
   if (texts.empty())
     return;
-  std::vector<const Stockpile *> known;
-  for (const std::string &text : between_commas(texts)) {
-    const auto [stockpile, value] = of_stockpile("cost", text, p);
-    if (std::find(known.begin(), known.end(), stockpile) != known.end())
-      throw InputError(option("cost") + ": " + in_quotes(stockpile->name) + " has two costs: give one");
-    known.push_back(stockpile);
-    stockpile->cost = not_negative("cost", value);
-  }
-  for (const Stockpile &s : p.stockpiles)
-    if (std::find(known.begin(), known.end(), &s) == known.end())
-      throw InputError(option("cost") + ": the cost of " + in_quotes(s.name) + " is missing: add " +
-                       printable(s.name) + "=COST");
+  const std::vector<Rational> costs = values_of("cost", texts, p, not_negative);
+  for (std::size_t i = 0; i < costs.size(); ++i)
+    p.stockpiles[i].cost = costs[i];
 }
 
 /// `10..40%`, `..40%`, `10..` or `25%`.
@@ -262,6 +276,13 @@ std::optional<Gradation> Blending::blended() const {
     if (s.is_sieve())
       sieves.push_back(s.size);
   return blended_gradation(stockpiles_, answer_.best.front().shares, sieves, "blend");
+}
+
+std::optional<Gradation> Blending::blended_with(const std::vector<std::string> &texts) {
+  const std::vector<Rational> densities = values_of("density", texts, problem_, positive);
+  if (answer_.best.empty())
+    return std::nullopt;
+  return blended_materials(stockpiles_, answer_.best.front().shares, densities, "blend");
 }
 
 std::optional<std::string> Blending::proof() const {

@@ -45,6 +45,9 @@ public:
   Outcome outcome() const { return outcome_of(answer_); }
   /// The gradation of the best blend; nothing where there is none.
   std::optional<Gradation> blended() const;
+  /// The same with each stockpile a material of its density, of `NAME=DENSITY,...`.
+  /// \throws InputError naming the option where a density is missing
+  std::optional<Gradation> blended_with(const std::vector<std::string> &densities);
   /// Nothing where the search did not come to its end.
   std::optional<std::string> proof() const;
 

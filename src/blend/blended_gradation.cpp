@@ -1,5 +1,6 @@
 #include "blend/blended_gradation.hpp"
 
+#include "gradation/material_gradation.hpp"
 #include "gradation/shown.hpp"
 #include "number/common_denominator.hpp"
 #include "soil/grading_curve.hpp"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 namespace mdm {
@@ -79,16 +81,61 @@ std::vector<Rational> as_decimals(std::vector<Rational> masses) {
   return {cleared.numerators.begin(), cleared.numerators.end()};
 }
 
+void refuse_factors(const Gradation &stockpile) {
+  if (stockpile.has_factors())
+    throw InputError(
+        printable(stockpile.id()) +
+        ": it has a column factor, and a class of a blend has no single factor: leave the column "
+        "out to blend masses");
+}
+
+void check_material_name(const std::string &name) {
+  constexpr std::size_t most_bytes = 100;
+  if (name.empty() || name.size() > most_bytes)
+    throw InputError(in_quotes(name) +
+                     " is no name of a material, which has 1 to 100 bytes: rename the file");
+}
+
 } // namespace
+
+Gradation blended_materials(const std::vector<Gradation> &stockpiles, const std::vector<Rational> &shares,
+                            const std::vector<Rational> &densities, const std::string &id) {
+  std::vector<std::size_t> order;
+  std::vector<Rational> masses; // of all, so that one multiple makes them decimals
+  for (std::size_t i = 0; i < stockpiles.size(); ++i)
+    if (shares[i] != 0)
+      order.push_back(i);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return stockpiles[a].id() < stockpiles[b].id(); });
+  for (const std::size_t i : order) {
+    const Gradation &g = stockpiles[i];
+    refuse_factors(g);
+    check_material_name(g.id());
+    const Rational total = std::accumulate(g.masses().begin(), g.masses().end(), Rational(0));
+    for (const Rational &mass : g.masses())
+      masses.push_back(100 * shares[i] * mass / total);
+  }
+  masses = as_decimals(std::move(masses));
+  std::vector<Material> parts;
+  auto next = masses.begin();
+  for (const std::size_t i : order) {
+    const Gradation &g = stockpiles[i];
+    Gradation::Data data;
+    for (const Rational &size : g.sizes())
+      data.sizes.push_back(size * in_mm(g.unit()));
+    data.masses.assign(next, next + static_cast<std::ptrdiff_t>(data.sizes.size()));
+    next += static_cast<std::ptrdiff_t>(data.sizes.size());
+    data.factors.assign(data.sizes.size(), densities[i]);
+    parts.push_back({g.id(), Gradation(std::move(data))});
+  }
+  return joined(std::move(parts), id);
+}
 
 Gradation blended_gradation(const std::vector<Gradation> &stockpiles, const std::vector<Rational> &shares,
                             const std::vector<Rational> &sieves, const std::string &id) {
   for (std::size_t i = 0; i < stockpiles.size(); ++i)
-    if (shares[i] != 0 && stockpiles[i].has_factors())
-      throw InputError(
-          printable(stockpiles[i].id()) +
-          ": it has a column factor, and a class of a blend has no single factor: leave the column "
-          "out to blend masses");
+    if (shares[i] != 0)
+      refuse_factors(stockpiles[i]);
   Gradation::Data data;
   data.id = id;
   BlendedSieves all = blended_sieves(stockpiles, shares, sieves);

@@ -17,4 +17,11 @@ namespace mdm {
 Gradation blended_gradation(const std::vector<Gradation> &stockpiles, const std::vector<Rational> &shares,
                             const std::vector<Rational> &sieves, const std::string &id);
 
+/// The same of the stockpiles that have a share, each a material of its own (Theorem 28), with its classes as
+/// they are and its density as their factor.
+/// \param densities  one a stockpile, > 0
+/// \throws InputError if a stockpile with a share has factors, or a name that no material has
+Gradation blended_materials(const std::vector<Gradation> &stockpiles, const std::vector<Rational> &shares,
+                            const std::vector<Rational> &densities, const std::string &id);
+
 } // namespace mdm

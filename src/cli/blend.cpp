@@ -38,14 +38,18 @@ struct BlendCommand {
   unsigned threads = 1;
   BlendTexts asked;
   OptionText blended, proof;
+  std::vector<std::string> densities; ///< of the stockpiles in the blend's gradation
   PlotFlag plot;
   ReadingFlags reading;
   OutputFlags output;
 };
 
 /// The gradation of the best blend, where it is to be written and there is one; notes are told.
-std::optional<std::string> blended_file(const BlendCommand &c, const Blending &blending) {
-  const std::optional<Gradation> g = c.blended ? blending.blended() : std::nullopt;
+std::optional<std::string> blended_file(const BlendCommand &c, Blending &blending) {
+  if (!c.blended)
+    return std::nullopt;
+  const std::optional<Gradation> g =
+      c.densities.empty() ? blending.blended() : blending.blended_with(c.densities);
   if (!g)
     return std::nullopt;
   c.output.tell_notes(g->notes());
@@ -99,6 +103,9 @@ void check_files(const BlendCommand &c) {
     throw InputError("standard input can be one file alone: give the others by name");
   if (c.proof == "-")
     throw InputError(option("proof") + " needs a file: standard output has the report");
+  if (!c.densities.empty() && (!c.blended || c.blended->ends_with(".json")))
+    throw InputError(option("density") + ": it is of the materials in " + option("blended") +
+                     " OUT, which are in CSV: give it such a file");
   if (c.blended == "-")
     throw InputError(option("blended") + " needs a file: standard output has the report");
   for (const std::string &path : paths) // the target may be a stockpile
@@ -126,8 +133,8 @@ Figure figure_of(const std::vector<Gradation> &stockpiles, const Envelope &speci
 void check_alone(const BlendCommand &c) {
   const BlendTexts &a = c.asked;
   if (!c.files.empty() || !c.specification.empty() || a.target || a.minimise || a.step || a.at_most ||
-      a.relax || !a.costs.empty() || !a.shares.empty() || !a.limits.empty() || c.blended || c.proof ||
-      c.plot || c.reading.is_given())
+      a.relax || !a.costs.empty() || !a.shares.empty() || !a.limits.empty() || !c.densities.empty() ||
+      c.blended || c.proof || c.plot || c.reading.is_given())
     throw InputError(option("problems") + ": its lines say all that is asked: beside it stand " +
                      option("all") + ", " + option("node-limit") + ", " + option("time-limit") +
                      ", -j, -o and " + option("quiet") + " alone");
@@ -194,6 +201,12 @@ void add_answer(CLI::App &command, BlendCommand &c) {
   add_options(command, BlendTexts::answer_options, c.asked);
   command.add_option("--blended", c.blended, "write the gradation of the best blend to OUT (CSV, or .json)")
       ->type_name("OUT");
+  command
+      .add_option(
+          "--density", c.densities,
+          "the density of each stockpile, as A=2650,B=2710: the gradation of the blend then keeps them "
+          "apart, each a material with its density as factor")
+      ->type_name("NAME=DENSITY,...");
   command
       .add_option("--proof", c.proof,
                   "write a proof of the best blend, or that there is none, for mdm-check SPEC FILE... OUT")

@@ -1,4 +1,5 @@
 #include "text/json_writer.hpp"
+#include "text/text_table.hpp"
 
 #include <mdm/gradation/write_gradation.hpp>
 #include <mdm/number/decimal.hpp>
@@ -73,14 +74,17 @@ std::string gradation_csv(const Gradation &g) {
   const bool has_tolerances = !g.tolerances().empty();
   fmt::memory_buffer out;
   const auto end = std::back_inserter(out);
-  fmt::format_to(end, "size_{},mass{}{}\n", name(g.unit()), has_tolerances ? ",tolerance_percent" : "",
-                 g.has_factors() ? ",factor" : "");
+  const bool has_materials = !g.materials().empty();
+  fmt::format_to(end, "size_{},mass{}{}{}\n", name(g.unit()), has_tolerances ? ",tolerance_percent" : "",
+                 g.has_factors() ? ",factor" : "", has_materials ? ",material" : "");
   for (std::size_t j = 0; j < g.sizes().size(); ++j) {
     fmt::format_to(end, "{},{}", file_decimal(g.sizes()[j]), file_decimal(g.masses()[j]));
     if (has_tolerances)
       fmt::format_to(end, ",{}", file_decimal(g.tolerances()[j]));
     if (g.has_factors())
       fmt::format_to(end, ",{}", file_decimal(g.factor(j)));
+    if (has_materials)
+      fmt::format_to(end, ",{}", csv_field(g.material(j)));
     out.push_back('\n');
   }
   return fmt::to_string(out);

@@ -176,6 +176,26 @@ TEST_CASE("the gradation of a blend is a file that other commands read", "[cli]"
   CHECK(Json::parse(read_file(json)).at("sizes").size() == 4);
 }
 
+TEST_CASE("with densities the gradation of a blend keeps the stockpiles as materials", "[cli]") {
+  const Stockpiles stockpiles;
+  const std::string blended = stockpiles.folder() / "blended.csv", proof = stockpiles.folder() / "proof";
+  REQUIRE(stockpiles.blend({"--blended", blended, "--density", "fine=2.65,coarse=2.5"}).exit_code == 0);
+  // 34 percent are fine: 40 % of it from 0.5 to 1 mm... each class keeps its part of 100.
+  CHECK(read_file(blended) == "size_mm,mass,factor,material\n"
+                              "2,26.4,2.5,coarse\n4,39.6,2.5,coarse\n8,0,2.5,coarse\n"
+                              "0.5,20.4,2.65,fine\n1,13.6,2.65,fine\n4,0,2.65,fine\n8,0,2.65,fine\n");
+  const Outcome solved = mdm({"solve", blended, "--tolerance", "1%", "--proof", proof});
+  CHECK(solved.exit_code == 0);
+  CHECK(mdm_check({blended, proof}).exit_code == 0);
+  check_refused(stockpiles.blend({"--density", "fine=2.65,coarse=2.5"}), "give it such a file");
+  check_refused(stockpiles.blend({"--blended", blended, "--density", "fine=2.65"}),
+                "the density of 'coarse' is missing: add coarse=VALUE");
+  check_refused(stockpiles.blend({"--blended", blended, "--density", "fine=0,coarse=1"}), "--density");
+  check_refused(
+      stockpiles.blend({"--blended", stockpiles.folder() / "b.json", "--density", "fine=1,coarse=1"}),
+      "are in CSV");
+}
+
 TEST_CASE("blends as CSV have a row each, and notes on standard error", "[cli]") {
   const Stockpiles stockpiles("4,52,70\n3,0,90\n");
   const Outcome outcome = stockpiles.blend({"--step", "20%", "--all", "9", "--format", "csv"});
@@ -194,8 +214,8 @@ TEST_CASE("what is wrong with a question of blends is refused", "[cli]") {
   const auto refuses = [&stockpiles](const Arguments &options, const std::string &why) {
     check_refused(stockpiles.blend(options), why);
   };
-  refuses({"--cost", "fine=1"}, "--cost: the cost of 'coarse' is missing: add coarse=COST");
-  refuses({"--cost", "fine=1,coarse=2,fine=3"}, "--cost: 'fine' has two costs");
+  refuses({"--cost", "fine=1"}, "--cost: the cost of 'coarse' is missing: add coarse=VALUE");
+  refuses({"--cost", "fine=1,coarse=2,fine=3"}, "--cost: 'fine' has two values");
   refuses({"--cost", "fine=-1,coarse=2"}, "--cost");
   refuses({"--cost", "sand=1"}, "--cost: there is no stockpile 'sand'; there are 'fine', 'coarse'");
   refuses({"--cost", "12"}, "--cost: '12' is no value of a stockpile: write NAME=VALUE");
