@@ -17,11 +17,11 @@ namespace {
 using Json = nlohmann::json;
 
 /// The members of mdm-blend-1 and the name of a problem; those of its answer are passed over.
-constexpr std::array<std::string_view, 24> known_members = {
-    "id",      "schema",        "specification", "status",  "unit",    "stockpiles",
-    "sieves",  "moduli",        "coarseness",    "steps",   "at_most", "aim",
-    "blends",  "all",           "bound",         "splits",  "real",    "prices",
-    "rounded", "contradiction", "widened_real",  "widened", "notes",   "versions"};
+constexpr std::array<std::string_view, 25> known_members = {
+    "id",      "schema",     "specification", "status",  "unit",    "stockpiles",    "sieves",
+    "moduli",  "coarseness", "steps",         "at_most", "aim",     "blends",        "all",
+    "bound",   "splits",     "real",          "prices",  "rounded", "contradiction", "widened_real",
+    "widened", "notes",      "versions",      "bailey"};
 
 void check_members(const Json &object, const std::string &where, const auto &known) {
   if (!object.is_object())

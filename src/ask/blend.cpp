@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 namespace mdm {
@@ -134,6 +135,18 @@ std::size_t relaxed_sieve(const std::string &text, const BlendProblem &p, SizeUn
                                in_quotes(text), fmt::join(sizes, ", ")));
 }
 
+BaileySieves bailey_of(const std::string &text) {
+  const Rational size = length("bailey", text).in(SizeUnit::mm);
+  std::vector<std::string> sizes;
+  for (const BaileySieves &sieves : bailey_sieves()) {
+    if (sieves.nominal == size)
+      return sieves;
+    sizes.push_back(to_decimal(sieves.nominal));
+  }
+  throw InputError(fmt::format("{}: {} is no nominal maximum size of the method; there are {} mm",
+                               option("bailey"), in_quotes(text), fmt::join(sizes, ", ")));
+}
+
 /// What --limit asks of a blend.
 struct LimitsOfBlend {
   std::vector<ModulusLimits> moduli;
@@ -209,7 +222,12 @@ const std::vector<OptionRow<BlendTexts>> BlendTexts::answer_options = {
     {"relax", "SIZE", OptionKind::number,
      "where there is no blend, by how much the limits of the sieve SIZE alone must be widened; without "
      "it all limits by the same",
-     &BlendTexts::relax}};
+     &BlendTexts::relax},
+    {"bailey", "SIZE", OptionKind::text,
+     "report the ratios of the Bailey method, CA, FAc and FAf, for this nominal maximum particle size: "
+     "37.5mm, "
+     "25mm, 19mm, 12.5mm, 9.5mm or 4.75mm",
+     &BlendTexts::bailey}};
 
 const std::vector<OptionRow<BlendTexts>> BlendTexts::limit_options = {
     {"node-limit", "N", OptionKind::number,
@@ -259,13 +277,39 @@ Blending::Blending(const BlendTexts &asked, std::vector<Gradation> stockpiles, c
   if (asked.at_most)
     problem_.at_most = small_natural("at-most-stockpiles", *asked.at_most, 1, 1'000'000);
   options_ = asked.search();
+  if (asked.bailey)
+    bailey_ = bailey_of(*asked.bailey);
   if (asked.relax)
     options_.relaxed = relaxed_sieve(*asked.relax, problem_, specification.unit);
 }
 
 BlendReport Blending::report() const {
-  return {problem_, answer_, specification_, mass_,
-          options_.relaxed ? std::optional<Rational>(problem_.sieves[*options_.relaxed].size) : std::nullopt};
+  BlendReport report{problem_, answer_, specification_, mass_};
+  if (options_.relaxed)
+    report.relaxed = problem_.sieves[*options_.relaxed].size;
+  report.bailey = bailey();
+  return report;
+}
+
+std::optional<BaileyReport> Blending::bailey() const {
+  if (!bailey_ || answer_.best.empty())
+    return std::nullopt;
+  BaileyReport report{*bailey_, {}};
+  const std::array<Rational, 4> sieves = {bailey_->half, bailey_->primary, bailey_->secondary,
+                                          bailey_->tertiary};
+  for (std::size_t i = 0; i < stockpiles_.size(); ++i) {
+    const Rational &share = answer_.best.front().shares[i];
+    for (std::size_t s = 0; s < sieves.size() && share != 0; ++s) {
+      const std::optional<PassingAt> at = passing_at(stockpiles_[i], sieves[s]);
+      if (!at)
+        throw InputError(
+            fmt::format("{}: {} does not tell what passes {} mm, which lies below its finest sieve",
+                        option("bailey"), printable(stockpiles_[i].id()), to_decimal(sieves[s])));
+      report.passing[s] += share * at->percent;
+      report.is_interpolated = report.is_interpolated || at->interpolated;
+    }
+  }
+  return report;
 }
 
 std::optional<Gradation> Blending::blended() const {

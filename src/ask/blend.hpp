@@ -16,7 +16,7 @@ namespace mdm {
 /// What is asked of a blend, as texts.
 struct BlendTexts {
   OptionText target; ///< its name
-  OptionText minimise, step, at_most, all, relax, node_limit, time_limit;
+  OptionText minimise, step, at_most, all, relax, bailey, node_limit, time_limit;
   std::vector<std::string> costs, shares, limits;
 
   static const std::vector<OptionRow<BlendTexts>> question_options, answer_options, limit_options;
@@ -42,6 +42,10 @@ public:
 
   const BlendProblem &problem() const { return problem_; }
   BlendReport report() const;
+  /// What of the best blend passes the sieves of the Bailey method; nothing where it is not asked for, or
+  /// there is no blend.
+  /// \throws InputError if a stockpile does not tell what passes one of them
+  std::optional<BaileyReport> bailey() const;
   Outcome outcome() const { return outcome_of(answer_); }
   /// The gradation of the best blend; nothing where there is none.
   std::optional<Gradation> blended() const;
@@ -56,6 +60,7 @@ private:
   std::string specification_; ///< its name
   BlendProblem problem_;
   BlendOptions options_;
+  std::optional<BaileySieves> bailey_;
   std::optional<NamedMass> mass_; ///< of a blend, where its steps are masses
   BlendAnswer answer_;
 };

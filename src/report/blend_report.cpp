@@ -1,8 +1,6 @@
 #include "report/blend_report.hpp"
 
-#include "answer/json_values.hpp"
 #include "text/text_table.hpp"
-#include "text/versions.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
@@ -15,19 +13,6 @@ namespace mdm {
 namespace {
 
 using BlendStatus = BlendAnswer::Status;
-
-const char *status_of_blend(BlendStatus status) {
-  switch (status) {
-  case BlendStatus::optimal:
-    return "optimal";
-  case BlendStatus::feasible:
-    return "feasible";
-  case BlendStatus::none:
-    return "none";
-  default:
-    return "unknown";
-  }
-}
 
 /// Exact if it is a short decimal, else its first digits.
 std::string short_value(const Rational &r) {
@@ -217,6 +202,30 @@ std::string further_limits_table(const BlendProblem &p, const Blend &blend) {
   return is_empty ? "" : "\n" + table.text();
 }
 
+std::string bailey_text(const BaileyReport &b) {
+  const BaileyRatios ratios = bailey_ratios(b.passing);
+  TextTable table;
+  table.add_column("Bailey, " + short_value(b.sieves.nominal) + " mm", '<');
+  table.add_column("sieves (mm)", '>');
+  table.add_column("passing", '>');
+  table.add_column("ratio", '>');
+  const auto line = [&](const char *name, const Rational &coarser, const Rational &finer, std::size_t at,
+                        const std::optional<Rational> &ratio) {
+    table.add_line();
+    table.add(name);
+    table.add(short_value(coarser) + ", " + short_value(finer));
+    table.add(short_value(b.passing[at]) + ", " + short_value(b.passing[at + 1]));
+    table.add(ratio ? short_value(*ratio) : "none");
+  };
+  line("coarse, CA", b.sieves.half, b.sieves.primary, 0, ratios.coarse);
+  line("coarse of the fine, FAc", b.sieves.primary, b.sieves.secondary, 1, ratios.fine_coarse);
+  line("fine of the fine, FAf", b.sieves.secondary, b.sieves.tertiary, 2, ratios.fine_fine);
+  return "\n" + table.text() +
+         (b.is_interpolated
+              ? "  where a stockpile lacks one of these sieves, what passes is interpolated, linear in size\n"
+              : "");
+}
+
 std::string limits_in_words(const std::vector<BlendLimit> &limits, const BlendProblem &p) {
   std::vector<std::string> words;
   for (const BlendLimit &limit : limits)
@@ -311,156 +320,7 @@ std::string notes_text(const BlendProblem &p) {
   return text.empty() ? "" : "\n" + text;
 }
 
-void write_limit(JsonWriter &json, const BlendMultiple &m, const BlendProblem &p) {
-  const char *const of[] = {"passing", "target", "share", "sum"};
-  const bool is_passing = m.limit.kind == BlendLimit::Kind::passing;
-  const bool is_modulus = is_passing && p.sieves[m.limit.index].modulus;
-  const bool is_coarseness = is_passing && p.sieves[m.limit.index].coarseness;
-  json.begin_object().key("of").plain(is_modulus      ? "modulus"
-                                      : is_coarseness ? "coarseness"
-                                                      : of[static_cast<std::size_t>(m.limit.kind)]);
-  json.key("name");
-  if (m.limit.kind == BlendLimit::Kind::share)
-    json.string(p.stockpiles[m.limit.index].name);
-  else if (m.limit.kind == BlendLimit::Kind::sum)
-    json.null();
-  else if (is_modulus)
-    json.plain(name(*p.sieves[m.limit.index].modulus));
-  else if (is_coarseness)
-    json.plain(to_string(*p.sieves[m.limit.index].coarseness));
-  else
-    json.plain(to_string(p.sieves[m.limit.index].size));
-  json.key("side").plain(m.limit.kind == BlendLimit::Kind::sum ? "equal"
-                         : m.limit.is_upper                    ? "most"
-                                                               : "least");
-  write(json.key("value"), value_of(m.limit, p));
-  write(json.key("multiplier"), m.multiplier).end_object();
-}
-
-void write_limits(JsonWriter &json, const std::vector<BlendMultiple> &multiples, const BlendProblem &p) {
-  json.begin_array();
-  for (const BlendMultiple &m : multiples)
-    write_limit(json, m, p);
-  json.end_array();
-}
-
-void write_rationals(JsonWriter &json, const std::vector<Rational> &numbers) {
-  json.begin_array();
-  for (const Rational &n : numbers)
-    write(json, n);
-  json.end_array();
-}
-
-/// What passes the sieves, and the fineness moduli that are limited.
-void write_passing(JsonWriter &json, const std::vector<Rational> &passing, const BlendProblem &p) {
-  json.key("passing").begin_array();
-  for (std::size_t s = 0; s < passing.size(); ++s)
-    if (p.sieves[s].is_sieve())
-      write(json, passing[s]);
-  json.end_array().key("moduli").begin_array();
-  for (std::size_t s = 0; s < passing.size(); ++s)
-    if (const std::optional<FinenessModulus> modulus = p.sieves[s].modulus)
-      write(json, modulus_of_mean(*modulus, passing[s]));
-  json.end_array();
-}
-
-void write_blend(JsonWriter &json, const Blend &blend, const BlendProblem &p) {
-  write_rationals(json.begin_object().key("shares"), blend.shares);
-  write_passing(json, blend.passing, p);
-  if (p.coarseness)
-    write(json.key("coarseness"), coarseness_factor(p, blend.shares));
-  write(json.key("value"), blend.value).key("broken").begin_array();
-  for (const BlendLimit &limit : broken_limits(p, blend))
-    json.string(in_words(limit, p));
-  json.end_array().end_object();
-}
-
-void write_blend(JsonWriter &json, const std::optional<Blend> &blend, const BlendProblem &p) {
-  if (blend)
-    write_blend(json, *blend, p);
-  else
-    json.null();
-}
-
-void write_problem(JsonWriter &json, const BlendProblem &p) {
-  json.key("stockpiles").begin_array();
-  for (const Stockpile &s : p.stockpiles) {
-    json.begin_object().key("name").string(s.name);
-    write_passing(json, s.passing, p);
-    if (p.coarseness) {
-      write(json.key("coarse").begin_array(), s.coarse->at_9_5_mm);
-      write(json, s.coarse->at_2_36_mm);
-      json.end_array();
-    }
-    write(json.key("least"), s.least);
-    write(json.key("most"), s.most);
-    write(json.key("cost"), s.cost).end_object();
-  }
-  json.end_array().key("sieves").begin_array();
-  for (const BlendSieve &s : p.sieves) {
-    if (!s.is_sieve())
-      continue;
-    write(json.begin_object().key("size"), s.size);
-    write(json.key("least"), s.least);
-    write(json.key("most"), s.most);
-    write(json.key("target"), s.target).end_object();
-  }
-  json.end_array().key("moduli").begin_array();
-  for (const BlendSieve &s : p.sieves)
-    if (s.modulus) {
-      json.begin_object().key("name").plain(name(*s.modulus));
-      write(json.key("least"), modulus_of_mean(*s.modulus, s.most));
-      write(json.key("most"), modulus_of_mean(*s.modulus, s.least)).end_object();
-    }
-  json.end_array();
-  if (p.coarseness) {
-    write(json.key("coarseness").begin_object().key("least"), p.coarseness->least);
-    write(json.key("most"), p.coarseness->most).end_object();
-  }
-  json.key("steps").number(p.steps).key("at_most");
-  if (p.at_most)
-    json.number(*p.at_most);
-  else
-    json.null();
-  json.key("aim").plain(name(p.aim));
-}
-
 } // namespace
-
-std::string blend_json(const BlendReport &r) {
-  const BlendAnswer &a = r.answer;
-  JsonWriter json;
-  json.begin_object().key("schema").plain("mdm-blend-1");
-  if (!r.id.empty())
-    json.key("id").string(r.id);
-  json.key("specification").string(r.specification);
-  json.key("status").plain(status_of_blend(a.status)).key("unit").plain("mm");
-  write_problem(json, r.problem);
-  json.key("blends").begin_array();
-  for (const Blend &blend : a.best)
-    write_blend(json, blend, r.problem);
-  json.end_array().key("all").boolean(a.is_all).key("bound");
-  if (a.status == BlendStatus::none)
-    json.null();
-  else
-    write(json, a.bound);
-  json.key("splits").number(a.splits);
-  write_blend(json.key("real"), a.real, r.problem);
-  write_limits(json.key("prices"), a.prices, r.problem);
-  write_blend(json.key("rounded"), a.rounded, r.problem);
-  json.key("contradiction");
-  if (a.contradiction) {
-    write_limits(json.begin_object().key("limits"), a.contradiction->limits, r.problem);
-    write(json.key("sum"), a.contradiction->sum);
-    write(json.key("excess"), a.contradiction->excess).end_object();
-  } else {
-    json.null();
-  }
-  write_blend(json.key("widened_real"), a.widened_real, r.problem);
-  write_blend(json.key("widened"), a.widened, r.problem);
-  json.key("notes").strings(r.problem.notes).key("versions").raw(versions_json()).end_object();
-  return json.take();
-}
 
 std::string blend_csv(const BlendReport &r) {
   std::string text = "rank,value";
@@ -483,6 +343,8 @@ std::string blend_text(const BlendReport &r) {
   if (!a.best.empty())
     text += "\n" + stockpile_table(r) + "\n" + sieve_table(r, a.best.front()) +
             further_limits_table(r.problem, a.best.front());
+  if (r.bailey)
+    text += bailey_text(*r.bailey);
   if (a.status == BlendStatus::none) {
     if (a.contradiction)
       text += contradiction_text(r.problem, *a.contradiction);

@@ -2,6 +2,8 @@
 /// \file
 /// Blends of stockpiles as text, JSON and CSV.
 
+#include "soil/bailey.hpp"
+
 #include <mdm/blend/blend.hpp>
 
 namespace mdm {
@@ -12,6 +14,13 @@ struct NamedMass {
   std::string unit;
 };
 
+/// The ratios of the Bailey method of the best blend.
+struct BaileyReport {
+  BaileySieves sieves;
+  std::array<Rational, 4> passing; ///< percents at half, primary, secondary and tertiary sieve
+  bool is_interpolated = false;    ///< between two sieves of a stockpile, linear in size
+};
+
 /// What is told of the best blends.
 struct BlendReport {
   const BlendProblem &problem;
@@ -20,6 +29,7 @@ struct BlendReport {
   std::optional<NamedMass> mass;                  ///< of a blend, where steps were given in masses
   std::optional<Rational> relaxed = std::nullopt; ///< the sieve whose limits alone are widened, mm
   std::string id = {};                            ///< of the problem, in JSON; empty: none
+  std::optional<BaileyReport> bailey = std::nullopt;
 };
 
 /// One line of JSON, schema `mdm-blend-1`, without a newline at its end. Exact numbers are strings `p/q`.

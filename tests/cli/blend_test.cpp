@@ -416,3 +416,32 @@ TEST_CASE("an answer with a coarseness factor is a problem for many, and what is
   const std::string answer = folder.write("answer.jsonl", outcome.out.substr(0, outcome.out.find('\n') + 1));
   CHECK(mdm({"blend", "--problems", answer}).out == outcome.out.substr(0, outcome.out.find('\n') + 1));
 }
+
+TEST_CASE("the ratios of the Bailey method are reported where they are asked for", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string a = folder.write(
+                        "a.csv",
+                        "size_mm,passing_percent\n9.5,100\n4.75,80\n2.36,40\n0.6,20\n0.15,8\n0.1,0\n"),
+                    b = folder.write("b.csv", "size_mm,passing_percent\n9.5,100\n4.75,40\n2.36,20\n0.6,0\n"),
+                    spec = folder.write("limits.csv", "size_mm,passing_min_percent,passing_max_percent\n"
+                                                      "9.5,100,100\n4.75,60,60\n");
+  const Arguments question = {"blend", a, b, "--spec", spec};
+  const auto with = [&question](const Arguments &more) {
+    Arguments all = question;
+    all.insert(all.end(), more.begin(), more.end());
+    return mdm(all);
+  };
+  // Half and half: 60, 30, 10 and 4 percent pass.
+  const Json bailey = Json::parse(with({"--bailey", "9.5mm", "--format", "json"}).out).at("bailey");
+  CHECK(bailey.at("sieves") == Json({"19/4", "59/25", "3/5", "3/20"}));
+  CHECK(bailey.at("passing") == Json({"60", "30", "10", "4"}));
+  CHECK(bailey.at("CA") == "3/4");
+  CHECK(bailey.at("FAc") == "1/3");
+  CHECK(bailey.at("FAf") == "2/5");
+  CHECK(bailey.at("interpolated") == false);
+  CHECK(contains(with({"--bailey", "9.5mm"}).out,
+                 "  fine of the fine, FAf      0.6, 0.15    10, 4       0.4\n"));
+  CHECK(contains(with({"--bailey", "12.5mm"}).out, "is interpolated, linear in size"));
+  CHECK_FALSE(Json::parse(with({"--format", "json"}).out).contains("bailey"));
+  check_refused(with({"--bailey", "10mm"}), "there are 37.5, 25, 19, 12.5, 9.5, 4.75 mm");
+}

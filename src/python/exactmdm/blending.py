@@ -96,7 +96,7 @@ def blend(stockpiles: Iterable[Source], specification: Path, *, target: Source |
           minimise: str | None = None, cost: Iterable[str] | None = None, step: str | None = None,
           share: Iterable[str] | None = None, limit: Iterable[str] | None = None,
           at_most_stockpiles: Number | None = None, all: Number | None = None, relax: Number | None = None,
-          node_limit: Number | None = None, time_limit: Union[Number, float, None] = None,
+          bailey: str | None = None, node_limit: Number | None = None, time_limit: Union[Number, float, None] = None,
           specimen_id: str | None = None, columns: str | None = None, kind: str | None = None, unit: str | None = None,
           skip: Number | None = None, sheet: str | None = None, loss: Number | None = None, round: Number | None = None,
           # End of the options.
@@ -132,6 +132,8 @@ def blend(stockpiles: Iterable[Source], specification: Path, *, target: Source |
         limit: limits of the blend's fineness modulus, FM=2.3..3.1 of ASTM C125 or FM-EN=2.4..3.0 of EN 12620, or of its
             coarseness factor, CF=45..75: of what stays on 2.36 mm the percent that stays on 9.5 mm; either end may be left
             out.
+        bailey: report the ratios of the Bailey method, CA, FAc and FAf, for this nominal maximum particle size: 37.5mm,
+            25mm, 19mm, 12.5mm, 9.5mm or 4.75mm.
 
     Raises:
         InputError: an option or a file is wrong.

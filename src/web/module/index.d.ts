@@ -256,6 +256,11 @@ export interface BlendWords {
    * by the same.
    */
   relax?: number | string;
+  /**
+   * Report the ratios of the Bailey method, CA, FAc and FAf, for this nominal maximum particle size: 37.5mm, 25mm,
+   * 19mm, 12.5mm, 9.5mm or 4.75mm.
+   */
+  bailey?: string;
   /** Stop after so many splits of the search, 1000000 without it. */
   nodeLimit?: number | string;
   /** Stop after so many seconds. */
