@@ -13,6 +13,7 @@
 #include "files/sample_names.hpp"
 #include "files/specification_file.hpp"
 #include "judge/filter.hpp"
+#include "judge/job_mix.hpp"
 #include "judge/stability.hpp"
 #include "plot/curves_figure.hpp"
 #include "report/conformity_report.hpp"
@@ -29,8 +30,10 @@ namespace {
 
 struct JudgeCommand {
   SampleFiles files;
-  std::optional<std::string> spec, stability, base, rule, rounding;
-  std::vector<std::string> limits;
+  std::optional<std::string> spec, job_mix, stability, base, rule, rounding;
+  std::vector<std::string> limits, within;
+
+  bool has_limits() const { return spec || job_mix; }
   bool dispersive = false, no_regrade = false;
   ReadingFlags reading;
   std::optional<unsigned> digits;
@@ -39,19 +42,26 @@ struct JudgeCommand {
 };
 
 void check(const JudgeCommand &c) {
-  if (int{c.spec.has_value()} + int{c.stability.has_value()} + int{c.base.has_value()} != 1)
-    throw InputError(fmt::format("one of {}, {} and {} says what is judged: give a file of "
-                                 "limits or one of {}; a rule of stability; or the base that a filter is for",
-                                 option("spec"), option("stability"), option("filter-for"),
-                                 fmt::join(shipped_specifications(), ", ")));
-  if (!c.spec && !c.limits.empty())
+  if (int{c.spec.has_value()} + int{c.job_mix.has_value()} + int{c.stability.has_value()} +
+          int{c.base.has_value()} !=
+      1)
+    throw InputError(
+        fmt::format("one of {}, {}, {} and {} says what is judged: give a file of "
+                    "limits or one of {}; the gradation of a job mix; a rule of stability; or the "
+                    "base that a filter is for",
+                    option("spec"), option("job-mix"), option("stability"), option("filter-for"),
+                    fmt::join(shipped_specifications(), ", ")));
+  if (c.job_mix.has_value() != !c.within.empty())
+    throw InputError(option("job-mix") + " and " + option("within") +
+                     " go together: the mix, and how many points a sample may be from it");
+  if (!c.has_limits() && !c.limits.empty())
     throw InputError(option("limit") + " is beside the limits of a specification: give " + option("spec") +
                      " too");
   if (!c.base && (c.rule || c.dispersive || c.no_regrade))
     throw InputError(option("rule") + ", " + option("dispersive") + " and " + option("no-regrade") +
                      " are about filters: give " + option("filter-for") + " too");
   std::vector<std::string> inputs = c.files.paths;
-  for (const std::optional<std::string> &more : {c.spec, c.base})
+  for (const std::optional<std::string> &more : {c.spec, c.job_mix, c.base})
     if (more)
       inputs.push_back(*more);
   check_paths(inputs, {c.output.path(), c.plot.path()});
@@ -94,12 +104,18 @@ DrawnCurve drawn(const UnderstoodGradation &g, const Judgement &judged, std::vec
           std::move(missed)};
 }
 
+/// \pre limits are asked for
+Specification limits_in(const JudgeCommand &c) {
+  return c.spec ? specification_at(*c.spec)
+                : job_mix_limits(any_curve(*c.job_mix, {}, c.output.quiet).gradation, c.within);
+}
+
 Judged by_specification(const JudgeCommand &c) {
   const std::optional<Rational> unit = rounding_of(c.rounding);
   std::vector<FurtherLimit> limits;
   for (const std::string &text : c.limits)
     limits.push_back(parse_further_limit(text));
-  ConformityReport r{specification_at(*c.spec), {}};
+  ConformityReport r{limits_in(c), {}};
   CurvesFigure figure{r.specification.id, {}, envelope_of(r.specification), {}};
   const ReadSamples read = c.files.read(c.reading, c.output.quiet);
   for (std::size_t i = 0; i < read.samples.size(); ++i)
@@ -165,7 +181,9 @@ std::unique_ptr<Output> drawn_plot(const JudgeCommand &c, const Judged &judged) 
 
 int run(const JudgeCommand &c) {
   check(c);
-  const Judged judged = c.spec ? by_specification(c) : c.stability ? by_stability(c) : by_filter_rule(c);
+  const Judged judged = c.has_limits() ? by_specification(c)
+                        : c.stability  ? by_stability(c)
+                                       : by_filter_rule(c);
   const std::unique_ptr<Output> plot = c.plot ? drawn_plot(c, judged) : nullptr;
   Output out(c.output.path());
   out.write(judged.report);
@@ -190,6 +208,16 @@ Run add_judge(CLI::App &app) {
           "what the specification asks besides: FM=2.3..3.1, the fineness modulus of ASTM C125, FM-EN that "
           "of EN 12620; retained=..45%, what passes a sieve of it and stays on the next; any number of them")
       ->type_name("NAME=MIN..MAX")
+      ->allow_extra_args(false);
+  command
+      .add_option("--job-mix", c->job_mix,
+                  "in the place of a specification: the gradation that the samples are to have")
+      ->type_name("MIX");
+  command
+      .add_option("--within", c->within,
+                  "how many points what passes may be from the job mix: 5 at all of its sieves, or "
+                  "4.75mm=7,0.075mm=2 at these")
+      ->type_name("SIZE=POINTS,...")
       ->allow_extra_args(false);
   command
       .add_option("--stability", c->stability,
@@ -235,8 +263,9 @@ Run add_judge(CLI::App &app) {
       {"mdm judge sand.csv --spec astm-c33-fine", "mdm judge a.csv b.csv --spec limits.csv --format csv",
        "mdm judge sand.csv --spec astm-c33-fine --limit FM=2.3..3.1 --limit retained=..45%",
        "mdm judge sand.csv --spec astm-c33-fine --plot sand.svg",
-       "mdm judge base.csv --spec superpave-19 --rounding 0.1", "mdm judge fill.csv --stability kenney-lau",
-       "mdm judge sand.csv --filter-for core.csv --rule fema"}));
+       "mdm judge base.csv --spec superpave-19 --rounding 0.1",
+       "mdm judge field.csv --job-mix mix.csv --within 4.75mm=7,0.6mm=4,0.075mm=2",
+       "mdm judge fill.csv --stability kenney-lau", "mdm judge sand.csv --filter-for core.csv --rule fema"}));
   return [c] { return run(*c); };
 }
 

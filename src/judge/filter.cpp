@@ -58,42 +58,42 @@ Rational decimal(const char *text) {
 }
 
 /// A length that is decided as a power product where it is one, so that ties are.
-struct Length {
+struct FilterSize {
   std::optional<PowerProduct> product;
   Real value;
 
-  Length(const PowerProduct &p) : product(p), value(p.real()) {}
-  Length(const Real &r) : value(r) {}
+  FilterSize(const PowerProduct &p) : product(p), value(p.real()) {}
+  FilterSize(const Real &r) : value(r) {}
 };
 
 /// a <= b. \throws NotAvailable where no precision tells
-bool is_at_most(const Length &a, const Length &b) {
+bool is_at_most(const FilterSize &a, const FilterSize &b) {
   if (a.product && b.product)
     return not_above(*a.product, *b.product);
   return !certainly_less(b.value, a.value);
 }
 
-const Length &least_of(const Length &a, const Length &b) {
+const FilterSize &least_of(const FilterSize &a, const FilterSize &b) {
   return is_at_most(a, b) ? a : b;
 }
 
-const Length &greatest_of(const Length &a, const Length &b) {
+const FilterSize &greatest_of(const FilterSize &a, const FilterSize &b) {
   return is_at_most(a, b) ? b : a;
 }
 
 /// A length between two; without `lo` between 0 and `hi`.
 struct LengthRange {
-  std::optional<Length> lo;
-  Length hi;
+  std::optional<FilterSize> lo;
+  FilterSize hi;
 };
 
 LengthRange times(unsigned factor, const DiameterRange &d) {
   const PowerProduct k{Rational(factor)};
-  return {d.lo ? std::optional<Length>(k * *d.lo) : std::nullopt, Length(k * d.hi)};
+  return {d.lo ? std::optional<FilterSize>(k * *d.lo) : std::nullopt, FilterSize(k * d.hi)};
 }
 
 LengthRange at_least(const LengthRange &r, const PowerProduct &least) {
-  return {r.lo ? greatest_of(*r.lo, least) : Length(least), greatest_of(r.hi, least)};
+  return {r.lo ? greatest_of(*r.lo, least) : FilterSize(least), greatest_of(r.hi, least)};
 }
 
 /// value <= limit
@@ -174,7 +174,7 @@ public:
       if (may_be_in(fines_, category)) {
         const LengthRange one = retention_of(category);
         all = !all ? one
-                   : LengthRange{all->lo && one.lo ? std::optional<Length>(least_of(*all->lo, *one.lo))
+                   : LengthRange{all->lo && one.lo ? std::optional<FilterSize>(least_of(*all->lo, *one.lo))
                                                    : std::nullopt,
                                  greatest_of(all->hi, one.hi)};
       }
@@ -269,11 +269,12 @@ private:
     switch (category) {
     case 1: {
       const PowerProduct k(decimal(options_.dispersive ? "6.5" : "9"));
-      return at_least({d85_.lo ? std::optional<Length>(k * *d85_.lo) : std::nullopt, Length(k * d85_.hi)},
-                      PowerProduct(decimal("0.2")));
+      return at_least(
+          {d85_.lo ? std::optional<FilterSize>(k * *d85_.lo) : std::nullopt, FilterSize(k * d85_.hi)},
+          PowerProduct(decimal("0.2")));
     }
     case 2:
-      return {Length(least), Length(least)};
+      return {FilterSize(least), FilterSize(least)};
     case 3: {
       const Rational from = std::max<Rational>(fines_.lo, bound_of(3)),
                      to = std::min<Rational>(fines_.hi, bound_of(2));
@@ -285,15 +286,15 @@ private:
   }
 
   /// (40 - A)/25 (4 d85 - least) + least, and `least` where 4 d85 is smaller.
-  static Length between(const std::optional<PowerProduct> &d, const Rational &fines_percent,
-                        const Rational &least) {
+  static FilterSize between(const std::optional<PowerProduct> &d, const Rational &fines_percent,
+                            const Rational &least) {
     if (!d || not_above(PowerProduct(4) * *d, PowerProduct(least)))
       return PowerProduct(least);
     const Rational part = (bound_of(2) - fines_percent) / (bound_of(2) - bound_of(3));
     if (part == 0)
       return PowerProduct(least);
-    return part == 1 ? Length(PowerProduct(4) * *d)
-                     : Length(Real(4 * part) * d->real() + Real((1 - part) * least));
+    return part == 1 ? FilterSize(PowerProduct(4) * *d)
+                     : FilterSize(Real(4 * part) * d->real() + Real((1 - part) * least));
   }
 
   void note_regrading() {
@@ -378,7 +379,7 @@ private:
                                     true,
                                     Real(Rational(most)),
                                     fmt::format("{} mm", most),
-                                    at_most(all, {Length(limit), Length(limit)})});
+                                    at_most(all, {FilterSize(limit), FilterSize(limit)})});
   }
 
   /// The greatest D90 for the least D10 (mm): at a bound that two rows name, the stricter one.
@@ -405,7 +406,7 @@ private:
                                     true,
                                     Real(Rational(least)),
                                     fmt::format("{} mm for this D10", least),
-                                    at_most(d90, {Length(lo), Length(hi)})});
+                                    at_most(d90, {FilterSize(lo), FilterSize(hi)})});
     result_.numbers.push_back({"D10", reported_diameter(10), "mm"});
   }
 

@@ -150,7 +150,7 @@ TEST_CASE("what is judged is asked for once, and rules have names", "[judge]") {
     CHECK(outcome.out.empty());
     CHECK(has(outcome.err, why));
   };
-  refused({"judge", "-"}, "one of --spec, --stability and --filter-for");
+  refused({"judge", "-"}, "one of --spec, --job-mix, --stability and --filter-for");
   refused({"judge", "-", "--spec", "astm-c33-fine", "--stability", "kezdi"}, "one of --spec");
   refused({"judge", "-", "--stability", "kenney"}, "'kenney' is none of kenney-lau, kezdi, burenkova");
   refused({"judge", "-", "--stability", "kezdi", "--dispersive"}, "give --filter-for too");
@@ -174,4 +174,34 @@ TEST_CASE("samples are drawn beside the limits", "[judge]") {
   CHECK(has(read_file(folder / "r.svg"), "base: base"));
   check_refused(judged(good, {"--plot", folder / "p.txt"}), "let OUT end in .svg, .png or .pdf");
   check_refused(judged(good, {"--plot", "-"}), "--plot needs a file");
+}
+
+TEST_CASE("samples are judged by a job mix and its tolerances", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string mix = folder.write("mix.csv",
+                                       "size_mm,passing_percent\n19,100\n4.75,60.5\n0.6,22\n0.075,5.0\n"),
+                    field = folder.write("field.csv",
+                                         "size_mm,passing_percent\n19,100\n4.75,67\n0.6,22\n0.075,7.0\n");
+  const auto judged = [&](const Arguments &within) {
+    Arguments all = {"judge", field, "--job-mix", mix};
+    for (const std::string &text : within)
+      all.insert(all.end(), {"--within", text});
+    return mdm(all);
+  };
+  // At most 67.5 and 7 percent pass; 67 is from 66.5 to 67.5, and 7.0 from 6.95 to 7.05.
+  CHECK(judged({"4.75mm=7"}).exit_code == 0);
+  CHECK(contains(judged({"4.75=6.9%"}).out, "HANGS"));
+  CHECK(judged({"4.75mm=5.9"}).exit_code == 1);
+  CHECK(contains(judged({"0.075mm=2"}).out, "HANGS"));
+  const Outcome all = judged({"7", "0.075mm=2.05"});
+  CHECK(all.exit_code == 0);
+  CHECK(contains(all.out, "field: PASS of job mix mix"));
+  CHECK(contains(all.out, "7 points about 60.5 % passing 4.75 mm"));
+  CHECK(contains(all.out, "2.05 points about 5 % passing 0.075 mm"));
+  check_refused(judged({"3mm=2"}), "the job mix has no such sieve; there are 0.075, 0.6, 4.75, 19 mm");
+  check_refused(judged({"4.75mm=-1"}), "is below 0");
+  check_refused(judged({"4.75mm"}), "--within");
+  check_refused(judged({}), "--job-mix and --within go together");
+  check_refused(mdm({"judge", field, "--job-mix", mix, "--within", "5", "--spec", "astm-c33-fine"}),
+                "one of --spec");
 }
