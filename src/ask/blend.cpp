@@ -1,6 +1,7 @@
 #include "ask/blend.hpp"
 
 #include "ask/option_values.hpp"
+#include "blend/blend_vipr.hpp"
 #include "blend/blended_gradation.hpp"
 #include "judge/further_limits.hpp"
 #include "text/lines.hpp"
@@ -332,6 +333,11 @@ std::optional<Gradation> Blending::blended_with(const std::vector<std::string> &
 std::optional<std::string> Blending::proof() const {
   const bool has_ended = outcome() != Outcome::limited;
   return has_ended ? std::optional<std::string>(blend_certificate(problem_, answer_)) : std::nullopt;
+}
+
+std::optional<std::string> Blending::vipr() const {
+  const bool has_ended = outcome() != Outcome::limited;
+  return has_ended ? std::optional<std::string>(blend_vipr(problem_, answer_)) : std::nullopt;
 }
 
 } // namespace mdm

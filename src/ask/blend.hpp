@@ -54,6 +54,9 @@ public:
   std::optional<Gradation> blended_with(const std::vector<std::string> &densities);
   /// Nothing where the search did not come to its end.
   std::optional<std::string> proof() const;
+  /// The same for VIPR checkers.
+  /// \throws InputError where that has no form for what is asked
+  std::optional<std::string> vipr() const;
 
 private:
   std::vector<Gradation> stockpiles_;

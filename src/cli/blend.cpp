@@ -37,7 +37,7 @@ struct BlendCommand {
   OptionText problems;
   unsigned threads = 1;
   BlendTexts asked;
-  OptionText blended, proof;
+  OptionText blended, proof, vipr;
   std::vector<std::string> densities; ///< of the stockpiles in the blend's gradation
   PlotFlag plot;
   ReadingFlags reading;
@@ -101,15 +101,17 @@ void check_files(const BlendCommand &c) {
     paths.push_back(*c.asked.target);
   if (std::count(paths.begin(), paths.end(), "-") > 1)
     throw InputError("standard input can be one file alone: give the others by name");
-  if (c.proof == "-")
-    throw InputError(option("proof") + " needs a file: standard output has the report");
+  for (const auto &[name, path] : {std::pair("proof", c.proof), std::pair("vipr", c.vipr)})
+    if (path == "-")
+      throw InputError(option(name) + " needs a file: standard output has the report");
   if (!c.densities.empty() && (!c.blended || c.blended->ends_with(".json")))
     throw InputError(option("density") + ": it is of the materials in " + option("blended") +
                      " OUT, which are in CSV: give it such a file");
   if (c.blended == "-")
     throw InputError(option("blended") + " needs a file: standard output has the report");
   for (const std::string &path : paths) // the target may be a stockpile
-    check_distinct({path, c.output.path(), c.blended.value_or("-"), c.proof.value_or("-"), c.plot.path()});
+    check_distinct({path, c.output.path(), c.blended.value_or("-"), c.proof.value_or("-"),
+                    c.vipr.value_or("-"), c.plot.path()});
   c.plot.check();
 }
 
@@ -134,7 +136,7 @@ void check_alone(const BlendCommand &c) {
   const BlendTexts &a = c.asked;
   if (!c.files.empty() || !c.specification.empty() || a.target || a.minimise || a.step || a.at_most ||
       a.relax || !a.costs.empty() || !a.shares.empty() || !a.limits.empty() || !c.densities.empty() ||
-      c.blended || c.proof || c.plot || c.reading.is_given())
+      c.blended || c.proof || c.vipr || c.plot || c.reading.is_given())
     throw InputError(option("problems") + ": its lines say all that is asked: beside it stand " +
                      option("all") + ", " + option("node-limit") + ", " + option("time-limit") +
                      ", -j, -o and " + option("quiet") + " alone");
@@ -172,6 +174,7 @@ int run(const BlendCommand &c) {
   const std::unique_ptr<Output> plot =
       c.plot ? c.plot.drawn(figure_of(stockpiles, specification, target, blending), c.output.quiet) : nullptr;
   const std::optional<std::string> blended = blended_file(c, blending);
+  const std::optional<std::string> vipr = c.vipr ? blending.vipr() : std::nullopt;
   const BlendReport r = blending.report();
   out.write(c.output.report([&] { return blend_text(r); }, [&] { return blend_json(r); },
                             [&] { return blend_csv(r); }));
@@ -180,6 +183,8 @@ int run(const BlendCommand &c) {
     write_output(*c.blended, *blended);
   if (const auto proof = c.proof ? blending.proof() : std::nullopt)
     write_output(*c.proof, *proof);
+  if (vipr)
+    write_output(*c.vipr, *vipr);
   if (plot)
     plot->commit();
   out.commit();
@@ -210,6 +215,10 @@ void add_answer(CLI::App &command, BlendCommand &c) {
   command
       .add_option("--proof", c.proof,
                   "write a proof of the best blend, or that there is none, for mdm-check SPEC FILE... OUT")
+      ->type_name("OUT");
+  command
+      .add_option("--vipr", c.vipr,
+                  "write the proof in the VIPR format; not of squares, nor with --at-most-stockpiles")
       ->type_name("OUT");
   c.plot.add_to(command, "draw the stockpiles, the best blend and the limits");
   add_options(command, BlendTexts::limit_options, c.asked);

@@ -272,6 +272,20 @@ TEST_CASE("the proof of a blend is accepted, and so is that of none", "[cli]") {
   proved(Stockpiles(limits), {"--at-most-stockpiles", "1", "--share", "fine=..90%"}, 1);
 }
 
+TEST_CASE("the proof of a blend is written for VIPR checkers where its question is linear", "[cli]") {
+  const Stockpiles stockpiles("8,100,100\n4,60,70\n1,10,30\n");
+  const std::string file = stockpiles.folder() / "mix.vipr";
+  CHECK(stockpiles.blend({"--cost", "fine=10,coarse=4", "--vipr", file}).exit_code == 0);
+  CHECK(contains(read_file(file), "RTP range 151/25 151/25\nSOL 1\n"));
+  const Stockpiles none("8,100,100\n4,60,60.1\n");
+  CHECK(none.blend({"--vipr", file}).exit_code == 1);
+  CHECK(contains(read_file(file), "RTP infeas\nSOL 0\n"));
+  check_refused(stockpiles.blend({"--at-most-stockpiles", "1", "--vipr", stockpiles.folder() / "b.vipr"}),
+                "--vipr: its conditions are linear");
+  CHECK_FALSE(std::filesystem::exists(stockpiles.folder() / "b.vipr"));
+  check_refused(stockpiles.blend({"--vipr", "-"}), "--vipr needs a file");
+}
+
 TEST_CASE("a proof of files that mdm-check does not read is refused", "[cli]") {
   const Stockpiles open; // its largest sieve lets 70 percent pass at most
   const std::string proof = open.folder() / "mix.proof";

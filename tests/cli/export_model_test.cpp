@@ -163,14 +163,15 @@ TEST_CASE("the specimen at its void ratio sets the number of particles and the t
 
 TEST_CASE("pressures and Young's moduli are taken with a unit", "[cli]") {
   const TemporaryFolder folder;
-  const std::string pascals = folder / "pascals.in", with_unit = folder / "with-unit.in";
-  REQUIRE(export_model("yade", pascals, {"--stress", "250000", "--young", "7e7"}).exit_code == 0);
+  const std::string model = folder / "model.py";
+  REQUIRE(export_model("yade", model, {"--stress", "250000", "--young", "7e7"}).exit_code == 0);
+  const std::string in_pascals = read_file(model);
   for (const auto &[stress, young] : {std::pair{"250kPa", "0.07GPa"}, std::pair{"0.25 MPa", "70 MPa"}}) {
-    REQUIRE(export_model("yade", with_unit, {"--stress", stress, "--young", young}).exit_code == 0);
-    CHECK(read_file(with_unit) == read_file(pascals));
+    REQUIRE(export_model("yade", model, {"--stress", stress, "--young", young}).exit_code == 0);
+    CHECK(read_file(model) == in_pascals);
   }
   for (const char *wrong : {"100psi", "kPa", "-1kPa", "1 k Pa", "1e40GPa"})
-    check_refused(export_model("yade", with_unit, {"--stress", wrong}), "--stress");
+    check_refused(export_model("yade", model, {"--stress", wrong}), "--stress");
 }
 
 TEST_CASE("a periodic box has the ratios of the sides that are asked for", "[cli]") {

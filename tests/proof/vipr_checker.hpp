@@ -28,18 +28,30 @@ public:
   explicit Checker(const std::string &text) : in_(text) {}
 
   /// Throws if the file is not a proof that the least objective is `claimed`.
-  void check(const Integer &claimed) {
+  void check(const Rational &claimed) {
     problem("min");
     expect("RTP");
     expect("range");
-    demand(number() == Rational(claimed) && number() == Rational(claimed), "range");
+    demand(number() == claimed && number() == claimed, "range");
     expect("SOL");
     demand(count() == 1, "one solution");
     word();
     check_solution(terms(count()), claimed);
     const Constraint last = proved();
-    demand(last.sense == 'G' && last.terms == objective_ && last.rhs >= Rational(claimed),
+    demand(last.sense == 'G' && last.terms == objective_ && last.rhs >= claimed,
            "the last line bounds the objective");
+  }
+
+  /// Throws if the file is not a proof that its problem has no solution.
+  void check_infeasible() {
+    problem("min");
+    expect("RTP");
+    expect("infeas");
+    expect("SOL");
+    demand(count() == 0, "no solution");
+    const Constraint last = proved();
+    demand(last.terms.empty() && (last.sense == 'G' ? last.rhs > 0 : last.rhs < 0),
+           "the last line is a contradiction");
   }
 
   /// Throws if the file is not a proof that the greatest objective is at most `bound`.
@@ -57,8 +69,8 @@ public:
   }
 
   /// True if the values, 0 where there are none, satisfy the problem of the file.
-  bool admits(const std::map<std::size_t, Rational> &x) {
-    problem("max");
+  bool admits(const std::map<std::size_t, Rational> &x, const char *sense = "max") {
+    problem(sense);
     for (const std::size_t i : integers_)
       if (const auto v = x.find(i); v != x.end() && denominator(v->second) != 1)
         return false;
@@ -150,13 +162,14 @@ private:
     return c.sense == 'G' ? sum >= c.rhs : sum <= c.rhs;
   }
 
-  void check_solution(const std::map<std::size_t, Rational> &x, const Integer &claimed) const {
+  void check_solution(const std::map<std::size_t, Rational> &x, const Rational &claimed) const {
     Rational value = 0;
     for (const auto &[i, v] : x) {
-      demand(denominator(v) == 1, "an integer solution");
-      value += v * objective_.at(i);
+      demand(denominator(v) == 1 || integers_.count(i) == 0, "an integer solution");
+      if (const auto coefficient = objective_.find(i); coefficient != objective_.end())
+        value += v * coefficient->second;
     }
-    demand(value == Rational(claimed), "the solution's value");
+    demand(value == claimed, "the solution's value");
     for (const Constraint &c : all_)
       demand(satisfied(c, x), "the solution satisfies every constraint");
   }
