@@ -1,7 +1,7 @@
 // Writes exactmdm.html, one file with all that the page needs.
 //
 //     node page/build.mjs OUT --glue MDM.js --wasm MDM.wasm --check-glue CHECK.js --check-wasm CHECK.wasm
-//         [--verified CHECKER.js] [--examples FOLDER]
+//         [--verified CHECKER.js] [--root FOLDER]
 
 import { createHash } from "node:crypto";
 import { readFile, writeFile } from "node:fs/promises";
@@ -74,8 +74,13 @@ async function page(inputs) {
   if (inputs.verified) {
     data.push(await worker("verified-worker", "verified_worker.js", { "verified-checker": resolve(inputs.verified) }));
   }
-  const examples = resolve(inputs.examples ?? join(here, "../../../examples/gradations"));
-  const script = (await bundle("main.js", { examples })).replaceAll("</script", "<\\/script");
+  const root = resolve(inputs.root ?? join(here, "../../.."));
+  const folders = {
+    examples: join(root, "examples/gradations"),
+    "blend-example": join(root, "examples/08-blend"),
+    specifications: join(root, "src/judge/specifications"),
+  };
+  const script = (await bundle("main.js", folders)).replaceAll("</script", "<\\/script");
   const { version } = JSON.parse(await readFile(join(here, "../package.json"), "utf8"));
   const parts = { policy: policyFor(script), style: await minifiedStyle(), version, data: data.join("\n"), script };
   const template = await readFile(join(here, "index.html"), "utf8");
@@ -85,6 +90,6 @@ async function page(inputs) {
 const text = { type: "string" };
 const { values, positionals } = parseArgs({
   allowPositionals: true,
-  options: { glue: text, wasm: text, "check-glue": text, "check-wasm": text, verified: text, examples: text },
+  options: { glue: text, wasm: text, "check-glue": text, "check-wasm": text, verified: text, root: text },
 });
 await writeFile(positionals[0], await page(values));

@@ -1,7 +1,7 @@
 // The command line that repeats what the page shows.
 
 /** A word as a shell reads it. */
-function quoted(word) {
+export function quoted(word) {
   return /^[\w@%+=:,./-]+$/.test(word) ? word : "'" + word.replaceAll("'", "'\\''") + "'";
 }
 

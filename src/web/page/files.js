@@ -17,11 +17,11 @@ export function onDrop(element, take) {
   });
 }
 
-/** Hands over the file that is chosen; the same file can be chosen again. */
+/** Hands over the file that is chosen, or all of several; the same file can be chosen again. */
 export function onChoice(input, take) {
   input.addEventListener("change", () => {
-    const [file] = input.files;
-    if (file) take(file);
+    const files = [...input.files];
+    if (files.length > 0) take(...files);
     input.value = "";
   });
 }

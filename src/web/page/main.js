@@ -3,6 +3,7 @@
 import { solve } from "./answer.js";
 import { numberInWords, numberMeaning, showClasses, showIndices, showNumber, startBar } from "./answer_view.js";
 import { askedOptions, askingForm } from "./asking.js";
+import { startBlend, writeBlendTexts } from "./blend/blend.js";
 import {
   changedOptions, forgetFile, readOptions, startControls, takeReading, takeSieves, writeControlTexts, writeOptions,
 } from "./controls.js";
@@ -286,6 +287,7 @@ function writeAll() {
   writeControlTexts();
   writeFileName();
   writeFurtherTexts();
+  writeBlendTexts();
   if (state.problem) showProblem();
   if (state.solution) {
     showSolution();
@@ -320,6 +322,7 @@ async function start() {
   startGradationInput(onGradation);
   startDownloads({ state, soil, words, fetchRows, options: () => changedOptions(readOptions()) });
   startFurther({ state });
+  startBlend();
   byId("stop").addEventListener("click", () => solver.stop());
   for (const button of document.querySelectorAll("[data-language]")) {
     button.addEventListener("click", () => {

@@ -122,6 +122,11 @@ const operations = {
     };
   },
 
+  async blend({ blob }) {
+    const { status, stockpiles, sieves, steps, aim, blends, notes } = await json(blob);
+    return { status, stockpiles, sieves, steps, aim, notes, shares: blends[0]?.shares ?? null };
+  },
+
   async verification({ blob }) {
     sample = await json(blob);
     return {

@@ -6,18 +6,17 @@ import { text } from "./texts.js";
 /** What the exit codes mean; those above are as the last. */
 const OUTCOMES = ["accepted", "rejected", "malformed"];
 
-async function judgedBy({ name, program }, gradation, proof) {
-  const files = { [gradation.name]: gradation.blob, [proof.name]: proof.blob };
-  const { code, out, err } = await program.run([gradation.name, proof.name], files);
+async function judgedBy({ name, program }, files, words) {
+  const { code, out, err } = await program.run(words, files);
   return { name, code: Math.min(code, 2), line: `${out.trim()}\n${err.trim()}`.trim() };
 }
 
 /**
- * Lets all checkers, {name, program}, judge the proof. One that refuses it decides; one that cannot judge it, as where
+ * Lets all checkers, {name, program}, judge by their command line `words`, which names `files`. One that refuses it decides; one that cannot judge it, as where
  * it is too long for it, decides only where no other can, and else is a reservation.
  */
-export async function judge(checkers, gradation, proof) {
-  const results = await Promise.all(checkers.map((checker) => judgedBy(checker, gradation, proof)));
+export async function judgeFiles(checkers, files, words) {
+  const results = await Promise.all(checkers.map((checker) => judgedBy(checker, files, words)));
   const code = [1, 0, 2].find((one) => results.some((result) => result.code === one));
   const deciding = results.filter((result) => result.code === code);
   return {
@@ -26,6 +25,12 @@ export async function judge(checkers, gradation, proof) {
     checkers: deciding.map(({ name }) => name),
     reservations: results.filter((result) => result.code === 2 && code !== 2),
   };
+}
+
+/** Lets all checkers judge the proof of a gradation's answer. */
+export function judge(checkers, gradation, proof) {
+  const files = { [gradation.name]: gradation.blob, [proof.name]: proof.blob };
+  return judgeFiles(checkers, files, [gradation.name, proof.name]);
 }
 
 const nameInWords = (name) => (name === "verified" ? text("verified-checker") : name);

@@ -16,6 +16,9 @@ export const painter = new Program(script("mdm-worker"), { wasm: data("mdm-wasm"
 /** Describes, converts, exports, verifies and computes trade-offs. */
 export const helper = new Program(script("mdm-worker"), { wasm: data("mdm-wasm") });
 
+/** Blends stockpiles, beside everything else. */
+export const blender = new Program(script("mdm-worker"), { wasm: data("mdm-wasm") });
+
 /** Reads what the programs write. */
 export const reader = new Program(script("reader-worker"), {});
 

@@ -1,0 +1,43 @@
+// What is asked of mdm blend: files with names that differ, and the words of the command line.
+
+import { plainName, stem } from "../files.js";
+
+/** A name whose stem differs from the others' stems; commas and signs of equality are of the options that name stockpiles. */
+export function freeName(name, taken) {
+  const plain = plainName(name).replace(/[,=]/g, "_");
+  const base = stem(plain);
+  const ending = plain.slice(base.length);
+  const isTaken = (one) => taken.some((other) => stem(other) === one);
+  let free = base;
+  for (let i = 2; isTaken(free); i++) free = `${base}-${i}`;
+  return free + ending;
+}
+
+/** Aims that are about a target. */
+export const AIMS_WITH_TARGET = ["deviation", "max-deviation", "squares"];
+
+/** A number as its user writes it, with a decimal comma or point. */
+const point = (text) => text.trim().replace(",", ".");
+
+/** The files of a question, by their names. */
+export function filesOf({ stockpiles, limits }) {
+  return Object.fromEntries([...stockpiles, limits].map(({ name, blob }) => [name, blob]));
+}
+
+/** The words of mdm blend for a question: {stockpiles, limits, step, aim, target}. */
+export function blendWords({ stockpiles, limits, step, aim, target }) {
+  return [
+    "blend",
+    ...stockpiles.map(({ name }) => name),
+    "--spec", limits.name,
+    ...(aim === "cost"
+      ? stockpiles.filter(({ cost }) => cost.trim()).map(({ name, cost }) => `--cost=${stem(name)}=${point(cost)}`)
+      : []),
+    ...(AIMS_WITH_TARGET.includes(aim) ? [`--target=${point(target)}`] : []),
+    "--minimise", aim,
+    ...(step.trim() ? [`--step=${point(step)}`] : []),
+  ];
+}
+
+/** The words of mdm-check for a proof of it. */
+export const checkWords = ({ stockpiles, limits }, proof) => [limits.name, ...stockpiles.map(({ name }) => name), proof];
