@@ -20,7 +20,7 @@ const OUTPUT = "mdm-blend-problem.json";
 const HEADER = 4_000;
 
 /** The stockpiles {name, blob, cost, id}, of which `id` is what the program calls them; limits {name, blob}; what was read. */
-const state = { stockpiles: [], limits: null, problem: null, message: "" };
+const state = { stockpiles: [], limits: null, problem: null, refusal: "" };
 
 const names = () => [...state.stockpiles, ...(state.limits ? [state.limits] : [])].map(({ name }) => name);
 
@@ -40,9 +40,9 @@ function missing() {
   return state.limits === null ? text("blend.missing.limits") : "";
 }
 
-function showMessage(message) {
-  state.message = message;
-  fill(byId("blend-message"), ...(message ? [make("h3", {}, text("refused")), make("pre", { lang: "en" }, message)] : []));
+function showRefusal(err) {
+  state.refusal = err.trim();
+  fill(byId("blend-message"), ...(state.refusal ? [make("h3", {}, text("refused")), make("pre", { lang: "en" }, state.refusal)] : []));
 }
 
 /** Shows the mix that the sliders say. */
@@ -70,11 +70,11 @@ async function read(isOutdated) {
     const found = files[OUTPUT] ? await reader.ask({ operation: "blend", blob: files[OUTPUT] }) : null;
     if (isOutdated()) return;
     state.problem = null;
-    showMessage(found === null ? err.trim() : "");
+    showRefusal(found === null ? err : "");
     if (found !== null) takeProblem(found);
   } catch (error) {
     state.problem = null;
-    if (!(error instanceof Stopped)) showMessage(endInWords(error));
+    if (!(error instanceof Stopped)) fill(byId("blend-message"), make("p", {}, endInWords(error)));
   }
   mix();
 }
@@ -97,7 +97,7 @@ function onQuestion() {
   forgetBest();
   if (missing()) {
     state.problem = null;
-    showMessage("");
+    showRefusal("");
   }
   mix();
   reading.request();
@@ -177,7 +177,7 @@ export function writeBlendTexts() {
   writeSliderTexts();
   writeBestTexts();
   byId("blend-limits-name").textContent = state.limits?.name ?? text("blend.limits.none");
-  showMessage(state.message);
+  showRefusal(state.refusal);
   mix();
 }
 
