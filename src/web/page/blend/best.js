@@ -80,7 +80,7 @@ function show() {
     byId("blend-result"),
     make("h3", {}, text("blend.result")),
     place,
-    make("pre", { class: "blend-report", lang: "en" }, report.trimEnd()),
+    make("pre", { class: "blend-report", lang: "en", tabIndex: 0 }, report.trimEnd()),
     downloads(shown),
     make("p", { class: "hint" }, `${text("blend.command")} `, make("code", {}, commandOf(shown))),
   );

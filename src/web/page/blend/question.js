@@ -24,14 +24,14 @@ export function filesOf({ stockpiles, limits }) {
   return Object.fromEntries([...stockpiles, limits].map(({ name, blob }) => [name, blob]));
 }
 
-/** The words of mdm blend for a question: {stockpiles, limits, step, aim, target}. */
+/** The words of mdm blend for a question: {stockpiles: [{name, blob, cost, id}], limits, step, aim, target}. */
 export function blendWords({ stockpiles, limits, step, aim, target }) {
   return [
     "blend",
     ...stockpiles.map(({ name }) => name),
     "--spec", limits.name,
     ...(aim === "cost"
-      ? stockpiles.filter(({ cost }) => cost.trim()).map(({ name, cost }) => `--cost=${stem(name)}=${point(cost)}`)
+      ? stockpiles.filter(({ cost }) => cost.trim()).map(({ id, cost }) => `--cost=${id}=${point(cost)}`)
       : []),
     ...(AIMS_WITH_TARGET.includes(aim) ? [`--target=${point(target)}`] : []),
     "--minimise", aim,

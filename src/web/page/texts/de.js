@@ -233,7 +233,7 @@ export default {
   "blend.limits.choose": "aus einer Datei",
   "blend.limits.file": "Datei wählen",
   "blend.limits.none": "noch keine Grenzen",
-  "blend.aim": "Am kleinsten",
+  "blend.aim": "Minimieren",
   "blend.aim.none": "nichts: jede Mischung in den Grenzen",
   "blend.aim.cost": "Kosten",
   "blend.aim.deviation": "Summe der Abweichungen von einer Kurve",

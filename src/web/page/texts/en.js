@@ -233,7 +233,7 @@ export default {
   "blend.limits.choose": "of a file",
   "blend.limits.file": "Choose a file",
   "blend.limits.none": "no limits yet",
-  "blend.aim": "Least",
+  "blend.aim": "Minimise",
   "blend.aim.none": "nothing: any blend within limits",
   "blend.aim.cost": "cost",
   "blend.aim.deviation": "sum of deviations from a curve",
