@@ -187,7 +187,7 @@ async function badSheetsAreRefusedWithWords({ expect, open, url, mdm }) {
     await judged(tab);
     expect("the message goes with its sheet", (await tab.text("#blend-message")) === "");
   }
-  await tab.choose("#blend-limits-file", fileOf("bad-limits.csv", "size_mm,passing_min_percent,passing_max_percent\n18,50,40\n"));
+  await tab.choose("#blend-limits-file", fileOf("bad-limits.csv", "size_mm,passing_min_percent,passing_max_percent\n18,50,much\n"));
   await tab.until("a message about limits", () => document.querySelector("#blend-message").textContent.includes("bad-limits.csv"));
   await tab.choose("#blend-limits-file", join(FOLDER, "limits.csv"));
   await judged(tab);

@@ -4,13 +4,14 @@ import { byId, fill, make } from "../dom.js";
 import { endInWords } from "../ends.js";
 import { onChoice, onDrop, stem } from "../files.js";
 import { Latest } from "../latest.js";
+import { toDouble } from "../numbers.js";
 import { Stopped } from "../programs.js";
 import { text } from "../texts.js";
 import { blender, reader } from "../workers.js";
 import { findBest, forgetBest, writeBestTexts } from "./best.js";
 import { showPicture } from "./drawing.js";
 import { EXAMPLE, SPECIFICATIONS } from "./files.js";
-import { parsed } from "./fraction.js";
+import { inFull, parsed } from "./fraction.js";
 import { problemOf, rowsOfMix, valueOfMix } from "./mix.js";
 import { showMix, showNoMix } from "./mix_view.js";
 import { AIMS_WITH_TARGET, blendWords, filesOf, freeName } from "./question.js";
@@ -57,7 +58,7 @@ function mix() {
   }
   const rows = rowsOfMix(problem, shares);
   showMix(rows, problem.aim, valueOfMix(problem, shares, rows));
-  showPicture({ question: question(), shares });
+  showPicture({ question: question(), shares, coarsest: toDouble(inFull(rows.at(-1).size)) });
 }
 
 /** Reads stockpiles and limits: mdm blend is asked for its problem, and hardly for a search. */

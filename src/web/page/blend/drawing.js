@@ -12,7 +12,8 @@ import { filesOf, freeName } from "./question.js";
 /** Shares are drawn to so many decimals of a percent. */
 const DECIMALS = 4;
 const UNIT = 10n ** BigInt(DECIMALS);
-const NO_LIMITS = "size_mm,passing_min_percent,passing_max_percent\n1000000,0,100\n";
+/** A specification of a sieve that limits nothing: for the mix of any shares. */
+const unlimited = (size) => `size_mm,passing_min_percent,passing_max_percent\n${size},0,100\n`;
 
 /** Shares as whole numbers of such decimals, of which the last one takes the rest. */
 function wholeShares(shares) {
@@ -27,7 +28,7 @@ function wholeShares(shares) {
 const decimal = (units) => `${units / UNIT}.${String(units % UNIT).padStart(DECIMALS, "0")}`;
 
 /** The gradation of the mix; null where the program does not make one. */
-async function mixed({ question, shares }, names) {
+async function mixed({ question, shares, coarsest }, names) {
   const { stockpiles } = question;
   const words = [
     "blend", ...stockpiles.map(({ name }) => name), "--spec", names.limits, "--minimise", "none",
@@ -35,7 +36,7 @@ async function mixed({ question, shares }, names) {
     ...wholeShares(shares).map((units, i) => `--share=${stockpiles[i].id}=${decimal(units)}%`),
     "--blended", names.mix, "--quiet", "--format", "json", "-o", names.report,
   ];
-  const files = { ...filesOf(question), [names.limits]: new Blob([NO_LIMITS]) };
+  const files = { ...filesOf(question), [names.limits]: new Blob([unlimited(coarsest)]) };
   const { files: written, err } = await blender.run(words, files);
   return { mix: written[names.mix] ?? null, err };
 }
@@ -66,7 +67,7 @@ async function draw() {
 
 const drawing = new Latest({ job: draw, stop: () => {}, patience: 60_000, onChange: () => {} });
 
-/** Draws a question's stockpiles and limits, and the mix of these shares; null takes the picture away. */
+/** Draws a question's stockpiles and limits, and the mix of these shares; `coarsest` is a sieve. null takes the picture away. */
 export function showPicture(mix) {
   wanted = mix && { ...mix, width: byId("blend-rows").clientWidth };
   drawing.request();
