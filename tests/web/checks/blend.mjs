@@ -192,8 +192,7 @@ async function badSheetsAreRefusedWithWords({ expect, open, url, mdm }) {
   await tab.choose("#blend-limits-file", join(FOLDER, "limits.csv"));
   await judged(tab);
   await tab.set("#blend-step", "three");
-  await tab.until("a message about steps", () => document.querySelector("#blend-message").textContent.includes("three"));
-  expect("it names the option", (await tab.text("#blend-message pre")).includes("--step"));
+  await tab.until("a message about steps", () => document.querySelector("#blend-message").textContent.includes("--step"));
   await tab.set("#blend-step", "0,5%");
   await judged(tab);
   await tab.set("#blend-aim", "cost");
