@@ -5,6 +5,7 @@ let help =
   Printf.sprintf
     {|%s GRADATION CERTIFICATE [GRADATION CERTIFICATE]...
 %s GRADATION SAMPLE CERTIFICATE
+%s SPECIFICATION STOCKPILE STOCKPILE ... CERTIFICATE
 %s --samples GRADATION SAMPLE CERTIFICATE [GRADATION SAMPLE CERTIFICATE]...
 %s --print GRADATION [CERTIFICATE]
 
@@ -19,6 +20,10 @@ With a SAMPLE, CERTIFICATE is what mdm verify --proof or mdm published --proof w
 says whether the sample matches. This program takes sizes, or powers of them, whose masses are
 rational by the law; ranges of sizes and other laws are malformed for it: use mdm-check.
 
+With STOCKPILES, CERTIFICATE is what mdm blend --proof wrote of them, in their order, and SPECIFICATION
+has the limits of what passes. More than two files are those of one blend where the last one begins as
+such a certificate does.
+
 Example:
   mdm solve sand.csv --proof sand.proof
   %s sand.csv sand.proof
@@ -31,7 +36,7 @@ Exits with 0 (accepted), 1 (refused: the certificate does not prove its claim) o
   -h, --help  this text
   --version   the versions of this program and of OCaml
 |}
-    Program.name Program.name Program.name Program.name Program.name
+    Program.name Program.name Program.name Program.name Program.name Program.name
 
 exception Failure_of of string * string
 
@@ -54,7 +59,12 @@ let read_input path most_megabytes =
    with Sys_error what -> fail name ("cannot be read (" ^ what ^ "): give a file that is there"));
   (name, Buffer.contents text)
 
-let read_gradation path = read_input path 64
+(** A file that is read once, where it is wanted: as a gradation or a sample, or as a certificate. *)
+type file = { text : (string * string) Lazy.t; certificate : (string * string) Lazy.t }
+
+let file_of path = { text = lazy (read_input path 64); certificate = lazy (read_input path 256) }
+let text file = Lazy.force file.text
+let certificate_of file = Lazy.force file.certificate
 let remedy = "raise its limits (ulimit -s), or use mdm-check"
 
 (** Prints a verdict, [before] before its line, and gives its code. *)
@@ -65,14 +75,16 @@ let say ?(before = "") (verdict : Verdict.t) =
   flush stderr;
   verdict.code
 
-let read_certificate path = read_input path 256
-
 let check ?before gradation certificate =
-  say ?before (Verdict.judge ~remedy gradation (read_certificate certificate))
+  say ?before (Verdict.judge ~remedy gradation (certificate_of certificate))
 
 (** A sample is held as a whole. *)
 let check_sample gradation sample certificate =
-  say (Verdict.judge_sample ~remedy (read_gradation gradation) (read_input sample 64) (read_certificate certificate))
+  say (Verdict.judge_sample ~remedy (text gradation) (text sample) (certificate_of certificate))
+
+(** The specification, the stockpiles and the certificate of a blend. *)
+let check_blend specification stockpiles certificate =
+  say (Verdict.judge_blend ~remedy (text specification) (List.map text stockpiles) (certificate_of certificate))
 
 let print gradation certificate =
   match (Verdict.print ~remedy gradation, certificate) with
@@ -85,13 +97,29 @@ let code_of work =
 
 let rec check_all worst = function
   | gradation :: certificate :: rest ->
-      check_all (max worst (code_of (fun () -> check (read_gradation gradation) certificate))) rest
+      check_all (max worst (code_of (fun () -> check (text gradation) certificate))) rest
   | _ -> worst
 
 let rec check_samples worst = function
   | gradation :: sample :: certificate :: rest ->
       check_samples (max worst (code_of (fun () -> check_sample gradation sample certificate))) rest
   | _ -> worst
+
+(** Whether more than two files are those of one blend, whose certificate is the last. *)
+let is_blend files =
+  List.length files > 2
+  &&
+  match certificate_of (List.nth files (List.length files - 1)) with
+  | _, text -> String.starts_with ~prefix:"mdm-certificate blend" text
+  | exception Failure_of _ -> false
+
+let check_files files =
+  if is_blend files then
+    match (files, List.rev (List.tl files)) with
+    | specification :: _, certificate :: stockpiles -> check_blend specification (List.rev stockpiles) certificate
+    | _ -> 2
+  else if List.length files = 3 then check_samples 0 files
+  else check_all 0 files
 
 let see_help = ": see " ^ Program.name ^ " --help"
 
@@ -101,7 +129,7 @@ let demand_arguments arguments is_right =
     (fun argument -> fail Program.name ("no option '" ^ argument ^ "'" ^ see_help))
     (List.find_opt is_option arguments);
   if (not is_right) || List.length (List.filter (String.equal "-") arguments) > 1 then
-    fail Program.name ("give a gradation and a certificate, a sample between them, or several pairs" ^ see_help)
+    fail Program.name ("give a gradation and a certificate, a sample between them, the files of a blend, or several pairs" ^ see_help)
 
 let run arguments =
   match arguments with
@@ -111,16 +139,15 @@ let run arguments =
       0
   | "--print" :: files ->
       demand_arguments files (List.length files = 1 || List.length files = 2);
-      print (read_gradation (List.hd files)) (List.nth_opt files 1)
+      print (text (file_of (List.hd files))) (Option.map file_of (List.nth_opt files 1))
   | "--samples" :: files ->
       demand_arguments files (files <> [] && List.length files mod 3 = 0);
-      check_samples 0 files
-  | _ when List.length arguments = 3 ->
-      demand_arguments arguments true;
-      check_samples 0 arguments
+      check_samples 0 (List.map file_of files)
   | _ ->
-      demand_arguments arguments (arguments <> [] && List.length arguments mod 2 = 0);
-      check_all 0 arguments
+      demand_arguments arguments (arguments <> []);
+      let files = List.map file_of arguments in
+      demand_arguments arguments (is_blend files || List.length files = 3 || List.length files mod 2 = 0);
+      check_files files
 
 (** True if a part of the text is [part]. *)
 let has text part =

@@ -1,5 +1,6 @@
-(* What is said of a gradation and a certificate, with a sample between them or not: the functions of their names and bytes
-   that are extracted from Coq (proofs/coq, Judge.v and SampleLine.v). *)
+(* What is said of a gradation and a certificate, with a sample between them or not, and of a specification, stockpiles and the
+   certificate of a blend: the functions of their names and bytes that are extracted from Coq (proofs/coq, Judge.v, SampleLine.v and
+   BlendLine.v). *)
 
 open Texts
 
@@ -32,6 +33,11 @@ let judge ~remedy gradation certificate =
 let judge_sample ~remedy gradation sample certificate =
   within_memory (fst sample) remedy (fun () ->
       verdict_of (Mdm_checker.judge_sample (file gradation) (file sample) (file certificate)))
+
+(** Of a specification, stockpiles and the certificate of a blend. *)
+let judge_blend ~remedy specification stockpiles certificate =
+  within_memory (fst certificate) remedy (fun () ->
+      verdict_of (Mdm_checker.judge_blend (file specification) (List.map file stockpiles) (file certificate)))
 
 (** The gradation as it is read, in canonical CSV. *)
 let print ~remedy gradation =

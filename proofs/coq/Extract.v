@@ -8,7 +8,7 @@
    between two results are written where they are. *)
 
 From Coq Require Import ZArith QArith Extraction ExtrOcamlBasic ExtrOcamlZBigInt ExtrOcamlString.
-From Mdm Require Import Numbers Text Judge SampleLine.
+From Mdm Require Import Numbers Text Judge SampleLine BlendLine.
 
 Extract Constant Z.pow => "(fun x n -> if Z.sign n < 0 then Z.zero else Z.pow x (Z.to_int n))".
 Extract Constant Z.log2 => "(fun x -> if Z.sign x <= 0 then Z.zero else Z.of_int (Z.numbits x - 1))".
@@ -22,4 +22,4 @@ Extract Constant Z.ltb => "Z.lt".
 Extract Constant code => "(fun ch -> Big_int_Z.big_int_of_int (Char.code ch))".
 
 Extraction Inline bind demand demand_form demand_at.
-Extraction "mdm_checker.ml" judge judge_sample print_gradation printable.
+Extraction "mdm_checker.ml" judge judge_sample judge_blend print_gradation printable.

@@ -2,6 +2,6 @@
    Extract.v, but no arithmetic is trusted, and it needs no library. *)
 
 From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlString.
-From Mdm Require Import Text Judge SampleLine.
+From Mdm Require Import Text Judge SampleLine BlendLine.
 
-Extraction "mdm_checker.ml" judge judge_sample print_gradation printable.
+Extraction "mdm_checker.ml" judge judge_sample judge_blend print_gradation printable.
