@@ -100,11 +100,11 @@ Definition passed (M : Z) (curves : list curve) (ns : blend) (s : Q) : Q := mean
 Definition fineness_modulus (M : Z) (curves : list curve) (ns : blend) (st : standard) : Q :=
   fold_right (fun s sum => (100 - passed M curves ns s) / 100 + sum) 0 (sieves_of_modulus st).
 
-(* What stays on the coarse sieve is from x to y percent of what stays on the fine one. *)
+(* What stays on the coarse sieve is from x to y percent of what stays on the fine one, of which it is a part. *)
 Definition keeps_coarseness (M : Z) (curves : list curve) (ns : blend) (x y : Q) : Prop :=
   let coarse := 100 - passed M curves ns coarse_sieve in
   let fine := 100 - passed M curves ns fine_sieve in
-  x / 100 * fine <= coarse /\ coarse <= y / 100 * fine.
+  x / 100 * fine <= coarse /\ (y < 100 -> coarse <= y / 100 * fine).
 
 Fixpoint sum_of_steps (ns : blend) : Z := match ns with n :: ns => (n + sum_of_steps ns)%Z | [] => 0%Z end.
 Fixpoint used (ns : blend) : Z := match ns with n :: ns => ((if 0 <? n then 1 else 0) + used ns)%Z | [] => 0%Z end.

@@ -80,6 +80,10 @@ Definition are_percents (c : curve) : bool := forallb (fun '(_, p) => at_most 0 
 
 Definition all_judged (curves : list curve) (limits : list (Q * Q * Q)) (q : blend_question) : result (list judged) :=
   demand_form (forallb are_percents curves) "a stockpile of which less than nothing passes an opening" ;;
+  demand_form (match coarseness_limits q with
+      | Some (x, y) => at_most 0 x && at_most x y && at_most y hundred
+      | None => true
+      end) "limits of a coarseness factor that are not in order from 0 to 100" ;;
   let* sieves := judged_sieves curves limits [] in
   demand (match sieves with [] => false | _ => true end) "a limit in the specification" ;;
   demand (forallb (fun '(st, _, _) => forallb (told_by_all curves) (sieves_of_modulus st)) (modulus_limits q))
