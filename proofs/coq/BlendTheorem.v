@@ -20,9 +20,9 @@ Lemma share_is M x y n : (1 <= M)%Z ->
   x <= inject_Z n / inject_Z M <= y.
 Proof.
   intro M1. unfold holds. cbn [fst snd]. rewrite quotient_up_le by reflexivity.
-  assert (x <= inject_Z n / inject_Z M <-> Qnum x * M <= n * Zpos (Qden x))%Z as ->.
+  assert (x <= inject_Z n / inject_Z M <-> (Qnum x * M <= n * Zpos (Qden x))%Z) as ->.
   { destruct M as [|M|M]; try lia. unfold Qle, Qdiv, Qmult, Qinv. cbn [Qnum Qden inject_Z]. rewrite !Pos.mul_1_l, Z.mul_1_r. reflexivity. }
-  assert (inject_Z n / inject_Z M <= y <-> n * Zpos (Qden y) <= Qnum y * M)%Z as ->.
+  assert (inject_Z n / inject_Z M <= y <-> (n * Zpos (Qden y) <= Qnum y * M)%Z) as ->.
   { destruct M as [|M|M]; try lia. unfold Qle, Qdiv, Qmult, Qinv. cbn [Qnum Qden inject_Z]. rewrite !Pos.mul_1_l, Z.mul_1_r. reflexivity. }
   assert (n <= Qnum y * M / Zpos (Qden y) <-> n * Zpos (Qden y) <= Qnum y * M)%Z as ->; [|reflexivity].
   pose proof (Z.div_mod (Qnum y * M) (Zpos (Qden y)) ltac:(lia)). pose proof (Z.mod_pos_bound (Qnum y * M) (Zpos (Qden y)) ltac:(lia)).
@@ -141,11 +141,11 @@ Proof.
       - apply Forall_forall. intros j I. rewrite forallb_forall in H0. specialize (H0 j I). unfold keeps_limits in H0.
         apply andb_prop in H0 as (B1 & B2). apply at_most_spec in B1, B2. rewrite mean_of_is in B1, B2. split; assumption. }
     destruct (has_aim (aim_of q)) eqn:Ha.
-    + passed H. destruct x. injection H as <-. split; [exact A|]. split; [symmetry; exact V|]. intros ms Am.
+    + passed H. destruct x. injection H as Ev. rewrite <- Ev. split; [exact A|]. split; [symmetry; exact V|]. intros ms Am.
       destruct (tree_bounds b _ Eb H5 ms Am) as (c & [= <-] & Le). exact Le.
-    + injection H as <-. split; [exact A|]. split; [symmetry; exact V|]. intros ms Am. unfold value.
+    + injection H as Ev. rewrite <- Ev. split; [exact A|]. split; [symmetry; exact V|]. intros ms Am. unfold value.
       destruct (aim_of q); try discriminate Ha. apply Qle_refl.
-  - passed H. destruct x. injection H as <-. intros ms Am. destruct (tree_bounds b None Eb H0 ms Am) as (c & [=] & _).
+  - passed H. destruct x. intros ms Am. destruct (tree_bounds b None Eb H0 ms Am) as (c & [=] & _).
 Qed.
 End Accepted.
 

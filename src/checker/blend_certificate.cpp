@@ -23,7 +23,8 @@ public:
     const std::string_view text = word();
     std::uint64_t value = 0;
     const char *const end = text.data() + text.size();
-    const bool read = std::from_chars(text.data(), end, value).ptr == end;
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const bool read = error == std::errc() && stop == end; // beyond 64 bits it is another error
     demand_form(read && !text.empty() && (text == "0" || text[0] != '0') && value <= most_steps, line_,
                 "is no count: write an integer of at most 1000000000", text);
     demand_form(value >= least, line_, "is too small: raise it, or leave out a line that says nothing", text);
