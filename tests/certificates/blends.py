@@ -291,3 +291,5 @@ def main(blends):
     for name, lines in unparsable.items():
         write("unparsable", name, cost, lines)
     write("unparsable", "no-line-end", cost, good, ending="")
+    one_step = ACCEPTED["one-step"]
+    write("unparsable", "count-beyond-64-bits", one_step, changed(one_step.certificate(), "blend 0 1", f"blend {2**64} 1"))
