@@ -25,14 +25,15 @@ struct ModelEngine {
   void (*write_classes)(const Placement &, const Sink &); ///< with a type a class
   const char *particles_ending;
   bool reads_lid;
+  bool resists_rolling;
 };
 
 namespace {
 
 constexpr std::array<ModelEngine, 3> engines = {
-    {{"liggghts", liggghts_model, write_lammps_data, write_lammps_data_of_classes, ".data", true},
-     {"lammps", lammps_model, write_lammps_data, write_lammps_data_of_classes, ".data", false},
-     {"yade", yade_model, write_xyzr, write_xyzr, ".xyzr", false}}};
+    {{"liggghts", liggghts_model, write_lammps_data, write_lammps_data_of_classes, ".data", true, true},
+     {"lammps", lammps_model, write_lammps_data, write_lammps_data_of_classes, ".data", false, true},
+     {"yade", yade_model, write_xyzr, write_xyzr, ".xyzr", false, false}}};
 
 /// A coefficient of friction.
 std::optional<double> friction_of(const char *name, const OptionText &text) {
@@ -70,6 +71,20 @@ std::optional<DensityTarget> density_target(const ExportTexts &c) {
 }
 
 /// A cell that is repeated is only compressed.
+/// \throws InputError if some grains have rolling friction, and the engine has no model of it here
+void check_rolling(const SettleModel &model, const ModelEngine &engine) {
+  if (engine.resists_rolling)
+    return;
+  if (model.rolling_friction > 0 ||
+      std::any_of(model.materials.begin(), model.materials.end(),
+                  [](const GrainMaterial &m) { return m.rolling_friction > 0; }))
+    throw InputError(
+        option("rolling-friction") +
+        ": YADE's contact of Hertz and Mindlin limits a moment by a length that is the same for grains of "
+        "all sizes: use " +
+        option("to") + " liggghts or lammps");
+}
+
 void check_reachable(const SettleModel &model, const Placement &start) {
   if (model.space != Space::periodic_cell || !model.target || !model.target->void_ratio)
     return;
@@ -159,11 +174,14 @@ SettleModel ModelWriter::model(const ExportTexts &c, const ExportedParticles &fo
   model.poisson = e.poisson;
   model.friction = friction_of("friction", c.friction).value_or(model.friction);
   model.friction_while_filling = friction_of("friction-while-filling", c.friction_while_filling);
+  model.rolling_friction = friction_of("rolling-friction", c.rolling_friction).value_or(0);
   model.unjammed = c.unjammed;
   model.types_of_classes = c.types == "class" || c.material;
   if (c.material)
-    model.materials = read_materials(read(*c.material), shown_name(*c.material), *found.set,
-                                     {settling(model).elasticity, Settling::restitution, model.friction});
+    model.materials = read_materials(
+        read(*c.material), shown_name(*c.material), *found.set,
+        {settling(model).elasticity, Settling::restitution, model.friction, model.rolling_friction});
+  check_rolling(model, *engine_);
   model.verify_options = verify_options(c);
   model.question = found.question;
   return model;

@@ -81,13 +81,14 @@ bool is_cylinder_asked(const ExportTexts &c) {
 
 /// An option that a model alone takes, if one is given.
 const char *option_of_model(const ExportTexts &c) {
-  const std::array<std::pair<bool, const char *>, 9> options = {
+  const std::array<std::pair<bool, const char *>, 10> options = {
       {{c.steps.has_value(), "steps"},
        {c.pressure.has_value(), "stress"},
        {c.tolerance.has_value(), "target-tolerance"},
        {c.axial_strain.has_value(), "axial-strain"},
        {c.friction.has_value(), "friction"},
        {c.friction_while_filling.has_value(), "friction-while-filling"},
+       {c.rolling_friction.has_value(), "rolling-friction"},
        {c.material.has_value(), "material"},
        {c.periodic, "periodic"},
        {c.unjammed, "unjammed"}}};
@@ -318,6 +319,11 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
     {"friction-while-filling", "MU", OptionKind::number,
      "the same while they settle and are compacted, and of walls: less makes denser beds (--friction)",
      &ExportTexts::friction_while_filling},
+    {"rolling-friction", "MU", OptionKind::number,
+     "coefficient of rolling friction of a model's particles and walls: the most moment of a contact over "
+     "its normal "
+     "force and effective radius; none without it (liggghts, lammps)",
+     &ExportTexts::rolling_friction},
     {"periodic", "", OptionKind::flag,
      "a model in a box that is repeated on all sides: nothing settles, its faces compress it to "
      "--void-ratio or --stress (lammps, yade)",
@@ -332,7 +338,7 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
      &ExportTexts::types},
     {"material", "FILE", OptionKind::file,
      "CSV: the material of each class in a model: columns class (number) or lower_mm, and some of "
-     "young_modulus, poisson, friction, restitution; implies --types class",
+     "young_modulus, poisson, friction, restitution, rolling_friction; implies --types class",
      &ExportTexts::material},
     {"young", "E", OptionKind::number,
      "Young's modulus for the time step, in Pa (or as 70GPa; 7e10; a model is softer, and says so)",

@@ -21,8 +21,8 @@ struct MaterialColumn {
   void (*set)(GrainMaterial &, const Rational &);
 };
 
-const std::array<MaterialColumn, 4> &material_columns() {
-  static const std::array<MaterialColumn, 4> columns = {
+const std::array<MaterialColumn, 5> &material_columns() {
+  static const std::array<MaterialColumn, 5> columns = {
       {{"young_modulus", 1, power_of_ten(15), "from 1 to 1e15 Pa",
         [](GrainMaterial &m, const Rational &x) { m.elasticity.young = x; }},
        {"poisson", 0, ratio(1, 2), "from 0 to 0.5",
@@ -30,7 +30,9 @@ const std::array<MaterialColumn, 4> &material_columns() {
        {"friction", 0, 10, "from 0 to 10",
         [](GrainMaterial &m, const Rational &x) { m.friction = x.convert_to<double>(); }},
        {"restitution", ratio(1, 20), 1, "from 0.05 to 1",
-        [](GrainMaterial &m, const Rational &x) { m.restitution = x.convert_to<double>(); }}}};
+        [](GrainMaterial &m, const Rational &x) { m.restitution = x.convert_to<double>(); }},
+       {"rolling_friction", 0, 10, "from 0 to 10",
+        [](GrainMaterial &m, const Rational &x) { m.rolling_friction = x.convert_to<double>(); }}}};
   return columns;
 }
 
@@ -84,12 +86,13 @@ private:
       if (column == columns.end() || std::count(names_.begin(), names_.end(), names_[i]) > 1)
         source_.refuse(lines_.number(), in_quotes(names_[i]) +
                                             " is no column, or there twice: use young_modulus, poisson, "
-                                            "friction and restitution, each once");
+                                            "friction, restitution and rolling_friction, each once");
       columns_.push_back(column);
     }
     if (columns_.empty())
       source_.refuse(lines_.number(),
-                     "there are no values: add young_modulus, poisson, friction or restitution");
+                     "there are no values: add young_modulus, poisson, friction, restitution or "
+                     "rolling_friction");
   }
 
   Rational number(std::size_t field) const {

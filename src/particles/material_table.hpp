@@ -9,8 +9,8 @@
 namespace mdm {
 
 /// Reads a CSV file with a row for each class of the set. Columns: `class`, its number in the gradation, or
-/// `lower_mm`, its lower sieve; and some of `young_modulus` (Pa), `poisson`, `friction`, `restitution`. What
-/// has no column is that of `others`. Lines that begin with # are skipped.
+/// `lower_mm`, its lower sieve; and some of `young_modulus` (Pa), `poisson`, `friction`, `restitution`,
+/// `rolling_friction`. What has no column is that of `others`. Lines that begin with # are skipped.
 /// \param source name of the file, for messages
 /// \return the materials in the order of the classes
 /// \throws InputError with the line if a value is none of such a material, or a class is missing, unknown or there

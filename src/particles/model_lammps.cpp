@@ -5,6 +5,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace mdm {
 namespace {
@@ -76,10 +78,24 @@ std::string lammps_walls(const SettleScript &s) {
   return text + filled(begin_lid, {{"columns", state_columns()}});
 }
 
-std::string contact_of(const GrainMaterial &m, const std::string &friction) {
-  return fmt::format("\"hertz/material {} {} {} tangential mindlin NULL 1.0 {} damping tsuji\"",
+/// A spring as stiff as the tangential one of two smallest grains that overlap by some percent, so that the
+/// time step serves it, and a damper of half the critical damping of such a grain.
+std::string rolling_of(const SettleScript &s, const GrainMaterial &m) {
+  if (!s.resists_rolling())
+    return "";
+  const double size = s.set.smallest().diameter.value;
+  const double mass =
+      std::numbers::pi / 6 * s.set.classes.front().density.convert_to<double>() * std::pow(size, 3);
+  constexpr double part_of_young = 0.05;
+  const double stiffness = part_of_young * m.elasticity.young.convert_to<double>() * size;
+  return fmt::format(" rolling sds {} {} {}", digits6(stiffness), digits6(std::sqrt(stiffness * mass)),
+                     digits6(m.rolling_friction));
+}
+
+std::string contact_of(const SettleScript &s, const GrainMaterial &m, const std::string &friction) {
+  return fmt::format("\"hertz/material {} {} {} tangential mindlin NULL 1.0 {}{} damping tsuji\"",
                      digits6(m.elasticity.young.convert_to<double>()), digits6(m.restitution),
-                     digits6(m.elasticity.poisson.convert_to<double>()), friction);
+                     digits6(m.elasticity.poisson.convert_to<double>()), friction, rolling_of(s, m));
 }
 
 /// The contact of grains of two classes, when they have their own friction: the lesser of both; stiffness and
@@ -96,9 +112,10 @@ std::string contacts_of_classes(const SettleScript &s) {
       both.elasticity = {Rational(2 * young_a * young_b / (young_a + young_b)),
                          mean(a.elasticity.poisson, b.elasticity.poisson)};
       both.restitution = (a.restitution + b.restitution) / 2;
+      both.rolling_friction = std::min(a.rolling_friction, b.rolling_friction);
       text +=
           fmt::format("variable grip equal {}\nvariable contact string {}\npair_coeff {} {} ${{contact}}\n",
-                      friction_of_pair(s, a, b), contact_of(both, "${grip}"), i, j);
+                      friction_of_pair(s, a, b), contact_of(s, both, "${grip}"), i, j);
     }
   return text;
 }
@@ -107,12 +124,12 @@ std::string lammps_contact(const SettleScript &s) {
   const GrainMaterial wall = s.material(s.types());
   std::string text;
   if (s.model.materials.empty())
-    text =
-        "variable contact string " + contact_of(s.material(1), "${grip}") + "\npair_coeff * * ${contact}\n";
+    text = "variable contact string " + contact_of(s, s.material(1), "${grip}") +
+           "\npair_coeff * * ${contact}\n";
   else
     text = contacts_of_classes(s);
   if (s.has_lid())
-    text += "variable wall string " + contact_of(wall, "${mu}") + "\n" + lammps_walls(s);
+    text += "variable wall string " + contact_of(s, wall, "${mu}") + "\n" + lammps_walls(s);
   return text;
 }
 
@@ -171,7 +188,7 @@ std::string lammps_model(const SettleModel &model) {
   const bool has_lid = s.has_lid();
   std::string text =
       s.head({"LAMMPS", "lmp -in THIS_FILE", "-var steps 1000", "lmp -in THIS_FILE -var go_on 1",
-              "With P processes: mpirun -np P lmp -in THIS_FILE", ""});
+              "With P processes: mpirun -np P lmp -in THIS_FILE", "", "its model sds"});
   text += phase_variables(s);
   text +=
       filled(lammps_setting,

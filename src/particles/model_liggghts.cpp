@@ -27,7 +27,7 @@ if "${go_on} == 0" then "variable lid_now equal ${top_of_start}" "variable ceili
 neighbor @skin@ bin
 neigh_modify delay 0
 
-@properties@pair_style gran model hertz tangential history
+@properties@pair_style gran @contact@
 pair_coeff * *
 timestep @dt@
 
@@ -54,7 +54,15 @@ thermo 0
 thermo_modify lost error norm no
 )";
 
-const char *const liggghts_wall = "all wall/gran model hertz tangential history";
+/// The contact of all grains and walls.
+std::string liggghts_contact(const SettleScript &s) {
+  return std::string("model hertz tangential history") +
+         (s.resists_rolling() ? " rolling_friction epsd2" : "");
+}
+
+std::string liggghts_wall(const SettleScript &s) {
+  return "all wall/gran " + liggghts_contact(s);
+}
 
 /// The walls at the sides.
 std::string liggghts_sides(const SettleScript &s) {
@@ -63,13 +71,13 @@ std::string liggghts_sides(const SettleScript &s) {
   if (s.model.space == Space::cylinder)
     return filled("variable half equal xhi/2\n"
                   "fix side @wall@ primitive type @type@ zcylinder ${half} ${half} ${half}\n",
-                  {{"wall", liggghts_wall}, {"type", std::to_string(s.types())}});
+                  {{"wall", liggghts_wall(s)}, {"type", std::to_string(s.types())}});
   return filled("variable x equal xhi\nvariable y equal yhi\n"
                 "fix west @wall@ primitive type @type@ xplane 0\n"
                 "fix east @wall@ primitive type @type@ xplane ${x}\n"
                 "fix south @wall@ primitive type @type@ yplane 0\n"
                 "fix north @wall@ primitive type @type@ yplane ${y}\n",
-                {{"wall", liggghts_wall}, {"type", std::to_string(s.types())}});
+                {{"wall", liggghts_wall(s)}, {"type", std::to_string(s.types())}});
 }
 
 /// A value for each pair of types, line after line of their table.
@@ -100,6 +108,16 @@ std::string friction_of_pairs(const SettleScript &s) {
   return text + "\n";
 }
 
+/// Of a pair the lesser of both.
+std::string rolling_friction(const SettleScript &s) {
+  if (!s.resists_rolling())
+    return "";
+  return fmt::format("fix rolling all property/global coefficientRollingFriction peratomtypepair {}{}\n",
+                     s.types(), pairs(s, [](const GrainMaterial &a, const GrainMaterial &b) {
+                       return digits6(std::min(a.rolling_friction, b.rolling_friction));
+                     }));
+}
+
 /// Constants of the types and of their pairs.
 std::string properties(const SettleScript &s) {
   std::string young, poisson;
@@ -116,7 +134,7 @@ std::string properties(const SettleScript &s) {
              young, poisson, s.types(),
              pairs(s, [](const GrainMaterial &a,
                          const GrainMaterial &b) { return digits6((a.restitution + b.restitution) / 2); })) +
-         friction_of_pairs(s);
+         friction_of_pairs(s) + rolling_friction(s);
 }
 
 /// The count of each class among the grains that were read.
@@ -168,15 +186,16 @@ std::string liggghts_model(const SettleModel &model) {
   const std::string types = std::to_string(s.types());
   return s.head({"LIGGGHTS", "liggghts -in THIS_FILE", "-var steps 1000",
                  "liggghts -in THIS_FILE -var go_on 1",
-                 "With P processes: mpirun -np P liggghts -in THIS_FILE", ""}) +
+                 "With P processes: mpirun -np P liggghts -in THIS_FILE", "", "its model epsd2"}) +
          phase_variables(s) +
          filled(liggghts_setting, {{"boundary", model.space == Space::pillar ? "p p f" : "f f f"},
                                    {"particles", file_word(model.particles)},
                                    {"skin", digits6(s.set.smallest().radius.value)},
                                    {"properties", properties(s)},
+                                   {"contact", liggghts_contact(s)},
                                    {"dt", digits6(s.physics.step)},
                                    {"side", liggghts_sides(s)},
-                                   {"wall", liggghts_wall},
+                                   {"wall", liggghts_wall(s)},
                                    {"wall_type", types},
                                    {"base", s.name},
                                    {"state", state_measures(s, "all stress/atom pair")},

@@ -241,7 +241,7 @@ std::string yade_model(const SettleModel &model) {
       is_round ? fmt::format("({} * tan(pi / {}) * x**2 / 4)", facets, facets) : "(x * y)";
   std::string text = s.head({"YADE", "yade -n -x THIS_FILE", "yade -n -x THIS_FILE 1000",
                              "yade -n -x THIS_FILE STEPS NAME.restart.gz, STEPS in all",
-                             "On P cores: yade -n -j P -x THIS_FILE", " --size-unit m"});
+                             "On P cores: yade -n -j P -x THIS_FILE", " --size-unit m", ""});
   text += yade_begin;
   text += has_lid ? lid_functions : cell_functions;
   text += yade_course(s);

@@ -43,6 +43,7 @@ struct TriaxialShear {
 struct GrainMaterial {
   Elasticity elasticity;
   double restitution = 0.5, friction = 0.5;
+  double rolling_friction = 0; ///< most moment of a contact over its normal force and effective radius
 };
 
 /// A set that is to settle, and the names of the files of its model, which lie side by side.
@@ -60,6 +61,7 @@ struct SettleModel {
   Rational poisson = ratio(1, 4);
   double friction = 0.5;
   std::optional<double> friction_while_filling = {}; ///< and while compacting; open: friction
+  double rolling_friction = 0;                       ///< always
   /// Of the classes of the set, one each; empty: all are of one material.
   std::vector<GrainMaterial> materials = {};
   /// Each class has a type of its own, 1 for the smallest, and walls the next; else all are of type 1.

@@ -98,10 +98,23 @@ bool SettleScript::is_frictionless() const {
                      [](const GrainMaterial &m) { return m.friction == 0; });
 }
 
+bool SettleScript::resists_rolling() const {
+  return model.rolling_friction > 0 ||
+         std::any_of(model.materials.begin(), model.materials.end(),
+                     [](const GrainMaterial &m) { return m.rolling_friction > 0; });
+}
+
+bool SettleScript::all_resist_rolling() const {
+  if (model.materials.empty())
+    return model.rolling_friction > 0;
+  return std::all_of(model.materials.begin(), model.materials.end(),
+                     [](const GrainMaterial &m) { return m.rolling_friction > 0; });
+}
+
 GrainMaterial SettleScript::material(std::size_t type) const {
   if (type <= model.materials.size())
     return model.materials[type - 1];
-  return {physics.elasticity, Settling::restitution, model.friction};
+  return {physics.elasticity, Settling::restitution, model.friction, model.rolling_friction};
 }
 
 std::string SettleScript::verification(const char *engine_options) const {
@@ -184,6 +197,15 @@ std::string material_lines(const SettleScript &s) {
                                      "least.");
 }
 
+std::string rolling_line(const SettleScript &s, const char *engines_model) {
+  if (!s.resists_rolling())
+    return "";
+  return fmt::format("# Rolling friction{}, by {}: the most moment of a contact over its normal force and "
+                     "effective radius.\n",
+                     s.model.materials.empty() ? " " + digits6(s.model.rolling_friction) : " of each class",
+                     engines_model);
+}
+
 } // namespace
 
 std::string SettleScript::head(const RunCommands &c) const {
@@ -194,7 +216,7 @@ std::string SettleScript::head(const RunCommands &c) const {
 # It writes @base@.restart@packed@ from time to time; to go on from there: @go_on@
 @verification@#
 @material@
-# Time step: a fifth of the Rayleigh time of the smallest grain,
+@rolling@# Time step: a fifth of the Rayleigh time of the smallest grain,
 # pi R sqrt(rho/G) / (0.1631 nu + 0.8766) = @rayleigh@ s with G = E / (2 (1 + nu)).
 @settling@# At rest the kinetic energy of the grains is below @at_rest@ of p V, and the mean net force on one below @unbalanced@ of the
 # mean contact force@without@. What is not at rest, or has fewer contacts than carry it, is no result: it ends with STOP.
@@ -211,6 +233,7 @@ std::string SettleScript::head(const RunCommands &c) const {
                  {"go_on", c.go_on},
                  {"verification", verification(c.verify_options)},
                  {"material", material_lines(*this)},
+                 {"rolling", rolling_line(*this, c.rolling)},
                  {"rayleigh", fmt::format("{:.4g}", physics.rayleigh)},
                  {"settling", settling_line(*this)},
                  {"at_rest", digits6(energy_at_rest(*this))},

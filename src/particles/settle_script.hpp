@@ -32,6 +32,7 @@ std::string filled(std::string text,
 struct RunCommands {
   const char *engine, *run, *fewer_steps, *go_on, *in_parallel;
   const char *verify_options;
+  const char *rolling; ///< the engine's model of rolling friction
 };
 
 /// The model with its numbers.
@@ -54,6 +55,9 @@ struct SettleScript {
   /// compaction.
   bool keeps_friction() const { return !model.materials.empty() && !model.friction_while_filling; }
   bool is_frictionless() const;
+  /// True if some grains have rolling friction.
+  bool resists_rolling() const;
+  bool all_resist_rolling() const;
   /// True if it is not certain that grains carry each other at the void ratio that is asked for.
   bool seeks_jamming() const { return !has_lid() && model.target && model.target->void_ratio; }
   /// True if grains have another friction at the end than while they settle.

@@ -35,7 +35,7 @@ variable unbalanced equal c_sums[5]*c_sums[7]/(3*v_pv*c_sums[6]+1e-200)
 variable restless_energy equal v_energy/v_at_rest
 variable restless_force equal v_unbalanced/v_most_unbalanced
 variable restless equal "(v_restless_energy > v_restless_force)*v_restless_energy+(v_restless_energy <= v_restless_force)*v_restless_force"
-variable isostatic equal "4+2*@frictionless@"
+variable isostatic equal "@isostatic@+(6-@isostatic@)*@frictionless@"
 variable carrying equal "c_sums[12]/(c_sums[11]+(c_sums[11] == 0))"
 variable jammed equal "@jammed@"
 @mean@)script";
@@ -143,6 +143,7 @@ std::string state_measures(const SettleScript &s, const char *stress) {
                            {"frictionless", s.model.materials.empty() ? "(v_friction == 0)"
                                             : s.is_frictionless()     ? "1"
                                                                       : "0"},
+                           {"isostatic", s.all_resist_rolling() ? "2.4" : "4"},
                            {"counted", s.has_lid() ? "1" : "\"c_touch > 1\""},
                            {"floor", s.has_lid() ? "+" + digits6(s.physics.floor_moment) : ""},
                            {"jammed", std::string("(v_carrying >= v_isostatic)") +

@@ -301,6 +301,37 @@ TEST_CASE("a model takes the material of each class from a file", "[cli]") {
       "n.csv:2: friction: '-1' is not from 0 to 10");
 }
 
+TEST_CASE("rolling friction is that of the engine's own model, or is refused", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string model = folder / "a.in";
+  const auto written = [&](const char *to, const Arguments &more) {
+    REQUIRE(export_model(to, model, more).exit_code == 0);
+    return read_file(model);
+  };
+  const std::string liggghts = written("liggghts", {"--rolling-friction", "0.2"});
+  for (const char *part : {"\n# Rolling friction 0.2, by its model epsd2: ", " rolling_friction epsd2\n",
+                           "coefficientRollingFriction peratomtypepair 1 0.2\n"})
+    CHECK(liggghts.find(part) != std::string::npos);
+  const std::string lammps = written("lammps", {"--rolling-friction", "0.2"});
+  CHECK(lammps.find("\n# Rolling friction 0.2, by its model sds: ") != std::string::npos);
+  CHECK(lammps.find(" rolling sds ") != std::string::npos);
+  CHECK(written("liggghts", {}).find("olling") == std::string::npos);
+  CHECK(written("lammps", {}).find("olling") == std::string::npos);
+  const std::string table =
+      folder.write("m.csv", "class,rolling_friction\n1,0\n2,0.1\n3,0.2\n4,0.3\n5,0.4\n");
+  // Of two classes the lesser; walls have that of the option.
+  CHECK(
+      written("liggghts", {"--material", table, "--rolling-friction", "0.35"})
+          .find("peratomtypepair 6 0 0 0 0 0 0 0 0.1 0.1 0.1 0.1 0.1 0 0.1 0.2 0.2 0.2 0.2 0 0.1 0.2 0.3 0.3 "
+                "0.3 0 0.1 0.2 0.3 0.4 0.35 0 0.1 0.2 0.3 0.35 0.35\n") != std::string::npos);
+  check_refused(export_model("yade", folder / "a.py", {"--rolling-friction", "0.2"}),
+                "--rolling-friction: YADE");
+  check_refused(export_model("yade", folder / "a.py", {"--material", table}), "--rolling-friction: YADE");
+  check_refused(export_model("lammps", model, {"--rolling-friction", "-1"}), "--rolling-friction");
+  check_refused(mdm({"export", sand, "--to", "lammps", "--rolling-friction", "0.2", "-o", folder / "a.data"}),
+                "--rolling-friction");
+}
+
 TEST_CASE("layers in a cylinder say that they stand on a square", "[cli]") {
   const TemporaryFolder folder;
   const Outcome outcome = mdm({"export", sand, "--to", "lammps", "--specimen", "cylinder:4x4", "--void-ratio",

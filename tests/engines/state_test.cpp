@@ -130,3 +130,19 @@ TEST_CASE("a plain bed comes to rest with its own friction where it was filled w
     if (is_there(engine))
       CHECK(dump(engine, "0.05") != dump(engine, "0.9"));
 }
+
+TEST_CASE("grains that resist rolling settle into a looser bed", "[engines]") {
+  const auto void_ratio = [](const Engine &engine, const Arguments &more) {
+    const Model model(engine, c778(), with({"--at-least", "300"}, more));
+    const Outcome outcome = model.run();
+    INFO(end_of(outcome));
+    REQUIRE(outcome.exit_code == 0);
+    const std::string words = "\nRESULT after ", ratio = ": void ratio ";
+    const std::size_t result = outcome.out.find(words);
+    REQUIRE(result != std::string::npos);
+    return std::stod(outcome.out.substr(outcome.out.find(ratio, result) + ratio.size()));
+  };
+  for (const Engine &engine : {liggghts, lammps})
+    if (is_there(engine))
+      CHECK(void_ratio(engine, {"--rolling-friction", "0.5"}) > void_ratio(engine, {}));
+}

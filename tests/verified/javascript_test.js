@@ -55,6 +55,19 @@ for (const [folder, code] of [["accepted", 0], ["rejected", 1], ["unparsable", 2
     }
   });
 
+for (const [folder, code] of [["accepted", 0], ["rejected", 1], ["unparsable", 2]])
+  test(`all blends of ${folder} have the program's verdict, line and message`, () => {
+    const within = path.join(certificates, "blends", folder);
+    const cases = fs.readdirSync(within).filter((name) => fs.statSync(path.join(within, name)).isDirectory());
+    assert.ok(cases.length >= 10, `${cases.length} blends`);
+    for (const one of cases) {
+      const files = ["limits.csv", "1.csv", "2.csv", "proof"].map((name) => path.join(within, one, name));
+      const result = mdmCheckVerified(...files.flatMap(read));
+      assert.deepStrictEqual(printed(result), native(program, files), one);
+      assert.strictEqual(result.code, code);
+    }
+  });
+
 test("names and bytes that are no UTF-8 have the program's message", () => {
   const folder = Buffer.from(fs.mkdtempSync(path.join(os.tmpdir(), "mdm-")));
   const names = [Buffer.from([0xff, 0x67]), Buffer.from([0x70, 0xc3])];

@@ -312,14 +312,14 @@ def export(source: Source | None, to: str, out: Path, *,
            start: str | None = None, sides: str | None = None, seed: Number | None = None, model: str | None = None,
            steps: Number | None = None, stress: Number | None = None, axial_strain: Number | None = None,
            target_tolerance: Number | None = None, friction: Number | None = None,
-           friction_while_filling: Number | None = None, periodic: bool = False, unjammed: bool = False,
-           types: str | None = None, material: Union[str, "os.PathLike[str]", None] = None, young: Number | None = None,
-           poisson: Number | None = None, spread: bool = False, tolerance: Tolerance = None,
-           band: Union[str, "os.PathLike[str]", None] = None, min_per_class: Number | None = None,
-           at_least: Number | None = None, specimen: str | None = None, void_ratio: Number | None = None,
-           solids_volume: Number | None = None, at_most: Number | None = None, law: str | None = None,
-           size_factor: Number | None = None, cut_below: Number | None = None, pan_size: Number | None = None,
-           max_steps: Number | None = None, node_limit: Number | None = None,
+           friction_while_filling: Number | None = None, rolling_friction: Number | None = None, periodic: bool = False,
+           unjammed: bool = False, types: str | None = None, material: Union[str, "os.PathLike[str]", None] = None,
+           young: Number | None = None, poisson: Number | None = None, spread: bool = False,
+           tolerance: Tolerance = None, band: Union[str, "os.PathLike[str]", None] = None,
+           min_per_class: Number | None = None, at_least: Number | None = None, specimen: str | None = None,
+           void_ratio: Number | None = None, solids_volume: Number | None = None, at_most: Number | None = None,
+           law: str | None = None, size_factor: Number | None = None, cut_below: Number | None = None,
+           pan_size: Number | None = None, max_steps: Number | None = None, node_limit: Number | None = None,
            time_limit: Union[Number, float, None] = None, gap: Number | None = None, scale: str | None = None,
            specimen_id: str | None = None, columns: str | None = None, kind: str | None = None,
            skip: Number | None = None, sheet: str | None = None, loss: Number | None = None,
@@ -359,6 +359,8 @@ def export(source: Source | None, to: str, out: Path, *,
         friction: coefficient of friction of a model's particles (0.5).
         friction_while_filling: the same while they settle and are compacted, and of walls: less makes denser beds
             (friction).
+        rolling_friction: coefficient of rolling friction of a model's particles and walls: the most moment of a contact
+            over its normal force and effective radius; none without it (liggghts, lammps).
         periodic: a model in a box that is repeated on all sides: nothing settles, its faces compress it to void_ratio
             or stress (lammps, yade).
         types: class: each class has a type of its own, walls the next; else one (lammps, models; YADE has a material a

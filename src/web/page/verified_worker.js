@@ -1,4 +1,4 @@
-// The worker of the verified checker, which js_of_ocaml has made a function of two files.
+// The worker of the verified checker, which js_of_ocaml has made a function of files.
 
 import { mdmCheckVerified } from "verified-checker";
 
@@ -7,9 +7,8 @@ import { serveProgram } from "./worker.js";
 const encoder = new TextEncoder();
 
 serveProgram(async () => ({
-  run([gradation, certificate], files) {
-    const file = (name) => [encoder.encode(name), files[name]];
-    const { code, output, error } = mdmCheckVerified(...file(gradation), ...file(certificate));
+  run(names, files) {
+    const { code, output, error } = mdmCheckVerified(...names.flatMap((name) => [encoder.encode(name), files[name]]));
     return { code, out: output, err: error, files: {} };
   },
 }));

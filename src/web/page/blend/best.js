@@ -1,4 +1,4 @@
-// The best blend: mdm blend finds it, or why there is none, and mdm-check checks the proof.
+// The best blend: mdm blend finds it, or why there is none, and the checkers check the proof.
 
 import { quoted } from "../command_line.js";
 import { byId, fill, make } from "../dom.js";
@@ -43,11 +43,11 @@ async function solved(asked, names) {
   };
 }
 
-/** The verdict of mdm-check on the proof; the verified checker knows no blends. */
+/** The verdict of the checkers on the proof. */
 async function checked({ asked, names, files }) {
   if (!files[names.proof]) return null;
   const blobs = { ...filesOf(asked), [names.proof]: files[names.proof] };
-  return judgeFiles(checkers.slice(0, 1), blobs, checkWords(asked, names.proof));
+  return judgeFiles(checkers, blobs, checkWords(asked, names.proof));
 }
 
 function commandOf({ asked, names, files }) {
