@@ -57,6 +57,8 @@ BlendSieve sieve_of(const Json &stated, const std::string &where) {
       throw InputError(where + ": a percent is below 0 or above 100");
   if (sieve.size <= 0)
     throw InputError(where + ".size is not above 0");
+  if (sieve.least > sieve.most)
+    throw InputError(where + ": least is above most: correct one of them");
   return sieve;
 }
 
@@ -208,6 +210,10 @@ StatedBlendProblem read_blend_problem(std::string_view json) {
   StatedBlendProblem result;
   if (has_member(tree, "id"))
     result.id = text_member(tree, "id");
+  for (const auto &[key, only] : {std::pair("unit", "mm"), std::pair("schema", "mdm-blend-1")})
+    if (has_member(tree, key) && text_member(tree, key) != only)
+      throw InputError(
+          fmt::format("{} is {}: write {}, or leave it out", key, in_quotes(text_member(tree, key)), only));
   BlendProblem &problem = result.problem;
   const std::vector<std::size_t> order = take_sieves(tree, problem);
   std::vector<BlendSieve> moduli;

@@ -3,6 +3,7 @@
 #include "ask/option_values.hpp"
 #include "blend/blend_vipr.hpp"
 #include "blend/blended_gradation.hpp"
+#include "gradation/shown.hpp"
 #include "judge/further_limits.hpp"
 #include "text/lines.hpp"
 
@@ -91,8 +92,10 @@ void take_share(const std::string &text, BlendProblem &p) {
   if (!to.empty() && to != "%")
     stockpile->most = std::min(stockpile->most, Rational(percent_of("share", to) / 100));
   if (stockpile->least > stockpile->most)
-    throw InputError(option("share") + ": " + in_quotes(text) +
-                     ": no share is from the first to the second number: exchange them");
+    throw InputError(
+        fmt::format("{}: {}: no share of {} is from {} to {} %: give its limits once, the lesser first",
+                    option("share"), in_quotes(text), printable(stockpile->name),
+                    shown(100 * stockpile->least), shown(100 * stockpile->most)));
 }
 
 /// A number and the letters behind it: `5kg`.
@@ -200,7 +203,8 @@ const std::vector<OptionRow<BlendTexts>> BlendTexts::question_options = {
     {"cost", "NAME=COST,...", OptionKind::texts,
      "the cost of a unit of mass of each stockpile, as A=12.5,B=9", &BlendTexts::costs},
     {"target", "CURVE", OptionKind::file,
-     "the curve that is wished for: a gradation, or power45:19mm, fuller:31.5mm, "
+     "the curve that is wished for, at the sieves of the specification: a gradation, or power45:19mm, "
+     "fuller:31.5mm, "
      "andreasen:16mm,q=0.25,dmin=0.063mm or bolomey:31.5mm,a=10, whose lengths are the largest size and the "
      "smallest",
      &BlendTexts::target},
@@ -331,13 +335,11 @@ std::optional<Gradation> Blending::blended_with(const std::vector<std::string> &
 }
 
 std::optional<std::string> Blending::proof() const {
-  const bool has_ended = outcome() != Outcome::limited;
-  return has_ended ? std::optional<std::string>(blend_certificate(problem_, answer_)) : std::nullopt;
+  return has_ended() ? std::optional<std::string>(blend_certificate(problem_, answer_)) : std::nullopt;
 }
 
 std::optional<std::string> Blending::vipr() const {
-  const bool has_ended = outcome() != Outcome::limited;
-  return has_ended ? std::optional<std::string>(blend_vipr(problem_, answer_)) : std::nullopt;
+  return has_ended() ? std::optional<std::string>(blend_vipr(problem_, answer_)) : std::nullopt;
 }
 
 } // namespace mdm

@@ -9,6 +9,9 @@
 
 #include <mdm/gradation/read_gradation.hpp>
 
+#include <fmt/core.h>
+
+#include <functional>
 #include <vector>
 
 namespace mdm {
@@ -38,7 +41,15 @@ public:
            const std::optional<Gradation> &target);
 
   /// Searches. Cost: exponential in the stockpiles at worst.
-  void search() { answer_ = solve_blend(problem_, options_); }
+  /// \param go_on  asked from time to time; false ends the search
+  void search(std::function<bool()> go_on = {}) {
+    options_.go_on = std::move(go_on);
+    answer_ = solve_blend(problem_, options_);
+    if (is_cut())
+      add_note(fmt::format("the search ended after the {} best of the {} blends that were asked for",
+                           answer_.best.size(), options_.best));
+  }
+  void add_note(const std::string &note) { problem_.notes.push_back(note); }
 
   const BlendProblem &problem() const { return problem_; }
   BlendReport report() const;
@@ -46,7 +57,7 @@ public:
   /// there is no blend.
   /// \throws InputError if a stockpile does not tell what passes one of them
   std::optional<BaileyReport> bailey() const;
-  Outcome outcome() const { return outcome_of(answer_); }
+  Outcome outcome() const { return is_cut() ? Outcome::limited : outcome_of(answer_); }
   /// The gradation of the best blend; nothing where there is none.
   std::optional<Gradation> blended() const;
   /// The same with each stockpile a material of its density, of `NAME=DENSITY,...`.
@@ -59,6 +70,15 @@ public:
   std::optional<std::string> vipr() const;
 
 private:
+  /// True if the best blend is known, and a limit came before others that were asked for.
+  bool is_cut() const {
+    return answer_.status == BlendAnswer::Status::optimal && !answer_.is_all &&
+           answer_.best.size() < options_.best;
+  }
+  bool has_ended() const {
+    return answer_.status == BlendAnswer::Status::optimal || answer_.status == BlendAnswer::Status::none;
+  }
+
   std::vector<Gradation> stockpiles_;
   std::string specification_; ///< its name
   BlendProblem problem_;

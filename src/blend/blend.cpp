@@ -209,7 +209,9 @@ std::vector<BlendLimit> broken_limits(const BlendProblem &problem, const Blend &
 
 BlendAnswer solve_blend(const BlendProblem &problem, const BlendOptions &options) {
   check_problem(problem, options);
-  const Watch watch(options.deadline);
+  const Watch watch(options.deadline,
+                    options.go_on ? ProgressCall([&options](const Progress &) { return options.go_on(); })
+                                  : ProgressCall());
   BlendAnswer answer;
   try {
     const bool has_real = solve_real(problem, watch, answer);

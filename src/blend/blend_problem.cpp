@@ -10,7 +10,7 @@
 #include <mdm/blend/blend_problem.hpp>
 #include <mdm/text/error.hpp>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
@@ -25,7 +25,7 @@ std::string blend_size_text(const Rational &size) {
 [[noreturn]] void refuse_unknown_passing(const Gradation &g, const Rational &size) {
   throw InputError(
       fmt::format("{}: what passes {} is not known, since it lies below its finest sieve: add that "
-                  "sieve to the file, or leave it out of the specification",
+                  "sieve to the file, or leave out the limits that need it",
                   printable(g.id()), blend_size_text(size)));
 }
 
@@ -77,6 +77,10 @@ std::vector<BlendSieve> judged_sieves(const std::vector<Gradation> &stockpiles, 
     BlendSieve sieve{e.sizes[i] * in_mm(e.unit), e.passing_min[i], e.passing_max[i], std::nullopt};
     if (sieve.size == 0)
       continue;
+    if (sieve.least > sieve.most)
+      throw InputError(
+          fmt::format("{}: no blend has at least {} % and at most {} % passing {}: correct one of them",
+                      printable(e.id), shown(sieve.least), shown(sieve.most), blend_size_text(sieve.size)));
     if (limits_something(sieve) || is_known_everywhere(stockpiles, sieve.size))
       sieves.push_back(std::move(sieve));
     else
@@ -85,6 +89,21 @@ std::vector<BlendSieve> judged_sieves(const std::vector<Gradation> &stockpiles, 
                       blend_size_text(sieve.size)));
   }
   return sieves;
+}
+
+/// Says at which of its sieves the target is not counted, if there are any.
+void note_uncounted(const Gradation &target, const std::vector<BlendSieve> &sieves,
+                    std::vector<std::string> &notes) {
+  std::vector<std::string> uncounted;
+  const GradingCurve curve(target);
+  for (const Rational &size : curve.sizes())
+    if (size > 0 &&
+        std::none_of(sieves.begin(), sieves.end(), [&size](const BlendSieve &s) { return s.size == size; }))
+      uncounted.push_back(shown(size));
+  if (!uncounted.empty())
+    notes.push_back(
+        fmt::format("the target {} is counted at the sieves of the specification alone: not at {} mm",
+                    printable(target.id()), fmt::join(uncounted, ", ")));
 }
 
 /// The mean percent that passes the sieves of a modulus.
@@ -252,6 +271,7 @@ BlendProblem blend_problem(const std::vector<Gradation> &stockpiles, const Envel
   }
   if (target) {
     add_notes_of(*target, problem.notes);
+    note_uncounted(*target, problem.sieves, problem.notes);
     Interpolations interpolations(*target);
     for (BlendSieve &sieve : problem.sieves)
       if (!sieve.modulus)

@@ -12,11 +12,13 @@
 #include "cli/whole_number.hpp"
 #include "files/byte_source.hpp"
 #include "files/file_ending.hpp"
+#include "files/interrupt.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "files/sample_file.hpp"
 #include "gradation/csv_reader.hpp"
 #include "plot/curves_figure.hpp"
+#include "text/file_names.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -115,6 +117,33 @@ void check_files(const BlendCommand &c) {
   c.plot.check();
 }
 
+/// The files beside the report. They are opened before the search, so that what cannot be written is said at
+/// once.
+class SideOutputs {
+public:
+  explicit SideOutputs(const BlendCommand &c) : paths_{c.blended, c.proof, c.vipr} {
+    for (const OptionText &path : paths_)
+      outputs_.push_back(path ? std::make_unique<Output>(*path) : nullptr);
+  }
+
+  /// Writes the texts that there are, one for each path. \return notes on the others
+  std::vector<std::string> write(const std::vector<std::optional<std::string>> &texts) const {
+    std::vector<std::string> notes;
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      if (texts[i]) {
+        outputs_[i]->write(*texts[i]);
+        outputs_[i]->commit();
+      } else if (paths_[i]) {
+        notes.push_back(shown_name(*paths_[i]) + " is not written: there is nothing to write");
+      }
+    return notes;
+  }
+
+private:
+  std::vector<OptionText> paths_;
+  std::vector<std::unique_ptr<Output>> outputs_;
+};
+
 /// Stockpiles, target and the best blend beside the limits.
 Figure figure_of(const std::vector<Gradation> &stockpiles, const Envelope &specification,
                  const std::optional<Gradation> &target, const Blending &blending) {
@@ -170,7 +199,13 @@ int run(const BlendCommand &c) {
     target = target_in(c, specification);
   Blending blending(c.asked, stockpiles, specification, target);
   Output out(c.output.path());
-  blending.search();
+  const SideOutputs beside(c);
+  {
+    const Interrupt interrupt;
+    blending.search([] { return !Interrupt::was_pressed(); });
+    if (blending.outcome() == Outcome::limited && Interrupt::was_pressed())
+      blending.add_note("the search was interrupted");
+  }
   const std::unique_ptr<Output> plot =
       c.plot ? c.plot.drawn(figure_of(stockpiles, specification, target, blending), c.output.quiet) : nullptr;
   const std::optional<std::string> blended = blended_file(c, blending);
@@ -179,12 +214,7 @@ int run(const BlendCommand &c) {
   out.write(c.output.report([&] { return blend_text(r); }, [&] { return blend_json(r); },
                             [&] { return blend_csv(r); }));
   c.output.tell_notes_beside_csv(blending.problem().notes);
-  if (blended)
-    write_output(*c.blended, *blended);
-  if (const auto proof = c.proof ? blending.proof() : std::nullopt)
-    write_output(*c.proof, *proof);
-  if (vipr)
-    write_output(*c.vipr, *vipr);
+  c.output.tell_notes(beside.write({blended, c.proof ? blending.proof() : std::nullopt, vipr}));
   if (plot)
     plot->commit();
   out.commit();
@@ -257,7 +287,8 @@ Run add_blend(CLI::App &app) {
           "does "
           "not have is interpolated between its sieves, linear in size, with a note; below its finest sieve "
           "it is "
-          "not known. A price is what a point more room at a limit saves, near the best real shares.") +
+          "not known. A price is the most that a point more room at a limit saves, near the best real "
+          "shares.") +
           "\n" +
           paragraph("Exit code 1: there is no blend. The report says which limits contradict each other, and "
                     "by how "

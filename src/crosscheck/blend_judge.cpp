@@ -30,6 +30,14 @@ std::vector<Rational> stated_shares(const Json &array, const char *key, const Ra
   return shares;
 }
 
+/// The names of stockpiles, where they are stated: texts, or objects with a name.
+std::vector<std::string> stated_stockpiles(const Json &array) {
+  std::vector<std::string> names;
+  for (const Json &stockpile : array)
+    names.push_back(stockpile.is_string() ? stockpile.get<std::string>() : text_member(stockpile, "name"));
+  return names;
+}
+
 /// Why an answer has no shares.
 void take_failure(const Json &object, OtherBlend &answer) {
   const std::string status = has_member(object, "status") ? text_member(object, "status") : "";
@@ -52,6 +60,20 @@ void take_failure(const Json &object, OtherBlend &answer) {
 std::string stated_percent(const Rational &share) {
   const Rational percent = 100 * share;
   return exact_decimal(percent).value_or(approximate(percent, blend_digits));
+}
+
+/// Shares are in the order of the problem: an answer that names stockpiles names them so.
+std::string fault_of_names(const BlendProblem &p, const std::vector<std::string> &names) {
+  if (names.empty())
+    return "";
+  if (names.size() != p.stockpiles.size())
+    return fmt::format("it names {} stockpiles, and there are {}", names.size(), p.stockpiles.size());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] != p.stockpiles[i].name)
+      return fmt::format(
+          "its stockpile {} is {}, and that of the problem is {}: shares are in the problem's order", i + 1,
+          in_quotes(names[i]), in_quotes(p.stockpiles[i].name));
+  return "";
 }
 
 /// What is wrong with shares that are no blend of the problem; empty if nothing is.
@@ -92,6 +114,12 @@ OtherBlend json_blend(std::string_view text) {
       throw InputError("the answer is no JSON object");
     if (has_member(object, "id"))
       answer.id = text_member(object, "id");
+    const bool has_shares = has_member(object, "shares") || has_member(object, "percents");
+    if (const std::string status = has_member(object, "status") ? text_member(object, "status") : "";
+        has_shares && (status == "none" || answer_verdict_named(status) == AnswerVerdict::infeasible))
+      throw InputError("it has shares, and its status says that there is no blend");
+    if (has_member(object, "stockpiles"))
+      answer.stockpiles = stated_stockpiles(object["stockpiles"]);
     if (has_member(object, "shares") && has_member(object, "percents"))
       throw InputError("there are \"shares\" and \"percents\": write one of them");
     if (has_member(object, "shares"))
@@ -141,7 +169,9 @@ BlendRow judge_blend(const std::string &id, const BlendProblem &problem, const B
     return row;
   }
   row.verdict = AnswerVerdict::not_a_match;
-  row.reason = fault(problem, answer.shares);
+  row.reason = fault_of_names(problem, answer.stockpiles);
+  if (row.reason.empty())
+    row.reason = fault(problem, answer.shares);
   if (!row.reason.empty())
     return row;
   const Blend blend = blend_of(problem, answer.shares);

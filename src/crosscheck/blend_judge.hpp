@@ -18,12 +18,13 @@ struct OtherBlend {
   std::string id;                       ///< of the problem; empty if it could not be read
   std::optional<AnswerVerdict> failure; ///< why there are no shares, if there are none
   std::string reason;
-  std::vector<Rational> shares; ///< from 0 to 1, of each stockpile
+  std::vector<Rational> shares;             ///< from 0 to 1, of each stockpile
+  std::vector<std::string> stockpiles = {}; ///< their names, if it states them
 };
 
 /// A blend from its JSON: {"id": "a", "shares": ["0.61", "0.11", ...]}, {"id": "a", "percents": [61, 11,
-/// ...]}, the first blend of an mdm-blend-1, or a "status" of infeasible, none or gave up. Numbers are
-/// decimals or fractions p/q. What cannot be read is garbage: nothing is thrown.
+/// ...]}, the first blend of an mdm-blend-1, or a "status" of infeasible, none or gave up; "stockpiles" may
+/// name them. Numbers are decimals or fractions p/q. What cannot be read is garbage: nothing is thrown.
 OtherBlend json_blend(std::string_view text);
 
 /// A row of a cross-check.

@@ -18,6 +18,8 @@
 namespace mdm {
 namespace {
 
+constexpr const char *within_forms = "write 4.75mm=7,0.075mm=2, or one number for all sieves";
+
 [[noreturn]] void refuse_points(const std::string &text, const std::string &why) {
   throw InputError(option("within") + ": " + in_quotes(text) + why);
 }
@@ -46,10 +48,10 @@ std::size_t sieve_of_mix(const Gradation &mix, std::string_view text, const std:
         sizes.push_back(shown(mix.sizes()[j]));
     }
   } catch (const InputError &error) {
-    refuse_points(whole, std::string(": ") + error.what());
+    refuse_points(whole, fmt::format(": {}; a sieve is given by its opening, such as 4.75mm", error.what()));
   }
-  refuse_points(whole, fmt::format(": the job mix has no such sieve; there are {} {}", fmt::join(sizes, ", "),
-                                   name(mix.unit())));
+  refuse_points(whole, fmt::format(": the job mix has no sieve {}; there are {} {}", in_quotes(text),
+                                   fmt::join(sizes, ", "), name(mix.unit())));
 }
 
 /// Points of each sieve of the mix that is to be judged.
@@ -62,11 +64,17 @@ std::map<std::size_t, Rational> points_of(const Gradation &mix, const std::vecto
       const std::string_view part = trimmed(std::string_view(text).substr(from, to - from));
       from = to + 1;
       const std::size_t equals = part.find('=');
-      if (equals == std::string_view::npos)
+      if (equals == std::string_view::npos) {
+        if (of_all || part.size() != trimmed(text).size())
+          refuse_points(text, std::string(" has a number without a sieve beside others: ") + within_forms);
         of_all = points_in(part, text);
-      else
-        points[sieve_of_mix(mix, trimmed(part.substr(0, equals)), text)] =
-            points_in(part.substr(equals + 1), text);
+      } else if (!points
+                      .emplace(sieve_of_mix(mix, trimmed(part.substr(0, equals)), text),
+                               points_in(part.substr(equals + 1), text))
+                      .second) {
+        refuse_points(text, fmt::format(": {} has its points twice: give them once",
+                                        in_quotes(trimmed(part.substr(0, equals)))));
+      }
     }
   for (std::size_t j = 0; of_all && j < mix.sizes().size(); ++j)
     if (mix.sizes()[j] > 0)

@@ -21,6 +21,25 @@ std::string short_value(const Rational &r) {
   return exact && exact->size() <= digits + 2 ? *exact : approximate(r, digits);
 }
 
+/// A share of a whole number of steps in full, where it is a decimal of no more than 12 digits.
+std::string full_percent(const Rational &share) {
+  constexpr std::size_t longest = 13;
+  const std::optional<std::string> exact = exact_decimal(100 * share);
+  return exact && exact->size() <= longest ? *exact : short_value(100 * share);
+}
+
+/// A short decimal that is no less, and behind it the fraction where it is more.
+std::string least_sufficient(const Rational &r) {
+  constexpr unsigned digits = 6;
+  if (const std::optional<std::string> exact = exact_decimal(r); exact && exact->size() <= digits + 2)
+    return *exact;
+  unsigned places = 0;
+  while (r * power_of_ten(places) < power_of_ten(digits - 1))
+    ++places;
+  const Rational up = ratio(ceil(Rational(r * power_of_ten(places))), power_of_ten(places));
+  return fmt::format("{} ({})", to_decimal(up), to_string(r));
+}
+
 /// The same, and behind it the fraction where that is no short decimal.
 std::string value_with_fraction(const Rational &r) {
   const std::string text = short_value(r);
@@ -44,8 +63,7 @@ std::string shares_in_words(const BlendProblem &p, const Blend &blend) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < p.stockpiles.size(); ++i)
     if (blend.shares[i] != 0)
-      parts.push_back(
-          fmt::format("{} % {}", percent_of_share(blend.shares[i]), printable(p.stockpiles[i].name)));
+      parts.push_back(fmt::format("{} % {}", full_percent(blend.shares[i]), printable(p.stockpiles[i].name)));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -55,7 +73,7 @@ std::string_view aim_in_words(BlendAim aim) {
   case BlendAim::cost:
     return "cost";
   case BlendAim::deviation:
-    return "sum of all deviations from the target (points)";
+    return "sum of the deviations from the target (points)";
   case BlendAim::max_deviation:
     return "largest deviation from the target (points)";
   case BlendAim::squares:
@@ -70,18 +88,20 @@ std::string blend_headline(const BlendReport &r) {
   const std::string limits = printable(r.specification);
   const BlendAnswer &a = r.answer;
   if (a.status == BlendStatus::none)
-    return fmt::format("no blend of {}these {} stockpiles keeps the limits of {}{}\n",
+    return fmt::format("no blend of {}{} keeps the limits of {}{}\n",
                        p.at_most && !a.contradiction ? fmt::format("at most {} of ", *p.at_most) : "",
-                       p.stockpiles.size(), limits, a.contradiction ? "" : " in " + step_in_words(r));
+                       p.stockpiles.size() == 1 ? "this stockpile"
+                                                : fmt::format("these {} stockpiles", p.stockpiles.size()),
+                       limits, a.contradiction ? "" : " in " + step_in_words(r));
   if (a.status == BlendStatus::unknown)
-    return fmt::format("a limit came before a blend within {} was found\n", limits);
+    return fmt::format("the search ended before a blend within {} was found\n", limits);
   std::string text = fmt::format("{}: within {}\n", shares_in_words(p, a.best.front()), limits);
   if (p.aim == BlendAim::none)
     return text + fmt::format("  the first in {} in the order of shares\n", step_in_words(r));
   text += fmt::format("  {}: {}", aim_in_words(p.aim), value_with_fraction(a.best.front().value));
   return text + (a.status == BlendStatus::optimal
                      ? fmt::format(", the least in {}\n", step_in_words(r))
-                     : fmt::format("; a limit came before all were searched, and none has less than {}\n",
+                     : fmt::format("; the search ended before all were seen, and none has less than {}\n",
                                    short_value(a.bound)));
 }
 
@@ -108,14 +128,14 @@ std::string stockpile_table(const BlendReport &r) {
   for (std::size_t i = 0; i < p.stockpiles.size(); ++i) {
     table.add_line();
     table.add(printable(p.stockpiles[i].name));
-    table.add(percent_of_share(a.best.front().shares[i]));
+    table.add(full_percent(a.best.front().shares[i]));
     if (r.mass)
       table.add(short_value(r.mass->value * a.best.front().shares[i]));
     if (has_cost)
       table.add(short_value(p.stockpiles[i].cost));
     if (shows_real(r)) {
       table.add(percent_of_share(a.real->shares[i]));
-      table.add(percent_of_share(a.rounded->shares[i]));
+      table.add(full_percent(a.rounded->shares[i]));
     }
   }
   return table.text();
@@ -226,11 +246,16 @@ std::string bailey_text(const BaileyReport &b) {
               : "");
 }
 
-std::string limits_in_words(const std::vector<BlendLimit> &limits, const BlendProblem &p) {
+/// What a blend breaks, in words.
+std::vector<std::string> broken_in_words(const BlendProblem &p, const Blend &blend) {
   std::vector<std::string> words;
-  for (const BlendLimit &limit : limits)
+  for (const BlendLimit &limit : broken_limits(p, blend))
     words.push_back(in_words(limit, p));
-  return fmt::format("{}", fmt::join(words, "; "));
+  const auto used =
+      std::count_if(blend.shares.begin(), blend.shares.end(), [](const Rational &s) { return s > 0; });
+  if (p.at_most && static_cast<std::size_t>(used) > *p.at_most)
+    words.push_back(fmt::format("at most {} stockpile{}", *p.at_most, *p.at_most == 1 ? "" : "s"));
+  return words;
 }
 
 /// The real optimum beside the blend in steps, and what its rounding would break.
@@ -241,12 +266,12 @@ std::string real_text(const BlendReport &r) {
   std::string text =
       fmt::format("\n  of any real shares{} the least is {}\n",
                   r.problem.at_most ? ", of all stockpiles," : "", value_with_fraction(a.real->value));
-  const std::vector<BlendLimit> broken = broken_limits(r.problem, *a.rounded);
-  return text + (broken.empty() ? fmt::format("  rounded to steps the real optimum keeps all limits: {}\n",
-                                              value_with_fraction(a.rounded->value))
-                                : fmt::format("  rounded to steps the real optimum breaks {} {}: {}\n",
-                                              broken.size(), broken.size() == 1 ? "limit" : "limits",
-                                              limits_in_words(broken, r.problem)));
+  const std::vector<std::string> broken = broken_in_words(r.problem, *a.rounded);
+  return text + (broken.empty()
+                     ? fmt::format("  rounded to steps the real optimum keeps all limits: {}\n",
+                                   value_with_fraction(a.rounded->value))
+                     : fmt::format("  rounded to steps the real optimum breaks {} {}: {}\n", broken.size(),
+                                   broken.size() == 1 ? "limit" : "limits", fmt::join(broken, "; ")));
 }
 
 std::string further_blends(const BlendReport &r) {
@@ -266,7 +291,7 @@ std::string further_blends(const BlendReport &r) {
       if (r.problem.aim != BlendAim::none)
         table.add(short_value(a.best[b].value));
       for (const Rational &share : a.best[b].shares)
-        table.add(percent_of_share(share));
+        table.add(full_percent(share));
     }
     text += table.text();
   }
@@ -293,6 +318,16 @@ std::string contradiction_text(const BlendProblem &p, const BlendContradiction &
                     to_string(c.excess));
 }
 
+/// Stockpiles whose limits leave no whole number of steps.
+std::string shares_without_steps(const BlendReport &r) {
+  std::string text;
+  for (const Stockpile &s : r.problem.stockpiles)
+    if (ceil(s.least * r.problem.steps) > floor(s.most * r.problem.steps))
+      text += fmt::format("  no share of {} in {} is from {} to {} %: take finer steps\n", printable(s.name),
+                          step_in_words(r), percent_of_share(s.least), percent_of_share(s.most));
+  return text;
+}
+
 std::string widening_text(const BlendReport &r) {
   const BlendAnswer &a = r.answer;
   const std::string what =
@@ -304,10 +339,10 @@ std::string widening_text(const BlendReport &r) {
   const std::string of_all = r.problem.at_most ? " of any number of stockpiles" : "";
   std::string text = are_kept ? fmt::format("  real shares{} keep all limits: {}\n", of_all, real_shares)
                               : fmt::format("  {} must be widened by {} points for a blend{}: {}\n", what,
-                                            value_with_fraction(a.widened_real->value), of_all, real_shares);
+                                            least_sufficient(a.widened_real->value), of_all, real_shares);
   if (a.widened)
     text += fmt::format("  in {} {}by {} points: {}\n", steps, are_kept ? what + " must be widened " : "",
-                        value_with_fraction(a.widened->value), shares_in_words(r.problem, *a.widened));
+                        least_sufficient(a.widened->value), shares_in_words(r.problem, *a.widened));
   else if (a.is_widening_decided)
     text += fmt::format("  no widening of {} leaves a blend in {}\n", what, steps);
   return text;
@@ -348,7 +383,7 @@ std::string blend_text(const BlendReport &r) {
   if (a.status == BlendStatus::none) {
     if (a.contradiction)
       text += contradiction_text(r.problem, *a.contradiction);
-    text += widening_text(r);
+    text += shares_without_steps(r) + widening_text(r);
   }
   return text + real_text(r) + further_blends(r) + notes_text(r.problem);
 }

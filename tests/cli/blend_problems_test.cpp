@@ -118,6 +118,9 @@ TEST_CASE("problems of blends that are none", "[blend]") {
   CHECK(contains(error(replaced(cheap, "\"aim\":\"cost\"", "\"aim\":\"deviation\"")),
                  "a target at each sieve"));
   CHECK(contains(error(replaced(cheap, "\"aim\"", "\"steps\":0,\"aim\"")), "a whole of 0 steps is none"));
+  CHECK(contains(error(replaced(cheap, "\"aim\"", "\"unit\":\"um\",\"aim\"")), "unit is 'um': write mm"));
+  CHECK(contains(error(replaced(cheap, "\"aim\"", "\"schema\":\"mdm-answer-1\",\"aim\"")),
+                 "write mdm-blend-1"));
   CHECK(contains(error(cheap.substr(0, 40)), "stdin:1"));
   check_refused(mdm({"blend", "--problems", "-"}, "\n"), "there are no problems");
   check_refused(mdm({"blend", "--problems", "-", "--step", "1%"}, cheap), "its lines say all that is asked");
@@ -166,6 +169,14 @@ TEST_CASE("blends of another solver: best, worse, none of the problem, and what 
   const std::string near = "{\"id\":\"a\",\"shares\":[0.3400000000000001,0.6599999999999999]}\n";
   CHECK(contains(judged(cheap, near, {"--format", "csv"}).out,
                  "the share of A is 34.00000000000001 %, no whole number of steps of 1 %"));
+  const auto verdict_on = [](const std::string &answer) {
+    return judged(cheap, answer + "\n", {"--format", "csv"}).out;
+  };
+  CHECK(contains(verdict_on("{\"id\":\"a\",\"shares\":[\"0.34\",\"0.66\"],\"status\":\"infeasible\"}"),
+                 "a,garbage,,6.04,\"it has shares, and its status says that there is no blend\""));
+  CHECK(contains(verdict_on("{\"id\":\"a\",\"stockpiles\":[\"A\",\"B\"],\"percents\":[34,66]}"), "a,best,"));
+  CHECK(contains(verdict_on("{\"id\":\"a\",\"stockpiles\":[\"B\",\"A\"],\"percents\":[66,34]}"),
+                 "its stockpile 1 is 'B', and that of the problem is 'A'"));
   const std::string worse = "{\"id\":\"a\",\"percents\":[40,60]}\n";
   const Outcome text = judged(cheap, worse);
   CHECK(text.exit_code == 0);

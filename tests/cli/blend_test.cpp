@@ -2,6 +2,10 @@
 
 #include "answer.hpp"
 
+#include <chrono>
+#include <csignal>
+#include <thread>
+
 using namespace cli_test;
 
 namespace {
@@ -206,7 +210,7 @@ TEST_CASE("blends as CSV have a row each, and notes on standard error", "[cli]")
 TEST_CASE("a limit of the search is exit 3", "[cli]") {
   const Outcome outcome = Stockpiles().blend({"--cost", "fine=10,coarse=4", "--node-limit", "0"});
   CHECK(outcome.exit_code == 3);
-  CHECK(contains(outcome.out, "a limit came before a blend"));
+  CHECK(contains(outcome.out, "the search ended before a blend"));
 }
 
 TEST_CASE("what is wrong with a question of blends is refused", "[cli]") {
@@ -220,7 +224,7 @@ TEST_CASE("what is wrong with a question of blends is refused", "[cli]") {
   refuses({"--cost", "sand=1"}, "--cost: there is no stockpile 'sand'; there are 'fine', 'coarse'");
   refuses({"--cost", "12"}, "--cost: '12' is no value of a stockpile: write NAME=VALUE");
   refuses({"--share", "fine=.."}, "limits nothing");
-  refuses({"--share", "fine=40..30%"}, "exchange them");
+  refuses({"--share", "fine=40..30%"}, "no share of fine is from 40 to 30 %");
   refuses({"--share", "fine=40..130%"}, "--share");
   refuses({"--step", "0"}, "--step");
   refuses({"--step", "3%"}, "--step: '3%': the whole is 33.3333 steps");
@@ -295,6 +299,73 @@ TEST_CASE("a proof of files that mdm-check does not read is refused", "[cli]") {
   stockpiles.folder().write("fine.csv", "Sieve size (mm),Cumulative % passing\n8,100\n4,100\n1,60\n0.5,0\n");
   CHECK(stockpiles.blend().exit_code == 0);
   check_refused(stockpiles.blend({"--proof", proof}), "--proof: mdm-check does not read");
+}
+
+TEST_CASE("Ctrl-C ends a search for blends with what is certain", "[cli]") {
+  const Stockpiles stockpiles("8,100,100\n4,60,70\n1,10,30\n");
+  const TemporaryFolder &folder = stockpiles.folder();
+  Process search(MDM_PROGRAM, {"blend", folder / "fine.csv", folder / "coarse.csv", "--spec",
+                               folder / "limits.csv", "--cost", "fine=10,coarse=4", "--step", "0.0000001%",
+                               "--all", "1000000", "--proof", folder / "proof"});
+  std::this_thread::sleep_for(std::chrono::seconds(1)); // it is searching by now
+  search.signal(SIGINT);
+  const Outcome outcome = search.end();
+  CHECK(outcome.exit_code == 3);
+  CHECK(contains(outcome.out, "of the 1000000 blends that were asked for"));
+  CHECK(contains(outcome.out, "the search was interrupted"));
+  CHECK(mdm_check({folder / "limits.csv", folder / "fine.csv", folder / "coarse.csv", folder / "proof"})
+            .exit_code == 0);
+}
+
+TEST_CASE("what cannot be written is said before there is a report", "[cli]") {
+  const Stockpiles stockpiles("8,100,100\n4,60,70\n1,10,30\n");
+  const std::string blended = stockpiles.folder() / "mix.csv";
+  for (const char *option : {"--proof", "--vipr"}) {
+    const Outcome outcome = stockpiles.blend({"--blended", blended, option, "/nowhere/x"});
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out.empty());
+    CHECK_FALSE(std::filesystem::exists(blended));
+  }
+  const Stockpiles none("8,100,100\n4,60,60.1\n");
+  const std::string stale = none.folder().write("mix.csv", "old");
+  const Outcome outcome = none.blend({"--blended", stale});
+  CHECK(outcome.exit_code == 1);
+  CHECK(contains(outcome.err, "mix.csv is not written"));
+  CHECK(read_file(stale) == "old");
+}
+
+TEST_CASE("a blend says what of the question it leaves aside, and what a share cannot be", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string u = folder.write("u.csv", "size_mm,passing_percent\n10,100\n2,80\n1,60\n0.1,0\n"),
+                    v = folder.write("v.csv", "size_mm,passing_percent\n10,100\n2,40\n1,10\n0.1,0\n"),
+                    few = folder.write("few.csv",
+                                       "size_mm,passing_min_percent,passing_max_percent\n10,100,100\n"),
+                    crossed = folder.write(
+                        "s.csv", "size_mm,passing_min_percent,passing_max_percent\n10,100,100\n1,60,40\n");
+  const Outcome aimed = mdm({"blend", u, v, "--spec", few, "--target", u});
+  CHECK(aimed.exit_code == 0);
+  CHECK(contains(aimed.out,
+                 "the target u is counted at the sieves of the specification alone: not at 0.1, 1, 2 mm"));
+  check_refused(mdm({"blend", u, v, "--spec", crossed}), "at least 60 % and at most 40 % passing 1 mm");
+  const Outcome between = mdm({"blend", u, v, "--spec", few, "--share", "u=50.2..50.8%"});
+  CHECK(between.exit_code == 1);
+  CHECK(contains(between.out, "no share of u in steps of 1 % is from 50.2 to 50.8 %: take finer steps"));
+  check_refused(mdm({"blend", u, v, "--spec", few, "--share", "u=10%,u=20%"}),
+                "no share of u is from 20 to 10 %");
+  const Outcome fine = mdm({"blend", u, v, "--spec", few, "--step", "0.000001%", "--share", "u=66.666666%"});
+  CHECK(contains(fine.out, "66.666666 % u, 33.333334 % v"));
+}
+
+TEST_CASE("a real optimum that is rounded to steps breaks the number of stockpiles, too", "[cli]") {
+  const TemporaryFolder folder;
+  const auto pile = [&folder](const char *name, const char *at_one) {
+    return folder.write(name, std::string("size_mm,passing_percent\n10,100\n1,") + at_one + "\n0.1,0\n");
+  };
+  const Outcome outcome =
+      mdm({"blend", pile("a.csv", "80"), pile("b.csv", "20"), pile("c.csv", "45"), "--spec",
+           folder.write("s.csv", "size_mm,passing_min_percent,passing_max_percent\n10,100,100\n1,38,62\n"),
+           "--cost", "a=1,b=2,c=9", "--at-most-stockpiles", "1"});
+  CHECK(contains(outcome.out, "breaks 1 limit: at most 1 stockpile\n"));
 }
 
 TEST_CASE("stockpiles, blend and limits are drawn", "[cli]") {

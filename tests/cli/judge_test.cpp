@@ -198,9 +198,14 @@ TEST_CASE("samples are judged by a job mix and its tolerances", "[cli]") {
   CHECK(contains(all.out, "field: PASS of job mix mix"));
   CHECK(contains(all.out, "7 points about 60.5 % passing 4.75 mm"));
   CHECK(contains(all.out, "2.05 points about 5 % passing 0.075 mm"));
-  check_refused(judged({"3mm=2"}), "the job mix has no such sieve; there are 0.075, 0.6, 4.75, 19 mm");
+  check_refused(judged({"3mm=2"}), "the job mix has no sieve '3mm'; there are 0.075, 0.6, 4.75, 19 mm");
   check_refused(judged({"4.75mm=-1"}), "is below 0");
   check_refused(judged({"4.75mm"}), "--within");
+  // Nobody knows whether this is a decimal comma.
+  check_refused(judged({"4.75mm=2,5"}), "a number without a sieve beside others");
+  check_refused(judged({"7", "5"}), "a number without a sieve beside others");
+  check_refused(judged({"4.75mm=2", "4.75=3"}), "'4.75' has its points twice");
+  check_refused(judged({"No. 4=7"}), "a sieve is given by its opening, such as 4.75mm");
   check_refused(judged({}), "--job-mix and --within go together");
   check_refused(mdm({"judge", field, "--job-mix", mix, "--within", "5", "--spec", "astm-c33-fine"}),
                 "one of --spec");

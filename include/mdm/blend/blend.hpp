@@ -5,6 +5,7 @@
 #include <mdm/blend/blend_problem.hpp>
 
 #include <chrono>
+#include <functional>
 
 namespace mdm {
 
@@ -48,6 +49,7 @@ struct BlendOptions {
   std::size_t best = 1;                 ///< so many of the best blends
   std::uint64_t node_limit = 1'000'000; ///< splits
   std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
+  std::function<bool()> go_on = {};                  ///< asked from time to time; false ends the search
   std::optional<std::size_t> relaxed = std::nullopt; ///< where there is none, widen this sieve's limits alone
 };
 
@@ -70,8 +72,8 @@ struct BlendAnswer {
 
   /// With any real shares, of any number of stockpiles: the best by the same order, if there is one.
   std::optional<Blend> real;
-  /// Prices: so much does the value change a unit of the limit, near the real optimum. The sum of all, each
-  /// times its limit, is the value.
+  /// Prices: so much does the value change at most a unit of room at the limit, near the real optimum; less
+  /// where other limits hold it, too. The sum of all, each times its limit, is the value.
   std::vector<BlendMultiple> prices;
   /// The real optimum in steps, rounded by largest remainders, and what it breaks.
   std::optional<Blend> rounded;
