@@ -1,4 +1,5 @@
 #include "program_files.hpp"
+#include "standard_streams.hpp"
 #include "suite.hpp"
 #include "text.hpp"
 #include "verdicts.hpp"
@@ -8,7 +9,6 @@
 #include <gmp.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -215,8 +215,7 @@ int run(const std::vector<std::string> &arguments) {
 } // namespace
 
 int main(int argc, char **argv) {
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
+  settle_streams();
   std::set_new_handler(out_of_memory);
   mp_set_memory_functions([](std::size_t size) { return reallocate(nullptr, 0, size); }, reallocate, nullptr);
   try {

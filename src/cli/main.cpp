@@ -23,7 +23,6 @@
 #endif
 
 #include <algorithm>
-#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <string>
@@ -164,9 +163,7 @@ int main(int argc, char **argv) {
   use_number_pool();
   mdm::read_law_file = law_in_file;
   remove_unfinished_at_signals();
-  // A closed pipe and a limit of the file size are then errors of write, with a message and an exit code.
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
+  let_writes_fail();
   try {
     return run(arguments(argc, argv));
   } catch (const ClosedPipe &) {

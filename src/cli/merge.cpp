@@ -5,6 +5,7 @@
 #include "files/counted_files.hpp"
 #include "files/file_totals.hpp"
 #include "files/joined_parts.hpp"
+#include "files/open_files.hpp"
 #include "files/paths.hpp"
 #include "files/progress_line.hpp"
 #include "text/option_name.hpp"

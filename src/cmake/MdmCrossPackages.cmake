@@ -1,6 +1,6 @@
 # The packages of a build for another machine, as WebAssembly is one: this machine's header-only libraries, seen through a folder of
-# their own, because the rest of its headers is for this machine; and those in CMAKE_FIND_ROOT_PATH, for WebAssembly what
-# src/web/libraries has built.
+# their own, because the rest of its headers is for this machine; and those in CMAKE_FIND_ROOT_PATH, which
+# src/web/libraries and src/windows/libraries have built.
 set(headers ${PROJECT_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${headers})
 
@@ -26,3 +26,9 @@ add_library(Threads::Threads INTERFACE IMPORTED)
 mdm_find_package(GMP DEBIAN libgmp-dev)
 mdm_find_package(MPFR DEBIAN libmpfr-dev)
 find_package(Pugixml QUIET)
+if(WIN32)
+  mdm_find_package(Arb DEBIAN libflint-dev)
+  find_package(Libzip QUIET)
+  find_package(Zstd QUIET)
+  mdm_find_package(ZLIB DEBIAN libz-mingw-w64-dev)
+endif()

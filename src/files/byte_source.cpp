@@ -1,9 +1,9 @@
 #include "files/byte_source.hpp"
 
+#include "files/descriptors.hpp"
 #include "files/paths.hpp"
+#include "files/real_path.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -33,9 +33,7 @@ std::map<std::string, std::optional<OpenPipe>> pipes;
 std::atomic<bool> standard_input_is_packed = false;
 
 bool is_pipe(const std::string &path) {
-  struct stat status {};
-  return path == "-" ||
-         (stat(path.c_str(), &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode)));
+  return path == "-" || is_named_pipe(path);
 }
 
 /// The pipe that was looked at; nothing of one that is new.
@@ -54,7 +52,7 @@ std::optional<OpenPipe> taken_up(const std::string &path) {
 int open_for_reading(const std::string &path) {
   if (path == "-")
     return STDIN_FILENO;
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor = open_file(path, Opening::to_read);
   if (descriptor < 0)
     cannot_read(path, errno);
   return descriptor;
@@ -96,12 +94,9 @@ bool ByteSource::read_raw(std::string &text) {
 void ByteSource::read_descriptor(std::string &text) {
   const std::size_t before = text.size();
   text.resize(before + bytes_at_once);
-  ssize_t n = 0;
-  do {
-    n = read(descriptor_, text.data() + before, bytes_at_once);
-  } while (n < 0 && errno == EINTR);
+  const std::ptrdiff_t n = read_bytes(descriptor_, text.data() + before, bytes_at_once);
   const int error = errno;
-  text.resize(before + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+  text.resize(before + static_cast<std::size_t>(std::max<std::ptrdiff_t>(n, 0)));
   if (n < 0)
     cannot_read(path_ == "-" ? "standard input" : path_, error);
 }
@@ -179,9 +174,9 @@ bool is_plain_file(const std::string &path) {
     return false;
   const int descriptor = open_for_reading(path);
   std::array<char, packed_mark> begin{};
-  const ssize_t n = read(descriptor, begin.data(), begin.size());
+  const std::ptrdiff_t n = read_bytes(descriptor, begin.data(), begin.size());
   close(descriptor);
-  return !is_packed({begin.data(), static_cast<std::size_t>(std::max<ssize_t>(n, 0))});
+  return !is_packed({begin.data(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(n, 0))});
 }
 
 } // namespace mdm

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 /// The name of a file from the folder of the answers.
 std::string name_beside(const std::string &answers, const std::string &file) {
   const fs::path folder = fs::path(canonical_path(answers)).parent_path();
-  return fs::path(canonical_path(file)).lexically_relative(folder).string();
+  return fs::path(canonical_path(file)).lexically_relative(folder).generic_string();
 }
 
 NamedFileTotals totals_of(Output &output, const std::string &name) {

@@ -1,6 +1,7 @@
 #include "files/file_ending.hpp"
 
 #include "files/zstd_stream.hpp"
+#include "text/file_names.hpp"
 
 #include <mdm/text/error.hpp>
 
@@ -35,7 +36,7 @@ const std::vector<std::string> text_endings = {"txt", "json", "jsonl", "ndjson",
                                                "tsv", "xml",  "yaml",  "yml"};
 
 std::string ending_of(const std::string &path) {
-  std::string name = path.substr(path.find_last_of('/') + 1);
+  std::string name = path.substr(name_begin(path));
   if (names_zstd(name))
     name.resize(name.rfind('.'));
   const std::size_t dot = name.rfind('.');

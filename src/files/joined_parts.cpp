@@ -7,29 +7,10 @@
 
 #include "files/counted_part.hpp"
 
-#include <mdm/text/error.hpp>
-
-#include <fmt/core.h>
-#include <sys/resource.h>
-
 #include <memory>
 #include <queue>
 
 namespace mdm {
-
-void allow_open_files(std::size_t shards) {
-  const rlim_t needed = 2 * shards + 20; // and those of the program itself
-  rlimit limit{};
-  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= needed)
-    return;
-  if (limit.rlim_max < needed)
-    throw InputError(
-        fmt::format("mdm: {} shards are up to {} open files, and the system allows {}: raise it, as "
-                    "with ulimit -n, or solve the suite in fewer shards",
-                    shards, needed, limit.rlim_max));
-  limit.rlim_cur = needed;
-  setrlimit(RLIMIT_NOFILE, &limit);
-}
 
 void join_lines(const std::vector<PartFile> &files, std::uint64_t lines, const Sink &to,
                 const std::function<void()> &wrote) {

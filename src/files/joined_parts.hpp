@@ -16,10 +16,6 @@ struct ProofFiles {
   PartFile stream, index;
 };
 
-/// Allows that of so many shards two files are open at once.
-/// \throws InputError if the system lets no process have so many
-void allow_open_files(std::size_t shards);
-
 /// Hands on the lines of files, which take turns. \param wrote  called after each
 /// \throws InputError if a file is not what its totals say
 void join_lines(const std::vector<PartFile> &parts, std::uint64_t lines, const Sink &to,

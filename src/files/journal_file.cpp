@@ -1,14 +1,13 @@
 #include "files/journal_file.hpp"
 
 #include "files/byte_source.hpp"
+#include "files/descriptors.hpp"
 #include "files/paths.hpp"
 #include "files/zstd_stream.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/text/error.hpp>
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -21,7 +20,7 @@ JournalFile::JournalFile(std::string path) : path_(std::move(path)) {
   if (names_zstd(path_))
     throw file_error(path_, "a journal is not compressed: give a name without .zst");
   refuse_protected(path_);
-  descriptor_ = open(path_.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
+  descriptor_ = open_file(path_, Opening::to_go_on);
   if (descriptor_ < 0)
     fail(errno);
   try {
@@ -30,7 +29,7 @@ JournalFile::JournalFile(std::string path) : path_(std::move(path)) {
       fail(errno);
     if (!S_ISREG(status.st_mode))
       throw file_error(path_, "a journal is a regular file: name one, or a new one");
-    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
+    if (!lock_file(descriptor_))
       throw file_error(path_, "another run writes this journal: wait for it, or name another");
   } catch (...) {
     close(descriptor_);
@@ -62,10 +61,10 @@ void JournalFile::add(const std::string &line) {
   const std::string text = line + "\n";
   const std::lock_guard lock(mutex_);
   for (std::string_view rest = text; !rest.empty();) {
-    const ssize_t n = write(descriptor_, rest.data(), rest.size());
-    if (n < 0 && errno != EINTR)
+    const std::ptrdiff_t n = write_bytes(descriptor_, rest);
+    if (n < 0)
       fail(errno);
-    rest.remove_prefix(n < 0 ? 0 : static_cast<std::size_t>(n));
+    rest.remove_prefix(static_cast<std::size_t>(n));
   }
 }
 

@@ -1,10 +1,10 @@
 #include "files/output.hpp"
 
+#include "files/descriptors.hpp"
 #include "files/ending_signals.hpp"
 #include "files/file_ending.hpp"
 #include "files/paths.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -85,7 +85,7 @@ void remove_leftovers(const std::string &path) {
       leftovers.push_back(entry->path());
   }
   for (const std::filesystem::path &leftover : leftovers)
-    unlink(leftover.c_str());
+    std::filesystem::remove(leftover, error);
 }
 
 void remove_unfinished() {
@@ -109,7 +109,7 @@ Output::Output(std::string path) : path_(std::move(path)) {
     return;
   }
   if (const std::optional<int> descriptor = descriptor_named(path_)) {
-    descriptor_ = fcntl(*descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    descriptor_ = duplicate(*descriptor);
     if (descriptor_ < 0)
       fail(errno);
     return;
@@ -123,11 +123,11 @@ Output::Output(std::string path) : path_(std::move(path)) {
     if (exists && access(target_.c_str(), W_OK) != 0)
       fail(errno);
     open_beside();
-    if (exists && fchmod(descriptor_, status.st_mode & 07777) != 0)
+    if (exists && !copy_rights(target_, descriptor_))
       fail(errno);
     return;
   }
-  descriptor_ = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+  descriptor_ = open_file(target_, Opening::to_write);
   if (descriptor_ < 0)
     fail(errno);
 }
@@ -150,7 +150,7 @@ void Output::fail(int error) const {
 void Output::open_beside() {
   for (unsigned attempt = 0; descriptor_ < 0; ++attempt) {
     temporary_ = fmt::format("{}.{}-{}.tmp", target_, getpid(), attempt);
-    descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor_ = open_file(temporary_, Opening::new_file);
     if (descriptor_ < 0 && errno != EEXIST) {
       const int error = errno;
       temporary_.clear();
@@ -178,10 +178,10 @@ void Output::write_bytes(std::string_view bytes) {
   if (digest_)
     digest_->add(bytes);
   while (!bytes.empty()) {
-    const ssize_t n = ::write(descriptor_, bytes.data(), bytes.size());
-    if (n < 0 && errno != EINTR)
+    const std::ptrdiff_t n = mdm::write_bytes(descriptor_, bytes);
+    if (n < 0)
       fail(errno);
-    bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+    bytes.remove_prefix(static_cast<std::size_t>(n));
   }
 }
 
@@ -194,7 +194,7 @@ void Output::end() {
 
 void Output::commit_durably() {
   end();
-  if (fsync(descriptor_) != 0)
+  if (!write_through(descriptor_))
     fail(errno);
   commit();
 }
@@ -207,8 +207,10 @@ void Output::commit() {
     fail(errno);
   if (temporary_.empty())
     return;
-  if (rename(temporary_.c_str(), target_.c_str()) != 0)
-    fail(errno);
+  std::error_code error;
+  std::filesystem::rename(temporary_, target_, error);
+  if (error)
+    fail(errno_of(error));
   forget_unfinished(temporary_);
   temporary_.clear();
 }

@@ -1,28 +1,19 @@
 #include "files/paths.hpp"
 
+#include "files/real_path.hpp"
+
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <set>
 
 namespace mdm {
 namespace {
-
-/// realpath, or nothing where there is no such file.
-std::string real_path(const std::string &path) {
-  char *const real = realpath(path.c_str(), nullptr);
-  if (real == nullptr)
-    return {};
-  std::string target(real);
-  std::free(real);
-  return target;
-}
 
 /// The end of a path's symbolic links where there is no such file yet.
 std::string behind_links(std::filesystem::path path) {
@@ -55,6 +46,10 @@ void refuse_file(const std::string &path, const std::string &what, int error, co
   throw file_error(path, what + ": " + std::strerror(error) + ": " + remedy);
 }
 
+int errno_of(const std::error_code &error) {
+  return error.default_error_condition().value();
+}
+
 void cannot_read(const std::string &path, int error) {
   refuse_file(path, "cannot be read", error, "name one that can be read");
 }
@@ -63,9 +58,9 @@ std::string canonical_path(const std::string &path) {
   if (std::string file = real_path(path); !file.empty())
     return file;
   const std::string name = behind_links(path);
-  const std::size_t slash = name.rfind('/');
-  const std::string folder = real_path(slash == std::string::npos ? "." : name.substr(0, slash + 1));
-  return folder.empty() ? name : folder + "/" + name.substr(slash == std::string::npos ? 0 : slash + 1);
+  const std::size_t begin = name_begin(name);
+  const std::string folder = real_path(begin == 0 ? "." : name.substr(0, begin));
+  return folder.empty() ? name : folder + "/" + name.substr(begin);
 }
 
 void check_paths(const std::vector<std::string> &inputs, const std::vector<std::string> &outputs) {
@@ -112,12 +107,10 @@ void check_size(const std::string &path, std::size_t bytes, std::size_t most) {
 }
 
 void make_folder(const std::string &path) {
-  struct stat status {};
-  if (mkdir(path.c_str(), 0777) == 0)
-    return;
-  const int error = errno;
-  if (stat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
-    refuse_file(path, "no folder can be made there", error, "name another");
+  std::error_code error;
+  std::filesystem::create_directory(path, error);
+  if (error)
+    refuse_file(path, "no folder can be made there", errno_of(error), "name another");
 }
 
 void check_distinct(const std::vector<std::string> &paths) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace mdm {
@@ -16,6 +17,9 @@ namespace mdm {
 /// Throws the error `path: what: <the system's words>: remedy`. \param error errno
 [[noreturn]] void refuse_file(const std::string &path, const std::string &what, int error,
                               const std::string &remedy);
+
+/// What errno would say of an error of std::filesystem.
+int errno_of(const std::error_code &error);
 
 /// The error of a file that cannot be read. \param error errno
 [[noreturn]] void cannot_read(const std::string &path, int error);

@@ -10,7 +10,7 @@
 namespace mdm {
 
 ProgressLine::ProgressLine(std::function<std::string()> text, bool quiet) : text_(std::move(text)) {
-  if (!quiet && isatty(STDERR_FILENO) == 1)
+  if (!quiet && isatty(STDERR_FILENO) != 0)
     thread_ = std::thread(&ProgressLine::run, this);
 }
 

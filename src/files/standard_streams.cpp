@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <utility>
 
 namespace mdm {
@@ -15,6 +16,11 @@ void occupy_standard_streams() {
         std::pair(STDERR_FILENO, O_WRONLY)})
     if (fcntl(descriptor, F_GETFD) < 0)
       open("/dev/null", mode); // takes the lowest free number: this one
+}
+
+void let_writes_fail() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void tell(std::string_view text) {

@@ -10,6 +10,9 @@ namespace mdm {
 /// the first and writing the second fail as they should, messages go nowhere. Call first.
 void occupy_standard_streams();
 
+/// A closed pipe and a limit of the file size are then errors of write, not ends of the run by a signal.
+void let_writes_fail();
+
 /// Writes a text to standard error. Where that cannot be, there is nobody to tell.
 void tell(std::string_view text);
 

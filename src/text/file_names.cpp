@@ -1,9 +1,15 @@
 #include "text/file_names.hpp"
 
 #include <algorithm>
-#include <string_view>
+#include <filesystem>
 
 namespace mdm {
+
+std::size_t name_begin(std::string_view path) {
+  constexpr char separators[] = {'/', static_cast<char>(std::filesystem::path::preferred_separator)};
+  return path.find_last_of(separators, std::string_view::npos, sizeof separators) +
+         1; // 0 where there is none
+}
 
 std::string shown_name(const std::string &path) {
   return path == "-" ? "stdin" : path;

@@ -1,14 +1,17 @@
 #pragma once
 /// \file
-/// How messages name files.
+/// Names of files, and how messages name them.
 
 #include <mdm/text/error.hpp>
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace mdm {
 
+/// Where in a path the name of its file begins, behind all folders.
+std::size_t name_begin(std::string_view path);
 /// A path as messages name it: `stdin` for `-`.
 std::string shown_name(const std::string &path);
 /// A path as a word of a command in a message, for sh: in single quotes, unless it is of letters, digits and

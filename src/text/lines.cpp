@@ -1,5 +1,7 @@
 #include "text/lines.hpp"
 
+#include "text/file_names.hpp"
+
 #include <algorithm>
 
 namespace mdm {
@@ -35,9 +37,7 @@ std::string_view without_byte_order_mark(std::string_view content) {
 }
 
 std::string stem(std::string_view file) {
-  const std::size_t slash = file.rfind('/');
-  if (slash != std::string_view::npos)
-    file.remove_prefix(slash + 1);
+  file.remove_prefix(name_begin(file));
   const std::size_t dot = file.rfind('.');
   return std::string(dot == 0 ? file : file.substr(0, dot));
 }
