@@ -3,6 +3,8 @@ import gzip
 import lzma
 import shutil
 import tarfile
+import time as clock
+import zipfile
 
 
 def compress(tar, archive):
@@ -31,3 +33,13 @@ def pack(folder, archive, time):
     else:
         with lzma.open(archive, "wb") as packed:
             write(packed)
+
+
+def pack_zip(folder, archive, time):
+    """The folder, by its own name, as .zip."""
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as packed:
+        for path in sorted(folder.rglob("*")):
+            if path.is_file():
+                entry = zipfile.ZipInfo(path.relative_to(folder.parent).as_posix(), clock.gmtime(time)[:6])
+                entry.external_attr = 0o100644 << 16
+                packed.writestr(entry, path.read_bytes(), zipfile.ZIP_DEFLATED, 9)

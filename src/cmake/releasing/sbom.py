@@ -9,7 +9,7 @@ import pathlib
 import re
 import urllib.parse
 
-from . import libraries, linux
+from . import libraries, linux, windows
 
 NAMES = {"Apache-2.0": "Apache-2.0", "BSD-3-clause": "BSD-3-Clause", "BSL-1.0": "BSL-1.0", "Expat": "MIT", "FTL": "FTL",
          "GPL-2": "GPL-2.0-only", "GPL-2+": "GPL-2.0-or-later", "LGPL-2.1+": "LGPL-2.1-or-later",
@@ -24,13 +24,19 @@ COMPILED_IN = {
     "the runtime of the JavaScript module and of the page": ("/usr/bin/emcc", "/usr/bin/js_of_ocaml"),
 }
 
-# What src/web/libraries has built as WebAssembly: the header that says the version, and how.
-IN_WEBASSEMBLY = {
+# What src/web/libraries has built as WebAssembly, and src/windows/libraries for Windows: the header that says the version, and
+# how.
+HEADERS = {
     "gmp": ("gmp.h", r"#define __GNU_MP_VERSION +(\d+)\n#define __GNU_MP_VERSION_MINOR +(\d+)\n"
                      r"#define __GNU_MP_VERSION_PATCHLEVEL +(\d+)"),
     "mpfr": ("mpfr.h", r'#define MPFR_VERSION_STRING "([\d.]+)"'),
     "pugixml": ("pugixml.hpp", r"define PUGIXML_VERSION \d+ // ([\d.]+)"),
+    "libzip": ("zipconf.h", r'#define LIBZIP_VERSION "([\d.]+)"'),
+    "zstd": ("zstd.h", r"#define ZSTD_VERSION_MAJOR +(\d+)\n#define ZSTD_VERSION_MINOR +(\d+)\n"
+                       r"#define ZSTD_VERSION_RELEASE +(\d+)"),
 }
+IN_WEBASSEMBLY = ("gmp", "mpfr", "pugixml")
+IN_WINDOWS = tuple(HEADERS)
 
 
 def license_in_debian(copyright_file):
@@ -81,26 +87,36 @@ def shared(programs):
 
 def compiled_in():
     comments = {pathlib.Path(path): comment for comment, paths in COMPILED_IN.items() for path in paths}
+    comments |= {path: "in the programs for Windows" for path in windows.mingw_files()}
     packages = {package: comments[path] for path, package in libraries.packages_of(comments).items()}
     return [debian_package(package, comment) for package, comment in sorted(packages.items())]
 
 
-def in_webassembly(build):
+def built_for(machine, variable, names, comment, build):
+    """Libraries that the build has made from Debian's sources, in the folder that a variable of its cache names."""
     cache = (build / "CMakeCache.txt").read_text(encoding="utf-8")
-    headers = pathlib.Path(re.search(r"^MDM_WEB_LIBRARIES:PATH=(.*)$", cache, re.MULTILINE)[1], "include")
+    headers = pathlib.Path(re.search(rf"^{variable}:PATH=(.*)$", cache, re.MULTILINE)[1], "include")
     found = []
-    for name, (header, pattern) in IN_WEBASSEMBLY.items():
+    for name in names:
+        header, pattern = HEADERS[name]
         version = re.search(pattern, (headers / header).read_text(encoding="utf-8"))
-        found.append(described(name, ".".join(version.groups()), "NOASSERTION", ("webassembly",),
-                               comment="in the JavaScript module and in the page"))
+        found.append(described(name, ".".join(version.groups()), "NOASSERTION", (machine,), comment=comment))
     return found
+
+
+def in_webassembly(build):
+    return built_for("webassembly", "MDM_WEB_LIBRARIES", IN_WEBASSEMBLY, "in the JavaScript module and in the page", build)
+
+
+def in_windows(build):
+    return built_for("windows", "MDM_WINDOWS_LIBRARIES", IN_WINDOWS, "in the programs for Windows", build)
 
 
 def write(file, version, commit, time, build):
     """Writes what the programs and modules of the build folder are linked with, at the given time."""
     project = described("exactmdm", version, "Apache-2.0", (), sourceInfo=f"commit {commit}")
     programs = [*(build / "bin" / name for name in linux.PROGRAMS), *(build / "python/exactmdm").glob("_core.*so")]
-    dynamic, static = shared(programs), compiled_in() + in_webassembly(build)
+    dynamic, static = shared(programs), compiled_in() + in_webassembly(build) + in_windows(build)
 
     def relation(kind, one, other):
         return {"spdxElementId": one, "relationshipType": kind, "relatedSpdxElement": other}
