@@ -10,7 +10,7 @@ std::optional<unsigned long> short_denominator(const std::vector<Rational> &frac
   unsigned long common = 1;
   for (const Rational &r : fractions) {
     const mpz_srcptr d = mpq_denref(r.backend().data());
-    if (mpz_size(d) > 1)
+    if (mpz_fits_ulong_p(d) == 0)
       return std::nullopt;
     const unsigned long own = mpz_get_ui(d);
     if (common % own != 0 && __builtin_mul_overflow(common, own / std::gcd(common, own), &common))

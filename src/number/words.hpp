@@ -18,7 +18,7 @@ inline std::uint64_t word(const Integer &n, long i) {
 
 /// z := value.
 inline void set_word(mpz_ptr z, std::uint64_t value) {
-  if constexpr (GMP_NUMB_BITS == 64)
+  if constexpr (sizeof(unsigned long) == sizeof value) // not so on Windows
     mpz_set_ui(z, static_cast<unsigned long>(value));
   else
     mpz_import(z, 1, -1, sizeof value, 0, 0, &value);
