@@ -251,7 +251,7 @@ private:
       demand_form(!is_band || root_ == 1, row.place, "a band needs whole phi: give its openings in mm");
       longest = std::max<mpz_class>(longest, mpz_class(abs(row.size) * root_));
     }
-    demand_form(longest * rows_.size() <= power(2, 28), rows_.front().place,
+    demand_form(longest * static_cast<unsigned long>(rows_.size()) <= power(2, 28), rows_.front().place,
                 "phi of so many digits take too much memory: mdm convert writes the openings in mm");
     for (Row &row : rows_)
       row.size = row.is_pan ? mpq_class(0) : phi_opening(row.size, root_.get_ui());

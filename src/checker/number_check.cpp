@@ -182,7 +182,8 @@ void verify_number(const Gradation &gradation, const NumberCertificate &c) {
     demand(c.particles <= g.exact, "fewer particles have the exact shares");
     return;
   }
-  demand(c.particles - 1 <= most_tries / g.retained.size(), "the smaller numbers are too many to be tried");
+  demand(c.particles - 1 <= most_tries / static_cast<unsigned long>(g.retained.size()),
+         "the smaller numbers are too many to be tried");
   for (mpz_class n = 1; n < c.particles; ++n)
     demand(!(e.total ? can_total(g, *e.total, n) : can_in_bounds(g, e, n)),
            "fewer particles can have the shares that are asked for");

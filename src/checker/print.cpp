@@ -37,7 +37,7 @@ std::string opening_text(const Gradation &gradation, const mpq_class &Y) {
   if (Y == 0)
     return "pan";
   const auto exponent_of = [](const mpz_class &power_of_2) {
-    return mpz_sizeinbase(power_of_2.get_mpz_t(), 2);
+    return static_cast<unsigned long>(mpz_sizeinbase(power_of_2.get_mpz_t(), 2));
   };
   const mpz_class root = gradation.root;
   mpq_class phi(mpz_class(exponent_of(Y.get_den())) - mpz_class(exponent_of(Y.get_num())), root);

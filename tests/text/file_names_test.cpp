@@ -1,0 +1,12 @@
+#include "text/file_names.hpp"
+
+#include <catch.hpp>
+
+using namespace mdm;
+
+TEST_CASE("the name of a file begins behind its folders") {
+  CHECK(name_begin("sand.csv") == 0);
+  CHECK(name_begin("a/b/sand.csv") == 4);
+  CHECK(name_begin("/") == 1);
+  CHECK(name_begin("") == 0);
+}
