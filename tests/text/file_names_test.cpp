@@ -1,6 +1,5 @@
+#include "catch.hpp"
 #include "text/file_names.hpp"
-
-#include <catch.hpp>
 
 using namespace mdm;
 
