@@ -28,7 +28,7 @@ public:
   /// \param z  of the first row: hi; it is the unit where masses can be irrational
   Mass of(const mpq_class &z, const mpq_class &unit) const;
   /// The bits that a number of h bits makes (limit 1).
-  std::uint64_t bits_of(std::uint64_t h) const { return 2 * h * exponent_ + 4 * e_ * places_; }
+  std::uint64_t bits_of(std::uint64_t h) const { return 2 * h * exponent_ + std::uint64_t{4} * e_ * places_; }
   /// e of section 12.
   unsigned long root() const { return e_; }
   const mpz_class &unit_of_places() const { return ten_to_places_; }

@@ -1,6 +1,6 @@
 // Cube roots in pairs of doubles (Lemma 18, which has the proof of all bounds here). A quotient is cut to
 // 106 bits, its root found in double precision, and corrected once by Newton's step with the remainder
-// computed exactly by fma: the pair is then right to 2^-97 of itself. If the product with 10^places is
+// computed exactly: the pair is then right to 2^-97 of itself. If the product with 10^places is
 // farther from every integer than that error, the integer below it is certain, and is the answer; else
 // there is none, and the caller goes to integers.
 //
@@ -9,6 +9,7 @@
 
 #include "number/quick_cube_root.hpp"
 
+#include "number/product_error.hpp"
 #include "number/words.hpp"
 
 #include <algorithm>
@@ -93,21 +94,20 @@ std::optional<Integer> quick_cube_root(const Integer &n, const Integer &d, unsig
   a.high *= static_cast<double>(1L << twos);
   a.low *= static_cast<double>(1L << twos);
 
-  // A guess x, and a step of Newton's method with a - x^3 b to twice a double's precision: fma gives what a
-  // product has lost.
+  // A guess x, and a step of Newton's method with a - x^3 b to twice a double's precision.
   const double x = std::cbrt(a.high / b.high);
   const double square = x * x;
-  const double square_low = std::fma(x, x, -square);
+  const double square_low = product_error(x, x, square);
   const double cube = square * x;
-  const double cube_low = std::fma(square, x, -cube) + square_low * x;
+  const double cube_low = product_error(square, x, cube) + square_low * x;
   const double product = cube * b.high;
-  const double product_low = std::fma(cube, b.high, -product) + (cube * b.low + cube_low * b.high);
+  const double product_low = product_error(cube, b.high, product) + (cube * b.low + cube_low * b.high);
   const double step = ((a.high - product) + (a.low - product_low)) / (3 * square * b.high);
   if (!(std::abs(step) <= 0x1p-50 * x))
     return std::nullopt;
 
   const double high = x * ten.high;
-  const double low = std::fma(x, ten.high, -high) + (x * ten.low + step * ten.high);
+  const double low = product_error(x, ten.high, high) + (x * ten.low + step * ten.high);
   const double root = std::ldexp(high, static_cast<int>(exponent));
   const double whole = std::floor(root);
   const double rest = (root - whole) + std::ldexp(low, static_cast<int>(exponent));
