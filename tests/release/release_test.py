@@ -145,6 +145,20 @@ def check_linux(dist, folder):
     return carried
 
 
+def check_windows(dist, folder):
+    """The programs for Windows as they were built, and the licences of what is in them; `windows`, another test, runs them."""
+    archive = only(dist, "*-windows-x86_64.zip")
+    shutil.unpack_archive(archive, folder)
+    inside = folder / archive.stem
+    assert [path.name for path in folder.iterdir()] == [inside.name]
+    for name in ("mdm.exe", "mdm-check.exe"):
+        assert (inside / name).read_bytes() == (BUILD / "windows/bin" / name).read_bytes(), name
+    for name in ("LICENSE", "README.md"):
+        assert (inside / name).read_bytes() == (SOURCE / name).read_bytes(), name
+    licenses = {path.name for path in (inside / "licenses").iterdir()}
+    assert {"libgmp10", "libmpfr6", "libz-mingw-w64-dev", "mingw-w64-x86-64-dev", "text-of-LGPL-3"} <= licenses, licenses
+
+
 def check_bill(dist, carried):
     """Each library of the programs is in the bill, and the bill is of the form that SPDX asks for."""
     bill = json.loads(only(dist, "*.spdx.json").read_text(encoding="utf-8"))
@@ -218,6 +232,7 @@ def check_all(folder):
     assert listed | {"SHA256SUMS"} == {path.name for path in dist.iterdir()}
     check_source(dist, clone, folder / "source")
     check_bill(dist, check_linux(dist, folder / "root"))
+    check_windows(dist, folder / "windows")
     check_python(dist, folder / "venv")
     check_javascript(dist, folder / "npm")
     assert (dist / "exactmdm.html").read_bytes() == (BUILD / "web/exactmdm.html").read_bytes()
