@@ -1,6 +1,5 @@
 #include "files/digest.hpp"
 
-#include <fmt/format.h>
 #include <openssl/evp.h>
 
 #include <stdexcept>
@@ -28,13 +27,6 @@ Digest::Digest(Digest &&) noexcept = default;
 void Digest::add(std::string_view bytes) {
   check_crypto(EVP_DigestUpdate(state_->context.get(), bytes.data(), bytes.size()));
   bytes_ += bytes.size();
-}
-
-std::string Digest::sha256() {
-  std::string digits;
-  for (const unsigned char byte : hash())
-    digits += fmt::format("{:02x}", byte);
-  return digits;
 }
 
 std::array<unsigned char, 32> Digest::take() {

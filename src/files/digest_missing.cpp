@@ -13,10 +13,10 @@ Digest::Digest() {
 Digest::~Digest() = default;
 Digest::Digest(Digest &&) noexcept = default;
 void Digest::add(std::string_view) {}
-std::string Digest::sha256() {
+std::array<unsigned char, 32> Digest::take() {
   return {};
 }
-std::array<unsigned char, 32> Digest::take() {
+std::array<unsigned char, 32> Digest::hash() {
   return {};
 }
 

@@ -1,7 +1,6 @@
 // The SHA-256 of files by Windows.
 #include "files/digest.hpp"
 
-#include <fmt/format.h>
 #include <windows.h>
 // Behind it, which it needs.
 #include <bcrypt.h>
@@ -50,13 +49,6 @@ void Digest::add(std::string_view bytes) {
                                  static_cast<ULONG>(some.size()), 0));
     bytes.remove_prefix(some.size());
   }
-}
-
-std::string Digest::sha256() {
-  std::string digits;
-  for (const unsigned char byte : hash())
-    digits += fmt::format("{:02x}", byte);
-  return digits;
 }
 
 std::array<unsigned char, 32> Digest::take() {

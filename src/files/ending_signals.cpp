@@ -1,5 +1,7 @@
 #include "files/ending_signals.hpp"
 
+#include "files/signal_handlers.hpp"
+
 #include <array>
 #include <atomic>
 #include <csignal>
@@ -20,17 +22,6 @@ void act_and_end(int signal) {
   raise(signal);
 }
 
-void handle_ending_signals() {
-  struct sigaction action {};
-  action.sa_handler = act_and_end;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGABRT}) {
-    struct sigaction before {};
-    sigaction(signal, nullptr, &before);
-    if (before.sa_handler != SIG_IGN) // nohup
-      sigaction(signal, &action, nullptr);
-  }
-}
-
 } // namespace
 
 void before_ending_signals(void (*action)()) {
@@ -38,7 +29,7 @@ void before_ending_signals(void (*action)()) {
   while (actions.at(i) != nullptr && actions.at(i) != action)
     ++i;
   actions.at(i) = action;
-  handle_ending_signals();
+  handle_ending_signals(act_and_end);
 }
 
 } // namespace mdm
