@@ -18,46 +18,42 @@
 namespace mdm {
 namespace {
 
-/// The parts of a text between commas.
-std::vector<std::string> between_commas(const std::vector<std::string> &texts) {
-  std::vector<std::string> parts;
-  for (const std::string &text : texts)
-    for (std::size_t from = 0; from <= text.size();) {
-      const std::size_t to = std::min(text.find(',', from), text.size());
-      parts.emplace_back(trimmed(std::string_view(text).substr(from, to - from)));
-      from = to + 1;
-    }
-  return parts;
-}
-
 /// The stockpile of `NAME=VALUE`, and the value.
-std::pair<Stockpile *, std::string> of_stockpile(const std::string &of, const std::string &text,
-                                                 BlendProblem &p) {
+std::pair<std::size_t, std::string> of_stockpile(const char *of, const std::string &text,
+                                                 const BlendProblem &p) {
   const std::size_t sign = text.rfind('=');
   if (sign == std::string::npos)
     throw InputError(option(of) + ": " + in_quotes(text) + " is no value of a stockpile: write NAME=VALUE");
   const std::string name = text.substr(0, sign);
   std::vector<std::string> names;
-  for (Stockpile &s : p.stockpiles) {
-    if (s.name == name)
-      return {&s, text.substr(sign + 1)};
-    names.push_back(in_quotes(s.name));
+  for (std::size_t i = 0; i < p.stockpiles.size(); ++i) {
+    if (p.stockpiles[i].name == name)
+      return {i, text.substr(sign + 1)};
+    names.push_back(in_quotes(p.stockpiles[i].name));
   }
   throw InputError(fmt::format("{}: there is no stockpile {}; there are {}", option(of), in_quotes(name),
                                fmt::join(names, ", ")));
 }
 
+/// All parts between the commas of texts, without the spaces around them.
+std::vector<std::string> parts_of(const std::vector<std::string> &texts) {
+  std::vector<std::string> parts;
+  for (const std::string &text : texts)
+    for (const std::string &part : between_commas(text))
+      parts.emplace_back(trimmed(part));
+  return parts;
+}
+
 /// The values of `NAME=VALUE,...`, one a stockpile.
-std::vector<Rational> values_of(const char *of, const std::vector<std::string> &texts, BlendProblem &p,
+std::vector<Rational> values_of(const char *of, const std::vector<std::string> &texts, const BlendProblem &p,
                                 Rational (*number)(const std::string &, const std::string &)) {
   std::vector<std::optional<Rational>> known(p.stockpiles.size());
-  for (const std::string &text : between_commas(texts)) {
-    const auto [stockpile, value] = of_stockpile(of, text, p);
-    std::optional<Rational> &place = known[static_cast<std::size_t>(stockpile - p.stockpiles.data())];
-    if (place)
+  for (const std::string &text : parts_of(texts)) {
+    const auto [i, value] = of_stockpile(of, text, p);
+    if (known[i])
       throw InputError(
-          fmt::format("{}: {} has two values: give one", option(of), in_quotes(stockpile->name)));
-    place = number(of, value);
+          fmt::format("{}: {} has two values: give one", option(of), in_quotes(p.stockpiles[i].name)));
+    known[i] = number(of, value);
   }
   std::vector<Rational> values;
   for (std::size_t i = 0; i < known.size(); ++i) {
@@ -80,7 +76,8 @@ void take_costs(const std::vector<std::string> &texts, BlendProblem &p) {
 
 /// `10..40%`, `..40%`, `10..` or `25%`.
 void take_share(const std::string &text, BlendProblem &p) {
-  const auto [stockpile, value] = of_stockpile("share", text, p);
+  const auto [i, value] = of_stockpile("share", text, p);
+  Stockpile &stockpile = p.stockpiles[i];
   const std::size_t dots = value.find("..");
   const std::string from = value.substr(0, dots);
   const std::string to = dots == std::string::npos ? from : value.substr(dots + 2);
@@ -88,14 +85,14 @@ void take_share(const std::string &text, BlendProblem &p) {
     throw InputError(option("share") + ": " + in_quotes(text) +
                      " limits nothing: write 10..40%, 10.. or ..40%");
   if (!from.empty())
-    stockpile->least = std::max(stockpile->least, Rational(percent_of("share", from) / 100));
+    stockpile.least = std::max(stockpile.least, Rational(percent_of("share", from) / 100));
   if (!to.empty() && to != "%")
-    stockpile->most = std::min(stockpile->most, Rational(percent_of("share", to) / 100));
-  if (stockpile->least > stockpile->most)
+    stockpile.most = std::min(stockpile.most, Rational(percent_of("share", to) / 100));
+  if (stockpile.least > stockpile.most)
     throw InputError(
         fmt::format("{}: {}: no share of {} is from {} to {} %: give its limits once, the lesser first",
-                    option("share"), in_quotes(text), printable(stockpile->name),
-                    shown(100 * stockpile->least), shown(100 * stockpile->most)));
+                    option("share"), in_quotes(text), printable(stockpile.name), shown(100 * stockpile.least),
+                    shown(100 * stockpile.most)));
 }
 
 /// A number and the letters behind it: `5kg`.
@@ -275,7 +272,7 @@ Blending::Blending(const BlendTexts &asked, std::vector<Gradation> stockpiles, c
       problem_(problem_of(asked, stockpiles_, specification, target)) {
   problem_.aim = asked.aim();
   take_costs(asked.costs, problem_);
-  for (const std::string &share : between_commas(asked.shares))
+  for (const std::string &share : parts_of(asked.shares))
     take_share(share, problem_);
   if (asked.step)
     mass_ = take_step(*asked.step, problem_);
@@ -327,11 +324,19 @@ std::optional<Gradation> Blending::blended() const {
   return blended_gradation(stockpiles_, answer_.best.front().shares, sieves, "blend");
 }
 
-std::optional<Gradation> Blending::blended_with(const std::vector<std::string> &texts) {
+std::optional<Gradation> Blending::blended_with(const std::vector<std::string> &texts) const {
   const std::vector<Rational> densities = values_of("density", texts, problem_, positive);
   if (answer_.best.empty())
     return std::nullopt;
   return blended_materials(stockpiles_, answer_.best.front().shares, densities, "blend");
+}
+
+void Blending::search(std::function<bool()> go_on) {
+  options_.go_on = std::move(go_on);
+  answer_ = solve_blend(problem_, options_);
+  if (is_cut())
+    add_note(fmt::format("the search ended after the {} best of the {} blends that were asked for",
+                         answer_.best.size(), options_.best));
 }
 
 std::optional<std::string> Blending::proof() const {

@@ -9,8 +9,6 @@
 
 #include <mdm/gradation/read_gradation.hpp>
 
-#include <fmt/core.h>
-
 #include <functional>
 #include <vector>
 
@@ -42,13 +40,7 @@ public:
 
   /// Searches. Cost: exponential in the stockpiles at worst.
   /// \param go_on  asked from time to time; false ends the search
-  void search(std::function<bool()> go_on = {}) {
-    options_.go_on = std::move(go_on);
-    answer_ = solve_blend(problem_, options_);
-    if (is_cut())
-      add_note(fmt::format("the search ended after the {} best of the {} blends that were asked for",
-                           answer_.best.size(), options_.best));
-  }
+  void search(std::function<bool()> go_on = {});
   void add_note(const std::string &note) { problem_.notes.push_back(note); }
 
   const BlendProblem &problem() const { return problem_; }
@@ -62,7 +54,7 @@ public:
   std::optional<Gradation> blended() const;
   /// The same with each stockpile a material of its density, of `NAME=DENSITY,...`.
   /// \throws InputError naming the option where a density is missing
-  std::optional<Gradation> blended_with(const std::vector<std::string> &densities);
+  std::optional<Gradation> blended_with(const std::vector<std::string> &densities) const;
   /// Nothing where the search did not come to its end.
   std::optional<std::string> proof() const;
   /// The same for VIPR checkers.

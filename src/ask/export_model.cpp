@@ -70,14 +70,9 @@ std::optional<DensityTarget> density_target(const ExportTexts &c) {
   return target;
 }
 
-/// A cell that is repeated is only compressed.
-/// \throws InputError if some grains have rolling friction, and the engine has no model of it here
+/// \throws InputError if grains have rolling friction, and the engine has no model of it here
 void check_rolling(const SettleModel &model, const ModelEngine &engine) {
-  if (engine.resists_rolling)
-    return;
-  if (model.rolling_friction > 0 ||
-      std::any_of(model.materials.begin(), model.materials.end(),
-                  [](const GrainMaterial &m) { return m.rolling_friction > 0; }))
+  if (!engine.resists_rolling && model.resists_rolling())
     throw InputError(
         option("rolling-friction") +
         ": YADE's contact of Hertz and Mindlin limits a moment by a length that is the same for grains of "
@@ -85,6 +80,7 @@ void check_rolling(const SettleModel &model, const ModelEngine &engine) {
         option("to") + " liggghts or lammps");
 }
 
+/// A cell that is repeated is only compressed.
 void check_reachable(const SettleModel &model, const Placement &start) {
   if (model.space != Space::periodic_cell || !model.target || !model.target->void_ratio)
     return;

@@ -6,19 +6,8 @@
 namespace mdm {
 namespace {
 
-/// The parts of a text between commas.
-std::vector<std::string> listed(const std::string &text) {
-  std::vector<std::string> parts;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(',', from), text.size());
-    parts.push_back(text.substr(from, to - from));
-    from = to + 1;
-  }
-  return parts;
-}
-
 void add_tolerances(const TradeoffTexts &asked, TradeoffOptions &o) {
-  for (const std::string &part : listed(asked.tolerances.value_or("0,0.1,0.2,0.5,1,2,5"))) {
+  for (const std::string &part : between_commas(asked.tolerances.value_or("0,0.1,0.2,0.5,1,2,5"))) {
     const std::string text(trimmed(part));
     if (text.find(':') != std::string::npos)
       throw InputError(option("tolerances") + ": " + in_quotes(text) + ": write values alone, and " +
@@ -45,7 +34,7 @@ void add_budgets(const TradeoffTexts &asked, TradeoffOptions &o) {
     o.grid = positive("grid", *asked.grid);
   o.all_budgets = asked.particles == "all";
   if (!o.all_budgets)
-    for (const std::string &text : listed(*asked.particles))
+    for (const std::string &text : between_commas(*asked.particles))
       o.budgets.push_back(natural("particles", text, 1));
 }
 

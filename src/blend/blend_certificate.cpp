@@ -18,10 +18,10 @@ namespace {
 class BlendTreeWriter {
 public:
   BlendTreeWriter(const BlendProblem &problem, const BlendAnswer &answer, fmt::memory_buffer &out)
-      : tree_(answer.tree), leaves_(problem, answer), out_(out) {}
+      : problem_(problem), tree_(answer.tree), leaves_(problem, answer), out_(out) {}
 
   void write() {
-    std::vector<BlendBox> open = {leaves_.whole()};
+    std::vector<BlendBox> open = {whole_box(problem_)};
     while (!open.empty()) {
       BlendBox box = std::move(open.back());
       open.pop_back();
@@ -39,7 +39,7 @@ public:
 
 private:
   void write_leaf(BlendBox box) {
-    const BlendLeaf leaf = leaves_.restrict(box) ? leaves_.leaf(box) : BlendLeaf{};
+    const BlendLeaf leaf = restrict_box(problem_, box) ? leaves_.leaf(box) : BlendLeaf{};
     out_.append(std::string_view(leaf.is_of_aim ? "leaf" : "none"));
     for (const BlendMultiple &m : leaf.multiples)
       fmt::format_to(std::back_inserter(out_), " {} {}{}", to_string(m.multiplier), letter(m.limit),
@@ -51,6 +51,7 @@ private:
                                                    : (limit.is_upper ? 'b' : 'a');
   }
 
+  const BlendProblem &problem_;
   const std::vector<BlendNode> &tree_;
   BlendLeaves leaves_;
   fmt::memory_buffer &out_;

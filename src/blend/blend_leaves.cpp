@@ -33,15 +33,6 @@ BlendLeaves::BlendLeaves(const BlendProblem &problem, const BlendAnswer &answer)
     relaxation_.demand_less(*value_);
 }
 
-BlendBox BlendLeaves::whole() const {
-  BlendBox box;
-  for (const Stockpile &s : problem_.stockpiles) {
-    box.least.push_back(ceil(s.least * problem_.steps).convert_to<std::uint64_t>());
-    box.most.push_back(floor(s.most * problem_.steps).convert_to<std::uint64_t>());
-  }
-  return box;
-}
-
 std::pair<BlendBox, BlendBox> BlendLeaves::halves(const BlendBox &box) const {
   const BlendNode &node = tree_[box.number];
   BlendBox below = box, above = box;
@@ -50,18 +41,6 @@ std::pair<BlendBox, BlendBox> BlendLeaves::halves(const BlendBox &box) const {
   above.least[node.stockpile] = std::max(above.least[node.stockpile], node.at + 1);
   above.number = node.first + 1;
   return {std::move(below), std::move(above)};
-}
-
-bool BlendLeaves::restrict(BlendBox &box) const {
-  const auto used = static_cast<std::size_t>(
-      std::count_if(box.least.begin(), box.least.end(), [](std::uint64_t n) { return n > 0; }));
-  for (std::size_t i = 0; i < box.least.size(); ++i) {
-    if (problem_.at_most && used == *problem_.at_most && box.least[i] == 0)
-      box.most[i] = 0;
-    if (box.least[i] > box.most[i])
-      return false;
-  }
-  return !problem_.at_most || used <= *problem_.at_most;
 }
 
 BlendLeaf BlendLeaves::leaf(const BlendBox &box) {

@@ -2,6 +2,7 @@
 /// \file
 /// The leaves of a search for blends, with the multipliers that prove them.
 
+#include "blend/blend_box.hpp"
 #include "blend/relaxation.hpp"
 
 #include <mdm/blend/blend.hpp>
@@ -10,12 +11,6 @@
 #include <vector>
 
 namespace mdm {
-
-/// Bounds of the steps of each stockpile, and the number of the tree's node.
-struct BlendBox {
-  std::vector<std::uint64_t> least, most;
-  std::size_t number = 0;
-};
 
 /// Why no blend of a box has a lower value than the best one, or why there is none in it.
 struct BlendLeaf {
@@ -28,13 +23,9 @@ class BlendLeaves {
 public:
   BlendLeaves(const BlendProblem &problem, const BlendAnswer &answer);
 
-  /// That of the root.
-  BlendBox whole() const;
   /// The two halves of a box whose node is split.
   std::pair<BlendBox, BlendBox> halves(const BlendBox &box) const;
-  /// Takes out of a box what has too many stockpiles. False if nothing is left of it.
-  bool restrict(BlendBox &box) const;
-  /// \pre restrict() was true of it, and its node is not split
+  /// \pre restrict_box() was true of it, and its node is not split
   BlendLeaf leaf(const BlendBox &box);
 
 private:

@@ -27,10 +27,11 @@ class BlendVipr {
 public:
   BlendVipr(const BlendProblem &problem, const BlendAnswer &answer)
       : problem_(problem), answer_(answer), leaves_(problem, answer), k_(problem.stockpiles.size()) {
-    for (std::size_t s = 0; s < problem.sieves.size() && aims_at_target(problem.aim); ++s)
-      if (problem.sieves[s].is_sieve())
-        targets_.push_back(s);
-    deviations_ = problem.aim == BlendAim::max_deviation ? 1 : targets_.size();
+    if (!aims_at_target(problem.aim))
+      return;
+    targets_ = static_cast<std::size_t>(std::count_if(problem.sieves.begin(), problem.sieves.end(),
+                                                      [](const BlendSieve &s) { return s.is_sieve(); }));
+    deviations_ = problem.aim == BlendAim::max_deviation ? 1 : targets_;
   }
 
   std::string text() {
@@ -58,7 +59,8 @@ private:
   };
 
   Rational per_step(const Rational &x) const { return x / problem_.steps; }
-  std::size_t deviation(std::size_t target) const { return k_ + (deviations_ == 1 ? 0 : target); }
+  /// Of what passes a sieve, counted from 0; the largest is that of all.
+  std::size_t deviation(std::size_t sieve) const { return deviations_ == 1 ? 0 : sieve; }
 
   static std::string to_text(const Terms &terms) {
     std::string text = fmt::format("{}", terms.size());
@@ -97,7 +99,7 @@ private:
   }
 
   void constraints() {
-    whole_.box = leaves_.whole();
+    whole_.box = whole_box(problem_);
     for (std::size_t i = 0; i < k_; ++i) {
       whole_.least.push_back(given(fmt::format("g{}", i + 1), 'G', whole_.box.least[i], {{i, 1}}));
       whole_.most.push_back(given(fmt::format("m{}", i + 1), 'L', whole_.box.most[i], {{i, 1}}));
@@ -115,12 +117,11 @@ private:
         row_[{'p', limit.index, limit.is_upper}] =
             given(fmt::format("{}{}", limit.is_upper ? 'u' : 'l', limit.index + 1),
                   limit.is_upper ? 'L' : 'G', value_of(limit, problem_), passing(limit.index, 1));
-    for (std::size_t t = 0; t < targets_.size(); ++t)
+    for (std::size_t s = 0; s < targets_; ++s)
       for (const bool is_upper : {false, true}) {
-        const std::size_t s = targets_[t];
         const int sign = is_upper ? -1 : 1;
         Terms terms = passing(s, sign);
-        terms.emplace_back(deviation(t), 1);
+        terms.emplace_back(k_ + deviation(s), 1);
         row_[{'t', s, is_upper}] = given(fmt::format("{}{}", is_upper ? 'b' : 'a', s + 1), 'G',
                                          Rational(sign * *problem_.sieves[s].target), terms);
       }
@@ -144,10 +145,9 @@ private:
       if (best.shares[i] != 0)
         values.emplace_back(i, Rational(best.shares[i] * problem_.steps));
     for (std::size_t d = 0; d < deviations_; ++d)
-      values.emplace_back(
-          k_ + d, problem_.aim == BlendAim::max_deviation
-                      ? best.value
-                      : abs(Rational(best.passing[targets_[d]] - *problem_.sieves[targets_[d]].target)));
+      values.emplace_back(k_ + d, problem_.aim == BlendAim::max_deviation
+                                      ? best.value
+                                      : abs(Rational(best.passing[d] - *problem_.sieves[d].target)));
     const std::string value = to_string(best.value);
     return fmt::format("RTP range {} {}\nSOL 1\nblend {}\n", value, value, to_text(values));
   }
@@ -187,13 +187,14 @@ private:
       case Open::Stage::begun:
         node.stage = Open::Stage::below;
         node.few = side('L', split.at);
-        open.push_back({half(node.bounds, false, node.few)});
+        open.push_back({half(node.bounds, leaves_.halves(node.bounds.box).first, split.stockpile, node.few)});
         break;
       case Open::Stage::below:
         node.stage = Open::Stage::above;
         node.below = last;
         node.many = side('G', split.at + 1);
-        open.push_back({half(node.bounds, true, node.many)});
+        open.push_back(
+            {half(node.bounds, leaves_.halves(node.bounds.box).second, split.stockpile, node.many)});
         break;
       case Open::Stage::above:
         last = derive(fmt::format("{} {{ uns {} {} {} {} }}", goal(), node.below, node.few, last, node.many));
@@ -202,12 +203,9 @@ private:
     }
   }
 
-  /// A side of a split, where `constraint` bounds its stockpile.
-  Bounds half(const Bounds &of, bool is_above, std::size_t constraint) const {
-    Bounds half = of;
-    auto [below, above] = leaves_.halves(of.box);
-    const std::size_t i = answer_.tree[of.box.number].stockpile;
-    half.box = is_above ? std::move(above) : std::move(below);
+  /// The bounds of half of a box, where `constraint` bounds stockpile i.
+  static Bounds half(const Bounds &of, BlendBox box, std::size_t i, std::size_t constraint) {
+    Bounds half{std::move(box), of.least, of.most};
     if (half.box.least[i] != of.box.least[i])
       half.least[i] = constraint;
     if (half.box.most[i] != of.box.most[i])
@@ -231,17 +229,12 @@ private:
       for (std::size_t i = 0; i < k_; ++i)
         e[i] -= rises * problem_.stockpiles[i].passing[m.limit.index];
       if (is_target)
-        of_deviation[deviation_of(m.limit.index)] -= m.multiplier;
+        of_deviation[deviation(m.limit.index)] -= m.multiplier;
     }
     for (std::size_t d = 0; d < deviations_; ++d)
       add(sum, no_deviation_[d], of_deviation[d]);
     add_shares(sum, e, b);
     return derive_sum(sum);
-  }
-
-  std::size_t deviation_of(std::size_t sieve) const {
-    const auto target = std::find(targets_.begin(), targets_.end(), sieve);
-    return deviation(static_cast<std::size_t>(target - targets_.begin())) - k_;
   }
 
   static void add(Terms &sum, std::size_t constraint, const Rational &multiplier) {
@@ -288,8 +281,7 @@ private:
   const BlendProblem &problem_;
   const BlendAnswer &answer_;
   BlendLeaves leaves_;
-  std::size_t k_, deviations_ = 0;
-  std::vector<std::size_t> targets_; ///< sieves
+  std::size_t k_, targets_ = 0, deviations_ = 0; ///< the sieves with targets come before what has none
   Bounds whole_;
   std::vector<std::size_t> no_deviation_;
   std::size_t at_least_whole_ = 0, at_most_whole_ = 0;

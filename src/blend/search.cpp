@@ -27,17 +27,8 @@ Rational fraction_of(const Rational &r) {
 
 BlendSearch::BlendSearch(const BlendProblem &problem, const Watch &watch, std::uint64_t node_limit)
     : problem_(problem), relaxation_(problem, watch), node_limit_(node_limit), tree_(1) {
-  Box all{{}, {}, 0, {}};
-  bool is_empty = false;
-  for (const Stockpile &s : problem.stockpiles) {
-    const Integer least = ceil(s.least * problem.steps), most = floor(s.most * problem.steps);
-    is_empty = is_empty || least > most;
-    all.least.push_back(least.convert_to<std::uint64_t>());
-    all.most.push_back(most.convert_to<std::uint64_t>());
-  }
   try {
-    if (!is_empty)
-      open(std::move(all));
+    open({whole_box(problem), {}});
   } catch (const Simplex::Interrupted &) {
     is_limited_ = true;
   }
@@ -63,32 +54,16 @@ std::optional<BlendSearch::Counts> BlendSearch::blend_at(const std::vector<Ratio
   return counts;
 }
 
-/// Where as many stockpiles as may have a share must have one, the others have none. False if more must.
-bool BlendSearch::restrict_stockpiles(Box &box) const {
-  if (!problem_.at_most)
-    return true;
-  const auto used = static_cast<std::size_t>(
-      std::count_if(box.least.begin(), box.least.end(), [](std::uint64_t n) { return n > 0; }));
-  if (used == *problem_.at_most)
-    for (std::size_t i = 0; i < box.most.size(); ++i)
-      if (box.least[i] == 0)
-        box.most[i] = 0;
-  return used <= *problem_.at_most;
-}
-
 /// Lets the shares of the relaxation be those of the box.
-bool BlendSearch::bound(const Box &box) {
-  for (std::size_t i = 0; i < box.least.size(); ++i) {
-    if (box.least[i] > box.most[i])
-      return false;
+void BlendSearch::bound(const Box &box) {
+  for (std::size_t i = 0; i < box.least.size(); ++i)
     relaxation_.bound_share(i, share(box.least[i]), share(box.most[i]));
-  }
-  return true;
 }
 
 void BlendSearch::open(Box box) {
-  if (!restrict_stockpiles(box) || !bound(box))
+  if (!restrict_box(problem_, box))
     return;
+  bound(box);
   const std::optional<Rational> value = relaxation_.least_value();
   if (!value)
     return;

@@ -2,6 +2,7 @@
 /// \file
 /// The search for the best blends in steps.
 
+#include "blend/blend_box.hpp"
 #include "blend/relaxation.hpp"
 
 #include <map>
@@ -31,9 +32,7 @@ public:
   const std::vector<BlendNode> &tree() const { return tree_; }
 
 private:
-  struct Box {
-    Counts least, most;
-    std::size_t number;           ///< of its node
+  struct Box : BlendBox {
     std::vector<Rational> shares; ///< with the least value, within the box
   };
   /// The least value, and the first shares with it where they are known: what has none comes first.
@@ -42,8 +41,7 @@ private:
 
   Rational share(std::uint64_t count) const;
   std::optional<Counts> blend_at(const std::vector<Rational> &shares) const;
-  bool restrict_stockpiles(Box &box) const;
-  bool bound(const Box &box);
+  void bound(const Box &box);
   void open(Box box);
   void order(Open::iterator place);
   void split(Open::iterator place);

@@ -47,7 +47,7 @@ struct BlendCommand {
 };
 
 /// The gradation of the best blend, where it is to be written and there is one; notes are told.
-std::optional<std::string> blended_file(const BlendCommand &c, Blending &blending) {
+std::optional<std::string> blended_file(const BlendCommand &c, const Blending &blending) {
   if (!c.blended)
     return std::nullopt;
   const std::optional<Gradation> g =
@@ -127,16 +127,21 @@ public:
   }
 
   /// Writes the texts that there are, one for each path. \return notes on the others
-  std::vector<std::string> write(const std::vector<std::optional<std::string>> &texts) const {
+  std::vector<std::string> write(const std::vector<std::optional<std::string>> &texts) {
     std::vector<std::string> notes;
     for (std::size_t i = 0; i < texts.size(); ++i)
       if (texts[i]) {
         outputs_[i]->write(*texts[i]);
-        outputs_[i]->commit();
       } else if (paths_[i]) {
+        outputs_[i].reset();
         notes.push_back(shown_name(*paths_[i]) + " is not written: there is nothing to write");
       }
     return notes;
+  }
+  void commit() const {
+    for (const std::unique_ptr<Output> &output : outputs_)
+      if (output)
+        output->commit();
   }
 
 private:
@@ -199,7 +204,7 @@ int run(const BlendCommand &c) {
     target = target_in(c, specification);
   Blending blending(c.asked, stockpiles, specification, target);
   Output out(c.output.path());
-  const SideOutputs beside(c);
+  SideOutputs beside(c);
   {
     const Interrupt interrupt;
     blending.search([] { return !Interrupt::was_pressed(); });
@@ -210,11 +215,14 @@ int run(const BlendCommand &c) {
       c.plot ? c.plot.drawn(figure_of(stockpiles, specification, target, blending), c.output.quiet) : nullptr;
   const std::optional<std::string> blended = blended_file(c, blending);
   const std::optional<std::string> vipr = c.vipr ? blending.vipr() : std::nullopt;
+  const std::vector<std::string> unwritten =
+      beside.write({blended, c.proof ? blending.proof() : std::nullopt, vipr});
   const BlendReport r = blending.report();
   out.write(c.output.report([&] { return blend_text(r); }, [&] { return blend_json(r); },
                             [&] { return blend_csv(r); }));
   c.output.tell_notes_beside_csv(blending.problem().notes);
-  c.output.tell_notes(beside.write({blended, c.proof ? blending.proof() : std::nullopt, vipr}));
+  c.output.tell_notes(unwritten);
+  beside.commit();
   if (plot)
     plot->commit();
   out.commit();

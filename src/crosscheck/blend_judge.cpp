@@ -38,13 +38,21 @@ std::vector<std::string> stated_stockpiles(const Json &array) {
   return names;
 }
 
+std::string stated_status(const Json &object) {
+  return has_member(object, "status") ? text_member(object, "status") : "";
+}
+
+bool says_there_is_none(const std::string &status) {
+  return status == "none" || answer_verdict_named(status) == AnswerVerdict::infeasible;
+}
+
 /// Why an answer has no shares.
 void take_failure(const Json &object, OtherBlend &answer) {
-  const std::string status = has_member(object, "status") ? text_member(object, "status") : "";
+  const std::string status = stated_status(object);
   if (has_member(object, "reason"))
     answer.reason = text_member(object, "reason");
   const std::optional<AnswerVerdict> named = answer_verdict_named(status);
-  if (status == "none" || named == AnswerVerdict::infeasible)
+  if (says_there_is_none(status))
     answer.failure = AnswerVerdict::infeasible;
   else if (status == "gave up" || named == AnswerVerdict::gave_up)
     answer.failure = AnswerVerdict::gave_up;
@@ -115,8 +123,7 @@ OtherBlend json_blend(std::string_view text) {
     if (has_member(object, "id"))
       answer.id = text_member(object, "id");
     const bool has_shares = has_member(object, "shares") || has_member(object, "percents");
-    if (const std::string status = has_member(object, "status") ? text_member(object, "status") : "";
-        has_shares && (status == "none" || answer_verdict_named(status) == AnswerVerdict::infeasible))
+    if (has_shares && says_there_is_none(stated_status(object)))
       throw InputError("it has shares, and its status says that there is no blend");
     if (has_member(object, "stockpiles"))
       answer.stockpiles = stated_stockpiles(object["stockpiles"]);

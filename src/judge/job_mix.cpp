@@ -58,14 +58,13 @@ std::size_t sieve_of_mix(const Gradation &mix, std::string_view text, const std:
 std::map<std::size_t, Rational> points_of(const Gradation &mix, const std::vector<std::string> &within) {
   std::map<std::size_t, Rational> points;
   std::optional<Rational> of_all;
-  for (const std::string &text : within)
-    for (std::size_t from = 0; from <= text.size();) {
-      const std::size_t to = std::min(text.find(',', from), text.size());
-      const std::string_view part = trimmed(std::string_view(text).substr(from, to - from));
-      from = to + 1;
+  for (const std::string &text : within) {
+    const std::vector<std::string> parts = between_commas(text);
+    for (const std::string &one : parts) {
+      const std::string_view part = trimmed(one);
       const std::size_t equals = part.find('=');
       if (equals == std::string_view::npos) {
-        if (of_all || part.size() != trimmed(text).size())
+        if (of_all || parts.size() > 1)
           refuse_points(text, std::string(" has a number without a sieve beside others: ") + within_forms);
         of_all = points_in(part, text);
       } else if (!points
@@ -76,6 +75,7 @@ std::map<std::size_t, Rational> points_of(const Gradation &mix, const std::vecto
                                         in_quotes(trimmed(part.substr(0, equals)))));
       }
     }
+  }
   for (std::size_t j = 0; of_all && j < mix.sizes().size(); ++j)
     if (mix.sizes()[j] > 0)
       points.emplace(j, *of_all);

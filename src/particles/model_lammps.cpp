@@ -81,7 +81,7 @@ std::string lammps_walls(const SettleScript &s) {
 /// A spring as stiff as the tangential one of two smallest grains that overlap by some percent, so that the
 /// time step serves it, and a damper of half the critical damping of such a grain.
 std::string rolling_of(const SettleScript &s, const GrainMaterial &m) {
-  if (!s.resists_rolling())
+  if (!s.model.resists_rolling())
     return "";
   const double size = s.set.smallest().diameter.value;
   const double mass =

@@ -57,7 +57,7 @@ thermo_modify lost error norm no
 /// The contact of all grains and walls.
 std::string liggghts_contact(const SettleScript &s) {
   return std::string("model hertz tangential history") +
-         (s.resists_rolling() ? " rolling_friction epsd2" : "");
+         (s.model.resists_rolling() ? " rolling_friction epsd2" : "");
 }
 
 std::string liggghts_wall(const SettleScript &s) {
@@ -110,7 +110,7 @@ std::string friction_of_pairs(const SettleScript &s) {
 
 /// Of a pair the lesser of both.
 std::string rolling_friction(const SettleScript &s) {
-  if (!s.resists_rolling())
+  if (!s.model.resists_rolling())
     return "";
   return fmt::format("fix rolling all property/global coefficientRollingFriction peratomtypepair {}{}\n",
                      s.types(), pairs(s, [](const GrainMaterial &a, const GrainMaterial &b) {

@@ -75,6 +75,11 @@ double softened_young(const SettleModel &model) {
 
 } // namespace
 
+bool SettleModel::resists_rolling() const {
+  return rolling_friction > 0 || std::any_of(materials.begin(), materials.end(),
+                                             [](const GrainMaterial &m) { return m.rolling_friction > 0; });
+}
+
 Settling settling(const SettleModel &model) {
   Settling s;
   s.elasticity.young = model.young ? *model.young : Rational(softened_young(model));

@@ -72,6 +72,9 @@ struct SettleModel {
   std::optional<std::string> verify_options = "";
   /// An answer's question in words, which `verify_options` may lack.
   std::string question = {};
+
+  /// True if some grains, or the walls, have rolling friction.
+  bool resists_rolling() const;
 };
 
 /// The material, the time and the scales of a model, in SI units.

@@ -98,12 +98,6 @@ bool SettleScript::is_frictionless() const {
                      [](const GrainMaterial &m) { return m.friction == 0; });
 }
 
-bool SettleScript::resists_rolling() const {
-  return model.rolling_friction > 0 ||
-         std::any_of(model.materials.begin(), model.materials.end(),
-                     [](const GrainMaterial &m) { return m.rolling_friction > 0; });
-}
-
 bool SettleScript::all_resist_rolling() const {
   if (model.materials.empty())
     return model.rolling_friction > 0;
@@ -198,7 +192,7 @@ std::string material_lines(const SettleScript &s) {
 }
 
 std::string rolling_line(const SettleScript &s, const char *engines_model) {
-  if (!s.resists_rolling())
+  if (!s.model.resists_rolling())
     return "";
   return fmt::format("# Rolling friction{}, by {}: the most moment of a contact over its normal force and "
                      "effective radius.\n",

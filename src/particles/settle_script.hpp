@@ -55,8 +55,6 @@ struct SettleScript {
   /// compaction.
   bool keeps_friction() const { return !model.materials.empty() && !model.friction_while_filling; }
   bool is_frictionless() const;
-  /// True if some grains have rolling friction.
-  bool resists_rolling() const;
   bool all_resist_rolling() const;
   /// True if it is not certain that grains carry each other at the void ratio that is asked for.
   bool seeks_jamming() const { return !has_lid() && model.target && model.target->void_ratio; }

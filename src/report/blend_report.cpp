@@ -1,5 +1,6 @@
 #include "report/blend_report.hpp"
 
+#include "blend/blend_box.hpp"
 #include "text/text_table.hpp"
 
 #include <mdm/number/decimal.hpp>
@@ -14,27 +15,33 @@ namespace {
 
 using BlendStatus = BlendAnswer::Status;
 
+constexpr unsigned blend_digits = 6;
+
+/// The decimal of so many characters at most that it is, if it is one.
+std::optional<std::string> decimal_within(const Rational &r, std::size_t longest) {
+  std::optional<std::string> exact = exact_decimal(r);
+  return exact && exact->size() <= longest ? exact : std::nullopt;
+}
+
 /// Exact if it is a short decimal, else its first digits.
 std::string short_value(const Rational &r) {
-  constexpr unsigned digits = 6;
-  const std::optional<std::string> exact = exact_decimal(r);
-  return exact && exact->size() <= digits + 2 ? *exact : approximate(r, digits);
+  const std::optional<std::string> exact = decimal_within(r, blend_digits + 2);
+  return exact ? *exact : approximate(r, blend_digits);
 }
 
 /// A share of a whole number of steps in full, where it is a decimal of no more than 12 digits.
 std::string full_percent(const Rational &share) {
   constexpr std::size_t longest = 13;
-  const std::optional<std::string> exact = exact_decimal(100 * share);
-  return exact && exact->size() <= longest ? *exact : short_value(100 * share);
+  const std::optional<std::string> exact = decimal_within(100 * share, longest);
+  return exact ? *exact : short_value(100 * share);
 }
 
 /// A short decimal that is no less, and behind it the fraction where it is more.
 std::string least_sufficient(const Rational &r) {
-  constexpr unsigned digits = 6;
-  if (const std::optional<std::string> exact = exact_decimal(r); exact && exact->size() <= digits + 2)
-    return *exact;
+  if (std::optional<std::string> exact = decimal_within(r, blend_digits + 2))
+    return *std::move(exact);
   unsigned places = 0;
-  while (r * power_of_ten(places) < power_of_ten(digits - 1))
+  while (r * power_of_ten(places) < power_of_ten(blend_digits - 1))
     ++places;
   const Rational up = ratio(ceil(Rational(r * power_of_ten(places))), power_of_ten(places));
   return fmt::format("{} ({})", to_decimal(up), to_string(r));
@@ -321,8 +328,9 @@ std::string contradiction_text(const BlendProblem &p, const BlendContradiction &
 /// Stockpiles whose limits leave no whole number of steps.
 std::string shares_without_steps(const BlendReport &r) {
   std::string text;
-  for (const Stockpile &s : r.problem.stockpiles)
-    if (ceil(s.least * r.problem.steps) > floor(s.most * r.problem.steps))
+  const BlendBox box = whole_box(r.problem);
+  for (std::size_t i = 0; i < box.least.size(); ++i)
+    if (const Stockpile &s = r.problem.stockpiles[i]; box.least[i] > box.most[i])
       text += fmt::format("  no share of {} in {} is from {} to {} %: take finer steps\n", printable(s.name),
                           step_in_words(r), percent_of_share(s.least), percent_of_share(s.most));
   return text;

@@ -47,6 +47,16 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(" \t") + 1);
 }
 
+std::vector<std::string> between_commas(std::string_view text) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    parts.emplace_back(text.substr(from, to - from));
+    from = to + 1;
+  }
+  return parts;
+}
+
 bool is_pan(std::string_view text) {
   constexpr std::string_view pan = "pan";
   return std::equal(text.begin(), text.end(), pan.begin(), pan.end(),

@@ -28,6 +28,9 @@ std::string stem(std::string_view file);
 /// `text` without the spaces and tabs around it.
 std::string_view trimmed(std::string_view text);
 
+/// The parts of a text between commas, as they are.
+std::vector<std::string> between_commas(std::string_view text);
+
 /// True for `pan` in any case.
 bool is_pan(std::string_view text);
 
