@@ -107,7 +107,7 @@ FigureForm PlotTexts::form() const {
   FigureForm form;
   form.bare = bare;
   if (language == "de")
-    form.language = FigureLanguage::german;
+    form.language = Language::german;
   constexpr unsigned least_width = 200, most_width = 5000;
   if (width)
     form.width = small_natural("width", *width, least_width, most_width);

@@ -175,12 +175,15 @@ Run add_describe(CLI::App &app) {
           "with "
           "shares and not percents added.") +
           "\n" +
-          paragraph("Groups are of ASTM D2487 and of AASHTO M 145, which rounds percents and limits to whole "
-                    "numbers, halves to the even one; its group index stands in brackets. k_H is the "
-                    "hydraulic conductivity after Hazen, 0.01 m/s "
-                    "times the "
-                    "square of D10 in mm; k_KC, with --void-ratio, that of Kozeny and Carman after Carrier "
-                    "(2003).") +
+          paragraph(
+              "Groups are of ASTM D2487 and of AASHTO M 145, which rounds percents and limits to whole "
+              "numbers, halves to the even one; its group index stands in brackets. ISO is the name in the "
+              "diagram of ISO 14688-2:2004, Annex B: what is at a limit is above it, and of equal "
+              "shares the coarser is the greater. k_H is the "
+              "hydraulic conductivity after Hazen, 0.01 m/s "
+              "times the "
+              "square of D10 in mm; k_KC, with --void-ratio, that of Kozeny and Carman after Carrier "
+              "(2003).") +
           "\n" +
           paragraph(
               "--by-number: of spheres of one density, whatever their sizes in the classes. Of a file of "
@@ -193,9 +196,9 @@ Run add_describe(CLI::App &app) {
               "texture "
               "is of Folk (1954).") +
           "\n" +
-          paragraph(
-              "Exit code 3: the group hangs on an interpolated share or an index that 1,200 digits do not "
-              "tell from its limit; the report says which."),
+          paragraph("Exit code 3: a group or name hangs on an interpolated share or an index that 1,200 "
+                    "digits do not "
+                    "tell from its limit; the report says which."),
       {"mdm describe sand.csv", "mdm describe sand.csv --sediment", "mdm describe sand.csv --by-number",
        "mdm describe sand.csv --d 5,16,84,95",
        "mdm describe bh1.csv bh2.csv bh3.csv --format csv -o table.csv",

@@ -6,6 +6,7 @@
 #include "cli/reading_flags.hpp"
 #include "cli/sample_files.hpp"
 #include "document/laboratory_report.hpp"
+#include "document/report_texts.hpp"
 #include "files/child_process.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
@@ -26,7 +27,7 @@ namespace {
 struct ReportCommand {
   SampleFiles files;
   std::vector<std::string> fields;
-  std::optional<std::string> spec, rounding, client, title, out, format;
+  std::optional<std::string> spec, rounding, client, title, language, out, format;
   DescribeTexts asked;
   ReadingFlags reading;
   bool quiet = false;
@@ -48,10 +49,10 @@ Form form_of(const ReportCommand &c) {
 }
 
 /// The head: the client, then what each --field says.
-std::vector<std::pair<std::string, std::string>> head(const ReportCommand &c) {
+std::vector<std::pair<std::string, std::string>> head(const ReportCommand &c, const ReportTexts &texts) {
   std::vector<std::pair<std::string, std::string>> fields;
   if (c.client)
-    fields.emplace_back("Client", *c.client);
+    fields.emplace_back(texts.client, *c.client);
   for (const std::string &field : c.fields) {
     const std::size_t equal = field.find('=');
     if (equal == std::string::npos || equal == 0)
@@ -63,7 +64,9 @@ std::vector<std::pair<std::string, std::string>> head(const ReportCommand &c) {
 }
 
 LaboratoryReport reported(const ReportCommand &c) {
-  LaboratoryReport r{c.title.value_or("Grain size report"), head(c), {}, std::nullopt};
+  const Language language = c.language == "de" ? Language::german : Language::english;
+  const ReportTexts &texts = report_texts(language);
+  LaboratoryReport r{c.title.value_or(std::string(texts.title)), head(c, texts), {}, std::nullopt, language};
   const DescribeOptions options = c.asked.describe_options();
   const std::optional<Rational> rounding = rounding_of(c.rounding);
   if (c.rounding && !c.spec)
@@ -109,6 +112,8 @@ std::string content(const LaboratoryReport &r, Form form) {
 
 int run(const ReportCommand &c) {
   const Form form = form_of(c);
+  if (form == Form::json && c.language)
+    throw InputError(option("language") + " is about a page's own words, and JSON has none: leave it out");
   std::vector<std::string> inputs = c.files.paths;
   if (c.spec)
     inputs.push_back(*c.spec);
@@ -131,6 +136,12 @@ Run add_report(CLI::App &app) {
   command.add_option("--spec", c->spec, specification_help())->type_name("FILE|NAME");
   command.add_option("--rounding", c->rounding, rounding_help())->type_name("UNIT");
   command.add_option("--title", c->title, "the title (Grain size report)");
+  command
+      .add_option(
+          "--language", c->language,
+          "language of the page's own words and numbers: en (the default) or de; names, groups of ASTM "
+          "and AASHTO, and notes stay English")
+      ->check(CLI::IsMember({"en", "de"}));
   command.add_option("--client", c->client, "the client, in the head of the report");
   command
       .add_option("--field", c->fields,
@@ -154,6 +165,7 @@ Run add_report(CLI::App &app) {
                            "rounds to its report. 3: a limit of precision; the report says where."),
              {"mdm report sand.csv -o sand.html", "mdm report boreholes.xlsx --all-sheets -o r.html",
               "mdm report a.xlsx b.xlsx --spec astm-c33-fine --client \"Harbour Ltd\" -o r.html",
+              "mdm report sand.csv --language de --spec en12620-0-4 -o bericht.html",
               "mdm report sand.csv --field Project=Quay --field \"Sampled=2026-05-04\" -o sand.pdf"}));
   return [c] { return run(*c); };
 }

@@ -1,6 +1,7 @@
 #include "document/laboratory_report.hpp"
 
 #include "document/html.hpp"
+#include "document/report_texts.hpp"
 #include "gradation/shown.hpp"
 #include "gradation/sieve_name.hpp"
 #include "plot/curves_figure.hpp"
@@ -45,56 +46,84 @@ footer { margin-top: 2em; font-size: .85em; color: #444; }
 @media print { body { margin: 0; max-width: none; font-size: 9.5pt; } }
 )";
 
-std::string shown_percent(const Rational &share) {
-  return rounded(Real(share * 100), shown_digits);
-}
+/// The tables of a report, in its language.
+class ReportTables {
+public:
+  explicit ReportTables(Language language) : language_(language), texts_(report_texts(language)) {}
+
+  std::string analysis(const ReportedSample &sample) const;
+  std::string conformity(const ConformityReport &r) const;
+  std::string indices(const std::vector<ReportedSample> &samples) const;
+  /// Percents of the main fractions, a column a sample.
+  std::string fractions(const char *system, const std::vector<ReportedSample> &samples,
+                        std::vector<Fraction> SoilDescription::*of) const;
+
+private:
+  std::string number(std::string text) const { return local_number(std::move(text), language_); }
+  std::string percent_of(const Rational &share) const {
+    return number(rounded(Real(share * 100), shown_digits));
+  }
+  std::string sieve_title(const RootSize &opening) const;
+  std::string verdict_cell(const SieveVerdict &s) const;
+  std::string conformity_table(const ConformityReport &r) const;
+  std::string iso_name(const Available<Iso14688Name> &name) const {
+    return name ? name->symbol + ", " + local_soil_name(name->symbol, name->words, language_)
+                : std::string(texts_.not_available);
+  }
+
+  Language language_;
+  const ReportTexts &texts_;
+};
 
 /// `0.075 (No. 200)`; `pan` at size 0.
-std::string sieve_title(const RootSize &opening) {
+std::string ReportTables::sieve_title(const RootSize &opening) const {
   if (opening.power == 0)
-    return "pan";
+    return std::string(texts_.pan);
   const std::optional<Rational> size = opening.fraction();
   const std::optional<std::string> astm = size ? astm_sieve_name(*size) : std::nullopt;
-  return astm ? fmt::format("{} ({})", shown(opening), *astm) : shown(opening);
+  return number(shown(opening)) + (astm ? " (" + *astm + ")" : "");
 }
 
 /// A line a sieve, the coarsest first: mass where masses were weighed, percent retained and percent passing.
-std::string analysis_table(const ReportedSample &sample) {
+std::string ReportTables::analysis(const ReportedSample &sample) const {
   const GradingCurve &curve = sample.description.curve;
   const bool is_weighed = sample.sheet.kind == "mass" && !sample.sheet.masses.empty();
-  std::vector<std::string> titles = {"sieve, mm"};
+  std::vector<std::string> titles = {std::string(texts_.sieve)};
   if (is_weighed)
-    titles.emplace_back("mass retained");
-  titles.insert(titles.end(), {"retained, %", "passing, %"});
+    titles.emplace_back(texts_.mass_retained);
+  titles.insert(titles.end(), {std::string(texts_.retained), std::string(texts_.passing)});
   HtmlTable table(sample.description.id, titles);
   for (std::size_t i = curve.shares().size(); i-- > 0;) {
     const bool is_last = i + 1 == curve.shares().size();
     std::vector<std::string> cells = {sieve_title(curve.opening(i))};
     if (is_weighed)
-      cells.push_back(shown(sample.sheet.gradation.masses()[i]));
-    cells.push_back(is_last ? "0" : shown_percent(curve.mass(i)));
-    cells.push_back(shown_percent(curve.shares()[i]));
+      cells.push_back(number(shown(sample.sheet.gradation.masses()[i])));
+    cells.push_back(is_last ? "0" : percent_of(curve.mass(i)));
+    cells.push_back(percent_of(curve.shares()[i]));
     table.add(cells);
   }
   return table.html();
 }
 
 /// The percent that passes and the verdict.
-std::string verdict_cell(const SieveVerdict &s) {
-  return fmt::format("{}{} {}", s.passing ? rounded(*s.passing, shown_digits) : "?",
-                     s.is_interpolated ? "*" : "", name(s.verdict));
+std::string ReportTables::verdict_cell(const SieveVerdict &s) const {
+  return fmt::format("{}{} {}", s.passing ? number(rounded(*s.passing, shown_digits)) : "?",
+                     s.is_interpolated ? "*" : "", texts_.verdict(s.verdict));
 }
 
 /// A line a sieve of the specification, the coarsest first.
-std::string conformity_table(const ConformityReport &r) {
-  std::vector<std::string> titles = {"sieve, mm", "least, %", "most, %"};
+std::string ReportTables::conformity_table(const ConformityReport &r) const {
+  std::vector<std::string> titles;
+  for (const std::string_view title : {texts_.sieve, texts_.least, texts_.most})
+    titles.emplace_back(title);
   for (const Conformity &c : r.samples)
     titles.push_back(c.id);
-  HtmlTable table("percent passing", titles, 3);
+  HtmlTable table(std::string(texts_.percent_passing), titles, 3);
   for (std::size_t i = r.specification.sieves.size(); i-- > 0;) {
     const PassingLimits &limits = r.specification.sieves[i];
-    std::vector<std::string> cells = {to_decimal(limits.size), to_decimal(limits.least),
-                                      to_decimal(limits.most)};
+    std::vector<std::string> cells;
+    for (const Rational &limit : {limits.size, limits.least, limits.most})
+      cells.push_back(number(to_decimal(limit)));
     bool misses = false;
     for (const Conformity &c : r.samples) {
       cells.push_back(verdict_cell(c.sieves[i]));
@@ -105,31 +134,33 @@ std::string conformity_table(const ConformityReport &r) {
   return table.html();
 }
 
-std::string conformity_section(const ConformityReport &r) {
-  std::string html = fmt::format("<section><h2>Specification {}</h2>\n", html_text(r.specification.id));
+std::string ReportTables::conformity(const ConformityReport &r) const {
+  std::string html =
+      fmt::format("<section><h2>{} {}</h2>\n", texts_.specification, html_text(r.specification.id));
   for (const std::string &line : r.specification.about)
     html += fmt::format("<p>{}</p>\n", html_text(line));
   for (const Conformity &c : r.samples)
-    html += fmt::format("<p class=\"verdict\">{}: {}</p>\n", html_text(c.id), name(c.verdict));
+    html += fmt::format("<p class=\"verdict\">{}: {}</p>\n", html_text(c.id), texts_.verdict(c.verdict));
   html += conformity_table(r);
   const bool is_interpolated = std::any_of(r.samples.begin(), r.samples.end(), [](const Conformity &c) {
     return std::any_of(c.sieves.begin(), c.sieves.end(),
                        [](const SieveVerdict &s) { return s.is_interpolated; });
   });
   if (is_interpolated)
-    html += "<p>* interpolated, linear in percent over log size, where the sample has no sieve</p>\n";
+    html += fmt::format("<p>* {}</p>\n", texts_.interpolated);
   return html + "</section>\n";
 }
 
 /// A line an index number, a column a sample.
-std::string index_table(const std::vector<ReportedSample> &samples) {
+std::string ReportTables::indices(const std::vector<ReportedSample> &samples) const {
+  const std::string none(texts_.not_available);
   std::vector<std::string> titles = {""};
   std::vector<std::vector<DescriptionItem>> items;
   for (const ReportedSample &s : samples) {
     titles.push_back(s.description.id);
     items.push_back(items_of(s.description));
   }
-  HtmlTable table("index numbers and groups", titles);
+  HtmlTable table(std::string(texts_.indices), titles);
   const auto add = [&](const std::string &title, auto value) {
     std::vector<std::string> cells = {title};
     for (std::size_t j = 0; j < samples.size(); ++j)
@@ -138,35 +169,35 @@ std::string index_table(const std::vector<ReportedSample> &samples) {
   };
   add("ASTM D2487", [&](std::size_t j) {
     const Available<UscsGroup> &group = samples[j].description.group;
-    return group ? group->symbol + ", " + group->name : std::string("not available");
+    return group ? group->symbol + ", " + group->name : none;
   });
   add("AASHTO M 145", [&](std::size_t j) {
     const SoilDescription &d = samples[j].description;
-    return d.aashto ? aashto_symbol(d) : std::string("not available");
+    return d.aashto ? aashto_symbol(d) : none;
   });
+  add("ISO 14688-2:2004", [&](std::size_t j) { return iso_name(samples[j].description.iso_name); });
   for (std::size_t i = 0; i < items.front().size(); ++i)
     if (const DescriptionItem &first = items.front()[i]; !first.name.empty())
       add(*first.unit == 0 ? first.name : fmt::format("{}, {}", first.name, first.unit), [&](std::size_t j) {
-        return items[j][i].value ? shown_item(items[j][i], shown_digits) : "not available";
+        return items[j][i].value ? number(shown_item(items[j][i], shown_digits)) : none;
       });
   return table.html();
 }
 
-/// Percents of the main fractions, a column a sample.
-std::string html_fractions(const char *system, const std::vector<ReportedSample> &samples,
-                           std::vector<Fraction> SoilDescription::*fractions) {
-  std::vector<std::string> titles = {"percent of the mass"};
+std::string ReportTables::fractions(const char *system, const std::vector<ReportedSample> &samples,
+                                    std::vector<Fraction> SoilDescription::*of) const {
+  std::vector<std::string> titles = {std::string(texts_.fractions)};
   for (const ReportedSample &s : samples)
     titles.push_back(s.description.id);
   HtmlTable table(system, titles);
-  const std::vector<Fraction> &first = samples.front().description.*fractions;
+  const std::vector<Fraction> &first = samples.front().description.*of;
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (!first[i].main)
       continue;
-    std::vector<std::string> cells = {std::string(first[i].name)};
+    std::vector<std::string> cells = {band_names(first[i].name, language_).front()};
     for (const ReportedSample &s : samples) {
-      const std::optional<Real> share = percent((s.description.*fractions)[i]);
-      cells.push_back(share ? rounded(*share, shown_digits) : "not available");
+      const std::optional<Real> share = percent((s.description.*of)[i]);
+      cells.push_back(share ? number(rounded(*share, shown_digits)) : std::string(texts_.not_available));
     }
     table.add(cells);
   }
@@ -177,6 +208,7 @@ std::string html_fractions(const char *system, const std::vector<ReportedSample>
 std::string curves_svg(const LaboratoryReport &r) {
   CurvesFigure figure;
   figure.form.bare = true;
+  figure.form.language = r.language;
   if (r.conformity)
     figure.limits = envelope_of(r.conformity->specification);
   for (std::size_t j = 0; j < r.samples.size(); ++j) {
@@ -207,31 +239,32 @@ std::vector<std::string> all_notes(const LaboratoryReport &r) {
 } // namespace
 
 std::string report_html(const LaboratoryReport &r) {
+  const ReportTexts &texts = report_texts(r.language);
+  const ReportTables tables(r.language);
   std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<!DOCTYPE html>\n<html lang=\"{2}\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n"
       "<style>{1}</style>\n</head>\n<body>\n<header><h1>{0}</h1>\n<table class=\"head\"><tbody>\n",
-      html_text(r.title), style);
+      html_text(r.title), style, texts.code);
   for (const auto &[name, value] : r.fields)
     html += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", html_text(name), html_text(value));
-  html += fmt::format("</tbody></table>\n</header>\n<main>\n<section><h2>Grading curves</h2>\n{}</section>\n",
-                      curves_svg(r));
-  html += "<section><h2>Sieve analysis</h2>\n";
+  html += fmt::format("</tbody></table>\n</header>\n<main>\n<section><h2>{}</h2>\n{}</section>\n",
+                      texts.curves, curves_svg(r));
+  html += fmt::format("<section><h2>{}</h2>\n", texts.analysis);
   for (const ReportedSample &s : r.samples)
-    html += analysis_table(s);
+    html += tables.analysis(s);
   html += "</section>\n";
   if (r.conformity)
-    html += conformity_section(*r.conformity);
-  html += "<section><h2>Description</h2>\n" + index_table(r.samples);
-  html += html_fractions("ASTM D2487", r.samples, &SoilDescription::uscs);
-  html += html_fractions("ISO 14688", r.samples, &SoilDescription::iso_14688);
-  html += "</section>\n<section><h2>Notes</h2>\n<ul>\n";
+    html += tables.conformity(*r.conformity);
+  html += fmt::format("<section><h2>{}</h2>\n", texts.description) + tables.indices(r.samples);
+  html += tables.fractions("ASTM D2487", r.samples, &SoilDescription::uscs);
+  html += tables.fractions("ISO 14688", r.samples, &SoilDescription::iso_14688);
+  html += fmt::format("</section>\n<section><h2>{}</h2>\n<ul lang=\"en\">\n", texts.notes);
   for (const std::string &note : all_notes(r))
     html += fmt::format("<li>{}</li>\n", html_text(note));
-  html += fmt::format("</ul>\n</section>\n</main>\n<footer>Worked out exactly by mdm {}. "
-                      "Numbers are rounded to {} digits on this page alone.</footer>\n</body>\n</html>\n",
-                      versions().front().second, shown_digits);
-  return html;
+  html += "</ul>\n</section>\n</main>\n<footer>";
+  html += fmt::format(fmt::runtime(texts.footer), versions().front().second, shown_digits);
+  return html + "</footer>\n</body>\n</html>\n";
 }
 
 std::string report_json(const LaboratoryReport &r, unsigned digits) {

@@ -5,6 +5,7 @@
 
 #include "report/conformity_report.hpp"
 #include "soil/describe.hpp"
+#include "text/language.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 
@@ -22,6 +23,7 @@ struct LaboratoryReport {
   std::vector<std::pair<std::string, std::string>> fields; ///< of its head, name and value, in their order
   std::vector<ReportedSample> samples;                     ///< at least one
   std::optional<ConformityReport> conformity;              ///< of the same samples; nothing: no specification
+  Language language = Language::english;                   ///< of the page's own words and numbers
 };
 
 /// A page of HTML in one file, which needs nothing else and prints on A4 and letter: head, curves, the table

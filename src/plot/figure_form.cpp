@@ -113,14 +113,14 @@ std::string_view german(const Pairs &pairs, std::string_view english) {
 
 } // namespace
 
-const FigureTexts &figure_texts(FigureLanguage language) {
-  return language == FigureLanguage::german ? german_texts : english_texts;
+const FigureTexts &figure_texts(Language language) {
+  return language == Language::german ? german_texts : english_texts;
 }
 
-std::vector<std::string> band_names(std::string_view band, FigureLanguage language) {
+std::vector<std::string> band_names(std::string_view band, Language language) {
   std::string full(band);
   std::string first(band.substr(0, band.find(' ')));
-  if (language == FigureLanguage::german) {
+  if (language == Language::german) {
     const std::string_view part = german(german_parts, first);
     const bool is_part = !part.empty() && first != band;
     full = german(german_bands, is_part ? band.substr(first.size() + 1) : band);

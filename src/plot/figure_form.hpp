@@ -2,18 +2,17 @@
 /// \file
 /// How a figure is to look, whatever it shows, and its own words in each language.
 
+#include "text/language.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace mdm {
 
-/// The language of a figure's own words.
-enum class FigureLanguage { english, german };
-
 /// What is asked of a figure's form.
 struct FigureForm {
-  FigureLanguage language = FigureLanguage::english;
+  Language language = Language::english;
   double width = 0;  ///< of the picture, in pt; 0: as wide as panels of their usual width make it
   bool bare = false; ///< as Figure::bare
 };
@@ -34,9 +33,9 @@ struct FigureTexts {
   std::string_view no_texture, texture_shown;
 };
 
-const FigureTexts &figure_texts(FigureLanguage language);
+const FigureTexts &figure_texts(Language language);
 
 /// The name of a size band such as `coarse sand` in that language, and shorter ones, longest first.
-std::vector<std::string> band_names(std::string_view band, FigureLanguage language);
+std::vector<std::string> band_names(std::string_view band, Language language);
 
 } // namespace mdm

@@ -98,7 +98,7 @@ Series mark_of(TextureSystem system, const GradingCurve &curve, std::size_t numb
   return s;
 }
 
-Panel diagram_panel(const TextureDiagram &diagram, FigureLanguage language) {
+Panel diagram_panel(const TextureDiagram &diagram, Language language) {
   constexpr double beside = 0.14, below = 0.06, above = 0.03;
   Panel panel;
   panel.framed = false;

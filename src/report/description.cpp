@@ -88,6 +88,16 @@ std::string description_json(const SoilDescription &d, unsigned digits) {
     write(json.key("index"), d.aashto->index).end_object();
   } else
     json.null();
+  json.key("iso_14688");
+  if (d.iso_name)
+    json.begin_object()
+        .key("symbol")
+        .plain(d.iso_name->symbol)
+        .key("name")
+        .plain(d.iso_name->words)
+        .end_object();
+  else
+    json.null();
   write_fractions(json.key("uscs_fractions"), d.uscs, digits);
   write_fractions(json.key("iso_14688_fractions"), d.iso_14688, digits);
   json.key("notes").strings(d.notes).key("versions").raw(versions_json()).end_object();
@@ -105,6 +115,8 @@ std::string description_csv(const SoilDescription &d, unsigned digits) {
       d.group ? d.group->name : "");
   add(out, "AASHTO symbol,,,,{0}\nAASHTO name,,,,\"{1}\"\nAASHTO group index,,{2},{2},\n",
       d.aashto ? d.aashto->symbol : "", d.aashto ? d.aashto->name : "", group_index(d));
+  add(out, "ISO 14688-2 symbol,,,,{}\nISO 14688-2 name,,,,{}\n", d.iso_name ? d.iso_name->symbol : "",
+      d.iso_name ? d.iso_name->words : "");
   add_csv_fractions(out, "USCS", d.uscs, digits);
   add_csv_fractions(out, "ISO 14688", d.iso_14688, digits);
   for (const std::string &note : d.notes)
@@ -119,6 +131,8 @@ std::string description_text(const SoilDescription &d, unsigned digits) {
     if (!i.name.empty())
       add(out, "  {:<6}  {}\n", i.name, line_of(i, digits));
   add(out, "  AASHTO  {}\n", d.aashto ? aashto_symbol(d) + ", " + d.aashto->name : "not available");
+  add(out, "  ISO     {}\n",
+      d.iso_name ? d.iso_name->symbol + ", " + d.iso_name->words + " (14688-2:2004)" : "not available");
   add_text_fractions(out, "ASTM D2487", d.uscs, digits);
   add_text_fractions(out, "ISO 14688", d.iso_14688, digits);
   if (!d.notes.empty())

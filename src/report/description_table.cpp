@@ -36,7 +36,7 @@ std::string fractions_table(const char *system, const std::vector<SoilDescriptio
 
 std::string descriptions_text(const std::vector<SoilDescription> &all, unsigned digits) {
   TextTable table;
-  for (const char *title : {"sample", "USCS", "AASHTO"})
+  for (const char *title : {"sample", "USCS", "AASHTO", "ISO 14688-2"})
     table.add_column(title, '<');
   std::vector<std::string> names;
   for (const DescriptionItem &i : items_of(all.front()))
@@ -49,6 +49,7 @@ std::string descriptions_text(const std::vector<SoilDescription> &all, unsigned 
     table.add(printable(d.id));
     table.add(d.group ? d.group->symbol : "");
     table.add(aashto_symbol(d));
+    table.add(d.iso_name ? d.iso_name->symbol : "");
     for (const DescriptionItem &i : items_of(d))
       if (!i.name.empty())
         table.add(shown_item(i, digits));
@@ -64,7 +65,7 @@ std::string descriptions_text(const std::vector<SoilDescription> &all, unsigned 
 
 std::string descriptions_csv(const std::vector<SoilDescription> &all, unsigned digits) {
   TextBuffer out;
-  add(out, "id,uscs,aashto,aashto_index");
+  add(out, "id,uscs,aashto,aashto_index,iso_14688");
   for (const DescriptionItem &i : items_of(all.front()))
     add(out, ",{0}_lo,{0}_hi", i.key);
   for (const auto &[system, fractions] :
@@ -73,8 +74,8 @@ std::string descriptions_csv(const std::vector<SoilDescription> &all, unsigned d
       add(out, ",{0}_{1}_percent_lo,{0}_{1}_percent_hi", system, column_name(f.name));
   out.push_back('\n');
   for (const SoilDescription &d : all) {
-    add(out, "{},{},{},{}", csv_field(d.id), d.group ? d.group->symbol : "", d.aashto ? d.aashto->symbol : "",
-        group_index(d));
+    add(out, "{},{},{},{},{}", csv_field(d.id), d.group ? d.group->symbol : "",
+        d.aashto ? d.aashto->symbol : "", group_index(d), d.iso_name ? d.iso_name->symbol : "");
     for (const DescriptionItem &i : items_of(d)) {
       const auto ends = bounds_of(i, digits);
       add(out, ",{},{}", ends ? ends->first : "", ends ? ends->second : "");

@@ -183,6 +183,7 @@ SoilDescription describe(const Gradation &g, const DescribeOptions &options) {
                     fines,
                     classify_uscs(curve, fines, extrapolate),
                     classify_aashto(curve, options.limits),
+                    iso_14688_name(curve),
                     uscs_fractions(curve),
                     iso_14688_fractions(curve),
                     g.notes()};
@@ -198,6 +199,8 @@ SoilDescription describe(const Gradation &g, const DescribeOptions &options) {
   add_fraction_notes(d.notes, curve, "ISO 14688", d.iso_14688);
   add_group_notes(d.notes, d, options.limits.has_value());
   add_aashto_notes(d.notes, d);
+  if (!d.iso_name)
+    d.notes.push_back("no name of ISO 14688-2: " + d.iso_name.why().reason);
   add_fineness_notes(d.notes, d);
   add_conductivity_notes(d.notes, d, extrapolate);
   return d;

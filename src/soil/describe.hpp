@@ -5,6 +5,7 @@
 #include "soil/aashto.hpp"
 #include "soil/fractions.hpp"
 #include "soil/indices.hpp"
+#include "soil/iso_14688.hpp"
 #include "soil/mean_sizes.hpp"
 
 namespace mdm {
@@ -42,11 +43,15 @@ struct SoilDescription {
   Fines fines;
   Available<UscsGroup> group;
   Available<AashtoGroup> aashto;
+  Available<Iso14688Name> iso_name;
   std::vector<Fraction> uscs, iso_14688;
   std::vector<std::string> notes; ///< the reader's, what was assumed, and why something is not available
 
   /// True if a limit of precision was reached before all was decided.
-  bool limited() const { return (!group && group.why().limited) || (!aashto && aashto.why().limited); }
+  bool limited() const {
+    return (!group && group.why().limited) || (!aashto && aashto.why().limited) ||
+           (!iso_name && iso_name.why().limited);
+  }
 };
 
 /// What was assumed of D10 to D60 and of the group, or why they are not available: of the notes those that

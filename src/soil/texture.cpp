@@ -1,31 +1,13 @@
 #include "soil/texture.hpp"
 
+#include "soil/share_limits.hpp"
+
 #include <algorithm>
 #include <array>
 #include <vector>
 
 namespace mdm {
 namespace {
-
-/// a >= factor b. \throws NotAvailable where no precision tells
-bool is_at_least(const Real &a, const Rational &factor, const Real &b) {
-  const Order order = compare(a, Real(factor) * b);
-  if (order == Order::undecided)
-    throw NotAvailable{"1,200 digits do not tell a share from a limit", true};
-  return order != Order::less;
-}
-
-/// The shares of the mass that pass these sizes in mm. \throws NotAvailable where the curve does not tell
-std::vector<Real> shares_passing(const GradingCurve &curve, const std::vector<Rational> &sizes) {
-  std::vector<Real> shares;
-  for (const Rational &size : sizes) {
-    const Available<Real> share = curve.passing(size);
-    if (!share)
-      throw share.why();
-    shares.push_back(*share);
-  }
-  return shares;
-}
 
 /// Parts of the mass, and their sum.
 struct Parts {

@@ -181,6 +181,16 @@ TEST_CASE("the AASHTO group has its index", "[describe]") {
   CHECK(has(without.at("notes").dump(), "the group index of AASHTO M 145 needs the limits"));
 }
 
+TEST_CASE("the name of ISO 14688-2 stands in every form, or why there is none", "[describe]") {
+  const std::string gravel = "size_mm,passing_percent\n63,100\n2,40\n0.063,10\n0.001,0\n";
+  CHECK(has(mdm({"describe", "-"}, gravel).out, "  ISO     saGr, sandy gravel (14688-2:2004)\n"));
+  CHECK(describe_json({"-"}, gravel).at("iso_14688") == Json({{"symbol", "saGr"}, {"name", "sandy gravel"}}));
+  CHECK(has(mdm({"describe", "-", "--format", "csv"}, gravel).out, "ISO 14688-2 symbol,,,,saGr\n"));
+  const Json without = describe_json({"-"}, "size_mm,passing_percent\n63,100\n2,40\n0.063,20\n0,0\n");
+  CHECK(without.at("iso_14688").is_null());
+  CHECK(has(without.at("notes").dump(), "no name of ISO 14688-2: below 0.063 mm, the finest sieve"));
+}
+
 TEST_CASE("of several samples there is a table with a line each", "[describe]") {
   const TemporaryFolder folder;
   folder.write("a.csv", sand);
@@ -188,16 +198,16 @@ TEST_CASE("of several samples there is a table with a line each", "[describe]") 
   const Outcome text = mdm({"describe", folder / "a.csv", folder / "b.csv", "--d", "90"});
   INFO(text.out);
   CHECK(text.exit_code == 0);
-  CHECK(has(text.out, "sample  USCS  AASHTO"));
-  CHECK(has(text.out, "\n  a       SW    A-1-b (0)  0.1  0.3"));
+  CHECK(has(text.out, "sample  USCS  AASHTO     ISO 14688-2"));
+  CHECK(has(text.out, "\n  a       SW    A-1-b (0)  Sa           0.1  0.3"));
   CHECK(has(text.out, "note: a, b: the fines are taken as low-plasticity silt") !=
         has(text.out, "note: b: no USCS group"));
   const Outcome csv =
       mdm({"describe", folder / "a.csv", folder / "b.csv", "--format", "csv", "--digits", "3"});
   CHECK(std::count(csv.out.begin(), csv.out.end(), '\n') == 3);
-  CHECK(has(csv.out, "id,uscs,aashto,aashto_index,D10_lo,D10_hi,"));
-  CHECK(has(csv.out, "\na,SW,A-1-b,0,0.1,0.1,"));
-  CHECK(has(csv.out, "\nb,,A-1-b,0,,,0.3,0.3,"));
+  CHECK(has(csv.out, "id,uscs,aashto,aashto_index,iso_14688,D10_lo,D10_hi,"));
+  CHECK(has(csv.out, "\na,SW,A-1-b,0,Sa,0.1,0.1,"));
+  CHECK(has(csv.out, "\nb,,A-1-b,0,,,,0.3,0.3,"));
   CHECK(has(csv.err, "b: no USCS group"));
   const Outcome json = mdm({"describe", folder / "a.csv", folder / "b.csv", "--format", "json"});
   const std::size_t end = json.out.find('\n');

@@ -41,6 +41,22 @@ TEST_CASE("a report of a sample that misses a limit is exit 1", "[report]") {
   CHECK(contains(outcome.out, "stdin: fail"));
 }
 
+TEST_CASE("a report in German has German words and numbers", "[report]") {
+  const std::string gravelly = "size_mm,passing_percent\n9.5,100\n2.36,70\n2,60\n0.063,10\n0.02,0\n";
+  const Outcome outcome =
+      mdm({"report", "-", "--language", "de", "--client", "Hafen", "--spec", "superpave-19"}, gravelly);
+  CHECK(outcome.exit_code == 1);
+  for (const char *expected :
+       {"<html lang=\"de\">", "<h1>Bericht zur Korngrößenverteilung</h1>", "Auftraggeber</th><td>Hafen</td>",
+        "stdin: nicht erfüllt", ">2,36<", "grSa, kiesiger Sand", "Feinkorn"}) {
+    INFO(expected);
+    CHECK(contains(outcome.out, expected));
+  }
+  CHECK_FALSE(contains(outcome.out, "not available"));
+  check_refused(mdm({"report", "-", "--language", "de", "--format", "json"}, sand), "JSON has none");
+  check_refused(mdm({"report", "-", "--language", "fr"}, sand), "--language");
+}
+
 TEST_CASE("what is wrong with a report is refused", "[report]") {
   check_refused(mdm({"report", "-", "--field", "Project"}, sand), "--field: 'Project' is no NAME=VALUE");
   check_refused(mdm({"report", "-", "--spec", "none"}, sand), "specifications that come with mdm");

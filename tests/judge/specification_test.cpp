@@ -4,20 +4,25 @@
 
 #include <mdm/judge/specification.hpp>
 
+#include <algorithm>
+#include <array>
+
 using namespace mdm;
 
 TEST_CASE("every specification that comes with the program can be read and says its source",
           "[specification]") {
   const std::vector<std::string> names = shipped_specifications();
-  CHECK(names.size() == 8);
+  CHECK(names.size() == 17);
+  const std::array<const char *, 4> sources = {"ASTM", "AASHTO", "EN 12620", "Iowa DOT"};
   for (const std::string &name : names) {
     INFO(name);
     const std::optional<Specification> s = shipped_specification(name);
     REQUIRE(s);
     CHECK(s->id == name);
     REQUIRE_FALSE(s->about.empty());
-    CHECK((s->about.front().find("ASTM") != std::string::npos ||
-           s->about.front().find("AASHTO") != std::string::npos));
+    CHECK(std::any_of(sources.begin(), sources.end(), [&s](const char *source) {
+      return s->about.front().find(source) != std::string::npos;
+    }));
     CHECK(s->sieves.back().least == 100);
   }
   CHECK_FALSE(shipped_specification("no-such"));
@@ -31,6 +36,18 @@ TEST_CASE("ASTM C33 has its limits for fine aggregate", "[specification]") {
   CHECK(s.sieves[3].size == ratio(118, 100));
   CHECK(s.sieves[3].least == 50);
   CHECK(s.sieves[3].most == 85);
+}
+
+TEST_CASE("EN 12620 has its limits for coarse aggregate at the sieves of the basic sets", "[specification]") {
+  const Specification s = *shipped_specification("en12620-8-16");
+  REQUIRE(s.sieves.size() == 5);
+  CHECK(s.sieves[0].size == 4); // d / 2
+  CHECK(s.sieves[0].most == 5);
+  CHECK(s.sieves[1].most == 20);
+  CHECK(s.sieves[2].least == 85);
+  CHECK(s.sieves[3].size == ratio(224, 10)); // 1.4 D
+  CHECK(s.sieves[3].least == 98);
+  CHECK(s.sieves[4].size == ratio(315, 10)); // 2 D
 }
 
 TEST_CASE("limits are in mm, whatever unit the file has", "[specification]") {

@@ -75,7 +75,7 @@ TEST_CASE("from the ninth curve on strokes differ", "[curves]") {
 TEST_CASE("the figure of several gradations is drawn", "[curves]") {
   CHECK(picture_of(curves_figure(two_sands()), Picture::svg).find("allowed: spec") != std::string::npos);
   CurvesFigure german = two_sands();
-  german.form.language = FigureLanguage::german;
+  german.form.language = Language::german;
   german.form.width = 300;
   const std::string picture = picture_of(curves_figure(german), Picture::svg);
   CHECK(picture.find("Durchgang") != std::string::npos);

@@ -270,7 +270,7 @@ TEST_CASE("sieves of any size have short labels") {
 
 TEST_CASE("the figure's own words are German where that is asked for, and no others", "[figure]") {
   GradationFigure what;
-  what.form.language = FigureLanguage::german;
+  what.form.language = Language::german;
   what.bands = Bands::iso_14688;
   what.particles = {{ratio(1, 4), ratio(59, 50), 30, 7, 1}};
   what.counts = true;
@@ -294,11 +294,11 @@ TEST_CASE("the figure's own words are German where that is asked for, and no oth
 }
 
 TEST_CASE("every band has a name in both languages, and a short one", "[figure]") {
-  CHECK(band_names("coarse sand", FigureLanguage::english) == Lines{"coarse sand", "coarse", "c"});
-  CHECK(band_names("coarse sand", FigureLanguage::german) == Lines{"Grobsand", "grob", "g"});
-  CHECK(band_names("large boulders", FigureLanguage::german).front() == "gro\u00DFe Bl\u00F6cke");
+  CHECK(band_names("coarse sand", Language::english) == Lines{"coarse sand", "coarse", "c"});
+  CHECK(band_names("coarse sand", Language::german) == Lines{"Grobsand", "grob", "g"});
+  CHECK(band_names("large boulders", Language::german).front() == "gro\u00DFe Bl\u00F6cke");
   GradationFigure what;
-  what.form.language = FigureLanguage::german;
+  what.form.language = Language::german;
   const Gradation wide = read("size_m,mass\n1e-6,1\n1e-3,1\n1,1\n10,0\n");
   for (const Bands bands : {Bands::uscs, Bands::iso_14688}) {
     what.bands = bands;

@@ -49,7 +49,7 @@ TEST_CASE("a gradation whose fines are not known has no point, and a remark says
 TEST_CASE("the triangles are drawn, short labels are explained", "[texture]") {
   for (const TextureSystem system : {TextureSystem::folk, TextureSystem::shepard, TextureSystem::usda}) {
     FigureForm german;
-    german.language = FigureLanguage::german;
+    german.language = Language::german;
     german.width = 300;
     const std::string picture = picture_of(texture_figure(system, {loam()}, german), Picture::svg);
     CHECK(picture.find("Sand (%)") != std::string::npos);

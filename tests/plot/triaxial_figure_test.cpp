@@ -40,7 +40,7 @@ TEST_CASE(
     "a narrow picture of a triaxial test has its panels one below the other, in the language asked for") {
   FigureForm form;
   form.width = 500;
-  form.language = FigureLanguage::german;
+  form.language = Language::german;
   const Figure figure = triaxial_figure("sand", three_states, form);
   CHECK(figure.columns == 1);
   CHECK(triaxial_figure("sand", three_states, {}).columns == 2);

@@ -88,6 +88,6 @@ def test_a_description_takes_the_limits_of_the_fines():
 def test_a_description_has_what_is_asked_for():
     found = mdm.describe(mdm.Gradation(["0.2", "0.4"], [1, 0]), d="5,50,90", void_ratio="0.6")
     assert set(found.diameters) == {5, 90} and found.d43.lo == Decimal("0.2") and found.d43.hi == Decimal("0.4")
-    assert found.k_kozeny_carman.lo < found.k_kozeny_carman.hi and found.aashto == "A-3" and found.aashto_index == 0
+    assert found.k_kozeny_carman.lo < found.k_kozeny_carman.hi and found.aashto == "A-3" and found.aashto_index == 0 and found.iso_name == "Sa"
     assert found.fineness_modulus is not None and found.k_hazen.is_exact is False and 0 < float(found.span) < 1
     assert mdm.describe(mdm.Gradation(["0.2", "0.4"], [1, 0])).k_kozeny_carman is None

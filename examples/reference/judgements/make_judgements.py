@@ -58,7 +58,7 @@ def row(name, report, specification, options):
 
 def make():
     draw, rows = random.Random(1), []
-    for source in sorted((PROJECT / "src/judge/specifications").glob("*.csv")):
+    for source in sorted((PROJECT / "src/judge/specifications").glob("[as]*.csv")):  # of ASTM and AASHTO
         shutil.copy(source, f"judgements/{source.name}")
         for number in range(REPORTS):
             name = f"{source.stem}-{number + 1}"

@@ -56,6 +56,7 @@ class Description:
     group_name: str | None
     aashto: str | None  #: group of AASHTO M 145, such as "A-2-6"
     aashto_index: int | None  #: its group index; None where it needs limits of the fines that are not known
+    iso_name: str | None  #: symbol after ISO 14688-2:2004, such as "saGr"
     uscs: tuple[SoilFraction, ...]
     iso_14688: tuple[SoilFraction, ...]
     notes: tuple[str, ...]
@@ -75,6 +76,7 @@ class Description:
             ("zeta 1", self.zeta_1))]
         rows.append(["group", f"{self.group or ''} {self.group_name or ''}"])
         rows.append(["AASHTO", self.aashto or ""])
+        rows.append(["ISO 14688-2", self.iso_name or ""])
         return html_table(["index", "value"], rows)
 
 
@@ -120,7 +122,8 @@ def _read(report: str) -> Description:
         diameters={Decimal(at["percent"]): optional_enclosure(at["size"]) for at in tree["diameters"]},
         i_gs=index("IGS"), i_c=index("IC"), phi_1=index("phi1"), zeta_1=index("zeta1"),
         group=group.get("symbol"), group_name=group.get("name"), aashto=aashto.get("symbol"),
-        aashto_index=None if aashto.get("index") is None else int(aashto["index"]), uscs=_fractions(tree["uscs_fractions"]),
+        aashto_index=None if aashto.get("index") is None else int(aashto["index"]),
+        iso_name=(tree["iso_14688"] or {}).get("symbol"), uscs=_fractions(tree["uscs_fractions"]),
         iso_14688=_fractions(tree["iso_14688_fractions"]), notes=tuple(tree["notes"]), _json=report)
 
 

@@ -63,10 +63,10 @@ export function showIndices({ description, message }, answer) {
     const value = roundedEnclosure(description[key]) + (unit && "\u202f" + unit);
     list.append(make("div", {}, make("dt", {}, letter, make("sub", {}, index)), make("dd", {}, value)));
   }
-  if (description.uscs) {
-    const { symbol, name } = description.uscs;
-    const words = make("span", { class: "hint", lang: "en" }, name);
-    list.append(make("div", { class: "wide" }, make("dt", {}, "USCS"), make("dd", {}, symbol, " ", words)));
+  for (const [system, group] of [["USCS", description.uscs], ["ISO 14688-2", description.iso_14688]]) {
+    if (!group) continue;
+    const words = make("span", { class: "hint", lang: "en" }, group.name);
+    list.append(make("div", { class: "wide" }, make("dt", {}, system), make("dd", {}, group.symbol, " ", words)));
   }
   const notes = noteList(soilNotes(description, answer));
   if (notes) notes.className = "hint";

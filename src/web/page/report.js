@@ -35,12 +35,13 @@ function table(columns, { first, last, leftOut }) {
   return make("table", {}, make("thead", {}, head), body);
 }
 
-function soilLine({ D10, D30, D60, Cu, Cc, uscs, unit }) {
+function soilLine({ D10, D30, D60, Cu, Cc, uscs, iso_14688: iso, unit }) {
   const named = { D10, D30, D60, C_u: Cu, C_c: Cc };
   const words = Object.entries(named)
     .filter(([, value]) => value)
     .map(([name, value]) => `${name} = ${roundedEnclosure(value)}${name.startsWith("D") ? " " + unitName(unit) : ""}`);
   if (uscs) words.push(`${uscs.symbol}, ${uscs.name}`);
+  if (iso) words.push(`${iso.symbol} (ISO 14688-2)`);
   return words.join(";  ");
 }
 
