@@ -73,101 +73,149 @@ struct WindowEnds {
   }
 };
 
-/// The counts and shares of a class in a window. Shares are integers in one unit for all classes.
+/// result = a b, in the memory that it has.
+void set_product(Integer &result, const Integer &a, const Integer &b) {
+  boost::multiprecision::multiply(result, a, b);
+}
+
+/// The counts and shares of one class after another in a window. Shares are integers in one unit for all
+/// classes. Numbers keep their memory from class to class: most of the time would go into its allocation.
 class ClassPoints {
 public:
+  explicit ClassPoints(const WindowEnds &ends)
+      : unit_(ends.s * ends.S), of_above_(ends.S_denominator * ends.s),
+        of_up_to_(ends.s_denominator * ends.S) {}
+
+  /// In how many of the classes' own shares one of these is.
+  const Integer &unit() const { return unit_; }
+
+  /// A class's own shares, and the masses of one particle as such.
   struct Shares {
-    Integer l, h, target;
-    Integer above, up_to; ///< one particle's share is above `above` and, where that is not 0, up to `up_to`
+    const Integer &l, &h, &target, &f, &F;
   };
 
-  ClassPoints(Shares shares, const CountBound &bound)
-      : of_(std::move(shares)), least_(bound.least), most_(bound.most) {
-    if (of_.l > 0)
-      least_ = std::max(least_, of_.up_to > 0 ? Integer(floor_div(of_.l, of_.up_to) + 1) : Integer(1));
-    if (of_.h <= 0)
-      most_ = std::min(Integer(0), most_.value_or(Integer(0)));
-    else if (of_.above > 0)
-      limit(Integer(ceil_div(of_.h, of_.above) - 1));
-  }
-
-  bool is_empty() const { return most_ && least_ > *most_; }
-  bool has_most() const { return most_.has_value(); }
-
-  struct Greatest {
-    std::optional<Integer> value;
-    bool is_reached = false;
+  /// What a share is worth, a particle, and, as a loss, a share above the target.
+  struct Worth {
+    Integer share, count, excess;
   };
 
-  /// The greatest c y + e q - mu (y - g)^+ of all points, and whether one has it, rather than an open end
-  /// alone.
-  Greatest greatest(const Integer &c, const Integer &e, const Integer &mu) const {
-    Greatest best;
-    for (const Integer &q : candidates(c, mu > 0))
-      include(best, q, c, e, mu);
-    return best;
+  /// False if the class has no counts.
+  bool set(const Shares &shares, const CountBound &bound) {
+    set_product(l_, shares.l, unit_);
+    set_product(h_, shares.h, unit_);
+    set_product(target_, shares.target, unit_);
+    set_product(above_, shares.f, of_above_);
+    set_product(up_to_, shares.F, of_up_to_);
+    least_ = bound.least;
+    if (l_ > 0)
+      least_ = std::max(least_, up_to_ > 0 ? Integer(floor_div(l_, up_to_) + 1) : Integer(1));
+    has_most_ = bound.most.has_value();
+    if (has_most_)
+      most_ = *bound.most;
+    if (h_ <= 0)
+      limit(0);
+    else if (above_ > 0)
+      limit(Integer(ceil_div(h_, above_) - 1));
+    return !has_most_ || least_ <= most_;
   }
+
+  bool has_most() const { return has_most_; }
+
+  /// The greatest worth of all points. \pre set() had counts, and a particle is worth nothing without a most
+  void find_greatest(const Worth &of) {
+    has_greatest_ = false;
+    if (of.excess == 0 && of.share > 0 && of.count < 0 && is_kink_between(of)) {
+      include(kink_, of);
+      return include(++kink_, of);
+    }
+    include(least_, of);
+    include_inside(1, of);
+    if (has_most_)
+      include(most_, of);
+    if (of.excess > 0 || of.share >= 0)
+      include_beside(h_, up_to_, of);
+    if (of.excess > 0 || of.share <= 0)
+      include_beside(l_, above_, of);
+    if (of.excess > 0) {
+      include_beside(target_, up_to_, of);
+      include_beside(target_, above_, of);
+    }
+  }
+  const Integer &greatest() const { return greatest_; }
+  /// Whether a point has it, rather than an open end alone.
+  bool is_reached() const { return is_reached_; }
 
 private:
-  void limit(const Integer &most) { most_ = most_ ? std::min(*most_, most) : most; }
+  void limit(const Integer &most) {
+    most_ = has_most_ ? std::min(most_, most) : most;
+    has_most_ = true;
+  }
+
+  /// Where the share is worth its particles up to a count, and none beyond, that count and the next are
+  /// enough: the greatest value is a concave function of q, with its kink between them.
+  bool is_kink_between(const Worth &of) {
+    set_product(value_, of.share, up_to_);
+    if (up_to_ <= 0 || value_ + of.count <= 0)
+      return false;
+    kink_ = floor_div(h_, up_to_);
+    return kink_ > 0 && kink_ >= least_ && (!has_most_ || kink_ < most_);
+  }
+
+  void include_inside(const Integer &q, const Worth &of) {
+    if (q >= least_ && (!has_most_ || q <= most_))
+      include(q, of);
+  }
 
   /// Beside which the greatest value, a concave function of q, has its kinks: without the target, those of
   /// the greatest shares where a share is worth something, of the least where it costs something.
-  std::vector<Integer> candidates(const Integer &c, bool with_target) const {
-    std::vector<Integer> all{least_, 1};
-    if (most_)
-      all.push_back(*most_);
-    const auto beside = [&](const Integer &share, const Integer &of_one) {
-      if (of_one <= 0)
-        return;
-      const Integer q = floor_div(share, of_one);
-      all.push_back(q);
-      all.push_back(q + 1);
-    };
-    if (with_target || c >= 0)
-      beside(of_.h, of_.up_to);
-    if (with_target || c <= 0)
-      beside(of_.l, of_.above);
-    if (with_target) {
-      beside(of_.target, of_.up_to);
-      beside(of_.target, of_.above);
-    }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    const auto is_outside = [&](const Integer &q) { return q < least_ || (most_ && q > *most_); };
-    all.erase(std::remove_if(all.begin(), all.end(), is_outside), all.end());
-    return all;
+  void include_beside(const Integer &share, const Integer &of_one, const Worth &of) {
+    if (of_one <= 0)
+      return;
+    kink_ = floor_div(share, of_one);
+    include_inside(kink_, of);
+    include_inside(++kink_, of);
   }
 
-  void include(Greatest &best, const Integer &q, const Integer &c, const Integer &e,
-               const Integer &mu) const {
-    const auto see = [&](const Integer &y, bool is_reached) {
-      Integer value = c * y + e * q;
-      if (mu > 0 && y > of_.target)
-        value -= mu * (y - of_.target);
-      if (!best.value || value > *best.value)
-        best = {std::move(value), is_reached};
-      else if (value == *best.value)
-        best.is_reached = best.is_reached || is_reached;
-    };
+  void include(const Integer &q, const Worth &of) {
+    set_product(of_count_, of.count, q);
     if (q == 0)
-      return see(0, true);
-    const Integer of_lower = q * of_.above, of_upper = q * of_.up_to;
-    const Integer low = std::max(of_.l, of_lower), high = of_.up_to > 0 ? std::min(of_.h, of_upper) : of_.h;
-    if (c <= mu || low == high) // else the other end is greater
-      see(low, of_lower < of_.l);
-    if (c >= 0 || low == high)
-      see(high, of_.up_to == 0 || of_upper > of_.h);
-    if (low < of_.target && of_.target < high)
-      see(of_.target, true);
-    const bool is_flat = (c == 0 && (mu == 0 || high <= of_.target)) || (c == mu && low >= of_.target);
+      return see(q, true, of);
+    set_product(of_lower_, q, above_);
+    set_product(of_upper_, q, up_to_);
+    const Integer &low = of_lower_ < l_ ? l_ : of_lower_;
+    const Integer &high = up_to_ > 0 && of_upper_ < h_ ? of_upper_ : h_;
+    if (of.share <= of.excess || low == high) // else the other end is greater
+      see(low, of_lower_ < l_, of);
+    if (of.share >= 0 || low == high)
+      see(high, up_to_ == 0 || of_upper_ > h_, of);
+    if (low < target_ && target_ < high)
+      see(target_, true, of);
+    const bool is_flat =
+        (of.share == 0 && (of.excess == 0 || high <= target_)) || (of.share == of.excess && low >= target_);
     if (low < high && is_flat)
-      see(low, true);
+      see(low, true, of);
   }
 
-  Shares of_;
-  Integer least_;
-  std::optional<Integer> most_;
+  void see(const Integer &y, bool is_reached, const Worth &of) {
+    set_product(value_, of.share, y);
+    value_ += of_count_;
+    if (of.excess > 0 && y > target_)
+      value_ -= of.excess * (y - target_);
+    const int order = has_greatest_ ? value_.compare(greatest_) : 1;
+    if (order > 0)
+      greatest_.swap(value_);
+    is_reached_ = order > 0 ? is_reached : is_reached_ || (order == 0 && is_reached);
+    has_greatest_ = true;
+  }
+
+  const Integer unit_, of_above_, of_up_to_;
+  Integer l_, h_, target_;
+  Integer above_, up_to_; ///< one particle's share is above `above_` and, where that is not 0, up to `up_to_`
+  Integer least_, most_;
+  bool has_most_ = false;
+  Integer kink_, of_count_, of_lower_, of_upper_, value_;
+  Integer greatest_;
+  bool has_greatest_ = false, is_reached_ = false;
 };
 
 } // namespace
@@ -222,30 +270,27 @@ Rational MassWindows::right_side(const MassWindow &window, const WindowPrices &p
 
 WindowVerdict MassWindows::verdict(const MassWindow &window, const CountBounds &bounds,
                                    const WindowPrices &prices) const {
-  const WindowEnds ends(window);
-  const Integer ends_unit = ends.s * ends.S, share_unit = unit_ * ends_unit;
-  const Integer of_above = ends.S_denominator * ends.s, of_up_to = ends.s_denominator * ends.S;
-  std::vector<ClassPoints> classes;
-  for (std::size_t j = 0; j < l_.size(); ++j) {
-    classes.emplace_back(ClassPoints::Shares{l_[j] * ends_unit, h_[j] * ends_unit, target_[j] * ends_unit,
-                                             f_[j] * of_above, F_[j] * of_up_to},
-                         bounds.classes[j]);
-    if (classes.back().is_empty())
-      return {true, 0};
-  }
+  ClassPoints points{WindowEnds(window)};
   const Integer of_count = prices.at_least - prices.particles;
-  const Integer value_unit = share_unit * unit_;
+  const Integer value_unit = unit_ * points.unit() * unit_;
+  ClassPoints::Worth worth{0, of_count * value_unit, prices.excess * unit_};
   Integer greatest = 0;
-  bool is_reached = true;
-  for (std::size_t j = 0; j < classes.size(); ++j) {
-    if (of_count > 0 && !classes[j].has_most())
-      return {};
-    const ClassPoints::Greatest of =
-        classes[j].greatest(Integer(prices.shares[j] * unit_ + prices.weight * per_mass_[j]),
-                            Integer(of_count * value_unit), Integer(prices.excess * unit_));
-    greatest += *of.value;
-    is_reached = is_reached && of.is_reached;
+  bool is_reached = true, is_bounded = true;
+  for (std::size_t j = 0; j < l_.size(); ++j) {
+    if (!points.set({l_[j], h_[j], target_[j], f_[j], F_[j]}, bounds.classes[j]))
+      return {true, 0};
+    is_bounded = is_bounded && (of_count <= 0 || points.has_most());
+    if (!is_bounded)
+      continue;
+    set_product(worth.share, prices.shares[j], unit_);
+    if (prices.weight > 0)
+      worth.share += prices.weight * per_mass_[j];
+    points.find_greatest(worth);
+    greatest += points.greatest();
+    is_reached = is_reached && points.is_reached();
   }
+  if (!is_bounded)
+    return {};
   const Rational missing = right_side(window, prices) - ratio(greatest, value_unit);
   if (prices.particles == 0)
     return {missing > 0 || (missing == 0 && !is_reached), 0};
