@@ -103,6 +103,10 @@ std::optional<TriaxialShear> shear_of(const ExportTexts &c) {
                        " is not from 0.001 to 0.5: give the part of its height by which the cell shrinks");
     shear.axial_strain = strain.convert_to<double>();
   }
+  if (c.constant && c.constant != "sigma_3" && c.constant != "p")
+    throw InputError(option("constant") + ": " + in_quotes(*c.constant) + " is neither sigma_3 nor p");
+  if (c.constant == "p")
+    shear.constant = ConstantStress::p;
   if (c.solve.void_ratio)
     shear.void_ratio = void_ratio_of(*c.solve.void_ratio);
   return shear;

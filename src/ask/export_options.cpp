@@ -81,11 +81,12 @@ bool is_cylinder_asked(const ExportTexts &c) {
 
 /// An option that a model alone takes, if one is given.
 const char *option_of_model(const ExportTexts &c) {
-  const std::array<std::pair<bool, const char *>, 10> options = {
+  const std::array<std::pair<bool, const char *>, 11> options = {
       {{c.steps.has_value(), "steps"},
        {c.pressure.has_value(), "stress"},
        {c.tolerance.has_value(), "target-tolerance"},
        {c.axial_strain.has_value(), "axial-strain"},
+       {c.constant.has_value(), "constant"},
        {c.friction.has_value(), "friction"},
        {c.friction_while_filling.has_value(), "friction-while-filling"},
        {c.rolling_friction.has_value(), "rolling-friction"},
@@ -124,8 +125,8 @@ void check_triaxial(const ExportTexts &c) {
                      "with six walls: use " +
                      option("to") + " lammps or yade");
   if (!c.pressure)
-    throw InputError(model + "say the pressure on the sides, sigma_3, by " + option("stress") +
-                     ", in Pa; a " + option("void-ratio") + " may be beside it");
+    throw InputError(model + "say the pressure before the shear by " + option("stress") + ", in Pa; a " +
+                     option("void-ratio") + " may be beside it");
   if (c.steps)
     throw InputError(option("steps") + ": nothing settles in a model that is triaxial: leave it out");
 }
@@ -170,9 +171,9 @@ void check_sides(const ExportTexts &c) {
 
 void check_export(const ExportTexts &c, const ExportFormat &format) {
   c.solve.check_source(c.file, c.reading.given(), "export");
-  if (c.axial_strain && !c.is_triaxial())
-    throw InputError(option("axial-strain") + ": what is settled is not sheared: give " + option("model") +
-                     " triaxial");
+  if ((c.axial_strain || c.constant) && !c.is_triaxial())
+    throw InputError(option(c.axial_strain ? "axial-strain" : "constant") +
+                     ": what is settled is not sheared: give " + option("model") + " triaxial");
   if (const char *const name = option_of_model(c); name != nullptr && !c.model)
     throw InputError(option(name) + " is for a model: give " + option("model") + " settle too");
   if (c.model)
@@ -308,10 +309,15 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
     {"stress", "S", OptionKind::number,
      "pressure in Pa (or as 100kPa, 5MPa) to which the model compacts the particles, by a lid or the faces "
      "of a "
-     "--periodic box; --void-ratio is another such target; of a triaxial model sigma_3, which its sides keep",
+     "--periodic box; --void-ratio is another such target; of a triaxial model the pressure before the "
+     "shear, which sigma_3 or p keeps: see --constant",
      &ExportTexts::pressure},
     {"axial-strain", "E", OptionKind::number, "of a triaxial model at its end, 1 - h/h0, up to 0.5 (0.2)",
      &ExportTexts::axial_strain},
+    {"constant", "STRESS", OptionKind::text,
+     "while a triaxial model is sheared: sigma_3, on its sides (default), or p, the mean (sigma_1 + 2 "
+     "sigma_3)/3",
+     &ExportTexts::constant},
     {"target-tolerance", "T", OptionKind::number, "of --void-ratio, or of --stress as a part of it (0.01)",
      &ExportTexts::tolerance},
     {"friction", "MU", OptionKind::number, "coefficient of friction of a model's particles (0.5)",

@@ -25,8 +25,8 @@ struct ExportTexts {
   SolveTexts solve;
   std::vector<std::string> solving; ///< the options that are given that only a gradation has a use for
   OptionText unit, size_unit, density, mass_error, box, seed, young, poisson, model, steps, start, sides,
-      pressure, tolerance, axial_strain, friction, friction_while_filling, rolling_friction, types, material,
-      gradation;
+      pressure, tolerance, axial_strain, constant, friction, friction_while_filling, rolling_friction, types,
+      material, gradation;
   ReadingTexts reading;
   std::string to, out = "-";
   bool spread = false;

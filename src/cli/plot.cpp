@@ -152,9 +152,9 @@ void check_diagram(const PlotCommand &c, const std::string &what) {
                      option("bare") + " are for it: leave out the others");
 }
 
-int run_triaxial(const PlotCommand &c, const std::vector<TriaxialState> &states) {
+int run_triaxial(const PlotCommand &c, const TriaxialLog &log) {
   check_diagram(c, "the log of a triaxial model");
-  return run_figure(c, triaxial_figure(stem(shown_name(c.file)), states, c.asked.form()));
+  return run_figure(c, triaxial_figure(stem(shown_name(c.file)), log, c.asked.form()));
 }
 
 int run_tradeoff(const PlotCommand &c, const StatedTradeoff &tradeoff) {

@@ -290,6 +290,7 @@ std::string yade_model(const SettleModel &model) {
        {"reached",
         is_compacted ? "*density()" : "void_ratio(top()), found['pv'] / ((void_ratio(top()) + 1) * solids)"},
        {"sheared", s.is_sheared() ? triaxial_yade_words : ""},
+       {"constant", s.is_sheared() ? constant_stress(s) : ""},
        {"shear", s.is_sheared() ? triaxial_yade_values : ""},
        {"result", s.result},
        {"inside", has_lid ? inside_walls : "inside = settled\n"},

@@ -31,10 +31,14 @@ struct DensityTarget {
   double tolerance = 0.01;
 };
 
-/// Shear of a periodic cell after its isotropic compression: the height shrinks, the pressure on the sides is
-/// held.
+/// The stress that is constant while a cell is sheared: that on its sides, or the mean of all faces.
+enum class ConstantStress { sigma_3, p };
+
+/// Shear of a periodic cell after its isotropic compression: the height shrinks, and the sides move so that a
+/// stress is constant.
 struct TriaxialShear {
   double axial_strain = 0.2; ///< at the end, of the height
+  ConstantStress constant = ConstantStress::sigma_3;
   /// At the pressure, before the shear, within the tolerance of the target: by friction while compacted.
   std::optional<double> void_ratio = {};
 };

@@ -300,6 +300,7 @@ std::string phase_loops(const SettleScript &s, const PhaseCommands &c) {
   return filled(text, {{"loose", loose},
                        {"judged", s.is_sheared() ? "shearing" : "end"},
                        {"sheared", s.is_sheared() ? triaxial_lammps_words : ""},
+                       {"constant", s.is_sheared() ? constant_stress(s) : ""},
                        {"contact", c.contact},
                        {"move", target ? c.move : ""},
                        {"lower", c.lower_lid},

@@ -12,7 +12,7 @@ variable height equal 1         # before the shear, m
 variable volume_before equal 1  # m^3
 variable row equal 0            # of the log, the next one
 variable lines equal 0          # of the log so far
-variable off equal 0            # sigma_3 in them, at most
+variable off equal 0            # @constant@ in them, at most
 variable off_rows equal 0       # of them, those that are off by more than they may
 variable inertia equal 0        # the inertial number, at most
 variable loose_rows equal 0     # those that are not jammed
@@ -27,10 +27,11 @@ variable sigma_y equal c_stress[2]
 variable sigma_z equal c_stress[3]
 variable sigma_3 equal (v_sigma_x+v_sigma_y)/2
 variable q equal v_sigma_z-v_sigma_3
+variable constant equal @constant_now@
 variable axial equal floor(1e12*(1-lz/v_height)+0.5)/1e12
 variable volumetric equal 1-v_volume/v_volume_before
 variable axial_rate equal v_inertial_number/(@d50@*sqrt(@density@/v_target))
-variable off_now equal abs(v_sigma_3/v_target-1)
+variable off_now equal abs(v_constant/v_target-1)
 variable inertia_now equal v_axial_rate*@d50@*sqrt(@density@/(abs(v_pressure)+1e-200))
 variable gain equal (v_target/@young@)^(2/3)/(@look@*dt)
 variable is_held equal "(v_off_rows <= v_most_rows_off*v_lines)*(v_off_now <= v_held_within)"
@@ -54,7 +55,7 @@ variable less equal "0.99-0.04*(v_beyond > 4)"
 )script";
 
 /// Proportional and integral; no face is faster than while compacting.
-const char *const lammps_servo = R"script(variable off_face equal ${sigma_@a@}/${target}-1
+const char *const lammps_servo = R"script(variable off_face equal (v_sigma_@a@-@goal@)/v_target
 variable hold_@a@ equal ${hold_@a@}-0.1*${gain}*${off_face}
 variable wish equal ${hold_@a@}-${gain}*${off_face}
 variable rate_@a@ equal "(abs(v_wish) <= v_most_rate)*v_wish+(v_wish > v_most_rate)*v_most_rate-(v_wish < -v_most_rate)*v_most_rate"
@@ -62,7 +63,7 @@ variable rate_@a@ equal ${rate_@a@}
 )script";
 
 const char *const lammps_faces = R"script(
-# Each face is brought to sigma_3 by itself.
+# Each face is brought to the target by itself.
 variable rate equal 0
 variable look equal @look@
 variable last equal ${now}+${most_compacting}
@@ -104,7 +105,7 @@ variable looks equal 0
 if "${row_due} < 1" then "jump SELF steer"
 # A row, and with the next look the restart: what goes on from there writes no row again.
 variable looks equal 19
-print "$(v_axial:%.9g),$(v_volumetric:%.9g),$(v_pressure:%.9g),$(v_q:%.9g),$(v_void_ratio:%.9g),$(v_z:%.9g),$(v_unbalanced:%.9g)" append @log@ screen no
+print "$(v_axial:%.9g),$(v_volumetric:%.9g),$(v_pressure:%.9g),$(v_q:%.9g),$(v_void_ratio:%.9g),$(v_z:%.9g),$(v_unbalanced:%.9g),@constant@" append @log@ screen no
 variable off equal (${off}>=${off_now})*${off}+(${off}<${off_now})*${off_now}
 variable inertia equal (${inertia}>=${inertia_now})*${inertia}+(${inertia}<${inertia_now})*${inertia_now}
 variable loose_rows equal ${loose_rows}+(1-${jammed})
@@ -116,15 +117,16 @@ label steer
 @servos@jump SELF look
 
 label sheared
-if "${is_held} < 1" then "print 'STOP: sigma_3 was not held: in ${off_rows} of ${lines} rows of @log@ it is off by more than ${held_within} of ${target} Pa, by ${off} at most, and by ${off_now} at the end: more grains or a lower inertial_number make it steadier'" @quit@
+if "${is_held} < 1" then "print 'STOP: @constant@ was not constant: in ${off_rows} of ${lines} rows of @log@ it is off by more than ${held_within} of ${target} Pa, by ${off} at most, and by ${off_now} at the end: more grains or a lower inertial_number make it steadier'" @quit@
 if "${inertia} > @most@" then "print 'STOP: the inertial number was ${inertia}, above @most@: lower inertial_number'" @quit@
 if "${is_carried} < 1 && ${unjammed} < 1" then "print 'STOP: not jammed in ${loose_rows} of ${lines} rows of @log@: a grain that is carried has fewer contacts than ${isostatic}, ${carrying} at the end; take it as it is with -var unjammed 1'" @quit@
 )script";
 
-std::string servos(const char *axes) {
+/// \param goal  the stress that each face is to have
+std::string servos(const char *axes, const char *goal) {
   std::string text;
   for (const char *axis = axes; *axis != 0; ++axis)
-    text += filled(lammps_servo, {{"a", std::string(1, *axis)}});
+    text += filled(lammps_servo, {{"a", std::string(1, *axis)}, {"goal", goal}});
   return text;
 }
 
@@ -150,11 +152,12 @@ const char *const triaxial_lammps_move =
 
 const char *const triaxial_lammps_columns = " c_stress[1] c_stress[2] c_stress[3]";
 
-const char *const triaxial_lammps_words = "; sheared to axial strain ${axial}, volumetric strain "
-                                          "${volumetric}, q ${q} Pa; of ${lines} rows ${off_rows} "
-                                          "have sigma_3 more than ${held_within} off ${target} Pa, ${off} at "
-                                          "most, and ${loose_rows} are not jammed; "
-                                          "inertial number at most ${inertia}";
+const char *const triaxial_lammps_words =
+    "; sheared to axial strain ${axial}, volumetric strain "
+    "${volumetric}, q ${q} Pa; of ${lines} rows ${off_rows} "
+    "have @constant@ more than ${held_within} off ${target} Pa, ${off} at "
+    "most, and ${loose_rows} are not jammed; "
+    "inertial number at most ${inertia}";
 
 std::string triaxial_lammps_settings(const SettleScript &s) {
   const TriaxialShear &asked = *s.model.shear;
@@ -164,16 +167,18 @@ std::string triaxial_lammps_settings(const SettleScript &s) {
                            "at that pressure, before the shear, within the tolerance");
   return text + script_setting("axial_strain", digits6(asked.axial_strain), "at the end of the shear") +
          script_setting("inertial_number", digits6(TriaxialLimits::inertial_number),
-                        "of the shear at p = sigma_3, which is the target") +
+                        "of the shear where p is the target") +
          script_setting("held_within", digits6(TriaxialLimits::held_within),
-                        "sigma_3 in the rows of the log, a part of it") +
+                        constant_stress(s) + " in the rows of the log, a part of it") +
          script_setting("most_rows_off", digits6(TriaxialLimits::rows_off),
                         "part of the rows that may be off by more, or not jammed; the last is neither");
 }
 
 std::string triaxial_lammps_variables(const SettleScript &s) {
   const ShearCourse course(s.model);
-  return filled(lammps_variables, {{"d50", digits17(course.median)},
+  return filled(lammps_variables, {{"constant", constant_stress(s)},
+                                   {"constant_now", is_p_constant(s) ? "v_pressure" : "v_sigma_3"},
+                                   {"d50", digits17(course.median)},
                                    {"density", digits17(course.density)},
                                    {"young", digits6(s.physics.elasticity.young.convert_to<double>())},
                                    {"look", std::to_string(TriaxialLimits::look)},
@@ -201,15 +206,18 @@ std::string triaxial_lammps_save(const SettleScript &s) {
 
 std::string triaxial_lammps_faces(const SettleScript &s) {
   return (s.model.shear->void_ratio ? lammps_still_loose : "") +
-         filled(lammps_faces, {{"look", std::to_string(TriaxialLimits::look)}, {"servos", servos("xyz")}}) +
+         filled(lammps_faces,
+                {{"look", std::to_string(TriaxialLimits::look)}, {"servos", servos("xyz", "v_target")}}) +
          (s.model.shear->void_ratio ? lammps_other_void_ratio : "");
 }
 
 std::string triaxial_lammps_shear(const SettleScript &s) {
-  return filled(lammps_shear, {{"columns", triaxial_columns},
-                               {"log", s.name + "-triaxial.csv"},
-                               {"servos", servos("xy")},
-                               {"most", digits6(TriaxialLimits::most_inertial_number)}});
+  return filled(lammps_shear,
+                {{"columns", triaxial_columns},
+                 {"log", s.name + "-triaxial.csv"},
+                 {"constant", constant_stress(s)},
+                 {"servos", servos("xy", is_p_constant(s) ? "(3*v_target-v_sigma_z)/2" : "v_target")},
+                 {"most", digits6(TriaxialLimits::most_inertial_number)}});
 }
 
 } // namespace mdm

@@ -64,9 +64,17 @@ ShearCourse::ShearCourse(const SettleModel &model) {
   steps = static_cast<std::uint64_t>(std::min<double>(needed, Settling::most_steps));
 }
 
+bool is_p_constant(const SettleScript &s) {
+  return s.model.shear->constant == ConstantStress::p;
+}
+
+std::string constant_stress(const SettleScript &s) {
+  return is_p_constant(s) ? "p" : "sigma_3";
+}
+
 std::string triaxial_purpose(const SettleScript &s) {
-  return fmt::format(", and sheared as in a drained triaxial test to axial strain {:.6g}",
-                     s.model.shear->axial_strain);
+  return fmt::format(", and sheared as in a drained triaxial test at constant {} to axial strain {:.6g}",
+                     constant_stress(s), s.model.shear->axial_strain);
 }
 
 std::string triaxial_lines(const SettleScript &s) {
@@ -80,16 +88,18 @@ std::string triaxial_lines(const SettleScript &s) {
           : "";
   return density +
          filled(
-             R"(# Triaxial: each face is brought to sigma_3 = @stress@ Pa; then the height shrinks by @rate@ of itself a second in some
-# @steps@ steps, and a servo moves the sides to keep sigma_3. It is a result if @held@ % of the log's rows, and the last,
-# have sigma_3 within @within@ % and are jammed.
-# The inertial number rate d50 sqrt(density / p) is @inertia@ at p = sigma_3, d50 = @d50@ m by mass; above @most@ it is no result.
+             R"(# Triaxial: each face is brought to @stress@ Pa; then the height shrinks by @rate@ of itself a second in some
+# @steps@ steps, and a servo moves the sides so that @constant@ is constant@goal@. It is a result
+# if @held@ % of the log's rows, and the last, have @constant@ within @within@ % of @stress@ Pa and are jammed.
+# The inertial number rate d50 sqrt(density / p) is @inertia@ at p = @stress@ Pa, d50 = @d50@ m by mass; above @most@ it is no result.
 # The log is @base@-triaxial.csv, some @rows@ rows; mdm plot draws it. Compression is positive: axial strain 1 - h/h0 and volumetric
 # strain 1 - V/V0 since the shear began, p = (sigma_1 + 2 sigma_3)/3 and q = sigma_1 - sigma_3 in Pa, sigma_3 the mean of both
 # sides. The grains at the end are those of its last row, still in slow motion.
 # The cell is periodic: it has neither walls nor a membrane. A specimen in a membrane is left to users.
 )",
              {{"stress", fmt::format("{:.6g}", s.model.target->pressure)},
+              {"constant", constant_stress(s)},
+              {"goal", is_p_constant(s) ? ": each is to have (3 p - sigma_1)/2" : ""},
               {"rate", fmt::format("{:.4g}", course.axial_rate)},
               {"steps", std::to_string(course.steps)},
               {"held", fmt::format("{:.3g}", 100 * (1 - TriaxialLimits::rows_off))},

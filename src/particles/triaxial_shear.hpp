@@ -1,16 +1,17 @@
 #pragma once
 // A drained triaxial test in a periodic cell, as part of a settle model: after the isotropic compression each
-// face is brought to sigma_3 by itself; then the height shrinks at a constant rate, while a servo moves the
-// sides so that they keep sigma_3.
+// face is brought to the pressure by itself; then the height shrinks at a constant rate, while a servo moves
+// the sides so that sigma_3 is constant, or p: then the sides are to have (3 p - sigma_1) / 2.
 
 #include "particles/settle_script.hpp"
 
 namespace mdm {
 
 struct TriaxialLimits {
-  /// Of the shear at p = sigma_3, with d50; as p grows it falls. Above the most there is flow, and no result.
+  /// Of the shear at the pressure, with d50; as p grows it falls. Above the most there is flow, and no
+  /// result.
   static constexpr double inertial_number = 8e-4, most_inertial_number = 1e-3;
-  static constexpr double held_within = 0.02; ///< sigma_3 in a row of the log, a part of it
+  static constexpr double held_within = 0.02; ///< what is constant in a row of the log, a part of it
   /// Part of the rows in which it may be off by more, or grains not jammed: few grains slip now and then.
   static constexpr double rows_off = 0.05;
   static constexpr int rows = 200; ///< of the log, and one more
@@ -26,6 +27,10 @@ struct ShearCourse {
   double axial_rate = 0;   ///< 1/s, of the height that there is
   std::uint64_t steps = 0; ///< of time
 };
+
+/// What is constant, `sigma_3` or `p`.
+std::string constant_stress(const SettleScript &s);
+bool is_p_constant(const SettleScript &s);
 
 /// What is said of it in the model's first lines, and at the end of its purpose.
 std::string triaxial_lines(const SettleScript &s);

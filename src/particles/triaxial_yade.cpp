@@ -6,8 +6,8 @@ namespace {
 
 const char *const yade_shear_settings =
     R"script(axial_strain = @strain@  # at the end of the shear
-inertial_number = @inertia@  # of the shear at p = sigma_3, which is the target
-held_within = @within@  # sigma_3 in the rows of the log, a part of it
+inertial_number = @inertia@  # of the shear where p is the target
+held_within = @within@  # @constant@ in the rows of the log, a part of it
 most_rows_off = @rows_off@  # part of the rows that may be off by more, or not jammed; the last is neither
 )script";
 
@@ -20,7 +20,7 @@ const char *const yade_other_void_ratio =
 /// The gain makes up for what is off in a look: the stiffness of grains under a pressure p is some
 /// E^(2/3) p^(1/3).
 const char *const yade_shear = R"script(
-# Each face is brought to sigma_3 by itself; then the height, along z, shrinks, and the sides keep sigma_3.
+# Each face is brought to the target by itself; then the height, along z, shrinks, and the sides keep @constant@ there.
 gain = (target / @young@)**(2 / 3) / (@look@ * O.dt)
 axial_rate = inertial_number / (@d50@ * (@density@ / target)**0.5)
 
@@ -31,11 +31,11 @@ def stresses():
     return [-tensor[i, i] for i in range(3)]
 
 
-def steer(faces, rate_z):
-    """Moves the faces that are to have sigma_3 for a look, none faster than while compacting."""
+def steer(faces, goal, rate_z):
+    """Moves the faces that are to have the stress goal for a look, none faster than while compacting."""
     rates, found = [0, 0, rate_z], stresses()
     for i in faces:
-        off = found[i] / target - 1
+        off = (found[i] - goal) / target
         state['rates'][i] -= 0.1 * gain * off
         rates[i] = max(-most_rate, min(most_rate, state['rates'][i] - gain * off))
     O.cell.velGrad = Matrix3(-rates[0], 0, 0, 0, -rates[1], 0, 0, 0, -rates[2])
@@ -58,13 +58,23 @@ def q():
     return stresses()[2] - sigma_3()
 
 
+def constant():
+    """What is to be the target."""
+    return @constant_now@
+
+
+def goal():
+    """Of the sides."""
+    return @goal@
+
+
 def write_row():
     found = measured()
     with open('@log@', 'a') as file:
         file.write(','.join('%.9g' % value for value in (
-            axial(), volumetric(), density()[1], q(), density()[0], found['z'], found['unbalanced'])) + '\n')
+            axial(), volumetric(), density()[1], q(), density()[0], found['z'], found['unbalanced'])) + ',@constant@\n')
     inertia = axial_rate * @d50@ * (@density@ / (abs(density()[1]) + 1e-200))**0.5
-    off = abs(sigma_3() / target - 1)
+    off = abs(constant() / target - 1)
     state['off'] = max(state['off'], off)
     state['off_rows'] += off > held_within
     state['inertia'] = max(state['inertia'], inertia)
@@ -89,7 +99,7 @@ else:
         if O.iter >= last:
             stop('the faces do not have %g Pa each after %d steps: %g, %g and %g Pa; %s' % (
                 target, O.iter, *stresses(), words(measured())))
-        steer((0, 1, 2), 0)
+        steer((0, 1, 2), target, 0)
 @other@    judge()
     state.update(
         phase='shear', height=O.cell.size[2], volume=O.cell.volume, row=0, lines=0, off=0, off_rows=0,
@@ -101,15 +111,15 @@ while True:
         write_row()
     if axial() + 1e-9 >= axial_strain:
         break
-    steer((0, 1), axial_rate)
+    steer((0, 1), goal(), axial_rate)
 def is_rare(rows):
     return rows <= most_rows_off * state['lines']
 
 
-if not is_rare(state['off_rows']) or abs(sigma_3() / target - 1) > held_within:
-    stop('sigma_3 was not held: in %d of %d rows of @log@ it is off by more than %g of %g Pa, by %g at most, and by %g at the '
+if not is_rare(state['off_rows']) or abs(constant() / target - 1) > held_within:
+    stop('@constant@ was not constant: in %d of %d rows of @log@ it is off by more than %g of %g Pa, by %g at most, and by %g at the '
          'end: more grains or a lower inertial_number make it steadier' % (
-             state['off_rows'], state['lines'], held_within, target, state['off'], abs(sigma_3() / target - 1)))
+             state['off_rows'], state['lines'], held_within, target, state['off'], abs(constant() / target - 1)))
 if state['inertia'] > @most@:
     stop('the inertial number was %g, above @most@: lower inertial_number' % state['inertia'])
 if not unjammed and not (is_rare(state['loose_rows']) and is_jammed()):
@@ -144,7 +154,7 @@ const char *const triaxial_yade_phases =
     "['compact', 'hold'][('compact', 'hold', 'even', 'shear').index(state['phase']):]";
 
 const char *const triaxial_yade_words = "; sheared to axial strain %g, volumetric strain %g, q %g Pa; of %d "
-                                        "rows %d have sigma_3 more than %g off %g Pa, "
+                                        "rows %d have @constant@ more than %g off %g Pa, "
                                         "%g at most, and %d are not jammed; inertial number at most %g";
 const char *const triaxial_yade_values =
     ", axial(), volumetric(), q(), state['lines'], state['off_rows'], held_within, target, state['off'],\n"
@@ -158,6 +168,7 @@ std::string triaxial_yade_settings(const SettleScript &s) {
                   {{"e", digits6(*asked.void_ratio)}});
   return text + filled(yade_shear_settings, {{"strain", digits6(asked.axial_strain)},
                                              {"inertia", digits6(TriaxialLimits::inertial_number)},
+                                             {"constant", constant_stress(s)},
                                              {"within", digits6(TriaxialLimits::held_within)},
                                              {"rows_off", digits6(TriaxialLimits::rows_off)}});
 }
@@ -166,6 +177,9 @@ std::string triaxial_yade_shear(const SettleScript &s) {
   const ShearCourse course(s.model);
   return filled(yade_shear, {{"other", s.model.shear->void_ratio ? yade_other_void_ratio : ""},
                              {"columns", triaxial_columns},
+                             {"constant", constant_stress(s)},
+                             {"constant_now", is_p_constant(s) ? "density()[1]" : "sigma_3()"},
+                             {"goal", is_p_constant(s) ? "(3 * target - stresses()[2]) / 2" : "target"},
                              {"log", s.name + "-triaxial.csv"},
                              {"d50", digits17(course.median)},
                              {"density", digits17(course.density)},

@@ -43,6 +43,7 @@ constexpr FigureTexts english_texts = {
     .deviator_unit = "q (kPa)",
     .volume = "change of volume, compression positive",
     .volumetric_strain = "volumetric strain (percent)",
+    .constant_stress = "constant: ",
     .triaxial_shown =
         "Of a triaxial test the deviator stress and the volumetric strain over the axial strain.",
     .no_texture = "no texture",
@@ -85,6 +86,7 @@ constexpr FigureTexts german_texts = {
     .deviator_unit = "q (kPa)",
     .volume = "Volumenänderung, Verdichtung positiv",
     .volumetric_strain = "Volumendehnung (Prozent)",
+    .constant_stress = "konstant: ",
     .triaxial_shown =
         "Von einem Triaxialversuch die Deviatorspannung und die Volumendehnung über der axialen Dehnung.",
     .no_texture = "keine Bodenart",

@@ -28,7 +28,8 @@ struct FigureTexts {
   std::string_view count, proved, at_limit, by_tolerance, by_sieve, exact_by_sieve, of_retained, of_passing,
       of_total, smallest_sieve, pan, lost, lost_at_right, tradeoff_shown;
   // of triaxial tests
-  std::string_view axial_strain, deviator, deviator_unit, volume, volumetric_strain, triaxial_shown;
+  std::string_view axial_strain, deviator, deviator_unit, volume, volumetric_strain, constant_stress,
+      triaxial_shown;
   // of textures
   std::string_view no_texture, texture_shown;
 };

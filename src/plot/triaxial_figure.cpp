@@ -38,15 +38,16 @@ Rational volumetric_percent(const TriaxialState &s) {
 
 } // namespace
 
-Figure triaxial_figure(const std::string &title, const std::vector<TriaxialState> &states,
-                       const FigureForm &form) {
+Figure triaxial_figure(const std::string &title, const TriaxialLog &log, const FigureForm &form) {
   const FigureTexts &texts = figure_texts(form.language);
   Figure figure;
   figure.title = title;
   figure.description = texts.triaxial_shown;
   figure.bare = form.bare;
-  figure.panels = {triaxial_panel(texts.deviator, texts.deviator_unit, states, deviator_in_kpa, texts),
-                   triaxial_panel(texts.volume, texts.volumetric_strain, states, volumetric_percent, texts)};
+  figure.panels = {
+      triaxial_panel(texts.deviator, texts.deviator_unit, log.states, deviator_in_kpa, texts),
+      triaxial_panel(texts.volume, texts.volumetric_strain, log.states, volumetric_percent, texts)};
+  figure.notes = {std::string(texts.constant_stress) + log.constant};
   set_two_panels(figure, 320, form);
   return figure;
 }

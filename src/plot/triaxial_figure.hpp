@@ -8,9 +8,8 @@
 
 namespace mdm {
 
-/// The deviator stress q and the volumetric strain over the axial strain, in two panels.
-/// \pre two states or more
-Figure triaxial_figure(const std::string &title, const std::vector<TriaxialState> &states,
-                       const FigureForm &form);
+/// The deviator stress q and the volumetric strain over the axial strain, in two panels, and below them the
+/// constant stress.
+Figure triaxial_figure(const std::string &title, const TriaxialLog &log, const FigureForm &form);
 
 } // namespace mdm

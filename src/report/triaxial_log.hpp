@@ -17,11 +17,16 @@ struct TriaxialState {
   Rational void_ratio, coordination, unbalanced_force;
 };
 
+/// A test: the states of its shear, two or more, of growing axial strain.
+struct TriaxialLog {
+  std::string constant; ///< the stress that was to be constant: sigma_3 or p
+  std::vector<TriaxialState> states;
+};
+
 /// True for a text whose first line is that of such a log.
 bool is_triaxial_log(std::string_view content);
 
-/// Two states or more, of growing axial strain. `file` precedes messages.
-/// \throws InputError `file:line: what is wrong`
-std::vector<TriaxialState> read_triaxial_log(std::string_view content, const std::string &file);
+/// `file` precedes messages. \throws InputError `file:line: what is wrong`
+TriaxialLog read_triaxial_log(std::string_view content, const std::string &file);
 
 } // namespace mdm

@@ -208,10 +208,11 @@ TEST_CASE("a triaxial model says what it does, and to what its numbers are bound
     CHECK(outcome.err.find(" steps of shear;") != std::string::npos);
     const std::string text = read_file(file);
     for (const char *const part :
-         {"at 100000 Pa, and sheared as in a drained triaxial test to axial strain 0.2. ",
-          "# Void ratio 0.5 at that pressure:", "# Triaxial: each face is brought to sigma_3 = 100000 Pa;",
-          "The log is a-triaxial.csv", "Compression is positive", "has neither walls nor a membrane",
-          "a-sheared.", "axial_strain,volumetric_strain,p,q,void_ratio,coordination,unbalanced_force"})
+         {"at 100000 Pa, and sheared as in a drained triaxial test at constant sigma_3 to axial strain 0.2. ",
+          "# Void ratio 0.5 at that pressure:", "# Triaxial: each face is brought to 100000 Pa;",
+          "have sigma_3 within 2 % of 100000 Pa", "The log is a-triaxial.csv", "Compression is positive",
+          "has neither walls nor a membrane", "a-sheared.",
+          "axial_strain,volumetric_strain,p,q,void_ratio,coordination,unbalanced_force,constant"})
       CHECK(text.find(part) != std::string::npos);
   }
   REQUIRE(
@@ -219,6 +220,22 @@ TEST_CASE("a triaxial model says what it does, and to what its numbers are bound
       0);
   CHECK(read_file(folder / "b.in").find("\nvariable axial_strain index 0.05 ") != std::string::npos);
   CHECK(read_file(folder / "b.in").find("asked_void_ratio") == std::string::npos);
+}
+
+TEST_CASE("a triaxial model says that p is constant where it is", "[cli]") {
+  const TemporaryFolder folder;
+  for (const std::string to : {"lammps", "yade"}) {
+    const std::string file = folder / (to == "yade" ? "a.py" : "a.in");
+    REQUIRE(export_triaxial(to, file, {"--stress", "100kPa", "--constant", "p"}).exit_code == 0);
+    const std::string text = read_file(file);
+    for (const char *const part :
+         {"triaxial test at constant p to axial strain 0.2. ",
+          "so that p is constant: each is to have (3 p - sigma_1)/2.", "have p within 2 % of 100000 Pa",
+          "rows have p more than", "STOP: p was not constant"})
+      CHECK(text.find(part) != std::string::npos);
+    for (const char *const part : {"sigma_3 was not", "have sigma_3"})
+      CHECK(text.find(part) == std::string::npos);
+  }
 }
 
 TEST_CASE("a settled cell is where a triaxial model may begin", "[cli]") {
@@ -242,8 +259,8 @@ TEST_CASE("what a triaxial model cannot be is refused", "[cli]") {
                                  const std::string &to = "lammps") {
     check_refused(export_triaxial(to, folder / "a.in", more), remedy);
   };
-  refused({}, "sigma_3, by --stress");
-  refused({"--void-ratio", "0.5"}, "sigma_3, by --stress");
+  refused({}, "the pressure before the shear by --stress");
+  refused({"--void-ratio", "0.5"}, "the pressure before the shear by --stress");
   refused({"--stress", "0"}, "--stress");
   refused({"--stress", "1e5"}, "no model with six walls: use --to lammps or yade", "liggghts");
   refused({"--stress", "1e5"}, "--to liggghts, lammps or yade", "csv");
@@ -253,9 +270,12 @@ TEST_CASE("what a triaxial model cannot be is refused", "[cli]") {
   refused({"--stress", "1e5", "--steps", "100"}, "leave it out");
   refused({"--stress", "1e5", "--axial-strain", "20"}, "'20' is not from 0.001 to 0.5");
   refused({"--stress", "1e5", "--axial-strain", "0"}, "--axial-strain");
+  refused({"--stress", "1e5", "--constant", "q"}, "'q' is neither sigma_3 nor p");
   refused({"--stress", "1e5", "--void-ratio", "0"}, "--void-ratio");
   check_refused(export_model("lammps", folder / "a.in", {"--stress", "1e5", "--axial-strain", "0.1"}),
                 "give --model triaxial");
+  check_refused(export_model("lammps", folder / "a.in", {"--stress", "1e5", "--constant", "p"}),
+                "--constant: what is settled is not sheared: give --model triaxial");
   check_refused(mdm({"export", sand, "--to", "lammps", "--axial-strain", "0.1", "-o", folder / "a"}),
                 "give --model triaxial");
   CHECK(folder.entries() == 0);

@@ -234,18 +234,20 @@ TEST_CASE("a trade-off in JSON is drawn as mdm tradeoff draws it", "[cli]") {
 
 TEST_CASE("the log of a triaxial model is told by its first line and drawn", "[cli]") {
   const TemporaryFolder folder;
-  const std::string log = folder.write(
-      "sand-triaxial.csv", "axial_strain,volumetric_strain,p,q,void_ratio,coordination,unbalanced_force\n"
-                           "0,0,100000,0,0.5,4.5,0.003\n0.1,0.01,140000,120000,0.485,4.4,0.01\n");
+  const std::string log =
+      folder.write("sand-triaxial.csv",
+                   "axial_strain,volumetric_strain,p,q,void_ratio,coordination,unbalanced_force,constant\n"
+                   "0,0,100000,0,0.5,4.5,0.003,sigma_3\n0.1,0.01,140000,120000,0.485,4.4,0.01,sigma_3\n");
   const std::string picture = drawn(folder, "a.svg", {log, "--caption", "Loose sand."});
-  for (const char *part : {"sand-triaxial", "q (kPa)", "volumetric strain (percent)", "Loose sand."})
+  for (const char *part :
+       {"sand-triaxial", "q (kPa)", "volumetric strain (percent)", "constant: sigma_3", "Loose sand."})
     CHECK(contains(picture, part));
   CHECK(mdm({"plot", log, "-o", folder / "a.pdf"}).exit_code == 0);
   check_refused(mdm({"plot", log, "--match", "-o", folder / "b.svg"}), "is the log of a triaxial model");
   check_refused(mdm({"plot", log, "--kind", "passing", "-o", folder / "b.svg"}),
                 "is the log of a triaxial model");
   const std::string cut = folder.write("cut.csv", read_file(log) + "0.2,0.0");
-  check_refused(mdm({"plot", cut, "-o", folder / "b.svg"}), "cut.csv:4: 2 fields, not 7");
+  check_refused(mdm({"plot", cut, "-o", folder / "b.svg"}), "cut.csv:4: 2 fields, not 8");
 }
 
 TEST_CASE("a picture has the form that is asked for", "[cli]") {

@@ -8,10 +8,10 @@ using namespace mdm;
 
 namespace {
 
-const std::vector<TriaxialState> three_states = {
-    {0, 0, 100000, -500, ratio(1, 2), 4, 0},
-    {ratio(1, 10), ratio(1, 100), 140000, 120000, ratio(1, 2), 4, 0},
-    {ratio(1, 5), ratio(-3, 100), 135000, 105000, ratio(1, 2), 4, 0}};
+const TriaxialLog three_states = {"p",
+                                  {{0, 0, 100000, -500, ratio(1, 2), 4, 0},
+                                   {ratio(1, 10), ratio(1, 100), 140000, 120000, ratio(1, 2), 4, 0},
+                                   {ratio(1, 5), ratio(-3, 100), 135000, 105000, ratio(1, 2), 4, 0}}};
 
 } // namespace
 
@@ -19,6 +19,7 @@ TEST_CASE("a triaxial test has q in kPa and the volumetric strain over the axial
   const Figure figure = triaxial_figure("sand", three_states, {});
   REQUIRE(figure.panels.size() == 2);
   CHECK(figure.title == "sand");
+  CHECK(figure.notes == std::vector<std::string>{"constant: p"});
   const Panel &q = figure.panels[0], &volume = figure.panels[1];
   CHECK(q.x.title == "axial strain (percent)");
   CHECK(q.y.title == "q (kPa)");
@@ -44,6 +45,7 @@ TEST_CASE(
   const Figure figure = triaxial_figure("sand", three_states, form);
   CHECK(figure.columns == 1);
   CHECK(triaxial_figure("sand", three_states, {}).columns == 2);
+  CHECK(figure.notes == std::vector<std::string>{"konstant: p"});
   CHECK(figure.panels[0].title == "Deviatorspannung");
   CHECK(figure.panels[1].x.title == "axiale Dehnung (Prozent)");
 }
