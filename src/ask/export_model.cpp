@@ -24,7 +24,7 @@ struct ModelEngine {
   void (*write_particles)(const Placement &, const Sink &);
   void (*write_classes)(const Placement &, const Sink &); ///< with a type a class
   const char *particles_ending;
-  bool reads_lid;
+  bool reads_planes; ///< as meshes
   bool resists_rolling;
 };
 
@@ -127,7 +127,7 @@ std::uint64_t steps_of(const std::string &text) {
 ModelWriter::ModelWriter(const std::string &model, const std::string &to, std::string out)
     : engine_(std::find_if(engines.begin(), engines.end(),
                            [&to](const ModelEngine &engine) { return to == engine.name; })),
-      out_(std::move(out)) {
+      plane_(model == "triaxial" ? "wall" : "lid"), out_(std::move(out)) {
   if (model != "settle" && model != "triaxial")
     throw InputError(option("model") + ": " + in_quotes(model) + " is none: there are settle and triaxial");
   if (engine_ == engines.end())
@@ -148,8 +148,8 @@ std::vector<std::string> ModelWriter::other_files() const {
   const std::filesystem::path out(out_);
   std::vector<std::string> files{
       std::filesystem::path(out).replace_extension(engine_->particles_ending).string()};
-  if (engine_->reads_lid)
-    files.push_back((out.parent_path() / (out.stem().string() + "-lid.stl")).string());
+  if (engine_->reads_planes)
+    files.push_back((out.parent_path() / fmt::format("{}-{}.stl", out.stem().string(), plane_)).string());
   return files;
 }
 
@@ -176,7 +176,7 @@ SettleModel ModelWriter::model(const ExportTexts &c, const ExportedParticles &fo
   model.friction_while_filling = friction_of("friction-while-filling", c.friction_while_filling);
   model.rolling_friction = friction_of("rolling-friction", c.rolling_friction).value_or(0);
   model.unjammed = c.unjammed;
-  model.types_of_classes = c.types == "class" || c.material;
+  model.types_of_classes = c.types == "class" || c.material || c.has_six_walls();
   if (c.material)
     model.materials = read_materials(
         read(*c.material), shown_name(*c.material), *found.set,
@@ -193,8 +193,10 @@ void ModelWriter::write(const SettleModel &model, const Placement &start, const 
   all.push_back({files.front(), [&](const Sink &sink) {
                    (model.types_of_classes ? engine_->write_classes : engine_->write_particles)(start, sink);
                  }});
-  if (engine_->reads_lid)
-    all.push_back({files.back(), [&](const Sink &sink) { sink(lid_stl(model.box)); }});
+  if (engine_->reads_planes)
+    all.push_back({files.back(), [&](const Sink &sink) {
+                     sink(model.has_lid() ? lid_stl(model.box) : wall_stl(model.box));
+                   }});
   write(all);
 }
 

@@ -43,6 +43,7 @@ public:
 
 private:
   const ModelEngine *engine_;
+  const char *plane_; ///< what the engine reads as a mesh, where it does: the lid, or each wall
   std::string out_;
 };
 

@@ -119,11 +119,6 @@ void check_model(const ExportTexts &c) {
 
 void check_triaxial(const ExportTexts &c) {
   const std::string model = option("model") + " triaxial: ";
-  if (c.to == "liggghts")
-    throw InputError(model +
-                     "its cell is repeated on all sides, which LIGGGHTS cannot move, and there is no model "
-                     "with six walls: use " +
-                     option("to") + " lammps or yade");
   if (!c.pressure)
     throw InputError(model + "say the pressure before the shear by " + option("stress") + ", in Pa; a " +
                      option("void-ratio") + " may be beside it");
@@ -131,16 +126,20 @@ void check_triaxial(const ExportTexts &c) {
     throw InputError(option("steps") + ": nothing settles in a model that is triaxial: leave it out");
 }
 
-/// \pre the model's box is repeated on all sides
-void check_cell(const ExportTexts &c) {
-  const std::string cell = c.periodic ? option("periodic") : option("model") + " triaxial, which is periodic";
-  if (c.to == "liggghts")
+/// \pre the model's box has six faces that move
+void check_moved_box(const ExportTexts &c) {
+  const std::string cell = c.periodic ? option("periodic") : option("model") + " triaxial";
+  if (c.periodic && c.to == "liggghts")
     throw InputError(cell + ": LIGGGHTS has no model of such a box: use " + option("to") + " lammps or yade");
   if (is_cylinder_asked(c))
-    throw InputError(cell + ": a cylinder cannot be repeated: give " + option("specimen") +
-                     " box:AxBxC, or leave it out");
+    throw InputError(cell + ": its box has six faces that move, a cylinder has not: give " +
+                     option("specimen") + " box:AxBxC, or leave it out");
   if (c.sides)
-    throw InputError(cell + ": it is periodic on all sides: leave " + option("sides") + " out");
+    throw InputError(cell + ": it is " + (c.has_six_walls() ? "between six walls" : "periodic on all sides") +
+                     ": leave " + option("sides") + " out");
+  if (c.has_six_walls() && c.types == "one")
+    throw InputError(option("types") +
+                     ": each class has a type where walls have one of their own: leave it out");
   if (c.start && c.start != "mixed" && c.start != "as-is")
     throw InputError(cell + ": grains start mixed, and nothing settles: leave " + option("start") + " out");
   if (!c.solve.void_ratio && !c.pressure)
@@ -180,8 +179,8 @@ void check_export(const ExportTexts &c, const ExportFormat &format) {
     check_model(c);
   if (c.is_triaxial())
     check_triaxial(c);
-  if (c.has_cell())
-    check_cell(c);
+  if (c.moves_faces())
+    check_moved_box(c);
   if (c.start && c.start != "layers" && c.start != "mixed" && c.start != "deposit" && c.start != "as-is")
     throw InputError(option("start") + ": " + in_quotes(*c.start) +
                      " is neither layers nor mixed nor deposit nor as-is");
@@ -298,7 +297,8 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
     {"model", "MODEL", OptionKind::text,
      "settle: a complete model that lets the particles settle in the specimen, for liggghts, lammps or "
      "yade, and beside it the files that it reads; with --void-ratio or --stress it compacts them; triaxial: "
-     "a drained triaxial test, for lammps or yade, in a periodic box without walls or membrane: isotropic "
+     "a drained triaxial test, for lammps or yade in a periodic box, for liggghts between six walls without "
+     "friction: isotropic "
      "compression to --stress, and to --void-ratio by friction where that is given, then shear; its log, "
      "FILE-triaxial.csv with compression positive, is drawn by mdm plot",
      &ExportTexts::model},

@@ -35,8 +35,11 @@ struct ExportTexts {
   bool yes_huge = false, yes_units = false;
 
   bool is_triaxial() const { return model == "triaxial"; }
+  /// True if the model's box has six faces that move: walls, or it is repeated on all sides.
+  bool moves_faces() const { return periodic || is_triaxial(); }
+  bool has_six_walls() const { return is_triaxial() && to == "liggghts"; }
   /// True if the model's box is repeated on all sides.
-  bool has_cell() const { return periodic || is_triaxial(); }
+  bool has_cell() const { return moves_faces() && !has_six_walls(); }
 
   static const std::vector<OptionRow<ExportTexts>> options, start_options, model_options, size_options;
 };

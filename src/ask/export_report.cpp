@@ -193,7 +193,7 @@ std::string model_guide(const ExportFormat &format, const SettleModel &model) {
   const Settling s = settling(model);
   std::string text = "model:";
   std::uint64_t steps = 0;
-  if (model.space != Space::periodic_cell) {
+  if (model.has_lid()) {
     steps = s.steps;
     text += fmt::format(" at most {} step{} while settling;", s.steps, s.steps == 1 ? "" : "s");
   }
@@ -211,7 +211,7 @@ std::string model_guide(const ExportFormat &format, const SettleModel &model) {
       usual_part * model.set.particles().convert_to<double>() * static_cast<double>(steps) / format.rate;
   text += fmt::format(" a step is {:.3g} s; {} of a core of 2.1 GHz at {:.2g} grains by steps a second\n",
                       s.step, time_text(seconds), format.rate);
-  if (model.target && model.target->void_ratio && model.space != Space::periodic_cell)
+  if (model.target && model.target->void_ratio && model.has_lid())
     text += fmt::format("at void ratio {:.6g} the specimen is {:.6g} m high\n", *model.target->void_ratio,
                         specimen_height(model, *model.target->void_ratio));
   if (seconds > long_run)

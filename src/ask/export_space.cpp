@@ -32,13 +32,13 @@ std::optional<Footprint> asked_ground(const ExportTexts &c, SizeUnit unit) {
                                            : inscribed_square(diameter);
 }
 
-/// The ratios of the sides of a box that is repeated on all sides.
+/// The ratios of the sides of a box whose faces move.
 std::array<Rational, 3> cell_ratios(const ExportTexts &c) {
   if (c.box) {
     const Footprint box = footprint_of(*c.box, SizeUnit::mm);
     if (!box.c)
       throw InputError(option("box") +
-                       ": a periodic box has three sides, of which the ratios count: write AxBxC");
+                       ": a box whose faces move has three sides, of which the ratios count: write AxBxC");
     return {box.a, box.b, *box.c};
   }
   const std::optional<Solids> shape = asked_specimen(c, SizeUnit::mm);
@@ -67,7 +67,7 @@ bool has_room_for_deposit(const ParticleSet &set, const std::optional<Footprint>
 Start start_of_model(const ExportTexts &c, const ExportedParticles &found) {
   const bool has_target = c.solve.void_ratio || c.pressure;
   const bool is_many = found.set->particles() > most_mixed;
-  if (c.has_cell())
+  if (c.moves_faces())
     return Start::mixed;
   if ((has_target || (is_many && asked_space(c) == Space::cylinder)) &&
       has_room_for_deposit(*found.set, footprint(c, found)))
@@ -86,6 +86,8 @@ std::optional<Solids> asked_specimen(const ExportTexts &c, SizeUnit unit) {
 }
 
 Space asked_space(const ExportTexts &c) {
+  if (c.has_six_walls())
+    return Space::six_walls;
   if (c.has_cell())
     return Space::periodic_cell;
   if (c.sides)
@@ -96,7 +98,7 @@ Space asked_space(const ExportTexts &c) {
 }
 
 std::optional<Footprint> footprint(const ExportTexts &c, const ExportedParticles &found) {
-  if (c.has_cell())
+  if (c.moves_faces())
     return roomy_box(*found.set, cell_ratios(c));
   std::optional<Footprint> floor = asked_ground(c, found.unit);
   if (!floor) {
@@ -136,6 +138,9 @@ Placement kept(const ExportTexts &c, const ExportedParticles &found) {
                      option("start") + " mixed");
   const bool is_cell = places.periodic == std::array<bool, 3>{true, true, true};
   const bool is_pillar = places.periodic == std::array<bool, 3>{true, true, false};
+  if (c.has_six_walls() && (is_cell || is_pillar))
+    throw InputError("FILE's box is repeated, and this model's has six walls: give " + option("start") +
+                     " mixed");
   if (c.model && ((is_cell && !c.has_cell()) || (is_pillar && asked_space(c) != Space::pillar)))
     throw InputError(fmt::format("FILE's box is repeated: give {} too, or {} mixed",
                                  is_cell ? option("periodic") : option("sides") + " periodic",
@@ -187,7 +192,7 @@ std::vector<std::string> rounding_notes(const ExportTexts &c, const ExportedPart
   }
   if (found.places)
     notes.push_back("the places in FILE are left out; " + option("start") + " as-is keeps them, in its box");
-  if (c.model && !c.start && (c.solve.void_ratio || c.pressure) && !c.has_cell() &&
+  if (c.model && !c.start && (c.solve.void_ratio || c.pressure) && !c.moves_faces() &&
       start_of(c, found) != Start::deposit)
     notes.push_back(
         fmt::format("the grains start mixed, not as a deposit: the specimen is narrower than {} of the "
@@ -198,7 +203,7 @@ std::vector<std::string> rounding_notes(const ExportTexts &c, const ExportedPart
   if (shape && std::holds_alternative<Cylinder>(*shape) && asked_space(c) == Space::box)
     notes.push_back("layers stand on the square inside the cylinder; " + option("start") +
                     " mixed or deposit fills it");
-  const bool is_exact = !c.has_cell() && (c.box || (shape && std::holds_alternative<Box>(*shape)));
+  const bool is_exact = !c.moves_faces() && (c.box || (shape && std::holds_alternative<Box>(*shape)));
   if (!asked || !is_exact)
     return notes;
   const auto add_side = [&](const Rational &side, std::int64_t units) {

@@ -2,6 +2,8 @@
 #include "particles/settle_state.hpp"
 #include "particles/triaxial_shear.hpp"
 
+#include <mdm/text/error.hpp>
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -59,10 +61,22 @@ const char *const move_faces =
     "variable strain equal -${rate}\n"
     "fix faces all deform 1 x trate ${strain} y trate ${strain} z trate ${strain} remap x\n";
 
+const char *const move_each_face =
+    "variable strain_x equal -(v_rate+v_rate_x)\n"
+    "variable strain_y equal -(v_rate+v_rate_y)\n"
+    "variable strain_z equal -(v_rate+v_rate_z)\n"
+    "fix faces all deform 1 x trate ${strain_x} y trate ${strain_y} z trate ${strain_z} remap x\n";
+
+const char *const stress_on_faces = R"(variable sigma_x equal c_stress[1]
+variable sigma_y equal c_stress[2]
+variable sigma_z equal c_stress[3]
+variable length_z equal lz
+)";
+
 const char *const begin_cell = R"(
 compute stress all pressure NULL virial
 variable pressure equal c_stress
-thermo_style custom step atoms ke c_least c_stress@faces@ v_void_ratio v_mu@columns@
+@stresses@thermo_style custom step atoms ke c_least c_stress@faces@ v_void_ratio v_mu@columns@
 thermo_modify lost error norm no
 )";
 
@@ -182,6 +196,8 @@ std::string volume(const SettleScript &s) {
 } // namespace
 
 std::string lammps_model(const SettleModel &model) {
+  if (model.space == Space::six_walls)
+    throw InputError("LAMMPS has no model with six walls that move: take liggghts");
   const SettleScript s(model, ".dump");
   if (s.is_sheared())
     check_triaxial(s);
@@ -216,9 +232,10 @@ std::string lammps_model(const SettleModel &model) {
   } else {
     commands.move = "# Contacts across the faces push the whole a little: it would run away.\n"
                     "velocity all zero linear\n";
-    commands.move += s.is_sheared() ? triaxial_lammps_move : move_faces;
-    text += filled(begin_cell,
-                   {{"faces", s.is_sheared() ? triaxial_lammps_columns : ""}, {"columns", state_columns()}});
+    commands.move += s.is_sheared() ? move_each_face : move_faces;
+    text += filled(begin_cell, {{"stresses", s.is_sheared() ? stress_on_faces : ""},
+                                {"faces", s.is_sheared() ? " c_stress[1] c_stress[2] c_stress[3]" : ""},
+                                {"columns", state_columns()}});
   }
   // The first contact, for the lammps_counts; the loop repeats it.
   text += "\nvariable grip equal ${mu}\n" + commands.contact;

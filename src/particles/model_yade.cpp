@@ -231,6 +231,8 @@ const char *const inside_walls = "inside = [body for body in settled if all(0 < 
 } // namespace
 
 std::string yade_model(const SettleModel &model) {
+  if (model.space == Space::six_walls)
+    throw InputError("YADE has no model with six walls that move: take liggghts");
   if (model.space == Space::pillar)
     throw InputError("YADE has no model of a box that is repeated in x and y alone: take lammps or liggghts");
   const SettleScript s(model, ".xyzr");

@@ -57,6 +57,10 @@ void set_compaction(const SettleModel &model, double softest_young, Settling &s)
   const double density = mass(model.set) / s.solids;
   constexpr double inertial_number = 0.003;
   s.rate = inertial_number / (size * std::sqrt(density / s.most_pressure));
+  // Walls push from outside: the more grains there are between them, the slower.
+  constexpr double grains_between = 20;
+  if (model.space == Space::six_walls)
+    s.rate /= std::max(1.0, std::cbrt(model.set.particles().convert_to<double>()) / grains_between);
   constexpr double usual_strain = 0.2, friction_steps = 100.0 * static_cast<double>(compaction_look),
                    ample = 10;
   const double expected = usual_strain / (s.rate * s.step) + friction_steps;

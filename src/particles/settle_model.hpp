@@ -17,10 +17,11 @@ struct ModelBox {
 
 /// The space that grains are in.
 enum class Space {
-  box,          ///< with four walls, floor and lid
-  cylinder,     ///< with a round wall, floor and lid
-  pillar,       ///< with floor and lid, repeated in x and y
-  periodic_cell ///< repeated on all sides, without gravity
+  box,           ///< with four walls, floor and lid
+  cylinder,      ///< with a round wall, floor and lid
+  pillar,        ///< with floor and lid, repeated in x and y
+  periodic_cell, ///< repeated on all sides, without gravity
+  six_walls      ///< between walls that move, without gravity
 };
 
 /// The density that a model is to reach: a void ratio, or else a pressure.
@@ -31,10 +32,10 @@ struct DensityTarget {
   double tolerance = 0.01;
 };
 
-/// The stress that is constant while a cell is sheared: that on its sides, or the mean of all faces.
+/// The stress that is constant in a shear: that on the sides, or the mean of all faces.
 enum class ConstantStress { sigma_3, p };
 
-/// Shear of a periodic cell after its isotropic compression: the height shrinks, and the sides move so that a
+/// Shear of a specimen after its isotropic compression: the height shrinks, and the sides move so that a
 /// stress is constant.
 struct TriaxialShear {
   double axial_strain = 0.2; ///< at the end, of the height
@@ -58,7 +59,7 @@ struct SettleModel {
   std::string name;       ///< files that the model writes begin with it
   Space space = Space::box;
   std::optional<DensityTarget> target = {};
-  /// \pre the space is a periodic cell, and the target a pressure
+  /// \pre the space is a periodic cell or six walls, and the target a pressure
   std::optional<TriaxialShear> shear = {};
   std::optional<std::uint64_t> steps = {}; ///< while settling at most, instead of those of Settling
   std::optional<Rational> young = {};      ///< instead of that of Settling
@@ -69,6 +70,7 @@ struct SettleModel {
   /// Of the classes of the set, one each; empty: all are of one material.
   std::vector<GrainMaterial> materials = {};
   /// Each class has a type of its own, 1 for the smallest, and walls the next; else all are of type 1.
+  /// \pre true where there are six walls
   bool types_of_classes = false;
   bool unjammed = false; ///< what is not at rest or not jammed is a result, too
   /// The options with which `mdm verify` takes the gradation as it was asked for, for example ` --law
@@ -77,6 +79,8 @@ struct SettleModel {
   /// An answer's question in words, which `verify_options` may lack.
   std::string question = {};
 
+  /// True if there are gravity, a floor and a lid.
+  bool has_lid() const { return space != Space::periodic_cell && space != Space::six_walls; }
   /// True if some grains, or the walls, have rolling friction.
   bool resists_rolling() const;
 };
@@ -131,5 +135,10 @@ std::string yade_model(const SettleModel &model);
 
 /// The lid of LIGGGHTS' models, which they read from the file `NAME-lid.stl`: a square at height 0.
 std::string lid_stl(const ModelBox &box);
+/// Each of their six walls, which they turn and move into its place, from `NAME-wall.stl`: a square around
+/// the origin, wider than the box, so that walls may come apart.
+std::string wall_stl(const ModelBox &box);
+/// The side of that square, in longest sides of the box.
+inline constexpr double wall_by_box = 1.6;
 
 } // namespace mdm

@@ -8,15 +8,23 @@
 namespace mdm {
 namespace {
 
+/// What friction_while_filling is, beside the grains' own while they settle.
+std::string while_filling(const SettleScript &s) {
+  const std::string grains =
+      s.keeps_friction() ? "and at most while they are compacted" : "and while they are compacted";
+  if (!s.has_lid())
+    return grains;
+  return grains + (s.keeps_friction() ? "; of the walls" : "; of the walls, too");
+}
+
 std::string settings_of_all(const SettleScript &s) {
   return "\n# What may be changed, here or behind the command as -var NAME VALUE.\n" +
          script_setting("go_on", "0", "1: from " + s.name + ".restart") +
          script_setting("steps", std::to_string(s.physics.steps),
                         "while the grains settle, at most, in whole looks") +
          script_setting("friction", digits6(s.model.friction), "of the grains at the end") +
-         script_setting("friction_while_filling", digits6(s.friction_while_filling()),
-                        s.keeps_friction() ? "and at most while they are compacted; of the walls"
-                                           : "and while they are compacted; of the walls, too") +
+         script_setting("friction_while_filling", digits6(s.friction_while_filling()), while_filling(s)) +
+         (s.has_six_walls() ? script_setting("wall_friction", "0", "of the walls, at all times") : "") +
          state_settings(s);
 }
 
@@ -51,7 +59,7 @@ variable last equal ${steps}
 
 const char *const start_of_course = R"script(if "${go_on} == 0" then "jump SELF anew"
 include @base@.restart.state
-jump SELF setting
+@go_on@jump SELF setting
 label anew
 @anew@label setting
 )script";
@@ -248,7 +256,7 @@ std::string phase_variables(const SettleScript &s) {
   if (target)
     text += settings_of_target(s, *target);
   if (s.is_sheared())
-    text += triaxial_lammps_settings(s);
+    text += triaxial_phases_settings(s);
   text += filled(looks_at, {{"solids", digits17(p.solids)}, {"look", std::to_string(p.look)}});
   if (s.has_lid())
     text += "variable void_ratio_at_top equal v_area*v_top/" + digits17(p.solids) + "-1\n";
@@ -257,10 +265,11 @@ std::string phase_variables(const SettleScript &s) {
   if (target)
     text += filled(target->void_ratio ? to_void_ratio : to_pressure, {{"axes", s.has_lid() ? "1" : "3"}});
   if (s.is_sheared())
-    text += triaxial_lammps_variables(s);
+    text += triaxial_phases_variables(s);
   if (s.seeks_jamming())
     text += "variable loose_z equal 0\nvariable loose_pressure equal 0\n";
   text += filled(start_of_course, {{"anew", s.has_lid() ? anew_filling : anew_compacting},
+                                   {"go_on", s.is_sheared() ? triaxial_phases_log_again : ""},
                                    {"look", std::to_string(compaction_look)},
                                    {"base", s.name}});
   return text;
@@ -269,7 +278,7 @@ std::string phase_variables(const SettleScript &s) {
 std::string phase_loops(const SettleScript &s, const PhaseCommands &c) {
   const std::optional<DensityTarget> &target = s.model.target;
   const bool to_density = target && target->void_ratio;
-  const std::string saving = s.is_sheared() ? triaxial_lammps_save(s) : course_save(s, c.keeps_lid_offset);
+  const std::string saving = s.is_sheared() ? triaxial_phases_save(s) : course_save(s, c.keeps_lid_offset);
   std::string text = begin_of_loop;
   if (s.has_lid())
     text += target ? settle_nearly : settle_wholly;
@@ -282,7 +291,7 @@ std::string phase_loops(const SettleScript &s, const PhaseCommands &c) {
   if (target) {
     const bool by_friction = to_density || (s.is_sheared() && s.model.shear->void_ratio);
     text += to_density    ? compact_to_void_ratio
-            : by_friction ? triaxial_lammps_compaction
+            : by_friction ? triaxial_phases_compaction
                           : compact_to_pressure;
     text += by_friction ? with_friction : "";
   }
@@ -290,16 +299,16 @@ std::string phase_loops(const SettleScript &s, const PhaseCommands &c) {
     text += course_reached;
     text += target && !to_density ? hold_pressure : hold_still;
   }
-  text += s.is_sheared() ? triaxial_lammps_faces(s) : "";
+  text += s.is_sheared() ? triaxial_phases_faces(s) : "";
   text += judge;
   text += s.seeks_jamming() ? seek_jamming : not_jammed;
   if (!target || to_density)
     text += judge_rest;
-  text += s.is_sheared() ? triaxial_lammps_shear(s) : "";
+  text += s.is_sheared() ? triaxial_phases_shear(s) : "";
   text += course_end;
   return filled(text, {{"loose", loose},
                        {"judged", s.is_sheared() ? "shearing" : "end"},
-                       {"sheared", s.is_sheared() ? triaxial_lammps_words : ""},
+                       {"sheared", s.is_sheared() ? triaxial_phases_words : ""},
                        {"constant", s.is_sheared() ? constant_stress(s) : ""},
                        {"contact", c.contact},
                        {"move", target ? c.move : ""},

@@ -146,11 +146,16 @@ std::string purpose(const SettleScript &s) {
     break;
   case Space::periodic_cell:
     text = "in a box that is repeated on all sides and has no gravity";
+    break;
+  case Space::six_walls:
+    text = "between six walls, without gravity";
   }
   const std::optional<DensityTarget> &target = s.model.target;
   if (!target)
     return text;
-  const char *by = s.has_lid() ? ", and are compacted by a lid " : ", and are compacted by its six faces ";
+  const char *by = s.has_lid()         ? ", and are compacted by a lid "
+                   : s.has_six_walls() ? ", and are compacted by them "
+                                       : ", and are compacted by its six faces ";
   if (target->void_ratio)
     return text + by + fmt::format("to void ratio {:.6g}", *target->void_ratio);
   text += by + fmt::format("at {:.6g} Pa", target->pressure);
@@ -180,7 +185,7 @@ std::string material_lines(const SettleScript &s) {
   if (!s.model.materials.empty())
     return fmt::format(
         "# Material: of each class its own, see below; walls have restitution {} and friction {}.",
-        Settling::restitution, digits6(s.friction_while_filling()));
+        Settling::restitution, s.has_six_walls() ? "0" : digits6(s.friction_while_filling()));
   return fmt::format("# Material: E = {:.4g} Pa, nu = {}, restitution {}, friction {}.{}",
                      s.physics.elasticity.young.convert_to<double>(),
                      s.physics.elasticity.poisson.convert_to<double>(), Settling::restitution,

@@ -1,5 +1,7 @@
 #include "particles/settle_state.hpp"
 
+#include "particles/six_walls.hpp"
+
 #include <fmt/core.h>
 
 namespace mdm {
@@ -23,7 +25,7 @@ variable net atom sqrt(fx^2+fy^2+fz^2)*c_d/2*v_counted
 variable width atom c_d/2*v_counted
 variable ends atom "c_d/2*(c_touch+v_walls)"
 variable bearing atom "(c_touch+v_walls) > (1+2*@frictionless@)"
-variable of_bearing atom "(c_touch+2*v_walls)*v_bearing"
+variable of_bearing atom "(c_touch+@of_wall@*v_walls)*v_bearing"
 compute sums all reduce sum c_touch v_several v_of_several v_kinetic v_net v_width v_ends c_stresses[1] c_stresses[2] c_stresses[3] v_bearing v_of_bearing
 variable fl equal -(c_sums[8]+c_sums[9]+c_sums[10])
 variable pv equal "((v_fl > 0)*v_fl@floor@)/3"
@@ -109,6 +111,8 @@ def stay(last):
 )script";
 
 std::string walls_touched(const SettleScript &s) {
+  if (s.has_six_walls())
+    return six_walls_touched();
   if (!s.has_lid())
     return "0";
   std::string text = "(z-c_d/2 < 0)+(z+c_d/2 > v_lid)";
@@ -117,6 +121,12 @@ std::string walls_touched(const SettleScript &s) {
   if (s.model.space == Space::cylinder)
     text += "+(sqrt((x-v_half)^2+(y-v_half)^2)+c_d/2 > v_half)";
   return "\"" + text + "\"";
+}
+
+/// Contacts of grains that a contact with a wall is worth. A wall with friction shares no force with a second
+/// grain; one without has a single force, of the three or six equations of a grain.
+std::string worth_of_wall(const SettleScript &s) {
+  return s.has_six_walls() ? "v_isostatic/(6-3*@frictionless@)" : "2";
 }
 
 } // namespace
@@ -140,11 +150,12 @@ std::string state_measures(const SettleScript &s, const char *stress) {
   return filled(measures, {{"stress", stress},
                            {"mean", s.has_lid() ? "variable mean_pressure equal v_pv/(v_area*v_top)\n" : ""},
                            {"walls", walls_touched(s)},
+                           {"of_wall", worth_of_wall(s)},
                            {"frictionless", s.model.materials.empty() ? "(v_friction == 0)"
                                             : s.is_frictionless()     ? "1"
                                                                       : "0"},
                            {"isostatic", s.all_resist_rolling() ? "2.4" : "4"},
-                           {"counted", s.has_lid() ? "1" : "\"c_touch > 1\""},
+                           {"counted", s.has_lid() ? "1" : "\"(c_touch+v_walls) > 1\""},
                            {"floor", s.has_lid() ? "+" + digits6(s.physics.floor_moment) : ""},
                            {"jammed", std::string("(v_carrying >= v_isostatic)") +
                                           (s.seeks_jamming() ? "*(v_pressure >= v_least_pressure)" : "")}});

@@ -77,6 +77,19 @@ std::string triaxial_purpose(const SettleScript &s) {
                      constant_stress(s), s.model.shear->axial_strain);
 }
 
+namespace {
+
+const char *faces_lines(const SettleScript &s) {
+  if (s.has_six_walls())
+    return "# The walls have no friction and no membrane. Grains lie looser beside them: a specimen that is "
+           "few "
+           "grains wide has a\n# higher void ratio than a periodic cell.\n";
+  return "# The cell is periodic: it has neither walls nor a membrane. A specimen in a membrane is left to "
+         "users.\n";
+}
+
+} // namespace
+
 std::string triaxial_lines(const SettleScript &s) {
   const ShearCourse course(s.model);
   const std::string density =
@@ -95,8 +108,7 @@ std::string triaxial_lines(const SettleScript &s) {
 # The log is @base@-triaxial.csv, some @rows@ rows; mdm plot draws it. Compression is positive: axial strain 1 - h/h0 and volumetric
 # strain 1 - V/V0 since the shear began, p = (sigma_1 + 2 sigma_3)/3 and q = sigma_1 - sigma_3 in Pa, sigma_3 the mean of both
 # sides. The grains at the end are those of its last row, still in slow motion.
-# The cell is periodic: it has neither walls nor a membrane. A specimen in a membrane is left to users.
-)",
+@faces@)",
              {{"stress", fmt::format("{:.6g}", s.model.target->pressure)},
               {"constant", constant_stress(s)},
               {"goal", is_p_constant(s) ? ": each is to have (3 p - sigma_1)/2" : ""},
@@ -108,17 +120,21 @@ std::string triaxial_lines(const SettleScript &s) {
               {"most", digits6(TriaxialLimits::most_inertial_number)},
               {"d50", fmt::format("{:.4g}", course.median)},
               {"rows", std::to_string(TriaxialLimits::rows)},
+              {"faces", faces_lines(s)},
               {"base", s.name}});
 }
 
 void check_triaxial(const SettleScript &s) {
-  const double largest = s.set.largest().diameter.value;
-  if (2 * largest < least_height_at_end(s))
+  const double largest = s.set.largest().diameter.value, height = least_height_at_end(s);
+  const bool fits = s.has_six_walls() ? largest < height : 2 * largest < height;
+  if (fits)
     return;
-  throw InputError(fmt::format(
-      "the largest grain, {:.4g} m, is more than half of the cell's height at the end, {:.4g} m at void "
-      "ratio 0.3, and would touch itself: give more grains by {}, a higher {} or less {}",
-      largest, least_height_at_end(s), option("at-least"), option("box"), option("axial-strain")));
+  throw InputError(fmt::format("the largest grain, {:.4g} m, is more than {} the height at the end, {:.4g} m "
+                               "at void ratio 0.3{}: give more "
+                               "grains by {}, a higher {} or less {}",
+                               largest, s.has_six_walls() ? "" : "half of", height,
+                               s.has_six_walls() ? "" : ", and would touch itself", option("at-least"),
+                               option("box"), option("axial-strain")));
 }
 
 } // namespace mdm

@@ -1,7 +1,8 @@
 #pragma once
-// A drained triaxial test in a periodic cell, as part of a settle model: after the isotropic compression each
-// face is brought to the pressure by itself; then the height shrinks at a constant rate, while a servo moves
-// the sides so that sigma_3 is constant, or p: then the sides are to have (3 p - sigma_1) / 2.
+// A drained triaxial test in a periodic cell or between six walls, as part of a settle model: after the
+// isotropic compression each face is brought to the pressure by itself; then the height shrinks at a constant
+// rate, while a servo moves the sides so that sigma_3 is constant, or p: then the sides are to have (3 p -
+// sigma_1) / 2.
 
 #include "particles/settle_script.hpp"
 
@@ -39,20 +40,22 @@ std::string triaxial_purpose(const SettleScript &s);
 /// \throws InputError if the largest grain does not fit twice into the height at the end
 void check_triaxial(const SettleScript &s);
 
-/// The parts of LAMMPS' model. The course comes to `judge` once each face has its pressure, and to `shearing`
-/// behind it.
-std::string triaxial_lammps_settings(const SettleScript &s);
-std::string triaxial_lammps_variables(const SettleScript &s);
-/// Writes the restart, and what is kept of the course beside it.
-std::string triaxial_lammps_save(const SettleScript &s);
-std::string triaxial_lammps_faces(const SettleScript &s);
-std::string triaxial_lammps_shear(const SettleScript &s);
+/// The parts in the language that LIGGGHTS and LAMMPS share. The course comes to `judge` once each face has
+/// its pressure, and to `shearing` behind it. The engine adds `sigma_x`, `sigma_y`, `sigma_z` and `length_z`,
+/// and moves each pair of faces at its own rate, `rate` and `rate_x`, `rate_y` or `rate_z`.
+std::string triaxial_phases_settings(const SettleScript &s);
+std::string triaxial_phases_variables(const SettleScript &s);
+/// Writes the restart, and what is kept of the course beside it, with the log as it is then.
+std::string triaxial_phases_save(const SettleScript &s);
+/// Going on from there, the log is that one again.
+extern const char *const triaxial_phases_log_again;
+std::string triaxial_phases_faces(const SettleScript &s);
+std::string triaxial_phases_shear(const SettleScript &s);
 /// Instead of the compaction to a pressure alone, before the friction is lowered: until the void ratio is
 /// there, too.
-extern const char *const triaxial_lammps_compaction;
-/// Moves each pair of faces at its own rate.
-extern const char *const triaxial_lammps_move;
-extern const char *const triaxial_lammps_columns, *const triaxial_lammps_words;
+extern const char *const triaxial_phases_compaction;
+/// Added to the result.
+extern const char *const triaxial_phases_words;
 
 /// The parts of YADE's model.
 std::string triaxial_yade_settings(const SettleScript &s);

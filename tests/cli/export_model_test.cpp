@@ -238,6 +238,32 @@ TEST_CASE("a triaxial model says that p is constant where it is", "[cli]") {
   }
 }
 
+TEST_CASE("a triaxial model for LIGGGHTS has six walls without friction", "[cli]") {
+  const TemporaryFolder folder;
+  REQUIRE(export_triaxial("liggghts", folder / "a.in", {"--stress", "1e5", "--rolling-friction", "0.1"})
+              .exit_code == 0);
+  CHECK(read_file(folder / "a-wall.stl").rfind("solid wall\n", 0) == 0);
+  CHECK(!std::filesystem::exists(folder / "a-lid.stl"));
+  CHECK(read_file(folder / "a.data").find("\n6 atom types\n") != std::string::npos);
+  const std::string text = read_file(folder / "a.in");
+  for (const char *const part :
+       {" grains between six walls, without gravity, and are compacted by them at 100000 Pa, and sheared as "
+        "in",
+        "The walls have no friction", "\nvariable wall_friction index 0 ",
+        "peratomtypepair 6 ${grip} ${grip} ${grip} ${grip} ${grip} ${wall_friction} ${grip}",
+        "coefficientRollingFriction peratomtypepair 6 0.1 0.1 0.1 0.1 0.1 0 0.1",
+        "meshes west east south north bottom top\n"})
+    CHECK(text.find(part) != std::string::npos);
+  CHECK(text.find("gravity all") == std::string::npos);
+  // The file's box is repeated, and walls cannot be.
+  const std::string cell = folder.write(
+      "cell.dump", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 3\n0 3\n0 3\n"
+                   "ITEM: ATOMS id x y z radius\n1 1 1 1 0.4\n");
+  check_refused(mdm({"export", cell, "--to", "liggghts", "--model", "triaxial", "--stress", "1000",
+                     "--size-unit", "mm", "-o", folder / "b.in"}),
+                "this model's has six walls: give --start mixed");
+}
+
 TEST_CASE("a settled cell is where a triaxial model may begin", "[cli]") {
   const TemporaryFolder folder;
   std::ostringstream dump;
@@ -262,9 +288,15 @@ TEST_CASE("what a triaxial model cannot be is refused", "[cli]") {
   refused({}, "the pressure before the shear by --stress");
   refused({"--void-ratio", "0.5"}, "the pressure before the shear by --stress");
   refused({"--stress", "0"}, "--stress");
-  refused({"--stress", "1e5"}, "no model with six walls: use --to lammps or yade", "liggghts");
+  refused({}, "the pressure before the shear by --stress", "liggghts");
+  refused({"--stress", "1e5", "--periodic"}, "no model of such a box: use --to lammps or yade", "liggghts");
+  refused({"--stress", "1e5", "--sides", "walls"}, "between six walls: leave --sides out", "liggghts");
+  refused({"--stress", "1e5", "--start", "layers"}, "leave --start out", "liggghts");
+  refused({"--stress", "1e5", "--types", "one"}, "walls have one of their own: leave it out", "liggghts");
+  refused({"--stress", "1e5", "--specimen", "cylinder:4x4"}, "six faces that move, a cylinder has not",
+          "liggghts");
   refused({"--stress", "1e5"}, "--to liggghts, lammps or yade", "csv");
-  refused({"--stress", "1e5", "--specimen", "cylinder:4x4"}, "a cylinder cannot be repeated");
+  refused({"--stress", "1e5", "--specimen", "cylinder:4x4"}, "six faces that move, a cylinder has not");
   refused({"--stress", "1e5", "--sides", "walls"}, "leave --sides out");
   refused({"--stress", "1e5", "--start", "deposit"}, "leave --start out");
   refused({"--stress", "1e5", "--steps", "100"}, "leave it out");
@@ -389,7 +421,7 @@ TEST_CASE("targets of a model that make no sense are refused", "[cli]") {
   refused({"--periodic"}, "--void-ratio or --stress");
   refused({"--periodic", "--void-ratio", "0.6"}, "--to lammps or yade", "liggghts");
   refused({"--periodic", "--void-ratio", "0.6", "--specimen", "cylinder:4x4"},
-          "a cylinder cannot be repeated");
+          "six faces that move, a cylinder has not");
   refused({"--periodic", "--void-ratio", "0.6", "--start", "deposit"}, "leave --start out");
   refused({"--periodic", "--void-ratio", "0.6", "--sides", "walls"}, "leave --sides out");
   refused({"--periodic", "--void-ratio", "0.6", "--box", "2x2"}, "write AxBxC");

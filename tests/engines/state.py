@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""state.py DUMP LOG YOUNG POISSON [--wall box] [--unjammed]: holds the RESULT line of a model's log against the grains that it left.
+"""state.py DUMP LOG YOUNG POISSON [--wall box|six] [--unjammed]: holds the RESULT line of a model's log against the grains that it left.
 
 Contacts, void ratio and pressure are found anew from places and radii, by numpy: contacts are overlaps, periodic ones too,
-and Hertz's law has their normal forces. Without walls the box is repeated on all sides. Ends with 1 where the line says
-something else, or says that grains carry each other that do not.
+and Hertz's law has their normal forces. A box has a floor, four sides and weight; six walls have no friction and enclose grains without
+weight; without walls the box is repeated on all sides. Ends with 1 where the line says something else, or says that grains carry
+each other that do not.
 """
 
 import re
@@ -12,7 +13,7 @@ import sys
 import numpy as np
 
 dump, log, young, poisson = sys.argv[1], sys.argv[2], float(sys.argv[3]), float(sys.argv[4])
-has_walls = "--wall" in sys.argv and sys.argv[sys.argv.index("--wall") + 1] == "box"
+walls = sys.argv[sys.argv.index("--wall") + 1] if "--wall" in sys.argv else ""
 with open(log, encoding="utf-8", errors="replace") as file:
     line = re.findall(r"^RESULT .*$", file.read(), re.MULTILINE)[-1]
 print(line)
@@ -39,7 +40,7 @@ fl, z = 0.0, np.zeros(n)
 modulus = young / (2 * (1 - poisson ** 2))
 for i in range(n - 1):
     step = at[i + 1:] - at[i]
-    if not has_walls:
+    if not walls:
         step -= box * np.round(step / box)
     distance = np.sqrt((step ** 2).sum(axis=1))
     overlap = r[i] + r[i + 1:] - distance
@@ -50,9 +51,18 @@ for i in range(n - 1):
     force = 4 / 3 * modulus * np.sqrt(r[i] * other / (r[i] + other)) * overlap[touching] ** 1.5
     fl += (force * distance[touching]).sum()
 
+# Of the centres from each wall; the last is the top.
+distances = np.hstack((at, box - at)).T[:{"": 0, "box": 5, "six": 6}[walls]]
+at_walls = (distances < r).sum(axis=0)
+if walls == "six":
+    for distance in distances:
+        touching = distance < r
+        force = 4 / 3 * modulus * np.sqrt(r[touching]) * (r - distance)[touching] ** 1.5
+        fl += (force * distance[touching]).sum()
+
 solids = 4 / 3 * np.pi * (r ** 3).sum()
-volume = box[0] * box[1] * ((at[:, 2] + r).max() if has_walls else box[2])
-floor = 2650 * 9.81 * solids * r.min() if has_walls else 0
+volume = box[0] * box[1] * ((at[:, 2] + r).max() if walls == "box" else box[2])
+floor = 2650 * 9.81 * solids * r.min() if walls == "box" else 0
 several = z > 1
 found = {"void ratio": (volume / solids - 1, number(r"void ratio ([^,]+),"), 1e-3),
          "Z": (z.mean(), number(r" Z ([^,]+),"), 0.03),
@@ -65,14 +75,10 @@ if "--unjammed" not in sys.argv:
     found["pressure"] = (pressure / max(pressure, said), said / max(pressure, said), 0.03)
 worst = [f"{name}: {said:.6g} is said, {here:.6g} is found" for name, (here, said, within) in found.items()
          if abs(here - said) > within]
-# Of walls each contact counts twice: two grains share the others.
-at_walls = np.zeros(n)
-if has_walls:
-    at_walls += (at[:, 2] < r)
-    for axis in (0, 1):
-        at_walls += (at[:, axis] < r).astype(int) + (at[:, axis] > box[axis] - r)
+# Two grains share a contact, and with a wall none does: of one with friction it counts twice. One without has a single force, where
+# the contact of two grains has three.
 carried = z + at_walls > 1
-carrying = (z + 2 * at_walls)[carried].mean() if carried.any() else 0
+carrying = (z + (2 / 3 if walls == "six" else 2) * at_walls)[carried].mean() if carried.any() else 0
 if carrying < 3.95 and "--unjammed" not in sys.argv:
     worst.append(f"{carrying:.4g} contacts of a grain that is carried")
 print(*worst, sep="\n")

@@ -1,6 +1,6 @@
-// Drained triaxial tests of a real sand in periodic cells, by LAMMPS and YADE: what the log says is held
-// against the grains that are left, anew here, and by mdm verify, state.py and rows.py. The strain is small,
-// to be quick.
+// Drained triaxial tests of a real sand in periodic cells, by LAMMPS and YADE, and between six walls, by
+// LIGGGHTS: what the log says is held against the grains that are left, anew here, and by mdm verify,
+// state.py, rows.py and walls.py. The strain is small, to be quick.
 
 #include "support.hpp"
 
@@ -63,7 +63,7 @@ Cell cell_of(const Engine &engine, const std::string &dump) {
       cell.cubes += g.r * g.r * g.r;
     return cell;
   }
-  std::istringstream bounds(dump.substr(dump.find("BOX BOUNDS pp pp pp") + 19));
+  std::istringstream bounds(dump.substr(dump.find('\n', dump.find("BOX BOUNDS"))));
   for (double &side : cell.sides) {
     double low = 0, high = 0;
     bounds >> low >> high;
@@ -106,7 +106,7 @@ void check_places(const Model &model, const Engine &engine, const Cell &cell, co
   INFO(verdict.out << verdict.err);
   REQUIRE(verdict.exit_code == 0);
   const Json packing = Json::parse(verdict.out).at("packing");
-  CHECK(packing.at("periodic") == "xyz");
+  CHECK(packing.at("periodic") == (engine.name == "liggghts" ? "" : "xyz"));
   const auto number = [](const Json &value) {
     return std::stod((value.is_array() ? value.at(0) : value).get<std::string>());
   };
@@ -144,11 +144,16 @@ void check_triaxial(const Engine &engine, const std::string &constant) {
   CHECK(cell.void_ratio() == Approx(rows.back().void_ratio).epsilon(1e-6));
   check_places(model, engine, cell, rows.back());
   const TemporaryFolder folder;
-  check_by_python({MDM_SOURCE_DIR "/tests/engines/state.py", model.dump(), folder.write("log", outcome.out),
-                   "2e8", "0.25"});
-  check_by_python(
-      {MDM_SOURCE_DIR "/tests/engines/rows.py", model.path("sand-triaxial.csv"), constant, "100000"});
-  CHECK(mdm({"plot", model.path("sand-triaxial.csv"), "-o", folder / "log.svg"}).exit_code == 0);
+  const std::string log = model.path("sand-triaxial.csv");
+  Arguments state{MDM_SOURCE_DIR "/tests/engines/state.py", model.dump(), folder.write("log", outcome.out),
+                  "2e8", "0.25"};
+  if (engine.name == "liggghts") {
+    state.insert(state.end(), {"--wall", "six"});
+    check_by_python({MDM_SOURCE_DIR "/tests/engines/walls.py", model.dump(), log, "2e8", "0.25"});
+  }
+  check_by_python(state);
+  check_by_python({MDM_SOURCE_DIR "/tests/engines/rows.py", log, constant, "100000"});
+  CHECK(mdm({"plot", log, "-o", folder / "log.svg"}).exit_code == 0);
 }
 
 } // namespace
@@ -167,6 +172,60 @@ TEST_CASE("YADE shears a cell of 500 grains at constant sigma_3", "[engines]") {
 
 TEST_CASE("YADE shears a cell of 500 grains at constant p", "[engines]") {
   check_triaxial(sheared(yade), "p");
+}
+
+TEST_CASE("LIGGGHTS shears 500 grains between six walls at constant sigma_3", "[engines]") {
+  check_triaxial(sheared(liggghts), "sigma_3");
+}
+
+TEST_CASE("LIGGGHTS shears 500 grains between six walls at constant p", "[engines]") {
+  check_triaxial(sheared(liggghts), "p");
+}
+
+TEST_CASE("LIGGGHTS stops where a triaxial test is none", "[engines]") {
+  if (!is_there(liggghts))
+    return;
+  const Model model(sheared(liggghts), c778(),
+                    {"--stress", "100000", "--at-least", "300", "--axial-strain", "0.005"}, "triaxial");
+  const auto stops = [&model](const std::string &options, const std::string &message) {
+    const Outcome outcome = model.run("", options);
+    INFO(end_of(outcome));
+    CHECK(outcome.exit_code == 1);
+    CHECK(outcome.out.find(message) != std::string::npos);
+    CHECK(outcome.out.find("\nRESULT ") == std::string::npos);
+    CHECK(!model.has_dump());
+  };
+  stops("-var held_within 1e-9", "STOP: sigma_3 was not constant: in ");
+  stops("-var inertial_number 0.0015 -var held_within 0.9", "STOP: the inertial number was 0.001");
+  stops("-var friction 0 -var most_compacting 2000", "STOP: 100000 Pa are not reached");
+}
+
+/// A shear that was no result is one with other limits: it goes on from the last row.
+void check_goes_on_to_result(const Engine &engine) {
+  if (!is_there(engine))
+    return;
+  const Model model(engine, c778(), {"--stress", "100000", "--at-least", "300", "--axial-strain", "0.005"},
+                    "triaxial");
+  const Outcome stopped = model.run("", "-var most_rows_off -1");
+  CHECK(stopped.exit_code == 1);
+  const std::vector<Row> before = log_of(model);
+  const Outcome outcome = model.run("", "-var go_on 1");
+  INFO(end_of(outcome));
+  REQUIRE(outcome.exit_code == 0);
+  const std::vector<Row> rows = log_of(model);
+  REQUIRE(rows.size() == before.size());
+  CHECK(rows.back().axial == Approx(before.back().axial).epsilon(1e-6));
+  CHECK(rows.back().p == Approx(before.back().p).epsilon(0.001));
+  CHECK(cell_of(engine, read_file(model.dump())).void_ratio() ==
+        Approx(rows.back().void_ratio).epsilon(1e-6));
+}
+
+TEST_CASE("a shear of LAMMPS goes on from its restart", "[engines]") {
+  check_goes_on_to_result(sheared(lammps));
+}
+
+TEST_CASE("a shear of LIGGGHTS goes on from its restart", "[engines]") {
+  check_goes_on_to_result(sheared(liggghts));
 }
 
 TEST_CASE("LAMMPS stops where a triaxial test is none", "[engines]") {

@@ -43,7 +43,7 @@ const std::vector<Rounding> roundings = {
       "particles/gsd_writer.cpp",      "particles/material_table.cpp", "particles/mixed_placement.cpp",
       "particles/model_lammps.cpp",    "particles/model_liggghts.cpp", "particles/model_yade.cpp",
       "particles/sample_set.cpp",      "particles/settle_model.cpp",   "particles/settle_script.cpp",
-      "particles/triaxial_lammps.cpp", "particles/triaxial_shear.cpp", "plot/curves_figure.cpp",
+      "particles/triaxial_phases.cpp", "particles/triaxial_shear.cpp", "plot/curves_figure.cpp",
       "plot/gradation_figure.cpp",     "plot/limits_series.cpp",       "plot/ranges.hpp",
       "plot/texture_figure.cpp",       "plot/tradeoff_figure.cpp",     "sets/inverse_model.cpp"},
      "lengths of boxes, times, forces and materials in engines, and pictures; bounds of packings, and what "

@@ -213,6 +213,9 @@ TEST_CASE("triaxial models: the rate of the shear from d50 and the pressure, com
   set.classes[0].sizes[0].quantity = 8;
   CHECK(contains(refusal_of(model, lammps_model), "would touch itself"));
   CHECK(contains(refusal_of(model, yade_model), "would touch itself"));
+  model.space = Space::six_walls;
+  CHECK(contains(refusal_of(model, lammps_model), "take liggghts"));
+  CHECK(contains(refusal_of(model, yade_model), "take liggghts"));
 }
 
 TEST_CASE("models: a type and a material for each class") {

@@ -1,3 +1,4 @@
+#include "particles/six_walls.hpp"
 #include "particles/triaxial_columns.hpp"
 #include "particles/triaxial_shear.hpp"
 
@@ -6,7 +7,7 @@ namespace {
 
 /// The servo is fast where a look's strain makes up for what is off: the stiffness of grains under a pressure
 /// p is some E^(2/3) p^(1/3).
-const char *const lammps_variables = R"script(
+const char *const shear_variables = R"script(
 # Shear. Faces x and y are the sides, z is the height; sigma, rate and hold of each, the part of the rate that is kept.
 variable height equal 1         # before the shear, m
 variable volume_before equal 1  # m^3
@@ -22,18 +23,15 @@ variable rate_z equal 0
 variable hold_x equal 0
 variable hold_y equal 0
 variable hold_z equal 0
-variable sigma_x equal c_stress[1]
-variable sigma_y equal c_stress[2]
-variable sigma_z equal c_stress[3]
 variable sigma_3 equal (v_sigma_x+v_sigma_y)/2
 variable q equal v_sigma_z-v_sigma_3
 variable constant equal @constant_now@
-variable axial equal floor(1e12*(1-lz/v_height)+0.5)/1e12
+variable axial equal floor(1e12*(1-v_length_z/v_height)+0.5)/1e12
 variable volumetric equal 1-v_volume/v_volume_before
 variable axial_rate equal v_inertial_number/(@d50@*sqrt(@density@/v_target))
 variable off_now equal abs(v_constant/v_target-1)
 variable inertia_now equal v_axial_rate*@d50@*sqrt(@density@/(abs(v_pressure)+1e-200))
-variable gain equal (v_target/@young@)^(2/3)/(@look@*dt)
+@travel@variable gain equal (v_target/@young@)^(2/3)/(@look@*dt@delay@)
 variable is_held equal "(v_off_rows <= v_most_rows_off*v_lines)*(v_off_now <= v_held_within)"
 variable is_carried equal "(v_loose_rows <= v_most_rows_off*v_lines)*v_jammed"
 variable row_due equal "v_axial+1e-9 >= v_row*v_axial_strain/@rows@"
@@ -45,7 +43,7 @@ variable is_even_z equal "abs(v_sigma_z/v_target-1) < v_tolerance"
 variable is_even equal "v_is_even_x*v_is_even_y*v_is_even_z*(v_restless < 1)"
 )script";
 
-const char *const lammps_by_void_ratio =
+const char *const shear_by_void_ratio =
     R"script(variable is_pressed equal "(v_missing < v_tolerance)*(v_missing > -v_tolerance)*(v_restless < 10)"
 variable beyond equal (v_void_ratio-v_asked_void_ratio)/v_tolerance
 variable is_dense equal "(v_beyond <= 0.4) || (v_beyond <= 2 && v_pressure < 0.9*v_target)"
@@ -54,15 +52,20 @@ variable is_other equal "abs(v_beyond) > 1"
 variable less equal "0.99-0.04*(v_beyond > 4)"
 )script";
 
+/// What a wall does reaches the middle after a time only: a servo that is faster swings.
+const char *const shear_travel = R"script(# s of a wave from a wall to the middle
+variable travel equal v_length_z/2/sqrt(@young@^(2/3)*v_target^(1/3)/@density@)
+)script";
+
 /// Proportional and integral; no face is faster than while compacting.
-const char *const lammps_servo = R"script(variable off_face equal (v_sigma_@a@-@goal@)/v_target
+const char *const shear_servo = R"script(variable off_face equal (v_sigma_@a@-@goal@)/v_target
 variable hold_@a@ equal ${hold_@a@}-0.1*${gain}*${off_face}
 variable wish equal ${hold_@a@}-${gain}*${off_face}
 variable rate_@a@ equal "(abs(v_wish) <= v_most_rate)*v_wish+(v_wish > v_most_rate)*v_most_rate-(v_wish < -v_most_rate)*v_most_rate"
 variable rate_@a@ equal ${rate_@a@}
 )script";
 
-const char *const lammps_faces = R"script(
+const char *const shear_faces = R"script(
 # Each face is brought to the target by itself.
 variable rate equal 0
 variable look equal @look@
@@ -76,7 +79,7 @@ if "${now} >= ${last}" then "print 'STOP: the faces do not have ${target} Pa eac
 label is_even
 )script";
 
-const char *const lammps_still_loose = R"script(
+const char *const shear_still_loose = R"script(
 # With their own friction they may be too loose: they slide on.
 if "${is_loose} < 1" then "jump SELF dense"
 variable own equal 0
@@ -87,15 +90,15 @@ jump SELF slide
 label dense
 )script";
 
-const char *const lammps_other_void_ratio =
+const char *const shear_other_void_ratio =
     R"script(if "${is_other} > 0" then "print 'STOP: void ratio ${void_ratio} at ${target} Pa is not within ${tolerance} of ${asked_void_ratio}; the friction while compacted was ${mu} at last: a higher friction_while_filling is looser, and more grains come nearer'" @quit@
 )script";
 
-const char *const lammps_shear = R"script(
+const char *const shear_rows = R"script(
 # ---- The shear --------------------------------------------------------------------------------------------
 label shearing
-variable height equal $(lz:%.17g)
-variable volume_before equal $(v_volume:%.17g)
+variable height equal ${length_z}
+variable volume_before equal ${volume}
 variable rate_z equal ${axial_rate}
 variable phase delete
 variable phase string shear
@@ -103,9 +106,9 @@ print "@columns@" file @log@ screen no
 label shear
 variable looks equal 0
 if "${row_due} < 1" then "jump SELF steer"
-# A row, and with the next look the restart: what goes on from there writes no row again.
+# A row, and with the next look the restart.
 variable looks equal 19
-print "$(v_axial:%.9g),$(v_volumetric:%.9g),$(v_pressure:%.9g),$(v_q:%.9g),$(v_void_ratio:%.9g),$(v_z:%.9g),$(v_unbalanced:%.9g),@constant@" append @log@ screen no
+print "${axial},${volumetric},${pressure},${q},${void_ratio},${z},${unbalanced},@constant@" append @log@ screen no
 variable off equal (${off}>=${off_now})*${off}+(${off}<${off_now})*${off_now}
 variable inertia equal (${inertia}>=${inertia_now})*${inertia}+(${inertia}<${inertia_now})*${inertia_now}
 variable loose_rows equal ${loose_rows}+(1-${jammed})
@@ -126,13 +129,13 @@ if "${is_carried} < 1 && ${unjammed} < 1" then "print 'STOP: not jammed in ${loo
 std::string servos(const char *axes, const char *goal) {
   std::string text;
   for (const char *axis = axes; *axis != 0; ++axis)
-    text += filled(lammps_servo, {{"a", std::string(1, *axis)}, {"goal", goal}});
+    text += filled(shear_servo, {{"a", std::string(1, *axis)}, {"goal", goal}});
   return text;
 }
 
 } // namespace
 
-const char *const triaxial_lammps_compaction = R"script(
+const char *const triaxial_phases_compaction = R"script(
 # Under the pressure the friction is lowered, and the grains slide into denser places. Where they are dense enough, or nearly so
 # and in a slide, they get their own at once.
 label compact
@@ -144,22 +147,17 @@ if "${mu} < 0.01" then "print 'STOP: void ratio ${asked_void_ratio} is beyond th
 variable mu equal ${less}*${mu}
 )script";
 
-const char *const triaxial_lammps_move =
-    "variable strain_x equal -(v_rate+v_rate_x)\n"
-    "variable strain_y equal -(v_rate+v_rate_y)\n"
-    "variable strain_z equal -(v_rate+v_rate_z)\n"
-    "fix faces all deform 1 x trate ${strain_x} y trate ${strain_y} z trate ${strain_z} remap x\n";
+const char *const triaxial_phases_log_again =
+    "if \"${lines} > 0\" then \"shell cp @base@.restart.csv @base@-triaxial.csv\"\n";
 
-const char *const triaxial_lammps_columns = " c_stress[1] c_stress[2] c_stress[3]";
-
-const char *const triaxial_lammps_words =
+const char *const triaxial_phases_words =
     "; sheared to axial strain ${axial}, volumetric strain "
     "${volumetric}, q ${q} Pa; of ${lines} rows ${off_rows} "
     "have @constant@ more than ${held_within} off ${target} Pa, ${off} at "
     "most, and ${loose_rows} are not jammed; "
     "inertial number at most ${inertia}";
 
-std::string triaxial_lammps_settings(const SettleScript &s) {
+std::string triaxial_phases_settings(const SettleScript &s) {
   const TriaxialShear &asked = *s.model.shear;
   std::string text;
   if (asked.void_ratio)
@@ -174,45 +172,49 @@ std::string triaxial_lammps_settings(const SettleScript &s) {
                         "part of the rows that may be off by more, or not jammed; the last is neither");
 }
 
-std::string triaxial_lammps_variables(const SettleScript &s) {
+std::string triaxial_phases_variables(const SettleScript &s) {
   const ShearCourse course(s.model);
-  return filled(lammps_variables, {{"constant", constant_stress(s)},
-                                   {"constant_now", is_p_constant(s) ? "v_pressure" : "v_sigma_3"},
-                                   {"d50", digits17(course.median)},
-                                   {"density", digits17(course.density)},
-                                   {"young", digits6(s.physics.elasticity.young.convert_to<double>())},
-                                   {"look", std::to_string(TriaxialLimits::look)},
-                                   {"rows", std::to_string(TriaxialLimits::rows)}}) +
-         (s.model.shear->void_ratio ? lammps_by_void_ratio : "");
+  return filled(shear_variables, {{"constant", constant_stress(s)},
+                                  {"constant_now", is_p_constant(s) ? "v_pressure" : "v_sigma_3"},
+                                  {"travel", s.has_six_walls() ? shear_travel : ""},
+                                  {"delay", s.has_six_walls() ? "+2*v_travel" : ""},
+                                  {"d50", digits17(course.median)},
+                                  {"density", digits17(course.density)},
+                                  {"young", digits6(s.physics.elasticity.young.convert_to<double>())},
+                                  {"look", std::to_string(TriaxialLimits::look)},
+                                  {"rows", std::to_string(TriaxialLimits::rows)}}) +
+         (s.model.shear->void_ratio ? shear_by_void_ratio : "");
 }
 
-std::string triaxial_lammps_save(const SettleScript &s) {
+std::string triaxial_phases_save(const SettleScript &s) {
   // The files take their places when they are whole: a run may be stopped at any time.
   std::string text = "print \"variable phase string ${phase}\" file @base@.restart.state.next screen no\n";
   for (const char *const name :
        {"mu", "own", "look", "height", "volume_before", "row", "lines", "off", "off_rows", "inertia",
         "loose_rows", "rate_x", "rate_y", "rate_z", "hold_x", "hold_y", "hold_z"})
-    text += filled(
-        "print \"variable @name@ equal $(v_@name@:%.17g)\" append @base@.restart.state.next screen no\n",
-        {{"name", name}});
+    text += filled("print \"variable @name@ equal ${@name@}\" append @base@.restart.state.next screen no\n",
+                   {{"name", name}});
+  if (s.has_six_walls())
+    text += six_walls_save(s);
   // LAMMPS mixes contacts up where grains have moved since its list of neighbours was made: run 0 makes it
   // anew.
   text += "run 0\n"
           "write_restart @base@.restart.next\n"
+          "if \"${lines} > 0\" then \"shell cp @base@-triaxial.csv @base@.restart.csv\"\n"
           "shell mv @base@.restart.state.next @base@.restart.state\n"
           "shell mv @base@.restart.next @base@.restart\n";
   return filled(text, {{"base", s.name}});
 }
 
-std::string triaxial_lammps_faces(const SettleScript &s) {
-  return (s.model.shear->void_ratio ? lammps_still_loose : "") +
-         filled(lammps_faces,
+std::string triaxial_phases_faces(const SettleScript &s) {
+  return (s.model.shear->void_ratio ? shear_still_loose : "") +
+         filled(shear_faces,
                 {{"look", std::to_string(TriaxialLimits::look)}, {"servos", servos("xyz", "v_target")}}) +
-         (s.model.shear->void_ratio ? lammps_other_void_ratio : "");
+         (s.model.shear->void_ratio ? shear_other_void_ratio : "");
 }
 
-std::string triaxial_lammps_shear(const SettleScript &s) {
-  return filled(lammps_shear,
+std::string triaxial_phases_shear(const SettleScript &s) {
+  return filled(shear_rows,
                 {{"columns", triaxial_columns},
                  {"log", s.name + "-triaxial.csv"},
                  {"constant", constant_stress(s)},
