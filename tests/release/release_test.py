@@ -19,7 +19,8 @@ import tempfile
 BUILD, SOURCE = (pathlib.Path(name).resolve() for name in sys.argv[1:3])
 DEB = sys.argv[3:] == ["--deb"]
 SAND = SOURCE / "examples/gradations/athabasca-sand.csv"
-TOOLS = {"git": "git", "npm": "npm", "node": "nodejs", "patchelf": "patchelf", "faketime": "faketime"}
+TOOLS = {"git": "git", "npm": "npm", "node": "nodejs", "patchelf": "patchelf", "faketime": "faketime",
+         "buildah": "buildah"}
 DEBIAN_TOOLS = {"dh": "debhelper", "dh_python3": "dh-python", "lintian": "lintian"}
 AUTHOR = {f"GIT_{who}_{what}": value for who in ("AUTHOR", "COMMITTER")
           for what, value in (("NAME", "nobody"), ("EMAIL", "nobody"), ("DATE", "1790000000 +0000"))}
@@ -145,6 +146,25 @@ def check_linux(dist, folder):
     return carried
 
 
+def check_image(dist, folder):
+    """buildah reads the image and runs its programs, which find their files in /data; without rights of root, in a namespace
+    where one has them. Storage and isolation are those that need least of the machine."""
+    (folder / "data").mkdir(parents=True)
+    shutil.copy(SAND, folder / "data/sand.csv")
+    before = [] if os.geteuid() == 0 else ["buildah", "unshare"]
+    buildah = [*before, "buildah", "--root", folder / "root", "--runroot", folder / "run", "--storage-driver", "vfs"]
+    archive = only(dist, "exactmdm-*-linux-*.oci.tar")
+    run(*buildah, "pull", "--quiet", f"oci-archive:{archive}")
+    container = run(*buildah, "from", "--pull-never", f"exactmdm:{archive.name.split('-')[1]}").strip()
+    for words, said in ((["mdm", "solve", "sand.csv", "--proof", "sand.proof"], "sand: 1485 particles: "),
+                        (["mdm-check", "sand.csv", "sand.proof"], "accepted: N = 1485 "),
+                        (["mdm-check-verified", "sand.csv", "sand.proof"], "accepted: N = 1485 ")):
+        printed = run(*buildah, "run", "--isolation", "chroot", "--volume", f"{folder / 'data'}:/data", container, "--", *words)
+        assert printed.startswith(said), printed
+    image, = json.loads(run(*buildah, "images", "--json"))
+    assert image["createdatraw"] == "2026-09-21T14:13:20Z", image
+
+
 def check_windows(dist, folder):
     """The programs for Windows as they were built, and the licences of what is in them; `windows`, another test, runs them."""
     archive = only(dist, "*-windows-x86_64.zip")
@@ -232,6 +252,7 @@ def check_all(folder):
     assert listed | {"SHA256SUMS"} == {path.name for path in dist.iterdir()}
     check_source(dist, clone, folder / "source")
     check_bill(dist, check_linux(dist, folder / "root"))
+    check_image(dist, folder / "image")
     check_windows(dist, folder / "windows")
     check_python(dist, folder / "venv")
     check_javascript(dist, folder / "npm")

@@ -13,8 +13,8 @@ def compress(tar, archive):
         shutil.copyfileobj(plain, packed)
 
 
-def pack(folder, archive, time):
-    """The folder, by its own name, as .tar.xz or .tar.gz; each file has the given time, in seconds since 1970."""
+def write_tar(base, paths, file, time):
+    """The paths, by their names below the folder `base`; each has the given time, in seconds since 1970."""
     def normal(entry):
         entry.uid = entry.gid = 0
         entry.uname = entry.gname = "root"
@@ -22,10 +22,15 @@ def pack(folder, archive, time):
         entry.mode = 0o755 if entry.isdir() or entry.mode & 0o100 else 0o644
         return entry
 
+    with tarfile.open(fileobj=file, mode="w", format=tarfile.GNU_FORMAT) as tar:
+        for path in paths:
+            tar.add(path, path.relative_to(base), recursive=False, filter=normal)
+
+
+def pack(folder, archive, time):
+    """The folder, by its own name, as .tar.xz or .tar.gz."""
     def write(packed):
-        with tarfile.open(fileobj=packed, mode="w", format=tarfile.GNU_FORMAT) as tar:
-            for path in [folder, *sorted(folder.rglob("*"))]:
-                tar.add(path, path.relative_to(folder.parent), recursive=False, filter=normal)
+        write_tar(folder.parent, [folder, *sorted(folder.rglob("*"))], packed, time)
 
     if archive.suffix == ".gz":
         with open(archive, "wb") as file, gzip.GzipFile(filename="", fileobj=file, mode="wb", mtime=time) as packed:

@@ -36,6 +36,11 @@ def shared_libraries(programs):
     return dict(sorted(found.items()))
 
 
+def linker(program):
+    """The path of the linker that a program names."""
+    return pathlib.Path(told("patchelf", "--print-interpreter", program).strip())
+
+
 def names_of(path):
     """The file's names on a merged /usr: dpkg knows it by the one or by the other."""
     path = path.resolve()
