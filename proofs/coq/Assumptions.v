@@ -1,7 +1,7 @@
 (* What the theorems rest on. The integer ones: nothing ("Closed under the global context"). The others: the axioms of
    the standard library's real numbers. *)
 
-From Mdm Require Import ChainSound Reduction TreeSound Laws Pi Theorems JudgeTheorem LineDetermines LinePhrases ExactSample SampleTheorem BlendTheorem CsvFields GradationRead EnvelopeRead PrintRead DocumentRead Examples.
+From Mdm Require Import ChainSound Reduction TreeSound Laws Pi Theorems MixtureTheorem LineTheorem LineDetermines LinePhrases ExactSample SampleTheorem BlendTheorem CsvFields GradationRead EnvelopeRead PrintRead DocumentRead Examples.
 
 Print Assumptions chain_bound.
 Print Assumptions chain_sound.
@@ -18,6 +18,7 @@ Print Assumptions exact_match.
 Print Assumptions ten_is_least.
 Print Assumptions match_within_tolerance.
 Print Assumptions certificate_true.
+Print Assumptions mixture_true.
 Print Assumptions document_read.
 Print Assumptions accepted_line_true.
 Print Assumptions accepted_certificate_true.

@@ -11,8 +11,10 @@ Definition check_certificate (G : gradation) (cert : certificate) : result unit 
   let* G := apply_question cert G in
   demand_form (well_formed G) "no gradation after the question" ;;
   match tolerances_of (asked cert), proof_of cert with
-  | None, Exact scale z chain => check_exact cert G scale z chain
-  | Some tol, Tolerant nodes => check_tolerant cert G tol nodes
+  | None, Exact scale z chain => check_exact cert (root G) (rows G) (classes (rows G)) scale z chain
+  | Some tol, Tolerant nodes =>
+    let* ss := shares_of (asked cert) tol G in
+    check_tolerant cert (root G) (rows G) (all_begin (classes (rows G))) ss tol nodes
   | _, _ => Malformed "a chain for an exact match, a tree for a tolerance"
   end.
 

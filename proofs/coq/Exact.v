@@ -115,18 +115,17 @@ Fixpoint check_sizes (u : units) (a b d : Z) (S : ratio) (js : list class) (ws :
   | _, _ => Ok tt
   end.
 
-Definition check_exact (cert : certificate) (G : gradation) (scale : Q) (z : option Q) (chain : option (list Z))
-  : result unit :=
+(* Of the classes [js] between rows, whose openings are to the power d. *)
+Definition check_exact (cert : certificate) (d : Z) (rs : list row) (js : list class) (scale : Q) (z : option Q)
+  (chain : option (list Z)) : result unit :=
   let q := asked cert in
   let a := Certificate.a q in
-  let d := root G in
   let b := Certificate.b q * d in
-  let u := units_of (rows G) in
-  let js := classes (rows G) in
+  let u := units_of rs in
   let S := in_scale_units u a b scale in
   let z' := match z with Some z => in_scale_units u a b z | None => (0, 1) end in
   let* ss := scales_of u b js (solids_of q) in
-  demand_form ((size (rows G) - 1) * longest_scale [S; enough ss; z'; excluded ss] <=? work_of_scales) too_long ;;
+  demand_form ((size rs - 1) * longest_scale [S; enough ss; z'; excluded ss] <=? work_of_scales) too_long ;;
   let bs := map (fun j => with_floor b (min_per_class q) ss z' (in_integers u a b j)) js in
   check_pi (solids_of q) ;;
   match found (claimed cert), bound_of (claimed cert), counts 1 bs (witness cert) with

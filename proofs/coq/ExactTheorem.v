@@ -1,9 +1,9 @@
-(* An accepted certificate of an exact match: no sample with fewer particles than its bound is described accurately,
-   and one with N is (Theorems 1, 2, 5, 6, 7). *)
+(* An accepted certificate of an exact match: no match has fewer particles than its bound, and one has N (Theorems 1, 2, 5, 6,
+   7). Matches are counts in classes here; the samples that have them follow. *)
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
 From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain ChainSound Exact Spec Openings
-  Reduction RealFacts Sizes ExactSound Solids.
+  Reduction RealFacts Sizes Contents ExactSound Solids.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -104,26 +104,34 @@ Definition proper_question (q : question) : Prop :=
   (1 <= a q)%Z /\ (1 <= b q)%Z /\ (0 <= min_per_class q)%Z /\ proper_solids (solids_of q) /\
   (solids_of q = Anything \/ a q = 3%Z /\ b q = 1%Z).
 
+(* The counts qs of the classes js are those of a match at the scale s, with all that the question demands. *)
+Record match_at (law : R -> R) (q : question) (d : positive) (js : list class) (s : R) (qs : list Z) : Prop := {
+  at_scale : 0 < s;
+  at_counts : Forall2 (fun j n => realizes d law j n (s * Q2R (mass j)) /\ (0 < Q2R (mass j) -> (min_per_class q <= n)%Z)) js qs;
+  at_solids : has_cubes (solids_of q) (s * unit_cubes js);
+  at_number : (at_least q <= sum qs)%Z }.
+
+(* With the masses that belong to the counts. *)
+Definition contents_at (s : R) (js : list class) (qs : list Z) : contents :=
+  map (fun '(j, n) => (n, s * Q2R (mass j))) (combine js qs).
+
 Section Claim.
-Variables (cert : certificate) (G : gradation) (d : positive) (scale : Q) (z : option Q) (chain : option (list Z)).
+Variables (cert : certificate) (d : positive) (rs : list row) (js : list class).
+Variables (scale : Q) (z : option Q) (chain : option (list Z)).
 Notation q := (asked cert).
-Notation rs := (rows G).
-Notation js := (classes rs).
 Notation u := (units_of rs).
 Notation na := (Z.to_nat (a q)).
 (* The degree of masses: that of the law times the root. *)
-Notation bd := (b q * root G)%Z.
+Notation bd := (b q * Zpos d)%Z.
 Notation nb := (Z.to_nat (b q) * Pos.to_nat d)%nat.
 
-Hypothesis root_proper : root G = Zpos d.
-
-Hypothesis exact : tolerances_of q = None.
-Hypothesis rows_proper : proper_rows rs.
+Hypothesis classes_integral : Forall (integral u) js.
+Hypothesis classes_proper : Forall proper js.
 Hypothesis some_mass : exists j, In j js /\ 0 < Q2R (mass j).
 Hypothesis question_proper : proper_question q.
 Hypothesis scale_positive : 0 < Q2R scale.
 Hypothesis z_positive : forall y, z = Some y -> 0 < Q2R y.
-Hypothesis checked : check_exact cert G scale z chain = Ok tt.
+Hypothesis checked : check_exact cert (Zpos d) rs js scale z chain = Ok tt.
 
 Variable law : R -> R.
 Hypothesis power : power_law na (Z.to_nat (b q)) law.
@@ -138,19 +146,11 @@ Proof. destruct question_proper as (_ & B & _). pose proof (Pos2Nat.is_pos d). n
 Lemma na_z : Z.of_nat na = a q.
 Proof. destruct question_proper as (A & _). lia. Qed.
 Lemma nb_z : Z.of_nat nb = bd.
-Proof. destruct question_proper as (_ & B & _). rewrite root_proper. lia. Qed.
+Proof. destruct question_proper as (_ & B & _). lia. Qed.
 Lemma bd_positive : (1 <= bd)%Z.
 Proof. rewrite <- nb_z. pose proof nb_positive. lia. Qed.
 Lemma units_positive : (0 < of_openings u)%Z /\ (0 < of_masses u)%Z /\ (0 < of_factors u)%Z.
 Proof. repeat split; apply common_denominator_spec. Qed.
-Lemma classes_integral : Forall (integral u) js.
-Proof.
-  apply Forall_forall. intros j J. destruct (class_of_rows rs j J) as (L & U & M & C).
-  repeat split; apply common_denominator_spec; assumption.
-Qed.
-Lemma classes_proper : Forall proper js.
-Proof. apply proper_classes, rows_proper. Qed.
-
 Lemma in_integers_z j : in_integers u (a q) bd j = in_integers u (Z.of_nat na) (Z.of_nat nb) j.
 Proof. rewrite na_z, nb_z. reflexivity. Qed.
 
@@ -193,7 +193,7 @@ Record accepted (N B : Z) (qs : list Z) (ss : scales) : Prop := {
               (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js) qs = true;
   acc_counts : counts 1 (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js)
                  (witness cert) = Some qs;
-  acc_sizes : check_sizes u (a q) bd (root G) (in_scale_units u (a q) bd scale) (with_mass js) (witness cert) = Ok tt;
+  acc_sizes : check_sizes u (a q) bd (Zpos d) (in_scale_units u (a q) bd scale) (with_mass js) (witness cert) = Ok tt;
   acc_sum : sum qs = N;
   acc_at_least : (at_least q <= N)%Z;
   acc_chain : match chain with
@@ -228,46 +228,26 @@ Qed.
 Lemma scales_at_nb N B qs ss : accepted N B qs ss -> scales_of u (Z.of_nat nb) js (solids_of q) = Ok ss.
 Proof. intro Acc. rewrite nb_z. apply Acc. Qed.
 
-(* What the question allows, with the root by its name. *)
-Lemma allowed_exactly S :
-  allowed law q G S <-> describes_accurately d law rs S /\ has_enough d q rs S.
-Proof. unfold allowed, root_of. rewrite exact, root_proper. tauto. Qed.
-
-(* A match in the paper's words gives a solution in integers with the floors. *)
-Lemma sample_solution N B qs ss S :
-  accepted N B qs ss -> allowed law q G S ->
-  (at_least q <= Z.of_nat (length S))%Z /\
-  exists sc, solution bd (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js)
-               (map (fun j => number d j S) js) sc.
+(* A match gives a solution in integers with the floors. *)
+Lemma match_solution N B qs ss s ns :
+  accepted N B qs ss -> match_at law q d js s ns ->
+  exists sc, solution bd (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js) ns sc.
 Proof.
-  intros Acc Al. apply allowed_exactly in Al as ((s & Sp & D & H) & R & V & M).
-  split; [exact M|].
+  intros Acc [Sp H HC M].
   destruct units_positive as (Ux & Um & Uc). pose proof classes_integral as I. pose proof classes_proper as P.
   destruct question_proper as (Qa & _ & QR & Qs & Ql). pose proof bd_positive as Qb.
   assert (Forall2 (holds_real bd (s ^ nb * per_scale na nb u))
-            (map (fun j => set_floor (in_integers u (a q) bd j) (Z.max 1 (min_per_class q))) js)
-            (map (fun j => number d j S) js)) as HR.
-  { apply Forall2_map_left. rewrite Forall_forall in I, P.
-    assert (forall j, In j js -> holds_real bd (s ^ nb * per_scale na nb u)
-              (set_floor (in_integers u (a q) bd j) (Z.max 1 (min_per_class q))) (number d j S)) as K.
-    { intros j J. rewrite in_integers_z. rewrite <- nb_z at 1.
-      apply (realizes_holds na nb nb_positive law openings_law u Ux Um Uc j s); auto.
-      - rewrite <- (H j J). apply sample_realizes; [apply power | auto].
-      - intro Mp. pose proof (sample_realizes (d := d) law (proj1 power) j S (P j J)) as Rz. rewrite (H j J) in Rz.
-        pose proof (Rmult_lt_0_compat _ _ Sp Mp) as K. destruct Rz as [(_ & E)|(Q1 & _)]; [lra|].
-        assert (min_per_class q <= number d j S)%Z by (apply R; [exact J|]; apply Rlt_Qlt; rewrite Q2R_0; exact Mp). lia. }
-    clear -K. induction js as [|j l IH]; simpl; constructor; [apply K; left; reflexivity|].
-    apply IH. intros; apply K; right; assumption. }
+            (map (fun j => set_floor (in_integers u (a q) bd j) (Z.max 1 (min_per_class q))) js) ns) as HR.
+  { apply Forall2_map_left. rewrite Forall_forall in I, P. eapply Forall2_impl_in; [|exact H]. intros j n J (Rz & R). cbv beta.
+    rewrite in_integers_z. rewrite <- nb_z at 1.
+    apply (realizes_holds na nb nb_positive law openings_law u Ux Um Uc j s); auto.
+    intro Mp. pose proof (Rmult_lt_0_compat _ _ Sp Mp) as K. destruct Rz as [(_ & E)|(Q1 & _)]; [lra|].
+    specialize (R Mp). lia. }
   assert (0 < s ^ nb * per_scale na nb u) as Sc.
   { apply Rmult_lt_0_compat; [apply pow_lt, Sp | apply per_scale_positive; assumption]. }
   destruct (rational_scale _ _ _ _ Sc HR) as (sc & (N1 & D1 & Hq) & U).
   destruct (scales_ok u Ux Um Uc na nb js (solids_of q) ss nb_positive I P some_mass Qs ltac:(destruct Ql as [|(A3 & _)]; [tauto | right; lia])
               (scales_at_nb _ _ _ _ Acc)) as (Bs & Be & _ & Sol).
-  assert (has_cubes (solids_of q) (s * unit_cubes js)) as HC.
-  { destruct (solids_of q) eqn:Es; [exact Logic.I|..].
-    all: destruct Ql as [Ql|(A3 & B3)]; [discriminate|].
-    all: assert (power_law 3 1 law) as P31 by (rewrite A3, B3 in power; exact power).
-    all: simpl in V; rewrite (volume_of_match law rs S s P31 rows_proper (conj D H)) in V; exact V. }
   destruct (proj1 (Sol s Sp) HC) as (St & Ex).
   pose proof (IZR_lt _ _ D1) as D1r.
   assert (forall L, bound L -> IZR (fst L) / IZR (snd L) < s ^ nb * per_scale na nb u -> under L sc) as Under.
@@ -288,12 +268,12 @@ Proof.
     2: { unfold z_scale. rewrite Ez. apply under_zero, N1. }
     rewrite <- Ez in *. assert (z <> None) as Nz by congruence.
     pose proof (acc_above _ _ _ _ Acc Nz) as Ab. rewrite <- map_map, check_above_floor in Ab.
-    refine (above_sound bd Qb (at_least q) z_scale _ (map (fun j => number d j S) js) sc _ (Zp Nz) (proj2 Bz) Ab _ _).
+    refine (above_sound bd Qb (at_least q) z_scale _ ns sc _ (Zp Nz) (proj2 Bz) Ab _ _).
     - apply Forall_forall. intros j J. rewrite map_map in J. apply in_map_iff in J as (i & <- & J). apply base_sound; [exact J | lia].
     - split; [exact N1|]. split; [exact D1|]. rewrite map_map. apply Forall2_unmap_left in Hq. apply Forall2_map_left.
       eapply Forall2_impl_in; [|exact Hq]. intros j n J Hj. apply (holds_floor _ _ _ _ _ _ Hj).
       intro Mj. destruct sc. destruct Hj as [(E0 & _)|(_ & Qj & _)]; cbn [set_floor m r] in *; lia.
-    - rewrite <- (describes_number rs S rows_proper D). exact M. }
+    - exact M. }
   exists sc. split; [exact N1|]. split; [exact D1|]. apply Forall2_map_left. apply Forall2_unmap_left in Hq.
   eapply Forall2_impl_in; [|exact Hq]. intros j n J Hj. apply with_floor_holds; trivial.
   - apply base_sound, J.
@@ -301,38 +281,32 @@ Proof.
 Qed.
 
 (* None with fewer. *)
-Theorem exact_lower_bound B S : bound_of (claimed cert) = Some B -> allowed law q G S -> (B <= Z.of_nat (length S))%Z.
+Theorem exact_lower_bound B s ns : bound_of (claimed cert) = Some B -> match_at law q d js s ns -> (B <= sum ns)%Z.
 Proof.
   intros E A. destruct check_accepted as (N & B' & qs & ss & _ & E' & Acc). rewrite E in E'. injection E' as <-.
-  destruct (sample_solution N B qs ss S Acc A) as (M & sc & Sol).
+  destruct (match_solution N B qs ss s ns Acc A) as (sc & Sol). pose proof (at_number _ _ _ _ _ _ A) as M.
   pose proof (acc_chain _ _ _ _ Acc) as C. destruct chain as [js'|]; [|lia].
-  assert (Z.of_nat (length S) = sum (map (fun j => number d j S) js)) as ->.
-  { apply allowed_exactly in A as ((s & _ & D & _) & _). apply describes_number; assumption. }
   refine (chain_bound bd _ B _ _ js' _ C _ (ex_intro _ sc Sol)).
   - exact bd_positive.
   - apply Forall_forall. intros j J. apply in_map_iff in J as (i & <- & J). apply with_floor_sound, base_sound, J.
 Qed.
 
-Lemma number_of_allowed S : allowed law q G S -> Z.of_nat (length S) = sum (map (fun j => number d j S) js).
-Proof. intro A. apply allowed_exactly in A as ((s & _ & D & _) & _). apply describes_number; assumption. Qed.
-
 (* One with as many particles as the bound has the least count in every class (Theorem 5 (a)), unless the bound is
    what was asked for. *)
-Theorem exact_least_counts N S T :
+Theorem exact_least_counts N s ns t ms :
   bound_of (claimed cert) = Some N -> (at_least q < N)%Z ->
-  allowed law q G S -> Z.of_nat (length S) = N -> allowed law q G T ->
-  Forall2 Z.le (map (fun j => number d j S) js) (map (fun j => number d j T) js).
+  match_at law q d js s ns -> sum ns = N -> match_at law q d js t ms -> Forall2 Z.le ns ms.
 Proof.
   intros E L A LS B. destruct check_accepted as (N' & B' & qs & ss & _ & E' & Acc).
   rewrite E in E'. injection E' as <-.
-  destruct (sample_solution N' N qs ss S Acc A) as (_ & scS & SolS).
-  destruct (sample_solution N' N qs ss T Acc B) as (_ & scT & SolT).
-  pose proof (acc_chain _ _ _ _ Acc) as C. rewrite (number_of_allowed S A) in LS. destruct chain as [js'|]; [|lia].
+  destruct (match_solution N' N qs ss s ns Acc A) as (scS & SolS).
+  destruct (match_solution N' N qs ss t ms Acc B) as (scT & SolT).
+  pose proof (acc_chain _ _ _ _ Acc) as C. destruct chain as [js'|]; [|lia].
   destruct (chain_counts bd bd_positive N (N =? N')%Z
-    (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js) js') as (ms & Sum & _ & Least);
+    (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) js) js') as (ls & Sum & _ & Least);
     [|exact C|].
   { apply Forall_forall. intros j J. apply in_map_iff in J as (i & <- & J). apply with_floor_sound, base_sound, J. }
-  rewrite (sum_eq ms (map (fun j => number d j S) js)).
+  rewrite (sum_eq ls ns).
   - apply Least. exists scT. exact SolT.
   - apply Least. exists scS. exact SolS.
   - congruence.
@@ -360,29 +334,32 @@ Lemma size_fraction s m n c mu cu xu e :
   s * m / (n * c) = s * (cu * xu / mu) * e * (m * mu) / (n * e * (c * cu * xu)).
 Proof. intros. field. repeat split; assumption. Qed.
 
-(* The witness's sizes are those of a match at the witness's scale with the witness's counts. *)
-Lemma sizes_true S s : 0 < s -> s ^ nb = Q2R scale -> describes d rs S -> one_size_a_class d js S ->
-  (forall j, In j js -> held d law j S = s * Q2R (mass j)) ->
-  forall post pre ws qs (ss : scales),
-  js = pre ++ post ->
+(* The witness's sizes are those of the match at the witness's scale with the witness's counts. *)
+Lemma sizes_fit s : 0 < s -> s ^ nb = Q2R scale ->
+  forall post pre before ws qs (ss : scales),
+  js = pre ++ post -> length before = length pre ->
   counts (Z.of_nat (length pre) + 1)
     (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) post) ws = Some qs ->
-  Forall2 (fun j n => number d j S = n) post qs ->
-  check_sizes u (a q) bd (root G) (in_scale_units u (a q) bd scale) (with_mass post) ws = Ok tt ->
-  Forall (line_true d js S) ws.
+  Forall2 (fun j n => realizes d law j n (s * Q2R (mass j))) post qs ->
+  check_sizes u (a q) bd (Zpos d) (in_scale_units u (a q) bd scale) (with_mass post) ws = Ok tt ->
+  Forall (line_fits na (Z.to_nat (b q)) js (before ++ contents_at s post qs)) ws.
 Proof.
-  intros Sp Es D O H. destruct units_positive as (Ux & Um & Uc).
+  intros Sp Es. destruct units_positive as (Ux & Um & Uc).
   pose proof classes_integral as I. pose proof classes_proper as P. rewrite Forall_forall in I, P.
-  induction post as [|j post IH]; intros pre ws qs ss E C Q Z.
+  induction post as [|j post IH]; intros pre before ws qs ss E Le C Q Z.
   { destruct ws; [constructor | discriminate]. }
   assert (In j js) as J by (rewrite E; apply in_or_app; right; left; reflexivity).
-  assert (forall ws' qs', counts (Z.of_nat (length pre) + 1 + 1)
+  destruct qs as [|n qs']; [inversion Q|].
+  assert (realizes d law j n (s * Q2R (mass j)) /\ Forall2 (fun j n => realizes d law j n (s * Q2R (mass j))) post qs') as (Qj & Q')
+    by (inversion Q; auto).
+  assert (forall ws', counts (Z.of_nat (length pre) + 1 + 1)
     (map (fun j => with_floor bd (min_per_class q) ss z_scale (in_integers u (a q) bd j)) post) ws' = Some qs' ->
-    Forall2 (fun j n => number d j S = n) post qs' ->
-    check_sizes u (a q) bd (root G) (in_scale_units u (a q) bd scale) (with_mass post) ws' = Ok tt ->
-    Forall (line_true d js S) ws') as Rest.
-  { intros ws' qs' C' Q' Z'. apply (IH (pre ++ [j]) ws' qs' ss); trivial.
+    check_sizes u (a q) bd (Zpos d) (in_scale_units u (a q) bd scale) (with_mass post) ws' = Ok tt ->
+    Forall (line_fits na (Z.to_nat (b q)) js (before ++ contents_at s (j :: post) (n :: qs'))) ws') as Rest.
+  { intros ws' C' Z'. change (contents_at s (j :: post) (n :: qs')) with ([(n, s * Q2R (mass j))] ++ contents_at s post qs').
+    rewrite app_assoc. apply (IH (pre ++ [j]) (before ++ [(n, s * Q2R (mass j))]) ws' qs' ss); trivial.
     - rewrite <- app_assoc. exact E.
+    - rewrite !app_length, Le. reflexivity.
     - rewrite app_length. simpl length. replace (Z.of_nat (length pre + 1) + 1)%Z with (Z.of_nat (length pre) + 1 + 1)%Z by lia.
       exact C'. }
   pose proof (mass_zero na nb nb_positive law openings_law u Ux Um Uc j (I j J) (P j J)) as Mz.
@@ -395,44 +372,46 @@ Proof.
   - assert (equal (mass j) 0 = true) as E0 by (apply equal_real; rewrite Q2R_0; apply Mz, M0).
     rewrite E0 in Z. cbn [negb] in Z.
     assert (option_map (cons 0%Z) (counts (Z.of_nat (length pre) + 1 + 1) (map (fun j => with_floor bd (min_per_class q)
-              ss z_scale (in_integers u (a q) bd j)) post) ws) = Some qs) as C0 by (destruct ws; exact C).
+              ss z_scale (in_integers u (a q) bd j)) post) ws) = Some (n :: qs')) as C0 by (destruct ws; exact C).
     destruct (counts (Z.of_nat (length pre) + 1 + 1) (map (fun j => with_floor bd (min_per_class q) ss z_scale
-                (in_integers u (a q) bd j)) post) ws) as [qs'|] eqn:C'; [|discriminate]. injection C0 as <-.
-    inversion Q; subst. exact (Rest ws qs' C' ltac:(assumption) Z).
+                (in_integers u (a q) bd j)) post) ws) as [qs0|] eqn:C'; [|discriminate]. injection C0 as _ <-.
+    exact (Rest ws C' Z).
   - destruct (equal (mass j) 0) eqn:E0; [exfalso; apply M0, Mz; apply equal_real in E0; rewrite E0; apply Q2R_0|].
     destruct ws as [|w ws]; [discriminate|]. destruct (Z.eqb_spec (index w) (Z.of_nat (length pre) + 1)) as [Iw|]; [|discriminate].
     destruct (counts (Z.of_nat (length pre) + 1 + 1) (map (fun j => with_floor bd (min_per_class q) ss z_scale
-                (in_integers u (a q) bd j)) post) ws) as [qs'|] eqn:C'; [|discriminate].
-    injection C as <-. inversion Q as [|? ? ? ? Qj Q']; subst. cbn [negb] in Z. cbn [check_sizes] in Z.
-    destruct (in_scale_units u (a q) bd scale) as (n, e) eqn:Esc. passed Z. destruct x.
-    constructor; [|exact (Rest ws qs' C' Q' Z)].
-    exists j. split; [|split; [exact Qj|]].
-    + rewrite Iw, E. replace (Z.to_nat (Z.of_nat (length pre) + 1 - 1)) with (length pre) by lia.
-      rewrite nth_error_app2, Nat.sub_diag by lia. reflexivity.
-    + intros x X Jx. destruct (size_of_class na (Z.to_nat (b q)) law rs S j x power rows_proper D O J X Jx) as (Sz & N1).
-      pose proof (scale_units_real scale) as (Rs & Ds). rewrite Esc in Rs, Ds. cbn [fst snd] in Rs, Ds.
-      destruct (P j J) as ((L & U) & Cj & Mj). destruct (I j J) as (_ & _ & Dm & Dc).
-      rewrite <- na_z in Z0. rewrite Qj in Sz, N1. apply (IZR_le 1) in N1 as N1r.
-      pose proof (IZR_lt _ _ Ux) as Rx. pose proof (IZR_lt _ _ Um) as Rm. pose proof (IZR_lt _ _ Uc) as Rc. pose proof (IZR_lt _ _ Ds) as Rd.
-      assert (0 < integer_factor u j)%Z as Fp.
-      { apply lt_IZR. unfold integer_factor. rewrite in_units_real by exact Dc. apply Rmult_lt_0_compat; assumption. }
-      destruct question_proper as (Qa & _). pose proof bd_positive as Qb.
-      refine (check_size_sound na (root G) j w _ _ x na_positive root_proper _ _ _ Z0).
-      * apply Z.mul_pos_pos; [apply Z.mul_pos_pos; [apply Z.pow_pos_nonneg; lia | exact Ds]|].
-        apply Z.mul_pos_pos; apply Z.pow_pos_nonneg; lia.
-      * pose proof (proper_sizes (d := d) j (P j J)). unfold in_class in Jx. lra.
-      * rewrite pow_mult, Sz, <- pow_mult, (H j J), !mult_IZR. rewrite <- nb_z, <- na_z, <- !pow_IZR, !Nat2Z.id.
-        unfold integer_factor. rewrite !in_units_real by assumption. rewrite !Rpow_mult_distr.
-        replace (IZR n) with (Q2R scale * per_scale na nb u * IZR e) by (rewrite <- Rs; field; lra).
-        rewrite <- Es. unfold per_scale. rewrite quotient_power, !Rpow_mult_distr.
-        apply size_fraction; try apply Rgt_not_eq; try apply pow_lt; lra.
+                (in_integers u (a q) bd j)) post) ws) as [qs0|] eqn:C'; [|discriminate].
+    injection C as <- <-. cbn [negb] in Z. cbn [check_sizes] in Z.
+    destruct (in_scale_units u (a q) bd scale) as (nu, e) eqn:Esc. passed Z. destruct x.
+    constructor; [|exact (Rest ws C' Z)].
+    assert (Z.to_nat (index w - 1) = length pre) as Place by (rewrite Iw; lia).
+    exists j, (s * Q2R (mass j)). split; [rewrite E; apply nth_behind, Place|]. split; [apply nth_behind; congruence|].
+    intros x X Sz.
+    pose proof (scale_units_real scale) as (Rs & Ds). rewrite Esc in Rs, Ds. cbn [fst snd] in Rs, Ds.
+    destruct (P j J) as ((L & U) & Cj & Mj). destruct (I j J) as (_ & _ & Dm & Dc).
+    rewrite <- na_z in Z0.
+    assert (1 <= IZR (count w)) as N1r.
+    { apply (IZR_le 1). destruct Qj as [(_ & T0)|(N1 & _)]; [exfalso | exact N1]. apply Rmult_integral in T0 as [T0|T0]; [lra|].
+      apply equal_false in E0. apply E0, eqR_Qeq. rewrite Q2R_0. exact T0. }
+    pose proof (IZR_lt _ _ Ux) as Rx. pose proof (IZR_lt _ _ Um) as Rm. pose proof (IZR_lt _ _ Uc) as Rc. pose proof (IZR_lt _ _ Ds) as Rd.
+    assert (0 < integer_factor u j)%Z as Fp.
+    { apply lt_IZR. unfold integer_factor. rewrite in_units_real by exact Dc. apply Rmult_lt_0_compat; assumption. }
+    assert (1 <= count w)%Z as N1 by (apply le_IZR; exact N1r).
+    destruct question_proper as (Qa & _). pose proof bd_positive as Qb.
+    refine (check_size_sound na (Zpos d) j w _ _ x na_positive eq_refl _ X _ Z0).
+    + apply Z.mul_pos_pos; [apply Z.mul_pos_pos; [apply Z.pow_pos_nonneg; lia | exact Ds]|].
+      apply Z.mul_pos_pos; apply Z.pow_pos_nonneg; lia.
+    + rewrite pow_mult, Sz, <- pow_mult, !mult_IZR. rewrite <- nb_z, <- na_z, <- !pow_IZR, !Nat2Z.id.
+      unfold integer_factor. rewrite !in_units_real by assumption. rewrite !Rpow_mult_distr.
+      replace (IZR nu) with (Q2R scale * per_scale na nb u * IZR e) by (rewrite <- Rs; field; lra).
+      rewrite <- Es. unfold per_scale. rewrite quotient_power, !Rpow_mult_distr.
+      apply size_fraction; try apply Rgt_not_eq; try apply pow_lt; lra.
 Qed.
 
-(* One with N, with one size a class, in the witness's bounds. *)
+(* One with N, in the witness's bounds. *)
 Theorem exact_attained N :
   found (claimed cert) = Some N ->
-  exists S, allowed law q G S /\ Z.of_nat (length S) = N /\ one_size_a_class d js S /\
-    Forall (line_true d js S) (witness cert).
+  exists s ns, match_at law q d js s ns /\ sum ns = N /\
+    Forall (line_fits na (Z.to_nat (b q)) js (contents_at s js ns)) (witness cert).
 Proof.
   intro E. destruct check_accepted as (N' & bound & qs & ss & E' & _ & Acc). rewrite E in E'. injection E' as <-.
   destruct units_positive as (Ux & Um & Uc). pose proof classes_integral as I. pose proof classes_proper as P.
@@ -455,43 +434,102 @@ Proof.
     - intro Mp. destruct sc as (sn, sd). destruct Hj as [(E0 & _)|(_ & Qj & _)]; [|simpl in Qj; lia].
       change (m (in_integers u (a q) bd j) = 0%Z) in E0. rewrite in_integers_z in E0.
       apply (mass_zero na nb nb_positive law openings_law u Ux Um Uc j (I j J) (P j J)) in E0. lra. }
-  destruct (classes_ascend (d := d) rs rows_proper) as (As & T).
-  destruct (counts_sample (d := d) law (proj1 power) js _ (map (fun '(j, n) => (n, s * Q2R (mass j))) (combine js qs)) As P) as (S & B & O & C).
-  { clear -Rz. induction Rz as [|j n l qs (H & _) _ IH]; constructor; [exact H | exact IH]. }
-  assert (Forall2 (fun j n => number d j S = n /\ held d law j S = s * Q2R (mass j)) js qs) as C'.
-  { clear -C Rz. induction Rz as [|j n l qs _ _ IH]; [constructor|]. simpl in C. inversion C; subst. constructor; auto. }
-  clear C. assert (describes d rs S) as D.
-  { split; [apply rows_proper|]. intros x X. rewrite <- T. apply B, X. }
-  assert (forall j, In j js -> held d law j S = s * Q2R (mass j)) as H.
-  { intros j J. clear -C' J. induction C' as [|i n l qs (_ & E) _ IH]; [destruct J|]; destruct J as [->|J]; auto. }
-  assert (Z.of_nat (length S) = N) as L.
-  { rewrite (describes_number rs S rows_proper D), <- (acc_sum _ _ _ _ Acc). f_equal.
-    clear -C'. induction C' as [|j n l qs (E & _) _ IH]; simpl; [reflexivity | rewrite E, IH; reflexivity]. }
-  assert (Forall (line_true d js S) (witness cert)) as Lines.
-  { refine (sizes_true S s Sp Es D O H js [] (witness cert) qs ss eq_refl (acc_counts _ _ _ _ Acc) _
-      (acc_sizes _ _ _ _ Acc)).
-    clear -C'. induction C' as [|j n l qs (E & _) _ IH]; constructor; assumption. }
-  exists S. split; [|split; [exact L | split; [exact O | exact Lines]]]. apply allowed_exactly.
-  split; [exists s; split; [exact Sp | split; assumption]|].
-  split; [|split].
-  - intros j J Mp. apply Qlt_Rlt in Mp. rewrite Q2R_0 in Mp.
-    clear -C' Rz J Mp. induction C' as [|i n l qs (E & _) _ IH]; [destruct J|]. inversion Rz as [|? ? ? ? (_ & Rn) Rz']; subst.
-    destruct J as [<-|J]; [apply Rn, Mp | apply IH; assumption].
-  - destruct (scales_ok u Ux Um Uc na nb js (solids_of q) ss nb_positive I P some_mass Qs ltac:(destruct Ql as [|(A3 & _)]; [tauto | right; lia])
+  exists s, qs. split; [|split; [exact (acc_sum _ _ _ _ Acc)|]].
+  - constructor; [exact Sp | exact Rz | |rewrite (acc_sum _ _ _ _ Acc); apply (acc_at_least _ _ _ _ Acc)].
+    destruct (scales_ok u Ux Um Uc na nb js (solids_of q) ss nb_positive I P some_mass Qs ltac:(destruct Ql as [|(A3 & _)]; [tauto | right; lia])
                 (scales_at_nb _ _ _ _ Acc)) as (_ & _ & Be & Sol).
-    assert (has_cubes (solids_of q) (s * unit_cubes js)) as HC.
-    { apply (proj2 (Sol s Sp)). rewrite Es, <- Rs. pose proof (acc_volume _ _ _ _ Acc) as V. fold sc in V.
-      apply IZR_le in V. rewrite !mult_IZR in V. destruct Be as (_ & Ed). apply IZR_lt in Ed, Ds.
-      apply (Rmult_le_reg_r (IZR (snd (enough ss)) * IZR (snd sc))); [apply Rmult_lt_0_compat; assumption|].
-      replace (IZR (fst (enough ss)) / IZR (snd (enough ss)) * (IZR (snd (enough ss)) * IZR (snd sc)))
-        with (IZR (fst (enough ss)) * IZR (snd sc)) by (field; lra).
-      replace (IZR (fst sc) / IZR (snd sc) * (IZR (snd (enough ss)) * IZR (snd sc)))
-        with (IZR (fst sc) * IZR (snd (enough ss))) by (field; lra). exact V. }
-    destruct (solids_of q) eqn:Eso; [exact Logic.I|..].
-    all: destruct Ql as [Ql|(A3 & B3)]; [discriminate|].
-    all: assert (power_law 3 1 law) as P31 by (rewrite A3, B3 in power; exact power).
-    all: simpl; rewrite (volume_of_match law rs S s P31 rows_proper (conj D H)); exact HC.
-  - rewrite L. apply (acc_at_least _ _ _ _ Acc).
+    apply (proj2 (Sol s Sp)). rewrite Es, <- Rs. pose proof (acc_volume _ _ _ _ Acc) as V. fold sc in V.
+    apply IZR_le in V. rewrite !mult_IZR in V. destruct Be as (_ & Ed). apply IZR_lt in Ed, Ds.
+    apply (Rmult_le_reg_r (IZR (snd (enough ss)) * IZR (snd sc))); [apply Rmult_lt_0_compat; assumption|].
+    replace (IZR (fst (enough ss)) / IZR (snd (enough ss)) * (IZR (snd (enough ss)) * IZR (snd sc)))
+      with (IZR (fst (enough ss)) * IZR (snd sc)) by (field; lra).
+    replace (IZR (fst sc) / IZR (snd sc) * (IZR (snd (enough ss)) * IZR (snd sc)))
+      with (IZR (fst sc) * IZR (snd (enough ss))) by (field; lra). exact V.
+  - apply (sizes_fit s Sp Es js [] [] (witness cert) qs ss eq_refl eq_refl (acc_counts _ _ _ _ Acc)); [|apply (acc_sizes _ _ _ _ Acc)].
+    eapply Forall2_impl_in; [|exact Rz]. intros j n _ (H & _). exact H.
 Qed.
 
 End Claim.
+
+Lemma classes_integral rs : Forall (integral (units_of rs)) (classes rs).
+Proof.
+  apply Forall_forall. intros j J. destruct (class_of_rows rs j J) as (L & U & M & C).
+  repeat split; apply common_denominator_spec; assumption.
+Qed.
+
+(* ---- Samples of one gradation -------------------------------------------------------------------- *)
+
+Section Samples.
+Variables (q : question) (G : gradation) (d : positive).
+Notation rs := (rows G).
+Notation js := (classes rs).
+Hypothesis root_proper : root G = Zpos d.
+Hypothesis exact : tolerances_of q = None.
+Hypothesis rows_proper : proper_rows rs.
+Hypothesis solids_law : solids_of q = Anything \/ a q = 3%Z /\ b q = 1%Z.
+Variable law : R -> R.
+Hypothesis power : power_law (Z.to_nat (a q)) (Z.to_nat (b q)) law.
+
+(* What the question allows, with the root by its name. *)
+Lemma allowed_exactly S :
+  allowed law q G S <-> describes_accurately d law rs S /\ has_enough d q rs S.
+Proof. unfold allowed, root_of. rewrite exact, root_proper. tauto. Qed.
+
+Lemma solids_of_match s S : describes_accurately_at d s law rs S ->
+  has_solids (solids_of q) S <-> has_cubes (solids_of q) (s * unit_cubes js).
+Proof.
+  intro D. destruct solids_law as [->|(A3 & B1)]; [simpl; tauto|].
+  assert (power_law 3 1 law) as P31 by (rewrite A3, B1 in power; exact power).
+  destruct (solids_of q); simpl; rewrite ?(volume_of_match law rs S s P31 rows_proper D); tauto.
+Qed.
+
+(* The counts of a sample that the question allows are a match. *)
+Lemma match_of_sample S : allowed law q G S ->
+  (exists s, match_at law q d js s (map (fun j => number d j S) js)) /\
+  Z.of_nat (length S) = sum (map (fun j => number d j S) js).
+Proof.
+  intro Al. apply allowed_exactly in Al as ((s & Sp & D & H) & R & V & M).
+  pose proof (describes_number rs S rows_proper D) as L. split; [|exact L]. exists s.
+  pose proof (proper_classes rs rows_proper) as P. constructor.
+  - exact Sp.
+  - rewrite Forall_forall in P. clear L M. assert (forall j, In j js -> realizes d law j (number d j S) (s * Q2R (mass j)) /\
+      (0 < Q2R (mass j) -> (min_per_class q <= number d j S)%Z)) as K.
+    { intros j J. split; [rewrite <- (H j J); apply sample_realizes; [apply power | auto]|].
+      intro Mp. apply R; [exact J|]. apply Rlt_Qlt. rewrite Q2R_0. exact Mp. }
+    clear -K. induction js as [|j l IH]; simpl; constructor; [apply K; left; reflexivity|].
+    apply IH. intros; apply K; right; assumption.
+  - apply (solids_of_match s S (conj D H)), V.
+  - rewrite <- L. exact M.
+Qed.
+
+(* And there is one for each match. *)
+Lemma sample_of_match s ns : match_at law q d js s ns ->
+  exists S, allowed law q G S /\ Z.of_nat (length S) = sum ns /\ describes d rs S /\ one_size_a_class d js S /\
+    contents_of d law js S = contents_at s js ns.
+Proof.
+  intros [Sp H V M].
+  assert (Forall2 (fun j qt => realizes d law j (fst qt) (snd qt)) js (contents_at s js ns)) as Rz.
+  { clear -H. unfold contents_at. induction H as [|j n l ns (Hj & _) _ IH]; constructor; [exact Hj | exact IH]. }
+  destruct (sample_with_contents (d := d) law rs _ (proj1 power) rows_proper Rz) as (S & D & O & C).
+  pose proof (contents_are law js S _ C) as E.
+  assert (forall j n, In (j, n) (combine js ns) -> number d j S = n /\ held d law j S = s * Q2R (mass j)) as Of.
+  { clear -C. unfold has_contents, contents_at in C. revert ns C. generalize js as l. induction l as [|i l IH]; intros [|m ns] C; inversion C; subst;
+      intros j n I; try destruct I as [[= <- <-]|I]; try contradiction; auto. eapply IH; eassumption. }
+  assert (length js = length ns) as Le by (clear -H; induction H; simpl; congruence).
+  assert (forall j, In j js -> held d law j S = s * Q2R (mass j)) as Held.
+  { intros j J. clear -Of J Le. revert ns Of Le. induction js as [|i l IH]; intros [|m ns] Of Le; try discriminate; [destruct J|].
+    destruct J as [<-|J]; [apply (Of i m); left; reflexivity|]. apply (IH J ns); [|injection Le as Le; exact Le].
+    intros j' n' I. apply Of. right. exact I. }
+  assert (Z.of_nat (length S) = sum ns) as L.
+  { rewrite (describes_number rs S rows_proper D). f_equal. rewrite <- (counts_of_contents (d := d) law js S), <- E.
+    unfold contents_at. rewrite map_map. clear -Le. revert ns Le. induction js as [|i l IH]; intros [|m ns] Le; try discriminate; [reflexivity|].
+    simpl. f_equal. apply IH. injection Le as Le. exact Le. }
+  exists S. split; [|split; [exact L | split; [exact D | split; [exact O | symmetry; exact E]]]].
+  apply allowed_exactly. split; [exists s; split; [exact Sp | split; assumption]|]. split; [|split].
+  - intros j J Mp. apply Qlt_Rlt in Mp. rewrite Q2R_0 in Mp. clear -Of H J Mp. revert Of. induction H as [|i n l ns (_ & F) _ IH]; intro Of; [destruct J|].
+    destruct J as [<-|J]; [rewrite (proj1 (Of i n (or_introl eq_refl))); exact (F Mp)|]. apply IH; [exact J|]. intros; apply Of; right; assumption.
+  - apply (solids_of_match s S (conj D Held)), V.
+  - rewrite L. exact M.
+Qed.
+
+End Samples.

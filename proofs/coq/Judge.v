@@ -1,7 +1,8 @@
 (* From the names and bytes of both files to the verdict that is printed. *)
 
 From Coq Require Import ZArith QArith List Bool String Ascii.
-From Mdm Require Import Numbers Gradation Certificate Text Rows GradationFile Document VerdictLine Checker.
+From Mdm Require Import Numbers Gradation Certificate Text Rows GradationFile Mixture MixtureFile Document VerdictLine
+  Checker.
 Import ListNotations.
 Open Scope string_scope.
 
@@ -40,6 +41,21 @@ Definition check_statement (name : string) (R : reading) (w : string) : result s
   demand_form (gives_openings R (asked (certificate_of D)) && plain_statement s) "a number that the verdict cannot say" ;;
   Ok s.
 
+(* The same of a gradation of several materials. *)
+Definition check_mixed_document (M : mixed_reading) (w : string) : result document :=
+  let* D := read_document [(of_integer 1, 0%Q, of_integer 100)] (words_of w) in
+  demand (negb (band_of_file D)) "band file: an envelope as the gradation file" ;;
+  check_mixture (mixture_of M) (certificate_of D) ;; Ok D.
+
+Definition check_mixed_statement (name : string) (M : mixed_reading) (w : string) : result statement :=
+  let* D := check_mixed_document M w in
+  let s := statement_of_mixture name M D in
+  demand_form (plain_statement s) "a number that the verdict cannot say" ;;
+  Ok s.
+
+Definition check_any_statement (name : string) (G : any_gradation) (w : string) : result statement :=
+  match G with One R => check_statement name R w | Several M => check_mixed_statement name M w end.
+
 (* What is said of a certificate w that cannot be read, and what to do. Laws by a table or a sum are those of mdm-check alone. *)
 Definition unreadable_text (w what program : string) : string :=
   if existsb (fun l => match l with
@@ -50,10 +66,10 @@ Definition unreadable_text (w what program : string) : string :=
   else what ++ ": let " ++ program ++ " --proof write it again".
 
 Definition judge (gradation certificate : file) : judgement :=
-  match read_gradation (bytes gradation) with
+  match read_any_gradation (bytes gradation) with
   | Refused what | Malformed what => Unreadable (printable (name gradation) ++ ":" ++ what)
-  | Ok R =>
-    match check_statement (name gradation) R (bytes certificate) with
+  | Ok G =>
+    match check_any_statement (name gradation) G (bytes certificate) with
     | Ok s => Proved (accepted_line s)
     | Refused what =>
       Unproved (refused_line (name gradation)) (printable (name certificate) ++ ": " ++ what ++ " fails")
@@ -64,11 +80,13 @@ Definition judge (gradation certificate : file) : judgement :=
 
 (* The gradation as it is read, in canonical CSV. *)
 Definition print_gradation (gradation : file) : result string :=
-  match read_gradation (bytes gradation) with
+  let printed short ls :=
+    demand_form short (printable (name gradation) ++ ": a number of more than 1000 digits: choose another unit") ;;
+    Ok (text_of_lines ls) in
+  match read_any_gradation (bytes gradation) with
   | Refused what | Malformed what => Malformed (printable (name gradation) ++ ":" ++ what)
-  | Ok R =>
+  | Ok (One R) =>
     let ls := gradation_lines R in
-    demand_form (forallb (fun l => match Csv.fields_of "," l with Some fs => forallb is_short fs | None => false end) ls)
-      (printable (name gradation) ++ ": a number of more than 1000 digits: choose another unit") ;;
-    Ok (text_of_lines ls)
+    printed (forallb (fun l => match Csv.fields_of "," l with Some fs => forallb is_short fs | None => false end) ls) ls
+  | Ok (Several M) => printed (forallb (fun '(numbers, _) => forallb is_short numbers) (mixed_rows M)) (mixture_lines M)
   end.

@@ -41,7 +41,7 @@ Definition demands (p : part) : Prop :=
   | BoxFilled x y z e => Q2R x * Q2R y * Q2R z <= solid_volume S * (1 + Q2R e)
   | VolumeOfSolids v => Q2R v <= solid_volume S
   | Law _ _ | PanCountedAs _ | LeftOutBelow _ | OpeningsTimes _ => True
-  | SizesIn _ | FactorsOfFile | PanImplied | SumsTo _ _ | MiddleOfLimits => True
+  | SizesIn _ | FactorsOfFile | OfMaterials _ | PanImplied | SumsTo _ _ | MiddleOfLimits => True
   end.
 
 (* The sample matches as the line says: exactly or within a tolerance, with enough particles, and by all parts. *)
@@ -77,7 +77,7 @@ Definition factor_in := first (fun p => match p with OpeningsTimes k => Some k |
 
 (* Unit, factors, an implied pan, the sum of shares and an envelope are what the line says, and no others. *)
 Definition is_of_file (p : part) : bool :=
-  match p with SizesIn _ | FactorsOfFile | PanImplied | SumsTo _ _ | MiddleOfLimits => true | _ => false end.
+  match p with SizesIn _ | FactorsOfFile | OfMaterials _ | PanImplied | SumsTo _ _ | MiddleOfLimits => true | _ => false end.
 Definition as_file_says (R : reading) (s : statement) : Prop :=
   unit_of s = sizes_in R /\ filter is_of_file (parts s) = file_parts R.
 
@@ -89,16 +89,11 @@ Definition as_line_says (G : gradation) (s : statement) : result gradation :=
   let* rs := apply_size_factor d (factor_in (parts s)) rs in
   Ok (Gradation rs d (has_tolerances G)).
 
-(* The statement is true of this file: of the gradation that is read from its bytes, for masses by the law in the line. *)
-Definition is_true (gradation : file) (s : statement) : Prop :=
-  file_name s = name gradation /\
-  exists R G a b, read_gradation (bytes gradation) = Ok R /\ as_file_says R s /\
-    as_line_says (reduced (gradation_of R)) s = Ok G /\ law_in (parts s) = Some (a, b) /\ (1 <= a)%Z /\ (1 <= b)%Z /\
+(* The statement is true of a gradation that is read, for masses by the law in the line. *)
+Definition true_of_one (R : reading) (s : statement) : Prop :=
+  exists G a b, as_file_says R s /\ as_line_says (reduced (gradation_of R)) s = Ok G /\ law_in (parts s) = Some (a, b) /\
+    (1 <= a)%Z /\ (1 <= b)%Z /\
     forall f, power_law (Z.to_nat a) (Z.to_nat b) f -> claim_holds f R G (factor_in (parts s)) s.
-
-(* What it means that a line is true of a file. A line has one statement at most: line_determines. *)
-Definition true_of_line (gradation : file) (line : string) : Prop :=
-  exists s, plain_statement s = true /\ line = accepted_line s /\ is_true gradation s.
 
 (* ---- The parts are the question ---------------------------------------------------------------------- *)
 
@@ -324,13 +319,13 @@ Proof.
   intros A Gv As Root Kn. set (q := asked (certificate_of D)) in *.
   pose proof (solid_parts_meant f D R G S (limits_or_none R) A) as Solid. fold q in Solid.
   pose proof (fun t => tolerance_parts_meant f D R G S (limits_or_none R) A As Root Kn Gv t) as Tol. fold q in Tol.
-  unfold matches, allowed, has_enough, statement_of. cbn [is_exact or_more parts]. fold q.
+  unfold matches, allowed, has_enough, statement_of, statement_with. cbn [is_exact or_more parts]. fold q.
   set (meant := demands f G (size_factor q) (sizes_in R) (limits_or_none R) S) in *.
   assert ((forall p, In p (parts_of R D) -> meant p) <->
           (forall t, tolerances_of q = Some t -> forall p, In p (tolerance_parts (sizes_in R) (reduced (gradation_of R)) q t (band_of_file D)) -> meant p) /\
           (forall j, In j (classes (rows G)) -> (0 < mass j)%Q -> (min_per_class q <= Spec.number (root_of G) j S)%Z) /\
           (forall p, In p (solid_parts (solids_of q) (box_of D)) -> meant p)) as P.
-  { unfold parts_of. fold q. split.
+  { unfold parts_of, parts_with. fold q. split.
     - intro H. split; [|split].
       + intros t T p I. apply H. rewrite T, in_app_iff. auto.
       + intros j J M. destruct (Z.leb_spec 1 (min_per_class q)) as [L|L].
@@ -359,17 +354,6 @@ Definition printed (j : judgement) : option string :=
   match j with Proved line | Unproved line _ => Some line | Unreadable _ => None end.
 
 Definition begins_with (prefix line : string) : Prop := exists rest, line = (prefix ++ rest)%string.
-
-Lemma printed_accepted gradation certificate line :
-  printed (judge gradation certificate) = Some line -> begins_with "accepted" line ->
-  exists R s, read_gradation (bytes gradation) = Ok R /\ check_statement (name gradation) R (bytes certificate) = Ok s /\
-    line = accepted_line s.
-Proof.
-  unfold judge. destruct (read_gradation (bytes gradation)) as [R| |]; try discriminate.
-  destruct (check_statement _ R (bytes certificate)) as [s| |] eqn:E; try discriminate; intros [= <-] (rest & H).
-  - exists R, s. auto.
-  - discriminate H.
-Qed.
 
 Lemma check_statement_ok name R w s : check_statement name R w = Ok s ->
   exists D, check_document R w = Ok D /\ s = statement_of name R D /\ gives_openings R (asked (certificate_of D)) = true /\
@@ -448,54 +432,64 @@ Proof.
 Qed.
 
 (* The parts that are no demand, in their order, among those that are. *)
-Lemma parts_split name R D : exists before after, let q := asked (certificate_of D) in
+Section Said.
+Variables (unit : size_unit) (G : gradation) (of_file : list part) (D : document).
+Hypothesis all_of_file : forall p, In p of_file -> is_of_file p = true.
+Let q := asked (certificate_of D).
+Let ps := parts_with unit G of_file D.
+
+Lemma parts_split : exists before after,
   (forall p, In p (before ++ after) -> is_demand p = true) /\
-  parts (statement_of name R D) = before ++ [Law (a q) (b q)] ++ file_parts R ++
+  ps = before ++ [Law (a q) (b q)] ++ of_file ++
     if_some (pan_size q) PanCountedAs ++ if_some (cut_below q) LeftOutBelow ++ if_some (size_factor q) OpeningsTimes ++ after.
 Proof.
-  cbv zeta. set (q := asked (certificate_of D)).
-  exists (match tolerances_of q with
-          | Some t => tolerance_parts (sizes_in R) (reduced (gradation_of R)) q t (band_of_file D) | None => [] end).
+  exists (match tolerances_of q with Some t => tolerance_parts unit G q t (band_of_file D) | None => [] end).
   exists (if_true (1 <=? min_per_class q)%Z (AtLeastInEachClass (min_per_class q)) ++ solid_parts (solids_of q) (box_of D)).
   split; [|reflexivity]. intro p. rewrite !in_app_iff, in_if_true. intros [I|[(_ & ->)|I]]; [|reflexivity|].
   - destruct (tolerances_of q) as [t|]; [|destruct I]. apply tolerance_parts_demand in I. exact I.
   - apply solid_parts_demand in I. exact I.
 Qed.
 
-Lemma first_of_parts {A} (pick : part -> option A) name R D :
+Lemma first_of_parts {A} (pick : part -> option A) :
   (forall p, is_demand p = true \/ is_of_file p = true -> pick p = None) ->
-  let q := asked (certificate_of D) in
-  first pick (parts (statement_of name R D)) =
+  first pick ps =
   first pick ([Law (a q) (b q)] ++ if_some (pan_size q) PanCountedAs ++ if_some (cut_below q) LeftOutBelow ++
     if_some (size_factor q) OpeningsTimes).
 Proof.
-  intros Others. cbv zeta. destruct (parts_split name R D) as (before & after & Demand & ->).
-  rewrite !first_app, (first_none pick before), (first_none pick (file_parts R)), (first_none pick after).
-  - set (q := asked (certificate_of D)). destruct (first pick [Law (a q) (b q)]), (first pick (if_some (pan_size q) PanCountedAs)),
+  intros Others. destruct parts_split as (before & after & Demand & ->).
+  rewrite !first_app, (first_none pick before), (first_none pick of_file), (first_none pick after).
+  - destruct (first pick [Law (a q) (b q)]), (first pick (if_some (pan_size q) PanCountedAs)),
       (first pick (if_some (cut_below q) LeftOutBelow)), (first pick (if_some (size_factor q) OpeningsTimes)); reflexivity.
   - intros p I. apply Others. left. apply Demand, in_app_iff. auto.
-  - intros p I. apply Others. right. exact (file_parts_of_file R p I).
+  - intros p I. apply Others. right. exact (all_of_file p I).
   - intros p I. apply Others. left. apply Demand, in_app_iff. auto.
 Qed.
+
+Lemma asked_said : law_in ps = Some (a q, b q) /\ pan_in ps = pan_size q /\ cut_in ps = cut_below q /\ factor_in ps = size_factor q.
+Proof.
+  unfold law_in, pan_in, cut_in, factor_in.
+  repeat split; rewrite first_of_parts by (intros []; cbn; intuition discriminate);
+    destruct (pan_size q), (cut_below q), (size_factor q); reflexivity.
+Qed.
+
+Lemma of_file_said : filter is_of_file ps = of_file.
+Proof.
+  destruct parts_split as (before & after & Demand & ->).
+  assert (forall p, is_demand p = true -> is_of_file p = false) as Not by (intros []; cbn; congruence).
+  rewrite !filter_app, (filter_none _ before), (filter_none _ after), (filter_all _ of_file).
+  - destruct (pan_size q), (cut_below q), (size_factor q); cbn; rewrite ?app_nil_r; reflexivity.
+  - exact all_of_file.
+  - intros p I. apply Not, Demand, in_app_iff. auto.
+  - intros p I. apply Not, Demand, in_app_iff. auto.
+Qed.
+End Said.
 
 Lemma question_said name R D : let q := asked (certificate_of D) in let ps := parts (statement_of name R D) in
   law_in ps = Some (a q, b q) /\ pan_in ps = pan_size q /\ cut_in ps = cut_below q /\ factor_in ps = size_factor q.
-Proof.
-  cbv zeta. unfold law_in, pan_in, cut_in, factor_in.
-  repeat split; rewrite first_of_parts by (intros []; cbn; intuition discriminate);
-    destruct (pan_size (asked _)), (cut_below (asked _)), (size_factor (asked _)); reflexivity.
-Qed.
+Proof. exact (asked_said _ _ _ D (file_parts_of_file R)). Qed.
 
 Lemma file_said name R D : as_file_says R (statement_of name R D).
-Proof.
-  split; [reflexivity|]. destruct (parts_split name R D) as (before & after & Demand & ->).
-  assert (forall p, is_demand p = true -> is_of_file p = false) as Not by (intros []; cbn; congruence).
-  rewrite !filter_app, (filter_none _ before), (filter_none _ after), (filter_all _ (file_parts R)).
-  - destruct (pan_size (asked _)), (cut_below (asked _)), (size_factor (asked _)); cbn; rewrite ?app_nil_r; reflexivity.
-  - exact (file_parts_of_file R).
-  - intros p I. apply Not, Demand, in_app_iff. auto.
-  - intros p I. apply Not, Demand, in_app_iff. auto.
-Qed.
+Proof. split; [reflexivity | exact (of_file_said _ _ _ D (file_parts_of_file R))]. Qed.
 
 Lemma gradation_said name R D G : asked_gradation (gradation_of R) (certificate_of D) = Ok G ->
   as_line_says (reduced (gradation_of R)) (statement_of name R D) = Ok G.
@@ -515,7 +509,7 @@ Lemma statement_holds name R D G f :
 Proof.
   intros A Gv C E T. destruct (check_certificate_ok _ _ C) as (G' & E' & W & Sen & _). rewrite E in E'. injection E' as <-.
   pose proof (fun S => matches_allowed f name R D G S A Gv E (root_positive _ W) (factor_of_question _ Sen)) as M.
-  unfold claim_true in T. unfold claim_holds. cbn [statement_of claim_of].
+  unfold claim_true in T. unfold claim_holds. cbn [statement_of statement_with claim_of].
   destruct (claimed (certificate_of D)) as [N|least N|least|].
   - destruct T as (((S & SA & SN) & Least) & _). split.
     + exists S. split; [apply M, SA | exact SN].
@@ -527,33 +521,14 @@ Proof.
   - intros S H. apply (T S), M, H.
 Qed.
 
-(* If the line that is printed begins with "accepted", it is true of the gradation in the file. *)
-Theorem accepted_line_true gradation certificate line :
-  printed (judge gradation certificate) = Some line -> begins_with "accepted" line -> true_of_line gradation line.
+Theorem checked_statement_true name R w s : check_statement name R w = Ok s -> true_of_one R s.
 Proof.
-  intros P B. destruct (printed_accepted _ _ _ P B) as (R & s & ER & ES & ->).
-  apply check_statement_ok in ES as (D & ED & -> & Gv & Plain). apply check_document_ok in ED as (A & C).
-  exists (statement_of (name gradation) R D). split; [exact Plain|]. split; [reflexivity|]. split; [reflexivity|].
+  intro ES. apply check_statement_ok in ES as (D & ED & -> & Gv & _). apply check_document_ok in ED as (A & C).
   destruct (check_certificate_ok _ _ C) as (G & E & _ & Sen & _).
-  destruct (question_said (name gradation) R D) as (L & _ & _ & F).
-  exists R, G, (a (asked (certificate_of D))), (b (asked (certificate_of D))).
-  split; [exact ER|]. split; [apply file_said|]. split; [apply gradation_said, E|]. split; [exact L|].
+  destruct (question_said name R D) as (L & _ & _ & F).
+  exists G, (a (asked (certificate_of D))), (b (asked (certificate_of D))).
+  split; [apply file_said|]. split; [apply gradation_said, E|]. split; [exact L|].
   unfold sensible in Sen. cbv zeta in Sen. rewrite !andb_true_iff, !Z.leb_le in Sen. split; [tauto|]. split; [tauto|].
   intros f Power. rewrite F. destruct (certificate_true _ _ f C Power) as (G' & E' & T). rewrite E in E'. injection E' as <-.
   apply statement_holds; assumption.
-Qed.
-
-(* What the certificate claims besides: a sample with the counts and sizes of its witness, and of a least exact match the
-   least count in every class. G is the gradation as the certificate asks about it. *)
-Theorem accepted_certificate_true gradation certificate line :
-  printed (judge gradation certificate) = Some line -> begins_with "accepted" line ->
-  exists R D, let cert := certificate_of D in
-    read_gradation (bytes gradation) = Ok R /\ check_document R (bytes certificate) = Ok D /\
-    line = accepted_line (statement_of (name gradation) R D) /\
-    forall f, power_law (Z.to_nat (a (asked cert))) (Z.to_nat (b (asked cert))) f ->
-    exists G, asked_gradation (gradation_of R) cert = Ok G /\ claim_true f cert G.
-Proof.
-  intros P B. destruct (printed_accepted _ _ _ P B) as (R & s & ER & ES & ->).
-  apply check_statement_ok in ES as (D & ED & -> & _). exists R, D. cbv zeta. split; [exact ER|]. split; [exact ED|].
-  split; [reflexivity|]. intros f Power. apply check_document_ok in ED as (_ & C). exact (certificate_true _ _ f C Power).
 Qed.

@@ -2,7 +2,7 @@
 
 From Coq Require Import ZArith QArith List Bool String Ascii Lia.
 From Mdm Require Import Numbers Gradation Certificate Question Text Decimals Rows GradationFile Document VerdictLine Judge
-  JudgeTheorem LinePhrases.
+  JudgeTheorem LineTheorem LinePhrases.
 Import ListNotations.
 Open Scope string_scope.
 
@@ -31,9 +31,8 @@ Lemma same_parts s s' : plain_statement s = true -> plain_statement s' = true ->
   unit_of s = unit_of s' /\ parts s = parts s'.
 Proof.
   intros P P' E. apply plain_parts in P as (P & U), P' as (P' & U'). unfold map_all in E. rewrite !map_all_map in E.
-  assert (forall (u : size_unit) p ps, In p ps -> map (phrase u) ps <> []) as NE by (intros u p [|? ?] []; discriminate).
-  apply same_joined in E; [| | |exact (NE _ _ _ U)|exact (NE _ _ _ U')];
-    try (intros w I; apply in_map_iff in I as (p & <- & I); apply phrase_no_semicolon; auto).
+  assert (forall (p : part) ps, In p ps -> ps <> []) as NE by (intros p [|? ?] []; discriminate).
+  apply same_joined in E; [|exact P|exact P'|exact (NE _ _ U)|exact (NE _ _ U')].
   assert (unit_of s = unit_of s') as Same.
   { apply (in_map (phrase (unit_of s))) in U. rewrite E in U. apply in_map_iff in U as (p & Ep & I). specialize (P' p I).
     destruct (unit_of s) eqn:Us, (unit_of s') eqn:Us', p; try reflexivity; try (destruct share); try (destruct unit); try discriminate Ep;

@@ -286,6 +286,24 @@ Proof. destruct u, v; intro H; try reflexivity; discriminate H. Qed.
 Lemma units_same u v : sizes_phrase u = sizes_phrase v -> u = v.
 Proof. intro E. apply unit_same. unfold same_unit. rewrite E. apply String.eqb_refl. Qed.
 
+(* Names in quotes, up to what is no comma. *)
+Lemma joined_form separator w ws : joined separator (w :: ws) = w ++ match ws with [] => "" | _ => separator ++ joined separator ws end.
+Proof. destruct ws as [|w' ws]; [symmetry; apply append_nothing | reflexivity]. Qed.
+
+Definition no_comma (w : string) : bool := ends (Ascii.eqb ",") w.
+
+Lemma same_materials names : forall names' s t, names <> [] -> names' <> [] -> no_comma s = true -> no_comma t = true ->
+  joined ", " (map in_quotes names) ++ s = joined ", " (map in_quotes names') ++ t -> names = names' /\ s = t.
+Proof.
+  induction names as [|n names IH]; intros [|n' names'] s t N N' S T E; try contradiction. cbn [map] in E. rewrite !joined_form in E.
+  rewrite !append_associates in E. apply same_names in E as (-> & E).
+  destruct names as [|m names], names' as [|m' names']; cbn [map append] in E.
+  - auto.
+  - subst s. discriminate S.
+  - subst t. discriminate T.
+  - injection E as E. destruct (IH (m' :: names') s t ltac:(discriminate) ltac:(discriminate) S T E) as (Same & ->). rewrite Same. auto.
+Qed.
+
 (* A phrase says one part. *)
 Lemma same_phrases u p q : plain_part u p = true -> plain_part u q = true -> phrase u p = phrase u q -> p = q.
 Proof.
@@ -307,6 +325,9 @@ Proof.
   - take E. apply same_openings in E as (-> & E); trivial; try (apply further_ends; reflexivity).
     apply same_further in E as (-> & _); trivial.
   - cbn [append] in E. destruct (Z.eqb_spec b 1) as [->|], (Z.eqb_spec b0 1) as [->|]; take E; reflexivity.
+  - unfold map_all in E. rewrite !map_all_map in E. take E.
+    rewrite <- (append_nothing (joined _ _)), <- (append_nothing (joined ", " (map in_quotes names0))) in E.
+    apply same_materials in E as (-> & _); trivial; intros ->; discriminate.
 Qed.
 
 (* ---- The parts ----------------------------------------------------------------------------------------- *)
@@ -338,9 +359,11 @@ Proof.
   rewrite !every_append, decimal_no_semicolon, opening_no_semicolon, (IH Ps) by assumption. reflexivity.
 Qed.
 
-Lemma phrase_no_semicolon u p : plain_part u p = true -> every no_semicolon (phrase u p) = true.
+Definition is_of_materials (p : part) : bool := match p with OfMaterials _ => true | _ => false end.
+
+Lemma phrase_no_semicolon u p : plain_part u p = true -> is_of_materials p = false -> every no_semicolon (phrase u p) = true.
 Proof.
-  intro P. destruct p; try (destruct share); try (destruct unit); try (destruct each as [|(e, x) each]; [discriminate P|]);
+  intros P No. destruct p; try discriminate No; try (destruct share); try (destruct unit); try (destruct each as [|(e, x) each]; [discriminate P|]);
     cbn [plain_part forallb] in P; rewrite ?andb_true_iff in P;
     repeat match type of P with _ /\ _ => destruct P as (P & ?) end;
     unfold phrase, of_total, of_file; cbv zeta; try reflexivity;
@@ -350,17 +373,41 @@ Proof.
   - destruct (b =? 1)%Z; rewrite !every_append, ?integer_no_semicolon by assumption; reflexivity.
 Qed.
 
-Lemma same_joined l : forall m, (forall w, In w l -> every no_semicolon w = true) ->
-  (forall w, In w m -> every no_semicolon w = true) -> l <> [] -> m <> [] -> joined "; " l = joined "; " m -> l = m.
+(* No other phrase begins as that of materials does. *)
+Lemma no_materials u p s w : plain_part u p = true -> is_of_materials p = false -> phrase u p ++ s <> "classes of the materials " ++ w.
 Proof.
-  assert (forall w ws, joined "; " (w :: ws) = w ++ match ws with [] => "" | _ => "; " ++ joined "; " ws end) as Form.
-  { intros w [|w' ws]; [symmetry; apply append_nothing | reflexivity]. }
-  induction l as [|w l IH]; intros [|w' m] L M NL NM E; try contradiction. rewrite !Form in E.
-  apply (same_heads no_semicolon) in E as (-> & E); [| apply L | apply M | destruct l; reflexivity | destruct m; reflexivity];
-    try (left; reflexivity).
-  f_equal. destruct l as [|a l], m as [|b m]; [reflexivity | discriminate E | discriminate E|].
+  intros P No E. destruct p; try discriminate No; try (destruct share); try (destruct unit); try (destruct each as [|(e, x) each]; [discriminate P|]);
+    cbn [plain_part forallb] in P; rewrite ?andb_true_iff in P; repeat match type of P with _ /\ _ => destruct P as (P & ?) end;
+    unfold phrase, of_total, of_file in E; cbv zeta in E; try discriminate E;
+    try (rewrite each_phrase_form in E); rewrite ?append_associates in E; try (revert E; apply decimal_head; [assumption | reflexivity]).
+Qed.
+
+(* The first phrase of two lists, up to a semicolon. *)
+Lemma same_first u v p q s t : plain_part u p = true -> plain_part v q = true -> ends no_semicolon s = true -> ends no_semicolon t = true ->
+  phrase u p ++ s = phrase v q ++ t -> phrase u p = phrase v q /\ s = t.
+Proof.
+  intros P Q S T E. destruct (is_of_materials p) eqn:Op, (is_of_materials q) eqn:Oq.
+  - destruct p as [| | | | | | | | | | |names| | | | | | | | | |]; try discriminate Op. destruct q as [| | | | | | | | | | |names'| | | | | | | | | |]; try discriminate Oq.
+    unfold phrase, map_all in *. rewrite !map_all_map in *. take E.
+    assert (forall w, ends no_semicolon w = true -> no_comma w = true) as C.
+    { intros [|ch w]; [reflexivity|]. unfold no_comma, ends, no_semicolon. rewrite negb_involutive. intro H. apply Ascii.eqb_eq in H. subst. reflexivity. }
+    apply same_materials in E as (-> & ->); auto; intros ->; discriminate.
+  - exfalso. destruct p; try discriminate Op. unfold phrase in E at 1. rewrite append_associates in E. symmetry in E.
+    exact (no_materials v q _ _ Q Oq E).
+  - exfalso. destruct q; try discriminate Oq. unfold phrase in E at 2. rewrite append_associates in E.
+    exact (no_materials u p _ _ P Op E).
+  - apply (same_heads no_semicolon); trivial; apply phrase_no_semicolon; assumption.
+Qed.
+
+Lemma same_joined u v l : forall m, (forall p, In p l -> plain_part u p = true) -> (forall p, In p m -> plain_part v p = true) ->
+  l <> [] -> m <> [] -> joined "; " (map (phrase u) l) = joined "; " (map (phrase v) m) -> map (phrase u) l = map (phrase v) m.
+Proof.
+  induction l as [|p l IH]; intros [|q m] L M NL NM E; try contradiction. cbn [map] in *. rewrite !joined_form in E.
+  apply same_first in E as (Same & E); [| apply L; left; reflexivity | apply M; left; reflexivity
+    | destruct l; reflexivity | destruct m; reflexivity].
+  rewrite Same. f_equal. destruct l as [|p' l], m as [|q' m]; [reflexivity | discriminate E | discriminate E|].
   apply IH; [intros; apply L; right; assumption | intros; apply M; right; assumption | discriminate | discriminate|].
-  cbn [append] in E. injection E as E. exact E.
+  cbn [map append] in E. injection E as E. exact E.
 Qed.
 
 Lemma same_last u : forall v ch, u ++ String ch "" = v ++ String ch "" -> u = v.

@@ -2,7 +2,7 @@
 
 From Coq Require Import ZArith QArith Reals Qreals List Bool Lia Lra.
 From Mdm Require Import Numbers NumbersFacts Gradation Certificate Question Chain Exact Tolerant Checker Spec Openings
-  Reduction RealFacts Pi Sizes ExactSound Solids ExactTheorem TolerantTheorem.
+  Reduction RealFacts Pi Sizes Contents ExactSound Solids ExactTheorem Shares TolerantSound TolerantTheorem.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -14,14 +14,15 @@ Lemma check_certificate_ok G cert :
   check_certificate G cert = Ok tt ->
   exists G', asked_gradation G cert = Ok G' /\ well_formed G' = true /\ sensible cert = true /\
     match tolerances_of (asked cert), proof_of cert with
-    | None, Exact scale z chain => check_exact cert G' scale z chain = Ok tt
-    | Some tol, Tolerant nodes => check_tolerant cert G' tol nodes = Ok tt
+    | None, Exact scale z chain => check_exact cert (root G') (rows G') (classes (rows G')) scale z chain = Ok tt
+    | Some tol, Tolerant nodes => exists ss, shares_of (asked cert) tol G' = Ok ss /\
+      check_tolerant cert (root G') (rows G') (all_begin (classes (rows G'))) ss tol nodes = Ok tt
     | _, _ => False
     end.
 Proof.
   intro H. unfold check_certificate in H. passed H. passed H. rename x into G'. passed H.
   apply andb_prop in H0 as (_ & S). exists G'. repeat split; trivial.
-  destruct (tolerances_of (asked cert)), (proof_of cert); try discriminate; exact H.
+  destruct (tolerances_of (asked cert)), (proof_of cert); try discriminate; [|exact H]. passed H. eauto.
 Qed.
 
 Lemma sensible_question cert :
@@ -89,14 +90,20 @@ Proof.
   { unfold sensible in S. cbv zeta in S. rewrite Ep, T, !andb_true_iff in S. destruct S as (_ & Sc & Zz).
     apply less_real in Sc. rewrite Q2R_0 in Sc. split; [exact Sc|]. intros y ->. apply less_real in Zz.
     rewrite Q2R_0 in Zz. exact Zz. }
-  destruct (check_accepted cert G' scale z chain Zp H) as (N & B & _ & _ & EN & EB & _).
+  rewrite Rd in H. set (d := root_of G') in *. set (js := classes (rows G')) in *.
+  pose proof (classes_integral (rows G')) as I. pose proof (proper_classes (rows G') Wp) as Pj. fold js in I, Pj, M.
+  pose proof Q as (_ & _ & _ & _ & Ql).
+  destruct (check_accepted cert d (rows G') js scale z chain Zp H) as (N & B & _ & _ & EN & EB & _).
+  pose proof (match_of_sample (asked cert) G' d Rd T Wp Ql f P) as Down. pose proof (sample_of_match (asked cert) G' d Rd T Wp Ql f P) as Up.
+  fold js in Down, Up.
   assert (exists s, is_witness f cert G' N s) as Attained.
-  { destruct (exact_attained cert G' (root_of G') scale z chain Rd T Wp M Q Sp Zp H f P N EN)
-      as (s & A & L & O & Lines).
-    assert (describes (root_of G') (rows G') s) as D.
-    { apply (allowed_exactly cert G' (root_of G') Rd T) in A as ((sc & _ & D & _) & _). exact D. }
-    exists s. split; [exact A|]. split; [exact L|]. split; [exact (one_size_articulate _ _ Wp D O) | exact Lines]. }
-  pose proof (fun s => exact_lower_bound cert G' (root_of G') scale z chain Rd T Wp M Q Zp H f P B s EB) as Lower.
+  { destruct (exact_attained cert d (rows G') js scale z chain I Pj M Q Sp Zp H f P N EN) as (s & ns & At & Sum & Lines).
+    destruct (Up s ns At) as (S' & A & L & D & O & C). exists S'. split; [exact A|]. split; [congruence|].
+    split; [exact (one_size_articulate _ _ Wp D O)|]. rewrite <- C in Lines. eapply Forall_impl; [|exact Lines].
+    intros w. apply (line_of_sample _ _ f (rows G') S' w P Wp D O). }
+  assert (forall S', allowed f (asked cert) G' S' -> (B <= Z.of_nat (length S'))%Z) as Lower.
+  { intros S' A. destruct (Down S' A) as ((s & At) & ->).
+    exact (exact_lower_bound cert d (rows G') js scale z chain I Pj M Q Zp H f P B s _ EB At). }
   exists G'. split; [exact E|]. split; [eauto|]. unfold claim_true.
   destruct (claimed cert) as [n|least n|least|] eqn:EC; try discriminate EN.
   2: { injection EN as ->. injection EB as ->. split; assumption. }
@@ -104,18 +111,20 @@ Proof.
   - destruct Attained as (s & A & L & _). eauto.
   - intros _ Lt s' A' L' t At.
     assert (bound_of (claimed cert) = Some N) as EB by (rewrite EC; reflexivity).
-    pose proof (fun S' T' =>
-      exact_least_counts cert G' (root_of G') scale z chain Rd T Wp M Q Zp H f P N S' T' EB Lt) as K.
+    assert (forall S' T', allowed f (asked cert) G' S' -> Z.of_nat (length S') = N -> allowed f (asked cert) G' T' ->
+      Forall2 Z.le (map (fun j => number d j S') js) (map (fun j => number d j T') js)) as K.
+    { intros S' T' AS LS AT. destruct (Down S' AS) as ((s1 & At1) & L1), (Down T' AT) as ((s2 & At2) & _).
+      apply (exact_least_counts cert d (rows G') js scale z chain I Pj M Q Zp H f P N s1 _ s2 _ EB Lt At1 ltac:(congruence) At2). }
     split; [exact (counts_le _ _ _ (K s' t A' L' At))|]. intros Lt' j J.
     apply Z.le_antisymm.
     + apply (counts_le _ _ _ (K t s' At ltac:(congruence) A') j J).
     + apply (counts_le _ _ _ (K s' t A' L' At) j J).
 Qed.
 
-Lemma check_tolerant_ok cert G tol nodes :
-  check_tolerant cert G tol nodes = Ok tt ->
-  exists pr, derive cert G tol = Ok pr /\ check_pi (solids_of (asked cert)) = Ok tt /\
-    (forall N, found (claimed cert) = Some N -> check_witness cert G pr N = Ok tt) /\ Tree.check_tree pr nodes = Ok tt.
+Lemma check_tolerant_ok cert d rs js ss tol nodes :
+  check_tolerant cert d rs js ss tol nodes = Ok tt ->
+  exists pr, derive cert d rs js ss tol = Ok pr /\ check_pi (solids_of (asked cert)) = Ok tt /\
+    (forall N, found (claimed cert) = Some N -> check_witness cert d (map fst js) pr N = Ok tt) /\ Tree.check_tree pr nodes = Ok tt.
 Proof.
   intro H. unfold check_tolerant in H. passed H. rename x into pr. passed H. destruct x. passed H. destruct x.
   exists pr. repeat split; trivial. intros N E. rewrite E in H2. exact H2.
@@ -157,25 +166,36 @@ Proof.
   destruct (tolerances_of (asked cert)) as [tol|] eqn:Et; [|congruence].
   destruct (proof_of cert) as [scale z chain|nodes] eqn:Ep; [destruct H|].
   destruct (well_formed_proper G' W) as (Wp & M). pose proof (well_formed_root G' W) as Rd.
+  destruct H as (ss & Sh & H). rewrite Rd in H. set (d := root_of G') in *. set (js := classes (rows G')) in *.
   apply check_tolerant_ok in H as (pr & D & Pi & Wi & C).
   pose proof (sensible_question cert S Pi) as (Qa & Qb & _ & Qs & Ql).
   destruct (sensible_tolerances cert tol S Et) as (Np & Te & Tp & Tb & Kn).
   assert (forall X l h, In (X, l, h) (band tol) -> 0 <= Q2R X) as Bx by (intros X l h I; apply (Tb X l h I)).
   assert (forall X l h, In (X, l, h) (band tol) -> 0 <= Q2R h) as Bh by (intros X l h I; apply (Tb X l h I)).
   exists G'. split; [exact E|].
-  assert (forall B, bound_of (claimed cert) = Some B -> forall s, allowed f (asked cert) G' s -> (B <= Z.of_nat (length s))%Z) as Lower
-    by (intros B EB s A; exact (tolerant_lower_bound cert G' (root_of G') tol nodes Et Rd Kn Bx Wp M Qa Qb Qs Ql f P pr D C B s EB A)).
+  pose proof (within_of_sample (asked cert) G' d tol ss Et Rd Kn Bx Wp M Ql f P Sh) as Down.
+  pose proof (sample_of_within (asked cert) G' d tol ss Et Rd Kn Bx Wp M Ql f P Sh (well_formed_tolerances G' W) Te Tp Bh) as Up.
+  pose proof (shares_have_targets (asked cert) G' tol ss Wp M Sh) as Targets. pose proof (rows_all_begin (asked cert) G' tol ss Wp M Sh) as None_.
+  pose proof (proper_classes (rows G') Wp) as Pj. fold js in Down, Up, Targets, None_, Pj, M.
+  rewrite <- (all_begin_classes js) in Pj, M. rewrite <- (all_begin_classes js) in Targets at 1 2.
+  pose proof (classes_follow (rows G')) as Fo. fold js in Fo. pose proof (openings_not_negative (rows G') Wp) as On.
+  assert (forall B, bound_of (claimed cert) = Some B -> forall s, allowed f (asked cert) G' s -> (B <= Z.of_nat (length s))%Z) as Lower.
+  { intros B EB s A. destruct (Down s A) as (At & ->).
+    exact (tolerant_lower_bound cert d (rows G') (all_begin js) ss tol nodes Fo On Pj M Targets None_ Qa Qb Qs f P pr D C B _ EB At). }
   assert (forall N, found (claimed cert) = Some N -> exists s, is_witness f cert G' N s) as Attained.
   { intros N EN.
-    destruct (tolerant_attained cert G' (root_of G') tol Et Rd Kn Bx Wp M Qa Qb Qs Ql f P pr D (well_formed_tolerances G' W) Te Tp Bh N
-                (Np N EN) (Wi N EN)) as (s & A & L & Ds & O & Lines).
-    exists s. split; [exact A|]. split; [exact L|]. split; [exact (one_size_articulate _ _ Wp Ds O) | exact Lines]. }
+    destruct (tolerant_attained cert d (rows G') (all_begin js) ss tol Fo On Pj M Targets None_ Qa Qb Qs f P pr D N (Np N EN) (Wi N EN))
+      as (qts & At & Sum & Lines).
+    destruct (Up qts At) as (s & A & L & Ds & O & Cs). exists s. split; [exact A|]. split; [congruence|].
+    split; [exact (one_size_articulate _ _ Wp Ds O)|]. rewrite <- Cs, all_begin_classes in Lines. eapply Forall_impl; [|exact Lines].
+    intros w. apply (line_of_sample _ _ f (rows G') s w P Wp Ds O). }
   unfold claim_true. destruct (claimed cert) as [N|B N|B|] eqn:EN.
   - destruct (Attained N eq_refl) as (s & A). split; [split; [exists s; split; apply A | exact (Lower N eq_refl)]|].
     split; [exists s; exact A | congruence].
   - split; [exact (Lower B eq_refl) | exact (Attained N eq_refl)].
   - exact (Lower B eq_refl).
-  - intros s. exact (tolerant_none cert G' (root_of G') tol nodes Et Rd Kn Bx Wp M Qa Qb Qs Ql f P pr D C s EN).
+  - intros s A. destruct (Down s A) as (At & _).
+    exact (tolerant_none cert d (rows G') (all_begin js) ss tol nodes Fo On Pj M Targets None_ Qa Qb Qs f P pr D C _ EN At).
 Qed.
 
 Theorem certificate_true G cert f :

@@ -125,15 +125,19 @@ Definition denominators (w : Q) (s : share) : list Z :=
   map (fun x => Zpos (Qden x))
     [g_j s; w; lo (retained_in s); hi (retained_in s); lo (passing_in s); hi (passing_in s)].
 
+(* A row and the next: the class between them, or, where the row begins none, one that holds nothing. *)
+Definition between_rows : Type := class * bool.
+Definition all_begin (js : list class) : list between_rows := map (fun j => (j, true)) js.
+
 (* Class by class, with the roots of its openings. *)
-Fixpoint limits_of (R a size_unit factor_unit unit : Z) (s : solids) (js : list class) (ss : list share) (roots : list Q)
+Fixpoint limits_of (R a size_unit factor_unit unit : Z) (s : solids) (js : list between_rows) (ss : list share) (roots : list Q)
   : list limits :=
   match js, ss, roots with
-  | j :: js, s_j :: ss, x :: ((y :: _) as roots) =>
+  | (j, begins) :: js, s_j :: ss, x :: ((y :: _) as roots) =>
     let factor := in_units (c j) factor_unit in
     let mass_at x := factor * in_units x size_unit ^ a in
     let share x := in_units x unit in
-    Limits (mass_at x) (mass_at y) (if equal (mass j) 0 then 0 else R)
+    Limits (if begins then mass_at x else 0) (if begins then mass_at y else 1) (if equal (mass j) 0 then 0 else R)
       (share (lo (retained_in s_j))) (share (hi (retained_in s_j)))
       (share (lo (passing_in s_j))) (share (hi (passing_in s_j)))
       (share (g_j s_j)) (share (inverse_factor s j))
@@ -141,18 +145,16 @@ Fixpoint limits_of (R a size_unit factor_unit unit : Z) (s : solids) (js : list 
   | _, _, _ => []
   end.
 
-Definition derive (cert : certificate) (G : gradation) (tol : tolerances) : result problem :=
+Definition derive (cert : certificate) (d : Z) (rs : list row) (js : list between_rows) (ss : list share) (tol : tolerances)
+  : result problem :=
   let q := asked cert in
-  let rs := rows G in
-  let js := classes rs in
-  let* ss := shares_of q tol G in
   let e := half (total tol) in
-  let ws := map (inverse_factor (solids_of q)) js in
+  let ws := map (inverse_factor (solids_of q)) (map fst js) in
   let* unit := include_all (flat_map (fun '(w, s) => denominators w s) (combine ws ss)) (Zpos (Qden e)) in
   (* x^(a/b) is Y^(a/(b d)): a'/b' in lowest terms. *)
-  let n := Z.gcd (a q) (b q * root G) in
+  let n := Z.gcd (a q) (b q * d) in
   let a' := a q / n in
-  let* roots := rational_roots (b q * root G / n) rs in
+  let* roots := rational_roots (b q * d / n) rs in
   let size_unit := common_denominator roots in
   let factor_unit := common_denominator (map factor rs) in
   let w := volume_below (solids_of q) in
@@ -199,12 +201,12 @@ Definition excess (unit M : Z) (cs : list limits) (qts : list (Z * Z)) : Z :=
 Definition over_factors (cs : list limits) (qts : list (Z * Z)) : Z :=
   sum (map (fun '(c, (_, t)) => t * per_factor c) (combine cs qts)).
 
-Definition check_witness (cert : certificate) (G : gradation) (pr : problem) (N : Z) : result unit :=
+Definition check_witness (cert : certificate) (d : Z) (js : list class) (pr : problem) (N : Z) : result unit :=
   let q := asked cert in
   let cs := classes_of pr in
   let* unit := include_all (map (fun w => Zpos (Qden (together w))) (witness cert)) 1 in
-  demand_form (work_of cert (size (rows G) - 1) (size (rows G) - 1) * bits unit <=? work_of_steps) too_long ;;
-  let* qts := contents (a q) (b q) (root G) unit pr 1%Z (classes (rows G)) cs (witness cert) in
+  demand_form (work_of cert (size js) (size js) * bits unit <=? work_of_steps) too_long ;;
+  let* qts := contents (a q) (b q) d unit pr 1%Z js cs (witness cert) in
   let M := sum (map snd qts) in
   demand (within (share_unit pr) M 0 cs qts) "q >= R, or a tolerance" ;;
   demand (excess (share_unit pr) M cs qts <=? half_total pr * M) "total" ;;
@@ -213,11 +215,12 @@ Definition check_witness (cert : certificate) (G : gradation) (pr : problem) (N 
   demand (sum (map fst qts) =? N) "sum of q = N" ;;
   demand (at_least q <=? N) "N >= M".
 
-Definition check_tolerant (cert : certificate) (G : gradation) (tol : tolerances) (nodes : list node) : result unit :=
-  let* pr := derive cert G tol in
+Definition check_tolerant (cert : certificate) (d : Z) (rs : list row) (js : list between_rows) (ss : list share)
+  (tol : tolerances) (nodes : list node) : result unit :=
+  let* pr := derive cert d rs js ss tol in
   check_pi (solids_of (asked cert)) ;;
   match found (claimed cert) with
-  | Some N => check_witness cert G pr N
+  | Some N => check_witness cert d (map fst js) pr N
   | None => Ok tt
   end ;;
   check_tree pr nodes.

@@ -55,54 +55,70 @@ Qed.
 
 (* ---- Classes in integers ------------------------------------------------------------------------- *)
 
-Record represents (least : Z) (sol : solids) (mu su : R) (j : class) (s : share) (l : limits) : Prop := {
-  rep_f : IZR (f l) = Q2R (c j) * law (lower_size d j) * mu;
-  rep_F : IZR (F l) = Q2R (c j) * law (upper_size d j) * mu;
-  rep_floor : floor l = if equal (mass j) 0 then 0%Z else least;
+(* The classes are those between the rows, in their order. *)
+Fixpoint follow (rs : list row) (places : list between_rows) : Prop :=
+  match rs, places with
+  | r :: ((next :: _) as rest), (j, begins) :: places =>
+    (begins = true -> lower j = opening r /\ upper j = opening next) /\ c j = factor r /\ follow rest places
+  | [_], [] | [], [] => True
+  | _, _ => False
+  end.
+
+Record represents (least : Z) (sol : solids) (mu su : R) (p : between_rows) (s : share) (l : limits) : Prop := {
+  rep_f : snd p = true -> IZR (f l) = Q2R (c (fst p)) * law (lower_size d (fst p)) * mu;
+  rep_F : snd p = true -> IZR (F l) = Q2R (c (fst p)) * law (upper_size d (fst p)) * mu;
+  rep_none : snd p = false -> f l = 0%Z /\ F l = 1%Z;
+  rep_floor : floor l = if equal (mass (fst p)) 0 then 0%Z else least;
   rep_retained_lo : IZR (retained_lo l) = Q2R (lo (retained_in s)) * su;
   rep_retained_hi : IZR (retained_hi l) = Q2R (hi (retained_in s)) * su;
   rep_passing_lo : IZR (passing_lo l) = Q2R (lo (passing_in s)) * su;
   rep_passing_hi : IZR (passing_hi l) = Q2R (hi (passing_in s)) * su;
   rep_g : IZR (g l) = Q2R (g_j s) * su;
-  rep_per_factor : IZR (per_factor l) = Q2R (inverse_factor sol j) * su }.
+  rep_per_factor : IZR (per_factor l) = Q2R (inverse_factor sol (fst p)) * su }.
 
-Lemma limits_represent least size_unit factor_unit unit sol : forall rs ss roots,
+Lemma limits_represent least size_unit factor_unit unit sol : forall rs places ss roots,
   Forall2 (fun r x => 0 <= Q2R x /\ Q2R x ^ nb = Q2R (opening r)) rs roots ->
-  length ss = length (classes rs) ->
+  follow rs places -> length ss = length places ->
   (forall x, In x roots -> (Zpos (Qden x) | size_unit)%Z) ->
   (forall r, In r rs -> (Zpos (Qden (factor r)) | factor_unit)%Z) ->
-  (forall j s, In (j, s) (combine (classes rs) ss) ->
-     forall e, In e (denominators (inverse_factor sol j) s) -> (e | unit)%Z) ->
-  Forall2 (fun js l => represents least sol (IZR (size_unit ^ Z.of_nat na * factor_unit)) (IZR unit) (fst js) (snd js) l)
-    (combine (classes rs) ss) (limits_of least (Z.of_nat na) size_unit factor_unit unit sol (classes rs) ss roots).
+  (forall p s, In (p, s) (combine places ss) ->
+     forall e, In e (denominators (inverse_factor sol (fst p)) s) -> (e | unit)%Z) ->
+  Forall2 (fun ps l => represents least sol (IZR (size_unit ^ Z.of_nat na * factor_unit)) (IZR unit) (fst ps) (snd ps) l)
+    (combine places ss) (limits_of least (Z.of_nat na) size_unit factor_unit unit sol places ss roots).
 Proof.
-  induction rs as [|r rs IH]; intros ss roots Ro Le Dx Dc Du; [constructor|].
-  destruct rs as [|next later]; [constructor|].
+  induction rs as [|r rs IH]; intros places ss roots Ro Fo Le Dx Dc Du; [destruct places; [constructor | destruct Fo]|].
+  destruct rs as [|next later]; [destruct places; [constructor | destruct Fo]|].
   inversion Ro as [|? x ? roots1 (Rx0 & Rx) Ro1]; subst. inversion Ro1 as [|? y ? roots2 (Ry0 & Ry) Ro2]; subst.
-  set (j := Class (opening r) (opening next) (retained r) (factor r)).
-  change (classes (r :: next :: later)) with (j :: classes (next :: later)) in *.
+  destruct places as [|(j, begins) places]; [destruct Fo|]. destruct Fo as (Bounds & Cj & Fo).
   destruct ss as [|s ss]; [discriminate|].
   cbn [limits_of combine]. constructor.
   - cbn [fst snd].
-    assert (forall e, In e (denominators (inverse_factor sol j) s) -> (e | unit)%Z) as D by (apply (Du j s); left; reflexivity).
+    assert (forall e, In e (denominators (inverse_factor sol j) s) -> (e | unit)%Z) as D by (apply (Du (j, begins) s); left; reflexivity).
     assert (forall z, In z [g_j s; inverse_factor sol j; lo (retained_in s); hi (retained_in s); lo (passing_in s); hi (passing_in s)] ->
               IZR (in_units z unit) = Q2R z * IZR unit) as U.
     { intros z Z. apply in_units_real, D. unfold denominators. apply in_map_iff. exists z. auto. }
-    assert (IZR (in_units (factor r) factor_unit) = Q2R (factor r) * IZR factor_unit) as Uc
-      by (apply in_units_real, Dc; left; reflexivity).
+    assert (IZR (in_units (c j) factor_unit) = Q2R (c j) * IZR factor_unit) as Uc
+      by (rewrite Cj; apply in_units_real, Dc; left; reflexivity).
     assert (forall z, In z (x :: y :: roots2) -> IZR (in_units z size_unit) = Q2R z * IZR size_unit) as Ux
       by (intros z Z; apply in_units_real, Dx, Z).
     constructor; cbn [Leaf.f Leaf.F Leaf.floor Leaf.retained_lo Leaf.retained_hi Leaf.passing_lo Leaf.passing_hi Leaf.g
-                      Leaf.per_factor lower upper mass c j]; try (apply U; simpl; tauto); trivial.
-    + change (lower_size d _) with (size_of d (opening r)).
+                      Leaf.per_factor fst snd]; try (apply U; simpl; tauto); trivial.
+    + intros ->. destruct (Bounds eq_refl) as (Lo & _). unfold lower_size. rewrite Lo.
       rewrite !mult_IZR, <- !pow_IZR, Uc, (Ux x), (law_of_root x (opening r) Rx0 Rx), Rpow_mult_distr by (simpl; tauto). ring.
-    + change (upper_size d _) with (size_of d (opening next)).
+    + intros ->. destruct (Bounds eq_refl) as (_ & Hi). unfold upper_size. rewrite Hi.
       rewrite !mult_IZR, <- !pow_IZR, Uc, (Ux y), (law_of_root y (opening next) Ry0 Ry), Rpow_mult_distr by (simpl; tauto). ring.
+    + intros ->. split; reflexivity.
   - apply IH; trivial.
     + injection Le as Le. exact Le.
     + intros z Z. apply Dx. right; exact Z.
     + intros r' I. apply Dc. right; exact I.
     + intros i t I. apply Du. right; exact I.
+Qed.
+
+Lemma classes_follow rs : follow rs (all_begin (classes rs)).
+Proof.
+  induction rs as [|r rs IH]; [exact I|]. destruct rs as [|next later]; [exact I|].
+  split; [intros _; split; reflexivity|]. split; [reflexivity | exact IH].
 Qed.
 
 End Units.

@@ -1,7 +1,7 @@
 (* The line that a verdict prints: it names the whole question, so that its reader sees what was proved. *)
 
 From Coq Require Import ZArith QArith List Bool String Ascii.
-From Mdm Require Import Numbers Gradation Certificate Question Text Decimals Rows GradationFile Document.
+From Mdm Require Import Numbers Gradation Certificate Question Text Decimals Rows GradationFile Mixture MixtureFile Document.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -22,6 +22,7 @@ Inductive part :=
 | Law (a b : Z)
 | SizesIn (unit : size_unit)
 | FactorsOfFile
+| OfMaterials (names : list string)
 | PanImplied
 | SumsTo (share : share_unit) (total : Q)
 | MiddleOfLimits
@@ -83,23 +84,36 @@ Definition file_parts (R : reading) : list part :=
   if_some (sum_to R) (fun '(share, total) => SumsTo share total) ++
   if_some (limits R) (fun _ => MiddleOfLimits).
 
-Definition parts_of (R : reading) (D : document) : list part :=
+(* The same of several materials. *)
+Definition mixed_parts (M : mixed_reading) : list part :=
+  [SizesIn (mixed_sizes M)] ++ if_true (mixed_factors M) FactorsOfFile ++ [OfMaterials (map fst (materials (mixture_of M)))].
+
+(* With what is said of the file; openings are those of G. *)
+Definition parts_with (unit : size_unit) (G : gradation) (of_file : list part) (D : document) : list part :=
   let q := asked (certificate_of D) in
   match tolerances_of q with
-  | Some t => tolerance_parts (sizes_in R) (reduced (gradation_of R)) q t (band_of_file D)
+  | Some t => tolerance_parts unit G q t (band_of_file D)
   | None => []
   end ++
-  [Law (a q) (b q)] ++ file_parts R ++
+  [Law (a q) (b q)] ++ of_file ++
   if_some (pan_size q) PanCountedAs ++
   if_some (cut_below q) LeftOutBelow ++
   if_some (size_factor q) OpeningsTimes ++
   if_true (1 <=? min_per_class q) (AtLeastInEachClass (min_per_class q)) ++
   solid_parts (solids_of q) (box_of D).
 
-Definition statement_of (name : string) (R : reading) (D : document) : statement :=
+Definition parts_of (R : reading) : document -> list part := parts_with (sizes_in R) (reduced (gradation_of R)) (file_parts R).
+
+Definition statement_with (name : string) (unit : size_unit) (parts : list part) (D : document) : statement :=
   let q := asked (certificate_of D) in
-  Statement name (sizes_in R) (claimed (certificate_of D)) (at_least q)
-    match tolerances_of q with Some _ => false | None => true end (parts_of R D).
+  Statement name unit (claimed (certificate_of D)) (at_least q) match tolerances_of q with Some _ => false | None => true end parts.
+
+Definition statement_of (name : string) (R : reading) (D : document) : statement :=
+  statement_with name (sizes_in R) (parts_of R D) D.
+
+(* No line of a tolerance is about openings of a gradation of several materials. *)
+Definition statement_of_mixture (name : string) (M : mixed_reading) (D : document) : statement :=
+  statement_with name (mixed_sizes M) (parts_with (mixed_sizes M) (Gradation [] 1 false) (mixed_parts M) D) D.
 
 (* ---- As a text -------------------------------------------------------------------------------------- *)
 
@@ -149,6 +163,7 @@ Definition phrase (unit : size_unit) (p : part) : string :=
     "mass law x^" ++ if b =? 1 then show_integer a else "(" ++ show_integer a ++ "/" ++ show_integer b ++ ")"
   | SizesIn unit => sizes_phrase unit
   | FactorsOfFile => "factors from the file"
+  | OfMaterials names => "classes of the materials " ++ joined ", " (map_all in_quotes names)
   | PanImplied => "a pan implied below the finest sieve"
   | SumsTo Percents total => "percents sum to " ++ d total
   | SumsTo Fractions total => "fractions sum to " ++ d total
@@ -199,7 +214,7 @@ Definition plain_part (unit : size_unit) (p : part) : bool :=
   match p with
   | RetainedWithin x | PassingWithin x | TotalWithin x | SumsTo _ x | PanCountedAs x | LeftOutBelow x | OpeningsTimes x
   | VolumeOfSolids x => plain x
-  | PassingEach [] => false
+  | PassingEach [] | OfMaterials [] => false
   | PassingEach each => forallb (fun '(e, x) => plain e && plain_opening unit x) each
   | BandAt x least most => plain x && plain least && plain most
   | Law a b => plain_integer a && plain_integer b
@@ -207,7 +222,7 @@ Definition plain_part (unit : size_unit) (p : part) : bool :=
   | AtLeastInEachClass r => plain_integer r
   | CylinderFilled diameter height e => plain diameter && plain height && plain e
   | BoxFilled x y z e => plain x && plain y && plain z && plain e
-  | RetainedAsInFile | PassingAsInFile | BandOfFile | FactorsOfFile | PanImplied | MiddleOfLimits => true
+  | RetainedAsInFile | PassingAsInFile | BandOfFile | FactorsOfFile | OfMaterials _ | PanImplied | MiddleOfLimits => true
   end.
 
 (* Statements of which each has a line of its own. *)
