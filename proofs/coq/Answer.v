@@ -1,7 +1,8 @@
 (* What the file of mdm solve --coq applies: what the verdict's line says is true of the file with these bytes. *)
 
 From Coq Require Import String.
-From Mdm Require Import VerdictLine Judge LineTheorem.
+From Mdm Require Import VerdictLine Judge.
+From Mdm Require Export LineTheorem.
 Open Scope string_scope.
 
 Theorem proved gradation certificate line : judge gradation certificate = Proved line -> true_of_line gradation line.

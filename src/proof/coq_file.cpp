@@ -102,10 +102,10 @@ std::string coq_file(const Match &m, const CoqSource &source) {
    The folder is where exactmdm installs its Coq development (README.md there says how to compile it where it has no
    .vo files). The strings are the bytes of the gradation file and of its certificate, each quote twice. Coq evaluates
    the verified checker on them, prints the line of its verdict, and proves that this line is true of the gradation:
-   true_of_line in JudgeTheorem.v, in the words of Spec.v. *)
+   true_of_line in LineTheorem.v, in the words of Spec.v. *)
 
 From Coq Require Import String.
-From Mdm Require Import Judge JudgeTheorem Answer.
+From Mdm Require Import Judge LineTheorem Answer.
 Open Scope string_scope.
 
 Definition gradation : file := File {}
