@@ -311,7 +311,7 @@ def export(source: Source | None, to: str, out: Path, *,
            mass_error: Number | None = None, yes_huge: bool = False, yes_units: bool = False, box: str | None = None,
            start: str | None = None, sides: str | None = None, seed: Number | None = None, model: str | None = None,
            steps: Number | None = None, stress: Number | None = None, axial_strain: Number | None = None,
-           target_tolerance: Number | None = None, friction: Number | None = None,
+           constant: str | None = None, target_tolerance: Number | None = None, friction: Number | None = None,
            friction_while_filling: Number | None = None, rolling_friction: Number | None = None, periodic: bool = False,
            unjammed: bool = False, types: str | None = None, material: Union[str, "os.PathLike[str]", None] = None,
            young: Number | None = None, poisson: Number | None = None, spread: bool = False,
@@ -403,6 +403,8 @@ def export(source: Source | None, to: str, out: Path, *,
         unjammed: a model's result may be grains that are not at rest, or that do not carry each other; without it the
             engine stops there with what it measures.
         axial_strain: of a triaxial model at its end, 1 - h/h0, up to 0.5 (0.2).
+        constant: while a triaxial model is sheared: sigma_3, on its sides (default), or p, the mean (sigma_1 + 2
+            sigma_3)/3.
 
     Raises:
         InputError: an option or the source is wrong, or it cannot be written in that format.
