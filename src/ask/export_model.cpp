@@ -4,6 +4,7 @@
 #include "particles/material_table.hpp"
 #include "particles/particle_writer.hpp"
 #include "text/file_names.hpp"
+#include "text/filesystem_path.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/number/decimal.hpp>
@@ -135,21 +136,21 @@ ModelWriter::ModelWriter(const std::string &model, const std::string &to, std::s
                      " liggghts, lammps or yade");
   if (out_ == "-")
     throw InputError(option("model") + ": what it reads and writes lies beside it: say where with -o FILE");
-  if (engine_->script == yade_model && std::filesystem::path(out_).extension() != ".py")
+  if (engine_->script == yade_model && filesystem_path(out_).extension() != ".py")
     throw InputError("-o: YADE runs models that end in .py: give it such a name");
   std::error_code none;
-  if (const auto type = std::filesystem::status(out_, none).type();
+  if (const auto type = std::filesystem::status(filesystem_path(out_), none).type();
       type != std::filesystem::file_type::not_found && type != std::filesystem::file_type::regular)
     throw InputError("-o: " + printable(out_) +
                      " is no regular file, beside which a model's other files could lie: give another name");
 }
 
 std::vector<std::string> ModelWriter::other_files() const {
-  const std::filesystem::path out(out_);
+  const std::filesystem::path out = filesystem_path(out_);
   std::vector<std::string> files{
-      std::filesystem::path(out).replace_extension(engine_->particles_ending).string()};
+      path_name(std::filesystem::path(out).replace_extension(engine_->particles_ending))};
   if (engine_->reads_planes)
-    files.push_back((out.parent_path() / fmt::format("{}-{}.stl", out.stem().string(), plane_)).string());
+    files.push_back(path_name(out.parent_path() / (out.stem() += fmt::format("-{}.stl", plane_))));
   return files;
 }
 
@@ -160,8 +161,8 @@ SettleModel ModelWriter::model(const ExportTexts &c, const ExportedParticles &fo
   };
   SettleModel model{*found.set,
                     {length(0), length(1), length(2)},
-                    std::filesystem::path(other_files().front()).filename().string(),
-                    std::filesystem::path(out_).stem().string()};
+                    path_name(filesystem_path(other_files().front()).filename()),
+                    path_name(filesystem_path(out_).stem())};
   model.space = asked_space(c);
   model.target = density_target(c);
   check_reachable(model, start);

@@ -2,6 +2,7 @@
 
 #include "ask/option_values.hpp"
 #include "text/file_names.hpp"
+#include "text/filesystem_path.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/text/error.hpp>
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 namespace mdm {
 const ExportFormat &export_format(const ExportTexts &c) {
@@ -26,9 +26,9 @@ std::vector<FileBeside> files_beside(const ExportTexts &c, const ExportFormat &f
     return {};
   if (c.out == "-")
     throw InputError("-o: PhasicFlow reads two more files, which lie beside it: say where with -o FILE");
-  const std::filesystem::path folder = std::filesystem::path(c.out).parent_path();
-  return {{(folder / "shapes").string(), write_phasicflow_shapes},
-          {(folder / "positions").string(), write_phasicflow_positions}};
+  const std::filesystem::path folder = filesystem_path(c.out).parent_path();
+  return {{path_name(folder / "shapes"), write_phasicflow_shapes},
+          {path_name(folder / "positions"), write_phasicflow_positions}};
 }
 
 Rational physical(const std::string &name, const std::string &text) {

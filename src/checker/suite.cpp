@@ -18,23 +18,35 @@ constexpr std::string_view proof_ending = ".proof";
 /// Of mdm batch and mdm crosscheck.
 constexpr std::string_view gradation_endings[] = {".gradation", ".gradation.json"};
 
+/// The path that a name means: names are UTF-8, and Windows would take each byte of a plain text for a letter
+/// of its own.
+fs::path path_of(const std::string &name) {
+  return {std::u8string(name.begin(), name.end())};
+}
+
+std::string name_of(const fs::path &path) {
+  const std::u8string name = path.u8string();
+  return {name.begin(), name.end()};
+}
+
 /// The names in a folder that have an ending, without it.
 std::set<std::string> names_with(std::string_view ending, const std::string &folder) {
   std::set<std::string> names;
   std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
+  for (fs::directory_iterator entry(path_of(folder), error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = name_of(entry->path().filename());
     if (name.ends_with(ending))
       names.insert(name.substr(0, name.size() - ending.size()));
   }
   if (error)
-    fail(folder, "cannot be read: " + error.message() +
+    fail(folder, "cannot be read: " + error.default_error_condition().message() +
                      ": give the folder of the certificates, or a suite and their stream");
   return names;
 }
 
-std::string path_of(const std::string &folder, const std::string &name, std::string_view ending) {
-  return (fs::path(folder) / (name + std::string(ending))).string();
+std::string path_in(const std::string &folder, const std::string &name, std::string_view ending) {
+  return name_of(path_of(folder) / path_of(name + std::string(ending)));
 }
 
 /// NUMBER of a name NUMBER or NUMBER-ID; 0, which is no line, where it has none.
@@ -129,7 +141,7 @@ int check_suite_folder(const std::string &suite, const std::string &folder, cons
                        std::optional<Answers> &answers) {
   std::multimap<std::uint64_t, std::string> proofs;
   for (const std::string &name : names_with(proof_ending, folder))
-    proofs.emplace(number_of(name), path_of(folder, name, proof_ending));
+    proofs.emplace(number_of(name), path_in(folder, name, proof_ending));
   Verdicts verdicts(manner);
   InputLines lines(suite);
   try {
@@ -152,7 +164,7 @@ int check_suite(const std::string &suite, const std::string &proofs, const Manne
   if (name_of_answers)
     answers.emplace(*name_of_answers);
   std::error_code is_not_there; // a folder's reader says so
-  return fs::is_directory(proofs, is_not_there) || is_not_there
+  return fs::is_directory(path_of(proofs), is_not_there) || is_not_there
              ? check_suite_folder(suite, proofs, manner, answers)
              : check_stream(suite, proofs, manner, answers);
 }
@@ -162,13 +174,13 @@ int check_folder(const std::string &folder, const Manner &manner) {
   std::map<std::string, std::string> gradations;
   for (const std::string_view ending : gradation_endings)
     for (const std::string &name : names_with(ending, folder))
-      gradations.emplace(name, path_of(folder, name, ending));
+      gradations.emplace(name, path_in(folder, name, ending));
   std::set<std::string> all = proofs;
   for (const auto &[name, path] : gradations)
     all.insert(name);
   Verdicts verdicts(manner);
   for (const std::string &name : all) {
-    const std::string proof = path_of(folder, name, proof_ending);
+    const std::string proof = path_in(folder, name, proof_ending);
     const auto gradation = gradations.find(name);
     if (proofs.count(name) == 0)
       verdicts.missing(printable(gradation->second) + ": no certificate beside it");

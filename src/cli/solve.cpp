@@ -19,6 +19,7 @@
 #include "match/costly_fines.hpp"
 #include "proof/coq_file.hpp"
 #include "proof/vipr.hpp"
+#include "text/filesystem_path.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/gradation/write_gradation.hpp>
@@ -129,8 +130,8 @@ Exit exit_code_beside(const std::optional<Spectrum> &spectrum, Outcome outcome) 
 
 /// True for a name that Coq takes a module from.
 bool is_coq_file(const std::string &path) {
-  const std::filesystem::path name = std::filesystem::path(path).filename();
-  const std::string module = name.stem().string();
+  const std::filesystem::path name = filesystem_path(path).filename();
+  const std::string module = path_name(name.stem());
   const auto is_letter = [](char ch) {
     return (ch >= 'a' && ch <= 'z') || (ch >= 'A' && ch <= 'Z') || ch == '_';
   };
@@ -143,7 +144,7 @@ bool is_coq_file(const std::string &path) {
 /// file, it is that in canonical CSV, and is named so.
 std::string theorem(const SolveCommand &c, const Target &asked, const Match &m,
                     const std::string &certificate) {
-  const std::string file = std::filesystem::path(*c.coq).filename().string();
+  const std::string file = path_name(filesystem_path(*c.coq).filename());
   const std::string source = c.flags.source(c.file);
   const std::string name = source == "-" ? "standard input" : printable(source);
   return coq_file(m, {asked.is_canonical ? name : name + " as canonical CSV",
@@ -210,8 +211,9 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Bud
     if (path && can_be)
       files.push_back({std::make_unique<Output>(*path), in_file(source, text)});
     else if (path)
-      m.notes.push_back("no proof was written to " + printable(*path) + ": the limit came before the end" +
-                        (std::filesystem::exists(*path) ? "; the file that is there is older" : ""));
+      m.notes.push_back(
+          "no proof was written to " + printable(*path) + ": the limit came before the end" +
+          (std::filesystem::exists(filesystem_path(*path)) ? "; the file that is there is older" : ""));
   };
   Certified made;
   if ((c.proof || c.coq) && has_certificate(m))

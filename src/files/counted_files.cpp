@@ -3,6 +3,7 @@
 #include "files/byte_source.hpp"
 #include "files/file_totals.hpp"
 #include "files/paths.hpp"
+#include "text/filesystem_path.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
@@ -16,12 +17,12 @@
 namespace mdm {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// The name of a file from the folder of the answers.
 std::string name_beside(const std::string &answers, const std::string &file) {
-  const fs::path folder = fs::path(canonical_path(answers)).parent_path();
-  return fs::path(canonical_path(file)).lexically_relative(folder).generic_string();
+  const std::filesystem::path folder = filesystem_path(canonical_path(answers)).parent_path();
+  const std::filesystem::path beside = filesystem_path(canonical_path(file)).lexically_relative(folder);
+  const std::u8string name = beside.generic_u8string();
+  return {name.begin(), name.end()};
 }
 
 NamedFileTotals totals_of(Output &output, const std::string &name) {
@@ -57,7 +58,7 @@ Totals read_totals_of(const std::string &answers) {
 }
 
 std::string path_beside(const std::string &answers, const NamedFileTotals &file) {
-  return (fs::path(answers).parent_path() / file.name).string();
+  return path_name(filesystem_path(answers).parent_path() / filesystem_path(file.name));
 }
 
 CountedFiles::CountedFiles(std::string answers, std::optional<std::string> proofs)

@@ -54,6 +54,10 @@ bool lock_file(int descriptor) {
   return flock(descriptor, LOCK_EX | LOCK_NB) == 0;
 }
 
+bool may_be_replaced(const std::string &path) {
+  return access(path.c_str(), W_OK) == 0;
+}
+
 bool copy_rights(const std::string &from, int to) {
   struct stat status {};
   return stat(from.c_str(), &status) == 0 && fchmod(to, status.st_mode & 07777) == 0;

@@ -31,6 +31,9 @@ std::ptrdiff_t write_bytes(int descriptor, std::string_view bytes);
 /// Locks a file for this run, which may read it by other descriptors; false if another run has it.
 bool lock_file(int descriptor);
 
+/// True of a file that this run may write, and that no other program keeps from being replaced.
+bool may_be_replaced(const std::string &path);
+
 /// Gives the file the rights of another one; false if it fails.
 bool copy_rights(const std::string &from, int to);
 

@@ -48,6 +48,10 @@ int errno_of_last_error() {
   }
 }
 
+/// With other descriptors, also for removal: at a signal, files that are not finished are removed while they
+/// are open.
+constexpr DWORD shared = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
+
 /// At once: the C library counts by unsigned int, and consoles take less.
 constexpr std::size_t most_at_once = std::size_t{1} << 20;
 
@@ -55,10 +59,8 @@ constexpr std::size_t most_at_once = std::size_t{1} << 20;
 
 int open_file(const std::string &path, Opening opening) {
   const Access access = access_of(opening);
-  // Shared for removal too: at a signal, files that are not finished are removed while they are open.
-  const HANDLE file =
-      CreateFileA(path.c_str(), access.rights, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
-                  nullptr, access.creation, FILE_ATTRIBUTE_NORMAL, nullptr);
+  const HANDLE file = CreateFileA(path.c_str(), access.rights, shared, nullptr, access.creation,
+                                  FILE_ATTRIBUTE_NORMAL, nullptr);
   if (file == INVALID_HANDLE_VALUE) {
     errno = errno_of_last_error();
     return -1;
@@ -82,7 +84,11 @@ std::ptrdiff_t read_bytes(int descriptor, char *bytes, std::size_t most) {
 }
 
 std::ptrdiff_t write_bytes(int descriptor, std::string_view bytes) {
-  return _write(descriptor, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), most_at_once)));
+  const int n = _write(descriptor, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), most_at_once)));
+  // The C library has no word for this way of a pipe to be closed.
+  if (n < 0 && GetLastError() == ERROR_PIPE_NOT_CONNECTED)
+    errno = EPIPE;
+  return n;
 }
 
 bool lock_file(int descriptor) {
@@ -91,6 +97,17 @@ bool lock_file(int descriptor) {
   place.OffsetHigh = 0x7fffffff;
   const auto file = reinterpret_cast<HANDLE>(_get_osfhandle(descriptor));
   return LockFileEx(file, LOCKFILE_EXCLUSIVE_LOCK | LOCKFILE_FAIL_IMMEDIATELY, 0, 1, 0, &place) != 0;
+}
+
+bool may_be_replaced(const std::string &path) {
+  const HANDLE file = CreateFileA(path.c_str(), GENERIC_WRITE | DELETE, shared, nullptr, OPEN_EXISTING,
+                                  FILE_ATTRIBUTE_NORMAL, nullptr);
+  if (file == INVALID_HANDLE_VALUE) {
+    errno = errno_of_last_error();
+    return false;
+  }
+  CloseHandle(file);
+  return true;
 }
 
 bool copy_rights(const std::string &, int) {

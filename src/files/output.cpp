@@ -4,6 +4,7 @@
 #include "files/ending_signals.hpp"
 #include "files/file_ending.hpp"
 #include "files/paths.hpp"
+#include "text/filesystem_path.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -73,13 +74,13 @@ std::optional<int> descriptor_named(std::string_view path) {
 } // namespace
 
 void remove_leftovers(const std::string &path) {
-  const std::filesystem::path target = canonical_path(path);
-  const std::string begin = target.filename().string() + ".", end = ".tmp";
+  const std::filesystem::path target = filesystem_path(canonical_path(path));
+  const std::string begin = path_name(target.filename()) + ".", end = ".tmp";
   std::error_code error;
   std::vector<std::filesystem::path> leftovers;
   for (std::filesystem::directory_iterator entry(target.parent_path(), error), last; !error && entry != last;
        entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
+    const std::string name = path_name(entry->path().filename());
     if (name.starts_with(begin) && name.ends_with(end) && name.size() > begin.size() + end.size() &&
         is_of_a_run(std::string_view(name).substr(begin.size(), name.size() - begin.size() - end.size())))
       leftovers.push_back(entry->path());
@@ -120,7 +121,7 @@ Output::Output(std::string path) : path_(std::move(path)) {
   if (!exists && errno != ENOENT)
     fail(errno);
   if (!exists || S_ISREG(status.st_mode)) {
-    if (exists && access(target_.c_str(), W_OK) != 0)
+    if (exists && !may_be_replaced(target_))
       fail(errno);
     open_beside();
     if (exists && !copy_rights(target_, descriptor_))
@@ -208,7 +209,7 @@ void Output::commit() {
   if (temporary_.empty())
     return;
   std::error_code error;
-  std::filesystem::rename(temporary_, target_, error);
+  std::filesystem::rename(filesystem_path(temporary_), filesystem_path(target_), error);
   if (error)
     fail(errno_of(error));
   forget_unfinished(temporary_);

@@ -1,6 +1,7 @@
 #include "files/paths.hpp"
 
 #include "files/real_path.hpp"
+#include "text/filesystem_path.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -16,8 +17,9 @@ namespace mdm {
 namespace {
 
 /// The end of a path's symbolic links where there is no such file yet.
-std::string behind_links(std::filesystem::path path) {
+std::string behind_links(const std::string &name) {
   constexpr int most = 40; // as the kernel
+  std::filesystem::path path = filesystem_path(name);
   for (int i = 0; i < most; ++i) {
     std::error_code no_link;
     const std::filesystem::path target = std::filesystem::read_symlink(path, no_link);
@@ -25,7 +27,7 @@ std::string behind_links(std::filesystem::path path) {
       break;
     path = path.parent_path() / target;
   }
-  return path.string();
+  return path_name(path);
 }
 
 bool is_regular_file(const std::string &path) {
@@ -108,7 +110,7 @@ void check_size(const std::string &path, std::size_t bytes, std::size_t most) {
 
 void make_folder(const std::string &path) {
   std::error_code error;
-  std::filesystem::create_directory(path, error);
+  std::filesystem::create_directory(filesystem_path(path), error);
   if (error)
     refuse_file(path, "no folder can be made there", errno_of(error), "name another");
 }

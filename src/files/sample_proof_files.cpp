@@ -2,6 +2,7 @@
 
 #include "files/byte_source.hpp"
 #include "files/paths.hpp"
+#include "text/filesystem_path.hpp"
 #include "text/lines.hpp"
 #include "text/option_name.hpp"
 
@@ -51,8 +52,9 @@ SampleCertifier::Begin SampleProofFiles::begin() {
 void SampleProofFiles::write(const std::string &certificate, const std::string &missing,
                              std::vector<std::string> &notes) {
   if (!missing.empty()) {
-    notes.push_back("no proof was written to " + printable(path_) + ": " + missing +
-                    (std::filesystem::exists(path_) ? "; the file that is there is older" : ""));
+    notes.push_back(
+        "no proof was written to " + printable(path_) + ": " + missing +
+        (std::filesystem::exists(filesystem_path(path_)) ? "; the file that is there is older" : ""));
     return;
   }
   proof_.write(certificate);
