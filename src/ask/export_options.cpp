@@ -202,7 +202,8 @@ void check_export(const ExportTexts &c, const ExportFormat &format) {
 
 void check_export_of_packing(const ExportTexts &c) {
   if (c.box || c.seed || c.start || c.sides || c.model || option_of_model(c) != nullptr || c.types ||
-      c.young || c.poisson || c.mass_error || c.spread || c.reading.is_given() || !c.solving.empty())
+      c.young || c.poisson || c.mass_error || c.spread || c.reading.is_given() || !c.solving.empty() ||
+      c.particles.say_sizes() || c.particles.timestep)
     throw InputError("a packing has its places and sizes: leave out options but " + option("to") + ", " +
                      option("unit") + ", " + option("density") + " and -o");
 }
@@ -254,8 +255,6 @@ std::optional<std::string> verify_options(const ExportTexts &c) {
 const std::vector<OptionRow<ExportTexts>> ExportTexts::options = {
     {"unit", "UNIT", OptionKind::text, "unit of lengths in the file: m (default), mm, um or in",
      &ExportTexts::unit},
-    {"size-unit", "UNIT", OptionKind::text, "unit of FILE where it is a file of particles: as in mdm verify",
-     &ExportTexts::size_unit},
     {"gradation", "GRADATION", OptionKind::file,
      "whose classes the particles of FILE are in, where it is a file of particles: their numbers, materials "
      "and "
@@ -272,6 +271,18 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::options = {
     {"yes-huge", "", OptionKind::flag, "more than 10000000 particles are wanted", &ExportTexts::yes_huge},
     {"yes-units", "", OptionKind::flag,
      "sizes below 1 um and boxes above 100 m are right: the units are no mistake", &ExportTexts::yes_units}};
+
+const std::vector<OptionRow<ParticleTexts>> ExportTexts::particle_options = {
+    {"size-unit", "UNIT", OptionKind::text, "unit of FILE where it is a file of particles: as in mdm verify",
+     &ParticleTexts::size_unit},
+    {"size-column", "NAME", OptionKind::text,
+     "its column of sizes where that has a name of its own, such as c_r: as in mdm verify",
+     &ParticleTexts::size_column},
+    {"radius", "", OptionKind::flag, "its sizes are radii, whatever their name", &ParticleTexts::radius},
+    {"diameter", "", OptionKind::flag, "its sizes are diameters, whatever their name",
+     &ParticleTexts::diameter},
+    {"timestep", "T", OptionKind::number, "its timestep, instead of the last: as in mdm verify",
+     &ParticleTexts::timestep}};
 
 const std::vector<OptionRow<ExportTexts>> ExportTexts::start_options = {
     {"box", "AxB[xC]", OptionKind::text,

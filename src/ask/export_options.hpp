@@ -3,6 +3,7 @@
 /// Particles for DEM codes: what is asked.
 
 #include "ask/outcome.hpp"
+#include "ask/particle_options.hpp"
 #include "ask/reading_options.hpp"
 #include "ask/solve_options.hpp"
 #include "particles/cost.hpp"
@@ -24,11 +25,12 @@ struct ExportTexts {
   OptionText file; ///< open: the band alone
   SolveTexts solve;
   std::vector<std::string> solving; ///< the options that are given that only a gradation has a use for
-  OptionText unit, size_unit, density, mass_error, box, seed, young, poisson, model, steps, start, sides,
-      pressure, tolerance, axial_strain, constant, friction, friction_while_filling, rolling_friction, types,
-      material, gradation;
+  OptionText unit, density, mass_error, box, seed, young, poisson, model, steps, start, sides, pressure,
+      tolerance, axial_strain, constant, friction, friction_while_filling, rolling_friction, types, material,
+      gradation;
   ReadingTexts reading;
   std::string to, out = "-";
+  ParticleTexts particles; ///< of FILE, where it is a file of them
   bool spread = false;
   bool periodic = false; ///< on all sides
   bool unjammed = false; ///< a model's result may be
@@ -42,6 +44,8 @@ struct ExportTexts {
   bool has_cell() const { return moves_faces() && !has_six_walls(); }
 
   static const std::vector<OptionRow<ExportTexts>> options, start_options, model_options, size_options;
+  /// Those of `particles` that export has.
+  static const std::vector<OptionRow<ParticleTexts>> particle_options;
 };
 
 /// The particles to export, and how the search for them ended.

@@ -86,10 +86,10 @@ const std::vector<OptionsOfCommand> &option_table() {
       // Sizes in a file of particles have as many digits as its masses need.
       {"export",
        without("digits",
-               rows_of(ExportTexts::options, ExportTexts::start_options, ExportTexts::model_options,
-                       ExportTexts::size_options, SolveTexts::tolerance_options, SolveTexts::question_options,
-                       SolveTexts::search_options, GradationTexts::options, SolveTexts::limit_options,
-                       SolveTexts::answer_options, ReadingTexts::options))},
+               rows_of(ExportTexts::options, ExportTexts::particle_options, ExportTexts::start_options,
+                       ExportTexts::model_options, ExportTexts::size_options, SolveTexts::tolerance_options,
+                       SolveTexts::question_options, SolveTexts::search_options, GradationTexts::options,
+                       SolveTexts::limit_options, SolveTexts::answer_options, ReadingTexts::options))},
       {"plot", rows_of(PlotTexts::options, SoilTexts::options, ReadingTexts::options)},
       {"suite", without("shard", rows_of(SuiteTexts::options))}}; // lines with a step are a shard
   return table;

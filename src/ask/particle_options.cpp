@@ -7,8 +7,9 @@ namespace mdm {
 const std::vector<OptionRow<ParticleTexts>> ParticleTexts::options = {
     {"from", "FORMAT", OptionKind::text,
      "format of SAMPLE: csv (size_mm,quantity; also size_um, size_m, size_in, size_phi or sieve), "
-     "answer (JSON of mdm solve), xyzr (x y z r a line), lammps-data, lammps-dump, liggghts-dump, vtk, "
-     "diameters (one a line), liggghts-insertion, mercurydpm (scripts and distributions of mdm export), "
+     "answer (JSON of mdm solve), xyzr (x y z r a line), lammps-data, lammps-dump, liggghts-dump, vtk, vtp "
+     "(VTK's XML in ASCII), diameters (one a line), liggghts-insertion, mercurydpm (scripts and "
+     "distributions of mdm export), "
      "extxyz (extended XYZ of ASE and OVITO with radius among its Properties), esys (geometry or snapshot "
      "of ESyS-Particle with one worker), lethe (insertion file), kratos (mdpa), musen (scene as text), gsd "
      "(HOOMD-blue), phasicflow (particlesDict of mdm export) or dem-engine (CSV of spheres, or of clumps "
@@ -17,7 +18,8 @@ const std::vector<OptionRow<ParticleTexts>> ParticleTexts::options = {
     {"radius", "", OptionKind::flag, "sizes are radii, whatever their name", &ParticleTexts::radius},
     {"diameter", "", OptionKind::flag, "sizes are diameters, whatever their name", &ParticleTexts::diameter},
     {"size-column", "NAME", OptionKind::text,
-     "the column of sizes in a dump or CSV where it has a name of its own, such as c_r; with --radius or "
+     "the column of sizes in a dump or CSV, or array in VTK, where it has a name of its own, such as c_r; "
+     "with --radius or "
      "--diameter; other columns that are not known are then passed over",
      &ParticleTexts::size_column},
     {"size-unit", "UNIT", OptionKind::text,

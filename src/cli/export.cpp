@@ -169,6 +169,7 @@ Run add_export(CLI::App &app) {
       ->type_name("FORMAT")
       ->required();
   add_options(command, ExportTexts::options, c->own);
+  add_options(command, ExportTexts::particle_options, c->own.particles);
   {
     const OptionGroup group(command, "The start");
     add_options(command, ExportTexts::start_options, c->own);

@@ -40,12 +40,13 @@ ExportedParticles sample_particles(const ExportTexts &c, const OutputFlags &outp
   if (c.spread || c.reading.is_given())
     throw InputError((c.spread ? option("spread") : c.reading.given()) + ": " + printable(*c.file) +
                      " holds particles already: leave it out");
-  ParticleOptions reading;
-  reading.says_otherwise = option("size-unit") + " says";
-  if (c.size_unit)
-    reading.unit = size_unit_of("size-unit", *c.size_unit);
   SampleSet sample;
-  output.tell_notes(read_sample_file(*c.file, reading, sample, output.quiet));
+  output.tell_notes(read_sample_file(*c.file, c.particles.reading(SizeUnit::mm), sample, output.quiet));
+  if (!c.gradation && sample.has_classes())
+    output.tell_notes({"the classes are those that the particles in FILE say, by type or class"});
+  if (!c.gradation && sample.has_other_classes())
+    output.tell_notes({"the types of the particles in FILE have sizes in common: classes are by size, up to "
+                       "1.41 times the smallest"});
   std::optional<Gradation> sieves;
   if (c.gradation)
     sieves = any_gradation(*c.gradation, ReadingFlags{}, output.quiet).gradation;
@@ -107,12 +108,16 @@ ExportedParticles solved_particles(const ExportTexts &c, const OutputFlags &outp
 
 ExportedParticles exported_particles(const ExportTexts &c, const OutputFlags &output,
                                      const ParticleSetOptions &options) {
-  if (c.file && is_sample_file(*c.file))
+  if (c.file && (c.particles.size_column || is_sample_file(*c.file)))
     return sample_particles(c, output, options);
   if (c.gradation)
     throw InputError(option("gradation") + ": it is of files of particles, and FILE is none: leave it out");
-  if (c.size_unit)
-    throw InputError(option("size-unit") + ": it is of files of particles, and FILE is none: leave it out");
+  if (c.particles.say_sizes() || c.particles.timestep)
+    throw InputError(option(c.particles.timestep    ? "timestep"
+                            : c.particles.size_unit ? "size-unit"
+                            : c.particles.radius    ? "radius"
+                                                    : "diameter") +
+                     ": it is of files of particles, and FILE is none: leave it out");
   std::optional<std::string> content;
   if (c.file)
     content = read_file(*c.file, max_gradation_bytes);

@@ -57,6 +57,7 @@ public:
     ++count;
   }
   void set_material(const std::string &name) override { sink_.set_material(name); }
+  void set_class(std::uint64_t number) override { sink_.set_class(number); }
   bool wants_places() const override { return sink_.wants_places(); }
   void set_box(const ParticleBox &box) override { sink_.set_box(box); }
 

@@ -25,7 +25,7 @@ pugi::xml_node next(pugi::xml_node node, pugi::xml_node top, bool skip_children)
 
 XmlTree::XmlTree(std::string text, const Source &source, std::string_view what) : text_(std::move(text)) {
   if (std::count(text_.begin(), text_.end(), '<') > max_tags)
-    source.refuse(1, fmt::format("{} has more than {} XML tags: save the gradation alone", what, max_tags));
+    source.refuse(1, fmt::format("{} has more than {} XML tags: save what is wanted alone", what, max_tags));
   const std::size_t size = text_.size();
   const pugi::xml_parse_result result = document_.load_buffer_inplace(
       text_.data(), size, pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);

@@ -180,6 +180,7 @@ private:
                      "damaged?");
     width_ = words_.size() - 1;
     id_ = column("id");
+    type_ = column("type");
     const std::optional<SizeMeaning> &asked = source_.options().meaning;
     const std::optional<std::string> &named = source_.options().size_column;
     radius_ = named ? width_ : column("radius");
@@ -216,6 +217,8 @@ private:
   void take_atom() {
     if (id_ < width_)
       source_.take_id(words_[id_]);
+    if (type_ < width_)
+      source_.take_class(words_[type_]);
     if (has_both_)
       source_.check_agree(words_[radius_], words_[diameter_]);
     if (has_places_)
@@ -244,7 +247,7 @@ private:
   bool complete_ = true; ///< all atoms of the timestep were read
   std::size_t width_ = 0;
   /// Columns, of which one that is not there is width_; column_ is that of the sizes.
-  std::size_t id_ = 0, radius_ = 0, diameter_ = 0, column_ = 0;
+  std::size_t id_ = 0, type_ = 0, radius_ = 0, diameter_ = 0, column_ = 0;
   bool has_both_ = false; ///< radius and diameter count, and agree
   std::size_t axis_ = 0;  ///< of the bounds that come next
   std::size_t numbers_of_axis_ = 2;

@@ -94,6 +94,7 @@ private:
     for (const std::string_view word : words_)
       source_.check_number(word);
     source_.take_id(words_[4]);
+    source_.take_class(words_[5]);
     source_.particle_at({words_[0], words_[1], words_[2]}, words_[3]);
     ++read_;
   }

@@ -163,6 +163,8 @@ private:
       set(diameter_, property);
     else if (property.name == "id" && is_one_number)
       set(id_, property);
+    else if (property.name == "type" && is_one_number)
+      set(type_, property);
     else if (property.name == "pos" && property.columns == 3 && property.type != "S")
       set(place_, property);
     width_ += property.columns;
@@ -191,6 +193,8 @@ private:
                                  words_.size(), width_));
     if (id_)
       source_.take_id(words_[*id_]);
+    if (type_)
+      source_.take_class(words_[*type_]);
     const std::optional<SizeMeaning> &asked = source_.options().meaning;
     if (diameter_ && !asked)
       source_.check_agree(words_[*radius_], words_[*diameter_]);
@@ -208,7 +212,7 @@ private:
   std::uint64_t read_ = 0;
   std::uint64_t width_ = 0;             ///< columns of a line
   std::optional<std::uint64_t> radius_; ///< its column, from 0
-  std::optional<std::uint64_t> diameter_, id_;
+  std::optional<std::uint64_t> diameter_, id_, type_;
   std::optional<std::uint64_t> place_; ///< the first column of pos
 };
 

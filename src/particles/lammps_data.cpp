@@ -123,6 +123,7 @@ private:
       source_.refuse(
           fmt::format("there are more atoms than the {} of the header: put one of them right", *atoms_));
     source_.take_id(words_.front());
+    source_.take_class(words_[1]);
     source_.particle_at({words_[4], words_[5], words_[6]}, words_[diameter]);
     ++read_;
   }

@@ -137,6 +137,11 @@ void ParticleSource::take_material(const std::string &name) {
   }
 }
 
+void ParticleSource::take_class(std::string_view number) {
+  if (const std::optional<std::uint64_t> n = parse_count(number))
+    sink_.set_class(*n);
+}
+
 std::size_t ParticleSource::column(const std::vector<std::string> &names, std::string_view name,
                                    const char *example) const {
   const auto found = std::find(names.begin(), names.end(), name);

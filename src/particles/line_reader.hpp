@@ -23,6 +23,7 @@ class ParticleSource {
 public:
   ParticleSource(std::string file, ParticleSink &sink, const ParticleOptions &options);
 
+  const std::string &file() const { return file_; }
   const ParticleOptions &options() const { return options_; }
   void next_line() { ++line_; }
   void set_line(std::uint64_t number) { line_ = number; }
@@ -63,6 +64,8 @@ public:
   bool wants_places() const { return sink_.wants_places(); }
   /// The material of the next particles. \throws InputError where materials have no meaning
   void take_material(const std::string &name);
+  /// The class of the next particle; what is no whole number, such as a name, is none.
+  void take_class(std::string_view number);
   /// The lower and upper bounds of the box along each axis. \throws InputError if they are none
   void set_box(const std::array<std::array<std::string, 2>, 3> &bounds, const std::array<bool, 3> &periodic);
   /// The box is tilted: mdm knows boxes along the axes alone. The places that follow are left out, with a
@@ -137,6 +140,7 @@ std::unique_ptr<LineReader> read_kratos(ParticleSource &source);
 std::unique_ptr<LineReader> read_dem_engine(ParticleSource &source);
 std::unique_ptr<LineReader> read_musen(ParticleSource &source);
 std::unique_ptr<LineReader> read_phasicflow(ParticleSource &source);
+std::unique_ptr<LineReader> read_vtp(ParticleSource &source);
 
 /// Moves the first word of `rest`, separated by spaces and tabs, out of it; empty at the end.
 std::string_view take_word(std::string_view &rest);

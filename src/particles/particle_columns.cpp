@@ -36,11 +36,6 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// True of a column that ParaView writes for places.
-bool is_of_paraview(std::string_view name) {
-  return name.starts_with("Points:") || name.starts_with("Points_");
-}
-
 /// The name that a column of PFC's or of ParaView has here; others stay.
 std::string known_name(const std::string &name) {
   if (is_of_paraview(name) && name.size() == 8 && name.back() >= '0' && name.back() <= '2')
@@ -125,9 +120,11 @@ private:
       set(columns_.id, i, name);
     else if (name == "material")
       set(columns_.material, i, name);
-    else if (name != "type" && passes_over_)
+    else if (name == "type")
+      set(columns_.type, i, name);
+    else if (passes_over_)
       columns_.passed_over.push_back(name);
-    else if (name != "type")
+    else
       refuse_unknown(name);
   }
 
@@ -215,6 +212,10 @@ private:
 };
 
 } // namespace
+
+bool is_of_paraview(std::string_view name) {
+  return name.starts_with("Points:") || name.starts_with("Points_");
+}
 
 SizeUnit ParticleColumns::unit() const {
   switch (kind) {

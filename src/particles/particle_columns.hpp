@@ -23,7 +23,7 @@ struct ParticleColumns {
   unsigned power = 1; ///< of the sizes in the column size, which is of fractions where it is above 1
   std::optional<std::size_t> lower;    ///< the opening below sizes between lo and hi: they are larger
   std::optional<std::size_t> quantity; ///< open: a particle a row
-  std::optional<std::size_t> id;
+  std::optional<std::size_t> id, type;
   std::optional<std::size_t> material;
   /// x, y and z, in the unit of sizes; open where one is missing or has another unit.
   std::optional<std::array<std::size_t, 3>> place;
@@ -37,14 +37,17 @@ struct ParticleColumns {
 /// The columns of a header: a size (`size_mm`, `diameter_um`, `radius_m`, `size_phi`, `sieve`, or without a
 /// unit `size`, `diameter`, `d`, `radius`, `r`) , the power of one
 /// (`size_mm^3`), or its bounds (`size_lo_mm`, `size_hi_mm`), and beside it
-/// `quantity` or `count`, `material`, and what is not read: places (`x`, `y`, `z`, also with a unit), `id`,
-/// `type`, and beside bounds `class`, `lower_mm`, `upper_mm`, `mass`. Other columns are passed over where
-/// ParaView wrote the file (`Points:0`, `Points:1`, `Points:2` are its places), or the column of sizes is
-/// named.
+/// `quantity` or `count`, `material`, places (`x`, `y`, `z`, also with a unit), `id`,
+/// `type`, and what is not read beside bounds `class`, `lower_mm`, `upper_mm`, `mass`. Other columns are
+/// passed over where ParaView wrote the file (`Points:0`, `Points:1`, `Points:2` are its places), or the
+/// column of sizes is named.
 /// \param size_column  the name of the column of sizes; open: as above
 /// \throws InputError naming the column that is unknown, missing, or there twice
 ParticleColumns particle_columns(const std::vector<std::string> &names,
                                  const std::optional<std::string> &size_column = std::nullopt);
+
+/// True of a column that ParaView writes for places.
+bool is_of_paraview(std::string_view name);
 
 /// What separates the fields of a header: `;`, else `,`, else a tab where there is one.
 char csv_delimiter(std::string_view header);

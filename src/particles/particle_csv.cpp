@@ -163,6 +163,8 @@ private:
       return;
     if (columns_.material)
       source_.take_material(fields_[*columns_.material]);
+    if (columns_.type)
+      source_.take_class(fields_[*columns_.type]);
     if (columns_.size) {
       const std::string &field = fields_[*columns_.size];
       if (columns_.place && n == 1) {

@@ -8,12 +8,13 @@
 namespace mdm {
 namespace {
 
-constexpr std::array<std::string_view, 18> format_names = {"csv",         "answer",      "xyzr",
+constexpr std::array<std::string_view, 19> format_names = {"csv",         "answer",      "xyzr",
                                                            "lammps-data", "lammps-dump", "liggghts-dump",
                                                            "vtk",         "diameters",   "liggghts-insertion",
                                                            "mercurydpm",  "extxyz",      "esys",
                                                            "lethe",       "kratos",      "dem-engine",
-                                                           "musen",       "gsd",         "phasicflow"};
+                                                           "musen",       "gsd",         "phasicflow",
+                                                           "vtp"};
 
 } // namespace
 

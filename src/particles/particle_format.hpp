@@ -29,12 +29,13 @@ enum class ParticleFormat {
   dem_engine, ///< DEM-Engine: CSV of spheres with r, or of clumps whose types are named r and the radius
   musen,      ///< MUSEN: scene as text, with its spheres and the materials of these
   gsd,        ///< GSD of HOOMD-blue, binary, with particles/diameter
-  phasicflow  ///< PhasicFlow: particlesDict that mdm export writes, sizes without places
+  phasicflow, ///< PhasicFlow: particlesDict that mdm export writes, sizes without places
+  vtp         ///< VTK's XML in ASCII, PolyData or UnstructuredGrid, with an array radius or diameter
 };
 
 /// `csv`, `answer`, `xyzr`, `lammps-data`, `lammps-dump`, `liggghts-dump`, `vtk`, `diameters`,
-/// `liggghts-insertion`, `mercurydpm`, `extxyz`, `esys`, `lethe`, `kratos`, `dem-engine`, `musen`, `gsd` or
-/// `phasicflow`.
+/// `liggghts-insertion`, `mercurydpm`, `extxyz`, `esys`, `lethe`, `kratos`, `dem-engine`, `musen`, `gsd`,
+/// `phasicflow` or `vtp`.
 std::string_view name(ParticleFormat format);
 /// The format of that name, or nothing.
 std::optional<ParticleFormat> parse_particle_format(std::string_view name);

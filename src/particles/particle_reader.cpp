@@ -48,6 +48,8 @@ std::unique_ptr<LineReader> line_reader(ParticleFormat format, ParticleSource &s
     return read_musen(source);
   case ParticleFormat::phasicflow:
     return read_phasicflow(source);
+  case ParticleFormat::vtp:
+    return read_vtp(source);
   case ParticleFormat::answer:
     source.refuse("this is an answer of mdm, which is read as a whole: give the file itself");
   case ParticleFormat::gsd:
@@ -71,7 +73,10 @@ bool is_csv_header(std::string_view line, const std::optional<std::string> &size
   if (size_column && std::find(names.begin(), names.end(), *size_column) != names.end())
     return true;
   const auto is_word = [](const std::string &name) { return name.find_first_of(" \t") == std::string::npos; };
-  return std::all_of(names.begin(), names.end(), is_word) && has_particle_column(names);
+  // ParaView has a column Point ID.
+  return (std::all_of(names.begin(), names.end(), is_word) ||
+          std::any_of(names.begin(), names.end(), is_of_paraview)) &&
+         has_particle_column(names);
 }
 
 /// True for a line that begins extended XYZ, or a list of diameters.
@@ -160,7 +165,9 @@ std::optional<ParticleFormat> format_of(const std::vector<std::string> &lines, c
     return ParticleFormat::kratos;
   if (text.starts_with("objectName particlesDict;"))
     return ParticleFormat::phasicflow;
-  if (text.starts_with("//"))
+  if (text.starts_with('<') && text.find("<VTKFile") != std::string_view::npos)
+    return ParticleFormat::vtp;
+  if (text.starts_with("//") || text.starts_with("<?xml") || text.starts_with("<!--"))
     return std::nullopt;
   if (is_first && text.starts_with("# vtk DataFile"))
     return ParticleFormat::vtk;
@@ -250,8 +257,10 @@ void ParticleReader::begin(ParticleFormat format) {
   if (source_->options().timestep && !is_dump)
     source_->refuse(
         fmt::format("{} is for dumps, and this is {}: leave it out", option("timestep"), name(format)));
-  if (source_->options().size_column && !is_dump && format != ParticleFormat::csv)
-    source_->refuse(fmt::format("{} is for dumps and CSV, and this is {}: leave it out",
+  const bool has_columns = is_dump || format == ParticleFormat::csv || format == ParticleFormat::vtk ||
+                           format == ParticleFormat::vtp;
+  if (source_->options().size_column && !has_columns)
+    source_->refuse(fmt::format("{} is for dumps, CSV and VTK, and this is {}: leave it out",
                                 option("size-column"), name(format)));
   if (source_->options().every_timestep && !is_dump)
     source_->refuse(fmt::format("{} is for dumps and GSD, and this is {}: leave it out", option("over-time"),

@@ -43,6 +43,8 @@ public:
   }
   /// The material of the particles that come next. \throws InputError where materials have no meaning
   virtual void set_material(const std::string &name);
+  /// The number of the class of the particle that comes next, where the file says it, as `type` or `class`.
+  virtual void set_class(std::uint64_t number) { static_cast<void>(number); }
   /// True if places are wanted: they are not kept elsewhere.
   virtual bool wants_places() const { return false; }
   /// The box of the particles, before they come.
@@ -54,7 +56,7 @@ struct ParticleOptions {
   std::optional<ParticleFormat> format;
   /// The meaning of sizes. Open: as their column says, radii in xyzr, else diameters.
   std::optional<SizeMeaning> meaning;
-  /// The column of sizes in a dump or CSV. Open: the one whose name says so.
+  /// The column of sizes in a dump or CSV, or array in VTK. Open: the one whose name says so.
   std::optional<std::string> size_column;
   /// Unit of the file. Open: what a CSV header says, m in files of LAMMPS, LIGGGHTS and VTK, else `target`.
   std::optional<SizeUnit> unit;
@@ -85,8 +87,8 @@ class ParticleSource;
 
 /// Reads a particle file of any format but `answer` whose lines it is given one by one; numbers are decimals
 /// as written. Memory does not depend on the length of the file, but for the ids of particles, some 5 bits
-/// each where they mostly follow each other, and the points of VTK and Kratos. All members throw InputError
-/// `file:line: what is wrong and what to do`.
+/// each where they mostly follow each other, the points of VTK and Kratos, and the text of VTK's XML. All
+/// members throw InputError `file:line: what is wrong and what to do`.
 class ParticleReader {
 public:
   /// \param sink must outlive the reader

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace mdm {
 namespace {
@@ -63,7 +64,10 @@ void SampleSet::restart() {
   sizes_.clear();
   placed_.clear();
   box_.reset();
-  lacks_places_ = false;
+  classes_.clear();
+  class_.reset();
+  material_.clear();
+  lacks_places_ = lacks_classes_ = false;
 }
 
 namespace {
@@ -81,12 +85,33 @@ SizeRange range_of(const RootSize &diameter) {
 } // namespace
 
 SampleSet::Sizes::const_iterator SampleSet::gather(const SizeRange &diameter, const Integer &quantity) {
-  const auto at = sizes_.try_emplace({diameter.lo, diameter.hi}, 0).first;
+  gather_class(diameter);
+  const auto at = sizes_.try_emplace(Size{material_, diameter.lo, diameter.hi}, 0).first;
   at->second += quantity;
   if (sizes_.size() > most_sizes)
     throw InputError(
         fmt::format("more than the {} sizes that a set can hold: leave particles out", most_sizes));
   return at;
+}
+
+void SampleSet::gather_class(const SizeRange &diameter) {
+  if (!class_) {
+    lacks_classes_ = true;
+    return;
+  }
+  const std::uint64_t number = *std::exchange(class_, std::nullopt);
+  Span &span = classes_.try_emplace(number, diameter.lo, diameter.hi).first->second;
+  span = {std::min(span.first, diameter.lo), std::max(span.second, diameter.hi)};
+}
+
+bool SampleSet::has_classes() const {
+  std::vector<Span> spans;
+  for (const auto &of_class : classes_)
+    spans.push_back(of_class.second);
+  std::sort(spans.begin(), spans.end());
+  const auto overlap = [](const Span &a, const Span &b) { return a.second >= b.first; };
+  return !lacks_classes_ && spans.size() > 1 &&
+         std::adjacent_find(spans.begin(), spans.end(), overlap) == spans.end();
 }
 
 void SampleSet::add(const RootSize &diameter, const Integer &quantity) {
@@ -114,40 +139,66 @@ void SampleSet::add_at(const SphereSample::Place &place, const Rational &unit, c
   }
 }
 
+SampleSet::Classes SampleSet::classes(SizeUnit from, SizeUnit to, const Gradation *sieves) const {
+  const Rational unit = in_mm(from) / in_mm(to);
+  Classes all;
+  if (sieves != nullptr) {
+    for (std::size_t j = 0; j <= sieves->classes(); ++j) {
+      const Interval x = bounds(sieves->opening(j));
+      all.openings.push_back((j == 0 ? x.hi : x.lo) * in_mm(sieves->unit()) / in_mm(to));
+    }
+  } else if (has_classes()) {
+    std::map<Span, std::uint64_t> spans;
+    for (const auto &[number, span] : classes_)
+      spans.emplace(span, number);
+    Rational below = 0;
+    for (const auto &[span, number] : spans) {
+      all.openings.push_back((below + span.first) / 2 * unit);
+      all.numbers.push_back(number);
+      below = span.second;
+    }
+    all.openings.push_back(2 * below * unit);
+  } else {
+    std::vector<Rational> sizes;
+    for (const auto &size : sizes_)
+      sizes.push_back(size.first.hi * unit);
+    std::sort(sizes.begin(), sizes.end());
+    all.openings = group_bounds(sizes);
+    all.openings.insert(all.openings.begin(), Rational(0));
+  }
+  return all;
+}
+
 ParticleSet SampleSet::set(const std::string &name, SizeUnit from, const ParticleSetOptions &options,
                            const Gradation *sieves) const {
   if (sizes_.empty())
     throw InputError("there are no particles: give a file that has some");
+  const bool has_materials = !sizes_.rbegin()->first.material.empty();
+  if (sieves != nullptr && has_materials)
+    throw InputError("the particles are of several materials, and " + option("gradation") +
+                     " has the classes of one: leave it out");
   const Rational unit = in_mm(from) / in_mm(options.unit);
   const Rational density = options.density * power(Rational(in_mm(options.unit) / 1000), 3);
-  // Bounds of the classes: above the first, up to the second, and so on.
-  std::vector<Rational> openings{0};
-  if (sieves != nullptr) {
-    openings.clear();
-    for (std::size_t j = 0; j <= sieves->classes(); ++j) {
-      const Interval x = bounds(sieves->opening(j));
-      openings.push_back((j == 0 ? x.hi : x.lo) * in_mm(sieves->unit()) / in_mm(options.unit));
-    }
-  } else {
-    std::vector<Rational> sizes;
-    for (const auto &size : sizes_)
-      sizes.push_back(size.first.second * unit);
-    const std::vector<Rational> groups = group_bounds(sizes);
-    openings.insert(openings.end(), groups.begin(), groups.end());
-  }
+  const Classes of = classes(from, options.unit, sieves);
+  const std::vector<Rational> &openings = of.openings;
   ParticleSet set{name, options.unit, {}, {}, 0};
-  for (const auto &[range, quantity] : sizes_) {
-    const SizeRange diameter{range.first * unit, range.second * unit};
+  std::size_t last = 0; // class
+  for (const auto &[size, quantity] : sizes_) {
+    const SizeRange diameter{size.lo * unit, size.hi * unit};
     const auto upper = std::lower_bound(openings.begin(), openings.end(), diameter.hi);
     if (upper == openings.begin() || upper == openings.end())
       throw InputError(fmt::format(
           "a particle of {} {} is outside of all classes of the gradation of {}: were sizes "
           "multiplied by {}, or is a unit wrong?",
           shown(diameter.hi), mdm::name(options.unit), option("gradation"), option("size-factor")));
-    const auto number = static_cast<std::size_t>(upper - openings.begin());
-    if (set.classes.empty() || set.classes.back().number != number) {
-      const Rational factor = sieves != nullptr ? sieves->factor(number - 1) : Rational(1);
-      set.classes.push_back({number, "", *(upper - 1), *upper, density * factor, {}, 0});
+    const auto n = static_cast<std::size_t>(upper - openings.begin());
+    if (set.classes.empty() || last != n || set.classes.back().material != size.material) {
+      const Rational factor = sieves != nullptr ? sieves->factor(n - 1) : Rational(1);
+      const std::size_t number = has_materials        ? set.classes.size() + 1
+                                 : of.numbers.empty() ? n
+                                                      : static_cast<std::size_t>(of.numbers[n - 1]);
+      set.classes.push_back({number, size.material, *(upper - 1), *upper, density * factor, {}, 0});
+      last = n;
     }
     ParticleClass &c = set.classes.back();
     const SizeRange radius{diameter.lo / 2, diameter.hi / 2};
@@ -171,7 +222,7 @@ std::optional<KeptPlaces> SampleSet::places(const ParticleSet &set, SizeUnit fro
   } else
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto end = [axis](const Placed &p, int side) {
-        return Rational(p.at[axis] + side * p.size->first.second / 2);
+        return Rational(p.at[axis] + side * p.size->first.hi / 2);
       };
       low[axis] = end(placed_.front(), -1);
       high[axis] = end(placed_.front(), 1);
@@ -185,14 +236,14 @@ std::optional<KeptPlaces> SampleSet::places(const ParticleSet &set, SizeUnit fro
   auto size = sizes_.begin();
   for (std::size_t i = 0; i < set.classes.size(); ++i)
     for (std::size_t j = 0; j < set.classes[i].sizes.size(); ++j)
-      index[&(size++)->first.first] = {i, j};
+      index[&(size++)->first.lo] = {i, j};
   std::array<Rational, 3> side;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     side[axis] = high[axis] - low[axis];
     kept.box[axis] = Rational(side[axis] * unit).convert_to<double>();
   }
   for (const Placed &p : placed_) {
-    const auto &[i, j] = index.at(&p.size->first.first);
+    const auto &[i, j] = index.at(&p.size->first.lo);
     KeptPlace place{i, j, {}};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       Rational x = p.at[axis] - low[axis];

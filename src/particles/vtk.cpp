@@ -12,7 +12,8 @@ namespace {
 
 /// Legacy VTK in ASCII: three lines of heading, `DATASET`, then keywords with their numbers below them. The
 /// sizes are an array named radius or diameter, as `SCALARS radius double [1]` or in a FIELD as `radius 1 n
-/// double`; where there are both, they agree. An array id of whole numbers has each once.
+/// double`; where there are both, they agree. An array id of whole numbers has each once; an array class or
+/// type of them has the classes.
 class VtkReader : public LineReader {
 public:
   explicit VtkReader(ParticleSource &source) : source_(source) {
@@ -44,8 +45,12 @@ public:
       source_.set_line(cell_array_line_);
       source_.refuse("the sizes are below CELL_DATA: write one a point, below POINT_DATA");
     }
+    if (!found_ && source_.options().size_column)
+      source_.refuse("there is no array " + in_quotes(*source_.options().size_column) +
+                     " up to here, the end: name one of the points");
     if (!found_)
       source_.refuse("there is no array radius or diameter up to here, the end: add one to the points");
+    hand_on();
     source_.check_some();
   }
 
@@ -56,7 +61,9 @@ private:
                       [](char a, char b) { return lower(a) == b; });
   }
 
-  static std::optional<SizeMeaning> meaning(std::string_view array) {
+  std::optional<SizeMeaning> meaning(std::string_view array) const {
+    if (const std::optional<std::string> &named = source_.options().size_column)
+      return array == *named ? source_.options().meaning : std::nullopt;
     if (is(array, "radius"))
       return SizeMeaning::radius;
     if (is(array, "diameter"))
@@ -110,9 +117,11 @@ private:
                    std::optional<std::uint64_t> values = std::nullopt) {
     const std::optional<SizeMeaning> of_sizes = meaning(array);
     // Printed floats may be too short to tell ids apart.
-    const bool is_id =
-        is(array, "id") && !is(type, "float") && !is(type, "double") && data_ == Data::of_points && is_single;
-    if (!of_sizes && !is_id)
+    const bool has_whole_numbers =
+        !is(type, "float") && !is(type, "double") && data_ == Data::of_points && is_single;
+    const bool is_id = is(array, "id") && has_whole_numbers;
+    const bool is_class = (is(array, "class") || is(array, "type")) && has_whole_numbers;
+    if (!of_sizes && !is_id && !is_class)
       return;
     if (data_ == Data::of_cells) {
       cell_array_line_ = source_.line();
@@ -128,8 +137,10 @@ private:
     missing_ = *points_;
     if (of_sizes)
       begin_sizes(*of_sizes);
-    else
+    else if (is_id)
       begin_ids();
+    else
+      begin_classes();
   }
 
   void begin_sizes(SizeMeaning meaning) {
@@ -153,6 +164,12 @@ private:
     block_ = Block::ids;
   }
 
+  void begin_classes() {
+    if (!classes_.empty())
+      source_.refuse("there are arrays class and type, or several of one name: leave one");
+    block_ = Block::classes;
+  }
+
   void read_values(std::string_view text) {
     if (block_ != Block::points && is(words_.front(), "lookup_table") && missing_ == *points_)
       return;
@@ -160,11 +177,13 @@ private:
       if (missing_ == 0)
         refuse_more();
       if (block_ == Block::sizes)
-        read_size(word);
+        sizes_.push_back({std::string(word), source_.line()});
       else if (block_ == Block::other_sizes)
         compare_size(word);
       else if (block_ == Block::ids)
         source_.take_id(word);
+      else if (block_ == Block::classes)
+        classes_.emplace_back(word);
       else if (!is_number(word))
         source_.refuse(fmt::format("{} is not a number, but there are {} of {} coordinates: is the file cut "
                                    "off?",
@@ -177,20 +196,24 @@ private:
   }
 
   void compare_size(std::string_view word) const {
-    const std::string &before = sizes_[static_cast<std::size_t>(*points_ - missing_)];
+    const std::string &before = sizes_[static_cast<std::size_t>(*points_ - missing_)].text;
     if (found_ == SizeMeaning::radius)
       source_.check_agree(before, word);
     else
       source_.check_agree(word, before);
   }
 
-  void read_size(std::string_view word) {
-    const auto point = static_cast<std::size_t>(*points_ - missing_);
-    sizes_.emplace_back(word);
-    if (places_.empty())
-      source_.particle(word);
-    else
-      source_.particle_at({places_[3 * point], places_[3 * point + 1], places_[3 * point + 2]}, word);
+  /// At the end, because any array may be the last.
+  void hand_on() {
+    for (std::size_t i = 0; i < sizes_.size(); ++i) {
+      source_.set_line(sizes_[i].line);
+      if (!classes_.empty())
+        source_.take_class(classes_[i]);
+      if (places_.empty())
+        source_.particle(sizes_[i].text);
+      else
+        source_.particle_at({places_[3 * i], places_[3 * i + 1], places_[3 * i + 2]}, sizes_[i].text);
+    }
   }
 
   [[noreturn]] void refuse_more() const {
@@ -210,7 +233,12 @@ private:
   }
 
   static constexpr std::uint64_t coordinates = 3; ///< of a point
-  enum class Block { none, points, sizes, other_sizes, ids };
+  enum class Block { none, points, sizes, other_sizes, ids, classes };
+  /// A size as the array has it, and the line.
+  struct Size {
+    std::string text;
+    std::uint64_t line;
+  };
   enum class Data { none, of_points, of_cells };
 
   ParticleSource &source_;
@@ -219,8 +247,9 @@ private:
   Block block_ = Block::none; ///< the numbers that are read, or end above this line
   std::uint64_t missing_ = 0; ///< numbers that the block still lacks
   Data data_ = Data::none;
-  std::vector<std::string> places_;  ///< coordinates, where they are wanted
-  std::vector<std::string> sizes_;   ///< as the array has them
+  std::vector<std::string> places_; ///< coordinates, where they are wanted
+  std::vector<Size> sizes_;
+  std::vector<std::string> classes_; ///< where there is an array of them
   std::optional<SizeMeaning> found_; ///< of the array of sizes
   bool has_ids_ = false;
   std::uint64_t cell_array_line_ = 0; ///< of sizes that are not of points; 0 if there are none

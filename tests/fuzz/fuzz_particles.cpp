@@ -96,8 +96,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
        {ParticleFormat::csv, ParticleFormat::xyzr, ParticleFormat::lammps_data, ParticleFormat::lammps_dump,
         ParticleFormat::vtk, ParticleFormat::diameters, ParticleFormat::liggghts_insertion,
         ParticleFormat::mercurydpm, ParticleFormat::extxyz, ParticleFormat::esys, ParticleFormat::lethe,
-        ParticleFormat::kratos, ParticleFormat::dem_engine, ParticleFormat::musen,
-        ParticleFormat::phasicflow}) {
+        ParticleFormat::kratos, ParticleFormat::dem_engine, ParticleFormat::musen, ParticleFormat::phasicflow,
+        ParticleFormat::vtp}) {
     options.format = format;
     check([&content, &options] { read_particles(content, options); });
   }

@@ -58,7 +58,7 @@ TEST_CASE("particle files: an unknown format names those there are") {
   CHECK(contains(refusal("1\n", options), "--timestep is for dumps, and this is diameters"));
   for (const char *name : {"csv", "answer", "xyzr", "lammps-data", "lammps-dump", "liggghts-dump",
                            "liggghts-insertion", "mercurydpm", "vtk", "diameters", "extxyz", "esys", "lethe",
-                           "kratos", "dem-engine", "musen", "gsd", "phasicflow"})
+                           "kratos", "dem-engine", "musen", "gsd", "phasicflow", "vtp"})
     CHECK(mdm::name(parse_particle_format(name).value()) == name);
   CHECK_FALSE(parse_particle_format("xyz"));
 }

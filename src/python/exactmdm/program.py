@@ -306,20 +306,21 @@ def pack(sizes: Source | None, out: Path, *,
 
 def export(source: Source | None, to: str, out: Path, *,
            # Options of export, by src/ask/write_modules.
-           unit: str | None = None, size_unit: str | None = None,
-           gradation: Union[str, "os.PathLike[str]", None] = None, density: Number | None = None,
-           mass_error: Number | None = None, yes_huge: bool = False, yes_units: bool = False, box: str | None = None,
-           start: str | None = None, sides: str | None = None, seed: Number | None = None, model: str | None = None,
-           steps: Number | None = None, stress: Number | None = None, axial_strain: Number | None = None,
-           constant: str | None = None, target_tolerance: Number | None = None, friction: Number | None = None,
-           friction_while_filling: Number | None = None, rolling_friction: Number | None = None, periodic: bool = False,
-           unjammed: bool = False, types: str | None = None, material: Union[str, "os.PathLike[str]", None] = None,
-           young: Number | None = None, poisson: Number | None = None, spread: bool = False,
-           tolerance: Tolerance = None, band: Union[str, "os.PathLike[str]", None] = None,
-           min_per_class: Number | None = None, at_least: Number | None = None, specimen: str | None = None,
-           void_ratio: Number | None = None, solids_volume: Number | None = None, at_most: Number | None = None,
-           law: str | None = None, size_factor: Number | None = None, cut_below: Number | None = None,
-           pan_size: Number | None = None, max_steps: Number | None = None, node_limit: Number | None = None,
+           unit: str | None = None, gradation: Union[str, "os.PathLike[str]", None] = None,
+           density: Number | None = None, mass_error: Number | None = None, yes_huge: bool = False,
+           yes_units: bool = False, size_unit: str | None = None, size_column: str | None = None, radius: bool = False,
+           diameter: bool = False, timestep: Number | None = None, box: str | None = None, start: str | None = None,
+           sides: str | None = None, seed: Number | None = None, model: str | None = None, steps: Number | None = None,
+           stress: Number | None = None, axial_strain: Number | None = None, constant: str | None = None, target_tolerance: Number | None = None,
+           friction: Number | None = None, friction_while_filling: Number | None = None,
+           rolling_friction: Number | None = None, periodic: bool = False, unjammed: bool = False,
+           types: str | None = None, material: Union[str, "os.PathLike[str]", None] = None, young: Number | None = None,
+           poisson: Number | None = None, spread: bool = False, tolerance: Tolerance = None,
+           band: Union[str, "os.PathLike[str]", None] = None, min_per_class: Number | None = None,
+           at_least: Number | None = None, specimen: str | None = None, void_ratio: Number | None = None,
+           solids_volume: Number | None = None, at_most: Number | None = None, law: str | None = None,
+           size_factor: Number | None = None, cut_below: Number | None = None, pan_size: Number | None = None,
+           max_steps: Number | None = None, node_limit: Number | None = None,
            time_limit: Union[Number, float, None] = None, gap: Number | None = None, scale: str | None = None,
            specimen_id: str | None = None, columns: str | None = None, kind: str | None = None,
            skip: Number | None = None, sheet: str | None = None, loss: Number | None = None,
@@ -405,6 +406,10 @@ def export(source: Source | None, to: str, out: Path, *,
         axial_strain: of a triaxial model at its end, 1 - h/h0, up to 0.5 (0.2).
         constant: while a triaxial model is sheared: sigma_3, on its sides (default), or p, the mean (sigma_1 + 2
             sigma_3)/3.
+        size_column: its column of sizes where that has a name of its own, such as c_r: as in mdm verify.
+        radius: its sizes are radii, whatever their name.
+        diameter: its sizes are diameters, whatever their name.
+        timestep: its timestep, instead of the last: as in mdm verify.
 
     Raises:
         InputError: an option or the source is wrong, or it cannot be written in that format.

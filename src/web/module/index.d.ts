@@ -104,10 +104,10 @@ export interface VerifyWords {
   snap?: number | string;
   /**
    * Format of SAMPLE: csv (size_mm,quantity; also size_um, size_m, size_in, size_phi or sieve), answer (JSON of mdm
-   * solve), xyzr (x y z r a line), lammps-data, lammps-dump, liggghts-dump, vtk, diameters (one a line),
-   * liggghts-insertion, mercurydpm (scripts and distributions of mdm export), extxyz (extended XYZ of ASE and OVITO
-   * with radius among its Properties), esys (geometry or snapshot of ESyS-Particle with one worker), lethe
-   * (insertion file), kratos (mdpa), musen (scene as text), gsd (HOOMD-blue), phasicflow (particlesDict of mdm
+   * solve), xyzr (x y z r a line), lammps-data, lammps-dump, liggghts-dump, vtk, vtp (VTK's XML in ASCII), diameters
+   * (one a line), liggghts-insertion, mercurydpm (scripts and distributions of mdm export), extxyz (extended XYZ of
+   * ASE and OVITO with radius among its Properties), esys (geometry or snapshot of ESyS-Particle with one worker),
+   * lethe (insertion file), kratos (mdpa), musen (scene as text), gsd (HOOMD-blue), phasicflow (particlesDict of mdm
    * export) or dem-engine (CSV of spheres, or of clumps whose types are named r and the radius, as r0.00025); told
    * by the content if left out.
    */
@@ -117,8 +117,8 @@ export interface VerifyWords {
   /** Sizes are diameters, whatever their name. */
   diameter?: boolean;
   /**
-   * The column of sizes in a dump or CSV where it has a name of its own, such as c_r; with radius or diameter; other
-   * columns that are not known are then passed over.
+   * The column of sizes in a dump or CSV, or array in VTK, where it has a name of its own, such as c_r; with radius
+   * or diameter; other columns that are not known are then passed over.
    */
   sizeColumn?: string;
   /**
