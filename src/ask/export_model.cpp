@@ -24,6 +24,7 @@ struct ModelEngine {
   std::string (*script)(const SettleModel &);
   void (*write_particles)(const Placement &, const Sink &);
   void (*write_classes)(const Placement &, const Sink &); ///< with a type a class
+  void (*write_discs)(const Placement &, const Sink &);   ///< null: there is no model of them
   const char *particles_ending;
   bool reads_planes; ///< as meshes
   bool resists_rolling;
@@ -32,9 +33,11 @@ struct ModelEngine {
 namespace {
 
 constexpr std::array<ModelEngine, 3> engines = {
-    {{"liggghts", liggghts_model, write_lammps_data, write_lammps_data_of_classes, ".data", true, true},
-     {"lammps", lammps_model, write_lammps_data, write_lammps_data_of_classes, ".data", false, true},
-     {"yade", yade_model, write_xyzr, write_xyzr, ".xyzr", false, false}}};
+    {{"liggghts", liggghts_model, write_lammps_data, write_lammps_data_of_classes, nullptr, ".data", true,
+      true},
+     {"lammps", lammps_model, write_lammps_data, write_lammps_data_of_classes, write_lammps_data_of_discs,
+      ".data", false, true},
+     {"yade", yade_model, write_xyzr, write_xyzr, write_xyzr, ".xyzr", false, false}}};
 
 /// A coefficient of friction.
 std::optional<double> friction_of(const char *name, const OptionText &text) {
@@ -79,6 +82,16 @@ void check_rolling(const SettleModel &model, const ModelEngine &engine) {
         ": YADE's contact of Hertz and Mindlin limits a moment by a length that is the same for grains of "
         "all sizes: use " +
         option("to") + " liggghts or lammps");
+}
+
+/// Discs have masses by the squares of their sizes.
+void check_masses_of_discs(const ParticleSet &set) {
+  const MassLaw &law = set.law;
+  if (!law.is_power() || law.exponent() != "2")
+    throw InputError(option("dimension") +
+                     " 2: the masses of discs are by the squares of their sizes: give a "
+                     "gradation, or its answer, and " +
+                     option("law") + " power:2");
 }
 
 /// A cell that is repeated is only compressed.
@@ -164,6 +177,10 @@ SettleModel ModelWriter::model(const ExportTexts &c, const ExportedParticles &fo
                     path_name(filesystem_path(other_files().front()).filename()),
                     path_name(filesystem_path(out_).stem())};
   model.space = asked_space(c);
+  if (c.has_discs()) {
+    check_masses_of_discs(*found.set);
+    model.box.y = disc_length(*found.set);
+  }
   model.target = density_target(c);
   check_reachable(model, start);
   model.shear = shear_of(c);
@@ -191,9 +208,10 @@ SettleModel ModelWriter::model(const ExportTexts &c, const ExportedParticles &fo
 void ModelWriter::write(const SettleModel &model, const Placement &start, const WriteFiles &write) const {
   const std::vector<std::string> files = other_files();
   std::vector<ModelFile> all = {{out_, [&](const Sink &sink) { sink(engine_->script(model)); }}};
-  all.push_back({files.front(), [&](const Sink &sink) {
-                   (model.types_of_classes ? engine_->write_classes : engine_->write_particles)(start, sink);
-                 }});
+  const auto write_particles = model.has_discs()        ? engine_->write_discs
+                               : model.types_of_classes ? engine_->write_classes
+                                                        : engine_->write_particles;
+  all.push_back({files.front(), [&](const Sink &sink) { write_particles(start, sink); }});
   if (engine_->reads_planes)
     all.push_back({files.back(), [&](const Sink &sink) {
                      sink(model.has_lid() ? lid_stl(model.box) : wall_stl(model.box));

@@ -83,6 +83,7 @@ bool is_cylinder_asked(const ExportTexts &c) {
 const char *option_of_model(const ExportTexts &c) {
   const std::array<std::pair<bool, const char *>, 11> options = {
       {{c.steps.has_value(), "steps"},
+       {c.dimension.has_value(), "dimension"},
        {c.pressure.has_value(), "stress"},
        {c.tolerance.has_value(), "target-tolerance"},
        {c.axial_strain.has_value(), "axial-strain"},
@@ -115,6 +116,27 @@ void check_model(const ExportTexts &c) {
   if (c.start == "layers" && is_cylinder_asked(c))
     throw InputError(option("start") +
                      " layers: they have walls, and the specimen is a cylinder: take mixed or deposit");
+}
+
+/// A model of discs.
+void check_discs(const ExportTexts &c) {
+  const std::string discs = option("dimension") + " 2: ";
+  if (c.to == "liggghts")
+    throw InputError(discs + "LIGGGHTS has no second dimension: use " + option("to") + " lammps or yade");
+  if (c.has_cell() || c.sides || c.solve.specimen)
+    throw InputError(discs + "discs settle between two walls: leave " +
+                     (c.is_triaxial() ? option("model") + " triaxial"
+                      : c.periodic    ? option("periodic")
+                      : c.sides       ? option("sides")
+                                      : option("specimen")) +
+                     " out");
+  if (c.start && c.start != "mixed")
+    throw InputError(discs + "discs start mixed: leave " + option("start") + " out");
+  if (c.rolling_friction || c.material)
+    throw InputError(discs + "discs are of one material without rolling friction: leave " +
+                     option(c.material ? "material" : "rolling-friction") + " out");
+  if (c.types == "class")
+    throw InputError(discs + "discs are of one type: leave " + option("types") + " out");
 }
 
 void check_triaxial(const ExportTexts &c) {
@@ -177,6 +199,8 @@ void check_export(const ExportTexts &c, const ExportFormat &format) {
     throw InputError(option(name) + " is for a model: give " + option("model") + " settle too");
   if (c.model)
     check_model(c);
+  if (c.has_discs())
+    check_discs(c);
   if (c.is_triaxial())
     check_triaxial(c);
   if (c.moves_faces())
@@ -313,6 +337,13 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
      "compression to --stress, and to --void-ratio by friction where that is given, then shear; its log, "
      "FILE-triaxial.csv with compression positive, is drawn by mdm plot",
      &ExportTexts::model},
+    {"dimension",
+     "D",
+     OptionKind::text,
+     "3, spheres (the default), or 2, discs of one length: a model in which they settle between two walls; "
+     "masses are by --law power:2, and --box is width x height (lammps, yade)",
+     &ExportTexts::dimension,
+     {"2", "3"}},
     {"steps", "N", OptionKind::number,
      "time steps of the model while particles settle, at most; without it five times as long as a "
      "fall from the top of the box",

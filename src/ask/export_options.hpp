@@ -26,8 +26,8 @@ struct ExportTexts {
   SolveTexts solve;
   std::vector<std::string> solving; ///< the options that are given that only a gradation has a use for
   OptionText unit, density, mass_error, box, seed, young, poisson, model, steps, start, sides, pressure,
-      tolerance, axial_strain, constant, friction, friction_while_filling, rolling_friction, types, material,
-      gradation;
+      tolerance, dimension, axial_strain, constant, friction, friction_while_filling, rolling_friction, types,
+      material, gradation;
   ReadingTexts reading;
   std::string to, out = "-";
   ParticleTexts particles; ///< of FILE, where it is a file of them
@@ -37,6 +37,8 @@ struct ExportTexts {
   bool yes_huge = false, yes_units = false;
 
   bool is_triaxial() const { return model == "triaxial"; }
+  /// True if a model of discs is asked for.
+  bool has_discs() const { return dimension == "2"; }
   /// True if the model's box has six faces that move: walls, or it is repeated on all sides.
   bool moves_faces() const { return periodic || is_triaxial(); }
   bool has_six_walls() const { return is_triaxial() && to == "liggghts"; }

@@ -32,6 +32,17 @@ std::optional<Footprint> asked_ground(const ExportTexts &c, SizeUnit unit) {
                                            : inscribed_square(diameter);
 }
 
+/// The plane of discs: --box has its width and its height.
+Footprint plane_of_discs(const ExportTexts &c, const ExportedParticles &found) {
+  if (!c.box)
+    return disc_plane(*found.set);
+  const Footprint box = footprint_of(*c.box, found.unit);
+  if (box.c)
+    throw InputError(option("box") + ": discs have a width and a height: write AxB");
+  const Rational unit = in_mm(found.unit) / in_mm(found.set->unit);
+  return disc_plane(*found.set, box.a * unit, Rational(box.b * unit));
+}
+
 /// The ratios of the sides of a box whose faces move.
 std::array<Rational, 3> cell_ratios(const ExportTexts &c) {
   if (c.box) {
@@ -67,7 +78,7 @@ bool has_room_for_deposit(const ParticleSet &set, const std::optional<Footprint>
 Start start_of_model(const ExportTexts &c, const ExportedParticles &found) {
   const bool has_target = c.solve.void_ratio || c.pressure;
   const bool is_many = found.set->particles() > most_mixed;
-  if (c.moves_faces())
+  if (c.moves_faces() || c.has_discs())
     return Start::mixed;
   if ((has_target || (is_many && asked_space(c) == Space::cylinder)) &&
       has_room_for_deposit(*found.set, footprint(c, found)))
@@ -86,6 +97,8 @@ std::optional<Solids> asked_specimen(const ExportTexts &c, SizeUnit unit) {
 }
 
 Space asked_space(const ExportTexts &c) {
+  if (c.has_discs())
+    return Space::plane;
   if (c.has_six_walls())
     return Space::six_walls;
   if (c.has_cell())
@@ -98,6 +111,8 @@ Space asked_space(const ExportTexts &c) {
 }
 
 std::optional<Footprint> footprint(const ExportTexts &c, const ExportedParticles &found) {
+  if (c.has_discs())
+    return plane_of_discs(c, found);
   if (c.moves_faces())
     return roomy_box(*found.set, cell_ratios(c));
   std::optional<Footprint> floor = asked_ground(c, found.unit);
@@ -124,7 +139,7 @@ namespace {
 
 /// True if the places of the file have the space that is asked for.
 bool keeps_places(const ExportTexts &c, const ExportedParticles &found) {
-  if (!found.places || c.box || c.solve.specimen)
+  if (!found.places || c.box || c.solve.specimen || c.has_discs())
     return false;
   return !c.has_cell() || found.places->periodic == std::array<bool, 3>{true, true, true};
 }
@@ -204,7 +219,7 @@ std::vector<std::string> rounding_notes(const ExportTexts &c, const ExportedPart
     notes.push_back("layers stand on the square inside the cylinder; " + option("start") +
                     " mixed or deposit fills it");
   const bool is_exact = !c.moves_faces() && (c.box || (shape && std::holds_alternative<Box>(*shape)));
-  if (!asked || !is_exact)
+  if (!asked || !is_exact || c.has_discs())
     return notes;
   const auto add_side = [&](const Rational &side, std::int64_t units) {
     if (side * power_of_ten(start.places()) != Rational(units))

@@ -85,6 +85,14 @@ private:
   std::vector<Point> centres_;
 };
 
+/// The largest diameter of a class.
+double largest_of(const ParticleClass &c) {
+  double d = 0;
+  for (const ParticleSize &size : c.sizes)
+    d = std::max(d, size.diameter.value);
+  return d;
+}
+
 } // namespace
 
 double insertion_height(const ParticleSet &set, double x, double y) {
@@ -93,9 +101,7 @@ double insertion_height(const ParticleSet &set, double x, double y) {
   std::vector<std::pair<double, double>> placed; // largest size and quantity of the classes that are there
   double height = 0;
   for (auto c = set.classes.rbegin(); c != set.classes.rend(); ++c) {
-    double d = 0;
-    for (const ParticleSize &size : c->sizes)
-      d = std::max(d, size.diameter.value);
+    const double d = largest_of(*c);
     placed.emplace_back(d, c->quantity().convert_to<double>());
     double kept_free = 0;
     for (const auto &[other, quantity] : placed)
@@ -103,6 +109,33 @@ double insertion_height(const ParticleSet &set, double x, double y) {
     height = std::max(height, d + kept_free / (most_part * (x - d) * (y - d)));
   }
   return height;
+}
+
+double disc_insertion_height(const ParticleSet &set, double x) {
+  assert(x > set.largest().diameter.value);
+  constexpr double most_part = 0.8;
+  double height = 0;
+  for (auto c = set.classes.rbegin(); c != set.classes.rend(); ++c) {
+    const double d = largest_of(*c);
+    double kept_free = 0;
+    for (auto placed = set.classes.rbegin(); placed <= c; ++placed)
+      kept_free += placed->quantity().convert_to<double>() * std::numbers::pi / 4 *
+                   std::pow(largest_of(*placed) + d, 2);
+    height = std::max(height, d + kept_free / (most_part * (x - d)));
+  }
+  return height;
+}
+
+Footprint disc_plane(const ParticleSet &set) {
+  const double width =
+      std::max(std::sqrt(set.squares().convert_to<double>()), 3 * set.largest().diameter.value);
+  return disc_plane(set, Rational(width), std::nullopt);
+}
+
+Footprint disc_plane(const ParticleSet &set, const Rational &width, const std::optional<Rational> &height) {
+  Footprint plane{width, ratio(11, 10) * set.largest().diameter.decimal(), height};
+  plane.is_flat = true;
+  return plane;
 }
 
 double settled_side(const ParticleSet &set) {
@@ -128,6 +161,7 @@ void Placement::choose_mixed_box(const std::optional<Footprint> &floor) {
     sides_ = floor->sides;
   else
     box_[0] = box_[1] = units(Rational(settled_side(*set_)));
+  is_flat_ = floor && floor->is_flat;
   if (floor && floor->c) {
     box_[2] = units(*floor->c);
     return;
@@ -137,7 +171,9 @@ void Placement::choose_mixed_box(const std::optional<Footprint> &floor) {
   // A circle has pi / 4 of the places of its square, and of those that are farther from its side.
   const double round = sides_ == Sides::cylinder ? 4 / std::numbers::pi : 1;
   const auto side = [&](std::size_t axis) { return static_cast<double>(box_[axis]) / scale; };
-  box_[2] = units(Rational(rounding * round * insertion_height(*set_, side(0), side(1))));
+  const double height =
+      is_flat_ ? disc_insertion_height(*set_, side(0)) : round * insertion_height(*set_, side(0), side(1));
+  box_[2] = units(Rational(rounding * height));
 }
 
 /// True if it is r or more away from the side of a cylinder that touches the sides of the box. Decided in
@@ -176,6 +212,8 @@ void Placement::mix() {
           for (std::size_t axis = 0; axis < 3; ++axis)
             centre[axis] = r + static_cast<std::int64_t>(mixed(mixed(seed_) ^ mixed(tries++)) %
                                                          static_cast<std::uint64_t>(box_[axis] - 2 * r + 1));
+          if (is_flat_)
+            centre[1] = box_[1] / 2;
         } while (!is_free(centre));
         placed.back().add(centre);
         spheres_.push_back({i - 1, &*size, centre});

@@ -15,7 +15,7 @@ namespace {
 
 const char *const lammps_setting = R"(
 units si
-atom_style sphere
+@dimension@atom_style sphere
 boundary @boundary@
 newton off
 comm_modify vel yes
@@ -25,7 +25,7 @@ pair_style granular
 neighbor @skin@ bin
 neigh_modify delay 0 every 1 check yes
 timestep @dt@
-fix motion all nve/sphere
+fix motion all nve/sphere@motion@
 @gravity@
 compute d all property/atom diameter
 compute least all reduce min c_d
@@ -40,21 +40,21 @@ variable speed equal 0
 variable lid_start equal ${lid_now}
 variable lid equal v_lid_now-v_speed*(step-v_since)*dt
 variable sunk equal v_lid-v_lid_start
-region lid plane 0 0 ${lid_start} 0 0 -1 move NULL NULL v_sunk units box
-@round@variable up atom z+c_d/2
+region lid plane @lid@ units box
+@round@variable up atom @up@+c_d/2
 compute top all reduce max v_up
 variable top equal c_top
 )";
 
 const char *const volume_below_lid = R"(# The lid is on top of the start at first. There is room above it.
-variable top_of_start equal zhi
+variable top_of_start equal @up@hi
 variable top_of_start equal ${top_of_start}
-if "${go_on} == 0" then "variable lid_now equal ${top_of_start}" "variable ceiling equal 1.01*${top_of_start}" "change_box all z final 0 ${ceiling} units box"
+if "${go_on} == 0" then "variable lid_now equal ${top_of_start}" "variable ceiling equal 1.01*${top_of_start}" "change_box all @up@ final 0 ${ceiling} units box"
 variable area equal @area@
 variable volume equal v_area*v_lid)";
 
 const char *const begin_lid =
-    R"(if "${begun} == 0" then "compute push all reduce sum f_lid[4]" "variable pressure equal (0-c_push)/v_area" "thermo_style custom step atoms ke c_least c_top c_push v_void_ratio v_pressure v_mu@columns@" "thermo_modify lost error norm no" "variable begun equal 1"
+    R"(if "${begun} == 0" then "compute push all reduce sum f_lid[@push@]" "variable pressure equal (0-c_push)/v_area" "thermo_style custom step atoms ke c_least c_top c_push v_void_ratio v_pressure v_mu@columns@" "thermo_modify lost error norm no" "variable begun equal 1"
 )";
 
 const char *const move_faces =
@@ -80,16 +80,23 @@ variable pressure equal c_stress
 thermo_modify lost error norm no
 )";
 
+/// The axis upwards: the engine's plane is x y.
+const char *up(const SettleScript &s) {
+  return s.model.has_discs() ? "y" : "z";
+}
+
 /// The walls' contact is that of the type which stands for walls.
 std::string lammps_walls(const SettleScript &s) {
-  std::string text = "fix floor all wall/gran granular ${wall} zplane 0 NULL\n"
-                     "fix lid all wall/gran/region granular ${wall} region lid contacts\n";
+  std::string text = fmt::format("fix floor all wall/gran granular ${{wall}} {}plane 0 NULL\n"
+                                 "fix lid all wall/gran/region granular ${{wall}} region lid contacts\n",
+                                 up(s));
+  if (s.model.space == Space::box || s.model.has_discs())
+    text += "fix x all wall/gran granular ${wall} xplane 0 $(xhi:%.17g)\n";
   if (s.model.space == Space::box)
-    text += "fix x all wall/gran granular ${wall} xplane 0 $(xhi:%.17g)\n"
-            "fix y all wall/gran granular ${wall} yplane 0 $(yhi:%.17g)\n";
+    text += "fix y all wall/gran granular ${wall} yplane 0 $(yhi:%.17g)\n";
   if (s.model.space == Space::cylinder)
     text += "fix side all wall/gran/region granular ${wall} region inside\n";
-  return text + filled(begin_lid, {{"columns", state_columns()}});
+  return text + filled(begin_lid, {{"columns", state_columns()}, {"push", s.model.has_discs() ? "3" : "4"}});
 }
 
 /// A spring as stiff as the tangential one of two smallest grains that overlap by some percent, so that the
@@ -190,7 +197,10 @@ if "${vtk} > 0" then "write_dump all vtk @result@.vtp id type radius vx vy vz"
 std::string volume(const SettleScript &s) {
   if (!s.has_lid())
     return "variable volume equal vol\nvariable lid equal 0";
-  return filled(volume_below_lid, {{"area", s.model.space == Space::cylinder ? "PI*xhi^2/4" : "xhi*yhi"}});
+  return filled(volume_below_lid, {{"area", s.model.space == Space::cylinder ? "PI*xhi^2/4"
+                                            : s.model.has_discs()            ? "xhi*" + digits17(s.box.y)
+                                                                             : "xhi*yhi"},
+                                   {"up", up(s)}});
 }
 
 } // namespace
@@ -206,20 +216,27 @@ std::string lammps_model(const SettleModel &model) {
       s.head({"LAMMPS", "lmp -in THIS_FILE", "-var steps 1000", "lmp -in THIS_FILE -var go_on 1",
               "With P processes: mpirun -np P lmp -in THIS_FILE", "", "its model sds"});
   text += phase_variables(s);
-  text +=
-      filled(lammps_setting,
-             {{"boundary", !has_lid                       ? "p p p"
-                           : model.space == Space::pillar ? "p p f"
-                                                          : "f f f"},
-              {"particles", file_word(model.particles)},
-              {"base", s.name},
-              {"volume", volume(s)},
-              {"skin", digits6(s.set.smallest().radius.value)},
-              {"dt", digits6(s.physics.step)},
-              {"gravity",
-               has_lid ? fmt::format("fix gravity all gravity {} vector 0 0 -1", Settling::gravity) : ""}});
+  text += filled(lammps_setting,
+                 {{"dimension", model.has_discs() ? "dimension 2\n" : ""},
+                  {"motion", model.has_discs() ? " disc\nfix plane all enforce2d" : ""},
+                  {"boundary", !has_lid                       ? "p p p"
+                               : model.space == Space::pillar ? "p p f"
+                               : model.has_discs()            ? "f f p"
+                                                              : "f f f"},
+                  {"particles", file_word(model.particles)},
+                  {"base", s.name},
+                  {"volume", volume(s)},
+                  {"skin", digits6(s.set.smallest().radius.value)},
+                  {"dt", digits6(s.physics.step)},
+                  {"gravity", has_lid ? fmt::format("fix gravity all gravity {} vector {}", Settling::gravity,
+                                                    model.has_discs() ? "0 -1 0" : "0 0 -1")
+                                      : ""}});
   if (has_lid)
-    text += filled(lammps_lid, {{"round", round_wall(s)}}) + "variable begun equal 0\n";
+    text += filled(lammps_lid, {{"round", round_wall(s)},
+                                {"lid", model.has_discs() ? "0 ${lid_start} 0 0 -1 0 move NULL v_sunk NULL"
+                                                          : "0 0 ${lid_start} 0 0 -1 move NULL NULL v_sunk"},
+                                {"up", up(s)}}) +
+            "variable begun equal 0\n";
   text += state_measures(s, "all stress/atom NULL pair");
   PhaseCommands commands;
   commands.contact = lammps_contact(s);

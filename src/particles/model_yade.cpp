@@ -85,7 +85,7 @@ def rest(last, times=1):
         found += count
         if len(O.bodies) - without_grains != found:
             stop('%s: %d grains are there, not %d' % (name, len(O.bodies) - without_grains, found))
-    O.engines = [
+@discs@    O.engines = [
         ForceResetter(),
         InsertionSortCollider([Bo1_Sphere_Aabb()@bounds@]),
         InteractionLoop(
@@ -191,7 +191,7 @@ std::string target_lines(const SettleScript &s) {
   return filled("target = @target@  # @quantity@\n"
                 "tolerance = @tolerance@  # of it@relative@\n"
                 "most_pressure = @pressure@  # Pa\n"
-                "most_rate = @rate@  # 1/s, of the strain: inertial number 0.003 at that pressure\n"
+                "most_rate = @rate@  # 1/s, of the strain: inertial number @inertia@ at that pressure\n"
                 "most_compacting = @compacting@  # steps\n@shear@",
                 {{"target", digits6(t.void_ratio ? *t.void_ratio : t.pressure)},
                  {"quantity", t.void_ratio ? "void ratio" : "Pa"},
@@ -199,6 +199,7 @@ std::string target_lines(const SettleScript &s) {
                  {"relative", t.void_ratio ? "" : ", a part"},
                  {"pressure", digits6(s.physics.most_pressure)},
                  {"rate", digits6(s.physics.rate)},
+                 {"inertia", digits6(compaction_inertia(s.model))},
                  {"compacting", std::to_string(s.physics.most_compacting)},
                  {"shear", shear}});
 }
@@ -211,6 +212,9 @@ std::string yade_walls(const SettleScript &s) {
     return "";
   std::string text =
       "    O.bodies.append([wall(0, 2, sense=1, material=0), wall(z, 2, sense=-1, material=0)])\n";
+  if (s.model.has_discs())
+    return text +
+           "    O.bodies.append([wall(0, 0, sense=1, material=0), wall(x, 0, sense=-1, material=0)])\n";
   if (s.model.space == Space::cylinder)
     return text +
            fmt::format(
@@ -227,6 +231,17 @@ std::string yade_walls(const SettleScript &s) {
 
 const char *const inside_walls = "inside = [body for body in settled if all(0 < p < length for p, length in "
                                  "zip(body.state.pos, (x, y, z)))]\n";
+
+const char *const inside_two_walls =
+    "inside = [body for body in settled if 0 < body.state.pos[0] < x and 0 < body.state.pos[2] < z]\n";
+
+/// Discs stay in their plane, and have masses and moments of inertia of their own.
+const char *const yade_discs =
+    R"(    for body in [body for body in O.bodies if isinstance(body.shape, Sphere)]:
+        body.state.mass = pi * body.shape.radius**2 * y * body.material.density
+        body.state.inertia = Vector3.Ones * body.state.mass * body.shape.radius**2 / 2
+        body.state.blockedDOFs = 'yXZ'
+)";
 
 } // namespace
 
@@ -295,7 +310,10 @@ std::string yade_model(const SettleModel &model) {
        {"constant", s.is_sheared() ? constant_stress(s) : ""},
        {"shear", s.is_sheared() ? triaxial_yade_values : ""},
        {"result", s.result},
-       {"inside", has_lid ? inside_walls : "inside = settled\n"},
+       {"discs", model.has_discs() ? yade_discs : ""},
+       {"inside", model.has_discs() ? inside_two_walls
+                  : has_lid         ? inside_walls
+                                    : "inside = settled\n"},
        {"dump", s.dump},
        {"repeated", has_lid ? "" : ", repeated in x y z"},
        {"box", has_lid ? "x, y, z" : "*O.cell.size,"},

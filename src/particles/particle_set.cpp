@@ -109,12 +109,20 @@ ParticleSet match_set(const Match &m, const Writer &writer, SizeUnit unit, Fill 
   return set;
 }
 
-template <class Diameter>
-Rational sum_of_cubes(const ParticleSet &set, Diameter diameter) {
+Rational diameter_of(const ParticleSize &size) {
+  return exact_value(size.diameter.value);
+}
+
+Rational twice_radius(const ParticleSize &size) {
+  return 2 * exact_value(size.radius.value);
+}
+
+Rational sum_of_powers(const ParticleSet &set, unsigned exponent,
+                       Rational (*diameter)(const ParticleSize &)) {
   Rational sum = 0;
   for (const ParticleClass &c : set.classes)
     for (const ParticleSize &size : c.sizes)
-      sum += Rational(size.quantity) * power(diameter(size), 3);
+      sum += Rational(size.quantity) * power(diameter(size), exponent);
   return sum;
 }
 
@@ -151,12 +159,19 @@ std::string ParticleSet::length_text(const Rational &length) const {
 }
 
 Rational ParticleSet::cubes() const {
-  return sum_of_cubes(*this, [](const ParticleSize &size) { return exact_value(size.diameter.value); });
+  return sum_of_powers(*this, 3, diameter_of);
 }
 
 Rational ParticleSet::cubes_of_radii() const {
-  return sum_of_cubes(*this,
-                      [](const ParticleSize &size) { return Rational(2 * exact_value(size.radius.value)); });
+  return sum_of_powers(*this, 3, twice_radius);
+}
+
+Rational ParticleSet::squares() const {
+  return sum_of_powers(*this, 2, diameter_of);
+}
+
+Rational ParticleSet::squares_of_radii() const {
+  return sum_of_powers(*this, 2, twice_radius);
 }
 
 ParticleSet particle_set(const Match &m, const ParticleSetOptions &options) {

@@ -55,6 +55,9 @@ struct ParticleSet {
   Rational cubes() const;
   /// The same with those of the radii.
   Rational cubes_of_radii() const;
+  /// (pi / 4) sum of q x^2, over pi / 4: with the doubles of the diameters, and with those of the radii.
+  Rational squares() const;
+  Rational squares_of_radii() const;
 };
 
 /// The way particles are written.

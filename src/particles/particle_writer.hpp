@@ -38,6 +38,10 @@ void write_lammps_data(const Placement &start, const Sink &out);
 /// The same with a type for each class of the set, 1 for the smallest, and one more for walls.
 void write_lammps_data_of_classes(const Placement &start, const Sink &out);
 
+/// The same of discs in a plane, one type, all two thirds of the smallest diameter long: the plane is x y, y
+/// upwards, in a box that is flat in z. Densities are such that spheres have the masses of the discs.
+void write_lammps_data_of_discs(const Placement &start, const Sink &out);
+
 /// `x y z r` a line below comments, for YADE's ymport.text.
 void write_xyzr(const Placement &start, const Sink &out);
 

@@ -52,6 +52,26 @@ void write_lammps_data(const Placement &start, const Sink &out) {
   write_data(start, false, out);
 }
 
+void write_lammps_data_of_discs(const Placement &start, const Sink &out) {
+  const ParticleSet &set = start.set();
+  const auto &[width, thickness, height] = start.box();
+  LongText text(out);
+  text.add("{}\n# Discs in a plane: dimension 2, boundary f f p, fix enforce2d; no two overlap. All are two "
+           "thirds of the smallest diameter long.\n"
+           "# Densities are those of spheres that have the masses of the discs.\n"
+           "\n{} atoms\n1 atom types\n\n0 {} xlo xhi\n0 {} ylo yhi\n-{} {} zlo zhi\n\nAtoms # sphere\n\n",
+           title(set), to_string(set.particles()), start.text(width), start.text(height),
+           start.text(thickness / 2), start.text(thickness / 2));
+  const double smallest = set.smallest().diameter.value;
+  std::uint64_t id = 0;
+  start.each([&](const Placement::Sphere &s) {
+    const double density = set.classes[s.class_index].density.convert_to<double>();
+    text.add("{} 1 {} {:.17g} {} {} 0\n", ++id, s.size->diameter.text,
+             density * smallest / s.size->diameter.value, start.text(s.at[0]), start.text(s.at[2]));
+  });
+  text.finish();
+}
+
 void write_lammps_data_of_classes(const Placement &start, const Sink &out) {
   write_data(start, true, out);
 }

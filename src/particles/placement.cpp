@@ -206,6 +206,11 @@ void Placement::each(const std::function<void(const Sphere &)> &take) const {
 std::pair<Rational, Rational> Placement::void_ratio() const {
   constexpr unsigned pi_places = 30;
   const Enclosure pi = enclose_pi(pi_places);
+  if (is_flat_) {
+    const Rational area = Rational(Integer(box_[0]) * box_[2]) / power(Rational(power_of_ten(places_)), 2);
+    const auto [least, most] = std::minmax({set_->squares(), set_->squares_of_radii()});
+    return {4 * area / (most * pi.upper()) - 1, 4 * area / (least * pi.lower()) - 1};
+  }
   const Rational box =
       Rational(Integer(box_[0]) * box_[1] * box_[2]) / power(Rational(power_of_ten(places_)), 3);
   const auto [least, most] = std::minmax({set_->cubes(), set_->cubes_of_radii()});

@@ -23,6 +23,8 @@ struct Footprint {
   std::optional<Rational> c; ///< height that must do; open: as high as the start needs
   /// Layers have walls, a mixed start walls or a cylinder, of which a and b are the diameter.
   Sides sides = Sides::walls;
+  /// The centres of a mixed start are in the plane in the middle of b: of discs.
+  bool is_flat = false;
 };
 
 /// The square that fits into a circle of that diameter, its side cut to 15 digits.
@@ -35,6 +37,16 @@ Footprint roomy_box(const ParticleSet &set, const std::array<Rational, 3> &ratio
 /// with a chance of a fifth or more, because what particles keep free of others' centres is at most four
 /// fifths of where centres can be. \pre x and y are more than the largest size; all in the unit of the set
 double insertion_height(const ParticleSet &set, double x, double y);
+
+/// The same of discs in a plane that is x wide: they keep at most four fifths of it free. \pre x is more than
+/// the largest size
+double disc_insertion_height(const ParticleSet &set, double x);
+
+/// A plane in which discs are about as high as wide once they have settled, and three of the largest lie side
+/// by side.
+Footprint disc_plane(const ParticleSet &set);
+/// A plane of that width, and of that height where there is one.
+Footprint disc_plane(const ParticleSet &set, const Rational &width, const std::optional<Rational> &height);
 
 /// Side of a square on which a set is about as high as wide once it has settled, and in which the two largest
 /// lie side by side.
@@ -119,8 +131,10 @@ public:
   /// Gives all particles, the largest class first and its sizes descending; the same at every call.
   void each(const std::function<void(const Sphere &)> &take) const;
 
-  /// Volume of the box by that of the particles, by their diameters and by their radii, minus 1: lower and
-  /// upper bound.
+  /// True if all centres are in a plane, of discs.
+  bool is_flat() const { return is_flat_; }
+  /// Volume of the box by that of the particles, or of discs area by area, by their diameters and by their
+  /// radii, minus 1: lower and upper bound.
   std::pair<Rational, Rational> void_ratio() const;
 
 private:
@@ -156,7 +170,7 @@ private:
   std::array<std::int64_t, 3> box_{};
   Sides sides_ = Sides::walls;
   std::optional<std::array<bool, 3>> kept_repeated_; ///< of a file's box
-  bool is_kept_ = false;
+  bool is_kept_ = false, is_flat_ = false;
   std::vector<Slab> slabs_;     ///< of layers
   std::vector<Sphere> spheres_; ///< of all starts but layers
 };

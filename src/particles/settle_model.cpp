@@ -20,13 +20,28 @@ namespace {
 /// Young's modulus is this many times the highest pressure while compacting.
 constexpr double stiffness_by_pressure = 2000;
 
-double mass(const ParticleSet &set) {
+double mass(const SettleModel &model) {
   double sum = 0;
-  for (const ParticleClass &c : set.classes)
-    for (const ParticleSize &size : c.sizes)
-      sum += std::numbers::pi / 6 * c.density.convert_to<double>() * size.quantity.convert_to<double>() *
-             std::pow(size.diameter.value, 3);
+  for (const ParticleClass &c : model.set.classes)
+    for (const ParticleSize &size : c.sizes) {
+      const double d = size.diameter.value;
+      const double volume = std::numbers::pi * d * d * (model.has_discs() ? model.box.y / 4 : d / 6);
+      sum += c.density.convert_to<double>() * size.quantity.convert_to<double>() * volume;
+    }
   return sum;
+}
+
+/// Volume of the grains.
+double solids_of(const SettleModel &model) {
+  return model.has_discs() ? std::numbers::pi / 4 * model.box.y * model.set.squares().convert_to<double>()
+                           : std::numbers::pi / 6 * model.set.cubes().convert_to<double>();
+}
+
+/// The diameter of a grain of the mean volume.
+double mean_size(const SettleModel &model, double solids) {
+  const double of_grain = solids / model.set.particles().convert_to<double>();
+  return model.has_discs() ? std::sqrt(4 / std::numbers::pi * of_grain / model.box.y)
+                           : std::cbrt(6 / std::numbers::pi * of_grain);
 }
 
 /// Of the material that is the least favourable, where classes differ.
@@ -53,10 +68,9 @@ void set_compaction(const SettleModel &model, double softest_young, Settling &s)
   const DensityTarget &target = *model.target;
   s.most_pressure = target.void_ratio ? softest_young / stiffness_by_pressure : target.pressure;
   s.least_pressure = SettleLimits::stiffness_share * softest_young;
-  const double size = std::cbrt(6 / std::numbers::pi * s.solids / model.set.particles().convert_to<double>());
-  const double density = mass(model.set) / s.solids;
-  constexpr double inertial_number = 0.003;
-  s.rate = inertial_number / (size * std::sqrt(density / s.most_pressure));
+  const double size = mean_size(model, s.solids);
+  const double density = mass(model) / s.solids;
+  s.rate = compaction_inertia(model) / (size * std::sqrt(density / s.most_pressure));
   // Walls push from outside: the more grains there are between them, the slower.
   constexpr double grains_between = 20;
   if (model.space == Space::six_walls)
@@ -84,6 +98,10 @@ bool SettleModel::resists_rolling() const {
                                              [](const GrainMaterial &m) { return m.rolling_friction > 0; });
 }
 
+double compaction_inertia(const SettleModel &model) {
+  return model.has_discs() ? 0.001 : 0.003;
+}
+
 Settling settling(const SettleModel &model) {
   Settling s;
   s.elasticity.young = model.young ? *model.young : Rational(softened_young(model));
@@ -103,14 +121,20 @@ Settling settling(const SettleModel &model) {
   constexpr double part_of_size = 0.1;
   s.look = static_cast<std::uint64_t>(
       std::clamp<double>(std::ceil(std::sqrt(2 * part_of_size * smallest / s.gravity) / s.step), 100, 1e8));
-  s.solids = std::numbers::pi / 6 * model.set.cubes().convert_to<double>();
-  s.floor_moment = mass(model.set) * s.gravity * smallest / 2;
+  s.solids = solids_of(model);
+  s.floor_moment = mass(model) * s.gravity * smallest / 2;
   if (model.target)
     set_compaction(model, softest(model, s.elasticity), s);
   return s;
 }
 
+double disc_length(const ParticleSet &set) {
+  return set.smallest().diameter.value * 2 / 3;
+}
+
 double specimen_height(const SettleModel &model, double void_ratio) {
+  if (model.has_discs())
+    return (1 + void_ratio) * solids_of(model) / (model.box.x * model.box.y);
   // Both have pi / 6 or pi / 4.
   const double cubes = model.set.cubes().convert_to<double>() / (model.box.x * model.box.y);
   return (1 + void_ratio) * cubes * (model.space == Space::cylinder ? 2.0 / 3 : std::numbers::pi / 6);

@@ -10,7 +10,8 @@
 
 namespace mdm {
 
-/// Inner sizes of a box with a corner at the origin, in m; z is upwards.
+/// Inner sizes of a box with a corner at the origin, in m; z is upwards. Of a plane y is the length of the
+/// discs.
 struct ModelBox {
   double x = 0, y = 0, z = 0;
 };
@@ -20,6 +21,7 @@ enum class Space {
   box,           ///< with four walls, floor and lid
   cylinder,      ///< with a round wall, floor and lid
   pillar,        ///< with floor and lid, repeated in x and y
+  plane,         ///< of discs, whose axes are along y: with two walls, floor and lid
   periodic_cell, ///< repeated on all sides, without gravity
   six_walls      ///< between walls that move, without gravity
 };
@@ -81,6 +83,9 @@ struct SettleModel {
 
   /// True if there are gravity, a floor and a lid.
   bool has_lid() const { return space != Space::periodic_cell && space != Space::six_walls; }
+  bool has_discs() const { return space == Space::plane; }
+  /// Of the space: 2 or 3.
+  int dimension() const { return has_discs() ? 2 : 3; }
   /// True if some grains, or the walls, have rolling friction.
   bool resists_rolling() const;
 };
@@ -105,7 +110,7 @@ struct Settling {
   double floor_moment = 0;       ///< weight by the smallest radius, J
   double least_pressure = 0;     ///< of jammed grains in a cell, Pa
   double most_pressure = 0;      ///< while compacting, Pa: overlaps of a percent
-  double rate = 0;               ///< of compaction at most, 1/s: inertial number 0.003 at that pressure
+  double rate = 0;               ///< of compaction at most, 1/s: compaction_inertia() at that pressure
   std::uint64_t compacting = 0;  ///< steps of compaction that are expected
   std::uint64_t most_compacting; ///< and at most
 };
@@ -113,8 +118,17 @@ struct Settling {
 /// Steps between two looks while compacting: some contact times.
 inline constexpr std::uint64_t compaction_look = 200;
 
+/// The inertial number of compaction at most, at the pressure that is asked for. Discs weigh less than
+/// spheres of their sizes and are as stiff: at a rate as high a look's strain is too much for the pressure to
+/// settle.
+double compaction_inertia(const SettleModel &model);
+
 /// The material and the time of the model. \throws InputError if it has more steps than most_steps
 Settling settling(const SettleModel &model);
+
+/// Length of the discs of a set, in m: two thirds of the smallest diameter. The smallest has then the mass of
+/// a sphere of its diameter, and larger ones less: the Rayleigh time of spheres serves the discs.
+double disc_length(const ParticleSet &set);
 
 /// Height of the specimen at a void ratio, in m. \pre it has a lid
 double specimen_height(const SettleModel &model, double void_ratio);

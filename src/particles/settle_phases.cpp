@@ -37,7 +37,8 @@ std::string settings_of_target(const SettleScript &s, const DensityTarget &targe
                         to_density ? "Pa: overlaps of a percent; where it comes near, the friction is lowered"
                                    : "Pa") +
          script_setting("most_rate", digits6(s.physics.rate),
-                        "1/s, of the strain: inertial number 0.003 at that pressure") +
+                        "1/s, of the strain: inertial number " + digits6(compaction_inertia(s.model)) +
+                            " at that pressure") +
          script_setting("most_compacting", std::to_string(s.physics.most_compacting), "steps");
 }
 

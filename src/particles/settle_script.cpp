@@ -135,6 +135,9 @@ namespace {
 std::string purpose(const SettleScript &s) {
   std::string text;
   switch (s.model.space) {
+  case Space::plane:
+    text = "settle between two walls";
+    break;
   case Space::box:
     text = "settle in a box";
     break;
@@ -181,6 +184,17 @@ std::string settling_line(const SettleScript &s) {
       std::sqrt(2 * s.box.z / p.gravity));
 }
 
+/// The shape of the grains, where they are no spheres of their masses.
+std::string law_line(const SettleScript &s) {
+  if (s.model.has_discs())
+    return fmt::format(
+        "\n# The masses are those of discs, by the squares of their diameters. All are {:.6g} m long, two "
+        "thirds of the smallest\n# diameter, and touch as spheres of their radii. Pressures and void ratios "
+        "are of that length.",
+        s.box.y);
+  return s.set.law.is_sphere() ? "" : "\n#" + law_statement(s.set);
+}
+
 std::string material_lines(const SettleScript &s) {
   if (!s.model.materials.empty())
     return fmt::format(
@@ -208,7 +222,7 @@ std::string rolling_line(const SettleScript &s, const char *engines_model) {
 } // namespace
 
 std::string SettleScript::head(const RunCommands &c) const {
-  return filled(R"(# @name@: @n@ grains @purpose@. Written by mdm export for @engine@; SI units.
+  return filled(R"(# @name@: @n@ @grains@ @purpose@. Written by mdm export for @engine@; SI units.
 # The mass of each class is exact to @error@ of itself, the count of each is exact, and checked as it comes in.@law@
 # Run it in its folder: @run@@fewer@
 # @parallel@
@@ -225,7 +239,8 @@ std::string SettleScript::head(const RunCommands &c) const {
                  {"purpose", purpose(*this)},
                  {"engine", c.engine},
                  {"error", stated_error(set)},
-                 {"law", set.law.is_sphere() ? "" : "\n#" + law_statement(set)},
+                 {"grains", model.has_discs() ? "discs" : "grains"},
+                 {"law", law_line(*this)},
                  {"run", c.run},
                  {"fewer", has_lid() ? fmt::format("   (fewer or more steps: {})", c.fewer_steps) : ""},
                  {"parallel", c.in_parallel},

@@ -24,20 +24,20 @@ variable kinetic atom 0.5*mass*(vx^2+vy^2+vz^2)*v_counted
 variable net atom sqrt(fx^2+fy^2+fz^2)*c_d/2*v_counted
 variable width atom c_d/2*v_counted
 variable ends atom "c_d/2*(c_touch+v_walls)"
-variable bearing atom "(c_touch+v_walls) > (1+2*@frictionless@)"
+variable bearing atom "(c_touch+v_walls) > (1+@more_held@*@frictionless@)"
 variable of_bearing atom "(c_touch+@of_wall@*v_walls)*v_bearing"
 compute sums all reduce sum c_touch v_several v_of_several v_kinetic v_net v_width v_ends c_stresses[1] c_stresses[2] c_stresses[3] v_bearing v_of_bearing
 variable fl equal -(c_sums[8]+c_sums[9]+c_sums[10])
-variable pv equal "((v_fl > 0)*v_fl@floor@)/3"
+variable pv equal "((v_fl > 0)*v_fl@floor@)/@dimension@"
 variable z equal c_sums[1]/atoms
 variable z_others equal "c_sums[3]/(c_sums[2]+(c_sums[2] == 0))"
 variable rattlers equal 1-c_sums[2]/atoms
 variable energy equal c_sums[4]/(v_pv+1e-200)
-variable unbalanced equal c_sums[5]*c_sums[7]/(3*v_pv*c_sums[6]+1e-200)
+variable unbalanced equal c_sums[5]*c_sums[7]/(@dimension@*v_pv*c_sums[6]+1e-200)
 variable restless_energy equal v_energy/v_at_rest
 variable restless_force equal v_unbalanced/v_most_unbalanced
 variable restless equal "(v_restless_energy > v_restless_force)*v_restless_energy+(v_restless_energy <= v_restless_force)*v_restless_force"
-variable isostatic equal "@isostatic@+(6-@isostatic@)*@frictionless@"
+variable isostatic equal "@isostatic@+(@slippery@-@isostatic@)*@frictionless@"
 variable carrying equal "c_sums[12]/(c_sums[11]+(c_sums[11] == 0))"
 variable jammed equal "@jammed@"
 @mean@)script";
@@ -68,11 +68,11 @@ const char *const yade_functions = R"script(def measured():
             width += body.shape.radius
     several = [n for n in touch.values() if n > 1]
     held = [touch[i] + 2 * walls[i] for i in touch if touch[i] + walls[i] > @least@]
-    pv = (fl@floor@) / 3
+    pv = (fl@floor@) / @dimension@
     return dict(
         pv=pv, z=sum(touch.values()) / total, z_others=sum(several) / max(1, len(several)),
         rattlers=1 - len(several) / total, energy=energy / (pv + 1e-200),
-        unbalanced=net * length / (3 * pv * width + 1e-200), carrying=sum(held) / max(1, len(held)))
+        unbalanced=net * length / (@dimension@ * pv * width + 1e-200), carrying=sum(held) / max(1, len(held)))
 
 
 def words(found):
@@ -115,6 +115,8 @@ std::string walls_touched(const SettleScript &s) {
     return six_walls_touched();
   if (!s.has_lid())
     return "0";
+  if (s.model.has_discs()) // whose plane is x y there
+    return "\"(y-c_d/2 < 0)+(y+c_d/2 > v_lid)+(x-c_d/2 < 0)+(x+c_d/2 > xhi)\"";
   std::string text = "(z-c_d/2 < 0)+(z+c_d/2 > v_lid)";
   if (s.model.space == Space::box)
     text += "+(x-c_d/2 < 0)+(x+c_d/2 > xhi)+(y-c_d/2 < 0)+(y+c_d/2 > yhi)";
@@ -127,6 +129,11 @@ std::string walls_touched(const SettleScript &s) {
 /// grain; one without has a single force, of the three or six equations of a grain.
 std::string worth_of_wall(const SettleScript &s) {
   return s.has_six_walls() ? "v_isostatic/(6-3*@frictionless@)" : "2";
+}
+
+/// Of discs, or of spheres.
+const char *of_dimension(const SettleScript &s, const char *discs, const char *spheres) {
+  return s.model.has_discs() ? discs : spheres;
 }
 
 } // namespace
@@ -154,7 +161,10 @@ std::string state_measures(const SettleScript &s, const char *stress) {
                            {"frictionless", s.model.materials.empty() ? "(v_friction == 0)"
                                             : s.is_frictionless()     ? "1"
                                                                       : "0"},
-                           {"isostatic", s.all_resist_rolling() ? "2.4" : "4"},
+                           {"isostatic", s.all_resist_rolling() ? "2.4" : of_dimension(s, "3", "4")},
+                           {"slippery", of_dimension(s, "4", "6")},
+                           {"more_held", of_dimension(s, "1", "2")},
+                           {"dimension", std::to_string(s.model.dimension())},
                            {"counted", s.has_lid() ? "1" : "\"(c_touch+v_walls) > 1\""},
                            {"floor", s.has_lid() ? "+" + digits6(s.physics.floor_moment) : ""},
                            {"jammed", std::string("(v_carrying >= v_isostatic)") +
@@ -174,7 +184,8 @@ std::string yade_limits(const SettleScript &s) {
                                  "unjammed = {}  # what is not at rest, or not jammed, is a result too\n"
                                  "isostatic = {}  # contacts of a grain that carry it\n",
                                  digits6(energy_at_rest(s)), digits6(SettleLimits::unbalanced),
-                                 s.model.unjammed ? "True" : "False", s.is_frictionless() ? 6 : 4);
+                                 s.model.unjammed ? "True" : "False",
+                                 s.is_frictionless() ? of_dimension(s, "4", "6") : of_dimension(s, "3", "4"));
   if (s.seeks_jamming())
     text += fmt::format("least_pressure = {}  # Pa, of jammed grains\n", digits6(s.physics.least_pressure));
   return text;
@@ -187,7 +198,8 @@ std::string yade_measures(const SettleScript &s) {
       {{"counted", has_lid ? "True" : "touch[body.id] > 1"},
        {"velocity", has_lid ? "" : " - O.cell.velGrad * body.state.pos"},
        {"weight", has_lid ? fmt::format(" + body.state.mass * Vector3(0, 0, -{})", Settling::gravity) : ""},
-       {"least", s.is_frictionless() ? "3" : "1"},
+       {"least", s.is_frictionless() ? of_dimension(s, "2", "3") : "1"},
+       {"dimension", std::to_string(s.model.dimension())},
        {"floor", has_lid ? " + " + digits6(s.physics.floor_moment) : ""},
        {"friction",
         std::string(of_classes ? "of each class" : "%g") + (s.model.target ? " (%g while compacted)" : "")},

@@ -310,17 +310,17 @@ def export(source: Source | None, to: str, out: Path, *,
            density: Number | None = None, mass_error: Number | None = None, yes_huge: bool = False,
            yes_units: bool = False, size_unit: str | None = None, size_column: str | None = None, radius: bool = False,
            diameter: bool = False, timestep: Number | None = None, box: str | None = None, start: str | None = None,
-           sides: str | None = None, seed: Number | None = None, model: str | None = None, steps: Number | None = None,
-           stress: Number | None = None, axial_strain: Number | None = None, constant: str | None = None, target_tolerance: Number | None = None,
-           friction: Number | None = None, friction_while_filling: Number | None = None,
-           rolling_friction: Number | None = None, periodic: bool = False, unjammed: bool = False,
-           types: str | None = None, material: Union[str, "os.PathLike[str]", None] = None, young: Number | None = None,
-           poisson: Number | None = None, spread: bool = False, tolerance: Tolerance = None,
-           band: Union[str, "os.PathLike[str]", None] = None, min_per_class: Number | None = None,
-           at_least: Number | None = None, specimen: str | None = None, void_ratio: Number | None = None,
-           solids_volume: Number | None = None, at_most: Number | None = None, law: str | None = None,
-           size_factor: Number | None = None, cut_below: Number | None = None, pan_size: Number | None = None,
-           max_steps: Number | None = None, node_limit: Number | None = None,
+           sides: str | None = None, seed: Number | None = None, model: str | None = None, dimension: str | None = None,
+           steps: Number | None = None, stress: Number | None = None, axial_strain: Number | None = None, constant: str | None = None,
+           target_tolerance: Number | None = None, friction: Number | None = None,
+           friction_while_filling: Number | None = None, rolling_friction: Number | None = None, periodic: bool = False,
+           unjammed: bool = False, types: str | None = None, material: Union[str, "os.PathLike[str]", None] = None,
+           young: Number | None = None, poisson: Number | None = None, spread: bool = False,
+           tolerance: Tolerance = None, band: Union[str, "os.PathLike[str]", None] = None,
+           min_per_class: Number | None = None, at_least: Number | None = None, specimen: str | None = None,
+           void_ratio: Number | None = None, solids_volume: Number | None = None, at_most: Number | None = None,
+           law: str | None = None, size_factor: Number | None = None, cut_below: Number | None = None,
+           pan_size: Number | None = None, max_steps: Number | None = None, node_limit: Number | None = None,
            time_limit: Union[Number, float, None] = None, gap: Number | None = None, scale: str | None = None,
            specimen_id: str | None = None, columns: str | None = None, kind: str | None = None,
            skip: Number | None = None, sheet: str | None = None, loss: Number | None = None,
@@ -410,6 +410,8 @@ def export(source: Source | None, to: str, out: Path, *,
         radius: its sizes are radii, whatever their name.
         diameter: its sizes are diameters, whatever their name.
         timestep: its timestep, instead of the last: as in mdm verify.
+        dimension: 3, spheres (the default), or 2, discs of one length: a model in which they settle between two walls;
+            masses are by law power:2, and box is width x height (lammps, yade).
 
     Raises:
         InputError: an option or the source is wrong, or it cannot be written in that format.
