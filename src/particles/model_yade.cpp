@@ -316,7 +316,9 @@ std::string yade_model(const SettleModel &model) {
                                     : "inside = settled\n"},
        {"dump", s.dump},
        {"repeated", has_lid ? "" : ", repeated in x y z"},
-       {"box", has_lid ? "x, y, z" : "*O.cell.size,"},
+       {"box", model.has_discs() ? "x, 2 * settled[0].state.pos[1], z" // which is around their centres
+               : has_lid         ? "x, y, z"
+                                 : "*O.cell.size,"},
        {"position", has_lid ? "body.state.pos" : "O.cell.wrap(body.state.pos)"}});
 }
 
