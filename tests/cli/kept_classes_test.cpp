@@ -24,8 +24,8 @@ TEST_CASE("classes that a file says are kept, whatever their sizes", "[cli]") {
   const TemporaryFolder folder;
   const std::string file = folder.write("a.csv", types);
   const std::string out = pfc(file);
-  CHECK(contains(out, ",1.2e-3,4\n"));
-  CHECK(contains(out, ",1.1e-3,4\n"));
+  CHECK(contains(out, ",0.0012,4\n"));
+  CHECK(contains(out, ",0.0011,4\n"));
   CHECK(contains(out, ",1e-3,9\n"));
   CHECK(contains(mdm({"export", file, "--to", "pfc"}).err,
                  "the classes are those that the particles in FILE say"));
