@@ -184,7 +184,7 @@ Theorem print_read f text R :
   read_gradation (bytes f) = Ok R -> print_gradation f = Ok text ->
   text_length text <= most_text -> room_for_pan R -> read_gradation text = Ok (read_again R).
 Proof.
-  intros E P Le Room. unfold print_gradation, read_any_gradation in P. rewrite E in P.
+  intros E P Le Room. unfold print_gradation, MixtureFile.read_any_gradation in P. rewrite E in P.
   destruct (forallb _ (gradation_lines R)) eqn:Sh; [|discriminate P]. cbn [demand_form bind] in P. injection P as <-.
   assert (forall l, In l (gradation_lines R) -> short_line l = true) as Lines by (apply forallb_forall; exact Sh).
   apply file_entries in E as (unit & what & t & c & line & es & E & G & C & N). unfold read_again.
