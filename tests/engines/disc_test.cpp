@@ -61,7 +61,7 @@ TEST_CASE("falling discs are no bed", "[engines]") {
     const Outcome outcome = model.run();
     INFO(end_of(outcome));
     CHECK(outcome.exit_code == 1);
-    CHECK(end_of(outcome).find("STOP: not at rest after ") != std::string::npos);
+    CHECK((outcome.out + outcome.err).find("STOP: not at rest after ") != std::string::npos);
     CHECK_FALSE(model.has_dump());
   }
 }
