@@ -94,6 +94,22 @@ def skip_without_wine():
     sys.exit(1 if "MDM_REQUIRE_TOOLS" in os.environ else 77)
 
 
+class Started:
+    """A program that runs. Its outputs are files: a pipe would be open as long as the services of wine that it has started."""
+
+    def __init__(self, command, stdout, **options):
+        self.printed, self.errors = tempfile.TemporaryFile(), tempfile.TemporaryFile()
+        self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=stdout or self.printed, stderr=self.errors, **options)
+
+    def end(self, given=b""):
+        """What it printed, after it was given the last of its input."""
+        self.process.communicate(given, timeout=1200)
+        for file in (self.printed, self.errors):
+            file.seek(0)
+        with self.printed, self.errors:
+            return subprocess.CompletedProcess(self.process.args, self.process.returncode, self.printed.read(), self.errors.read())
+
+
 class Place:
     """A folder with the inputs, and the programs that are run in it."""
 
@@ -107,14 +123,11 @@ class Place:
         for path in BLEND.glob("*.csv"):
             shutil.copy(path, folder)
 
-    def start(self, words, stdout=subprocess.PIPE):
-        return subprocess.Popen([*self.before, self.programs[words[0]], *words[1:]], cwd=self.folder, env=self.environment,
-                                stdin=subprocess.PIPE, stdout=stdout, stderr=subprocess.PIPE)
+    def start(self, words, stdout=None):
+        return Started([*self.before, self.programs[words[0]], *words[1:]], stdout, cwd=self.folder, env=self.environment)
 
-    def run(self, words, given=b"", **options):
-        process = self.start(words, **options)
-        printed, errors = process.communicate(given, timeout=1200)
-        return subprocess.CompletedProcess(words, process.returncode, printed, errors)
+    def run(self, words, given=b"", stdout=None):
+        return self.start(words, stdout).end(given)
 
     def files(self):
         return {path.relative_to(self.folder).as_posix(): path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
@@ -207,7 +220,7 @@ def check_held(windows):
     refused = next((done for done in attempts if done.returncode), None)
     check(refused is not None and refused.returncode == 2 and b"held.jsonl: cannot be written" in refused.stderr, f"held: {refused}")
     check(held.read_bytes() == before, "a held file is as it was")
-    holder.communicate(timeout=60)
+    holder.end()
     done = windows.run(writing)
     check(done.returncode == 0, f"no longer held: {done.stderr}")
 
@@ -229,8 +242,8 @@ def check_locked(windows):
     second = windows.run(shard)
     check(second.returncode == 2 and b"another run writes these files" in second.stderr, f"locked: {second}")
     line = (windows.folder / "line.jsonl").read_bytes()
-    first.communicate(line, timeout=300)
-    check(first.returncode == 0 and (windows.folder / "locked.jsonl").exists(), f"the run that has the lock: {first.returncode}")
+    done = first.end(line)
+    check(done.returncode == 0 and (windows.folder / "locked.jsonl").exists(), f"the run that has the lock: {done}")
 
 
 def uneven_gradation():
@@ -245,16 +258,15 @@ def check_interrupts(windows):
     search = windows.start(["mdm", "solve", "uneven.csv", "--tolerance", "total:0.2%", "--format", "json", "-o", "stopped.json"])
     wait_for(windows, "stopped.json.*.tmp")
     time.sleep(3)  # it is searching by now
-    search.send_signal(signal.SIGINT)
-    errors = search.communicate(timeout=300)[1]
+    search.process.send_signal(signal.SIGINT)
+    done = search.end()
     answer = windows.folder / "stopped.json"
-    check(search.returncode == 3 and answer.exists() and b"the search was interrupted" in answer.read_bytes(),
-          f"Ctrl-C: {search.returncode} {errors}")
+    check(done.returncode == 3 and answer.exists() and b"the search was interrupted" in answer.read_bytes(), f"Ctrl-C: {done}")
     batch = windows.start(["mdm", "batch", "-o", "never.jsonl"])
     wait_for(windows, "never.jsonl.*.tmp")
-    batch.send_signal(signal.SIGINT)
-    batch.wait(timeout=60)
-    check(batch.returncode != 0 and not any(windows.folder.glob("never.jsonl*")), f"Ctrl-C in a batch: {batch.returncode}")
+    batch.process.send_signal(signal.SIGINT)
+    batch.process.wait(timeout=300)
+    check(batch.process.returncode != 0 and not any(windows.folder.glob("never.jsonl*")), f"Ctrl-C: {batch.end()}")
 
 
 def check_closed_pipe(windows):
