@@ -81,7 +81,7 @@ bool is_cylinder_asked(const ExportTexts &c) {
 
 /// An option that a model alone takes, if one is given.
 const char *option_of_model(const ExportTexts &c) {
-  const std::array<std::pair<bool, const char *>, 11> options = {
+  const std::array<std::pair<bool, const char *>, 12> options = {
       {{c.steps.has_value(), "steps"},
        {c.dimension.has_value(), "dimension"},
        {c.pressure.has_value(), "stress"},
@@ -123,7 +123,7 @@ void check_discs(const ExportTexts &c) {
   const std::string discs = option("dimension") + " 2: ";
   if (c.to == "liggghts")
     throw InputError(discs + "LIGGGHTS has no second dimension: use " + option("to") + " lammps or yade");
-  if (c.has_cell() || c.sides || c.solve.specimen)
+  if (c.moves_faces() || c.sides || c.solve.specimen)
     throw InputError(discs + "discs settle between two walls: leave " +
                      (c.is_triaxial() ? option("model") + " triaxial"
                       : c.periodic    ? option("periodic")
