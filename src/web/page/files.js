@@ -44,3 +44,14 @@ export function plainName(name) {
 
 /** The name without its ending. */
 export const stem = (name) => name.replace(/(.)\.[^.]*$/, "$1");
+
+/** A name whose stem differs from the others' stems; commas and signs of equality are of the options that name stockpiles. */
+export function freeName(name, taken) {
+  const plain = plainName(name).replace(/[,=]/g, "_");
+  const base = stem(plain);
+  const ending = plain.slice(base.length);
+  const isTaken = (one) => taken.some((other) => stem(other) === one);
+  let free = base;
+  for (let i = 2; isTaken(free); i++) free = `${base}-${i}`;
+  return free + ending;
+}

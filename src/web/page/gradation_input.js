@@ -16,11 +16,8 @@ let typing = null;
 /** Whether nothing is left of the table that was there before it was edited. */
 let isReplaced = false;
 
-/** The gradation {name, blob, isTyped, isWorkbook}. */
+/** The gradation {name, blob, isTyped}. */
 export const currentGradation = () => gradation;
-
-/** Workbooks are ZIP archives. */
-const isWorkbook = (bytes) => [0x50, 0x4b, 3, 4].every((byte, i) => bytes[i] === byte);
 
 function isText(bytes) {
   try {
@@ -30,15 +27,15 @@ function isText(bytes) {
   }
 }
 
-/** Shows a gradation's text; one that cannot be edited as it is shows its beginning. */
+/** Shows a gradation's text; a long one shows its beginning, and one that is no text nothing: neither can be edited. */
 async function show(blob) {
   const table = byId("table");
   const start = new Uint8Array(await blob.slice(0, LONGEST_SHOWN).arrayBuffer());
   if (gradation.blob !== blob) return;
-  gradation.isWorkbook = isWorkbook(start);
-  const isEditable = blob.size <= LONGEST_SHOWN && isText(start);
+  const isLong = blob.size > LONGEST_SHOWN;
+  const isEditable = !isLong && isText(start);
   table.readOnly = !isEditable;
-  table.value = new TextDecoder().decode(isEditable ? start : start.subarray(0, BEGINNING));
+  table.value = isEditable || isLong ? new TextDecoder().decode(isLong ? start.subarray(0, BEGINNING) : start) : "";
   byId("not-shown").hidden = isEditable;
 }
 

@@ -12,6 +12,7 @@ import { byId, fill, make } from "./dom.js";
 import { startDownloads } from "./downloads.js";
 import { forgetFindings, startFurther, writeFurtherTexts } from "./further.js";
 import { currentGradation, firstExample, startGradationInput, takeGradation, writeFileName } from "./gradation_input.js";
+import { startLaboratory, writeLaboratoryTexts } from "./laboratory/laboratory.js";
 import { Latest } from "./latest.js";
 import { questionOf } from "./link.js";
 import { Stopped } from "./programs.js";
@@ -45,9 +46,8 @@ function showQuestion(options) {
   byId("asked").textContent = words(options).asked;
 }
 
-/** What helps with a message: a way for workbooks, or a question for what the file does not say and nobody has said. */
+/** What helps with a message: a question for what the file does not say and nobody has said. */
 function helpWith(message) {
-  if (currentGradation().isWorkbook) return make("p", {}, text("workbook"));
   const options = readOptions();
   const asked = askedOptions(message);
   if (asked.some((name) => options[name].trim())) {
@@ -288,6 +288,7 @@ function writeAll() {
   writeFileName();
   writeFurtherTexts();
   writeBlendTexts();
+  writeLaboratoryTexts();
   if (state.problem) showProblem();
   if (state.solution) {
     showSolution();
@@ -323,6 +324,7 @@ async function start() {
   startDownloads({ state, soil, words, fetchRows, options: () => changedOptions(readOptions()) });
   startFurther({ state });
   startBlend();
+  startLaboratory();
   byId("stop").addEventListener("click", () => solver.stop());
   for (const button of document.querySelectorAll("[data-language]")) {
     button.addEventListener("click", () => {

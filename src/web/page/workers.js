@@ -19,6 +19,9 @@ export const helper = new Program(script("mdm-worker"), { wasm: data("mdm-wasm")
 /** Blends stockpiles, beside everything else. */
 export const blender = new Program(script("mdm-worker"), { wasm: data("mdm-wasm") });
 
+/** Writes the laboratory's reports, beside everything else. */
+export const reporter = new Program(script("mdm-worker"), { wasm: data("mdm-wasm") });
+
 /** Reads what the programs write. */
 export const reader = new Program(script("reader-worker"), {});
 

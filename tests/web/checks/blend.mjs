@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 
-import { freeName } from "../../../src/web/page/blend/question.js";
+import { freeName } from "../../../src/web/page/files.js";
 import { compared, inDecimals, inFull, minus, parsed, plus, ratio, times } from "../../../src/web/page/blend/fraction.js";
 import { problemOf, rowsOfMix, valueOfMix, withRest } from "../../../src/web/page/blend/mix.js";
 import { ROOT, Tab, axeSource, fileOf, folder, run } from "../support.mjs";

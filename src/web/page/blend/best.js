@@ -3,11 +3,11 @@
 import { quoted } from "../command_line.js";
 import { byId, fill, make } from "../dom.js";
 import { endInWords } from "../ends.js";
-import { download } from "../files.js";
+import { download, freeName } from "../files.js";
 import { text } from "../texts.js";
 import { judgeFiles, showVerdict } from "../verdict.js";
 import { blender, checkers, reader } from "../workers.js";
-import { blendWords, checkWords, filesOf, freeName } from "./question.js";
+import { blendWords, checkWords, filesOf } from "./question.js";
 
 const REFUSES_PROOF = /^(mdm blend: )?--proof/;
 

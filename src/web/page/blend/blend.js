@@ -2,19 +2,20 @@
 
 import { byId, fill, make } from "../dom.js";
 import { endInWords } from "../ends.js";
-import { onChoice, onDrop, stem } from "../files.js";
+import { freeName, onChoice, onDrop, stem } from "../files.js";
 import { Latest } from "../latest.js";
 import { toDouble } from "../numbers.js";
 import { Stopped } from "../programs.js";
+import { SPECIFICATIONS } from "../specifications.js";
 import { text } from "../texts.js";
 import { blender, reader } from "../workers.js";
 import { findBest, forgetBest, writeBestTexts } from "./best.js";
 import { showPicture } from "./drawing.js";
-import { EXAMPLE, SPECIFICATIONS } from "./files.js";
+import { EXAMPLE } from "./files.js";
 import { inFull, parsed } from "./fraction.js";
 import { problemOf, rowsOfMix, valueOfMix } from "./mix.js";
 import { showMix, showNoMix } from "./mix_view.js";
-import { AIMS_WITH_TARGET, blendWords, filesOf, freeName } from "./question.js";
+import { AIMS_WITH_TARGET, blendWords, filesOf } from "./question.js";
 import { readShares, setShares, setSteps, showCosts, showSliders, startSliders, writeSliderTexts } from "./sliders.js";
 
 const OUTPUT = "mdm-blend-problem.json";

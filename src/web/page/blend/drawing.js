@@ -1,13 +1,14 @@
 // The picture of a mix: mdm blend mixes the stockpiles in these shares, and mdm plot draws all of them and the limits.
 
 import { byId, fill, make } from "../dom.js";
+import { freeName } from "../files.js";
 import { Latest } from "../latest.js";
 import { drawn } from "../picture.js";
 import { Stopped } from "../programs.js";
 import { text } from "../texts.js";
 import { blender } from "../workers.js";
 import { HUNDRED, times } from "./fraction.js";
-import { filesOf, freeName } from "./question.js";
+import { filesOf } from "./question.js";
 
 /** Shares are drawn to so many decimals of a percent. */
 const DECIMALS = 4;

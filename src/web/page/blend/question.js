@@ -1,18 +1,5 @@
 // What is asked of mdm blend: files with names that differ, and the words of the command line.
 
-import { plainName, stem } from "../files.js";
-
-/** A name whose stem differs from the others' stems; commas and signs of equality are of the options that name stockpiles. */
-export function freeName(name, taken) {
-  const plain = plainName(name).replace(/[,=]/g, "_");
-  const base = stem(plain);
-  const ending = plain.slice(base.length);
-  const isTaken = (one) => taken.some((other) => stem(other) === one);
-  let free = base;
-  for (let i = 2; isTaken(free); i++) free = `${base}-${i}`;
-  return free + ending;
-}
-
 /** Aims that are about a target. */
 export const AIMS_WITH_TARGET = ["deviation", "max-deviation", "squares"];
 
