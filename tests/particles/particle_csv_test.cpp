@@ -134,5 +134,5 @@ TEST_CASE("CSV: a column of sizes that is named, among others") {
   options.size_column = "grain_um";
   CHECK(read("grain_um,x\n500,1\n", options).particles == "1");
   CHECK(contains(refusal("tag,size_mm\na,1\n", options), "there is no column 'grain_um'"));
-  CHECK(contains(refusal("1\n1\n", options), "is for dumps and CSV"));
+  CHECK(contains(refusal("1\n1\n", options), "is for dumps, CSV and VTK"));
 }
