@@ -74,6 +74,11 @@ Cell cell_of(const Engine &engine, const std::string &dump) {
   return cell;
 }
 
+/// LIGGGHTS writes the box of a dump with six digits.
+double error_of_dump(const Engine &engine) {
+  return engine.name == "liggghts" ? 2e-5 : 1e-6;
+}
+
 void check_log(const std::vector<Row> &rows) {
   REQUIRE(rows.size() > 150);
   CHECK(rows.size() <= 201);
@@ -141,7 +146,7 @@ void check_triaxial(const Engine &engine, const std::string &constant) {
   const std::vector<Row> rows = log_of(model);
   check_log(rows);
   const Cell cell = cell_of(engine, read_file(model.dump()));
-  CHECK(cell.void_ratio() == Approx(rows.back().void_ratio).epsilon(1e-6));
+  CHECK(cell.void_ratio() == Approx(rows.back().void_ratio).epsilon(error_of_dump(engine)));
   check_places(model, engine, cell, rows.back());
   const TemporaryFolder folder;
   const std::string log = model.path("sand-triaxial.csv");
@@ -217,7 +222,7 @@ void check_goes_on_to_result(const Engine &engine) {
   CHECK(rows.back().axial == Approx(before.back().axial).epsilon(1e-6));
   CHECK(rows.back().p == Approx(before.back().p).epsilon(0.001));
   CHECK(cell_of(engine, read_file(model.dump())).void_ratio() ==
-        Approx(rows.back().void_ratio).epsilon(1e-6));
+        Approx(rows.back().void_ratio).epsilon(error_of_dump(engine)));
 }
 
 TEST_CASE("a shear of LAMMPS goes on from its restart", "[engines]") {
