@@ -85,45 +85,49 @@ private:
   std::vector<Point> centres_;
 };
 
-/// The largest diameter of a class.
-double largest_of(const ParticleClass &c) {
-  double d = 0;
-  for (const ParticleSize &size : c.sizes)
-    d = std::max(d, size.diameter.value);
-  return d;
+/// The part of where centres can be that grains keep free at most.
+constexpr double most_part = 0.8;
+
+/// As high as the worst class needs it beside those before it, which are larger.
+/// \param kept_free  what so many grains of a size keep free of centres of another
+/// \param room  what may be kept free of centres of a size, by the height
+template <class KeptFree, class Room>
+double height_with_room(const ParticleSet &set, KeptFree kept_free, Room room) {
+  std::vector<std::pair<double, double>> placed; // largest size and quantity of the classes that are there
+  double height = 0;
+  for (auto c = set.classes.rbegin(); c != set.classes.rend(); ++c) {
+    double d = 0;
+    for (const ParticleSize &size : c->sizes)
+      d = std::max(d, size.diameter.value);
+    placed.emplace_back(d, c->quantity().convert_to<double>());
+    double kept = 0;
+    for (const auto &[other, quantity] : placed)
+      kept += kept_free(quantity, other, d);
+    height = std::max(height, d + kept / room(d));
+  }
+  return height;
 }
 
 } // namespace
 
 double insertion_height(const ParticleSet &set, double x, double y) {
   assert(std::min(x, y) > set.largest().diameter.value);
-  constexpr double most_part = 0.8;
-  std::vector<std::pair<double, double>> placed; // largest size and quantity of the classes that are there
-  double height = 0;
-  for (auto c = set.classes.rbegin(); c != set.classes.rend(); ++c) {
-    const double d = largest_of(*c);
-    placed.emplace_back(d, c->quantity().convert_to<double>());
-    double kept_free = 0;
-    for (const auto &[other, quantity] : placed)
-      kept_free += quantity * std::numbers::pi / 6 * std::pow(other + d, 3);
-    height = std::max(height, d + kept_free / (most_part * (x - d) * (y - d)));
-  }
-  return height;
+  return height_with_room(
+      set,
+      [](double quantity, double size, double d) {
+        return quantity * std::numbers::pi / 6 * std::pow(size + d, 3);
+      },
+      [x, y](double d) { return most_part * (x - d) * (y - d); });
 }
 
 double disc_insertion_height(const ParticleSet &set, double x) {
   assert(x > set.largest().diameter.value);
-  constexpr double most_part = 0.8;
-  double height = 0;
-  for (auto c = set.classes.rbegin(); c != set.classes.rend(); ++c) {
-    const double d = largest_of(*c);
-    double kept_free = 0;
-    for (auto placed = set.classes.rbegin(); placed <= c; ++placed)
-      kept_free += placed->quantity().convert_to<double>() * std::numbers::pi / 4 *
-                   std::pow(largest_of(*placed) + d, 2);
-    height = std::max(height, d + kept_free / (most_part * (x - d)));
-  }
-  return height;
+  return height_with_room(
+      set,
+      [](double quantity, double size, double d) {
+        return quantity * std::numbers::pi / 4 * std::pow(size + d, 2);
+      },
+      [x](double d) { return most_part * (x - d); });
 }
 
 Footprint disc_plane(const ParticleSet &set) {
