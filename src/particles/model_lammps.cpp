@@ -206,7 +206,7 @@ std::string volume(const SettleScript &s) {
 } // namespace
 
 std::string lammps_model(const SettleModel &model) {
-  if (model.space == Space::six_walls)
+  if (model.has_six_walls())
     throw InputError("LAMMPS has no model with six walls that move: take liggghts");
   const SettleScript s(model, ".dump");
   if (s.is_sheared())

@@ -246,7 +246,7 @@ const char *const yade_discs =
 } // namespace
 
 std::string yade_model(const SettleModel &model) {
-  if (model.space == Space::six_walls)
+  if (model.has_six_walls())
     throw InputError("YADE has no model with six walls that move: take liggghts");
   if (model.space == Space::pillar)
     throw InputError("YADE has no model of a box that is repeated in x and y alone: take lammps or liggghts");

@@ -73,7 +73,7 @@ void set_compaction(const SettleModel &model, double softest_young, Settling &s)
   s.rate = compaction_inertia(model) / (size * std::sqrt(density / s.most_pressure));
   // Walls push from outside: the more grains there are between them, the slower.
   constexpr double grains_between = 20;
-  if (model.space == Space::six_walls)
+  if (model.has_six_walls())
     s.rate /= std::max(1.0, std::cbrt(model.set.particles().convert_to<double>()) / grains_between);
   constexpr double usual_strain = 0.2, friction_steps = 100.0 * static_cast<double>(compaction_look),
                    ample = 10;

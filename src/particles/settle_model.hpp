@@ -82,7 +82,8 @@ struct SettleModel {
   std::string question = {};
 
   /// True if there are gravity, a floor and a lid.
-  bool has_lid() const { return space != Space::periodic_cell && space != Space::six_walls; }
+  bool has_lid() const { return space != Space::periodic_cell && !has_six_walls(); }
+  bool has_six_walls() const { return space == Space::six_walls; }
   bool has_discs() const { return space == Space::plane; }
   /// Of the space: 2 or 3.
   int dimension() const { return has_discs() ? 2 : 3; }

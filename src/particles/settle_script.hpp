@@ -47,7 +47,7 @@ struct SettleScript {
   std::string verification(const char *engine_options) const;
 
   bool has_lid() const { return model.has_lid(); }
-  bool has_six_walls() const { return model.space == Space::six_walls; }
+  bool has_six_walls() const { return model.has_six_walls(); }
   bool is_sheared() const { return model.shear.has_value(); }
   /// Of the grains while they settle and are compacted, and of walls; where classes have their own friction
   /// and nothing is asked for, it is the most that any has.
