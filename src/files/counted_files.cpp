@@ -21,8 +21,7 @@ namespace {
 std::string name_beside(const std::string &answers, const std::string &file) {
   const std::filesystem::path folder = filesystem_path(canonical_path(answers)).parent_path();
   const std::filesystem::path beside = filesystem_path(canonical_path(file)).lexically_relative(folder);
-  const std::u8string name = beside.generic_u8string();
-  return {name.begin(), name.end()};
+  return path_name(beside.generic_u8string());
 }
 
 NamedFileTotals totals_of(Output &output, const std::string &name) {
