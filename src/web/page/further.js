@@ -4,6 +4,7 @@ import { readingCommand } from "./answer.js";
 import { byId, fill, make } from "./dom.js";
 import { endInWords } from "./ends.js";
 import { onChoice, onDrop, plainName } from "./files.js";
+import { withPoint } from "./numbers.js";
 import { DEFAULTS, KINDS_WITH_VALUE, conditionFlags } from "./question.js";
 import { notesWith, readingView } from "./reading_view.js";
 import { showSample } from "./sample_view.js";
@@ -81,7 +82,7 @@ function judgeSample() {
     key: "sample.running",
     argv: [
       "verify", checked.name, name,
-      "--tolerance", `${byId("sample-tolerance").value.trim().replace(",", ".") || "0"}%`,
+      "--tolerance", `${withPoint(byId("sample-tolerance").value) || "0"}%`,
       ...(unit ? ["--size-unit", unit] : []),
       ...(measure ? [measure] : []),
       ...(cut ? ["--cut-below", cut] : []),

@@ -27,15 +27,15 @@ function isText(bytes) {
   }
 }
 
-/** Shows a gradation's text; a long one shows its beginning, and one that is no text nothing: neither can be edited. */
+/** Shows a gradation's text; one that cannot be edited as it is shows its beginning, and one of no text, as a workbook, nothing. */
 async function show(blob) {
   const table = byId("table");
   const start = new Uint8Array(await blob.slice(0, LONGEST_SHOWN).arrayBuffer());
   if (gradation.blob !== blob) return;
-  const isLong = blob.size > LONGEST_SHOWN;
-  const isEditable = !isLong && isText(start);
+  const isEditable = blob.size <= LONGEST_SHOWN && isText(start);
+  const beginning = start.includes(0) ? start.subarray(0, 0) : start.subarray(0, BEGINNING);
   table.readOnly = !isEditable;
-  table.value = isEditable || isLong ? new TextDecoder().decode(isLong ? start.subarray(0, BEGINNING) : start) : "";
+  table.value = new TextDecoder().decode(isEditable ? start : beginning);
   byId("not-shown").hidden = isEditable;
 }
 

@@ -42,3 +42,6 @@ export function byteSize(bytes) {
 
 /** A unit of length as it is written. */
 export const unitName = (unit) => (unit === "um" ? "µm" : unit);
+
+/** A number as its user writes it, with a decimal comma or point, with a point. */
+export const withPoint = (text) => text.trim().replace(",", ".");

@@ -1,5 +1,6 @@
 // The specifications that come with the page.
 
+import { make } from "./dom.js";
 import coarse57 from "specifications/astm-c33-57.csv";
 import coarse67 from "specifications/astm-c33-67.csv";
 import fine from "specifications/astm-c33-fine.csv";
@@ -38,3 +39,8 @@ export const SPECIFICATIONS = {
   "superpave-25": superpave25,
   "superpave-37.5": superpave37,
 };
+
+/** Offers them in a select element, by their names. */
+export function offerSpecifications(select) {
+  select.append(...Object.keys(SPECIFICATIONS).map((name) => make("option", { value: name }, name)));
+}

@@ -6,7 +6,7 @@ import { freeName, onChoice, onDrop, stem } from "../files.js";
 import { Latest } from "../latest.js";
 import { toDouble } from "../numbers.js";
 import { Stopped } from "../programs.js";
-import { SPECIFICATIONS } from "../specifications.js";
+import { SPECIFICATIONS, offerSpecifications } from "../specifications.js";
 import { text } from "../texts.js";
 import { blender, reader } from "../workers.js";
 import { findBest, forgetBest, writeBestTexts } from "./best.js";
@@ -185,7 +185,7 @@ export function writeBlendTexts() {
 
 /** Makes the section work. */
 export function startBlend() {
-  for (const name of Object.keys(SPECIFICATIONS)) byId("blend-limits").append(make("option", { value: name }, name));
+  offerSpecifications(byId("blend-limits"));
   startSliders(mix);
   onChoice(byId("blend-files"), takeFiles);
   onDrop(byId("blend-drop"), (files) => takeFiles(...files));

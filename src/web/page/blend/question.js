@@ -1,10 +1,9 @@
 // What is asked of mdm blend: files with names that differ, and the words of the command line.
 
+import { withPoint } from "../numbers.js";
+
 /** Aims that are about a target. */
 export const AIMS_WITH_TARGET = ["deviation", "max-deviation", "squares"];
-
-/** A number as its user writes it, with a decimal comma or point. */
-const point = (text) => text.trim().replace(",", ".");
 
 /** The files of a question, by their names. */
 export function filesOf({ stockpiles, limits }) {
@@ -18,11 +17,11 @@ export function blendWords({ stockpiles, limits, step, aim, target }) {
     ...stockpiles.map(({ name }) => name),
     "--spec", limits.name,
     ...(aim === "cost"
-      ? stockpiles.filter(({ cost }) => cost.trim()).map(({ id, cost }) => `--cost=${id}=${point(cost)}`)
+      ? stockpiles.filter(({ cost }) => cost.trim()).map(({ id, cost }) => `--cost=${id}=${withPoint(cost)}`)
       : []),
-    ...(AIMS_WITH_TARGET.includes(aim) ? [`--target=${point(target)}`] : []),
+    ...(AIMS_WITH_TARGET.includes(aim) ? [`--target=${withPoint(target)}`] : []),
     "--minimise", aim,
-    ...(step.trim() ? [`--step=${point(step)}`] : []),
+    ...(step.trim() ? [`--step=${withPoint(step)}`] : []),
   ];
 }
 

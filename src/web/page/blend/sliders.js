@@ -2,7 +2,7 @@
 
 import { byId, fill, make } from "../dom.js";
 import { stem } from "../files.js";
-import { toDouble } from "../numbers.js";
+import { toDouble, withPoint } from "../numbers.js";
 import { text } from "../texts.js";
 import { HUNDRED, ONE, ZERO, compared, inDecimals, inFull, parsed, ratio, times } from "./fraction.js";
 import { withRest } from "./mix.js";
@@ -15,7 +15,7 @@ const percent = (share) => inDecimals(times(HUNDRED, share));
 
 /** The share that a field says in percent; null if it says none. */
 function shareIn(field) {
-  const share = parsed(field.value.trim().replace(",", "."));
+  const share = parsed(withPoint(field.value));
   return share && times(share, ratio(1, 100));
 }
 

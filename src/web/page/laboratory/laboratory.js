@@ -3,12 +3,12 @@
 import { byId, fill, make } from "../dom.js";
 import { endInWords } from "../ends.js";
 import { download, freeName, onChoice, onDrop, stem } from "../files.js";
-import { SPECIFICATIONS } from "../specifications.js";
+import { offerSpecifications } from "../specifications.js";
 import { currentLanguage, text } from "../texts.js";
 import { reporter } from "../workers.js";
 import { joinWords, reportWords } from "./words.js";
 
-/** The samples and the file of limits, each {name, blob}; the report that is shown, {html, words}. */
+/** The samples and the file of limits, each {name, blob}; the report that is shown, {html, name, question}. */
 const state = { samples: [], limits: null, report: null };
 
 const value = (id) => byId(`laboratory-${id}`).value;
@@ -146,7 +146,7 @@ export function writeLaboratoryTexts() {
 
 /** Makes the section work. */
 export function startLaboratory() {
-  for (const name of Object.keys(SPECIFICATIONS)) byId("laboratory-specification").append(make("option", { value: name }, name));
+  offerSpecifications(byId("laboratory-specification"));
   onChoice(byId("laboratory-files"), takeFiles);
   onDrop(byId("laboratory-drop"), (files) => takeFiles(...files));
   onChoice(byId("laboratory-limits-file"), takeLimits);

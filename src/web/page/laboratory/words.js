@@ -1,7 +1,6 @@
 // What is asked of mdm report and of mdm convert, as the words of the command line.
 
-/** A number as its user writes it, with a decimal comma or point. */
-const point = (text) => text.trim().replace(",", ".");
+import { withPoint } from "../numbers.js";
 
 const option = (name, value) => (value.trim() ? [`--${name}=${value.trim()}`] : []);
 
@@ -18,8 +17,8 @@ export function reportWords({ samples, specification, title, client, fields, liq
     ...option("title", title),
     ...option("client", client),
     ...lines.flatMap((line) => option("field", line)),
-    ...option("liquid-limit", point(liquid)),
-    ...option("plastic-limit", point(plastic)),
+    ...option("liquid-limit", withPoint(liquid)),
+    ...option("plastic-limit", withPoint(plastic)),
     ...(output.endsWith(".json") ? [] : option("language", language)),
     "--quiet", "-o", output,
   ];
@@ -27,5 +26,5 @@ export function reportWords({ samples, specification, title, client, fields, liq
 
 /** The words of mdm convert that join two analyses of one sample at a sieve of both. */
 export const joinWords = ({ coarse, fine, at }, output) => [
-  "convert", "--join", coarse, fine, `--at=${point(at)}`, "--quiet", "-o", output,
+  "convert", "--join", coarse, fine, `--at=${withPoint(at)}`, "--quiet", "-o", output,
 ];
