@@ -7,20 +7,21 @@ where the line says something else, a disc has left the plane, or the discs that
 With --stress the pressure is that of the discs that touch the lid, where the void ratio says that it is, within 3 %.
 """
 
-import re
 import sys
 
 import numpy as np
 
+sys.dont_write_bytecode = True
+from contacts import contacts, modulus_of, number_in, result_line
+
 dump, log, isostatic = sys.argv[1], sys.argv[2], float(sys.argv[3])
 stress = float(sys.argv[sys.argv.index("--stress") + 1]) if "--stress" in sys.argv else None
-with open(log, encoding="utf-8", errors="replace") as file:
-    line = re.findall(r"^RESULT .*$", file.read(), re.MULTILINE)[-1]
+line = result_line(log)
 print(line)
 
 
 def number(pattern):
-    return float(re.search(pattern, line)[1])
+    return number_in(line, pattern)
 
 
 with open(dump, encoding="ascii") as file:
@@ -37,17 +38,8 @@ r = grains[:, 3]
 n, length = len(r), 4 / 3 * r.min()
 
 YOUNG, POISSON, DENSITY = 1e7, 0.25, 2650
-modulus = YOUNG / (2 * (1 - POISSON ** 2))
-fl, z = 0.0, np.zeros(n)
-for i in range(n - 1):
-    distance = np.hypot(*(at[i + 1:] - at[i]).T)
-    overlap = r[i] + r[i + 1:] - distance
-    touching = overlap > 0
-    z[i] += touching.sum()
-    z[i + 1:][touching] += 1
-    other = r[i + 1:][touching]
-    force = 4 / 3 * modulus * np.sqrt(r[i] * other / (r[i] + other)) * overlap[touching] ** 1.5
-    fl += (force * distance[touching]).sum()
+modulus = modulus_of(YOUNG, POISSON)
+fl, z = contacts(at, r, modulus)
 
 solids = length * np.pi * (r ** 2).sum()
 several = z > 1

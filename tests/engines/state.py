@@ -7,20 +7,21 @@ weight; without walls the box is repeated on all sides. Ends with 1 where the li
 each other that do not.
 """
 
-import re
 import sys
 
 import numpy as np
 
+sys.dont_write_bytecode = True
+from contacts import contacts, modulus_of, number_in, result_line
+
 dump, log, young, poisson = sys.argv[1], sys.argv[2], float(sys.argv[3]), float(sys.argv[4])
 walls = sys.argv[sys.argv.index("--wall") + 1] if "--wall" in sys.argv else ""
-with open(log, encoding="utf-8", errors="replace") as file:
-    line = re.findall(r"^RESULT .*$", file.read(), re.MULTILINE)[-1]
+line = result_line(log)
 print(line)
 
 
 def number(pattern):
-    return float(re.search(pattern, line)[1])
+    return number_in(line, pattern)
 
 
 with open(dump, encoding="ascii") as file:
@@ -34,22 +35,9 @@ else:
     low, box = bounds[:, 0], bounds[:, 1] - bounds[:, 0]
     grains = np.array([row.split()[2:6] for row in text.partition("ITEM: ATOMS")[2].splitlines()[1:]], dtype=float)
 at, r = grains[:, :3] - low, grains[:, 3]
-n = len(r)
 
-fl, z = 0.0, np.zeros(n)
-modulus = young / (2 * (1 - poisson ** 2))
-for i in range(n - 1):
-    step = at[i + 1:] - at[i]
-    if not walls:
-        step -= box * np.round(step / box)
-    distance = np.sqrt((step ** 2).sum(axis=1))
-    overlap = r[i] + r[i + 1:] - distance
-    touching = overlap > 0
-    z[i] += touching.sum()
-    z[i + 1:][touching] += 1
-    other = r[i + 1:][touching]
-    force = 4 / 3 * modulus * np.sqrt(r[i] * other / (r[i] + other)) * overlap[touching] ** 1.5
-    fl += (force * distance[touching]).sum()
+modulus = modulus_of(young, poisson)
+fl, z = contacts(at, r, modulus, None if walls else box)
 
 # Of the centres from each wall; the last is the top.
 distances = np.hstack((at, box - at)).T[:{"": 0, "box": 5, "six": 6}[walls]]

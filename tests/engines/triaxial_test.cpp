@@ -161,6 +161,16 @@ void check_triaxial(const Engine &engine, const std::string &constant) {
   CHECK(mdm({"plot", log, "-o", folder / "log.svg"}).exit_code == 0);
 }
 
+/// With these options it is no result, and says why.
+void check_stops(const Model &model, const std::string &options, const std::string &message) {
+  const Outcome outcome = model.run("", options);
+  INFO(end_of(outcome));
+  CHECK(outcome.exit_code == 1);
+  CHECK(outcome.out.find(message) != std::string::npos);
+  CHECK(outcome.out.find("\nRESULT ") == std::string::npos);
+  CHECK(!model.has_dump());
+}
+
 } // namespace
 
 TEST_CASE("LAMMPS shears a cell of 500 grains at constant sigma_3", "[engines]") {
@@ -192,17 +202,10 @@ TEST_CASE("LIGGGHTS stops where a triaxial test is none", "[engines]") {
     return;
   const Model model(sheared(liggghts), c778(),
                     {"--stress", "100000", "--at-least", "300", "--axial-strain", "0.005"}, "triaxial");
-  const auto stops = [&model](const std::string &options, const std::string &message) {
-    const Outcome outcome = model.run("", options);
-    INFO(end_of(outcome));
-    CHECK(outcome.exit_code == 1);
-    CHECK(outcome.out.find(message) != std::string::npos);
-    CHECK(outcome.out.find("\nRESULT ") == std::string::npos);
-    CHECK(!model.has_dump());
-  };
-  stops("-var held_within 1e-9", "STOP: sigma_3 was not constant: in ");
-  stops("-var inertial_number 0.0015 -var held_within 0.9", "STOP: the inertial number was 0.001");
-  stops("-var friction 0 -var most_compacting 2000", "STOP: 100000 Pa are not reached");
+  check_stops(model, "-var held_within 1e-9", "STOP: sigma_3 was not constant: in ");
+  check_stops(model, "-var inertial_number 0.0015 -var held_within 0.9",
+              "STOP: the inertial number was 0.001");
+  check_stops(model, "-var friction 0 -var most_compacting 2000", "STOP: 100000 Pa are not reached");
 }
 
 /// A shear that was no result is one with other limits: it goes on from the last row.
@@ -238,16 +241,9 @@ TEST_CASE("LAMMPS stops where a triaxial test is none", "[engines]") {
     return;
   const Model model(sheared(lammps), c778(),
                     {"--stress", "100000", "--at-least", "400", "--axial-strain", "0.005"}, "triaxial");
-  const auto stops = [&model](const std::string &options, const std::string &message) {
-    const Outcome outcome = model.run("", options);
-    INFO(end_of(outcome));
-    CHECK(outcome.exit_code == 1);
-    CHECK(outcome.out.find(message) != std::string::npos);
-    CHECK(outcome.out.find("\nRESULT ") == std::string::npos);
-    CHECK(!model.has_dump());
-  };
-  stops("-var held_within 1e-9", "STOP: sigma_3 was not constant: in ");
-  stops("-var inertial_number 0.0015 -var held_within 0.9", "STOP: the inertial number was 0.001");
+  check_stops(model, "-var held_within 1e-9", "STOP: sigma_3 was not constant: in ");
+  check_stops(model, "-var inertial_number 0.0015 -var held_within 0.9",
+              "STOP: the inertial number was 0.001");
 }
 
 TEST_CASE("LAMMPS brings a cell to a pressure and a void ratio by friction, or says that it cannot",
