@@ -280,7 +280,8 @@ std::string phase_loops(const SettleScript &s, const PhaseCommands &c) {
   const std::optional<DensityTarget> &target = s.model.target;
   const bool to_density = target && target->void_ratio;
   const std::string saving = s.is_sheared() ? triaxial_phases_save(s) : course_save(s, c.keeps_lid_offset);
-  std::string text = begin_of_loop;
+  std::string text = s.is_sheared() ? triaxial_phases_same_limits : "";
+  text += begin_of_loop;
   if (s.has_lid())
     text += target ? settle_nearly : settle_wholly;
   if (target && s.has_lid()) {

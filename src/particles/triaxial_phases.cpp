@@ -17,6 +17,8 @@ variable off equal 0            # @constant@ in them, at most
 variable off_rows equal 0       # of them, those that are off by more than they may
 variable inertia equal 0        # the inertial number, at most
 variable loose_rows equal 0     # those that are not jammed
+variable judged_within equal 0  # held_within and target, by which they were judged
+variable judged_target equal 0
 variable rate_x equal 0
 variable rate_y equal 0
 variable rate_z equal 0
@@ -100,6 +102,8 @@ label shearing
 variable height equal ${length_z}
 variable volume_before equal ${volume}
 variable rate_z equal ${axial_rate}
+variable judged_within equal ${held_within}
+variable judged_target equal ${target}
 variable phase delete
 variable phase string shear
 print "@columns@" file @log@ screen no
@@ -150,6 +154,10 @@ variable mu equal ${less}*${mu}
 const char *const triaxial_phases_log_again =
     "if \"${lines} > 0\" then \"shell cp @base@.restart.csv @base@-triaxial.csv\"\n";
 
+const char *const triaxial_phases_same_limits =
+    R"script(if "${lines} > 0 && (${judged_within} != ${held_within} || ${judged_target} != ${target})" then "print 'STOP: the ${lines} rows of @base@-triaxial.csv were judged with held_within ${judged_within} and target ${judged_target}: go on with these, or begin anew'" @quit@
+)script";
+
 const char *const triaxial_phases_words =
     "; sheared to axial strain ${axial}, volumetric strain "
     "${volumetric}, q ${q} Pa; of ${lines} rows ${off_rows} "
@@ -189,9 +197,9 @@ std::string triaxial_phases_variables(const SettleScript &s) {
 std::string triaxial_phases_save(const SettleScript &s) {
   // The files take their places when they are whole: a run may be stopped at any time.
   std::string text = "print \"variable phase string ${phase}\" file @base@.restart.state.next screen no\n";
-  for (const char *const name :
-       {"mu", "own", "look", "height", "volume_before", "row", "lines", "off", "off_rows", "inertia",
-        "loose_rows", "rate_x", "rate_y", "rate_z", "hold_x", "hold_y", "hold_z"})
+  for (const char *const name : {"mu", "own", "look", "height", "volume_before", "row", "lines", "off",
+                                 "off_rows", "inertia", "loose_rows", "judged_within", "judged_target",
+                                 "rate_x", "rate_y", "rate_z", "hold_x", "hold_y", "hold_z"})
     text += filled("print \"variable @name@ equal ${@name@}\" append @base@.restart.state.next screen no\n",
                    {{"name", name}});
   if (s.has_six_walls())

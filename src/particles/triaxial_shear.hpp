@@ -49,6 +49,8 @@ std::string triaxial_phases_variables(const SettleScript &s);
 std::string triaxial_phases_save(const SettleScript &s);
 /// Going on from there, the log is that one again.
 extern const char *const triaxial_phases_log_again;
+/// Going on, rows are judged as those before.
+extern const char *const triaxial_phases_same_limits;
 std::string triaxial_phases_faces(const SettleScript &s);
 std::string triaxial_phases_shear(const SettleScript &s);
 /// Instead of the compaction to a pressure alone, before the friction is lowered: until the void ratio is

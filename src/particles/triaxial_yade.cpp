@@ -87,6 +87,9 @@ def write_row():
 
 
 if state['phase'] == 'shear':
+    if state['limits'] != [held_within, target]:
+        stop('the %d rows of @log@ were judged with held_within %g and target %g: go on with these, or begin anew' % (
+            state['lines'], *state['limits']))
     # What was written after the restart is written again.
     with open('@log@') as file:
         lines = file.readlines()
@@ -103,7 +106,7 @@ else:
 @other@    judge()
     state.update(
         phase='shear', height=O.cell.size[2], volume=O.cell.volume, row=0, lines=0, off=0, off_rows=0,
-        loose_rows=0, inertia=0)
+        loose_rows=0, inertia=0, limits=[held_within, target])
     with open('@log@', 'w') as file:
         file.write('@columns@\n')
 while True:

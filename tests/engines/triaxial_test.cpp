@@ -217,6 +217,8 @@ void check_goes_on_to_result(const Engine &engine) {
   const Outcome stopped = model.run("", "-var most_rows_off -1");
   CHECK(stopped.exit_code == 1);
   const std::vector<Row> before = log_of(model);
+  check_stops(model, "-var go_on 1 -var held_within 0.5",
+              "were judged with held_within 0.02 and target 100000: go on with these");
   const Outcome outcome = model.run("", "-var go_on 1");
   INFO(end_of(outcome));
   REQUIRE(outcome.exit_code == 0);
