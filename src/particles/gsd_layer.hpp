@@ -26,7 +26,7 @@ struct Header {
 static_assert(sizeof(Header) == 256);
 
 /// Types of numbers.
-enum class Type : std::uint8_t { uint8 = 1, uint32 = 3, uint64 = 4, float32 = 9 };
+enum class Type : std::uint8_t { uint8 = 1, uint32 = 3, uint64 = 4, int8 = 5, float32 = 9 };
 
 /// A chunk of rows by columns numbers. Where the location is 0, the index ends.
 struct Entry {

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -26,6 +27,18 @@ std::string exact_decimal(float value) {
   const std::size_t last = text.find_last_not_of("0.", exponent - 1);
   return last == std::string::npos ? "0" : text.substr(0, last + 1) + text.substr(exponent);
 }
+
+/// Rows of bytes, each with a name up to its first zero.
+struct GsdNames {
+  std::string_view bytes;
+  std::size_t columns = 1;
+
+  /// Empty: there is none.
+  std::string_view name(std::size_t row) const {
+    const std::string_view rest = bytes.substr(std::min(bytes.size(), row * columns), columns);
+    return rest.substr(0, rest.find('\0'));
+  }
+};
 
 /// The chunks of a file, each within it.
 class GsdChunks {
@@ -86,6 +99,17 @@ public:
     if (!result.empty()) // which has no place to copy to
       std::memcpy(result.data(), bytes_.data() + entry->location, result.size() * sizeof(T));
     return result;
+  }
+
+  /// The names in a chunk of bytes; none where it is no such chunk.
+  GsdNames names_in(std::uint64_t frame, const char *name) const {
+    const Entry *const entry = find(frame, name);
+    const auto is_of = [entry](Type type) { return entry->type == static_cast<std::uint8_t>(type); };
+    if (entry == nullptr || entry->columns == 0 || !(is_of(Type::int8) || is_of(Type::uint8)))
+      return {};
+    const auto location = static_cast<std::uint64_t>(entry->location);
+    check_room(location, entry->rows, entry->columns);
+    return {bytes_.substr(location, entry->rows * entry->columns), entry->columns};
   }
 
 private:
@@ -180,6 +204,8 @@ void read_frame(const GsdChunks &chunks, std::uint64_t frame, ParticleSource &so
   const std::uint32_t particles = n ? n->front() : 0;
   const auto diameters = chunks.numbers<float>(frame, gsd::diameter_name, Type::float32, particles, 1);
   const auto places = chunks.numbers<float>(frame, gsd::position_name, Type::float32, particles, 3);
+  const auto types = chunks.numbers<std::uint32_t>(frame, gsd::type_name, Type::uint32, particles, 1);
+  const GsdNames type_names = chunks.names_in(frame, gsd::types_name);
   if (particles > 0 && !diameters)
     chunks.refuse("there are no particles/diameter: write them into the first frame");
   set_box(chunks, frame, source);
@@ -191,6 +217,8 @@ void read_frame(const GsdChunks &chunks, std::uint64_t frame, ParticleSource &so
                : std::array{0.F, 0.F, 0.F};
     if (!std::isfinite(d) || !std::isfinite(at[0]) || !std::isfinite(at[1]) || !std::isfinite(at[2]))
       source.refuse("a number is not finite: is the file damaged?");
+    if (types)
+      source.take_class(type_names.name((*types)[i]));
     if (places && source.wants_places()) {
       const std::array<std::string, 3> text = {exact_decimal(at[0]), exact_decimal(at[1]),
                                                exact_decimal(at[2])};

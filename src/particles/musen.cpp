@@ -17,25 +17,27 @@ struct MusenKey {
   std::size_t words;
 };
 
-constexpr std::uint64_t musen_time = 2, musen_place = 12, musen_activity = 24;
+constexpr std::uint64_t musen_time = 2, musen_place = 12, musen_material = 23, musen_activity = 24;
+
+/// The material of a class is called so, with its number behind.
+constexpr std::string_view musen_class = "class_";
 
 /// The others that a sphere has behind its geometry.
-constexpr std::array<MusenKey, 11> musen_passed_over = {{{10, 3},   // acceleration
+constexpr std::array<MusenKey, 10> musen_passed_over = {{{10, 3},   // acceleration
                                                          {11, 3},   // angular acceleration
                                                          {15, 3},   // velocity
                                                          {16, 3},   // angular velocity
                                                          {17, 3},   // angles
                                                          {18, 1},   // magnitude of the force
                                                          {20, 3},   // force
-                                                         {23, 1},   // material
                                                          {31, 4},   // quaternion
                                                          {36, 9},   // stress tensor
                                                          {37, 1}}}; // temperature
 
 /// A scene of MUSEN as text. A line that begins with 0 is an object: `0 ID 1 TYPE 5 GEOMETRY ...`, behind it
 /// numbers that each say what follows, for all its times. Spheres have type 1 and the geometry `radius
-/// contact_radius`; of their times the last counts, if they are active then. Other objects and lines are
-/// passed over.
+/// contact_radius`; of their times the last counts, if they are active then. A material `class_3`, as mdm
+/// export writes it, says the class. Other objects and lines are passed over.
 class MusenReader : public LineReader {
 public:
   explicit MusenReader(ParticleSource &source) : source_(source) {
@@ -101,13 +103,15 @@ private:
     const std::string_view radius = take_number();
     take_number(); // of contacts
     SphereSample::Place place;
-    std::string_view time, from, to;
+    std::string_view material, time, from, to;
     while (rest_.find_first_not_of(" \t") != std::string_view::npos) {
       const std::uint64_t key = take_count("the number of a property");
       if (key == musen_time)
         time = take_number();
       else if (key == musen_place)
         place = {take_number(), take_number(), take_number()};
+      else if (key == musen_material)
+        material = take();
       else if (key == musen_activity) {
         from = take_number();
         to = take_number();
@@ -117,6 +121,8 @@ private:
     const bool has_both = !time.empty() && !from.empty();
     if (has_both && (number(time) < number(from) || number(time) > number(to)))
       return;
+    if (material.starts_with(musen_class))
+      source_.take_class(material.substr(musen_class.size()));
     if (place[0].empty())
       source_.particle(radius);
     else

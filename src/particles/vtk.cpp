@@ -120,7 +120,9 @@ private:
     const bool has_whole_numbers =
         !is(type, "float") && !is(type, "double") && data_ == Data::of_points && is_single;
     const bool is_id = is(array, "id") && has_whole_numbers;
-    const bool is_class = (is(array, "class") || is(array, "type")) && has_whole_numbers;
+    // A class is what mdm export calls it; a type may be another number.
+    const bool is_class =
+        (is(array, "class") || (is(array, "type") && !has_named_classes_)) && has_whole_numbers;
     if (!of_sizes && !is_id && !is_class)
       return;
     if (data_ == Data::of_cells) {
@@ -140,7 +142,7 @@ private:
     else if (is_id)
       begin_ids();
     else
-      begin_classes();
+      begin_classes(is(array, "class"));
   }
 
   void begin_sizes(SizeMeaning meaning) {
@@ -164,9 +166,11 @@ private:
     block_ = Block::ids;
   }
 
-  void begin_classes() {
-    if (!classes_.empty())
-      source_.refuse("there are arrays class and type, or several of one name: leave one");
+  void begin_classes(bool are_named) {
+    if (!classes_.empty() && are_named == has_named_classes_)
+      source_.refuse("there are several arrays of that name: leave one");
+    classes_.clear();
+    has_named_classes_ = are_named;
     block_ = Block::classes;
   }
 
@@ -251,7 +255,7 @@ private:
   std::vector<Size> sizes_;
   std::vector<std::string> classes_; ///< where there is an array of them
   std::optional<SizeMeaning> found_; ///< of the array of sizes
-  bool has_ids_ = false;
+  bool has_ids_ = false, has_named_classes_ = false;
   std::uint64_t cell_array_line_ = 0; ///< of sizes that are not of points; 0 if there are none
 };
 

@@ -34,6 +34,24 @@ TEST_CASE("classes that a file says are kept, whatever their sizes", "[cli]") {
   CHECK(contains(pfc(file, {"--gradation", g}), ",1e-3,1\n"));
 }
 
+TEST_CASE("in a legacy VTK file the array class counts, wherever an array type is", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string head = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n"
+                           "0 0 0 1 1 1\nPOINT_DATA 2\nSCALARS radius double 1\nLOOKUP_TABLE default\n"
+                           "0.1 0.2\n",
+                    type = "SCALARS type int 1\nLOOKUP_TABLE default\n5 6\n",
+                    named = "SCALARS class int 1\nLOOKUP_TABLE default\n7 8\n";
+  for (const std::string &arrays : {type + named, named + type, named}) {
+    const std::string out = pfc(folder.write("a.vtk", head + arrays));
+    CHECK(contains(out, ",0.1,7\n"));
+    CHECK(contains(out, ",0.2,8\n"));
+  }
+  CHECK(contains(pfc(folder.write("a.vtk", head + type)), ",0.2,6\n"));
+  for (const std::string &array : {type, named})
+    check_refused(mdm({"export", folder.write("a.vtk", head + array + array), "--to", "pfc"}),
+                  "there are several arrays of that name");
+}
+
 TEST_CASE("types whose sizes overlap are no classes, which is said", "[cli]") {
   const TemporaryFolder folder;
   const std::string file = folder.write("a.csv", types + "9,1,5,9,1.2\n");

@@ -183,8 +183,8 @@ def read_pfc(path):
 # Format: its reader here, and whether mdm reads its places, or classes, back.
 FORMATS = {"lammps": (read_lammps, True, True), "yade": (read_yade, True, False), "vtk": (read_vtk, True, True),
            "esys": (read_esys, True, True), "lethe": (read_lethe, True, False), "kratos": (read_kratos, True, False),
-           "dem-engine": (read_dem_engine, True, False), "musen": (read_musen, True, False),
-           "phasicflow": (read_phasicflow, False, False), "gsd": (read_gsd, True, False),
+           "dem-engine": (read_dem_engine, True, False), "musen": (read_musen, True, True),
+           "phasicflow": (read_phasicflow, False, False), "gsd": (read_gsd, True, True),
            "extxyz": (read_extxyz, True, True), "pfc": (read_pfc, True, True)}
 
 

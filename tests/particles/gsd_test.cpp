@@ -125,6 +125,29 @@ TEST_CASE("GSD: diameters are the fractions that floats are, in m") {
   }
 }
 
+TEST_CASE("GSD: types that are called by whole numbers are classes") {
+  class ClassRecorder : public Recorder {
+  public:
+    std::string classes;
+    void set_class(std::uint64_t number) override { classes += std::to_string(number) + " "; }
+  };
+  const auto classes = [](std::uint8_t type, std::uint32_t columns, std::initializer_list<char> names) {
+    File file = two_grains();
+    file.chunk<char>(0, "particles/types", type, columns == 0 ? 4 : names.size() / columns, columns, names)
+        .chunk<std::uint32_t>(0, "particles/typeid", u32, 2, 1, {1, 0});
+    ClassRecorder recorder;
+    read_gsd(file.text(), "file", recorder, {});
+    return recorder.classes;
+  };
+  constexpr std::uint8_t i8 = 5, u8 = 1;
+  CHECK(classes(i8, 3, {'7', 0, 0, '1', '2', 0}) == "12 7 ");
+  CHECK(classes(u8, 1, {'7', '8'}) == "8 7 ");
+  CHECK(classes(i8, 2, {'A', 0, 'B', 0}).empty());
+  CHECK(classes(i8, 1, {'7'}) == "7 "); // the second has no name
+  CHECK(classes(i8, 0, {}).empty());
+  CHECK(classes(f32, 1, {}).empty());
+}
+
 TEST_CASE("GSD: the last frame is read, or the one of a timestep; what it has not is of the first") {
   const std::string text = two_grains()
                                .chunk<std::uint64_t>(1, "configuration/step", u64, 1, 1, {20})
