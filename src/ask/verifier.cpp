@@ -138,6 +138,9 @@ std::optional<SphereTexture> Verifier::texture(std::vector<std::string> &notes) 
     return std::nullopt;
   }
   const SphereTextureOptions options = asked_.places.texture(placed_.box(), unit());
+  if (are_places_asked() && placed_.sample().is_of_discs())
+    throw InputError("all centres are in a plane, as of discs, and a packing is of spheres: leave out " +
+                     option("packing") + " and the options about places");
   return are_places_asked()
              ? sphere_texture(placed_.sample(), gradation_.classes(), options)
              : unasked_texture(placed_, gradation_.classes(), options, option("packing").c_str(), notes);

@@ -44,6 +44,19 @@ void SphereSample::add(const Place &place, const Rational &unit, const Rational 
   greatest_ = std::max(greatest_, radii_.back());
 }
 
+bool SphereSample::is_of_discs() const {
+  constexpr std::size_t least = 4;
+  if (size() < least ||
+      std::all_of(radii_.begin(), radii_.end(), [this](double r) { return r == radii_.front(); }))
+    return false;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (std::all_of(centres_.begin(), centres_.end(), [this, axis](const std::array<double, 3> &centre) {
+          return centre[axis] == centres_.front()[axis];
+        }))
+      return true;
+  return false;
+}
+
 Rational SphereSample::exact_coordinate(std::size_t i, std::size_t axis) const {
   std::size_t begin = begin_[i];
   for (std::size_t skipped = 0; skipped < axis; ++skipped)

@@ -36,6 +36,9 @@ public:
   void add(const Place &place, const Rational &unit, const Rational &diameter, std::uint32_t group);
 
   std::size_t size() const { return diameters_.size(); }
+  /// True if four or more, of sizes that differ, have their centres in a plane across an axis: spheres on a
+  /// floor have not, discs have.
+  bool is_of_discs() const;
   std::uint32_t group(std::size_t i) const { return groups_[i]; }
 
   /// Doubles, cut towards 0: within 2^-52 of the exact values, relatively.

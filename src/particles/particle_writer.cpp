@@ -48,7 +48,7 @@ std::string mass_statement(const ParticleSet &set) {
 std::string law_statement(const ParticleSet &set) {
   if (set.law.is_sphere())
     return "";
-  return fmt::format(" Masses are by {}: {}{}, not x^3 as of the spheres that engines make.", option("law"),
+  return fmt::format(" Masses are by {}: {}{}. Spheres of these sizes have others, by x^3.", option("law"),
                      set.law.formula(set.unit), set.law.is_power() ? " of a size x" : "");
 }
 

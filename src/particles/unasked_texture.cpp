@@ -16,6 +16,10 @@ std::optional<SphereTexture> unasked_texture(const PlacedSink &placed, std::size
     notes.push_back(fmt::format("The places were not judged: one {}.", placed.odd()));
   if (!placed.has_all())
     return std::nullopt;
+  if (placed.sample().is_of_discs()) {
+    notes.emplace_back("The places were not judged: all centres are in a plane, as of discs.");
+    return std::nullopt;
+  }
   try {
     return sphere_texture(placed.sample(), classes, options);
   } catch (const InputError &error) {

@@ -69,12 +69,27 @@ TEST_CASE("a model of discs says what they are", "[cli]") {
     const std::string text = read_file(model);
     CHECK(count(text, "discs settle between two walls") == 1);
     CHECK(count(text, "The masses are those of discs") == 1);
-    CHECK(count(text, "not x^3") == 0);
+    CHECK(count(text, "x^3") == 0);
     CHECK(count(text, "@") == 0);
   }
   const std::string data = read_file(folder / "a.data");
   CHECK(count(data, " 0\n") > 2);
-  CHECK(count(data, "not x^3") == 0);
+  CHECK(count(data, "x^3") == 0);
+}
+
+TEST_CASE("discs are no packing of spheres", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string g = folder.write("g.csv", two_classes);
+  REQUIRE(export_discs(g, "yade", folder / "a.py", {"--at-least", "30"}).exit_code == 0);
+  const Arguments verify{"verify", g,         folder / "a.xyzr", "--size-unit", "m",
+                         "--law",  "power:2", "--tolerance",     "1e-6"};
+  const Outcome outcome = mdm(verify);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.find("void ratio") == std::string::npos);
+  CHECK((outcome.out + outcome.err).find("all centres are in a plane, as of discs") != std::string::npos);
+  Arguments asked = verify;
+  asked.emplace_back("--packing");
+  check_refused(mdm(asked), "all centres are in a plane, as of discs, and a packing is of spheres");
 }
 
 TEST_CASE("discs are refused where an engine, or the question, has none", "[cli]") {
