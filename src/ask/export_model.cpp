@@ -1,6 +1,7 @@
 #include "ask/export_model.hpp"
 
 #include "ask/option_values.hpp"
+#include "particles/cohesion.hpp"
 #include "particles/material_table.hpp"
 #include "particles/particle_writer.hpp"
 #include "text/file_names.hpp"
@@ -28,16 +29,18 @@ struct ModelEngine {
   const char *particles_ending;
   bool reads_planes; ///< as meshes
   bool resists_rolling;
+  const char *cohesion; ///< the option of its law of cohesion; null: it has none
+  CohesiveContact (*cohesive)(double, double, const Elasticity &);
 };
 
 namespace {
 
 constexpr std::array<ModelEngine, 3> engines = {
     {{"liggghts", liggghts_model, write_lammps_data, write_lammps_data_of_classes, nullptr, ".data", true,
-      true},
+      true, "cohesion-energy-density", sjkr_contact},
      {"lammps", lammps_model, write_lammps_data, write_lammps_data_of_classes, write_lammps_data_of_discs,
-      ".data", false, true},
-     {"yade", yade_model, write_xyzr, write_xyzr, write_xyzr, ".xyzr", false, false}}};
+      ".data", false, true, "surface-energy", jkr_contact},
+     {"yade", yade_model, write_xyzr, write_xyzr, write_xyzr, ".xyzr", false, false, nullptr, nullptr}}};
 
 /// A coefficient of friction.
 std::optional<double> friction_of(const char *name, const OptionText &text) {
@@ -82,6 +85,42 @@ void check_rolling(const SettleModel &model, const ModelEngine &engine) {
         ": YADE's contact of Hertz and Mindlin limits a moment by a length that is the same for grains of "
         "all sizes: use " +
         option("to") + " liggghts or lammps");
+}
+
+/// The number of the engine's law of cohesion; 0: none.
+/// \throws InputError if it is that of another engine
+double cohesion_of(const ExportTexts &c, const ModelEngine &engine) {
+  double cohesion = 0;
+  for (const auto &[name, text] :
+       {std::pair<std::string, const OptionText &>("surface-energy", c.surface_energy),
+        {"cohesion-energy-density", c.cohesion_energy_density}}) {
+    if (!text)
+      continue;
+    if (engine.cohesion == nullptr)
+      throw InputError(option(name) + ": there is no model of cohesion for YADE: use " + option("to") +
+                       " liggghts or lammps");
+    if (engine.cohesion != name)
+      throw InputError(option(name) + ": it is of another law than this engine's: give " +
+                       option(engine.cohesion));
+    cohesion = physical(name, *text).convert_to<double>();
+  }
+  return cohesion;
+}
+
+/// \throws InputError if grains are too soft for their cohesion
+void check_cohesion(const SettleModel &model, const ModelEngine &engine) {
+  if (model.cohesion == 0)
+    return;
+  constexpr double most_overlap = 0.05;
+  const double r = model.set.smallest().radius.value;
+  const CohesiveContact contact =
+      engine.cohesive(model.cohesion, r, model.softest(settling(model).elasticity));
+  if (contact.overlap > most_overlap * 2 * r)
+    throw InputError(fmt::format("{}: two of the smallest grains would overlap by {:.2g} of their diameter "
+                                 "where nothing presses, more "
+                                 "than {}: give less, or a stiffer {}",
+                                 option(engine.cohesion), contact.overlap / (2 * r), most_overlap,
+                                 option(model.materials.empty() ? "young" : "material")));
 }
 
 /// Discs have masses by the squares of their sizes.
@@ -200,6 +239,8 @@ SettleModel ModelWriter::model(const ExportTexts &c, const ExportedParticles &fo
         read(*c.material), shown_name(*c.material), *found.set,
         {settling(model).elasticity, Settling::restitution, model.friction, model.rolling_friction});
   check_rolling(model, *engine_);
+  model.cohesion = cohesion_of(c, *engine_);
+  check_cohesion(model, *engine_);
   model.verify_options = verify_options(c);
   model.question = found.question;
   return model;

@@ -81,7 +81,7 @@ bool is_cylinder_asked(const ExportTexts &c) {
 
 /// An option that a model alone takes, if one is given.
 const char *option_of_model(const ExportTexts &c) {
-  const std::array<std::pair<bool, const char *>, 12> options = {
+  const std::array<std::pair<bool, const char *>, 14> options = {
       {{c.steps.has_value(), "steps"},
        {c.dimension.has_value(), "dimension"},
        {c.pressure.has_value(), "stress"},
@@ -91,6 +91,8 @@ const char *option_of_model(const ExportTexts &c) {
        {c.friction.has_value(), "friction"},
        {c.friction_while_filling.has_value(), "friction-while-filling"},
        {c.rolling_friction.has_value(), "rolling-friction"},
+       {c.surface_energy.has_value(), "surface-energy"},
+       {c.cohesion_energy_density.has_value(), "cohesion-energy-density"},
        {c.material.has_value(), "material"},
        {c.periodic, "periodic"},
        {c.unjammed, "unjammed"}}};
@@ -132,9 +134,12 @@ void check_discs(const ExportTexts &c) {
                      " out");
   if (c.start && c.start != "mixed")
     throw InputError(discs + "discs start mixed: leave " + option("start") + " out");
-  if (c.rolling_friction || c.material)
-    throw InputError(discs + "discs are of one material without rolling friction: leave " +
-                     option(c.material ? "material" : "rolling-friction") + " out");
+  if (c.rolling_friction || c.surface_energy || c.material)
+    throw InputError(discs + "discs are of one material without rolling friction and cohesion: leave " +
+                     option(c.material           ? "material"
+                            : c.rolling_friction ? "rolling-friction"
+                                                 : "surface-energy") +
+                     " out");
   if (c.types == "class")
     throw InputError(discs + "discs are of one type: leave " + option("types") + " out");
 }
@@ -372,6 +377,14 @@ const std::vector<OptionRow<ExportTexts>> ExportTexts::model_options = {
      "its normal "
      "force and effective radius; none without it (liggghts, lammps)",
      &ExportTexts::rolling_friction},
+    {"surface-energy", "G", OptionKind::number,
+     "cohesion of a model's particles by the law of Johnson, Kendall and Roberts, in J/m^2: two part at a "
+     "tension of 3 pi G "
+     "and their effective radius; walls and particles have none (lammps)",
+     &ExportTexts::surface_energy},
+    {"cohesion-energy-density", "K", OptionKind::number,
+     "the same by the law SJKR, in J/m^3: a contact has a tension of K times its area (liggghts)",
+     &ExportTexts::cohesion_energy_density},
     {"periodic", "", OptionKind::flag,
      "a model in a box that is repeated on all sides: nothing settles, its faces compress it to "
      "--void-ratio or --stress (lammps, yade)",

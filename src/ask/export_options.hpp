@@ -26,8 +26,8 @@ struct ExportTexts {
   SolveTexts solve;
   std::vector<std::string> solving; ///< the options that are given that only a gradation has a use for
   OptionText unit, density, mass_error, box, seed, young, poisson, model, steps, start, sides, pressure,
-      tolerance, dimension, axial_strain, constant, friction, friction_while_filling, rolling_friction, types,
-      material, gradation;
+      tolerance, dimension, axial_strain, constant, friction, friction_while_filling, rolling_friction,
+      surface_energy, cohesion_energy_density, types, material, gradation;
   ReadingTexts reading;
   std::string to, out = "-";
   ParticleTexts particles; ///< of FILE, where it is a file of them

@@ -1,3 +1,4 @@
+#include "particles/contact_table.hpp"
 #include "particles/settle_phases.hpp"
 #include "particles/settle_state.hpp"
 #include "particles/triaxial_shear.hpp"
@@ -113,10 +114,19 @@ std::string rolling_of(const SettleScript &s, const GrainMaterial &m) {
                      digits6(m.rolling_friction));
 }
 
-std::string contact_of(const SettleScript &s, const GrainMaterial &m, const std::string &friction) {
-  return fmt::format("\"hertz/material {} {} {} tangential mindlin NULL 1.0 {}{} damping tsuji\"",
+/// \param surface_energy  0: none
+std::string contact_of(const SettleScript &s, const GrainMaterial &m, const std::string &friction,
+                       double surface_energy) {
+  return fmt::format("\"{} {} {} {}{} tangential mindlin NULL 1.0 {}{} damping tsuji\"",
+                     surface_energy > 0 ? "jkr" : "hertz/material",
                      digits6(m.elasticity.young.convert_to<double>()), digits6(m.restitution),
-                     digits6(m.elasticity.poisson.convert_to<double>()), friction, rolling_of(s, m));
+                     digits6(m.elasticity.poisson.convert_to<double>()),
+                     surface_energy > 0 ? " " + digits6(surface_energy) : "", friction, rolling_of(s, m));
+}
+
+/// Of grains.
+std::string contact_of_grains(const SettleScript &s, const GrainMaterial &m) {
+  return contact_of(s, m, "${grip}", s.model.cohesion);
 }
 
 /// The contact of grains of two classes, when they have their own friction: the lesser of both; stiffness and
@@ -136,7 +146,7 @@ std::string contacts_of_classes(const SettleScript &s) {
       both.rolling_friction = std::min(a.rolling_friction, b.rolling_friction);
       text +=
           fmt::format("variable grip equal {}\nvariable contact string {}\npair_coeff {} {} ${{contact}}\n",
-                      friction_of_pair(s, a, b), contact_of(s, both, "${grip}"), i, j);
+                      friction_of_pair(s, a, b), contact_of_grains(s, both), i, j);
     }
   return text;
 }
@@ -145,12 +155,11 @@ std::string lammps_contact(const SettleScript &s) {
   const GrainMaterial wall = s.material(s.types());
   std::string text;
   if (s.model.materials.empty())
-    text = "variable contact string " + contact_of(s, s.material(1), "${grip}") +
-           "\npair_coeff * * ${contact}\n";
+    text = "variable contact string " + contact_of_grains(s, s.material(1)) + "\npair_coeff * * ${contact}\n";
   else
     text = contacts_of_classes(s);
   if (s.has_lid())
-    text += "variable wall string " + contact_of(s, wall, "${mu}") + "\n" + lammps_walls(s);
+    text += "variable wall string " + contact_of(s, wall, "${mu}", 0) + "\n" + lammps_walls(s);
   return text;
 }
 
@@ -214,7 +223,10 @@ std::string lammps_model(const SettleModel &model) {
   const bool has_lid = s.has_lid();
   std::string text =
       s.head({"LAMMPS", "lmp -in THIS_FILE", "-var steps 1000", "lmp -in THIS_FILE -var go_on 1",
-              "With P processes: mpirun -np P lmp -in THIS_FILE", "", "its model sds"});
+              "With P processes: mpirun -np P lmp -in THIS_FILE", ""},
+             contact_table(s, {fmt::format("of Hertz and Mindlin: {} tangential mindlin",
+                                           model.cohesion > 0 ? "jkr" : "hertz/material"),
+                               restitution_of(s) + ": damping tsuji", "sds", "jkr", "J/m^2", jkr_contact}));
   text += phase_variables(s);
   text += filled(lammps_setting,
                  {{"dimension", model.has_discs() ? "dimension 2\n" : ""},

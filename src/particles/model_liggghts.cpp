@@ -1,3 +1,4 @@
+#include "particles/contact_table.hpp"
 #include "particles/settle_phases.hpp"
 #include "particles/settle_state.hpp"
 #include "particles/six_walls.hpp"
@@ -59,14 +60,19 @@ compute top all reduce max v_up
 variable top equal c_top
 )";
 
-/// The contact of all grains and walls.
+const char *const hertz = "model hertz tangential history";
+
+std::string rolling_model(const SettleScript &s) {
+  return s.model.resists_rolling() ? " rolling_friction epsd2" : "";
+}
+
+/// The contact of grains.
 std::string liggghts_contact(const SettleScript &s) {
-  return std::string("model hertz tangential history") +
-         (s.model.resists_rolling() ? " rolling_friction epsd2" : "");
+  return hertz + std::string(s.model.cohesion > 0 ? " cohesion sjkr" : "") + rolling_model(s);
 }
 
 std::string liggghts_wall(const SettleScript &s) {
-  return "all wall/gran " + liggghts_contact(s);
+  return std::string("all wall/gran ") + hertz + rolling_model(s);
 }
 
 /// The walls at the sides.
@@ -134,6 +140,14 @@ std::string rolling_friction(const SettleScript &s) {
                      s.types(), pairs(s, of_types));
 }
 
+std::string cohesion_of_pairs(const SettleScript &s) {
+  if (s.model.cohesion == 0)
+    return "";
+  return fmt::format("fix cohesion all property/global cohesionEnergyDensity peratomtypepair {}{}\n",
+                     s.types(),
+                     pairs(s, [&s](std::size_t, std::size_t) { return digits6(s.model.cohesion); }));
+}
+
 /// Constants of the types and of their pairs.
 std::string properties(const SettleScript &s) {
   std::string young, poisson;
@@ -151,7 +165,7 @@ std::string properties(const SettleScript &s) {
                            [&s](std::size_t i, std::size_t j) {
                              return digits6((s.material(i).restitution + s.material(j).restitution) / 2);
                            })) +
-         friction_of_pairs(s) + rolling_friction(s);
+         friction_of_pairs(s) + rolling_friction(s) + cohesion_of_pairs(s);
 }
 
 /// The floor, the lid and the sides, or six walls.
@@ -229,7 +243,9 @@ std::string liggghts_model(const SettleModel &model) {
   commands.quit = "quit";
   return s.head({"LIGGGHTS", "liggghts -in THIS_FILE", "-var steps 1000",
                  "liggghts -in THIS_FILE -var go_on 1",
-                 "With P processes: mpirun -np P liggghts -in THIS_FILE", "", "its model epsd2"}) +
+                 "With P processes: mpirun -np P liggghts -in THIS_FILE", ""},
+                contact_table(s, {"of Hertz and Mindlin: " + liggghts_contact(s), restitution_of(s), "epsd2",
+                                  "sjkr", "J/m^3", sjkr_contact})) +
          phase_variables(s) +
          filled(liggghts_setting, {{"boundary", model.space == Space::pillar ? "p p f" : "f f f"},
                                    {"particles", file_word(model.particles)},

@@ -56,13 +56,6 @@ double rayleigh_of(const SettleModel &model, const Elasticity &elasticity) {
   return least;
 }
 
-double softest(const SettleModel &model, const Elasticity &elasticity) {
-  Rational least = elasticity.young;
-  for (const GrainMaterial &m : model.materials)
-    least = &m == &model.materials.front() ? m.elasticity.young : std::min(least, m.elasticity.young);
-  return least.convert_to<double>();
-}
-
 /// The steps of compaction: a strain at the greatest rate, and friction that is lowered meanwhile.
 void set_compaction(const SettleModel &model, double softest_young, Settling &s) {
   const DensityTarget &target = *model.target;
@@ -98,6 +91,16 @@ bool SettleModel::resists_rolling() const {
                                              [](const GrainMaterial &m) { return m.rolling_friction > 0; });
 }
 
+Elasticity SettleModel::softest(const Elasticity &without_materials) const {
+  if (materials.empty())
+    return without_materials;
+  return std::min_element(materials.begin(), materials.end(),
+                          [](const GrainMaterial &a, const GrainMaterial &b) {
+                            return a.elasticity.young < b.elasticity.young;
+                          })
+      ->elasticity;
+}
+
 double compaction_inertia(const SettleModel &model) {
   return model.has_discs() ? 0.001 : 0.003;
 }
@@ -124,7 +127,7 @@ Settling settling(const SettleModel &model) {
   s.solids = solids_of(model);
   s.floor_moment = mass(model) * s.gravity * smallest / 2;
   if (model.target)
-    set_compaction(model, softest(model, s.elasticity), s);
+    set_compaction(model, model.softest(s.elasticity).young.convert_to<double>(), s);
   return s;
 }
 

@@ -69,6 +69,9 @@ struct SettleModel {
   double friction = 0.5;
   std::optional<double> friction_while_filling = {}; ///< and while compacting; open: friction
   double rolling_friction = 0;                       ///< always
+  /// Of grains, by the engine's law: a surface energy in J/m^2 (LAMMPS), or an energy density in J/m^3
+  /// (LIGGGHTS).
+  double cohesion = 0;
   /// Of the classes of the set, one each; empty: all are of one material.
   std::vector<GrainMaterial> materials = {};
   /// Each class has a type of its own, 1 for the smallest, and walls the next; else all are of type 1.
@@ -89,6 +92,8 @@ struct SettleModel {
   int dimension() const { return has_discs() ? 2 : 3; }
   /// True if some grains, or the walls, have rolling friction.
   bool resists_rolling() const;
+  /// That of the class with the least Young's modulus, where classes have materials.
+  Elasticity softest(const Elasticity &without_materials) const;
 };
 
 /// The material, the time and the scales of a model, in SI units.

@@ -195,42 +195,17 @@ std::string law_line(const SettleScript &s) {
   return s.set.law.is_sphere() ? "" : "\n#" + law_statement(s.set);
 }
 
-std::string material_lines(const SettleScript &s) {
-  if (!s.model.materials.empty())
-    return fmt::format(
-        "# Material: of each class its own, see below; walls have restitution {} and friction {}.",
-        Settling::restitution, s.has_six_walls() ? "0" : digits6(s.friction_while_filling()));
-  return fmt::format("# Material: E = {:.4g} Pa, nu = {}, restitution {}, friction {}.{}",
-                     s.physics.elasticity.young.convert_to<double>(),
-                     s.physics.elasticity.poisson.convert_to<double>(), Settling::restitution,
-                     s.model.friction,
-                     s.model.young ? ""
-                                   : " E is softer than rock to save steps:\n# 10^4 times the weight of a "
-                                     "column as high as the box, 2000 times the pressure asked for, 5 MPa at "
-                                     "least.");
-}
-
-std::string rolling_line(const SettleScript &s, const char *engines_model) {
-  if (!s.model.resists_rolling())
-    return "";
-  return fmt::format("# Rolling friction{}, by {}: the most moment of a contact over its normal force and "
-                     "effective radius.\n",
-                     s.model.materials.empty() ? " " + digits6(s.model.rolling_friction) : " of each class",
-                     engines_model);
-}
-
 } // namespace
 
-std::string SettleScript::head(const RunCommands &c) const {
+std::string SettleScript::head(const RunCommands &c, const std::string &contacts) const {
   return filled(R"(# @name@: @n@ @grains@ @purpose@. Written by mdm export for @engine@; SI units.
 # The mass of each class is exact to @error@ of itself, the count of each is exact, and checked as it comes in.@law@
 # Run it in its folder: @run@@fewer@
 # @parallel@
 # It writes @base@.restart@packed@ from time to time; to go on from there: @go_on@
 @verification@#
-@material@
-@rolling@# Time step: a fifth of the Rayleigh time of the smallest grain,
-# pi R sqrt(rho/G) / (0.1631 nu + 0.8766) = @rayleigh@ s with G = E / (2 (1 + nu)).
+# Contacts of grains:
+@contacts@#
 @settling@# At rest the kinetic energy of the grains is below @at_rest@ of p V, and the mean net force on one below @unbalanced@ of the
 # mean contact force@without@. What is not at rest, or has fewer contacts than carry it, is no result: it ends with STOP.
 @height@@triaxial@)",
@@ -246,9 +221,7 @@ std::string SettleScript::head(const RunCommands &c) const {
                  {"parallel", c.in_parallel},
                  {"go_on", c.go_on},
                  {"verification", verification(c.verify_options)},
-                 {"material", material_lines(*this)},
-                 {"rolling", rolling_line(*this, c.rolling)},
-                 {"rayleigh", fmt::format("{:.4g}", physics.rayleigh)},
+                 {"contacts", contacts},
                  {"settling", settling_line(*this)},
                  {"at_rest", digits6(energy_at_rest(*this))},
                  {"unbalanced", digits6(SettleLimits::unbalanced)},

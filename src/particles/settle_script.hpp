@@ -32,7 +32,6 @@ std::string filled(std::string text,
 struct RunCommands {
   const char *engine, *run, *fewer_steps, *go_on, *in_parallel;
   const char *verify_options;
-  const char *rolling; ///< the engine's model of rolling friction
 };
 
 /// The model with its numbers.
@@ -41,7 +40,8 @@ struct SettleScript {
   SettleScript(const SettleModel &m, const char *ending);
 
   /// The model's purpose, the commands that run it, and its assumptions; as comments.
-  std::string head(const RunCommands &commands) const;
+  /// \param contacts  the table of its contacts
+  std::string head(const RunCommands &commands, const std::string &contacts) const;
 
   /// The command that verifies the model's result; as comments.
   std::string verification(const char *engine_options) const;

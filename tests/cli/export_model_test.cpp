@@ -361,14 +361,19 @@ TEST_CASE("rolling friction is that of the engine's own model, or is refused", "
     return read_file(model);
   };
   const std::string liggghts = written("liggghts", {"--rolling-friction", "0.2"});
-  for (const char *part : {"\n# Rolling friction 0.2, by its model epsd2: ", " rolling_friction epsd2\n",
+  for (const char *part : {"\n#   rolling friction 0.2, by its model epsd2: ", " rolling_friction epsd2\n",
                            "coefficientRollingFriction peratomtypepair 1 0.2\n"})
     CHECK(liggghts.find(part) != std::string::npos);
   const std::string lammps = written("lammps", {"--rolling-friction", "0.2"});
-  CHECK(lammps.find("\n# Rolling friction 0.2, by its model sds: ") != std::string::npos);
+  CHECK(lammps.find("\n#   rolling friction 0.2, by its model sds: ") != std::string::npos);
   CHECK(lammps.find(" rolling sds ") != std::string::npos);
-  CHECK(written("liggghts", {}).find("olling") == std::string::npos);
-  CHECK(written("lammps", {}).find("olling") == std::string::npos);
+  for (const char *engine : {"liggghts", "lammps"}) {
+    const std::string without = written(engine, {});
+    CHECK(without.find("\n#   rolling friction none\n") != std::string::npos);
+    CHECK(without.find("Rolling") == std::string::npos);
+    CHECK(without.find("rolling_") == std::string::npos);
+    CHECK(without.find("sds") == std::string::npos);
+  }
   const std::string table =
       folder.write("m.csv", "class,rolling_friction\n1,0\n2,0.1\n3,0.2\n4,0.3\n5,0.4\n");
   // Of two classes the lesser; walls have that of the option.
@@ -382,6 +387,44 @@ TEST_CASE("rolling friction is that of the engine's own model, or is refused", "
   check_refused(export_model("lammps", model, {"--rolling-friction", "-1"}), "--rolling-friction");
   check_refused(mdm({"export", sand, "--to", "lammps", "--rolling-friction", "0.2", "-o", folder / "a.data"}),
                 "--rolling-friction");
+}
+
+TEST_CASE("cohesion is that of the engine's own law, or is refused", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string model = folder / "a.in";
+  const auto written = [&](const char *to, const Arguments &more) {
+    REQUIRE(export_model(to, model, more).exit_code == 0);
+    return read_file(model);
+  };
+  const auto has = [](const std::string &text, const char *part) {
+    return text.find(part) != std::string::npos;
+  };
+  const std::string liggghts = written("liggghts", {"--cohesion-energy-density", "2e4"});
+  CHECK(has(liggghts, "\npair_style gran model hertz tangential history cohesion sjkr\n"));
+  CHECK(has(liggghts, "\nfix cohesion all property/global cohesionEnergyDensity peratomtypepair 1 20000\n"));
+  CHECK(has(liggghts, "\n#   cohesion         20000 J/m^3, by its model sjkr, of grains alone"));
+  CHECK(has(liggghts, "wall/gran model hertz tangential history primitive"));
+  const std::string lammps = written("lammps", {"--surface-energy", "0.001", "--rolling-friction", "0.1"});
+  CHECK(has(lammps, "\nvariable contact string \"jkr 5e+06 0.5 0.25 0.001 tangential mindlin NULL"));
+  CHECK(has(lammps, "\nvariable wall string \"hertz/material 5e+06 0.5 0.25 tangential mindlin NULL"));
+  CHECK(!has(written("lammps", {}), "jkr"));
+  CHECK(has(written("liggghts", {}), "\n#   cohesion         none\n"));
+
+  check_refused(export_model("lammps", model, {"--cohesion-energy-density", "1"}),
+                "--cohesion-energy-density: it is of another law than this engine's: give --surface-energy");
+  check_refused(export_model("liggghts", model, {"--surface-energy", "1"}), "give --cohesion-energy-density");
+  check_refused(export_model("yade", folder / "a.py", {"--surface-energy", "1"}),
+                "--surface-energy: there is no model of cohesion for YADE");
+  check_refused(export_model("lammps", model, {"--surface-energy", "10"}),
+                "--surface-energy: two of the smallest");
+  REQUIRE(export_model("lammps", model, {"--surface-energy", "10", "--young", "7e10"}).exit_code == 0);
+  check_refused(export_model("lammps", model, {"--surface-energy", "0"}),
+                "--surface-energy: '0' is not positive");
+  check_refused(mdm({"export", sand, "--to", "lammps", "--surface-energy", "1", "-o", folder / "a.data"}),
+                "--surface-energy");
+  check_refused(mdm({"export", sand, "--to", "lammps", "--model", "settle", "--dimension", "2", "--law",
+                     "power:2", "--surface-energy", "0.001", "-o", folder / "d.in"}),
+                "leave --surface-energy out");
 }
 
 TEST_CASE("layers in a cylinder say that they stand on a square", "[cli]") {

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
-"""state.py DUMP LOG YOUNG POISSON [--wall box|six] [--unjammed]: holds the RESULT line of a model's log against the grains that it left.
+"""state.py DUMP LOG YOUNG POISSON [--wall box|six] [--law sjkr|jkr COHESION] [--unjammed]: holds the RESULT line of a model's log
+against the grains that it left.
 
 Contacts, void ratio and pressure are found anew from places and radii, by numpy: contacts are overlaps, periodic ones too,
-and Hertz's law has their normal forces. A box has a floor, four sides and weight; six walls have no friction and enclose grains without
+and Hertz's law has their normal forces, or a law with cohesion. A box has a floor, four sides and weight; six walls have no friction and enclose grains without
 weight; without walls the box is repeated on all sides. Ends with 1 where the line says something else, or says that grains carry
 each other that do not.
 """
@@ -16,6 +17,7 @@ from contacts import contacts, modulus_of, number_in, result_line
 
 dump, log, young, poisson = sys.argv[1], sys.argv[2], float(sys.argv[3]), float(sys.argv[4])
 walls = sys.argv[sys.argv.index("--wall") + 1] if "--wall" in sys.argv else ""
+law, cohesion = sys.argv[sys.argv.index("--law") + 1:][:2] if "--law" in sys.argv else ("hertz", 0)
 line = result_line(log)
 print(line)
 
@@ -37,7 +39,7 @@ else:
 at, r = grains[:, :3] - low, grains[:, 3]
 
 modulus = modulus_of(young, poisson)
-fl, z = contacts(at, r, modulus, None if walls else box)
+fl, z = contacts(at, r, modulus, None if walls else box, law, float(cohesion))
 
 # Of the centres from each wall; the last is the top.
 distances = np.hstack((at, box - at)).T[:{"": 0, "box": 5, "six": 6}[walls]]

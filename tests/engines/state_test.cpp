@@ -131,6 +131,23 @@ TEST_CASE("a plain bed comes to rest with its own friction where it was filled w
       CHECK(dump(engine, "0.05") != dump(engine, "0.9"));
 }
 
+TEST_CASE("grains with cohesion hold by the law of their engine, and few are rattlers", "[engines]") {
+  const auto check_law = [](const Engine &engine, const Arguments &options, const std::string &law,
+                            const std::string &cohesion) {
+    if (!is_there(engine))
+      return;
+    const Model model(engine, c778(), with({"--at-least", "300"}, options));
+    check_result(model, "5e6", {"--wall", "box", "--law", law, cohesion});
+    // 0.47 without.
+    const std::string out = model.run().out;
+    const std::size_t result = out.find("\nRESULT after ");
+    REQUIRE(result != std::string::npos);
+    CHECK(std::stod(out.substr(out.find(", rattlers ", result) + 11)) < 0.2);
+  };
+  check_law(liggghts, {"--cohesion-energy-density", "60000"}, "sjkr", "60000");
+  check_law(lammps, {"--surface-energy", "0.003"}, "jkr", "0.003");
+}
+
 TEST_CASE("grains that resist rolling settle into a looser bed", "[engines]") {
   const auto void_ratio = [](const Engine &engine, const Arguments &more) {
     const Model model(engine, c778(), with({"--at-least", "300"}, more));
