@@ -139,8 +139,8 @@ Run add_report(CLI::App &app) {
   command
       .add_option(
           "--language", c->language,
-          "language of the page's own words and numbers: en (the default) or de; names, groups of ASTM "
-          "and AASHTO, and notes stay English")
+          "language of the page's own words, numbers and notes: en (the default) or de; names, groups of "
+          "ASTM and AASHTO, and a note that has no German text stay English")
       ->check(CLI::IsMember({"en", "de"}));
   command.add_option("--client", c->client, "the client, in the head of the report");
   command

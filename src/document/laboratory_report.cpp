@@ -10,6 +10,7 @@
 #include "report/description_items.hpp"
 #include "report/fractions_report.hpp"
 #include "report/sample_notes.hpp"
+#include "text/german.hpp"
 #include "text/json_writer.hpp"
 #include "text/versions.hpp"
 
@@ -236,6 +237,15 @@ std::vector<std::string> all_notes(const LaboratoryReport &r) {
   return notes;
 }
 
+/// A note in the report's language; one that has no German text stays English, and says so.
+std::string note_item(const std::string &note, Language language) {
+  if (language == Language::english)
+    return fmt::format("<li>{}</li>\n", html_text(note));
+  const std::optional<std::string> german = in_german(note);
+  return german ? fmt::format("<li>{}</li>\n", html_text(*german))
+                : fmt::format("<li lang=\"en\">{}</li>\n", html_text(note));
+}
+
 } // namespace
 
 std::string report_html(const LaboratoryReport &r) {
@@ -259,9 +269,9 @@ std::string report_html(const LaboratoryReport &r) {
   html += fmt::format("<section><h2>{}</h2>\n", texts.description) + tables.indices(r.samples);
   html += tables.fractions("ASTM D2487", r.samples, &SoilDescription::uscs);
   html += tables.fractions("ISO 14688", r.samples, &SoilDescription::iso_14688);
-  html += fmt::format("</section>\n<section><h2>{}</h2>\n<ul lang=\"en\">\n", texts.notes);
+  html += fmt::format("</section>\n<section><h2>{}</h2>\n<ul>\n", texts.notes);
   for (const std::string &note : all_notes(r))
-    html += fmt::format("<li>{}</li>\n", html_text(note));
+    html += note_item(note, r.language);
   html += "</ul>\n</section>\n</main>\n<footer>";
   html += fmt::format(fmt::runtime(texts.footer), versions().front().second, shown_digits);
   return html + "</footer>\n</body>\n</html>\n";

@@ -4,7 +4,7 @@
 
 namespace mdm {
 
-/// Of a document's own words; names, notes and remarks stay as they are.
+/// Of a document's own words and notes; names and remarks stay as they are.
 enum class Language { english, german };
 
 } // namespace mdm

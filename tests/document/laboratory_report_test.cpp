@@ -69,6 +69,20 @@ TEST_CASE("the page has head, curves, analyses, index numbers and notes", "[docu
   CHECK_FALSE(has(html, "Specification"));
 }
 
+TEST_CASE("a German report has German notes, and says which are English", "[document]") {
+  LaboratoryReport r = two_sands();
+  r.language = Language::german;
+  r.samples[0].description.notes.emplace_back("a remark <in> English");
+  const std::string html = report_html(r);
+  for (const char *part : {"<html lang=\"de\">", "<h2>Hinweise</h2>\n<ul>\n",
+                           "<li>a: Eine Schale der Größe 0 wurde ergänzt, für die 3 Prozent, die durch das "
+                           "feinste Sieb gehen, 0.075 mm.</li>",
+                           "<li lang=\"en\">a: a remark &lt;in&gt; English</li>"})
+    CHECK(has(html, part));
+  CHECK(count(html, "lang=\"en\"") == 1);
+  CHECK_FALSE(has(report_html(two_sands()), "<li lang"));
+}
+
 TEST_CASE("nothing of the page is fetched", "[document]") {
   const std::string html = report_html(two_sands());
   for (const char *part : {"src=", "<link", "@import", "<script"})

@@ -3,6 +3,7 @@
 import { byId, fill, make } from "./dom.js";
 import { enclosed, grouped, rounded, roundedEnclosure, unitName } from "./numbers.js";
 import { noteList } from "./reading_view.js";
+import { saidLines } from "./said.js";
 import { pagedTable } from "./table.js";
 import { text } from "./texts.js";
 
@@ -54,7 +55,7 @@ export const soilNotes = (description, answer) =>
 /** The soil's numbers with what they assume, or why there are none; what the gradation does not reach is left out. */
 export function showIndices({ description, message }, answer) {
   const place = byId("indices");
-  if (message) return fill(place, make("pre", { class: "message", lang: "en" }, message));
+  if (message) return fill(place, saidLines("pre", { class: "message" }, message));
   if (description === null) return fill(place);
   const list = make("dl", { class: "indices" });
   for (const [key, name] of INDICES) {

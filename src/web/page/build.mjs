@@ -79,6 +79,7 @@ async function page(inputs) {
     examples: join(root, "examples/gradations"),
     "blend-example": join(root, "examples/08-blend"),
     specifications: join(root, "src/judge/specifications"),
+    german: join(root, "src/text"),
   };
   const script = (await bundle("main.js", folders)).replaceAll("</script", "<\\/script");
   const { version } = JSON.parse(await readFile(join(here, "../package.json"), "utf8"));

@@ -12,6 +12,7 @@ import { pngOf } from "./picture.js";
 import { readingFlags, soilFlags, specimenFlags } from "./question.js";
 import { readInWords } from "./reading_view.js";
 import { writeReport } from "./report.js";
+import { saidLines } from "./said.js";
 import { text } from "./texts.js";
 import { checkers, helper, reader } from "./workers.js";
 
@@ -30,7 +31,7 @@ async function saveGradation() {
   const argv = ["convert", gradation.name, ...readingFlags(page.state.options), "--format", "csv", "-o", name];
   const { files, err } = await helper.run(argv, { [gradation.name]: gradation.blob });
   if (files[name]) download(name, files[name]);
-  else note(make("pre", {}, err));
+  else note(saidLines("pre", {}, err.trim()));
 }
 
 /** Offers the curve's picture as a file, made by `fileOf` from SVG; below it stands how the gradation was read. */
@@ -39,7 +40,7 @@ async function savePicture(ending, fileOf) {
   const limits = page.soil().description ? soilFlags(readOptions()) : [];
   const { blob, err } = await curveFile(solution, options, [...limits, "--caption", readInWords(solution.reading)]);
   if (blob) download(`${base()}.${ending}`, await fileOf(blob));
-  else note(make("pre", {}, err));
+  else note(saidLines("pre", {}, err.trim()));
 }
 
 const base = () => stem(page.state.solution.gradation.name);
@@ -71,7 +72,7 @@ async function writeModel(engine) {
     note(
       buttons.length > 0 ? make("h4", {}, text("model.files")) : null,
       buttons.length > 0 ? make("p", { class: "buttons" }, ...buttons) : null,
-      err.trim() ? make("pre", { lang: "en" }, err.trim()) : null,
+      err.trim() ? saidLines("pre", {}, err.trim()) : null,
     );
   } catch (error) {
     note(make("p", {}, endInWords(error)));

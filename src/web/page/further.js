@@ -7,6 +7,7 @@ import { onChoice, onDrop, plainName } from "./files.js";
 import { withPoint } from "./numbers.js";
 import { DEFAULTS, KINDS_WITH_VALUE, conditionFlags } from "./question.js";
 import { notesWith, readingView } from "./reading_view.js";
+import { saidLines } from "./said.js";
 import { showSample } from "./sample_view.js";
 import { text } from "./texts.js";
 import { showTradeoff } from "./tradeoff_view.js";
@@ -20,7 +21,7 @@ const chosen = { gradation: null, proof: null, sample: null };
 /** What is said of a file of particles, which goes with it. */
 const SAMPLE_CONTROLS = ["sample-unit", "sample-measure"];
 
-const message = (words) => make("pre", { class: "message", lang: "en" }, words.trim());
+const message = (words) => saidLines("pre", { class: "message" }, words.trim());
 
 /** Shows that the helper works on something, with a button that ends it. */
 function showWork(place, key) {

@@ -18,6 +18,7 @@ import { questionOf } from "./link.js";
 import { Stopped } from "./programs.js";
 import { READING, SOIL, inWords, readingFlags, soilFlags } from "./question.js";
 import { readInWords, readingView } from "./reading_view.js";
+import { saidLines } from "./said.js";
 import { choose, currentLanguage, text, writeTexts } from "./texts.js";
 import { judge, showVerdict } from "./verdict.js";
 import { checkers, helper, painter, reader, rowsOf, solver } from "./workers.js";
@@ -59,7 +60,7 @@ function helpWith(message) {
 
 function showMessage(message) {
   if (!message) return fill(byId("message"));
-  fill(byId("message"), helpWith(message), make("h3", {}, text("refused")), make("pre", { lang: "en" }, message));
+  fill(byId("message"), helpWith(message), make("h3", {}, text("refused")), saidLines("pre", {}, message));
 }
 
 /** What was read for the answer, as it stands beside its verdict. */
@@ -218,7 +219,7 @@ async function drawCurve() {
   if (solution === null || place.clientWidth === 0) return;
   try {
     const { picture, err } = await curvePicture(solution, options, place.clientWidth);
-    if (state.solution === solution) fill(place, picture ?? make("pre", { class: "message", lang: "en" }, err.trim()));
+    if (state.solution === solution) fill(place, picture ?? saidLines("pre", { class: "message" }, err.trim()));
   } catch (error) {
     if (!(error instanceof Stopped)) fill(place, make("p", {}, text("ended", { message: error.message })));
   }

@@ -3,12 +3,13 @@
 import { make } from "./dom.js";
 import { READING, READING_FLAGS } from "./question.js";
 import { unitName } from "./numbers.js";
+import { said } from "./said.js";
 import { text } from "./texts.js";
 
 const MOST_NOTES = 20;
 
 /** What the program says in its own words. */
-const own = (words) => make("span", { lang: "en" }, words);
+const own = (words) => said("span", {}, words);
 
 /** The options of reading as the user gave them. */
 function saidInWords(options) {
@@ -19,7 +20,7 @@ function saidInWords(options) {
 /** The notes of a program as a list; null if there are none. */
 export function noteList(notes) {
   if (notes.length === 0) return null;
-  const items = notes.slice(0, MOST_NOTES).map((note) => make("li", { lang: "en" }, note));
+  const items = notes.slice(0, MOST_NOTES).map((note) => said("li", {}, note));
   if (notes.length > MOST_NOTES) items.push(make("li", {}, text("notes.more", { count: notes.length - MOST_NOTES })));
   return make("ul", {}, ...items);
 }

@@ -4,6 +4,7 @@ import { quoted } from "../command_line.js";
 import { byId, fill, make } from "../dom.js";
 import { endInWords } from "../ends.js";
 import { download, freeName } from "../files.js";
+import { said, saidLines } from "../said.js";
 import { text } from "../texts.js";
 import { judgeFiles, showVerdict } from "../verdict.js";
 import { blender, checkers, reader } from "../workers.js";
@@ -75,7 +76,7 @@ function show() {
   const { report, verdict, withoutProof } = shown;
   const place = make("div", { class: "verdict" });
   if (verdict) showVerdict(place, verdict, null);
-  else fill(place, make("p", {}, text("verdict.none")), withoutProof && make("p", { lang: "en" }, withoutProof));
+  else fill(place, make("p", {}, text("verdict.none")), withoutProof && said("p", {}, withoutProof));
   fill(
     byId("blend-result"),
     make("h3", {}, text("blend.result")),
@@ -102,7 +103,7 @@ export async function findBest(asked) {
     const found = await solved(asked, namesOf(asked));
     if (question !== asked) return null;
     if (found.message) {
-      fill(byId("blend-result"), make("pre", { class: "message", lang: "en" }, found.message));
+      fill(byId("blend-result"), saidLines("pre", { class: "message" }, found.message));
       return null;
     }
     const verdict = await checked(found);

@@ -6,6 +6,7 @@ import { freeName, onChoice, onDrop, stem } from "../files.js";
 import { Latest } from "../latest.js";
 import { toDouble } from "../numbers.js";
 import { Stopped } from "../programs.js";
+import { saidLines } from "../said.js";
 import { SPECIFICATIONS, offerSpecifications } from "../specifications.js";
 import { text } from "../texts.js";
 import { blender, reader } from "../workers.js";
@@ -44,7 +45,7 @@ function missing() {
 
 function showRefusal(err) {
   state.refusal = err.trim();
-  fill(byId("blend-message"), ...(state.refusal ? [make("h3", {}, text("refused")), make("pre", { lang: "en" }, state.refusal)] : []));
+  fill(byId("blend-message"), ...(state.refusal ? [make("h3", {}, text("refused")), saidLines("pre", {}, state.refusal)] : []));
 }
 
 /** Shows the mix that the sliders say. */

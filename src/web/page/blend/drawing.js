@@ -5,6 +5,7 @@ import { freeName } from "../files.js";
 import { Latest } from "../latest.js";
 import { drawn } from "../picture.js";
 import { Stopped } from "../programs.js";
+import { saidLines } from "../said.js";
 import { text } from "../texts.js";
 import { blender } from "../workers.js";
 import { HUNDRED, times } from "./fraction.js";
@@ -56,11 +57,11 @@ async function draw() {
   choose("report", "mix-report.json");
   try {
     const { mix, err } = await mixed(wanted, names);
-    if (mix === null) return fill(place, make("pre", { lang: "en" }, err.trim()));
+    if (mix === null) return fill(place, saidLines("pre", {}, err.trim()));
     const beside = question.stockpiles.flatMap(({ name }) => ["--beside", name]);
     const words = [names.mix, ...beside, "--band", question.limits.name];
     const picture = await drawn(words, { ...filesOf(question), [names.mix]: mix }, wanted.width);
-    if (wanted !== null) fill(place, picture.picture ?? make("pre", { lang: "en" }, picture.err.trim()));
+    if (wanted !== null) fill(place, picture.picture ?? saidLines("pre", {}, picture.err.trim()));
   } catch (error) {
     if (!(error instanceof Stopped)) fill(place, make("p", {}, text("ended", { message: error.message })));
   }

@@ -3,6 +3,7 @@
 import { byId, fill, make } from "../dom.js";
 import { endInWords } from "../ends.js";
 import { download, freeName, onChoice, onDrop, stem } from "../files.js";
+import { saidLines } from "../said.js";
 import { offerSpecifications } from "../specifications.js";
 import { currentLanguage, text } from "../texts.js";
 import { reporter } from "../workers.js";
@@ -38,7 +39,7 @@ function showRefusal(...content) {
 
 /** What the program says is wrong. */
 function refuse(err) {
-  showRefusal(make("h3", {}, text("refused")), make("pre", { lang: "en" }, err.trim()));
+  showRefusal(make("h3", {}, text("refused")), saidLines("pre", {}, err.trim()));
 }
 
 /** Runs the program; its files, or null where it refuses: then its words are shown. */
