@@ -9,7 +9,7 @@
 
 namespace mdm {
 
-/// A row of german.json. A place is {}, whose content is copied, {#}, which is a whole number, or {GROUP},
+/// A row of german.json. A place is {}, whose content is copied, {#}, which is a number, or {GROUP},
 /// which is one of that group's texts. In `german` the places have the same order, or numbers from 0 on.
 struct GermanText {
   std::string_view group; ///< `note` of whole texts, else of parts of them
@@ -25,8 +25,8 @@ public:
   explicit Translator(const std::vector<GermanText> &texts);
 
   /// A whole text in German. Nothing for one that no row of the group `note` matches from its beginning to
-  /// its end, and for one of more than 2000 bytes. Of several rows the one with the most text of its own has
-  /// its way, of equals the first.
+  /// its end, or one matches in two ways with two outcomes, and for one of more than 2000 bytes. Of several
+  /// rows the one with the most text of its own has its way, of equals the first.
   std::optional<std::string> german(std::string_view text) const;
 
 private:
@@ -44,11 +44,14 @@ private:
   struct Work {
     std::size_t steps = 0;
     unsigned depth = 0; ///< of groups within groups
+
+    bool goes_on(); ///< counts a step; false where there were too many
   };
   class RowMatch;
 
   static CutText cut(std::string_view text);
   static bool holds_note(const Row &row);
+  static bool may_match(const Row &row, std::string_view text);
   std::optional<std::string> of_group(std::string_view group, std::string_view text, Work &work) const;
 
   std::vector<Row> rows_; ///< those with the most letters first

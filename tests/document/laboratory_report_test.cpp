@@ -75,7 +75,7 @@ TEST_CASE("a German report has German notes, and says which are English", "[docu
   r.samples[0].description.notes.emplace_back("a remark <in> English");
   const std::string html = report_html(r);
   for (const char *part : {"<html lang=\"de\">", "<h2>Hinweise</h2>\n<ul>\n",
-                           "<li>a: Eine Schale der Größe 0 wurde ergänzt, für die 3 Prozent, die durch das "
+                           "<li>a: Eine Schale der Größe 0 wurde ergänzt für die 3 Prozent, die durch das "
                            "feinste Sieb gehen, 0.075 mm.</li>",
                            "<li lang=\"en\">a: a remark &lt;in&gt; English</li>"})
     CHECK(has(html, part));

@@ -20,6 +20,7 @@ PLACE = re.compile(r"\{([\w#]*)\}")
 MADE = {
     "{}: {note}": "the name of a file, with a line or not, or of samples stands before",
     "{}: {note} (of the material {})": "the same, of one of several materials",
+    "1 field": "a row is said to have 1 field, or so many fields",
     "Whether one curve keeps all limits together is not decided: a sieve that they are about is no sieve of the sample, or two "
     "fineness moduli hang.": "sentence() in conformity.cpp makes a sentence of a reason",
 }

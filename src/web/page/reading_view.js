@@ -8,8 +8,8 @@ import { text } from "./texts.js";
 
 const MOST_NOTES = 20;
 
-/** What the program says in its own words. */
-const own = (words) => said("span", {}, words);
+/** What the program says in its own words, which are of a group of german.json. */
+const own = (words, group) => said("span", {}, words, group);
 
 /** The options of reading as the user gave them. */
 function saidInWords(options) {
@@ -38,9 +38,9 @@ function readingRows(reading, options) {
   const { name, format, unit, sizes, kind, masses, pan, classes } = reading;
   const said = saidInWords(options);
   return [
-    [text("read.file"), `${name}: `, own(format)],
-    [text("read.sizes"), text("read.sizes.in", { unit: unitName(unit), classes }), " (", own(sizes), ")"],
-    [text("read.values"), text(`kind.${kind}`), " (", own(masses), ")"],
+    [text("read.file"), `${name}: `, own(format, "format")],
+    [text("read.sizes"), text("read.sizes.in", { unit: unitName(unit), classes }), " (", own(sizes, "source"), ")"],
+    [text("read.values"), text(`kind.${kind}`), " (", own(masses, "source"), ")"],
     [text("read.pan"), text(pan ? "read.pan.yes" : "read.pan.no")],
     ...(said ? [[text("read.said"), make("code", {}, said)]] : []),
   ];

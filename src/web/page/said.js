@@ -8,15 +8,15 @@ import { currentLanguage } from "./texts.js";
 
 const german = germanBy(table);
 
-/** A text of a program, {lang, words}. */
-function inPageLanguage(words) {
-  const found = currentLanguage() === "de" ? german(words) : null;
+/** A text of a program, of a group of german.json, as {lang, words}. */
+function inPageLanguage(words, group) {
+  const found = currentLanguage() === "de" ? german(words, group) : null;
   return found === null ? { lang: "en", words } : { lang: "de", words: found };
 }
 
 /** A new element with what a program says; `properties` as of make. */
-export function said(name, properties, words) {
-  const { lang, words: shown } = inPageLanguage(words);
+export function said(name, properties, words, group = "note") {
+  const { lang, words: shown } = inPageLanguage(words, group);
   return make(name, { ...properties, lang }, shown);
 }
 
