@@ -17,8 +17,33 @@ function check(all, german) {
   }
 }
 
+/** The first row of a group that is not empty, and no list. */
+const firstOf = (all, group) => all[group].find(([english]) => english !== "" && !english.includes(`{${group}}`));
+
+/** An instance of a row in both languages, its places filled. */
+function instance(all, [english, wanted]) {
+  const contents = [];
+  const inEnglish = english.replace(/\{([\w#]*)\}/g, (_, group) => {
+    const part = group === "" ? ["'x'", "'x'"] : group === "#" ? ["7", "7"] : instance(all, firstOf(all, group));
+    contents.push(part[1]);
+    return part[0];
+  });
+  let place = 0;
+  return [inEnglish, wanted.replace(/\{([\w#]*)\}/g, (_, name) => contents[/^\d/.test(name) ? name : place++])];
+}
+
+/** Each row has its own way, also behind the name of a file or a sample. */
+function checkRows(all, german) {
+  const rows = all.note.filter(([english]) => !english.includes("{note}"));
+  const instances = rows.map((row) => instance(all, row));
+  check(instances, german);
+  check(instances.map((pair) => pair.map((text) => `a.csv:3: ${text}`)), german);
+}
+
 check(cases, germanBy(table));
-const german = germanBy(read("../../src/text/german.json"));
+const all = read("../../src/text/german.json");
+const german = germanBy(all);
+checkRows(all, german);
 check(notes, german);
 check([[`GRAT_TYPE: ${"x".repeat(1989)}.`, null], [`GRAT_TYPE: ${"ä".repeat(995)}.`, null]], german);
 let hostile = "The rows of ";
