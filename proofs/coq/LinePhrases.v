@@ -118,6 +118,9 @@ Qed.
 Lemma append_associates u v w : (u ++ v) ++ w = u ++ v ++ w.
 Proof. induction u as [|ch u IH]; simpl; congruence. Qed.
 
+Lemma same_after u : forall s t, u ++ s = u ++ t -> s = t.
+Proof. induction u as [|ch u IH]; intros s t E; [exact E|]. cbn [append] in E. injection E as E. exact (IH s t E). Qed.
+
 (* ---- The name ------------------------------------------------------------------------------------------ *)
 
 Definition is_mark (ch : ascii) : bool := Ascii.eqb ch quote || Ascii.eqb ch backslash.

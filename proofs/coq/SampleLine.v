@@ -12,7 +12,8 @@ Open Scope Z_scope.
 
 Record errors_said := ErrorsSaid { of_shares : largest_error; of_passing : option largest_error; of_all_shares : percents_from }.
 
-(* [question_in_line] has the gradation's file, the tolerance and the parts; its claim is none. An exact match has no errors. *)
+(* [question_in_line] has the gradation's file, the tolerance and the parts; its claim is none. [outside_said] is 0 but where
+   particles outside are what is found. An exact match has no errors. *)
 Record sample_statement := SampleStatement {
   question_in_line : statement;
   sample_name : string;
@@ -23,11 +24,13 @@ Record sample_statement := SampleStatement {
   conditions_said : list answer }.
 
 Definition is_match (f : finding) : bool := match f with Matches => true | _ => false end.
+Definition outside_of (c : sample_claims) : Z :=
+  match found_to_be c with HasOutside => claimed_below c + claimed_above c | _ => 0 end.
 
 Definition sample_statement_of (gradation sample : string) (R : reading) (C : sample_certificate) : sample_statement :=
   let c := claims C in
   let s := statement_of gradation R (without_claim C) in
-  SampleStatement s sample (claimed_particles c) (found_to_be c) (claimed_below c + claimed_above c)
+  SampleStatement s sample (claimed_particles c) (found_to_be c) (outside_of c)
     (if is_match (found_to_be c) && is_exact s then None
      else Some (ErrorsSaid (retained_error c) (passing_error c) (total_error c)))
     (conditions c).
@@ -87,6 +90,32 @@ Definition sample_line (s : sample_statement) : string :=
 Definition refused_sample_line (gradation sample : string) : string :=
   "refused: the certificate does not prove its claim about " ++ in_quotes sample ++ " and " ++ in_quotes gradation.
 
+(* ---- What a line can say ----------------------------------------------------------------------------- *)
+
+Definition claims_nothing (q : statement) : bool := match claim_of q with NoMatch => or_more q =? 0 | _ => false end.
+
+Definition plain_percents (s : percents_from) : bool := plain (fst s) && plain (snd s).
+
+Definition plain_value (what : value) : bool :=
+  match what with ClassHolds j | PassesClass j => plain_integer j | AllErrors => true end.
+
+Definition plain_finding (f : finding) (outside : Z) : bool :=
+  match f with
+  | Matches => outside =? 0
+  | HasOutside => plain_integer outside
+  | Misses what found _ v => (outside =? 0) && plain_value what && plain_percents found && plain v
+  end.
+
+Definition plain_error (E : largest_error) : bool := plain_percents (error_within E) && plain_integer (at_class E).
+Definition plain_errors (e : errors_said) : bool :=
+  plain_error (of_shares e) && match of_passing e with Some E => plain_error E | None => true end &&
+  plain_percents (of_all_shares e).
+
+(* Statements of which each has a line of its own. *)
+Definition plain_sample_statement (s : sample_statement) : bool :=
+  plain_statement (question_in_line s) && claims_nothing (question_in_line s) && plain_integer (particles_said s) &&
+  plain_finding (finding_said s) (outside_said s) && match errors_of s with Some e => plain_errors e | None => true end.
+
 (* ---- The judgement ----------------------------------------------------------------------------------- *)
 
 (* The certificate, and the gradation as it asks about it. *)
@@ -122,7 +151,7 @@ Definition judge_sample (gradation sample certificate : file) : judgement :=
       | Ok D =>
         let s := sample_statement_of (name gradation) (name sample) R C in
         match (check_claims C G D ;;
-               demand_form (gives_openings R (question_of C) && plain_statement (question_in_line s)) "a number that the verdict cannot say") with
+               demand_form (gives_openings R (question_of C) && plain_sample_statement s) "a number that the verdict cannot say") with
         | Refused what => refused what
         | Malformed what => malformed what
         | Ok _ => Proved (sample_line s)

@@ -81,8 +81,9 @@ Definition is_true_of_sample (gradation sample : file) (s : sample_statement) : 
     forall f, power_law (Z.to_nat a) (Z.to_nat b) f ->
       says f G (factor_in (parts q)) (sizes_in R) (limits_or_none R) (sizes_in_file F) s.
 
+(* A line has one statement at most: sample_line_determines. *)
 Definition true_of_sample_line (gradation sample : file) (line : string) : Prop :=
-  exists s, plain_statement (question_in_line s) = true /\ line = sample_line s /\ is_true_of_sample gradation sample s.
+  exists s, plain_sample_statement s = true /\ line = sample_line s /\ is_true_of_sample gradation sample s.
 
 (* ---- Lists of classes -------------------------------------------------------------------------------- *)
 
@@ -343,7 +344,7 @@ Lemma judged_accepted gradation sample certificate line :
     asked_of_sample R C = Ok G /\ read_sample (sizes_in R) (bytes sample) = Ok F /\ derive_sample (question_of C) G F = Ok D /\
     check_claims C G D = Ok tt /\ gives_openings R (question_of C) = true /\
     let s := sample_statement_of (name gradation) (name sample) R C in
-    plain_statement (question_in_line s) = true /\ line = sample_line s.
+    plain_sample_statement s = true /\ line = sample_line s.
 Proof.
   unfold judge_sample. destruct (read_gradation (bytes gradation)) as [R| |]; try discriminate.
   destruct (read_asked R (bytes certificate)) as [(C, G)| |] eqn:EA; try discriminate; [|intros [= <-] (rest & H); discriminate H].
@@ -435,7 +436,7 @@ Proof.
   unfold says. split; [|split; [|split]].
   - change (particles_said s) with (claimed_particles (claims C)). rewrite EC2. apply all_is_length, Sizes.
   - unfold finding_holds. fold d. change (finding_said s) with (found_to_be (claims C)).
-    change (outside_said s) with (claimed_below (claims C) + claimed_above (claims C))%Z. rewrite EC5.
+    change (outside_said s) with (outside_of (claims C)). unfold outside_of. rewrite EC5.
     destruct (found_to_be (claims C)) as [| |what found_in least v].
     + apply Al. unfold finding_is in EC. rewrite <- ED in EC. cbn [particles_outside lines_of_shares derived_total] in EC.
       rewrite !andb_true_iff, Z.eqb_eq in EC. destruct EC as ((EO & EW) & ET).
