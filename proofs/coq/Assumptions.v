@@ -1,7 +1,8 @@
 (* What the theorems rest on. The integer ones: nothing ("Closed under the global context"). The others: the axioms of
    the standard library's real numbers. *)
 
-From Mdm Require Import ChainSound Reduction TreeSound Laws Pi Theorems MixtureTheorem LineTheorem LineDetermines LinePhrases ExactSample SampleTheorem SampleDetermines BlendTheorem CsvFields GradationRead EnvelopeRead PrintRead DocumentRead Examples.
+From Mdm Require Import ChainSound Reduction TreeSound Laws Pi Theorems MixtureTheorem LineTheorem LineDetermines LinePhrases ExactSample
+  SampleTheorem SampleDetermines BlendTheorem BlendDetermines CsvFields GradationRead EnvelopeRead PrintRead DocumentRead Examples.
 
 Print Assumptions chain_bound.
 Print Assumptions chain_sound.
@@ -29,6 +30,8 @@ Print Assumptions accepted_sample_line_true.
 Print Assumptions sample_line_determines.
 Print Assumptions accepted_blend_best.
 Print Assumptions accepted_blend_line_true.
+Print Assumptions blend_line_determines.
+Print Assumptions one_name_says_two.
 Print Assumptions fields_read_exactly.
 Print Assumptions gradation_read.
 Print Assumptions envelope_read.

@@ -24,14 +24,26 @@ Definition curve_in (R : reading) : option curve :=
 
 (* ---- What a line says ------------------------------------------------------------------------------- *)
 
-(* Of the stockpiles it says where they are interpolated, of [interpolations_of]. *)
+(* Where a stockpile is interpolated: at which sieves of the specification, and whether at sieves of a modulus or of the factor. *)
+Record interpolation := Interpolation { at_sieves : list Q; at_modulus : bool; at_factor : bool }.
+
+(* The value is 0 where none is lowest. Of targets that no blend is judged by, the line does not say what of the deviations from
+   them would be lowest: they are those of [Deviation]. *)
 Record blend_statement := BlendStatement {
   specification_name : string;
   stockpile_names : list string;
   question_said : blend_question;
   claim_said : option blend;
   value_said : Q;
-  judged_said : list judged }.
+  sieves_said : list Q;
+  interpolations_said : list interpolation }.
+
+Definition aim_in_line (claim : option blend) (a : aim) : aim :=
+  match claim, a with None, (MaxDeviation ts | Squares ts) => Deviation ts | _, _ => a end.
+Definition asked_in_line (C : blend_certificate) : blend_question :=
+  let q := asked_blend C in
+  BlendQuestion (steps q) (share_limits q) (most_stockpiles q) (modulus_limits q) (coarseness_limits q)
+    (aim_in_line (claimed_blend C) (aim_of q)).
 
 Definition sizes_of_sieves (js : list judged) : list Q :=
   flat_map (fun j => match by_what j with BySieve s => [s] | ByModulus | ByFactor => [] end) js.
@@ -39,6 +51,23 @@ Definition sizes_of_sieves (js : list judged) : list Q :=
 (* The j that have this stockpile interpolated, stockpiles being counted from 0. *)
 Definition interpolated_in (i : nat) (js : list judged) : list judged :=
   filter (fun j => nth i (interpolated_judged j) false) js.
+
+Definition is_by_modulus (j : judged) : bool := match by_what j with ByModulus => true | _ => false end.
+Definition is_by_factor (j : judged) : bool := match by_what j with ByFactor => true | _ => false end.
+
+Definition interpolation_of (js : list judged) (i : nat) : interpolation :=
+  let js := interpolated_in i js in
+  Interpolation (sizes_of_sieves js) (existsb is_by_modulus js) (existsb is_by_factor js).
+Fixpoint interpolations_of (js : list judged) (i : nat) (stockpiles : list file) : list interpolation :=
+  match stockpiles with
+  | [] => []
+  | _ :: stockpiles => interpolation_of js i :: interpolations_of js (S i) stockpiles
+  end.
+
+Definition statement_of_blend (specification : file) (stockpiles : list file) (C : blend_certificate) (js : list judged) (v : Q)
+  : blend_statement :=
+  BlendStatement (name specification) (map name stockpiles) (asked_in_line C) (claimed_blend C) v (sizes_of_sieves js)
+    (interpolations_of js 0 stockpiles).
 
 (* ---- As a text -------------------------------------------------------------------------------------- *)
 
@@ -54,25 +83,21 @@ Definition aim_phrases (a : aim) : list string :=
   | Deviation ts | MaxDeviation ts | Squares ts => ["targets " ++ listed ts ++ " percent"]
   end.
 
-Definition is_by_modulus (j : judged) : bool := match by_what j with ByModulus => true | _ => false end.
-Definition is_by_factor (j : judged) : bool := match by_what j with ByFactor => true | _ => false end.
+Definition places_of (at_ : interpolation) : list string :=
+  (match at_sieves at_ with [] => [] | sizes => [listed sizes] end ++
+   (if at_modulus at_ then ["sieves of the modulus"] else []) ++
+   (if at_factor at_ then ["sieves of the factor"] else []))%list.
 
-Definition interpolation_phrases (js : list judged) (i : nat) (name : string) : list string :=
-  let js := interpolated_in i js in
-  let sizes := sizes_of_sieves js in
-  let places :=
-    (match sizes with [] => [] | _ => [listed sizes] end ++
-     (if existsb is_by_modulus js then ["sieves of the modulus"] else []) ++
-     (if existsb is_by_factor js then ["sieves of the factor"] else []))%list in
-  match places with
+Definition interpolation_phrases (name : string) (at_ : interpolation) : list string :=
+  match places_of at_ with
   | [] => []
-  | _ => [in_quotes name ++ " interpolated linear in size at " ++ joined " and at " places]
+  | ws => [in_quotes name ++ " interpolated linear in size at " ++ joined " and at " ws]
   end.
 
-Fixpoint interpolations (js : list judged) (i : nat) (names : list string) : list string :=
-  match names with
-  | [] => []
-  | name :: names => (interpolation_phrases js i name ++ interpolations js (S i) names)%list
+Fixpoint interpolations_phrases (names : list string) (each : list interpolation) : list string :=
+  match names, each with
+  | name :: names, at_ :: each => (interpolation_phrases name at_ ++ interpolations_phrases names each)%list
+  | _, _ => []
   end.
 
 Definition share_phrase (names : list string) (limit : Z * Q * Q) : string :=
@@ -87,8 +112,8 @@ Definition question_phrases (s : blend_statement) : list string :=
    map (fun '(st, x, y) => "fineness modulus of " ++ standard_name st ++ from_to x y)%string (modulus_limits q) ++
    match coarseness_limits q with Some (x, y) => ["coarseness factor" ++ from_to x y]%string | None => [] end ++
    aim_phrases (aim_of q) ++
-   ["sieves in mm " ++ listed (sizes_of_sieves (judged_said s))]%string ++
-   interpolations (judged_said s) 0 (stockpile_names s))%list.
+   ["sieves in mm " ++ listed (sieves_said s)]%string ++
+   interpolations_phrases (stockpile_names s) (interpolations_said s))%list.
 
 Definition aim_phrase (a : aim) : string :=
   match a with
@@ -113,6 +138,33 @@ Definition claim_phrase (s : blend_statement) : string :=
 
 Definition blend_line (s : blend_statement) : string :=
   "accepted: " ++ claim_phrase s ++ " (" ++ joined "; " (question_phrases s) ++ ")".
+
+(* ---- What a line can say ---------------------------------------------------------------------------- *)
+
+Definition from_0 (x : Q) : bool := 0 <=? Qnum x.
+Definition both_from_0 (x y : Q) : bool := from_0 x && from_0 y.
+
+Definition plain_aim (claim : option blend) (a : aim) : bool :=
+  forallb from_0 (numbers_of a) &&
+  match claim, a with None, (MaxDeviation _ | Squares _) => false | _, _ => true end.
+
+Definition plain_question (stockpiles : list string) (claim : option blend) (q : blend_question) : bool :=
+  (0 <=? steps q) &&
+  forallb (fun '(i, x, y) => match numbered i stockpiles with Some _ => both_from_0 x y | None => false end) (share_limits q) &&
+  match most_stockpiles q with Some K => 0 <=? K | None => true end &&
+  forallb (fun '(_, x, y) => both_from_0 x y) (modulus_limits q) &&
+  match coarseness_limits q with Some (x, y) => both_from_0 x y | None => true end &&
+  plain_aim claim (aim_of q).
+
+(* Statements of which each has a line of its own, where no two stockpiles have one name. *)
+Definition plain_blend_statement (s : blend_statement) : bool :=
+  plain_question (stockpile_names s) (claim_said s) (question_said s) &&
+  match claim_said s with Some ns => forallb (Z.leb 0) ns | None => true end &&
+  (if match claim_said s with Some _ => has_aim (aim_of (question_said s)) | None => false end then from_0 (value_said s)
+   else same_number (value_said s) 0) &&
+  forallb from_0 (sieves_said s) &&
+  (size (interpolations_said s) =? size (stockpile_names s)) &&
+  forallb (fun at_ => forallb from_0 (at_sieves at_)) (interpolations_said s).
 
 (* ---- The judgement ---------------------------------------------------------------------------------- *)
 
@@ -139,10 +191,6 @@ Fixpoint all_curves (Rs : list reading) : option (list curve) :=
     end
   end.
 
-Definition statement_of_blend (specification : file) (stockpiles : list file) (C : blend_certificate) (js : list judged) (v : Q)
-  : blend_statement :=
-  BlendStatement (name specification) (map name stockpiles) (asked_blend C) (claimed_blend C) v js.
-
 Definition check_readings (C : blend_certificate) (R : reading) (Rs : list reading) : result (list judged * Q) :=
   match limits_in_mm R, all_curves Rs with
   | Some limits, Some curves => check_blend C curves limits
@@ -159,8 +207,10 @@ Definition judge_blend (specification : file) (stockpiles : list file) (certific
     match read_blend_certificate (words_of (bytes certificate)) with
     | Refused what | Malformed what => malformed what
     | Ok C =>
-      match check_readings C R Rs with
-      | Ok (js, v) => Proved (blend_line (statement_of_blend specification stockpiles C js v))
+      match (let* (js, v) := check_readings C R Rs in
+             let s := statement_of_blend specification stockpiles C js v in
+             demand_form (plain_blend_statement s) "a number that the verdict cannot say" ;; Ok s) with
+      | Ok s => Proved (blend_line s)
       | Refused what =>
         Unproved (refused_line (name specification)) (printable (name certificate) ++ ": " ++ what ++ " fails")
       | Malformed what => malformed what

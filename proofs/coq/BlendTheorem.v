@@ -155,28 +155,141 @@ Definition specification_has (f : file) (limits : list (Q * Q * Q)) : Prop :=
   exists R, read_gradation (bytes f) = Ok R /\ limits_in_mm R = Some limits.
 Definition stockpile_has (f : file) (c : curve) : Prop := exists R, read_gradation (bytes f) = Ok R /\ curve_in R = Some c.
 
-(* The sieves that the line names are those with targets, and it says of each stockpile at which of them it is interpolated. *)
-Definition names_sieves (limits : list (Q * Q * Q)) (curves : list curve) (js : list judged) : Prop :=
-  sizes_of_sieves js = sieves_with_targets limits curves.
+(* Where a stockpile is interpolated: at the sieves that have targets, at those of the moduli, and at those of a factor that is
+   limited. *)
+Definition factor_limits_something (q : blend_question) : bool :=
+  match coarseness_limits q with Some (x, y) => less 0 x || less y hundred | None => false end.
+Definition interpolated_at (limits : list (Q * Q * Q)) (curves : list curve) (q : blend_question) (c : curve) : interpolation :=
+  Interpolation
+    (filter (fun s => is_interpolated_at s c) (sieves_with_targets limits curves))
+    (existsb (fun '(st, _, _) => existsb (fun s => is_interpolated_at s c) (sieves_of_modulus st)) (modulus_limits q))
+    (factor_limits_something q && (is_interpolated_at coarse_sieve c || is_interpolated_at fine_sieve c)).
 
+(* The statement is true of these files: of the limits and the stockpiles that are read from their bytes. *)
+Definition is_true_of_blend (specification : file) (stockpiles : list file) (s : blend_statement) : Prop :=
+  let q := question_said s in
+  specification_name s = name specification /\ stockpile_names s = map name stockpiles /\
+  exists limits curves, specification_has specification limits /\ Forall2 stockpile_has stockpiles curves /\
+    answerable limits curves q /\ sieves_said s = sieves_with_targets limits curves /\
+    interpolations_said s = map (interpolated_at limits curves q) curves /\
+    best_blend limits curves q (claim_said s) (value_said s).
+
+(* A line about stockpiles of different names has one statement at most: blend_line_determines. *)
 Definition true_of_blend_line (specification : file) (stockpiles : list file) (line : string) : Prop :=
-  exists s limits curves,
-    line = blend_line s /\ specification_name s = name specification /\ stockpile_names s = map name stockpiles /\
-    specification_has specification limits /\ Forall2 stockpile_has stockpiles curves /\
-    answerable limits curves (question_said s) /\ names_sieves limits curves (judged_said s) /\
-    best_blend limits curves (question_said s) (claim_said s) (value_said s).
+  exists s, plain_blend_statement s = true /\ line = blend_line s /\ is_true_of_blend specification stockpiles s.
 
-Lemma sizes_are curves limits q js : all_judged curves limits q = Ok js -> names_sieves limits curves js.
+(* ---- What the line says of sieves and of the aim ----------------------------------------------------- *)
+
+Lemma sizes_of_others f js : (forall j, In j js -> is_by_sieve j = false) -> sizes_of_sieves (filter f js) = [].
 Proof.
-  intro J. unfold names_sieves. rewrite sieves_are.
-  destruct (all_judged_are _ _ _ _ J) as (_ & _ & _ & _ & _ & ->). unfold sizes_of_sieves. rewrite !flat_map_app.
-  assert (forall l, flat_map (fun j => match by_what j with BySieve s => [s] | _ => [] end) (map (judged_modulus curves) l) = []) as ->.
-  { intro l. induction l as [|((st, x), y) l IH]; [reflexivity | exact IH]. }
-  assert (forall l, flat_map (fun j => match by_what j with BySieve s => [s] | _ => [] end) (judged_factors curves l) = []) as ->.
-  { intros [(x, y)|]; [|reflexivity]. unfold judged_factors. destruct (less 0 x), (less y hundred); reflexivity. }
-  rewrite !app_nil_r. clear J. induction (told_limits curves limits) as [|((s, l), m) ls IH]; [reflexivity|].
+  intro N. unfold sizes_of_sieves. induction js as [|j js IH]; [reflexivity|]. pose proof (N j (or_introl eq_refl)) as B.
+  specialize (IH (fun k I => N k (or_intror I))). cbn [filter]. destruct (f j); [|exact IH]. cbn [flat_map]. rewrite IH.
+  unfold is_by_sieve in B. destruct (by_what j); [discriminate B | reflexivity | reflexivity].
+Qed.
+
+Lemma moduli_are_no_sieves curves ls j : In j (map (judged_modulus curves) ls) -> by_what j = ByModulus.
+Proof. intro I. apply in_map_iff in I as (((st, x), y) & <- & _). reflexivity. Qed.
+
+Lemma factors_are_no_sieves curves l j : In j (judged_factors curves l) -> by_what j = ByFactor.
+Proof.
+  destruct l as [(x, y)|]; [|intros []]. unfold judged_factors.
+  destruct (less 0 x), (less y hundred); cbn [app In]; intuition (subst; reflexivity).
+Qed.
+
+Lemma no_others (js : list judged) (f p : judged -> bool) : (forall j, In j js -> p j = false) -> existsb p (filter f js) = false.
+Proof.
+  intro N. apply not_true_is_false. intro H. apply existsb_exists in H as (j & I & P). apply filter_In in I as (I & _).
+  rewrite (N j I) in P. discriminate P.
+Qed.
+
+Section Interpolated.
+Variables (limits : list (Q * Q * Q)) (curves : list curve) (q : blend_question) (js : list judged).
+Hypothesis are_judged : all_judged curves limits q = Ok js.
+
+Let sieves := map (judged_sieve curves) (told_limits curves limits).
+Let moduli := map (judged_modulus curves) (modulus_limits q).
+Let factors := judged_factors curves (coarseness_limits q).
+
+Lemma judged_in_parts : js = sieves ++ moduli ++ factors.
+Proof. apply (all_judged_are _ _ _ _ are_judged). Qed.
+
+Lemma sizes_are : sizes_of_sieves js = sieves_with_targets limits curves.
+Proof.
+  rewrite judged_in_parts, sieves_are. unfold sizes_of_sieves. rewrite !flat_map_app.
+  assert (forall l, (forall j, In j l -> by_what j = ByModulus \/ by_what j = ByFactor) ->
+    flat_map (fun j => match by_what j with BySieve s => [s] | _ => [] end) l = []) as None.
+  { induction l as [|j l IH]; intro N; [reflexivity|]. cbn [flat_map]. rewrite IH by (intros k I; apply N; right; exact I).
+    destruct (N j (or_introl eq_refl)) as [-> | ->]; reflexivity. }
+  rewrite (None moduli) by (intros j I; left; exact (moduli_are_no_sieves _ _ _ I)).
+  rewrite (None factors) by (intros j I; right; exact (factors_are_no_sieves _ _ _ I)).
+  rewrite !app_nil_r. unfold sieves. induction (told_limits curves limits) as [|((s, l), m) ls IH]; [reflexivity|].
   cbn [map flat_map]. rewrite IH. reflexivity.
 Qed.
+
+Lemma interpolation_is i c : nth_error curves i = Some c -> interpolation_of js i = interpolated_at limits curves q c.
+Proof.
+  intro N. unfold interpolation_of, interpolated_at. cbv zeta. rewrite judged_in_parts.
+  unfold interpolated_in. set (f := fun j => nth i (interpolated_judged j) false). rewrite !filter_app.
+  assert (forall g, nth i (map g curves) false = g c) as Nth.
+  { intro g. apply (map_nth_error g) in N. exact (nth_error_nth _ _ _ N). }
+  f_equal.
+  - unfold sizes_of_sieves. rewrite !flat_map_app. fold (sizes_of_sieves (filter f moduli)) (sizes_of_sieves (filter f factors)).
+    rewrite (sizes_of_others f moduli) by (intros j I; unfold is_by_sieve; rewrite (moduli_are_no_sieves _ _ _ I); reflexivity).
+    rewrite (sizes_of_others f factors) by (intros j I; unfold is_by_sieve; rewrite (factors_are_no_sieves _ _ _ I); reflexivity).
+    rewrite !app_nil_r, sieves_are. unfold sieves. induction (told_limits curves limits) as [|((s, l), m) ls IH]; [reflexivity|].
+    cbn [map filter]. unfold f at 1. cbn [judged_sieve interpolated_judged]. rewrite Nth.
+    destruct (is_interpolated_at s c); [|exact IH]. cbn [flat_map judged_sieve by_what app]. rewrite IH. reflexivity.
+  - rewrite !existsb_app, (no_others sieves), (no_others factors); [cbn [orb]; rewrite orb_false_r| |].
+    + unfold moduli. induction (modulus_limits q) as [|((st, x), y) ls IH]; [reflexivity|]. cbn [map filter existsb]. rewrite <- IH.
+      unfold f at 1. cbn [judged_modulus interpolated_judged]. rewrite Nth. destruct (existsb _ (sieves_of_modulus st)); reflexivity.
+    + intros j I. unfold is_by_modulus. rewrite (factors_are_no_sieves _ _ _ I). reflexivity.
+    + intros j I. apply in_map_iff in I as (((s, x), y) & <- & _). reflexivity.
+  - rewrite !existsb_app, (no_others sieves), (no_others moduli); [cbn [orb]| |].
+    + unfold factors, judged_factors, factor_limits_something. destruct (coarseness_limits q) as [(x, y)|]; [|reflexivity].
+      assert (forall z l m js', existsb is_by_factor (filter f (judged_factor curves z l m :: js')) =
+        (is_interpolated_at coarse_sieve c || is_interpolated_at fine_sieve c) || existsb is_by_factor (filter f js')) as Factor.
+      { intros z l m js'. cbn [filter]. unfold f at 1. cbn [judged_factor interpolated_judged]. rewrite Nth.
+        destruct (is_interpolated_at coarse_sieve c || is_interpolated_at fine_sieve c); reflexivity. }
+      destruct (less 0 x), (less y hundred); cbn [app]; rewrite ?Factor;
+        destruct (is_interpolated_at coarse_sieve c || is_interpolated_at fine_sieve c); reflexivity.
+    + intros j I. unfold is_by_factor. rewrite (moduli_are_no_sieves _ _ _ I). reflexivity.
+    + intros j I. apply in_map_iff in I as (((s, x), y) & <- & _). reflexivity.
+Qed.
+
+Lemma same_length {A B} (P : A -> B -> Prop) l m : Forall2 P l m -> List.length l = List.length m.
+Proof. induction 1; cbn [List.length]; congruence. Qed.
+
+Lemma interpolations_are fs : forall i cs, (forall n, nth_error curves (i + n) = nth_error cs n) -> List.length fs = List.length cs ->
+  interpolations_of js i fs = map (interpolated_at limits curves q) cs.
+Proof.
+  induction fs as [|f fs IH]; intros i [|c cs] N L; try discriminate L; [reflexivity|]. cbn [interpolations_of map]. f_equal.
+  - apply interpolation_is. rewrite <- (Nat.add_0_r i), N. reflexivity.
+  - apply IH; [|injection L as L; exact L]. intro n. rewrite Nat.add_succ_comm, N. reflexivity.
+Qed.
+End Interpolated.
+
+Section Aim.
+Variables (limits : list (Q * Q * Q)) (curves : list curve) (C : blend_certificate).
+Let q := asked_blend C.
+
+Lemma allowed_in_line ns : allowed limits curves (asked_in_line C) ns -> allowed limits curves q ns.
+Proof. intros [A1 A2 A3 A4 A5 A6 A7 A8]. constructor; assumption. Qed.
+
+Lemma answerable_in_line : answerable limits curves q -> answerable limits curves (asked_in_line C).
+Proof.
+  intros [A1 A2 A3 A4 A5]. constructor; try assumption. cbn [asked_in_line aim_of]. fold q.
+  destruct (claimed_blend C), (aim_of q); exact A5.
+Qed.
+
+Lemma best_in_line v : best_blend limits curves q (claimed_blend C) v -> best_blend limits curves (asked_in_line C) (claimed_blend C) v.
+Proof.
+  intro B. destruct (claimed_blend C) as [ns|] eqn:E.
+  - assert (asked_in_line C = q) as -> by (unfold asked_in_line; rewrite E; fold q; destruct q; reflexivity). exact B.
+  - intros ms A. exact (B ms (allowed_in_line ms A)).
+Qed.
+End Aim.
+
+(* ---- The line is true -------------------------------------------------------------------------------- *)
 
 Lemma read_all_named_ok fs : forall Rs, read_all_named fs = Ok Rs -> Forall2 (fun f R => read_gradation (bytes f) = Ok R) fs Rs.
 Proof.
@@ -201,17 +314,20 @@ Proof.
   destruct (bind (read_named specification) _) as [(R, Rs)| |] eqn:E; try discriminate P.
   passed E. passed E. injection E as -> ->.
   destruct (read_blend_certificate _) as [C| |]; try discriminate P.
-  destruct (check_readings C R Rs) as [(js, v)|what|what] eqn:Ec; try discriminate P.
+  destruct (bind (check_readings C R Rs) _) as [s|what|what] eqn:Ec; try discriminate P.
   2: { injection P as <-. destruct B as (rest & B). discriminate B. }
-  injection P as <-. unfold check_readings in Ec. destruct (limits_in_mm R) as [limits|] eqn:El; [|discriminate].
+  injection P as <-. passed Ec. destruct x as (js, v). passed Ec. injection Ec as <-. rename Ec0 into Ec, Ec1 into Plain.
+  unfold check_readings in Ec. destruct (limits_in_mm R) as [limits|] eqn:El; [|discriminate].
   destruct (all_curves Rs) as [curves|] eqn:Ecs; [|discriminate]. unfold check_blend in Ec.
   passed Ec. passed Ec. passed Ec. injection Ec as -> ->.
-  exists (statement_of_blend specification stockpiles C js v), limits, curves. split; [reflexivity|]. split; [reflexivity|].
-  split; [reflexivity|]. split.
-  { exists R. split; [|exact El]. unfold read_named in E0. destruct (read_gradation (bytes specification)); [exact E0 | discriminate..]. }
-  split.
+  assert (Forall2 stockpile_has stockpiles curves) as Curves.
   { apply read_all_named_ok in E1. apply all_curves_ok in Ecs. clear -E1 Ecs. revert curves Ecs.
     induction E1 as [|f R fs Rs H F IH]; intros cs G; inversion G; subst; constructor; [exists R; auto | apply IH; assumption]. }
-  split; [apply (question_is_answerable C curves limits js v Ec0 Ec2)|]. split; [apply (sizes_are _ _ _ _ Ec0)|].
-  apply (accepted_blend_best C curves limits js v Ec0 Ec2).
+  exists (statement_of_blend specification stockpiles C js v). split; [exact Plain|]. split; [reflexivity|]. split; [reflexivity|].
+  split; [reflexivity|]. exists limits, curves. split.
+  { exists R. split; [|exact El]. unfold read_named in E0. destruct (read_gradation (bytes specification)); [exact E0 | discriminate..]. }
+  split; [exact Curves|]. cbn [statement_of_blend question_said sieves_said interpolations_said claim_said value_said].
+  split; [apply answerable_in_line, (question_is_answerable C curves limits js v Ec0 Ec2)|].
+  split; [exact (sizes_are _ _ _ _ Ec0)|]. split; [|apply best_in_line, (accepted_blend_best C curves limits js v Ec0 Ec2)].
+  rewrite (interpolations_are _ _ _ _ Ec0 stockpiles 0%nat curves (fun n => eq_refl) (same_length _ _ _ Curves)). reflexivity.
 Qed.
