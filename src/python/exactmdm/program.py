@@ -313,7 +313,8 @@ def export(source: Source | None, to: str, out: Path, *,
            sides: str | None = None, seed: Number | None = None, model: str | None = None, dimension: str | None = None,
            steps: Number | None = None, stress: Number | None = None, axial_strain: Number | None = None,
            constant: str | None = None, target_tolerance: Number | None = None, friction: Number | None = None,
-           friction_while_filling: Number | None = None, rolling_friction: Number | None = None, periodic: bool = False,
+           friction_while_filling: Number | None = None, rolling_friction: Number | None = None,
+           surface_energy: Number | None = None, cohesion_energy_density: Number | None = None, periodic: bool = False,
            unjammed: bool = False, types: str | None = None, material: Union[str, "os.PathLike[str]", None] = None,
            young: Number | None = None, poisson: Number | None = None, spread: bool = False,
            tolerance: Tolerance = None, band: Union[str, "os.PathLike[str]", None] = None,
@@ -412,6 +413,10 @@ def export(source: Source | None, to: str, out: Path, *,
         timestep: its timestep, instead of the last: as in mdm verify.
         dimension: 3, spheres (the default), or 2, discs of one length: a model in which they settle between two walls;
             masses are by law power:2, and box is width x height (lammps, yade).
+        surface_energy: cohesion of a model's particles by the law of Johnson, Kendall and Roberts, in J/m^2: two part
+            at a tension of 3 pi G and their effective radius; walls and particles have none (lammps).
+        cohesion_energy_density: the same by the law SJKR, in J/m^3: a contact has a tension of K times its area
+            (liggghts).
 
     Raises:
         InputError: an option or the source is wrong, or it cannot be written in that format.
