@@ -42,8 +42,7 @@ Proof.
 Qed.
 
 (* What the certificate claims besides: a sample with the counts and sizes of its witness, and of a least exact match the
-   least count in every class. G is the gradation as the certificate asks about it. Of several materials, a sample with one size
-   in each class. *)
+   least count in every class, of one material and of several. G is the gradation as the certificate asks about it. *)
 Theorem accepted_certificate_true gradation certificate line :
   printed (judge gradation certificate) = Some line -> begins_with "accepted" line ->
   exists G D, let cert := certificate_of D in

@@ -173,7 +173,8 @@ Proof.
   pose proof (mixed_matches_allowed R D name A NoBand NoCut Only f M) as Same. fold q in Same.
   unfold mixture_claim_true in T. unfold mixed_claim_holds. cbn [statement_of_mixture statement_with claim_of]. fold q in T.
   destruct (claimed (certificate_of D)) as [N|B N|B|].
-  - destruct T as ((S & SA & SN & _) & Least). split; [exists S; split; [apply Same, SA | exact SN] | intros S' H; apply Least, Same, H].
+  - destruct T as ((S & SA & SN & _) & Least & _).
+    split; [exists S; split; [apply Same, SA | exact SN] | intros S' H; apply Least, Same, H].
   - destruct T as ((S & SA & SN & _) & Least). split; [exists S; split; [apply Same, SA | exact SN] | intros S' H; apply Least, Same, H].
   - intros S H. apply T, Same, H.
   - intros S H. apply (T S), Same, H.

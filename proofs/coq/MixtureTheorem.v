@@ -7,6 +7,23 @@ Import ListNotations.
 Open Scope list_scope.
 Open Scope R_scope.
 
+(* ---- Lines of the witness ------------------------------------------------------------------------ *)
+
+(* The classes of all materials in the order in which certificates count them, each with its material. The last row of a material
+   but the last is counted too: it begins no class, and has no particles. *)
+Definition counted_classes (ms : list (string * list row)) : list (option (string * class)) :=
+  interleaved (fun m => map (fun j => Some (fst m, j)) (classes (snd m))) (fun _ => None) ms.
+
+(* What a line of the witness says of a sample. *)
+Definition mixed_line_true (d : positive) (ms : list (string * list row)) (S : mixed_sample) (w : witness_line) : Prop :=
+  match nth_error (counted_classes ms) (Z.to_nat (index w - 1)) with
+  | Some (Some (name, j)) =>
+    number d j (of_material name S) = count w /\
+    forall x, In x (of_material name S) -> in_class d j x -> Q2R (size_lo w) <= x <= Q2R (size_hi w)
+  | Some None => count w = 0%Z
+  | None => False
+  end.
+
 (* ---- Back from all classes to those of each material --------------------------------------------- *)
 
 Lemma both_app {A B} (P : A -> B -> Prop) l : forall l' m m', length l = length m ->
@@ -66,10 +83,52 @@ Proof.
   apply (all_of_class P (fun j => (number d j (of_material name S), held d law j (of_material name S)))). intros j J. exact (H name rs j I J).
 Qed.
 
+(* Counts of all classes, compared one by one. *)
+Lemma counts_of_each S T : Forall2 Z.le (map fst (held_in S)) (map fst (held_in T)) ->
+  each ms (fun name rs => forall j, In j (classes rs) -> (number d j (of_material name S) <= number d j (of_material name T))%Z).
+Proof.
+  unfold mixed_contents. rewrite !interleaved_map. intros H name rs I.
+  apply (counts_le (fun j => number d j (of_material name S)) (fun j => number d j (of_material name T))).
+  rewrite <- !(counts_of_contents law). refine (interleaved_split Z.le _ _ _ _ ms _ H (name, rs) I).
+  intros m _. unfold contents_of. rewrite !map_length. reflexivity.
+Qed.
+
 Lemma articulate S : mixture_describes d ms S -> one_size_each (d := d) ms S -> mixture_describes_articulately d ms S.
 Proof.
   intros (I & D) O. split; [exact I|]. intros name rs Im. destruct (all_proper name rs Im) as (P & _).
   apply one_size_articulate; [exact P | exact (D name rs Im) | exact (O name rs Im)].
+Qed.
+
+Lemma mixed_line_of_sample S w : mixture_describes d ms S -> one_size_each (d := d) ms S ->
+  line_fits (Z.to_nat (a q)) (Z.to_nat (b q)) js (held_in S) w -> mixed_line_true d ms S w.
+Proof.
+  intros (_ & D) O (j & t & J & C & Fits).
+  set (l := interleaved
+    (fun m => let T := of_material (fst m) S in
+      map (fun j => (Some (fst m, j), (j, (number d j T, held d law j T)))) (classes (snd m)))
+    (fun m => (None, (fst (nothing_behind (last_row (snd m))), (0%Z, 0)))) ms).
+  assert (counted_classes ms = map fst l) as El.
+  { unfold l, counted_classes. rewrite interleaved_map. apply interleaved_ext. intros m _. cbv zeta. rewrite map_map. auto. }
+  assert (js = map (fun p => fst (snd p)) l) as Ej.
+  { unfold l. rewrite classes_apart, interleaved_map. apply interleaved_ext. intros m _. cbv zeta. rewrite map_map.
+    cbn [fst snd]. rewrite map_id. auto. }
+  assert (held_in S = map (fun p => snd (snd p)) l) as Eh.
+  { unfold l, mixed_contents. rewrite interleaved_map. apply interleaved_ext. intros m _. cbv zeta. rewrite map_map. auto. }
+  assert (Forall (fun p => match fst p with
+    | Some (name, j) => exists rs, In (name, rs) ms /\ In j (classes rs) /\
+        snd p = (j, (number d j (of_material name S), held d law j (of_material name S)))
+    | None => snd (snd p) = (0%Z, 0)
+    end) l) as Each.
+  { apply interleaved_all. intros (name, rs) I. split; [|reflexivity]. apply Forall_forall. cbv zeta. intros p P.
+    apply in_map_iff in P as (i & <- & P). cbn [fst snd]. eauto. }
+  rewrite Ej, nth_error_map in J. rewrite Eh, nth_error_map in C. unfold mixed_line_true. rewrite El, nth_error_map.
+  destruct (nth_error l (Z.to_nat (index w - 1))) as [(o, (i, qt))|] eqn:N; [|discriminate J]. cbn [option_map fst snd] in *.
+  injection J as ->. injection C as ->. rewrite Forall_forall in Each. specialize (Each _ (nth_error_In _ _ N)). cbn [fst snd] in Each.
+  destruct o as [(name, i)|]; [|injection Each as -> _; reflexivity]. destruct Each as (rs & I & Ji & Same). injection Same as <- Cn Ht.
+  split; [congruence|]. intros x X Jx. destruct (all_proper name rs I) as (W & _).
+  pose proof (proper_classes rs W) as Pj. rewrite Forall_forall in Pj. destruct (proper_sizes (d := d) j (Pj j Ji)) as (L & _).
+  destruct (size_of_class _ _ law rs _ j x power W (D name rs I) (O name rs I) Ji X Jx) as (E & _). rewrite <- Cn, <- Ht in E.
+  apply Fits; [|exact E]. unfold in_class in Jx. lra.
 Qed.
 
 Lemma cubes_of_mixture S : mixture_describes d ms S -> solids_of q <> Anything -> total (map sphere (sizes_of_all S)) =
@@ -140,7 +199,7 @@ Proof.
 Qed.
 
 Lemma mixed_of_match s ns : match_at law q d js s ns ->
-  exists S, mixture_allowed d law ms S q /\ Z.of_nat (length S) = sum ns /\ mixture_describes_articulately d ms S /\
+  exists S, mixture_allowed d law ms S q /\ Z.of_nat (length S) = sum ns /\ mixture_describes d ms S /\ one_size_each (d := d) ms S /\
     held_in S = contents_at s js ns.
 Proof.
   intros [Sp F V M]. pose proof (places_proper ms all_proper) as Pp.
@@ -161,7 +220,7 @@ Proof.
   assert (Forall2 (fun j qt => snd qt = s * Q2R (mass j) /\ (0 < Q2R (mass j) -> (min_per_class q <= fst qt)%Z)) js (held_in S)) as E.
   { rewrite C. unfold contents_at. clear -F. induction F as [|j n l ns (_ & F) _ IH]; constructor; [split; [reflexivity | exact F] | exact IH]. }
   pose proof (of_each_class _ S E) as Each. cbv beta in Each. cbn [fst snd] in Each.
-  exists S. split; [|split; [rewrite <- N, C; exact Sn | split; [apply articulate; assumption | exact C]]].
+  exists S. split; [|split; [rewrite <- N, C; exact Sn | split; [exact D | split; [exact O | exact C]]]].
   unfold mixture_allowed. rewrite exact. split; [|split; [|split]].
   - destruct D as (I & D). split; [exact I|]. exists s. split; [exact Sp|]. intros name rs Im. split; [exact (D name rs Im)|].
     intros j J. apply (Each name rs j Im J).
@@ -315,7 +374,8 @@ Proof.
 Qed.
 
 Lemma mixed_of_within qts : within_at law q d tol places ss qts ->
-  exists S, mixture_allowed d law ms S q /\ Z.of_nat (length S) = sum (map fst qts) /\ mixture_describes_articulately d ms S /\ held_in S = qts.
+  exists S, mixture_allowed d law ms S q /\ Z.of_nat (length S) = sum (map fst qts) /\ mixture_describes d ms S /\
+    one_size_each (d := d) ms S /\ held_in S = qts.
 Proof.
   intros [One Mp Fi To So Le]. rewrite shares_there in Fi. apply all_of_fits in Fi.
   destruct (mixed_sample_with (d := d) ms names_unique all_proper law (proj1 power) qts) as (S & D & O & C).
@@ -327,7 +387,7 @@ Proof.
     { refine (interleaved_split (fits_there (mass_of_contents (held_in S))) _ _ _ _ ms _ Fi (name, rs) I). intros m _. unfold all_begin, contents_of. rewrite !map_length. reflexivity. }
     unfold all_begin, contents_of in F. revert F J. generalize (classes rs). intros l F J. induction l as [|i l IH]; [destruct J|].
     inversion F as [|? ? ? ? F1 F2]; subst. destruct J as [<-|J]; [exact F1 | exact (IH F2 J)]. }
-  exists S. split; [|split; [reflexivity | split; [apply articulate; assumption | reflexivity]]].
+  exists S. split; [|split; [reflexivity | split; [exact D | split; [exact O | reflexivity]]]].
   unfold mixture_allowed. rewrite tolerant. split; [|split; [|split]].
   - split; [exact D|]. split; [intros ->; simpl in One; lia|]. split.
     + intros e E name rs I j J. destruct (Each name rs j I J) as (_ & _ & W). cbn [snd] in W. apply retained_there in W as (_ & W).
@@ -357,15 +417,33 @@ Proof.
   - destruct (materials M) as [|(name, rs) l]; [discriminate|]. exact (well_formed_root _ (W (name, rs) (or_introl eq_refl))).
 Qed.
 
-(* With the question's law, factors, floors, solids, tolerance and least number of particles. What is attained has one size in
-   each class: Cond3 of each material. *)
+(* S has the witness's number of particles; one size a class (Cond3 of each material); and in each class that the witness names
+   the number and the size that its line says. *)
+Definition is_mixed_witness (f : R -> R) (cert : certificate) (M : mixture) (N : Z) (S : mixed_sample) : Prop :=
+  let d := root_of_mixture M in
+  mixture_allowed d f (materials M) S (asked cert) /\ Z.of_nat (length S) = N /\
+  mixture_describes_articulately d (materials M) S /\ Forall (mixed_line_true d (materials M) S) (witness cert).
+
+(* No sample that the question allows has fewer particles than S in any class; and one with as many particles has as
+   many in every class. *)
+Definition least_in_classes_of_all (f : R -> R) (q : question) (M : mixture) (S : mixed_sample) : Prop :=
+  let d := root_of_mixture M in
+  forall T, mixture_allowed d f (materials M) T q ->
+    each (materials M) (fun name rs => forall j, In j (classes rs) ->
+      (number d j (of_material name S) <= number d j (of_material name T))%Z /\
+      (length T = length S -> number d j (of_material name T) = number d j (of_material name S))).
+
+(* With the question's law, factors, floors, solids, tolerance and least number of particles. *)
 Definition mixture_claim_true (f : R -> R) (cert : certificate) (M : mixture) : Prop :=
   let d := root_of_mixture M in
   let such S := mixture_allowed d f (materials M) S (asked cert) in
   let none_below n := forall S, such S -> (n <= Z.of_nat (length S))%Z in
-  let attained n := exists S, such S /\ Z.of_nat (length S) = n /\ mixture_describes_articulately d (materials M) S in
+  let attained n := exists S, is_mixed_witness f cert M n S in
   match claimed cert with
-  | Smallest N => attained N /\ none_below N
+  | Smallest N =>
+    attained N /\ none_below N /\
+    (tolerances_of (asked cert) = None -> (at_least (asked cert) < N)%Z ->
+     forall S, such S -> Z.of_nat (length S) = N -> least_in_classes_of_all f (asked cert) M S)
   | Between B N => attained N /\ none_below B
   | NoneBelow B => none_below B
   | NoMatch => forall S, ~ such S
@@ -374,12 +452,14 @@ Definition mixture_claim_true (f : R -> R) (cert : certificate) (M : mixture) : 
 Lemma claim_from_bounds f cert M :
   let such S := mixture_allowed (root_of_mixture M) f (materials M) S (asked cert) in
   (forall B, bound_of (claimed cert) = Some B -> forall S, such S -> (B <= Z.of_nat (length S))%Z) ->
-  (forall N, found (claimed cert) = Some N ->
-    exists S, such S /\ Z.of_nat (length S) = N /\ mixture_describes_articulately (root_of_mixture M) (materials M) S) ->
-  (claimed cert = NoMatch -> forall S, ~ such S) -> mixture_claim_true f cert M.
+  (forall N, found (claimed cert) = Some N -> exists S, is_mixed_witness f cert M N S) ->
+  (claimed cert = NoMatch -> forall S, ~ such S) ->
+  (tolerances_of (asked cert) = None -> forall N, bound_of (claimed cert) = Some N -> (at_least (asked cert) < N)%Z ->
+    forall S, such S -> Z.of_nat (length S) = N -> least_in_classes_of_all f (asked cert) M S) ->
+  mixture_claim_true f cert M.
 Proof.
-  cbv zeta. intros Lower Attained None_. unfold mixture_claim_true. destruct (claimed cert) as [N|B N|B|].
-  - split; [exact (Attained N eq_refl) | exact (Lower N eq_refl)].
+  cbv zeta. intros Lower Attained None_ Counts. unfold mixture_claim_true. destruct (claimed cert) as [N|B N|B|].
+  - split; [exact (Attained N eq_refl)|]. split; [exact (Lower N eq_refl)|]. intros T L. exact (Counts T N eq_refl L).
   - split; [exact (Attained N eq_refl) | exact (Lower B eq_refl)].
   - exact (Lower B eq_refl).
   - exact (None_ eq_refl).
@@ -406,10 +486,13 @@ Proof.
       exact (tolerant_lower_bound cert d (all_rows ms) (places_of ms) ss tol nodes Fo On Pp Mp Targets Nothing Qa Qb Qs f P pr D C B _ EB At).
     + intros N EN.
       destruct (tolerant_attained cert d (all_rows ms) (places_of ms) ss tol Fo On Pp Mp Targets Nothing Qa Qb Qs f P pr D N (Np N EN) (Wi N EN))
-        as (qts & At & Sum & _).
-      destruct (Up qts At) as (s & A & L & O & _). exists s. split; [exact A|]. split; [congruence | exact O].
+        as (qts & At & Sum & Lines).
+      destruct (Up qts At) as (s & A & L & Ds & O & C'). exists s. split; [exact A|]. split; [congruence|].
+      split; [exact (articulate d ms Ap s Ds O)|]. rewrite <- C' in Lines. eapply Forall_impl; [|exact Lines].
+      intros w. exact (mixed_line_of_sample (asked cert) d ms Ap f P s w Ds O).
     + intros EN s A. destruct (Down s A) as (At & _).
       exact (tolerant_none cert d (all_rows ms) (places_of ms) ss tol nodes Fo On Pp Mp Targets Nothing Qa Qb Qs f P pr D C _ EN At).
+    + intro E. congruence.
   - rewrite Rd in H. pose proof (places_integral ms Ap) as I.
     assert (check_pi (solids_of (asked cert)) = Ok tt) as Pi.
     { pose proof H as K. unfold check_exact in K. passed K. passed K. passed K. destruct x0. exact K2. }
@@ -424,7 +507,20 @@ Proof.
     fold js in Down, Up. apply claim_from_bounds.
     + intros B' EB' s A. destruct (Down s A) as ((t & At) & ->).
       exact (exact_lower_bound cert d (all_rows ms) js scale z chain I Pp Mp Q Zp H f P B' t _ EB' At).
-    + intros N' EN'. destruct (exact_attained cert d (all_rows ms) js scale z chain I Pp Mp Q Sp Zp H f P N' EN') as (t & ns & At & Sum & _).
-      destruct (Up t ns At) as (s & A & L & O & _). exists s. split; [exact A|]. split; [congruence | exact O].
+    + intros N' EN'.
+      destruct (exact_attained cert d (all_rows ms) js scale z chain I Pp Mp Q Sp Zp H f P N' EN') as (t & ns & At & Sum & Lines).
+      destruct (Up t ns At) as (s & A & L & Ds & O & C). exists s. split; [exact A|]. split; [congruence|].
+      split; [exact (articulate d ms Ap s Ds O)|]. rewrite <- C in Lines. eapply Forall_impl; [|exact Lines].
+      intros w. exact (mixed_line_of_sample (asked cert) d ms Ap f P s w Ds O).
     + intro E. rewrite E in EN. discriminate EN.
+    + intros _ N' EB' Lt.
+      assert (forall S' T', mixture_allowed d f ms S' (asked cert) -> Z.of_nat (length S') = N' -> mixture_allowed d f ms T' (asked cert) ->
+        each ms (fun name rs => forall j, In j (classes rs) ->
+          (number d j (of_material name S') <= number d j (of_material name T'))%Z)) as K.
+      { intros S' T' AS LS AT. destruct (Down S' AS) as ((s1 & At1) & L1), (Down T' AT) as ((s2 & At2) & _).
+        apply (counts_of_each d ms f S' T').
+        apply (exact_least_counts cert d (all_rows ms) js scale z chain I Pp Mp Q Zp H f P N' s1 _ s2 _ EB' Lt At1 ltac:(congruence) At2). }
+      intros S' A' L' T' At name rs Im j J. split; [exact (K S' T' A' L' At name rs Im j J)|]. intro Lt'. apply Z.le_antisymm.
+      * exact (K T' S' At ltac:(congruence) A' name rs Im j J).
+      * exact (K S' T' A' L' At name rs Im j J).
 Qed.
