@@ -31,7 +31,6 @@ Print Assumptions sample_line_determines.
 Print Assumptions accepted_blend_best.
 Print Assumptions accepted_blend_line_true.
 Print Assumptions blend_line_determines.
-Print Assumptions one_name_says_two.
 Print Assumptions fields_read_exactly.
 Print Assumptions gradation_read.
 Print Assumptions envelope_read.

@@ -1,5 +1,5 @@
-(* A line about a blend of stockpiles of different names says one thing: statements that have the same line are the same. Where two
-   stockpiles have one name it does not: the last theorem has an example. *)
+(* A line about a blend says one thing: statements that have the same line are the same. No stockpile is given twice: of a share of
+   such a name the line would not say which of the two it is of. *)
 
 From Coq Require Import ZArith QArith List Bool String Ascii Lia.
 From Mdm Require Import Numbers NumbersFacts Certificate Text Decimals Rows Document Judge VerdictLine JudgeTheorem LinePhrases FileRoot
@@ -55,7 +55,7 @@ Qed.
 Lemma parts_said s : plain_blend_statement s = true -> forallb said_at_all (blend_parts s) = true.
 Proof.
   unfold plain_blend_statement, plain_question, plain_aim, blend_parts. rewrite !andb_true_iff.
-  intros ((((((((((M & Sh) & K) & Mo) & Co) & (A & _)) & _) & _) & Si) & _) & I). cbv zeta.
+  intros (((((((((((M & Sh) & K) & Mo) & Co) & (A & _)) & _) & _) & Si) & _) & I) & _). cbv zeta.
   rewrite !forallb_app, !andb_true_iff. repeat split.
   - cbn. rewrite M. reflexivity.
   - rewrite forallb_forall in *. intros p In. apply in_map_iff in In as (((i, x), y) & <- & In). specialize (Sh _ In). cbv beta iota in Sh.
@@ -227,13 +227,27 @@ Qed.
 Lemma same_size_length {A B} (l : list A) (m : list B) : (size l =? size m)%Z = true -> List.length l = List.length m.
 Proof. rewrite Z.eqb_eq, !size_is_length. lia. Qed.
 
-Theorem blend_line_determines s s' : plain_blend_statement s = true -> plain_blend_statement s' = true ->
-  NoDup (stockpile_names s) -> blend_line s = blend_line s' -> s = s'.
+Lemma nobody_twice names : given_twice names = None -> NoDup names.
 Proof.
-  intros P P' D E. pose proof (parts_said s P) as Said. pose proof (parts_said s' P') as Said'.
+  induction names as [|n names IH]; intro H; constructor; cbn [given_twice] in H; destruct (existsb _ _) eqn:E; try discriminate H.
+  - intro I. enough (existsb (String.eqb n) names = true) by congruence. apply existsb_exists. exists n. split; [exact I|].
+    apply String.eqb_refl.
+  - exact (IH H).
+Qed.
+
+Lemma plain_names_differ s : plain_blend_statement s = true -> NoDup (stockpile_names s).
+Proof.
+  unfold plain_blend_statement. rewrite !andb_true_iff. intros (_ & H). apply nobody_twice. destruct (given_twice _); [discriminate H|].
+  reflexivity.
+Qed.
+
+Theorem blend_line_determines s s' : plain_blend_statement s = true -> plain_blend_statement s' = true ->
+  blend_line s = blend_line s' -> s = s'.
+Proof.
+  intros P P' E. pose proof (plain_names_differ s P) as D. pose proof (parts_said s P) as Said. pose proof (parts_said s' P') as Said'.
   unfold blend_line in E. rewrite !phrases_of_parts in E.
   unfold plain_blend_statement in P, P'. rewrite !andb_true_iff in P, P'.
-  destruct P as (((((Q & N) & V) & _) & L) & _), P' as (((((Q' & N') & V') & _) & L') & _).
+  destruct P as ((((((Q & N) & V) & _) & L) & _) & _), P' as ((((((Q' & N') & V') & _) & L') & _) & _).
   apply same_size_length in L, L'. unfold plain_question, plain_aim in Q, Q'. rewrite !andb_true_iff in Q, Q'.
   destruct Q as (((((_ & Sh) & _) & _) & _) & (_ & Ai)), Q' as (((((_ & Sh') & _) & _) & _) & (_ & Ai')).
   assert (claim_said s = claim_said s' /\ stockpile_names s = stockpile_names s' /\ specification_name s = specification_name s' /\
@@ -278,35 +292,9 @@ Proof.
     + destruct a, a'; try discriminate Ai; try discriminate Ai'; try discriminate E5; try (injection E5 as ->); reflexivity.
 Qed.
 
-(* So a line is true of files of different names if its only statement is. *)
-Theorem true_of_its_blend_statement specification stockpiles s : plain_blend_statement s = true -> NoDup (stockpile_names s) ->
+(* So a line is true of files if its only statement is. *)
+Theorem true_of_its_blend_statement specification stockpiles s : plain_blend_statement s = true ->
   (true_of_blend_line specification stockpiles (blend_line s) <-> is_true_of_blend specification stockpiles s).
 Proof.
-  intros P D. split; [|intro T; exists s; auto]. intros (s' & P' & E & T). rewrite (blend_line_determines _ _ P P' D E). exact T.
-Qed.
-
-(* ---- One name of two stockpiles ------------------------------------------------------------------------ *)
-
-(* A stockpile that is given twice, and all of the first, of which half is asked for. *)
-Definition lines_of (ls : list string) : string := fold_right (fun l w => l ++ String line_feed w) "" ls.
-Definition limits_of_one : file := File "limits" (lines_of
-  ["size_mm,passing_min_percent,passing_max_percent"; "0.075,0,100"; "12.5,0,90"; "19,100,100"]).
-Definition given_twice : file := File "pile" (lines_of ["size_mm,passing_percent"; "0.075,0"; "12.5,90"; "19,100"]).
-Definition all_of_the_first : file := File "certificate" (lines_of
-  ["mdm-certificate blend 1"; "steps 2"; "share 1 1/2 1"; "minimise none"; "blend 2 0"; "end"]).
-
-(* The same of the second: none of it is there. *)
-Definition half_of_the_second : blend_statement :=
-  BlendStatement "limits" ["pile"; "pile"] (BlendQuestion 2 [(2%Z, 1 # 2, 1)] None [] None NoAim) (Some [2; 0]%Z) 0
-    [3 # 40; 25 # 2; 19] [Interpolation [] false false; Interpolation [] false false].
-
-(* The line is accepted, and true of the first; with the second it is the line of a statement that is false. *)
-Theorem one_name_says_two :
-  judge_blend limits_of_one [given_twice; given_twice] all_of_the_first = Proved (blend_line half_of_the_second) /\
-  plain_blend_statement half_of_the_second = true /\
-  ~ is_true_of_blend limits_of_one [given_twice; given_twice] half_of_the_second.
-Proof.
-  split; [vm_compute; reflexivity|]. split; [vm_compute; reflexivity|]. intros (_ & _ & limits & curves & _ & _ & _ & _ & _ & A & _).
-  destruct A as [_ _ _ Shares _ _ _ _]. destruct (Shares 2%Z (1 # 2) 1 (or_introl eq_refl)) as (n & N & Least & _).
-  injection N as <-. vm_compute in Least. apply Least. reflexivity.
+  intro P. split; [|intro T; exists s; auto]. intros (s' & P' & E & T). rewrite (blend_line_determines _ _ P P' E). exact T.
 Qed.

@@ -156,7 +156,14 @@ Definition plain_question (stockpiles : list string) (claim : option blend) (q :
   match coarseness_limits q with Some (x, y) => both_from_0 x y | None => true end &&
   plain_aim claim (aim_of q).
 
-(* Statements of which each has a line of its own, where no two stockpiles have one name. *)
+(* The first name that is there again behind it. *)
+Fixpoint given_twice (names : list string) : option string :=
+  match names with
+  | [] => None
+  | n :: names => if existsb (String.eqb n) names then Some n else given_twice names
+  end.
+
+(* Statements of which each has a line of its own. *)
 Definition plain_blend_statement (s : blend_statement) : bool :=
   plain_question (stockpile_names s) (claim_said s) (question_said s) &&
   match claim_said s with Some ns => forallb (Z.leb 0) ns | None => true end &&
@@ -164,7 +171,8 @@ Definition plain_blend_statement (s : blend_statement) : bool :=
    else same_number (value_said s) 0) &&
   forallb from_0 (sieves_said s) &&
   (size (interpolations_said s) =? size (stockpile_names s)) &&
-  forallb (fun at_ => forallb from_0 (at_sieves at_)) (interpolations_said s).
+  forallb (fun at_ => forallb from_0 (at_sieves at_)) (interpolations_said s) &&
+  match given_twice (stockpile_names s) with Some _ => false | None => true end.
 
 (* ---- The judgement ---------------------------------------------------------------------------------- *)
 
@@ -201,6 +209,9 @@ Definition check_readings (C : blend_certificate) (R : reading) (Rs : list readi
 Definition judge_blend (specification : file) (stockpiles : list file) (certificate : file) : judgement :=
   let malformed what :=
     Unreadable (printable (name certificate) ++ ": " ++ what ++ ": let mdm blend --proof write it again") in
+  match given_twice (map name stockpiles) with
+  | Some twice => Unreadable (printable twice ++ ": two stockpiles are this file: give each once")
+  | None =>
   match (let* R := read_named specification in let* Rs := read_all_named stockpiles in Ok (R, Rs)) with
   | Refused what | Malformed what => Unreadable what
   | Ok (R, Rs) =>
@@ -216,4 +227,5 @@ Definition judge_blend (specification : file) (stockpiles : list file) (certific
       | Malformed what => malformed what
       end
     end
+  end
   end.

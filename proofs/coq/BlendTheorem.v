@@ -174,7 +174,7 @@ Definition is_true_of_blend (specification : file) (stockpiles : list file) (s :
     interpolations_said s = map (interpolated_at limits curves q) curves /\
     best_blend limits curves q (claim_said s) (value_said s).
 
-(* A line about stockpiles of different names has one statement at most: blend_line_determines. *)
+(* A line has one statement at most: blend_line_determines. *)
 Definition true_of_blend_line (specification : file) (stockpiles : list file) (line : string) : Prop :=
   exists s, plain_blend_statement s = true /\ line = blend_line s /\ is_true_of_blend specification stockpiles s.
 
@@ -310,7 +310,7 @@ Theorem accepted_blend_line_true specification stockpiles certificate line :
   printed (judge_blend specification stockpiles certificate) = Some line -> begins_with "accepted" line ->
   true_of_blend_line specification stockpiles line.
 Proof.
-  unfold judge_blend. cbv zeta. intros P B.
+  unfold judge_blend. cbv zeta. intros P B. destruct (given_twice _); [discriminate P|].
   destruct (bind (read_named specification) _) as [(R, Rs)| |] eqn:E; try discriminate P.
   passed E. passed E. injection E as -> ->.
   destruct (read_blend_certificate _) as [C| |]; try discriminate P.

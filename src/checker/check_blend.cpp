@@ -99,10 +99,23 @@ Verdict malformed_blend(const Input &input, const Malformed &error) {
   return {Verdict::malformed, {}, {}, printable(input.name) + line + ": " + error.what()};
 }
 
+/// The first stockpile whose name another has, too; null: there is none. A verdict could not tell them apart.
+const Input *given_twice(const std::vector<Input> &stockpiles) {
+  for (auto one = stockpiles.begin(); one != stockpiles.end(); ++one)
+    if (std::any_of(one + 1, stockpiles.end(), [one](const Input &other) { return other.name == one->name; }))
+      return &*one;
+  return nullptr;
+}
+
 } // namespace
 
 Verdict check_blend(const Input &specification, const std::vector<Input> &stockpiles,
                     const Input &certificate) {
+  if (const Input *const twice = given_twice(stockpiles))
+    return {Verdict::malformed,
+            {},
+            {},
+            printable(twice->name) + ": two stockpiles are this file: give each once"};
   const Input *reading = &specification;
   try {
     const Gradation limits = read_gradation(specification.text);

@@ -60,6 +60,17 @@ TEST_CASE("the verdict on a blend names the blend, its value and the whole quest
   CHECK(judge(folders / "accepted" / "impossible").out.find("accepted: no blend of ") == 0);
 }
 
+TEST_CASE("a stockpile that is given twice is refused, whatever the certificate says", "[checker]") {
+  const std::filesystem::path folder = folders / "accepted" / "cost", one = folder / "1.csv";
+  for (const std::filesystem::path &certificate : {folder / "proof", folder / "none"}) {
+    const Outcome outcome = run({folder / "limits.csv", one, folder / "2.csv", one, certificate});
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out.empty());
+  }
+  CHECK(run({folder / "limits.csv", one, one, folder / "proof"}).err ==
+        one.string() + ": two stockpiles are this file: give each once\n");
+}
+
 TEST_CASE("stockpiles in another order, or one too few, are refused", "[checker]") {
   const std::filesystem::path folder = folders / "accepted" / "cost";
   CHECK(run({folder / "limits.csv", folder / "2.csv", folder / "1.csv", folder / "proof"}).exit_code == 1);
