@@ -14,7 +14,7 @@ bool is_in(const std::string &text, const char *place) {
 
 /// A file is malformed in a line that has a place, or of which the number is known.
 Verdict malformed_sample(const Malformed &error, const Input &file, std::uint64_t line) {
-  if (is_in(file.text, error.at))
+  if (!file.is_line && is_in(file.text, error.at))
     line = 1 + static_cast<std::uint64_t>(std::count(file.text.data(), error.at, '\n'));
   return {Verdict::malformed,
           {},
