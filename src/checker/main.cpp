@@ -38,8 +38,8 @@ SUITE has a gradation in JSON a line and FOLDER what mdm batch --proofs wrote of
 certificate is checked against the line whose number its name begins with. Without SUITE,
 each NAME.proof is checked against NAME.gradation beside it. FOLDER may also be of mdm crosscheck
 --proofs: NAME.proof is then of NAME.sample.csv, and beside it is NAME.gradation.json. STREAM has all certificates of
-a suite one after the other, and STREAM.index says which line each is of. A file whose name ends in
-.zst is unpacked.
+a suite one after the other, of mdm crosscheck --proofs each behind its sample, and STREAM.index says
+which line each is of. A file whose name ends in .zst is unpacked.
 A certificate says what was asked. With ANSWERS, what mdm batch wrote of SUITE (JSON or CSV), each
 is compared with the answer of its line: the number, quantities, sizes and openings; of JSON also
 the question, which CSV does not have. Read the questions in the last line.
@@ -52,6 +52,8 @@ Examples:
   mdm-check --print sand.csv
   mdm batch suite.jsonl --proofs proofs && mdm-check --suite suite.jsonl proofs
   mdm batch suite.jsonl --proofs a.proofs && mdm-check --suite suite.jsonl a.proofs -j 2
+  mdm crosscheck suite.jsonl answers.csv --proofs b.proofs
+  mdm-check --suite suite.jsonl b.proofs
   mdm-check --suite suite.jsonl proofs --answers answers.jsonl
 
 Exits with 0 (accepted), 1 (refused: the certificate does not prove its claim) or

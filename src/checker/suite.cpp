@@ -82,20 +82,23 @@ void check_end(std::optional<Answers> &answers, const std::string &suite) {
 /// Hands on the lines of a suite with the certificates of a stream.
 void check_lines(InputLines &lines, ProofStream &proofs, std::optional<Answers> &answers,
                  Verdicts &verdicts) {
-  while (std::optional<Input> line = lines.next()) {
+  while (const std::optional<Input> line = lines.next()) {
     const bool has_proof = proofs.number() == lines.number();
     if (has_proof && is_blank(*line))
       throw ProofStream::Broken(printable(proofs.place()) + ": line " + std::to_string(lines.number()) +
                                 " is blank: give the suite of these proofs");
     if (is_blank(*line))
       continue;
-    SharedAnswer answer = answers ? answers->of(*line, lines.number()) : nullptr;
-    if (has_proof) {
-      Input proof = proofs.take();
-      if (!misses_answer(answers, answer, *line, verdicts))
-        verdicts.check(std::move(*line), std::move(proof), std::move(answer));
-    } else
+    const SharedAnswer answer = answers ? answers->of(*line, lines.number()) : nullptr;
+    if (!has_proof)
       verdicts.missing(printable(line->name) + ": no certificate in the stream");
+    while (proofs.number() == lines.number()) {
+      StreamedProof proof = proofs.take();
+      if (proof.sample)
+        verdicts.check_sample(*line, std::move(*proof.sample), std::move(proof.certificate));
+      else if (!misses_answer(answers, answer, *line, verdicts))
+        verdicts.check(*line, std::move(proof.certificate), answer);
+    }
   }
   if (proofs.number())
     throw ProofStream::Broken(printable(proofs.place()) + ": no line " + std::to_string(*proofs.number()) +
@@ -110,6 +113,9 @@ int check_stream(const std::string &suite, const std::string &stream, const Mann
   InputLines lines(suite);
   try {
     ProofStream proofs(stream);
+    if (answers && proofs.has_samples())
+      fail(stream,
+           "its certificates are of the answers of another solver, which stand in it: leave out --answers");
     check_lines(lines, proofs, answers, verdicts);
   } catch (const ProofStream::Broken &error) {
     verdicts.malformed(error.what());

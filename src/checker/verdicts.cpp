@@ -40,6 +40,15 @@ void Verdicts::check(Input gradation, Input certificate, SharedAnswer answer) {
   });
 }
 
+void Verdicts::check_sample(Input gradation, Input sample, Input certificate) {
+  const std::size_t bytes = gradation.text.size() + sample.text.size() + certificate.text.size();
+  add(bytes, [g = std::move(gradation), s = std::move(sample), c = std::move(certificate)] {
+    std::string_view rest = s.text;
+    return line_of(checker::check_sample(
+        g, s.name, [&rest] { return std::exchange(rest, std::string_view()); }, c));
+  });
+}
+
 void Verdicts::check_file(Input gradation, const std::string &certificate, SharedAnswer answer) {
   const std::size_t bytes = gradation.text.size();
   has_answers_ = has_answers_ || answer;
@@ -140,7 +149,8 @@ std::string Verdicts::questions() const {
 int Verdicts::end(const std::string &what) {
   write_all();
   if (std::all_of(std::begin(counts_), std::end(counts_), [](std::uint64_t n) { return n == 0; }))
-    fail(what, "nothing to check: give the suite, and the folder or the stream of mdm batch --proofs");
+    fail(what, "nothing to check: give the suite, and the folder or the stream of mdm batch --proofs or mdm "
+               "crosscheck --proofs");
   const auto count = [this](Kind kind, const char *of) { return std::to_string(counts_[kind]) + " " + of; };
   print(printable(what) + ": " + count(accepted, "accepted, ") + count(refused, "refused, ") +
         count(malformed_, "malformed, ") + count(missing_, "missing") +

@@ -25,11 +25,11 @@ class Verdicts {
 public:
   explicit Verdicts(const Manner &manner) : manner_(manner) {}
 
-  /// Judges a certificate that is in memory, or is read when its turn comes, from NAME.proof; one of a sample
-  /// with NAME.sample.csv. Throws std::runtime_error where standard output cannot be written, as those below
-  /// do.
-  /// An accepted one is compared with the answer, if there is one.
+  /// Judges a certificate that is in memory, as its sample is; or it is read when its turn comes, from
+  /// NAME.proof, and one of a sample with NAME.sample.csv. Throws std::runtime_error where standard output
+  /// cannot be written, as those below do. An accepted one is compared with the answer, if there is one.
   void check(Input gradation, Input certificate, SharedAnswer answer = {});
+  void check_sample(Input gradation, Input sample, Input certificate);
   void check_file(Input gradation, const std::string &certificate, SharedAnswer answer = {});
   void malformed(const std::string &reason);
   void missing(const std::string &what);
