@@ -49,12 +49,18 @@ struct CrosscheckCommand {
   unsigned threads = 1;
   bool reasons = false;
   bool require_minimal = false;
+
+  bool has_proof_stream() const { return proofs && names_proof_stream(*proofs); }
 };
 
 using Rows = std::vector<CrosscheckRow>;
 
-/// Rows for a gradation of the suite.
-using Judge = std::function<Rows(const Crosscheck &, const SuiteLine &)>;
+/// What is found of a gradation of the suite.
+struct JudgedLine {
+  Rows rows;
+  AnswerProofs::OfGradation proofs;
+};
+using Judge = std::function<JudgedLine(const Crosscheck &, const SuiteLine &)>;
 
 std::chrono::milliseconds read_time_limit(const std::string &text) {
   const Integer a_year = 366LL * 24 * 3600 * 1000;
@@ -88,9 +94,14 @@ void check_options(const CrosscheckCommand &c) {
     throw InputError(option("minimum") + ": the least match of this question is found at once: leave it out");
   if (c.journal == "-")
     throw InputError(option("journal") + " needs a file: name one");
+  if (c.solution && c.has_proof_stream())
+    throw InputError(option("proofs") + ": a stream of proofs is that of a suite, and " + option("solution") +
+                     " is of one gradation: name a folder");
+  const std::string stream = c.has_proof_stream() ? *c.proofs : "-",
+                    index = c.has_proof_stream() ? proof_index_path(*c.proofs) : "-";
   for (const std::string &input : {c.suite, c.answers.value_or("-"), c.solution.value_or("-"),
                                    c.minimum.value_or("-"), c.minimum ? proof_index_path(*c.minimum) : "-"})
-    check_distinct({input, c.journal.value_or("-"), c.output.path()});
+    check_distinct({input, c.journal.value_or("-"), c.output.path(), stream, index});
 }
 
 /// Rows as they come, and what stands around them.
@@ -156,13 +167,15 @@ private:
 };
 
 /// Judges all gradations of the suite.
+/// \param proofs null for none
 void report_suite(const CrosscheckCommand &c, const CrosscheckQuestion &question,
-                  const std::vector<SuiteLine> &suite, const Judge &judge, Report &report) {
+                  const std::vector<SuiteLine> &suite, const Judge &judge, AnswerProofs *proofs,
+                  Report &report) {
   const std::optional<KnownMinima> minima = c.minimum ? std::optional<KnownMinima>(*c.minimum) : std::nullopt;
   std::atomic<std::size_t> done = 0;
   ProgressLine progress([&] { return fmt::format("{} of {} gradations", done.load(), suite.size()); },
                         c.output.quiet);
-  const auto rows = [&](std::size_t i) {
+  const auto judged = [&](std::size_t i) {
     const SuiteLine &of = suite[i];
     const auto problem = [&] {
       const Question asked = question.question(of.gradation);
@@ -171,8 +184,10 @@ void report_suite(const CrosscheckCommand &c, const CrosscheckQuestion &question
     };
     return judge(question.is_plain() ? problem() : in_file(line_name(c.suite, of.line), problem), of);
   };
-  in_order<Rows>(suite.size(), c.threads, rows, [&](const Rows &judged) {
-    report.add(judged);
+  in_order<JudgedLine>(suite.size(), c.threads, judged, [&](const JudgedLine &of) {
+    report.add(of.rows);
+    if (proofs)
+      proofs->write(suite[done], of.proofs);
     ++done;
   });
 }
@@ -221,54 +236,60 @@ int run(const CrosscheckCommand &c) {
   std::optional<AnswerProofs> proofs;
   if (c.proofs)
     proofs.emplace(*c.proofs, question, size_tolerance);
-  const auto with_note = [&proofs](std::vector<std::string> notes) {
+  const auto certify = [&](const Crosscheck &problem, const OtherAnswer &answer, JudgedLine &judged) {
     if (proofs)
-      notes.push_back(proofs->note());
-    return notes;
+      judged.proofs.push_back(proofs->made(problem.gradation(), answer));
+  };
+  const auto judged_one = [&](const Crosscheck &problem, const OtherAnswer &answer) {
+    JudgedLine judged{{problem.judge(answer, size_tolerance)}, {}};
+    certify(problem, answer, judged);
+    return judged;
+  };
+  const auto report_all = [&](const Judge &judge, Report &report) {
+    report_suite(c, question, suite, judge, proofs ? &*proofs : nullptr, report);
+  };
+  const auto end = [&](Report &report, std::vector<std::string> notes) {
+    if (proofs) {
+      proofs->commit();
+      notes.push_back(proofs->note(c.suite));
+    }
+    report.end(suite.size(), notes);
+    return exit_code(report.outcome());
   };
   if (c.answers) {
     const AnswerIndex index = read_index(c);
     Report report(c, size_tolerance);
-    const Judge judge = [&](const Crosscheck &problem, const SuiteLine &entry) {
-      unsigned number = 0;
-      return index.judge(problem, size_tolerance, [&](const OtherAnswer &answer) {
-        if (proofs)
-          proofs->add(entry, problem.gradation(), answer, ++number);
-      });
+    const Judge judge = [&](const Crosscheck &problem, const SuiteLine &) {
+      JudgedLine judged;
+      judged.rows = index.judge(problem, size_tolerance,
+                                [&](const OtherAnswer &answer) { certify(problem, answer, judged); });
+      return judged;
     };
-    report_suite(c, question, suite, judge, report);
+    report_all(judge, report);
     report.add(index.rows_without_id());
-    report.end(suite.size(), with_note(index.notes()));
-    return exit_code(report.outcome());
+    return end(report, index.notes());
   }
   if (c.solution) {
     const Gradation &g = suite.front().gradation;
     const Solution solution =
         in_file(*c.solution, [&] { return solution_in(*c.solution, g, question.question(g)); });
     Report report(c, size_tolerance);
-    const Judge judge = [&](const Crosscheck &problem, const SuiteLine &entry) {
-      if (proofs)
-        proofs->add(entry, problem.gradation(), solution.answer, 1);
-      return Rows{problem.judge(solution.answer, size_tolerance)};
+    const Judge judge = [&](const Crosscheck &problem, const SuiteLine &) {
+      return judged_one(problem, solution.answer);
     };
-    report_suite(c, question, suite, judge, report);
+    report_all(judge, report);
     std::vector<std::string> notes = g.notes();
     notes.insert(notes.end(), solution.notes.begin(), solution.notes.end());
-    report.end(suite.size(), with_note(std::move(notes)));
-    return exit_code(report.outcome());
+    return end(report, std::move(notes));
   }
   const std::string limit = c.time_limit.value_or("60");
   Solver solver(*c.solver, read_time_limit(limit), c.journal);
   Report report(c, size_tolerance);
   const Judge judge = [&](const Crosscheck &problem, const SuiteLine &entry) {
-    const OtherAnswer answer = solver.answer(problem.gradation(), entry.line);
-    if (proofs)
-      proofs->add(entry, problem.gradation(), answer, 1);
-    return Rows{problem.judge(answer, size_tolerance)};
+    return judged_one(problem, solver.answer(problem.gradation(), entry.line));
   };
-  report_suite(c, question, suite, judge, report);
-  report.end(suite.size(), with_note({}));
-  return exit_code(report.outcome());
+  report_all(judge, report);
+  return end(report, {});
 }
 
 /// The end of the help.
@@ -357,9 +378,10 @@ Run add_crosscheck(CLI::App &app) {
   command
       .add_option(
           "--proofs", c->proofs,
-          "write to the folder a certificate of each answer, that it matches or does not, with its sample in "
-          "canonical CSV and its gradation, for mdm-check")
-      ->type_name("FOLDER");
+          "write a certificate of each answer, that it matches or does not, with its sample in canonical "
+          "CSV, for mdm-check --suite: into the folder NAME, with its gradation; or, where NAME ends in "
+          ".proofs or .proofs.zst, as one stream with the index NAME.index")
+      ->type_name("NAME");
   add_options(command, CrosscheckTexts::limit_options, c->asked);
   add_asked_options(command, c->asked);
   c->output.add_format(command, "text (the summary), csv (the rows) or json (both)");
@@ -372,6 +394,7 @@ Run add_crosscheck(CLI::App &app) {
                 "mdm crosscheck suite.jsonl answers.csv --tolerance passing:1% --min-per-class 5",
                 "mdm crosscheck suite.jsonl answers.csv --tolerance retained:1% --minimum suite.proofs",
                 "mdm crosscheck suite.jsonl --solver ./my-solver -j 2 -o rows.csv",
+                "mdm crosscheck suite.jsonl answers.csv --proofs answers.proofs",
                 "mdm crosscheck sand.csv --solution glpk.sol --tolerance retained:1%",
                 "mdm crosscheck suite.jsonl --solver './my-solver --json' --journal run.jsonl"}));
   return [c] { return run(*c); };

@@ -2,6 +2,7 @@
 
 #include "files/output.hpp"
 #include "files/paths.hpp"
+#include "files/proof_stream.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/gradation/write_gradation.hpp>
@@ -11,44 +12,59 @@
 
 namespace mdm {
 
-AnswerProofs::AnswerProofs(std::string folder, const CrosscheckQuestion &question, Rational size_tolerance)
-    : folder_(std::move(folder)), question_(question), size_tolerance_(std::move(size_tolerance)) {
-  make_folder(folder_);
+AnswerProofs::AnswerProofs(std::string path, const CrosscheckQuestion &question, Rational size_tolerance)
+    : path_(std::move(path)), question_(question), size_tolerance_(std::move(size_tolerance)) {
+  if (names_proof_stream(path_))
+    stream_.emplace(path_);
+  else
+    make_folder(path_);
 }
 
-void AnswerProofs::add(const SuiteLine &entry, const Gradation &asked, const OtherAnswer &answer,
-                       unsigned number) {
+std::optional<AnswerProof> AnswerProofs::made(const Gradation &asked, const OtherAnswer &answer) {
   if (answer.failure)
-    return;
+    return std::nullopt;
   ++answers_;
-  const std::optional<AnswerProof> proof = made(asked, answer);
-  if (!proof)
-    return;
-  ++proofs_;
-  const std::string name =
-      folder_ + "/" + std::to_string(entry.line) + (number > 1 ? "-" + std::to_string(number) : "");
-  write_output(name + ".gradation.json", gradation_json(entry.gradation));
-  write_output(name + ".sample.csv", proof->sample);
-  write_output(name + ".proof", proof->certificate);
-}
-
-std::string AnswerProofs::note() const {
-  const std::uint64_t missing = answers_ - proofs_;
-  return fmt::format("{} certificates are in {}; check them with: mdm-check {} {}{}", proofs_.load(),
-                     printable(folder_), option("suite", OptionSpelling::program), shell_word(folder_),
-                     missing > 0
-                         ? fmt::format("; of {} answers there is none: sizes that are not stated, or have "
-                                       "a tolerance, leave it open whether they match",
-                                       missing)
-                         : "");
-}
-
-std::optional<AnswerProof> AnswerProofs::made(const Gradation &asked, const OtherAnswer &answer) const {
   try {
     return answer_proof(asked, question_.question(asked), answer, size_tolerance_);
   } catch (const InputError &) {
     return std::nullopt;
   }
+}
+
+void AnswerProofs::write(const SuiteLine &entry, const OfGradation &proofs) {
+  for (std::size_t i = 0; i < proofs.size(); ++i) {
+    if (!proofs[i])
+      continue;
+    if (stream_)
+      stream_->add(entry.line, i + 1, *proofs[i]);
+    else
+      write_files(entry, i + 1, *proofs[i]);
+    ++proofs_;
+  }
+}
+
+void AnswerProofs::write_files(const SuiteLine &entry, std::size_t number, const AnswerProof &proof) const {
+  const std::string name =
+      path_ + "/" + std::to_string(entry.line) + (number > 1 ? "-" + std::to_string(number) : "");
+  write_output(name + ".gradation.json", gradation_json(entry.gradation));
+  write_output(name + ".sample.csv", proof.sample);
+  write_output(name + ".proof", proof.certificate);
+}
+
+void AnswerProofs::commit() {
+  if (stream_)
+    stream_->commit();
+}
+
+std::string AnswerProofs::note(const std::string &suite) const {
+  const std::uint64_t missing = answers_ - proofs_;
+  return fmt::format(
+      "{} certificates are in {}; check them with: mdm-check {} {}{}{}", proofs_, printable(path_),
+      option("suite", OptionSpelling::program), stream_ ? shell_word(suite) + " " : "", shell_word(path_),
+      missing > 0 ? fmt::format("; of {} answers there is none: sizes that are not stated, or have "
+                                "a tolerance, leave it open whether they match",
+                                missing)
+                  : "");
 }
 
 } // namespace mdm

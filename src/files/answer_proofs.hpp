@@ -3,35 +3,47 @@
 /// The certificates of the answers that a cross-check judges, as files.
 
 #include "ask/crosscheck_options.hpp"
-#include "crosscheck/answer_proof.hpp"
+#include "files/answer_stream.hpp"
 #include "files/suite_lines.hpp"
 
 #include <atomic>
+#include <vector>
 
 namespace mdm {
 
-/// Writes the certificates of answers to a folder, by several threads: NUMBER.proof, NUMBER.sample.csv and
-/// NUMBER.gradation.json for the line NUMBER of the suite, NUMBER-2 and so on for more answers to it.
+/// Makes the certificates of answers and writes them: to a folder as NUMBER.proof, NUMBER.sample.csv and
+/// NUMBER.gradation.json for the line NUMBER of the suite, NUMBER-2 and so on for more answers to it; or as
+/// one stream with an index, where the name is that of a stream.
 class AnswerProofs {
 public:
-  /// \throws InputError if the folder cannot be made
-  AnswerProofs(std::string folder, const CrosscheckQuestion &question, Rational size_tolerance);
+  /// \throws InputError if the folder or the stream cannot be made
+  AnswerProofs(std::string path, const CrosscheckQuestion &question, Rational size_tolerance);
 
-  /// \param number  of the answers to the gradation, from 1
-  /// \throws InputError if a file cannot be written
-  void add(const SuiteLine &entry, const Gradation &asked, const OtherAnswer &answer, unsigned number);
+  /// The certificates of the answers to a gradation, in their order. One that failed has none, one that may
+  /// match or not has none, and where numbers are beyond the limits of the format there is none.
+  using OfGradation = std::vector<std::optional<AnswerProof>>;
 
-  /// How many there are, and how one is checked.
-  std::string note() const;
+  /// The certificate of an answer. Several threads may call it.
+  std::optional<AnswerProof> made(const Gradation &asked, const OtherAnswer &answer);
+  /// Writes those of the answers to the gradation of a line. Lines ascend.
+  /// \throws InputError if that cannot be
+  void write(const SuiteLine &entry, const OfGradation &proofs);
+  /// Makes what was written final. \throws InputError if that fails
+  void commit();
+
+  /// How many there are, and how they are checked.
+  /// \param suite  its path
+  std::string note(const std::string &suite) const;
 
 private:
-  /// Nothing also where numbers are beyond the limits of the format.
-  std::optional<AnswerProof> made(const Gradation &asked, const OtherAnswer &answer) const;
+  void write_files(const SuiteLine &entry, std::size_t number, const AnswerProof &proof) const;
 
-  std::string folder_;
+  std::string path_;
   const CrosscheckQuestion &question_;
   Rational size_tolerance_;
-  std::atomic<std::uint64_t> answers_ = 0, proofs_ = 0;
+  std::optional<AnswerStream> stream_; ///< none: a folder
+  std::atomic<std::uint64_t> answers_ = 0;
+  std::uint64_t proofs_ = 0;
 };
 
 } // namespace mdm
