@@ -11,7 +11,8 @@
 
 namespace mdm {
 
-/// Names, and groups of ASTM and AASHTO, are not a report's own: they are in English. Notes are in text/german.hpp.
+/// Names, and groups of ASTM and AASHTO, are not a report's own: they are in English. Notes are in
+/// text/german.hpp.
 struct ReportTexts {
   std::string_view code; ///< of the language in HTML
   std::string_view title, client, curves, analysis, specification, description, notes, footer;
