@@ -44,6 +44,8 @@ const std::vector<Rounding> roundings = {
       "packing/apollonian.cpp",
       "packing/apollonian_walk.hpp",
       "packing/lattice.cpp",
+      "particles/cohesion.cpp",
+      "particles/contact_table.cpp",
       "particles/gsd_writer.cpp",
       "particles/material_table.cpp",
       "particles/mixed_placement.cpp",
