@@ -1,7 +1,6 @@
 #include "ask/export_model.hpp"
 
 #include "ask/option_values.hpp"
-#include "particles/cohesion.hpp"
 #include "particles/material_table.hpp"
 #include "particles/particle_writer.hpp"
 #include "text/file_names.hpp"
@@ -29,18 +28,17 @@ struct ModelEngine {
   const char *particles_ending;
   bool reads_planes; ///< as meshes
   bool resists_rolling;
-  const char *cohesion; ///< the option of its law of cohesion; null: it has none
-  CohesiveContact (*cohesive)(double, double, const Elasticity &);
+  const CohesionLaw *cohesion; ///< null: it has none
 };
 
 namespace {
 
 constexpr std::array<ModelEngine, 3> engines = {
     {{"liggghts", liggghts_model, write_lammps_data, write_lammps_data_of_classes, nullptr, ".data", true,
-      true, "cohesion-energy-density", sjkr_contact},
+      true, &sjkr_law},
      {"lammps", lammps_model, write_lammps_data, write_lammps_data_of_classes, write_lammps_data_of_discs,
-      ".data", false, true, "surface-energy", jkr_contact},
-     {"yade", yade_model, write_xyzr, write_xyzr, write_xyzr, ".xyzr", false, false, nullptr, nullptr}}};
+      ".data", false, true, &jkr_law},
+     {"yade", yade_model, write_xyzr, write_xyzr, write_xyzr, ".xyzr", false, false, nullptr}}};
 
 /// A coefficient of friction.
 std::optional<double> friction_of(const char *name, const OptionText &text) {
@@ -91,18 +89,18 @@ void check_rolling(const SettleModel &model, const ModelEngine &engine) {
 /// \throws InputError if it is that of another engine
 double cohesion_of(const ExportTexts &c, const ModelEngine &engine) {
   double cohesion = 0;
-  for (const auto &[name, text] :
-       {std::pair<std::string, const OptionText &>("surface-energy", c.surface_energy),
-        {"cohesion-energy-density", c.cohesion_energy_density}}) {
+  for (const auto &[law, text] :
+       {std::pair<const CohesionLaw *, const OptionText &>(&jkr_law, c.surface_energy),
+        {&sjkr_law, c.cohesion_energy_density}}) {
     if (!text)
       continue;
     if (engine.cohesion == nullptr)
-      throw InputError(option(name) + ": there is no model of cohesion for YADE: use " + option("to") +
+      throw InputError(option(law->option) + ": there is no model of cohesion for YADE: use " + option("to") +
                        " liggghts or lammps");
-    if (engine.cohesion != name)
-      throw InputError(option(name) + ": it is of another law than this engine's: give " +
-                       option(engine.cohesion));
-    cohesion = physical(name, *text).convert_to<double>();
+    if (engine.cohesion != law)
+      throw InputError(option(law->option) + ": it is of another law than this engine's: give " +
+                       option(engine.cohesion->option));
+    cohesion = physical(law->option, *text).convert_to<double>();
   }
   return cohesion;
 }
@@ -112,14 +110,12 @@ void check_cohesion(const SettleModel &model, const ModelEngine &engine) {
   if (model.cohesion == 0)
     return;
   constexpr double most_overlap = 0.05;
-  const double r = model.set.smallest().radius.value;
-  const CohesiveContact contact =
-      engine.cohesive(model.cohesion, r, model.softest(settling(model).elasticity));
-  if (contact.overlap > most_overlap * 2 * r)
+  const double part = smallest_contact(model, settling(model).elasticity, *engine.cohesion).overlap /
+                      (2 * model.set.smallest().radius.value);
+  if (part > most_overlap)
     throw InputError(fmt::format("{}: two of the smallest grains would overlap by {:.2g} of their diameter "
-                                 "where nothing presses, more "
-                                 "than {}: give less, or a stiffer {}",
-                                 option(engine.cohesion), contact.overlap / (2 * r), most_overlap,
+                                 "where nothing presses, more than {}: give less, or a stiffer {}",
+                                 option(engine.cohesion->option), part, most_overlap,
                                  option(model.materials.empty() ? "young" : "material")));
 }
 

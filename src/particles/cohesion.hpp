@@ -22,4 +22,15 @@ CohesiveContact jkr_contact(double surface_energy, double radius, const Elastici
 /// \param energy_density  J/m^3
 CohesiveContact sjkr_contact(double energy_density, double radius, const Elasticity &elasticity);
 
+/// A law that an engine has.
+struct CohesionLaw {
+  const char *option; ///< of mdm export
+  const char *model;  ///< the engine's word
+  const char *unit;   ///< of its number
+  CohesiveContact (*contact)(double number, double radius, const Elasticity &elasticity);
+};
+
+inline constexpr CohesionLaw jkr_law{"surface-energy", "jkr", "J/m^2", jkr_contact},
+    sjkr_law{"cohesion-energy-density", "sjkr", "J/m^3", sjkr_contact};
+
 } // namespace mdm

@@ -45,16 +45,16 @@ std::string rolling_row(const SettleScript &s, const char *engines_model) {
          row("", "effective radius");
 }
 
-std::string cohesion_row(const SettleScript &s, const ContactWords &words) {
+/// \pre there is a law where the model has cohesion
+std::string cohesion_row(const SettleScript &s, const CohesionLaw *law) {
   if (s.model.cohesion == 0)
     return row("cohesion", "none");
-  const ParticleSize &smallest = s.set.smallest();
-  const double r = smallest.radius.value;
-  const CohesiveContact contact = words.cohesive(s.model.cohesion, r, s.model.softest(s.physics.elasticity));
+  const double r = s.set.smallest().radius.value;
+  const CohesiveContact contact = smallest_contact(s.model, s.physics.elasticity, *law);
   const double weight = 4.0 / 3 * std::numbers::pi * r * r * r *
                         s.set.classes.front().density.convert_to<double>() * Settling::gravity;
   return row("cohesion", fmt::format("{} {}, by its model {}, of grains alone: walls have none",
-                                     digits6(s.model.cohesion), words.unit, words.cohesion)) +
+                                     digits6(s.model.cohesion), law->unit, law->model)) +
          row("",
              fmt::format("(two of the smallest part at {:.3g} N, {:.3g} times the weight of one, and overlap "
                          "by {:.2g} % of",
@@ -78,7 +78,7 @@ std::string restitution_of(const SettleScript &s) {
 
 std::string contact_table(const SettleScript &s, const ContactWords &words) {
   return row("contact", words.contact) + stiffness_row(s) + row("damping", words.damping) + friction_row(s) +
-         rolling_row(s, words.rolling) + cohesion_row(s, words) + time_row(s);
+         rolling_row(s, words.rolling) + cohesion_row(s, words.cohesion) + time_row(s);
 }
 
 } // namespace mdm

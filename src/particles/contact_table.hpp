@@ -1,7 +1,6 @@
 #pragma once
 // The table of a model's contacts in its first lines: law, stiffness, damping, friction, cohesion, time step.
 
-#include "particles/cohesion.hpp"
 #include "particles/settle_script.hpp"
 
 namespace mdm {
@@ -9,9 +8,8 @@ namespace mdm {
 /// The words of an engine for its contacts.
 struct ContactWords {
   std::string contact, damping;
-  const char *rolling;         ///< its model of rolling friction
-  const char *cohesion, *unit; ///< its law of cohesion, and the unit of the law's number
-  CohesiveContact (*cohesive)(double, double, const Elasticity &); ///< by that law
+  const char *rolling = nullptr;         ///< its model of rolling friction; null: it has none
+  const CohesionLaw *cohesion = nullptr; ///< likewise
 };
 
 /// Of grains: `restitution 0.5`.

@@ -226,7 +226,7 @@ std::string lammps_model(const SettleModel &model) {
               "With P processes: mpirun -np P lmp -in THIS_FILE", ""},
              contact_table(s, {fmt::format("of Hertz and Mindlin: {} tangential mindlin",
                                            model.cohesion > 0 ? "jkr" : "hertz/material"),
-                               restitution_of(s) + ": damping tsuji", "sds", "jkr", "J/m^2", jkr_contact}));
+                               restitution_of(s) + ": damping tsuji", "sds", &jkr_law}));
   text += phase_variables(s);
   text += filled(lammps_setting,
                  {{"dimension", model.has_discs() ? "dimension 2\n" : ""},

@@ -245,7 +245,7 @@ std::string liggghts_model(const SettleModel &model) {
                  "liggghts -in THIS_FILE -var go_on 1",
                  "With P processes: mpirun -np P liggghts -in THIS_FILE", ""},
                 contact_table(s, {"of Hertz and Mindlin: " + liggghts_contact(s), restitution_of(s), "epsd2",
-                                  "sjkr", "J/m^3", sjkr_contact})) +
+                                  &sjkr_law})) +
          phase_variables(s) +
          filled(liggghts_setting, {{"boundary", model.space == Space::pillar ? "p p f" : "f f f"},
                                    {"particles", file_word(model.particles)},

@@ -257,11 +257,10 @@ std::string yade_model(const SettleModel &model) {
   const bool has_lid = s.has_lid(), is_round = model.space == Space::cylinder;
   const std::string area =
       is_round ? fmt::format("({} * tan(pi / {}) * x**2 / 4)", facets, facets) : "(x * y)";
-  std::string text =
-      s.head({"YADE", "yade -n -x THIS_FILE", "yade -n -x THIS_FILE 1000",
-              "yade -n -x THIS_FILE STEPS NAME.restart.gz, STEPS in all",
-              "On P cores: yade -n -j P -x THIS_FILE", " --size-unit m"},
-             contact_table(s, {"of Hertz and Mindlin: MindlinPhys", restitution_of(s), "", "", "", nullptr}));
+  std::string text = s.head({"YADE", "yade -n -x THIS_FILE", "yade -n -x THIS_FILE 1000",
+                             "yade -n -x THIS_FILE STEPS NAME.restart.gz, STEPS in all",
+                             "On P cores: yade -n -j P -x THIS_FILE", " --size-unit m"},
+                            contact_table(s, {"of Hertz and Mindlin: MindlinPhys", restitution_of(s)}));
   text += yade_begin;
   text += has_lid ? lid_functions : cell_functions;
   text += yade_course(s);

@@ -131,6 +131,11 @@ Settling settling(const SettleModel &model) {
   return s;
 }
 
+CohesiveContact smallest_contact(const SettleModel &model, const Elasticity &elasticity,
+                                 const CohesionLaw &law) {
+  return law.contact(model.cohesion, model.set.smallest().radius.value, model.softest(elasticity));
+}
+
 double disc_length(const ParticleSet &set) {
   return set.smallest().diameter.value * 2 / 3;
 }

@@ -3,7 +3,7 @@
 /// Complete models of LIGGGHTS, LAMMPS and YADE that let a set settle in a specimen, compact it, and shear
 /// it.
 
-#include "particles/cost.hpp"
+#include "particles/cohesion.hpp"
 #include "particles/placement.hpp"
 
 #include <cstdint>
@@ -131,6 +131,11 @@ double compaction_inertia(const SettleModel &model);
 
 /// The material and the time of the model. \throws InputError if it has more steps than most_steps
 Settling settling(const SettleModel &model);
+
+/// Of two of the smallest grains, if they are of the softest material.
+/// \param elasticity  that of settling()
+CohesiveContact smallest_contact(const SettleModel &model, const Elasticity &elasticity,
+                                 const CohesionLaw &law);
 
 /// Length of the discs of a set, in m: two thirds of the smallest diameter. The smallest has then the mass of
 /// a sphere of its diameter, and larger ones less: the Rayleigh time of spheres serves the discs.
