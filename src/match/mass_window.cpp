@@ -78,6 +78,11 @@ void set_product(Integer &result, const Integer &a, const Integer &b) {
   boost::multiprecision::multiply(result, a, b);
 }
 
+/// result = a / b, rounded down, for b > 0.
+void set_quotient(Integer &result, const Integer &a, const Integer &b) {
+  mpz_fdiv_q(result.backend().data(), a.backend().data(), b.backend().data());
+}
+
 /// The counts and shares of one class after another in a window. Shares are integers in one unit for all
 /// classes. Numbers keep their memory from class to class: most of the time would go into its allocation.
 class ClassPoints {
@@ -109,29 +114,29 @@ public:
     least_ = bound.least;
     if (l_ > 0)
       least_ = std::max(least_, up_to_ > 0 ? Integer(floor_div(l_, up_to_) + 1) : Integer(1));
-    has_most_ = bound.most.has_value();
-    if (has_most_)
-      most_ = *bound.most;
-    if (h_ <= 0)
-      limit(0);
-    else if (above_ > 0)
-      limit(Integer(ceil_div(h_, above_) - 1));
-    return !has_most_ || least_ <= most_;
+    has_limit_ = bound.most.has_value();
+    if (has_limit_)
+      limit_ = *bound.most;
+    if (h_ <= 0) {
+      limit_ = 0;
+      has_limit_ = true;
+    }
+    return fits(least_);
   }
 
-  bool has_most() const { return has_most_; }
+  bool has_most() const { return has_limit_ || above_ > 0; }
 
   /// The greatest worth of all points. \pre set() had counts, and a particle is worth nothing without a most
   void find_greatest(const Worth &of) {
     has_greatest_ = false;
-    if (of.excess == 0 && of.share > 0 && of.count < 0 && is_kink_between(of)) {
-      include(kink_, of);
-      return include(++kink_, of);
-    }
+    if (of.excess == 0 && of.share > 0 && of.count < 0 && up_to_ > 0)
+      return find_at_kink(of);
     include(least_, of);
     include_inside(1, of);
-    if (has_most_)
+    if (has_most()) {
+      find_most();
       include(most_, of);
+    }
     if (of.excess > 0 || of.share >= 0)
       include_beside(h_, up_to_, of);
     if (of.excess > 0 || of.share <= 0)
@@ -146,23 +151,50 @@ public:
   bool is_reached() const { return is_reached_; }
 
 private:
-  void limit(const Integer &most) {
-    most_ = has_most_ ? std::min(most_, most) : most;
-    has_most_ = true;
+  /// Whether the class can have so many particles.
+  bool fits(const Integer &q) {
+    if (has_limit_ && q > limit_)
+      return false;
+    set_product(value_, q, above_);
+    return q == 0 || value_ < h_;
   }
 
-  /// Where the share is worth its particles up to a count, and none beyond, that count and the next are
-  /// enough: the greatest value is a concave function of q, with its kink between them.
-  bool is_kink_between(const Worth &of) {
-    set_product(value_, of.share, up_to_);
-    if (up_to_ <= 0 || value_ + of.count <= 0)
-      return false;
-    kink_ = floor_div(h_, up_to_);
-    return kink_ > 0 && kink_ >= least_ && (!has_most_ || kink_ < most_);
+  /// A division, where comparing a product does not do. \pre has_most()
+  void find_most() {
+    most_ = limit_;
+    if (h_ <= 0 || above_ <= 0)
+      return;
+    value_ = h_;
+    set_quotient(kink_, --value_, above_);
+    if (!has_limit_ || kink_ < most_)
+      most_ = kink_;
+  }
+
+  /// Where a share is worth something and a particle costs something, the greatest value is a concave
+  /// function of q. Up to its kink a particle adds `up_to_`, which is an open end; the next one has the
+  /// greatest share.
+  void find_at_kink(const Worth &of) {
+    set_product(of_one_, of.share, up_to_);
+    of_one_ += of.count;
+    set_quotient(kink_, h_, up_to_);
+    if (of_one_ <= 0 || kink_ < least_)
+      return include(least_, of);
+    set_product(greatest_, of_one_, kink_);
+    is_reached_ = kink_ == 0;
+    if (!fits(++kink_)) {
+      find_most();
+      return include(most_, of);
+    }
+    set_product(value_, of.share, h_);
+    set_product(of_count_, of.count, kink_);
+    value_ += of_count_;
+    is_reached_ = is_reached_ || value_ >= greatest_;
+    if (value_ > greatest_)
+      greatest_.swap(value_);
   }
 
   void include_inside(const Integer &q, const Worth &of) {
-    if (q >= least_ && (!has_most_ || q <= most_))
+    if (q >= least_ && fits(q))
       include(q, of);
   }
 
@@ -171,7 +203,7 @@ private:
   void include_beside(const Integer &share, const Integer &of_one, const Worth &of) {
     if (of_one <= 0)
       return;
-    kink_ = floor_div(share, of_one);
+    set_quotient(kink_, share, of_one);
     include_inside(kink_, of);
     include_inside(++kink_, of);
   }
@@ -211,9 +243,9 @@ private:
   const Integer unit_, of_above_, of_up_to_;
   Integer l_, h_, target_;
   Integer above_, up_to_; ///< one particle's share is above `above_` and, where that is not 0, up to `up_to_`
-  Integer least_, most_;
-  bool has_most_ = false;
-  Integer kink_, of_count_, of_lower_, of_upper_, value_;
+  Integer least_, limit_, most_; ///< counts; `limit_` where counts are bounded, `most_` where it is found
+  bool has_limit_ = false;
+  Integer kink_, of_one_, of_count_, of_lower_, of_upper_, value_;
   Integer greatest_;
   bool has_greatest_ = false, is_reached_ = false;
 };
@@ -257,9 +289,10 @@ Rational MassWindows::right_side(const MassWindow &window, const WindowPrices &p
                               Rational(prices.at_least * problem_.at_least())};
   for (std::size_t j = 0; j + 1 < k; ++j) {
     const Integer step = prices.shares[j] - prices.shares[j + 1];
+    if (step == 0)
+      continue;
     const ShareBounds bounds = tolerance.passing.empty() ? ShareBounds{} : tolerance.passing[j];
-    if (step != 0)
-      parts.push_back(step * (step > 0 ? bounds.lo : bounds.hi));
+    parts.push_back(step * (step > 0 ? bounds.lo : bounds.hi));
   }
   if (prices.excess > 0)
     parts.push_back(-(prices.excess * *tolerance.total / 2));

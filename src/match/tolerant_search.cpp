@@ -143,8 +143,15 @@ TolerantSearch::TolerantSearch(const TolerantProblem &problem, CountBounds bound
                                const Limits &limits, const Watch &watch, const std::optional<Rational> &mass)
     : problem_(problem), root_(std::move(bounds)), chain_(chain), best_(best), limits_(limits), watch_(watch),
       tree_(std::move(least), limits.keep_proof) {
+  if (best_)
+    particles_ = total(best_->q);
   if (mass)
     branching_.emplace(problem, *mass);
+}
+
+void TolerantSearch::set_best(TolerantMatch match) {
+  particles_ = total(match.q);
+  best_ = std::move(match);
 }
 
 TolerantSearch::~TolerantSearch() = default;
@@ -163,27 +170,26 @@ TolerantSearch::Steered &TolerantSearch::steered() {
 std::optional<Integer> TolerantSearch::most() const {
   if (!best_)
     return std::nullopt;
-  const Integer particles = total(best_->q);
-  const Integer close = limits_.gap ? floor(Rational(*limits_.gap * particles)) : Integer(0);
-  return Integer(particles - 1 - close);
+  const Integer close = limits_.gap ? floor(Rational(*limits_.gap * particles_)) : Integer(0);
+  return Integer(particles_ - 1 - close);
 }
 
 Integer TolerantSearch::certain() const {
   const std::optional<Integer> bound = tree_.least_bound();
   if (!best_)
     return bound.value_or(Integer(1));
-  return bound ? std::min(*bound, total(best_->q)) : total(best_->q);
+  return bound ? std::min(*bound, particles_) : particles_;
 }
 
 bool TolerantSearch::is_complete() const {
-  return best_ ? certain() == total(best_->q) : !tree_.has_open();
+  return best_ ? certain() == particles_ : !tree_.has_open();
 }
 
 bool TolerantSearch::ends() const {
   return (limits_.node_limit && nodes_ >= *limits_.node_limit) || watch_.ends() ||
          (limits_.at_most && certain() > *limits_.at_most) ||
-         (best_ && ((limits_.enough && total(best_->q) <= *limits_.enough) ||
-                    limits_.is_close(total(best_->q), certain())));
+         (best_ &&
+          ((limits_.enough && particles_ <= *limits_.enough) || limits_.is_close(particles_, certain())));
 }
 
 void TolerantSearch::run() {
@@ -242,7 +248,7 @@ void TolerantSearch::look_for_match(const WindowPoint &point) {
     return;
   if (std::optional<TolerantMatch> found =
           branching_->match(window_, bounds_, limit(), point.prices.excess)) {
-    best_ = std::move(found);
+    set_best(std::move(*found));
     tries_in_vain_ = 0;
   } else {
     ++tries_in_vain_;
@@ -310,7 +316,7 @@ bool TolerantSearch::bound_node(SearchTree::Number node) {
     CertainBound found = steered().bound_maker.bound(bounds_, relaxation.steering());
     if (!found.particles) {
       // Its leaf does not count particles.
-      tree_.raise(node, total(best_->q), std::move(found.leaf));
+      tree_.raise(node, particles_, std::move(found.leaf));
       return true;
     }
     tree_.raise(node, *found.particles, std::move(found.leaf));
@@ -368,7 +374,7 @@ bool TolerantSearch::try_masses(std::vector<Rational> t) {
     if (best_ && total(q) > *most())
       return false;
     if (problem_.is_match(q, t)) {
-      best_ = TolerantMatch{std::move(q), std::move(t)};
+      set_best({std::move(q), std::move(t)});
       return true;
     }
     for (Rational &mass : t)

@@ -55,6 +55,7 @@ private:
   void decide_exactly(SearchTree::Number node);
   bool add_cuts();
   bool try_masses(std::vector<Rational> t);
+  void set_best(TolerantMatch match);
   std::optional<Integer> most() const;
   bool ends() const;
 
@@ -62,6 +63,7 @@ private:
   CountBounds root_, bounds_;
   const TolerantChain *chain_;
   std::optional<TolerantMatch> &best_;
+  Integer particles_; ///< of the best
   const Limits limits_;
   Watch watch_;
   SearchTree tree_;

@@ -15,7 +15,7 @@ namespace mdm {
 namespace {
 
 /// Windows that are narrower are not split by doubles.
-constexpr double least_relative_width = 1 + 1e-11;
+constexpr double least_relative_width = 1 + 1e-12;
 
 double relative_width(const MassWindow &window) {
   return window.above > 0 && window.up_to ? near(*window.up_to) / near(window.above)

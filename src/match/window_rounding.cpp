@@ -172,8 +172,6 @@ std::optional<std::vector<Rational>> WindowRounding::masses(const std::vector<In
 
 std::optional<TolerantMatch> WindowRounding::match(double mass, const CountBounds &bounds, double limit,
                                                    double excess_price) const {
-  if (walks())
-    return walked(mass, bounds, limit);
   constexpr int most_tries = 40;
   std::optional<TolerantMatch> best;
   NearWindow window({}, bounds);
@@ -182,6 +180,8 @@ std::optional<TolerantMatch> WindowRounding::match(double mass, const CountBound
     const WindowPoint point = relaxation_.minimise(window, limit, excess_price);
     if (!(point.particles < limit - 1 + part_noise))
       break;
+    if (walks())
+      return walked(mass, bounds, limit);
     excess_price = point.prices.excess;
     const std::vector<double> counts = rounded(point, mass);
     if (count_sum(counts) < limit)
