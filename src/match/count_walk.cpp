@@ -50,13 +50,13 @@ struct CountWalk::Reach {
   }
 };
 
-std::vector<CountWalk::Reach> CountWalk::reaches(double mass, const std::vector<double> &least,
-                                                 const std::vector<double> &most) const {
+std::vector<CountWalk::Reach> CountWalk::reaches(const NearWindow &window) const {
   std::vector<Reach> all;
   for (std::size_t j = 0; j < classes_.size(); ++j) {
     const Class &c = classes_[j];
-    all.push_back({c.f, c.F, least[j], most[j], c.share.lo * mass, c.share.hi * mass, c.passing.lo * mass,
-                   c.passing.hi * mass, mass_noise * mass});
+    all.push_back({c.f, c.F, window.least[j], window.most[j], c.share.lo * window.above,
+                   c.share.hi * window.up_to, c.passing.lo * window.above, c.passing.hi * window.up_to,
+                   mass_noise * window.up_to});
   }
   for (std::size_t j = all.size() - 1; j > 0; --j) {
     const Reach &above = all[j];
@@ -116,10 +116,9 @@ std::vector<CountWalk::Place> CountWalk::next(const std::vector<Place> &places, 
   return kept;
 }
 
-std::vector<double> CountWalk::counts(double mass, const std::vector<double> &least,
-                                      const std::vector<double> &most, double limit) const {
+std::vector<double> CountWalk::counts(const NearWindow &window, double limit) const {
   std::vector<std::vector<Place>> steps{{{0, 0, 0, 0, 0}}};
-  for (const Reach &reach : reaches(mass, least, most)) {
+  for (const Reach &reach : reaches(window)) {
     steps.push_back(next(steps.back(), reach, limit));
     if (steps.back().empty())
       return {};

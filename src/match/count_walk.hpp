@@ -2,7 +2,7 @@
 /// \file
 /// Whole counts at one mass, in double precision.
 
-#include "match/share_program.hpp"
+#include "match/window_relaxation.hpp"
 
 namespace mdm {
 
@@ -16,17 +16,15 @@ public:
   };
   explicit CountWalk(std::vector<Class> classes) : classes_(std::move(classes)) {}
 
-  /// Counts with fewer particles than `limit` and, but for rounding, a sample of that mass: the fewest of
-  /// those that were kept on the way. Empty if none are found.
-  /// \param least,most  bounds on the counts
-  std::vector<double> counts(double mass, const std::vector<double> &least, const std::vector<double> &most,
-                             double limit) const;
+  /// Counts with fewer particles than `limit` that a sample of a mass in the window could have, but for
+  /// rounding, if its mass could be another one for each sieve: the fewest of those that were kept on the
+  /// way. Empty if none are found.
+  std::vector<double> counts(const NearWindow &window, double limit) const;
 
 private:
   struct Place;
   struct Reach;
-  std::vector<Reach> reaches(double mass, const std::vector<double> &least,
-                             const std::vector<double> &most) const;
+  std::vector<Reach> reaches(const NearWindow &window) const;
   std::vector<Place> next(const std::vector<Place> &places, const Reach &reach, double limit) const;
 
   std::vector<Class> classes_;

@@ -54,20 +54,8 @@ void ExactNode::set(std::size_t variable, const CountBound &bound) {
 
 bool ExactNode::find(const CountBounds &bounds, const std::optional<Integer> &most) {
   for (std::size_t j = 0; j < problem_.classes(); ++j) {
-    set(j, bounds.classes[j]);
-    program_.set_lower(strict_[j], bounds.classes[j].least >= 1 ? above_zero : Infinitesimal{});
-  }
-  for (const auto &[of, form] : sums_)
-    set(form, CountBound{});
-  for (const auto &[of, bound] : bounds.sums) {
-    if (sums_.count(of) == 0) {
-      std::vector<std::pair<std::size_t, Rational>> counts;
-      for (std::size_t b = of.first; b <= of.second; ++b)
-        counts.emplace_back(b, 1);
-      sums_[of] = program_.add_form(counts);
-      row_of_.push_back({TolerantCondition::least_sum, of.second, 0, of.first});
-    }
-    set(sums_[of], bound);
+    set(j, bounds[j]);
+    program_.set_lower(strict_[j], bounds[j].least >= 1 ? above_zero : Infinitesimal{});
   }
   program_.set_upper(count_, most ? Simplex::Bound(whole(*most)) : std::nullopt);
   if (!program_.find(count_))
@@ -90,8 +78,7 @@ TreeNode ExactNode::leaf() const {
     } else {
       Multiple row = row_of_[term.variable - problem_.variables()];
       if (term.is_upper)
-        row.condition = row.condition == TolerantCondition::least_sum ? TolerantCondition::most_sum
-                                                                      : TolerantCondition::fewer;
+        row.condition = TolerantCondition::fewer;
       node.leaf.push_back(row);
     }
   }

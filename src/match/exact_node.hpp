@@ -29,8 +29,7 @@ private:
 
   const TolerantProblem &problem_;
   Simplex program_;
-  std::vector<Multiple> row_of_; ///< condition of each form
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> sums_;
+  std::vector<Multiple> row_of_;    ///< condition of each form
   std::vector<std::size_t> strict_; ///< forms of above_lower
   std::size_t count_ = 0;           ///< form of at_least
 };

@@ -310,7 +310,7 @@ WindowVerdict MassWindows::verdict(const MassWindow &window, const CountBounds &
   Integer greatest = 0;
   bool is_reached = true, is_bounded = true;
   for (std::size_t j = 0; j < l_.size(); ++j) {
-    if (!points.set({l_[j], h_[j], target_[j], f_[j], F_[j]}, bounds.classes[j]))
+    if (!points.set({l_[j], h_[j], target_[j], f_[j], F_[j]}, bounds[j]))
       return {true, 0};
     is_bounded = is_bounded && (of_count <= 0 || points.has_most());
     if (!is_bounded)

@@ -34,7 +34,7 @@ void SearchTree::apply_splits(Number node, CountBounds &bounds, MassWindow &wind
       window.narrow(*parent.mass, is_first);
       continue;
     }
-    CountBound &bound = bounds.of(parent.i, parent.j);
+    CountBound &bound = bounds[parent.j];
     if (!is_first)
       bound.least = std::max(bound.least, parent.v);
     else if (!bound.most || *bound.most >= parent.v)
@@ -69,7 +69,7 @@ SearchTree::Number SearchTree::add_children(Number node) {
   open_.erase({nodes_[node].bound, node});
   const Number first = nodes_.size();
   for (const Number child : {first, first + 1}) {
-    nodes_.push_back({node, nodes_[node].bound, nodes_[node].leaf, 0, 0, 0, std::nullopt, 0, true});
+    nodes_.push_back({node, nodes_[node].bound, nodes_[node].leaf, 0, 0, std::nullopt, 0, true});
     open_.insert({nodes_[node].bound, child});
   }
   nodes_[node].leaf.reset();
@@ -77,9 +77,8 @@ SearchTree::Number SearchTree::add_children(Number node) {
   return first;
 }
 
-SearchTree::Number SearchTree::split(Number node, std::size_t i, std::size_t j, const Integer &v) {
+SearchTree::Number SearchTree::split(Number node, std::size_t j, const Integer &v) {
   const Number first = add_children(node);
-  nodes_[node].i = i;
   nodes_[node].j = j;
   nodes_[node].v = v;
   return first;
@@ -106,7 +105,7 @@ Tree SearchTree::tree(const Integer &bound, std::size_t longest) const {
     const Node &node = nodes_[left.back()];
     left.pop_back();
     if (node.first != 0) {
-      tree.push_back({node.i, node.j, node.v, {}, node.mass});
+      tree.push_back({node.j, node.j, node.v, {}, node.mass});
       left.push_back(node.first + 1);
       left.push_back(node.first);
     } else if (!node.leaf || (node.has_match && node.bound < bound)) {

@@ -30,8 +30,8 @@ public:
   /// No match is in the node, or only those with as many particles as its bound, of which there are enough.
   void close(Number node);
   void close_without_match(Number node, TreeNode leaf);
-  /// The first of two new nodes: with q_i + ... + q_j < v, then >= v.
-  Number split(Number node, std::size_t i, std::size_t j, const Integer &v);
+  /// The first of two new nodes: with q_j < v, then >= v.
+  Number split(Number node, std::size_t j, const Integer &v);
   /// The same with M <= mass, then M > mass.
   Number split(Number node, const Rational &mass);
 
@@ -47,7 +47,7 @@ private:
     Number parent = 0;
     Integer bound;
     std::shared_ptr<const TreeNode> leaf;
-    std::size_t i = 0, j = 0;
+    std::size_t j = 0;
     Integer v;
     std::optional<Rational> mass; ///< of a split of it
     Number first = 0;             ///< of the two children, 0 for none

@@ -52,12 +52,8 @@ public:
       need(i, chain_.raises()[*r].of, *r);
       need(chain_.raises()[*r].of + 1, j, *r);
     } else {
-      need_split(*r);
+      is_split_[*r] = true;
     }
-  }
-  void need_split(const ClassInterval &of) {
-    if (const std::optional<std::size_t> r = last_raise(of.i, of.j, end()))
-      need_split(*r);
   }
   void need_level(const TolerantChain::Level &level) {
     need(level.i, level.j, level.before);
@@ -138,7 +134,6 @@ private:
     return next == all.begin() ? std::nullopt : std::optional<std::size_t>(*std::prev(next));
   }
   bool is_sum(std::size_t r) const { return chain_.raises()[r].reason == TolerantChain::Reason::sum; }
-  void need_split(std::size_t r) { is_split_[r] = true; }
 
   void need_for(std::size_t r) {
     const TolerantChain::Raise &raise = chain_.raises()[r];
@@ -229,13 +224,6 @@ private:
 };
 
 } // namespace
-
-std::optional<Tree> chain_splits(const TolerantChain &chain, const std::vector<ClassInterval> &needed) {
-  Proof proof(chain);
-  for (const ClassInterval &of : needed)
-    proof.need_split(of);
-  return proof.splits();
-}
 
 Tree chain_tree(const TolerantChain &chain) {
   Proof proof(chain);

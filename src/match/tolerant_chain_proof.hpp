@@ -6,18 +6,8 @@
 
 namespace mdm {
 
-/// Classes i to j.
-struct ClassInterval {
-  std::size_t i, j;
-};
-
-/// Splits for the bounds that are needed, and for those that these come from, each with a leaf for its first
-/// branch (Theorem 17): what follows is the rest of a tree in which these bounds are in force.
-/// Nothing if they are longer than longest_tree, or have more than 8 times as many terms to add up.
-/// \pre chain.keeps_raises()
-std::optional<Tree> chain_splits(const TolerantChain &chain, const std::vector<ClassInterval> &needed);
-
-/// The tree that refutes chain.particles() - 1 particles; empty if it is too long, as below.
+/// The tree that refutes chain.particles() - 1 particles (Theorem 17). Empty if it is longer than
+/// longest_tree, or has more than 8 times as many terms to add up.
 /// \pre chain.keeps_raises()
 Tree chain_tree(const TolerantChain &chain);
 

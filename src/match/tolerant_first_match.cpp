@@ -1,6 +1,9 @@
-// A first match near the chain's bound, before a tree is begun: counts at masses a little above the chain's,
-// in ranges that grow by 4 from the part of one particle. Whatever is found has been tested exactly. That
-// nothing is found means nothing: the tree begins without.
+// A first match near the chain's bound, before a tree is begun. Whatever is found has been tested exactly;
+// that nothing is found means nothing: the tree begins without.
+//
+// Where a walk over the classes finds counts, windows of the mass above the chain's are halved, those in
+// which a walk has the fewest particles first, and each is tried at its middle: what passes may be possible
+// at few masses alone. Otherwise masses are tried in steps that grow by 4 from the part of one particle.
 
 #include "match/tolerant_first_match.hpp"
 
@@ -9,34 +12,76 @@
 #include "match/window_branching.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <queue>
 
 namespace mdm {
+namespace {
+
+/// A window of the mass in which a walk has so many particles.
+struct WalkedWindow {
+  double particles, above, up_to;
+
+  bool operator<(const WalkedWindow &other) const {
+    return particles > other.particles || (particles == other.particles && above > other.above);
+  }
+};
+
+} // namespace
+
+static std::optional<TolerantMatch> walked_match(const WindowRounding &rounding, const CountBounds &bounds,
+                                                 double mass, double least, double limit, int tries,
+                                                 const Watch &watch) {
+  constexpr double least_width = 1e-14;
+  NearWindow window({}, bounds);
+  std::priority_queue<WalkedWindow> open;
+  const auto add = [&](double above, double up_to) {
+    window.above = above;
+    window.up_to = up_to;
+    const double particles = rounding.fewest(window, limit);
+    if (particles < limit)
+      open.push({particles, above, up_to});
+  };
+  std::optional<TolerantMatch> best;
+  double above = mass;
+  for (double part = 1 / least; least * (above / mass) < limit && part < 0x1p30; part *= 4) {
+    add(above, mass * (1 + part));
+    above = mass * (1 + part);
+  }
+  while (!open.empty() && open.top().particles < limit && tries-- > 0 && !watch.ends()) {
+    const WalkedWindow top = open.top();
+    open.pop();
+    const double middle = std::sqrt(top.above * top.up_to);
+    if (std::optional<TolerantMatch> found = rounding.match(middle, bounds, limit, 0)) {
+      best = std::move(found);
+      limit = near(total(best->q));
+      if (limit <= least)
+        break;
+    }
+    if (middle <= top.above * (1 + least_width))
+      continue;
+    add(top.above, middle);
+    add(middle, top.up_to);
+  }
+  return best;
+}
 
 std::optional<TolerantMatch> first_match(const TolerantProblem &problem, const Rational &mass,
                                          const Integer &least, const std::optional<Integer> &most, int rounds,
                                          const Watch &watch) {
   const WindowBranching branching(problem, mass);
+  const WindowRounding &rounding = branching.rounding();
   const CountBounds bounds = least_counts(problem);
+  const double limit = most ? near(*most) : std::numeric_limits<double>::infinity();
   // Of classes alone the chain shows too little to be reached; without a walk a mass takes long.
-  const bool is_near = branching.walks() && !problem.tolerance().passing.empty();
-  const int masses = is_near ? 16 : 1;
-  double limit = most ? near(*most) : std::numeric_limits<double>::infinity();
-  std::optional<TolerantMatch> best;
-  // Where the mass is a part above that of the bound, so is the number of particles.
-  double part = is_near ? 1 / near(least) : std::max(1 / near(least), 0x1p-20);
-  for (int i = 0; i < rounds && !(best && near(least) * (1 + part) > limit); ++i, part *= 4)
-    for (int n = 0; n < masses && !watch.ends(); ++n) {
-      const double at = near(mass) * (1 + part * (n + 0.5) / masses);
-      std::optional<TolerantMatch> found = branching.match_at(at, bounds, limit);
-      if (!found)
-        continue;
-      best = std::move(found);
-      limit = near(total(best->q));
-      if (!is_near || total(best->q) <= least)
-        return best;
-    }
-  return best;
+  if (rounding.walks() && !problem.tolerance().passing.empty())
+    return walked_match(rounding, bounds, near(mass), near(least), limit, 16 * rounds, watch);
+  double part = std::max(1 / near(least), 0x1p-20);
+  for (int i = 0; i < rounds && !watch.ends(); ++i, part *= 4)
+    if (std::optional<TolerantMatch> found = rounding.match(near(mass) * (1 + part / 2), bounds, limit, 0))
+      return found;
+  return std::nullopt;
 }
 
 } // namespace mdm

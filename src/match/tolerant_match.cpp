@@ -13,7 +13,6 @@
 #include "match/tolerant_search.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <numeric>
 
@@ -68,12 +67,11 @@ private:
     return problem_.classes() <= (of_passing ? most_of_passing : most_classes_of_all_intervals);
   }
 
+  /// Searches begin with the question alone, not with the chain's bounds: their proofs are shorter.
   void search_tree() {
-    is_by_windows_ = suits_windows();
     const std::optional<Rational> mass =
-        is_by_windows_ ? std::optional<Rational>(least_mass()) : std::nullopt;
-    TolerantSearch tree(problem_, root_bounds(), least_, has_chain() && !mass ? chain_.get() : nullptr,
-                        result_.best, limits_, watch_, mass);
+        suits_windows() ? std::optional<Rational>(least_mass()) : std::nullopt;
+    TolerantSearch tree(problem_, least_, result_.best, limits_, watch_, mass);
     tree_ = &tree;
     try {
       tree.run();
@@ -94,7 +92,7 @@ private:
   /// without it is proved.
   void keep_tree(const TolerantSearch &search) {
     const bool is_of_chain = result_.best && result_.proved == least_;
-    result_.tree = is_of_chain ? tree_of_least() : with_splits(search.tree());
+    result_.tree = is_of_chain ? tree_of_least() : search.tree();
     if (result_.tree.empty() && !result_.complete)
       prove_least();
   }
@@ -186,54 +184,12 @@ private:
     return chain_->keeps_raises() ? chain_tree(*chain_) : Tree();
   }
 
-  /// The bounds of single classes that every match keeps.
-  CountBounds root_bounds() const {
-    CountBounds bounds = least_counts(problem_);
-    for (std::size_t j = 0; j < problem_.classes() && has_chain() && !is_by_windows_; ++j)
-      bounds.classes[j].least = chain_->count(j, j);
-    return bounds;
-  }
-
-  /// True if the chain's bounds are rows of the program: they can be proved, if that is asked for.
-  bool has_chain() const { return chain_->keeps_raises() || !limits_.keep_proof; }
-
-  /// Searches by windows of the mass begin with the question alone: their proofs are shorter than with the
-  /// chain's bounds. Where what passes alone is bounded, the chain's bounds are nearly all that there is to
-  /// prove; exact programs are quickest where they are small. With a total linear programs over counts prove
-  /// small numbers of particles sooner, up to some 40 classes.
-  bool suits_windows() const {
-    constexpr std::size_t small_total = 1 << 14;
-    constexpr unsigned few_particles = 1 << 18;
-    const Tolerance &tolerance = problem_.tolerance();
-    if (problem_.table_size() <= exact_table)
-      return false;
-    if (!tolerance.total)
-      return !tolerance.retained.empty();
-    return problem_.table_size() > small_total || (result_.best && total(result_.best->q) > few_particles);
-  }
+  /// Exact programs alone are quickest where they are small.
+  bool suits_windows() const { return problem_.table_size() > exact_table; }
 
   /// About the least mass of a match.
   Rational least_mass() const {
     return chain_->level() > 0 ? chain_->level() : Rational(problem_.F(problem_.classes() - 1));
-  }
-
-  /// The tree below the splits for the chain's bounds that its leaves use; empty if it is too long.
-  Tree with_splits(Tree tree) const {
-    if (tree.empty() || !has_chain() || is_by_windows_)
-      return tree;
-    std::vector<ClassInterval> used;
-    for (const TreeNode &node : tree)
-      for (const Multiple &m : node.leaf)
-        if (m.condition == TolerantCondition::least_sum)
-          used.push_back({m.i, m.j});
-        else if (m.condition == TolerantCondition::least_count ||
-                 m.condition == TolerantCondition::above_lower)
-          used.push_back({m.j, m.j});
-    std::optional<Tree> all = chain_splits(*chain_, used);
-    if (!all)
-      return {};
-    all->insert(all->end(), std::make_move_iterator(tree.begin()), std::make_move_iterator(tree.end()));
-    return size_of(*all) <= longest_tree ? std::move(*all) : Tree();
   }
 
   Integer certain() const { return tree_ ? tree_->certain() : least_; }
@@ -267,7 +223,6 @@ private:
   const Watch watch_;
   ShareClosure shares_;
   std::unique_ptr<TolerantChain> chain_;
-  bool is_by_windows_ = false; ///< the search
   const TolerantSearch *tree_ = nullptr;
   Integer least_; ///< no match has fewer particles
   TolerantResult result_;

@@ -3,7 +3,6 @@
 /// The search for the smallest match within a tolerance, where the chain does not decide.
 
 #include "match/search_tree.hpp"
-#include "match/tolerant_chain.hpp"
 #include "match/tolerant_match.hpp"
 #include "match/window_branching.hpp"
 
@@ -14,19 +13,18 @@ namespace mdm {
 
 class ExactNode;
 
-/// Branch and bound. Linear programs in double precision choose the splits, on counts of consecutive classes,
-/// and the multipliers of bounds; exact arithmetic makes bounds of them, or decides a node where they do not
-/// serve. Nodes of the least bound come first, each followed by one of its children down to an end; in
-/// windows whole counts are looked for and tested exactly.
+/// Branch and bound, the nodes of the least bound first. In windows of the mass programs in double precision
+/// choose the splits and the multipliers of bounds, which exact arithmetic proves, and whole counts are
+/// looked for and tested exactly. Where they do not serve, and without windows everywhere, nodes are decided
+/// exactly.
 class TolerantSearch {
 public:
-  /// \param bounds  that every match keeps, by the problem or by the chain, and no match has fewer particles
-  /// than `least`; of the chain further ones are taken, unless it is not given
+  /// \param least  no match has fewer particles
   /// \param best  a match, or nothing; here and after the search
   /// \param mass  where given, the search is by windows of the mass, and this is about the least mass of a match
-  TolerantSearch(const TolerantProblem &problem, CountBounds bounds, Integer least,
-                 const TolerantChain *chain, std::optional<TolerantMatch> &best, const Limits &limits,
-                 const Watch &watch, const std::optional<Rational> &mass = std::nullopt);
+  TolerantSearch(const TolerantProblem &problem, Integer least, std::optional<TolerantMatch> &best,
+                 const Limits &limits, const Watch &watch,
+                 const std::optional<Rational> &mass = std::nullopt);
   ~TolerantSearch();
 
   /// Until the best is the smallest, there is no match for certain, or a limit comes.
@@ -42,18 +40,12 @@ public:
   Tree tree() const;
 
 private:
-  struct Steered;
-  /// What doubles steer, made when it is needed. \pre there is a best
-  Steered &steered();
-  void step(SearchTree::Number node);
   void step_by_windows(SearchTree::Number node);
   bool bound_window(SearchTree::Number node, const WindowPoint &point);
   void look_for_match(const WindowPoint &point);
   bool find_first_match(SearchTree::Number node);
   double limit() const;
-  bool bound_node(SearchTree::Number node);
   void decide_exactly(SearchTree::Number node);
-  bool add_cuts();
   bool try_masses(std::vector<Rational> t);
   void set_best(TolerantMatch match);
   std::optional<Integer> most() const;
@@ -61,7 +53,6 @@ private:
 
   const TolerantProblem &problem_;
   CountBounds root_, bounds_;
-  const TolerantChain *chain_;
   std::optional<TolerantMatch> &best_;
   Integer particles_; ///< of the best
   const Limits limits_;
@@ -70,7 +61,6 @@ private:
   MassWindow window_;
   std::optional<WindowBranching> branching_;
   std::map<SearchTree::Number, WindowPoint> points_; ///< of open nodes whose bounds are theirs
-  std::unique_ptr<Steered> steered_;
   std::unique_ptr<ExactNode> exact_;
   std::optional<SearchTree::Number> current_; ///< where the walk goes on
   std::uint64_t nodes_ = 0;

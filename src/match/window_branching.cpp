@@ -9,6 +9,7 @@
 #include "match/near.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mdm {
@@ -75,33 +76,37 @@ std::vector<WindowBranching::Split> WindowBranching::count_splits(const CountBou
   std::vector<Split> splits;
   for (std::size_t j = point.counts.size(); j-- > 0 && splits.size() < most_splits;) {
     const double whole = std::floor(point.counts[j] + noise);
-    if (point.counts[j] - whole < noise || whole > most_count || !bounds.is_inside(j, j, Integer(whole + 1)))
+    if (point.counts[j] - whole < noise || whole > most_count || !bounds[j].is_inside(Integer(whole + 1)))
       continue;
     splits.push_back({std::nullopt, j, Integer(whole + 1)});
   }
   return splits;
 }
 
-/// By how much both branches are above the node, which are solved for it (strong branching), by the product
-/// rule.
+/// By how much both branches are above the node, up to the limit, which are solved for it (strong branching),
+/// by the product rule.
 double WindowBranching::merit(const Split &split, const MassWindow &window, const CountBounds &bounds,
                               const WindowPoint &point, double limit) const {
-  constexpr double least_gain = 1e-9; // so that a branch which gains nothing does not hide the other's gain
-  const double least = least_gain * point.particles, most = 2 * limit;
-  double product = 1;
+  // So that a branch which gains nothing does not hide the other's gain. Smaller ones prefer counts that
+  // close one branch, one after the other, to the mass; they serve where no branch gains that much.
+  constexpr double least_part = 0.01, tiny_part = 1e-9;
+  const double room = limit - point.particles;
+  std::array<double, 2> gains{};
   for (const bool is_first : {true, false}) {
     MassWindow half = window;
     CountBounds counts = bounds;
     if (split.mass)
       half.narrow(*split.mass, is_first);
     else if (is_first)
-      counts.classes[split.j].most = split.v - 1;
+      counts[split.j].most = split.v - 1;
     else
-      counts.classes[split.j].least = split.v;
-    const double found = minimise(half, counts, most, point.prices.excess).particles;
-    product *= std::max(std::min(found, most) - point.particles, least);
+      counts[split.j].least = split.v;
+    const double found = minimise(half, counts, limit, point.prices.excess).particles;
+    gains[is_first ? 0 : 1] = std::min(found, limit) - point.particles;
   }
-  return product;
+  const bool gains_much = std::max(gains[0], gains[1]) >= least_part * room;
+  const double least = (gains_much ? least_part : tiny_part) * room;
+  return std::max(gains[0], least) * std::max(gains[1], least);
 }
 
 std::optional<WindowBranching::Split> WindowBranching::best_split(const MassWindow &window,

@@ -21,10 +21,7 @@ public:
   std::optional<TolerantMatch> match(const MassWindow &window, const CountBounds &bounds, double limit,
                                      double excess_price) const;
 
-  bool walks() const { return rounding_.walks(); }
-  std::optional<TolerantMatch> match_at(double mass, const CountBounds &bounds, double limit) const {
-    return rounding_.match(mass, bounds, limit, 0);
-  }
+  const WindowRounding &rounding() const { return rounding_; }
 
   /// M <= mass, or M > mass; or q_j < v, or q_j >= v.
   struct Split {

@@ -28,7 +28,7 @@ public:
       CountBounds counts = bounds;
       if (node.mass)
         half.narrow(*node.mass, is_first);
-      else if (CountBound &bound = counts.of(node.i, node.j); !is_first)
+      else if (CountBound &bound = counts[node.j]; !is_first)
         bound.least = std::max(bound.least, node.v);
       else if (!bound.most || *bound.most >= node.v)
         bound.most = node.v - 1;

@@ -104,7 +104,7 @@ private:
 
 NearWindow::NearWindow(const MassWindow &window, const CountBounds &bounds)
     : above(near(window.above)), up_to(window.up_to ? near(*window.up_to) : no_bound) {
-  for (const CountBound &bound : bounds.classes) {
+  for (const CountBound &bound : bounds) {
     least.push_back(near(bound.least));
     most.push_back(bound.most ? near(*bound.most) : no_bound);
   }

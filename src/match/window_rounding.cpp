@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace mdm {
@@ -111,10 +112,16 @@ std::vector<Rational> WindowRounding::exact_shares(const std::vector<double> &ne
   return shares;
 }
 
+double WindowRounding::fewest(const NearWindow &window, double limit) const {
+  const std::vector<double> counts = walk_.counts(window, limit);
+  return counts.empty() ? std::numeric_limits<double>::infinity() : count_sum(counts);
+}
+
 std::optional<TolerantMatch> WindowRounding::walked(double mass, const CountBounds &bounds,
                                                     double limit) const {
-  const NearWindow all({}, bounds);
-  std::vector<double> counts = walk_.counts(mass, all.least, all.most, limit);
+  NearWindow at({}, bounds);
+  at.above = at.up_to = mass;
+  std::vector<double> counts = walk_.counts(at, limit);
   if (counts.empty())
     return std::nullopt;
   add_missing(counts, mass);

@@ -17,6 +17,9 @@ public:
   /// A match within bounds on counts, with fewer particles than `limit`; nothing if none is found.
   std::optional<TolerantMatch> match(double mass, const CountBounds &bounds, double limit,
                                      double excess_price) const;
+  /// About as few particles as a match with a mass in the window has, or fewer; infinite where there is none
+  /// with fewer than `limit`. \pre walks()
+  double fewest(const NearWindow &window, double limit) const;
   /// True if a walk over the classes finds the counts, in the time of some solutions of the relaxation.
   bool walks() const { return !problem_.tolerance().total && !problem_.weight(); }
 

@@ -13,6 +13,20 @@ namespace {
 
 using Classes = std::vector<CountWalk::Class>;
 
+/// Masses from one to the other, with bounds on counts or none.
+NearWindow window(double above, double up_to, std::vector<double> least, std::vector<double> most) {
+  NearWindow window({}, {});
+  window.above = above;
+  window.up_to = up_to;
+  window.least = std::move(least);
+  window.most = std::move(most);
+  return window;
+}
+NearWindow window(double above, double up_to, std::size_t classes) {
+  return window(above, up_to, std::vector<double>(classes, 0),
+                std::vector<double>(classes, std::numeric_limits<double>::infinity()));
+}
+
 double uniform(std::mt19937_64 &random, double from, double to) {
   return std::uniform_real_distribution<double>(from, to)(random);
 }
@@ -99,7 +113,7 @@ TEST_CASE("a walk over the classes finds the fewest particles of enumeration", "
       most[random() % most.size()] = static_cast<double>(1 + random() % 3);
     }
     const double expected = fewest(classes, mass, least, most);
-    const std::vector<double> q = CountWalk(classes).counts(mass, least, most, 10);
+    const std::vector<double> q = CountWalk(classes).counts(window(mass, mass, least, most), 10);
     INFO("problem " << i << ", mass " << mass);
     if (q.empty()) {
       CHECK(expected > 9);
@@ -116,17 +130,38 @@ TEST_CASE("a walk over the classes finds the fewest particles of enumeration", "
   CHECK(none >= 500);
 }
 
+TEST_CASE("a walk over a window has no more particles than one at a mass inside", "[count_walk]") {
+  std::mt19937_64 random(52);
+  const auto particles = [](const std::vector<double> &q) {
+    return q.empty() ? std::numeric_limits<double>::infinity() : std::accumulate(q.begin(), q.end(), 0.0);
+  };
+  int fewer = 0, equal = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Classes classes = random_classes(random);
+    const CountWalk walk(classes);
+    const double above = uniform(random, 1, 30), up_to = above * uniform(random, 1, 1.5);
+    const double all = particles(walk.counts(window(above, up_to, classes.size()), 50));
+    for (const double mass : {above, uniform(random, above, up_to), up_to}) {
+      const double one = particles(walk.counts(window(mass, mass, classes.size()), 50));
+      INFO("problem " << i << ", mass " << mass);
+      CHECK(all <= one);
+      fewer += all < one ? 1 : 0;
+      equal += all == one ? 1 : 0;
+    }
+  }
+  CHECK(fewer >= 300);
+  CHECK(equal >= 300);
+}
+
 TEST_CASE("a walk finds counts beyond what enumeration can, and none at or above its limit", "[count_walk]") {
   // Half of the mass in particles of up to 1 needs 5e8 of them, the other half 5 of up to 1e8.
   const Classes classes = {{0.5, 1, {0.5, 0.5}, {0, 1}}, {9e7, 1e8, {0.5, 0.5}, {1, 1}}};
-  const std::vector<double> least(2, 0), most(2, std::numeric_limits<double>::infinity());
-  CHECK(CountWalk(classes).counts(1e9, least, most, 1e9) == std::vector<double>{5e8, 5});
-  CHECK(CountWalk(classes).counts(1e9, least, most, 5e8 + 5).empty());
+  CHECK(CountWalk(classes).counts(window(1e9, 1e9, 2), 1e9) == std::vector<double>{5e8, 5});
+  CHECK(CountWalk(classes).counts(window(1e9, 1e9, 2), 5e8 + 5).empty());
 }
 
 TEST_CASE("a walk takes more particles of a fine class where a coarse one has no room", "[count_walk]") {
   // A particle of the coarse class alone is above 0.6, what it may have at most: all is in the fine class.
   const Classes classes = {{0, 0.25, {0, 1}, {0.2, 1}}, {0.6, 1, {0, 0.6}, {1, 1}}};
-  const std::vector<double> least(2, 0), most(2, std::numeric_limits<double>::infinity());
-  CHECK(CountWalk(classes).counts(0.9, least, most, 100) == std::vector<double>{4, 0});
+  CHECK(CountWalk(classes).counts(window(0.9, 0.9, 2), 100) == std::vector<double>{4, 0});
 }

@@ -1,4 +1,5 @@
 #include "match/problem.hpp"
+#include "match/share_closure.hpp"
 #include "match/tolerant_search.hpp"
 #include "tolerant_twins.hpp"
 
@@ -23,7 +24,7 @@ Counts search_all(unsigned seed, int problems, const std::optional<Rational> &ma
     std::optional<TolerantMatch> best;
     Limits limits;
     limits.node_limit = 5000;
-    TolerantSearch search(twins.problem, least_counts(twins.problem), 0, nullptr, best, limits, {}, mass);
+    TolerantSearch search(twins.problem, 0, best, limits, {}, mass);
     search.run();
     INFO("problem " << i);
     CHECK(search.is_complete());
@@ -81,11 +82,10 @@ TEST_CASE("a search by windows ends soon where fewer particles would do at an ex
   for (const TolerantProblem &problem :
        {linear_problem({{5, 2, 1}, {6, 5, 1}, {8, 0, 1}, {9, 0, 1}}, passing),
         linear_problem({{0, 6, 1}, {2, 3, 4}, {4, 5, 3}, {8, 0, 1}}, retained)}) {
-    const ShareClosure shares(problem);
     std::optional<TolerantMatch> best;
     Limits limits;
     limits.node_limit = 200;
-    TolerantSearch search(problem, least_counts(problem), 0, nullptr, best, limits, {}, Rational(1));
+    TolerantSearch search(problem, 0, best, limits, {}, Rational(1));
     search.run();
     CHECK(search.is_complete());
     CHECK(search.certain() == 4);
