@@ -21,7 +21,7 @@ namespace {
 /// Masses are wrong by less, relative to all.
 constexpr double mass_noise = 1e-15;
 /// More particles than the fewest, and places, that are kept.
-constexpr double most_more = 8;
+constexpr int most_more = 8;
 constexpr std::size_t most_places = 24;
 
 } // namespace
@@ -92,9 +92,11 @@ std::vector<CountWalk::Place> CountWalk::next(const std::vector<Place> &places, 
   }
   if (fewest == limit)
     return {};
-  const double most = std::min(fewest + most_more, limit - reach.coarser - 1);
+  const double most = limit - reach.coarser - 1;
   std::vector<Place> kept, all;
-  for (double particles = fewest; particles <= most && kept.size() < most_places; ++particles) {
+  // Beyond 2^53 one particle more is none.
+  for (int more = 0; more <= most_more && fewest + more <= most && kept.size() < most_places; ++more) {
+    const double particles = fewest + more;
     all.clear();
     for (std::size_t from = 0; from < places.size(); ++from) {
       const Place &place = places[from];

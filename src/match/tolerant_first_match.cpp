@@ -44,12 +44,20 @@ static std::optional<TolerantMatch> walked_match(const WindowRounding &rounding,
       open.push({particles, above, up_to});
   };
   std::optional<TolerantMatch> best;
-  double above = mass;
-  for (double part = 1 / least; least * (above / mass) < limit && part < 0x1p30; part *= 4) {
-    add(above, mass * (1 + part));
-    above = mass * (1 + part);
-  }
-  while (!open.empty() && open.top().particles < limit && tries-- > 0 && !watch.ends()) {
+  // Ranges above the mass that grow by 4, once there is nothing with fewer particles before them.
+  double above = mass, part = 1 / least;
+  const auto add_ranges = [&] {
+    const auto fewest = [&] { return least * (above / mass); };
+    for (; (open.empty() || open.top().particles > fewest()) && fewest() < limit && part < 0x1p30;
+         part *= 4) {
+      add(above, mass * (1 + part));
+      above = mass * (1 + part);
+    }
+  };
+  for (; tries > 0 && !watch.ends(); --tries) {
+    add_ranges();
+    if (open.empty() || open.top().particles >= limit)
+      break;
     const WalkedWindow top = open.top();
     open.pop();
     const double middle = std::sqrt(top.above * top.up_to);
