@@ -4,6 +4,7 @@
 
 #include "match/tolerant_problem.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,13 @@ struct CountBound {
 
   /// True if fewer than v and at least v are both within the bounds.
   bool is_inside(const Integer &v) const { return least < v && (!most || v <= *most); }
+  /// To fewer than v, the first branch of a split, or to at least v.
+  void narrow(const Integer &v, bool is_first) {
+    if (!is_first)
+      least = std::max(least, v);
+    else if (!most || *most >= v)
+      most = v - 1;
+  }
 };
 
 /// The bounds in force at a node of a search, of each class.

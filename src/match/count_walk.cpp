@@ -1,10 +1,10 @@
-// Whole counts at a mass M, by dynamic programming over the classes, from the finest on. A place is what can
-// pass a sieve with so many particles below it: masses between two ends. From each place the next class
-// goes on with the fewest particles that reach the sieve's band, and with some more. Of two places the one
-// that has no fewer particles and lies inside the other is left out, as are those with many more particles
-// than the fewest: coarse particles do not make up for so many fine ones. Backwards first, it is worked out
-// what must pass a sieve at least, as whole particles of the coarser classes hold no more, and how many
-// particles the coarser classes need at least.
+// Whole counts at a mass M, or in a window of it, by dynamic programming over the classes, from the finest
+// on. A place is what can pass a sieve with so many particles below it: masses between two ends. From each
+// place the next class goes on with the fewest particles that reach the sieve's band, and with some more. Of
+// two places the one that has no fewer particles and lies inside the other is left out, as are those with
+// many more particles than the fewest: coarse particles do not make up for so many fine ones. Backwards
+// first, it is worked out what must pass a sieve at least, as whole particles of the coarser classes hold no
+// more, and how many particles the coarser classes need at least.
 //
 // Particles grow with the class, so that counts whose sums from the finest class on are small are the ones
 // that are looked for.

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Whole counts at one mass, in double precision.
+/// Whole counts at one mass, or in a window of it, in double precision.
 
 #include "match/window_relaxation.hpp"
 

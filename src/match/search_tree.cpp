@@ -30,15 +30,10 @@ void SearchTree::apply_splits(Number node, CountBounds &bounds, MassWindow &wind
   for (; node != 0; node = nodes_[node].parent) {
     const Node &parent = nodes_[nodes_[node].parent];
     const bool is_first = node == parent.first;
-    if (parent.mass) {
+    if (parent.mass)
       window.narrow(*parent.mass, is_first);
-      continue;
-    }
-    CountBound &bound = bounds[parent.j];
-    if (!is_first)
-      bound.least = std::max(bound.least, parent.v);
-    else if (!bound.most || *bound.most >= parent.v)
-      bound.most = parent.v - 1;
+    else
+      bounds[parent.j].narrow(parent.v, is_first);
   }
 }
 

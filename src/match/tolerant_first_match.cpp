@@ -28,11 +28,9 @@ struct WalkedWindow {
   }
 };
 
-} // namespace
-
-static std::optional<TolerantMatch> walked_match(const WindowRounding &rounding, const CountBounds &bounds,
-                                                 double mass, double least, double limit, int tries,
-                                                 const Watch &watch) {
+std::optional<TolerantMatch> walked_match(const WindowRounding &rounding, const CountBounds &bounds,
+                                          double mass, double least, double limit, int tries,
+                                          const Watch &watch) {
   constexpr double least_width = 1e-14;
   NearWindow window({}, bounds);
   std::priority_queue<WalkedWindow> open;
@@ -74,6 +72,8 @@ static std::optional<TolerantMatch> walked_match(const WindowRounding &rounding,
   }
   return best;
 }
+
+} // namespace
 
 std::optional<TolerantMatch> first_match(const TolerantProblem &problem, const Rational &mass,
                                          const Integer &least, const std::optional<Integer> &most, int rounds,

@@ -75,8 +75,8 @@ private:
   std::size_t variables_ = 0;
 };
 
-/// With no more numbers in its table the exact linear program takes less time than doubles and the exact
-/// bounds of them.
+/// With no more numbers in its table the exact linear program takes about as much time as windows of the
+/// mass, or less.
 inline constexpr std::size_t exact_table = 1600;
 
 } // namespace mdm

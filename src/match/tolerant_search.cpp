@@ -1,6 +1,6 @@
-// The tree of a search within a tolerance (Theorems 14 and 20; README.md here). What comes in are bounds on
-// counts that every match keeps, and maybe a match; what goes out is the smallest match or that there is
-// none, with a tree that proves it, or at a limit both bounds.
+// The tree of a search within a tolerance (Theorems 14 and 20; README.md here). What comes in is a
+// question, how many particles every match has at least, and maybe a match; what goes out is the smallest
+// match or that there is none, with a tree that proves it, or at a limit both bounds.
 //
 // Branch and bound. Each open node is a box of counts and a window of the mass, with a bound on the
 // particles of every match in it that exact numbers have proved. Invariant: every match with fewer

@@ -97,10 +97,8 @@ double WindowBranching::merit(const Split &split, const MassWindow &window, cons
     CountBounds counts = bounds;
     if (split.mass)
       half.narrow(*split.mass, is_first);
-    else if (is_first)
-      counts[split.j].most = split.v - 1;
     else
-      counts[split.j].least = split.v;
+      counts[split.j].narrow(split.v, is_first);
     const double found = minimise(half, counts, limit, point.prices.excess).particles;
     gains[is_first ? 0 : 1] = std::min(found, limit) - point.particles;
   }

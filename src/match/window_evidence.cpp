@@ -28,10 +28,8 @@ public:
       CountBounds counts = bounds;
       if (node.mass)
         half.narrow(*node.mass, is_first);
-      else if (CountBound &bound = counts[node.j]; !is_first)
-        bound.least = std::max(bound.least, node.v);
-      else if (!bound.most || *bound.most >= node.v)
-        bound.most = node.v - 1;
+      else
+        counts[node.j].narrow(node.v, is_first);
       branches.push_back(subtree(half, counts));
     }
     for (const Tree &branch : branches)

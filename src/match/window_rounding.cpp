@@ -117,10 +117,9 @@ double WindowRounding::fewest(const NearWindow &window, double limit) const {
   return counts.empty() ? std::numeric_limits<double>::infinity() : count_sum(counts);
 }
 
-std::optional<TolerantMatch> WindowRounding::walked(double mass, const CountBounds &bounds,
-                                                    double limit) const {
-  NearWindow at({}, bounds);
-  at.above = at.up_to = mass;
+/// At the one mass of the window.
+std::optional<TolerantMatch> WindowRounding::walked(const NearWindow &at, double limit) const {
+  const double mass = at.up_to;
   std::vector<double> counts = walk_.counts(at, limit);
   if (counts.empty())
     return std::nullopt;
@@ -188,7 +187,7 @@ std::optional<TolerantMatch> WindowRounding::match(double mass, const CountBound
     if (!(point.particles < limit - 1 + part_noise))
       break;
     if (walks())
-      return walked(mass, bounds, limit);
+      return walked(window, limit);
     excess_price = point.prices.excess;
     const std::vector<double> counts = rounded(point, mass);
     if (count_sum(counts) < limit)

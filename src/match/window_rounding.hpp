@@ -24,7 +24,7 @@ public:
   bool walks() const { return !problem_.tolerance().total && !problem_.weight(); }
 
 private:
-  std::optional<TolerantMatch> walked(double mass, const CountBounds &bounds, double limit) const;
+  std::optional<TolerantMatch> walked(const NearWindow &at, double limit) const;
   std::vector<double> rounded(const WindowPoint &point, double mass) const;
   void add_missing(std::vector<double> &counts, double mass) const;
   std::optional<std::vector<Rational>> masses(const std::vector<Integer> &q, const Rational &mass) const;

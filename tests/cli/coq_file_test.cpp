@@ -2,6 +2,8 @@
 
 #include "run.hpp"
 
+#include <cmath>
+
 using namespace cli_test;
 
 namespace {
