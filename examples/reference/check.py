@@ -131,9 +131,9 @@ class Tree:
             n = -n if kind in "FQSNRP" else n
             strict = strict or kind == "m" or kind == "f" and least.get(J, 0) >= 1
             counts, masses, share = [-weight for weight in (self.F if kind == "F" else self.f)], J, 0
-            if kind in "qsnQSN":  # q >= least, -q >= -most; of all, q >= 1, -q >= 1 - N
+            if kind in "qsQSN":  # q >= least, -q >= -most
                 counts, masses = [1] * self.k, ()
-                right += n * (1 if kind == "n" else least.get(J, 0) if kind in "qs" else self.N - 1 if kind == "N" else most[J])
+                right += n * (least.get(J, 0) if kind in "qs" else self.N - 1 if kind == "N" else most[J])
             elif kind not in "fF":  # t - low M >= 0, high M - t >= 0; M > 0. Else t - f q >= 0, F q - t >= 0
                 bounds = {"r": self.retained, "p": self.passing, "m": self.all}[kind.lower()]
                 masses = range(J.stop - 1 if kind in "rR" else 0, self.k if kind == "m" else J.stop)

@@ -55,6 +55,7 @@ public:
       is_split_[*r] = true;
     }
   }
+  void need_class(std::size_t j) { need(j, j, end()); }
   void need_level(const TolerantChain::Level &level) {
     need(level.i, level.j, level.before);
     Integer f = problem_.f(level.j); // the lower hull
@@ -224,6 +225,13 @@ private:
 };
 
 } // namespace
+
+std::optional<Tree> chain_splits(const TolerantChain &chain, const std::vector<std::size_t> &classes) {
+  Proof proof(chain);
+  for (const std::size_t j : classes)
+    proof.need_class(j);
+  return proof.splits();
+}
 
 Tree chain_tree(const TolerantChain &chain) {
   Proof proof(chain);

@@ -6,8 +6,13 @@
 
 namespace mdm {
 
-/// The tree that refutes chain.particles() - 1 particles (Theorem 17). Empty if it is longer than
-/// longest_tree, or has more than 8 times as many terms to add up.
+/// Splits for the chain's bounds on these classes (Theorem 17), and for those that they come from, each with
+/// a leaf for its first branch: what follows is the rest of a tree in which these bounds are in force.
+/// Nothing if they are longer than longest_tree, or have more than 8 times as many terms to add up.
+/// \pre chain.keeps_raises()
+std::optional<Tree> chain_splits(const TolerantChain &chain, const std::vector<std::size_t> &classes);
+
+/// The tree that refutes chain.particles() - 1 particles; empty if it is too long, as above.
 /// \pre chain.keeps_raises()
 Tree chain_tree(const TolerantChain &chain);
 

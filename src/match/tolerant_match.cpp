@@ -13,6 +13,7 @@
 #include "match/tolerant_search.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <numeric>
 
@@ -67,11 +68,10 @@ private:
     return problem_.classes() <= (of_passing ? most_of_passing : most_classes_of_all_intervals);
   }
 
-  /// Searches begin with the question alone, not with the chain's bounds: their proofs are shorter.
   void search_tree() {
     const std::optional<Rational> mass =
         suits_windows() ? std::optional<Rational>(least_mass()) : std::nullopt;
-    TolerantSearch tree(problem_, least_, result_.best, limits_, watch_, mass);
+    TolerantSearch tree(problem_, root_bounds(), least_, result_.best, limits_, watch_, mass);
     tree_ = &tree;
     try {
       tree.run();
@@ -92,7 +92,7 @@ private:
   /// without it is proved.
   void keep_tree(const TolerantSearch &search) {
     const bool is_of_chain = result_.best && result_.proved == least_;
-    result_.tree = is_of_chain ? tree_of_least() : search.tree();
+    result_.tree = is_of_chain ? tree_of_least() : with_splits(search.tree());
     if (result_.tree.empty() && !result_.complete)
       prove_least();
   }
@@ -182,6 +182,37 @@ private:
     if (least_ == problem_.at_least())
       return tree_of_question();
     return chain_->keeps_raises() ? chain_tree(*chain_) : Tree();
+  }
+
+  /// True if a search begins with the chain's bounds of single classes: exact programs do, where the bounds
+  /// can be proved if that is asked for. Searches by windows begin with the question alone: their proofs are
+  /// shorter.
+  bool begins_with_chain() const {
+    return !suits_windows() && (chain_->keeps_raises() || !limits_.keep_proof);
+  }
+
+  /// The bounds of single classes that every match keeps.
+  CountBounds root_bounds() const {
+    CountBounds bounds = least_counts(problem_);
+    for (std::size_t j = 0; j < problem_.classes() && begins_with_chain(); ++j)
+      bounds[j].least = chain_->count(j, j);
+    return bounds;
+  }
+
+  /// The tree below the splits for the chain's bounds that its leaves use; empty if it is too long.
+  Tree with_splits(Tree tree) const {
+    if (tree.empty() || !begins_with_chain())
+      return tree;
+    std::vector<std::size_t> used;
+    for (const TreeNode &node : tree)
+      for (const Multiple &m : node.leaf)
+        if (m.condition == TolerantCondition::least_count || m.condition == TolerantCondition::above_lower)
+          used.push_back(m.j);
+    std::optional<Tree> all = chain_splits(*chain_, used);
+    if (!all)
+      return {};
+    all->insert(all->end(), std::make_move_iterator(tree.begin()), std::make_move_iterator(tree.end()));
+    return size_of(*all) <= longest_tree ? std::move(*all) : Tree();
   }
 
   /// Exact programs alone are quickest where they are small.

@@ -25,10 +25,10 @@
 
 namespace mdm {
 
-TolerantSearch::TolerantSearch(const TolerantProblem &problem, Integer least,
+TolerantSearch::TolerantSearch(const TolerantProblem &problem, CountBounds bounds, Integer least,
                                std::optional<TolerantMatch> &best, const Limits &limits, const Watch &watch,
                                const std::optional<Rational> &mass)
-    : problem_(problem), root_(least_counts(problem)), best_(best), limits_(limits), watch_(watch),
+    : problem_(problem), root_(std::move(bounds)), best_(best), limits_(limits), watch_(watch),
       tree_(std::move(least), limits.keep_proof) {
   if (best_)
     particles_ = total(best_->q);

@@ -19,11 +19,12 @@ class ExactNode;
 /// exactly.
 class TolerantSearch {
 public:
+  /// \param bounds  on counts, that every match keeps, by the problem or by the chain
   /// \param least  no match has fewer particles
   /// \param best  a match, or nothing; here and after the search
   /// \param mass  where given, the search is by windows of the mass, and this is about the least mass of a match
-  TolerantSearch(const TolerantProblem &problem, Integer least, std::optional<TolerantMatch> &best,
-                 const Limits &limits, const Watch &watch,
+  TolerantSearch(const TolerantProblem &problem, CountBounds bounds, Integer least,
+                 std::optional<TolerantMatch> &best, const Limits &limits, const Watch &watch,
                  const std::optional<Rational> &mass = std::nullopt);
   ~TolerantSearch();
 

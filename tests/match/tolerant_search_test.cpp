@@ -24,7 +24,7 @@ Counts search_all(unsigned seed, int problems, const std::optional<Rational> &ma
     std::optional<TolerantMatch> best;
     Limits limits;
     limits.node_limit = 5000;
-    TolerantSearch search(twins.problem, 0, best, limits, {}, mass);
+    TolerantSearch search(twins.problem, least_counts(twins.problem), 0, best, limits, {}, mass);
     search.run();
     INFO("problem " << i);
     CHECK(search.is_complete());
@@ -85,7 +85,7 @@ TEST_CASE("a search by windows ends soon where fewer particles would do at an ex
     std::optional<TolerantMatch> best;
     Limits limits;
     limits.node_limit = 200;
-    TolerantSearch search(problem, 0, best, limits, {}, Rational(1));
+    TolerantSearch search(problem, least_counts(problem), 0, best, limits, {}, Rational(1));
     search.run();
     CHECK(search.is_complete());
     CHECK(search.certain() == 4);

@@ -37,7 +37,7 @@ def check_three_classes():
     """The worked example of src/match/README.md."""
     shown = blocks(SOURCE / "src/match/README.md")
     session, tree, verdict = (next(block for block in shown if block.startswith(beginning))
-                              for beginning in ("$ cat three.csv\n", "split 2 1\n", "accepted: "))
+                              for beginning in ("$ cat three.csv\n", "split 1 1\n", "accepted: "))
     cat, solve = session.removeprefix("$ cat three.csv\n").split("$ mdm ")
     command, table = solve.split("\n", 1)
     with tempfile.TemporaryDirectory() as folder:
