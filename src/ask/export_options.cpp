@@ -2,7 +2,6 @@
 
 #include "ask/option_values.hpp"
 #include "text/file_names.hpp"
-#include "text/filesystem_path.hpp"
 #include "text/lines.hpp"
 
 #include <mdm/text/error.hpp>
@@ -26,9 +25,7 @@ std::vector<FileBeside> files_beside(const ExportTexts &c, const ExportFormat &f
     return {};
   if (c.out == "-")
     throw InputError("-o: PhasicFlow reads two more files, which lie beside it: say where with -o FILE");
-  const std::filesystem::path folder = filesystem_path(c.out).parent_path();
-  return {{path_name(folder / "shapes"), write_phasicflow_shapes},
-          {path_name(folder / "positions"), write_phasicflow_positions}};
+  return {{c.out + "-shapes", write_phasicflow_shapes}, {c.out + "-positions", write_phasicflow_positions}};
 }
 
 Rational physical(const std::string &name, const std::string &text) {

@@ -6,6 +6,8 @@
 
 #include <mdm/text/error.hpp>
 
+namespace answer_reader_test {
+
 using namespace mdm;
 
 namespace {
@@ -59,3 +61,5 @@ TEST_CASE("stated particles: what is wrong is named by its key") {
   CHECK(refusal_of(R"({"unit":"ft","classes":[{"quantity":"1","size":["1","2"]}]})") ==
         "unit 'ft' is unknown: use mm, um or m");
 }
+
+} // namespace answer_reader_test

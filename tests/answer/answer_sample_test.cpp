@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+namespace answer_sample_test {
+
 using namespace mdm;
 using namespace mdm::test;
 using mdm_test::replaced;
@@ -221,3 +223,5 @@ TEST_CASE("answers: whether a spread's bounds leave room for its mass is decided
   CHECK(is_good("1", range("2", "3"), range("5", above)));
   CHECK_FALSE(is_good("1", range("2", "3"), range("5", below)));
 }
+
+} // namespace answer_sample_test

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace answer_test {
+
 using namespace mdm;
 using Json = nlohmann::json;
 
@@ -86,3 +88,5 @@ TEST_CASE("the text answer says N first and shows every class, the window and th
   CHECK(text.find("every number from 9 on") != std::string::npos);
   CHECK(text.find("note: a note") != std::string::npos);
 }
+
+} // namespace answer_test

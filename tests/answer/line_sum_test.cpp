@@ -3,6 +3,8 @@
 #include "answer/line_sum.hpp"
 #include "catch.hpp"
 
+namespace line_sum_test {
+
 using namespace mdm;
 
 namespace {
@@ -45,3 +47,5 @@ TEST_CASE("what is no sum is not read as one", "[answer]") {
                                   std::string(62, '0') + "0x", std::string(62, '0') + "-1"})
     CHECK_FALSE(LineSum::parse(text));
 }
+
+} // namespace line_sum_test

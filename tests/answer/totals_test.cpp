@@ -5,6 +5,8 @@
 
 #include <mdm/text/error.hpp>
 
+namespace totals_test {
+
 using namespace mdm;
 
 namespace {
@@ -87,3 +89,5 @@ TEST_CASE("what is no totals is refused", "[answer]") {
   for (std::size_t i = 0; i < good.size(); ++i)
     CHECK(refusal(good.substr(0, i)) != "");
 }
+
+} // namespace totals_test

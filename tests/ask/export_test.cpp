@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <sstream>
 
+namespace export_test {
+
 using namespace mdm;
 
 namespace {
@@ -64,3 +66,5 @@ TEST_CASE("an export that cannot be is refused") {
   CHECK_THROWS_WITH(export_particles(none, "csv", out), Catch::Contains("no match is known"));
   CHECK(out.str().empty());
 }
+
+} // namespace export_test

@@ -5,6 +5,8 @@
 #include <mdm/ask/judge.hpp>
 #include <mdm/text/error.hpp>
 
+namespace judge_test {
+
 using namespace mdm;
 
 namespace {
@@ -55,3 +57,5 @@ TEST_CASE("specifications come with the library, and broken ones are refused") {
   CHECK_FALSE(shipped_specification("astm-c33-fin"));
   CHECK_THROWS_AS(at_one("50", "40"), InputError);
 }
+
+} // namespace judge_test

@@ -9,6 +9,8 @@
 
 #include <sstream>
 
+namespace verify_test {
+
 using namespace mdm;
 
 namespace {
@@ -81,3 +83,5 @@ TEST_CASE("the verifier refuses sizes and files that are none") {
   asked.cut_below = 7;
   CHECK_THROWS_AS(SampleVerifier(halves(), asked), InputError);
 }
+
+} // namespace verify_test

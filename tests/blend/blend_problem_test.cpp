@@ -4,6 +4,8 @@
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
 
+namespace blend_problem_test {
+
 using namespace mdm;
 
 namespace {
@@ -96,3 +98,5 @@ TEST_CASE("limits in words") {
   CHECK(in_words({Kind::share, 0, true}, p) == "at most 40 % of A");
   CHECK(limits_of(p).size() == 3);
 }
+
+} // namespace blend_problem_test

@@ -8,6 +8,8 @@
 #include <functional>
 #include <random>
 
+namespace blend_test {
+
 using namespace mdm;
 using namespace mdm_test;
 
@@ -433,3 +435,5 @@ TEST_CASE("no problem is refused") {
   none.best = 0;
   CHECK_THROWS_AS(solve_blend(four_stockpiles(), none), InputError);
 }
+
+} // namespace blend_test

@@ -4,6 +4,8 @@
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 
+namespace target_curve_test {
+
 using namespace mdm;
 
 namespace {
@@ -62,3 +64,5 @@ TEST_CASE("words and files are told apart, and what is no curve is refused") {
         "andreasen:16mm,q=0.25,dmin=16mm", "andreasen:16mm,q", "fuller:x"})
     CHECK_THROWS_AS(parse_target_curve(text), InputError);
 }
+
+} // namespace target_curve_test

@@ -3,6 +3,8 @@
 #include "catch.hpp"
 #include "program.hpp"
 
+namespace answer_stream_test {
+
 using namespace mdm_check_test;
 
 namespace {
@@ -217,3 +219,5 @@ TEST_CASE("answers of mdm batch are not compared with a stream of answers", "[ch
   CHECK(outcome.out.empty());
   CHECK(outcome.err.rfind(s.stream + ": its certificates are of the answers of another solver", 0) == 0);
 }
+
+} // namespace answer_stream_test

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <ctime>
 
+namespace bad_input_test {
+
 using namespace mdm_check_test;
 
 namespace {
@@ -262,3 +264,5 @@ TEST_CASE("half-phi of a large root ends soon", "[checker]") {
     many += std::to_string(900'000 + i) + "e-3,1\n";
   CHECK(exit_code(many + "0,0\n", "size-factor 2") == 2);
 }
+
+} // namespace bad_input_test

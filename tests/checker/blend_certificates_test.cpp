@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace blend_certificates_test {
+
 using namespace mdm_check_test;
 
 namespace {
@@ -80,3 +82,5 @@ TEST_CASE("stockpiles in another order, or one too few, are refused", "[checker]
         1);
   CHECK(run({folder / "proof", folder / "1.csv", folder / "2.csv", folder / "proof"}).exit_code == 2);
 }
+
+} // namespace blend_certificates_test

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace certificates_test {
+
 using namespace mdm_check_test;
 
 namespace {
@@ -222,3 +224,5 @@ TEST_CASE("a verdict follows what is printed", "[checker]") {
   CHECK(too_long.exit_code == 2);
   CHECK(too_long.out.empty());
 }
+
+} // namespace certificates_test

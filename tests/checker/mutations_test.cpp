@@ -8,6 +8,8 @@
 
 #include <mdm/checker.hpp>
 
+namespace mutations_test {
+
 using namespace mdm_check_test;
 
 namespace {
@@ -454,3 +456,5 @@ TEST_CASE("no certificate passes another gradation", "[checker]") {
       judge_all({text_of(name + ".csv")}, {text_of(other + ".proof")});
     }
 }
+
+} // namespace mutations_test

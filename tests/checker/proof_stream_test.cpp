@@ -3,6 +3,8 @@
 #include "catch.hpp"
 #include "program.hpp"
 
+namespace proof_stream_test {
+
 using namespace mdm_check_test;
 
 namespace {
@@ -167,3 +169,5 @@ TEST_CASE("a stream without its suite or its index is refused", "[checker]") {
   CHECK(unnamed.out.empty());
   CHECK(unnamed.err.find(s.stream + ".index: cannot be read: ") == 0);
 }
+
+} // namespace proof_stream_test

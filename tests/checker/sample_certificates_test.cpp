@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace sample_certificates_test {
+
 using namespace mdm_check_test;
 using mdm::checker::Verdict;
 
@@ -195,3 +197,5 @@ TEST_CASE("the program judges three files, and says what is missing with two", "
   CHECK(run({g, s, s, proof}).exit_code == 2);
   CHECK(run({g, (folder.path() / "none").string(), proof}).exit_code == 2);
 }
+
+} // namespace sample_certificates_test

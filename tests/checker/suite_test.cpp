@@ -4,6 +4,8 @@
 #include "catch.hpp"
 #include "program.hpp"
 
+namespace suite_test {
+
 using namespace mdm_check_test;
 
 namespace {
@@ -348,3 +350,5 @@ TEST_CASE("answers need a suite", "[checker]") {
   CHECK(run({"--suite", s.file, s.proofs, "--answers", s.file + "x"}).exit_code == 2);
   CHECK(run({"--answers", s.file, s.file, s.proofs}).exit_code == 2);
 }
+
+} // namespace suite_test

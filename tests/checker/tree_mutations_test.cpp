@@ -9,6 +9,8 @@
 
 #include <mdm/checker.hpp>
 
+namespace tree_mutations_test {
+
 using namespace mdm_check_test;
 
 namespace {
@@ -598,3 +600,5 @@ TEST_CASE("tree certificates of other gradations pass only where they prove thei
     CHECK(judge_all(text_of("tree_" + name + ".csv"), certificates) >= 1);
   }
 }
+
+} // namespace tree_mutations_test

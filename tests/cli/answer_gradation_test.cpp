@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace answer_gradation_test {
+
 using namespace cli_test;
 
 namespace {
@@ -101,3 +103,5 @@ TEST_CASE("an answer without particles, or of several materials, is no gradation
   CHECK(mdm({"solve", two, "-o", materials}).exit_code == 0);
   check_refused(mdm({"convert", materials}), "of several materials");
 }
+
+} // namespace answer_gradation_test

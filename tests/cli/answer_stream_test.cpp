@@ -2,6 +2,8 @@
 
 #include "run.hpp"
 
+namespace answer_stream_test {
+
 using namespace cli_test;
 
 namespace {
@@ -161,3 +163,5 @@ TEST_CASE("a crosscheck that fails or is interrupted leaves no part of a stream"
   CHECK(f.folder.entries() == entries + 1);
   CHECK_FALSE(std::filesystem::exists(f.stream));
 }
+
+} // namespace answer_stream_test

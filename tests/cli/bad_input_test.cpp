@@ -2,6 +2,8 @@
 
 #include "run.hpp"
 
+namespace bad_input_test {
+
 using namespace cli_test;
 
 namespace {
@@ -197,3 +199,5 @@ TEST_CASE("a carriage return without a line feed hides no particle", "[cli]") {
   const std::string answers = folder.write("a.csv", "id,quantities\n# x\rsmall,6 2\nsmall,3 1\n");
   check_refused(mdm({"crosscheck", "-", answers}, small), ":2: " + message);
 }
+
+} // namespace bad_input_test

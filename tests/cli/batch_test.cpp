@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+namespace batch_test {
+
 using namespace cli_test;
 
 namespace {
@@ -422,3 +424,5 @@ TEST_CASE("batch reads gradation files as the options of reading say, and refuse
   check_refused(batch(suite, {}), "is of gradation files, and this is JSON Lines");
   check_refused(mdm({"batch", "--round", "2"}), "stdin");
 }
+
+} // namespace batch_test

@@ -3,6 +3,8 @@
 #include "answer.hpp"
 #include "replaced.hpp"
 
+namespace blend_problems_test {
+
 using namespace cli_test;
 using mdm_test::replaced;
 
@@ -201,3 +203,5 @@ TEST_CASE("blends of a program that is asked", "[blend]") {
   check_refused(mdm({"crosscheck", "-", problems}, cheap + "\n{\"stockpiles\":1}\n"),
                 "stdin:2: sieves is missing");
 }
+
+} // namespace blend_problems_test

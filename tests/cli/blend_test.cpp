@@ -6,6 +6,8 @@
 #include <csignal>
 #include <thread>
 
+namespace blend_test {
+
 using namespace cli_test;
 
 namespace {
@@ -530,3 +532,5 @@ TEST_CASE("the ratios of the Bailey method are reported where they are asked for
   CHECK_FALSE(Json::parse(with({"--format", "json"}).out).contains("bailey"));
   check_refused(with({"--bailey", "10mm"}), "there are 37.5, 25, 19, 12.5, 9.5, 4.75 mm");
 }
+
+} // namespace blend_test

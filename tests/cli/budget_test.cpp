@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace budget_test {
+
 using namespace cli_test;
 
 namespace {
@@ -110,3 +112,5 @@ TEST_CASE("options that do not go with a budget are refused", "[cli]") {
   refused({"--particles", "5", "--by", "size-factor", "--solids-volume", "9", "--tolerance", "retained"},
           "--tolerance");
 }
+
+} // namespace budget_test

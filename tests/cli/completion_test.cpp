@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 
+namespace completion_test {
+
 using namespace cli_test;
 
 namespace {
@@ -57,3 +59,5 @@ TEST_CASE("a shell that is not known is refused", "[cli]") {
   check_refused(mdm({"completion", "tcsh"}), "'tcsh' is not in {bash,zsh,fish}");
   check_refused(mdm({"completion"}), "SHELL is required");
 }
+
+} // namespace completion_test

@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace convert_test {
+
 using namespace cli_test;
 
 namespace {
@@ -213,3 +215,5 @@ TEST_CASE("a rounded question is proved of the gradation that is written", "[cli
   CHECK(mdm_check(proof + ".gradation.csv", proof).exit_code == 0);
   CHECK(mdm({"solve", path, "--proof", proof}).out.find(".gradation.csv") == std::string::npos);
 }
+
+} // namespace convert_test

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+namespace coq_file_test {
+
 using namespace cli_test;
 
 namespace {
@@ -95,3 +97,5 @@ TEST_CASE("where a limit ends the search the theorem is of the bounds, and a not
   CHECK(outcome.out.find("the proof is of the bounds: at least ") != std::string::npos);
   CHECK(read_file(folder / "sand.v").find("particles ") != std::string::npos);
 }
+
+} // namespace coq_file_test

@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+namespace crosscheck_test {
+
 using namespace cli_test;
 
 namespace {
@@ -469,3 +471,5 @@ TEST_CASE("a journal knows what was asked, not the id alone", "[cli]") {
                     "\n");
   check_refused(crosscheck(small), "does not say which gradation was asked");
 }
+
+} // namespace crosscheck_test

@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace describe_test {
+
 using namespace cli_test;
 
 namespace {
@@ -247,3 +249,5 @@ TEST_CASE("describe writes its output to a file or not at all", "[describe]") {
   check_refused(mdm({"describe", "-", "-o", folder / "e.json"}, "nonsense"));
   CHECK(folder.entries() == 1);
 }
+
+} // namespace describe_test

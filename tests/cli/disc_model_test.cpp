@@ -7,6 +7,8 @@
 #include <cmath>
 #include <sstream>
 
+namespace disc_model_test {
+
 using namespace cli_test;
 using mdm_test::count;
 
@@ -110,3 +112,5 @@ TEST_CASE("discs are refused where an engine, or the question, has none", "[cli]
         2);
   CHECK_FALSE(std::filesystem::exists(out));
 }
+
+} // namespace disc_model_test

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+namespace export_model_test {
+
 using namespace cli_test;
 
 namespace {
@@ -582,3 +584,5 @@ TEST_CASE("what is no model is refused with a remedy, and leaves nothing", "[cli
   check_refused(mdm({"export", sand, "--to", "liggghts", "--steps", "5", "-o", out}), "--model settle");
   CHECK(folder.entries() == 0);
 }
+
+} // namespace export_model_test

@@ -1,9 +1,12 @@
 // mdm export: files with the counts of the match, which verify reads back; what looks like an accident is
 // refused.
 
+#include "all_cases.hpp"
 #include "answer.hpp"
 
 #include <cmath>
+
+namespace export_test {
 
 using namespace cli_test;
 
@@ -61,12 +64,18 @@ Json verified(const std::string &gradation, const std::string &file, const std::
 } // namespace
 
 TEST_CASE("export: verify finds the counts of the match and shares within the stated error", "[cli]") {
+  std::size_t turn = 0;
   for (const std::string &gradation :
        {read_file(example("athabasca-sand")), read_file(example("c778-graded-sand")), gap, fine, micrometres,
         inches}) {
+    REQUIRE(readable.size() % 2 == 1);
     const Json answer = solve_json({"-"}, 0, gradation);
-    for (const std::string &format : readable)
+    for (const std::string &format : readable) {
+      ++turn;
       for (const std::string unit : {"m", "um"}) {
+        // Some cases: each format in one of the units, and in the other for the next gradation.
+        if (!takes_all_cases() && (turn % 2 == 0) != (unit == "m"))
+          continue;
         const std::string from_gradation = file_of(format, gradation, {"--unit", unit});
         CHECK(from_gradation == file_of(format, gradation, {"--unit", unit}));
         // Shares of masses that are off by 1e-9 of themselves are off by less than 2e-7 percentage points.
@@ -76,6 +85,7 @@ TEST_CASE("export: verify finds the counts of the match and shares within the st
         // The answer has another name for the gradation only where that is its file's.
         CHECK(file_of(format, answer.dump(), {"--unit", unit}) == from_gradation);
       }
+    }
   }
 }
 
@@ -314,11 +324,12 @@ TEST_CASE("export: PhasicFlow has three files, of the same particles", "[cli]") 
   const Outcome made = mdm({"export", sand, "--to", "phasicflow", "-o", folder / "particlesDict"});
   INFO(made.err);
   REQUIRE(made.exit_code == 0);
-  CHECK(made.err.find("shapes beside it into caseSetup") != std::string::npos);
+  CHECK(made.err.find("what ends in -shapes into caseSetup as shapes") != std::string::npos);
   const Json answer = solve_json({sand});
   CHECK(quantities(verified(read_file(sand), read_file(folder / "particlesDict"), "phasicflow", "m",
                             "0.0000002")) == quantities(answer));
-  const std::string positions = read_file(folder / "positions"), shapes = read_file(folder / "shapes");
+  const std::string positions = read_file(folder / "particlesDict-positions");
+  const std::string shapes = read_file(folder / "particlesDict-shapes");
   CHECK(std::to_string(std::count(positions.begin(), positions.end(), '\n')) == answer.at("particles"));
   const auto words = [&shapes](const std::string &of) {
     const std::size_t begin = shapes.find("\n" + of + " (");
@@ -329,9 +340,9 @@ TEST_CASE("export: PhasicFlow has three files, of the same particles", "[cli]") 
   CHECK(words("names") == 7);
   CHECK(words("materials") == 7);
   check_refused(mdm({"export", sand, "--to", "phasicflow"}), "say where with -o FILE");
-  check_refused(mdm({"export", folder.write("positions", read_file(sand)), "--to", "phasicflow", "-o",
+  check_refused(mdm({"export", folder.write("dict-positions", read_file(sand)), "--to", "phasicflow", "-o",
                      folder / "dict"}),
-                "positions");
+                "dict-positions");
 }
 
 TEST_CASE("a box that is rounded is told", "[cli]") {
@@ -360,3 +371,5 @@ TEST_CASE("a file says its unit in its heading, and is read back in it", "[cli]"
           contains(mdm({"verify", sand, file, "--size-unit", "mm"}).err, "and mm was given: leave that out"));
     }
 }
+
+} // namespace export_test

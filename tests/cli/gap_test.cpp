@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace gap_test {
+
 using namespace cli_test;
 
 TEST_CASE("a gap that is reached ends a search with bounds, their proof and exit code 0", "[cli]") {
@@ -38,3 +40,5 @@ TEST_CASE("a gap that is reached is enough in batch and export as well", "[cli]"
   CHECK(Json::parse(batch.out).at("status") == "feasible");
   CHECK(with_gap({"export", sand, "--to", "csv", "-o", folder / "sand.csv"}).exit_code == 0);
 }
+
+} // namespace gap_test

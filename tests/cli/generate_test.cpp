@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace generate_test {
+
 using namespace cli_test;
 
 namespace {
@@ -549,3 +551,5 @@ TEST_CASE("the sizes of a set whose unit is known have it in their header", "[cl
               .exit_code == 0);
   CHECK(mdm({"pack", discs, "-o", folder / "p", "--quiet"}).exit_code == 0);
 }
+
+} // namespace generate_test

@@ -3,6 +3,8 @@
 #include "run.hpp"
 #include "tools.hpp"
 
+namespace gzip_test {
+
 using namespace cli_test;
 
 namespace {
@@ -80,3 +82,5 @@ TEST_CASE("beside a proof of a packed gradation stands one that is not", "[gzip]
   CHECK(contains(verified.out, "mdm-check " + of + ".gradation.csv " + of + ".sample.csv " + of));
   CHECK(mdm_check({of + ".gradation.csv", of + ".sample.csv", of}).exit_code == 0);
 }
+
+} // namespace gzip_test

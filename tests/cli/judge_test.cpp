@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace judge_test {
+
 using namespace cli_test;
 
 namespace {
@@ -210,3 +212,5 @@ TEST_CASE("samples are judged by a job mix and its tolerances", "[cli]") {
   check_refused(mdm({"judge", field, "--job-mix", mix, "--within", "5", "--spec", "astm-c33-fine"}),
                 "one of --spec");
 }
+
+} // namespace judge_test

@@ -3,6 +3,8 @@
 
 #include "run.hpp"
 
+namespace kept_classes_test {
+
 using namespace cli_test;
 
 namespace {
@@ -96,3 +98,5 @@ TEST_CASE("a column of sizes with a name of its own is read for an export", "[cl
     check_refused(mdm(arguments), option.front() + ": it is of files of particles");
   }
 }
+
+} // namespace kept_classes_test

@@ -7,6 +7,8 @@
 #include <array>
 #include <sstream>
 
+namespace kept_places_test {
+
 using namespace cli_test;
 using mdm_test::count;
 
@@ -179,3 +181,5 @@ TEST_CASE("a box that is repeated stays so in other formats", "[cli]") {
   CHECK(packing(xyz) == packing(repeated));
   CHECK(contains(mdm({"export", g, "--to", "gsd", "-o", folder / "g.gsd"}).err, "GSD has no walls"));
 }
+
+} // namespace kept_places_test

@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace known_minima_test {
+
 using namespace cli_test;
 
 namespace {
@@ -84,3 +86,5 @@ TEST_CASE("what is no stream of proofs, and a question that is answered at once,
   of.folder.write("suite.proofs.index", "nothing\n");
   check_refused(of.crosscheck({"--tolerance", "retained:2%"}), "no index of proofs");
 }
+
+} // namespace known_minima_test

@@ -6,6 +6,8 @@
 
 #include <filesystem>
 
+namespace limits_test {
+
 using namespace cli_test;
 
 namespace {
@@ -124,3 +126,5 @@ TEST_CASE("where memory ends no file is left", "[cli]") {
   const std::filesystem::directory_iterator files(folder.path());
   CHECK(std::distance(begin(files), end(files)) == 1);
 }
+
+} // namespace limits_test

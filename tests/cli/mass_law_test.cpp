@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace mass_law_test {
+
 using namespace cli_test;
 
 namespace {
@@ -103,3 +105,5 @@ TEST_CASE("no output takes the place of the table of a law", "[cli]") {
   check_refused(mdm({"crosscheck", suite, answers, "--band", band, "-o", band}), "would be overwritten");
   CHECK(read_file(band) == limits);
 }
+
+} // namespace mass_law_test

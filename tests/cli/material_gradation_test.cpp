@@ -4,6 +4,8 @@
 #include "proved.hpp"
 #include "replaced.hpp"
 
+namespace material_gradation_test {
+
 using namespace cli_test;
 using mdm_test::replaced;
 
@@ -300,3 +302,5 @@ TEST_CASE("a material whose name cannot be printed is refused", "[cli]") {
                                          "c"})
     check_refused(mdm({"solve", folder.write("m.csv", replaced(beach, "quartz", name))}), "is no name");
 }
+
+} // namespace material_gradation_test

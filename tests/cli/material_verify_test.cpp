@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace material_verify_test {
+
 using namespace cli_test;
 
 namespace {
@@ -122,3 +124,5 @@ TEST_CASE("what says nothing of samples of several materials is refused", "[cli]
                                                          {"--unit", "mm"}})
     check_refused(judge.verdict(grains, options), options.front() + ": it is of gradations of one material");
 }
+
+} // namespace material_verify_test

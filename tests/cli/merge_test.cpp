@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace merge_test {
+
 using namespace cli_test;
 using Json = nlohmann::json;
 
@@ -343,3 +345,5 @@ TEST_CASE("memory of a shard and of a merge does not grow with the number of lin
   CHECK(many_merged < few_merged + 4 * 1024);
 }
 #endif
+
+} // namespace merge_test

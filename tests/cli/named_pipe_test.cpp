@@ -4,6 +4,8 @@
 
 #include <sys/stat.h>
 
+namespace named_pipe_test {
+
 using namespace cli_test;
 
 namespace {
@@ -71,3 +73,5 @@ TEST_CASE("a pipe that is needed twice is refused, and nothing waits", "[cli]") 
   CHECK(outcome.exit_code == 2);
   CHECK(contains(outcome.err, "it is a pipe, which can be read once"));
 }
+
+} // namespace named_pipe_test

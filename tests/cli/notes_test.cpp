@@ -4,6 +4,8 @@
 
 #include <set>
 
+namespace notes_test {
+
 using namespace cli_test;
 
 namespace {
@@ -139,3 +141,5 @@ TEST_CASE("the notes of an answer go with its particles", "[cli]") {
   CHECK(quiet.out == told.out);
   CHECK(quiet.err.empty());
 }
+
+} // namespace notes_test

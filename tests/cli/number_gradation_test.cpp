@@ -3,6 +3,8 @@
 #include "answer.hpp"
 #include "proved.hpp"
 
+namespace number_gradation_test {
+
 using namespace cli_test;
 
 namespace {
@@ -159,3 +161,5 @@ TEST_CASE("describe refuses what says nothing of shares by number") {
     CHECK_FALSE(outcome.err.empty());
   }
 }
+
+} // namespace number_gradation_test

@@ -2,6 +2,8 @@
 
 #include "run.hpp"
 
+namespace number_options_test {
+
 using namespace cli_test;
 
 namespace {
@@ -82,3 +84,5 @@ TEST_CASE("a whole number may not be a fraction or negative", "[cli]") {
       check_refused(mdm({"solve", sand, option, number}), option);
   check_refused(mdm({"batch", sand, "-j", "1e4"}), "-j: '1e4' is not a whole number from 1 to 1024");
 }
+
+} // namespace number_options_test

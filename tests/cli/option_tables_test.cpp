@@ -3,6 +3,8 @@
 
 #include <catch.hpp>
 
+namespace option_tables_test {
+
 using namespace mdm;
 
 namespace {
@@ -41,3 +43,5 @@ TEST_CASE("an option with several values takes one a time") {
   CHECK(texts.tolerances == std::vector<std::string>{"retained:1%", "passing:2%"});
   CHECK(file == "a.csv");
 }
+
+} // namespace option_tables_test

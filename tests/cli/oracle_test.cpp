@@ -4,6 +4,8 @@
 
 #include <unistd.h>
 
+namespace oracle_test {
+
 using namespace cli_test;
 
 namespace {
@@ -26,3 +28,5 @@ TEST_CASE("random problems have the answers of the oracle", "[cli]") {
   INFO(outcome.out << outcome.err);
   CHECK(outcome.exit_code == 0);
 }
+
+} // namespace oracle_test

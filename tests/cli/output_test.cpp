@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdlib>
 
+namespace output_test {
+
 using namespace cli_test;
 
 namespace {
@@ -353,3 +355,5 @@ TEST_CASE("a message that cannot be written changes no exit code", "[cli]") {
     CHECK(folder.entries() == 4);
   }
 }
+
+} // namespace output_test

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace outputs_as_inputs_test {
+
 using namespace cli_test;
 
 namespace {
@@ -291,3 +293,5 @@ TEST_CASE("what mdm writes it reads, whatever the id", "[cli]") {
     }
   }
 }
+
+} // namespace outputs_as_inputs_test

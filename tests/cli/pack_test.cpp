@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace pack_test {
+
 using namespace cli_test;
 
 namespace {
@@ -236,3 +238,5 @@ TEST_CASE("sizes that are no sizes of discs are refused with their file") {
   check_refused({sand}, "--spread");
   check_refused({folder.write("a.csv", "class,size_lo,size_hi\n1,1,0\n")}, "a.csv:2: ");
 }
+
+} // namespace pack_test

@@ -3,6 +3,8 @@
 #include "answer.hpp"
 #include "run.hpp"
 
+namespace phi_test {
+
 using namespace cli_test;
 
 namespace {
@@ -113,3 +115,5 @@ TEST_CASE("phi: descriptions, pictures and the trade-off take irrational opening
   const Outcome tradeoff = mdm({"tradeoff", sand, "--tolerances", "0"});
   CHECK(contains(tradeoff.out, "2.82842712474619"));
 }
+
+} // namespace phi_test

@@ -2,6 +2,8 @@
 
 #include "run.hpp"
 
+namespace plot_test {
+
 using namespace cli_test;
 
 namespace {
@@ -287,3 +289,5 @@ TEST_CASE("several gradations stand on one chart", "[plot]") {
   more.emplace_back("--match");
   check_refused(mdm(more), "--beside shows curves alone");
 }
+
+} // namespace plot_test

@@ -2,6 +2,8 @@
 
 #include "run.hpp"
 
+namespace proof_stream_test {
+
 using namespace cli_test;
 
 namespace {
@@ -120,3 +122,5 @@ TEST_CASE("a stream of proofs is written whole or not at all, and over nothing e
   CHECK(read_file(proofs) == good + "\n");
   CHECK(folder.entries() == 2);
 }
+
+} // namespace proof_stream_test

@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+namespace published_test {
+
 using namespace cli_test;
 
 namespace {
@@ -183,3 +185,5 @@ TEST_CASE("where the least match takes too long there are bounds, and exit 3", "
   CHECK(plot.err.find("narrow.json: nothing was drawn") != std::string::npos);
   CHECK(folder.entries() == 1);
 }
+
+} // namespace published_test

@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace real_sands_test {
+
 using namespace cli_test;
 
 namespace {
@@ -98,3 +100,5 @@ TEST_CASE("other units are named in the answer", "[cli]") {
   CHECK(solve_json({"-"}, 0, "size_in,mass\n0.375,1\n1,0\n").at("classes").at(0).at("lower") == "9.525");
   CHECK(solve_json({"-"}, 0, "sieve,mass\n3/8 in,1\n1 in,0\n").at("classes").at(0).at("lower") == "9.5");
 }
+
+} // namespace real_sands_test

@@ -3,6 +3,8 @@
 
 #include "run.hpp"
 
+namespace regrading_test {
+
 using namespace cli_test;
 
 namespace {
@@ -208,3 +210,5 @@ TEST_CASE("JSON has no comments: the history is on standard error", "[cli]") {
         "\"0\"]}\n");
   CHECK(contains(json.err, "scalped"));
 }
+
+} // namespace regrading_test

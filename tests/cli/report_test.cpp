@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace report_test {
+
 using namespace cli_test;
 
 namespace {
@@ -92,3 +94,5 @@ TEST_CASE("samples of one name have those of their files", "[report]") {
   CHECK(mdm({"plot", a, "--beside", b, "-o", one / "p.svg"}).exit_code == 0);
   CHECK(contains(read_file(one / "p.svg"), ">" + b + "<"));
 }
+
+} // namespace report_test

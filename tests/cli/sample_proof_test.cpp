@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+namespace sample_proof_test {
+
 using namespace cli_test;
 
 namespace {
@@ -179,3 +181,5 @@ TEST_CASE("crosscheck --proofs: answers that match and answers that do not are c
   const Outcome by_line = mdm_check({"--suite", suite, proofs});
   CHECK(has(by_line.out, ": 2 accepted, 0 refused, 0 malformed, 1 missing"));
 }
+
+} // namespace sample_proof_test

@@ -6,6 +6,8 @@
 
 #include <random>
 
+namespace shard_test {
+
 using namespace cli_test;
 using Json = nlohmann::json;
 
@@ -245,3 +247,5 @@ TEST_CASE("shards that are killed at random leave nothing that looks complete, a
   CHECK(s.folder.entries() ==
         1 + 3 + 4 * 3 + 4); // suite, whole, shards, merged: nothing is left of the killed
 }
+
+} // namespace shard_test

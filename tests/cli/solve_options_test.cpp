@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace solve_options_test {
+
 using namespace cli_test;
 
 namespace {
@@ -331,3 +333,5 @@ TEST_CASE("a text hints at the trade-off where fines cost most particles and hol
   for (const char *sand : {"athabasca-sand", "hostun-rf-sand", "limestone-pfc"})
     CHECK(mdm({"solve", example(sand)}).out.find("hint") == std::string::npos);
 }
+
+} // namespace solve_options_test

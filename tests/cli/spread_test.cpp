@@ -5,6 +5,8 @@
 #include <set>
 #include <sstream>
 
+namespace spread_test {
+
 using namespace cli_test;
 
 namespace {
@@ -171,3 +173,5 @@ TEST_CASE("no particle of a spread is on the open lower sieve", "[cli]") {
   CHECK(verify(R"(["3","3.5"])").exit_code == 1);
   CHECK(contains(verify(R"(["3","3.5"])").out, "its sizes do not have its mass together"));
 }
+
+} // namespace spread_test

@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+namespace study_test {
+
 using namespace cli_test;
 
 namespace {
@@ -183,3 +185,5 @@ TEST_CASE("a journal of another study, or none at all, is refused with what to d
   refused("a,b\n1,2\n", "is no line of a journal");
   refused("a,b", "is no line of a journal");
 }
+
+} // namespace study_test

@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace suite_test {
+
 using namespace cli_test;
 
 namespace {
@@ -140,3 +142,5 @@ TEST_CASE("a full disk and a closed pipe end a suite", "[suite]") {
   const Outcome closed = mdm({"suite", "-", "--count", "100000000000"}, mixed, "closed pipe");
   CHECK(closed.exit_code == 2);
 }
+
+} // namespace suite_test

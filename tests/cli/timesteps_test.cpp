@@ -3,6 +3,8 @@
 #include "answer.hpp"
 #include "replaced.hpp"
 
+namespace timesteps_test {
+
 using namespace cli_test;
 using mdm_test::replaced;
 
@@ -115,3 +117,5 @@ TEST_CASE("over time: what has no timesteps is refused", "[timesteps]") {
   check_refused(verify(replaced(run, other + "\n", "")), "the timestep ends after 8 of 9 atoms");
   check_refused(verify(replaced(run, "\n500\n", "\nx\n")), "the timestep is not a whole number");
 }
+
+} // namespace timesteps_test

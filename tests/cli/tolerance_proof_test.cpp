@@ -2,6 +2,8 @@
 
 #include "answer.hpp"
 
+namespace tolerance_proof_test {
+
 using namespace cli_test;
 
 namespace {
@@ -123,3 +125,5 @@ TEST_CASE("where the chain's proof would be too long, what was asked for is prov
   const std::string file = folder.write("many.csv", many + "3000,0\n");
   CHECK(contains(verdict(file, {"--tolerance", "0.05%", "--node-limit", "1"}, 3), " is between "));
 }
+
+} // namespace tolerance_proof_test

@@ -4,6 +4,8 @@
 
 #include "answer.hpp"
 
+namespace tolerance_test {
+
 using namespace cli_test;
 
 namespace {
@@ -326,3 +328,5 @@ TEST_CASE("a lower bound above --at-most is an answer, also where no match was f
   CHECK(Integer(answer.at("lower_bound").get<std::string>()) > 3);
   CHECK(contains(mdm(question).out, "no match within the limit on N"));
 }
+
+} // namespace tolerance_test

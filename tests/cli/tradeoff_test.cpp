@@ -3,6 +3,8 @@
 #include "answer.hpp"
 #include "tools.hpp"
 
+namespace tradeoff_test {
+
 using namespace cli_test;
 
 namespace {
@@ -239,3 +241,5 @@ TEST_CASE("tolerances may stand with spaces", "[cli]") {
   CHECK(mdm({"tradeoff", file, "--tolerances", " 0, 1% "}).out ==
         mdm({"tradeoff", file, "--tolerances", "0,1"}).out);
 }
+
+} // namespace tradeoff_test

@@ -2,6 +2,8 @@
 
 #include "run.hpp"
 
+namespace usage_test {
+
 using namespace cli_test;
 
 namespace {
@@ -136,3 +138,5 @@ TEST_CASE("words of the user are quoted, escaped and cut", "[cli]") {
   check_refused(mdm({"--nosuch", "solve", "a"}), "'--nosuch'");
   check_refused(mdm({"batch", "-j", "1.5"}), "-j: '1.5' is not a whole number from 1 to 1024");
 }
+
+} // namespace usage_test

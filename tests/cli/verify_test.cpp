@@ -3,6 +3,8 @@
 #include "answer.hpp"
 #include "replaced.hpp"
 
+namespace verify_test {
+
 using namespace cli_test;
 using mdm_test::replaced;
 
@@ -491,3 +493,5 @@ TEST_CASE("a LAMMPS data file has comments behind its counts", "[cli]") {
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
 }
+
+} // namespace verify_test

@@ -3,6 +3,8 @@
 #include "run.hpp"
 #include "tools.hpp"
 
+namespace zstd_test {
+
 using namespace cli_test;
 
 namespace {
@@ -133,3 +135,5 @@ TEST_CASE("a file that unpacks to gigabytes takes no gigabytes", "[cli]") {
   CHECK(proofs.max_rss_kib < most_kib);
 }
 #endif
+
+} // namespace zstd_test

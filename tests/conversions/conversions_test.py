@@ -150,7 +150,7 @@ def read_phasicflow(path):
     sizes = [None] * N
     for d, begin, end in re.findall(r"([\d.e+-]+)\s+selector\d+\s*{[^{]*{ begin (\d+); end (\d+);", path.read_text()):
         sizes[int(begin):int(end) + 1] = [float(d) / 2] * (int(end) + 1 - int(begin))
-    places = (path.parent / "positions").read_text().splitlines()
+    places = path.with_name(path.name + "-positions").read_text().splitlines()
     return [(*map(float, place.split()), r, None) for place, r in zip(places, sizes)]
 
 

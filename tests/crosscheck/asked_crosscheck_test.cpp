@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <random>
 
+namespace asked_crosscheck_test {
+
 using namespace mdm;
 
 namespace {
@@ -180,3 +182,5 @@ TEST_CASE("random counts are a match exactly where masses exist, by another meth
   }
   CHECK(matches > 20);
 }
+
+} // namespace asked_crosscheck_test

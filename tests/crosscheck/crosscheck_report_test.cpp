@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace crosscheck_report_test {
+
 using namespace mdm;
 using Json = nlohmann::json;
 
@@ -112,3 +114,5 @@ TEST_CASE("a summary shows ten rows at most", "[study]") {
   CHECK(text.find("the first 10 of 25") != std::string::npos);
   CHECK(std::count(text.begin(), text.end(), '\n') == 14);
 }
+
+} // namespace crosscheck_report_test

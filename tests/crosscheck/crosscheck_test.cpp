@@ -6,6 +6,8 @@
 #include <mdm/crosscheck/crosscheck.hpp>
 #include <mdm/gradation/read_gradation.hpp>
 
+namespace crosscheck_test {
+
 using namespace mdm;
 
 namespace {
@@ -206,3 +208,5 @@ TEST_CASE("an answer is judged from its JSON, and garbage is told") {
   CHECK(crosscheck.judge(R"({"quantities": ["6", "2"]})").verdict == AnswerVerdict::larger);
   CHECK(crosscheck.judge("none").verdict == AnswerVerdict::garbage);
 }
+
+} // namespace crosscheck_test

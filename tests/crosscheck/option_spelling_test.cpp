@@ -2,6 +2,8 @@
 #include "crosscheck/other_answer.hpp"
 #include "spellings.hpp"
 
+namespace option_spelling_test {
+
 using namespace mdm;
 using namespace mdm_test;
 
@@ -13,3 +15,5 @@ TEST_CASE("The note of ids with several answers names the option in the spelling
   check_spellings(note, {"tell them apart with --by, by 'knob'", "tell them apart with by, by 'knob'",
                          "tell them apart with by, by 'knob'"});
 }
+
+} // namespace option_spelling_test

@@ -5,6 +5,8 @@
 
 #include <mdm/text/error.hpp>
 
+namespace other_answer_test {
+
 using namespace mdm;
 
 namespace {
@@ -203,3 +205,5 @@ TEST_CASE("an answer's line is read back as it was", "[study]") {
   CHECK(c.reason == "no\nsense");
   CHECK(c.id == "i");
 }
+
+} // namespace other_answer_test

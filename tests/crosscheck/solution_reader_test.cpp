@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace solution_reader_test {
+
 using namespace mdm;
 
 namespace {
@@ -91,3 +93,5 @@ TEST_CASE("what is no solution is said", "[solution]") {
   CHECK(read_solution("q1 11\nq2 1\nq3 2", program()).answer.reason ==
         "q2 is no count of this problem: the solution is of another one");
 }
+
+} // namespace solution_reader_test

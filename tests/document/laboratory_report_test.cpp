@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace laboratory_report_test {
+
 using namespace mdm;
 using mdm_test::count;
 
@@ -112,3 +114,5 @@ TEST_CASE("the report as JSON holds those of describe and judge", "[document]") 
   CHECK(count(json, "\"schema\":\"mdm-describe-1\"") == 2);
   CHECK(has(json, "\"judgement\":null"));
 }
+
+} // namespace laboratory_report_test

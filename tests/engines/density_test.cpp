@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+namespace density_test {
+
 using namespace cli_test;
 
 namespace {
@@ -243,3 +245,5 @@ TEST_CASE("each class has its own material in the engines", "[engines]") {
         .check_settles();
   }
 }
+
+} // namespace density_test

@@ -2,6 +2,8 @@
 
 #include "support.hpp"
 
+namespace disc_test {
+
 using namespace cli_test;
 
 namespace {
@@ -65,3 +67,5 @@ TEST_CASE("falling discs are no bed", "[engines]") {
     CHECK_FALSE(model.has_dump());
   }
 }
+
+} // namespace disc_test

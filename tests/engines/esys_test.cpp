@@ -5,6 +5,8 @@
 #include <map>
 #include <sstream>
 
+namespace esys_test {
+
 using namespace cli_test;
 
 namespace {
@@ -58,3 +60,5 @@ TEST_CASE("ESyS-Particle reads the geometry of a sand, and its snapshot is read 
     counts += (j == 0 ? "" : " ") + std::to_string(of_tag[j + 1]);
   CHECK(counts == quantities(asked));
 }
+
+} // namespace esys_test

@@ -2,6 +2,8 @@
 
 #include "support.hpp"
 
+namespace gsd_test {
+
 using namespace cli_test;
 
 namespace {
@@ -46,3 +48,5 @@ TEST_CASE("GSD is read by its own library, and what that writes is read back", "
   check_places(sand, {folder / "again.gsd", "--timestep", "0"}, "2e-5%");
   CHECK(mdm({"verify", sand, folder / "again.gsd"}).exit_code == 1);
 }
+
+} // namespace gsd_test

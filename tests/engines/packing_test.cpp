@@ -8,6 +8,8 @@
 #include <cmath>
 #include <sstream>
 
+namespace packing_test {
+
 using namespace cli_test;
 
 namespace {
@@ -184,3 +186,5 @@ TEST_CASE("engines read an Apollonian packing as it was written", "[engines]") {
   for (const Engine &engine : engines)
     check_runs(engine, {"--apollonian", "-1,2,2,3", "--smallest", "1/60"}, "f");
 }
+
+} // namespace packing_test

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace settle_test {
+
 using namespace cli_test;
 
 namespace {
@@ -252,3 +254,5 @@ TEST_CASE("a user's model of YADE reads the places", "[engines]") {
               "        file.write('%r %r %r %r\\n' % (*b.state.pos, b.shape.radius))\n",
               {"--size-unit", "m"});
 }
+
+} // namespace settle_test

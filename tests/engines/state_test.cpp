@@ -3,6 +3,8 @@
 
 #include "support.hpp"
 
+namespace state_test {
+
 using namespace cli_test;
 
 namespace {
@@ -163,3 +165,5 @@ TEST_CASE("grains that resist rolling settle into a looser bed", "[engines]") {
     if (is_there(engine))
       CHECK(void_ratio(engine, {"--rolling-friction", "0.5"}) > void_ratio(engine, {}));
 }
+
+} // namespace state_test

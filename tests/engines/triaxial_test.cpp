@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+namespace triaxial_test {
+
 using namespace cli_test;
 
 namespace {
@@ -267,3 +269,5 @@ TEST_CASE("LAMMPS brings a cell to a pressure and a void ratio by friction, or s
   CHECK(loose.exit_code == 1);
   CHECK(loose.out.find("is not within 0.01 of 0.8") != std::string::npos);
 }
+
+} // namespace triaxial_test

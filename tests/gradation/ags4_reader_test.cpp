@@ -1,5 +1,7 @@
 #include "support.hpp"
 
+namespace ags4_reader_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -141,3 +143,5 @@ TEST_CASE("A specimen is chosen in AGS4 files alone") {
   CHECK(
       contains(refusal_of("size_mm,mass\n1,1\n2,0\n", "BH2"), "site.ags:1: --specimen-id is for AGS4 files"));
 }
+
+} // namespace ags4_reader_test

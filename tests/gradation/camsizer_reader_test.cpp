@@ -1,6 +1,8 @@
 #include "gradation/camsizer_reader.hpp"
 #include "support.hpp"
 
+namespace camsizer_reader_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -40,3 +42,5 @@ TEST_CASE("CAMSIZER: classes must follow each other") {
   CHECK(contains(refusal(head + "1\t1\t50.0\t50.0\n"), "sand.csv:3: the class from 1 to 1 is empty"));
   CHECK(contains(refusal(head + "Form\n"), "sand.csv:2: there is no row of a size class"));
 }
+
+} // namespace camsizer_reader_test

@@ -1,6 +1,8 @@
 #include "gradation/cell_double.hpp"
 #include "support.hpp"
 
+namespace cell_double_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -33,3 +35,5 @@ TEST_CASE("What is no finite double is no number") {
   for (const std::string text : {"", "abc", "1,5", "1.5 ", "inf", "nan", "1e999", "0x10", "#N/A"})
     CHECK_FALSE(cell_double(text));
 }
+
+} // namespace cell_double_test

@@ -1,6 +1,8 @@
 #include "gradation/coulter_reader.hpp"
 #include "support.hpp"
 
+namespace coulter_reader_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -27,3 +29,5 @@ TEST_CASE("Coulter: what is wrong is refused") {
   CHECK(contains(refusal("[#Bindiam]\n1\nx\n[#Binheight]\n"), "sand.csv:3: 'x' is not a number"));
   CHECK(contains(refusal("[#Bindiam]\n1\n2\n3\n[#Binheight]\n40\n7\n0\n"), "the heights are whole numbers"));
 }
+
+} // namespace coulter_reader_test

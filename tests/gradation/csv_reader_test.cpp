@@ -2,6 +2,8 @@
 
 #include <mdm/gradation/envelope.hpp>
 
+namespace csv_reader_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -303,3 +305,5 @@ TEST_CASE("A file's name is its id, and never spoils a message") {
   CHECK(read_gradation(content, "a/.hidden").id() == ".hidden");
   CHECK(contains(message_of([] { read_gradation("", "bad\n\xFFname"); }), "bad\\x0a\\xffname:1: "));
 }
+
+} // namespace csv_reader_test

@@ -1,6 +1,8 @@
 #include "catch.hpp"
 #include "gradation/description.hpp"
 
+namespace description_range_test {
+
 using namespace mdm;
 
 namespace {
@@ -75,3 +77,5 @@ TEST_CASE("Ranges outside all classes are outside") {
   CHECK(d.unplaced().count == 1);
   CHECK_FALSE(d.describes());
 }
+
+} // namespace description_range_test

@@ -3,6 +3,8 @@
 
 #include <random>
 
+namespace description_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -277,3 +279,5 @@ TEST_CASE("Description: agrees with sums class by class on random samples") {
     CHECK(exactly(e.total) == total);
   }
 }
+
+} // namespace description_test

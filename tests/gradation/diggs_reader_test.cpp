@@ -1,6 +1,8 @@
 #include "gradation/diggs_reader.hpp"
 #include "support.hpp"
 
+namespace diggs_reader_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -69,3 +71,5 @@ TEST_CASE("DIGGS: what is wrong is refused with its line") {
   CHECK(contains(refusal("<Diggs><a></Diggs>"), "the file is no sound XML at byte"));
   CHECK(contains(refusal("<!DOCTYPE a [<!ENTITY b \"c\">]><Diggs>&b;</Diggs>"), "has a document type (DTD)"));
 }
+
+} // namespace diggs_reader_test

@@ -6,6 +6,8 @@
 #include <mdm/gradation/envelope.hpp>
 #include <mdm/number/decimal.hpp>
 
+namespace envelope_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -135,3 +137,5 @@ TEST_CASE("an envelope with phi that is no whole number is refused") {
   CHECK(contains(message, "1.4142135623731"));
   CHECK(contains(message, "mdm convert"));
 }
+
+} // namespace envelope_test

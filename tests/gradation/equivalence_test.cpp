@@ -2,6 +2,8 @@
 
 #include "support.hpp"
 
+namespace equivalence_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -50,3 +52,5 @@ TEST_CASE("Inches, micrometres and metres are the same sizes") {
   CHECK(read("size_m,mass\n0.0254,1\n0.0508,0\n").scaled(1000).sizes() == mm.sizes());
   CHECK(read("{\"unit\":\"in\",\"sizes\":[1,2],\"masses\":[1,0]}").sizes() == mm.sizes());
 }
+
+} // namespace equivalence_test

@@ -1,5 +1,7 @@
 #include "support.hpp"
 
+namespace gradation_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -106,3 +108,5 @@ TEST_CASE("a gradation is read from a path in one call, and what is wrong names 
   CHECK_THROWS_WITH(read_gradation_file(folder), Catch::StartsWith(folder + ": cannot be read: "));
   CHECK_THROWS_WITH(read_gradation_file(MDM_SOURCE_DIR "/README.md"), Catch::Contains("/README.md:"));
 }
+
+} // namespace gradation_test

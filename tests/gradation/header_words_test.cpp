@@ -1,6 +1,8 @@
 #include "gradation/header_words.hpp"
 #include "support.hpp"
 
+namespace header_words_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -133,3 +135,5 @@ TEST_CASE("Units by themselves") {
   CHECK(unit_of_words("mm²") == ColumnUnit::none);
   CHECK(unit_of_words("") == ColumnUnit::none);
 }
+
+} // namespace header_words_test

@@ -2,6 +2,8 @@
 
 #include "sheet.hpp"
 
+namespace instrument_basis_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -47,3 +49,5 @@ TEST_CASE("Coulter: another basis or another unit in a section is refused") {
   CHECK(contains(refusal(file("[Binunits]\r\nBinunits=mm\r\n")), "are read in um"));
   CHECK(masses(file("[Binunits]\r\nBinunits=um\r\n")) == "1.5 2.5 0");
 }
+
+} // namespace instrument_basis_test

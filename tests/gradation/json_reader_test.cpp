@@ -1,5 +1,7 @@
 #include "support.hpp"
 
+namespace json_reader_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -182,3 +184,5 @@ TEST_CASE("JSON: byte order marks and bytes") {
   CHECK(
       contains(refusal(with_masses("[1,0]") + std::string(1, '\0') + "x"), "the control character '\\x00'"));
 }
+
+} // namespace json_reader_test

@@ -1,6 +1,8 @@
 #include "gradation/lab_table.hpp"
 #include "support.hpp"
 
+namespace lab_table_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -421,3 +423,5 @@ TEST_CASE("A second column of the same words is another sample, and must be chos
   CHECK(text(read_with(sheet("% passing,% passing B"), columns("1,2")).masses()) == "10 40 50 0");
   CHECK(text(read(sheet("% passing,Min % passing")).masses()) == "10 40 50 0");
 }
+
+} // namespace lab_table_test

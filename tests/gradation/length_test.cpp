@@ -1,6 +1,8 @@
 #include "gradation/length.hpp"
 #include "support.hpp"
 
+namespace length_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -43,3 +45,5 @@ TEST_CASE("length: what is none is refused") {
         "'3km': 'km' is no unit that is known: write mm, cm, um, m or in, or the number alone");
   CHECK(contains(message_of([] { parse_length("-1mm"); }), "is not positive"));
 }
+
+} // namespace length_test

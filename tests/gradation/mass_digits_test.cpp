@@ -3,6 +3,8 @@
 
 #include <charconv>
 
+namespace mass_digits_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -80,3 +82,5 @@ TEST_CASE("Digits that give the whole") {
   CHECK_FALSE(digits_that_give(r("99.9"), 100));
   CHECK_FALSE(digits_that_give(r("93.4"), 100));
 }
+
+} // namespace mass_digits_test

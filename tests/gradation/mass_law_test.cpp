@@ -2,6 +2,8 @@
 
 #include <mdm/gradation/mass_law.hpp>
 
+namespace mass_law_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -89,3 +91,5 @@ TEST_CASE("Mass law: tables") {
   CHECK(contains(table_message("size_mm,particle_mass,x\n1,1,1\n"),
                  "law.csv:1: the columns of a mass law are"));
 }
+
+} // namespace mass_law_test

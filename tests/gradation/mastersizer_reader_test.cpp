@@ -1,6 +1,8 @@
 #include "gradation/mastersizer_reader.hpp"
 #include "support.hpp"
 
+namespace mastersizer_reader_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -51,3 +53,5 @@ TEST_CASE("Mastersizer: what is wrong is refused") {
   CHECK(contains(refusal("Sample Name,Result Between User Sizes,\n,1,10\nA,40,60\n"),
                  "does not name the unit"));
 }
+
+} // namespace mastersizer_reader_test

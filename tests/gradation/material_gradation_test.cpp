@@ -3,6 +3,8 @@
 
 #include <mdm/number/decimal.hpp>
 
+namespace material_gradation_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -120,3 +122,5 @@ TEST_CASE("the reader of one material refuses several and names the commands") {
                  "beach.csv:1: column material is of a gradation of several materials: mdm solve, batch, "
                  "verify and export take it"));
 }
+
+} // namespace material_gradation_test

@@ -4,6 +4,8 @@
 
 #include <mdm/gradation/read_gradation.hpp>
 
+namespace option_spelling_test {
+
 using namespace mdm;
 using namespace mdm_test;
 
@@ -82,3 +84,5 @@ TEST_CASE("A note of a reading names options in the spelling of the front end") 
   check_spellings(notes("size_mm,mass\n1,0.30000000000000004\n2,0\n"),
                   {"as written; --round ", "as written; round ", "as written; round "});
 }
+
+} // namespace option_spelling_test

@@ -4,6 +4,8 @@
 
 #include <mdm/gradation/envelope.hpp>
 
+namespace overlooked_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -110,3 +112,5 @@ TEST_CASE("sieves in a row: empty cells behind a row change nothing") {
 TEST_CASE("a size with a decimal comma between commas is not a size and a mass") {
   CHECK(contains(refusal("Siebweite (mm),R\u00fcckstand (g),Bemerkung\n4,0,\n0,063,30\n"), "decimal commas"));
 }
+
+} // namespace overlooked_test

@@ -3,6 +3,8 @@
 
 #include <mpfr.h>
 
+namespace phi_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -78,3 +80,5 @@ TEST_CASE("phi: beyond 1000 is refused") {
   CHECK(message_of([] { phi("1000.5"); }) == "phi 1000.5 is beyond 1000: give the size in mm");
   CHECK(message_of([] { phi("-1e400"); }) == "phi -1.00000000000e400 is beyond 1000: give the size in mm");
 }
+
+} // namespace phi_test

@@ -1,5 +1,7 @@
 #include "support.hpp"
 
+namespace root_size_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -121,3 +123,5 @@ TEST_CASE("equal sizes of phi are found, and messages show openings") {
   CHECK(contains(refusal("size_phi,mass\n-1.5,1\n0,1\n"),
                  "the largest sieve, 2.82842712474619 mm, has mass 1"));
 }
+
+} // namespace root_size_test

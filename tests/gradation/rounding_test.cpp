@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+namespace rounding_test {
+
 namespace {
 
 /// A way to give another number than the one that was read, and the files that may use it.
@@ -106,3 +108,5 @@ TEST_CASE("only the listed files could round a number of the user's") {
     CHECK(found[rounding.name] == rounding.files);
   }
 }
+
+} // namespace rounding_test

@@ -1,6 +1,8 @@
 #include "gradation/row_words.hpp"
 #include "support.hpp"
 
+namespace row_words_test {
+
 using namespace mdm;
 
 namespace {
@@ -75,3 +77,5 @@ TEST_CASE("Words of a part that was sieved for the whole") {
     CHECK_FALSE(speaks_of_splitting(text));
   }
 }
+
+} // namespace row_words_test

@@ -1,6 +1,8 @@
 #include "gradation/sieve_name.hpp"
 #include "support.hpp"
 
+namespace sieve_name_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -88,3 +90,5 @@ TEST_CASE("Sieve names: the tables are complete and descend") {
         "8 6.7 5.6 4.75 4 3.35 2.8 2.36 2 1.7 1.4 1.18 1 0.85 0.71 0.6 0.5 0.425 0.355 0.3 0.25 0.212 0.18 "
         "0.15 0.125 0.106 0.09 0.075 0.063 0.053 0.045 0.038");
 }
+
+} // namespace sieve_name_test

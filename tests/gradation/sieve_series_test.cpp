@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+namespace sieve_series_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -58,3 +60,5 @@ TEST_CASE("other series are refused") {
   CHECK(message_of([] { sieve_series("ISO"); }).find("'ISO' is no series of sieves: write ISO R20/3") == 0);
   CHECK(message_of([] { sieve_series(""); }).find("'' is no series") == 0);
 }
+
+} // namespace sieve_series_test

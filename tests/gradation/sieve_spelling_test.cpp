@@ -1,6 +1,8 @@
 #include "gradation/sieve_spelling.hpp"
 #include "support.hpp"
 
+namespace sieve_spelling_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -62,3 +64,5 @@ TEST_CASE("Spellings of sieves: what may mean two things is refused") {
                                  "Tyler No. 10", "", "-", "½", "4.75 (4.75)", "1//2 in", "Mesh 10"})
     CHECK(contains(refused(name), "is no sieve"));
 }
+
+} // namespace sieve_spelling_test

@@ -1,5 +1,7 @@
 #include "support.hpp"
 
+namespace table_accounts_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -281,3 +283,5 @@ TEST_CASE("A mass that passes the finest sieve is not dropped where there is no 
                  "has no row of the pan: write it"));
   CHECK(text(read(sheet + "Pan,50.0,0\n").masses()) == "50 149 400 303 98 0");
 }
+
+} // namespace table_accounts_test

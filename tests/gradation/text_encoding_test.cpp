@@ -1,6 +1,8 @@
 #include "gradation/text_encoding.hpp"
 #include "support.hpp"
 
+namespace text_encoding_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -65,3 +67,5 @@ TEST_CASE("Bytes that no text in Windows-1252 has are no text") {
   CHECK_FALSE(decoded("\x89PNG\r\n\x1A\n"));
   CHECK_FALSE(decoded("\xFC\x81"));
 }
+
+} // namespace text_encoding_test

@@ -1,6 +1,8 @@
 #include "../catch.hpp"
 #include "gradation/unit_break.hpp"
 
+namespace unit_break_test {
+
 using namespace mdm;
 
 TEST_CASE("The order of sieves tells where micrometres begin") {
@@ -30,3 +32,5 @@ TEST_CASE("Sieves that may be in mm are no micrometres") {
   CHECK_FALSE(may_be_micrometres({300, 75, ratio(475, 100)}));
   CHECK_FALSE(may_be_micrometres({300, 150, 75, 19}));
 }
+
+} // namespace unit_break_test

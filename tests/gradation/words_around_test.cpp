@@ -3,6 +3,8 @@
 
 #include "sheet.hpp"
 
+namespace words_around_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -450,3 +452,5 @@ TEST_CASE("columns of more names are compared") {
         "correct one"));
   }
 }
+
+} // namespace words_around_test

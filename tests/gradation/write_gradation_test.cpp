@@ -1,5 +1,7 @@
 #include "support.hpp"
 
+namespace write_gradation_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -55,3 +57,5 @@ TEST_CASE("Any id is written as JSON") {
   data.masses = {1, 0};
   CHECK(read(gradation_json(Gradation(data))).id() == "\xEF\xBF\xBD");
 }
+
+} // namespace write_gradation_test

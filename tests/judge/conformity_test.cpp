@@ -10,6 +10,8 @@
 #include <array>
 #include <random>
 
+namespace conformity_test {
+
 using namespace mdm;
 using namespace judge_test;
 
@@ -196,3 +198,5 @@ TEST_CASE("openings of phi that are irrational are sieves too", "[judge]") {
   CHECK(judge(g, limits({{1, 20, 20}})).verdict == Compliance::holds);
   CHECK(judge(g, limits({{1, ratio(2001, 100), 100}})).verdict == Compliance::fails);
 }
+
+} // namespace conformity_test

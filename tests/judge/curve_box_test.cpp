@@ -6,6 +6,8 @@
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
 
+namespace curve_box_test {
+
 using namespace mdm;
 
 namespace {
@@ -82,3 +84,5 @@ TEST_CASE("percents retained that are far from 100 are refused", "[box]") {
   CHECK_THROWS_WITH(box("size_mm,retained_percent\n4,0\n2,101\npan,0\n"),
                     Catch::Contains("do not add up to 100"));
 }
+
+} // namespace curve_box_test

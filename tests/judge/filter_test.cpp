@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace filter_test {
+
 using namespace mdm;
 using namespace judge_test;
 
@@ -219,3 +221,5 @@ TEST_CASE("rules of filters have names", "[filter]") {
     CHECK(filter_rule(name(rule)) == rule);
   CHECK_FALSE(filter_rule("bs"));
 }
+
+} // namespace filter_test

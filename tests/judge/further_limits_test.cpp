@@ -13,6 +13,8 @@
 #include <array>
 #include <random>
 
+namespace further_limits_test {
+
 using namespace mdm;
 using namespace judge_test;
 
@@ -166,3 +168,5 @@ TEST_CASE("limits that are none are refused", "[judge]") {
     CHECK_THROWS_AS(parse_further_limit(text), InputError);
   }
 }
+
+} // namespace further_limits_test

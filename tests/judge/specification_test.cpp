@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 
+namespace specification_test {
+
 using namespace mdm;
 
 TEST_CASE("every specification that comes with the program can be read and says its source",
@@ -66,3 +68,5 @@ TEST_CASE("limits that no curve keeps are refused", "[specification]") {
       read_specification("size_mm,passing_min_percent,passing_max_percent\n1,60,50\n", "limits.csv"),
       Catch::Contains("no curve keeps"));
 }
+
+} // namespace specification_test

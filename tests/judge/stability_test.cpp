@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace stability_test {
+
 using namespace mdm;
 using namespace judge_test;
 
@@ -222,3 +224,5 @@ TEST_CASE("rules of stability have names", "[stability]") {
   CHECK_FALSE(stability_rule("kenney"));
   CHECK_FALSE(stability_rule(""));
 }
+
+} // namespace stability_test

@@ -3,6 +3,8 @@
 #include "match/at_least.hpp"
 #include "match/problem_spectrum.hpp"
 
+namespace at_least_test {
+
 using namespace mdm;
 
 namespace {
@@ -109,3 +111,5 @@ TEST_CASE("the steps of a spectrum are not those of its sweeps") {
   CHECK(least_match(p).chain.size() > 3);
   CHECK(spectrum(p, {3, std::nullopt}).intervals.size() >= 1);
 }
+
+} // namespace at_least_test

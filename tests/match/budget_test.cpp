@@ -5,6 +5,8 @@
 
 #include <mdm/gradation/read_gradation.hpp>
 
+namespace budget_test {
+
 using namespace mdm;
 
 namespace {
@@ -168,3 +170,5 @@ TEST_CASE("where a limit leaves a size factor open, nothing is said to suffice f
   const MatchBudget &known = found.match.budget.value();
   CHECK((known.enough || !known.is_decided || found.match.status == Status::none));
 }
+
+} // namespace budget_test

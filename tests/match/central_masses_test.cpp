@@ -1,6 +1,8 @@
 #include "match/central_masses.hpp"
 #include "tolerant_twins.hpp"
 
+namespace central_masses_test {
+
 using namespace mdm;
 using namespace tolerant_twins;
 
@@ -19,3 +21,5 @@ TEST_CASE("central masses are a match, and fail where there is none") {
   const Twins twins(g, by_length, tolerance_of(g, Kind::total, 10), {});
   CHECK_FALSE(central_masses(twins.problem, {1, 1}, std::nullopt, 0).has_value());
 }
+
+} // namespace central_masses_test

@@ -6,6 +6,8 @@
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
 
+namespace costly_fines_test {
+
 using namespace mdm;
 
 namespace {
@@ -46,3 +48,5 @@ TEST_CASE("without an answer no fines are costly", "[match]") {
   options.at_most = 1;
   CHECK_FALSE(costly_fines(solve(gradation_of({"1", "2", "30"}, {"1", "999", "0"}), {}, options)));
 }
+
+} // namespace costly_fines_test

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <random>
 
+namespace count_walk_test {
+
 using namespace mdm;
 
 namespace {
@@ -175,3 +177,5 @@ TEST_CASE("a walk takes more particles of a fine class where a coarse one has no
   const Classes classes = {{0, 0.25, {0, 1}, {0.2, 1}}, {0.6, 1, {0, 0.6}, {1, 1}}};
   CHECK(CountWalk(classes).counts(window(0.9, 0.9, 2), 100) == std::vector<double>{4, 0});
 }
+
+} // namespace count_walk_test

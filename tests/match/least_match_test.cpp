@@ -5,6 +5,8 @@
 
 #include <limits>
 
+namespace least_match_test {
+
 using namespace mdm;
 
 namespace {
@@ -180,3 +182,5 @@ TEST_CASE("a start is nothing but floors") {
     CHECK(p.highest_scale(found.q) * p.scale_unit() >= start);
   }
 }
+
+} // namespace least_match_test

@@ -6,6 +6,8 @@
 
 #include <mdm/match/solve.hpp>
 
+namespace match_test {
+
 using namespace mdm;
 
 namespace {
@@ -144,3 +146,5 @@ TEST_CASE("a chain for more particles than the least match has begins above a sc
       CHECK(*chain.above > 0);
   }
 }
+
+} // namespace match_test

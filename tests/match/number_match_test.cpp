@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <random>
 
+namespace number_match_test {
+
 using namespace mdm;
 
 namespace {
@@ -136,3 +138,5 @@ TEST_CASE("tolerances that shares by number do not have are refused", "[match]")
   CHECK_THROWS_AS(number_match(g, {{Kind::retained_file, 0}}), InputError);
   CHECK_THROWS_AS(number_match(g, {{Kind::total, 1}, {Kind::retained, 1}}), InputError);
 }
+
+} // namespace number_match_test

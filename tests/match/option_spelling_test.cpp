@@ -4,6 +4,8 @@
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
 
+namespace option_spelling_test {
+
 using namespace mdm;
 using namespace mdm_test;
 
@@ -29,3 +31,5 @@ TEST_CASE("An answer at its most steps says which option allows more, in the spe
   };
   check_spellings(notes, {": --max-steps allows more", ": max_steps allows more", ": maxSteps allows more"});
 }
+
+} // namespace option_spelling_test

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace progress_test {
+
 using namespace mdm;
 
 namespace {
@@ -135,3 +137,5 @@ TEST_CASE("a search that is not ended has the same answer as without a caller") 
     CHECK(m.evidence().has_value());
   }
 }
+
+} // namespace progress_test

@@ -11,6 +11,8 @@
 #include <map>
 #include <sstream>
 
+namespace published_test {
+
 using namespace mdm;
 
 namespace {
@@ -233,3 +235,5 @@ TEST_CASE("the published algorithms never beat the least match") {
       CHECK(total(run.result().q) >= least);
   }
 }
+
+} // namespace published_test

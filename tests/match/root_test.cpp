@@ -11,6 +11,8 @@
 
 #include <random>
 
+namespace root_test {
+
 using namespace mdm;
 
 namespace {
@@ -208,3 +210,5 @@ TEST_CASE("powers that are too long are refused, with the conversion as the reme
   CHECK_THROWS_WITH(solve(read("size_phi,mass\n-0.001,0\n0,1." + std::string(400, '1') + "\n")),
                     Catch::Contains("roots of degree 1000") && Catch::Contains("mdm convert"));
 }
+
+} // namespace root_test

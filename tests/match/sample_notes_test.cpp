@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace sample_notes_test {
+
 using namespace mdm;
 
 namespace {
@@ -65,3 +67,5 @@ TEST_CASE("sizes that crowd a sieve are named with their class", "[notes]") {
   const Rational far = 1 + ratio(1, 1000);
   CHECK(notes_of(solve(graded({1, far}, {1, 0}))).empty());
 }
+
+} // namespace sample_notes_test

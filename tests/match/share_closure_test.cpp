@@ -4,6 +4,8 @@
 
 #include <random>
 
+namespace share_closure_test {
+
 using namespace mdm;
 
 namespace {
@@ -132,3 +134,5 @@ TEST_CASE("bands narrow those before and behind them") {
   CHECK(ratio(closure.lo(1, 1), closure.unit()) == ratio(2, 5));
   CHECK(ratio(closure.hi(2, 3), closure.unit()) == ratio(1, 2));
 }
+
+} // namespace share_closure_test

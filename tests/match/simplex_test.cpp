@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <random>
 
+namespace simplex_test {
+
 using namespace mdm;
 
 namespace {
@@ -234,3 +236,5 @@ TEST_CASE("a deadline interrupts a program") {
   Simplex program(1, Watch(std::chrono::steady_clock::now() - std::chrono::seconds(1)));
   CHECK_THROWS_AS(program.add_form({{0, 2}}), Simplex::Interrupted);
 }
+
+} // namespace simplex_test

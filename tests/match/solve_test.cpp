@@ -6,6 +6,8 @@
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 
+namespace solve_test {
+
 using namespace mdm;
 
 namespace {
@@ -239,3 +241,5 @@ TEST_CASE("powers that get out of hand are refused") {
   const Rational size = parse_decimal("1." + std::string(900, '7'));
   CHECK_THROWS_AS(solve(gradation({size, size + 1}, {1, 0}), q), InputError);
 }
+
+} // namespace solve_test

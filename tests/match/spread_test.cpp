@@ -13,6 +13,8 @@
 
 #include <cmath>
 
+namespace spread_test {
+
 using namespace mdm;
 
 namespace {
@@ -290,3 +292,5 @@ TEST_CASE("too many particles are not spread") {
   const Match m = solve(gradation({1, 2}, {1, 0}), question);
   CHECK_THROWS_AS(spread(m, 1), InputError);
 }
+
+} // namespace spread_test

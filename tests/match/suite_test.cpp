@@ -8,6 +8,8 @@
 #include <map>
 #include <sstream>
 
+namespace suite_test {
+
 using namespace mdm;
 
 namespace {
@@ -73,3 +75,5 @@ TEST_CASE("real sands have the known numbers of particles") {
       CHECK(m.sample->quantities == integers("819 90 280 268 25 2 1"));
   }
 }
+
+} // namespace suite_test

@@ -6,6 +6,8 @@
 #include <mdm/match/tolerance.hpp>
 #include <mdm/text/error.hpp>
 
+namespace tolerance_test {
+
 using namespace mdm;
 
 namespace {
@@ -190,3 +192,5 @@ TEST_CASE("a band that contradicts itself has a middle, so that the question can
   CHECK(g.masses() == std::vector<Rational>{20, 0, 80, 0});
   CHECK(middle_of(envelope("1,100,20\n2,0,100\n")).masses() == std::vector<Rational>{100, 0, 0});
 }
+
+} // namespace tolerance_test

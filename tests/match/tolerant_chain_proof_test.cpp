@@ -1,6 +1,8 @@
 #include "match/tolerant_chain_proof.hpp"
 #include "tolerant_twins.hpp"
 
+namespace tolerant_chain_proof_test {
+
 using namespace mdm;
 using namespace tolerant_twins;
 
@@ -55,3 +57,5 @@ TEST_CASE("counts that a volume demands are proved, whatever the densities") {
     }
   }
 }
+
+} // namespace tolerant_chain_proof_test

@@ -9,6 +9,8 @@
 
 #include <ctime>
 
+namespace tolerant_match_test {
+
 using namespace mdm;
 using namespace tolerant_twins;
 
@@ -270,3 +272,5 @@ TEST_CASE("more particles than may be end a search") {
   limits.at_most = 1;
   CHECK(tolerant_match(problem, limits).nodes <= tolerant_match(problem).nodes);
 }
+
+} // namespace tolerant_match_test

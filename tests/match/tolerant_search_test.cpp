@@ -3,6 +3,8 @@
 #include "match/tolerant_search.hpp"
 #include "tolerant_twins.hpp"
 
+namespace tolerant_search_test {
+
 using namespace mdm;
 using namespace tolerant_twins;
 
@@ -95,3 +97,5 @@ TEST_CASE("a search by windows ends soon where fewer particles would do at an ex
 TEST_CASE("searches by windows of ten thousand problems agree with enumeration", "[.long]") {
   CHECK(search_all(50, 10000, Rational(1)).decided >= 8000);
 }
+
+} // namespace tolerant_search_test

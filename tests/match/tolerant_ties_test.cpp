@@ -11,6 +11,8 @@
 #include <functional>
 #include <random>
 
+namespace tolerant_ties_test {
+
 using namespace mdm;
 
 namespace {
@@ -169,3 +171,5 @@ TEST_CASE("where bounds meet exactly, the chain's bound is not above the enumera
   CHECK(none >= 1000);
   CHECK(searched >= 100);
 }
+
+} // namespace tolerant_ties_test

@@ -13,6 +13,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace z3_test {
+
 using namespace mdm;
 
 namespace {
@@ -144,3 +146,5 @@ TEST_CASE("z3 finds as many particles within a tolerance, and no fewer") {
   CHECK(compared >= 10);
   WARN(compared << " of " << asked_for << " problems compared with z3");
 }
+
+} // namespace z3_test

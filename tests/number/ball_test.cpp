@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+namespace ball_test {
+
 using namespace mdm;
 
 namespace {
@@ -170,3 +172,5 @@ TEST_CASE("threads compute with balls of their own", "[ball]") {
   for (const std::optional<Ball> &result : results)
     CHECK(holds(*result, 3));
 }
+
+} // namespace ball_test

@@ -3,6 +3,8 @@
 
 #include <mdm/number/decimal.hpp>
 
+namespace decimal_exponent_test {
+
 using namespace mdm;
 
 TEST_CASE("powers of ten are fractions where the exponent is negative") {
@@ -22,3 +24,5 @@ TEST_CASE("the decimal exponent is that of the power of ten at or below the magn
     CHECK(decimal_exponent(Rational(ten_to(e) * ratio(999999, 1000000))) == e - 1);
   }
 }
+
+} // namespace decimal_exponent_test

@@ -5,6 +5,8 @@
 
 #include <random>
 
+namespace decimal_test {
+
 using namespace mdm;
 
 TEST_CASE("a decimal is read exactly") {
@@ -55,3 +57,5 @@ TEST_CASE("an approximation is cut, not rounded") {
   CHECK(approximate(1, 5) == "1");
   CHECK(approximate(power_of_ten(9), 3) == "1000000000");
 }
+
+} // namespace decimal_test

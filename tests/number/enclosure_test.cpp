@@ -8,6 +8,8 @@
 
 #include <random>
 
+namespace enclosure_test {
+
 using namespace mdm;
 
 TEST_CASE("a root enclosure holds the root, one unit wide, with the digits that were asked for") {
@@ -117,3 +119,5 @@ TEST_CASE("pi is enclosed, as MPFR has it") {
     mpfr_clear(scale);
   }
 }
+
+} // namespace enclosure_test

@@ -3,6 +3,8 @@
 
 #include <random>
 
+namespace fraction_sum_test {
+
 using namespace mdm;
 
 TEST_CASE("FractionSum: equals the sum one by one") {
@@ -18,3 +20,5 @@ TEST_CASE("FractionSum: equals the sum one by one") {
     CHECK(sum.value() == expected);
   }
 }
+
+} // namespace fraction_sum_test

@@ -2,6 +2,8 @@
 
 #include <mdm/number/interval.hpp>
 
+namespace interval_test {
+
 using namespace mdm;
 
 TEST_CASE("Interval: operations hold every value") {
@@ -34,3 +36,5 @@ TEST_CASE("Interval: roots are exact or close on both sides") {
     CHECK(y.hi - y.lo == power(ratio(1, 2), 100));
   }
 }
+
+} // namespace interval_test

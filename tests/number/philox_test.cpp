@@ -3,6 +3,8 @@
 #include "catch.hpp"
 #include "number/philox.hpp"
 
+namespace philox_test {
+
 using mdm::Philox;
 
 TEST_CASE("philox 4x32-10 has its published values") {
@@ -20,3 +22,5 @@ TEST_CASE("a number of a stream is half of its block") {
   CHECK(Philox(0)(0, 0) == 0xe169c58d6627e8d5);
   CHECK(Philox(0x299f31d0a4093822)(0x0370734413198a2e, 0x85a308d3243f6a88) == 0x94fdccebd16cfe09);
 }
+
+} // namespace philox_test

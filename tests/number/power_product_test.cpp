@@ -5,6 +5,8 @@
 
 #include <random>
 
+namespace power_product_test {
+
 using namespace mdm;
 
 namespace {
@@ -89,3 +91,5 @@ TEST_CASE("what is too long for an exact value has an enclosure still", "[power_
   CHECK_FALSE(huge.exact());
   CHECK(huge.real().ball(100).is_finite());
 }
+
+} // namespace power_product_test

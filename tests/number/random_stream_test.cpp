@@ -5,6 +5,8 @@
 
 #include <set>
 
+namespace random_stream_test {
+
 using namespace mdm;
 
 TEST_CASE("a choice is the product of a number and how many there are, above its 64 bits", "[random]") {
@@ -45,3 +47,5 @@ TEST_CASE("all choices come", "[random]") {
   CHECK(small == std::set<std::uint32_t>{0, 1, 2, 3, 4});
   CHECK(large == std::set<Integer>{0, 1, 2, 3, 4});
 }
+
+} // namespace random_stream_test

@@ -5,6 +5,8 @@
 
 #include <random>
 
+namespace rational_test {
+
 using namespace mdm;
 
 namespace {
@@ -94,3 +96,5 @@ TEST_CASE("checked 128-bit integers agree with Integer or say that they overflow
       CHECK(floor_div(a, b).to_integer() == floor_div(x, y));
   }
 }
+
+} // namespace rational_test

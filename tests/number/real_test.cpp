@@ -10,6 +10,8 @@
 #include <array>
 #include <random>
 
+namespace real_test {
+
 using namespace mdm;
 
 namespace {
@@ -134,3 +136,5 @@ TEST_CASE("comparisons are decided by digits or by exact values", "[real]") {
   CHECK(compare(wise_root(8, 2), wise_root(2, 2) * 2) == Order::undecided);
   CHECK(compare(wise_root(2, 2), wise_root(2, 2) + Real(ratio(1, power_of_ten(2000)))) == Order::undecided);
 }
+
+} // namespace real_test

@@ -3,6 +3,8 @@
 #include "catch.hpp"
 #include "number/surd.hpp"
 
+namespace surd_test {
+
 using namespace mdm;
 
 namespace {
@@ -49,3 +51,5 @@ TEST_CASE("floors of reals are decided by refining, or with what is known exactl
   CHECK(floor_of(two, [](const Integer &k) { return k == 2; }).lo == 2);
   CHECK(floor_of(Real(ratio(7, 2))).is_point());
 }
+
+} // namespace surd_test

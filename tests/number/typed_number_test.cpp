@@ -5,6 +5,8 @@
 
 #include <mdm/text/error.hpp>
 
+namespace typed_number_test {
+
 using namespace mdm;
 
 TEST_CASE("a whole number may have an exponent, and underscores between digits", "[number]") {
@@ -28,3 +30,5 @@ TEST_CASE("decimals may have underscores between digits", "[number]") {
   for (const char *text : {"", "1_", "._5", "1_.5", "1.5_", "a_b", "1__000.5"})
     CHECK_THROWS_AS(parse_typed_decimal(text), InputError);
 }
+
+} // namespace typed_number_test

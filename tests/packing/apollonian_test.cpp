@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+namespace apollonian_test {
+
 using namespace mdm;
 using namespace packing_test;
 
@@ -142,3 +144,5 @@ TEST_CASE("quadruples that are no root of a gasket in a circle are refused, the 
   CHECK(has(refusal([] { ApollonianGasket::equal().census(Rational(Integer("1000000000001"))); }), "10^12"));
   CHECK(ApollonianGasket::equal().census(ratio(1, 2)).circles == 0);
 }
+
+} // namespace apollonian_test

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+namespace deposit_test {
+
 using namespace mdm;
 using namespace packing_test;
 
@@ -138,3 +140,5 @@ TEST_CASE("narrow boxes hold discs that are their own neighbours on both sides")
   }
   CHECK(judge.accepts());
 }
+
+} // namespace deposit_test

@@ -2,6 +2,8 @@
 
 #include <mdm/number/decimal.hpp>
 
+namespace disc_sizes_test {
+
 using namespace mdm;
 using namespace packing_test;
 
@@ -60,3 +62,5 @@ TEST_CASE("radii are half the sizes, rounded up to the lattice") {
   CHECK(DiscSizes::radius({3, 0}, 1) == 15);
   CHECK_THROWS_AS(DiscSizes::radius({3, 0}, 40), InputError);
 }
+
+} // namespace disc_sizes_test

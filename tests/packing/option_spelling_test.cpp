@@ -1,6 +1,8 @@
 #include "packing/deposit.hpp"
 #include "spellings.hpp"
 
+namespace option_spelling_test {
+
 using namespace mdm;
 using namespace mdm_test;
 
@@ -12,3 +14,5 @@ TEST_CASE("A box that is too narrow is refused in the spelling of the front end"
   const auto refusal = [&] { return refusal_of([&] { deposit(sizes, narrow); }); };
   check_spellings(refusal, {"--width: the box", "width: the box", "width: the box"});
 }
+
+} // namespace option_spelling_test

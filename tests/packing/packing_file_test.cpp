@@ -2,6 +2,8 @@
 #include "packing/support.hpp"
 #include "replaced.hpp"
 
+namespace packing_file_test {
+
 using namespace mdm;
 using namespace packing_test;
 using mdm_test::replaced;
@@ -41,3 +43,5 @@ TEST_CASE("packing files that are not whole are refused with their line") {
   CHECK(has(message(replaced(text, " floor floor\n", " 7 floor\n")), "support"));
   CHECK(has(message(replaced(text, " floor floor\n", "0 floor floor\n")), "a.packing:"));
 }
+
+} // namespace packing_file_test

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace sphere_deposit_test {
+
 using namespace mdm;
 using namespace packing_test;
 
@@ -174,3 +176,5 @@ TEST_CASE("a deposit of spheres that becomes too high for its lattice is refused
   const std::vector<std::int64_t> r(300, large);
   CHECK(has(refusal([&] { deposit_spheres(r, {7 * large, 7 * large, Sides::walls}, 1); }), "wider box"));
 }
+
+} // namespace sphere_deposit_test

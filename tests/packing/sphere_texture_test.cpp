@@ -10,6 +10,8 @@
 
 #include <cstdlib>
 
+namespace sphere_texture_test {
+
 using namespace mdm;
 
 namespace {
@@ -186,3 +188,5 @@ TEST_CASE("what two planes keep on both of their sides is the whole sphere") {
         Approx(kept("1", "-0.9", "1")).epsilon(1e-14));
   CHECK(kept("-0.8", "-0.8", "0.2") == 0);
 }
+
+} // namespace sphere_texture_test

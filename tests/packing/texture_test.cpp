@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace texture_test {
+
 using namespace mdm;
 using namespace packing_test;
 
@@ -193,3 +195,5 @@ TEST_CASE("a low packing has no window") {
   CHECK(t.bands.empty());
   CHECK(t.inner_coordination.empty());
 }
+
+} // namespace texture_test

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace packing_study_test {
+
 using namespace mdm;
 using packing_test::has;
 using packing_test::refusal;
@@ -250,3 +252,5 @@ TEST_CASE("figures of packings have panels, and lines for every shape") {
   const Packing gasket = ApollonianGasket::equal().packing(100);
   CHECK(has(gasket_figure(gasket, 100).title, "451 circles"));
 }
+
+} // namespace packing_study_test

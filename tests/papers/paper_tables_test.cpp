@@ -9,6 +9,8 @@
 #include <map>
 #include <sstream>
 
+namespace paper_tables_test {
+
 using namespace mdm;
 
 namespace {
@@ -143,3 +145,5 @@ TEST_CASE("figures show every gradation that has the values") {
     for (const Point &p : series.points)
       CHECK_FALSE(p.y < second.panels[0].y.low);
 }
+
+} // namespace paper_tables_test

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace size_models_test {
+
 using namespace mdm;
 
 namespace {
@@ -281,3 +283,5 @@ TEST_CASE("figures of the size models have axes, and lines for every shape") {
   CHECK(figures[3].panels[0].series.size() == 12); // and bars
   CHECK(figures[3].panels[1].series.size() == 6);
 }
+
+} // namespace size_models_test

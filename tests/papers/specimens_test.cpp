@@ -7,6 +7,8 @@
 
 #include <sstream>
 
+namespace specimens_test {
+
 using namespace mdm;
 
 namespace {
@@ -64,3 +66,5 @@ TEST_CASE("a broken table of specimens is refused with its line") {
   check_refused(header + "1,2,3,0.5,0\n", "particles: '0'");
   CHECK(read_specimens(header + "1,2,3,0,7\n", "specimens.csv").size() == 1);
 }
+
+} // namespace specimens_test

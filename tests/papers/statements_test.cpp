@@ -13,6 +13,8 @@
 #include <cmath>
 #include <sstream>
 
+namespace statements_test {
+
 using namespace mdm;
 
 namespace {
@@ -254,3 +256,5 @@ TEST_CASE("the statements on the model have their numbers", "[statements]") {
   check(all, "for a < b", Holds::yes);
   check(all, "(3, 1) and (1, 1)", Holds::yes);
 }
+
+} // namespace statements_test

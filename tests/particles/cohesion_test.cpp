@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace cohesion_test {
+
 using namespace mdm;
 
 namespace {
@@ -67,3 +69,5 @@ TEST_CASE("stiffer grains of a surface energy part at the same tension, and over
   CHECK(stiffer.pull_off == found.pull_off);
   CHECK(stiffer.overlap < found.overlap / 4);
 }
+
+} // namespace cohesion_test

@@ -3,6 +3,8 @@
 #include "replaced.hpp"
 #include "support.hpp"
 
+namespace engine_formats_test {
+
 using namespace mdm;
 using namespace mdm::test;
 using mdm_test::replaced;
@@ -163,3 +165,5 @@ TEST_CASE("PhasicFlow: the sizes of a particlesDict, by their ranges") {
                  "the range of diameter '1e-3' is missing"));
   CHECK(contains(refusal("objectName particlesDict;\n"), "there are no particles"));
 }
+
+} // namespace engine_formats_test

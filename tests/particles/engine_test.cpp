@@ -3,6 +3,8 @@
 #include "replaced.hpp"
 #include "support.hpp"
 
+namespace engine_test {
+
 using namespace mdm;
 using namespace mdm::test;
 using mdm_test::replaced;
@@ -219,3 +221,5 @@ TEST_CASE("VTK: broken files") {
   CHECK(contains(broken("1 2\n3\n", "1 nan\n3\n"), "file:15: radius 'nan' is not a number"));
   check_truncations(good, from(ParticleFormat::vtk));
 }
+
+} // namespace engine_test

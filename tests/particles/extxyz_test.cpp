@@ -2,6 +2,8 @@
 
 #include "support.hpp"
 
+namespace extxyz_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -105,3 +107,5 @@ TEST_CASE("extended XYZ: broken files") {
   CHECK(contains(refusal("2\n", from(ParticleFormat::extxyz)), "file:1: the file ends above"));
   check_truncations(two, from(ParticleFormat::extxyz));
 }
+
+} // namespace extxyz_test

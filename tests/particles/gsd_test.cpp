@@ -6,6 +6,8 @@
 
 #include <cstring>
 
+namespace gsd_test {
+
 using namespace mdm;
 using namespace mdm::test;
 using mdm_test::replaced;
@@ -249,3 +251,5 @@ TEST_CASE("GSD: a frame of no particles is refused, whatever chunks it has") {
                                .text();
   CHECK(contains(gsd_refusal(text), "there are no particles"));
 }
+
+} // namespace gsd_test

@@ -4,6 +4,8 @@
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/match/solve.hpp>
 
+namespace material_table_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -77,3 +79,5 @@ TEST_CASE("materials that make no sense are refused with their line") {
   CHECK(
       contains(material_refusal("class,friction\n1,0.1,2\n"), "m.csv:2: the row has 3 fields, the header 2"));
 }
+
+} // namespace material_table_test

@@ -7,6 +7,8 @@
 
 #include <mdm/match/solve.hpp>
 
+namespace option_spelling_test {
+
 using namespace mdm;
 using namespace mdm_test;
 
@@ -57,3 +59,5 @@ TEST_CASE(
                             "a larger mass_error, or take another unit or scale",
                             "a larger massError, or take another unit or scale"});
 }
+
+} // namespace option_spelling_test

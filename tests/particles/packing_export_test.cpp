@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+namespace packing_export_test {
+
 using namespace mdm;
 
 namespace {
@@ -87,3 +89,5 @@ TEST_CASE("packings without a unit keep their numbers") {
   CHECK(vtk.find("POINTS 2 double\n1 1 0\n3.05 1.05 0\nVERTICES 2 4\n1 0\n1 1\nPOINT_DATA 2\n") !=
         std::string::npos);
 }
+
+} // namespace packing_export_test

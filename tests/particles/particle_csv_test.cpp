@@ -1,5 +1,7 @@
 #include "support.hpp"
 
+namespace particle_csv_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -136,3 +138,5 @@ TEST_CASE("CSV: a column of sizes that is named, among others") {
   CHECK(contains(refusal("tag,size_mm\na,1\n", options), "there is no column 'grain_um'"));
   CHECK(contains(refusal("1\n1\n", options), "is for dumps, CSV and VTK"));
 }
+
+} // namespace particle_csv_test

@@ -6,6 +6,8 @@
 
 #include <set>
 
+namespace particle_ids_test {
+
 using namespace mdm;
 using namespace mdm::test;
 using mdm_test::replaced;
@@ -109,3 +111,5 @@ TEST_CASE("VTK: an id that is there twice among whole numbers is refused") {
   CHECK(read(replaced(replaced(points, "id int", "id float"), "4 5", "4 4")).particles == "2000 4000");
   CHECK(contains(refusal(replaced(points, "4 5", "4")), "file:11: id 'SCALARS' is not a whole number"));
 }
+
+} // namespace particle_ids_test

@@ -2,6 +2,8 @@
 
 #include "support.hpp"
 
+namespace particle_list_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -71,3 +73,5 @@ TEST_CASE("particle files: what is packed or binary is refused with what to do")
   }
   CHECK(read("1\n2\n").particles == "1 2");
 }
+
+} // namespace particle_list_test

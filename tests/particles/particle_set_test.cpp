@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <random>
 
+namespace particle_set_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -232,3 +234,5 @@ TEST_CASE("particle sets: the answer of a spread is refused") {
   answer.has_spread = true;
   CHECK_THROWS_AS(particle_set(answer, {}), InputError);
 }
+
+} // namespace particle_set_test

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <unordered_map>
 
+namespace placement_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -528,3 +530,5 @@ TEST_CASE("placement: particles of many sizes in a class") {
   CHECK(all_pairs(balls) == 0);
   CHECK(outside(balls, start) == 0);
 }
+
+} // namespace placement_test

@@ -3,6 +3,8 @@
 #include "particles/placed_sink.hpp"
 #include "support.hpp"
 
+namespace places_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -191,3 +193,5 @@ TEST_CASE("a cylinder holds what lies in its circle; a box without a top what li
   CHECK(holds("0", "1", "1"));
   CHECK_FALSE(holds("-0.0000000000000000001", "1", "1"));
 }
+
+} // namespace places_test

@@ -10,6 +10,8 @@
 #include <regex>
 #include <set>
 
+namespace settle_model_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -313,3 +315,5 @@ TEST_CASE("models: refusals") {
   many.classes[0].sizes[0].quantity = Integer(1) << 31;
   CHECK(contains(refusal_of(model_of(many), liggghts_model), "2147483647 that programs count"));
 }
+
+} // namespace settle_model_test

@@ -3,6 +3,8 @@
 #include "replaced.hpp"
 #include "support.hpp"
 
+namespace stated_units_test {
+
 using namespace mdm;
 using namespace mdm::test;
 using mdm_test::replaced;
@@ -132,3 +134,5 @@ TEST_CASE("dumps: of a timestep that is there several times the last counts, and
   CHECK(contains(result.notes.at(0), "Timestep 0 is there 2 times; the last was taken."));
   CHECK(read(dump("radius", "1"), zero).notes.size() == 1);
 }
+
+} // namespace stated_units_test

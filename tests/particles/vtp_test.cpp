@@ -4,6 +4,8 @@
 #include "replaced.hpp"
 #include "support.hpp"
 
+namespace vtp_test {
+
 using namespace mdm;
 using namespace mdm::test;
 using mdm_test::replaced;
@@ -75,3 +77,5 @@ TEST_CASE("VTK's XML: broken files") {
   CHECK(contains(refusal("<VTKFile type='PolyData'><PolyData/></VTKFile>\n"), "there are no particles"));
   check_truncations(points(), from(ParticleFormat::vtp));
 }
+
+} // namespace vtp_test

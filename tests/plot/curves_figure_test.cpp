@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace curves_figure_test {
+
 using namespace mdm;
 
 namespace {
@@ -81,3 +83,5 @@ TEST_CASE("the figure of several gradations is drawn", "[curves]") {
   CHECK(picture.find("Durchgang") != std::string::npos);
   CHECK(picture.find("eine Grenze ist verletzt") != std::string::npos);
 }
+
+} // namespace curves_figure_test

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace figure_test {
+
 using namespace mdm;
 
 namespace {
@@ -91,3 +93,5 @@ TEST_CASE("sentences are broken at spaces, and words that are too long are cut",
   for (const std::string &line : cut)
     CHECK(text_width(line, letter_size) <= wide);
 }
+
+} // namespace figure_test

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace gradation_figure_test {
+
 using namespace mdm;
 
 namespace {
@@ -323,3 +325,5 @@ TEST_CASE("a figure is as wide as asked; a narrow one leaves its right side free
     CHECK(figure.panels[0].x.title == "size (mm); bands: ASTM D2487"); // no note says it
   }
 }
+
+} // namespace gradation_figure_test

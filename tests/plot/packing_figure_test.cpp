@@ -9,6 +9,8 @@
 #include <cmath>
 #include <set>
 
+namespace packing_figure_test {
+
 using namespace mdm;
 using packing_test::discs;
 using packing_test::has;
@@ -147,3 +149,5 @@ TEST_CASE("discs are circles at scale in a picture, with their edge", "[figure]"
   CHECK(has(svg, "stroke=\"#111111\""));
   CHECK(has(svg, ">discs</text>"));
 }
+
+} // namespace packing_figure_test

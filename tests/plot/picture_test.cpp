@@ -11,6 +11,8 @@
 #include <limits>
 #include <sstream>
 
+namespace picture_test {
+
 using namespace mdm;
 
 namespace {
@@ -324,3 +326,5 @@ TEST_CASE("a line of a hundred thousand points has those that can be seen, its e
   CHECK(layout.panels[0].top == 6);
   CHECK(contains(path, " 6L")); // the peak, which is one point
 }
+
+} // namespace picture_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+namespace section_figure_test {
+
 using namespace mdm;
 
 namespace {
@@ -84,3 +86,5 @@ TEST_CASE("the coarser of two classes is the darker one in a section") {
   const Panel panel = section_panel(sample(), three_classes(), 0.75);
   CHECK(panel.series[1].color < panel.series[2].color);
 }
+
+} // namespace section_figure_test

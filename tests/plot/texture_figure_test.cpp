@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace texture_figure_test {
+
 using namespace mdm;
 
 namespace {
@@ -56,3 +58,5 @@ TEST_CASE("the triangles are drawn, short labels are explained", "[texture]") {
     CHECK((picture.find("msG: muddy sandy gravel") != std::string::npos) == (system == TextureSystem::folk));
   }
 }
+
+} // namespace texture_figure_test

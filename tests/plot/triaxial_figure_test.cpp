@@ -4,6 +4,8 @@
 #include "plot/picture.hpp"
 #include "plot/triaxial_figure.hpp"
 
+namespace triaxial_figure_test {
+
 using namespace mdm;
 
 namespace {
@@ -49,3 +51,5 @@ TEST_CASE(
   CHECK(figure.panels[0].title == "Deviatorspannung");
   CHECK(figure.panels[1].x.title == "axiale Dehnung (Prozent)");
 }
+
+} // namespace triaxial_figure_test

@@ -8,6 +8,8 @@
 #include <random>
 #include <sstream>
 
+namespace blend_certificate_test {
+
 using namespace mdm;
 
 namespace {
@@ -160,3 +162,5 @@ TEST_CASE("a proof whose multipliers are gone proves nothing where they were nee
   }
   CHECK(refused > 10);
 }
+
+} // namespace blend_certificate_test

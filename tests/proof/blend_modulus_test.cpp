@@ -12,6 +12,8 @@
 #include <functional>
 #include <random>
 
+namespace blend_modulus_test {
+
 using namespace mdm;
 
 namespace {
@@ -203,3 +205,5 @@ TEST_CASE("moduli that cannot be kept, or of which a stockpile does not tell, ar
   CHECK_THROWS_AS(problem(g, {{FinenessModulus::en, 7, std::nullopt}}), InputError);
   CHECK_THROWS_AS(problem(g, {{FinenessModulus::en, 2, 3}, {FinenessModulus::en, 1, 4}}), InputError);
 }
+
+} // namespace blend_modulus_test

@@ -6,6 +6,8 @@
 
 #include <random>
 
+namespace blend_vipr_test {
+
 using namespace mdm;
 
 namespace {
@@ -116,3 +118,5 @@ TEST_CASE("what is not linear has no VIPR export") {
   p.aim = BlendAim::squares;
   CHECK_THROWS_AS(blend_vipr(p, solve_blend(p)), InputError);
 }
+
+} // namespace blend_vipr_test

@@ -9,6 +9,8 @@
 #include <mdm/proof/certificate.hpp>
 #include <mdm/text/error.hpp>
 
+namespace certificate_test {
+
 using namespace mdm;
 
 namespace {
@@ -225,3 +227,5 @@ TEST_CASE("only what could not be certified is refused before solving") {
       CHECK(before == (digits == 108));
     }
 }
+
+} // namespace certificate_test

@@ -10,6 +10,8 @@
 #include <mdm/proof/certificate.hpp>
 #include <mdm/text/error.hpp>
 
+namespace law_test {
+
 using namespace mdm;
 
 namespace {
@@ -284,3 +286,5 @@ TEST_CASE("a law by table or sum holds for openings that are fractions, up to it
   question.solids = SolidsVolume{5};
   CHECK(message(g).find("needs spheres") != std::string::npos);
 }
+
+} // namespace law_test

@@ -4,6 +4,8 @@
 
 #include <mdm/match/solve.hpp>
 
+namespace option_spelling_test {
+
 using namespace mdm;
 using namespace mdm_test;
 
@@ -16,3 +18,5 @@ TEST_CASE("A proof that cannot be exported is refused in the spelling of the fro
   const auto refusal = [&match] { return refusal_of([&match] { vipr(match); }); };
   check_spellings(refusal, {"--vipr: the mass law", "vipr: the mass law", "vipr: the mass law"});
 }
+
+} // namespace option_spelling_test

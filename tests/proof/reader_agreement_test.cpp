@@ -12,6 +12,8 @@
 #include <mdm/number/rational.hpp>
 #include <mdm/text/error.hpp>
 
+namespace reader_agreement_test {
+
 namespace {
 
 /// Openings to the power of the root, masses, factors and tolerances as one text; nothing if the file is
@@ -73,3 +75,5 @@ TEST_CASE("solver and checker agree on mutated files") {
   }
   CHECK(accepted >= 2200);
 }
+
+} // namespace reader_agreement_test

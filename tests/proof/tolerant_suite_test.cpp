@@ -10,6 +10,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace tolerant_suite_test {
+
 using namespace mdm;
 
 namespace {
@@ -71,3 +73,5 @@ TEST_CASE("the suite's proofs within tolerances are accepted, and refused if the
   CHECK(optimal == 3 * 2750);
   CHECK(between >= 5);
 }
+
+} // namespace tolerant_suite_test

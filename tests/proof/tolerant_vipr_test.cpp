@@ -7,6 +7,8 @@
 
 #include <mdm/match/solve.hpp>
 
+namespace tolerant_vipr_test {
+
 using namespace mdm;
 
 namespace {
@@ -99,3 +101,5 @@ TEST_CASE("a band without a curve is refuted for any number of particles") {
   CHECK(some.status == Status::optimal);
   CHECK_NOTHROW(vipr_checker::Checker(vipr(some)).check_at_most(0));
 }
+
+} // namespace tolerant_vipr_test

@@ -11,6 +11,8 @@
 
 #include <sstream>
 
+namespace tree_certificate_test {
+
 using namespace mdm;
 
 namespace {
@@ -331,3 +333,5 @@ TEST_CASE("where a proof is beyond the limits of the format, less is proved, dow
   CHECK(is_accepted(g, asked.text));
   CHECK_FALSE(is_accepted(g, with_word(asked.text, "particles", 1, "2.." + to_string(n))));
 }
+
+} // namespace tree_certificate_test

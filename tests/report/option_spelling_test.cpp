@@ -3,6 +3,8 @@
 #include "report/verification.hpp"
 #include "spellings.hpp"
 
+namespace option_spelling_test {
+
 using namespace mdm;
 using namespace mdm_test;
 
@@ -20,3 +22,5 @@ TEST_CASE("A picture of nothing is refused in the spelling of the front end") {
   const auto refusal = [&nothing] { return refusal_of([&nothing] { tradeoff_figure(nothing); }); };
   check_spellings(refusal, {"leave out --plot", "leave out plot", "leave out plot"});
 }
+
+} // namespace option_spelling_test

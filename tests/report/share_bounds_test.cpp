@@ -1,6 +1,8 @@
 #include "catch.hpp"
 #include "report/share_bounds.hpp"
 
+namespace share_bounds_test {
+
 using namespace mdm;
 
 namespace {
@@ -72,3 +74,5 @@ TEST_CASE("A share and the limit that it misses have digits that tell them apart
   CHECK(check_bounds(t, e, g, 6).reason ==
         "the errors of all shares sum to 25.0000000001 %, and the limit is 25 %");
 }
+
+} // namespace share_bounds_test

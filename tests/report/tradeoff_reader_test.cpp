@@ -7,6 +7,8 @@
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>
 
+namespace tradeoff_reader_test {
+
 using namespace mdm;
 
 namespace {
@@ -94,3 +96,5 @@ TEST_CASE("what is no trade-off is refused, with its place") {
   check(R"("id":"sand",)", "", "id is missing");
   check(R"("versions")", R"(versions)", "t.json:1");
 }
+
+} // namespace tradeoff_reader_test

@@ -11,6 +11,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace tradeoff_report_test {
+
 using namespace mdm;
 
 namespace {
@@ -187,3 +189,5 @@ TEST_CASE("a tolerance of 0 and a pan stand left of all others") {
   CHECK(f.panels[1].x.ticks[0].label == "pan");
   CHECK(f.panels[1].x.ticks[0].at < f.panels[1].x.ticks[1].at);
 }
+
+} // namespace tradeoff_report_test

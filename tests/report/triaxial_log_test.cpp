@@ -5,6 +5,8 @@
 
 #include <mdm/text/error.hpp>
 
+namespace triaxial_log_test {
+
 using namespace mdm;
 
 namespace {
@@ -71,3 +73,5 @@ TEST_CASE("a triaxial log is refused with its line") {
   CHECK(has(triaxial_refusal(header + rows + "0.2,0,1,1,0.5,4,0,sigma_3\n"),
             "log.csv:4: constant 'sigma_3' is another than that of the row before, p"));
 }
+
+} // namespace triaxial_log_test

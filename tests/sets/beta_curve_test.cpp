@@ -5,6 +5,8 @@
 
 #include <mdm/text/error.hpp>
 
+namespace beta_curve_test {
+
 using namespace mdm;
 
 namespace {
@@ -188,3 +190,5 @@ TEST_CASE("a curve without sizes, without width or without shape is refused") {
   CHECK_THROWS_AS(BetaCurve(1, 1, 2, 2), InputError);
   CHECK_THROWS_AS(BetaCurve(1, 1, 3, 2), InputError);
 }
+
+} // namespace beta_curve_test

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 
+namespace class_counts_test {
+
 using namespace mdm;
 using namespace grading_test;
 
@@ -192,3 +194,5 @@ TEST_CASE("what cannot be is refused") {
   // Counts of thousands of digits.
   CHECK_THROWS_AS(counts_of(BetaCurve(1, 1000, 1, 100), Classing::regular, 20, {}), InputError);
 }
+
+} // namespace class_counts_test

@@ -5,6 +5,8 @@
 #include "sets/beta_curve.hpp"
 #include "sets/inverse_model.hpp"
 
+namespace inverse_model_test {
+
 using namespace mdm;
 
 namespace {
@@ -115,3 +117,5 @@ TEST_CASE("a shape at the edge of the range is not proved to be inside", "[inver
   CHECK_FALSE(found.boxes[0].holds_one);
   CHECK_FALSE(found.is_certain());
 }
+
+} // namespace inverse_model_test

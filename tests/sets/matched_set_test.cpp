@@ -6,6 +6,8 @@
 
 #include <random>
 
+namespace matched_set_test {
+
 using namespace mdm;
 
 namespace {
@@ -111,3 +113,5 @@ TEST_CASE("a spread of a set with room has volume in both halves of a class") {
     CHECK(share == Approx(0.5).margin(0.2));
   }
 }
+
+} // namespace matched_set_test

@@ -3,6 +3,8 @@
 #include "soil/soil.hpp"
 #include "spellings.hpp"
 
+namespace option_spelling_test {
+
 using namespace mdm;
 using namespace mdm_test;
 
@@ -21,3 +23,5 @@ TEST_CASE("A set that cannot be made is refused in the spelling of the front end
   check_spellings(
       digits, {"give more with --match-digits", "give more with match_digits", "give more with matchDigits"});
 }
+
+} // namespace option_spelling_test

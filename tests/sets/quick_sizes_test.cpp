@@ -4,6 +4,8 @@
 #include "sets/beta_curve.hpp"
 #include "sets/set_sizes.hpp"
 
+namespace quick_sizes_test {
+
 using namespace mdm;
 
 namespace {
@@ -80,3 +82,5 @@ TEST_CASE("the bits of a draw are those of its number") {
       for (const std::uint64_t i : {std::uint64_t{0}, q / 2, q - 1})
         CHECK(draws.bits(3, i, q) == floor(Rational(draws(3, i, q) * Rational(Integer(1) << 64))));
 }
+
+} // namespace quick_sizes_test

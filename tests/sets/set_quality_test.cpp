@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace set_quality_test {
+
 using namespace mdm;
 using namespace grading_test;
 
@@ -140,3 +142,5 @@ TEST_CASE("a drawn set is judged as by its sizes in doubles, and refining does n
   for (const Interval &i : all)
     CHECK(is_narrow(i));
 }
+
+} // namespace set_quality_test

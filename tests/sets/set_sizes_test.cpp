@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace set_sizes_test {
+
 using namespace mdm;
 
 namespace {
@@ -187,3 +189,5 @@ TEST_CASE("sizes without randomness are as even as they can be") {
   });
   CHECK(i == q);
 }
+
+} // namespace set_sizes_test

@@ -4,6 +4,8 @@
 #include "sets/size_distribution.hpp"
 #include "sets/uniform_by_volume.hpp"
 
+namespace size_distribution_test {
+
 using namespace mdm;
 
 namespace {
@@ -68,3 +70,5 @@ TEST_CASE("irrational bounds give enclosures of the same") {
   CHECK(rounded(near.partition(Rational(3)), 12) == rounded(exact.partition(Rational(3)), 12));
   CHECK(rounded(near.number_density(Rational(3)), 12) == rounded(exact.number_density(Rational(3)), 12));
 }
+
+} // namespace size_distribution_test

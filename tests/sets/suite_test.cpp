@@ -11,6 +11,8 @@
 #include <numeric>
 #include <set>
 
+namespace suite_test {
+
 using namespace mdm;
 
 namespace {
@@ -272,3 +274,5 @@ TEST_CASE("nonsense is refused with the member that is wrong", "[suite]") {
   has(described(iso, R"("kind": "ties", "at": "middle")"), "at: 'middle' is none of upper, lower, either");
   has(R"({"schema": "mdm-suite-1", "sieves": {"list": [1, 2]}, "masses": []})", "the list is empty");
 }
+
+} // namespace suite_test

@@ -4,6 +4,8 @@
 #include "plain_gradation.hpp"
 #include "sets/uniform_counts.hpp"
 
+namespace uniform_counts_test {
+
 using namespace mdm;
 
 namespace {
@@ -57,3 +59,5 @@ TEST_CASE("floors that take all particles are counts") {
   REQUIRE(c);
   CHECK(c->q == std::vector<Integer>{10, 10});
 }
+
+} // namespace uniform_counts_test

@@ -7,6 +7,8 @@
 #include <array>
 #include <random>
 
+namespace aashto_test {
+
 using namespace mdm;
 using grading_test::curve;
 
@@ -127,3 +129,5 @@ TEST_CASE("the AASHTO group is that of what passes 75 mm", "[aashto]") {
             {{"0.001", "0"}, {"0.075", "4"}, {"0.425", "40"}, {"2", "60"}, {"75", "80"}, {"150", "100"}})) ==
         "A-1-b(0)");
 }
+
+} // namespace aashto_test

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+namespace bailey_test {
+
 using namespace mdm;
 
 TEST_CASE("Bailey: control sieves are the standard ones nearest to 0.22 times the size before") {
@@ -33,3 +35,5 @@ TEST_CASE("Bailey: ratios of what passes") {
   CHECK_FALSE(none.fine_coarse);
   CHECK_FALSE(none.fine_fine);
 }
+
+} // namespace bailey_test

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+namespace breakage_test {
+
 using namespace mdm;
 using grading_test::curve;
 
@@ -120,3 +122,5 @@ TEST_CASE("breakage against sums of thin strips", "[breakage]") {
                               return (std::pow(x, 0.4) - m) / (std::pow(6, 0.4) - m);
                             })).epsilon(1e-6));
 }
+
+} // namespace breakage_test

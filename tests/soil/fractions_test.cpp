@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace fractions_test {
+
 using namespace mdm;
 using namespace grading_test;
 
@@ -129,3 +131,5 @@ TEST_CASE("inside a pan at size 0 fractions are not available") {
   CHECK(share(f, "cobbles") == Rational(0));
   CHECK(interpolated_bounds(c, f) == std::vector<Rational>{decimal("4.75"), decimal("0.425")});
 }
+
+} // namespace fractions_test

@@ -3,6 +3,8 @@
 #include "catch.hpp"
 #include "soil.hpp"
 
+namespace grading_curve_test {
+
 using namespace mdm;
 using namespace grading_test;
 
@@ -134,3 +136,5 @@ TEST_CASE("the part that passes a sieve is a curve of its own") {
   CHECK_FALSE(c.part_passing(12)); // inside a class
   CHECK_FALSE(c.part_passing(1));  // nothing passes
 }
+
+} // namespace grading_curve_test

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <fstream>
 
+namespace indices_test {
+
 using namespace mdm;
 using namespace grading_test;
 
@@ -171,3 +173,5 @@ TEST_CASE("the suite's indices agree with long double") {
     CHECK(agrees(c.diameter(ratio(1, 2))->real(), plain.diameter(0.5L)));
   }
 }
+
+} // namespace indices_test

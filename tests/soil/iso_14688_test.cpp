@@ -8,6 +8,8 @@
 #include <array>
 #include <set>
 
+namespace iso_14688_test {
+
 using namespace mdm;
 using grading_test::curve;
 
@@ -139,3 +141,5 @@ TEST_CASE("a name of ISO 14688-2 needs clay only where fines are named", "[iso_1
         "below 0.063 mm, the finest sieve");
   CHECK_FALSE(iso_14688_name(curve({{"0", "0"}, {"0.125", "15"}, {"2", "100"}})));
 }
+
+} // namespace iso_14688_test

@@ -8,6 +8,8 @@
 
 #include <random>
 
+namespace mean_sizes_test {
+
 using namespace mdm;
 using grading_test::curve;
 
@@ -107,3 +109,5 @@ TEST_CASE("the conductivity of Kozeny and Carman is that of spheres of D[3,2]", 
   CHECK(middle(k->hi) == Approx(per_square * 0.04 * 0.04 / 100));
   CHECK_FALSE(kozeny_carman_conductivity(curve({{"0", "0"}, {"1", "1"}, {"2", "100"}}), 1));
 }
+
+} // namespace mean_sizes_test

@@ -8,6 +8,8 @@
 
 #include <random>
 
+namespace number_shares_test {
+
 using namespace mdm;
 
 namespace {
@@ -95,3 +97,5 @@ TEST_CASE("A single class has all, by mass and by number") {
       check_exactly(ranges[1].hi, 0);
     }
 }
+
+} // namespace number_shares_test

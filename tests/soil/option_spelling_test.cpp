@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+namespace option_spelling_test {
+
 using namespace mdm;
 using namespace mdm_test;
 
@@ -21,3 +23,5 @@ TEST_CASE("The notes of a soil name options in the spelling of the front end") {
                   {"; --liquid-limit and --plastic-limit classify",
                    "; liquid_limit and plastic_limit classify", "; liquidLimit and plasticLimit classify"});
 }
+
+} // namespace option_spelling_test

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <random>
 
+namespace sediment_test {
+
 using namespace mdm;
 
 namespace {
@@ -190,3 +192,5 @@ TEST_CASE("modes stand above their neighbours, the highest first", "[sediment]")
   CHECK(s.modes[1].up_to.text() == "2"); // 3 in a phi, as 6 in 2 phi: the finer one first
   CHECK(s.modes[2].up_to.text() == "64");
 }
+
+} // namespace sediment_test

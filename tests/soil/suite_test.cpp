@@ -9,6 +9,8 @@
 #include <fstream>
 #include <map>
 
+namespace suite_test {
+
 using namespace mdm;
 
 namespace {
@@ -60,3 +62,5 @@ TEST_CASE("Table 1") {
                                              {"SW", 280},
                                              {"SW-SM", 41}});
 }
+
+} // namespace suite_test

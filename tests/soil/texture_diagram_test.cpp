@@ -8,6 +8,8 @@
 
 #include <map>
 
+namespace texture_diagram_test {
+
 using namespace mdm;
 using grading_test::curve;
 
@@ -100,3 +102,5 @@ TEST_CASE("each field's label stands in it", "[texture]") {
   CHECK(texture_diagram(TextureSystem::shepard).fields.size() == 10);
   CHECK(texture_diagram(TextureSystem::usda).fields.size() == 12);
 }
+
+} // namespace texture_diagram_test

@@ -5,6 +5,8 @@
 #include "soil.hpp"
 #include "soil/texture.hpp"
 
+namespace texture_test {
+
 using namespace mdm;
 using grading_test::curve;
 
@@ -91,3 +93,5 @@ TEST_CASE("a texture is not available where a pan hides a share", "[texture]") {
   CHECK_FALSE(texture(TextureSystem::shepard, sand));
   CHECK(texture(TextureSystem::usda, sand).why().reason == "below 0.0625 mm, the finest sieve");
 }
+
+} // namespace texture_test

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <map>
 
+namespace uscs_test {
+
 using namespace mdm;
 using namespace grading_test;
 
@@ -285,3 +287,5 @@ TEST_CASE("what all bits leave open is told as a limit", "[uscs]") {
   CHECK(open.why().limited);
   CHECK(open.why().reason.find("gravel against sand") != std::string::npos);
 }
+
+} // namespace uscs_test

@@ -1,5 +1,7 @@
 #include "../gradation/support.hpp"
 
+namespace error_test {
+
 using namespace mdm;
 using namespace mdm::test;
 
@@ -42,3 +44,5 @@ TEST_CASE("UTF-8 is well-formed") {
         "\xF8\x88\x80\x80\x80", "\xFF", "\xE2\x82", "a\xF0\x9F\x8F"})
     CHECK_FALSE(is_utf8(bad));
 }
+
+} // namespace error_test

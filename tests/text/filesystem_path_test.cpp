@@ -1,6 +1,8 @@
 #include "catch.hpp"
 #include "text/filesystem_path.hpp"
 
+namespace filesystem_path_test {
+
 using namespace mdm;
 
 TEST_CASE("a path has the letters of its name") {
@@ -14,3 +16,5 @@ TEST_CASE("a name that is no UTF-8 keeps its bytes") {
   CHECK(filesystem_path(name).native() == name);
   CHECK(path_name(filesystem_path(name)) == name);
 }
+
+} // namespace filesystem_path_test

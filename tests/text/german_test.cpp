@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace german_test {
+
 using namespace mdm;
 using Json = nlohmann::ordered_json;
 
@@ -48,3 +50,5 @@ TEST_CASE("a long text stays as it is, and one made to be slow ends", "[german]"
     hostile += hostile.size() % 3 == 0 ? ": " : hostile.size() % 3 == 1 ? ", " : " is ";
   CHECK_FALSE(in_german("The rows of " + hostile));
 }
+
+} // namespace german_test

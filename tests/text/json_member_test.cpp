@@ -1,6 +1,8 @@
 #include "catch.hpp"
 #include "text/json_member.hpp"
 
+namespace json_member_test {
+
 using namespace mdm;
 
 TEST_CASE("a JSON text says its schema in any place and spelling of the key") {
@@ -25,3 +27,5 @@ TEST_CASE("a member is found before an error, not behind one") {
   CHECK(json_member(R"({"id":18446744073709551615)", "id") == "18446744073709551615");
   CHECK_FALSE(json_member(R"({"x,"id":"a"})", "id"));
 }
+
+} // namespace json_member_test

@@ -1,6 +1,8 @@
 #include "catch.hpp"
 #include "text/json_writer.hpp"
 
+namespace json_writer_test {
+
 using namespace mdm;
 
 namespace {
@@ -60,3 +62,5 @@ TEST_CASE("a long text comes in pieces, each as long as the other but the last")
   CHECK(lengths.front() >= 65536);
   CHECK(lengths.front() < 65600);
 }
+
+} // namespace json_writer_test

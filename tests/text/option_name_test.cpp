@@ -1,6 +1,8 @@
 #include "../gradation/support.hpp"
 #include "text/option_name.hpp"
 
+namespace option_name_test {
+
 using namespace mdm;
 
 TEST_CASE("An option is spelled as the front end spells it") {
@@ -17,3 +19,5 @@ TEST_CASE("An option is spelled as the front end spells it") {
   spell_options(OptionSpelling::program);
   CHECK(option("law") == "--law");
 }
+
+} // namespace option_name_test

@@ -6,6 +6,8 @@
 
 #include <regex>
 
+namespace coq_file_test {
+
 using namespace cli_test;
 
 namespace {
@@ -214,3 +216,5 @@ TEST_CASE("the example of proofs/README.md runs") {
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.out.find("Axioms:") != std::string::npos);
 }
+
+} // namespace coq_file_test

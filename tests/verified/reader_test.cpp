@@ -5,6 +5,8 @@
 
 #include <cstdlib>
 
+namespace reader_test {
+
 namespace {
 
 struct Outcome {
@@ -177,3 +179,5 @@ TEST_CASE("the verdict's line quotes the file's name, and a refusal gives its re
   CHECK(malformed.exit_code == 2);
   CHECK(malformed.output.empty());
 }
+
+} // namespace reader_test

@@ -15,6 +15,8 @@
 
 #include <fstream>
 
+namespace verified_test {
+
 using namespace verified_test;
 using mdm::ratio;
 
@@ -331,3 +333,5 @@ TEST_CASE("the program judges pairs, and says how it wants to be called") {
   CHECK(exit_code("- -") == 2);
   CHECK(exit_code(folder + "accepted/box.csv") == 2);
 }
+
+} // namespace verified_test

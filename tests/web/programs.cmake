@@ -14,7 +14,6 @@ target_compile_options(catch_main PUBLIC -fwasm-exceptions)
 function(mdm_add_wasm_tests folder)
   file(GLOB sources CONFIGURE_DEPENDS ${folder}/*_test.cpp)
   add_executable(${folder}_tests ${sources})
-  set_target_properties(${folder}_tests PROPERTIES UNITY_BUILD OFF)
   target_include_directories(${folder}_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src)
   target_compile_definitions(${folder}_tests PRIVATE
     MDM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
