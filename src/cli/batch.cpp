@@ -97,6 +97,8 @@ void check_shard(const BatchCommand &c) {
                      option("format") + " csv and names in .csv");
   if (c.files.size() > 1)
     throw InputError(option("shard") + ": it is of one suite: give one");
+  if (!c.files.empty())
+    check_distinct({c.files[0], c.output.path(), totals_path(c.output.path())});
 }
 
 /// Solves what the sources have.

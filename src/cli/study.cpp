@@ -93,6 +93,10 @@ int run_figures(const StudyCommand &c) {
     files.push_back(pictures.drawn("figure4", paper_figure4(survey.rows)));
     files.push_back(pictures.drawn("figure5", paper_figure5(survey.rows)));
   }
+  std::vector<std::string> written;
+  for (const StudyFile &file : files)
+    written.push_back(*c.out + "/" + file.name);
+  check_paths(c.files, written);
   write_all(*c.out, files);
   return Exit::done;
 }

@@ -217,7 +217,7 @@ void TolerantSearch::decide_exactly(SearchTree::Number node) {
 
 Tree TolerantSearch::tree() const {
   const Tree tree = tree_.tree(certain(), longest_tree);
-  return branching_ ? shortened(branching_->windows(), tree, root_, certain()) : tree;
+  return branching_ ? shortened(branching_->windows(), tree, root_, certain(), watch_) : tree;
 }
 
 } // namespace mdm

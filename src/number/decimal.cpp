@@ -78,7 +78,7 @@ Parts take_apart(std::string_view text, char point) {
   if (!rest.empty() && (rest.front() == 'e' || rest.front() == 'E'))
     parts.exponent += take_exponent(text, rest);
   if (rest == "%")
-    refuse(text, "is not a number: leave out the %");
+    refuse(text, "is not a number: leave out the %, and divide by 100 where no percentage is asked for");
   if (!rest.empty())
     refuse(text, "is not a number: write a decimal such as 3.86");
   if (parts.digits() > max_decimal_digits)

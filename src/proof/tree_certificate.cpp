@@ -284,12 +284,19 @@ Certified tree_certificate(const Match &m) {
   if (has_windows(tree) && m.particles()) {
     const MassWindows windows(problem);
     const Integer most = *m.particles();
-    constexpr unsigned finest = 1 << 20; // part of the particles that is given up first
-    Integer less = std::max(Integer(most - m.proof.bound.value_or(most)), Integer(most / finest));
-    while ((less = 2 * less + 1) < most - problem.at_least()) {
+    constexpr std::size_t most_shortened = 1000; // nodes of a tree that does not fit, in a moment
+    constexpr unsigned finest = 1 << 20;         // part of the particles that is given up first
+    const auto next = [&](const Integer &less) {
+      return std::max(Integer(2 * less + 1), Integer(most / finest));
+    };
+    for (Integer less = most - m.proof.bound.value_or(most); less < most - problem.at_least();
+         less = next(less)) {
       const Integer bound = most - less;
-      tree = shortened(windows, tree, least_counts(problem), bound);
-      if (std::optional<std::string> text = proof(tree, bound))
+      tree = for_fewer(windows, tree, least_counts(problem), bound);
+      if (tree.size() > most_shortened && !proof(tree, bound))
+        continue;
+      if (std::optional<std::string> text =
+              proof(shortened(windows, tree, least_counts(problem), bound, {}), bound))
         return {std::move(*text), bound};
     }
   }

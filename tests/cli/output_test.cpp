@@ -284,6 +284,16 @@ TEST_CASE("two results cannot have one file", "[cli]") {
   check_refused(mdm({"solve", athabasca, "--proof", "-"}), "--proof");
 }
 
+TEST_CASE("files beside those that were named do not replace a suite", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string line = R"({"id":"a","sizes":["1","2","3"],"masses":["2","1","0"]})";
+  const std::string totals = folder.write("o.totals", line), table = folder.write("table1.csv", line);
+  check_refused(mdm({"batch", totals, "--shard", "1/1", "-o", folder / "o"}), "would be overwritten");
+  check_refused(mdm({"study", "figures", table, "--out", folder / "."}), "would be overwritten");
+  CHECK(read_file(totals) == line);
+  CHECK(read_file(table) == line);
+}
+
 TEST_CASE("a proof does not replace the gradation that it proves", "[cli]") {
   const TemporaryFolder folder;
   const std::string text = read_file(athabasca);

@@ -126,4 +126,18 @@ TEST_CASE("where the chain's proof would be too long, what was asked for is prov
   CHECK(contains(verdict(file, {"--tolerance", "0.05%", "--node-limit", "1"}, 3), " is between "));
 }
 
+TEST_CASE("a tree that is too long for a proof proves its bound with fewer windows", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string curve = folder.write("curve.csv", "size_mm,mass\n120,2\n155,1\n95,3\n86,2\n143,0\n196,"
+                                                      "1\n169,2\n246,1\n263,5\n277,0\n217,1\n179,2\n171,5\n");
+  const std::string band = folder.write(
+      "band.csv", "size_mm,passing_min_percent,passing_max_percent\n169,25,32\n263,70,81\n554,100,100\n");
+  const Outcome outcome = mdm({"solve", curve, "--tolerance", "total:16", "--law", "power:2", "--band", band,
+                               "--node-limit", "3000", "--proof", folder / "p"});
+  CHECK(outcome.exit_code == 3);
+  CHECK(contains(outcome.out, "has N in [18, 26]"));
+  CHECK(contains(outcome.out, "the proof is of the bounds: at least 18 particles"));
+  CHECK(mdm_check(curve, folder / "p").exit_code == 0);
+}
+
 } // namespace tolerance_proof_test
