@@ -297,7 +297,7 @@ Certified tree_certificate(const Match &m) {
         continue;
       if (std::optional<std::string> text =
               proof(shortened(windows, tree, least_counts(problem), bound, {}), bound))
-        return {std::move(*text), bound};
+        return {std::move(*text), bound < most ? std::optional<Integer>(bound) : std::nullopt};
     }
   }
   const Integer &asked = problem.at_least();

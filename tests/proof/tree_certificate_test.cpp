@@ -318,6 +318,13 @@ TEST_CASE("where a proof is beyond the limits of the format, less is proved, dow
 
   Match with_cuts = m;
   with_cuts.proof.evidence = cut_up(std::get<Tree>(*m.evidence()));
+  const Certified all = certified(with_cuts);
+  CHECK_FALSE(all.bound.has_value());
+  CHECK(is_accepted(g, all.text));
+  CHECK_FALSE(is_accepted(g, with_word(all.text, "particles", 1, to_string(Integer(n + 1)))));
+
+  with_cuts.complete = false;
+  with_cuts.proof.bound = n - 1;
   const Certified less = certified(with_cuts);
   REQUIRE(less.bound.has_value());
   CHECK(*less.bound == n - 1);
