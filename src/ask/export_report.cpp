@@ -151,9 +151,9 @@ std::string cost_guide(const ExportFormat &format, const ParticleSet &set, const
                         "as near as floats are\n",
                         stated_error(set));
   if (format.id == ExportTo::phasicflow)
-    text += "it goes into the case's settings as particlesDict, what ends in -shapes into caseSetup as "
-            "shapes, what ends in "
-            "-positions into the case itself as positions; the material is called grains\n";
+    text +=
+        "it goes into the case's settings as particlesDict, what ends in -shapes into caseSetup as shapes, "
+        "what ends in -positions into the case itself as positions; the material is called grains\n";
   if (format.id == ExportTo::dem_engine)
     text += "each clump_type is r and a radius: give it to DEM-Engine by LoadSphereType(mass, radius, "
             "material)->AssignName(clump_type)\n";

@@ -284,7 +284,7 @@ Certified tree_certificate(const Match &m) {
   if (has_windows(tree) && m.particles()) {
     const MassWindows windows(problem);
     const Integer most = *m.particles();
-    constexpr std::size_t most_shortened = 1000; // nodes of a tree that does not fit, in a moment
+    constexpr std::size_t most_shortened = 1000; // nodes, in a moment
     constexpr unsigned finest = 1 << 20;         // part of the particles that is given up first
     const auto next = [&](const Integer &less) {
       return std::max(Integer(2 * less + 1), Integer(most / finest));
@@ -293,10 +293,9 @@ Certified tree_certificate(const Match &m) {
          less = next(less)) {
       const Integer bound = most - less;
       tree = for_fewer(windows, tree, least_counts(problem), bound);
-      if (tree.size() > most_shortened && !proof(tree, bound))
-        continue;
-      if (std::optional<std::string> text =
-              proof(shortened(windows, tree, least_counts(problem), bound, {}), bound))
+      if (tree.size() <= most_shortened)
+        tree = shortened(windows, tree, least_counts(problem), bound, {});
+      if (std::optional<std::string> text = proof(tree, bound))
         return {std::move(*text), bound < most ? std::optional<Integer>(bound) : std::nullopt};
     }
   }
