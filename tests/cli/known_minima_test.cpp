@@ -49,7 +49,9 @@ TEST_CASE("least matches are taken from proofs, which are checked", "[cli]") {
     INFO(judged.out << judged.err);
     CHECK(judged.exit_code == 0);
     REQUIRE(Json::accept(judged.out));
-    for (const Json &row : Json::parse(judged.out).at("rows"))
+    const Json rows = Json::parse(judged.out).at("rows");
+    REQUIRE(rows.size() == 2);
+    for (const Json &row : rows)
       CHECK(row.at("verdict") == "minimal");
     // The same as without them.
     Arguments without{"crosscheck", of.suite, of.answers, "--format", "json"};
